@@ -78,13 +78,11 @@ x87=$(awk -F '\t' '$2 ~ /^f[a-z]/ { split($2, word, " "); print word[1] }' code 
 trap end_wine EXIT
 start_wine
 x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include -I"$made/c" "$top/tests/doors/door.c" -o windows/bin/door.exe -Lwindows/lib -lrwedge
-x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include "$here/test/errors.c" -o windows/bin/errors.exe -Lwindows/lib -lrwedge
 # of the functions that the module declares
 python3 -B "$top/tests/doors/calls.py" >all-calls
 sed -n 's/^Private Declare .* c_\([a-z_]*\) Lib.*/\1/p' rwedge.bas >offered
 awk -F : 'NR == FNR { offered[$1]; next } $1 in offered' offered all-calls >calls
 [ -s calls ] || fail "no calls"
-on_windows windows/bin/errors.exe
 on_windows windows/bin/door.exe <calls | tr -d '\r' >answers-windows
 
 # The library of this machine, with its own libm and with that of the DLL.

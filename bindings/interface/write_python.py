@@ -15,17 +15,15 @@ import textwrap
 from header import SENTENCE, Domain, Function, Interface, Parameter
 
 IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
-    (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?never NULL", ""), (r"Static text\.", ""),
+    (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?never NULL", ""), (r"Static text\.| ?Nothing is written unless every\s+point is in the domain\.", ""), (r"\bat n points\b", "at points"),
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
     (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
     ("HUGE_VAL", "inf"))
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library.
-BY_HAND = {"contact_create", "contact_create_flat", "contact_create_profile", "contact_copy", "contact_destroy", "contact_load", "contact_apply", "contact_half_width", "contact_stick_half_width",
-           "contact_memory", "contact_dissipated_energy", "contact_tractions", "contact_stresses", "contact_slip",
-           "contact_yield_factor", "contact_loads", "contact_state_size", "contact_state", "contact_restore", "series_create",
-           "series_fit", "series_destroy", "series_terms", "series_coefficient", "series_residual", "series_pressure",
-           "series_potential", "series_stress", "stresses", "elastic_limits", "version", "strerror",
+BY_HAND = {"contact_create", "contact_create_flat", "contact_create_profile", "contact_copy", "contact_destroy", "contact_load",
+           "contact_apply", "contact_yield_factor", "contact_loads", "contact_state", "contact_restore", "series_create", "series_fit",
+           "series_destroy", "series_coefficient", "series_potential", "stresses", "elastic_limits", "version", "strerror",
            # generalized ufuncs take any number of points
            "smith_watson_topper_field", "fatemi_socie_field"}
 
@@ -47,11 +45,11 @@ def is_ufunc(f: Function) -> bool:
 
 def is_gufunc(f: Function) -> bool:
     """Is it of a cycle: arrays of one size, then numbers, which give numbers?"""
-    found = (f.result == "status" and not f.family and {p.role for p in f.parameters} == {"size", "in array", "in", "out"})
+    of_cycle = (f.result == "status" and not f.family and {p.role for p in f.parameters} == {"size", "in array", "in", "out"})
     arrays = len(f.of("in array"))
-    if found and [p.role for p in f.inputs[:arrays]] != ["in array"] * arrays:
+    if of_cycle and [p.role for p in f.inputs[:arrays]] != ["in array"] * arrays:
         sys.exit(f"write_python.py: rwedge_{f.name}() takes a number before an array: src/loops.c has no loop for that")
-    return found
+    return of_cycle
 
 
 def is_formula(f: Function) -> bool:
@@ -67,6 +65,17 @@ def is_general(f: Function) -> bool:
     return made
 
 
+def is_reading(f: Function) -> bool:
+    """Does it tell a number of an object?"""
+    return bool(f.of("handle")) and f.result == "value" and not f.inputs
+
+
+def is_of_points(f: Function) -> bool:
+    """Does a method take arrays of points that broadcast?"""
+    plain = set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL", "RWEDGE_EPATH"}  # EPATH is of the object, not of a point
+    return plain and bool(f.of("handle") and f.inputs) and (f.pointwise or f.family == "series")
+
+
 def units(f: Function) -> str:
     natural = not f.dimensional and f.section != "Materials"
     return "Natural units: lengths in b, stresses in theta/A." if natural else "Any consistent set of units."
@@ -80,7 +89,7 @@ def source(f: Function, before: str) -> str:
 def listed(inputs: list[Parameter], f: Function) -> list[str]:
     lines = []
     for p in inputs:
-        kind = "array_like" if is_formula(f) or p.role == "in array" else "int" if p.kind == "int32_t" else "float"
+        kind = "array_like" if is_formula(f) or is_of_points(f) or p.role == "in array" else "int" if p.kind == "int32_t" else "float"
         of_cycle = ", (..., n)" if is_gufunc(f) and p.role == "in array" else ""
         lines += [f"{p.name} : {kind}{of_cycle}", *indented(replaced(p.domain.text, IN_PYTHON))]
     return lines
@@ -107,20 +116,22 @@ def refused(f: Function) -> list[str]:
 
 def raised(f: Function) -> list[str]:
     """The section on exceptions, of what is not a formula."""
-    found: dict[str, list[str]] = {}
+    causes: dict[str, list[str]] = {}
     general = {"RWEDGE_EDOMAIN": "outside the domain", "RWEDGE_ERANGE": "where a size is out of range", "RWEDGE_ESLIDING": "where |Q| > f P",
                "RWEDGE_EPATH": "where there is no closed form", "RWEDGE_EABSENT": ""}
     for status in f.errors if f.result == "status" else []:
         if status in general:
             why = f.reasons.get(status) or general[status]
-            found.setdefault(EXCEPTIONS.get(status, "ValueError"), []).append(replaced(why, IN_PYTHON))
-    lines = [line for name, reasons in found.items() for line in (name, *indented("; ".join(dict.fromkeys(reasons))))]
+            causes.setdefault(EXCEPTIONS.get(status, "ValueError"), []).append(replaced(why, IN_PYTHON))
+    lines = [line for name, reasons in causes.items() for line in (name, *indented("; ".join(dict.fromkeys(reasons))))]
     return ["", "Raises", "------", *lines] if lines else []
 
 
 def returned(f: Function) -> str:
     if is_formula(f):
         return "float64, in the broadcast shape of the arguments" + ", without the axis of the loads" * is_gufunc(f)
+    if is_of_points(f):
+        return "ndarray, in the broadcast shape of the arguments; NaN gives NaN"
     if f.result == "text" and not f.outputs:
         return "str"
     shapes = {", ".join(p.size) for p in f.outputs if p.size}
@@ -178,7 +189,7 @@ def header_py(interface: Interface) -> str:
 
 def formula_loops(interface: Interface) -> list[str]:
     """One loop for every signature of functions with a value: doubles first, integers after them."""
-    found = {}
+    loops = {}
     for f in interface.functions:
         if is_ufunc(f) and f.result == "value":
             kinds = [p.kind for p in f.parameters]
@@ -187,8 +198,8 @@ def formula_loops(interface: Interface) -> list[str]:
                 sys.exit(f"write_python.py: rwedge_{f.name}() takes an integer before a double: src/loops.c has no loop for that")
             arguments = [f"IN({k})" if kind == "double" else f"narrow(AT(const int64_t, {k}))" for k, kind in enumerate(kinds)]
             name = "".join(kind[0] for kind in kinds)
-            found[name] = f"FORMULA_LOOP({name}, {len(kinds)}, {doubles}, ({', '.join(kinds)}), ({', '.join(arguments)}))"
-    return list(found.values())
+            loops[name] = f"FORMULA_LOOP({name}, {len(kinds)}, {doubles}, ({', '.join(kinds)}), ({', '.join(arguments)}))"
+    return list(loops.values())
 
 
 def points(f: Function, many: Function) -> tuple[int, int, int, str]:
@@ -216,11 +227,7 @@ def points(f: Function, many: Function) -> tuple[int, int, int, str]:
 def points_rows(interface: Interface) -> list[tuple[int, int, int, str]]:
     rows = []
     for f in interface.functions:
-        # EPATH is of the object, not of a point: its method asks first
-        plain = (set(f.errors) <= {"RWEDGE_EDOMAIN", "RWEDGE_ENULL", "RWEDGE_EPATH"} and
-                 (f.pointwise or not f.of("in array", "out array")))
-        of_object = f.of("handle") and f.inputs and not f.of("created") and plain and f.result in ("value", "status")
-        if is_ufunc(f) and f.result == "status" or of_object:
+        if is_ufunc(f) and f.result == "status" or is_of_points(f):
             many = next((g for g in interface.functions if g.array_of == f.name), f)
             rows.append(points(f, many))
     return rows
@@ -260,13 +267,22 @@ from typing import Any, SupportsFloat, SupportsIndex
 from numpy.typing import NDArray
 
 from ._general import call
+from ._library import function
 from ._types import Numbers
+from ._ufuncs import Points
 
 __all__: list[str] = {names}
+{functions}
 
 
 class _Object:
-    def _call(self, name: str, *given: Any) -> Any:
+    def _call(self, name: str, *arguments: Any) -> Any:
+        raise NotImplementedError
+
+    def _read(self, read: Any) -> Any:
+        raise NotImplementedError
+
+    def _at(self, points: Points, *arguments: Any) -> Any:
         raise NotImplementedError
 
 '''
@@ -275,19 +291,20 @@ TYPES = {"in array": "Numbers", "double": "SupportsFloat", "int32_t": "SupportsI
 
 def result_type(f: Function) -> str:
     if f.result == "value":
-        return {"double": "float"}.get(f.returns, "int")
+        return "NDArray[Any]" if is_of_points(f) else {"double": "float"}.get(f.returns, "int")
     if f.result == "text":
         return f"tuple[{', '.join(['str', *['float'] * len(f.outputs)])}]" if f.outputs else "str"
-    types = ["float" if p.role == "out" else "NDArray[Any]" for p in f.outputs]
+    types = ["NDArray[Any]" if p.size or is_of_points(f) else "float" for p in f.outputs]
     return f"tuple[{', '.join(types)}]" if len(types) > 1 else types[0] if types else "None"
 
 
 def definition(f: Function, margin: str) -> str:
     """A function, a method, or a property where there is nothing to be given."""
-    parameters = [f"{p.name}: {TYPES.get(p.role) or TYPES[p.kind]}" for p in f.inputs]
-    given = "".join(f", {p.name}" for p in f.inputs)
+    parameters = [f"{p.name}: {'Numbers' if is_of_points(f) else TYPES.get(p.role) or TYPES[p.kind]}" for p in f.inputs]
     own = ["self"] if f.family else []
-    body = f"return self._call({f.name!r}{given})" if f.family else f"return call({f.name!r}, None{given})"
+    called = ("self._read(_{})" if is_reading(f) else "self._at(_{})" if is_of_points(f) else
+              "self._call('{}')" if f.family else "call('{}', None)").format(f.name)
+    body = f"return {called[:-1]}{''.join(f', {p.name}' for p in f.inputs)})"
     doc = docstring(f, f.equation or "new").replace("\\", "\\\\").split("\n", 2)[2]
     lines = ["@property"] if f.family and not f.inputs and f.of("handle") else []
     lines += [f"def {f.method}({', '.join(own + parameters)}) -> {result_type(f)}:",
@@ -297,7 +314,9 @@ def definition(f: Function, margin: str) -> str:
 
 def made_py(interface: Interface) -> str:
     made = [f for f in interface.functions if is_general(f)]
-    text = MADE.format(names=[f.name for f in made if not f.family])
+    functions = [f"_{f.name} = function({f.name!r})" for f in made if is_reading(f)]
+    functions += [f"_{f.name} = Points({f.name!r})" for f in made if is_of_points(f)]
+    text = MADE.format(names=[f.name for f in made if not f.family], functions="\n".join(functions))
     text += "\n".join(definition(f, "") + "\n" for f in made if not f.family)
     for family in ("contact", "series"):
         methods = [definition(f, "    ") for f in made if f.family == family]

@@ -146,7 +146,7 @@ static void fail_with(int32_t status, const entry *call, const void *object,
 typedef enum { NOTHING, CONTACT, SERIES } kind;
 
 typedef struct {
-    kind of;
+    kind family;
     void *object;
     double number[2]; /* which copy of this file, and which of its objects */
 } handle;
@@ -167,11 +167,11 @@ static double this_copy(void)
 
 static void destroy(handle *h)
 {
-    if (h->of == CONTACT)
+    if (h->family == CONTACT)
         rwedge_contact_destroy(h->object);
     else
         rwedge_series_destroy(h->object);
-    h->of = NOTHING;
+    h->family = NOTHING;
     if (--alive == 0)
         mexUnlock();
 }
@@ -179,7 +179,7 @@ static void destroy(handle *h)
 static void destroy_all(void)
 {
     for (size_t i = 0; i < handle_count; i++)
-        if (handles[i].of != NOTHING)
+        if (handles[i].family != NOTHING)
             destroy(&handles[i]);
     free(handles);
     handles = NULL;
@@ -191,7 +191,7 @@ static void destroy_all(void)
 static handle *free_slot(void)
 {
     for (size_t i = 0; i < handle_count; i++)
-        if (handles[i].of == NOTHING)
+        if (handles[i].family == NOTHING)
             return &handles[i];
     const size_t more = 2 * handle_count + 8;
     handle *larger = realloc(handles, more * sizeof *larger);
@@ -199,7 +199,7 @@ static handle *free_slot(void)
         return NULL;
     handles = larger;
     for (size_t i = handle_count; i < more; i++)
-        handles[i].of = NOTHING;
+        handles[i].family = NOTHING;
     larger = &handles[handle_count];
     handle_count = more;
     return larger;
@@ -207,9 +207,9 @@ static handle *free_slot(void)
 
 /* The library stays in memory while there are objects of its own: "clear all" must not take it
  * from them. */
-static mxArray *keep(handle *slot, kind of, void *object)
+static mxArray *keep(handle *slot, kind family, void *object)
 {
-    *slot = (handle){of, object, {this_copy(), ++last_number}};
+    *slot = (handle){family, object, {this_copy(), ++last_number}};
     if (alive++ == 0)
         mexLock();
     mxArray *number = mxCreateDoubleMatrix(1, 2, mxREAL);
@@ -217,21 +217,21 @@ static mxArray *keep(handle *slot, kind of, void *object)
     return number;
 }
 
-static handle *find(kind of, const mxArray *number)
+static handle *find(kind family, const mxArray *number)
 {
     if (!mxIsDouble(number) || mxIsComplex(number) || mxGetNumberOfElements(number) != 2)
         return NULL;
     for (size_t i = 0; i < handle_count; i++)
-        if (handles[i].of == of &&
+        if (handles[i].family == family &&
             memcmp(handles[i].number, mxGetPr(number), sizeof handles[i].number) == 0)
             return &handles[i];
     return NULL;
 }
 
-static void fail_without(const char *function, kind of)
+static void fail_without(const char *function, kind family)
 {
     fail("handle", "rwedge_%s: there is no such %s (any more)", function,
-         of == CONTACT ? "contact" : "series");
+         family == CONTACT ? "contact" : "series");
 }
 
 /* ---- Arrays ---------------------------------------------------------------------------------- */
@@ -302,8 +302,8 @@ static const double *numbers_of(const char *name, int argument, const mxArray *a
              mxGetClassName(array));
     if (mxIsDouble(array))
         return mxGetPr(array);
-    mxArray *given = (mxArray *)(uintptr_t)array, *converted = NULL; /* not changed by it */
-    mexCallMATLAB(1, &converted, 1, &given, "double");
+    mxArray *original = (mxArray *)(uintptr_t)array, *converted = NULL; /* not changed by it */
+    mexCallMATLAB(1, &converted, 1, &original, "double");
     return mxGetPr(converted);
 }
 
@@ -360,8 +360,8 @@ static int32_t status_of(const entry *call, void *object, const size_t n[], cons
 
 /* One element, v[j][at[j]]. A formula gives NaN outside its domain, and a branch of yield that
  * does not exist is an answer, NaN: a sweep goes on. */
-static void one(const entry *call, void *object, const double *const v[], const size_t at[],
-                double *const r[], size_t i, size_t n)
+static void map_element(const entry *call, void *object, const double *const v[], const size_t at[],
+                        double *const r[], size_t i, size_t n)
 {
     static const size_t single[ENTRY_SIZES] = {1};
     const double *w[ENTRY_ARGUMENTS];
@@ -405,7 +405,7 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
     for (size_t i = 0; i < n; i++) {
         for (int j = 0; j < call->arguments; j++)
             at[j] = steps[j] == EXPANDS ? element_of(arguments[j], &all, i) : i * steps[j];
-        one(call, object, v, at, r, i, n);
+        map_element(call, object, v, at, r, i, n);
     }
 }
 
@@ -466,10 +466,10 @@ static void measure(const entry *call, void *object, const mxArray *const argume
     }
 }
 
-static mxArray *result_array(const entry_result *of, const size_t n[])
+static mxArray *result_array(const entry_result *result, const size_t n[])
 {
-    const size_t rows = of->sizes[0] < 0 ? 1 : n[of->sizes[of->sizes[1] < 0 ? 0 : 1]],
-                 columns = of->sizes[1] < 0 ? 1 : n[of->sizes[0]];
+    const size_t rows = result->sizes[0] < 0 ? 1 : n[result->sizes[result->sizes[1] < 0 ? 0 : 1]],
+                 columns = result->sizes[1] < 0 ? 1 : n[result->sizes[0]];
     return mxCreateDoubleMatrix((mwSize)rows, (mwSize)columns, mxREAL);
 }
 
@@ -519,112 +519,87 @@ static kind kind_of(const entry *call)
 
 /* ---- Calls by name --------------------------------------------------------------------------- */
 
-static void destroy_found(kind of, const mxArray *number)
-{
-    handle *h = find(of, number); /* nothing where there is nothing: a destructor must not fail */
-    if (h)
-        destroy(h);
-}
-
-static mxArray *destroy_contact(const mxArray *argument)
-{
-    destroy_found(CONTACT, argument);
-    return NULL;
-}
-
-static mxArray *destroy_series(const mxArray *argument)
-{
-    destroy_found(SERIES, argument);
-    return NULL;
-}
-
-static mxArray *is_contact(const mxArray *argument)
-{
-    return mxCreateDoubleScalar(find(CONTACT, argument) ? 1 : 0);
-}
-
-static mxArray *version(const mxArray *argument)
-{
-    (void)argument;
-    return mxCreateString(rwedge_version());
-}
-
-/* How many objects there are: for the tests. */
-static mxArray *objects_alive(const mxArray *argument)
-{
-    (void)argument;
-    return mxCreateDoubleScalar((double)alive);
-}
-
+/* What entries.h does not have, and how many arguments it takes. */
 static const struct {
     const char *name;
     int arguments;
-    mxArray *(*run)(const mxArray *argument);
 } commands[] = {
-    {"contact_destroy", 1, destroy_contact},
-    {"series_destroy", 1, destroy_series},
-    {"is_contact", 1, is_contact},
-    {"version", 0, version},
-    {"alive", 0, objects_alive},
+    {"contact_destroy", 1}, {"series_destroy", 1}, {"is_contact", 1}, {"version", 0}, {"alive", 0},
 };
+
+/* Nothing is freed where nothing is: a destructor must not fail. How many objects are alive is for
+ * the tests. */
+static mxArray *run_command(const char *name, const mxArray *argument)
+{
+    if (strcmp(name, "version") == 0)
+        return mxCreateString(rwedge_version());
+    if (strcmp(name, "alive") == 0)
+        return mxCreateDoubleScalar((double)alive);
+    handle *held = find(name[0] == 's' ? SERIES : CONTACT, argument);
+    if (strcmp(name, "is_contact") == 0)
+        return mxCreateDoubleScalar(held ? 1 : 0);
+    if (held)
+        destroy(held);
+    return NULL;
+}
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
-static void need(const char *name, int arguments, int given)
+static void need(const char *name, int arguments, int count)
 {
-    if (given != arguments)
+    if (count != arguments)
         fail("arguments", "rwedge_%s takes %d argument%s, not %d", name, arguments,
-             arguments == 1 ? "" : "s", given);
+             arguments == 1 ? "" : "s", count);
 }
 
 /* The text for numbers. Where one must be whole and is not, that for -1, which is none. */
-static mxArray *call_text(const entry *of, const void *object, const mxArray *const given[])
+static mxArray *call_text(const entry *call, const void *object, const mxArray *const arguments[])
 {
     static const double none = -1;
     const double *v[ENTRY_ARGUMENTS];
-    for (int j = 0; j < of->arguments; j++) {
-        v[j] = numbers_of(of->name, j + 1, given[j]);
-        if (!is_scalar(given[j]))
-            fail("size", "rwedge_%s: %s is a scalar", of->name, of->argument[j].name);
-        if (of->argument[j].whole && !is_int32(*v[j]))
+    for (int j = 0; j < call->arguments; j++) {
+        v[j] = numbers_of(call->name, j + 1, arguments[j]);
+        if (!is_scalar(arguments[j]))
+            fail("size", "rwedge_%s: %s is a scalar", call->name, call->argument[j].name);
+        if (call->argument[j].whole && !is_int32(*v[j]))
             v[j] = &none;
     }
-    return mxCreateString(of->text(object, v));
+    return mxCreateString(call->text(object, v));
 }
 
 /* A function that makes an object gives its number, and nothing else. */
-static void call_entry(const entry *of, int nlhs, mxArray *plhs[], int nrhs,
+static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
                        const mxArray *const prhs[])
 {
     mxArray *results[ENTRY_RESULTS];
     void *object = NULL, *made = NULL;
     handle *h = NULL,
-           *slot = of->makes_object ? free_slot() : NULL; /* before find(): it may move them */
-    if (of->makes_object && !slot)
-        fail_with(RWEDGE_ENOMEM, of, NULL, NULL, NULL, NULL, -1);
-    if (of->takes_object) {
-        h = nrhs > 0 ? find(kind_of(of), prhs[0]) : NULL;
+           *slot = call->makes_object ? free_slot() : NULL; /* before find(): it may move them */
+    if (call->makes_object && !slot)
+        fail_with(RWEDGE_ENOMEM, call, NULL, NULL, NULL, NULL, -1);
+    if (call->takes_object) {
+        h = nrhs > 0 ? find(kind_of(call), prhs[0]) : NULL;
         if (!h)
-            fail_without(of->name, kind_of(of));
+            fail_without(call->name, kind_of(call));
         object = h->object;
         nrhs--;
         prhs++;
     }
-    need(of->name, of->arguments, nrhs);
-    const int count = of->makes_object ? 1 : of->results;
+    need(call->name, call->arguments, nrhs);
+    const int count = call->makes_object ? 1 : call->results;
     if (nlhs > count)
-        fail("arguments", "rwedge_%s gives %d result%s, not %d", of->name, count,
+        fail("arguments", "rwedge_%s gives %d result%s, not %d", call->name, count,
              count == 1 ? "" : "s", nlhs);
-    if (of->text)
-        results[0] = call_text(of, object, prhs);
-    else if (is_of_whole_arrays(of))
-        whole(of, object, prhs, results, &made);
-    else if (of->changes_object)
-        map_loads(of, h, prhs);
+    if (call->text)
+        results[0] = call_text(call, object, prhs);
+    else if (is_of_whole_arrays(call))
+        whole(call, object, prhs, results, &made);
+    else if (call->changes_object)
+        map_loads(call, h, prhs);
     else
-        map(of, object, prhs, results);
-    if (of->makes_object)
-        results[0] = keep(slot, kind_of(of), made);
+        map(call, object, prhs, results);
+    if (call->makes_object)
+        results[0] = keep(slot, kind_of(call), made);
     for (int j = 0; j < count; j++)
         if (j == 0 || j < nlhs)
             plhs[j] = results[j];
@@ -638,15 +613,15 @@ void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[])
     mexAtExit(destroy_all);
     if (nrhs < 1 || mxGetString(prhs[0], name, sizeof name) != 0)
         fail("arguments", "rwedge_mex('function', arguments...): see the functions rwedge_*");
-    const entry *of = entry_named(name);
-    if (of) {
-        call_entry(of, nlhs, plhs, nrhs - 1, prhs + 1);
+    const entry *call = entry_named(name);
+    if (call) {
+        call_entry(call, nlhs, plhs, nrhs - 1, prhs + 1);
         return;
     }
     for (size_t i = 0; i < COUNT(commands); i++)
         if (strcmp(name, commands[i].name) == 0) {
             need(name, commands[i].arguments, nrhs - 1);
-            mxArray *result = commands[i].run(nrhs > 1 ? prhs[1] : NULL);
+            mxArray *result = run_command(name, nrhs > 1 ? prhs[1] : NULL);
             if (result)
                 plhs[0] = result;
             return;

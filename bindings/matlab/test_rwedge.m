@@ -216,10 +216,6 @@ function contacts()
         @() rwedge_permanent_stick(0.1, 17.8, 4.81e-5, 0.65, 300, 0, 0, 0, 300, 0, 0, 900));
     [factor, x, y] = all.yield_factor(0.3, 300);
     claim('yield factor', factor > 0 && y >= 0 && abs(x) <= all.half_width());
-    P = 1000 * (acos(0.5) - 0.5 * sqrt(0.75)); % of a flat of half the contact's width
-    pad = rwedge_contact.create_flat(0.5, 10, 1e-4, 0.5);
-    pad.load(P, P / 2);
-    claim('the edge tension of a flat pad', abs(pad.stresses(-1, 0) / (P / 2) - 1.6282) < 1e-4);
     refused('domain', {'slope'}, @() rwedge_contact.create_profile([0 1], [0.1 0], 1e-4, 0.5));
     delete(all);
     refused('handle', {'any more'}, @() all.half_width());
@@ -256,19 +252,6 @@ function lives()
     claim('objects outlive clear -f', many{50}.half_width() > 0 && rwedge_mex('alive') == before + 100);
     many = [];
     claim('none left', rwedge_mex('alive') == before);
-end
-
-% p = -sqrt(1-x^2) (2 U_0 - U_1) is fitted as it is.
-function series()
-    x = cos(pi * ((1:40) - 0.5) / 40);
-    p = -sqrt(1 - x.^2) .* (2 - 2 * x);
-    s = rwedge_series.fit(x, p, 3);
-    claim('coefficients', all(abs(s.coefficient(0:2) - [2 -1 0]) < 1e-13) && s.terms() == 3);
-    claim('pressure', all(abs(s.pressure(x) - p) < 1e-13) && s.residual() < 1e-13);
-    [~, syy] = s.stress(0.3, 0.2, 0);
-    claim('pressure is -syy', abs(syy - s.pressure(0.2)) < 1e-13);
-    [re, im] = s.potential(0.3, 0.2, 0.5);
-    claim('potential', isfinite(re + im));
 end
 
 % With one argument, or one result, more than the header has, no function is called.
@@ -385,7 +368,6 @@ doubts();
 shown();
 contacts();
 lives();
-series();
 surplus();
 texts();
 cycles();

@@ -347,9 +347,8 @@ static void compute(work *to_do)
 {
     to_do->rows.column = to_do->which->column;
     to_do->rows.text_column = to_do->which->text_column;
-    const int32_t status = to_do->which->compute(&to_do->inputs, &to_do->rows);
-    if (status != RWEDGE_OK)
-        failure("figure %s: %s", to_do->which->name, rwedge_strerror(status));
+    to_do->inputs.name = to_do->which->name;
+    to_do->which->compute(&to_do->inputs, &to_do->rows);
 }
 
 static void draw(const work *to_do, output *out)

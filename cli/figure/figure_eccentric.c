@@ -15,86 +15,72 @@ enum { SIGMA, X, SHEAR, STICK_LEFT, STICK_RIGHT };
 
 /* theta, A, f and b are 1. */
 typedef struct {
-    const rwedge_contact *contact;
+    const figure_case *inputs;
+    rwedge_contact *contact;
     double sigma_over_max, left, right; /* edges of the stick zone, NAN where all slides */
     int number;
     dataset *rows;
 } tension_case;
 
 /* The traction at a point; infinite at the apex of the sharp wedge. */
-static int32_t add_point(const tension_case *tension, double x)
+static void add_point(const tension_case *tension, double x)
 {
     double p, q = -HUGE_VAL;
     const int32_t status = rwedge_contact_tractions(tension->contact, 1, &x, &p, &q);
     dataset_add(tension->rows, (data_row){.curve = tension->number,
                                           .number = {tension->sigma_over_max, x, -PI * q,
                                                      tension->left, tension->right}});
-    return x == 0 && status == RWEDGE_EDOMAIN ? RWEDGE_OK : status;
+    if (x != 0 || status != RWEDGE_EDOMAIN)
+        case_check(tension->inputs, status);
 }
 
 /* Dense at both ends, where the traction is steep; the last point is left out. */
-static int32_t add_zone(const tension_case *tension, double from, double to)
+static void add_zone(const tension_case *tension, double from, double to)
 {
     enum { STEPS = 100 };
-    int32_t status = RWEDGE_OK;
-    for (int i = -STEPS; i < STEPS && status == RWEDGE_OK; i++)
-        status =
-            add_point(tension, 0.5 * (from + to) + 0.5 * (to - from) * sin(0.5 * PI * i / STEPS));
-    return status;
+    for (int i = -STEPS; i < STEPS; i++)
+        add_point(tension, 0.5 * (from + to) + 0.5 * (to - from) * sin(0.5 * PI * i / STEPS));
 }
 
 /* The slip zones, and the stick zone where there is one: the edges are kinks. */
-static int32_t add_points(const tension_case *tension)
+static void add_points(const tension_case *tension)
 {
     const bool sticks =
         isfinite(tension->left) && tension->left > -1 && tension->right > tension->left;
-    int32_t status = add_zone(tension, -1, sticks ? tension->left : 0);
-    if (status == RWEDGE_OK && sticks)
-        status = add_zone(tension, tension->left, tension->right);
-    if (status == RWEDGE_OK)
-        status = add_zone(tension, sticks ? tension->right : 0, 1);
-    return status == RWEDGE_OK ? add_point(tension, 1) : status;
+    add_zone(tension, -1, sticks ? tension->left : 0);
+    if (sticks)
+        add_zone(tension, tension->left, tension->right);
+    add_zone(tension, sticks ? tension->right : 0, 1);
+    add_point(tension, 1);
 }
 
 /* Under constant P, Q and sigma together. */
-static int32_t apply(double alpha, double Q_over_fP, double sigma_over_max, rwedge_contact *contact)
+static void apply(const tension_case *tension)
 {
-    load to = {.P = rwedge_load(alpha)};
-    to.Q = Q_over_fP * to.P;
-    const int32_t status = loads_apply_monotonic((load){.P = to.P}, contact);
-    if (status != RWEDGE_OK)
-        return status;
-    to.sigma = sigma_over_max * rwedge_contact_largest_tension_step(contact, to.Q);
-    return loads_apply_monotonic(to, contact);
+    load to = {.P = rwedge_load(case_value(tension->inputs, A_OVER_B))};
+    to.Q = case_value(tension->inputs, Q_OVER_FP) * to.P;
+    case_check(tension->inputs, loads_apply_monotonic((load){.P = to.P}, tension->contact));
+    to.sigma =
+        tension->sigma_over_max * rwedge_contact_largest_tension_step(tension->contact, to.Q);
+    case_check(tension->inputs, loads_apply_monotonic(to, tension->contact));
 }
 
-static int32_t add_curve(const figure_case *inputs, int number, dataset *rows)
+static void compute_eccentric(const figure_case *inputs, dataset *rows)
 {
-    rwedge_contact *contact = NULL;
-    const double alpha = case_value(inputs, A_OVER_B);
-    tension_case tension = {.sigma_over_max = range_value(&inputs->value[SIGMA_OVER_MAX], number),
-                            .left = NAN,
-                            .right = NAN,
-                            .number = number,
-                            .rows = rows};
-    int32_t status = rwedge_contact_create(1, alpha, 1, 1, &contact);
-    if (status == RWEDGE_OK)
-        status = apply(alpha, case_value(inputs, Q_OVER_FP), tension.sigma_over_max, contact);
-    if (status == RWEDGE_OK) {
-        tension.contact = contact;
-        rwedge_contact_stick_zone(contact, &tension.left, &tension.right);
-        status = add_points(&tension);
+    for (int n = 0; n < inputs->value[SIGMA_OVER_MAX].count; n++) {
+        tension_case tension = {.inputs = inputs,
+                                .sigma_over_max = range_value(&inputs->value[SIGMA_OVER_MAX], n),
+                                .left = NAN,
+                                .right = NAN,
+                                .number = n,
+                                .rows = rows};
+        case_check(inputs,
+                   rwedge_contact_create(1, case_value(inputs, A_OVER_B), 1, 1, &tension.contact));
+        apply(&tension);
+        rwedge_contact_stick_zone(tension.contact, &tension.left, &tension.right);
+        add_points(&tension);
+        rwedge_contact_destroy(tension.contact);
     }
-    rwedge_contact_destroy(contact);
-    return status;
-}
-
-static int32_t compute_eccentric(const figure_case *inputs, dataset *rows)
-{
-    int32_t status = RWEDGE_OK;
-    for (int n = 0; n < inputs->value[SIGMA_OVER_MAX].count && status == RWEDGE_OK; n++)
-        status = add_curve(inputs, n, rows);
-    return status;
 }
 
 /* ---- The picture ---- */

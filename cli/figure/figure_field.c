@@ -38,7 +38,7 @@ static double sqrt_J2(double nu, double sxx, double syy, double txy)
     return rwedge_von_mises(sxx, syy, txy, nu) / sqrt(3);
 }
 
-static int32_t compute_field(const figure_case *inputs, dataset *rows)
+static void compute_field(const figure_case *inputs, dataset *rows)
 {
     const double alpha = case_value(inputs, A_OVER_B), f = case_value(inputs, FRICTION),
                  nu = case_value(inputs, NU);
@@ -50,12 +50,11 @@ static int32_t compute_field(const figure_case *inputs, dataset *rows)
             const int32_t status = rwedge_stress(alpha, f, c, x, y, &sxx, &syy, &txy);
             if (alpha == 0 && x == 0 && y == 0) /* infinite at the sharp apex */
                 sxx = syy = txy = NAN;
-            else if (status != RWEDGE_OK)
-                return status;
+            else
+                case_check(inputs, status);
             dataset_add(rows,
                         (data_row){.number = {x, y, sxx, syy, txy, sqrt_J2(nu, sxx, syy, txy)}});
         }
-    return RWEDGE_OK;
 }
 
 /* ---- Contours ---- */

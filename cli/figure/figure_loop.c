@@ -11,6 +11,7 @@
 #include <rwedge.h>
 
 typedef struct {
+    const figure_case *inputs;
     double alpha, amplitude;
     rwedge_contact *contact; /* theta, A, f and b are 1 */
     int number;
@@ -20,13 +21,12 @@ typedef struct {
 enum { LOOP_STEPS = 100 };
 
 /* From one turning point, or the origin, to the next. */
-static int32_t add_part(const loop_case *loop, double from, double to, const char *part)
+static void add_part(const loop_case *loop, double from, double to, const char *part)
 {
     const double normal = rwedge_load(loop->alpha);
-    int32_t status = RWEDGE_OK;
-    for (int i = 0; status == RWEDGE_OK && i <= LOOP_STEPS; i++) {
+    for (int i = 0; i <= LOOP_STEPS; i++) {
         const double Q = from + (to - from) * sin(0.5 * PI * i / LOOP_STEPS);
-        status = rwedge_contact_load(loop->contact, normal, Q * normal);
+        case_check(loop->inputs, rwedge_contact_load(loop->contact, normal, Q * normal));
         dataset_add(loop->rows,
                     (data_row){.curve = loop->number,
                                .text = part,
@@ -35,30 +35,20 @@ static int32_t add_part(const loop_case *loop, double from, double to, const cha
                                           rwedge_contact_stick_half_width(loop->contact),
                                           rwedge_contact_dissipated_energy(loop->contact)}});
     }
-    return status;
 }
 
-static int32_t add_cycle(double alpha, double amplitude, int number, dataset *rows)
+static void compute_loop(const figure_case *inputs, dataset *rows)
 {
-    loop_case loop = {alpha, amplitude, NULL, number, rows};
-    int32_t status = rwedge_contact_create(1, alpha, 1, 1, &loop.contact);
-    if (status == RWEDGE_OK)
-        status = add_part(&loop, 0, amplitude, "first loading");
-    if (status == RWEDGE_OK)
-        status = add_part(&loop, amplitude, -amplitude, "unloading");
-    if (status == RWEDGE_OK)
-        status = add_part(&loop, -amplitude, amplitude, "reloading");
-    rwedge_contact_destroy(loop.contact);
-    return status;
-}
-
-static int32_t compute_loop(const figure_case *inputs, dataset *rows)
-{
-    int32_t status = RWEDGE_OK;
-    for (int n = 0; status == RWEDGE_OK && n < inputs->value[Q_OVER_FP].count; n++)
-        status = add_cycle(case_value(inputs, A_OVER_B), range_value(&inputs->value[Q_OVER_FP], n),
-                           n, rows);
-    return status;
+    const double alpha = case_value(inputs, A_OVER_B);
+    for (int n = 0; n < inputs->value[Q_OVER_FP].count; n++) {
+        const double amplitude = range_value(&inputs->value[Q_OVER_FP], n);
+        loop_case loop = {inputs, alpha, amplitude, NULL, n, rows};
+        case_check(inputs, rwedge_contact_create(1, alpha, 1, 1, &loop.contact));
+        add_part(&loop, 0, amplitude, "first loading");
+        add_part(&loop, amplitude, -amplitude, "unloading");
+        add_part(&loop, -amplitude, amplitude, "reloading");
+        rwedge_contact_destroy(loop.contact);
+    }
 }
 
 /* Dissipated from the first turn to the end: a whole cycle. */

@@ -14,8 +14,8 @@
 enum { STEPS = 24 }; /* from load to load, for smooth curves */
 
 /* Adds what is to be seen of a state; the number of the load counts on in between. */
-typedef int32_t visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
-                        dataset *rows);
+typedef void visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
+                     dataset *rows);
 
 static double part_of(double from, double to, int i)
 {
@@ -23,40 +23,35 @@ static double part_of(double from, double to, int i)
 }
 
 /* The states before a load. Where one has no closed form, the curve is straight from there. */
-static int32_t visit_between(const figure_case *inputs, size_t step, rwedge_contact *contact,
-                             visitor *visit, dataset *rows)
+static void visit_between(const figure_case *inputs, size_t step, rwedge_contact *contact,
+                          visitor *visit, dataset *rows)
 {
     rwedge_contact *trial = NULL;
     load from, to = contact_history_load(inputs->history, step);
     rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma);
-    int32_t status = rwedge_contact_copy(contact, &trial);
-    for (int i = 1; i < STEPS && status == RWEDGE_OK && from.P > 0; i++) {
+    case_check(inputs, rwedge_contact_copy(contact, &trial));
+    for (int i = 1; i < STEPS && from.P > 0; i++) {
         if (rwedge_contact_apply(trial, part_of(from.P, to.P, i), part_of(from.M, to.M, i),
                                  part_of(from.Q, to.Q, i),
                                  part_of(from.sigma, to.sigma, i)) != RWEDGE_OK)
             break;
-        status = visit(inputs, (double)step + (double)i / STEPS, trial, rows);
+        visit(inputs, (double)step + (double)i / STEPS, trial, rows);
     }
     rwedge_contact_destroy(trial);
-    return status;
 }
 
 /* Of the loads from the first on. Those before the first cycle have no number and no place. */
-static int32_t visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)
+static void visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)
 {
     rwedge_contact *contact = contact_history_begin(inputs->history);
-    int32_t status = contact != NULL ? RWEDGE_OK : RWEDGE_ENOMEM;
-    for (size_t step = 0; step < inputs->history->steps && status == RWEDGE_OK; step++) {
-        const load to = contact_history_load(inputs->history, step);
+    for (size_t step = 0; step < inputs->history->steps; step++) {
         if (step > first)
-            status = visit_between(inputs, step, contact, visit, rows);
-        if (status == RWEDGE_OK)
-            status = rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
-        if (status == RWEDGE_OK && step >= first)
-            status = visit(inputs, (double)step + 1, contact, rows);
+            visit_between(inputs, step, contact, visit, rows);
+        contact_history_go_on(inputs->history, step, contact);
+        if (step >= first)
+            visit(inputs, (double)step + 1, contact, rows);
     }
     rwedge_contact_destroy(contact);
-    return status;
 }
 
 static double extreme(const dataset *rows, int column, double sign)
@@ -99,24 +94,21 @@ static axis axis_over(const dataset *rows, int column, const char *text)
 
 enum { H_LOAD, H_X, H_Y, H_SXX, H_SYY, H_SZZ, H_TXY };
 
-static int32_t add_stress(const figure_case *inputs, double number, const rwedge_contact *contact,
-                          dataset *rows)
+static void add_stress(const figure_case *inputs, double number, const rwedge_contact *contact,
+                       dataset *rows)
 {
     const double x = inputs->at->x[0], y = inputs->at->y[0];
     double sxx, syy, txy;
-    const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
-    if (status != RWEDGE_OK)
-        return status;
+    case_check(inputs, rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy));
     const tensor at = tensor_of(sxx, syy, txy, inputs->history->setup.nu1);
     dataset_add(rows, (data_row){.number = {number, x, y, sxx, syy, at.value[TENSOR_SZZ], txy}});
-    return RWEDGE_OK;
 }
 
 /* The last cycle, from the load before it. */
-static int32_t compute_history(const figure_case *inputs, dataset *rows)
+static void compute_history(const figure_case *inputs, dataset *rows)
 {
     const size_t loads = inputs->history->loads.count, steps = inputs->history->steps;
-    return visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
+    visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
 }
 
 static const char *draw_history(const figure_case *inputs, const dataset *rows, drawing *on)
@@ -165,8 +157,8 @@ const figure figure_history = {.name = "history",
 
 enum { L_LOAD, L_P, L_M, L_Q, L_SIGMA, L_DISPLACEMENT, L_ENERGY };
 
-static int32_t add_displacement(const figure_case *inputs, double number,
-                                const rwedge_contact *contact, dataset *rows)
+static void add_displacement(const figure_case *inputs, double number,
+                             const rwedge_contact *contact, dataset *rows)
 {
     load now;
     rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
@@ -174,12 +166,11 @@ static int32_t add_displacement(const figure_case *inputs, double number,
                 (data_row){.number = {number, now.P, now.M, now.Q, now.sigma,
                                       rwedge_contact_displacement(contact, inputs->half_width),
                                       rwedge_contact_dissipated_energy(contact)}});
-    return RWEDGE_OK;
 }
 
-static int32_t compute_any_loop(const figure_case *inputs, dataset *rows)
+static void compute_any_loop(const figure_case *inputs, dataset *rows)
 {
-    return visit_all(inputs, 0, add_displacement, rows);
+    visit_all(inputs, 0, add_displacement, rows);
 }
 
 static const char *draw_any_loop(const figure_case *inputs, const dataset *rows, drawing *on)
@@ -211,23 +202,26 @@ const figure figure_any_loop = {.name = "loop",
 
 enum { F_X, F_SWT, F_ANGLE, F_SLIP, F_F1, F_F2, F_ENERGY };
 
-static int32_t compute_fretting(const figure_case *inputs, dataset *rows)
+/* At the places by default. */
+static void measure_usual(const figure_case *inputs, const last_cycle *last, measured *all)
+{
+    case_check(inputs, surface_usual(last, all) ? surface_measure(last, all) : RWEDGE_EABSENT);
+}
+
+static void compute_fretting(const figure_case *inputs, dataset *rows)
 {
     last_cycle last;
     measured all;
     const criteria usual = criteria_usual(&inputs->history->setup);
     last_cycle_begin(inputs->history, &usual, &last);
-    if (!surface_usual(&last, &all))
-        return RWEDGE_EABSENT;
-    const int32_t status = surface_measure(&last, &all);
-    for (size_t i = 0; i < all.count && status == RWEDGE_OK; i++) {
+    measure_usual(inputs, &last, &all);
+    for (size_t i = 0; i < all.count; i++) {
         const double *v = all.place[i].at.value;
         dataset_add(rows,
                     (data_row){.number = {all.place[i].x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
                                           v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
                                           v[MEASURE_RUIZ_F2], v[MEASURE_ENERGY_PER_AREA]}});
     }
-    return status;
 }
 
 /* The contact is where there is slip to speak of. */
@@ -283,26 +277,22 @@ const figure figure_fretting = {.name = "fretting",
 
 enum { DEPTHS = 121, COLUMNS = 81, ROWS = 41 };
 
-static int32_t measure_place(const figure_case *inputs, const last_cycle *last, double x, double y,
-                             dataset *rows)
+static void measure_place(const figure_case *inputs, const last_cycle *last, double x, double y,
+                          dataset *rows)
 {
     measures at;
-    const int32_t status = last_cycle_measure(last, 1, &x, &y, &at);
+    case_check(inputs, last_cycle_measure(last, 1, &x, &y, &at));
     dataset_add(rows, (data_row){.number = {x, y, at.value[inputs->measure]}});
-    return status;
 }
 
-static int32_t measure_surface(const figure_case *inputs, const last_cycle *last, dataset *rows)
+static void measure_surface(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     measured all;
-    if (!surface_usual(last, &all))
-        return RWEDGE_EABSENT;
-    const int32_t status = surface_measure(last, &all);
-    for (size_t i = 0; i < all.count && status == RWEDGE_OK; i++)
+    measure_usual(inputs, last, &all);
+    for (size_t i = 0; i < all.count; i++)
         dataset_add(rows, (data_row){.number = {all.place[i].x, 0,
                                                 all.place[i].at.value[inputs->measure]}});
     free(all.place);
-    return status;
 }
 
 static const data_row *worst_row_of(const dataset *rows)
@@ -315,38 +305,35 @@ static const data_row *worst_row_of(const dataset *rows)
 }
 
 /* Down to the half-width, dense at the surface. */
-static int32_t measure_depth(const figure_case *inputs, const last_cycle *last, dataset *rows)
+static void measure_depth(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     dataset along = {0};
-    int32_t status = measure_surface(inputs, last, &along);
-    const double x = along.count > 0 ? worst_row_of(&along)->number[0] : 0;
+    measure_surface(inputs, last, &along);
+    const double x = worst_row_of(&along)->number[0];
     free(along.row);
-    for (int i = 0; i < DEPTHS && status == RWEDGE_OK; i++) {
+    for (int i = 0; i < DEPTHS; i++) {
         const double part = (double)i / (DEPTHS - 1);
-        status = measure_place(inputs, last, x, inputs->half_width * part * part, rows);
+        measure_place(inputs, last, x, inputs->half_width * part * part, rows);
     }
-    return status;
 }
 
-static int32_t measure_field(const figure_case *inputs, const last_cycle *last, dataset *rows)
+static void measure_field(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
-    int32_t status = RWEDGE_OK;
     const double middle = (last->left + last->right) / 2, half = (last->right - last->left) / 2;
     for (int j = 0; j < ROWS; j++)
-        for (int i = 0; i < COLUMNS && status == RWEDGE_OK; i++)
-            status =
-                measure_place(inputs, last, middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
-                              half * pow((double)j / (ROWS - 1), 1.5), rows);
-    return status;
+        for (int i = 0; i < COLUMNS; i++)
+            measure_place(inputs, last, middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
+                          half * pow((double)j / (ROWS - 1), 1.5), rows);
 }
 
-static int32_t compute_measure(const figure_case *inputs, dataset *rows)
+static void compute_measure(const figure_case *inputs, dataset *rows)
 {
-    static int32_t (*const ways[OVER_COUNT])(const figure_case *, const last_cycle *, dataset *) = {
+    static void (*const ways[OVER_COUNT])(const figure_case *, const last_cycle *, dataset *) = {
         measure_surface, measure_depth, measure_field};
     last_cycle last;
     last_cycle_begin(inputs->history, inputs->asked, &last);
-    return isnan(last.left) ? RWEDGE_EABSENT : ways[inputs->over](inputs, &last, rows);
+    case_check(inputs, isnan(last.left) ? RWEDGE_EABSENT : RWEDGE_OK);
+    ways[inputs->over](inputs, &last, rows);
 }
 
 static void draw_measure_field(const dataset *rows, double top, drawing *on)

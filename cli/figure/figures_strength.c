@@ -58,37 +58,29 @@ static void add_normal(double alpha, double nu, double limit, double y, bool bel
 }
 
 /* Both branches at the jump: the curves end there, and the limit has no gap. */
-static int32_t add_jump(double alpha, double nu, dataset *rows)
+static void add_jump(const figure_case *inputs, double alpha, dataset *rows)
 {
+    const double nu = case_value(inputs, NU);
     double limit, x, y;
-    int32_t status = rwedge_surface_yield(alpha, 0, nu, &limit, &x);
-    if (status == RWEDGE_OK)
-        add_normal(alpha, nu, limit, 0, false, rows);
-    status = status == RWEDGE_OK ? rwedge_subsurface_yield(alpha, 0, nu, &limit, &x, &y) : status;
-    if (status == RWEDGE_OK)
-        add_normal(alpha, nu, limit, y, true, rows);
-    return status;
+    case_check(inputs, rwedge_surface_yield(alpha, 0, nu, &limit, &x));
+    add_normal(alpha, nu, limit, 0, false, rows);
+    case_check(inputs, rwedge_subsurface_yield(alpha, 0, nu, &limit, &x, &y));
+    add_normal(alpha, nu, limit, y, true, rows);
 }
 
-static int32_t compute_normal(const figure_case *inputs, dataset *rows)
+static void compute_normal(const figure_case *inputs, dataset *rows)
 {
     const double nu = case_value(inputs, NU), jump = jump_of_yield_point(nu);
     bool jumped = jump == 0;
-    int32_t status = RWEDGE_OK;
-    for (int i = 0; status == RWEDGE_OK && i < NORMAL_DECADES * NORMAL_PER_DECADE + NORMAL_STEPS;
-         i++) {
+    for (int i = 0; i < NORMAL_DECADES * NORMAL_PER_DECADE + NORMAL_STEPS; i++) {
         const double alpha = normal_alpha(i);
         double limit, x, y;
-        if (!jumped && alpha > jump) {
-            status = add_jump(jump, nu, rows);
-            jumped = true;
-        }
-        if (status == RWEDGE_OK)
-            status = rwedge_yield_point(alpha, 0, nu, &limit, &x, &y);
-        if (status == RWEDGE_OK)
-            add_normal(alpha, nu, limit, y, y > 0, rows);
+        if (!jumped && alpha > jump)
+            add_jump(inputs, jump, rows);
+        jumped = jumped || alpha > jump;
+        case_check(inputs, rwedge_yield_point(alpha, 0, nu, &limit, &x, &y));
+        add_normal(alpha, nu, limit, y, y > 0, rows);
     }
-    return status;
 }
 
 /* Value of a column at the first row that reaches a/b. */
@@ -172,49 +164,50 @@ static double friction_step(int i)
 static const double FRICTION_TOP = 0.8;
 
 /* The limit on the side of the cusp that is asked for; the sharp wedge has no branches. */
-static int32_t add_sliding(double alpha, double f, double nu, bool below, int n, dataset *rows)
+static void add_sliding(const figure_case *inputs, int n, double f, bool below, dataset *rows)
 {
+    const double alpha = range_value(&inputs->value[A_OVER_B], n), nu = case_value(inputs, NU);
     double limit, x, y;
-    int32_t status;
     if (alpha == 0)
-        status = rwedge_yield_point(alpha, f, nu, &limit, &x, &y);
+        case_check(inputs, rwedge_yield_point(alpha, f, nu, &limit, &x, &y));
     else
-        status = below ? rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y)
-                       : rwedge_surface_yield(alpha, f, nu, &limit, &x);
-    if (status == RWEDGE_OK)
-        dataset_add(rows, (data_row){.curve = n,
-                                     .text = below ? subsurface : surface,
-                                     .number = {alpha, f, nu, limit}});
-    return status;
+        case_check(inputs, below ? rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y)
+                                 : rwedge_surface_yield(alpha, f, nu, &limit, &x));
+    dataset_add(rows, (data_row){.curve = n,
+                                 .text = below ? subsurface : surface,
+                                 .number = {alpha, f, nu, limit}});
+}
+
+/* The friction up to which the curve n is below the surface; 0 for a sharp wedge. */
+static double critical_friction(const figure_case *inputs, int n)
+{
+    const double alpha = range_value(&inputs->value[A_OVER_B], n);
+    const double critical = alpha > 0 ? rwedge_critical_friction(alpha, case_value(inputs, NU)) : 0;
+    case_check(inputs, isnan(critical) ? RWEDGE_ENOCONV : RWEDGE_OK);
+    return critical;
 }
 
 /* Each branch up to the critical friction, which is a point of both: the cusp is exact. */
-static int32_t add_sliding_curve(double alpha, double nu, int n, dataset *rows)
+static void add_sliding_curve(const figure_case *inputs, int n, dataset *rows)
 {
-    const double critical = alpha > 0 ? rwedge_critical_friction(alpha, nu) : 0;
+    const double critical = critical_friction(inputs, n);
     bool below = critical > 0;
-    int32_t status = isnan(critical) ? RWEDGE_ENOCONV : RWEDGE_OK;
-    for (int i = 0; status == RWEDGE_OK && i <= FRICTION_STEPS; i++) {
+    for (int i = 0; i <= FRICTION_STEPS; i++) {
         const double f = friction_step(i);
         if (below && f >= critical) {
-            status = add_sliding(alpha, critical, nu, true, n, rows);
-            if (status == RWEDGE_OK)
-                status = add_sliding(alpha, critical, nu, false, n, rows);
+            add_sliding(inputs, n, critical, true, rows);
+            add_sliding(inputs, n, critical, false, rows);
             below = false;
         }
-        if (status == RWEDGE_OK && !(f == critical && critical > 0))
-            status = add_sliding(alpha, f, nu, below, n, rows);
+        if (!(f == critical && critical > 0))
+            add_sliding(inputs, n, f, below, rows);
     }
-    return status;
 }
 
-static int32_t compute_sliding(const figure_case *inputs, dataset *rows)
+static void compute_sliding(const figure_case *inputs, dataset *rows)
 {
-    int32_t status = RWEDGE_OK;
-    for (int n = 0; status == RWEDGE_OK && n < inputs->value[A_OVER_B].count; n++)
-        status = add_sliding_curve(range_value(&inputs->value[A_OVER_B], n), case_value(inputs, NU),
-                                   n, rows);
-    return status;
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++)
+        add_sliding_curve(inputs, n, rows);
 }
 
 static const char *draw_sliding(const figure_case *inputs, const dataset *rows, drawing *on)
@@ -248,36 +241,25 @@ const figure figure_sliding = {
 
 /* ---- Fig. 5 ---- */
 
-static int32_t add_yield_point(double alpha, double f, double nu, int number, const char *point,
-                               dataset *rows)
+static void add_yield_point(const figure_case *inputs, int n, double f, const char *point,
+                            dataset *rows)
 {
+    const double alpha = range_value(&inputs->value[A_OVER_B], n), nu = case_value(inputs, NU);
     double limit, x, y;
-    const int32_t status = rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y);
-    if (status == RWEDGE_OK)
-        dataset_add(rows,
-                    (data_row){.curve = number, .text = point, .number = {alpha, f, nu, x, y}});
-    return status;
+    case_check(inputs, rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y));
+    dataset_add(rows, (data_row){.curve = n, .text = point, .number = {alpha, f, nu, x, y}});
 }
 
 /* A cross for each step of friction, and the last point below the surface. */
-static int32_t add_path(double alpha, double nu, int n, dataset *rows)
+static void compute_yield_point(const figure_case *inputs, dataset *rows)
 {
-    const double critical = alpha > 0 ? rwedge_critical_friction(alpha, nu) : 0;
-    int32_t status = isnan(critical) ? RWEDGE_ENOCONV : RWEDGE_OK;
-    for (int i = 0; status == RWEDGE_OK && friction_step(i) < critical; i++)
-        status = add_yield_point(alpha, friction_step(i), nu, n, "step", rows);
-    return status == RWEDGE_OK && critical > 0
-               ? add_yield_point(alpha, critical, nu, n, "jump", rows)
-               : status;
-}
-
-static int32_t compute_yield_point(const figure_case *inputs, dataset *rows)
-{
-    int32_t status = RWEDGE_OK;
-    for (int n = 0; status == RWEDGE_OK && n < inputs->value[A_OVER_B].count; n++)
-        status =
-            add_path(range_value(&inputs->value[A_OVER_B], n), case_value(inputs, NU), n, rows);
-    return status;
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
+        const double critical = critical_friction(inputs, n);
+        for (int i = 0; friction_step(i) < critical; i++)
+            add_yield_point(inputs, n, friction_step(i), "step", rows);
+        if (critical > 0)
+            add_yield_point(inputs, n, critical, "jump", rows);
+    }
 }
 
 /* The line has the name. What the marks are is said once. */

@@ -48,7 +48,7 @@ static double traction_x(int i, int fine)
 
 /* ---- Fig. 2 ---- */
 
-static int32_t compute_pressure(const figure_case *inputs, dataset *rows)
+static void compute_pressure(const figure_case *inputs, dataset *rows)
 {
     const int fine = fine_places(inputs), last = fine + TRACTION_STEPS;
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
@@ -59,7 +59,6 @@ static int32_t compute_pressure(const figure_case *inputs, dataset *rows)
                                          .number = {alpha, x, -PI * rwedge_pressure(alpha, x)}});
         }
     }
-    return RWEDGE_OK;
 }
 
 /* An infinite peak is cut, at least so high. */
@@ -98,7 +97,7 @@ const figure figure_pressure = {.name = "2",
 
 /* ---- Fig. 6 ---- */
 
-static int32_t compute_tension(const figure_case *inputs, dataset *rows)
+static void compute_tension(const figure_case *inputs, dataset *rows)
 {
     enum { STEPS = 200 };
     (void)inputs;
@@ -106,7 +105,6 @@ static int32_t compute_tension(const figure_case *inputs, dataset *rows)
         const double alpha = (double)i / STEPS;
         dataset_add(rows, (data_row){.number = {alpha, rwedge_max_tension(alpha)}});
     }
-    return RWEDGE_OK;
 }
 
 static const char *draw_tension(const figure_case *inputs, const dataset *rows, drawing *on)
@@ -150,11 +148,10 @@ static void add_shear(const figure_case *inputs, double c, int n, dataset *rows)
     }
 }
 
-static int32_t compute_shear(const figure_case *inputs, dataset *rows)
+static void compute_shear(const figure_case *inputs, dataset *rows)
 {
     for (int n = 0; n < inputs->value[C_OVER_B].count; n++)
         add_shear(inputs, range_value(&inputs->value[C_OVER_B], n), n, rows);
-    return RWEDGE_OK;
 }
 
 /* Of the finite peaks. The kinks at the stick zones are to be seen. */

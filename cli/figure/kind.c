@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "kind.h"
 
+#include "text/message.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,6 +10,12 @@
 double case_value(const figure_case *inputs, int variable)
 {
     return range_value(&inputs->value[variable], 0);
+}
+
+void case_check(const figure_case *inputs, int32_t status)
+{
+    if (status != RWEDGE_OK)
+        failure("figure %s: %s", inputs->name, rwedge_strerror(status));
 }
 
 static bool need_all_digits(const range *values)

@@ -25,6 +25,7 @@ enum { OVER_SURFACE, OVER_DEPTH, OVER_FIELD, OVER_COUNT };
 
 /* What is asked for; a count of 0 where a variable is not given. */
 typedef struct {
+    const char *name; /* of the figure */
     range value[FIGURE_VARIABLES];
     const contact_history *history; /* of a figure that has one; NULL otherwise */
     const places *at;
@@ -34,6 +35,9 @@ typedef struct {
 } figure_case;
 
 double case_value(const figure_case *inputs, int variable);
+
+/* Ends the command where the library has not answered. */
+void case_check(const figure_case *inputs, int32_t status);
 
 /* A value as the name of its curve: with all digits where fewer do not tell the values apart. */
 void case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE]);
@@ -46,7 +50,7 @@ typedef struct {
     int64_t cycles;   /* how often it goes through the table by default */
     const char *const *column;
     const char *text_column;
-    int32_t (*compute)(const figure_case *inputs, dataset *rows);
+    void (*compute)(const figure_case *inputs, dataset *rows);
     /* returns NULL, or why there is nothing to draw */
     const char *(*draw)(const figure_case *inputs, const dataset *rows, drawing *on);
 } figure;

@@ -26,19 +26,19 @@ enum {
     SHEETS
 };
 
-static bool fill_tables(xlsx *book)
+static void fill_tables(xlsx *book)
 {
     xlsx_turn_to(book, SHEET_ELASTIC_LIMIT);
-    const bool done = sheet_elastic_limit(book);
+    sheet_elastic_limit(book);
     xlsx_turn_to(book, SHEET_MAX_TENSION);
     sheet_max_tension(book);
     xlsx_turn_to(book, SHEET_CONTACT_LAW);
     sheet_contact_law(book);
     xlsx_turn_to(book, SHEET_CRITICAL_FRICTION);
-    return sheet_critical_friction(book) && done;
+    sheet_critical_friction(book);
 }
 
-static bool fill(xlsx *book, const yield_table *table)
+static void fill(xlsx *book, const yield_table *table)
 {
     static const char *const names[SHEETS] = {
         "Calculator",        "Batch",           "Look up",
@@ -59,20 +59,19 @@ static bool fill(xlsx *book, const yield_table *table)
     xlsx_turn_to(book, SHEET_LOOK_UP);
     sheet_look_up(book);
     xlsx_hide_names(book, "rwt_");
-    return fill_tables(book);
+    fill_tables(book);
 }
 
 void book_write(output *out)
 {
     yield_table *table = memory_zeroed(1, sizeof *table);
-    if (!yield_table_fill(table))
-        failure("the elastic limit: a value could not be computed");
+    yield_table_fill(table);
     const char *problem;
     xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false, &problem);
-    if (book != NULL && !fill(book, table))
-        problem = "a value of the tables could not be computed";
-    else if (book != NULL)
+    if (book != NULL) {
+        fill(book, table);
         problem = xlsx_finish(book, out);
+    }
     if (problem != NULL)
         failure("%s: %s", out->name, problem);
     free(table);

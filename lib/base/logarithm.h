@@ -53,21 +53,22 @@ RW_INLINE double rw_log_of_quotient_over(double p, double q, double difference, 
  * first octant, and turned back there by 0, about pi/8 or pi/4. */
 RW_INLINE double rw_angle_over(double x, double y_over, double over, double per)
 {
-    const double TURN = 0.4140625, TURN_ANGLE = 0.39257013501182859516, PI = 3.14159265358979323846;
+    const double TURN = 0.4140625, TURN_ANGLE = 0.39257013501182859516,
+                 HALF_TURN = 3.14159265358979323846;
     const double width = fabs(x), height = fabs(y_over), y = over * height;
     const double steep = width - y, large = rw_if_negative(steep, y, width),
                  small = rw_if_negative(steep, width, y);
     const double some = 0.2 * large - small, most = 0.667 * large - small;
     const double turn = rw_if_negative(most, 1, rw_if_negative(some, TURN, 0));
-    const double turned = rw_if_negative(most, PI / 4, rw_if_negative(some, TURN_ANGLE, 0));
+    const double turned = rw_if_negative(most, HALF_TURN / 4, rw_if_negative(some, TURN_ANGLE, 0));
     const double general = (small - turn * large) * per;
     /* DBL_MIN is lost in rounding, except at the origin, whose length would be 0 */
     const double length = large + turn * small + DBL_MIN;
     const double rise = rw_if_negative(steep, general, rw_if_negative(some, general, height));
     const double s_over = rise / length, s = over * s_over;
     const double in_octant = turned * per + s_over * rw_arc_series(-s * s);
-    const double in_quadrant = rw_if_negative(steep, PI / 2 * per - in_octant, in_octant);
-    const double above = rw_if_negative(x + 0.0, PI * per - in_quadrant, in_quadrant);
+    const double in_quadrant = rw_if_negative(steep, HALF_TURN / 2 * per - in_octant, in_octant);
+    const double above = rw_if_negative(x + 0.0, HALF_TURN * per - in_quadrant, in_quadrant);
     return rw_if_negative(y_over + 0.0, -above, above);
 }
 

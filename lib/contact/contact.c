@@ -48,9 +48,10 @@ int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_ten
 {
     if (!contact)
         return RWEDGE_ENULL;
+    if (!rw_is_magnitude(strain_per_tension) || contact->memory.count > 1)
+        return RWEDGE_EDOMAIN;
     const double strain = 4 * (strain_per_tension / contact->geometry.A);
-    if (!rw_is_magnitude(strain_per_tension) || !rw_is_magnitude(strain) ||
-        contact->memory.count > 1)
+    if (!rw_is_magnitude(strain))
         return RWEDGE_EDOMAIN;
     rw_contact_drop_kept(contact);
     contact->strain = strain;

@@ -311,12 +311,10 @@ static void pass_errors(tape *t, rw_numerical *n)
 {
     double *const rest[] = {&n->rest};
     pass_finite(t, 1, rest);
-    n->errors = (int)pass_count(t, (size_t)n->errors, RW_MOST_ERRORS);
-    for (int i = 0; i < n->errors; i++) {
-        double *const numbers[] = {&n->error[i].error, &n->error[i].place.left,
-                                   &n->error[i].place.right};
-        pass_finite(t, 3, numbers);
-        t->is_sound = t->is_sound && n->error[i].error >= 0;
+    for (int i = 0; i < RW_PLACES; i++) {
+        double *const error[] = {&n->error[i]};
+        pass_finite(t, 1, error);
+        t->is_sound = t->is_sound && n->error[i] >= 0;
     }
 }
 

@@ -6,14 +6,48 @@
 
 #include <string.h>
 
-/* Panels at a front, for the residual. */
-enum { COARSE = 3 };
-
 /* Chebyshev points on a gap, and terms of X there. */
 enum { GAP_POINTS = 40, GAP_TERMS = 48 };
 
-bool rw_fronts_begin(rw_fronts *f, const rw_problem *p, const rw_zones *zones)
+/* An edge that moves by less of the half-width has one D. */
+static const double LEAST_GROWTH = 1e-4;
+
+/* The layers that make D at the edges that stick: after the step, and, where it is known, before.
+ * As many of them as there are conditions. */
+static bool find_layers(rw_fronts *f, const double ratio[2])
 {
+    const rw_problem *p = f->problem;
+    double A[RW_LAYERS * RW_LAYERS], B[3][RW_LAYERS] = {{0}};
+    int n = 0, column = 1;
+    int row_side[RW_LAYERS], row_after[RW_LAYERS];
+    for (int side = 0; side < 2; side++) {
+        if (!f->sticks_to_edge[side])
+            continue;
+        const double growth = side ? p->to.right - p->from.right : p->from.left - p->to.left;
+        row_side[n] = side, row_after[n] = 1;
+        B[column++][n++] = 1;
+        if (!isfinite(ratio[side]) || growth < LEAST_GROWTH * p->half)
+            continue;
+        row_side[n] = side, row_after[n] = 0;
+        B[0][n++] = ratio[side];
+    }
+    for (int i = 0; i < 3; i++) {
+        f->layer_of[i].count = n;
+        for (int row = 0; row < n; row++)
+            for (int k = 0; k < n; k++)
+                A[row * n + k] = p->ratio[k][row_side[row]][row_after[row]];
+        if (n > 0 && !rw_solve((size_t)n, A, B[i]))
+            return false;
+        memcpy(f->layer_of[i].weight, B[i], sizeof B[i]);
+    }
+    return true;
+}
+
+bool rw_fronts_begin(rw_fronts *f, const rw_problem *p, const rw_zones *zones,
+                     const double ratio[2])
+{
+    if (f->problem != p)
+        rw_fronts_forget(f);
     f->problem = p;
     f->zones = zones->count;
     f->fronts = zones->count - 1;
@@ -36,9 +70,10 @@ bool rw_fronts_begin(rw_fronts *f, const rw_problem *p, const rw_zones *zones)
             return false;
     for (int i = 0; i < f->fronts; i++)
         f->y[i] = rw_angle_of(p, zones->zone[i].right);
-    for (int i = f->fronts; i < f->unknowns; i++)
-        f->y[i] = 0;
-    return true;
+    for (int side = 0, i = f->fronts; side < 2; side++)
+        if (f->sticks_to_edge[side])
+            f->y[i++] = isfinite(ratio[side]) ? ratio[side] : 0;
+    return find_layers(f, ratio);
 }
 
 rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
@@ -48,35 +83,54 @@ rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
         zones->zone[i] =
             (rw_zone){f->label[i], i == 0 ? f->problem->to.left : zones->zone[i - 1].right,
                       i == f->fronts ? f->problem->to.right : rw_place_of(f->problem, f->y[i])};
-    const int layers = f->unknowns - f->fronts;
-    return (rw_layers){layers > 0 ? f->y[f->fronts] : 0, layers > 1 ? f->y[f->fronts + 1] : 0};
+    rw_layers layers = f->layer_of[0];
+    for (int i = f->fronts; i < f->unknowns; i++)
+        for (int k = 0; k < layers.count; k++)
+            layers.weight[k] += f->y[i] * f->layer_of[1 + i - f->fronts].weight[k];
+    return layers;
 }
 
 /* ---- The polynomial ---- */
+
+/* Smaller terms, over the largest, are none. */
+static const double LEAST_TERM = 1e-13;
+
+/* X in the gap, over its half-length, as a sum of sines. How many terms count. */
+static int expand_gap(const rw_stuck *sticks, double middle, double half, double c[])
+{
+    enum { TURN = 2 * (GAP_TERMS + 1) };
+    double sampled[GAP_TERMS], sine[TURN], most = 0;
+    int terms = GAP_TERMS;
+    for (int i = 0; i < TURN; i++)
+        sine[i] = sin(2 * RW_PI * i / TURN);
+    for (int i = 0; i < GAP_TERMS; i++)
+        sampled[i] =
+            4.0 / TURN / half * rw_X_at(sticks, middle + half * cos(2 * RW_PI * (i + 1) / TURN));
+    for (int k = 0; k < GAP_TERMS; k++) {
+        c[k] = 0;
+        for (int i = 0; i < GAP_TERMS; i++)
+            c[k] += sampled[i] * sine[(k + 1) * (i + 1) % TURN];
+        most = fmax(most, fabs(c[k]));
+    }
+    while (terms > 1 && !(fabs(c[terms - 1]) > LEAST_TERM * most))
+        terms--;
+    return terms;
+}
 
 /* int over a slip zone between two that stick of X (1/pi) int [dt/X]/(s - x) ds dx: the inner
  * integral over x is a Chebyshev series of X/sqrt((x - a)(b - x)). */
 static double gap_of_change(const rw_fronts *f, const rw_stuck *sticks, double a, double b)
 {
     const double half = (b - a) / 2, middle = (a + b) / 2;
-    enum { TURN = 2 * (GAP_TERMS + 1) };
-    double sampled[GAP_TERMS], c[GAP_TERMS], sine[TURN];
-    for (int i = 0; i < TURN; i++)
-        sine[i] = sin(2 * RW_PI * i / TURN);
-    for (int i = 0; i < GAP_TERMS; i++)
-        sampled[i] = rw_X_at(sticks, middle + half * cos(2 * RW_PI * (i + 1) / TURN)) / half;
-    for (int k = 0; k < GAP_TERMS; k++) {
-        c[k] = 0;
-        for (int i = 0; i < GAP_TERMS; i++)
-            c[k] += 4.0 / TURN * sampled[i] * sine[(k + 1) * (i + 1) % TURN];
-    }
+    double c[GAP_TERMS];
+    const int terms = expand_gap(sticks, middle, half, c);
     double sum = 0;
     for (size_t i = 0; i < f->count; i++) {
         const double eta = (f->x[i] - middle) / half;
         double kernel = 0;
         if (fabs(eta) <= 1) {
             double b1 = 0, b2 = 0; /* Clenshaw, of T_1 ... */
-            for (int k = GAP_TERMS - 1; k >= 0; k--) {
+            for (int k = terms - 1; k >= 0; k--) {
                 const double b0 = c[k] + 2 * eta * b1 - b2;
                 b2 = b1;
                 b1 = b0;
@@ -84,7 +138,7 @@ static double gap_of_change(const rw_fronts *f, const rw_stuck *sticks, double a
             kernel = eta * b1 - b2;
         } else {
             const double R = 1 / (eta + copysign(sqrt(eta * eta - 1), eta));
-            for (int k = GAP_TERMS - 1; k >= 0; k--)
+            for (int k = terms - 1; k >= 0; k--)
                 kernel = (kernel + c[k]) * R;
         }
         sum += f->step[i] * f->change[i] / f->X[i] * kernel;
@@ -111,14 +165,12 @@ static void expand_at_infinity(int n, int count, const double c[], double power,
 }
 
 /* Rows of A p = B. */
-static void conditions(const rw_fronts *f, const rw_stuck *s, rw_layers layers,
-                       const double front[], double A[], double B[])
+static void conditions(const rw_fronts *f, const rw_stuck *s, const double front[], double A[],
+                       double B[])
 {
-    const rw_problem *p = f->problem;
     const int m = s->count, n = 2 * m;
-    const double shear = p->shear - p->f * (layers.first * p->load + layers.second * p->layer_load);
-    const double stretch =
-        p->stretch + p->f * (layers.first * p->tilt + layers.second * p->layer_tilt);
+    double shear, stretch;
+    rw_beside_layers(f->problem, &f->layers, &shear, &stretch);
     double moment[RW_MOST_STICK + 1] = {0}, grown[RW_MOST_FRONTS + 1], shrunk[RW_MOST_FRONTS + 1];
     for (size_t i = 0; i < f->count; i++) {
         const double at = (f->x[i] - s->middle) / s->half;
@@ -151,43 +203,46 @@ static void conditions(const rw_fronts *f, const rw_stuck *s, rw_layers layers,
     }
 }
 
-/* p, and the fronts in the unit of the half-width. */
-static bool solve_polynomial(const rw_fronts *f, const rw_stuck *s, rw_layers layers,
-                             double front[], double p[])
+bool rw_fronts_polynomial(const rw_fronts *f, const rw_stuck *s, double front[], double p[])
 {
     double A[RW_MOST_FRONTS * RW_MOST_FRONTS];
     for (int i = 0; i < RW_MOST_FRONTS; i++)
         front[i] = (s->end[i] - s->middle) / s->half;
-    conditions(f, s, layers, front, A, p);
+    conditions(f, s, front, A, p);
     return rw_solve((size_t)(2 * s->count), A, p);
+}
+
+void rw_fronts_singular(const rw_stuck *s, const double front[], const double p[], double K[])
+{
+    const int n = 2 * s->count;
+    for (int j = 0; j < n; j++) {
+        double value = 0, apart = 1;
+        for (int i = n - 1; i >= 0; i--)
+            value = value * front[j] + p[i];
+        for (int i = 0; i < n; i++)
+            apart *= i == j ? 1 : fabs(front[i] - front[j]);
+        /* X has the sign (-1)^(m-1-k) on the k-th zone, times i */
+        K[j] = ((s->count - 1 - j / 2) % 2 == 0 ? -1 : 1) * value / sqrt(apart);
+    }
 }
 
 bool rw_fronts_residual(rw_fronts *f, double r[])
 {
     rw_zones zones;
     const rw_layers layers = rw_fronts_zones(f, &zones);
-    if (f->budget-- <= 0 || !rw_fronts_collect(f, &zones, layers, COARSE))
+    if (f->budget-- <= 0 || !rw_fronts_collect(f, &zones, &layers, RW_COARSE))
         return false;
     const rw_stuck s = rw_stuck_of(f, &zones);
     const int n = 2 * s.count;
-    double B[RW_MOST_FRONTS], front[RW_MOST_FRONTS];
-    if (!solve_polynomial(f, &s, layers, front, B))
+    double p[RW_MOST_FRONTS], front[RW_MOST_FRONTS], K[RW_MOST_FRONTS];
+    if (!rw_fronts_polynomial(f, &s, front, p))
         return false;
-    double K[RW_MOST_FRONTS] = {0};
-    for (int j = 0; j < n; j++) {
-        double value = 0, apart = 1;
-        for (int i = n - 1; i >= 0; i--)
-            value = value * front[j] + B[i];
-        for (int i = 0; i < n; i++)
-            apart *= i == j ? 1 : fabs(front[i] - front[j]);
-        /* X has the sign (-1)^(m-1-k) on the k-th zone, times i */
-        K[j] = ((s.count - 1 - j / 2) % 2 == 0 ? -1 : 1) * value / sqrt(apart);
-        if (!isfinite(K[j]))
-            return false;
-    }
+    rw_fronts_singular(&s, front, p, K);
     int count = 0;
     for (int j = 0; j < n; j++)
-        if (!(j == 0 && f->sticks_to_edge[0]) && !(j == n - 1 && f->sticks_to_edge[1]))
+        if (!isfinite(K[j]))
+            return false;
+        else if (!(j == 0 && f->sticks_to_edge[0]) && !(j == n - 1 && f->sticks_to_edge[1]))
             r[count++] = K[j];
     if (f->sticks_to_edge[0])
         r[count++] = K[0];
@@ -196,70 +251,18 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
     return true;
 }
 
-/* ---- Rates ---- */
-
-/* w' = p/X where it slips. */
-static double slope_at(const rw_stuck *s, const double polynomial[], double x)
-{
-    const double at = (x - s->middle) / s->half;
-    double value = 0;
-    for (int i = 2 * s->count - 1; i >= 0; i--)
-        value = value * at + polynomial[i];
-    return value / rw_X_at(s, x);
-}
-
-/* The largest slip with the sign of the traction, from the front on. */
-static double wrong_slip(const rw_stuck *s, const double polynomial[], rw_zone zone,
-                         bool is_leftmost)
-{
-    enum { POINTS = 24 };
-    const double front = is_leftmost ? zone.right : zone.left;
-    const double length = is_leftmost ? zone.left - zone.right : zone.right - zone.left;
-    double slip = 0, most = 0;
-    for (int i = 0; i < POINTS; i++) {
-        const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
-        slip += slope_at(s, polynomial, front + length * half * half) * length * sin(angle) *
-                (RW_HALF_PI / POINTS);
-        most = fmax(most, zone.label * slip);
-    }
-    return most;
-}
-
-/* Many zones are those of a grid, which is not that exact. */
-double rw_fronts_wrong_rate(const rw_problem *p, const rw_zones *zones, double shear,
-                            double stretch)
-{
-    if (zones->count > RW_MOST_FRONTS)
-        return 0;
-    rw_problem rates = *p;
-    rates.shear = shear;
-    rates.stretch = stretch;
-    const rw_fronts f = {.problem = &rates};
-    const rw_stuck s = rw_stuck_of(&f, zones);
-    double p_of_rates[RW_MOST_FRONTS], front[RW_MOST_FRONTS], most = 0;
-    if (s.count == 0 || !solve_polynomial(&f, &s, (rw_layers){0, 0}, front, p_of_rates))
-        return 0;
-    for (int i = 0; i < zones->count; i++)
-        if (zones->zone[i].label != 0)
-            most = fmax(most, wrong_slip(&s, p_of_rates, zones->zone[i], i == 0));
-    return most / (p->scale * p->half);
-}
-
 /* ---- The traction that sticks ---- */
 
-bool rw_fronts_prepare_stick(rw_fronts *f, const rw_zones *zones, rw_layers layers)
+bool rw_fronts_prepare_stick(rw_fronts *f, const rw_zones *zones, const rw_layers *layers)
 {
     if (!rw_fronts_collect(f, zones, layers, f->finest))
         return false;
     for (size_t i = 0; i < f->count; i++)
         f->change[i] *= f->step[i] / f->X[i] / RW_PI;
-    for (int i = 0; i < RW_MOST_SEGMENTS; i++) /* they are changes no more */
-        f->segment[i].count = 0;
     return true;
 }
 
-double rw_fronts_stick_traction(const rw_fronts *f, const rw_zones *zones, rw_layers layers,
-                                double x)
+double rw_fronts_stick_traction(const rw_fronts *f, const rw_zones *zones, double x)
 {
     const rw_stuck s = rw_stuck_of(f, zones);
     int after = 0; /* zones that stick beyond this one */
@@ -271,6 +274,6 @@ double rw_fronts_stick_traction(const rw_fronts *f, const rw_zones *zones, rw_la
             const double d = f->x[i + k] - x;
             sum[k] += f->change[i + k] / (d == 0 ? HUGE_VAL : d);
         }
-    return rw_base_traction(f->problem, layers, x) +
+    return rw_base_traction(f->problem, &f->layers, x) +
            (sum[0] + sum[1]) * fabs(rw_X_at(&s, x)) * (after % 2 ? -1 : 1);
 }

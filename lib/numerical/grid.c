@@ -77,10 +77,8 @@ static int old_label(const rw_problem *p, double x)
     return 0;
 }
 
-static double prepare(rw_grid *g, const rw_problem *p, rw_layers layers)
+static double prepare(rw_grid *g, const rw_problem *p, const rw_layers *layers, double stretch)
 {
-    const double stretch =
-        p->stretch + p->f * (layers.first * p->tilt + layers.second * p->layer_tilt);
     double scale = 0;
     g->middle = rw_patch_middle(p->both);
     g->half = rw_patch_half_width(p->both);
@@ -180,10 +178,11 @@ static bool settle(rw_grid *g, double scale)
     return is_settled;
 }
 
-bool rw_grid_solve(rw_grid *g, const rw_problem *p, rw_layers layers)
+bool rw_grid_solve(rw_grid *g, const rw_problem *p, const rw_layers *layers)
 {
-    const double load = p->shear - p->f * (layers.first * p->load + layers.second * p->layer_load);
-    const double scale = prepare(g, p, layers);
+    double load, stretch;
+    rw_beside_layers(p, layers, &load, &stretch);
+    const double scale = prepare(g, p, layers, stretch);
     for (int turn = 0; turn < TURNS; turn++) {
         if (!solve_stuck(g, load))
             return false;

@@ -23,7 +23,7 @@ void rw_grid_destroy(rw_grid *grid);
 
 /* Solves the step, with layers of it already taken. false where the sets do not settle, or nothing
  * sticks. */
-bool rw_grid_solve(rw_grid *grid, const rw_problem *problem, rw_layers layers);
+bool rw_grid_solve(rw_grid *grid, const rw_problem *problem, const rw_layers *layers);
 
 /* The zones of the contact that the labels make. false where they are too many. */
 bool rw_grid_zones(const rw_grid *grid, const rw_problem *problem, rw_zones *zones);

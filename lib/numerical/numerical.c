@@ -4,6 +4,8 @@
 #include "base/domain.h"
 #include "numerical/transform.h"
 
+#include <string.h>
+
 /* ---- Life ---- */
 
 typedef struct {
@@ -83,51 +85,42 @@ double rw_numerical_slip(const rw_numerical *n, double x)
 
 /* ---- Errors ---- */
 
-static bool do_meet(rw_patch one, rw_patch other)
-{
-    return one.left < other.right && other.left < one.right;
-}
-
 /* What steps differ by is about what they err by, and may be less. */
 static const double CAUTION = 1.5;
 
-/* Errors at different places do not add up. */
 double rw_numerical_error(const rw_numerical *n)
 {
     double most = 0;
-    for (int i = 0; i < n->errors; i++) {
-        double sum = 0;
-        for (int k = 0; k < n->errors; k++)
-            sum += do_meet(n->error[i].place, n->error[k].place) ? n->error[k].error : 0;
-        most = fmax(most, sum);
-    }
+    for (int i = 0; i < RW_PLACES; i++)
+        most = fmax(most, n->error[i]);
     return CAUTION * most + n->rest;
 }
 
-static bool sticks_in(const rw_zones *zones, rw_patch place)
+static bool sticks_at(const rw_zones *zones, double x)
 {
-    for (int i = 0; i < zones->count; i++)
-        if (zones->zone[i].label == 0 &&
-            do_meet((rw_patch){zones->zone[i].left, zones->zone[i].right}, place))
-            return true;
-    return false;
+    int i = 0;
+    while (i + 1 < zones->count && x > zones->zone[i].right)
+        i++;
+    return zones->zone[i].label == 0;
 }
 
-/* What is left of an error where slip has passed its place: it is less distinct than that. */
-static const double LEFT = 0.2;
+static double error_at(const rw_numerical *n, double x)
+{
+    const rw_patch contact = n->now.contact;
+    const double cosine = (rw_patch_middle(contact) - x) / rw_patch_half_width(contact);
+    return fabs(cosine) < 1 ? n->error[(int)(acos(cosine) * RW_PLACES / RW_PI)] : 0;
+}
 
+/* Where it slips the traction is exact: slip forgets errors. */
 static void note_error(rw_numerical *n, const rw_stance *s)
 {
-    int kept = 0;
-    for (int i = 0; i < n->errors; i++)
-        if (sticks_in(&s->shear.zones, n->error[i].place))
-            n->error[kept++] = n->error[i];
-        else
-            n->rest = hypot(n->rest, LEFT * n->error[i].error);
-    if (kept == RW_MOST_ERRORS)
-        n->rest = hypot(n->rest, n->error[--kept].error);
-    n->error[kept++] = (rw_load_error){s->error, s->uncertain};
-    n->errors = kept;
+    double error[RW_PLACES];
+    for (int i = 0; i < RW_PLACES; i++) {
+        const double x = rw_place(s->contact, i);
+        error[i] = sticks_at(&s->shear.zones, x) ? error_at(n, x) + s->apart[i] : 0;
+    }
+    memcpy(n->error, error, sizeof error);
+    n->rest = hypot(n->rest, s->error);
 }
 
 /* ---- New places in contact ---- */
@@ -174,7 +167,7 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
 /* ---- Steps ---- */
 
 /* Halvings of a load. */
-enum { HALVINGS = 6 };
+enum { HALVINGS = 9 };
 
 /* The error of the elements, of the tolerance; step by step it is another one. */
 static const double ELEMENTS = 1e-2;
@@ -189,8 +182,7 @@ static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
     }
     const double elements = ELEMENTS * w->frame->tolerance;
     n->rest = hypot(n->rest, elements);
-    if (now->error > 0.01 * elements)
-        note_error(n, now);
+    note_error(n, now);
     rw_shear_state_destroy(&n->now.shear);
     n->now = *now;
     return true;
@@ -208,49 +200,56 @@ static bool is_at_front(const rw_stance *s, double x)
     return is_near;
 }
 
-/* The largest difference of two tractions, over the scale, and where it is not much less. */
-static double difference(double scale, const rw_stance *one, const rw_stance *other,
-                         rw_patch *place)
+/* Next to a front, what is beside it. */
+static void spread(bool left_out[], double apart[])
 {
-    enum { POINTS = 121 };
-    double at[POINTS], apart[POINTS], most = 0;
-    for (int i = 0; i < POINTS; i++) {
-        const double x = at[i] =
-            rw_patch_middle(one->contact) -
-            rw_patch_half_width(one->contact) * cos(RW_PI * (i + 0.5) / POINTS);
-        apart[i] = is_at_front(one, x) || is_at_front(other, x)
-                       ? 0
-                       : fabs(rw_traction_at(&one->shear.traction, x) -
-                              rw_traction_at(&other->shear.traction, x));
+    for (int i = 1; i < RW_PLACES; i++)
+        if (left_out[i])
+            apart[i] = apart[i - 1];
+    for (int i = RW_PLACES - 1; i-- > 0;)
+        if (left_out[i])
+            apart[i] = fmax(apart[i], apart[i + 1]);
+}
+
+/* So many times the difference is the error, at most: what D is in a ring that is wide is seen by
+ * the halves but in part. */
+static const double SAFETY = 4;
+
+/* The differences of two tractions, over the scale. The largest. */
+static double difference(double scale, const rw_stance *one, const rw_stance *other, double apart[])
+{
+    bool left_out[RW_PLACES];
+    double most = 0;
+    for (int i = 0; i < RW_PLACES; i++) {
+        const double x = rw_place(one->contact, i);
+        left_out[i] = is_at_front(one, x) || is_at_front(other, x);
+        apart[i] = left_out[i] ? 0
+                               : SAFETY *
+                                     fabs(rw_traction_at(&one->shear.traction, x) -
+                                          rw_traction_at(&other->shear.traction, x)) /
+                                     scale;
         most = fmax(most, apart[i]);
     }
-    *place = (rw_patch){one->contact.right, one->contact.left};
-    for (int i = 0; i < POINTS; i++)
-        if (apart[i] > 0.1 * most) {
-            place->left = fmin(place->left, at[i]);
-            place->right = fmax(place->right, at[i]);
-        }
-    return most / scale;
+    spread(left_out, apart);
+    return most;
 }
 
 /* Energies may differ by so many times what tractions may, over the square of scale and
  * half-width; that of the halves is of second order. */
 static const double ENERGY = 30;
 
-/* How far the halves are from the whole: the error of the halves is of that size. Whether that is
+/* How far the halves are from the whole: the error of the halves is not more. Whether that is
  * little, and so is the difference of the energies. */
-static const double SAFETY = 4;
-
 static bool compare(const rw_frame *frame, const rw_stance *whole, const rw_stance *half,
                     rw_stance *both)
 {
     const double scale = rw_peak_friction(frame, whole->contact);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
-    both->error += half->error + half->haste + both->haste +
-                   SAFETY * difference(scale, whole, both, &both->uncertain);
+    both->error += half->error + half->haste + both->haste;
+    const double apart = difference(scale, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
-    return both->error <= frame->tolerance && fabs(energy) <= ENERGY * frame->tolerance;
+    return both->error + apart <= frame->tolerance && fabs(energy) <= ENERGY * frame->tolerance;
 }
 
 static rw_course half_way(rw_course from, rw_course to)
@@ -272,10 +271,11 @@ static void drop(trial *t)
     t->is_known = false;
 }
 
-static trial try_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse)
+static trial try_step(rw_work *w, const rw_stance *from, rw_course to, const rw_zones *guess,
+                      bool coarse)
 {
     trial t;
-    t.is_known = rw_implicit_step(w, from, to, coarse, &t.stance);
+    t.is_known = rw_implicit_step(w, from, to, guess, coarse, &t.stance);
     return t;
 }
 
@@ -288,15 +288,16 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
     const bool is_last = halvings == 0 || w->effort > effort;
     const rw_course middle = half_way(n->now.at, to);
     if (is_last && !whole->is_known)
-        *whole = try_step(w, &n->now, to, true);
-    trial half = try_step(w, &n->now, middle, is_last), both = {.is_known = false};
+        *whole = try_step(w, &n->now, to, NULL, true);
+    const rw_zones zones = whole->is_known ? whole->stance.shear.zones : n->now.shear.zones;
+    trial half = try_step(w, &n->now, middle, &zones, is_last), both = {.is_known = false};
     if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.stance, &whole->stance)) {
         whole->is_known = false;
         drop(&half);
         return accept(w, n, &whole->stance);
     }
     if (half.is_known && whole->is_known)
-        both = try_step(w, &half.stance, to, is_last);
+        both = try_step(w, &half.stance, to, &zones, is_last);
     const bool is_close =
         both.is_known && compare(w->frame, &whole->stance, &half.stance, &both.stance);
     drop(whole);
@@ -311,7 +312,7 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
     }
     if (!advance(w, n, middle, &half, halvings - 1, w->effort + (effort - w->effort) / 2))
         return false;
-    trial rest = try_step(w, &n->now, to, false);
+    trial rest = try_step(w, &n->now, to, &zones, false);
     return advance(w, n, to, &rest, halvings - 1, effort);
 }
 
@@ -328,7 +329,7 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course
         rw_work_destroy(&w);
         return RW_STEP_NO_MEMORY;
     }
-    trial whole = try_step(&w, &next.now, to, false);
+    trial whole = try_step(&w, &next.now, to, NULL, false);
     const bool is_done = advance(&w, &next, to, &whole, HALVINGS, RW_MOST_EFFORT / 2) &&
                          rw_numerical_error(&next) - rw_numerical_error(n) <= FAR_OFF;
     rw_work_destroy(&w);

@@ -7,21 +7,12 @@
 
 #include "numerical/step.h"
 
-enum { RW_MOST_ERRORS = 48 };
-
-/* The error of a step, and where it is. */
-typedef struct {
-    double error;
-    rw_patch place;
-} rw_load_error;
-
 typedef struct {
     rw_stance now;
     bool has_origin;    /* slip is known */
     rw_traction origin; /* slip less the displacement, at each place since it came into contact */
-    double rest;        /* of the error: of elements, and what is left where slip has passed */
-    int errors;
-    rw_load_error error[RW_MOST_ERRORS];
+    double rest;        /* of the error: what has no place */
+    double error[RW_PLACES]; /* of the traction, at the places of the contact */
 } rw_numerical;
 
 typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;

@@ -28,9 +28,9 @@ void rw_shear_state_destroy(rw_shear_state *state)
 typedef struct {
     const rw_problem *problem;
     const rw_zones *zones;
-    rw_layers layers;
     const rw_fronts *fronts; /* NULL: by the grid */
     const rw_grid *grid;
+    const rw_layers *layers; /* of the grid */
 } after;
 
 static int label_at(const rw_zones *zones, double x)
@@ -48,7 +48,7 @@ static double traction_after(double x, const void *context)
     if (label != 0)
         return label * rw_friction_after(n->problem, x);
     if (n->fronts)
-        return rw_fronts_stick_traction(n->fronts, n->zones, n->layers, x);
+        return rw_fronts_stick_traction(n->fronts, n->zones, x);
     const double F = rw_friction_after(n->problem, x);
     const double t = rw_base_traction(n->problem, n->layers, x) + rw_grid_change(n->grid, x);
     return fmax(-F, fmin(F, t));
@@ -162,7 +162,8 @@ static double layer_at(double x, const void *context)
 
 static double attached_displacement(const rw_problem *p, const attached *a, double x)
 {
-    return rw_traction_displacement(&a->layer, x) - p->f * p->tilt * (x - p->middle) - a->constant;
+    return rw_traction_displacement(&a->layer, x) - p->f * p->tilt[0] * (x - p->middle) -
+           a->constant;
 }
 
 static bool attach(const rw_problem *p, attached *a, double origin)
@@ -304,19 +305,20 @@ static bool complete(const after *n, rw_outcome *o)
 bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
 {
     *o = (rw_outcome){.violation = 0};
-    o->layers = rw_fronts_zones(f, &o->state.zones);
-    if (!rw_fronts_prepare_stick(f, &o->state.zones, o->layers))
+    const rw_layers layers = rw_fronts_zones(f, &o->state.zones);
+    if (!rw_fronts_prepare_stick(f, &o->state.zones, &layers))
         return false;
-    const after n = {f->problem, &o->state.zones, o->layers, f, NULL};
+    const after n = {f->problem, &o->state.zones, f, NULL, NULL};
     return complete(&n, o);
 }
 
-bool rw_outcome_of_grid(const rw_grid *g, const rw_problem *p, rw_layers layers, rw_outcome *o)
+bool rw_outcome_of_grid(const rw_grid *g, const rw_problem *p, const rw_layers *layers,
+                        rw_outcome *o)
 {
-    *o = (rw_outcome){.layers = layers};
+    *o = (rw_outcome){.violation = 0};
     if (!rw_grid_zones(g, p, &o->state.zones))
         return false;
-    const after n = {p, &o->state.zones, layers, NULL, g};
+    const after n = {p, &o->state.zones, NULL, g, layers};
     return complete(&n, o);
 }
 

@@ -9,7 +9,6 @@
 
 typedef struct {
     rw_shear_state state;
-    rw_layers layers;
     double violation; /* the larger one, over f times the peak pressure, and its half-width */
     double energy;    /* in theta^2/A */
     double move;      /* of what sticks: the constant part of dw */
@@ -21,7 +20,7 @@ void rw_shear_state_destroy(rw_shear_state *state);
 /* From exact fronts, and from the grid where there are none. false where memory is short, or a
  * number is not finite. */
 bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);
-bool rw_outcome_of_grid(const rw_grid *grid, const rw_problem *problem, rw_layers layers,
+bool rw_outcome_of_grid(const rw_grid *grid, const rw_problem *problem, const rw_layers *layers,
                         rw_outcome *outcome);
 
 /* What a state leaves that is known already; it stays the caller's. false where memory is short. */

@@ -86,38 +86,58 @@ int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
 
 /* ---- One step ---- */
 
+/* A moving patch changes the pressure like a flat punch. */
+static double rate_of_friction(const rw_problem *p, double x)
+{
+    if (!(x > p->to.left && x < p->to.right))
+        return 0;
+    return p->f * (p->load[0] / RW_PI + p->tilt[0] * (x - p->middle)) /
+           sqrt((x - p->to.left) * (p->to.right - x));
+}
+
 double rw_friction_after(const rw_problem *p, double x)
 {
-    return p->f * rw_pad_pressure(&p->to_pressure, x);
+    return p->is_rate ? rate_of_friction(p, x) : p->f * rw_pad_pressure(&p->to_pressure, x);
 }
 
 double rw_friction_before(const rw_problem *p, double x)
 {
-    return p->f * rw_pad_pressure(&p->from_pressure, x);
+    return p->is_rate ? 0 : p->f * rw_pad_pressure(&p->from_pressure, x);
 }
 
-/* Of the profile whose slope is ((x - x_0)/half)^2. */
-static double second_pressure(const rw_problem *p, rw_patch patch, double x)
+static double power_friction(const rw_problem *p, rw_patch patch, int k, double x)
 {
     if (!(x > patch.left && x < patch.right))
         return 0;
-    const double m = rw_patch_middle(patch);
-    return sqrt((x - patch.left) * (patch.right - x)) * (x - m + 2 * (m - p->middle)) /
-           (p->half * p->half);
+    return p->f * sqrt((x - patch.left) * (patch.right - x)) / rw_patch_half_width(patch) *
+           rw_power_pressure((rw_power_scale){p->middle, p->half}, patch, k, x);
 }
 
-static double second_layer(const rw_problem *p, double x)
+void rw_layers_at(const rw_problem *p, int count, double x, double friction, double change[])
 {
-    return p->f * (second_pressure(p, p->to, x) - second_pressure(p, p->from, x));
+    if (count > 0)
+        change[0] = friction - rw_friction_before(p, x);
+    for (int k = 1; k < count; k++)
+        change[k] = power_friction(p, p->to, k, x) - power_friction(p, p->from, k, x);
 }
 
-double rw_base_traction(const rw_problem *p, rw_layers layers, double x)
+void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch)
 {
-    double t = rw_traction_at(&p->old->traction, x);
-    if (layers.first != 0)
-        t += layers.first * (rw_friction_after(p, x) - rw_friction_before(p, x));
-    if (layers.second != 0)
-        t += layers.second * second_layer(p, x);
+    *shear = p->shear;
+    *stretch = p->stretch;
+    for (int k = 0; k < layers->count; k++) {
+        *shear -= p->f * layers->weight[k] * p->load[k];
+        *stretch += p->f * layers->weight[k] * p->tilt[k];
+    }
+}
+
+double rw_base_traction(const rw_problem *p, const rw_layers *layers, double x)
+{
+    double t = rw_traction_at(&p->old->traction, x), change[RW_LAYERS];
+    if (layers->count > 0)
+        rw_layers_at(p, layers->count, x, rw_friction_after(p, x), change);
+    for (int k = 0; k < layers->count; k++)
+        t += layers->weight[k] * change[k];
     return t;
 }
 
@@ -133,13 +153,38 @@ double rw_place_of(const rw_problem *p, double angle)
     return p->to.left + (p->to.right - p->to.left) * half * half;
 }
 
-/* Load and tilt that the second profile takes. */
-static void second_pressing(const rw_problem *p, rw_patch patch, double *load, double *tilt)
+/* Next to an edge, over its half-width. */
+static const double AT_EDGE = 1e-6;
+
+/* What layers are there over friction. */
+static void note_ratios(rw_problem *p, int after)
 {
-    const double m = rw_patch_middle(patch) - p->middle, s = rw_patch_half_width(patch);
-    const double unit = p->half * p->half;
-    *load = RW_PI * m * (s * s / unit);
-    *tilt = (m * m + s * s / 2) / unit;
+    const rw_patch patch = after ? p->to : p->from;
+    for (int side = 0; side < 2; side++) {
+        const double inside = AT_EDGE * rw_patch_half_width(patch);
+        const double x = side ? patch.right - inside : patch.left + inside;
+        const double friction = after ? rw_friction_after(p, x) : rw_friction_before(p, x);
+        p->ratio[0][side][after] = 1;
+        for (int k = 1; k < RW_LAYERS; k++)
+            p->ratio[k][side][after] = power_friction(p, patch, k, x) / friction;
+    }
+}
+
+static void note_layers(rw_problem *p)
+{
+    const rw_power_scale scale = {p->middle, p->half};
+    const rw_pressing before = rw_arcs_pressing(&p->frame->arcs, p->from);
+    const rw_pressing after = rw_arcs_pressing(&p->frame->arcs, p->to);
+    p->load[0] = after.load - before.load;
+    p->tilt[0] = after.tilt - before.tilt;
+    for (int k = 1; k < RW_LAYERS; k++) {
+        const rw_pressing old = rw_power_pressing(scale, p->from, k);
+        const rw_pressing new = rw_power_pressing(scale, p->to, k);
+        p->load[k] = new.load - old.load;
+        p->tilt[k] = new.tilt - old.tilt;
+    }
+    note_ratios(p, 0);
+    note_ratios(p, 1);
 }
 
 bool rw_problem_create(rw_problem *p, const rw_frame *frame, rw_patch from, rw_patch to,
@@ -157,20 +202,33 @@ bool rw_problem_create(rw_problem *p, const rw_frame *frame, rw_patch from, rw_p
     p->is_still = from.left == to.left && from.right == to.right;
     p->grows[0] = to.left < from.left - slack;
     p->grows[1] = to.right > from.right + slack;
-    const rw_pressing before = rw_arcs_pressing(&frame->arcs, from);
-    const rw_pressing after = rw_arcs_pressing(&frame->arcs, to);
-    p->load = after.load - before.load;
-    p->tilt = after.tilt - before.tilt;
     p->middle = rw_patch_middle(to);
     p->half = rw_patch_half_width(to);
-    double load, tilt;
-    second_pressing(p, to, &p->layer_load, &p->layer_tilt);
-    second_pressing(p, from, &load, &tilt);
-    p->layer_load -= load;
-    p->layer_tilt -= tilt;
+    if (p->grows[0] || p->grows[1])
+        note_layers(p);
     p->shear = shear;
     p->stretch = stretch;
     return true;
+}
+
+static const rw_shear_state NO_SHEAR = {.kinks = 0};
+
+void rw_problem_init_rates(rw_problem *p, const rw_frame *frame, rw_patch contact, double load,
+                           double moment, double shear, double stretch)
+{
+    *p = (rw_problem){.frame = frame,
+                      .f = frame->f,
+                      .from = contact,
+                      .to = contact,
+                      .both = contact,
+                      .is_rate = true,
+                      .load = {load},
+                      .middle = rw_patch_middle(contact),
+                      .half = rw_patch_half_width(contact),
+                      .shear = shear,
+                      .stretch = stretch,
+                      .old = &NO_SHEAR};
+    p->tilt[0] = 2 * (moment - p->middle * load) / (RW_PI * p->half * p->half);
 }
 
 void rw_problem_destroy(rw_problem *p)

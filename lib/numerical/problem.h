@@ -7,11 +7,11 @@
  * dw less that constant has the sign -S.
  *
  * A growing contact brings new material into contact without slip. Where that sticks up to the
- * edge, the change holds D_1 (F' - F), and a layer of a second profile, ((x - x_0)/half)^2, where
- * the two edges differ. */
+ * edge, the change holds layers (layers.h). */
 #ifndef RW_PROBLEM_H
 #define RW_PROBLEM_H
 
+#include "numerical/layers.h"
 #include "numerical/traction.h"
 #include "stress/pad_potential.h"
 
@@ -51,11 +51,6 @@ typedef struct {
     double kink[RW_MOST_KINKS];
 } rw_shear_state;
 
-/* Layers of a contact that grows. */
-typedef struct {
-    double first, second;
-} rw_layers;
-
 typedef struct {
     const rw_frame *frame;
     double f;
@@ -64,12 +59,13 @@ typedef struct {
     double allowed;          /* violations, over the scale */
     rw_patch from, to, both; /* both: what is in either */
     rw_pad_potential from_pressure, to_pressure;
-    bool is_still;                 /* the contact is as it was */
-    bool grows[2];                 /* at the left, right edge */
-    double load, tilt;             /* by which the contact changes: lengths, theta */
-    double layer_load, layer_tilt; /* of the second layer */
+    bool is_still;                           /* the contact is as it was */
+    bool grows[2];                           /* at the left, right edge */
+    double load[RW_LAYERS], tilt[RW_LAYERS]; /* by which layers change: lengths, theta */
+    double ratio[RW_LAYERS][2][2]; /* of layers to friction: at the edges, before and after */
     double middle, half;           /* of the contact after the step */
     double shear, stretch;         /* the changes */
+    bool is_rate;                  /* changes are those of a moment: of friction, like 1/sqrt */
     const rw_shear_state *old;
 } rw_problem;
 
@@ -83,8 +79,18 @@ void rw_problem_destroy(rw_problem *p);
 double rw_friction_after(const rw_problem *p, double x);
 double rw_friction_before(const rw_problem *p, double x);
 
+/* What layers change; friction is that after the step, to spare it. */
+void rw_layers_at(const rw_problem *p, int count, double x, double friction, double change[]);
+
+/* What is left of the changes of shear and stretch besides layers. */
+void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch);
+
 /* The old traction and the layers. */
-double rw_base_traction(const rw_problem *p, rw_layers layers, double x);
+double rw_base_traction(const rw_problem *p, const rw_layers *layers, double x);
+
+/* A contact in its place, whose loads change at these rates. It needs no destruction. */
+void rw_problem_init_rates(rw_problem *p, const rw_frame *frame, rw_patch contact, double load,
+                           double moment, double shear, double stretch);
 
 /* The angle of a place in the contact, 0 at its left edge to pi, and back. */
 double rw_angle_of(const rw_problem *p, double x);

@@ -6,27 +6,41 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_PANELS = 12 };
+enum { MOST_PANELS = 12, ROWS = 5 + RW_LAYERS };
 
 static const double RATIO = 0.12;
 
 /* Of the half-width: distances from a front are not less. */
 static const double AT_FRONT = 1e-15;
 
+static bool reserve(rw_fronts *f, size_t capacity)
+{
+    double *all = malloc(ROWS * capacity * sizeof *all);
+    if (!all)
+        return false;
+    for (size_t i = 0; i < ROWS && f->x; i++)
+        memcpy(all + capacity * i, f->x + f->capacity * i, f->capacity * sizeof *all);
+    free(f->x);
+    f->x = all;
+    f->step = all + capacity;
+    f->X = all + 2 * capacity;
+    f->change = all + 3 * capacity;
+    f->known = all + 4 * capacity;
+    f->layer = all + 5 * capacity;
+    f->capacity = capacity;
+    return true;
+}
+
 bool rw_fronts_create(rw_fronts *f, int order, int finest)
 {
-    *f = (rw_fronts){.order = order, .finest = finest, .capacity = 4096};
+    *f = (rw_fronts){.order = order, .finest = finest};
     rw_gauss(order, f->node, f->weight);
     for (int i = 0; i < order; i++) { /* for a function like square roots at both ends */
         const double angle = RW_PI * f->node[i], half = sin(angle / 2);
         f->weight[i] *= RW_HALF_PI * sin(angle);
         f->node[i] = half * half;
     }
-    f->x = malloc(4 * f->capacity * sizeof *f->x);
-    f->step = f->x + f->capacity;
-    f->change = f->step + f->capacity;
-    f->X = f->change + f->capacity;
-    return f->x != NULL;
+    return reserve(f, 2048);
 }
 
 void rw_fronts_destroy(rw_fronts *f)
@@ -69,54 +83,51 @@ static double nearest_end(const rw_stuck *s, double x)
     return nearest;
 }
 
-static bool put(rw_fronts *f, double x, double step, double change)
+/* What is known of the change: but for the layers, and each of these. */
+static bool put(rw_fronts *f, int label, double x, double step)
 {
-    if (f->count == f->capacity) {
-        const size_t n = f->capacity;
-        double *all = malloc(8 * n * sizeof *all);
-        if (!all)
-            return false;
-        for (int i = 0; i < 4; i++)
-            memcpy(all + 2 * n * (size_t)i, f->x + n * (size_t)i, n * sizeof *all);
-        free(f->x);
-        f->x = all;
-        f->step = all + 2 * n;
-        f->change = all + 4 * n;
-        f->X = all + 6 * n;
-        f->capacity = 2 * n;
-    }
+    const rw_problem *p = f->problem;
+    double layer[RW_LAYERS];
+    if (f->count == f->capacity && !reserve(f, 2 * f->capacity))
+        return false;
+    const double friction = label == 0 && f->layers.count == 0 ? 0 : rw_friction_after(p, x);
+    rw_layers_at(p, f->layers.count, x, friction, layer);
+    for (int k = 0; k < f->layers.count; k++)
+        f->layer[(size_t)k * f->capacity + f->count] = layer[k];
     f->x[f->count] = x;
     f->step[f->count] = step;
-    f->change[f->count++] = change;
+    f->known[f->count++] = label * friction - rw_traction_at(&p->old->traction, x);
     return true;
 }
 
-static double change_at(const rw_fronts *f, rw_layers layers, int label, double x)
+static void add_layers(rw_fronts *f)
 {
-    const double base = rw_base_traction(f->problem, layers, x);
-    return label == 0 ? -base : label * rw_friction_after(f->problem, x) - base;
+    memcpy(f->change, f->known, f->count * sizeof *f->change);
+    for (int k = 0; k < f->layers.count; k++)
+        for (size_t i = 0; i < f->count; i++)
+            f->change[i] -= f->layers.weight[k] * f->layer[(size_t)k * f->capacity + i];
 }
 
 /* A panel at the distances from `near` to `far` of both ends. */
-static bool put_panel(rw_fronts *f, const rw_segment *s, rw_layers layers, double near, double far)
+static bool put_panel(rw_fronts *f, const rw_segment *s, double near, double far)
 {
     for (int side = 0; side < 2; side++)
         for (int i = 0; i < f->order; i++) {
             const double distance = near + (far - near) * f->node[i];
             const double x = side == 0 ? s->from + distance : s->to - distance;
-            if (!put(f, x, (far - near) * f->weight[i], change_at(f, layers, s->label, x)))
+            if (!put(f, s->label, x, (far - near) * f->weight[i]))
                 return false;
         }
     return true;
 }
 
-static bool put_segment(rw_fronts *f, rw_segment *s, rw_layers layers)
+static bool put_segment(rw_fronts *f, rw_segment *s)
 {
     s->first = f->count;
     const double half = (s->to - s->from) / 2;
     double near = 0, far = half * pow(RATIO, s->panels);
     for (int i = 0; i <= s->panels; i++) {
-        if (!put_panel(f, s, layers, near, far))
+        if (!put_panel(f, s, near, far))
             return false;
         near = far;
         far = i + 1 == s->panels ? half : far / RATIO;
@@ -126,8 +137,8 @@ static bool put_segment(rw_fronts *f, rw_segment *s, rw_layers layers)
 }
 
 /* A segment as it was computed last is left as it is. */
-static bool add_segment(rw_fronts *f, const rw_stuck *sticks, rw_layers layers, double from,
-                        double to, int label, int finest)
+static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, double to, int label,
+                        int finest)
 {
     const double near = fmin(nearest_end(sticks, from), nearest_end(sticks, to)),
                  length = to - from;
@@ -146,7 +157,7 @@ static bool add_segment(rw_fronts *f, const rw_stuck *sticks, rw_layers layers, 
     }
     const size_t first = s->first, count = s->count;
     *s = (rw_segment){from, to, label, panels, 0, 0};
-    if (!put_segment(f, s, layers))
+    if (!put_segment(f, s))
         return false;
     if (s->first != first || s->count != count) /* it has taken the place of those that follow */
         for (int i = f->segments; i < RW_MOST_SEGMENTS; i++)
@@ -154,11 +165,14 @@ static bool add_segment(rw_fronts *f, const rw_stuck *sticks, rw_layers layers, 
     return true;
 }
 
-/* Whether the zone has slipped as far as it can before, so that nothing changes. */
-static bool is_spent(const rw_problem *p, int label, double from, double to)
+/* Whether nothing changes: the zone has slipped as far as it can before, or all of the change is in
+ * the layer. */
+static bool is_spent(const rw_fronts *f, int label, double from, double to)
 {
-    const rw_zones *old = &p->old->zones;
-    for (int i = 0; p->is_still && i < old->count; i++)
+    const rw_zones *old = &f->problem->old->zones;
+    if (f->problem->is_rate && label == f->layers.weight[0])
+        return true;
+    for (int i = 0; f->problem->is_still && i < old->count; i++)
         if (old->zone[i].label == label && label != 0 && from >= old->zone[i].left &&
             to <= old->zone[i].right)
             return true;
@@ -188,37 +202,42 @@ static int breaks_of(const rw_problem *p, double from, double to, double at[])
     return n;
 }
 
-static bool add_zone(rw_fronts *f, const rw_stuck *sticks, rw_layers layers, rw_zone zone,
-                     int finest)
+static bool add_zone(rw_fronts *f, const rw_stuck *sticks, rw_zone zone, int finest)
 {
     double at[RW_MOST_KINKS + RW_MOST_BENDS + 6];
     const int n = breaks_of(f->problem, zone.left, zone.right, at);
     for (int i = 0; i + 1 < n; i++)
-        if (at[i + 1] > at[i] && !is_spent(f->problem, zone.label, at[i], at[i + 1]) &&
-            !add_segment(f, sticks, layers, at[i], at[i + 1], zone.label, finest))
+        if (at[i + 1] > at[i] && !is_spent(f, zone.label, at[i], at[i + 1]) &&
+            !add_segment(f, sticks, at[i], at[i + 1], zone.label, finest))
             return false;
     return true;
 }
 
-bool rw_fronts_collect(rw_fronts *f, const rw_zones *zones, rw_layers layers, int finest)
+void rw_fronts_forget(rw_fronts *f)
+{
+    for (int i = 0; i < RW_MOST_SEGMENTS; i++)
+        f->segment[i].count = 0;
+}
+
+bool rw_fronts_collect(rw_fronts *f, const rw_zones *zones, const rw_layers *layers, int finest)
 {
     const rw_problem *p = f->problem;
     const rw_stuck sticks = rw_stuck_of(f, zones);
-    if (layers.first != f->layers.first || layers.second != f->layers.second)
-        for (int i = 0; i < RW_MOST_SEGMENTS; i++)
-            f->segment[i].count = 0;
-    f->layers = layers;
+    if (layers->count > f->layers.count)
+        rw_fronts_forget(f);
+    f->layers = *layers;
     f->segments = 0;
     f->count = 0;
     if (p->both.left < p->to.left &&
-        !add_zone(f, &sticks, layers, (rw_zone){0, p->both.left, p->to.left}, finest))
+        !add_zone(f, &sticks, (rw_zone){0, p->both.left, p->to.left}, finest))
         return false;
     for (int i = 0; i < zones->count; i++)
-        if (zones->zone[i].label != 0 && !add_zone(f, &sticks, layers, zones->zone[i], finest))
+        if (zones->zone[i].label != 0 && !add_zone(f, &sticks, zones->zone[i], finest))
             return false;
     if (p->both.right > p->to.right &&
-        !add_zone(f, &sticks, layers, (rw_zone){0, p->to.right, p->both.right}, finest))
+        !add_zone(f, &sticks, (rw_zone){0, p->to.right, p->both.right}, finest))
         return false;
+    add_layers(f);
     for (size_t i = 0; i < f->count; i++)
         f->X[i] = rw_X_at(&sticks, f->x[i]);
     return true;

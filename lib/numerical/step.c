@@ -3,6 +3,7 @@
 
 #include "base/domain.h"
 #include "numerical/pattern.h"
+#include "numerical/rates.h"
 
 #include <string.h>
 
@@ -71,20 +72,25 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
 {
     rw_fronts *f = &w->fronts;
     const double residual = fmax(1e-12, RESIDUAL * w->frame->tolerance) * p->scale;
+    double ratio[2] = {NAN, NAN};
+    if (p->grows[0] || p->grows[1]) {
+        const rw_zones begun = rw_rates_begun(&p->old->zones, zones);
+        rw_rates_ratio(f, &w->start, &begun, ratio);
+    }
     for (int side = 1; side >= -1; side -= 2) {
-        if (w->effort > RW_MOST_EFFORT || !rw_fronts_begin(f, p, zones))
+        if (w->effort > RW_MOST_EFFORT || !rw_fronts_begin(f, p, zones, ratio))
             return false;
         f->budget = BUDGET;
         const bool is_moved = start_beside(p, f, angle, side);
         if (side < 0 && !is_moved)
             return false;
         if (!is_ordered(f))
-            rw_fronts_begin(f, p, zones);
+            rw_fronts_begin(f, p, zones, ratio);
         double start[RW_MOST_FRONTS];
         memcpy(start, f->y, sizeof start);
         bool is_done = rw_fronts_newton(f, residual);
         w->effort += BUDGET - f->budget;
-        if (!is_done) {
+        if (!is_done && angle > 0) {
             memcpy(f->y, start, sizeof start);
             f->budget = BUDGET;
             is_done = rw_fronts_relax(f) && rw_fronts_newton(f, residual);
@@ -139,22 +145,19 @@ static void keep_better(rw_outcome *best, bool *is_known, const rw_outcome *othe
     *is_known = true;
 }
 
-/* What the layers of a growing contact are at first: at each edge the ratio of the rates of shear
- * and friction, as if all else stuck. */
-static rw_layers guess_layers(const rw_problem *p)
+/* What the layers of a growing contact are at first, as if all else stuck: about. */
+static rw_layers guess_layers(rw_work *w)
 {
-    double ratio[2] = {0, 0};
-    for (int side = 0; side < 2; side++) {
-        if (!p->grows[side])
-            continue;
-        const double sign = side ? 1 : -1;
-        const double friction = p->f * (p->load / RW_PI + sign * p->tilt * p->half);
-        const double shear = p->shear / RW_PI - sign * p->stretch * p->half;
-        ratio[side] = friction > 0 ? fmax(-1, fmin(1, shear / friction)) : shear > 0 ? 1 : -1;
-    }
-    if (!p->grows[0] || !p->grows[1])
-        return (rw_layers){ratio[0] + ratio[1], 0};
-    return (rw_layers){(ratio[0] + ratio[1]) / 2, 0};
+    const rw_zones stuck = {1, {{0, w->start.to.left, w->start.to.right}}};
+    double ratio[2], sum = 0;
+    int known = 0;
+    rw_rates_ratio(&w->fronts, &w->start, &stuck, ratio);
+    for (int side = 0; side < 2; side++)
+        if (isfinite(ratio[side])) {
+            sum += ratio[side];
+            known++;
+        }
+    return (rw_layers){known > 0, {known > 0 ? sum / known : 0}};
 }
 
 static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
@@ -191,10 +194,35 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
     return is_known;
 }
 
-/* Of exact fronts; or of the grid, where `coarse` allows it. */
-static bool solve(rw_work *w, const rw_problem *p, bool coarse, rw_outcome *best)
+/* The zones of a contact in the room of another. */
+static rw_zones moved_to(rw_zones zones, rw_patch contact)
 {
-    bool is_known = false;
+    const double left = zones.zone[0].left, right = zones.zone[zones.count - 1].right;
+    const double stretch = (contact.right - contact.left) / (right - left);
+    for (int i = 0; i < zones.count; i++) {
+        zones.zone[i].left = i > 0 ? zones.zone[i - 1].right : contact.left;
+        zones.zone[i].right = i + 1 == zones.count
+                                  ? contact.right
+                                  : contact.left + stretch * (zones.zone[i].right - left);
+    }
+    return zones;
+}
+
+/* From the zones of a step to a place near by. */
+static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_outcome *best)
+{
+    const rw_zones zones = moved_to(*guess, p->to);
+    return try_pattern(w, p, &zones, 0, p->half * 1e-3, best);
+}
+
+/* Of exact fronts; or of the grid, where `coarse` allows it. */
+static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coarse,
+                  rw_outcome *best)
+{
+    bool is_known = guess && try_guess(w, p, guess, best);
+    if (is_known && best->violation <= p->allowed)
+        return true;
+    const rw_layers layers = p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};
     for (int trial = 0; trial < RW_TRIALS; trial++) {
         rw_grid *grid = &w->grid[trial];
         const int n = ANGLES << trial;
@@ -202,16 +230,15 @@ static bool solve(rw_work *w, const rw_problem *p, bool coarse, rw_outcome *best
             w->is_short = true;
             break;
         }
-        const rw_layers layers = guess_layers(p);
         rw_zones zones;
         rw_outcome outcome;
-        if (!rw_grid_solve(grid, p, layers) || !rw_grid_zones(grid, p, &zones))
+        if (!rw_grid_solve(grid, p, &layers) || !rw_grid_zones(grid, p, &zones))
             continue;
         if (try_all(w, p, &zones, RW_PI / n, &outcome))
             keep_better(best, &is_known, &outcome);
         if (is_known && best->violation <= p->allowed)
             return true;
-        if (coarse && trial + 1 == RW_TRIALS && rw_outcome_of_grid(grid, p, layers, &outcome)) {
+        if (coarse && trial + 1 == RW_TRIALS && rw_outcome_of_grid(grid, p, &layers, &outcome)) {
             outcome.violation = fmax(outcome.violation, 0.3 / n);
             keep_better(best, &is_known, &outcome);
         }
@@ -224,6 +251,12 @@ static bool solve(rw_work *w, const rw_problem *p, bool coarse, rw_outcome *best
 }
 
 /* ---- Steps ---- */
+
+double rw_place(rw_patch contact, int i)
+{
+    return rw_patch_middle(contact) -
+           rw_patch_half_width(contact) * cos(RW_PI * (i + 0.5) / RW_PLACES);
+}
 
 static rw_patch contact_of(const rw_frame *frame, rw_course at)
 {
@@ -271,28 +304,68 @@ static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
     return widest;
 }
 
-/* At the end of the step, as its zones are then; and at the beginning, where an edge that did not
- * slip so before is the first to slip. */
-static double haste(const rw_problem *p, const rw_stance *from, const rw_stance *there)
+static bool is_at_edge(const rw_zones *zones, int i)
 {
-    const rw_zones *zones = &there->shear.zones, *old = &from->shear.zones;
-    const double shear = there->at.shear - from->at.shear;
-    const rw_zone left = zones->zone[0], right = zones->zone[zones->count - 1];
-    const rw_zones left_alone = {2, {left, {0, left.right, right.right}}};
-    const rw_zones right_alone = {2, {{0, left.left, right.left}, right}};
-    double most = rw_fronts_wrong_rate(p, zones, shear, p->stretch);
-    if (left.label != 0 && left.label != old->zone[0].label)
-        most = fmax(most, rw_fronts_wrong_rate(p, &left_alone, shear, p->stretch));
-    if (right.label != 0 && right.label != old->zone[old->count - 1].label)
-        most = fmax(most, rw_fronts_wrong_rate(p, &right_alone, shear, p->stretch));
+    return i == 0 || i + 1 == zones->count;
+}
+
+static bool slips_so(const rw_zones *zones, rw_zone zone)
+{
+    const rw_zones alone = {1, {zone}}, begun = rw_rates_begun(&alone, zones);
+    return zone.label == 0 || begun.count > 1 || begun.zone[0].label != 0;
+}
+
+/* Whether one more zone slips within the contact. */
+static bool add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
+{
+    zone.left = fmax(zone.left, contact.left);
+    zone.right = fmin(zone.right, contact.right);
+    return zone.left < zone.right && rw_pattern_insert(zones, &(rw_zones){1, {zone}}, 0);
+}
+
+/* At the beginning: what goes on to slip, what begins to at the edges, and what ends to. */
+static double haste_at_first(rw_work *w, const rw_zones *old, const rw_zones *after)
+{
+    const rw_zones begun = rw_rates_begun(old, after);
+    const rw_problem *p = &w->start;
+    double most = rw_rates_wrong(&w->fronts, p, &begun, after);
+    for (int i = 0; i < after->count; i++) {
+        rw_zones more = begun;
+        if (is_at_edge(after, i) && !slips_so(old, after->zone[i]) &&
+            add_zone(&more, after->zone[i], p->to))
+            most = fmax(most, rw_rates_wrong(&w->fronts, p, &more, after));
+    }
+    for (int i = 0; i < old->count; i++) {
+        rw_zones more = begun;
+        if (!slips_so(after, old->zone[i]) && add_zone(&more, old->zone[i], p->to))
+            most = fmax(most, rw_rates_slip(&w->fronts, p, &more, old->zone[i]));
+    }
     return most;
 }
 
+static void set_rates(const rw_frame *frame, const rw_stance *from, rw_course to, rw_patch contact,
+                      rw_problem *rates)
+{
+    rw_problem_init_rates(rates, frame, contact, to.P - from->at.P, to.M - from->at.M,
+                          to.shear - from->at.shear, to.stretch - from->at.stretch);
+}
+
+static double haste(rw_work *w, const rw_problem *p, const rw_stance *from, const rw_stance *there)
+{
+    rw_problem at_end;
+    set_rates(w->frame, from, there->at, there->contact, &at_end);
+    return fmax(haste_at_first(w, &from->shear.zones, &there->shear.zones),
+                rw_rates_wrong(&w->fronts, &at_end, &there->shear.zones, &there->shear.zones)) /
+           p->scale;
+}
+
 static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_course to,
-                    bool coarse, rw_stance *there)
+                    const rw_zones *guess, bool coarse, rw_stance *there)
 {
     rw_outcome outcome;
-    if (!solve(w, p, coarse || w->effort > RW_MOST_EFFORT, &outcome))
+    set_rates(w->frame, from, to, from->contact, &w->start);
+    rw_fronts_forget(&w->fronts);
+    if (!solve(w, p, guess, coarse || w->effort > RW_MOST_EFFORT, &outcome))
         return false;
     *there = (rw_stance){.shear = outcome.state,
                          .contact = p->to,
@@ -301,25 +374,24 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_c
                          .unslipped = stuck_part(from->unslipped, &outcome.state.zones),
                          .move = from->move + outcome.move,
                          .energy = from->energy + outcome.energy,
-                         .error = outcome.violation,
-                         .uncertain = p->to};
-    if (p->is_still)
-        there->haste = haste(p, from, there);
+                         .error = outcome.violation};
+    there->haste = haste(w, p, from, there);
     return true;
 }
 
-bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, bool coarse,
-                      rw_stance *there)
+bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, const rw_zones *guess,
+                      bool coarse, rw_stance *there)
 {
     const bool is_still = to.P == from->at.P && to.M == from->at.M;
     const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);
     rw_problem p;
     if (!set_problem(w, from, to, contact, &p))
         return false;
-    const bool is_done = step_to(w, &p, from, to, coarse, there);
+    const bool is_done = step_to(w, &p, from, to, guess, coarse, there);
     rw_problem_destroy(&p);
     return is_done;
 }
+
 /* Whether all that sticks is inside of what stuck. */
 static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
 {

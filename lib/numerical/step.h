@@ -11,17 +11,22 @@ typedef struct {
     double P, M, shear, stretch;
 } rw_course;
 
+/* Where tractions are compared. */
+enum { RW_PLACES = 121 };
+
+double rw_place(rw_patch contact, int i);
+
 /* How it stands with the shear of a contact. */
 typedef struct {
     rw_shear_state shear;
     rw_patch contact;
     rw_course at;
-    bool is_still;       /* the contact is as it was at the beginning */
-    rw_patch unslipped;  /* what has not slipped since; of several parts the widest */
-    double move, energy; /* summed */
-    double error;        /* of the step that led here */
-    rw_patch uncertain;  /* where it is */
-    double haste;        /* slip that another such step would take the wrong way */
+    bool is_still;           /* the contact is as it was at the beginning */
+    rw_patch unslipped;      /* what has not slipped since; of several parts the widest */
+    double move, energy;     /* summed */
+    double error;            /* of the step that led here: violations, over the scale */
+    double haste;            /* what the rates at its ends say */
+    double apart[RW_PLACES]; /* of the step in halves: how far it is from the whole */
 } rw_stance;
 
 enum { RW_TRIALS = 2, RW_MOST_EFFORT = 16000 };
@@ -30,6 +35,7 @@ enum { RW_TRIALS = 2, RW_MOST_EFFORT = 16000 };
 typedef struct {
     const rw_frame *frame;
     rw_fronts fronts;
+    rw_problem start; /* the rates at the beginning of the step */
     rw_grid grid[RW_TRIALS];
     int effort;    /* residuals so far; from RW_MOST_EFFORT on there is but the grid. From half of
                       it on steps are divided no more, so that exact fronts may end them. */
@@ -40,9 +46,10 @@ bool rw_work_create(rw_work *work, const rw_frame *frame);
 void rw_work_destroy(rw_work *work);
 
 /* false where no zones keep the conditions to the tolerance. `coarse` takes those that keep them
- * best, or the grid's answer: then false means that there is none. */
-bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, bool coarse,
-                      rw_stance *there);
+ * best, or the grid's answer: then false means that there is none. guess, or NULL: zones of a step
+ * to a place near by, which are tried first. */
+bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, const rw_zones *guess,
+                      bool coarse, rw_stance *there);
 
 /* Whether a contact that is still went on from one stance to the other, of which both were reached
  * from the same, as a step from the first to the second would: then the energy is that of both. */

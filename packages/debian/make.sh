@@ -5,18 +5,16 @@
 #     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=${3-/dev/null}
+product='the packages for Debian'
+. "$here/../package.sh"
 . "$top/tests/support/install.sh"
 . "$top/tests/support/clean_system.sh"
-version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
 archive=$packages/rwedge-$version.tar.gz
 release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
 work=$build/debian
 place=/srv/$(echo "$build" | cksum | cut -d " " -f 1) # another folder makes them in another place
 source=$place/rwedge-$version
 fail() { tail -n 40 "$work/log"; echo "FAILED: the Debian packages: $*"; exit 1; }
-leave_out() { echo "not made: the packages for Debian: $*" | tee -a "$tested"; exit 77; }
 [ -f "$archive" ] || leave_out "there is no source archive"
 ! reason=$(cannot_make_system) || leave_out "$reason"
 

@@ -3,11 +3,9 @@
 # The pages to look things up in, as a folder that needs no network.
 #     make.sh BUILD PACKAGES [TESTED]
 set -eu
-top=$(cd "$(dirname "$0")/../.." && pwd)
-build=$1 packages=$2 tested=${3-/dev/null}
-version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../package.sh"
 name=rwedge-$version-docs
-epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
 
 cmake -S "$top" -B "$build" -DRWEDGE_BUILD_CLI=ON >/dev/null
 cmake --build "$build" --parallel "$(getconf _NPROCESSORS_ONLN)" --target rwedge_cli rwedge >/dev/null

@@ -5,11 +5,9 @@
 #     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=${3-/dev/null}
-version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+product='the folder for MATLAB'
+. "$here/../package.sh"
 name=rwedge-$version-matlab
-epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
 sources=$build/excel/sources # as those of the zip for Windows
 work=$build/for-matlab
 folder=$work/$name
@@ -44,7 +42,7 @@ fi
 {
     sh "$top/packages/sources.sh" "$sources" $inside >"$work/log" 2>&1 &&
         sh "$top/packages/licences.sh" "$sources" "$folder/licences" $inside
-} || { echo "not made: the folder for MATLAB: no licence texts: $(tail -n 1 "$work/log")" | tee -a "$tested"; exit 77; }
+} || leave_out "no licence texts: $(tail -n 1 "$work/log")"
 # shellcheck disable=SC2086
 python3 -B "$top/packages/sbom.py" "$version" "$epoch" "$sources" matlab $inside >"$folder/sbom.spdx.json"
 python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$folder"

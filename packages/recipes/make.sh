@@ -4,14 +4,12 @@
 #     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=${3-/dev/null}
-version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+product='the recipes'
+. "$here/../package.sh"
 archive=rwedge-$version.tar.gz
 who() { python3 -B "$top/packages/who.py" "$1"; }
-for need in "$packages/$archive" "$(command -v python3)"; do
-    [ -e "$need" ] || { echo "not made: the recipes, for lack of $archive or python3" | tee -a "$tested"; exit 77; }
-done
+need python3
+[ -e "$packages/$archive" ] || leave_out "$archive is not here"
 
 # fill FOLDER PLACE - the recipes into FOLDER, with the archive at PLACE
 fill()

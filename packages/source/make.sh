@@ -3,15 +3,12 @@
 # The source archive of what is committed, and the list of what it is built with: the same bytes for the same commit.
 #     make.sh BUILD PACKAGES [TESTED]
 set -eu
-top=$(cd "$(dirname "$0")/../.." && pwd)
-build=$1 packages=$2 tested=${3-/dev/null}
-version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
-if ! git -C "$top" rev-parse HEAD >/dev/null 2>&1; then
-    echo "not made: the source archive, as these files are no clone" | tee -a "$tested"
-    exit 77
-fi
+here=$(cd "$(dirname "$0")" && pwd)
+product='the source archive'
+. "$here/../package.sh"
+git -C "$top" rev-parse HEAD >/dev/null 2>&1 || leave_out "these files are no clone"
 archive=$packages/rwedge-$version.tar.gz
-python3 -B "$top/packages/sbom.py" "$version" "$(git -C "$top" log -1 --format=%ct)" >"$packages/rwedge-$version.spdx.json"
+python3 -B "$top/packages/sbom.py" "$version" "$epoch" >"$packages/rwedge-$version.spdx.json"
 # With what is made of the header: who builds it needs no Python. (git gives these files the time of the commit.)
 made=$build/source-made
 rm -rf "$made"

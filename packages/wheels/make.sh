@@ -4,25 +4,21 @@
 #     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=${3-/dev/null}
-version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+product='the wheels for Python'
+. "$here/../package.sh"
 work=$build/wheels
 sources=$build/excel/sources # as those of the zip for Windows
-stop() { echo "not made: the wheels for Python, $*" | tee -a "$tested"; exit 77; }
 quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; echo "FAILED: $*" >&2; exit 1; }; }
 
-epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null) || stop "as these files are no clone"
-[ "$(uname -sm)" = "Linux x86_64" ] || stop "which need Linux on x86-64"
-for command in dpkg-source python3 cmake gcc; do
-    command -v "$command" >/dev/null || stop "for lack of $command"
-done
+git -C "$top" rev-parse HEAD >/dev/null 2>&1 || leave_out "these files are no clone"
+[ "$(uname -sm)" = "Linux x86_64" ] || leave_out "they need Linux on x86-64"
+need dpkg-source python3 cmake gcc
 mkdir -p "$work" "$packages/python"
-sh "$top/packages/sources.sh" "$sources" gsl lapack musl >"$work/log" 2>&1 || stop "as sources cannot be fetched: $(tail -n 1 "$work/log")"
+sh "$top/packages/sources.sh" "$sources" gsl lapack musl >"$work/log" 2>&1 || leave_out "sources cannot be fetched: $(tail -n 1 "$work/log")"
 if [ ! -f "$work/venv/ready" ]; then
     rm -rf "$work/venv"
     python3 -m venv "$work/venv" >"$work/log" 2>&1 && "$work/venv/bin/pip" install --quiet --require-hashes -r "$here/requirements.txt" \
-        >"$work/log" 2>&1 || stop "as their tools cannot be fetched: $(tail -n 1 "$work/log")"
+        >"$work/log" 2>&1 || leave_out "their tools cannot be fetched: $(tail -n 1 "$work/log")"
     touch "$work/venv/ready"
 fi
 export SOURCE_DATE_EPOCH="$epoch" PIP_DISABLE_PIP_VERSION_CHECK=1

@@ -4,15 +4,11 @@
 #     make.sh BUILD PACKAGES [TESTED]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-top=$(cd "$here/../.." && pwd)
-build=$1 packages=$2 tested=${3-/dev/null}
-version=$(sed -n 's/^project(rwedge VERSION \([0-9.]*\).*/\1/p' "$top/CMakeLists.txt")
+product='the zip for Windows'
+. "$here/../package.sh"
 name=rwedge-$version-windows-x64
 work=$build/excel # as the test of the module has it: one DLL
-epoch=$(git -C "$top" log -1 --format=%ct 2>/dev/null || stat -c %Y "$top/CHANGELOG.md")
-for command in x86_64-w64-mingw32-gcc x86_64-w64-mingw32-gfortran dpkg-source python3; do
-    command -v "$command" >/dev/null || { echo "not made: the zip for Windows, for lack of $command" | tee -a "$tested"; exit 77; }
-done
+need x86_64-w64-mingw32-gcc x86_64-w64-mingw32-gfortran dpkg-source python3
 
 sh "$here/build.sh" --tool "$work"
 made=$work/windows

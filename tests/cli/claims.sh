@@ -28,6 +28,16 @@ run() {
     "$rwedge" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
 }
 
+# does ARGUMENTS...: the same, with status 0; and with nothing on stderr.
+does() {
+    run "$@"
+    status_is 0
+}
+does_quietly() {
+    does "$@"
+    message_is ""
+}
+
 # Every assertion comes down to this: whether the two texts are the same.
 same() { # what expected got
     checks=$((checks + 1))
@@ -60,9 +70,7 @@ message_has() {
 prints() {
     expected=$1
     shift
-    run "$@"
-    status_is 0
-    message_is ""
+    does_quietly "$@"
     output_is "$expected"
 }
 

@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-static const double PI = 3.14159265358979323846, TOLERANCE = 1e-3;
+static const double TOLERANCE = 1e-3;
 
 /* One load may take, in seconds: an unoptimised build, a slow machine. */
 static const double LONGEST = 30;

@@ -20,8 +20,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double PI = 3.14159265358979323846;
-
 typedef struct {
     double alpha, f, nu;
 } contact_case;

@@ -9,8 +9,6 @@
 #include <complex.h>
 #include <float.h>
 
-static const double PI = 3.14159265358979323846;
-
 static void yield_at(double alpha, double f, double *limit, double *x, double *y)
 {
     assert_ok(rwedge_yield_point(alpha, f, 0.3, limit, x, y));

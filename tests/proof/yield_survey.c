@@ -17,7 +17,6 @@
 enum { ANGLES = 25, RADII = 190, MARKS_MAX = 40 };
 static const double FALL = 0.83, COARSE = 0.04, FINE = 1e-8, WORTH = 0.8;
 
-static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.1;
 
 typedef struct {
@@ -134,38 +133,33 @@ static double highest_of(const rwedge_contact *contact, double nu)
 
 /* ---- What is drawn ---- */
 
-static double between(uint64_t *seed, double low, double high)
-{
-    return low + (high - low) * random_fraction(seed);
-}
-
 static void go_on(rwedge_contact *contact, uint64_t *seed, double f, bool is_centred)
 {
     double P, M, Q, sigma;
     rwedge_contact_loads(contact, &P, &M, &Q, &sigma);
     const double arm = P > 0 ? M / P : 0, kind = random_fraction(seed);
     if (kind < 0.4 || P == 0)
-        P = P == 0 ? 1 : P * between(seed, 0.5, 1.5);
-    Q = f * P * (kind > 0.95 ? 1 : between(seed, -1, 1));
+        P = P == 0 ? 1 : P * random_between(seed, 0.5, 1.5);
+    Q = f * P * (kind > 0.95 ? 1 : random_between(seed, -1, 1));
     if (!is_centred && kind >= 0.4) /* within what slips one way */
-        sigma += between(seed, -0.5, 0.5) * rwedge_contact_largest_tension_step(contact, Q);
+        sigma += random_between(seed, -0.5, 0.5) * rwedge_contact_largest_tension_step(contact, Q);
     (void)rwedge_contact_apply(contact, P, arm * P, Q, sigma); /* or stays as it is */
 }
 
 static rwedge_contact *draw(uint64_t *seed, double *nu)
 {
     const double kind = random_fraction(seed), P = 1;
-    const double a = kind < 0.1 ? 0 : pow(10, between(seed, -5, 1));
-    const double f = random_fraction(seed) < 0.1 ? 0 : pow(10, between(seed, -2, 0.3));
+    const double a = kind < 0.1 ? 0 : pow(10, random_between(seed, -5, 1));
+    const double f = random_fraction(seed) < 0.1 ? 0 : pow(10, random_between(seed, -2, 0.3));
     const bool is_centred = random_fraction(seed) < 0.6;
-    *nu = random_fraction(seed) < 0.1 || a == 0 ? 0.5 : between(seed, 0, 0.5);
+    *nu = random_fraction(seed) < 0.1 || a == 0 ? 0.5 : random_between(seed, 0, 0.5);
     rwedge_contact *contact;
     assert_ok(rwedge_contact_create(THETA, a, A, f, &contact));
     const double b = rwedge_half_width(THETA, a, A, P);
-    const double arm = is_centred ? 0 : between(seed, -0.4, 0.4) * b;
+    const double arm = is_centred ? 0 : random_between(seed, -0.4, 0.4) * b;
     if (rwedge_contact_apply(contact, P, arm * P, 0, 0) != RWEDGE_OK)
         assert_ok(rwedge_contact_apply(contact, P, 0, 0, 0));
-    const int loads = (int)between(seed, 0, 9);
+    const int loads = (int)random_between(seed, 0, 9);
     for (int i = 0; i < loads; i++)
         go_on(contact, seed, f, is_centred);
     return contact;

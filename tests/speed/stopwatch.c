@@ -15,12 +15,12 @@ static double seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-double fastest(work what, long n, int runs)
+double fastest(work task, long n, int runs)
 {
     double best = HUGE_VAL;
     for (int run = 0; run < runs; run++) {
         const double start = seconds();
-        sink = what(n);
+        sink = task.plain ? task.plain(n) : task.with(task.first, task.second, n);
         best = fmin(best, seconds() - start);
     }
     return best / (double)n;

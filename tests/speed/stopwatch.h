@@ -4,10 +4,15 @@
 #ifndef STOPWATCH_H
 #define STOPWATCH_H
 
-/* Something to do, n times; returns a number that depends on all of it. */
-typedef double (*work)(long n);
+/* Something to do, n times, plainly or with two numbers; it returns a number that depends on all of
+ * it. */
+typedef struct {
+    double (*plain)(long n);
+    double (*with)(double first, double second, long n);
+    double first, second;
+} work;
 
 /* Processor time in seconds that one of the n takes, the fastest of `runs` runs. */
-double fastest(work what, long n, int runs);
+double fastest(work task, long n, int runs);
 
 #endif

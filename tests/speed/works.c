@@ -41,24 +41,16 @@ void must(int32_t status)
 
 /* ---- Stresses ---- */
 
-static double in_array(double c, long n)
+double array_of_points(double c, double unused, long n)
 {
+    (void)unused;
     must(rwedge_stresses(0.3, 0.4, c, (size_t)n, xs, ys, out[0], out[1], out[2]));
     return out[0][0] + out[2][n - 1];
 }
 
-double array_sliding(long n)
+double points_one_by_one(double c, double unused, long n)
 {
-    return in_array(0, n);
-}
-
-double array_partial_slip(long n)
-{
-    return in_array(0.4, n);
-}
-
-static double one_by_one(double c, long n)
-{
+    (void)unused;
     double sum = 0;
     for (long i = 0; i < n; i++) {
         double sxx, syy, txy;
@@ -66,16 +58,6 @@ static double one_by_one(double c, long n)
         sum += sxx + syy + txy;
     }
     return sum;
-}
-
-double points_sliding(long n)
-{
-    return one_by_one(0, n);
-}
-
-double points_partial_slip(long n)
-{
-    return one_by_one(0.4, n);
 }
 
 double plain_points(long n)
@@ -125,17 +107,17 @@ rwedge_contact *new_contact(void)
     return contact;
 }
 
-rwedge_contact *worn_contact(int corners, double M)
+rwedge_contact *worn_contact(double corners, double M)
 {
     rwedge_contact *contact = new_contact();
     must(rwedge_contact_apply(contact, 20000, M, 0, 0));
     for (int i = 1; i < corners; i++)
         must(rwedge_contact_load(contact, 20000,
-                                 (i % 2 ? 0.9 : -0.9) * 12000 * (1 - i / (corners + 1.0))));
+                                 (i % 2 ? 0.9 : -0.9) * 12000 * (1 - i / (corners + 1))));
     return contact;
 }
 
-double yield_factors(int corners, double M, long n)
+double yield_factors(double corners, double M, long n)
 {
     rwedge_contact *contact = worn_contact(corners, M);
     double sum = 0, factor;

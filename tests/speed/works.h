@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What bench.c prints times of and test_speed.c compares: each a `work` of stopwatch.h. A call that
+/* What bench.c prints times of and test_speed.c compares: for a `work` of stopwatch.h. A call that
  * fails ends the program. */
 #ifndef WORKS_H
 #define WORKS_H
@@ -19,11 +19,10 @@ extern int plain_terms; /* of the plain series, 60 if nothing else is said */
 /* Ends the program unless the status is RWEDGE_OK. */
 void must(int32_t status);
 
-/* Stresses at points, in one call and one by one; J2 by the plain series. */
-double array_sliding(long n);
-double array_partial_slip(long n);
-double points_sliding(long n);
-double points_partial_slip(long n);
+/* Stresses at points, in one call and one by one; c/b = 0 is full sliding. J2 by the plain
+ * series. */
+double array_of_points(double c, double unused, long n);
+double points_one_by_one(double c, double unused, long n);
 double plain_points(long n);
 
 /* The i-th contact of the paper's table, a/b = 0.1 ... 1, f = 0 ... 0.8, in an order in which a few
@@ -39,9 +38,9 @@ double plain_limits(long n);
 rwedge_contact *new_contact(void);
 
 /* It remembers as many corners: reversals of Q, each smaller than all before. */
-rwedge_contact *worn_contact(int corners, double M);
+rwedge_contact *worn_contact(double corners, double M);
 
 /* The yield factor of such a contact, n times. */
-double yield_factors(int corners, double M, long n);
+double yield_factors(double corners, double M, long n);
 
 #endif

@@ -12,5 +12,5 @@ unit_tests()
         *) basename "$file" .c ;;
         esac
     done
-    echo strength_survey
+    echo strength_survey yield_survey
 }

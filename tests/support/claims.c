@@ -60,6 +60,11 @@ double random_fraction(uint64_t *state)
     return (double)(*state >> 11) * 0x1p-53;
 }
 
+double random_between(uint64_t *state, double low, double high)
+{
+    return low + (high - low) * random_fraction(state);
+}
+
 static int gsl_errors;
 
 static void count(const char *reason, const char *file, int line, int number)

@@ -13,6 +13,8 @@
 
 #include <cmocka.h>
 
+static const double PI = 3.14159265358979323846;
+
 /* A test: CLAIM(what_holds) { ... }. Those of a program run in the order of their file. */
 #define CLAIM(name)                                                                                \
     static void name(void);                                                                        \
@@ -64,5 +66,6 @@ bool reference_next(reference *table);      /* closes the file at its end */
 
 /* Uniform in [0, 1), the same sequence on every machine; *state is any seed. */
 double random_fraction(uint64_t *state);
+double random_between(uint64_t *state, double low, double high);
 
 #endif

@@ -7,7 +7,6 @@
 #include "claims.h"
 #include "contact/contact.h"
 
-static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
 
 /* Contacts, which live to the end of the claim. */

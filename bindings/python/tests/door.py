@@ -11,8 +11,8 @@ import rwedge
 from rwedge._header import FUNCTIONS
 
 objects = {}  # one of a family at a time: what makes one begins the next
-MAKERS = {"contact_create": partial(rwedge.Contact, tolerance=0), "contact_create_flat": rwedge.Contact.flat,
-          "contact_create_profile": rwedge.Contact.profile, "series_create": rwedge.Series, "series_fit": rwedge.Series.fit}
+PADS = {"contact_create": rwedge.Contact, "contact_create_flat": rwedge.Contact.flat, "contact_create_profile": rwedge.Contact.profile}
+MAKERS = {**{name: partial(maker, tolerance=0) for name, maker in PADS.items()}, "series_create": rwedge.Series, "series_fit": rwedge.Series.fit}
 # What has another name here.
 FORMS = {"elastic_limits": rwedge.elastic_limit, "series_coefficient": lambda k: objects["series"].coefficients[k],
          "smith_watson_topper_field": lambda *given: rwedge.smith_watson_topper(*given, axis=0),

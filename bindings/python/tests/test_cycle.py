@@ -221,11 +221,6 @@ def test_damage_of_one_cycle_is_one_over_its_life(pad):
     assert (cycle.damage(METAL, "fatemi-socie").value > 0).any()
 
 
-def test_a_block_of_more_cycles_has_more_damage(pad):
-    once, more = pad.copy().cycle({"Q": [900, -900]}, X, 0), pad.cycle({"Q": [900, -900, 500, -500]}, X, 0)
-    assert (more.damage(METAL).value >= once.damage(METAL).value * (1 - 1e-9)).all() and more.damage(METAL).cycles.max() == 2
-
-
 def test_a_constant_that_the_material_lacks_is_named(pad):
     cycle = pad.cycle({"Q": Q}, X, 0)
     with pytest.raises(rwedge.Error, match="the material has no sf"):

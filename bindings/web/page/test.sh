@@ -39,6 +39,7 @@ for words in 'CHECK THE INPUTS:' 'SLIDES: Q is above f P, there is no equilibriu
     echo "$workbook" | grep -qF "$words" || fail "the workbook does not say: $words"
     echo "$model" | grep -qF "$words" || fail "the page does not say: $words"
 done
+! grep -qF '\frac' "$now" || fail "the page has formulas in TeX"
 echo "ok: $size bytes, no connection, licences and words"
 
 # Another clang gives the library other bytes: then all the rest is compared.

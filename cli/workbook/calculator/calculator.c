@@ -209,8 +209,7 @@ static void write_notes(xlsx *book)
         "0.15 % (0.5 % where a/b at yield is 0.01 to 0.02, 2 % down to 0.003); critical friction "
         "within 0.001;",
         "place of yield within 0.02 a or b (0.35 a at the surface with nu1 above 0.4; 0.003 b "
-        "where a/b "
-        "at yield is below 0.02). For a/b from 0.003, f up to 0.8, nu1 from 0 to 0.5.",
+        "where a/b at yield is below 0.02). For a/b from 0.003, f up to 0.8, nu1 from 0 to 0.5.",
         "Moment M and bulk tension sigma: not here, as no plain formula holds them; the command "
         "\"rwedge solve\" has them. Plane strain; see \"About\".",
     };

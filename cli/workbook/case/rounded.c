@@ -2,6 +2,7 @@
 #include "rounded.h"
 
 #include "number/number.h"
+#include "text/message.h"
 
 #include <math.h>
 
@@ -19,4 +20,11 @@ double rounded_to(double value, int digits)
 double workbook_rounded(double value)
 {
     return rounded_to(value, 10);
+}
+
+double workbook_computed(double value)
+{
+    if (!isfinite(value))
+        failure("the workbook: a value of its tables could not be computed");
+    return workbook_rounded(value);
 }

@@ -9,4 +9,7 @@ double rounded_to(double value, int digits);
 /* To ten digits, as the sheets have them. */
 double workbook_rounded(double value);
 
+/* The same of a value of the library; ends the command where it could not be computed. */
+double workbook_computed(double value);
+
 #endif

@@ -6,7 +6,6 @@
 #include "model/results/verdict.h"
 #include "text/message.h"
 #include "number/number.h"
-#include "number/pi.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,25 +13,31 @@
 
 #include <rwedge.h>
 
-static double given_or(double value, double other)
+/* Read as the tool reads it. */
+static contact_case case_of(const double input[INPUT_CELLS])
 {
-    return isnan(value) ? other : value;
-}
-
-static contact_case case_of(const double in[])
-{
-    contact_case setup = {.E1 = in[CELL_E1],
-                          .nu1 = in[CELL_NU1],
-                          .E2 = given_or(in[CELL_E2], in[CELL_E1]),
-                          .nu2 = given_or(in[CELL_NU2], in[CELL_NU1]),
-                          .P = in[CELL_LOAD],
-                          .Q = given_or(in[CELL_Q], 0),
-                          .f = in[CELL_F],
-                          .k = given_or(in[CELL_K], in[CELL_YIELD_STRESS] / sqrt(3))};
-    const double theta = given_or(in[CELL_THETA], in[CELL_THETA_DEG] * PI / 180);
-    setup.shape = pad_wedge(theta, given_or(in[CELL_ROUNDING], in[CELL_RADIUS] * theta));
-    setup.A = rwedge_compliance(setup.E1, setup.nu1, setup.E2, setup.nu2);
-    setup.beta = rwedge_dundurs_beta(setup.E1, setup.nu1, setup.E2, setup.nu2);
+    static const int inputs[INPUT_CELLS] = {[CELL_E1] = INPUT_E1,
+                                            [CELL_NU1] = INPUT_NU1,
+                                            [CELL_E2] = INPUT_E2,
+                                            [CELL_NU2] = INPUT_NU2,
+                                            [CELL_THETA] = INPUT_THETA,
+                                            [CELL_THETA_DEG] = INPUT_THETA_DEG,
+                                            [CELL_ROUNDING] = INPUT_A,
+                                            [CELL_RADIUS] = INPUT_RADIUS,
+                                            [CELL_LOAD] = INPUT_P,
+                                            [CELL_Q] = INPUT_Q,
+                                            [CELL_F] = INPUT_F,
+                                            [CELL_K] = INPUT_K,
+                                            [CELL_YIELD_STRESS] = INPUT_YIELD_STRESS};
+    char number[INPUT_CELLS][NUMBER_SIZE], complaint[COMPLAINT_SIZE];
+    input_texts texts = {.tolerance = 0};
+    contact_case setup;
+    for (int i = 0; i < INPUT_CELLS; i++) {
+        number_write(input[i], NUMBER_DIGITS, '.', number[i]);
+        texts.text[inputs[i]] = isnan(input[i]) ? NULL : number[i];
+    }
+    if (!case_read(&texts, CASE_OF_SOLVE, &setup, complaint))
+        failure("the workbook's example: %s", complaint);
     return setup;
 }
 

@@ -2,6 +2,7 @@
 #include "yield_table.h"
 
 #include "rounded.h"
+#include "text/message.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,29 +22,28 @@ static const double frictions[FRICTIONS] = {0,     0.025, 0.05,  0.075, 0.1,   0
 enum { TABLE_DIGITS = 6 };
 
 /* (load/limit)^2, rounded; 0 where there is no such branch, or J2 is 0 as on the surface for nu =
- * 0.5 and f = 0. False where it could not be computed. */
-static bool fill_one(double load, int32_t status, double limit, double *value)
+ * 0.5 and f = 0. */
+static double entry(double load, int32_t status, double limit)
 {
-    *value = status == RWEDGE_OK ? rounded_to(load / limit * (load / limit), TABLE_DIGITS) : 0;
-    return status == RWEDGE_OK || status == RWEDGE_EABSENT;
+    if (status != RWEDGE_OK && status != RWEDGE_EABSENT)
+        failure("the workbook: the elastic limit could not be computed");
+    return status == RWEDGE_OK ? rounded_to(load / limit * (load / limit), TABLE_DIGITS) : 0;
 }
 
-static bool fill_tip(yield_table *table, int i)
+static void fill_tip(yield_table *table, int i)
 {
     const double tip = 1 / cosh(table->t[i]), load = rwedge_load(tip);
-    bool done = true;
     for (int j = 0; j < NUS; j++)
         for (int k = 0; k < FRICTIONS; k++) {
             double limit = 0, x, y;
             const int32_t status = rwedge_surface_yield(tip, frictions[k], nus[j], &limit, &x);
-            done = fill_one(load, status, limit, &table->surface[i][j][k]) && done;
+            table->surface[i][j][k] = entry(load, status, limit);
             table->below[i][j][k] = 0;
             if (k >= FRICTIONS_BELOW)
                 continue;
             const int32_t deep = rwedge_subsurface_yield(tip, frictions[k], nus[j], &limit, &x, &y);
-            done = fill_one(load, deep, limit, &table->below[i][j][k]) && done;
+            table->below[i][j][k] = entry(load, deep, limit);
         }
-    return done;
 }
 
 /* x is odd in f, so x/f is even, as J2 is. This f stands for 0. */
@@ -80,19 +80,17 @@ static void fill_places(yield_table *table, int i)
         }
 }
 
-bool yield_table_fill(yield_table *table)
+void yield_table_fill(yield_table *table)
 {
     const double first = -acosh(1 / WORKBOOK_TIP_MIN);
-    bool done = true;
     memcpy(table->nu, nus, sizeof nus);
     memcpy(table->f, frictions, sizeof frictions);
     for (int i = 0; i < TIPS; i++) {
         table->t[i] = workbook_rounded(first * (TIPS - 1 - i) / (TIPS - 1));
-        done = fill_tip(table, i) && done;
+        fill_tip(table, i);
     }
     for (int i = 0; i < PLACE_TIPS; i++)
         fill_places(table, i);
-    return done;
 }
 
 double workbook_end_of_table(void)

@@ -4,8 +4,6 @@
 #ifndef CLI_YIELD_TABLE_H
 #define CLI_YIELD_TABLE_H
 
-#include <stdbool.h>
-
 enum { TIPS = 51, NUS = 16, FRICTIONS = 21, FRICTIONS_BELOW = 17, TABLE_COLUMNS = NUS * FRICTIONS };
 
 /* Where it yields, at every other tip: x/(a f) on the surface; x/(a f) and y/a below it. */
@@ -23,8 +21,7 @@ typedef struct {
     double place[PLACES][PLACE_TIPS][NUS][FRICTIONS]; /* 0 where the branch does not decide */
 } yield_table;
 
-/* False where the library could not compute a value. */
-bool yield_table_fill(yield_table *table);
+void yield_table_fill(yield_table *table);
 
 /* AP/(theta a) of the smallest tip of the table. */
 double workbook_end_of_table(void);

@@ -69,14 +69,11 @@ void sheet_look_up(xlsx *book)
         "Type a/b and f, or copy a blue cell to the right of your own two columns, on any sheet of "
         "this workbook.",
         "a/b from 0.01 (from 1 on, all are Hertz' contact), f from 0 to 0.8; nu = 0.3. For other "
-        "nu "
-        "take the sheet Batch.",
+        "nu take the sheet Batch.",
         "Its table is on the right of the sheet Elastic limit: the two branches, at the surface "
-        "and "
-        "below it.",
+        "and below it.",
         "The formula interpolates each branch by itself, linearly, and takes the smaller. The "
-        "limit "
-        "has a kink where they cross;",
+        "limit has a kink where they cross;",
         "the branches have none. Where one of the four entries below the surface is missing, the "
         "surface decides.",
         "Error: 0.12 % at most, over the middles of all cells of the table.",

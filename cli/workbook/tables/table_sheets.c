@@ -33,9 +33,8 @@ enum {
 
 static const double PAPER_NU = 0.3;
 
-static bool write_grid(xlsx *book)
+static void write_grid(xlsx *book)
 {
-    bool done = true;
     xlsx_text(book, HEADER_ROW - 1, 1, "a/b across, f down: P/(bk), nu = 0.3", XLSX_HEADING);
     xlsx_text(book, HEADER_ROW, 0, "f", XLSX_HEADER);
     for (int j = 0; j < GRID_TIPS; j++)
@@ -45,29 +44,25 @@ static bool write_grid(xlsx *book)
         xlsx_number(book, FIRST_ROW + i, 0, f, XLSX_PLAIN);
         for (int j = 0; j < GRID_TIPS; j++) {
             const double limit = rwedge_elastic_limit((j + 1) / 10.0, f, PAPER_NU);
-            done = done && isfinite(limit);
-            xlsx_number(book, FIRST_ROW + i, j + 1, workbook_rounded(limit), XLSX_FIXED_4);
+            xlsx_number(book, FIRST_ROW + i, j + 1, workbook_computed(limit), XLSX_FIXED_4);
         }
     }
-    return done;
 }
 
-static bool write_normal_load(xlsx *book)
+static void write_normal_load(xlsx *book)
 {
     static const char *const names[] = {"a/b", "P/(bk)", "depth y/b"};
-    bool done = true;
     xlsx_text(book, HEADER_ROW - 1, NORMAL_COLUMN, "f = 0, nu = 0.3", XLSX_HEADING);
     for (int i = 0; i < 3; i++)
         xlsx_text(book, HEADER_ROW, NORMAL_COLUMN + i, names[i], XLSX_HEADER);
     for (int i = 0; i < NORMAL_TIPS; i++) {
         double limit = NAN, x, y = NAN;
         const double tip = (i + 1) / (double)NORMAL_TIPS;
-        done = rwedge_yield_point(tip, 0, PAPER_NU, &limit, &x, &y) == RWEDGE_OK && done;
+        rwedge_yield_point(tip, 0, PAPER_NU, &limit, &x, &y);
         xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN, tip, XLSX_PLAIN);
-        xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN + 1, workbook_rounded(limit), XLSX_FIXED_4);
-        xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN + 2, workbook_rounded(y), XLSX_FIXED_4);
+        xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN + 1, workbook_computed(limit), XLSX_FIXED_4);
+        xlsx_number(book, FIRST_ROW + i, NORMAL_COLUMN + 2, workbook_computed(y), XLSX_FIXED_4);
     }
-    return done;
 }
 
 /* Closer where the tip is small: straight lines between these err as little as is said. */
@@ -76,22 +71,20 @@ static const double branch_tips[BRANCH_TIPS] = {
     0.075, 0.09,  0.11,  0.135, 0.165, 0.2,   0.25,  0.3,   0.36, 0.43,
     0.51,  0.6,   0.7,   0.8,   0.87,  0.92,  0.96,  0.985, 1};
 
-static bool write_branch(xlsx *book, int column, const char *title, const char *name,
+static void write_branch(xlsx *book, int column, const char *title, const char *name,
                          double limit_of(double, double))
 {
-    bool done = true;
     xlsx_text(book, HEADER_ROW - 1, column, title, XLSX_HEADING);
     for (int j = 0; j < BRANCH_TIPS; j++)
         xlsx_number(book, HEADER_ROW, column + j, branch_tips[j], XLSX_HEADER);
     for (int i = 0; i < GRID_FRICTIONS; i++)
         for (int j = 0; j < BRANCH_TIPS; j++) {
             const double limit = limit_of(branch_tips[j], i / 80.0);
-            done = done && !isnan(limit);
-            if (isfinite(limit))
-                xlsx_number(book, FIRST_ROW + i, column + j, workbook_rounded(limit), XLSX_FIXED_4);
+            if (!isinf(limit))
+                xlsx_number(book, FIRST_ROW + i, column + j, workbook_computed(limit),
+                            XLSX_FIXED_4);
         }
     xlsx_name_range(book, name, FIRST_ROW, column, GRID_FRICTIONS, BRANCH_TIPS);
-    return done;
 }
 
 /* Infinite where there is no such branch, NAN where it cannot be computed. */
@@ -114,21 +107,20 @@ static double limit_below(double tip, double f)
     return limit_if(status, limit);
 }
 
-static bool write_branches(xlsx *book)
+static void write_branches(xlsx *book)
 {
     xlsx_text(book, HEADER_ROW, SURFACE_COLUMN - 1, "f", XLSX_HEADER);
     for (int i = 0; i < GRID_FRICTIONS; i++)
         xlsx_number(book, FIRST_ROW + i, SURFACE_COLUMN - 1, i / 80.0, XLSX_PLAIN);
     xlsx_name_range(book, "rw_table_tips", HEADER_ROW, SURFACE_COLUMN, 1, BRANCH_TIPS);
     xlsx_name_range(book, "rw_table_f", FIRST_ROW, SURFACE_COLUMN - 1, GRID_FRICTIONS, 1);
-    return write_branch(book, SURFACE_COLUMN, "P/(bk) at the surface: a/b across, f down, nu = 0.3",
-                        "rw_table_surface", surface_limit) &&
-           write_branch(book, BELOW_COLUMN,
-                        "P/(bk) below the surface; empty: there is no maximum there",
-                        "rw_table_below", limit_below);
+    write_branch(book, SURFACE_COLUMN, "P/(bk) at the surface: a/b across, f down, nu = 0.3",
+                 "rw_table_surface", surface_limit);
+    write_branch(book, BELOW_COLUMN, "P/(bk) below the surface; empty: there is no maximum there",
+                 "rw_table_below", limit_below);
 }
 
-bool sheet_elastic_limit(xlsx *book)
+void sheet_elastic_limit(xlsx *book)
 {
     head(book, "Elastic limit P/(bk)",
          "Load at first yield (von Mises, plane strain) in full sliding, k the yield stress in "
@@ -136,10 +128,11 @@ bool sheet_elastic_limit(xlsx *book)
          "sheet Look up.");
     xlsx_width(book, 0, BELOW_COLUMN + BRANCH_TIPS, 8);
     xlsx_width(book, NORMAL_COLUMN - 1, NORMAL_COLUMN - 1, 3);
-    const bool done = write_grid(book) && write_normal_load(book) && write_branches(book);
+    write_grid(book);
+    write_normal_load(book);
+    write_branches(book);
     xlsx_freeze(book, FIRST_ROW, 0);
     xlsx_print(book, (xlsx_page){FIRST_ROW + NORMAL_TIPS - 1, NORMAL_COLUMN + 2, -1, false, NULL});
-    return done;
 }
 
 /* ---- The other tables ------------------------------------------------------------------------ */
@@ -193,9 +186,8 @@ void sheet_contact_law(xlsx *book)
     xlsx_print(book, (xlsx_page){FIRST_ROW + 199, 5, HEADER_ROW, false, NULL});
 }
 
-bool sheet_critical_friction(xlsx *book)
+void sheet_critical_friction(xlsx *book)
 {
-    bool done = true;
     head(book, "Critical friction",
          "The f at which first yield jumps from below to the surface; 0: it is at the surface "
          "without friction.");
@@ -208,12 +200,10 @@ bool sheet_critical_friction(xlsx *book)
         xlsx_number(book, FIRST_ROW + i, 0, tip, XLSX_PLAIN);
         for (int j = 0; j <= 12; j++) {
             const double f = rwedge_critical_friction(tip, (200 + 25 * j) / 1000.0);
-            done = done && isfinite(f);
-            xlsx_number(book, FIRST_ROW + i, j + 1, workbook_rounded(f), XLSX_FIXED_4);
+            xlsx_number(book, FIRST_ROW + i, j + 1, workbook_computed(f), XLSX_FIXED_4);
         }
     }
     xlsx_width(book, 0, 13, 8);
     xlsx_freeze(book, FIRST_ROW, 1);
     xlsx_print(book, (xlsx_page){FIRST_ROW + 99, 13, HEADER_ROW, false, NULL});
-    return done;
 }

@@ -4,8 +4,7 @@
 
 # values EXPECTED RANGE: the values of a/b, in one line.
 values() {
-    run table contact-law --a-over-b "$2"
-    status_is 0
+    does table contact-law --a-over-b "$2"
     same "values" "$1" "$(column a_over_b out | paste -s -d ' ' -)"
 }
 
@@ -66,8 +65,7 @@ same "rows of the default" 210 "$(column Q_over_fP out | wc -l | tr -d ' ')"
 
 # A number with a decimal comma is a list of two. Where it looks so, a line says how it was understood.
 two() { # WORDS-BEFORE OPTION TEXT FIRST SECOND DECIMAL
-    run $1 $2 $3 --format csv
-    status_is 0
+    does $1 $2 $3 --format csv
     message_is "rwedge ${1%% *}: $2 $3: two values, $4 and $5; a decimal is written $6"
 }
 two "table max-tension --a-over-b 1" --friction 0,5 0 5 0.5
@@ -79,9 +77,7 @@ two "field --a-over-b 1 --y 1" --x -0,5 -0 5 -0.5
 run figure 5 --data --a-over-b 0,5
 message_is "rwedge figure: --a-over-b 0,5: two values, 0 and 5; a decimal is written 0.5"
 for list in 1,5 0,0.5 0,1,2 0.0,1 5 0:1:0.5 10,20; do
-    run table max-tension --a-over-b 1 --friction $list
-    status_is 0
-    message_is ""
+    does_quietly table max-tension --a-over-b 1 --friction $list
 done
 refuses "rwedge profile: --q-over-fp 0,1: must be one number" profile --a-over-b 1 --q-over-fp 0,1
 

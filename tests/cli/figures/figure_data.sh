@@ -9,9 +9,7 @@ load_of() { # a/b: A P/(theta b)
 }
 
 # Figs. 3, 4 and 5 against the paper's grid of 20 digits.
-run figure 4 --data
-status_is 0
-message_is ""
+does_quietly figure 4 --data
 same "columns" "a_over_b,f,nu,P_over_bk,branch" "$(head -n 1 out)"
 cp out fig4
 exact 'function key(v) { return sprintf("%.9g", v) }
@@ -23,8 +21,7 @@ exact 'function key(v) { return sprintf("%.9g", v) }
 close_rows "Fig. 4: limit, and the right branch" 1e-12 0
 same "rows of the paper's grid" 170 "$(wc -l <both | tr -d ' ')"
 
-run figure 5 --data
-status_is 0
+does figure 5 --data
 same "columns" "a_over_b,f,nu,x_over_b,y_over_b,point" "$(head -n 1 out)"
 cp out fig5
 exact 'function key(v) { return sprintf("%.9g", v) }
@@ -36,8 +33,7 @@ same "points of the paper's grid" "$(grep -c subsurface "$data/paper_grid.csv")"
 same "steps of f" 0 "$(exact '$6 == "step" { if ($1 == last && ($2 - f - 0.0125) ^ 2 > 1e-20) bad++
     last = $1; f = $2 } END { print bad + 0 }' fig5)"
 
-run figure 3 --data
-status_is 0
+does figure 3 --data
 same "columns" "a_over_b,nu,P_over_bk,y_over_b,branch" "$(head -n 1 out)"
 cp out fig3
 exact 'function key(v) { return sprintf("%.9g", v) }
@@ -65,8 +61,7 @@ exact 'NR == FNR { if (FNR > 1) f[$1] = $3; next } $6 == "jump" { print f[$1], $
 close_rows "Fig. 5: jumps" 0 0
 
 # Fig. 2: Hertz, the sharp wedge, and the peaks.
-run figure 2 --data
-status_is 0
+does figure 2 --data
 same "columns" "a_over_b,x_over_b,minus_pi_A_p_over_theta" "$(head -n 1 out)"
 cp out fig2
 exact '$1 == 1 && FNR > 1 { print 3.14159265358979324 * sqrt((1 - $2) * (1 + $2)), $3 }' fig2 >both
@@ -85,16 +80,14 @@ exact 'FNR > 1 && $3 > top[$1] { top[$1] = $3 } END { print (top[0] > 1.2 * top[
 same "Fig. 2: the sharp wedge is above a/b = 0.001" yes "$(cat higher)"
 
 # Fig. 6 in its closed form.
-run figure 6 --data
-status_is 0
+does figure 6 --data
 same "columns" "a_over_b,b_sigma_over_fP" "$(head -n 1 out)"
 exact 'FNR > 2 { c = sqrt((1 - $1) * (1 + $1)); print 2 * $1 / (atan2($1, c) + $1 * c), $2 }' out >both
 close_rows "Fig. 6" 1e-12 0
 same "Fig. 6: sharp wedge" "0,1" "$(sed -n 2p out)"
 
 # Fig. 7: full sliding is the pressure; inside c < a the difference to it is Cattaneo's and Mindlin's ellipse.
-run figure 7 --data
-status_is 0
+does figure 7 --data
 same "columns" "c_over_b,x_over_b,minus_pi_A_q_over_f_theta" "$(head -n 1 out)"
 cp out fig7
 run figure 2 --data --a-over-b 0.25
@@ -114,8 +107,7 @@ exact -v load="$(load_of 0.25)" 'NR == 2 { x = $2; q = $3 } NR > 2 { sum += ($3 
 close_rows "Fig. 7: its area is half of the sliding force" 1e-3 0
 
 # The field: von Mises' stress of its components, a peak that is the elastic limit's, two ways to say how far it slips.
-run figure field --data
-status_is 0
+does figure field --data
 same "columns" "x_over_b,y_over_b,A_sxx_over_theta,A_syy_over_theta,A_txy_over_theta,A_sqrt_J2_over_theta" "$(head -n 1 out)"
 cp out field
 exact 'FNR > 1 { z = 0.3 * ($3 + $4)
@@ -134,8 +126,7 @@ same "field: empty at the sharp apex" "0,0,,,," "$(grep '^0,0,' out)"
 
 # The loop: its area is the energy dissipated; the displacement grows by (A/pi) ln(b/c) dQ; it closes, and is symmetric.
 for alpha in 0 0.25 1; do
-    run figure loop --data --a-over-b $alpha --q-over-fp 0.9
-    status_is 0
+    does figure loop --data --a-over-b $alpha --q-over-fp 0.9
     exact -v load="$(load_of $alpha)" 'FNR == 1 { next } $7 == "first loading" { start = $6; Q = $3; d = $4; next }
         { area += ($3 + Q) / 2 * ($4 - d); Q = $3; d = $4; end = $6 }
         END { print end - start, area * load }' out >both
@@ -158,9 +149,7 @@ same "JSON" '{"a_over_b": 0, "b_sigma_over_fP": 1},' "$(sed -n 2p out)"
 run figure 6 --data --decimal-comma --digits 3
 same "decimal comma" "0,005;1" "$(sed -n 3p out)"
 echo old >old.csv
-run figure 6 --data -o none/new.csv
-status_is 1
-message_is "rwedge figure: none/new.csv: No such file or directory"
+cannot "rwedge figure: none/new.csv: No such file or directory" figure 6 --data -o none/new.csv
 run figure 6 --data -o old.csv
 same "file" "a_over_b,b_sigma_over_fP" "$(head -n 1 old.csv)"
 
@@ -188,8 +177,7 @@ status_is 2
 message_has "--format svg: unknown format"
 
 # Every option and figure is in the help and the README.
-run figure --help
-status_is 0
+does figure --help
 same "lines over 80 columns" 0 "$(awk 'length > 80' out | wc -l | tr -d ' ')"
 for word in $(grep -o -e '--[a-z][a-z-]*' out | sort -u) $(echo $all | tr -d ,); do
     same "README has $word" yes "$(sed -n '/^## rwedge figure/,/^## How/p' "$here/../../../cli/README.md" |
@@ -200,27 +188,23 @@ done
 # of a cylinder, A f P/pi (r + (1 - r) ln(1 - r))/2, r = Q/(fP).
 specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
-run figure loop --history loads.csv $specimen --data
-status_is 0
+does figure loop --history loads.csv $specimen --data
 awk -F, 'BEGIN { nu = 0.33; r = 30 / (0.3 * 135.75); end = 4 * (1 - nu * nu) / 72100 * 0.3 * 135.75 / 3.14159265358979324 * (r + (1 - r) * log(1 - r)) / 2 }
     $1 == 2 { print end, $6 } $1 == 3 { print -end, $6 } $1 == 4 { print end, $6 }
     NR > 1 && $1 >= 2 { if (n++) area += ($4 + q) / 2 * ($6 - d); else first = $7; q = $4; d = $6; last = $7 }
     END { print last - first, area }' out >both
 close_rows "loop of a history" 3e-3 0
-run figure history --history loads.csv $specimen --at -0.2,0.01 --data
-status_is 0
+does figure history --history loads.csv $specimen --at -0.2,0.01 --data
 awk -F, -v OFS=, 'NR > 1 && $1 == int($1) { print $2, $3, $4, $5, $6, $7 }' out >drawn
 run history loads.csv $specimen --at -0.2,0.01
 same "stresses of history" "$(tail -n +2 out | cut -d , -f 2-7)" "$(cat drawn)"
-run figure fretting --history loads.csv $specimen --data --cycles 2
-status_is 0
+does figure fretting --history loads.csv $specimen --data --cycles 2
 cut -d , -f 1-2 out | tail -n +2 >drawn
 same "places of fretting" many "$([ "$(wc -l <drawn)" -gt 200 ] && echo many)"
 run fretting loads.csv $specimen --cycles 2
 same "SWT of fretting" "" "$(cut -d , -f 1,4 out | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
 # Any measure: along the surface as fretting has it, below its worst place, on a grid.
-run figure measure --history loads.csv $specimen --cycles 2 --measure crossland --crossland-alpha 0.3 --data
-status_is 0
+does figure measure --history loads.csv $specimen --cycles 2 --measure crossland --crossland-alpha 0.3 --data
 same "columns of measure" "x,y,value" "$(head -n 1 out)"
 tail -n +2 out >drawn
 run fretting loads.csv $specimen --cycles 2 --crossland-alpha 0.3
@@ -240,8 +224,7 @@ refuses "rwedge figure: --over field: slip_range is of the surface alone" figure
 refuses "rwedge figure: figure fretting: criteria and measures are for figure measure" figure fretting --history loads.csv $specimen --kappa 3
 # Loads before the first cycle: those of fretting; for history and the loop, rows that stand before the cycle in one file.
 once="--load 135.75,0 --load 135.75,38"
-run figure fretting --history loads.csv $once $specimen --data
-status_is 0
+does figure fretting --history loads.csv $once $specimen --data
 cut -d , -f 1-7 out | tail -n +2 >drawn
 same "places of fretting after loads" many "$([ "$(wc -l <drawn)" -gt 200 ] && echo many)"
 run fretting loads.csv $once $specimen
@@ -255,8 +238,7 @@ same "fretting without them" differs "$(tail -n +2 out | cmp -s - drawn || echo 
 for kind in "history --at -0.2,0.01" loop; do
     run figure $kind --history all.csv $specimen --data --cycles 1
     awk -F, -v OFS=, 'NR > 1 && $1 == int($1) && $1 > 2 { $1 -= 2; print }' out >in_one
-    run figure $kind --history loads.csv $once $specimen --data --cycles 1
-    status_is 0
+    does figure $kind --history loads.csv $once $specimen --data --cycles 1
     same "$kind after loads" "$(cat in_one)" "$(awk -F, 'NR > 1 && $1 == int($1)' out)"
     same "rows to compare" 4 "$(wc -l <in_one | tr -d ' ')"
 done

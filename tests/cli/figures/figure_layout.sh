@@ -7,12 +7,9 @@
 nothing() { # MESSAGE ARGUMENTS...
     message=$1
     shift
-    run figure "$@" -o none.svg
-    status_is 1
-    message_is "rwedge figure: figure $1: nothing to draw: $message"
+    cannot "rwedge figure: figure $1: nothing to draw: $message" figure "$@" -o none.svg
     same "files" "" "$(ls none.svg 2>/dev/null)"
-    run figure "$@" --data
-    status_is 0
+    does figure "$@" --data
 }
 nothing "it yields at the surface, whatever f is" 5 --a-over-b 0
 nothing "it yields at the surface, whatever f is" 5 --nu 0
@@ -27,9 +24,7 @@ if ! command -v gnuplot >/dev/null 2>&1; then
 fi
 
 draws() {
-    run figure "$@" -o drawn.svg
-    status_is 0
-    message_is ""
+    does_quietly figure "$@" -o drawn.svg
     awk -f "$here/figure_texts.awk" drawn.svg >texts
     same "texts that cannot be read" "" "$(grep -v '^text ' texts)"
 }

@@ -121,9 +121,7 @@ is_picture() { # FILE FORMAT
 draws() { # FORMAT ARGUMENTS...: the same bytes again, elsewhere and in another locale
     format=$1
     shift
-    run figure "$@" -o "drawn.$format"
-    status_is 0
-    message_is ""
+    does_quietly figure "$@" -o "drawn.$format"
     is_picture "drawn.$format" "$format"
     LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo "$rwedge" figure "$@" --format "$format" >again
     same "the same bytes" "" "$(cmp "drawn.$format" again 2>&1)"

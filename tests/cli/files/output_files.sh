@@ -36,9 +36,7 @@ same "permissions of a replaced file" "-rw----r--" "$(ls -l files/new.csv | cut 
 # The other names of a file, hard links, keep the old content.
 echo old >files/one.csv
 ln files/one.csv two.csv
-run $small -o files/one.csv
-status_is 0
-message_is ""
+does_quietly $small -o files/one.csv
 same "the other name" old "$(cat two.csv)"
 rm files/one.csv
 
@@ -47,24 +45,20 @@ mkdir elsewhere
 echo old >elsewhere/real.csv
 ln -s ../elsewhere/real.csv files/link.csv
 ln -s link.csv files/link_to_link.csv
-run $small -o files/link_to_link.csv
-status_is 0
+does $small -o files/link_to_link.csv
 same "link" "../elsewhere/real.csv" "$(readlink files/link.csv)"
 same "file behind the links" "$text" "$(cat elsewhere/real.csv)"
 ln -s "$scratch/elsewhere/not_yet.csv" files/dangling.csv
 run $small -o files/dangling.csv
 same "file behind a dangling link" "$text" "$(cat elsewhere/not_yet.csv)"
 ln -s loop.csv files/loop.csv
-run $small -o files/loop.csv
-status_is 1
-message_is "rwedge table: files/loop.csv: Too many levels of symbolic links"
+cannot "rwedge table: files/loop.csv: Too many levels of symbolic links" $small -o files/loop.csv
 rm files/link.csv files/link_to_link.csv files/dangling.csv files/loop.csv
 
 # A pipe or a device is written to, not replaced.
 mkfifo files/fifo
 cat files/fifo >through &
-run $small -o files/fifo
-status_is 0
+does $small -o files/fifo
 wait $!
 same "through a fifo" "$text" "$(cat through)"
 same "fifo" p "$(ls -l files/fifo | cut -c 1)"
@@ -73,22 +67,14 @@ prints "" $small -o /dev/null
 prints "$text" $small -o /dev/stdout
 
 # What cannot be written to: status 1, one line, nothing left behind.
-run $small -o files
-status_is 1
-message_is "rwedge table: files: Is a directory"
-run $small -o nowhere/new.csv
-status_is 1
-message_is "rwedge table: nowhere/new.csv: No such file or directory"
-run $small -o files/new.csv/more.csv
-status_is 1
-message_is "rwedge table: files/new.csv/more.csv: Not a directory"
+cannot "rwedge table: files: Is a directory" $small -o files
+cannot "rwedge table: nowhere/new.csv: No such file or directory" $small -o nowhere/new.csv
+cannot "rwedge table: files/new.csv/more.csv: Not a directory" $small -o files/new.csv/more.csv
 files_are new.csv
 
 # A full disk.
 if [ -c /dev/full ]; then
-    run $small -o /dev/full
-    status_is 1
-    message_is "rwedge table: /dev/full: No space left on device"
+    cannot "rwedge table: /dev/full: No space left on device" $small -o /dev/full
     called="rwedge $large >/dev/full"
     status=0
     "$rwedge" $large >/dev/full 2>err || status=$?
@@ -158,8 +144,7 @@ for name in input.csv ./input.csv "$PWD/input.csv" symbolic.csv hard.csv; do
     "$rwedge" solve --input input.csv $contact >>"$name" 2>err || status=$?
     input_stays -
 done
-run solve --input input.csv $contact -o beside.csv
-status_is 0
+does solve --input input.csv $contact -o beside.csv
 
 # Protected files and folders; for root they are no obstacle, so another user is borrowed.
 as_user=

@@ -19,9 +19,8 @@ message_is ""
 refuses "rwedge table: --decimal-comma: not in XLSX, whose numbers have a point; allowed with: csv, tsv" \
     table contact-law --format xlsx --decimal-comma -o law.xlsx
 if [ "$extent" = all ]; then
-    run table max-tension --a-over-b 0:2:0.000001 --friction 0.3 --format xlsx -o long.xlsx
-    status_is 1
-    message_is "rwedge table: long.xlsx: more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json"
+    cannot "rwedge table: long.xlsx: more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json" \
+        table max-tension --a-over-b 0:2:0.000001 --friction 0.3 --format xlsx -o long.xlsx
     same "no file" "law.xlsx" "$(ls ./*.xlsx | sed 's,./,,')"
 fi
 
@@ -74,8 +73,7 @@ same_cells() { # SHEET CSV: XLSX has 16 digits
         END { if (!bad) print (rows == FNR ? "close" : rows " rows, not " FNR) }' cells "$2")"
 }
 compare() {
-    run "$@" --format xlsx -o book.xlsx
-    status_is 0
+    does "$@" --format xlsx -o book.xlsx
     run "$@"
     same_cells 1 out
 }
@@ -90,8 +88,7 @@ compare table stick-zone --digits 4
 "$rwedge" table contact-law --a-over-b 0:1.5:0.5 -o law.csv
 "$rwedge" table elastic-limit --a-over-b 0.1,1 -o limits.csv
 printf 'name,P\n007,1000\n0.10,1E5\n,x\n' >"a[1].csv"
-run workbook law.csv ./limits.csv "a[1].csv" -o book.xlsx
-status_is 0
+does workbook law.csv ./limits.csv "a[1].csv" -o book.xlsx
 message_is "rwedge workbook: a[1].csv: its sheet is called a_1_"
 same_cells 1 law.csv
 same_cells 2 limits.csv
@@ -103,9 +100,7 @@ same "three digits" 0.5,1.91,3.83,1.51,1.02 "$(python3 cells.py book.xlsx 1 | se
 fails() { # MESSAGE FILE...
     expected=$1
     shift
-    run workbook "$@" -o new.xlsx
-    status_is 1
-    message_is "$expected"
+    cannot "$expected" workbook "$@" -o new.xlsx
     same "no file" "" "$(ls new.xlsx 2>/dev/null)"
 }
 : >empty.csv
@@ -120,8 +115,7 @@ fails "rwedge workbook: ragged.csv: line 4: 1 cells in this row, 2 in the header
 "$rwedge" table contact-law --a-over-b 0:1.5:0.5 --decimal-comma -o comma.csv
 "$rwedge" table contact-law --a-over-b 0:1.5:0.5 --decimal-comma -o comma.tsv
 for file in comma.csv comma.tsv; do
-    run workbook $file --decimal-comma -o book.xlsx
-    status_is 0
+    does workbook $file --decimal-comma -o book.xlsx
     same_cells 1 law.csv
 done
 fails "rwedge workbook: comma.csv: one column; the columns seem to be separated by ';': --decimal-comma reads that" comma.csv
@@ -136,8 +130,7 @@ sheets() { # NAMES MESSAGE FILE...
     for file in "$@"; do
         [ -e "$file" ] || cp law.csv "$file"
     done
-    run workbook "$@" -o book.xlsx
-    status_is 0
+    does workbook "$@" -o book.xlsx
     message_is "$expected"
     same "names" "$names" "$(python3 -c 'import re, zipfile
 print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode())[:-2])')"
@@ -194,8 +187,7 @@ EOF
 shows() { # COUNT COLUMNS-OF-THE-FILE COMMAND...
     count=$1 own=$2
     shift 2
-    run "$@" --format xlsx -o book.xlsx
-    status_is 0
+    does "$@" --format xlsx -o book.xlsx
     same "columns and digits of $*" "$count [] [] []" "$(python3 shown.py book.xlsx $own)"
 }
 shows 9 "" table elastic-limit --a-over-b 0.001,0.5

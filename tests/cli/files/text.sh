@@ -7,8 +7,7 @@ fixed="--theta 0.01 --E1 2e5 --nu1 0.3"
 solved() { # FILE OPTIONS...: the first columns and the error of each row
     file=$1
     shift
-    run solve -i "$file" $fixed "$@"
-    status_is 0
+    does solve -i "$file" $fixed "$@"
     cut -d , -f 1-"${columns:-4}" out
 }
 utf8="case,a,P,f
@@ -33,9 +32,7 @@ for format in $formats; do
     cannot "rwedge solve: late.csv: line 10002, column 11: $refused" solve -i late.csv $fixed --format $format -o solved.$format
     same "no file" "" "$(ls solved.$format 2>/dev/null)"
 done
-run solve -i late.csv $fixed --format json
-status_is 1
-message_is "rwedge solve: late.csv: line 10002, column 11: $refused"
+cannot "rwedge solve: late.csv: line 10002, column 11: $refused" solve -i late.csv $fixed --format json
 same "ends of the JSON" '[|"error": null}|"error": "the file could not be read beyond this row"}|]' \
     "$(sed 's/.* \("error".*}\),*/\1/' out | uniq | paste -s -d '|' -)"
 same "rows before it" yes "$([ "$(wc -l <out)" -gt 1000 ] && echo yes)"
@@ -64,8 +61,7 @@ if command -v iconv >/dev/null && echo ü | iconv -f UTF-8 -t WINDOWS-1252 >/dev
     awk -v note="$note" 'BEGIN { print "note,a,P,f"; for (i = 0; i < 1500; i++) print note ",1,100,0.1" }' >long.csv
     for encoding in UTF-16 WINDOWS-1252//TRANSLIT; do
         iconv -f UTF-8 -t "${encoding}" long.csv 2>/dev/null >long16.csv || continue
-        run solve -i long16.csv $fixed --encoding "${encoding%//*}"
-        status_is 0
+        does solve -i long16.csv $fixed --encoding "${encoding%//*}"
         same "rows" 1501 "$(wc -l <out | tr -d ' ')"
     done
     run solve -i long.csv $fixed
@@ -91,8 +87,7 @@ for code in '\357\277\276=U+FFFE' '\357\277\277=U+FFFF' '\000=U+0000' '\001=U+00
     no_text "${code%=*}" "the character ${code#*=} belongs to no text; allowed: text, no binary files"
 done
 printf 'a,P,f,note\n1,100,0.1,"tab\there, a return\r\nand \360\235\204\236"\n' >fine.csv
-run solve -i fine.csv $fixed --format json
-status_is 0
+does solve -i fine.csv $fixed --format json
 
 # As spreadsheets write them: "sep=;", tabs, rows of empty cells; what is a number stays one.
 rows='case;a;P;f
@@ -119,8 +114,7 @@ echo "$rows" | tr ';' "$tab" | tr . , >tabs.txt
 run solve -i tabs.txt $fixed --decimal-comma
 same "tabs and a decimal comma" '007;2;2000;0,3' "$(sed -n 2p out | cut -d ';' -f 1-4)"
 { echo 'sep=;'; echo 'P;Q'; echo '100;10'; echo ';'; } >history.csv
-run profile $fixed --a 1 --f 0.3 --history history.csv --x 0
-status_is 0
+does profile $fixed --a 1 --f 0.3 --history history.csv --x 0
 echo "$rows" | tr ';' , | sed 's/100,/1e2,/' >numbers.csv
 run solve -i numbers.csv $fixed --format json --digits 2
 same "numbers in JSON, with all their digits" '{"case": "007", "a": 2, "P": 2000, "f": 0.3,|{"case": 8, "a": 1, "P": 100, "f": 0.1,' \
@@ -186,21 +180,18 @@ command_in() { # FILE: of the sheet About, where the file is sound
 }
 bad=$(printf 'Pr\374fung\001\357\277\277.xlsx')
 for command in "workbook" "table contact-law --format xlsx"; do
-    run $command -o "$bad"
-    status_is 0
+    does $command -o "$bad"
     same "command" "with the command:  rwedge $command -o 'Pr�fung��.xlsx'" "$(command_in "$bad")"
     rm "$bad"
 done
 named=$(printf 'a\001\374b.csv')
 printf 'x\n1\n' >"$named"
-run workbook "$named" -o named.xlsx
-status_is 0
+does workbook "$named" -o named.xlsx
 message_is "rwedge workbook: a??b.csv: its sheet is called a__b"
 rm "$named" named.xlsx
 for length in 460 461 462 463; do
     list=$(awk -v n=$length 'BEGIN { for (i = 0; i < n; i++) printf "0,"; print 0 }')
-    run table contact-law --a-over-b "$list" --format xlsx -o "ééééééééééééééééééééééééééééééééééééééé.xlsx"
-    status_is 0
+    does table contact-law --a-over-b "$list" --format xlsx -o "ééééééééééééééééééééééééééééééééééééééé.xlsx"
     same "cut in whole characters" 1 "$(command_in é*.xlsx | grep -c 'é[.]xlsx.$\|é ...$')"
 done
 run solve -i utf8.csv $fixed --format xlsx -o cells.xlsx
@@ -215,8 +206,7 @@ print("|".join("".join(cell.itertext()) if cell.get("t") == "inlineStr" else cel
 SOURCE_DATE_EPOCH=253402300799
 export SOURCE_DATE_EPOCH
 for command in "workbook" "table contact-law --format xlsx"; do
-    run $command -o dated.xlsx
-    status_is 0
+    does $command -o dated.xlsx
     same "date" 1 "$(python3 -c 'import zipfile; print(zipfile.ZipFile("dated.xlsx").read("docProps/core.xml").decode())' |
         grep -c 9999-12-31T23:59:59Z)"
 done

@@ -12,8 +12,7 @@ awk 'BEGIN { srand(5); print "name,theta_deg,radius,P,Q,f,yield_stress"
     for (i = 0; i < 12; i++) { f = 0.01 + rand() / 2; P = 10 + 500 * rand()
         printf "n%d,%.4g,%.4g,%.5g,%.4g,%.3g,%.4g\n", i, 0.2 + 5 * rand(), 20 * rand(), P, f * P * (2 * rand() - 1) * 0.98, f,
                100 + 900 * rand() } }' >cases.csv
-run solve -i cases.csv --E1 210000 --nu1 0.3 --yield-factor
-status_is 0
+does solve -i cases.csv --E1 210000 --nu1 0.3 --yield-factor
 message_is "rwedge solve: cases.csv, in some rows: P is above P_yield: the contact yields in full sliding"
 cp out solved.csv
 same "rows" 13 "$(wc -l <solved.csv | tr -d ' ')"
@@ -113,8 +112,7 @@ f: the cell is empty
 Q: the cell is empty
 a: the cell is empty
 ERRORS
-run solve -i bad.csv
-status_is 0
+does solve -i bad.csv
 message_is "rwedge solve: bad.csv: 20 of 23 rows could not be solved: see the column error
 rwedge solve: bad.csv, in some rows: P is above P_yield: the contact yields in full sliding
 rwedge solve: bad.csv, in some rows: a/b is below 0.01 or above 10000: are the units consistent?
@@ -163,8 +161,7 @@ same "rows with errors" \
     "P -1: the normal force must be a number above 0|a -1: the half-width of the rounding must be a number not below 0" \
     "$(column error hopeless_solved.csv | paste -s -d '|' -)"
 printf 'P,a\n' >hopeless.csv
-run solve -i hopeless.csv $fixed
-status_is 0
+does solve -i hopeless.csv $fixed
 
 # Lines are counted whatever ends them, and a bad row may be longer than what is read at once.
 for end in '\r' '\n' '\r\n'; do
@@ -278,14 +275,11 @@ synonym nu2 "P,a,E2,ν2" $fixed
 synonym radius "P,R" $fixed
 # Where what they may mean is given, they are columns like any other.
 printf 'P,a,p,q,mu,load,sigma_y,E,nu,K,f,Q\n100,1,x,x,x,x,x,x,x,x,0.3,20\n' >others.csv
-run solve -i others.csv $fixed --yield-stress 900
-status_is 0
-message_is ""
+does_quietly solve -i others.csv $fixed --yield-stress 900
 same "columns that pass through" "100,1,x,x,x,x,x,x,x,x,0.3,20" "$(sed -n 2p out | cut -d , -f 1-12)"
 # But for numbers, which are named: they may be meant for something. What labels a row is not.
 printf 'P,a,μ,ν1,case,note\n100,1,0.5,0.33,x,0.5 x\n100,1,,,7,\n' >others.csv
-run solve -i others.csv $fixed --f 0.05
-status_is 0
+does solve -i others.csv $fixed --f 0.05
 message_is "rwedge solve: others.csv: columns with numbers that are not used: 'μ', 'ν1'"
 same "in the warnings of the row that has them" "\"columns with numbers that are not used: 'μ', 'ν1'\",|,," \
     "$(sed '1d; s/.*,\(.*,\)\(".*\)$/\2/; s/.*,\(,,\)$/\1/' out | paste -s -d '|' -)"
@@ -298,9 +292,7 @@ printf 'P;a;T;share;width;t\n100;1;300;40%%;40,5;1\n' >others.csv
 run solve -i others.csv $fixed --decimal-comma
 message_is "rwedge solve: others.csv: columns with numbers that are not used: 'T', 'share', 'width'"
 printf 'P,a,F,mu\n100,1,x,x\n' >others.csv
-run solve -i others.csv $fixed --f 0.3
-status_is 0
-message_is ""
+does_quietly solve -i others.csv $fixed --f 0.3
 header "column b: a result has that name; allowed: any other" "P,a,b" $fixed
 header "column error: a result has that name; allowed: any other" "P,a,error" $fixed
 header "misplaced quotes in the first row; needed: a header row with the names of the columns" 'P,"a"b' $fixed

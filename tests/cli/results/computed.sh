@@ -7,8 +7,7 @@ specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 # A tension that lags behind Q. What has a closed form is the same with and without computing, to the last digit.
 awk 'BEGIN { print "P,Q,sigma\n135.75,0,0"; for (i = 1; i <= 6; i++) { w = 6.283185307 * i / 12
     printf "135.75,%.6g,%.6g\n", 30 * sin(w), 100 * sin(w - 0.7) } }' >lags.csv
-run history lags.csv $specimen
-status_is 0
+does history lags.csv $specimen
 cp out usual
 same "error is the last column" "warnings,error" "$(head -n 1 out | sed 's/.*,\(.*,.*\)$/\1/')"
 same "exact at first, then computed" "0 0 0 1 1 1 1" "$(column error out | awk '{ print ($1 == 0 ? 0 : $1 > 0 && $1 < 1e-4 ? 1 : "?") }' | paste -s -d ' ' -)"
@@ -26,8 +25,7 @@ message_is ""
 
 # The tolerance is held: shear by a tenth of it and by a hundredth.
 shear() { # TOLERANCE
-    run profile $specimen --history lags.csv --tolerance "$1" --points 201
-    status_is 0
+    does profile $specimen --history lags.csv --tolerance "$1" --points 201
     message_has "rwedge profile: computed numerically: tractions to about "
     column q out | sed 's/^-$/0/' >"q_$1"
 }
@@ -42,8 +40,7 @@ close_rows "1e-4 where nothing is said" 0 "$(awk 'BEGIN { print 2e-4 * 0.3 * 418
 # Every command that goes through loads.
 for command in "solve --history lags.csv" "field --history lags.csv --x 0 --y 0" "fretting lags.csv --at 0,0 --cycles 1" "history lags.csv --at 0,0" \
     "figure history --history lags.csv --at 0,0 --data" "figure loop --history lags.csv --data" "solve --P 135.75 --Q 30 --sigma 300"; do
-    run $command $specimen
-    status_is 0
+    does $command $specimen
     message_has "computed numerically: tractions to about "
 done
 same "in the warnings of solve" 1 "$(value warnings | grep -c '^computed numerically: ')"
@@ -52,8 +49,7 @@ run solve -i cases.csv $specimen
 same "in the rows of a file of contacts" "- yes" "$(column warnings out | sed 's/^computed numerically: .*/yes/' | paste -s -d ' ' -)"
 run solve -i cases.csv $specimen --exact
 same "or refused there" 1 "$(grep -c 'sigma 300: no closed form: ' out)"
-run profile --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 0.5 --points 11
-status_is 0
+does profile --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 0.5 --points 11
 message_has "rwedge profile: computed numerically: "
 same "natural units, whose middle sticks" stick "$(column zone out | sed -n 6p)"
 
@@ -74,12 +70,9 @@ same "energy of a cycle" "- 0" "$(column energy out | tail -n 1) $(grep -c nan e
 # Half of an answered step is answered, and its other half leads to the same.
 block="--E1 74100 --nu1 .33 --theta .1 --radius 178 --f .65"
 first="--load 488,0,0,0 --load 488,0,200,100 --load 488,0,0,0"
-run profile $block $first --load 488,0,250,60 --points 101
-status_is 0
-message_is ""
+does_quietly profile $block $first --load 488,0,250,60 --points 101
 column q out | sed 's/^-$/0/' >whole
-run profile $block $first --load 488,0,125,30 --load 488,0,250,60 --points 101
-status_is 0
+does profile $block $first --load 488,0,125,30 --load 488,0,250,60 --points 101
 column q out | sed 's/^-$/0/' | paste -d ' ' whole - >both
 close_rows "the same by halves" 0 "$(sort -g whole | awk 'NR == 1 { print -3e-4 * $1 }')"
 
@@ -102,8 +95,7 @@ b=$(value b)
 awk -F, 'NR > 1 && !(($1, $2) in seen) && ++n[$1] % 8 == 2 { print $1, $2; seen[$1, $2] }' "$data/programmes.csv" >some
 while read -r family value; do
     programme "$family" "$value"
-    run history programme.csv $aluminium --tolerance 1e-3
-    status_is 0
+    does history programme.csv $aluminium --tolerance 1e-3
     same "rows of family $family, $value" 14 "$(wc -l <out | tr -d ' ')"
 done <some
 same "programmes" yes "$([ "$(wc -l <some)" -ge 10 ] && echo yes)"

@@ -21,8 +21,7 @@ against_reference <points
 
 # von Mises' stress with szz = nu (sxx + syy), and the larger principal stress, from the tensor.
 contact="--E1 210000 --nu1 0.25 --theta 0.05 --a 0.1 --f 0.3"
-run field $contact --P 300 --Q 90
-status_is 0
+does field $contact --P 300 --Q 90
 same "points by default" 3321 "$(column x out | wc -l | tr -d ' ')"
 awk -F, 'NR > 1 { z = 0.25 * ($3 + $4); printf "%.17g %.17g\n",
     sqrt((($3 - $4) ^ 2 + ($4 - z) ^ 2 + (z - $3) ^ 2) / 2 + 3 * $5 ^ 2), $6 }' out >both
@@ -108,8 +107,7 @@ vtk_to_rows() {
                 for (n = 1; n <= count; n++) printf ",%s", got[names[n], (j - 1) * nx + i] == "nan" ? "" : got[names[n], (j - 1) * nx + i]
                 print "" } }' "$1"
 }
-run field $contact --P 300 --Q 90 --format vtk
-status_is 0
+does field $contact --P 300 --Q 90 --format vtk
 vtk_to_rows out >rows
 same "VTK against rows" "" "$(diff sliding rows | head -n 5)"
 run field --a-over-b 0 --f 0.2 --q-over-fp 1 --x -1:1:0.5 --y 0,1,3 --format vtk -o sharp.vtk

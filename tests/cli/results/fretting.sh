@@ -16,8 +16,7 @@ at() {
 
 # The test of Nowell and Hills through a whole cycle, Q and the bulk tension in phase.
 printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
-run fretting cycle.csv $specimen --yield-stress 500
-status_is 0
+does fretting cycle.csv $specimen --yield-stress 500
 same "columns" "x,y,stress_range,swt,swt_angle,fatemi_socie,fs_angle,slip_range,ruiz_f1,ruiz_f2,energy_per_area" "$(head -n 1 out)"
 same "places ascend" "" "$(column x out | awk 'NR > 1 && !($1 > last) { print } { last = $1 }')"
 cp out whole
@@ -46,8 +45,7 @@ done
 places="$left,0;-0.15,0;0.1,0.02;-0.21,0.05;0.25,0"
 run history cycle.csv $specimen --cycles 2 --at "$places"
 tail -n 15 out >stresses
-run fretting cycle.csv $specimen --yield-stress 500 --fs-k 0.5 --at "$places"
-status_is 0
+does fretting cycle.csv $specimen --yield-stress 500 --fs-k 0.5 --at "$places"
 same "rows" 6 "$(wc -l <out | tr -d ' ')"
 awk -F, -v E=72100 -v nu=0.33 -v sy=500 -v k=0.5 '
     FILENAME == "stresses" { n++; i = int((n - 1) / 5); j = (n - 1) % 5; a[i, j] = $4; b[i, j] = $5; c[i, j] = $7; next }
@@ -175,8 +173,7 @@ for file in but_one all; do
     column slip out | tail -n 5 >slip_$file
 done
 paste -d , tensions slip_but_one slip_all >other_route
-run fretting cycle.csv $specimen $once --x=$places
-status_is 0
+does fretting cycle.csv $specimen $once --x=$places
 cp out marked
 tail -n 5 out | paste -d , other_route - | awk -F, 'function size(v) { return v < 0 ? -v : v }
     { printf "%.17g %s\n", size($1 - $2), $7
@@ -243,8 +240,7 @@ same "no yield stress" "- -" "$(column fatemi_socie out | sed -n '1p;$p' | paste
 
 # What has no closed form is empty, and a line says so; the apex of the sharp wedge is empty.
 printf 'P,M,Q\n100,5,0\n100,5,30\n120,6,36\n' >grow.csv
-run fretting grow.csv $specimen --cycles 1 --at 0,0
-status_is 0
+does fretting grow.csv $specimen --cycles 1 --at 0,0
 message_has "the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and energy_per_area are empty"
 same "slip" "-" "$(column slip_range out)"
 printf 'P,Q\n100,0\n100,20\n' >sharp.csv
@@ -322,8 +318,7 @@ printf 'name,value\nE,72100\nnu,0.33\ncrossland_alpha,0.3\ncrossland_limit,100\n
 printf '{"source": "none", "E": 72100, "nu": 0.33, "crossland_alpha": 0.3, "crossland_limit": 100, "dK_th": 60, "ds0": 250}' >metal.json
 shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0"
 verdict() { awk -F, -v name="$2" -v row="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } $1 == row { print $c }' out; }
-run fretting cycle.csv $shape --material metal.csv --at-worst
-status_is 0
+does fretting cycle.csv $shape --material metal.csv --at-worst
 same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life,cycles" "$(head -n 1 out)"
 same "criteria alone" "swt crossland swt_damage" "$(sed 1d out | cut -d , -f 1 | paste -s -d ' ' -)"
 close_to "safety" "$(awk -v v="$(verdict crossland value)" 'BEGIN { printf "%.17g", 100 / v }')" "$(verdict crossland safety)" 1e-14
@@ -376,8 +371,7 @@ run fretting block.csv $shape --material no_limit.csv --criteria swt
 same "columns of damage" "swt_out_of_plane,swt_damage,swt_damage_angle,swt_damage_out_of_plane,swt_cycles" "$(head -n 1 out | cut -d , -f 12-)"
 # The shipped sets are read, and each life is that of its own constants.
 for metal in "$here"/../../../tables/materials/*.json; do
-    run fretting cycle.csv $shape --material "$metal" --criteria swt --at-worst
-    status_is 0
+    does fretting cycle.csv $shape --material "$metal" --criteria swt --at-worst
     number() { sed -n "s/^ *\"$1\": \([-0-9.]*\),*$/\1/p" "$metal"; }
     close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
         -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9

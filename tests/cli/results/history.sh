@@ -10,9 +10,7 @@ cells() {
 # The tests of Nowell and Hills: a cylinder on a specimen under bulk tension in phase with Q. Their numbers as in off_centre.sh.
 specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 printf 'time,P,Q,sigma,name\n0,135.75,0,0,press\n0.5,135.75,38.75,100,pull\n1,135.75,-38.75,-100,push\n1.5,135.75,38.75,100,"pull, again"\n' >loads.csv
-run history loads.csv $specimen
-status_is 0
-message_is ""
+does_quietly history loads.csv $specimen
 same "columns" "time,name,load,P,M,Q,sigma,left,right,stick_left,stick_right,tilt,peak_pressure,tension_left,tension_right,largest_slip,energy,yield_factor,yield_x,yield_y,warnings,error" \
     "$(head -n 1 out)"
 same "columns that pass through" '0,press,1,|0.5,pull,2,|1,push,3,|1.5,"pull, again",4,' "$(tail -n +2 out | sed 's/135.*//' | paste -s -d '|' -)"
@@ -52,8 +50,7 @@ close_to "peak pressure" "$(column p out | awk '{ if (-$1 > m) m = -$1 } END { p
 # Energy of a cycle of Q under Hertz' pressure, from the loop of Q over the displacement by slip, r/2 + (1 - r) ln(1 - r)/2
 # times A f P/pi with r = Q/(fP), which unloading and reloading follow twice (Mindlin, Masing).
 printf 'P,Q\n135.75,30\n135.75,-30\n' >cycle.csv
-run history cycle.csv $specimen --cycles 3
-status_is 0
+does history cycle.csv $specimen --cycles 3
 energies=$(cells energy)
 close_to "energy of a cycle" "$(awk 'BEGIN { nu = 0.33; A = 4 * (1 - nu * nu) / 72100; f = 0.3; P = 135.75; r = 30 / (f * P); l = log(1 - r)
     d = r / 2 + (1 - r) * l / 2; I = r * r / 4 + (-(1 - r) ^ 2 / 2 * l + (1 - r) ^ 2 / 4 - 1 / 4) / 2
@@ -79,8 +76,7 @@ close_rows "mirror image" 1e-9 1e-9
 # Stresses at points: those of field after the same loads, to the last digit; the file of points, and the grid.
 run field $specimen --history loads.csv --x -0.2,0.1 --y 0,0.05
 tail -n +2 out | cut -d , -f 3-10 >expected
-run history loads.csv $specimen --at '-0.2,0;0.1,0;-0.2,0.05;0.1,0.05'
-status_is 0
+does history loads.csv $specimen --at '-0.2,0;0.1,0;-0.2,0.05;0.1,0.05'
 same "columns" "time,name,load,x,y,sxx,syy,szz,txy,s1,s2,von_mises,tau_max" "$(head -n 1 out)"
 same "field" "$(cat expected)" "$(tail -n 4 out | sed 's/"pull, again"/again/' | awk -F, -v OFS=, '{ print $6, $7, $9, $12, $10, $8, $11, $13 }')"
 cp out listed
@@ -93,8 +89,7 @@ run history --E1 72100 --nu1 0.33 --theta 0.05 --a 0 --f 0.3 --load 100,0 --at 0
 same "the sharp apex" "1,0,0,,,,,,,," "$(tail -n 1 out)"
 
 # A series for ParaView: each file is that of field, but for its title.
-run history loads.csv $specimen --x -0.3:0.3:0.1 --depth 0:0.2:0.1 -o series.vtk.series
-status_is 0
+does history loads.csv $specimen --x -0.3:0.3:0.1 --depth 0:0.2:0.1 -o series.vtk.series
 same "files" "series.vtk.series series_0001.vtk series_0002.vtk series_0003.vtk series_0004.vtk" "$(ls series* | paste -s -d ' ' -)"
 run field $specimen --history loads.csv --x -0.3:0.3:0.1 --y 0:0.2:0.1 --format vtk
 same "the last file" "" "$(sed 2d series_0004.vtk >a; sed 2d out | diff a -)"
@@ -118,8 +113,7 @@ fails "line 3: no closed form: one edge of the contact would advance while the o
 fails "line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma; without --exact it is computed" \
     'P,Q,sigma\n100,20,30\n100,-20,-30\n'
 printf 'P,M,Q\n100,5,20\n100,40,20\n' >bad.csv
-run history bad.csv $specimen --exact --until
-status_is 0
+does history bad.csv $specimen --exact --until
 message_has "bad.csv: line 3: no closed form: one edge"
 message_has "; the results end before it"
 same "rows" 2 "$(wc -l <out | tr -d ' ')"

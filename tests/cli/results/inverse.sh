@@ -14,8 +14,7 @@ case_of() { # LOOKED-FOR: the rest of one case
 for wanted in 0.9 1.3 2; do
     for name in radius P f; do
         # shellcheck disable=SC2046
-        run solve $steel $(case_of $name) --for $name --safety $wanted
-        status_is 0
+        does solve $steel $(case_of $name) --for $name --safety $wanted
         close_to "safety with the $name found" $wanted "$(value safety)" 1e-12
         found=$(value $name)
         # shellcheck disable=SC2046

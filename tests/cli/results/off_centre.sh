@@ -6,9 +6,7 @@
 # R = 10, f = 0.3, 100 MPa. The stick zone has the half-width c = b sqrt(1 - Q/(fP)) = 0.045519 and the middle e = b sigma/(4 f
 # p0) = 0.041197. The tension at the trailing edge is 2 f p0 (1 - (d - sqrt(d^2 - c^2))/b) + sigma, d = b + e.
 specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
-run solve $specimen --P 135.75 --Q 38.75 --sigma 100
-status_is 0
-message_is ""
+does_quietly solve $specimen --P 135.75 --Q 38.75 --sigma 100
 close_to b 0.206698 "$(value b)" 3e-6
 close_to p0 418.104 "$(value p0)" 2e-6
 close_to c 0.045519 "$(value c)" 2e-5
@@ -32,9 +30,7 @@ run solve $specimen --yield-stress 500 --P 135.75 --Q -10
 cp out slides
 run history $specimen --yield-stress 500 $turned
 tail -n 1 out >last
-run solve $specimen --yield-stress 500 $turned --yield-factor
-status_is 0
-message_is ""
+does_quietly solve $specimen --yield-stress 500 $turned --yield-factor
 same "contact, stick zone, tension and yield factor of a history" "$(awk -F, '{ print $6, $7, $8, $9, ($12 > $13 ? $12 : $13), $16 }' last)" \
     "$(value left) $(value right) $(value stick_left) $(value stick_right) $(value max_tension) $(value yield_factor)"
 for name in p0 Q_over_fP max_tension_sliding von_mises_sliding f_critical load_over_bk P_over_bk P_yield safety yield_x yield_y yield_branch; do
@@ -84,9 +80,7 @@ run solve --E1 210000 --nu1 0.3 --theta 0.05 --radius 100 --P 100 --f 0.3 --k 30
 close_to "yield factor, the same" "$(value yield_factor)" "$factor" 1e-12
 
 # The mirror image: (M, Q, sigma) and (-M, -Q, sigma).
-run profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --points 101
-status_is 0
-message_is ""
+does_quietly profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --points 101
 cp out one
 run profile $specimen --P 135.75 --M -10 --Q -38.75 --sigma 50 --points 101
 tail -n +2 one | sort -t , -k 1,1gr | awk -F, '{ printf "%.17g %s %.17g %s\n", -$1, $2, -$3, $5 }' >mirrored
@@ -130,8 +124,7 @@ run profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --x 0.1
 close_to "field and profile" "$(column sxx out)" "$sxx" 1e-12
 
 # Natural units with a moment and tension: the same contact in units of its own, b = 0.2 without the moment.
-run profile --a-over-b 0.5 --f 0.3 --nu1 0.33 --q-over-fp 0.5 --M 0.3 --sigma 0.1 --points 41
-status_is 0
+does profile --a-over-b 0.5 --f 0.3 --nu1 0.33 --q-over-fp 0.5 --M 0.3 --sigma 0.1 --points 41
 cp out natural
 run table contact-law --a-over-b 0.5
 set -- $(awk -F, 'NR == 2 { A = 4 * (1 - 0.33 ^ 2) / 72100; u = 0.05 / A; P = $2 * u * 0.2
@@ -147,19 +140,15 @@ cp out listed
 run profile $specimen --load 100,5,0,0 --load 100,5,20,40 --load 100,5,-10,40 --points 21
 same "P,Q keeps M and sigma" "" "$(diff listed out)"
 printf 'Q,sigma,P,M\n0,0,100,5\n20,40,100,5\n-10,40,100,5\n' >history.csv
-run profile $specimen --history history.csv --points 21
-status_is 0
-message_is ""
+does_quietly profile $specimen --history history.csv --points 21
 same "from a file" "" "$(diff listed out)"
 printf 'Q,sigma,P,M\n0,0,100,5\n20,,100,5\n' >gap.csv
 cannot "rwedge profile: gap.csv: line 3: sigma: the cell is empty" profile $specimen --history gap.csv
 
 # What slips while the contact moves has no closed form of the slip; all else has.
-run profile $specimen --load 135.75,10,0,0 --load 135.75,10,38,50 --load 125,9.2,30,50 --points 5
-status_is 0
+does profile $specimen --load 135.75,10,0,0 --load 135.75,10,38,50 --load 125,9.2,30,50 --points 5
 same "slip, or the word that it is not known" yes "$(column slip out | grep -qv - || grep -q 'no closed form' err && echo yes)"
-run profile $specimen --load 100,5,0,0 --load 100,5,30,0 --load 120,6,36,0 --points 5
-status_is 0
+does profile $specimen --load 100,5,0,0 --load 100,5,30,0 --load 120,6,36,0 --points 5
 message_is "rwedge profile: the slip has no closed form after these loads: the column slip is empty"
 same "slip" "- - - - -" "$(column slip out | paste -s -d ' ' -)"
 
@@ -172,8 +161,7 @@ case,P,M,Q,sigma
 4,135.75,10,50,10
 5,135.75,1e30,10,10
 CASES
-run solve -i cases.csv $specimen --exact
-status_is 0
+does solve -i cases.csv $specimen --exact
 same "left edges" "-0.206698 -0.133033 - - -" \
     "$(column left out | awk '$1 == "-" { print; next } { printf "%.6f\n", $1 }' | paste -s -d ' ' -)"
 same "errors" "--
@@ -205,8 +193,7 @@ refuses "rwedge field: --sigma 3: no closed form: the two edges would slip in op
 # The limit that the message names is the limit.
 run profile $specimen --load 10,1e20,0,0
 limit=$(sed -n 's/.*M 1e+20: must be below \([0-9.e+]*\) in magnitude: more lays a flank on the surface$/\1/p' err)
-run profile $specimen --load "10,$(awk "BEGIN { print $limit * 0.999 }"),0,0" --x 0
-status_is 0
+does profile $specimen --load "10,$(awk "BEGIN { print $limit * 0.999 }"),0,0" --x 0
 run profile $specimen --load "10,$(awk "BEGIN { print $limit * 1.001 }"),0,0" --x 0
 status_is 2
 sigma_at() { # FACTOR: of the largest that goes with Q, 4 Q/(pi b) = 238.697
@@ -218,8 +205,7 @@ sigma_at 1.0001
 status_is 2
 
 # The figure: its area is Q, its stick zones are those of solve, and without tension it is Fig. 7.
-run figure eccentric --data --sigma-over-max=-1,0,0.5,1
-status_is 0
+does figure eccentric --data --sigma-over-max=-1,0,0.5,1
 same "columns" "sigma_over_max,x_over_b,minus_pi_A_q_over_f_theta,stick_left_over_b,stick_right_over_b" "$(head -n 1 out)"
 cp out eccentric
 run table contact-law --a-over-b 0.25

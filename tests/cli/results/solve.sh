@@ -13,9 +13,7 @@ is() { # NAME FORMULA RELATIVE
 }
 
 # Hertz: P = 100, R = 100, f = 0.2, Q = 10, k = 100: b^2 = 2 A P R/pi, c/b = sqrt(1 - Q/(fP)).
-run solve $steel --theta 0.02 --radius 100 --P 100 --Q 10 --f 0.2 --k 100
-status_is 0
-message_is ""
+does_quietly solve $steel --theta 0.02 --radius 100 --P 100 --Q 10 --f 0.2 --k 100
 is A "A" 1e-15
 same dundurs_beta 0 "$(value dundurs_beta)"
 same a 2 "$(value a)"
@@ -95,8 +93,7 @@ same "warning of coupling" "Dundurs' beta is not 0: with friction its coupling i
 warns() { # TEXT OPTIONS...
     text=$1
     shift
-    run solve "$@"
-    status_is 0
+    does solve "$@"
     message_is "${text:+rwedge solve: $text}"
     same "warnings" "$text" "$(awk -F, '$1 == "warnings" { print $2 }' out)"
 }
@@ -110,8 +107,7 @@ warns "$units" --E1 210 --nu1 0.3 --theta 0.01 --a 1 --P 500 --f 0.6 # GPa besid
 warns "k/E is below 0.00001 or above 0.1: are the stresses in one unit?" --E1 210 --nu1 0.3 --theta 0.1 --a 1 --P 0.5 --f 0.3 --k 25
 
 # Where no load yields as far as the library looks, the load there is a bound.
-run solve --E1 210000 --nu1 0.5 --theta 0.001 --a 1 --P 100 --f 0 --k 300
-status_is 0
+does solve --E1 210000 --nu1 0.5 --theta 0.001 --a 1 --P 100 --f 0 --k 300
 same "safety" "> 1e14" "$(value safety)"
 same "P_yield" "" "$(value P_yield)"
 same "why" "nothing yields before the contact is 1e14 a wide: safety is a bound" "$(value warnings)"
@@ -130,8 +126,7 @@ done
 # Reference values: contacts of half-width 1 with A = 1e-5, theta = 0.01, all at once.
 awk -F, 'NR == 1 { print "case,a,P"; next } { printf "%d,%s,%.17g\n", NR, $1, $2 * 0.01 / 1e-5 }' \
     "$data/contact_law.csv" >cases.csv
-run solve -i cases.csv --E1 400000 --nu1 0 --theta 0.01 --f 1 -o solved.csv
-status_is 0
+does solve -i cases.csv --E1 400000 --nu1 0 --theta 0.01 --f 1 -o solved.csv
 reference() { # COLUMN-OF-REFERENCE UNIT RESULT RELATIVE ABSOLUTE
     column "$1" "$data/contact_law.csv" | awk -v unit="$2" '{ printf "%.17g\n", $1 * unit }' >expected
     column "$3" solved.csv | paste -d ' ' expected - >both
@@ -154,8 +149,7 @@ awk -F, 'function asin(v) { return atan2(v, sqrt(1 - v * v)) }
     "$data/elastic_limit.csv" >cases.csv
 # The compliance must not depend on nu1 here: body 2 is rigid, and E1 = 2 (1 - nu1^2)/A.
 awk -F, 'NR == 1 { print $0 ",E1"; next } { printf "%s,%.17g\n", $0, 2 * (1 - $4 * $4) / 1e-5 }' cases.csv >with_E1.csv
-run solve -i with_E1.csv --E2 inf --theta 0.01 -o solved.csv
-status_is 0
+does solve -i with_E1.csv --E2 inf --theta 0.01 -o solved.csv
 message_is "rwedge solve: with_E1.csv: columns with numbers that are not used: 'x', 'y'
 rwedge solve: with_E1.csv, in some rows: Dundurs' beta is not 0: with friction its coupling is neglected
 rwedge solve: with_E1.csv, in some rows: P is above P_yield: the contact yields in full sliding

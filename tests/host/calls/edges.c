@@ -64,6 +64,7 @@ static const double fractions[] = {
     -0.3,
     -1 + DBL_EPSILON,
     -1,
+    -3,
     -INFINITY,
 };
 static const double numbers[] = {0,     1,       2,          3,         7,  50,       1001,

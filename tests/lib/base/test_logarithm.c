@@ -65,7 +65,6 @@ CLAIM(angles_are_as_accurate_as_stated)
 
 CLAIM(angles_on_the_axes)
 {
-    const double PI = 3.14159265358979323846;
     assert_within(rw_angle(1, 0), 0, 0);
     assert_within(rw_angle(0, 0), 0, 0);
     assert_within(rw_angle(-1, 0), PI, 0);

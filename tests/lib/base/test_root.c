@@ -8,8 +8,6 @@
 
 #include <float.h>
 
-static const double PI = 3.14159265358979323846;
-
 /* ---- Roots ---- */
 
 static double power_less_two(double x, const void *exponent)

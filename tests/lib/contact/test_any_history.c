@@ -31,7 +31,6 @@ CLAIM(nothing_is_computed_unless_it_is_allowed)
     assert_int_equal(rwedge_contact_allow_error(contact, 1e-7), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_allow_error(contact, 0.1), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_allow_error(contact, NAN), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_contact_allow_error(NULL, 1e-4), RWEDGE_ENULL);
     assert_nan(rwedge_contact_error(NULL));
     assert_true(rwedge_contact_error(contact) == 0);
 }
@@ -96,7 +95,6 @@ CLAIM(zones_cover_the_contact)
     double left[9], right[9], slip[9], from, to;
     const size_t n = rwedge_contact_zone_count(contact);
     assert_int_equal(rwedge_contact_zones(contact, n + 1, left, right, slip), RWEDGE_ERANGE);
-    assert_int_equal(rwedge_contact_zones(contact, n, NULL, right, slip), RWEDGE_ENULL);
     assert_ok(rwedge_contact_zones(contact, n, left, right, slip));
     assert_int_equal(n, 3);
     assert_ok(rwedge_contact_edges(contact, &from, &to));
@@ -120,8 +118,8 @@ CLAIM(zones_of_a_closed_form)
 {
     rwedge_contact *contact = allowing(0);
     double left[3], right[3], slip[3];
-    assert_int_equal(rwedge_contact_zone_count(contact), 0);
-    assert_int_equal(rwedge_contact_zone_count(NULL), 0);
+    assert_ok(rwedge_contact_zone_count(contact));
+    assert_ok(rwedge_contact_zone_count(NULL));
     apply(contact, 4, 0, 0, 0);
     assert_int_equal(rwedge_contact_zone_count(contact), 1);
     apply(contact, 4, 0, 1, 0);

@@ -152,11 +152,6 @@ CLAIM(patches_without_a_width_are_out_of_range)
 
 /* ---- Parts of a step ---- */
 
-static double signed_fraction(uint64_t *seed)
-{
-    return 2 * random_fraction(seed) - 1;
-}
-
 static rw_loads part_of(double t, rw_loads from, rw_loads to)
 {
     return (rw_loads){from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
@@ -170,14 +165,15 @@ static rw_loads random_loads(const rwedge_contact *contact, uint64_t *seed)
     if (kind < 0.6) {
         const double times = kind < 0.3 ? 1 + 0.2 * random_fraction(seed) : 0.7 + kind / 2;
         to.P *= times;
-        to.M = to.M * times + (random_fraction(seed) < 0.3 ? 0.05 * P * signed_fraction(seed) : 0);
+        to.M = to.M * times +
+               (random_fraction(seed) < 0.3 ? 0.05 * P * random_between(seed, -1, 1) : 0);
     }
     if (kind < 0.15) {
-        to.Q += F * (to.P - P) * signed_fraction(seed);
+        to.Q += F * (to.P - P) * random_between(seed, -1, 1);
         return to;
     }
-    to.Q = 0.95 * F * to.P * signed_fraction(seed);
-    to.sigma += rwedge_contact_largest_tension_step(contact, to.Q) * signed_fraction(seed);
+    to.Q = 0.95 * F * to.P * random_between(seed, -1, 1);
+    to.sigma += rwedge_contact_largest_tension_step(contact, to.Q) * random_between(seed, -1, 1);
     return to;
 }
 
@@ -201,7 +197,7 @@ CLAIM(a_step_that_goes_in_parts_goes_in_one)
     for (int number = 0; number < 120; number++) {
         rwedge_contact *contact = create(0.4 * (number % 4), F);
         const double P = 0.05 + random_fraction(&seed);
-        apply(contact, P, 0.3 * P * signed_fraction(&seed), 0, 0);
+        apply(contact, P, 0.3 * P * random_between(&seed, -1, 1), 0, 0);
         for (int i = 0; i < 8; i++) {
             const rw_loads to = random_loads(contact, &seed);
             rwedge_contact *parts = in_parts(contact, 2 + number % 3, to);

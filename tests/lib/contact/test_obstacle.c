@@ -59,21 +59,17 @@ static int advice_for(const rwedge_contact *contact, rw_loads to)
     return -1;
 }
 
-static double between(uint64_t *seed, double least, double most)
-{
-    return least + random_fraction(seed) * (most - least);
-}
-
 static rw_loads next_loads(const rwedge_contact *contact, double f, uint64_t *seed)
 {
     rw_loads to = contact->loads;
     if (to.P == 0 || random_fraction(seed) < 0.3) {
-        to.P = between(seed, 0.3, 1);
-        to.M = between(seed, -0.3, 0.3) * to.P;
+        to.P = random_between(seed, 0.3, 1);
+        to.M = random_between(seed, -0.3, 0.3) * to.P;
     }
-    to.Q = between(seed, -0.9, 0.9) * f * to.P;
+    to.Q = random_between(seed, -0.9, 0.9) * f * to.P;
     if (random_fraction(seed) < 0.7)
-        to.sigma += between(seed, -1.2, 1.2) * rwedge_contact_largest_tension_step(contact, to.Q);
+        to.sigma +=
+            random_between(seed, -1.2, 1.2) * rwedge_contact_largest_tension_step(contact, to.Q);
     return to;
 }
 

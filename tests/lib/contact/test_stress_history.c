@@ -70,9 +70,6 @@ CLAIM(a_load_that_is_refused_leaves_all_as_it_was)
     assert_true(rwedge_contact_half_width(contact) == 0);
     assert_ok(rwedge_contact_stress_history(contact, 0, NULL, NULL, NULL, NULL, 0, NULL, NULL, NULL,
                                             NULL, NULL));
-    assert_int_equal(rwedge_contact_stress_history(NULL, 0, NULL, NULL, NULL, NULL, 0, NULL, NULL,
-                                                   NULL, NULL, NULL),
-                     RWEDGE_ENULL);
 }
 
 /* Random histories of P and Q. */
@@ -140,28 +137,4 @@ CLAIM(separated_bodies_are_stretched)
     assert_true(sxx[0] == 2 && syy[0] == 0 && txy[0] == 0);
     assert_true(sxx[2] == 3 && syy[2] == 0 && txy[2] == 0);
     assert_true(syy[1] < 0);
-}
-
-/* One argument at a time. */
-CLAIM(what_is_missing_is_said)
-{
-    static history h;
-    fill(&h, 0.1, 0.02);
-    rwedge_contact *contact = create(0.4, 0.5);
-    for (int i = 0; i < 9; i++) {
-        const double *in[6] = {h.P, h.M, h.Q, h.sigma, h.x, h.y};
-        double *out[3] = {h.sxx, h.syy, h.txy};
-        if (i < 6)
-            in[i] = NULL;
-        else
-            out[i - 6] = NULL;
-        assert_int_equal(rwedge_contact_stress_history(contact, LOADS, in[0], in[1], in[2], in[3],
-                                                       POINTS, in[4], in[5], out[0], out[1],
-                                                       out[2]),
-                         RWEDGE_ENULL);
-        if (i >= 6) /* no load gives no stress */
-            assert_ok(rwedge_contact_stress_history(contact, 0, NULL, NULL, NULL, NULL, POINTS, h.x,
-                                                    h.y, out[0], out[1], out[2]));
-    }
-    assert_true(rwedge_contact_half_width(contact) == 0);
 }

@@ -72,115 +72,6 @@ CLAIM(strong_friction_yields_next_to_the_edge)
             }
 }
 
-static double root_J2(const rwedge_contact *contact, double nu, double x, double y)
-{
-    double s[3];
-    assert_ok(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]));
-    const double szz = nu * (s[0] + s[1]);
-    return sqrt(((s[0] - s[1]) * (s[0] - s[1]) + (s[1] - szz) * (s[1] - szz) +
-                 (szz - s[0]) * (szz - s[0])) /
-                    6 +
-                s[2] * s[2]);
-}
-
-/* No point of a plain grid, nor of the surface on a fine one, is above the maximum, and it is
- * attained where it says. */
-CLAIM(no_point_is_nearer_to_yield_than_the_factor_says)
-{
-    for (int number = 2; number < 42; number++) {
-        random_history h;
-        rwedge_contact *contact = begin(&h, number % 4 ? number : number + 1);
-        for (int step = 0; step < 6; step++)
-            go_on(&h, contact);
-        const double b = rwedge_contact_half_width(contact), nu = number % 2 ? 0.3 : 0.5;
-        double x, y, grid = 0;
-        const double factor = yield_factor(contact, nu, 1, &x, &y);
-        for (int i = -150; i <= 150; i++)
-            for (int j = 0; j <= 60; j++)
-                grid = fmax(grid, root_J2(contact, nu, 1.2 * b * i / 150, 1.5 * b * j * j / 3600));
-        for (int i = -4000; i <= 4000; i++)
-            grid = fmax(grid, root_J2(contact, nu, 1.1 * b * i / 4000, 0));
-        assert_true(grid <= 1 / factor * (1 + 1e-14));
-        assert_close(grid, 1 / factor, 0.02);
-        assert_close(root_J2(contact, nu, x, y), 1 / factor, 1e-13);
-    }
-}
-
-/* Narrow roundings, thin layers and strong friction; points at every scale around every place
- * where the tractions have a corner, and in rings around the maximum itself. */
-CLAIM(no_scale_hides_a_higher_point)
-{
-    uint64_t seed = 21;
-    for (int number = 0; number < 150; number++) {
-        const double f = 1.5 * random_fraction(&seed), nu = number % 2 ? 0.5 : 0.3;
-        rwedge_contact *contact = create(pow(10, -6 * random_fraction(&seed)), f);
-        for (int step = 0; step < 4; step++) {
-            const double P = 0.3 * pow(10, -2 * random_fraction(&seed));
-            load(contact, P, f * P * (2 * random_fraction(&seed) - 1) * (step % 2 ? 1 : 0.01));
-        }
-        double x, y, points[POINTS_MAX];
-        const double highest = (1 + 1e-13) / yield_factor(contact, nu, 1, &x, &y);
-        const size_t n = breakpoints(contact, points);
-        for (size_t i = 0; i <= 2 * n; i++) {
-            const double mark = i > n ? -points[i - n] : points[i];
-            assert_true(root_J2(contact, nu, mark, 0) <= highest);
-            for (double r = 1; r > 1e-10; r *= 0.7)
-                for (int angle = 0; angle <= 12; angle++)
-                    assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12),
-                                        r * fabs(sin(angle * PI / 12))) <= highest);
-        }
-        for (double r = 0.5; r > 1e-4; r *= 0.7)
-            for (int angle = 0; angle < 24; angle++)
-                assert_true(root_J2(contact, nu, x + r * hypot(x, y) * cos(angle * PI / 12),
-                                    fmax(0, y + r * hypot(x, y) * sin(angle * PI / 12))) <=
-                            highest);
-    }
-}
-
-/* With moment and bulk tension: along the surface, in the depth, and around every edge. */
-CLAIM(no_point_is_nearer_to_yield_off_the_centre)
-{
-    uint64_t seed = 31;
-    int tilted = 0;
-    for (int number = 0; number < 60; number++) {
-        const double f = 0.1 + 0.8 * random_fraction(&seed), nu = number % 2 ? 0.3 : 0.45;
-        rwedge_contact *contact = create(0.05 + 0.5 * random_fraction(&seed), f);
-        const double P = 0.1 + 0.2 * random_fraction(&seed),
-                     M = 0.1 * P * (2 * random_fraction(&seed) - 1);
-        apply(contact, P, M, 0, 0);
-        double sigma = 0;
-        for (int step = 0; step < 3; step++) {
-            const double Q = 0.9 * f * P * (2 * random_fraction(&seed) - 1);
-            const double to = sigma + rwedge_contact_largest_tension_step(contact, Q) *
-                                          (2 * random_fraction(&seed) - 1);
-            if (rwedge_contact_apply(contact, P, M, Q, to) == RWEDGE_OK)
-                sigma = to;
-        }
-        tilted += contact->memory.count > 2 && sigma != 0;
-        double x, y, left, right;
-        const double highest = (1 + 1e-13) / yield_factor(contact, nu, 1, &x, &y);
-        assert_close(root_J2(contact, nu, x, y), highest, 1e-12);
-        assert_ok(rwedge_contact_edges(contact, &left, &right));
-        const double width = right - left;
-        for (int i = -20; i <= 120; i++)
-            for (int j = 0; j <= 30; j++)
-                assert_true(root_J2(contact, nu, left + width * i / 100, width * j * j / 900) <=
-                            highest);
-        for (int i = 0; i <= 2000; i++)
-            assert_true(root_J2(contact, nu, left + width * i / 2000, 0) <= highest);
-        for (size_t i = 1; i < contact->memory.count; i++)
-            for (int side = 0; side < 2; side++) {
-                const rw_patch patch = contact->memory.corners[i].patch;
-                const double mark = side ? patch.left : patch.right;
-                for (double r = width; r > 1e-11 * width; r *= 0.6)
-                    for (int angle = 0; angle <= 12; angle++)
-                        assert_true(root_J2(contact, nu, mark + r * cos(angle * PI / 12),
-                                            r * fabs(sin(angle * PI / 12))) <= highest);
-            }
-    }
-    assert_true(tilted > 30);
-}
-
 /* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
 CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 {
@@ -216,34 +107,6 @@ CLAIM(a_long_climb_is_broken_off_without_harm)
     assert_close(yield_factor(contact, 0.4999999, 1, NULL, NULL), factor, 1e-12);
 }
 
-/* Many thin layers: wide reversals, each smaller than all before, and a slow ellipse. */
-CLAIM(many_corners_hide_no_higher_point)
-{
-    for (int kind = 0; kind < 2; kind++)
-        for (int n = 30; n <= 120; n += 45) {
-            const double f = kind ? 0.3 : 0.7;
-            rwedge_contact *contact = create(0.05, f);
-            load(contact, 0.2, 0);
-            for (int i = 1; i < n; i++) {
-                const double t = 1.5 * i / n;
-                if (kind)
-                    load(contact, 0.2 + 0.05 * sin(t), 0.03 * (1 - cos(t)));
-                else
-                    load(contact, 0.2, (i % 2 ? 0.9 : -0.9) * f * 0.2 * (1 - i / (n + 1.0)));
-            }
-            const double b = rwedge_contact_half_width(contact),
-                         highest = (1 + 1e-13) / yield_factor(contact, 0.3, 1, NULL, NULL);
-            for (size_t i = 1; i < contact->memory.count; i++)
-                for (int side = -1; side <= 1; side += 2) {
-                    const double mark = side * contact->memory.corners[i].patch.right;
-                    for (double r = b; r > 1e-7 * b; r *= 0.5)
-                        for (int angle = 0; angle <= 8; angle++)
-                            assert_true(root_J2(contact, 0.3, mark + r * cos(angle * PI / 8),
-                                                r * fabs(sin(angle * PI / 8))) <= highest);
-                }
-        }
-}
-
 CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
 {
     rwedge_contact *contact = create(0, 0.5);
@@ -266,23 +129,6 @@ CLAIM(a_grid_that_meets_the_apex_raises_nothing)
     feclearexcept(FE_ALL_EXCEPT);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
     assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
-}
-
-/* Below a stuck apex J2 depends on the direction alone. The search comes upon the apex itself. */
-CLAIM(nothing_yields_earlier_beside_a_stuck_apex)
-{
-    for (double f = 0.05; f < 0.5; f += 0.05) {
-        rwedge_contact *contact = create(0, f);
-        load(contact, 0.2, 0);
-        load(contact, 0.2, 0.08 * f);
-        load(contact, 0.2, 0.04 * f);
-        const double highest = (1 + 1e-12) / yield_factor(contact, 0.5, 1, NULL, NULL);
-        for (double r = 1; r > 1e-12; r *= 0.7)
-            for (int angle = 0; angle <= 12; angle++)
-                assert_true(root_J2(contact, 0.5, r * cos(angle * PI / 12),
-                                    r * fabs(sin(angle * PI / 12))) <= highest);
-        assert_true(root_J2(contact, 0.5, 0, 1e-9) <= highest);
-    }
 }
 
 CLAIM(a_factor_beyond_the_domain_is_refused)

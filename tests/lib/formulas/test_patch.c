@@ -5,8 +5,6 @@
 #include "quadrature.h"
 #include "rwedge.h"
 
-static const double PI = 3.14159265358979323846;
-
 /* The same in 60 digits. Near a tilt of 1 the loads of a patch are as badly determined. */
 CLAIM(laws_agree_with_60_digits)
 {

@@ -33,8 +33,8 @@ static int32_t of_safety(double safety)
 
 CLAIM(a_sound_contact_has_no_doubts)
 {
-    assert_int_equal(rwedge_validity(0.01, 0.5, 0, 0.3, 2e-3, 1.5), 0);
-    assert_int_equal(rwedge_validity(0.01, 0, 0.2, 0, 2e-3, HUGE_VAL), 0); /* sharp; frictionless */
+    assert_ok(rwedge_validity(0.01, 0.5, 0, 0.3, 2e-3, 1.5));
+    assert_ok(rwedge_validity(0.01, 0, 0.2, 0, 2e-3, HUGE_VAL)); /* sharp; frictionless */
 }
 
 CLAIM(an_angle_above_a_tenth_is_doubted)
@@ -86,7 +86,7 @@ CLAIM(doubts_add_up)
 CLAIM(what_is_not_known_is_not_doubted_and_raises_nothing)
 {
     feclearexcept(FE_ALL_EXCEPT);
-    assert_int_equal(rwedge_validity(NAN, NAN, NAN, NAN, NAN, NAN), 0);
+    assert_ok(rwedge_validity(NAN, NAN, NAN, NAN, NAN, NAN));
     assert_int_equal(fetestexcept(FE_INVALID), 0);
 }
 

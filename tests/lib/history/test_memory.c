@@ -306,7 +306,7 @@ static double punches(double w, const void *context)
 {
     const gap_case *g = context;
     const double t = sqrt((g->x - w) * (g->x + w));
-    return (load_of(g->alpha, t) - load_of(g->alpha, 1)) * g->x / (t * t * acos(-1));
+    return (load_of(g->alpha, t) - load_of(g->alpha, 1)) * g->x / (t * t * PI);
 }
 
 CLAIM(the_gap_beside_a_patch_is_that_of_its_flat_punches)
@@ -336,7 +336,7 @@ CLAIM(the_gap_opens_with_the_power_three_halves)
         rw_potential patch;
         rw_potential_init(&patch, alpha);
         const double angle = alpha > 0 ? asin(fmin(1, alpha)) / alpha : 1;
-        assert_close(rw_gap(&patch, x), 2 / (3 * acos(-1)) * angle * X * X * X, 2e-8);
+        assert_close(rw_gap(&patch, x), 2 / (3 * PI) * angle * X * X * X, 2e-8);
     }
 }
 

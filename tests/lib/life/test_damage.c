@@ -6,8 +6,6 @@
 
 #include <string.h>
 
-static const double PI = 3.14159265358979323846;
-
 enum { LOADS = 14 };
 
 typedef struct {

@@ -46,14 +46,3 @@ CLAIM(run_outs_are_infinite)
     assert_true(isinf(rwedge_fatemi_socie_life(1e-9, 62000, 450, -0.01, 0.7, -0.6, 0)));
     assert_true(isinf(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -0.6, 2e-3)));
 }
-
-CLAIM(what_is_outside_the_domain_has_no_life)
-{
-    assert_nan(rwedge_smith_watson_topper_life(-1, 162000, 475, -0.08, 0.6, -0.6, 0));
-    assert_nan(rwedge_smith_watson_topper_life(NAN, 162000, 475, -0.08, 0.6, -0.6, 0));
-    assert_nan(rwedge_smith_watson_topper_life(1, 0, 475, -0.08, 0.6, -0.6, 0));
-    assert_nan(rwedge_smith_watson_topper_life(1, 162000, 475, 0.08, 0.6, -0.6, 0));
-    assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -3, 0));
-    assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0, -0.6, 0));
-    assert_nan(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -0.6, -1));
-}

@@ -6,8 +6,6 @@
 #include <float.h>
 #include <string.h>
 
-static const double PI = 3.14159265358979323846;
-
 enum { LOADS_MAX = 60 };
 
 typedef enum { SMITH_WATSON_TOPPER, FATEMI_SOCIE, FINDLEY, CRITERIA } criterion;

@@ -6,8 +6,6 @@
 #include <float.h>
 #include <string.h>
 
-static const double PI = 3.14159265358979323846;
-
 static double some_stress(uint64_t *seed)
 {
     return 2 * random_fraction(seed) - 1;

@@ -2,10 +2,7 @@
 #include "claims.h"
 #include "rwedge.h"
 
-#include <float.h>
 #include <string.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* sqrt(J2) from the stresses, plane strain: not the route by which the maximum was found. */
 static double von_mises(double alpha, double f, double nu, double x, double y)
@@ -50,35 +47,6 @@ CLAIM(critical_friction_matches_reference)
     while (reference_next(&table))
         assert_close(rwedge_critical_friction(table.cell[0], table.cell[1]), table.cell[2], 1e-13);
     assert_int_equal(table.row, 24);
-}
-
-CLAIM(branches_cross_at_the_critical_friction)
-{
-    for (double alpha = 0.1; alpha < 1.5; alpha += 0.2)
-        for (double nu = 0.26; nu <= 0.5; nu += 0.06) {
-            const double f = rwedge_critical_friction(alpha, nu);
-            double below, surface, limit, x, y;
-            assert_true(f > 0.01 && f < 0.5);
-            assert_ok(rwedge_subsurface_yield(alpha, f, nu, &below, &x, &y));
-            assert_ok(rwedge_surface_yield(alpha, f, nu, &surface, &x));
-            assert_close(below, surface, 1e-12);
-            assert_ok(rwedge_yield_point(alpha, f * (1 - 1e-9), nu, &limit, &x, &y));
-            assert_true(y > 0);
-            assert_ok(rwedge_yield_point(alpha, f * (1 + 1e-9), nu, &limit, &x, &y));
-            assert_true(y == 0);
-        }
-}
-
-CLAIM(limit_is_the_smaller_branch)
-{
-    for (double alpha = 0.05; alpha < 1.2; alpha += 0.17)
-        for (double f = 0; f < 0.8; f += 0.013) {
-            double below = HUGE_VAL, surface, x, y;
-            const int32_t status = rwedge_subsurface_yield(alpha, f, 0.3, &below, &x, &y);
-            assert_true(status == RWEDGE_OK || status == RWEDGE_EABSENT);
-            assert_ok(rwedge_surface_yield(alpha, f, 0.3, &surface, &x));
-            assert_close(rwedge_elastic_limit(alpha, f, 0.3), fmin(below, surface), 1e-15);
-        }
 }
 
 /* At f = 0 the surface takes over at a finite tip, a jump that the paper does not show. */
@@ -152,12 +120,6 @@ CLAIM(subsurface_branch_ends_at_a_fold)
     assert_true(limit == 7 && x == 7 && y == 7);
 }
 
-CLAIM(hertz_does_not_depend_on_alpha)
-{
-    for (double f = 0; f < 1; f += 0.1)
-        assert_close(rwedge_elastic_limit(7, f, 0.3), rwedge_elastic_limit(1, f, 0.3), 0);
-}
-
 CLAIM(sharp_wedge_yields_at_its_apex)
 {
     double limit = 7, x = 7, y = 7;
@@ -193,9 +155,8 @@ CLAIM(flat_maxima_of_tiny_tips_are_found)
 
 CLAIM(incompressible_surface_is_safe_without_friction)
 {
-    double limit = 7, x = 7;
+    double limit, x;
     assert_int_equal(rwedge_surface_yield(0.3, 0, 0.5, &limit, &x), RWEDGE_EABSENT);
-    assert_true(limit == 7 && x == 7);
 }
 
 CLAIM(max_tension_matches_reference)
@@ -221,33 +182,6 @@ CLAIM(max_tension_is_the_largest)
                 assert_true(s1 <= largest * (1 + 1e-14));
             }
     }
-}
-
-CLAIM(arrays_are_limits_one_by_one)
-{
-    enum { N = 200 };
-    double alpha[N], f[N], limit[N];
-    uint64_t seed = 17;
-    for (int i = 0; i < N; i++) {
-        alpha[i] = 1.5 * random_fraction(&seed);
-        f[i] = random_fraction(&seed);
-    }
-    assert_ok(rwedge_elastic_limits(N, alpha, f, 0.3, limit));
-    for (int i = 0; i < N; i++)
-        assert_true(limit[i] == rwedge_elastic_limit(alpha[i], f[i], 0.3));
-    limit[0] = 7;
-    const double before = f[0];
-    f[0] = -1;
-    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, limit), RWEDGE_EDOMAIN);
-    f[0] = before;
-    f[N - 1] = -1;
-    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, limit), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.6, limit), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_elastic_limits(N, NULL, f, 0.3, limit), RWEDGE_ENULL);
-    assert_int_equal(rwedge_elastic_limits(N, alpha, NULL, 0.3, limit), RWEDGE_ENULL);
-    assert_int_equal(rwedge_elastic_limits(N, alpha, f, 0.3, NULL), RWEDGE_ENULL);
-    assert_true(limit[0] == 7);
-    assert_ok(rwedge_elastic_limits(0, NULL, NULL, 0.3, NULL));
 }
 
 /* Next to alpha = 1 the surface is that of Hertz, g^2 + p^2 = 1, where J2 = f^2 + kappa (p + f
@@ -281,8 +215,7 @@ CLAIM(elastic_limit_gradient_is_the_difference_quotient)
     while (reference_next(&table)) {
         const double *v = table.cell;
         double d[4];
-        assert_int_equal(
-            rwedge_elastic_limit_gradient(v[0], v[1], v[2], &d[0], &d[1], &d[2], &d[3]), RWEDGE_OK);
+        assert_ok(rwedge_elastic_limit_gradient(v[0], v[1], v[2], &d[0], &d[1], &d[2], &d[3]));
         for (int i = 0; i < 3; i++)
             assert_close(d[i], v[3 + i], 1e-11);
         assert_true(d[3] == (v[6] == 0));
@@ -295,33 +228,12 @@ CLAIM(the_gradient_jumps_at_the_critical_friction)
     const double f = rwedge_critical_friction(0.25, 0.3);
     assert_within(f, 0.2019, 1e-4);
     double d_alpha, d_f, d_nu, at_surface;
-    assert_int_equal(rwedge_elastic_limit_gradient(0.25, f * (1 - 1e-9), 0.3, &d_alpha, &d_f, &d_nu,
-                                                   &at_surface),
-                     RWEDGE_OK);
+    assert_ok(rwedge_elastic_limit_gradient(0.25, f * (1 - 1e-9), 0.3, &d_alpha, &d_f, &d_nu,
+                                            &at_surface));
     assert_within(d_f, -1.86, 0.01);
     assert_true(at_surface == 0);
-    assert_int_equal(rwedge_elastic_limit_gradient(0.25, f * (1 + 1e-9), 0.3, &d_alpha, &d_f, &d_nu,
-                                                   &at_surface),
-                     RWEDGE_OK);
+    assert_ok(rwedge_elastic_limit_gradient(0.25, f * (1 + 1e-9), 0.3, &d_alpha, &d_f, &d_nu,
+                                            &at_surface));
     assert_within(d_f, -7.12, 0.01);
     assert_true(at_surface == 1);
-}
-
-CLAIM(the_gradient_is_refused_where_there_is_none)
-{
-    const double bad[][3] = {{0, 0.1, 0.3}, {1e-15, 0.1, 0.3}, {0.5, -1, 0.3}, {0.5, 0.1, 0.6}};
-    double d[4] = {7, 7, 7, 7};
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
-        assert_int_equal(rwedge_elastic_limit_gradient(bad[i][0], bad[i][1], bad[i][2], &d[0],
-                                                       &d[1], &d[2], &d[3]),
-                         RWEDGE_EDOMAIN);
-    for (int missing = 0; missing < 4; missing++) {
-        double *p[4];
-        for (int i = 0; i < 4; i++)
-            p[i] = i == missing ? NULL : &d[i];
-        assert_int_equal(rwedge_elastic_limit_gradient(0.5, 0.1, 0.3, p[0], p[1], p[2], p[3]),
-                         RWEDGE_ENULL);
-    }
-    for (int i = 0; i < 4; i++)
-        assert_true(d[i] == 7);
 }

@@ -3,29 +3,7 @@
 #include "claims.h"
 #include "rwedge.h"
 
-static const double PI = 3.14159265358979323846;
 static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
-
-CLAIM(the_yield_load_is_where_the_elastic_limit_says)
-{
-    uint64_t seed = 8;
-    for (int i = 0; i < 200; i++) {
-        const double a = 0.3, alpha = pow(10, 2 * random_fraction(&seed) - 1.7);
-        const double f = i % 5 ? random_fraction(&seed) : 0,
-                     nu = i % 3 ? 0.3 : 0.5 * random_fraction(&seed);
-        const double b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
-        const double k = P / (b * rwedge_elastic_limit(alpha, f, nu));
-        assert_close(rwedge_yield_load(THETA, a, A, f, nu, k), P, 1e-11);
-    }
-}
-
-/* Down to the smallest tip that has an elastic limit. */
-CLAIM(tiny_tips_have_a_yield_load)
-{
-    const double a = 0.3, alpha = 1.1e-14, b = a / alpha, P = rwedge_normal_load(THETA, a, A, b);
-    const double k = P / (b * rwedge_elastic_limit(alpha, 0.1, 0.3));
-    assert_close(rwedge_yield_load(THETA, a, A, 0.1, 0.3, k), P, 1e-11);
-}
 
 /* Far from the usual units: exact powers of two. */
 CLAIM(the_yield_load_scales_with_the_units)

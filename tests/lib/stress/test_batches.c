@@ -183,3 +183,9 @@ CLAIM(elastic_limits_are_those_of_single_calls)
         assert_true(same_bits(&one, &limit[i], 1));
     }
 }
+
+CLAIM(no_points_need_no_arrays)
+{
+    assert_ok(rwedge_stresses(0.2, 0.4, 0.3, 0, NULL, NULL, NULL, NULL, NULL));
+    assert_ok(rwedge_elastic_limits(0, NULL, NULL, 0.3, NULL));
+}

@@ -4,8 +4,6 @@
 #include "quadrature.h"
 #include "stress/eccentric.h"
 
-static const double PI = 3.14159265358979323846;
-
 /* 150 patches and points: sharp, with both ends of the rounding inside, with one, with none; next
  * to the edges, to the ends and far away. */
 CLAIM(agrees_with_60_digits)
@@ -32,24 +30,6 @@ static const struct {
 } CASES[] = {{0, {-0.8, 1.2}}, {0.3, {-0.8, 1.2}},  {0.3, {-0.2, 1.8}},
              {3, {-0.8, 1.2}}, {1e-9, {-0.7, 0.9}}, {1, {-0.95, 1.001}}};
 enum { COUNT = sizeof CASES / sizeof *CASES };
-
-/* The pressure under the patch, and the slope less the tilt: what it is made of. */
-CLAIM(is_slope_and_pressure_on_the_surface)
-{
-    for (int i = 0; i < COUNT; i++) {
-        rw_eccentric potential;
-        rw_eccentric_init(&potential, CASES[i].a, CASES[i].patch);
-        const double tilt = rw_patch_pressing(CASES[i].a, CASES[i].patch).tilt;
-        for (double x = -1.45; x < 2; x += 0.1) {
-            const rw_field at = rw_eccentric_at(&potential, x, 0);
-            const bool inside = x > CASES[i].patch.left && x < CASES[i].patch.right;
-            assert_true(inside ? at.G_im < 0 : at.G_im == 0);
-            const double slope = fabs(x) < CASES[i].a ? x / CASES[i].a : x < 0 ? -1 : 1;
-            if (inside)
-                assert_within(at.G_re, slope - tilt, 3e-15 * (1 + fabs(at.G_im)));
-        }
-    }
-}
 
 /* G = (1/pi) int p/(t-z) dt, along t = m + s sin(v). */
 typedef struct {

@@ -3,10 +3,6 @@
 #include "quadrature.h"
 #include "rwedge.h"
 
-#include <float.h>
-
-static const double PI = 3.14159265358979323846;
-
 CLAIM(coefficients_match_reference)
 {
     reference table = reference_open("coefficients.csv");
@@ -37,22 +33,6 @@ CLAIM(coefficients_are_projections_of_the_pressure)
             assert_within(rwedge_coefficient(alpha, n),
                           -4 / PI * integral(projected, &c, 2, points), 1e-12);
         }
-}
-
-CLAIM(coefficients_have_their_limits)
-{
-    for (int32_t n = 1; n < 2000; n += 97) {
-        const double sharp = (n % 2 ? -4 : 4) / (PI * (2 * n + 1));
-        assert_close(rwedge_coefficient(0, n), sharp, 1e-15);
-        assert_close(rwedge_coefficient(1e-13, n), sharp, 1e-15);
-        assert_within(rwedge_coefficient(1, n), 0, 0);
-        /* alpha = 1 - 1e-12: b_n = -(4/(3 pi)) c0^3 while n c0 is small */
-        const double c0 = sqrt(2e-12);
-        assert_close(rwedge_coefficient(1 - 1e-12, n), -4 / (3 * PI) * c0 * c0 * c0, 1e-4);
-    }
-    assert_close(rwedge_coefficient(0, 0), 4 / PI, 1e-15);
-    assert_close(rwedge_coefficient(2, 0), 0.5, 0);
-    assert_true(fabs(rwedge_coefficient(0.3, INT32_MAX)) < 1e-18);
 }
 
 static rwedge_series *analytic(double alpha, int32_t terms)

@@ -45,6 +45,24 @@ double either_sign(probe *call, double value)
     return chance(call, 0.5) ? value : -value;
 }
 
+/* ---- Results ---- */
+
+bool gives(probe *call, double value)
+{
+    call->result[0] = value;
+    return true;
+}
+
+bool gives_if(probe *call, int32_t status)
+{
+    return status == 0 || gives(call, NAN);
+}
+
+bool gives_if(probe *call, int32_t status, const double &value)
+{
+    return gives(call, status == 0 ? value : NAN);
+}
+
 /* ---- Arguments ---- */
 
 double argument(probe *call, const char *name, double value)
@@ -198,11 +216,6 @@ ball error_over(const double result[3], const tensor &exact, const ball &scale)
 ball relative_error(double result, const ball &exact)
 {
     return error_over(result, exact, exact);
-}
-
-ball judge_difference(const probe &call)
-{
-    return fabs(call.result[0]);
 }
 
 static bool is_told(const ball &error)

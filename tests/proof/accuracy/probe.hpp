@@ -42,6 +42,11 @@ void probe_release(probe *call);
 /* Records an argument; returns it. */
 double argument(probe *call, const char *name, double value);
 
+/* What the library gives, NaN where it refuses; true, as draw() is. */
+bool gives(probe *call, double value);
+bool gives_if(probe *call, int32_t status); /* the results are there already */
+bool gives_if(probe *call, int32_t status, const double &value);
+
 /* ---- Random numbers ---- */
 
 double uniform(probe *call); /* [0, 1) */
@@ -74,8 +79,5 @@ ball error_over(const double result[3], const tensor &exact, const ball &scale);
 
 /* The relative error; 0 where both are 0. */
 ball relative_error(double result, const ball &exact);
-
-/* Of a row whose result is a difference that should be 0. */
-ball judge_difference(const probe &call);
 
 #endif

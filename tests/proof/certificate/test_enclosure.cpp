@@ -9,11 +9,6 @@ extern "C" {
 #include "claims.h"
 }
 
-static double random_between(uint64_t *seed, double low, double high)
-{
-    return low + (high - low) * random_fraction(seed);
-}
-
 static double random_sign(uint64_t *seed)
 {
     return random_fraction(seed) < 0.5 ? -1 : 1;

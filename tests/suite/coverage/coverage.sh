@@ -26,6 +26,7 @@ find "$build" -name '*.gcda' -delete
 printf '%s\n' $programs | xargs -P 2 -I {} sh -c '
     case $1 in
     strength_survey) cases=300 ;;
+    yield_survey) cases=60 ;;
     test_calls) cases=100 ;;
     *) cases= ;;
     esac

@@ -17,25 +17,22 @@ from numpy.typing import NDArray
 from ._blocks import FEW, blocks
 from ._cycle import Cycle
 from ._general import call
+from ._header import FUNCTIONS
 from ._labels import aligned
 from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, Handle, PathError, check, function, real
 from ._loads import Columns, History, Loads, columns, given_columns
-from ._made import ContactMethods
+from ._made import ContactMethods, _contact_stresses
 from ._types import Numbers
 from ._ufuncs import Points
 from ._validity import warn
 
 _create, _copy, _destroy = (function("contact_" + name) for name in ("create", "copy", "destroy"))
-_create_flat, _create_profile = function("contact_create_flat"), function("contact_create_profile")
 _load, _apply, _obstacle = (function("contact_" + name) for name in ("load", "apply", "obstacle"))
 _stress_history = function("contact_stress_history")
-_half_width, _stick_half_width = function("contact_half_width"), function("contact_stick_half_width")
 _loads = function("contact_loads")
 _state_size, _state, _restore = (function("contact_" + name) for name in ("state_size", "state", "restore"))
-_dissipated_energy, _memory = function("contact_dissipated_energy"), function("contact_memory")
-_yield_factor, _slip_of = function("contact_yield_factor"), function("contact_slip")
+_yield_factor = function("contact_yield_factor")
 _formula_half_width = function("half_width")
-_tractions, _stresses, _slip = (Points("contact_" + name) for name in ("tractions", "stresses", "slip"))
 
 
 Self = TypeVar("Self", bound="Contact")
@@ -173,12 +170,8 @@ class Contact(ContactMethods, Handle):
         Its ``theta`` is 1, and ``a`` is R: the slope changes by 1 over R. A load that brings the contact beyond a + R is
         refused. Source: new.
         """
-        given = {"a": real("a", a), "R": real("R", R), "A": real("A", A), "f": real("f", f)}
-        handle = ctypes.c_void_p()
-        check("contact_create_flat", _create_flat(*given.values(), ctypes.byref(handle)), given)
-        contact = cls._of_handle(handle)
-        contact.allow_error(tolerance)
-        return contact
+        numbers = {"a": real("a", a), "R": real("R", R), "A": real("A", A), "f": real("f", f)}
+        return cls._made("contact_create_flat", tolerance, numbers)
 
     @classmethod
     def profile(cls: type[Self], x: Numbers, slope: Numbers, A: SupportsFloat, f: SupportsFloat,
@@ -201,7 +194,7 @@ class Contact(ContactMethods, Handle):
         Its ``theta`` is half of the angle between the outermost slopes, and ``a`` the length over which the slope changes by
         that where it is curved most. Source: new.
         """
-        places, slopes = (np.ascontiguousarray(np.asarray(given).astype(float, casting="safe")).ravel() for given in (x, slope))
+        places, slopes = (np.ascontiguousarray(np.asarray(column).astype(float, casting="safe")).ravel() for column in (x, slope))
         if places.size != slopes.size:
             raise Error(f"x has {places.size} places, and slope {slopes.size}", EDOMAIN)
         if not 2 <= places.size <= 1000 or slopes[0] == slopes[-1]:
@@ -209,9 +202,14 @@ class Contact(ContactMethods, Handle):
         for i in range(1, places.size):
             if not (places[i] >= places[i - 1] and slopes[i] >= slopes[i - 1]):
                 raise Error(f"x[{i}] = {places[i]}, slope[{i}] = {slopes[i]}: a place or a slope is less than the one before", EDOMAIN)
-        given, handle = {"A": real("A", A), "f": real("f", f)}, ctypes.c_void_p()
-        status = _create_profile(places.size, places.ctypes.data, slopes.ctypes.data, *given.values(), ctypes.byref(handle))
-        check("contact_create_profile", status, given)
+        numbers = {"A": real("A", A), "f": real("f", f)}
+        return cls._made("contact_create_profile", tolerance, numbers, places.size, places.ctypes.data, slopes.ctypes.data)
+
+    @classmethod
+    def _made(cls: type[Self], name: str, tolerance: SupportsFloat, numbers: dict[str, float], *arrays: Any) -> Self:
+        """By the function of that name, which takes the arrays first."""
+        handle = ctypes.c_void_p()
+        check(name, function(name)(*arrays, *numbers.values(), ctypes.byref(handle)), numbers)
         contact = cls._of_handle(handle)
         contact.allow_error(tolerance)
         return contact
@@ -345,9 +343,9 @@ class Contact(ContactMethods, Handle):
         """Loads the contact, this one or a copy; or says which load is refused, and why."""
         status = _apply(address, *loads)
         if status == EPATH:
-            given = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
+            refused = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
             computed = "or have it computed: Contact(..., tolerance=1e-4)"
-            raise PathError(f"{given}: no closed form: {_obstacle(address, *loads).decode()}; {computed}", status)
+            raise PathError(f"{refused}: no closed form: {_obstacle(address, *loads).decode()}; {computed}", status)
         check("contact_apply", status, loads._asdict(), place)
 
     def _load_all(self, loads: dict[str, Any]) -> None:
@@ -384,7 +382,7 @@ class Contact(ContactMethods, Handle):
         try:
             for i, loads in enumerate(zip(*history)):
                 self._check_loads(trial, Loads(*map(float, loads)), f"[{i}]")
-                _stresses(trial.value, x, y)
+                _contact_stresses(trial.value, x, y)
         finally:
             _destroy(trial)
 
@@ -441,11 +439,6 @@ class Contact(ContactMethods, Handle):
         shape = 3, len(history[0]), *x.shape
         return Cycle(Loads(*history), x, y, np.moveaxis(stress.reshape(shape), 0, -1), labels)  # type: ignore[arg-type]
 
-    @property
-    def state_size(self) -> int:
-        """How many numbers ``state()`` gives, for the contact as it is. Source: new."""
-        return self._value(_state_size)
-
     def state(self) -> NDArray[np.float64]:
         """The contact as n = ``state_size`` numbers, for restarts and for other processes: ``Contact.restore(state)`` goes on
         to the same bits. The numbers are of no other use. Source: new."""
@@ -485,17 +478,23 @@ class Contact(ContactMethods, Handle):
             check("contact_loads", _loads(self._address, *map(ctypes.byref, loads)))
         return Loads(*(load.value for load in loads))
 
-    def _value(self, read: Any) -> Any:
+    def _read(self, read: Any) -> Any:
         with self._lock:
             return read(self._address)
 
-    def _call(self, name: str, *given: Any) -> Any:
+    def _at(self, points: Points, *arguments: Any) -> Any:
+        with self._lock:
+            if EPATH in FUNCTIONS[points.name]["reasons"]:  # of the contact, not of a point: it is asked first
+                check(points.name, function(points.name)(self._address, 0, *[None] * (len(FUNCTIONS[points.name]["roles"]) - 2)))
+            return points(self._address, *arguments)
+
+    def _call(self, name: str, *arguments: Any) -> Any:
         with self._lock:
             try:
-                return call(name, self._address, *given)
+                return call(name, self._address, *arguments)
             except Error as error:
                 if name == "contact_stress_history" and error.status != ERANGE:  # arrays of one size
-                    self._find_fault(tuple(map(np.asarray, given[:4])), given[4], given[5])
+                    self._find_fault(tuple(map(np.asarray, arguments[:4])), arguments[4], arguments[5])
                 raise
 
     @property
@@ -537,86 +536,6 @@ class Contact(ContactMethods, Handle):
     def sigma(self) -> float:
         """The present bulk tension, stress."""
         return self.loads.sigma
-
-    @property
-    def half_width(self) -> float:
-        """Half-width b of the contact, length; 0 when separated. Source: Eq. (7), (11), (15), inverse."""
-        return self._value(_half_width)
-
-    @property
-    def stick_half_width(self) -> float:
-        """Half-width c of the stick zone, length: where c < abs(x) < b friction is exhausted. It is b where there is no such
-        zone, 0 in full sliding and when separated. Source: Eq. (25); new."""
-        return self._value(_stick_half_width)
-
-    @property
-    def memory(self) -> int:
-        """How many points of its history the contact remembers; 0 when separated. The time of its methods grows like it."""
-        return self._value(_memory)
-
-    @property
-    def dissipated_energy(self) -> float:
-        """Energy dissipated by friction since the contact was created, per unit thickness (a force). Never falls. Without
-        the rigid displacement in full sliding. Source: new."""
-        return self._value(_dissipated_energy)
-
-    def tractions(self, x: Numbers) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Pressure p and shear traction q at points of the surface, stress, in the shape of x: compression negative; q = f p
-        where it slips under Q > 0. Both are 0 for abs(x) >= b.
-
-        Parameters
-        ----------
-        x : array_like
-            length, finite; NaN gives NaN
-
-        Raises
-        ------
-        ValueError
-            outside the domain, also at the apex x = 0 of the loaded sharp wedge
-
-        Source: Eq. (8), (12), (14), (22) to (27).
-        """
-        with self._lock:
-            return _tractions(self._address, x)
-
-    def stresses(self, x: Numbers, y: Numbers) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Stresses sxx, syy, txy at points (x, y) of the half-plane, tension positive, in the broadcast shape of x and y.
-
-        Parameters
-        ----------
-        x, y : array_like
-            length, finite, y >= 0; NaN gives NaN
-
-        Raises
-        ------
-        ValueError
-            outside the domain, also at the apex of the loaded sharp wedge
-
-        Source: Eq. (28), (32), (33); new.
-        """
-        with self._lock:
-            return _stresses(self._address, x, y)
-
-    def slip(self, x: Numbers) -> NDArray[Any]:
-        """Slip at points of the surface, length, in the shape of x: the tangential displacement of the half-plane's surface
-        relative to the wedge's since the point last came into contact. It has the sign of q while it grows. 0 where a
-        point has stuck ever since. In full sliding it is the least that the loads need.
-
-        Parameters
-        ----------
-        x : array_like
-            length, abs(x) <= b: points outside have no partner; NaN gives NaN
-
-        Raises
-        ------
-        ValueError
-            outside the contact; off the centre, where it is not known
-
-        Source: Eq. (17) to (21); new.
-        """
-        with self._lock:
-            check("contact_slip", _slip_of(self._address, 0, None, None))
-            return _slip(self._address, x)
 
     def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:
         """How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the

@@ -36,19 +36,27 @@ class Damage(NamedTuple):
 
 
 class Criteria:
-    """What a class gains that has stresses, (load, point, component)."""
+    """What a class gains that has stresses, (load, point, component).
+
+    Each criterion is that of the function of its name, with these parameters:
+
+    material : mapping
+        the constants that it names
+    plane_stress : bool
+        plane stress, for contacts with such a compliance; plane strain otherwise
+    """
 
     stress: NDArray[np.float64]
 
     def _measured(self, name: str, material: Material, plane_stress: bool, constants: tuple[Any, ...]) -> Any:
         """rwedge_name() at every point; constants: numbers, or names of the material's."""
-        numbers = [self._constant(material, one) if isinstance(one, str) else one for one in constants]
+        numbers = [self._constant(material, value) if isinstance(value, str) else value for value in constants]
         if plane_stress and "E" not in constants:
             numbers[0] = 0.0  # nu counts for the stress across the plane alone
         if "E" in constants:
             numbers.insert(2, int(plane_stress))
-        known = not np.isnan(self.stress).any()
-        with np.errstate(**{} if known else {"invalid": "ignore"}):
+        errors: Any = {"invalid": "ignore"} if np.isnan(self.stress).any() else {}
+        with np.errstate(**errors):
             return Formula(UFUNCS[name])(*np.moveaxis(self.stress, -1, 0), *numbers, axis=0)
 
     @staticmethod
@@ -61,103 +69,39 @@ class Criteria:
         return real("fs_k", material.get("fs_k", 1)) / self._constant(material, "yield_stress")
 
     def smith_watson_topper(self, material: Material, plane_stress: bool = False) -> Plane:
-        """Smith, Watson and Topper's parameter over all planes, a stress. Its strain is an amplitude.
-
-        Parameters
-        ----------
-        material : mapping
-            the constants ``E`` and ``nu``
-        plane_stress : bool
-            plane stress, for contacts with such a compliance; plane strain otherwise
-
-        Source: ``smith_watson_topper_planes``.
-        """
+        """Smith, Watson and Topper's parameter over all planes, a stress. Its strain is an amplitude. Constants: ``E``, ``nu``.
+        Source: ``smith_watson_topper_planes``."""
         return Plane(*self._measured("smith_watson_topper_planes", material, plane_stress, ("E", "nu")))
 
     def fatemi_socie(self, material: Material, plane_stress: bool = False) -> Plane:
-        """Fatemi and Socie's parameter over all planes. Its strain is an amplitude.
-
-        Parameters
-        ----------
-        material : mapping
-            the constants ``E``, ``nu``, ``yield_stress`` and ``fs_k``, 1 where it is missing
-        plane_stress : bool
-            as in ``smith_watson_topper``
-
-        Source: ``fatemi_socie_planes``.
-        """
+        """Fatemi and Socie's parameter over all planes. Its strain is an amplitude. Constants: ``E``, ``nu``, ``yield_stress``,
+        and ``fs_k``, 1 where it is missing. Source: ``fatemi_socie_planes``."""
         constants = "E", "nu", self._k_over_sy(material)
         return Plane(*self._measured("fatemi_socie_planes", material, plane_stress, constants))
 
     def findley(self, material: Material, plane_stress: bool = False) -> Plane:
-        """Findley's parameter, a stress: the largest amplitude of the shear + k times the largest normal stress.
-
-        Parameters
-        ----------
-        material : mapping
-            the constants ``nu`` and ``findley_k``
-        plane_stress : bool
-            as in ``smith_watson_topper``
-
-        Source: ``findley``.
-        """
+        """Findley's parameter, a stress: the largest amplitude of the shear + k times the largest normal stress. Constants:
+        ``nu``, ``findley_k``. Source: ``findley``."""
         return Plane(*self._measured("findley", material, plane_stress, ("nu", "findley_k")))
 
     def modified_wohler(self, material: Material, plane_stress: bool = False) -> Plane:
-        """Susmel's modified Wöhler curve, a stress: on the plane of the largest amplitude of the shear.
-
-        Parameters
-        ----------
-        material : mapping
-            the constants ``nu`` and ``kappa``
-        plane_stress : bool
-            as in ``smith_watson_topper``
-
-        Source: ``modified_wohler``.
-        """
+        """Susmel's modified Wöhler curve, a stress: on the plane of the largest amplitude of the shear. Constants: ``nu``,
+        ``kappa``. Source: ``modified_wohler``."""
         return Plane(*self._measured("modified_wohler", material, plane_stress, ("nu", "kappa")))
 
     def mcdiarmid(self, material: Material, plane_stress: bool = False) -> Plane:
-        """McDiarmid's criterion, a ratio that is safe below 1.
-
-        Parameters
-        ----------
-        material : mapping
-            the constants ``nu``, ``t_A`` and ``su``
-        plane_stress : bool
-            as in ``smith_watson_topper``
-
-        Source: ``mcdiarmid``.
-        """
+        """McDiarmid's criterion, a ratio that is safe below 1. Constants: ``nu``, ``t_A``, ``su``. Source: ``mcdiarmid``."""
         return Plane(*self._measured("mcdiarmid", material, plane_stress, ("nu", "t_A", "su")))
 
     def crossland(self, material: Material, plane_stress: bool = False) -> NDArray[np.float64]:
-        """Crossland's criterion, a stress: the amplitude of sqrt(J2) + alpha times the largest hydrostatic stress.
-
-        Parameters
-        ----------
-        material : mapping
-            the constants ``nu`` and ``crossland_alpha``
-        plane_stress : bool
-            as in ``smith_watson_topper``
-
-        Source: ``crossland``.
-        """
+        """Crossland's criterion, a stress: the amplitude of sqrt(J2) + alpha times the largest hydrostatic stress. Constants:
+        ``nu``, ``crossland_alpha``. Source: ``crossland``."""
         value: NDArray[np.float64] = self._measured("crossland", material, plane_stress, ("nu", "crossland_alpha"))
         return value
 
     def dang_van(self, material: Material, plane_stress: bool = False) -> NDArray[np.float64]:
         """Dang Van's criterion, a stress: the largest shear about the centre of the path + alpha times the hydrostatic stress.
-
-        Parameters
-        ----------
-        material : mapping
-            the constants ``nu`` and ``dang_van_alpha``
-        plane_stress : bool
-            as in ``smith_watson_topper``
-
-        Source: ``dang_van``.
-        """
+        Constants: ``nu``, ``dang_van_alpha``. Source: ``dang_van``."""
         value: NDArray[np.float64] = self._measured("dang_van", material, plane_stress, ("nu", "dang_van_alpha"))
         return value
 
@@ -174,7 +118,7 @@ class Criteria:
         criterion : {"swt", "fatemi-socie"}
             which counts
         plane_stress : bool
-            as in ``smith_watson_topper``
+            plane stress; plane strain otherwise
 
         Source: ``smith_watson_topper_damage``, ``fatemi_socie_damage``.
 

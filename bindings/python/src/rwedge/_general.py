@@ -15,9 +15,9 @@ from ._library import EDOMAIN, ERANGE, Error, check, function, integer, real
 _TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
 
 
-def _numbers(name: str, given: Any, dimensions: int) -> NDArray[Any]:
-    refuse_labels(name, given)
-    array = np.ascontiguousarray(np.asarray(given).astype(float, casting="safe", copy=False))
+def _numbers(name: str, value: Any, dimensions: int) -> NDArray[Any]:
+    refuse_labels(name, value)
+    array = np.ascontiguousarray(np.asarray(value).astype(float, casting="safe", copy=False))
     if array.ndim != dimensions:
         raise Error(f"{name} has the shape {array.shape}: the number of its dimensions must be {dimensions}", ERANGE)
     for place in np.argwhere(np.isnan(array)):
@@ -28,13 +28,13 @@ def _numbers(name: str, given: Any, dimensions: int) -> NDArray[Any]:
 class _Call:
     """One call: the arguments of C, from those of Python."""
 
-    def __init__(self, name: str, address: Any, given: tuple[Any, ...]) -> None:
+    def __init__(self, name: str, address: Any, arguments: tuple[Any, ...]) -> None:
         self.name, self.about, self.address = name, FUNCTIONS[name], address
         inputs = [n for (_, n), role in zip(self.about["parameters"], self.about["roles"]) if role in ("in", "in array")]
-        self.given, self.sizes = dict(zip(inputs, given)), self._given_sizes()
+        self.values, self.sizes = dict(zip(inputs, arguments)), self._told_sizes()
         self.outputs: dict[str, NDArray[Any]] = {}
 
-    def _given_sizes(self) -> dict[str, int]:
+    def _told_sizes(self) -> dict[str, int]:
         return {size: function(teller)(self.address) for size, teller in self.about["given by"].items()}
 
     def _measure(self, name: str, array: NDArray[Any]) -> None:
@@ -43,20 +43,17 @@ class _Call:
                 raise Error(f"{name} has the shape {array.shape}, where others have {self.sizes[size]} in place of {count}", ERANGE)
 
     def arguments(self) -> list[Any]:
-        values = []
         for (kind, name), role in zip(self.about["parameters"], self.about["roles"]):
             if role == "in array":
-                self.given[name] = _numbers(name, self.given[name], len(self.about["sizes"][name]))
-                self._measure(name, self.given[name])
+                self.values[name] = _numbers(name, self.values[name], len(self.about["sizes"][name]))
+                self._measure(name, self.values[name])
             elif role == "in":
-                self.given[name] = _TYPES[kind](name, self.given[name])
-        for (_, name), role in zip(self.about["parameters"], self.about["roles"]):
-            values.append(self._argument(name, role))
-        return values
+                self.values[name] = _TYPES[kind](name, self.values[name])
+        return [self._argument(name, role) for (_, name), role in zip(self.about["parameters"], self.about["roles"])]
 
     def _argument(self, name: str, role: str) -> Any:
         if role in ("in", "in array"):
-            value = self.given[name]
+            value = self.values[name]
             return value if role == "in" else value.ctypes.data
         if role == "size":
             return self.sizes[name]
@@ -71,11 +68,11 @@ class _Call:
             return (result.decode(), *map(float, self.outputs.values())) if self.outputs else result.decode()
         if not self.outputs and not self.about["status"]:
             return result
-        check(self.name, result, {n: v for n, v in self.given.items() if not isinstance(v, np.ndarray)})
+        check(self.name, result, {n: v for n, v in self.values.items() if not isinstance(v, np.ndarray)})
         results = tuple(array if array.ndim else float(array) for array in self.outputs.values())
         return results if len(results) > 1 else results[0] if results else None
 
 
-def call(name: str, address: Any, *given: Any) -> Any:
+def call(name: str, address: Any, *arguments: Any) -> Any:
     """The results of rwedge_name(): a number, an array, or a tuple of them."""
-    return _Call(name, address, given).results()
+    return _Call(name, address, arguments).results()

@@ -17,9 +17,7 @@ from ._types import Numbers
 from ._ufuncs import Points
 
 _create, _fit, _destroy = (function("series_" + name) for name in ("create", "fit", "destroy"))
-_terms, _residual = function("series_terms"), function("series_residual")
-_coefficient, _pressure, _potential, _stress = (
-    Points("series_" + name) for name in ("coefficient", "pressure", "potential", "stress"))
+_coefficient, _potential = Points("series_coefficient"), Points("series_potential")
 
 
 def _samples(numbers: Any) -> NDArray[Any]:
@@ -101,28 +99,19 @@ class Series(SeriesMethods, Handle):
     def __repr__(self) -> str:
         return f"<rwedge.Series of {self.terms} terms, residual {self.residual}>"
 
-    def _call(self, name: str, *given: Any) -> Any:
-        return call(name, self._address, *given)
+    def _call(self, name: str, *arguments: Any) -> Any:
+        return call(name, self._address, *arguments)
 
-    @property
-    def terms(self) -> int:
-        """How many coefficients it holds."""
-        return _terms(self._address)
+    def _read(self, read: Any) -> Any:
+        return read(self._address)
+
+    def _at(self, points: Points, *arguments: Any) -> Any:
+        return points(self._address, *arguments)
 
     @property
     def coefficients(self) -> NDArray[Any]:
         """The coefficients a_k, k = 0 ... terms-1."""
         return _coefficient(self._address, np.arange(self.terms))
-
-    @property
-    def residual(self) -> float:
-        """Error of the series as a pressure: of the analytic one an upper bound of what is cut off, the sum of all further
-        abs(a_k) (inf for the sharp wedge); of a fit the root mean square of fit minus sample."""
-        return _residual(self._address)
-
-    def pressure(self, x: Numbers) -> NDArray[Any]:
-        """The pressure at x, finite; 0 for abs(x) >= 1; NaN gives NaN. ValueError where x is infinite. Source: Eq. (29)."""
-        return _pressure(self._address, x)
 
     def potential(self, f: Numbers, x: Numbers, y: Numbers) -> NDArray[Any]:
         """Muskhelishvili's potential Phi for q = f p, complex, in the broadcast shape of the arguments.
@@ -143,23 +132,3 @@ class Series(SeriesMethods, Handle):
         """
         real_part, imaginary_part = _potential(self._address, f, x, y)
         return real_part + 1j * imaginary_part
-
-    def stress(self, f: Numbers, x: Numbers, y: Numbers) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Stresses sxx, syy, txy for q = f p, in theta/A, tension positive, in the broadcast shape of the arguments. At the
-        edges they converge slowly.
-
-        Parameters
-        ----------
-        f : array_like
-            coefficient of friction, 0 <= f <= 1e6
-        x, y : array_like
-            a point, in b, finite, y >= 0; NaN gives NaN
-
-        Raises
-        ------
-        ValueError
-            outside the domain
-
-        Source: Eq. (32), (33).
-        """
-        return _stress(self._address, f, x, y)

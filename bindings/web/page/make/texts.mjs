@@ -15,6 +15,13 @@ function section(text, heading) {
 /** Links lead to files that are not beside the page: their text stays. */
 const withoutLinks = (text) => text.replace(/\[([^\]]*)\]\([^)]*\)/g, "$1");
 
+/** TeX between dollars as MathML. A line over letters would be a style, as others are: the page's policy forbids them; a bar is a letter. */
+function withFormulas(text, temml) {
+    const mathML = (tex) =>
+        temml.renderToString(tex.replaceAll("\\overline", "\\bar"), { throwOnError: true }).replace(/ style="[^"]*"/g, "");
+    return text.replace(/\$([^$\n]+)\$/g, (_, tex) => mathML(tex).replaceAll("|", "&#124;"));
+}
+
 /** The packages that are in the bundle, and their licences. */
 const inPage = [
     "d3-array",
@@ -47,9 +54,11 @@ function licences(modules, folder) {
 }
 
 export function texts(top, modules, folder) {
-    const { marked } = createRequire(`${modules}/`)("marked");
+    const need = createRequire(`${modules}/`),
+        { marked } = need("marked"),
+        temml = need("temml");
     const read = (name) => readFileSync(`${top}/${name}`, "utf8");
-    const html = (text) => marked.parse(withoutLinks(text), { async: false });
+    const html = (text) => marked.parse(withoutLinks(withFormulas(text, temml)), { async: false });
     const library = read("lib/README.md"),
         front = read("README.md");
     return {

@@ -240,5 +240,5 @@ bool answers_course(char *lines, contact_case *setup, load *form)
                    number_of(&texts, INPUT_Q), number_of(&texts, INPUT_SIGMA)};
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         texts.text[i] = NULL;
-    return write_case(&texts, CASE_OF_COURSE, setup);
+    return write_case(&texts, CASE_OF_HISTORY, setup);
 }

@@ -16,6 +16,11 @@ const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3
 const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const optionsOf = (texts) => Object.entries(texts).flatMap(([name, text]) => [`--${inputs[name].option}`, text]);
 
+function assertNear(value, expected, tolerance, about) {
+    const difference = Math.abs(Number(value) - expected);
+    assert.ok(difference <= tolerance * Math.abs(expected), `${about}: ${value}, not ${expected}`);
+}
+
 function run(args, input) {
     return spawnSync(process.env.TOOL, args, { encoding: "utf8", input });
 }
@@ -58,8 +63,7 @@ test("the decimal comma is read in pasted rows where it is chosen", () => {
     ]).stdout;
     const [names, values] = told.split("\n").map((line) => line.split(","));
     const { results } = solveRows("P;Q\n300,5;40,25\n", { ...bodies, yield_stress: "900" }, ",");
-    const safety = Number(rows[0].values[results.indexOf("safety")]);
-    assert.ok(Math.abs(safety / Number(values[names.indexOf("safety")]) - 1) < 1e-12);
+    assertNear(rows[0].values[results.indexOf("safety")], Number(values[names.indexOf("safety")]), 1e-12, "safety");
 });
 
 test("surplus cells in the loads of a cycle are refused as by the tool", () => {
@@ -144,7 +148,7 @@ test("a profile is read with tabs, spaces or decimal commas, with names or as x 
         return results?.b ?? verdict.text;
     };
     const b = width(",", ["x,height"], ".");
-    assert.ok(Math.abs(b / solveHolding({ ...rest, radius: "10" }, ".").results.b - 1) < 0.02, String(b));
+    assertNear(b, solveHolding({ ...rest, radius: "10" }, ".").results.b, 0.02, "b");
     for (const pasted of [width("\t", ["x\theight"], "."), width(" ", [], "."), width(";", ["x;height"], ",")])
         assert.equal(pasted, b);
     assert.match(width(",", ["x,depth"], "."), /^CHECK THE INPUTS: profile .*column slope: missing/);
@@ -205,10 +209,10 @@ test("what gives a safety is found: solved forwards it has it, and the tool find
         const { value } = findInput(texts, ".", name, 1.5);
         for (const other of name === "radius" ? ["a"] : [name]) delete texts[other];
         const { safety } = solveHolding({ ...texts, [name]: String(value) }, ".").results;
-        assert.ok(Math.abs(safety / 1.5 - 1) < 1e-12, `${name} ${value}: ${safety}`);
+        assertNear(safety, 1.5, 1e-12, `${name} ${value}`);
         const told = run(["solve", ...optionsOf(texts), "--for", name, "--safety", "1.5"]).stdout;
         const line = told.split("\n").find((text) => text.startsWith(`${name},`));
-        assert.ok(Math.abs(Number(line.split(",")[1]) / value - 1) < 1e-12, `${name} ${value}: ${line}`);
+        assertNear(line.split(",")[1], value, 1e-12, name);
     }
     assert.match(findInput(usual, ".", "f", 9).complaint, /^no solution: even without friction the safety is \d/);
 });
@@ -222,9 +226,9 @@ test("converted to other units a case is the same", () => {
     );
     const [here, there] = [usual, inches].map((texts) => solveHolding(texts, ".").results);
     for (const name of ["safety", "yield_factor", "a_over_b", "c_over_b"])
-        assert.ok(Math.abs(there[name] / here[name] - 1) < 1e-12, name);
-    assert.ok(Math.abs((there.b * 25.4) / here.b - 1) < 1e-12);
-    assert.ok(Math.abs((there.p0 * 0.006894757293168361) / here.p0 - 1) < 1e-12);
+        assertNear(there[name], here[name], 1e-12, name);
+    assertNear(there.b * 25.4, here.b, 1e-12, "b");
+    assertNear(there.p0 * 0.006894757293168361, here.p0, 1e-12, "p0");
     assert.equal(conversion("mm", "any", "length"), 1);
 });
 
@@ -243,7 +247,7 @@ test("bodies of two materials under tension: body 1 is stretched by its own comp
     const answer = solveHolding(texts, "."),
         { results } = answer;
     assert.match(asPython({ ...answer, pad: "wedge" }), /^contact\.set_strain\(\(1 - nu1\*\*2\) \/ E1\)/m);
-    assert.ok(Math.abs((results.stick_left + results.stick_right) / 2 / 0.6 - 1) < 1e-6); // R strain sigma/f
+    assertNear((results.stick_left + results.stick_right) / 2, 0.6, 1e-6, "R strain sigma/f");
 });
 
 test("a cycle without a table is that of the tool after P and M", () => {
@@ -258,10 +262,7 @@ test("a cycle without a table is that of the tool after P and M", () => {
         );
         const answer = answerOf({ ...usual, ...texts }, "", ".", "3", chosen);
         assert.equal(answer.complaint, undefined);
-        assert.ok(
-            Math.abs(answer.worst.swt.value / Number(worst.swt[2]) - 1) < 5e-6,
-            `${answer.worst.swt.value} ${told.stderr}`,
-        );
+        assertNear(answer.worst.swt.value, Number(worst.swt[2]), 5e-6, told.stderr);
     }
     assert.match(answerOf({ ...usual, Q: "0" }, "", ".", "3", chosen).complaint, /both are 0$/);
 });

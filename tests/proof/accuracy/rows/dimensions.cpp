@@ -34,8 +34,7 @@ bool draw_radius(probe *call)
 {
     const double theta = argument(call, "theta", some_angle(call)),
                  a = argument(call, "a", some_unit(call));
-    call->result[0] = rwedge_radius(theta, a);
-    return true;
+    return gives(call, rwedge_radius(theta, a));
 }
 
 ball judge_radius(const probe &call)
@@ -47,8 +46,7 @@ bool draw_rounding(probe *call)
 {
     const double theta = argument(call, "theta", some_angle(call)),
                  R = argument(call, "R", some_unit(call));
-    call->result[0] = rwedge_rounding(theta, R);
-    return true;
+    return gives(call, rwedge_rounding(theta, R));
 }
 
 ball judge_rounding(const probe &call)
@@ -77,8 +75,7 @@ bool draw_normal_load(probe *call)
     double v[3];
     const double ratio = some_geometry(call, v);
     const double b = argument(call, "b", v[1] > 0 ? v[1] * sqrt(ratio) : ratio);
-    call->result[0] = rwedge_normal_load(v[0], v[1], v[2], b);
-    return true;
+    return gives(call, rwedge_normal_load(v[0], v[1], v[2], b));
 }
 
 /* (theta/A) times the force of the half-width b. */
@@ -169,9 +166,8 @@ bool draw_yield_load(probe *call)
         return false;
     r[1] = v[1] / rwedge_half_width(v[0], v[1], v[2], r[0]);
     double limit;
-    if (isinf(r[0]) || rwedge_yield_point(fmin(1, r[1]), f, nu, &limit, &r[2], &r[3]) != RWEDGE_OK)
-        r[0] = NAN;
-    return true;
+    return gives_if(call,
+                    isinf(r[0]) || rwedge_yield_point(fmin(1, r[1]), f, nu, &limit, &r[2], &r[3]));
 }
 
 /* For Hertz the peak is that of alpha = 1 over alpha. */

@@ -455,42 +455,6 @@ ball judge_permanent(const probe &call)
     return front_error(r, e, larger, sticking);
 }
 
-/* ---- A history of stresses: the bits of single calls ---- */
-
-bool draw_stress_history(probe *call)
-{
-    enum { LOADS = 3 };
-    if (!some_pressing(call))
-        return false;
-    const double *v = call->value, f = argument(call, "f", log_between(call, 0.01, 2));
-    rwedge_contact *one = pressed(call, f), *other = NULL;
-    if (!one || rwedge_contact_copy(one, &other) != RWEDGE_OK) {
-        rwedge_contact_destroy(one);
-        return false;
-    }
-    const double b = rwedge_contact_half_width(one);
-    const double x = argument(call, "x", b * (4 * uniform(call) - 2)),
-                 y = argument(call, "y", b * uniform(call));
-    double P[LOADS], M[LOADS], Q[LOADS], sigma[LOADS] = {}, s[3][LOADS], single[3];
-    for (int i = 0; i < LOADS; i++) {
-        P[i] = v[LOAD];
-        M[i] = v[MOMENT];
-        Q[i] = f * v[LOAD] * (i == 1 ? -0.8 : 0.8) * uniform(call);
-    }
-    int32_t status =
-        rwedge_contact_stress_history(one, LOADS, P, M, Q, sigma, 1, &x, &y, s[0], s[1], s[2]);
-    for (int i = 0; i < LOADS && status == RWEDGE_OK; i++) {
-        status = rwedge_contact_apply(other, P[i], M[i], Q[i], sigma[i]);
-        if (status == RWEDGE_OK)
-            status = rwedge_contact_stresses(other, 1, &x, &y, &single[0], &single[1], &single[2]);
-        for (int k = 0; k < 3; k++)
-            call->result[0] = fmax(call->result[0], fabs(s[k][i] - single[k]));
-    }
-    rwedge_contact_destroy(one);
-    rwedge_contact_destroy(other);
-    return status == RWEDGE_OK;
-}
-
 #define PATCHES "M; edges dense at -a, a; s from 1e-15 a; \\|delta\\| to 1 - 1e-9"
 
 } // namespace
@@ -511,7 +475,5 @@ const row ECCENTRIC_ROWS[] = {
     {"permanent_stick", "P, M constant or in proportion",
      "of the contact's width or \\|x\\|, over 1 - \\|delta\\| and the root of what sticks of P",
      1e-14, "1e-14", 1, draw_permanent, judge_permanent},
-    {"contact_stress_history", "three loads", "from `contact_stresses`", 0, "the same", 0.3,
-     draw_stress_history, judge_difference},
     {},
 };

@@ -93,8 +93,7 @@ double some_contact_place(probe *call, const rwedge_contact *contact)
 
 template <double (*measured)(const rwedge_contact *)> bool draw_measured(probe *call)
 {
-    call->result[0] = measured(some_contact(call));
-    return true;
+    return gives(call, measured(some_contact(call)));
 }
 
 /* ---- The exact state ---- */
@@ -320,9 +319,7 @@ bool draw_slip(probe *call)
     const double x = argument(call, "x", some_contact_place(call, contact));
     if (fabs(x) > rwedge_contact_half_width(contact))
         return false;
-    if (rwedge_contact_slip(contact, 1, &x, &call->result[0]) != RWEDGE_OK)
-        call->result[0] = NAN;
-    return true;
+    return gives_if(call, rwedge_contact_slip(contact, 1, &x, &call->result[0]));
 }
 
 /* sum (D_i - D_(i+1)) gap_i(x) - D_1 h(x): the displacement of a path over f theta. */
@@ -401,9 +398,7 @@ bool draw_yield_factor(probe *call)
     const double nu = argument(call, "nu", 0.5 - log_between(call, 1e-4, 0.5)),
                  k = argument(call, "k", 1);
     double *r = call->result;
-    if (rwedge_contact_yield_factor(contact, nu, k, &r[0], &r[1], &r[2]) != RWEDGE_OK)
-        r[0] = NAN;
-    return true;
+    return gives_if(call, rwedge_contact_yield_factor(contact, nu, k, &r[0], &r[1], &r[2]));
 }
 
 /* dJ2/dx along the surface, and its derivative. */

@@ -91,8 +91,7 @@ ball judge_beta(const probe &call)
 
 bool draw_load(probe *call)
 {
-    call->result[0] = rwedge_load(argument(call, "alpha", some_alpha(call)));
-    return true;
+    return gives(call, rwedge_load(argument(call, "alpha", some_alpha(call))));
 }
 
 ball judge_load(const probe &call)
@@ -102,8 +101,7 @@ ball judge_load(const probe &call)
 
 bool draw_load_derivative(probe *call)
 {
-    call->result[0] = rwedge_load_derivative(argument(call, "alpha", some_alpha(call)));
-    return true;
+    return gives(call, rwedge_load_derivative(argument(call, "alpha", some_alpha(call))));
 }
 
 /* alpha^2 d/dalpha of the load is alpha c0 - phi0. */
@@ -120,8 +118,7 @@ ball judge_load_derivative(const probe &call)
 
 bool draw_tension_derivative(probe *call)
 {
-    call->result[0] = rwedge_max_tension_derivative(argument(call, "alpha", some_alpha(call)));
-    return true;
+    return gives(call, rwedge_max_tension_derivative(argument(call, "alpha", some_alpha(call))));
 }
 
 ball judge_tension_derivative(const probe &call)
@@ -140,8 +137,7 @@ bool draw_a_over_b(probe *call)
                         : kind < 0.9  ? log_between(call, 1e-10, hertz)
                         : kind < 0.95 ? near(call, 2e8)
                                       : log_between(call, 1e-119, 1e60);
-    call->result[0] = rwedge_a_over_b(argument(call, "AP_over_theta_a", load));
-    return true;
+    return gives(call, rwedge_a_over_b(argument(call, "AP_over_theta_a", load)));
 }
 
 /* b/a, the half-width for a = 1, is what is enclosed. */
@@ -167,8 +163,7 @@ ball judge_pressure(const probe &call)
 
 bool draw_peak(probe *call)
 {
-    call->result[0] = rwedge_peak_pressure(argument(call, "alpha", some_rounded_alpha(call)));
-    return true;
+    return gives(call, rwedge_peak_pressure(argument(call, "alpha", some_rounded_alpha(call))));
 }
 
 /* Eq. (10): (2/pi) [phi0/alpha - ln tan(phi0/2)]. */
@@ -182,8 +177,8 @@ ball judge_peak(const probe &call)
 
 bool draw_transition(probe *call)
 {
-    call->result[0] = rwedge_transition_pressure(argument(call, "alpha", some_rounded_alpha(call)));
-    return true;
+    return gives(call,
+                 rwedge_transition_pressure(argument(call, "alpha", some_rounded_alpha(call))));
 }
 
 /* Eq. (9): (1/pi) [2 phi0 cot(phi0) - ln(tan(phi0) sin(2 phi0)/2)]. */
@@ -230,8 +225,7 @@ bool draw_coefficient(probe *call)
     const double kind = uniform(call);
     const double n = argument(
         call, "n", floor(kind < 0.4 ? between(call, 0, 20) : log_between(call, 1, 2147483647.0)));
-    call->result[0] = rwedge_coefficient(alpha, (int32_t)n);
-    return true;
+    return gives(call, rwedge_coefficient(alpha, (int32_t)n));
 }
 
 ball judge_coefficient(const probe &call)

@@ -114,22 +114,6 @@ ball judge_limit_gradient(const probe &call)
            fmin(1, at.flatness) * fmin(1, 1e4 / (v[1] * v[1] + 1));
 }
 
-bool draw_elastic_limits(probe *call)
-{
-    double v[3], alpha[3], f[3], limit[3], *r = call->result;
-    some_strength(call, v);
-    for (int i = 0; i < 3; i++) {
-        alpha[i] = i == 1 ? v[0] : 0.1 * (i + 1);
-        f[i] = i == 1 ? v[1] : 0.5;
-    }
-    double own;
-    if (rwedge_yield_point(v[0], v[1], v[2], &own, &r[1], &r[2]) != RWEDGE_OK ||
-        rwedge_elastic_limits(3, alpha, f, v[2], limit) != RWEDGE_OK)
-        limit[1] = NAN;
-    r[0] = limit[1];
-    return true;
-}
-
 bool draw_subsurface(probe *call)
 {
     double v[3], *r = call->result;
@@ -137,9 +121,7 @@ bool draw_subsurface(probe *call)
     const int32_t status = rwedge_subsurface_yield(v[0], v[1], v[2], &r[0], &r[1], &r[2]);
     if (status == RWEDGE_EABSENT && !has_maximum_below(v[0], v[1], v[2]))
         return false;
-    if (status != RWEDGE_OK)
-        r[0] = NAN;
-    return true;
+    return gives_if(call, status);
 }
 
 bool draw_surface(probe *call)
@@ -232,7 +214,6 @@ const row STRENGTH_ROWS[] = {
     {"elastic_limit_gradient", "the same",
      "of max(derivative, limit; limit/alpha), times flatness, over max(1, (f/100)^2)", 1e-11,
      "1e-11", 0.1, draw_limit_gradient, judge_limit_gradient},
-    {"elastic_limits", "the same", "relative", 1e-12, "1e-12", 1, draw_elastic_limits, judge_limit},
     {"subsurface_yield", "where it exists", "relative", 1e-12, "1e-12", 1, draw_subsurface,
      judge_limit},
     {"surface_yield", "the same", "relative", 1e-12, "1e-12", 1, draw_surface, judge_limit},

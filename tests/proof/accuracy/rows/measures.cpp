@@ -53,8 +53,8 @@ bool draw_von_mises(probe *call)
 {
     double s[3];
     draw_stress(call, s);
-    call->result[0] = rwedge_von_mises(s[0], s[1], s[2], argument(call, "nu", some_poisson(call)));
-    return true;
+    return gives(call,
+                 rwedge_von_mises(s[0], s[1], s[2], argument(call, "nu", some_poisson(call))));
 }
 
 ball judge_von_mises(const probe &call)
@@ -67,9 +67,8 @@ bool draw_largest_shear(probe *call)
 {
     double s[3];
     draw_stress(call, s);
-    call->result[0] =
-        rwedge_largest_shear(s[0], s[1], s[2], argument(call, "nu", some_poisson(call)));
-    return true;
+    return gives(call,
+                 rwedge_largest_shear(s[0], s[1], s[2], argument(call, "nu", some_poisson(call))));
 }
 
 /* The largest of |s1-s2|/2 and |s1-szz|/2, |s2-szz|/2, the larger of which is (R + |s-szz|)/2. */
@@ -83,9 +82,8 @@ bool draw_out_of_plane(probe *call)
 {
     const double sxx = argument(call, "sxx", some_stress(call, 1)),
                  syy = argument(call, "syy", some_stress(call, sxx));
-    call->result[0] =
-        rwedge_out_of_plane_stress(sxx, syy, argument(call, "nu", some_poisson(call)));
-    return true;
+    return gives(call,
+                 rwedge_out_of_plane_stress(sxx, syy, argument(call, "nu", some_poisson(call))));
 }
 
 ball judge_out_of_plane(const probe &call)
@@ -98,9 +96,7 @@ bool draw_principal(probe *call)
 {
     double s[3], *r = call->result;
     draw_stress(call, s);
-    if (rwedge_principal_stresses(s[0], s[1], s[2], &r[0], &r[1], &r[2]) != RWEDGE_OK)
-        r[0] = NAN;
-    return true;
+    return gives_if(call, rwedge_principal_stresses(s[0], s[1], s[2], &r[0], &r[1], &r[2]));
 }
 
 /* Of the larger of |s1|, |s2|. */
@@ -299,44 +295,8 @@ bool draw_smith_watson_topper(probe *call)
     draw_cycle(call, s);
     const double E = argument(call, "E", log_between(call, 1e-3, 1e6)),
                  nu = argument(call, "nu", some_poisson(call));
-    if (rwedge_smith_watson_topper(LOADS, s[0], s[1], s[2], E, nu, &call->result[0],
-                                   &call->result[1]) != RWEDGE_OK)
-        call->result[0] = NAN;
-    return true;
-}
-
-/* The cycle at the second of two points. */
-typedef struct {
-    double sxx[2 * LOADS], syy[2 * LOADS], txy[2 * LOADS], value[2], angle[2];
-} pair_of_points;
-
-pair_of_points beside_another(double s[3][LOADS])
-{
-    pair_of_points p;
-    for (int i = 0; i < LOADS; i++) {
-        p.sxx[2 * i] = s[1][i] / 3, p.syy[2 * i] = s[2][i], p.txy[2 * i] = s[0][i];
-        p.sxx[2 * i + 1] = s[0][i], p.syy[2 * i + 1] = s[1][i], p.txy[2 * i + 1] = s[2][i];
-    }
-    return p;
-}
-
-void give_second(probe *call, const pair_of_points *p, int32_t status)
-{
-    call->result[0] = status == RWEDGE_OK ? p->value[1] : NAN;
-    call->result[1] = status == RWEDGE_OK ? p->angle[1] : NAN;
-}
-
-bool draw_smith_watson_topper_field(probe *call)
-{
-    double s[3][LOADS];
-    draw_cycle(call, s);
-    const double E = argument(call, "E", log_between(call, 1e-3, 1e6)),
-                 nu = argument(call, "nu", some_poisson(call));
-    pair_of_points p = beside_another(s);
-    give_second(
-        call, &p,
-        rwedge_smith_watson_topper_field(LOADS, 2, p.sxx, p.syy, p.txy, E, nu, p.value, p.angle));
-    return true;
+    return gives_if(call, rwedge_smith_watson_topper(LOADS, s[0], s[1], s[2], E, nu,
+                                                     &call->result[0], &call->result[1]));
 }
 
 double some_k_over_sy(probe *call, double s[3][LOADS])
@@ -345,29 +305,14 @@ double some_k_over_sy(probe *call, double s[3][LOADS])
     return argument(call, "k_over_sy", chance(call, 0.1) ? 0 : k);
 }
 
-bool draw_fatemi_socie_field(probe *call)
-{
-    double s[3][LOADS];
-    draw_cycle(call, s);
-    const double E = argument(call, "E", log_between(call, 1e-3, 1e6)),
-                 nu = argument(call, "nu", some_poisson(call)), k = some_k_over_sy(call, s);
-    pair_of_points p = beside_another(s);
-    give_second(
-        call, &p,
-        rwedge_fatemi_socie_field(LOADS, 2, p.sxx, p.syy, p.txy, E, nu, k, p.value, p.angle));
-    return true;
-}
-
 bool draw_fatemi_socie(probe *call)
 {
     double s[3][LOADS];
     draw_cycle(call, s);
     const double E = argument(call, "E", log_between(call, 1e-3, 1e6)),
                  nu = argument(call, "nu", some_poisson(call)), k = some_k_over_sy(call, s);
-    if (rwedge_fatemi_socie(LOADS, s[0], s[1], s[2], E, nu, k, &call->result[0],
-                            &call->result[1]) != RWEDGE_OK)
-        call->result[0] = NAN;
-    return true;
+    return gives_if(call, rwedge_fatemi_socie(LOADS, s[0], s[1], s[2], E, nu, k, &call->result[0],
+                                              &call->result[1]));
 }
 
 #define STRESS "1e-60 to 1e60, 0, dense where equal"
@@ -387,10 +332,6 @@ const row MEASURE_ROWS[] = {
      judge_angle},
     {"smith_watson_topper", "three loads, often equal or opposite", "of s^2 (1+nu)/E", 1e-14,
      "1e-14", 0.1, draw_smith_watson_topper, judge_plane},
-    {"smith_watson_topper_field", "the same, at two points", "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_smith_watson_topper_field, judge_plane},
-    {"fatemi_socie_field", "the same; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 0.1,
-     draw_fatemi_socie_field, judge_plane},
     {"fatemi_socie", "the same; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 0.1,
      draw_fatemi_socie, judge_plane},
     {},

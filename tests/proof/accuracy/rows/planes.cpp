@@ -10,12 +10,12 @@
 namespace
 {
 
-enum { FIELD = 2, LOADS = 2 };
+enum { LOADS = 2 };
 
 /* ---- Opposite loads ---- */
 
 typedef struct {
-    double sxx[LOADS], syy[LOADS], txy[LOADS];
+    double sxx[LOADS], syy[LOADS], txy[LOADS], nu;
 } cycle;
 
 /* Whether the principal stresses are apart: where they are nearly equal a curve of planes is nearly
@@ -28,16 +28,16 @@ bool are_apart(const double s[3], double nu)
 }
 
 /* Stresses of one load, and nu; the other load is the opposite one. */
-bool draw_cycle(probe *call, cycle *c, double *nu)
+bool draw_cycle(probe *call, cycle *c)
 {
     static const char *const NAMES[] = {"sxx", "syy", "txy"};
     const double size = log_between(call, 1e-50, 1e50);
     double s[3];
     for (int i = 0; i < 3; i++)
         s[i] = argument(call, NAMES[i], size * between(call, -1, 1));
-    *nu = argument(call, "nu", some_poisson(call));
-    *c = {{s[0], -s[0]}, {s[1], -s[1]}, {s[2], -s[2]}};
-    return are_apart(s, *nu);
+    const double nu = argument(call, "nu", some_poisson(call));
+    *c = {{s[0], -s[0]}, {s[1], -s[1]}, {s[2], -s[2]}, nu};
+    return are_apart(s, nu);
 }
 
 /* The largest principal stress of the load that was drawn, the one between, the smallest. */
@@ -45,7 +45,6 @@ struct principals {
     ball largest, between, smallest, szz;
 };
 
-/* The principal stresses of the load that was drawn, and the one out of the plane. */
 principals principals_of(const probe &call)
 {
     const ball sxx = call.value[0], syy = call.value[1], txy = call.value[2];
@@ -60,7 +59,6 @@ struct outermost {
     ball mean, half, s;
 };
 
-/* |s1+s3|/2 and (s1-s3)/2, of the outermost; and the largest magnitude. */
 outermost outermost_of(const principals &s)
 {
     const ball mean = abs(s.largest + s.smallest) / 2, half = (s.largest - s.smallest) / 2;
@@ -78,23 +76,17 @@ ball per_modulus(const probe &call)
     return (1 + ball(call.value[3])) / call.value[4];
 }
 
-void give(probe *call, int32_t status, double value)
-{
-    call->result[0] = status == RWEDGE_OK ? value : NAN;
-}
-
 /* ---- Findley, Fatemi and Socie ---- */
 
 bool draw_findley(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double k = argument(call, "k", chance(call, 0.1) ? 0 : between(call, 0, 1));
-    const int32_t status = rwedge_findley(LOADS, c.sxx, c.syy, c.txy, nu, k, &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(call, rwedge_findley(LOADS, c.sxx, c.syy, c.txy, c.nu, k, &value, &angle, &out),
+                    value);
 }
 
 /* k |s1+s3|/2 + sqrt(1+k^2) (s1-s3)/2 */
@@ -108,17 +100,17 @@ ball judge_findley(const probe &call)
 bool draw_fatemi_socie(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
-    const int32_t status =
-        rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, E, nu, 0, 0, &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(
+        call,
+        rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, E, c.nu, 0, 0, &value, &angle, &out),
+        value);
 }
 
-/* (1+nu)/E (s1-s3) */
+/* (1+c.nu)/E (s1-s3) */
 ball judge_fatemi_socie(const probe &call)
 {
     const outermost at = outermost_of(call);
@@ -130,19 +122,16 @@ ball judge_fatemi_socie(const probe &call)
 bool draw_smith_watson_topper(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
-    const int32_t status = rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, E, nu, 0,
-                                                             &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(call,
+                    rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, E, c.nu, 0,
+                                                      &value, &angle, &out),
+                    value);
 }
 
-/* A plane's normal stress and strain are means of the principal ones, with the squares of the
- * normal's cosines as weights: two linear functions on a triangle, whose product is largest on an
- * edge. */
 struct weights {
     ball stress, strain;
 };
@@ -179,14 +168,13 @@ ball judge_smith_watson_topper(const probe &call)
 bool draw_modified_wohler(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double kappa = argument(call, "kappa", fabs(c.sxx[0]) * between(call, 0, 1));
-    const int32_t status =
-        rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, nu, kappa, &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(
+        call, rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, c.nu, kappa, &value, &angle, &out),
+        value);
 }
 
 /* (s1-s3)/2 + kappa |s1+s3|/(s1-s3), over the first and kappa */
@@ -201,15 +189,14 @@ ball judge_modified_wohler(const probe &call)
 bool draw_mcdiarmid(probe *call)
 {
     cycle c;
-    double nu, value, angle, out;
-    if (!draw_cycle(call, &c, &nu))
+    double value, angle, out;
+    if (!draw_cycle(call, &c))
         return false;
     const double t_A = argument(call, "t_A", 1e-50 + fabs(c.sxx[0]) * between(call, 0.1, 10)),
                  su = argument(call, "su", t_A * between(call, 1, 10));
-    const int32_t status =
-        rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, nu, t_A, su, &value, &angle, &out);
-    give(call, status, value);
-    return true;
+    return gives_if(
+        call, rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, c.nu, t_A, su, &value, &angle, &out),
+        value);
 }
 
 ball judge_mcdiarmid(const probe &call)
@@ -224,13 +211,13 @@ ball judge_mcdiarmid(const probe &call)
 template <bool is_dang_van> bool draw_sphere(probe *call)
 {
     cycle c;
-    double nu, value;
-    draw_cycle(call, &c, &nu);
+    double value;
+    draw_cycle(call, &c);
     const double alpha = argument(call, "alpha", chance(call, 0.1) ? 0 : between(call, 0, 1));
-    const int32_t status = (is_dang_van ? rwedge_dang_van : rwedge_crossland)(
-        LOADS, c.sxx, c.syy, c.txy, nu, alpha, &value);
-    give(call, status, value);
-    return true;
+    return gives_if(call,
+                    (is_dang_van ? rwedge_dang_van : rwedge_crossland)(LOADS, c.sxx, c.syy, c.txy,
+                                                                       c.nu, alpha, &value),
+                    value);
 }
 
 /* The sphere's centre is 0. Its radius is sqrt(J2) of either load. */
@@ -246,89 +233,23 @@ template <bool is_dang_van> ball judge_sphere(const probe &call)
                       (1 + alpha) * at.s);
 }
 
-/* ---- Fields ---- */
-
-/* The difference of a field's second point from the value of that point alone. */
-template <int criterion> bool draw_field(probe *call)
-{
-    cycle c;
-    double nu, own, v[FIELD], a[FIELD], o[FIELD], at[3][LOADS * FIELD];
-    draw_cycle(call, &c, &nu);
-    for (int i = 0; i < LOADS; i++)
-        for (int j = 0; j < FIELD; j++) {
-            at[0][i * FIELD + j] = c.sxx[i] * (j == 0 ? 0.5 : 1);
-            at[1][i * FIELD + j] = c.syy[i];
-            at[2][i * FIELD + j] = c.txy[i];
-        }
-    const double *x = at[0], *y = at[1], *t = at[2];
-    int32_t status = RWEDGE_OK, alone = RWEDGE_OK;
-#define BOTH(name, ...)                                                                            \
-    status = rwedge_##name##_field(LOADS, FIELD, x, y, t, __VA_ARGS__, v, a, o);                   \
-    alone = rwedge_##name(LOADS, c.sxx, c.syy, c.txy, __VA_ARGS__, &own, a, o)
-    if (criterion == 0) {
-        BOTH(smith_watson_topper_planes, 1, nu, 1);
-    } else if (criterion == 1) {
-        BOTH(fatemi_socie_planes, 1, nu, 1, 0);
-    } else if (criterion == 2) {
-        BOTH(findley, nu, 0.3);
-    } else if (criterion == 3) {
-        BOTH(modified_wohler, nu, 1);
-    } else {
-        BOTH(mcdiarmid, nu, 1, 2);
-    }
-#undef BOTH
-    give(call, status | alone, v[1] - own);
-    return true;
-}
-
-template <bool is_dang_van> bool draw_sphere_field(probe *call)
-{
-    cycle c;
-    double nu, own = NAN, v[FIELD];
-    draw_cycle(call, &c, &nu);
-    double at[3][LOADS * FIELD];
-    for (int i = 0; i < LOADS * FIELD; i++)
-        at[0][i] = c.sxx[i / FIELD], at[1][i] = c.syy[i / FIELD], at[2][i] = c.txy[i / FIELD];
-    const int32_t status = (is_dang_van ? rwedge_dang_van_field : rwedge_crossland_field)(
-        LOADS, FIELD, at[0], at[1], at[2], nu, 0.3, v);
-    const int32_t alone = (is_dang_van ? rwedge_dang_van : rwedge_crossland)(LOADS, c.sxx, c.syy,
-                                                                             c.txy, nu, 0.3, &own);
-    give(call, status | alone, v[1] - own);
-    return true;
-}
-
 #define OPPOSITE "two opposite loads, principal stresses apart by 1e-3"
-#define SAME "from one point alone"
 
 } // namespace
 
 const row PLANE_ROWS[] = {
-    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
+    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+c.nu)/E", 1e-14, "1e-14", 0.1,
      draw_smith_watson_topper, judge_smith_watson_topper},
-    {"smith_watson_topper_planes_field", "the same, at two points", SAME, 0, "the same", 0.1,
-     draw_field<0>, judge_difference},
-    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
+    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+c.nu)/E", 1e-14, "1e-14", 0.1,
      draw_fatemi_socie, judge_fatemi_socie},
-    {"fatemi_socie_planes_field", "the same, at two points", SAME, 0, "the same", 0.1,
-     draw_field<1>, judge_difference},
     {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1, draw_findley, judge_findley},
-    {"findley_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<2>,
-     judge_difference},
     {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1, draw_modified_wohler,
      judge_modified_wohler},
-    {"modified_wohler_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<3>,
-     judge_difference},
     {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1, draw_mcdiarmid,
      judge_mcdiarmid},
-    {"mcdiarmid_field", "the same, at two points", SAME, 0, "the same", 0.1, draw_field<4>,
-     judge_difference},
     {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<false>,
      judge_sphere<false>},
-    {"crossland_field", "the same, at two points", SAME, 0, "the same", 1, draw_sphere_field<false>,
-     judge_difference},
     {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<true>,
      judge_sphere<true>},
-    {"dang_van_field", "the same, at two points", SAME, 0, "the same", 1, draw_sphere_field<true>,
-     judge_difference},
     {},
 };

@@ -55,7 +55,6 @@ struct sums {
     ball moduli;
 };
 
-/* sum a_k R^(k+1), R = z - sqrt(z^2-1), its derivative, and the sum of the moduli of all terms. */
 sums sums_of(const rwedge_series *series, const complex_ball &z)
 {
     const complex_ball X = root(z - 1) * root(z + 1), R = inv(z + X);
@@ -192,8 +191,7 @@ bool draw_fit(probe *call)
         f->p[i] = -sqrt((1 - f->x[i]) * (1 + f->x[i])) * (1 + scatter * uniform(call));
     }
     rwedge_series_fit(FIT_SAMPLES, f->x, f->p, (int32_t)terms, &f->series);
-    call->result[0] = rwedge_series_residual(f->series);
-    return true;
+    return gives(call, rwedge_series_residual(f->series));
 }
 
 /* Over the root mean square of the samples. */

@@ -13,9 +13,8 @@ namespace
 bool draw_stick_width(probe *call)
 {
     const double alpha = argument(call, "alpha", some_alpha(call));
-    call->result[0] =
-        rwedge_stick_width(alpha, argument(call, "Q_over_fP", some_fraction(call, 0.5)));
-    return true;
+    return gives(call,
+                 rwedge_stick_width(alpha, argument(call, "Q_over_fP", some_fraction(call, 0.5))));
 }
 
 /* The half-width under the load F(1)(1-Q/(fP)), Eq. (25). */
@@ -29,9 +28,8 @@ ball judge_stick_width(const probe &call)
 bool draw_shear_ratio(probe *call)
 {
     const double alpha = argument(call, "alpha", some_alpha(call));
-    call->result[0] =
-        rwedge_shear_ratio(alpha, argument(call, "c", some_fraction(call, fmin(alpha, 1))));
-    return true;
+    return gives(
+        call, rwedge_shear_ratio(alpha, argument(call, "c", some_fraction(call, fmin(alpha, 1)))));
 }
 
 /* 1 - F(c)/F(1). */
@@ -63,8 +61,7 @@ ball judge_shear(const probe &call)
 
 bool draw_max_tension(probe *call)
 {
-    call->result[0] = rwedge_max_tension(argument(call, "alpha", some_alpha(call)));
-    return true;
+    return gives(call, rwedge_max_tension(argument(call, "alpha", some_alpha(call))));
 }
 
 /* sxx = 2 f at the trailing edge over f load: 2 alpha/(phi0 + alpha c0); for alpha >= 1 as for

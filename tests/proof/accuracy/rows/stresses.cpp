@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses in full sliding and in partial slip, one point at a time and many. */
+/* Stresses in full sliding and in partial slip. */
 #include <math.h>
 
 #include "rows/rows.hpp"
@@ -28,37 +28,7 @@ template <bool slides> bool draw_stress(probe *call)
     some_case(call, slides, v);
     if (is_apex(v))
         return false;
-    if (rwedge_stress(v[0], v[1], v[2], v[3], v[4], &s[0], &s[1], &s[2]) != RWEDGE_OK)
-        s[0] = NAN;
-    return true;
-}
-
-/* One of up to 20 points, of which the others only fill the array. */
-bool draw_stresses(probe *call)
-{
-    enum { POINTS = 20 };
-    double v[5], x[POINTS], y[POINTS], sxx[POINTS], syy[POINTS], txy[POINTS];
-    some_case(call, chance(call, 0.5), v);
-    const size_t n = 1 + (size_t)(POINTS * uniform(call)),
-                 which = (size_t)((double)n * uniform(call));
-    for (size_t i = 0; i < n; i++) {
-        probe other = {};
-        other.random = call->random;
-        some_point(&other, v[0], v[2], &x[i], &y[i]);
-        if (v[0] == 0 && x[i] == 0)
-            y[i] = 1;
-        call->random = other.random;
-    }
-    x[which] = v[3];
-    y[which] = v[4];
-    if (is_apex(v))
-        return false;
-    if (rwedge_stresses(v[0], v[1], v[2], n, x, y, sxx, syy, txy) != RWEDGE_OK)
-        sxx[which] = NAN;
-    call->result[0] = sxx[which];
-    call->result[1] = syy[which];
-    call->result[2] = txy[which];
-    return true;
+    return gives_if(call, rwedge_stress(v[0], v[1], v[2], v[3], v[4], &s[0], &s[1], &s[2]));
 }
 
 /* The largest of the components' errors, over the larger of the norm and max(1, f)/(1+|z|). */
@@ -84,7 +54,5 @@ const row STRESS_ROWS[] = {
      1e-13, "1e-13", 1, draw_stress<true>, judge_stress},
     {"stress, partial slip", "also c dense at 0, alpha, 1, and around ±c", MEASURE, 1e-13, "1e-13",
      1, draw_stress<false>, judge_stress},
-    {"stresses", "the same, 1 to 20 points", MEASURE, 1e-13, "1e-13", 1, draw_stresses,
-     judge_stress},
     {},
 };

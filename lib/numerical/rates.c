@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "numerical/rates.h"
+
+#include "base/domain.h"
+#include "numerical/pattern.h"
+
+/* With S f dp/ds on all of the contact, which makes no slip, there is nothing left but where it
+ * slips the other way. */
+typedef struct {
+    int sign; /* S */
+    rw_stuck stuck;
+    double front[RW_MOST_FRONTS], p[RW_MOST_FRONTS];
+} rates;
+
+/* Many zones are those of a grid, which is not that exact. */
+static bool solve(rw_fronts *f, const rw_problem *problem, const rw_zones *zones, int sign,
+                  rates *r)
+{
+    if (zones->count > RW_MOST_FRONTS)
+        return false;
+    f->problem = problem;
+    rw_fronts_forget(f);
+    *r = (rates){.sign = sign, .stuck = rw_stuck_of(f, zones)};
+    return r->stuck.count > 0 && r->stuck.count <= RW_MOST_STICK &&
+           rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, RW_COARSE) &&
+           rw_fronts_polynomial(f, &r->stuck, r->front, r->p);
+}
+
+/* w' where it slips with this sign. */
+static double slope_at(const rw_fronts *f, const rates *r, double x)
+{
+    const double at = (x - r->stuck.middle) / r->stuck.half, X = rw_X_at(&r->stuck, x);
+    double value = 0, sum = 0;
+    for (int i = 2 * r->stuck.count - 1; i >= 0; i--)
+        value = value * at + r->p[i];
+    for (size_t i = 0; i < f->count; i++)
+        sum += f->step[i] * f->change[i] / f->X[i] / (f->x[i] - x);
+    return value / X + X * sum / RW_PI;
+}
+
+/* The largest slip with the sign of the traction, from the front on; `way` -1: against it. */
+static double largest_slip(const rw_fronts *f, const rates *r, rw_zone zone, int way)
+{
+    enum { POINTS = 24 };
+    const bool is_leftmost = zone.right == r->stuck.end[0];
+    const double front = is_leftmost ? zone.right : zone.left;
+    const double length = is_leftmost ? zone.left - zone.right : zone.right - zone.left;
+    double slip = 0, most = 0;
+    for (int i = 0; i < POINTS; i++) {
+        const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
+        slip += slope_at(f, r, front + length * half * half) * length * sin(angle) *
+                (RW_HALF_PI / POINTS);
+        most = fmax(most, way * zone.label * slip);
+    }
+    return most / r->stuck.half;
+}
+
+/* Of the rate of friction at an edge, where it is like 1/sqrt: > 0 where the edge grows. */
+static double edge_rate(const rw_problem *p, int side)
+{
+    const double sign = side ? 1 : -1;
+    return p->f * (p->load[0] / RW_PI + sign * p->tilt[0] * p->half) / (p->half * sqrt(2));
+}
+
+/* Whether the zones stick up to the edge. */
+static bool sticks_at_edge(const rw_zones *zones, int side)
+{
+    return zones->zone[side ? zones->count - 1 : 0].label == 0;
+}
+
+static double ratio_at(const rw_problem *p, const rw_zones *zones, const rates *r, int side)
+{
+    double K[RW_MOST_FRONTS];
+    if (!(edge_rate(p, side) > 0) || !sticks_at_edge(zones, side))
+        return NAN;
+    rw_fronts_singular(&r->stuck, r->front, r->p, K);
+    return r->sign + K[side ? 2 * r->stuck.count - 1 : 0] / edge_rate(p, side);
+}
+
+static int first_sign(const rw_zones *zones)
+{
+    int sign = 0;
+    for (int i = 0; i < zones->count && sign == 0; i++)
+        sign = zones->zone[i].label;
+    return sign;
+}
+
+double rw_rates_wrong(rw_fronts *f, const rw_problem *p, const rw_zones *zones,
+                      const rw_zones *after)
+{
+    const int first = first_sign(zones);
+    double most = 0;
+    for (int sign = first; sign == first || sign == -first; sign -= 2 * first) {
+        rates r;
+        if (!solve(f, p, zones, sign, &r))
+            return most;
+        for (int i = 0; i < zones->count; i++)
+            if (zones->zone[i].label != 0 && zones->zone[i].label == sign)
+                most = fmax(most, largest_slip(f, &r, zones->zone[i], 1));
+        for (int side = 0; side < 2 && sign == first; side++) {
+            const double D = ratio_at(p, zones, &r, side);
+            if (fabs(D) > 1 && sticks_at_edge(after, side))
+                most = fmax(most, (fabs(D) - 1) * p->f * fabs(p->load[0]) / (RW_PI * p->half));
+        }
+        if (sign == 0)
+            break;
+    }
+    return most;
+}
+
+double rw_rates_slip(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone zone)
+{
+    rates r;
+    return solve(f, p, zones, zone.label, &r) ? largest_slip(f, &r, zone, -1) : 0;
+}
+
+void rw_rates_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, double ratio[2])
+{
+    rates r;
+    const bool is_known = solve(f, p, zones, first_sign(zones), &r);
+    for (int side = 0; side < 2; side++) {
+        const double D = is_known ? ratio_at(p, zones, &r, side) : NAN;
+        ratio[side] = isnan(D) ? NAN : fmax(-1, fmin(1, D));
+    }
+}
+
+rw_zones rw_rates_begun(const rw_zones *old, const rw_zones *after)
+{
+    rw_zones begun = {1, {{0, old->zone[0].left, old->zone[old->count - 1].right}}};
+    for (int i = 0; i < old->count; i++)
+        for (int k = 0; k < after->count; k++) {
+            const rw_zone one = old->zone[i], other = after->zone[k];
+            const double left = k == 0 ? -HUGE_VAL : other.left; /* the contact may recede */
+            const double right = k + 1 == after->count ? HUGE_VAL : other.right;
+            const rw_zones both = {1, {{one.label, fmax(one.left, left), fmin(one.right, right)}}};
+            if (one.label != 0 && one.label == other.label &&
+                both.zone[0].left < both.zone[0].right)
+                rw_pattern_insert(&begun, &both, 0);
+        }
+    return begun;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The shear at one moment of a straight step: its rate, given which zones stick and slip. Where it
+ * sticks the rate of w is one constant. Where it slips the rate of t is S f dp/ds, in closed form,
+ * and the rate of w has the sign -S if these are the zones. A step that is right at its end may
+ * have slipped another way before, and its halves as well: the rates at its ends tell. */
+#ifndef RW_RATES_H
+#define RW_RATES_H
+
+#include "numerical/fronts.h"
+
+/* The largest slip that goes the wrong way, over the half-width, and by how much the traction of
+ * edges that stick after the step passes friction: if the rates last for as much as the problem
+ * says. 0 where nothing sticks. */
+double rw_rates_wrong(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
+                      const rw_zones *after);
+
+/* The largest slip that goes the right way in the zone from left to right. */
+double rw_rates_slip(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
+                     rw_zone zone);
+
+/* D at the edges that grow and stick (layers.h), not beyond +-1; else NaN. */
+void rw_rates_ratio(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
+                    double ratio[2]);
+
+/* Zones at the beginning of a step: what slips the same way before and after it. */
+rw_zones rw_rates_begun(const rw_zones *old, const rw_zones *after);
+
+#endif

@@ -1,0 +1,362 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contacts with moment and bulk tension: known answers, equilibrium, slip and energy. */
+#include "histories.h"
+#include "history/off_centre.h"
+#include "quadrature.h"
+
+#include <fenv.h>
+#include <string.h>
+
+static const double F = 0.5;
+
+/* One step from (P, M) to (P, M, Q, sigma), in 30 digits. */
+CLAIM(one_step_agrees_with_30_digits)
+{
+    reference rows = reference_open("eccentric.csv");
+    while (reference_next(&rows)) {
+        const double *c = rows.cell, width = c[9] - c[8], less = 1 - fabs(c[10]) / c[0];
+        rwedge_contact *contact = create_wedge(c[0], c[1], c[2], c[3]);
+        apply(contact, c[4], c[5], 0, 0);
+        apply(contact, c[4], c[5], c[6], c[7]);
+        const rw_patch whole = edges_of(contact), stick = stick_zone_of(contact);
+        assert_within(whole.left, c[8], 3e-15 * width / less);
+        assert_within(whole.right, c[9], 3e-15 * width / less);
+        assert_within(rwedge_contact_tilt(contact), c[10], 2e-15 * c[0]);
+        assert_within(stick.left, c[11], 3e-15 * width / less);
+        assert_within(stick.right, c[12], 3e-15 * width / less);
+        for (const double *p = c + 13; p < c + 28; p += 5) {
+            const stresses expected = {p[2], p[3], p[4]};
+            const double norm = hypot(hypot(p[2], p[3]), p[4]);
+            const double z = hypot(p[0] - (c[8] + c[9]) / 2, p[1]) / (width / 2);
+            assert_within(apart(stress_at(contact, p[0], p[1]), expected), 0,
+                          2e-14 * fmax(norm, c[0] / c[2] / (1 + z)));
+        }
+    }
+    assert_int_equal(rows.row, 60);
+}
+
+/* Nowell and Hills (1987): the stick zone of a cylinder is c = a sqrt(1 - Q/(fP)) wide, its centre
+ * e = a sigma/(4 f p0) off. E = 72.1 GPa, nu = 0.33, 543 N and 155 N on 4 mm, R = 10 mm, f = 0.3,
+ * sigma = 100 MPa: half-width 0.206698 mm, p0 = 418.104 MPa, c = 0.045519, e = 0.041197, trailing
+ * edge 345.747 MPa. */
+CLAIM(nowell_and_hills_cylinder)
+{
+    const double compliance = rwedge_compliance(72.1e3, 0.33, 72.1e3, 0.33), R = 10, a = 3;
+    rwedge_contact *contact = create_wedge(a / R, a, compliance, 0.3);
+    apply(contact, 543 / 4.0, 0, 0, 0);
+    apply(contact, 543 / 4.0, 0, 155 / 4.0, 100);
+    const rw_patch whole = edges_of(contact), stick = stick_zone_of(contact);
+    assert_within(whole.right, 0.206698, 5e-7);
+    assert_within(-pressure(contact, 0), 418.104, 5e-4);
+    assert_within(rw_patch_half_width(stick), 0.045519, 5e-7);
+    assert_within(rw_patch_middle(stick), 0.041197, 5e-7);
+    assert_within(stress_at(contact, whole.left, 0).xx, 345.747, 5e-4);
+}
+
+/* p0 = 157, sigma = 92.7, Q/P = 0.45, f = 0.75: c/a = 0.6325, e/a = 0.1968, edge 1.8193 p0. */
+CLAIM(nowell_and_hills_ratios)
+{
+    const double f = 0.75, p0 = 157, a = 100, unit = 157 * 100; /* p0 = theta/A b/a at b = 1 */
+    rwedge_contact *contact = create_wedge(0.1, a, 0.1 / unit, f);
+    const double P = rwedge_normal_load(0.1, a, 0.1 / unit, 1);
+    apply(contact, P, 0, 0, 0);
+    apply(contact, P, 0, 0.45 * P, 92.7);
+    const rw_patch stick = stick_zone_of(contact);
+    assert_within(rw_patch_half_width(stick), 0.6325, 5e-5);
+    assert_within(rw_patch_middle(stick), 0.1968, 5e-5);
+    assert_within(stress_at(contact, -1, 0).xx / p0, 1.8193, 5e-5);
+}
+
+/* NAFEMS' contact benchmark CB1: a steel cylinder of R = 50 on aluminium, 35 kN/mm. */
+CLAIM(nafems_cylinder)
+{
+    const double compliance = rwedge_compliance(210e3, 0.3, 70e3, 0.3), a = 20;
+    rwedge_contact *contact = create_wedge(a / 50, a, compliance, 0);
+    apply(contact, 35e3, 0, 0, 0);
+    assert_within(edges_of(contact).right, 6.2146, 5e-5);
+    assert_within(-pressure(contact, 0), 3585.36, 5e-2); /* of 3585.37 by rounding of its inputs */
+}
+
+/* ---- Random histories under constant P and M ---- */
+
+typedef struct {
+    double a, P, M, Q, sigma;
+    rwedge_contact *contact;
+} cycle;
+
+static cycle random_cycle(uint64_t *seed)
+{
+    static const double ROUNDINGS[] = {0, 0.05, 0.4, 1, 6};
+    cycle c = {.a = ROUNDINGS[(int)(5 * random_fraction(seed))], .P = 0.05 + random_fraction(seed)};
+    c.contact = create(c.a, F);
+    c.M = (2 * random_fraction(seed) - 1) * c.P * fmax(c.a, 1);
+    apply(c.contact, c.P, c.M, 0, 0);
+    return c;
+}
+
+/* A step that slips one way: |d sigma| <= 4 |dQ|/(pi s). It may end where fronts part. */
+static int32_t random_step(cycle *c, uint64_t *seed)
+{
+    const double Q = 0.95 * F * c->P * (2 * random_fraction(seed) - 1);
+    const double largest = rwedge_contact_largest_tension_step(c->contact, Q);
+    const double sigma = c->sigma + largest * (2 * random_fraction(seed) - 1);
+    const int32_t status = rwedge_contact_apply(c->contact, c->P, c->M, Q, sigma);
+    if (status == RWEDGE_OK) {
+        c->Q = Q;
+        c->sigma = sigma;
+    }
+    return status;
+}
+
+static double pressure_at(double x, const void *contact)
+{
+    return -pressure(contact, x);
+}
+
+static double moment_at(double x, const void *contact)
+{
+    return -x * pressure(contact, x);
+}
+
+static double shear_at(double x, const void *contact)
+{
+    return -shear(contact, x);
+}
+
+static void insert(double points[], size_t *n, double at, rw_patch within)
+{
+    if (at < within.left || at > within.right)
+        return;
+    size_t i = 0;
+    while (i < *n && points[i] < at)
+        i++;
+    if (i < *n && points[i] == at)
+        return;
+    memmove(points + i + 1, points + i, (*n - i) * sizeof *points);
+    points[i] = at;
+    ++*n;
+}
+
+/* Where the tractions are not smooth. */
+static size_t marks(const rwedge_contact *contact, double points[])
+{
+    const rw_patch whole = edges_of(contact);
+    size_t n = 0;
+    for (size_t i = 1; i < contact->memory.count; i++) {
+        insert(points, &n, contact->memory.corners[i].patch.left, whole);
+        insert(points, &n, contact->memory.corners[i].patch.right, whole);
+    }
+    insert(points, &n, -contact->geometry.a, whole);
+    insert(points, &n, contact->geometry.a, whole);
+    return n - 1;
+}
+
+CLAIM(tractions_carry_the_loads)
+{
+    uint64_t seed = 5;
+    for (int i = 0; i < 25; i++) {
+        cycle c = random_cycle(&seed);
+        for (int k = 0; k < 4; k++)
+            random_step(&c, &seed);
+        double points[64];
+        const size_t n = marks(c.contact, points);
+        const double reach = fmax(-points[0], points[n]);
+        assert_close(integral(pressure_at, c.contact, n, points), c.P, 1e-10);
+        assert_within(integral(moment_at, c.contact, n, points), c.M, 1e-10 * c.P * reach);
+        assert_within(integral(shear_at, c.contact, n, points), c.Q, 1e-10 * c.P);
+    }
+}
+
+/* (M, Q, sigma) -> (-M, -Q, sigma) is seen in a mirror. */
+CLAIM(opposite_loads_give_the_mirror_image)
+{
+    rwedge_contact *one = create(0.4, F), *other = create(0.4, F);
+    const double loads[][4] = {
+        {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.12, 0.03}, {0.5, 0.1, -0.2, -0.04}, {0.5, 0.1, 0.05, 0.02}};
+    for (size_t i = 0; i < sizeof loads / sizeof *loads; i++) {
+        const double *l = loads[i];
+        apply(one, l[0], l[1], l[2], l[3]);
+        apply(other, l[0], -l[1], -l[2], l[3]);
+        assert_true(edges_of(one).left == -edges_of(other).right);
+        for (double x = -3; x < 3; x += 0.31) {
+            const stresses s = stress_at(one, x, 0.2), t = stress_at(other, -x, 0.2);
+            assert_within(apart(s, (stresses){t.xx, t.yy, -t.xy}), 0, 1e-14);
+        }
+    }
+}
+
+/* A tension that is there before the contact only adds. */
+CLAIM(tension_before_contact_only_adds)
+{
+    rwedge_contact *with = create(0.4, F), *without = create(0.4, F);
+    apply(with, 0, 0, 0, 0.7);
+    load(with, 0.5, 0);
+    load(with, 0.5, 0.1);
+    load(without, 0.5, 0);
+    load(without, 0.5, 0.1);
+    const stresses s = stress_at(with, 0.3, 0.1), t = stress_at(without, 0.3, 0.1);
+    assert_within(s.xx, t.xx + 0.7, 1e-15);
+    assert_true(s.yy == t.yy && s.xy == t.xy);
+}
+
+CLAIM(random_loads_are_finite_or_change_nothing)
+{
+    uint64_t seed = 77;
+    int accepted = 0, refused = 0;
+    for (int i = 0; i < 400; i++) {
+        cycle c = random_cycle(&seed);
+        for (int k = 0; k < 4; k++) {
+            const double P =
+                random_fraction(&seed) < 0.5 ? c.P : c.P * (0.5 + random_fraction(&seed));
+            const double M =
+                random_fraction(&seed) < 0.7 ? c.M * P / c.P : P * (2 * random_fraction(&seed) - 1);
+            const double Q =
+                random_fraction(&seed) < 0.3 ? c.Q : F * P * (2 * random_fraction(&seed) - 1);
+            const double sigma =
+                random_fraction(&seed) < 0.5 ? c.sigma : 0.2 * random_fraction(&seed);
+            const contact_state before = state_of(c.contact);
+            const int32_t status = rwedge_contact_apply(c.contact, P, M, Q, sigma);
+            assert_true(status == RWEDGE_OK || status == RWEDGE_EPATH || status == RWEDGE_ESLIDING);
+            if (status == RWEDGE_OK)
+                c.P = P, c.M = M, c.Q = Q, c.sigma = sigma;
+            else
+                assert_state(c.contact, before);
+            status == RWEDGE_OK ? accepted++ : refused++;
+            const stresses s = stress_at(c.contact, 0.3, 0.2);
+            assert_true(isfinite(s.xx) && isfinite(s.yy) && isfinite(s.xy));
+            const rw_patch whole = edges_of(c.contact);
+            for (double t = 0.01; t < 1; t += 0.07) {
+                const double x = whole.left + t * (whole.right - whole.left);
+                assert_true(fabs(shear(c.contact, x)) <= -F * pressure(c.contact, x) + 1e-13);
+            }
+        }
+    }
+    assert_true(accepted > 300 && refused > 300); /* both are met with */
+}
+
+/* ---- Slip and energy ---- */
+
+/* The loop of Q and sigma: each cycle dissipates as much, and twice as much as the slip at its ends
+ * times the traction, which is f p all the time. */
+static double friction_times_slip(double x, const void *contact)
+{
+    return F * fabs(pressure(contact, x) * slip(contact, x));
+}
+
+CLAIM(energy_is_friction_times_slip)
+{
+    static const double moments[] = {0, 0.1, -0.2};
+    for (int i = 0; i < 3; i++) {
+        rwedge_contact *contact = create(0.4, F);
+        apply(contact, 0.5, moments[i], 0, 0);
+        apply(contact, 0.5, moments[i], 0.2, 0.02); /* all slip has been one way */
+        double points[64];
+        const size_t n = marks(contact, points);
+        const double first = rwedge_contact_dissipated_energy(contact);
+        assert_close(first, integral(friction_times_slip, contact, n, points), 1e-10);
+        apply(contact, 0.5, moments[i], -0.2, -0.02);
+        const double second = rwedge_contact_dissipated_energy(contact) - first;
+        apply(contact, 0.5, moments[i], 0.2, 0.02);
+        const double third = rwedge_contact_dissipated_energy(contact) - first - second;
+        assert_close(second, third, 1e-11);
+        assert_close(second, 2 * first, 1e-11); /* half of a Masing loop's slip, twice the way */
+    }
+}
+
+/* The slip begins in the outer of two rings with shear, so that the inner one is common to before
+ * and after. */
+CLAIM(slip_may_leave_an_inner_ring_alone)
+{
+    rwedge_contact *contact = create(0.4, F);
+    apply(contact, 0.3, 0, 0.05, 0);
+    apply(contact, 0.5, 0, 0.09, 0);
+    assert_true(rwedge_contact_dissipated_energy(contact) == 0);
+    apply(contact, 0.5, 0, 0.11, 0.004);
+    double points[64];
+    const size_t n = marks(contact, points);
+    assert_close(rwedge_contact_dissipated_energy(contact),
+                 integral(friction_times_slip, contact, n, points), 1e-10);
+}
+
+/* For the same Q/f and sigma/f. */
+CLAIM(slip_is_proportional_to_friction)
+{
+    rwedge_contact *rough = create(0.4, 2), *other = create(0.4, F);
+    apply(rough, 0.5, 0.1, 0, 0);
+    apply(other, 0.5, 0.1, 0, 0);
+    assert_true(slip(other, edges_of(other).left) == 0);
+    apply(rough, 0.5, 0.1, 0.4, 0.04);
+    apply(other, 0.5, 0.1, 0.1, 0.01);
+    const rw_patch whole = edges_of(other);
+    for (double x = whole.left; x <= whole.right; x += 0.05)
+        assert_within(slip(rough, x), 4 * slip(other, x), 1e-15 * THETA);
+    apply(other, 0.6, 0.12, 0.1, 0.01); /* the ring has not slipped */
+    assert_true(slip(other, edges_of(other).left) == 0 && slip(other, edges_of(other).right) == 0);
+    assert_true(slip(other, whole.right) != 0);
+}
+
+/* Slip began twice, at points that had come into contact at different times. */
+CLAIM(slip_has_one_origin_or_none)
+{
+    rwedge_contact *contact = create(0.4, F);
+    load(contact, 0.5, 0);
+    load(contact, 0.5, 0.1);
+    load(contact, 0.6, 0.1);
+    load(contact, 0.6, 0.2);
+    apply(contact, 0.6, 0, 0.25, 0.01);
+    const double x = 0;
+    double w;
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    load(contact, 0, 0);
+    apply(contact, 0, 0, 0, 0);
+    load(contact, 0.5, 0);
+    load(contact, 0.6, 0.2); /* the ring slips at once */
+    apply(contact, 0.6, 0, 0.25, 0.01);
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+}
+
+/* Where the contact falls with moment and tension, the energy has no single integral; where rings
+ * come into contact that slip at once, neither has the slip an origin. */
+CLAIM(energy_and_slip_say_where_they_are_not_known)
+{
+    rwedge_contact *contact = create(0.4, F);
+    apply(contact, 0.5, 0.1, 0, 0);
+    apply(contact, 0.5, 0.1, 0.15, 0.01);
+    apply(contact, 0.45, 0.09, 0.15, 0.01);
+    assert_nan(rwedge_contact_dissipated_energy(contact));
+    double x = 0, w;
+    assert_ok(rwedge_contact_slip(contact, 1, &x, &w));
+    apply(contact, 0.6, 0.12, 0.15, 0.01);
+    assert_ok(rwedge_contact_slip(contact, 1, &x, &w));
+    apply(contact, 0.6, 0.12, -0.1, -0.01);
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    apply(contact, 0, 0, 0, 0); /* all is forgotten */
+    apply(contact, 0.5, 0.1, 0, 0);
+    apply(contact, 0.5, 0.1, 0.1, 0.01);
+    apply(contact, 0.52, 0.104, 0.15, 0.01); /* the ring slips at once */
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
+    apply(contact, 0, 0, 0, 0);
+    apply(contact, 0.5, 0.1, 0, 0);
+    assert_ok(rwedge_contact_slip(contact, 1, &x, &w));
+}
+
+/* The integral once went on without end. */
+CLAIM(a_patch_without_width_ends_the_integral_of_its_gap)
+{
+    assert_nan(rw_patch_gap(&(rw_geometry){.a = 0.4}, (rw_patch){0.1, 0.1}, 0.2));
+    assert_nan(rw_patch_gap(&(rw_geometry){.a = 0}, (rw_patch){0.5, 0.5}, 0.6));
+}
+
+/* So small a force moves one edge of the slip by less than the rounding of its place. */
+CLAIM(the_energy_of_an_edge_that_stays_divides_by_nothing)
+{
+    const double a = 1e-60, compliance = 0.9999, P = 1,
+                 M = 0.25 * P * rwedge_half_width(1, a, compliance, P);
+    rwedge_contact *contact = create_wedge(1, a, compliance, 0.3);
+    apply(contact, P, M, 0, 0);
+    const double sigma = rwedge_contact_largest_tension_step(contact, 3e-9);
+    feclearexcept(FE_ALL_EXCEPT);
+    apply(contact, P, M, 3e-9, sigma);
+    assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
+    assert_true(rwedge_contact_dissipated_energy(contact) >= 0);
+}

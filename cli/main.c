@@ -75,11 +75,12 @@ static const command *command_named(const char *name)
 }
 
 /* words[0] is the whole name of the command. */
-static int run_command(const command *which, int count, const char **words)
+static int run_command(const command *chosen, int count, const char **words)
 {
-    words[0] = which->whole_name;
+    words[0] = chosen->whole_name;
     message_speaker_is(words[0]);
-    return arguments_run(which->grammar, count, words, which->run);
+    arguments line;
+    return arguments_read(&line, chosen->grammar, count, words) ? chosen->run(&line) : STATUS_DONE;
 }
 
 static void show_version(void)
@@ -101,7 +102,6 @@ static int without_command(int argc, const char **argv)
         else
             refuse_command(line.operand != NULL ? line.operand[0] : NULL);
     }
-    arguments_free(&line);
     return STATUS_DONE;
 }
 
@@ -111,12 +111,12 @@ static int help(const arguments *line)
 {
     const char *words[] = {"rwedge", "--help", NULL};
     const char *name = line->operand != NULL ? line->operand[0] : NULL;
-    const command *which = name != NULL ? command_named(name) : NULL;
+    const command *chosen = name != NULL ? command_named(name) : NULL;
     if (name != NULL && line->operand[1] != NULL)
         usage_error("%s: unexpected; allowed: one command", line->operand[1]);
-    if (name != NULL && which == NULL)
+    if (name != NULL && chosen == NULL)
         refuse_command(name);
-    return which != NULL ? run_command(which, 2, words) : without_command(2, words);
+    return chosen != NULL ? run_command(chosen, 2, words) : without_command(2, words);
 }
 
 static void describe_help(FILE *stream)
@@ -142,9 +142,9 @@ int main(int argc, char **argv)
     signals_install();
     invocation_keep(argc, words);
     input_options_prepare();
-    const command *which = argc > 1 ? command_named(words[1]) : NULL;
-    if (which != NULL)
-        return run_command(which, argc - 1, words + 1);
+    const command *chosen = argc > 1 ? command_named(words[1]) : NULL;
+    if (chosen != NULL)
+        return run_command(chosen, argc - 1, words + 1);
     if (argc > 1 && words[1][0] != '-')
         refuse_command(words[1]);
     words[0] = "rwedge";

@@ -62,23 +62,10 @@ void history_source_check(const history_source *from, const input_texts *texts)
 
 static void add(load_history *loads, load next, csv_row row)
 {
-    if (loads->count == loads->room) {
-        loads->room = 2 * loads->room + 64;
-        loads->load = memory_resized(loads->load, loads->room * sizeof *loads->load);
-        loads->row = memory_resized(loads->row, loads->room * sizeof *loads->row);
-    }
+    loads->load = memory_for_one_more(loads->load, loads->count, sizeof *loads->load);
+    loads->row = memory_for_one_more(loads->row, loads->count, sizeof *loads->row);
     loads->load[loads->count] = next;
     loads->row[loads->count++] = row;
-}
-
-void load_history_free(load_history *loads)
-{
-    for (size_t i = 0; i < loads->count; i++)
-        csv_row_free(&loads->row[i]);
-    csv_row_free(&loads->first);
-    free(loads->row);
-    free(loads->load);
-    *loads = (load_history){0};
 }
 
 /* ---- The command line ---- */
@@ -254,5 +241,4 @@ void history_source_apply(const history_source *from, char decimal_sign, double 
     load_history_read(from, decimal_sign, &loads);
     load_history_apply_all(&loads, f, contact);
     load_history_say_unused(&loads);
-    load_history_free(&loads);
 }

@@ -27,7 +27,7 @@ typedef struct {
     bool has_mark;               /* whether the file begins with the mark of Unicode */
     load *load;
     csv_row *row; /* of the file, where each stands */
-    size_t count, room;
+    size_t count;
 } load_history;
 
 /* Where the loads come from; a file may be named by a word in place of the option. */
@@ -45,7 +45,6 @@ void history_source_check(const history_source *from, const input_texts *texts);
 
 /* Reads the file or the list. */
 void load_history_read(const history_source *from, char decimal_sign, load_history *loads);
-void load_history_free(load_history *loads);
 
 /* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
 void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size);

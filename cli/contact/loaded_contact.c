@@ -205,11 +205,6 @@ zone loaded_contact_stick_zone(const loaded_contact *loaded)
     return stretch;
 }
 
-void loaded_contact_free(loaded_contact *loaded)
-{
-    rwedge_contact_destroy(loaded->contact);
-}
-
 bool loaded_contact_is_kink(const loaded_contact *loaded, double x, double y)
 {
     return loaded->b > 0 && y == 0 && pad_is_kink(&loaded->shape, x);

@@ -29,10 +29,8 @@ typedef struct {
     double slip_unit;
 } loaded_contact;
 
-/* Reads the options and applies the loads; decimal_sign is that of a file of loads. Free
- * it. */
+/* Reads the options and applies the loads; decimal_sign is that of a file of loads. */
 void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contact *loaded);
-void loaded_contact_free(loaded_contact *loaded);
 
 /* The edges of the contact, or of its stick zone, in the contact's own unit; both are 0 where there
  * is none. */

@@ -89,12 +89,9 @@ static bool find_columns(reading *r, const csv_row *first)
 
 static void add(pairs *to, double first, double second, int64_t line)
 {
-    if ((to->count & (to->count - 1)) == 0) { /* room for the next power of two */
-        const size_t room = to->count == 0 ? 1 : 2 * to->count;
-        to->first = memory_resized(to->first, room * sizeof *to->first);
-        to->second = memory_resized(to->second, room * sizeof *to->second);
-        to->line = memory_resized(to->line, room * sizeof *to->line);
-    }
+    to->first = memory_for_one_more(to->first, to->count, sizeof *to->first);
+    to->second = memory_for_one_more(to->second, to->count, sizeof *to->second);
+    to->line = memory_for_one_more(to->line, to->count, sizeof *to->line);
     to->first[to->count] = first;
     to->second[to->count] = second;
     to->line[to->count++] = line;

@@ -34,7 +34,7 @@ static entry *new_entry(const char *name)
     entry *made = memory_zeroed(1, sizeof *made);
     made->name = memory_zeroed(strlen(name) + 1, 1);
     strcpy(made->name, name);
-    entries = memory_resized(entries, (entry_count + 1) * sizeof *entries);
+    entries = memory_for_one_more(entries, entry_count, sizeof *entries);
     entries[entry_count++] = made;
     return made;
 }

@@ -99,9 +99,6 @@ static int field(const arguments *line)
     read_axis("y", line->value[OPTION_Y], 0, 2 * b, 41, &points.y);
     check_grid(line, &points, vtk);
     output_options_write(&how, vtk ? grid_write_vtk : grid_write_rows, &points);
-    loaded_contact_free(&points.loaded);
-    range_free(&points.x);
-    range_free(&points.y);
     return STATUS_DONE;
 }
 

@@ -159,8 +159,6 @@ static int profile(const arguments *line)
         usage_error("--x: missing; after the last load there is no contact to take points from");
     output_options_write(&how, write_profile, &job);
     say_unknown_slip(&job.loaded);
-    loaded_contact_free(&job.loaded);
-    range_free(&job.x);
     return STATUS_DONE;
 }
 

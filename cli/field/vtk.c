@@ -61,15 +61,15 @@ static void put_points(records *rows, const vtk_points *points)
     }
 }
 
-static void put_scalar(records *rows, const tensor *at, int which, bool last)
+static void put_scalar(records *rows, const tensor *at, int number, bool last)
 {
-    put_number(rows, at->value[which], last);
+    put_number(rows, at->value[number], last);
 }
 
 /* Three rows of three. */
-static void put_tensor(records *rows, const tensor *at, int which, bool last)
+static void put_tensor(records *rows, const tensor *at, int number, bool last)
 {
-    (void)which;
+    (void)number;
     (void)last;
     const double sxx = at->value[TENSOR_SXX], syy = at->value[TENSOR_SYY],
                  szz = at->value[TENSOR_SZZ], txy = at->value[TENSOR_TXY];
@@ -78,13 +78,13 @@ static void put_tensor(records *rows, const tensor *at, int which, bool last)
         put_number(rows, component[i], i % 3 == 2);
 }
 
-static void put_quantity(records *rows, const vtk_points *points, int which,
+static void put_quantity(records *rows, const vtk_points *points, int number,
                          void (*put)(records *, const tensor *, int, bool))
 {
     for (int64_t j = 0; j < points->rows; j++)
         for (int64_t i = 0; i < points->columns && records_go_on(rows); i++) {
             const tensor at = points->stress(points->source, i, j);
-            put(rows, &at, which, i == points->columns - 1);
+            put(rows, &at, number, i == points->columns - 1);
             progress_step();
         }
 }
@@ -98,11 +98,11 @@ static void put_head(records *rows, const char *name)
 
 static void put_numbers(records *rows, const vtk_points *points, const vtk_numbers *numbers)
 {
-    for (int which = 0; which < numbers->count; which++) {
-        put_head(rows, numbers->name(points->source, which));
+    for (int number = 0; number < numbers->count; number++) {
+        put_head(rows, numbers->name(points->source, number));
         for (int64_t j = 0; j < points->rows; j++)
             for (int64_t i = 0; i < points->columns && records_go_on(rows); i++) {
-                put_number(rows, numbers->value(points->source, i, j, which),
+                put_number(rows, numbers->value(points->source, i, j, number),
                            i == points->columns - 1);
                 progress_step();
             }

@@ -9,8 +9,8 @@
 /* So many numbers of a point, with their names. */
 typedef struct {
     int count;
-    const char *(*name)(const void *source, int which);
-    double (*value)(const void *source, int64_t column, int64_t row, int which);
+    const char *(*name)(const void *source, int number);
+    double (*value)(const void *source, int64_t column, int64_t row, int number);
 } vtk_numbers;
 
 /* Points, row by row: those of a grid, or of a single row, wherever each is. */

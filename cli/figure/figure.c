@@ -107,11 +107,11 @@ static const table_variable *variable_of(int i)
     return i == C_OVER_B ? &stick_width : i == SIGMA_OVER_MAX ? &tension : &variables[i];
 }
 
-static void describe_uses(const figure *which, FILE *stream)
+static void describe_uses(const figure *chosen, FILE *stream)
 {
     const char *before = "      ";
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
-        const char *usual = which->use[i].usual;
+        const char *usual = chosen->use[i].usual;
         if (usual == NULL)
             continue;
         fprintf(stream, "%s--%s%s%s", before, variable_of(i)->option, usual[0] != '\0' ? " " : "",
@@ -153,23 +153,23 @@ static const figure *choose_figure(const arguments *line)
     return figures[i];
 }
 
-NO_RETURN static void refuse_variable(const figure *which, int variable, const char *text)
+NO_RETURN static void refuse_variable(const figure *chosen, int variable, const char *text)
 {
     char allowed[160] = "";
     for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (which->use[i].usual != NULL)
+        if (chosen->use[i].usual != NULL)
             list_add(allowed, sizeof allowed, ", ", "--%s", variable_of(i)->option);
     usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
-                variable_of(variable)->option, text, which->name,
+                variable_of(variable)->option, text, chosen->name,
                 allowed[0] != '\0' ? allowed : "none of the variables");
 }
 
-static void read_variable(const figure *which, int i, const char *text, range *values)
+static void read_variable(const figure *chosen, int i, const char *text, range *values)
 {
-    const int most = which->use[i].most;
-    if (text == NULL && which->use[i].usual[0] == '\0')
+    const int most = chosen->use[i].most;
+    if (text == NULL && chosen->use[i].usual[0] == '\0')
         return;
-    variable_read(variable_of(i), text != NULL ? text : which->use[i].usual, values);
+    variable_read(variable_of(i), text != NULL ? text : chosen->use[i].usual, values);
     if (values->count > most && most == 1)
         usage_error("--%s %s: must be one number", variable_of(i)->option, text);
     if (values->count > most)
@@ -177,20 +177,33 @@ static void read_variable(const figure *which, int i, const char *text, range *v
                     variable_of(i)->option, text, most);
 }
 
-static void read_case(const arguments *line, const figure *which, figure_case *inputs)
+static void read_case(const arguments *line, const figure *chosen, figure_case *inputs)
 {
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
         const char *text = line->value[OPTION_FIGURE_VARIABLE + i];
-        if (which->use[i].usual != NULL)
-            read_variable(which, i, text, &inputs->value[i]);
+        if (chosen->use[i].usual != NULL)
+            read_variable(chosen, i, text, &inputs->value[i]);
         else if (text != NULL)
-            refuse_variable(which, i, text);
+            refuse_variable(chosen, i, text);
     }
     if (inputs->value[C_OVER_B].count > 0 && inputs->value[Q_OVER_FP].count > 0)
         usage_error(
             "--c-over-b %s: not with --q-over-fp, which says the same; allowed: one of the two",
             line->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
 }
+
+/* What is to be drawn, or written. */
+typedef struct {
+    const figure *chosen;
+    figure_case inputs;
+    const picture_format *format; /* NULL for the numbers */
+    bool no_title;
+    contact_history history;
+    places at;
+    criteria asked;
+    material constants;
+    dataset rows;
+} work;
 
 /* ---- A contact and its loads ---- */
 
@@ -200,21 +213,21 @@ static bool has_loads(const arguments *line)
 }
 
 /* Without a table of loads there is nothing for its options to say. */
-static void refuse_history(const arguments *line, const figure *which)
+static void refuse_history(const arguments *line, const figure *chosen)
 {
     for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES; i++)
         if (line->value[i] != NULL)
             usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
                         "and loop with --history or --load",
-                        which->name);
+                        chosen->name);
 }
 
-static void refuse_criteria(const arguments *line, const figure *which)
+static void refuse_criteria(const arguments *line, const figure *chosen)
 {
     const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
     for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA; i++)
         if (line->value[i] != NULL || is_given)
-            usage_error("figure %s: criteria and measures are for figure measure", which->name);
+            usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
 }
 
 /* ---- A measure ---- */
@@ -248,11 +261,6 @@ static int read_measure(const char *text, const criteria *asked)
     return column;
 }
 
-typedef struct {
-    criteria asked;
-    material constants;
-} measure_options;
-
 static double largest_half_width(const contact_history *history)
 {
     const contact_case *setup = &history->setup;
@@ -265,41 +273,36 @@ static double largest_half_width(const contact_history *history)
 /* Friction and Poisson's ratio are variables of other figures. */
 static arguments with_bodies(const arguments *line)
 {
-    arguments as = *line;
-    as.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
-    as.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
-    as.operand = NULL;
-    return as;
+    arguments bodies = *line;
+    bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
+    bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
+    bodies.operand = NULL;
+    return bodies;
 }
 
-static void read_history(const arguments *line, const figure *which, char decimal_sign,
-                         contact_history *history, places *at, measure_options *options_of,
-                         figure_case *inputs)
+static void refuse_other_variables(const arguments *line, const figure *chosen)
 {
-    arguments as = with_bodies(line);
-    const bool has_measure = which == &figure_measure;
-    if (has_measure) {
-        material_read(as.value[OPTION_MATERIAL], &as, &options_of->constants);
-        criteria_read(&as, &options_of->constants, &options_of->asked);
-    } else
-        refuse_criteria(line, which);
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (i != FRICTION && i != NU && line->value[OPTION_FIGURE_VARIABLE + i] != NULL)
-            refuse_variable(which, i, line->value[OPTION_FIGURE_VARIABLE + i]);
-    if (which->needs_point && as.value[OPTION_AT] == NULL)
-        usage_error("--at: missing; figure %s needs a point x,y", which->name);
-    places_read(&as, decimal_sign, at);
-    if (at->count > 1)
-        usage_error("--at %s: must be one point", as.value[OPTION_AT]);
-    contact_history_read(
-        &as, decimal_sign,
-        (usual_cycles){.cycles = which->cycles, .of_two = which->cycles > 2 ? 0 : 2}, history);
-    *inputs =
-        (figure_case){.history = history, .at = at, .half_width = largest_half_width(history)};
-    if (!has_measure)
-        return;
-    criteria_read_strength(&as, &history->setup, &options_of->asked);
-    inputs->asked = &options_of->asked;
+            refuse_variable(chosen, i, line->value[OPTION_FIGURE_VARIABLE + i]);
+}
+
+static void read_point(const arguments *line, char decimal_sign, work *to_do)
+{
+    const char *text = line->value[OPTION_AT];
+    if (to_do->chosen->needs_point && text == NULL)
+        usage_error("--at: missing; figure %s needs a point x,y", to_do->chosen->name);
+    places_read(line, decimal_sign, &to_do->at);
+    if (to_do->at.count > 1)
+        usage_error("--at %s: must be one point", text);
+}
+
+/* When the contact is read. */
+static void read_measure_and_place(const arguments *line, work *to_do)
+{
+    figure_case *inputs = &to_do->inputs;
+    criteria_read_strength(line, &to_do->history.setup, &to_do->asked);
+    inputs->asked = &to_do->asked;
     inputs->measure = read_measure(line->value[OPTION_MEASURE], inputs->asked);
     inputs->over = read_over(line->value[OPTION_OVER]);
     const bool is_of_friction =
@@ -308,6 +311,29 @@ static void read_history(const arguments *line, const figure *which, char decima
     if (is_of_friction && inputs->over != OVER_SURFACE)
         usage_error("--over %s: %s is of the surface alone", line->value[OPTION_OVER],
                     column_kind_of(inputs->measure)->column);
+}
+
+static void read_history(const arguments *line, char decimal_sign, work *to_do)
+{
+    const figure *chosen = to_do->chosen;
+    const bool has_measure = chosen == &figure_measure;
+    arguments bodies = with_bodies(line);
+    if (has_measure) {
+        material_read(bodies.value[OPTION_MATERIAL], &bodies, &to_do->constants);
+        criteria_read(&bodies, &to_do->constants, &to_do->asked);
+    } else
+        refuse_criteria(line, chosen);
+    refuse_other_variables(line, chosen);
+    read_point(&bodies, decimal_sign, to_do);
+    contact_history_read(
+        &bodies, decimal_sign,
+        (usual_cycles){.cycles = chosen->cycles, .of_two = chosen->cycles > 2 ? 0 : 2},
+        &to_do->history);
+    to_do->inputs = (figure_case){.history = &to_do->history,
+                                  .at = &to_do->at,
+                                  .half_width = largest_half_width(&to_do->history)};
+    if (has_measure)
+        read_measure_and_place(&bodies, to_do);
 }
 
 static const picture_format *format_named(const char *name)
@@ -332,31 +358,20 @@ static const picture_format *read_picture_format(const arguments *line, output_o
 
 /* ---- What is written ---- */
 
-typedef struct {
-    const figure *which;
-    figure_case inputs;
-    const picture_format *format; /* NULL for the numbers */
-    bool no_title;
-    contact_history history;
-    places at;
-    measure_options measure;
-    dataset rows;
-} work;
-
 static void compute(work *to_do)
 {
-    to_do->rows.column = to_do->which->column;
-    to_do->rows.text_column = to_do->which->text_column;
-    to_do->inputs.name = to_do->which->name;
-    to_do->which->compute(&to_do->inputs, &to_do->rows);
+    to_do->rows.column = to_do->chosen->column;
+    to_do->rows.text_column = to_do->chosen->text_column;
+    to_do->inputs.name = to_do->chosen->name;
+    to_do->chosen->compute(&to_do->inputs, &to_do->rows);
 }
 
 static void draw(const work *to_do, output *out)
 {
     drawing *on = memory_zeroed(1, sizeof *on);
-    const char *nothing = to_do->which->draw(&to_do->inputs, &to_do->rows, on);
+    const char *nothing = to_do->chosen->draw(&to_do->inputs, &to_do->rows, on);
     if (nothing != NULL)
-        failure("figure %s: nothing to draw: %s", to_do->which->name, nothing);
+        failure("figure %s: nothing to draw: %s", to_do->chosen->name, nothing);
     if (to_do->no_title)
         on->title[0] = '\0';
     gnuplot_draw(on, to_do->format, out);
@@ -375,21 +390,20 @@ static void write_figure(void *of_work, records *rows)
 
 static int write_command(const arguments *line)
 {
-    work to_do = {.which = choose_figure(line), .no_title = line->value[OPTION_NO_TITLE] != NULL};
+    work to_do = {.chosen = choose_figure(line), .no_title = line->value[OPTION_NO_TITLE] != NULL};
     output_options how;
-    if (to_do.which == &figure_loop && has_loads(line))
-        to_do.which = &figure_any_loop;
+    if (to_do.chosen == &figure_loop && has_loads(line))
+        to_do.chosen = &figure_any_loop;
     if (line->value[OPTION_DATA] != NULL)
         output_options_read(line, &how);
     else
         to_do.format = read_picture_format(line, &how);
-    if (to_do.which->has_history)
-        read_history(line, to_do.which, how.decimal_sign, &to_do.history, &to_do.at, &to_do.measure,
-                     &to_do.inputs);
+    if (to_do.chosen->has_history)
+        read_history(line, how.decimal_sign, &to_do);
     else {
-        refuse_history(line, to_do.which);
-        refuse_criteria(line, to_do.which);
-        read_case(line, to_do.which, &to_do.inputs);
+        refuse_history(line, to_do.chosen);
+        refuse_criteria(line, to_do.chosen);
+        read_case(line, to_do.chosen, &to_do.inputs);
     }
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);

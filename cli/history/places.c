@@ -25,11 +25,8 @@ enum { PLACES_MAX = 1000000 };
 
 static void add(places *to, double x, double y)
 {
-    if ((to->count & (to->count - 1)) == 0) { /* room for the next power of two */
-        const size_t room = to->count == 0 ? 1 : 2 * to->count;
-        to->x = memory_resized(to->x, room * sizeof *to->x);
-        to->y = memory_resized(to->y, room * sizeof *to->y);
-    }
+    to->x = memory_for_one_more(to->x, to->count, sizeof *to->x);
+    to->y = memory_for_one_more(to->y, to->count, sizeof *to->y);
     to->x[to->count] = x;
     to->y[to->count++] = y;
 }
@@ -101,9 +98,7 @@ static void read_file(const char *path, const char *encoding, char decimal_sign,
         failure("%s", all.problem);
     if (all.unused[0] != '\0')
         notice("%s: %s", path, all.unused);
-    for (size_t i = 0; i < all.count; i++)
-        add(to, all.first[i], all.second[i]);
-    pairs_free(&all);
+    *to = (places){.x = all.first, .y = all.second, .count = all.count};
 }
 
 /* ---- --x and --depth ---- */

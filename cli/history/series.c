@@ -2,6 +2,7 @@
 #include "series.h"
 
 #include "field/vtk.h"
+#include "text/memory.h"
 #include "text/message.h"
 
 #include <jansson.h>
@@ -80,9 +81,7 @@ typedef struct {
 static char *frame_name(const char *path, const char *mark, size_t step)
 {
     const size_t room = strlen(path) + 40;
-    char *name = malloc(room);
-    if (name == NULL)
-        failure("out of memory");
+    char *name = memory_zeroed(room, 1);
     snprintf(name, room, "%.*s_%s%04zu.vtk", (int)stem_length(path), path, mark, step + 1);
     return name;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The only file that knows libcsv. Callers ask for one row after the other, but libcsv's parser
- * calls back for whatever it is given. So it is given one line at a time: a line ends one row at
- * the most. */
+ * calls back for whatever it is given. So it is given a row at a time: the lines up to one at whose
+ * end no quote is open. */
 #include "csv_input.h"
 
 #include "text_input.h"
@@ -22,10 +22,10 @@ struct csv_input {
     struct csv_parser parser;
     char block[BLOCK];
     size_t begin, end; /* what of the block has not been parsed */
-    bool at_start, at_end, skipping, row_ended, too_many, after_return;
+    bool at_start, at_end, too_many, after_return;
     int64_t line, first_line; /* of the byte that comes next; of the row */
     char *row;                /* as it stands in the file */
-    size_t pushed, row_room;
+    size_t length, row_room;
     char *text; /* the cells of the row, each with its 0 */
     size_t used, room;
     size_t begins[CSV_ROW_CELLS]; /* where each starts */
@@ -64,12 +64,6 @@ static void take_cell(void *bytes, size_t length, void *data)
         memcpy(in->text + in->used, bytes, length);
     in->text[in->used + length] = '\0';
     in->used += length + 1;
-}
-
-static void end_row(int terminator, void *data)
-{
-    (void)terminator;
-    ((csv_input *)data)->row_ended = true;
 }
 
 /* ---- Opening and reading ---- */
@@ -171,109 +165,79 @@ static bool fill(csv_input *in)
 
 /* ---- Rows ---- */
 
-static void count_line(csv_input *in, const char *bytes, size_t length)
-{
-    const char last = bytes[length - 1];
-    const bool same_end = in->after_return && length == 1; /* the feed that follows a return */
-    if (last == '\r' || (last == '\n' && !same_end))
-        in->line++;
-    in->after_return = last == '\r';
-}
-
-/* What the parser still holds of a row with misplaced quotes is thrown away. */
-static void restart(csv_input *in)
-{
-    const char separator = (char)csv_get_delim(&in->parser);
-    csv_free(&in->parser);
-    start_parser(in, separator);
-    in->skipping = false;
-}
-
 /* A quote that is closed nowhere, or where it cannot be: no one knows which rows it has taken. */
 static csv_event not_closed(csv_input *in)
 {
     return stop(in, in->first_line, "a quote that is not closed");
 }
 
-static bool goes_on(const csv_input *in)
+/* Where the next byte stands. */
+typedef enum { CELL_BEGINS, CELL_PLAIN, CELL_QUOTED, CELL_AFTER_QUOTE } position;
+
+static position after_byte(position at, char byte, char separator)
 {
-    return in->line > in->first_line;
+    if (at == CELL_QUOTED)
+        return byte == '"' ? CELL_AFTER_QUOTE : CELL_QUOTED;
+    if (byte == separator || ends_line(byte))
+        return CELL_BEGINS;
+    return byte == '"' && at != CELL_PLAIN ? CELL_QUOTED : CELL_PLAIN;
 }
 
-/* The parser's own memory: no fault of the row. */
-static void check_memory(csv_input *in)
+static char take_byte(csv_input *in)
 {
-    if (csv_error(&in->parser) == CSV_ENOMEM)
-        failure("out of memory");
+    const char byte = in->block[in->begin++];
+    const bool same_end = in->after_return && byte == '\n';
+    in->line += ends_line(byte) && !same_end;
+    in->after_return = byte == '\r';
+    make_room(&in->row, &in->row_room, in->length, 2); /* and for what may end the last row */
+    in->row[in->length++] = byte;
+    return byte;
 }
 
-/* The parser has refused a byte. */
+/* The lines of a row; an empty one where there is a blank line. The last may lack its end. */
+static csv_event read_lines(csv_input *in)
+{
+    position at = CELL_BEGINS;
+    char byte = '\0';
+    in->length = 0;
+    in->first_line = in->line;
+    while (at == CELL_QUOTED || !ends_line(byte)) {
+        if (in->begin == in->end && !in->at_end && !fill(in))
+            return CSV_FAILED;
+        if (in->begin == in->end)
+            return at == CELL_QUOTED ? not_closed(in) : in->length > 0 ? CSV_ROW : CSV_END;
+        if (in->length == CSV_ROW_BYTES)
+            return in->line > in->first_line
+                       ? not_closed(in)
+                       : stop(in, in->line, "a line of more than 1 MiB; allowed: CSV");
+        byte = take_byte(in);
+        at = after_byte(at, byte, csv_input_separator(in));
+    }
+    return CSV_ROW;
+}
+
+/* What the parser still holds of a row with misplaced quotes is thrown away. */
 static csv_event refuse(csv_input *in)
 {
-    check_memory(in);
-    in->skipping = true; /* to the end of the line */
-    return goes_on(in) ? not_closed(in) : CSV_ROW;
-}
-
-static bool is_begun(const csv_input *in)
-{
-    return in->count > 0 || in->parser.entry_pos > 0 || in->parser.quoted != 0 || in->skipping;
-}
-
-/* Pushes one line, or as much of it as there is. A row goes on with the next line where a quote is
- * open. */
-static csv_event push(csv_input *in)
-{
-    const size_t length = line_length(in->block + in->begin, in->end - in->begin);
-    if (in->pushed + length > CSV_ROW_BYTES)
-        return goes_on(in) ? not_closed(in)
-                           : stop(in, in->line, "a line of more than 1 MiB; allowed: CSV");
-    make_room(&in->row, &in->row_room, in->pushed, length + 1);
-    const char *bytes = memcpy(in->row + in->pushed, in->block + in->begin, length);
-    in->pushed += length;
-    in->begin += length;
-    csv_event event = CSV_ROW;
-    if (!in->skipping && csv_parse(&in->parser, bytes, length, take_cell, end_row, in) != length)
-        event = refuse(in);
-    const bool ends = ends_line(bytes[length - 1]);
-    if (event == CSV_ROW && in->skipping && ends) {
-        restart(in);
-        event = CSV_MALFORMED;
-    }
-    count_line(in, bytes, length);
-    if (ends && event == CSV_ROW && !in->row_ended && !is_begun(in)) {
-        in->first_line = in->line; /* a blank line */
-        in->pushed = 0;
-    }
-    return event;
-}
-
-/* The last row may lack its end of line. */
-static csv_event finish(csv_input *in)
-{
-    if (in->skipping) {
-        restart(in);
-        return CSV_MALFORMED;
-    }
-    if (csv_fini(&in->parser, take_cell, end_row, in) == 0)
-        return in->row_ended ? CSV_ROW : CSV_END;
-    check_memory(in);
-    return not_closed(in);
+    const char separator = csv_input_separator(in);
+    if (csv_error(&in->parser) == CSV_ENOMEM) /* no fault of the row */
+        failure("out of memory");
+    csv_free(&in->parser);
+    start_parser(in, separator);
+    return csv_input_spans_lines(in) ? not_closed(in) : CSV_MALFORMED;
 }
 
 static csv_event next_row(csv_input *in)
 {
-    in->count = in->used = in->pushed = 0;
-    in->row_ended = false;
-    in->first_line = in->line;
-    csv_event event = CSV_ROW;
-    while (!in->row_ended && event == CSV_ROW && !in->too_many) {
-        if (in->begin == in->end && !in->at_end && !fill(in))
-            return CSV_FAILED;
-        event = in->begin < in->end ? push(in) : finish(in);
-    }
+    csv_event event = read_lines(in);
+    if (event != CSV_ROW)
+        return event;
+    in->count = in->used = 0;
+    in->row[in->length] = '\n';
+    if (csv_parse(&in->parser, in->row, in->length + 1, take_cell, NULL, in) != in->length + 1)
+        event = refuse(in);
     if (in->too_many)
-        return stop(in, in->line, "more than 1000 cells in a row");
+        return stop(in, in->first_line, "more than 1000 cells in a row");
     for (size_t i = 0; i < in->count; i++)
         in->cell[i] = in->text + in->begins[i];
     return event;
@@ -332,7 +296,7 @@ const char *const *csv_input_cells(const csv_input *in)
 
 const char *csv_input_row(csv_input *in)
 {
-    size_t length = in->pushed;
+    size_t length = in->length;
     if (in->row == NULL)
         return "";
     while (length > 0 && strchr("\r\n", in->row[length - 1]) != NULL)

@@ -18,17 +18,15 @@
 
 #include <iconv.h>
 
-enum { BLOCK = 1 << 16, CARRY = 4, PROBLEM = 600 };
+enum { BLOCK = 1 << 16, PROBLEM = 600 };
 
 struct text_input {
     const char *name, *encoding; /* NULL for UTF-8 */
     int file;
-    iconv_t converter; /* of another encoding than UTF-8 */
-    bool started, at_end, has_mark;
-    char block[BLOCK]; /* as it is in the file */
-    size_t begin, end; /* what of the block has not been converted */
-    char carry[CARRY]; /* the first bytes of a character whose others are still to come */
-    size_t carried;
+    iconv_t converter; /* from UTF-8 too: it knows what is none */
+    bool has_converter, started, at_end, has_mark;
+    char block[BLOCK];    /* as it is in the file */
+    size_t begin, end;    /* what of the block has not been converted */
     int64_t line, column; /* of the character that comes next, from 1 */
     bool after_return;
     char problem[PROBLEM]; /* why it cannot be read on */
@@ -65,22 +63,17 @@ void text_input_check(const char *encoding)
 
 static bool start_converter(text_input *in, const char *encoding)
 {
-    if (encoding == NULL)
-        return true;
     in->converter = iconv_open("UTF-8", encoding);
-    if (in->converter == (iconv_t)-1)
-        return stop(in, "%s: reading %s: %s", in->name, encoding, strerror(errno));
-    in->encoding = encoding;
-    return true;
+    in->has_converter = in->converter != (iconv_t)-1;
+    return in->has_converter || stop(in, "%s: reading %s: %s", in->name, encoding, strerror(errno));
 }
 
 text_input *text_input_open(const char *path, const char *encoding)
 {
     const bool standard = strcmp(path, "-") == 0;
     text_input *in = memory_zeroed(1, sizeof *in);
-    *in = (text_input){.name = standard ? "standard input" : path, .line = 1, .column = 1};
-    if (!start_converter(in, encoding))
-        return in;
+    *in = (text_input){
+        .name = standard ? "standard input" : path, .encoding = encoding, .line = 1, .column = 1};
     in->file = standard ? STDIN_FILENO : file_to_read(path);
     if (in->file < 0)
         stop(in, "%s: %s", path, file_problem(errno));
@@ -110,24 +103,25 @@ static bool begins_with(const text_input *in, const char *mark, size_t length)
     return in->end >= length && memcmp(in->block, mark, length) == 0;
 }
 
-/* The marks of UTF-8 and UTF-16 say more than nothing, and may contradict what was said. */
+/* The marks of UTF-8 and UTF-16 say more than nothing, and may contradict what was said. For iconv
+ * a mark is a character where the encoding says the order of the bytes. */
 static bool take_mark(text_input *in)
 {
     static const char utf8[] = "\xef\xbb\xbf", little[] = "\xff\xfe", big[] = "\xfe\xff";
+    const bool is_utf8 = begins_with(in, utf8, 3),
+               is_utf16 = begins_with(in, little, 2) || begins_with(in, big, 2);
     in->started = true;
-    if (begins_with(in, utf8, 3)) {
-        if (in->encoding != NULL && strcasecmp(in->encoding, "utf-8") != 0)
-            return stop(in, "--encoding %s: %s begins with the mark of UTF-8; allowed: utf-8",
-                        in->encoding, in->name);
+    in->has_mark = is_utf8 || is_utf16;
+    if (is_utf8 && in->encoding != NULL && strcasecmp(in->encoding, "utf-8") != 0)
+        return stop(in, "--encoding %s: %s begins with the mark of UTF-8; allowed: utf-8",
+                    in->encoding, in->name);
+    if (is_utf16 && in->encoding == NULL)
+        in->encoding = "utf-16";
+    if (is_utf8)
         in->begin = 3;
-        in->has_mark = true;
-    } else if (begins_with(in, little, 2) || begins_with(in, big, 2)) {
-        in->has_mark = true;
-        /* for iconv the mark is a character where the encoding says the order of the bytes */
-        in->begin = in->encoding != NULL && strcasecmp(in->encoding, "utf-16") != 0 ? 2 : 0;
-        return in->encoding != NULL || start_converter(in, "utf-16");
-    }
-    return true;
+    else if (is_utf16 && strcasecmp(in->encoding, "utf-16") != 0)
+        in->begin = 2;
+    return start_converter(in, in->encoding != NULL ? in->encoding : "utf-8");
 }
 
 /* ---- Characters ---- */
@@ -171,17 +165,14 @@ static void advance(text_input *in, uint32_t code)
     in->after_return = code == '\r';
 }
 
-/* Looks at every character; *checked is how many bytes are whole ones. */
-static bool check(text_input *in, const char *bytes, size_t count, size_t *checked)
+/* Looks at every character. */
+static bool check(text_input *in, const char *bytes, size_t count)
 {
     uint32_t code;
-    size_t length;
-    *checked = 0;
-    for (; *checked < count; *checked += length) {
-        length = utf8_length(bytes + *checked, count - *checked, &code);
-        const bool more_to_come = count - *checked < CARRY && !(in->at_end && in->begin == in->end);
+    for (size_t i = 0, length; i < count; i += length) {
+        length = utf8_length(bytes + i, count - i, &code);
         if (length == 0)
-            return more_to_come || refuse_byte(in, bytes[*checked]);
+            return refuse_byte(in, bytes[i]);
         if (!utf8_is_text(code))
             return refuse_character(in, code);
         advance(in, code);
@@ -196,12 +187,6 @@ static size_t convert(text_input *in, char *bytes, size_t room)
     char *from = in->block + in->begin, *to = bytes;
     size_t left = in->end - in->begin, free_room = room;
     errno = 0;
-    if (in->encoding == NULL) {
-        const size_t count = left < room ? left : room;
-        memcpy(to, from, count);
-        in->begin += count;
-        return count;
-    }
     if (iconv(in->converter, &from, &left, &to, &free_room) != (size_t)-1)
         errno = 0;
     const bool cut = errno == EINVAL && in->at_end;
@@ -212,22 +197,16 @@ static size_t convert(text_input *in, char *bytes, size_t room)
 
 bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count)
 {
-    size_t had, checked;
     do {
         if (!fill(in) || (!in->started && !take_mark(in)))
             return false;
-        had = in->carried;
-        memcpy(bytes, in->carry, had);
-        const size_t all = had + convert(in, bytes + had, room - had);
+        *count = convert(in, bytes, room);
         const bool sound = errno == 0;
-        if (!check(in, bytes, all, &checked))
+        if (!check(in, bytes, *count))
             return false;
         if (!sound)
             return refuse_byte(in, in->block[in->begin]);
-        in->carried = all - checked;
-        memcpy(in->carry, bytes + checked, in->carried);
-    } while (checked == 0 && !(in->at_end && in->begin == in->end && in->carried == 0));
-    *count = checked;
+    } while (*count == 0 && !(in->at_end && in->begin == in->end));
     return true;
 }
 
@@ -243,7 +222,7 @@ const char *text_input_name(const text_input *in)
 
 void text_input_close(text_input *in)
 {
-    if (in->encoding != NULL)
+    if (in->has_converter)
         iconv_close(in->converter);
     if (in->file > STDERR_FILENO)
         close(in->file);

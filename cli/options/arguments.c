@@ -25,7 +25,7 @@ static const struct poptOption *find(const struct poptOption *options, int numbe
     return NULL;
 }
 
-void options_list(const struct poptOption *options, char *text, size_t size)
+static void list_options(const struct poptOption *options, char *text, size_t size)
 {
     text[0] = '\0';
     for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
@@ -71,7 +71,7 @@ static void refuse_unknown(const syntax *grammar, const char *option)
     if (to.name != NULL)
         usage_error("%s: unknown option; the nearest is --%s; \"%s --help\" lists all", option,
                     to.name, message_speaker());
-    options_list(grammar->options, allowed, sizeof allowed);
+    list_options(grammar->options, allowed, sizeof allowed);
     usage_error("%s: unknown option; allowed: %s", option, allowed);
 }
 
@@ -130,38 +130,23 @@ bool arguments_read(arguments *line, const syntax *grammar, int argc, const char
     int number;
     *line = (arguments){0};
     errno = 0;
-    line->context = memory_checked(poptGetContext(NULL, argc, argv, grammar->options, 0));
-    while ((number = poptGetNextOpt(line->context)) > 0) {
-        char *value = poptGetOptArg(line->context);
+    const poptContext context =
+        memory_checked(poptGetContext(NULL, argc, argv, grammar->options, 0));
+    while ((number = poptGetNextOpt(context)) > 0) {
+        char *value = poptGetOptArg(context);
         check_memory();
         keep(line, grammar, number, value);
     }
     check_memory();
     if (number < -1)
-        refuse_option(grammar, line->context, number);
+        refuse_option(grammar, context, number);
     if (line->value[OPTION_HELP] != NULL) {
-        show_help(grammar, line->context);
+        show_help(grammar, context);
         return false;
     }
-    line->operand = poptGetArgs(line->context);
+    line->operand = poptGetArgs(context);
     check_memory();
     return true;
-}
-
-void arguments_free(arguments *line)
-{
-    for (int i = 0; i < OPTION_LIMIT; i++)
-        free(line->value[i]);
-    poptFreeContext(line->context);
-}
-
-int arguments_run(const syntax *grammar, int argc, const char **argv,
-                  int (*run)(const arguments *line))
-{
-    arguments line;
-    const int status = arguments_read(&line, grammar, argc, argv) ? run(&line) : STATUS_DONE;
-    arguments_free(&line);
-    return status;
 }
 
 void arguments_no_operand(const arguments *line)

@@ -36,23 +36,14 @@ typedef struct {
     /* by the option's number: NULL where not given, "" for one that takes no value */
     char *value[OPTION_LIMIT];
     const char **operand; /* ends with NULL; NULL where there is none */
-    poptContext context;
 } arguments;
 
 /* Reads a command line whose argv[0] is the whole command, "rwedge table". False after --help, with
- * which the command is done. Free the arguments in either case. */
+ * which the command is done. */
 bool arguments_read(arguments *line, const syntax *grammar, int argc, const char **argv);
-void arguments_free(arguments *line);
-
-/* Reads the command line and hands it to the command; returns the exit status. */
-int arguments_run(const syntax *grammar, int argc, const char **argv,
-                  int (*run)(const arguments *line));
 
 /* A mistake where there is a word that is no option. */
 void arguments_no_operand(const arguments *line);
-
-/* Writes "a, b, c" of the long options, with dashes. */
-void options_list(const struct poptOption *options, char *text, size_t size);
 
 /* Another name of an option, which the help and the shells do not list. */
 #define OTHER_NAME(name, number)                                                                   \

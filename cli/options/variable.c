@@ -15,41 +15,42 @@ const table_variable variables[VARIABLE_COUNT] = {
     [Q_OVER_FP] = {"q-over-fp", "Q_over_fP", "Q/(fP)", 0, 1, "a number from 0 to 1", "0:1:0.05"},
 };
 
-static void refuse_value(const table_variable *which, const char *text, double outside)
+static void refuse_value(const table_variable *variable, const char *text, double outside)
 {
     if (strpbrk(text, ":,") == NULL)
-        usage_error("--%s %s: %s must be %s", which->option, text, which->name, which->domain);
+        usage_error("--%s %s: %s must be %s", variable->option, text, variable->name,
+                    variable->domain);
     char value[NUMBER_SIZE];
     number_write(outside, NUMBER_DIGITS, '.', value);
-    usage_error("--%s %s: %s must be %s, not %s%s", which->option, text, which->name, which->domain,
-                value,
+    usage_error("--%s %s: %s must be %s, not %s%s", variable->option, text, variable->name,
+                variable->domain, value,
                 strchr(text, ',') != NULL ? " (a comma separates the numbers of a list)" : "");
 }
 
-static void read_values(const table_variable *which, const char *text, range *values)
+static void read_values(const table_variable *variable, const char *text, range *values)
 {
     const char *complaint = range_read(text, values);
     if (complaint != NULL)
-        usage_error("--%s %s: %s", which->option, text, complaint);
+        usage_error("--%s %s: %s", variable->option, text, complaint);
     double outside;
-    if (!range_within(values, which->lo, which->hi, &outside))
-        refuse_value(which, text, outside);
+    if (!range_within(values, variable->lo, variable->hi, &outside))
+        refuse_value(variable, text, outside);
 }
 
-void variable_read(const table_variable *which, const char *text, range *values)
+void variable_read(const table_variable *variable, const char *text, range *values)
 {
     if (text == NULL)
-        text = which->usual;
-    read_values(which, text, values);
-    range_say_two_values(which->option, text);
+        text = variable->usual;
+    read_values(variable, text, values);
+    range_say_two_values(variable->option, text);
 }
 
-double variable_read_one(const table_variable *which, const char *text)
+double variable_read_one(const table_variable *variable, const char *text)
 {
     range values;
-    read_values(which, text, &values);
+    read_values(variable, text, &values);
     if (values.count > 1)
-        usage_error("--%s %s: must be one number", which->option, text);
+        usage_error("--%s %s: must be one number", variable->option, text);
     const double value = range_value(&values, 0);
     range_free(&values);
     return value;

@@ -20,9 +20,9 @@ typedef struct {
 extern const table_variable variables[VARIABLE_COUNT];
 
 /* Reads an option's text, or the usual range where it is NULL. Free the range. */
-void variable_read(const table_variable *which, const char *text, range *values);
+void variable_read(const table_variable *variable, const char *text, range *values);
 
 /* The same for one number. */
-double variable_read_one(const table_variable *which, const char *text);
+double variable_read_one(const table_variable *variable, const char *text);
 
 #endif

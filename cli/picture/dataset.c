@@ -5,10 +5,7 @@
 
 void dataset_add(dataset *to, data_row row)
 {
-    if (to->count == to->room) {
-        to->room = 2 * to->room + 256;
-        to->row = memory_resized(to->row, to->room * sizeof row);
-    }
+    to->row = memory_for_one_more(to->row, to->count, sizeof row);
     to->row[to->count++] = row;
 }
 

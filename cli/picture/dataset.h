@@ -20,7 +20,7 @@ typedef struct {
     const char *const *column; /* the names of the numbers; NULL after the last */
     const char *text_column;   /* the name of the text column, the last; NULL where there is none */
     data_row *row;
-    size_t count, room;
+    size_t count;
 } dataset;
 
 void dataset_add(dataset *to, data_row row);

@@ -53,16 +53,16 @@ static void put_text(FILE *script, const char *text)
     fputs("\"", script);
 }
 
-static void put_axis(FILE *script, const char *name, const axis *which)
+static void put_axis(FILE *script, const char *name, const axis *shown)
 {
     fprintf(script, "set %slabel ", name);
-    put_text(script, which->text);
-    fprintf(script, "\nset %srange [%.9g:%.9g]\nset format %s '%%g'\n", name, which->from,
-            which->to, name);
-    if (which->tic_end != 0)
-        fprintf(script, "set %stics 0,%.9g,%.9g\n", name, which->tic, which->tic_end);
+    put_text(script, shown->text);
+    fprintf(script, "\nset %srange [%.9g:%.9g]\nset format %s '%%g'\n", name, shown->from,
+            shown->to, name);
+    if (shown->tic_end != 0)
+        fprintf(script, "set %stics 0,%.9g,%.9g\n", name, shown->tic, shown->tic_end);
     else
-        fprintf(script, "set %stics %.9g\n", name, which->tic);
+        fprintf(script, "set %stics %.9g\n", name, shown->tic);
 }
 
 /* What stands below an axis is a line more of its text. */

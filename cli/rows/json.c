@@ -51,7 +51,7 @@ static void keep_name(records *rows, const char *name)
         snprintf(key, size, "%s_%d", name, n);
     if (strcmp(key, name) != 0)
         notice("column '%.60s': there again; in JSON it is '%.70s'", name, key);
-    rows->key = memory_resized(rows->key, (rows->key_count + 1) * sizeof *rows->key);
+    rows->key = memory_for_one_more(rows->key, rows->key_count, sizeof *rows->key);
     rows->key[rows->key_count++] = key;
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "chart.h"
 
-#include "inside.h"
+#include "parts.h"
 
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "styles.h"
 
-#include "inside.h"
+#include "parts.h"
 
 static void frame(lxw_format *style, lxw_color_t background)
 {

@@ -3,7 +3,7 @@
 
 #include "number/number.h"
 #include "text/utf8.h"
-#include "inside.h"
+#include "parts.h"
 #include "styles.h"
 
 #include <errno.h>

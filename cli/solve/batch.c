@@ -263,9 +263,5 @@ int batch_run(const batch *many, const output_options *how)
              .held = memory_zeroed(HELD_ROWS, sizeof *r.held)};
     r.table.constants.cell_decimal_sign = how->decimal_sign;
     read_header(&r);
-    const int status = write_output(&r);
-    csv_row_free(&r.first);
-    csv_input_close(r.in);
-    free(r.held);
-    return status;
+    return write_output(&r);
 }

@@ -16,17 +16,17 @@ int64_t plan_size(const plan *job)
     return size < 9e18 ? (int64_t)size : INT64_MAX;
 }
 
-static void refuse(const table *which, const double value[], int32_t status)
+static void refuse(const table *chosen, const double value[], int32_t status)
 {
     char where[160] = "";
-    for (int i = 0; i < which->axis_count; i++) {
+    for (int i = 0; i < chosen->axis_count; i++) {
         char text[NUMBER_SIZE];
-        const int variable = which->axis[i];
+        const int variable = chosen->axis[i];
         number_write(value[variable], NUMBER_DIGITS, '.', text);
         list_add(where, sizeof where, ", ", "%s = %s", variables[variable].column, text);
     }
     progress_erase();
-    failure("%s at %s: %s", which->name, where, rwedge_strerror(status));
+    failure("%s at %s: %s", chosen->name, where, rwedge_strerror(status));
 }
 
 /* ---- What is computed ahead ---- */

@@ -47,24 +47,24 @@ static const struct poptOption options[] = {
     POPT_TABLEEND,
 };
 
-static void list_columns(const table *which, FILE *stream)
+static void list_columns(const table *chosen, FILE *stream)
 {
     int width = fprintf(stream, "    columns:");
-    for (int i = 0; i < which->column_count; i++) {
-        if (width + (int)strlen(which->column[i]) > 76)
+    for (int i = 0; i < chosen->column_count; i++) {
+        if (width + (int)strlen(chosen->column[i]) > 76)
             width = fprintf(stream, "\n            ") - 1;
-        width += fprintf(stream, " %s", which->column[i]);
+        width += fprintf(stream, " %s", chosen->column[i]);
     }
 }
 
-static void describe_table(const table *which, FILE *stream)
+static void describe_table(const table *chosen, FILE *stream)
 {
-    fprintf(stream, "\n  %s%s: %s\n", which->name, which->ratio != NULL ? " --pad flat" : "",
-            which->summary);
-    list_columns(which, stream);
+    fprintf(stream, "\n  %s%s: %s\n", chosen->name, chosen->ratio != NULL ? " --pad flat" : "",
+            chosen->summary);
+    list_columns(chosen, stream);
     fprintf(stream, "\n    options:");
-    for (int i = which->axis_count - 1; i >= 0; i--)
-        fprintf(stream, " --%s", variables[which->axis[i]].option);
+    for (int i = chosen->axis_count - 1; i >= 0; i--)
+        fprintf(stream, " --%s", variables[chosen->axis[i]].option);
     fprintf(stream, "\n");
 }
 
@@ -112,13 +112,13 @@ static void choose_pad(const arguments *line, plan *job)
     job->table = of_flat;
 }
 
-static void refuse_variable(const table *which, int variable, const char *text)
+static void refuse_variable(const table *chosen, int variable, const char *text)
 {
     char allowed[160] = "";
-    for (int i = which->axis_count - 1; i >= 0; i--)
-        list_add(allowed, sizeof allowed, ", ", "--%s", variables[which->axis[i]].option);
+    for (int i = chosen->axis_count - 1; i >= 0; i--)
+        list_add(allowed, sizeof allowed, ", ", "--%s", variables[chosen->axis[i]].option);
     usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option, text,
-                which->name, allowed);
+                chosen->name, allowed);
 }
 
 static void read_variables(const arguments *line, plan *job)
@@ -229,8 +229,6 @@ static int write_table(const arguments *line)
     check_size(line, &job);
     output_options_read(line, &how);
     output_options_write(&how, plan_write, &job);
-    for (int i = 0; i < VARIABLE_COUNT; i++)
-        range_free(&job.axis[i]);
     return STATUS_DONE;
 }
 

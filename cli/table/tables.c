@@ -237,15 +237,15 @@ const table *table_of_flat(const char *name)
     return named(name, WEDGE_TABLES, TABLE_COUNT);
 }
 
-const table_variable *table_variable_of(const table *which, int variable)
+const table_variable *table_variable_of(const table *chosen, int variable)
 {
-    return variable == A_OVER_B && which->ratio != NULL ? which->ratio : &variables[variable];
+    return variable == A_OVER_B && chosen->ratio != NULL ? chosen->ratio : &variables[variable];
 }
 
-bool table_depends_on(const table *which, int variable)
+bool table_depends_on(const table *chosen, int variable)
 {
-    for (int i = 0; i < which->axis_count; i++)
-        if (which->axis[i] == variable)
+    for (int i = 0; i < chosen->axis_count; i++)
+        if (chosen->axis[i] == variable)
             return true;
     return false;
 }

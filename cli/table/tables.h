@@ -36,8 +36,8 @@ const table *table_named(const char *name);
 const table *table_of_flat(const char *name);
 
 /* One of its variables. */
-const table_variable *table_variable_of(const table *which, int variable);
+const table_variable *table_variable_of(const table *chosen, int variable);
 
-bool table_depends_on(const table *which, int variable);
+bool table_depends_on(const table *chosen, int variable);
 
 #endif

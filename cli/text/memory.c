@@ -3,6 +3,7 @@
 
 #include "message.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 void *memory_checked(void *memory)
@@ -26,4 +27,10 @@ void *memory_zeroed(size_t count, size_t size)
 void *memory_resized(void *old, size_t size)
 {
     return memory_checked(realloc(old, some(size)));
+}
+
+void *memory_for_one_more(void *old, size_t count, size_t size)
+{
+    const bool is_full = (count & (count - 1)) == 0;
+    return is_full ? memory_resized(old, (count > 0 ? 2 * count : 1) * size) : old;
 }

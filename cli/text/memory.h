@@ -9,6 +9,9 @@
 void *memory_zeroed(size_t count, size_t size);
 void *memory_resized(void *old, size_t size);
 
+/* Of so many things of a size, with room for one more: it doubles at powers of two. */
+void *memory_for_one_more(void *old, size_t count, size_t size);
+
 /* What another function gives: the end where it is NULL. */
 void *memory_checked(void *memory);
 

@@ -58,10 +58,9 @@ enum { EXAMPLES = sizeof examples / sizeof examples[0] };
 static void check_typing(xlsx *book)
 {
     for (int cell = 0; cell < INPUT_CELLS; cell++) {
-        char named[FORMULA_SIZE], formula[FORMULA_SIZE], message[FORMULA_SIZE];
-        const xlsx_rule rule = {
-            formula_in_row(input_check(cell, named), FIRST_ROW, column_of, formula),
-            case_cells[cell].column, case_cells[cell].label, input_message(cell, message)};
+        const xlsx_rule rule = {formula_in_row(input_check(cell), FIRST_ROW, column_of),
+                                case_cells[cell].column, case_cells[cell].label,
+                                input_message(cell)};
         xlsx_validate(book, (xlsx_area){FIRST_ROW, column_of(cell), BATCH_ROWS, 1}, &rule);
     }
 }
@@ -81,10 +80,8 @@ static void colour_rows(xlsx *book)
     } rules[] = {{"OR(rw_error<>\"\",AND(ISNUMBER(rw_safety),rw_safety<1))", XLSX_RED},
                  {"rw_remarks<>\"\"", XLSX_AMBER},
                  {NEXT_ROWS, XLSX_YELLOW}};
-    char formula[FORMULA_SIZE];
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++)
-        xlsx_colour_when(book, cases,
-                         formula_in_row(rules[i].condition, FIRST_ROW, column_of, formula),
+        xlsx_colour_when(book, cases, formula_in_row(rules[i].condition, FIRST_ROW, column_of),
                          rules[i].colour);
     xlsx_colour_when(book, inputs, "=" NEXT_ROWS, XLSX_YELLOW);
     xlsx_colour_when(book, results, "=ROW()<=rwt_used", XLSX_BLUE);
@@ -102,9 +99,8 @@ static void write_used(xlsx *book)
 
 static void print_used_rows(xlsx *book)
 {
-    char last[4], area[FORMULA_SIZE];
-    column_letters(column_of(RESULTS_END) - 1, last);
-    compose(area, "=Batch!$A$1:INDEX(Batch!$%s$1:$%s$10000,rwt_used)", last, last);
+    const char *last = column_letters(column_of(RESULTS_END) - 1);
+    const char *area = compose("=Batch!$A$1:INDEX(Batch!$%s$1:$%s$10000,rwt_used)", last, last);
     xlsx_print(book, (xlsx_page){0, 0, HEADER_ROW, true, area});
 }
 

@@ -74,5 +74,4 @@ void book_write(output *out)
     }
     if (problem != NULL)
         failure("%s: %s", out->name, problem);
-    free(table);
 }

@@ -7,6 +7,9 @@
 #include "base/domain.h"
 #include "rwedge.h"
 
+/* Of a logarithm: exp() of its opposite is nothing, but does not underflow, which sets errno. */
+static const double NEGLIGIBLE = 700;
+
 /* u = log(2 N) of a logarithm of the value, and how u changes with it. Newton's steps begin where
  * the larger power alone has the value. The sum of both is convex over u: so they go one way, and
  * never beyond. */
@@ -19,7 +22,7 @@ static double reversals_of(const rw_life_curve *c, double wanted, double *rate)
     for (int i = 0; i < STEPS; i++) {
         const double first = height[0] + slope[0] * u, second = height[1] + slope[1] * u;
         const int larger = second > first;
-        const double ratio = exp(-fabs(first - second));
+        const double ratio = exp(-fmin(fabs(first - second), NEGLIGIBLE));
         *rate = (1 + ratio) / (slope[larger] + ratio * slope[1 - larger]);
         const double step = (wanted - fmax(first, second) - log1p(ratio)) * *rate;
         u += step;
@@ -31,7 +34,7 @@ static double reversals_of(const rw_life_curve *c, double wanted, double *rate)
 
 static double cycles_of(double u)
 {
-    const double cycles = u > log(4 * RW_LARGEST) ? HUGE_VAL : exp(u) / 2;
+    const double cycles = u > log(4 * RW_LARGEST) ? HUGE_VAL : exp(fmax(u, -NEGLIGIBLE)) / 2;
     return cycles > RW_LARGEST ? HUGE_VAL : cycles >= RW_SMALLEST ? cycles : NAN;
 }
 

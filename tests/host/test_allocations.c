@@ -6,7 +6,7 @@
  * With PROGRAM_HEAP this program defines the four functions of the heap itself. They stand before
  * those of glibc in every shared library too, so allocations of GSL and LAPACK count. Without
  * PROGRAM_HEAP it is linked with --wrap, and sees only the allocations of the library. */
-#include "claims.h"
+#include "histories.h"
 #include "rwedge.h"
 
 #include <gsl/gsl_roots.h>
@@ -172,26 +172,7 @@ static const double STEPS[][4] = {{0.5, 0.1, 0, 0},
                                   {0.5, 0.1, -0.05, 0},
                                   {0.6, 0.12, -0.05, 0},
                                   {0.6, 0.12, 0.02, 0.01}};
-enum { STEP_COUNT = sizeof STEPS / sizeof *STEPS, STATE_MOST = 256 };
-
-typedef struct {
-    size_t size;
-    double number[STATE_MOST];
-} snapshot;
-
-static snapshot state_of(const rwedge_contact *contact)
-{
-    snapshot s = {.size = rwedge_contact_state_size(contact)};
-    assert_true(s.size <= STATE_MOST);
-    assert_ok(rwedge_contact_state(contact, s.size, s.number));
-    return s;
-}
-
-static void assert_as_before(const rwedge_contact *contact, const snapshot *before)
-{
-    const snapshot now = state_of(contact);
-    assert_memory_equal(&now, before, sizeof now);
-}
+enum { STEP_COUNT = sizeof STEPS / sizeof *STEPS };
 
 /* Loads one by one and all at once, and a contact that is restored from their state. */
 static outcome off_centre(void)
@@ -202,21 +183,21 @@ static outcome off_centre(void)
     rwedge_contact *contact = NULL, *restored = NULL;
     seen.status = STATUS_OF(rwedge_contact_create(0.1, 0.4, 0.5, 0.5, &contact));
     for (int i = 0; i < STEP_COUNT && seen.status == RWEDGE_OK; i++) {
-        const snapshot before = state_of(contact);
+        const contact_state before = state_of(contact);
         P[i] = STEPS[i][0], M[i] = STEPS[i][1], Q[i] = STEPS[i][2], sigma[i] = STEPS[i][3];
         seen.status = STATUS_OF(rwedge_contact_apply(contact, P[i], M[i], Q[i], sigma[i]));
         if (seen.status != RWEDGE_OK)
-            assert_as_before(contact, &before);
+            assert_state(contact, before);
     }
     if (seen.status == RWEDGE_OK) {
-        const snapshot before = state_of(contact);
+        const contact_state before = state_of(contact);
         seen.status = STATUS_OF(rwedge_contact_stress_history(contact, STEP_COUNT, P, M, Q, sigma,
                                                               1, &x, &y, s[0], s[1], s[2]));
         if (seen.status != RWEDGE_OK)
-            assert_as_before(contact, &before);
+            assert_state(contact, before);
     }
     if (seen.status == RWEDGE_OK) {
-        const snapshot last = state_of(contact);
+        const contact_state last = state_of(contact);
         seen.status = STATUS_OF(rwedge_contact_restore(last.size, last.number, &restored));
         assert_true((restored == NULL) == (seen.status != RWEDGE_OK));
     }

@@ -109,12 +109,12 @@ static bool next(combinations *c, double v[])
     return true;
 }
 
-static void show(const public_call *call, const double v[], const char *what)
+static void show(const public_call *call, const double v[], const char *complaint)
 {
     print_error("%s(", call->name);
     for (int i = 0; i < call->arguments; i++)
         print_error("%s%s = %.17g", i > 0 ? ", " : "", call->argument[i]->name, v[i]);
-    print_error("): %s\n", what);
+    print_error("): %s\n", complaint);
 }
 
 /* Something to be asked of every call: NULL, or what is wrong. */

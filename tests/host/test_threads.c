@@ -27,9 +27,9 @@ typedef struct {
     pthread_barrier_t *start;
 } results;
 
-static void count(void *context, const char *what, bool is_status, double value)
+static void count(void *context, const char *function, bool is_status, double value)
 {
-    (void)what, (void)is_status, (void)value;
+    (void)function, (void)is_status, (void)value;
     ++*(int *)context;
 }
 
@@ -42,9 +42,9 @@ static void count_most(void)
     }
 }
 
-static void keep(void *context, const char *what, bool is_status, double value)
+static void keep(void *context, const char *function, bool is_status, double value)
 {
-    (void)what, (void)is_status;
+    (void)function, (void)is_status;
     results *r = context;
     if (r->count < most)
         r->values[r->number * most + r->count] = value;

@@ -11,23 +11,23 @@ enum { NUMBERS = 40, MOST_FUNCTIONS = 1000 };
 
 static bool has_result[MOST_FUNCTIONS];
 
-static void note(const char *what)
+static void note(const char *function)
 {
     for (int i = 0; i < MOST_FUNCTIONS && function_of(i) != NULL; i++)
-        has_result[i] |= strcmp(function_of(i), what) == 0;
+        has_result[i] |= strcmp(function_of(i), function) == 0;
 }
 
-static void print(void *context, const char *what, bool is_status, double value)
+static void print(void *context, const char *function, bool is_status, double value)
 {
     (void)context;
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
     if (value == value)
-        printf("%s %016" PRIx64 "\n", what, bits);
+        printf("%s %016" PRIx64 "\n", function, bits);
     else
-        printf("%s nan\n", what);
+        printf("%s nan\n", function);
     if (is_status && value == RWEDGE_OK)
-        note(what);
+        note(function);
 }
 
 int main(void)

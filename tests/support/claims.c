@@ -6,21 +6,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-void claim_within(double actual, double expected, double tolerance, const char *what,
+void claim_within(double actual, double expected, double tolerance, const char *expression,
                   const char *file, int line)
 {
     if (fabs(actual - expected) <= tolerance)
         return;
     print_error("%s\n    is       %.17g\n    expected %.17g\n    off by   %.3g, allowed %.3g\n",
-                what, actual, expected, fabs(actual - expected), tolerance);
+                expression, actual, expected, fabs(actual - expected), tolerance);
     _fail(file, line);
 }
 
-void claim_nan(double actual, const char *what, const char *file, int line)
+void claim_nan(double actual, const char *expression, const char *file, int line)
 {
     if (isnan(actual))
         return;
-    print_error("%s\n    is %.17g, expected NaN\n", what, actual);
+    print_error("%s\n    is %.17g, expected NaN\n", expression, actual);
     _fail(file, line);
 }
 

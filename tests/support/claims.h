@@ -47,9 +47,9 @@ int run_claims(void);
 /* actual is not a number. */
 #define assert_nan(actual) claim_nan((actual), #actual, __FILE__, __LINE__)
 
-void claim_within(double actual, double expected, double tolerance, const char *what,
+void claim_within(double actual, double expected, double tolerance, const char *expression,
                   const char *file, int line);
-void claim_nan(double actual, const char *what, const char *file, int line);
+void claim_nan(double actual, const char *expression, const char *file, int line);
 
 /* A table of tests/data/, read row by row. Cells that are not numbers are NaN; text keeps the
  * last column. */

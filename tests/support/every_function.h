@@ -20,12 +20,12 @@ void shared_destroy(shared_handles *shared);
 
 /* Receives the results one after the other, each with the name of its function without rwedge_. A
  * call gives its status first, RWEDGE_OK for a function that has none, and then the numbers. */
-typedef void receiver(void *context, const char *what, bool is_status, double value);
+typedef void receiver(void *context, const char *function, bool is_status, double value);
 
 /* The arguments are those of a number, 0, 1, ... */
 void every_function(const shared_handles *shared, int number, receiver *receive, void *context);
 
-/* The i-th of the functions, NULL after the last; `what` is one of these texts. */
+/* The i-th of the functions, NULL after the last; `function` is one of these texts. */
 const char *function_of(int i);
 
 #endif

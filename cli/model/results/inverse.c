@@ -13,10 +13,10 @@ const char inverse_names[] = "radius, a, P, f";
 
 int inverse_input(const char *name)
 {
-    static const int those[] = {INPUT_RADIUS, INPUT_A, INPUT_P, INPUT_F};
-    for (size_t i = 0; i < sizeof those / sizeof those[0]; i++)
-        if (strcmp(name, input_kinds[those[i]].option) == 0)
-            return those[i];
+    static const int inputs[] = {INPUT_RADIUS, INPUT_A, INPUT_P, INPUT_F};
+    for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; i++)
+        if (strcmp(name, input_kinds[inputs[i]].option) == 0)
+            return inputs[i];
     return INPUT_COUNT;
 }
 

@@ -93,10 +93,8 @@ static void describe(xlsx *book, int row, int cell, const char *hint)
 
 static void check_typing(xlsx *book, int row, int cell)
 {
-    char check[FORMULA_SIZE], formula[FORMULA_SIZE], message[FORMULA_SIZE];
-    const xlsx_rule rule = {formula_named(input_check(cell, check), formula),
-                            case_cells[cell].label, input_rules[cell].hint,
-                            input_message(cell, message)};
+    const xlsx_rule rule = {formula_named(input_check(cell)), case_cells[cell].label,
+                            input_rules[cell].hint, input_message(cell)};
     xlsx_validate(book, (xlsx_area){row, VALUE, 1, 1}, &rule);
 }
 
@@ -143,7 +141,6 @@ static const char status[] =
 
 static void colour_by_status(xlsx *book, xlsx_area area)
 {
-    char formula[FORMULA_SIZE];
     static const struct {
         const char *word;
         xlsx_colour colour;
@@ -154,7 +151,7 @@ static void colour_by_status(xlsx *book, xlsx_area area)
                  {"SLIDES", XLSX_RED}};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
         xlsx_colour_when(book, area,
-                         compose(formula, "=LEFT($A$%d,%d)=\"%s\"", STATUS_ROW + 1,
+                         compose("=LEFT($A$%d,%d)=\"%s\"", STATUS_ROW + 1,
                                  (int)strlen(words[i].word), words[i].word),
                          words[i].colour);
 }
@@ -163,11 +160,10 @@ static void colour_by_status(xlsx *book, xlsx_area area)
 static void write_wide(xlsx *book, int row, int lines, const char *formula, const char *shown,
                        xlsx_style style)
 {
-    char text[FORMULA_SIZE];
     const xlsx_area area = {row, LABEL, 1, HINT + 1 - LABEL};
     xlsx_lines(book, row, lines);
     xlsx_merge(book, area, style);
-    xlsx_text_formula(book, row, LABEL, formula_named(formula, text), shown, style);
+    xlsx_text_formula(book, row, LABEL, formula_named(formula), shown, style);
     colour_by_status(book, area);
 }
 

@@ -12,56 +12,37 @@
 enum { FIGURE_WIDTH = 400, FAMILY = 10 };
 
 /* A column of a sheet, "='Working'!$A$1:$A$9". */
-static const char *range_of(char text[], const char *sheet, int column, int first_row, int rows)
+static const char *range_of(const char *sheet, int column, int first_row, int rows)
 {
-    char letters[4];
-    column_letters(column, letters);
-    return compose(text, "='%s'!$%s$%d:$%s$%d", sheet, letters, first_row + 1, letters,
-                   first_row + rows);
+    const char *letters = column_letters(column);
+    return compose("='%s'!$%s$%d:$%s$%d", sheet, letters, first_row + 1, letters, first_row + rows);
 }
 
-typedef struct {
-    char text[3 * XLSX_SERIES_MAX][60];
-    int used;
-} ranges;
-
-static const char *store(ranges *kept, const char *sheet, int column, int first_row, int rows)
+static const char *curve(int column, int rows)
 {
-    char text[FORMULA_SIZE];
-    char *place = kept->text[kept->used++];
-    range_of(text, sheet, column, first_row, rows);
-    snprintf(place, sizeof kept->text[0], "%.59s", text);
-    return place;
+    return range_of(WORKING_SHEET, column, CURVE_ROW, rows);
 }
 
-static const char *curve(ranges *kept, int column, int rows)
+static const char *mark(int column)
 {
-    return store(kept, WORKING_SHEET, column, CURVE_ROW, rows);
+    return curve(column, 1);
 }
 
-static const char *mark(ranges *kept, int column)
+static const char *legend(int place)
 {
-    return curve(kept, column, 1);
+    return compose("='%s'!$%s$%d", WORKING_SHEET, column_letters(LEGEND_COLUMN),
+                   CURVE_ROW + place + 1);
 }
 
-static const char *legend(ranges *kept, int which)
-{
-    char letters[4], *text = kept->text[kept->used++];
-    snprintf(text, sizeof kept->text[0], "='%s'!$%s$%d", WORKING_SHEET,
-             column_letters(LEGEND_COLUMN, letters), CURVE_ROW + which + 1);
-    return text;
-}
-
-static void place(xlsx_chart *chart, int which)
+static void place(xlsx_chart *chart, int position)
 {
     chart->width = FIGURE_WIDTH;
     chart->height = 20 * FIGURE_ROWS;
-    chart->right = which * (FIGURE_WIDTH + 8);
+    chart->right = position * (FIGURE_WIDTH + 8);
 }
 
 static void draw_normal_load(xlsx *book, int row)
 {
-    ranges kept = {.used = 0};
     const char *tips = "='Elastic limit'!$M$5:$M$104";
     xlsx_chart chart = {
         .title = "Fig. 3: elastic limit against a/b",
@@ -70,13 +51,11 @@ static void draw_normal_load(xlsx *book, int row)
         .x_max = 1,
         .x_step = 0.2,
         .y_max = 7,
-        .series = {{legend(&kept, LEGEND_NORMAL), tips, "='Elastic limit'!$N$5:$N$104", XLSX_LINE},
-                   {legend(&kept, LEGEND_DEPTH), tips, "='Elastic limit'!$O$5:$O$104",
-                    XLSX_DASHED_LINE},
-                   {legend(&kept, LEGEND_TIP_CURVE), curve(&kept, CURVE_TIP, TIPS),
-                    curve(&kept, CURVE_TIP_LIMIT, TIPS), XLSX_THICK_LINE},
-                   {legend(&kept, LEGEND_CASE), mark(&kept, CURVE_MARK_TIP),
-                    mark(&kept, CURVE_MARK_LIMIT), XLSX_MARK}},
+        .series = {{legend(LEGEND_NORMAL), tips, "='Elastic limit'!$N$5:$N$104", XLSX_LINE},
+                   {legend(LEGEND_DEPTH), tips, "='Elastic limit'!$O$5:$O$104", XLSX_DASHED_LINE},
+                   {legend(LEGEND_TIP_CURVE), curve(CURVE_TIP, TIPS), curve(CURVE_TIP_LIMIT, TIPS),
+                    XLSX_THICK_LINE},
+                   {legend(LEGEND_CASE), mark(CURVE_MARK_TIP), mark(CURVE_MARK_LIMIT), XLSX_MARK}},
         .series_count = 4,
     };
     place(&chart, 0);
@@ -85,7 +64,6 @@ static void draw_normal_load(xlsx *book, int row)
 
 static void draw_friction(xlsx *book, int row)
 {
-    ranges kept = {.used = 0};
     xlsx_chart chart = {
         .title = "Fig. 4: elastic limit against friction (nu = 0.3)",
         .x_title = "f",
@@ -95,24 +73,21 @@ static void draw_friction(xlsx *book, int row)
         .y_max = 6,
         .series_count = FAMILY + 2,
     };
-    const char *f = store(&kept, "Elastic limit", 0, 4, 65);
+    const char *f = range_of("Elastic limit", 0, 4, 65);
     for (int i = 0; i < FAMILY; i++)
-        chart.series[i] =
-            (xlsx_series){legend(&kept, LEGEND_FAMILY + i), f,
-                          store(&kept, "Elastic limit", FAMILY - i, 4, 65), XLSX_LINE};
+        chart.series[i] = (xlsx_series){legend(LEGEND_FAMILY + i), f,
+                                        range_of("Elastic limit", FAMILY - i, 4, 65), XLSX_LINE};
     chart.series[FAMILY] =
-        (xlsx_series){legend(&kept, LEGEND_FRICTION_CURVE), curve(&kept, CURVE_FRICTION, FRICTIONS),
-                      curve(&kept, CURVE_FRICTION_LIMIT, FRICTIONS), XLSX_THICK_LINE};
-    chart.series[FAMILY + 1] =
-        (xlsx_series){legend(&kept, LEGEND_CASE), mark(&kept, CURVE_MARK_FRICTION),
-                      mark(&kept, CURVE_MARK_LIMIT), XLSX_MARK};
+        (xlsx_series){legend(LEGEND_FRICTION_CURVE), curve(CURVE_FRICTION, FRICTIONS),
+                      curve(CURVE_FRICTION_LIMIT, FRICTIONS), XLSX_THICK_LINE};
+    chart.series[FAMILY + 1] = (xlsx_series){legend(LEGEND_CASE), mark(CURVE_MARK_FRICTION),
+                                             mark(CURVE_MARK_LIMIT), XLSX_MARK};
     place(&chart, 1);
     xlsx_draw(book, row, 0, &chart);
 }
 
 static void draw_tension(xlsx *book, int row)
 {
-    ranges kept = {.used = 0};
     xlsx_chart chart = {
         .title = "Fig. 6: maximum tension at the trailing edge",
         .x_title = "a/b",
@@ -121,9 +96,9 @@ static void draw_tension(xlsx *book, int row)
         .x_step = 0.2,
         .y_min = 0.95,
         .y_max = 1.3,
-        .series = {{legend(&kept, LEGEND_TENSION), TENSION_TIPS, TENSION_VALUES, XLSX_LINE},
-                   {legend(&kept, LEGEND_CASE), mark(&kept, CURVE_MARK_TIP),
-                    mark(&kept, CURVE_MARK_TENSION), XLSX_MARK}},
+        .series = {{legend(LEGEND_TENSION), TENSION_TIPS, TENSION_VALUES, XLSX_LINE},
+                   {legend(LEGEND_CASE), mark(CURVE_MARK_TIP), mark(CURVE_MARK_TENSION),
+                    XLSX_MARK}},
         .series_count = 2,
     };
     place(&chart, 2);
@@ -132,7 +107,6 @@ static void draw_tension(xlsx *book, int row)
 
 void draw_sketch(xlsx *book, int row, int column)
 {
-    ranges kept = {.used = 0};
     xlsx_chart chart = {
         .title = NULL,
         .x_min = -5,
@@ -149,23 +123,22 @@ void draw_sketch(xlsx *book, int row, int column)
     for (int i = 0; i < SKETCH_PARTS; i++) {
         const int x = CURVES_END + 2 * i, points = sketch[i].points;
         chart.series[i] =
-            (xlsx_series){points > 1 ? NULL : sketch[i].name, curve(&kept, x, points),
-                          curve(&kept, x + 1, points), points > 1 ? XLSX_OUTLINE : XLSX_LABEL};
+            (xlsx_series){points > 1 ? NULL : sketch[i].name, curve(x, points),
+                          curve(x + 1, points), points > 1 ? XLSX_OUTLINE : XLSX_LABEL};
     }
     xlsx_draw(book, row, column, &chart);
 }
 
 /* Two points of the bar, at the heights of a column. */
-static xlsx_series bar_part(ranges *kept, int first, int heights, xlsx_drawing drawing)
+static xlsx_series bar_part(int first, int heights, xlsx_drawing drawing)
 {
     const int row = CURVE_ROW + first;
-    return (xlsx_series){NULL, store(kept, WORKING_SHEET, BAR_COLUMN, row, 2),
-                         store(kept, WORKING_SHEET, BAR_COLUMN + heights, row, 2), drawing};
+    return (xlsx_series){NULL, range_of(WORKING_SHEET, BAR_COLUMN, row, 2),
+                         range_of(WORKING_SHEET, BAR_COLUMN + heights, row, 2), drawing};
 }
 
 void draw_bar(xlsx *book, int row, int column)
 {
-    ranges kept = {.used = 0};
     const xlsx_chart chart = {
         .x_max = BAR_MOST,
         .x_step = 1,
@@ -177,10 +150,9 @@ void draw_bar(xlsx *book, int row, int column)
         .right = 4,
         .down = 1,
         .bare = true,
-        .series = {bar_part(&kept, BAR_FROM_FACTOR, 3, XLSX_BAR_GROUND),
-                   bar_part(&kept, BAR_FROM_0, 1, XLSX_BAR_GOOD),
-                   bar_part(&kept, BAR_FROM_0, 2, XLSX_BAR_BAD),
-                   bar_part(&kept, BAR_LIMIT, 3, XLSX_OUTLINE)},
+        .series = {bar_part(BAR_FROM_FACTOR, 3, XLSX_BAR_GROUND),
+                   bar_part(BAR_FROM_0, 1, XLSX_BAR_GOOD), bar_part(BAR_FROM_0, 2, XLSX_BAR_BAD),
+                   bar_part(BAR_LIMIT, 3, XLSX_OUTLINE)},
         .series_count = 4,
     };
     xlsx_draw(book, row, column, &chart);

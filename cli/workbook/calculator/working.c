@@ -93,10 +93,8 @@ static void write_places(xlsx *book, const yield_table *table)
 static void write_column(xlsx *book, int column, const char *formula, int count,
                          const double limit[])
 {
-    char text[FORMULA_SIZE];
     for (int i = 0; i < count; i++)
-        formula_cell(book, CURVE_ROW + i, column, formula_at(formula, i + 1, text), limit[i],
-                     XLSX_PLAIN);
+        formula_cell(book, CURVE_ROW + i, column, formula_at(formula, i + 1), limit[i], XLSX_PLAIN);
 }
 
 /* The elastic limit over a/b, and over f. */

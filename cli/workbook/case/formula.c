@@ -8,25 +8,22 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *compose(char text[], const char *format, ...)
+const char *compose(const char *format, ...)
 {
+    static char room[FORMULA_SIZE];
     va_list values;
     va_start(values, format);
-    vsnprintf(text, FORMULA_SIZE, format, values);
+    vsnprintf(room, sizeof room, format, values);
     va_end(values);
-    return text;
+    return text_copy(room);
 }
 
-const char *column_letters(int column, char text[4])
+const char *column_letters(int column)
 {
-    if (column >= 26 * 27)
-        snprintf(text, 4, "%c%c%c", 'A' + column / 676 - 1, 'A' + column / 26 % 26,
-                 'A' + column % 26); /* below column 1378, as all are */
-    else if (column >= 26)
-        snprintf(text, 4, "%c%c", 'A' + column / 26 - 1, 'A' + column % 26);
-    else
-        snprintf(text, 4, "%c", 'A' + column);
-    return text;
+    if (column >= 26 * 27) /* below column 1378, as all are */
+        return compose("%c%c%c", 'A' + column / 676 - 1, 'A' + column / 26 % 26, 'A' + column % 26);
+    return column >= 26 ? compose("%c%c", 'A' + column / 26 - 1, 'A' + column % 26)
+                        : compose("%c", 'A' + column);
 }
 
 /* ---- Formulas of a row ----------------------------------------------------------------------- */
@@ -80,21 +77,18 @@ typedef struct {
 static char *write_in_row(char *end, const char *name, size_t length, const void *about)
 {
     const row_cells *cells = about;
-    char from[4], to[4];
     int first = 0;
     const int count = find(name, length, &first);
     if (count == 0)
         return word_copy(end, name, length, NULL);
-    column_letters(cells->column_of(first), from);
-    end += sprintf(end, "$%s%d", from, cells->row + 1);
-    column_letters(cells->column_of(first) + count - 1, to);
-    return count == 1 ? end : end + sprintf(end, ":$%s%d", to, cells->row + 1);
+    const int column = cells->column_of(first), row = cells->row + 1;
+    end += sprintf(end, "$%s%d", column_letters(column), row);
+    return count == 1 ? end : end + sprintf(end, ":$%s%d", column_letters(column + count - 1), row);
 }
 
-const char *formula_in_row(const char *formula, int row, column_finder *column_of,
-                           char text[FORMULA_SIZE])
+const char *formula_in_row(const char *formula, int row, column_finder *column_of)
 {
-    return template_expand(formula, write_in_row, &(row_cells){row, column_of}, text);
+    return template_expand(formula, write_in_row, &(row_cells){row, column_of});
 }
 
 static char *write_number(char *end, const char *name, size_t length, const void *number)
@@ -103,14 +97,14 @@ static char *write_number(char *end, const char *name, size_t length, const void
                                            : word_copy(end, name, length, NULL);
 }
 
-const char *formula_at(const char *formula, int number, char text[FORMULA_SIZE])
+const char *formula_at(const char *formula, int number)
 {
-    return template_expand(formula, write_number, &number, text);
+    return template_expand(formula, write_number, &number);
 }
 
-const char *formula_named(const char *formula, char text[FORMULA_SIZE])
+const char *formula_named(const char *formula)
 {
-    return template_expand(formula, word_copy, NULL, text);
+    return template_expand(formula, word_copy, NULL);
 }
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
@@ -124,14 +118,14 @@ void formula_cell(xlsx *book, int row, int column, const char *formula, double v
         xlsx_text_formula(book, row, column, formula, "", style);
 }
 
-const char *input_check(int cell, char text[FORMULA_SIZE])
+const char *input_check(int cell)
 {
-    return compose(text, "NOT(%s)", input_rules[cell].wrong);
+    return compose("NOT(%s)", input_rules[cell].wrong);
 }
 
-const char *input_message(int cell, char text[FORMULA_SIZE])
+const char *input_message(int cell)
 {
-    return compose(text, "%s must be %s.", case_cells[cell].column, input_rules[cell].must);
+    return compose("%s must be %s.", case_cells[cell].column, input_rules[cell].must);
 }
 
 static void write_cell(xlsx *book, int row, int column, int cell, const char *formula,
@@ -147,18 +141,14 @@ static void write_cell(xlsx *book, int row, int column, int cell, const char *fo
 void named_cell(xlsx *book, int row, int column, int cell, const case_values *values,
                 xlsx_style style)
 {
-    char formula[FORMULA_SIZE];
-    write_cell(book, row, column, cell, formula_named(case_cells[cell].formula, formula), values,
-               style);
+    write_cell(book, row, column, cell, formula_named(case_cells[cell].formula), values, style);
     xlsx_name(book, case_cells[cell].name, row, column);
 }
 
 void cell_in_row(xlsx *book, int row, int cell, column_finder *column_of, const case_values *values)
 {
-    char formula[FORMULA_SIZE];
     write_cell(book, row, column_of(cell), cell,
-               formula_in_row(case_cells[cell].formula, row, column_of, formula), values,
-               XLSX_PLAIN);
+               formula_in_row(case_cells[cell].formula, row, column_of), values, XLSX_PLAIN);
 }
 
 void name_triples(xlsx *book, int row, column_finder *column_of)

@@ -2,6 +2,7 @@
 #include "template.h"
 
 #include "cells.h"
+#include "text/memory.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -141,10 +142,15 @@ char *word_copy(char *end, const char *word, size_t length, const void *about)
     return (char *)memcpy(end, word, length) + length;
 }
 
-const char *template_expand(const char *formula, word_writer *write, const void *about,
-                            char text[FORMULA_SIZE])
+const char *text_copy(const char *text)
 {
-    text[0] = '=';
-    expand(formula, &(writer){write, about}, text + 1);
-    return text;
+    const size_t size = strlen(text) + 1;
+    return memcpy(memory_zeroed(size, 1), text, size);
+}
+
+const char *template_expand(const char *formula, word_writer *write, const void *about)
+{
+    static char room[FORMULA_SIZE] = "=";
+    expand(formula, &(writer){write, about}, room + 1);
+    return text_copy(room);
 }

@@ -12,7 +12,9 @@ typedef char *word_writer(char *end, const char *word, size_t length, const void
 word_writer word_copy; /* as it is */
 
 /* The formula with "=" in front, and what each call stands for. */
-const char *template_expand(const char *formula, word_writer *write, const void *about,
-                            char text[FORMULA_SIZE]);
+const char *template_expand(const char *formula, word_writer *write, const void *about);
+
+/* A copy that stays. */
+const char *text_copy(const char *text);
 
 #endif

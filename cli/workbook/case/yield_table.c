@@ -67,8 +67,8 @@ static void fill_places(yield_table *table, int i)
             const double surface = table->surface[PLACE_STEP * i][j][k],
                          below = table->below[PLACE_STEP * i][j][k];
             double limit, x, y;
-            for (int which = 0; which < PLACES; which++)
-                table->place[which][i][j][k] = 0;
+            for (int p = 0; p < PLACES; p++)
+                table->place[p][i][j][k] = 0;
             if (surface >= FAR_BELOW * below &&
                 rwedge_surface_yield(tip, f, nus[j], &limit, &x) == RWEDGE_OK)
                 table->place[SURFACE_X][i][j][k] = thousandths(x / (tip * f));

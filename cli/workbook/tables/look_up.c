@@ -53,13 +53,11 @@ static void write_row(xlsx *book, int row, double tip, double f)
 
 static void check_typing(xlsx *book)
 {
-    char check[FORMULA_SIZE];
-    const xlsx_rule of_tip = {
-        compose(check, "=AND(A%d>=0.01,A%d<1E+60)", FIRST_ROW + 1, FIRST_ROW + 1), "a/b",
-        "0.01 and above", "a/b must be a number, 0.01 or above."};
+    const xlsx_rule of_tip = {compose("=AND(A%d>=0.01,A%d<1E+60)", FIRST_ROW + 1, FIRST_ROW + 1),
+                              "a/b", "0.01 and above", "a/b must be a number, 0.01 or above."};
     xlsx_validate(book, (xlsx_area){FIRST_ROW, TIP, ROWS, 1}, &of_tip);
-    const xlsx_rule of_f = {compose(check, "=AND(B%d>=0,B%d<=0.8)", FIRST_ROW + 1, FIRST_ROW + 1),
-                            "f", "0 to 0.8", "f must be a number, 0 to 0.8."};
+    const xlsx_rule of_f = {compose("=AND(B%d>=0,B%d<=0.8)", FIRST_ROW + 1, FIRST_ROW + 1), "f",
+                            "0 to 0.8", "f must be a number, 0 to 0.8."};
     xlsx_validate(book, (xlsx_area){FIRST_ROW, FRICTION, ROWS, 1}, &of_f);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parts of the command-line tool that its tables reach not at all, or with too few values: texts in
  * CSV and JSON, and hundreds of thousands of numbers and ranges. */
+#include "claims.h"
 #include "sheet/xlsx.h"
 #include "text/nearest.h"
 #include "number/number.h"
@@ -10,14 +11,10 @@
 #include "rows/json.h"
 
 #include <inttypes.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
 #include <iconv.h>
 
 /* The same sequence on every machine (splitmix64). */
@@ -44,9 +41,8 @@ static const char *written(const record_format *format, char separator, const ch
     return rows.problem != NULL ? rows.problem : out.buffer;
 }
 
-static void csv_quotes_what_rfc_4180_says(void **state)
+CLAIM(csv_quotes_what_rfc_4180_says)
 {
-    (void)state;
     const record_format *csv = &delimited_format;
     assert_string_equal(written(csv, ',', "n", cell_text("plain")), "plain\n");
     assert_string_equal(written(csv, ',', "n", cell_text("a,b")), "\"a,b\"\n");
@@ -60,9 +56,8 @@ static void csv_quotes_what_rfc_4180_says(void **state)
     assert_string_equal(written(csv, ',', "n", cell_empty()), "\n");
 }
 
-static void numbers_that_are_not_finite_are_empty(void **state)
+CLAIM(numbers_that_are_not_finite_are_empty)
 {
-    (void)state;
     const double not_finite[] = {NAN, HUGE_VAL, -HUGE_VAL};
     for (int i = 0; i < 3; i++) {
         assert_string_equal(written(&delimited_format, ',', "n", cell_number(not_finite[i])), "\n");
@@ -71,9 +66,8 @@ static void numbers_that_are_not_finite_are_empty(void **state)
     }
 }
 
-static void json_escapes_texts_and_refuses_what_is_not_utf8(void **state)
+CLAIM(json_escapes_texts_and_refuses_what_is_not_utf8)
 {
-    (void)state;
     assert_string_equal(written(&json_format, ',', "n", cell_text("\"\\\n\x01")),
                         "\n{\"n\": \"\\\"\\\\\\n\\u0001\"}");
     assert_string_equal(written(&json_format, ',', "\"", cell_number(0.5)), "\n{\"\\\"\": 0.5}");
@@ -83,9 +77,8 @@ static void json_escapes_texts_and_refuses_what_is_not_utf8(void **state)
     assert_non_null(strstr(written(&json_format, ',', "n", cell_text("\xe4")), "not UTF-8"));
 }
 
-static void every_double_reads_back(void **state)
+CLAIM(every_double_reads_back)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int i = 0; i < 200000; i++) {
         const uint64_t bits = next_random(&seed);
@@ -101,9 +94,8 @@ static void every_double_reads_back(void **state)
     }
 }
 
-static void minus_zero_is_zero(void **state)
+CLAIM(minus_zero_is_zero)
 {
-    (void)state;
     double value;
     assert_true(number_read("-0.0e5", &value));
     assert_false(signbit(value));
@@ -122,9 +114,8 @@ static double double_near(int64_t units, int places)
     return strtod(text, NULL);
 }
 
-static void values_of_a_range_are_the_nearest_to_their_decimals(void **state)
+CLAIM(values_of_a_range_are_the_nearest_to_their_decimals)
 {
-    (void)state;
     uint64_t seed = 2;
     for (int i = 0; i < 20000; i++) {
         const int places = (int)(next_random(&seed) % 13);
@@ -148,9 +139,8 @@ static void values_of_a_range_are_the_nearest_to_their_decimals(void **state)
 
 /* Arguments are typed by people and made by programs: whatever the text, an answer, and only
  * finite values. */
-static void no_text_upsets_a_range(void **state)
+CLAIM(no_text_upsets_a_range)
 {
-    (void)state;
     static const char alphabet[] = "0123456789019.:,-+eE:,.5 xn";
     uint64_t seed = 3;
     int64_t accepted = 0;
@@ -190,9 +180,8 @@ static size_t length_by_iconv(iconv_t converter, char *bytes, size_t count, uint
     return 0;
 }
 
-static void utf8_is_what_iconv_takes_for_it(void **state)
+CLAIM(utf8_is_what_iconv_takes_for_it)
 {
-    (void)state;
     iconv_t converter = iconv_open("UTF-32LE", "UTF-8");
     if (converter == (iconv_t)-1) {
         print_message("SKIPPED: iconv has no UTF-32LE here\n");
@@ -217,9 +206,8 @@ static void utf8_is_what_iconv_takes_for_it(void **state)
     iconv_close(converter);
 }
 
-static void a_text_is_cut_between_its_characters(void **state)
+CLAIM(a_text_is_cut_between_its_characters)
 {
-    (void)state;
     char room[8];
     assert_true(utf8_copy("a\xc3\xa4", utf8_is_text, "?", room, sizeof room));
     assert_string_equal(room, "a\xc3\xa4");
@@ -230,9 +218,8 @@ static void a_text_is_cut_between_its_characters(void **state)
     assert_true(utf8_copy("abcd\xe2\x82\xac", utf8_is_text, "?", room, sizeof room));
 }
 
-static void no_spreadsheet_holds_what_xml_cannot(void **state)
+CLAIM(no_spreadsheet_holds_what_xml_cannot)
 {
-    (void)state;
     static const char *const texts[] = {"\xfc", "\x01", "\xef\xbf\xbe", "\xc3", "sound \xc3\xbc"};
     enum { TEXTS = sizeof texts / sizeof texts[0] };
     if (xlsx_missing() != NULL) {
@@ -251,9 +238,8 @@ static void no_spreadsheet_holds_what_xml_cannot(void **state)
     }
 }
 
-static void the_nearest_name_is_the_one_that_was_meant(void **state)
+CLAIM(the_nearest_name_is_the_one_that_was_meant)
 {
-    (void)state;
     static const char *const names[] = {"solve", "table", "field", "figure", "yield-stress", "E1"};
     static const char *const typed[][2] = {{"sovle", "solve"},
                                            {"tabel", "table"},
@@ -274,22 +260,4 @@ static void the_nearest_name_is_the_one_that_was_meant(void **state)
         else
             assert_string_equal(to.name, typed[i][1]);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest claims[] = {
-        cmocka_unit_test(csv_quotes_what_rfc_4180_says),
-        cmocka_unit_test(numbers_that_are_not_finite_are_empty),
-        cmocka_unit_test(json_escapes_texts_and_refuses_what_is_not_utf8),
-        cmocka_unit_test(every_double_reads_back),
-        cmocka_unit_test(minus_zero_is_zero),
-        cmocka_unit_test(values_of_a_range_are_the_nearest_to_their_decimals),
-        cmocka_unit_test(no_text_upsets_a_range),
-        cmocka_unit_test(utf8_is_what_iconv_takes_for_it),
-        cmocka_unit_test(a_text_is_cut_between_its_characters),
-        cmocka_unit_test(no_spreadsheet_holds_what_xml_cannot),
-        cmocka_unit_test(the_nearest_name_is_the_one_that_was_meant),
-    };
-    return cmocka_run_group_tests_name("cli_parts", claims, NULL, NULL);
 }

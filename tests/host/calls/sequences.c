@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Calls one after the other, as a host makes them: a contact through its loads, a series and what
- * it tells. A letter for each number says what it is. */
+/* Calls one after the other, as a host makes them: a contact through its loads. A letter for each
+ * number says what it is. */
 #include "parts.h"
 
 #include <float.h>
@@ -22,8 +22,6 @@ static const struct {
     {'x', {"place", "", -1e60, 1e60, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}},
     {'f', {"friction", "", 0, 1e6, 1e-60, 0, 0, 0, 1, 0, 0, {-1, -1}}},
     {'n', {"Poisson's ratio", "", 0, 0.5, 0, 0, 0, 0, 1, 0, 0, {-1, -1}}},
-    {'s', {"factor", "", -INFINITY, INFINITY, 0, 0, 0, 0, 1, 0, 0, {-1, -1}}},
-    {'i', {"number", "", 0, INT32_MAX, 0, 0, 0, 0, 1, 1, 0, {-1, -1}}},
 };
 
 const entry_argument *argument_of_letter(char letter)
@@ -37,13 +35,6 @@ const entry_argument *argument_of_letter(char letter)
 bool may_be_anything(const entry_argument *a)
 {
     return a == &ratio || a == &which_object;
-}
-
-static int32_t version(const double v[], double out[])
-{
-    (void)v;
-    out[0] = strcmp(rwedge_version(), RWEDGE_VERSION) == 0 ? 0 : NAN;
-    return RWEDGE_OK;
 }
 
 /* ---- A contact after two loads ---- */
@@ -154,54 +145,6 @@ static int32_t yield_factor(const double v[], double out[])
     return status;
 }
 
-/* ---- The series ---- */
-
-/* The pressure, potential and stress, and then the residual and two coefficients. */
-static int32_t sum_up(const rwedge_series *series, double f, double x, double y, double out[])
-{
-    double sums[9];
-    sums[0] = rwedge_series_pressure(series, x);
-    sums[1] = rwedge_series_coefficient(series, 0);
-    sums[2] = rwedge_series_coefficient(series, rwedge_series_terms(series));
-    sums[3] = isinf(rwedge_series_residual(series)) ? 0 : rwedge_series_residual(series);
-    int32_t status = rwedge_series_potential(series, f, x, y, &sums[4], &sums[5]);
-    if (status == RWEDGE_OK)
-        status = rwedge_series_stress(series, f, x, y, &sums[6], &sums[7], &sums[8]);
-    if (status == RWEDGE_OK)
-        memcpy(out, sums, sizeof sums);
-    return status;
-}
-
-/* v: alpha, terms, f, x, y. */
-static int32_t series_of_wedge(const double v[], double out[])
-{
-    const int32_t terms = v[1] > 1001 ? INT32_MAX : (int32_t)v[1]; /* more would take seconds */
-    rwedge_series *series = NULL;
-    int32_t status = rwedge_series_create(v[0], terms, &series);
-    if (status == RWEDGE_OK)
-        status = sum_up(series, v[2], v[3], v[4], out);
-    rwedge_series_destroy(series);
-    return status;
-}
-
-enum { SAMPLES = 24, TERMS = 7 };
-
-/* v: alpha, a factor of the pressure, f, x, y. */
-static int32_t fitted_series(const double v[], double out[])
-{
-    double at[SAMPLES], p[SAMPLES];
-    for (int i = 0; i < SAMPLES; i++) {
-        at[i] = cos((i + 0.5) * 3.14159265358979323846 / SAMPLES);
-        p[i] = product(rwedge_pressure(v[0], at[i]), v[1], 1);
-    }
-    rwedge_series *series = NULL;
-    int32_t status = rwedge_series_fit(SAMPLES, at, p, TERMS, &series);
-    if (status == RWEDGE_OK)
-        status = sum_up(series, v[2], v[3], v[4], out);
-    rwedge_series_destroy(series);
-    return status;
-}
-
 /* ---- All of them ---- */
 
 #define BIT(status) (1u << (status))
@@ -211,7 +154,6 @@ static int32_t fitted_series(const double v[], double out[])
     }
 
 const sequence sequences[] = {
-    {"version", "", 1, 0, version},
     BY_STATUS(contact, "hw+fwrwrxw", SEEN,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING)),
     BY_STATUS(off_centre, "hw+fwrrr", 5,
@@ -220,7 +162,5 @@ const sequence sequences[] = {
     BY_STATUS(yield_factor, "hw+fwrn+", 3,
               BIT(RWEDGE_ERANGE) | BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ESLIDING) |
                   BIT(RWEDGE_EABSENT)),
-    BY_STATUS(series_of_wedge, "wifxw", 9, BIT(RWEDGE_ERANGE)),
-    BY_STATUS(fitted_series, "wsfxw", 9, BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENOCONV)),
     {NULL, NULL, 0, 0, NULL},
 };

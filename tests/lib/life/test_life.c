@@ -3,6 +3,8 @@
 #include "claims.h"
 #include "rwedge.h"
 
+#include <errno.h>
+
 static double example(double b)
 {
     return rwedge_smith_watson_topper_life(0.0135 * 300, 162000, 475.4, b, 0.612, -0.62, 0);
@@ -45,4 +47,13 @@ CLAIM(run_outs_are_infinite)
     assert_true(isfinite(rwedge_smith_watson_topper_life(0.3, 162000, 475, -0.08, 0.6, -0.6, 0.3)));
     assert_true(isinf(rwedge_fatemi_socie_life(1e-9, 62000, 450, -0.01, 0.7, -0.6, 0)));
     assert_true(isinf(rwedge_fatemi_socie_life(1e-3, 62000, 450, -0.08, 0.7, -0.6, 2e-3)));
+}
+
+/* 1e-540 cycles are none: exp() of their logarithm underflows. */
+CLAIM(tiny_lives_leave_errno_alone)
+{
+    errno = 0;
+    assert_nan(rwedge_fatemi_socie_life(1e60, 1e6, 1e-40, -0.1, 1e6, -0.1, 0));
+    assert_close(rwedge_fatemi_socie_life(1e60, 1e6, 1e-40, -0.01, 1e6, -2, 0), 5e-28, 1e-12);
+    assert_int_equal(errno, 0);
 }

@@ -24,7 +24,7 @@ enum { BLOCK = 64 };
 static const row *const SECTIONS[] = {
     LAW_ROWS,     STICK_ROWS,   STRESS_ROWS,    GRADIENT_ROWS,        STRENGTH_ROWS,
     DESIGN_ROWS,  HISTORY_ROWS, ECCENTRIC_ROWS, ECCENTRIC_FIELD_ROWS, PAD_ROWS,
-    MEASURE_ROWS, PLANE_ROWS,   LIFE_ROWS,      SERIES_ROWS};
+    MEASURE_ROWS, PLANE_ROWS,   LIFE_ROWS};
 
 /* ---- Measuring: the threads take blocks of calls ---- */
 

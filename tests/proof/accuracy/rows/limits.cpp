@@ -2,7 +2,6 @@
 /* Elastic limits, and the points that yield. */
 #include <math.h>
 
-#include "references/absence.hpp"
 #include "references/root.hpp"
 #include "rows/rows.hpp"
 #include "rwedge.h"
@@ -119,9 +118,7 @@ bool draw_subsurface(probe *call)
     double v[3], *r = call->result;
     some_strength(call, v);
     const int32_t status = rwedge_subsurface_yield(v[0], v[1], v[2], &r[0], &r[1], &r[2]);
-    if (status == RWEDGE_EABSENT && !has_maximum_below(v[0], v[1], v[2]))
-        return false;
-    return gives_if(call, status);
+    return gives_if(call, status) && status != RWEDGE_EABSENT;
 }
 
 bool draw_surface(probe *call)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A spreadsheet file under way, as the files of this room see it. No other room includes this. */
-#ifndef CLI_INSIDE_H
-#define CLI_INSIDE_H
+#ifndef CLI_PARTS_H
+#define CLI_PARTS_H
 
 #include "system/streams.h"
 #include "xlsx.h"

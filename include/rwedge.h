@@ -770,7 +770,7 @@ RWEDGE_API double rwedge_critical_distance(double dK_th, double ds0);
 /* Stresses of the cycle by the theory of critical distances, from a place of the surface into the
  * half-plane: after each load at half of the length L (the point), or their means over 2 L (the
  * line). Criteria of them take rwedge_criterion_field() and its kin. L is a property of the
- * material: rwedge_critical_distance().                              Taylor (1999), see lib/README.md; new
+ * material: rwedge_critical_distance().           Taylor (1999), see lib/README.md; new
  *   x              length, finite; not the apex 0 of a loaded sharp wedge
  *   angle          -1.5 <= angle <= 1.5, rad, from the surface's normal towards +x
  *   length         L, length, 1e-60 to 1e60

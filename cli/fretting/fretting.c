@@ -103,7 +103,8 @@ typedef struct {
 
 enum { BATCH = 128 }; /* places */
 
-/* Each batch goes through the cycle by itself: through loads that are computed, as few as can be. */
+/* Each batch goes through the cycle by itself; loads that are computed take long: then as few as
+ * can be. */
 static size_t batch_size(const plan *job)
 {
     const size_t share = job->all.count / (size_t)job->threads + 1;

@@ -31,11 +31,6 @@ OWN = {**{(f"{criterion}_damage{field}", name): number for criterion, c in (("sm
        ("contact_create_profile", "f"): 0.3, ("contact_cycle_worst", "y"): 0, ("contact_apply", "M"): 0,
        ("contact_apply", "Q"): 500, ("findley", "k"): 0.25, ("findley_field", "k"): 0.25}
 UNLOADED = {"contact_set_strain"}  # refused once the bodies touch
-# What the object of a call is: how it is made, and the calls before.
-OBJECTS = {
-    "contact": [("contact_create", (0.01, 2, 1.82e-5, 0.3)), ("contact_load", (2000, 0)), ("contact_load", (2000, 300))],
-    "series": [("series_create", (0.25, 4))],
-}
 # The tool's command with the same numbers.
 COMMANDS = {
     "load": "table contact-law --a-over-b 0.25",

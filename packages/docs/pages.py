@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes what Sphinx reads.
 
-    pages.py LIBRARY TOOL FOLDER    all pages, with what the library and the tool answer
-    pages.py --check                every function has a page with every language
+    pages.py TOOL FOLDER    all pages, with what the Python package and the tool answer
+    pages.py --check        every function has a page with every language
 """
 import re
 import sys
@@ -20,7 +20,6 @@ import write_matlab  # noqa: E402
 from functions import Pages  # noqa: E402
 from header import read  # noqa: E402
 from languages import calls  # noqa: E402
-from library import Library  # noqa: E402
 from readmes import Site  # noqa: E402
 
 # Where a language has its names, and how they look in a call and there.
@@ -57,12 +56,14 @@ def main() -> int:
     interface = read(TOP / "include/rwedge.h")
     if sys.argv[1:] == ["--check"]:
         return check(interface)
-    library, tool, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+    from answers import answers  # which needs the Python package
+
+    tool, folder = sys.argv[1], Path(sys.argv[2])
     site = Site(TOP, folder)
     site.write()
     figures.draw(tool, folder / "figures")
     (folder / "gallery.md").write_text(figures.gallery(), encoding="utf-8")
-    Pages(interface, Library(library, interface, examples.OBJECTS)).write(folder / "functions")
+    Pages(interface, answers).write(folder / "functions")
     return 0
 
 

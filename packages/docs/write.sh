@@ -33,7 +33,7 @@ export MPLCONFIGDIR="$tools/matplotlib" PYTHONDONTWRITEBYTECODE=1
 
 rm -rf "$tools/source" "$build/docs"
 mkdir "$tools/source"
-"$tools/venv/bin/python" -B "$here/pages.py" "$build/lib/librwedge.so" "$build/cli/rwedge" "$tools/source"
+"$tools/venv/bin/python" -B "$here/pages.py" "$build/cli/rwedge" "$tools/source"
 "$tools/venv/bin/python" -B -m sphinx -b html -nWEq --keep-going -c "$here" -d "$tools/doctrees" "$tools/source" "$build/docs"
 rm "$build/docs/.buildinfo"
 "$tools/venv/bin/python" -B "$here/check.py" "$build/docs"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shipped tables hold what the library gives. Linear interpolation in them is as good as
- * tables/README.md says. The errors are measured at the centre of every cell, where they are
- * largest, and printed. */
+/* Linear interpolation in the shipped tables is as good as tables/README.md says. The errors are
+ * measured at the centre of every cell, where they are largest, and printed. */
 #include "claims.h"
 #include "rwedge.h"
 
@@ -42,35 +41,10 @@ static void load(const char *name)
     fclose(stream);
 }
 
-/* Ten digits. */
-static const double PRINTED = 5.1e-10;
-
 /* Columns of the elastic-limit tables. */
 enum { A_OVER_B, F, NU, LIMIT, X, Y, BRANCH, BELOW, SURFACE };
 
 static const char *const nus[] = {"0.25", "0.30", "0.35"};
-
-CLAIM(elastic_limits_are_the_library_s)
-{
-    for (int n = 0; n < 3; n++)
-        for (int fine = 0; fine < 2; fine++) {
-            char name[64];
-            snprintf(name, sizeof name, "elastic-limit-%snu-%s", fine ? "fine-" : "", nus[n]);
-            load(name);
-            assert_int_equal(loaded.rows, fine ? 6500 : 650);
-            for (int i = 0; i < loaded.rows; i++) {
-                const double *v = loaded.cell[i];
-                double limit, x, y;
-                assert_close(v[NU], atof(nus[n]), 0);
-                assert_ok(rwedge_yield_point(v[A_OVER_B], v[F], v[NU], &limit, &x, &y));
-                assert_close(v[LIMIT], limit, PRINTED);
-                assert_close(v[X], x, PRINTED);
-                assert_close(v[Y], y, PRINTED);
-                assert_close(fmin(v[SURFACE], isnan(v[BELOW]) ? HUGE_VAL : v[BELOW]), limit,
-                             PRINTED);
-            }
-        }
-}
 
 typedef struct {
     double below, surface, smaller, naive; /* largest relative errors */
@@ -144,8 +118,6 @@ CLAIM(max_tension_interpolates)
     double worst = 0;
     for (int i = 0; i + 8 < loaded.rows; i++) {
         const double *v = loaded.cell[i], *w = loaded.cell[i + 8];
-        assert_close(v[3], rwedge_max_tension(v[0]), PRINTED);
-        assert_close(v[2], v[1] * rwedge_max_tension(v[0]), PRINTED);
         keep_larger(&worst, (v[3] + w[3]) / 2, rwedge_max_tension((v[0] + w[0]) / 2));
     }
     print_message("max-tension: %.1e\n", worst);
@@ -159,10 +131,6 @@ CLAIM(contact_law_interpolates)
     double load_worst = 0, peak_worst = 0, inverse_worst = 0;
     for (int i = 0; i + 1 < loaded.rows; i++) {
         const double *v = loaded.cell[i], *w = loaded.cell[i + 1], middle = (v[0] + w[0]) / 2;
-        assert_close(v[1], rwedge_load(v[0]), PRINTED);
-        assert_close(v[2], rwedge_load(v[0]) / v[0], PRINTED);
-        assert_close(v[3], rwedge_peak_pressure(v[0]), PRINTED);
-        assert_close(v[4], rwedge_transition_pressure(v[0]), PRINTED);
         keep_larger(&load_worst, (v[1] + w[1]) / 2, rwedge_load(middle));
         keep_larger(&peak_worst, (v[3] + w[3]) / 2, rwedge_peak_pressure(middle));
         const double inverse_load = (1 / v[2] + 1 / w[2]) / 2; /* a/b linearly in theta a/(AP) */
@@ -181,7 +149,6 @@ CLAIM(critical_friction_interpolates)
     double worst = 0, worst_of_common = 0;
     for (int i = 0; i + ACROSS + 1 < loaded.rows; i++) {
         const double *v = loaded.cell[i], *w = loaded.cell[i + ACROSS + 1];
-        assert_within(v[2], rwedge_critical_friction(v[0], v[1]), PRINTED);
         const bool all_positive =
             v[2] > 0 && loaded.cell[i + 1][2] > 0 && loaded.cell[i + ACROSS][2] > 0 && w[2] > 0;
         if ((i + 1) % ACROSS == 0 || !all_positive)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "claims.h"
-#include "quadrature.h"
 #include "rwedge.h"
 
 #include <float.h>
@@ -11,21 +10,6 @@ CLAIM(load_matches_reference)
     while (reference_next(&table))
         assert_close(rwedge_load(table.cell[0]), table.cell[1], 4 * DBL_EPSILON);
     assert_int_equal(table.row, 300);
-}
-
-static double slope_times_t(double tau, const void *alpha)
-{
-    const double t = sin(tau);
-    return fmin(t / *(const double *)alpha, 1) * t;
-}
-
-/* Eq. (5), integrated. */
-CLAIM(load_is_the_integral_of_the_profile)
-{
-    for (double alpha = 0.05; alpha < 1.01; alpha += 0.05) {
-        const double points[] = {0, asin(fmin(alpha, 1)), PI / 2};
-        assert_close(2 * integral(slope_times_t, &alpha, 2, points), rwedge_load(alpha), 1e-12);
-    }
 }
 
 CLAIM(load_has_the_hertz_and_the_sharp_limit)

@@ -89,29 +89,6 @@ CLAIM(edges_move_at_their_rates)
     }
 }
 
-CLAIM(hertz_and_the_sharp_wedge)
-{
-    const rw_patch hertz = rw_patch_of_moment(2, 0.3, 0.12); /* s = sqrt(2 a P/pi), m = M/P */
-    assert_close(rw_patch_middle(hertz), 0.4, 1e-15);
-    assert_close(rw_patch_half_width(hertz), sqrt(2 * 2 * 0.3 / PI), 1e-15);
-    assert_close(rw_patch_pressing(2, hertz).tilt, 0.2, 1e-15);
-    const rw_patch sharp = rw_patch_of_moment(0, 2, 1.5); /* m = 2 M/P, s^2 = m^2 + (P/2)^2 */
-    assert_close(rw_patch_middle(sharp), 1.5, 1e-15);
-    assert_close(rw_patch_half_width(sharp), sqrt(1.5 * 1.5 + 1), 1e-15);
-    const rw_patch mirrored = rw_patch_of_moment(0.3, 2, -1), patch = rw_patch_of_moment(0.3, 2, 1);
-    assert_true(mirrored.left == -patch.right && mirrored.right == -patch.left);
-}
-
-/* The centred contact law. */
-CLAIM(without_moment_the_patch_is_centred)
-{
-    for (double alpha = 0.01; alpha < 3; alpha *= 1.7) {
-        const rw_patch patch = rw_patch_of_moment(alpha, rwedge_load(alpha), 0);
-        assert_close(patch.right, 1, 3e-15);
-        assert_close(patch.left, -1, 3e-15);
-    }
-}
-
 /* A tilt of 1 is a flank on the surface: it has no edges. */
 CLAIM(a_flank_on_the_surface_has_no_patch)
 {

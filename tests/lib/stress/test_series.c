@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "claims.h"
-#include "quadrature.h"
 #include "rwedge.h"
 
 CLAIM(coefficients_match_reference)
@@ -16,24 +15,6 @@ typedef struct {
     double alpha;
     int n;
 } projection;
-
-static double projected(double t, const void *context)
-{
-    const projection *c = context;
-    return rwedge_pressure(c->alpha, cos(t)) * sin((2 * c->n + 1) * t);
-}
-
-/* b_n = -(2/pi) int p sin(m t) dt, x = cos(t), by quadrature. */
-CLAIM(coefficients_are_projections_of_the_pressure)
-{
-    for (double alpha = 0.1; alpha < 1; alpha += 0.17)
-        for (int n = 0; n < 6; n++) {
-            const projection c = {alpha, n};
-            const double points[] = {0, acos(alpha), PI / 2};
-            assert_within(rwedge_coefficient(alpha, n),
-                          -4 / PI * integral(projected, &c, 2, points), 1e-12);
-        }
-}
 
 static rwedge_series *analytic(double alpha, int32_t terms)
 {

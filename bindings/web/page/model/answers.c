@@ -230,7 +230,7 @@ static double number_of(const input_texts *texts, int input)
     return input_is_given(texts, input) && input_read(texts, input, &value, complaint) ? value : 0;
 }
 
-bool answers_course(char *lines, contact_case *setup, load *form)
+bool answers_history(char *lines, contact_case *setup, load *form)
 {
     input_texts texts = field_texts(lines);
     answers_keep(NULL);

@@ -7,7 +7,7 @@
 
 /* Reads the case without its loads, which are given apart. False where it is refused: the records
  * say why. */
-bool answers_course(char *lines, contact_case *setup, load *form);
+bool answers_history(char *lines, contact_case *setup, load *form);
 
 /* Keeps the contact, which may be NULL, for page_contact(); the one before is destroyed. */
 void answers_keep(rwedge_contact *contact);

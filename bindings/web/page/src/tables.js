@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pasted tables as the model reads them: many cases, a row each; the loads of a course.
+// Pasted tables as the model reads them: many cases, a row each; the loads of a history.
 import { answeredContact, ask } from "./library.js";
 import { linesOf, taken } from "./solution.js";
 
@@ -36,7 +36,7 @@ export function solveRows(text, texts, sign) {
  * last cycle, unused, contact before it } or { complaint }. Whoever asks frees the contact.
  */
 export function goThrough(texts, text, sign, times) {
-    const answer = taken(ask("course", linesOf(texts, sign), separated(text), code(sign), times.trim()));
+    const answer = taken(ask("history", linesOf(texts, sign), separated(text), code(sign), times.trim()));
     if (answer.faults.length > 0) return { complaint: answer.faults.map((fault) => fault.text).join("; ") };
     return { ...answer, contact: answeredContact() };
 }

@@ -543,7 +543,7 @@ export async function a_criterion_comes_to_what_the_tool_says({ session, file, t
 const remark = async (page) => (await settled(page), page.$eval("#loads-note", (part) => part.textContent));
 
 /** A tension that lags behind Q has no closed form: it is computed, and its error is said. */
-export async function a_course_without_a_closed_form_is_computed({ session, file, tool }) {
+export async function a_history_without_a_closed_form_is_computed({ session, file, tool }) {
     const loads = "P\tQ\tsigma\n190\t20\t0\n190\t14\t100\n190\t-20\t0\n190\t-14\t-100";
     const page = await openPage(session, file, asAddress(usual, { tab: "cycle", digits: "6", loads, cycles: "2" }));
     const { P, Q, ...rest } = usual;

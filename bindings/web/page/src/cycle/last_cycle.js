@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last cycle of a course of loads: its loads, the contact before it, the edges after each load. As cli/fretting/last_cycle.c.
+// The last cycle of a history of loads: its loads, the contact before it, the edges after each load. As cli/fretting/last_cycle.c.
 import { status } from "../library.js";
 
 /** The edges of contact and stick zone. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the page asks about a course of loads: a table of them, and the contact before the last
+/* What the page asks about a history of loads: a table of them, and the contact before the last
  * cycle. */
 #include "answers.h"
 #include "field_texts.h"
@@ -123,7 +123,7 @@ static bool to_and_fro(const load *form, rwedge_contact *contact, double f, load
     return true;
 }
 
-/* ---- The course ---- */
+/* ---- The history ---- */
 
 static bool go_through(const load_list *loads, int64_t cycle, double f, rwedge_contact *contact,
                        char complaint[COMPLAINT_SIZE])
@@ -180,7 +180,8 @@ static bool begin(const contact_case *setup, const load *form, const char *text,
 /* Of the case of the form, and pasted loads, which are gone through so many times: its numbers, the
  * loads of the last cycle, columns that are not used, and the contact before that cycle; or what is
  * wrong. Without a text the loads of the form go to and fro. */
-EXPORTED const char *page_course(char *lines, const char *text, int decimal_sign, const char *times)
+EXPORTED const char *page_history(char *lines, const char *text, int decimal_sign,
+                                  const char *times)
 {
     contact_case setup;
     load form;
@@ -189,7 +190,7 @@ EXPORTED const char *page_course(char *lines, const char *text, int decimal_sign
     int64_t cycles;
     char complaint[COMPLAINT_SIZE];
     records_begin();
-    if (answers_course(lines, &setup, &form)) {
+    if (answers_history(lines, &setup, &form)) {
         if (!number_read_whole(times, 1, 1000000, &cycles))
             records_refuse("cycles must be a whole number from 1 to 1000000");
         else if (!begin(&setup, &form, text, decimal_sign, &loads, &contact, complaint) ||

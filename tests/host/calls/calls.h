@@ -39,7 +39,7 @@ bool is_in_domain(const public_call *call, const double v[]);
 /* Whether an argument is in its domain by itself. */
 bool is_sound(const entry_argument *a, double v);
 
-/* Arguments in the domain, mostly of the order of 1; the same for the same state on every machine. */
+/* Arguments in the domain, mostly of the order of 1; the same on every machine. */
 void draw_inside(const public_call *call, uint64_t *state, double v[]);
 
 /* What is wrong with a call's answer, by the header's rules for errors: NULL if nothing. Calls

@@ -378,8 +378,8 @@ RWEDGE_API int32_t rwedge_contact_create_flat(double a, double R, double A, doub
                                               rwedge_contact **contact);
 
 /* The same of any convex profile, by its slopes: linear between the places, constant beyond. Of an
- * asymmetric one the contact is off the centre, and tilted, under P alone. It takes twice the
- * time of a wedge for each part of the profile in contact.                                      new
+ * asymmetric one the contact is off the centre, and tilted, under P alone. A point of its stresses
+ * takes 3 times a wedge's where 4 parts of the profile are in contact, 40 times where 100 are.  new
  *   x      length, finite: of each place, from left to right; equal places are a kink
  *   slope  finite, |slope| < pi/2: the slope there, positive where the profile rises to the right
  * RWEDGE_EDOMAIN where a place or a slope is less than the one before, where all slopes are equal,

@@ -61,62 +61,57 @@ static void put_points(records *rows, const vtk_points *points)
     }
 }
 
-static void put_scalar(records *rows, const tensor *at, int number, bool last)
-{
-    put_number(rows, at->value[number], last);
-}
-
-/* Three rows of three. */
-static void put_tensor(records *rows, const tensor *at, int number, bool last)
-{
-    (void)number;
-    (void)last;
-    const double sxx = at->value[TENSOR_SXX], syy = at->value[TENSOR_SYY],
-                 szz = at->value[TENSOR_SZZ], txy = at->value[TENSOR_TXY];
-    const double component[9] = {sxx, txy, 0, txy, syy, 0, 0, 0, szz};
-    for (int i = 0; i < 9; i++)
-        put_number(rows, component[i], i % 3 == 2);
-}
-
-static void put_quantity(records *rows, const vtk_points *points, int number,
-                         void (*put)(records *, const tensor *, int, bool))
-{
-    for (int64_t j = 0; j < points->rows; j++)
-        for (int64_t i = 0; i < points->columns && records_go_on(rows); i++) {
-            const tensor at = points->stress(points->source, i, j);
-            put(rows, &at, number, i == points->columns - 1);
-            progress_step();
-        }
-}
-
-static void put_head(records *rows, const char *name)
+/* A number at every point, under its name. */
+static void put_numbers(records *rows, const vtk_points *points, const void *source,
+                        const vtk_numbers *numbers)
 {
     char line[120];
-    snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n", name);
-    output_text(rows->out, line);
-}
-
-static void put_numbers(records *rows, const vtk_points *points, const vtk_numbers *numbers)
-{
-    for (int number = 0; number < numbers->count; number++) {
-        put_head(rows, numbers->name(points->source, number));
+    for (int n = 0; n < numbers->count; n++) {
+        snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n",
+                 numbers->name(source, n));
+        output_text(rows->out, line);
         for (int64_t j = 0; j < points->rows; j++)
             for (int64_t i = 0; i < points->columns && records_go_on(rows); i++) {
-                put_number(rows, numbers->value(points->source, i, j, number),
-                           i == points->columns - 1);
+                put_number(rows, numbers->value(source, i, j, n), i == points->columns - 1);
                 progress_step();
             }
     }
 }
 
+/* ---- Stresses ---- */
+
+static const char *stress_name(const void *of_points, int n)
+{
+    (void)of_points;
+    return tensor_names[n];
+}
+
+static double stress_value(const void *of_points, int64_t column, int64_t row, int n)
+{
+    const vtk_points *points = of_points;
+    return points->stress(points->source, column, row).value[n];
+}
+
+/* Three rows of three. */
+static void put_tensor(records *rows, tensor at)
+{
+    const double sxx = at.value[TENSOR_SXX], syy = at.value[TENSOR_SYY], szz = at.value[TENSOR_SZZ],
+                 txy = at.value[TENSOR_TXY];
+    const double component[9] = {sxx, txy, 0, txy, syy, 0, 0, 0, szz};
+    for (int i = 0; i < 9; i++)
+        put_number(rows, component[i], i % 3 == 2);
+}
+
 static void put_stresses(records *rows, const vtk_points *points)
 {
-    for (int i = 0; i < TENSOR_COUNT; i++) {
-        put_head(rows, tensor_names[i]);
-        put_quantity(rows, points, i, put_scalar);
-    }
+    const vtk_numbers numbers = {TENSOR_COUNT, stress_name, stress_value};
+    put_numbers(rows, points, points, &numbers);
     output_text(rows->out, "TENSORS stress double\n");
-    put_quantity(rows, points, 0, put_tensor);
+    for (int64_t j = 0; j < points->rows; j++)
+        for (int64_t i = 0; i < points->columns && records_go_on(rows); i++) {
+            put_tensor(rows, points->stress(points->source, i, j));
+            progress_step();
+        }
 }
 
 void vtk_write(void *of_points, records *rows)
@@ -135,7 +130,7 @@ void vtk_write(void *of_points, records *rows)
     snprintf(line, sizeof line, "POINT_DATA %" PRId64 "\n", points->columns * points->rows);
     output_text(rows->out, line);
     if (points->numbers != NULL)
-        put_numbers(rows, points, points->numbers);
+        put_numbers(rows, points, points->source, points->numbers);
     else
         put_stresses(rows, points);
 }

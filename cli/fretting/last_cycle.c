@@ -2,20 +2,13 @@
 #include "last_cycle.h"
 
 #include "model/results/tensor.h"
+#include "text/memory.h"
 #include "text/message.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 /* ---- The loads ---- */
-
-static void *room_for(size_t count)
-{
-    void *room = calloc(count, sizeof(double));
-    if (room == NULL)
-        failure("out of memory");
-    return room;
-}
 
 /* A state after a load: its edges. */
 static void note_edges(const rwedge_contact *contact, last_cycle *cycle)
@@ -64,8 +57,8 @@ void last_cycle_begin(const contact_history *history, const criteria *asked, las
     *cycle = (last_cycle){.setup = &history->setup,
                           .asked = *asked,
                           .loads = loads,
-                          .P = room_for(4 * loads),
-                          .edges = room_for(4 * (loads + 1)),
+                          .P = memory_zeroed(4 * loads, sizeof(double)),
+                          .edges = memory_zeroed(4 * (loads + 1), sizeof(double)),
                           .left = NAN,
                           .right = NAN};
     cycle->M = cycle->P + loads;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface.h"
 
+#include "text/memory.h"
 #include "text/message.h"
 #include "number/pi.h"
 
@@ -20,14 +21,6 @@ typedef struct {
     stop *stop;
     size_t count;
 } stops;
-
-static void *room_for(size_t count, size_t size)
-{
-    void *room = calloc(count, size);
-    if (room == NULL)
-        failure("out of memory");
-    return room;
-}
 
 static void add(stops *to, double x, bool is_shown)
 {
@@ -78,7 +71,7 @@ static void add_usual(const last_cycle *cycle, stops *all)
 {
     const double left = cycle->left, right = cycle->right;
     const double middle = (left + right) / 2, half = (right - left) / 2;
-    all->stop = room_for(INSIDE + 2 * OUTSIDE + cycle->edge_count, sizeof *all->stop);
+    all->stop = memory_zeroed(INSIDE + 2 * OUTSIDE + cycle->edge_count, sizeof *all->stop);
     for (int i = 1; i < INSIDE; i++)
         add(all, middle + half * sin(PI / 2 * (2 * i - INSIDE) / INSIDE), true);
     for (int i = 1; i <= OUTSIDE; i++) {
@@ -101,7 +94,7 @@ static void add_range(const char *text, const last_cycle *cycle, stops *all)
     if (complaint != NULL)
         usage_error("--x %s: %s", text, complaint);
     range_say_two_values("x", text);
-    all->stop = room_for((size_t)x.count + cycle->edge_count, sizeof *all->stop);
+    all->stop = memory_zeroed((size_t)x.count + cycle->edge_count, sizeof *all->stop);
     double from = HUGE_VAL, to = -HUGE_VAL;
     for (int64_t i = 0; i < x.count; i++) {
         const double value = range_value(&x, i);
@@ -119,7 +112,7 @@ static void add_range(const char *text, const last_cycle *cycle, stops *all)
 static measured *begin(size_t count, size_t line, measured *all)
 {
     *all = (measured){.count = count, .line = line};
-    all->place = room_for(count + COLUMN_COUNT, sizeof *all->place);
+    all->place = memory_zeroed(count + COLUMN_COUNT, sizeof *all->place);
     return all;
 }
 
@@ -181,8 +174,8 @@ bool surface_usual(const last_cycle *cycle, measured *all)
 int32_t surface_measure(const last_cycle *cycle, measured *all)
 {
     const size_t n = all->count;
-    double *x = room_for(2 * n, sizeof *x), *y = x + n;
-    measures *at = room_for(n, sizeof *at);
+    double *x = memory_zeroed(2 * n, sizeof *x), *y = x + n;
+    measures *at = memory_zeroed(n, sizeof *at);
     for (size_t i = 0; i < n; i++) {
         x[i] = all->place[i].x;
         y[i] = all->place[i].y;

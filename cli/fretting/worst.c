@@ -2,6 +2,7 @@
 #include "worst.h"
 
 #include "text/list.h"
+#include "text/memory.h"
 #include "text/message.h"
 
 #include <math.h>
@@ -24,9 +25,7 @@ static size_t best_place(const measured *all, int column)
 static void search_line(const last_cycle *last, const measured *all, int column, size_t first,
                         worst_row *row)
 {
-    double *x = malloc(2 * all->line * sizeof *x), *value = x + all->line;
-    if (x == NULL)
-        failure("out of memory");
+    double *x = memory_zeroed(2 * all->line, sizeof *x), *value = x + all->line;
     for (size_t i = 0; i < all->line; i++) {
         x[i] = all->place[first + i].x;
         value[i] = fmax(all->place[first + i].at.value[column], 0);

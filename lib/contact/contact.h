@@ -7,7 +7,7 @@
 #include "formulas/size.h"
 #include "history/path.h"
 #include "numerical/numerical.h"
-#include "stress/eccentric.h"
+#include "stress/pad_potential.h"
 #include "rwedge.h"
 
 typedef struct {
@@ -76,10 +76,13 @@ typedef struct {
 void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t last, int n,
                           const double x[], const double y[], rw_contact_fields *fields);
 
-/* A patch's own fields at n <= RW_BATCH points, and their part of the sum over the patches. */
-void rw_patch_fields(const rw_geometry *geometry, rw_patch patch, int n, const double x[],
-                     const double y[], rw_fields *fields);
-void rw_add_patch(const rw_fields *of_patch, double weight, int n, rw_fields *sum);
+/* A patch's own fields at n <= RW_BATCH points. */
+static inline void rw_patch_fields(const rw_geometry *geometry, rw_patch patch, int n,
+                                   const double x[], const double y[], rw_fields *fields)
+{
+    const rw_arcs arcs = rw_arcs_of(geometry);
+    rw_pad_fields(&arcs, patch, n, x, y, fields);
+}
 
 /* The same of a traction of its own, which is -q: over f. */
 void rw_add_traction(const rw_traction *traction, double f, int n, const double x[],

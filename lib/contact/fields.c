@@ -3,8 +3,6 @@
 #include "formulas/pressure.h"
 #include "contact/contact.h"
 #include "numerical/transform.h"
-#include "stress/batch.h"
-#include "stress/pad_potential.h"
 #include "stress/stress.h"
 
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
@@ -68,20 +66,6 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
 
 /* ---- Stresses ---- */
 
-static void add(int n, double weight, const double *restrict part, double *restrict sum)
-{
-    for (int i = 0; i < n; i++)
-        sum[i] += weight * part[i];
-}
-
-void rw_add_patch(const rw_fields *of_patch, double weight, int n, rw_fields *sum)
-{
-    add(n, weight, of_patch->G_re, sum->G_re);
-    add(n, weight, of_patch->G_im, sum->G_im);
-    add(n, weight, of_patch->H_re, sum->H_re);
-    add(n, weight, of_patch->H_im, sum->H_im);
-}
-
 void rw_add_traction(const rw_traction *traction, double f, int n, const double x[],
                      const double y[], rw_fields *sum)
 {
@@ -93,50 +77,20 @@ void rw_add_traction(const rw_traction *traction, double f, int n, const double 
     }
 }
 
-static void clear(rw_fields *fields, int n)
-{
-    for (int i = 0; i < n; i++)
-        rw_put(fields, i, (rw_field){0, 0, 0, 0});
-}
-
-static void arc_fields(rw_arc arc, rw_patch patch, int n, const double x[], const double y[],
-                       rw_fields *fields)
-{
-    rw_eccentric potential;
-    rw_eccentric_init_arc(&potential, arc, patch);
-    rw_eccentric_fields(&potential, n, x, y, fields);
-}
-
-void rw_patch_fields(const rw_geometry *g, rw_patch patch, int n, const double x[],
-                     const double y[], rw_fields *fields)
-{
-    if (!g->pad) {
-        arc_fields(rw_rounding(g->a), patch, n, x, y, fields);
-        return;
-    }
-    clear(fields, n);
-    for (size_t i = 0; i < g->pad->count; i++)
-        if (rw_arc_is_inside(g->pad->arcs[i], patch)) {
-            rw_fields of_arc;
-            arc_fields(g->pad->arcs[i], patch, n, x, y, &of_arc);
-            rw_add_patch(&of_arc, g->pad->weights[i], n, fields);
-        }
-}
-
 static void add_corner(const rwedge_contact *contact, size_t corner, int n, const double x[],
                        const double y[], rw_fields *of_patch, rw_fields *sum)
 {
     const rw_memory *memory = &contact->memory;
     rw_patch_fields(&contact->geometry, memory->corners[corner].patch, n, x, y, of_patch);
-    rw_add_patch(of_patch, rw_patch_weight(memory, corner), n, sum);
+    rw_add_fields(of_patch, rw_patch_weight(memory, corner), n, sum);
 }
 
 void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t last, int n,
                           const double x[], const double y[], rw_contact_fields *fields)
 {
     const size_t end = contact->memory.count - 1; /* its patch is the contact */
-    clear(&fields->normal, n);
-    clear(&fields->tangential, n);
+    rw_clear_fields(n, &fields->normal);
+    rw_clear_fields(n, &fields->tangential);
     for (size_t j = first; j < last && j < end; j++) {
         rw_fields of_patch;
         if (rw_patch_weight(&contact->memory, j) != 0)

@@ -101,7 +101,7 @@ static void add_patches(const rwedge_contact *contact, size_t first, size_t last
             continue;
         rw_patch_fields(&contact->geometry, contact->memory.corners[i].patch, RW_NODES, x, surface,
                         &field);
-        rw_add_patch(&field, weight, RW_NODES, values);
+        rw_add_fields(&field, weight, RW_NODES, values);
     }
 }
 

@@ -117,7 +117,7 @@ static void add_piece(const block *b, size_t at, const piece *next)
         rw_patch_fields(b->geometry, next->patch, b->n, b->x, b->y, &l->field);
     }
     l->sum = b->levels[at - 1].sum;
-    rw_add_patch(&l->field, next->weight, b->n, &l->sum);
+    rw_add_fields(&l->field, next->weight, b->n, &l->sum);
 }
 
 /* The contact is often as it was, with more or fewer pieces inside of it. */

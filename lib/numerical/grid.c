@@ -77,6 +77,17 @@ static int old_label(const rw_problem *p, double x)
     return 0;
 }
 
+/* After full sliding: all sticks at first. */
+static void release_where_nothing_sticks(rw_grid *g)
+{
+    for (int i = 0; i < g->n; i++)
+        if (g->label[i] == 0)
+            return;
+    for (int i = 0; i < g->n; i++)
+        if (g->label[i] != RW_GONE)
+            g->label[i] = 0;
+}
+
 static double prepare(rw_grid *g, const rw_problem *p, const rw_layers *layers, double stretch)
 {
     double scale = 0;
@@ -93,6 +104,7 @@ static double prepare(rw_grid *g, const rw_problem *p, const rw_layers *layers, 
         g->label[i] = F > 0 ? old_label(p, x) : RW_GONE;
         scale = fmax(scale, fmax(fabs(g->upper[i]), fabs(g->lower[i])));
     }
+    release_where_nothing_sticks(g);
     return scale;
 }
 

@@ -5,6 +5,26 @@
 #include "stress/closed_form.h"
 #include "stress/lanes.h"
 
+void rw_clear_fields(int count, rw_fields *fields)
+{
+    for (int i = 0; i < count; i++)
+        rw_put(fields, i, (rw_field){0, 0, 0, 0});
+}
+
+static void add(int n, double weight, const double *restrict part, double *restrict sum)
+{
+    for (int i = 0; i < n; i++)
+        sum[i] += weight * part[i];
+}
+
+void rw_add_fields(const rw_fields *fields, double weight, int count, rw_fields *sum)
+{
+    add(count, weight, fields->G_re, sum->G_re);
+    add(count, weight, fields->G_im, sum->G_im);
+    add(count, weight, fields->H_re, sum->H_re);
+    add(count, weight, fields->H_im, sum->H_im);
+}
+
 enum { WORTH_A_VECTOR = 3 }; /* fewer points are quicker one by one */
 
 typedef rw_field formula(const rw_potential *p, rw_place at);

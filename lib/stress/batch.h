@@ -25,6 +25,10 @@ RW_INLINE void rw_put(rw_fields *fields, int i, rw_field field)
     fields->H_im[i] = field.H_im;
 }
 
+/* Sums of fields. */
+void rw_clear_fields(int count, rw_fields *fields);
+void rw_add_fields(const rw_fields *fields, double weight, int count, rw_fields *sum);
+
 void rw_potential_fields(const rw_potential *potential, int count, const double x[],
                          const double y[], rw_fields *fields);
 

@@ -40,6 +40,10 @@ void rw_eccentric_init(rw_eccentric *potential, double a, rw_patch patch);
 /* Of an arc that is partly inside the patch. */
 void rw_eccentric_init_arc(rw_eccentric *potential, rw_arc arc, rw_patch patch);
 
+/* Of any sum of arcs, for points that are far: of the series (2/pi) sum far[n - 1] R^n. */
+void rw_eccentric_init_series(rw_eccentric *potential, rw_patch patch,
+                              const double far[RW_SERIES_TERMS]);
+
 /* G, and H = y G' in the unit of the patch. Error below 20 epsilon max(|G|, 1/(1+|z|)), z from the
  * middle in half-widths, over 1 - |delta|. */
 rw_field rw_eccentric_at(const rw_eccentric *potential, double x, double y);

@@ -40,17 +40,9 @@ void rw_eccentric_fields(const rw_eccentric *p, int count, const double x[], con
         return;
     }
     double near_x[RW_BATCH], near_y[RW_BATCH];
-    for (int i = 0; i < count; i++) {
-        const bool far = rw_eccentric_is_far(p, x[i], y[i]);
-        near_x[i] = far ? p->patch.right : x[i];
-        near_y[i] = far ? 0 : y[i];
-    }
-    for (int i = count; i % RW_LANES != 0; i++) { /* fills the last vector */
-        near_x[i] = p->patch.right;
-        near_y[i] = 0;
-    }
+    const int far = rw_near_points(p, count, x, y, near_x, near_y);
     apply_best(p, count, near_x, near_y, fields);
-    for (int i = 0; i < count; i++)
+    for (int i = 0; far > 0 && i < count; i++)
         if (rw_eccentric_is_far(p, x[i], y[i]))
             rw_put(fields, i, rw_eccentric_at(p, x[i], y[i]));
 }

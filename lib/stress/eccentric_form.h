@@ -34,20 +34,31 @@ typedef struct {
 /* Lost in any square but 0, at the end of a rounding, for whose logarithm any number will do. */
 static const double ZERO_SQUARED = 0x1p-1000;
 
-/* l of one end: past is x - sine. 1 - sine sin(v) is a sum of squares. */
-RW_INLINE rw_complex end_logarithm(double sine, double cosine, double past, double cosh_less_1,
-                                   double shrink, const rw_elliptic *e)
+/* What all ends of a point have in common. */
+typedef struct {
+    rw_elliptic e;
+    double shrink, cosh_less_1, per_cosh;
+} rw_sight;
+
+RW_INLINE rw_sight rw_sight_of(rw_elliptic e)
 {
+    return (rw_sight){e, rw_elliptic_shrink(&e), e.sinh_w * e.sinh_w / (1 + e.cosh_w),
+                      1 / e.cosh_w};
+}
+
+/* l of one end: past is x - sine. 1 - sine sin(v) is a sum of squares. */
+RW_INLINE rw_complex rw_end_logarithm(double sine, double cosine, double past, rw_sight at)
+{
+    const rw_elliptic *e = &at.e;
     const double apart = e->sin_v - sine, size = past * past + e->y * e->y;
     const double b = e->cos_v * cosine +
-                     0.5 * (e->cos_v * e->cos_v + cosine * cosine + apart * apart) + cosh_less_1;
-    const double per_cosh = 1 / e->cosh_w;
-    const double d = (sine * e->sinh_w * e->sinh_w - past) * per_cosh;
+                     0.5 * (e->cos_v * e->cos_v + cosine * cosine + apart * apart) + at.cosh_less_1;
+    const double d = (sine * e->sinh_w * e->sinh_w - past) * at.per_cosh;
     return (rw_complex){
         .re = 0.5 *
               rw_log_of_quotient_over(size + ZERO_SQUARED, b * b, -2 * e->cos_v * cosine * b, 1, 1),
         .im = rw_angle(cosine * cosine * e->sinh_w + sine * d,
-                       -cosine * (sine * e->sinh_w * shrink + past) * per_cosh),
+                       -cosine * (sine * e->sinh_w * at.shrink + past) * at.per_cosh),
     };
 }
 
@@ -113,16 +124,16 @@ RW_INLINE rw_field rw_side_rounded_field(const rw_eccentric *p, const rw_half_vi
                                          rw_side_place at)
 {
     const rw_corners *k = &p->corners;
-    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
-    const double shrink = rw_elliptic_shrink(&e),
-                 cosh_less_1 = e.sinh_w * e.sinh_w / (1 + e.cosh_w);
-    const rw_complex A = difference_over(k, v, at, cosh_less_1, &e);
+    const rw_sight sight = rw_sight_of(rw_elliptic_at(at.x, at.y, at.beyond));
+    const rw_elliptic e = sight.e;
+    const double shrink = sight.shrink;
+    const rw_complex A = difference_over(k, v, at, sight.cosh_less_1, &e);
     /* the end that is nearer, and the other */
     const double side = at.apex + 0.0, near = rw_if_negative(side, at.past[0], at.past[1]),
                  far = rw_if_negative(side, at.past[1], at.past[0]);
-    const rw_complex l = end_logarithm(rw_if_negative(side, v->sine[1], v->sine[0]),
-                                       rw_if_negative(side, v->cosine[1], v->cosine[0]), far,
-                                       cosh_less_1, shrink, &e);
+    const rw_complex l =
+        rw_end_logarithm(rw_if_negative(side, v->sine[1], v->sine[0]),
+                         rw_if_negative(side, v->cosine[1], v->cosine[0]), far, sight);
     const double R_re = k->half_over * (shrink * e.sin_v),
                  R_im = -k->half_over * (shrink * e.cos_v);
     const rw_complex edge = rw_over_X(&e, at.y, R_re + v->slant, R_im);
@@ -134,11 +145,10 @@ RW_INLINE rw_field rw_side_rounded_field(const rw_eccentric *p, const rw_half_vi
 RW_INLINE rw_field rw_side_half_rounded_field(const rw_eccentric *p, const rw_half_view *v,
                                               rw_side_place at)
 {
-    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
-    const double shrink = rw_elliptic_shrink(&e),
-                 cosh_less_1 = e.sinh_w * e.sinh_w / (1 + e.cosh_w);
-    const rw_complex l =
-        end_logarithm(v->sine[0], v->cosine[0], at.past[0], cosh_less_1, shrink, &e);
+    const rw_sight sight = rw_sight_of(rw_elliptic_at(at.x, at.y, at.beyond));
+    const rw_elliptic e = sight.e;
+    const double shrink = sight.shrink;
+    const rw_complex l = rw_end_logarithm(v->sine[0], v->cosine[0], at.past[0], sight);
     const double w = v->arc_over, per = v->side * p->corners.per_alpha, c = per * v->cosine[0];
     const double R_re = w * (shrink * e.sin_v), R_im = -w * (shrink * e.cos_v);
     const double l_re = per * l.re, l_im = per * l.im;
@@ -152,10 +162,9 @@ RW_INLINE rw_field rw_side_sharp_field(const rw_eccentric *p, const rw_half_view
                                        rw_side_place at)
 {
     (void)p;
-    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
-    const double shrink = rw_elliptic_shrink(&e),
-                 cosh_less_1 = e.sinh_w * e.sinh_w / (1 + e.cosh_w);
-    const rw_complex l = end_logarithm(v->sine[0], v->cosine[0], at.apex, cosh_less_1, shrink, &e);
+    const rw_sight sight = rw_sight_of(rw_elliptic_at(at.x, at.y, at.beyond));
+    const rw_elliptic e = sight.e;
+    const rw_complex l = rw_end_logarithm(v->sine[0], v->cosine[0], at.apex, sight);
     const double scale = v->cosine[0] / (at.apex * at.apex + at.y * at.y);
     const rw_complex steep = rw_over_X(&e, at.y, scale * at.apex, -scale * at.y);
     return (rw_field){-2 / RW_PI * l.im, 2 / RW_PI * l.re, -2 / RW_PI * steep.re,
@@ -198,7 +207,7 @@ RW_INLINE rw_side_place rw_side_place_of(const rw_eccentric *p, const rw_half_vi
 
 /* From the right half to where the point is: G(-conj z) = -conj G'(z), G' being that of the mirror
  * image. On the surface outside the contact there is no pressure, to the last bit. */
-RW_INLINE rw_field side_mirrored(double sign, rw_side_place at, rw_field right)
+RW_INLINE rw_field rw_side_mirrored(double sign, rw_side_place at, rw_field right)
 {
     const double pressed = rw_if_negative(at.beyond + 0.0, -1, 0 - at.y);
     return (rw_field){sign * right.G_re, rw_if_negative(pressed, right.G_im, 0), right.H_re,
@@ -213,7 +222,7 @@ RW_INLINE rw_field rw_eccentric_by(rw_side_formula *right_field, const rw_eccent
     const double from_middle = (x - p->middle) + 0.0, sign = rw_if_negative(from_middle, -1, 1);
     const rw_half_view v = blended(r, l, from_middle);
     const rw_side_place at = rw_side_place_of(p, &v, sign, x, y);
-    return side_mirrored(sign, at, right_field(p, &v, at));
+    return rw_side_mirrored(sign, at, right_field(p, &v, at));
 }
 
 /* |R| < 1/4 */
@@ -221,6 +230,22 @@ static inline bool rw_eccentric_is_far(const rw_eccentric *p, double x, double y
 {
     const double far = 2.125 * p->half_width, dx = x - p->middle;
     return fabs(dx) > far || y > far || dx * dx + y * y > far * far;
+}
+
+/* The points with the edge in place of those that are far, and to the end of the last vector;
+ * how many are far. */
+static inline int rw_near_points(const rw_eccentric *p, int count, const double x[],
+                                 const double y[], double near_x[RW_BATCH], double near_y[RW_BATCH])
+{
+    int far = 0;
+    for (int i = 0; i < RW_BATCH; i++) {
+        const bool is_far = i < count && rw_eccentric_is_far(p, x[i], y[i]);
+        const bool is_near = i < count && !is_far;
+        near_x[i] = is_near ? x[i] : p->patch.right;
+        near_y[i] = is_near ? y[i] : 0;
+        far += is_far;
+    }
+    return far;
 }
 
 #endif

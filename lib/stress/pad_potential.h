@@ -29,4 +29,8 @@ double rw_pad_pressure(const rw_pad_potential *potential, double x);
 /* The same at n places, without memory. */
 void rw_pad_pressures(const rw_arcs *arcs, rw_patch patch, size_t n, const double x[], double p[]);
 
+/* The potential at count <= RW_BATCH points, without memory. */
+void rw_pad_fields(const rw_arcs *arcs, rw_patch patch, int count, const double x[],
+                   const double y[], rw_fields *fields);
+
 #endif

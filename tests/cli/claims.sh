@@ -123,6 +123,15 @@ column() {
         { print $c == "" ? "-" : $c }' "$2"
 }
 
+# skip_without_xlsx STATUS MESSAGE: after a run that would have written XLSX.
+skip_without_xlsx() {
+    [ "$status" -eq "$1" ] || return 0
+    message_is "$2: this build cannot write XLSX: it was made without libxlsxwriter (on Debian and Ubuntu the package libxlsxwriter-dev)"
+    same "no file" "" "$(ls ./*.xlsx 2>&1 | grep -v "No such file")"
+    [ "$failures" -eq 0 ] || finish
+    skip "this build has no libxlsxwriter"
+}
+
 skip() {
     echo "SKIPPED: $1"
     exit 77

@@ -61,7 +61,7 @@ seeds()
         printf %b "$bytes" >"seeds/$1/$name"
     done
 }
-targets='formulas contact series number range csv batch'
+targets='formulas contact any_history series number range csv batch'
 for target in $targets; do
     seeds "$target"
     echo "$clang $flags -c source/tests/random/targets/$target.c -o fuzz_$target.o" >>commands

@@ -51,6 +51,15 @@ static inline double take_fraction(input *in)
     return (double)take_bytes(in, 2) / 65535;
 }
 
+/* The same sequence on every machine; *state is any seed. */
+static inline uint64_t next_random(uint64_t *state)
+{
+    uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15)); /* splitmix64 */
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return z ^ (z >> 31);
+}
+
 #define CLAIM(holds, ...)                                                                          \
     do {                                                                                           \
         if (!(holds)) {                                                                            \

@@ -20,7 +20,7 @@ status=0
 fixed()
 {
     # the longest first
-    printf '%s\n' 'contact 100000' 'formulas 300000' 'batch 15000' 'csv 150000' 'series 200000' 'number 1000000' 'range 1000000' |
+    printf '%s\n' 'any_history 60' 'contact 100000' 'formulas 300000' 'batch 15000' 'csv 150000' 'series 200000' 'number 1000000' 'range 1000000' |
         xargs -P "$(nproc 2>/dev/null || echo 2)" -L 1 sh "$here/run.sh" "$source" . >said || status=1
     cat said
 }
@@ -46,7 +46,7 @@ explore()
 if [ -z "$seconds" ]; then
     fixed
 else
-    for share in 'number 10' 'range 10' 'csv 8' 'batch 12' 'series 10' 'contact 25' 'formulas 25'; do
+    for share in 'number 10' 'range 10' 'csv 8' 'batch 12' 'series 10' 'contact 20' 'any_history 10' 'formulas 20'; do
         # shellcheck disable=SC2086
         explore $share
     done

@@ -6,14 +6,6 @@
 
 enum { INPUT_MAX = 4096, LINE_MAX = 5 * INPUT_MAX }; /* a byte is \0ooo at most */
 
-static uint64_t next_random(uint64_t *state)
-{
-    uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15)); /* splitmix64 */
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
-}
-
 /* One byte as printf %b has it: itself, \\, \n, \r, or \0 and three octal digits. */
 static uint8_t next_byte(const char **text)
 {

@@ -117,6 +117,41 @@ rwedge_contact *worn_contact(double corners, double M)
     return contact;
 }
 
+/* The contact is destroyed. */
+static double points_of(rwedge_contact *contact, double P, long n)
+{
+    must(rwedge_contact_load(contact, P, 0));
+    must(rwedge_contact_load(contact, P, 0.3 * P));
+    must(rwedge_contact_stresses(contact, (size_t)n, xs, ys, out[0], out[1], out[2]));
+    rwedge_contact_destroy(contact);
+    return out[0][0] + out[2][n - 1];
+}
+
+double points_of_a_wedge(long n)
+{
+    return points_of(new_contact(), 20000, n);
+}
+
+double points_of_a_flat_pad(long n)
+{
+    rwedge_contact *contact;
+    must(rwedge_contact_create_flat(0.5, 20, 1.82e-5, 0.6, &contact));
+    return points_of(contact, 2000, n);
+}
+
+double points_of_a_profile(long n)
+{
+    enum { PLACES = 100 };
+    rwedge_contact *contact;
+    double x[PLACES], slope[PLACES] = {-0.1};
+    for (int i = 0; i < PLACES; i++) {
+        x[i] = 2.0 * i / (PLACES - 1) - 1;
+        slope[i] = i == 0 ? -0.1 : slope[i - 1] + 0.004 * fmod(i * 0.6180339887498949, 1);
+    }
+    must(rwedge_contact_create_profile(PLACES, x, slope, 1.82e-5, 0.6, &contact));
+    return points_of(contact, 20000, n);
+}
+
 double yield_factors(double corners, double M, long n)
 {
     rwedge_contact *contact = worn_contact(corners, M);

@@ -40,6 +40,12 @@ rwedge_contact *new_contact(void);
 /* It remembers as many corners: reversals of Q, each smaller than all before. */
 rwedge_contact *worn_contact(double corners, double M);
 
+/* Stresses at points of contacts after one step of Q: of that one, of a flat pad, of a profile of
+ * 100 places with 99 arcs in contact. */
+double points_of_a_wedge(long n);
+double points_of_a_flat_pad(long n);
+double points_of_a_profile(long n);
+
 /* The yield factor of such a contact, n times. */
 double yield_factors(double corners, double M, long n);
 

@@ -22,6 +22,7 @@ DRAWN = {  # what each must print
     "fretting": r"sxx/p0 +1\.8193 +published +1\.8193[^$]*p0 +3585\.36 +published +3585\.36[^$]*MPa at x = -1\.0000 b, plane 90\.0 ",
     "dovetail": r"the pad tests the dovetail's edge to 1\.\d %",
     "pads": r"the flat pad has 0\.87 times the cylinder's",
+    "phase": r"\n +0° +1\.4774 +0\.2531 +0e\+00\n[^$]*\n +90° +0\.894\d +0\.978\d [^$]*\nthe log: [2-9]\d of 96 loads exact",
     "spectrum": r"with vibration +46 [^$]*\nthe vibration does 94 % of the damage",
     "design": r"^2460 pads in [^$]*\n0 differ from the serial result[^$]*\nfriction up to 0\.6: R of at least 41\.5 mm",
     "gradients": r"^10000 gradients under vmap: 0 of 30000 numbers differ [^$]*, b 0\.2500 mm: [^$]*off the root by [1-9]e-(1\d|0[89]) ",

@@ -22,9 +22,20 @@ wait_for_start() {
     done
 }
 
-ended() { # exit status of the process
+# ends_by SIGNAL STATUS
+ends_by() {
+    kill -s "$1" "$process"
     status=0
     wait "$process" 2>/dev/null || status=$?
+    status_is "$2"
+}
+# goes_on SIGNAL...: they end nothing.
+goes_on() {
+    for signal; do
+        kill -s "$signal" "$process"
+    done
+    sleep 0.2
+    same "still running" yes "$(kill -0 "$process" 2>/dev/null && echo yes)"
 }
 
 mkdir files
@@ -35,9 +46,7 @@ for signal in INT:130 TERM:143 HUP:129; do
     start "default-signal=$name" -o files/old.csv
     wait_for_start
     same "unfinished files on the way" 1 "$(find files -name '.rwedge-*' | wc -l | tr -d ' ')"
-    kill -s "$name" "$process"
-    ended
-    status_is "${signal#*:}"
+    ends_by "$name" "${signal#*:}"
     message_is "rwedge table: stopped by SIG$name; the output file is as it was before"
     same "old file" old "$(cat files/old.csv)"
     same "files" old.csv "$(ls -A files)"
@@ -47,33 +56,22 @@ done
 called="rwedge $long -o files/old.csv, SIGPIPE and SIGXFSZ"
 start default-signal=TERM -o files/old.csv
 wait_for_start
-kill -s PIPE "$process"
-kill -s XFSZ "$process"
-sleep 0.2
-same "still running" yes "$(kill -0 "$process" 2>/dev/null && echo yes)"
-kill -s TERM "$process"
-ended
-status_is 143
+goes_on PIPE XFSZ
+ends_by TERM 143
 same "old file" old "$(cat files/old.csv)"
 
 # A signal that is ignored from the start, as nohup does with SIGHUP, stays so.
 called="rwedge $long -o files/old.csv, SIGHUP ignored"
 start ignore-signal=HUP -o files/old.csv
 wait_for_start
-kill -s HUP "$process"
-sleep 0.2
-same "still running" yes "$(kill -0 "$process" 2>/dev/null && echo yes)"
-kill -s TERM "$process"
-ended
-status_is 143
+goes_on HUP
+ends_by TERM 143
 
 # SIGKILL cannot be answered: the unfinished file stays, and the old one too.
 called="rwedge $long -o files/old.csv, SIGKILL"
 start default-signal=TERM -o files/old.csv
 wait_for_start
-kill -s KILL "$process"
-ended
-status_is 137
+ends_by KILL 137
 same "old file" old "$(cat files/old.csv)"
 rm -f files/.rwedge-*
 
@@ -85,9 +83,7 @@ if [ -d /proc/self/fd ]; then
     wait_for_start
     same "stdout" /dev/null "$(readlink "/proc/$process/fd/1")"
     same "stderr" /dev/null "$(readlink "/proc/$process/fd/2")"
-    kill -s TERM "$process"
-    ended
-    status_is 143
+    ends_by TERM 143
 fi
 
 # On standard output.
@@ -97,9 +93,7 @@ for _ in $(seq 200); do
     [ -s out ] && break
     sleep 0.05
 done
-kill -s TERM "$process"
-ended
-status_is 143
+ends_by TERM 143
 message_is "rwedge table: stopped by SIGTERM; the output is not complete"
 
 finish

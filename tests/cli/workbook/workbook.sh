@@ -7,13 +7,7 @@ refuses "rwedge workbook: --output: missing; allowed: the name of a file, such a
 refuses "rwedge workbook: --digits: the workbook has its own; allowed with: CSV files" workbook --digits 8 -o book.xlsx
 
 run workbook -o book.xlsx
-if [ "$status" -eq 1 ]; then
-    message_is "rwedge workbook: book.xlsx: this build cannot write XLSX: it was made without libxlsxwriter (on Debian \
-and Ubuntu the package libxlsxwriter-dev)"
-    same "no file" "" "$(ls ./*.xlsx 2>&1 | grep -v "No such file")"
-    [ "$failures" -eq 0 ] || finish
-    skip "this build has no libxlsxwriter"
-fi
+skip_without_xlsx 1 "rwedge workbook: book.xlsx"
 status_is 0
 message_is ""
 output_is ""

@@ -2,7 +2,9 @@
 /* Loads without a closed form: rwedge_contact_allow_error(). */
 #include "histories.h"
 
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double F = 0.5;
 
@@ -35,6 +37,17 @@ CLAIM(nothing_is_computed_unless_it_is_allowed)
     assert_true(rwedge_contact_error(contact) == 0);
 }
 
+static int sticking(const rwedge_contact *contact)
+{
+    double left[9], right[9], slip[9];
+    const size_t n = rwedge_contact_zone_count(contact);
+    int zones = 0;
+    assert_ok(rwedge_contact_zones(contact, n, left, right, slip));
+    for (size_t i = 0; i < n; i++)
+        zones += slip[i] == 0;
+    return zones;
+}
+
 /* An independent prototype of the same equations, each load in four parts
  * (tests/data/README.md). */
 CLAIM(reference_histories)
@@ -42,6 +55,7 @@ CLAIM(reference_histories)
     reference table = reference_open("history.csv");
     rwedge_contact *contact = NULL;
     double number = 0;
+    int elsewhere = 0;
     while (reference_next(&table)) {
         const double *v = table.cell;
         if (v[0] != number) {
@@ -69,24 +83,13 @@ CLAIM(reference_histories)
         assert_ok(rwedge_contact_stresses(contact, 2, x, y, sxx, syy, txy));
         assert_within(sxx[0], v[14], 2e-4);
         assert_within(sxx[1], v[15], 2e-4);
+        assert_int_equal(sticking(contact), v[16]);
+        const rw_patch stick = stick_zone_of(contact);
+        const double off = fmax(fabs(stick.left - v[17]), fabs(stick.right - v[18]));
+        assert_within(off, 0, 2e-2);
+        elsewhere += off > 2e-5;
     }
-}
-
-CLAIM(the_shear_is_in_equilibrium_and_within_friction)
-{
-    rwedge_contact *contact = computed();
-    double left, right, sum = 0;
-    assert_ok(rwedge_contact_edges(contact, &left, &right));
-    enum { POINTS = 20000 };
-    for (int i = 0; i < POINTS; i++) {
-        const double t = PI * (i + 0.5) / POINTS;
-        const double x = left / 2 + right / 2 - (right - left) / 2 * cos(t);
-        double p, q;
-        assert_ok(rwedge_contact_tractions(contact, 1, &x, &p, &q));
-        assert_true(fabs(q) <= F * fabs(p) + 1e-4);
-        sum -= q * (right - left) / 2 * sin(t) * PI / POINTS;
-    }
-    assert_within(sum, 0.5, 1e-6);
+    assert_in_range(elsewhere, 0, 4); /* where a slip zone has just begun, 0.3 to 0.6 % wide */
 }
 
 CLAIM(zones_cover_the_contact)
@@ -145,6 +148,22 @@ CLAIM(full_sliding_and_separation_end_it)
     apply(contact, 0, 0, 0, 0);
     assert_true(rwedge_contact_error(contact) == 0);
     assert_true(rwedge_contact_dissipated_energy(contact) > 0);
+}
+
+/* Where nothing sticks there was no zone to begin from. */
+CLAIM(a_load_after_full_sliding_is_computed)
+{
+    rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-5);
+    apply(whole, 4, 0, 0, 0);
+    apply(parts, 4, 0, 0, 0);
+    apply(whole, 4, 0, 2, 0);
+    apply(parts, 4, 0, 2, 0);
+    apply(whole, 4, 0, 1.5, 0.4);
+    for (int i = 1; i <= 5; i++)
+        apply(parts, 4, 0, 2 - 0.1 * i, 0.08 * i);
+    assert_true(rwedge_contact_error(whole) > 0);
+    for (int i = -9; i <= 9; i++)
+        assert_within(shear(whole, i / 5.0), shear(parts, i / 5.0), 3e-4 * F);
 }
 
 /* Q alone, farther than all that was computed: the way there is forgotten. */
@@ -211,30 +230,6 @@ CLAIM(yield_is_found_and_the_energy_grows)
         assert_true(rwedge_contact_dissipated_energy(contact) > before);
         before = rwedge_contact_dissipated_energy(contact);
     }
-}
-
-/* Under constant P and tension the area of a closed loop of Q over the displacement is
- * dissipated. */
-CLAIM(the_loops_area_is_the_energy)
-{
-    enum { STEPS = 120 };
-    rwedge_contact *contact = computed();
-    apply(contact, 4, 0, 0, 0.5);
-    apply(contact, 4, 0, 1.2, 0.5);
-    apply(contact, 4, 0, -1.2, 0.5);
-    apply(contact, 4, 0, 1.2, 0.5);
-    const double before = rwedge_contact_dissipated_energy(contact);
-    double area = 0, last = rwedge_contact_displacement(contact, 10), Q_last = 1.2;
-    for (int i = 1; i <= STEPS; i++) {
-        const double Q = 1.2 * cos(2 * PI * i / STEPS);
-        apply(contact, 4, 0, Q, 0.5);
-        const double now = rwedge_contact_displacement(contact, 10);
-        area += (Q + Q_last) / 2 * (now - last);
-        last = now;
-        Q_last = Q;
-    }
-    assert_true(rwedge_contact_error(contact) > 0);
-    assert_close(area, rwedge_contact_dissipated_energy(contact) - before, 1e-3);
 }
 
 /* The bodies touch under a shear and a tension that do not grow in proportion to the contact. */
@@ -315,14 +310,21 @@ static int32_t apply_programme(rwedge_contact *contact, programme *p, int load, 
     }
 }
 
-static void follow_programme(programme p, int loads)
+/* Under P; b is its half-width. */
+static rwedge_contact *pressed(double *b)
 {
-    rwedge_contact *contact;
     const double compliance = rwedge_compliance(72e3, 0.33, 72e3, 0.33);
-    assert_ok(rwedge_contact_create(0.01, 0.3, compliance, 0.6, &contact));
+    rwedge_contact *contact = create_wedge(0.01, 0.3, compliance, 0.6);
     assert_ok(rwedge_contact_allow_error(contact, 1e-3));
     apply(contact, 150, 0, 0, 0);
-    const double b = rwedge_contact_half_width(contact);
+    *b = rwedge_contact_half_width(contact);
+    return contact;
+}
+
+static void follow_programme(programme p, int loads)
+{
+    double b;
+    rwedge_contact *contact = pressed(&b);
     for (int i = 0; i < loads; i++)
         assert_int_equal(apply_programme(contact, &p, i, b), RWEDGE_OK);
     for (int i = -9; i <= 9; i++)
@@ -341,4 +343,34 @@ CLAIM(realistic_programmes_are_answered)
             follow_programme(
                 (programme){(int)table.cell[0], table.cell[1], (uint64_t)table.cell[2] + 1},
                 all ? CYCLE : CYCLE / 2);
+}
+
+/* The largest that this process has been so far, in kB, where the system tells; else 0. */
+static long peak_memory(void)
+{
+    FILE *status = fopen("/proc/self/status", "r");
+    char line[256];
+    long peak = 0;
+    while (status && fgets(line, sizeof line, status))
+        if (strncmp(line, "VmHWM:", 6) == 0)
+            peak = strtol(line + 6, NULL, 10);
+    if (status)
+        fclose(status);
+    return peak;
+}
+
+/* RWEDGE_LOADS=100000 takes so many, and looks at the process too. */
+CLAIM(a_noisy_log_takes_no_more_memory_however_long_it_is)
+{
+    const char *more = getenv("RWEDGE_LOADS");
+    const int loads = more ? atoi(more) : 150;
+    programme log = {5, 0.01, 1};
+    double b;
+    rwedge_contact *contact = pressed(&b);
+    for (int i = 0; i < loads; i++) {
+        assert_ok(apply_programme(contact, &log, i, b));
+        assert_in_range(rwedge_contact_state_size(contact), 0, 4096);
+    }
+    if (more)
+        assert_in_range(peak_memory(), 0, 10000);
 }

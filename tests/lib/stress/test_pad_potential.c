@@ -35,3 +35,37 @@ CLAIM(a_wedge_is_the_sum_of_parts_of_its_rounding)
     for (int i = 0; i < PLACES; i++)
         assert_close(sum[i], whole[i], 4e-15);
 }
+
+/* Neighbouring arcs share a logarithm, but for the third, which is almost a kink. */
+CLAIM(the_fields_are_the_sums_over_the_arcs)
+{
+    rw_arc all[] = {{-1, -0.6}, {-0.6, -0.2}, {-0.2, -0.2 + 1e-9}, {0, 0.3}, {0.3, 0.5}, {0.5, 2}};
+    double weights[] = {0.2, 0.1, 0.2, 0.2, 0.1, 0.2};
+    const rw_pad pad = {.count = 6, .arcs = all, .weights = weights};
+    const rw_arcs arcs = {.count = 6, .pad = &pad};
+    double x[RW_BATCH], y[RW_BATCH];
+    rw_fields fields;
+    for (int i = 0; i < RW_BATCH; i++) {
+        x[i] = i < 6 ? all[i].left + 1e-13 : -1.5 + 0.1 * i;
+        y[i] = i % 3 == 0 ? 0 : pow(10, i % 15 - 12);
+    }
+    rw_pad_fields(&arcs, PATCH, RW_BATCH, x, y, &fields);
+    for (int i = 0; i < RW_BATCH; i++) {
+        rw_field sum = {0, 0, 0, 0};
+        for (size_t k = 0; k < arcs.count; k++) {
+            rw_eccentric of_arc;
+            rw_eccentric_init_arc(&of_arc, all[k], PATCH);
+            const rw_field part =
+                rw_field_multiple(weights[k], rw_eccentric_at(&of_arc, x[i], y[i]));
+            sum = (rw_field){sum.G_re + part.G_re, sum.G_im + part.G_im, sum.H_re + part.H_re,
+                             sum.H_im + part.H_im};
+        }
+        const rw_field shared = rw_field_in(&fields, i);
+        const double limit = 1e-14 / (1 + y[i]);
+        assert_within(shared.G_re, sum.G_re, limit);
+        assert_within(shared.G_im, sum.G_im, limit);
+        assert_within(shared.H_re, sum.H_re, limit);
+        assert_within(shared.H_im, sum.H_im, limit);
+        assert_true((shared.G_im == 0) == (sum.G_im == 0));
+    }
+}

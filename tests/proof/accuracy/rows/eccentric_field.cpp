@@ -115,6 +115,50 @@ complex_ball depth_slope_at(const profile_patch &p, const complex_ball &z)
     return im(z) * slope;
 }
 
+double place_among(probe *call, const std::vector<double> &places)
+{
+    const double *r = call->result, width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
+    std::vector<double> marks(r, r + FOUND);
+    marks.insert(marks.end(), places.begin(), places.end());
+    if (chance(call, 0.3))
+        return r[WHOLE_LEFT] + width * (3 * uniform(call) - 1);
+    const size_t which = (size_t)((double)marks.size() * uniform(call));
+    return marks[which] + either_sign(call, width * log_between(call, 1e-14, 1));
+}
+
+void find_stresses(probe *call, rwedge_contact *contact, double x)
+{
+    double *r = call->result;
+    const double width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
+    const double y =
+        argument(call, "y", chance(call, 0.3) ? 0 : width * log_between(call, 1e-14, 10));
+    if (rwedge_contact_stresses(contact, 1, &x, &y, r + FOUND, r + FOUND + 1, r + FOUND + 2) !=
+        RWEDGE_OK)
+        r[FOUND] = NAN;
+    rwedge_contact_destroy(contact);
+}
+
+ball stress_error(const probe &call, const stress_case &of)
+{
+    const double *r = call.result;
+    const complex_ball z(of.x, of.y), G = potential_at(of.whole, z),
+                                      H = depth_slope_at(of.whole, z);
+    const complex_ball T = of.f * (G - potential_at(of.stick, z)),
+                       K = of.f * (H - depth_slope_at(of.stick, z));
+    const ball mean = im(G) - re(T), difference = re(T) - im(K) - re(H);
+    const ball stress[] = {mean - difference, mean + difference, im(T) + re(K) - im(H)};
+    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
+    const double far = 1 + hypot(of.x - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, of.y) / b;
+    const ball most = max(max(abs(stress[0]), abs(stress[1])), abs(stress[2]));
+    const ball scale = max(most, of.least / far) / of.flat * of.unit + abs(of.tension);
+    ball worst = 0;
+    for (int i = 0; i < 3; i++)
+        worst =
+            max(worst, error_over(r[FOUND + i],
+                                  stress[i] * of.unit + (i == 0 ? of.tension : ball(0)), scale));
+    return worst;
+}
+
 namespace
 {
 
@@ -155,16 +199,10 @@ complex_ball height_at(const profile_patch &p, const complex_ball &z, face on)
 /* ---- Rows ---- */
 
 enum { X_AT = TENSION + 1, Y_AT };
-enum { STICK_LEFT, STICK_RIGHT, WHOLE_LEFT, WHOLE_RIGHT, FOUND };
-
-/* Next to an edge of the contact or of the stick zone, to an end of the rounding, or anywhere. */
 double some_x(probe *call)
 {
-    const double *r = call->result, width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
-    const double marks[] = {r[0], r[1], r[2], r[3], -call->value[ROUNDING], call->value[ROUNDING]};
-    if (chance(call, 0.3))
-        return r[WHOLE_LEFT] + width * (3 * uniform(call) - 1);
-    return marks[(int)(6 * uniform(call))] + either_sign(call, width * log_between(call, 1e-14, 1));
+    const double a = call->value[ROUNDING];
+    return place_among(call, {-a, a});
 }
 
 bool draw_slipping_rounded(probe *call, rwedge_contact **contact)
@@ -184,14 +222,8 @@ bool draw_stresses(probe *call)
     rwedge_contact *contact;
     if (!draw_slipping_rounded(call, &contact))
         return false;
-    double *r = call->result;
-    const double width = r[WHOLE_RIGHT] - r[WHOLE_LEFT], x = argument(call, "x", some_x(call));
-    const double y =
-        argument(call, "y", chance(call, 0.3) ? 0 : width * log_between(call, 1e-14, 10));
-    if (rwedge_contact_stresses(contact, 1, &x, &y, r + FOUND, r + FOUND + 1, r + FOUND + 2) !=
-        RWEDGE_OK)
-        r[FOUND] = NAN;
-    rwedge_contact_destroy(contact);
+    const double x = argument(call, "x", some_x(call));
+    find_stresses(call, contact, x);
     return true;
 }
 
@@ -201,40 +233,16 @@ ball flatness(const profile_patch &one, const profile_patch &other)
     return 1 - max(abs(one.tilt), abs(other.tilt));
 }
 
-/* Mean, difference and shear of the pressure and of the shear traction f (G - G of what sticks). */
-struct tensor {
-    ball xx, yy, xy;
-};
-
-/* Of the pressure and of the shear traction f (G - G of what sticks). */
-tensor stress_of(const profile_patch &whole, const profile_patch &stick, const double v[])
-{
-    const complex_ball z(v[X_AT], v[Y_AT]), G = potential_at(whole, z),
-                                            H = depth_slope_at(whole, z);
-    const ball f = v[SHEAR] < 0 ? -v[FRICTION] : v[FRICTION];
-    const complex_ball T = f * (G - potential_at(stick, z)), K = f * (H - depth_slope_at(stick, z));
-    const ball mean = im(G) - re(T), difference = re(T) - im(K) - re(H);
-    return {mean - difference, mean + difference, im(T) + re(K) - im(H)};
-}
-
-/* Over the larger of the stress and max(1, f)/(1+|z|), z from the middle of the contact, times 1 -
- * |delta|; and |sigma|. */
+/* Also over |sigma|. */
 ball judge_stresses(const probe &call)
 {
     const double *v = call.value, *r = call.result;
     const profile_patch whole = patch_found(v, r + WHOLE_LEFT),
                         stick = patch_found(v, r + STICK_LEFT);
-    const tensor s = stress_of(whole, stick, v);
-    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
-    const double z = hypot(v[X_AT] - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, v[Y_AT]) / b;
-    const ball most = max(max(abs(s.xx), abs(s.yy)), abs(s.xy)),
-               unit = ball(v[THETA]) / v[COMPLIANCE];
-    const ball scale = max(most, fmax(1, v[FRICTION]) / (1 + z)) / flatness(whole, stick) * unit +
-                       fabs(v[TENSION]);
-    const ball xx = error_over(r[FOUND], s.xx * unit + v[TENSION], scale),
-               yy = error_over(r[FOUND + 1], s.yy * unit, scale),
-               xy = error_over(r[FOUND + 2], s.xy * unit, scale);
-    return max(max(xx, yy), xy);
+    return stress_error(call,
+                        {whole, stick, v[X_AT], v[Y_AT], v[SHEAR] < 0 ? -v[FRICTION] : v[FRICTION],
+                         ball(v[THETA]) / v[COMPLIANCE], v[TENSION], fmax(1, v[FRICTION]),
+                         flatness(whole, stick)});
 }
 
 bool draw_slip(probe *call)

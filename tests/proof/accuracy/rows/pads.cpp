@@ -224,23 +224,6 @@ ball judge_beyond_flat(const probe &call)
 
 /* ---- Stresses after one step of Q ---- */
 
-enum { STICK_LEFT, STICK_RIGHT, WHOLE_LEFT, WHOLE_RIGHT, FOUND };
-
-/* Next to an edge, to a place where the curvature changes, or anywhere. */
-double some_x(probe *call, const profile &p)
-{
-    const double *r = call->result, width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
-    std::vector<double> marks(r, r + FOUND);
-    if (p.x.empty())
-        marks.insert(marks.end(), {-p.a, p.a});
-    else
-        marks.insert(marks.end(), p.x.begin(), p.x.end());
-    if (chance(call, 0.3))
-        return r[WHOLE_LEFT] + width * (3 * uniform(call) - 1);
-    const size_t which = (size_t)((double)marks.size() * uniform(call));
-    return marks[which] + either_sign(call, width * log_between(call, 1e-14, 1));
-}
-
 bool draw_stresses(probe *call)
 {
     if (!some_pad(call, KINDS))
@@ -249,20 +232,19 @@ bool draw_stresses(probe *call)
     const double Q = argument(call, "Q", either_sign(call, 0.9 * uniform(call) * f * v[PAD_LOAD]));
     rwedge_contact *contact = made(v, f);
     double *r = call->result;
-    bool is_drawn = contact && rwedge_contact_edges(contact, &r[2], &r[3]) == RWEDGE_OK &&
-                    rwedge_contact_apply(contact, v[PAD_LOAD], v[PAD_MOMENT], Q, 0) == RWEDGE_OK &&
-                    rwedge_contact_stick_zone(contact, &r[0], &r[1]) == RWEDGE_OK && r[0] < r[1];
-    if (is_drawn) {
-        const double width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
-        const double x = argument(call, "x", some_x(call, profile_of(v)));
-        const double y =
-            argument(call, "y", chance(call, 0.3) ? 0 : width * log_between(call, 1e-14, 10));
-        if (rwedge_contact_stresses(contact, 1, &x, &y, r + FOUND, r + FOUND + 1, r + FOUND + 2) !=
-            RWEDGE_OK)
-            r[FOUND] = NAN;
+    const bool is_drawn =
+        contact && rwedge_contact_edges(contact, &r[2], &r[3]) == RWEDGE_OK &&
+        rwedge_contact_apply(contact, v[PAD_LOAD], v[PAD_MOMENT], Q, 0) == RWEDGE_OK &&
+        rwedge_contact_stick_zone(contact, &r[0], &r[1]) == RWEDGE_OK && r[0] < r[1];
+    if (!is_drawn) {
+        rwedge_contact_destroy(contact);
+        return false;
     }
-    rwedge_contact_destroy(contact);
-    return is_drawn;
+    const profile p = profile_of(v);
+    const std::vector<double> corners = {-p.a, p.a};
+    const double x = argument(call, "x", place_among(call, p.x.empty() ? corners : p.x));
+    find_stresses(call, contact, x);
+    return true;
 }
 
 /* A jump of the curvature. */
@@ -274,9 +256,8 @@ void add_jump(const ball &at, const ball &k, const ball_edges &e, profile_patch 
         to->ends.push_back(breakpoint_at((at - to->middle) / to->half, k));
 }
 
-profile_patch patch_of(const profile &p, double left, double right)
+profile_patch patch_of(const profile &p, const ball_edges &e)
 {
-    const ball_edges e = {left, right};
     profile_patch made = {(e.left + e.right) / 2, (e.right - e.left) / 2, 0, 0, 0, {}};
     if (p.x.empty()) {
         made.rate = ball(1) / p.R; /* from far on the left */
@@ -291,29 +272,15 @@ profile_patch patch_of(const profile &p, double left, double right)
     return made;
 }
 
-/* Over the larger of the stress and max(1, f)/(1+|z|) times the slope, 1 - |delta|, and the root of
- * 1 - a/b of a flat. */
 ball judge_stresses(const probe &call)
 {
     const double *v = call.value, *r = call.result;
     const profile p = profile_of(v);
-    const profile_patch whole = patch_of(p, r[WHOLE_LEFT], r[WHOLE_RIGHT]),
-                        stick = patch_of(p, r[STICK_LEFT], r[STICK_RIGHT]);
-    const complex_ball z(v[PAD_X], v[PAD_Y]), G = potential_at(whole, z),
-                                              H = depth_slope_at(whole, z);
-    const ball f = v[PAD_SHEAR] < 0 ? -v[PAD_FRICTION] : v[PAD_FRICTION];
-    const complex_ball T = f * (G - potential_at(stick, z)), K = f * (H - depth_slope_at(stick, z));
-    const ball mean = im(G) - re(T), difference = re(T) - im(K) - re(H);
-    const ball xx = mean - difference, yy = mean + difference, xy = im(T) + re(K) - im(H);
-    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
-    const double far = 1 + hypot(v[PAD_X] - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, v[PAD_Y]) / b;
-    const ball most = max(max(abs(xx), abs(yy)), abs(xy));
     const ball_edges stuck = {r[STICK_LEFT], r[STICK_RIGHT]}, all = {r[WHOLE_LEFT], r[WHOLE_RIGHT]};
-    const ball flat = min(flatness(p, stuck), flatness(p, all));
-    const ball scale =
-        max(most, steepness(p, all) * fmax(1, v[PAD_FRICTION]) / far) / (narrowness(p, all) * flat);
-    return max(max(error_over(r[FOUND], xx, scale), error_over(r[FOUND + 1], yy, scale)),
-               error_over(r[FOUND + 2], xy, scale));
+    return stress_error(call, {patch_of(p, all), patch_of(p, stuck), v[PAD_X], v[PAD_Y],
+                               v[PAD_SHEAR] < 0 ? -v[PAD_FRICTION] : v[PAD_FRICTION], 1, 0,
+                               steepness(p, all) * fmax(1, v[PAD_FRICTION]),
+                               narrowness(p, all) * min(flatness(p, stuck), flatness(p, all))});
 }
 
 #define PADS "flat, a/b 0.01 to 1 - 1e-9; 20 worn arcs; 6 arcs, asymmetric"

@@ -23,6 +23,14 @@ clang $options -mexec-model=reactor -x c /dev/null -o probe.wasm >log 2>&1 ||
     skip "clang has no libc.a or libclang_rt.builtins-wasm32.a for wasm32-wasi: $(tail -n 1 log)"
 sh "$top/packages/sources.sh" sources gsl >log 2>&1 || skip "the sources of GSL cannot be fetched: $(grep '^E: ' log | head -n 1)"
 
+# without_sources FOLDER - objects of files that are gone since they were compiled
+without_sources()
+{
+    (cd "$1" && find . -name '*.c.obj') | while read -r object; do
+        [ -f "$top/lib/${object%.obj}" ] || echo "$1/$object"
+    done
+}
+
 if ! {
     # shellcheck disable=SC2086
     sh "$top/packages/gsl.sh" sources clang $options &&
@@ -32,6 +40,7 @@ if ! {
             -DRWEDGE_GSL_INCLUDE="$PWD/include" -DRWEDGE_GSL_ARCHIVE=none -DRWEDGE_LAPACK_ARCHIVE=none -DRWEDGE_BLAS_ARCHIVE=none \
             -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF &&
         cmake --build library --target rwedge_objects &&
+        without_sources library/lib/CMakeFiles/rwedge_objects.dir | xargs -r rm &&
         exports=$(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h" | sed 's/^/-Wl,--export=/') &&
         # shellcheck disable=SC2086
         sh "$here/link.sh" rwedge.wasm $exports

@@ -26,7 +26,8 @@ WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_create_fla
                     "contact_loads", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count", "contact_zones",
                     "contact_state_size", "contact_state", "contact_restore", "validity", "validity_text",
                     "rainflow", "smith_watson_topper_damage", "fatemi_socie_damage", "stresses", "elastic_limits",
-                    "contact_stress_history", "contact_cycle_friction", "contact_cycle_worst", "contact_cycle_below", "contact_displacement"}
+                    "contact_stress_history", "contact_cycle_friction", "contact_cycle_worst", "contact_cycle_below", "contact_displacement",
+                    "contact_keep_cycle"}
 
 
 def texts(patterns):

@@ -19,7 +19,7 @@ WIDTH = 128
 # field has its own cells.
 NOT_DECLARED = {"contact_create_flat", "contact_create_profile", "contact_copy", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count",
                 "contact_zones", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
-                "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms"}
+                "contact_keep_cycle", "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms"}
 # Declared for the template's own functions.
 NOT_IN_CELLS = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "series_fit", "series_destroy"}
 # Basic does not tell a from A.

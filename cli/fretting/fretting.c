@@ -101,38 +101,32 @@ typedef struct {
 
 /* ---- Computing ---- */
 
-enum { BATCH = 128 }; /* places; each batch goes through the cycle by itself */
+enum { BATCH = 128 }; /* places */
 
-typedef struct {
-    measures at[BATCH];
-    int32_t status;
-} batch;
-
-static void compute_batch(const void *of_plan, int64_t i, void *of_batch)
+/* Each batch goes through the cycle by itself; loads that are computed take long: then as few as
+ * can be. */
+static size_t batch_size(const plan *job)
 {
-    const plan *job = of_plan;
-    batch *result = of_batch;
-    const size_t first = (size_t)i * BATCH, left = job->all.count - first;
-    const size_t n = left < BATCH ? left : BATCH;
-    double x[BATCH], y[BATCH];
-    for (size_t k = 0; k < n; k++) {
-        x[k] = job->all.place[first + k].x;
-        y[k] = job->all.place[first + k].y;
-    }
-    result->status = last_cycle_measure(&job->last, n, x, y, result->at);
+    const size_t share = job->all.count / (size_t)job->threads + 1;
+    return rwedge_contact_error(job->last.before) > 0 && share > BATCH ? share : BATCH;
 }
 
-static void compute(plan *job)
+static void compute_batch(const void *of_plan, int64_t i, void *status)
 {
-    const int64_t batches = (int64_t)((job->all.count + BATCH - 1) / BATCH);
-    ahead *work = ahead_start(job->threads, batches, sizeof(batch), compute_batch, job);
+    const plan *job = of_plan;
+    const size_t size = batch_size(job), first = (size_t)i * size, left = job->all.count - first;
+    measured part = {.place = job->all.place + first, .count = left < size ? left : size};
+    *(int32_t *)status = surface_measure(&job->last, &part);
+}
+
+static void compute(const plan *job)
+{
+    const size_t size = batch_size(job);
+    const int64_t batches = (int64_t)((job->all.count + size - 1) / size);
+    ahead *work = ahead_start(job->threads, batches, sizeof(int32_t), compute_batch, job);
     int32_t status = work == NULL ? RWEDGE_ENOMEM : RWEDGE_OK;
-    for (int64_t i = 0; i < batches && status == RWEDGE_OK; i++) {
-        const batch *result = ahead_next(work);
-        status = result->status;
-        for (size_t k = (size_t)i * BATCH; k < job->all.count && k < (size_t)(i + 1) * BATCH; k++)
-            job->all.place[k].at = result->at[k % BATCH];
-    }
+    for (int64_t i = 0; i < batches && status == RWEDGE_OK; i++)
+        status = *(const int32_t *)ahead_next(work);
     ahead_stop(work);
     if (status != RWEDGE_OK)
         failure("%s", rwedge_strerror(status));

@@ -74,6 +74,9 @@ void last_cycle_begin(const contact_history *history, const criteria *asked, las
             note_load(contact, step - first, cycle);
     }
     rwedge_contact_destroy(contact);
+    if (rwedge_contact_keep_cycle(cycle->before, loads, cycle->P, cycle->M, cycle->Q,
+                                  cycle->sigma) == RWEDGE_ENOMEM)
+        failure("out of memory");
     cycle->slip_known =
         rwedge_contact_cycle_friction(cycle->before, loads, cycle->P, cycle->M, cycle->Q,
                                       cycle->sigma, 0, NULL, NULL, NULL, NULL, NULL) == RWEDGE_OK;

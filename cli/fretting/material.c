@@ -6,7 +6,6 @@
 #include "input/csv_input.h"
 #include "text/message.h"
 #include "number/number.h"
-#include "number/pi.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -187,6 +186,5 @@ bool material_has_life(const material *all, int criterion)
 
 double material_length(const material *all)
 {
-    const double ratio = all->value[MATERIAL_DK_TH] / all->value[MATERIAL_DS0];
-    return ratio * ratio / PI;
+    return rwedge_critical_distance(all->value[MATERIAL_DK_TH], all->value[MATERIAL_DS0]);
 }

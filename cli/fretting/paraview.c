@@ -13,35 +13,35 @@ typedef struct {
     int column[COLUMN_COUNT], columns;
 } source;
 
-static const measured_place *place_at(const source *places, int64_t column, int64_t row)
+static const measured_place *place_at(const source *written, int64_t column, int64_t row)
 {
-    return &places->all->place[(size_t)row * places->line + places->shown[column]];
+    return &written->all->place[(size_t)row * written->line + written->shown[column]];
 }
 
-static double x_of(const void *places, int64_t column)
+static double x_of(const void *written, int64_t column)
 {
-    return place_at(places, column, 0)->x;
+    return place_at(written, column, 0)->x;
 }
 
 /* Of the row of a grid; else of the point. */
-static double y_of_row(const void *places, int64_t row)
+static double y_of_row(const void *written, int64_t row)
 {
-    return place_at(places, 0, row)->y;
+    return place_at(written, 0, row)->y;
 }
 
-static double y_of_point(const void *places, int64_t point)
+static double y_of_point(const void *written, int64_t point)
 {
-    return place_at(places, point, 0)->y;
+    return place_at(written, point, 0)->y;
 }
 
-static const char *name_of(const void *places, int which)
+static const char *name_of(const void *written, int which)
 {
-    return column_kind_of(((const source *)places)->column[which])->column;
+    return column_kind_of(((const source *)written)->column[which])->column;
 }
 
-static double value_of(const void *places, int64_t column, int64_t row, int which)
+static double value_of(const void *written, int64_t column, int64_t row, int which)
 {
-    return place_at(places, column, row)->at.value[((const source *)places)->column[which]];
+    return place_at(written, column, row)->at.value[((const source *)written)->column[which]];
 }
 
 static source source_of(const measured_columns *columns)

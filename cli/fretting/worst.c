@@ -90,27 +90,34 @@ static bool is_there(const measured *all, double x, double y)
     return false;
 }
 
-static measures measures_at(const last_cycle *last, double x, double y)
+static void measure(const last_cycle *last, size_t n, const double x[], const double y[],
+                    measures at[])
 {
-    measures at;
-    const int32_t status = last_cycle_measure(last, 1, &x, &y, &at);
+    const int32_t status = last_cycle_measure(last, n, x, y, at);
     if (status != RWEDGE_OK)
         failure("%s", rwedge_strerror(status));
-    return at;
 }
 
 void worst_add_places(const worst_table *worst, measured *all)
 {
+    double x[COLUMN_COUNT], y[COLUMN_COUNT];
+    measures at[COLUMN_COUNT];
     const size_t count = all->count;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const worst_row *row = &worst->row[i];
         if (isnan(row->value) || is_there(all, row->x, row->y))
             continue;
+        x[all->count - count] = row->x;
+        y[all->count - count] = row->y;
         all->place[all->count++] = /* there is room */
-            (measured_place){row->x, row->y, measures_at(worst->last, row->x, row->y), true};
+            (measured_place){.x = row->x, .y = row->y, .is_shown = true};
     }
-    if (all->count > count)
-        qsort(all->place, all->count, sizeof *all->place, in_order);
+    if (all->count == count)
+        return;
+    measure(worst->last, all->count - count, x, y, at);
+    for (size_t i = count; i < all->count; i++)
+        all->place[i].at = at[i - count];
+    qsort(all->place, all->count, sizeof *all->place, in_order);
 }
 
 /* ---- In words ---- */
@@ -175,8 +182,11 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
     const criterion_kind *kind = &criterion_kinds[criterion];
     const bool is_below = !isnan(worst->below.length) && row->y == 0;
     const material *constants = worst->last->asked.constants;
-    const measures at =
-        is_below ? measures_below(worst, row->x) : measures_at(worst->last, row->x, row->y);
+    measures at;
+    if (is_below)
+        at = measures_below(worst, row->x);
+    else
+        measure(worst->last, 1, &row->x, &row->y, &at);
     const double value = at.value[kind->value],
                  allowable = material_allowable(constants, criterion);
     cells[4] = cell_number(is_below ? worst->below.length : NAN);

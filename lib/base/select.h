@@ -38,4 +38,15 @@ RW_INLINE double rw_if_negative(double sign, double yes, double no)
 #endif
 }
 
+/* Branches in place of calls: fmax() and fmin() have to look for NaN. */
+RW_INLINE double rw_larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+RW_INLINE double rw_smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 #endif

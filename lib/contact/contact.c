@@ -53,6 +53,7 @@ int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_ten
     const double strain = 4 * (strain_per_tension / contact->geometry.A);
     if (!rw_is_magnitude(strain))
         return RWEDGE_EDOMAIN;
+    rw_contact_drop_kept(contact);
     contact->strain = strain;
     contact->memory.corners[0].stretch = rw_contact_stretch(contact, contact->loads.sigma);
     return RWEDGE_OK;
@@ -70,6 +71,7 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     copied->origins = (rw_slip_origins){0};
     copied->numerical = NULL;
     copied->exact = NULL;
+    copied->kept = NULL;
     if (contact->geometry.pad)
         copied->geometry.pad = rw_pad_copy(contact->geometry.pad);
     if ((contact->geometry.pad && !copied->geometry.pad) ||
@@ -83,10 +85,18 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     return RWEDGE_OK;
 }
 
+void rw_contact_drop_kept(rwedge_contact *contact)
+{
+    if (contact->kept)
+        contact->kept->destroy(contact->kept);
+    contact->kept = NULL;
+}
+
 void rwedge_contact_destroy(rwedge_contact *contact)
 {
     if (!contact)
         return;
+    rw_contact_drop_kept(contact);
     rw_memory_destroy(&contact->memory);
     rw_slip_origins_destroy(&contact->origins);
     rw_numerical_end(contact);

@@ -14,6 +14,12 @@ typedef struct {
     double P, M, Q, sigma;
 } rw_loads;
 
+/* What a room above keeps with a contact until its next load, and how that is freed. */
+typedef struct rw_kept rw_kept;
+struct rw_kept {
+    void (*destroy)(rw_kept *kept);
+};
+
 struct rwedge_contact {
     rw_geometry geometry; /* its pad is the contact's own */
     double f;
@@ -32,7 +38,10 @@ struct rwedge_contact {
     double tolerance;        /* of loads without a closed form; 0: they are refused */
     rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
     rwedge_contact *exact;   /* then: as it was in closed form last; NULL: without contact */
+    rw_kept *kept;           /* NULL for nothing; no copy has it */
 };
+
+void rw_contact_drop_kept(rwedge_contact *contact);
 
 /* Without load; the contact takes the geometry's pad over. RWEDGE_ENOMEM. */
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);

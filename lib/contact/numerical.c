@@ -385,6 +385,7 @@ int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
         return RWEDGE_ENULL;
     if (tolerance != 0 && !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2)))
         return RWEDGE_EDOMAIN;
+    rw_contact_drop_kept(contact);
     contact->tolerance = tolerance;
     return RWEDGE_OK;
 }

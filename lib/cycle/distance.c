@@ -101,6 +101,12 @@ static int32_t go_through(const rwedge_contact *contact, const rw_load_list *lis
     return status;
 }
 
+double rwedge_critical_distance(double dK_th, double ds0)
+{
+    const double ratio = dK_th / ds0;
+    return rw_is_positive(dK_th) && rw_is_positive(ds0) ? ratio * ratio / RW_PI : NAN;
+}
+
 int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads, const double P[],
                                    const double M[], const double Q[], const double sigma[],
                                    double x, double angle, double length, int32_t line,

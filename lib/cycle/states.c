@@ -160,6 +160,13 @@ double rw_cycle_off_the_edges(const rw_cycle *cycle, double x)
 int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads,
                         rw_interest interest, rw_cycle *cycle)
 {
+    int32_t status;
+    const rw_cycle *kept = rw_kept_cycle(contact, loads, interest, &status);
+    if (kept) {
+        *cycle = *kept;
+        cycle->is_kept = true;
+        return status;
+    }
     *cycle = (rw_cycle){.loads = loads->count};
     if (loads->count == 0 || loads->count > SIZE_MAX / STATES_A_STEP / sizeof *cycle->states - 1)
         return RWEDGE_ERANGE;
@@ -168,7 +175,7 @@ int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads
         return RWEDGE_ENOMEM;
     rw_state *first = cycle->states;
     *first = (rw_state){.patch = {NAN, NAN}};
-    int32_t status = rwedge_contact_copy(contact, &first->contact);
+    status = rwedge_contact_copy(contact, &first->contact);
     if (status != RWEDGE_OK)
         return status;
     cycle->count = 1;
@@ -179,6 +186,8 @@ int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads
 
 void rw_cycle_destroy(rw_cycle *cycle)
 {
+    if (cycle->is_kept)
+        return;
     drop_states(cycle, 0);
     free(cycle->states);
     free(cycle->edges);

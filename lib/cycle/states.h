@@ -24,16 +24,21 @@ typedef struct {
     double *edges; /* ascending: the left edges of all states, then the right ones */
     size_t touching;
     double rounding; /* of an edge */
+    bool is_kept;    /* the contact has it, and frees it */
 } rw_cycle;
 
 /* What is looked at: stresses need the states after the loads alone; slip those on the way too. */
-typedef enum { RW_STRESS_ALONE, RW_SLIP_TOO } rw_interest;
+typedef enum { RW_STRESS_ALONE, RW_SLIP_TOO, RW_INTERESTS } rw_interest;
 
-/* For slip, RWEDGE_EPATH too where that of a state has no closed form. To be destroyed in either
- * case. */
+/* Those that the contact keeps, if it keeps those of the same loads. For slip, RWEDGE_EPATH too
+ * where that of a state has no closed form. To be destroyed in either case. */
 int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads,
                         rw_interest interest, rw_cycle *cycle);
 void rw_cycle_destroy(rw_cycle *cycle);
+
+/* NULL where the contact keeps none of these loads; with the status of their states. */
+const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_list *loads,
+                              rw_interest interest, int32_t *status);
 
 /* The place itself, or, within a rounding of an edge, one inside of it: slip may jump at an edge,
  * and all states are to see the place on the same side. */

@@ -64,9 +64,20 @@ static double measure_of(const line *l, double x, const double *sxx)
     return value;
 }
 
-/* NaN at the apex of a sharp wedge. */
+static bool has_stress(const line *l, double x)
+{
+    bool has = true;
+    for (size_t i = 0; i < l->cycle.count; i++)
+        has = has && (!l->cycle.states[i].is_load ||
+                      rw_contact_has_stress(l->cycle.states[i].contact, x, l->y));
+    return has;
+}
+
+/* NaN at the apex of a sharp wedge. Of what friction does F2 alone takes stresses. */
 static double measure_at(const line *l, double x)
 {
+    if (is_of_friction(l->measure) && l->measure != RWEDGE_MEASURE_RUIZ_F2)
+        return has_stress(l, x) ? friction_of(l, x, NULL) : NAN;
     const int32_t status = rw_cycle_stresses(&l->cycle, 1, &x, &l->y, l->stress);
     return is_answer(l, status) ? measure_of(l, x, l->stress) : NAN;
 }
@@ -79,11 +90,15 @@ static peak better(const line *l, peak best, double x)
     return value > best.value ? (peak){x, value} : best;
 }
 
-/* The interval is halved around its best place, to 1e-10 of it. */
-static peak climb(const line *l, double from, double to, peak best)
+/* The interval is halved around its best place, to 1e-10 of it. After a few rounds what is still to
+ * be gained is less than what was: then a top that cannot come up to the highest is left. */
+static peak climb(const line *l, double from, double to, peak best, double highest)
 {
-    enum { ROUNDS = 34 };
+    enum { ROUNDS = 34, TRIAL = 6 };
+    const double base = best.value;
     for (int round = 0; round < ROUNDS; round++) {
+        if (round >= TRIAL && best.value + (best.value - base) < highest)
+            break;
         const double left = from + (best.x - from) / 2, right = to - (to - best.x) / 2;
         const peak start = best;
         best = better(l, better(l, best, left), right);
@@ -113,9 +128,9 @@ static peak search(const line *l, size_t n, const double x[], const double value
         if (value[i] < NEARLY * value[top] || !is_top(n, value, i) || value[i] == 0)
             continue;
         searches++;
-        const peak found =
-            climb(l, x[i > 0 ? i - 1 : i], x[i + 1 < n ? i + 1 : i], (peak){x[i], value[i]});
-        best = found.value > best.value ? found : best;
+        const peak top_here = climb(l, x[i > 0 ? i - 1 : i], x[i + 1 < n ? i + 1 : i],
+                                    (peak){x[i], value[i]}, best.value);
+        best = top_here.value > best.value ? top_here : best;
     }
     return best;
 }

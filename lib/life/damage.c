@@ -7,8 +7,8 @@
 #include "base/domain.h"
 #include "life/life.h"
 #include "life/rainflow.h"
-#include "measures/plane_cycle.h"
-#include "measures/plane_search.h"
+#include "planes/plane_cycle.h"
+#include "planes/plane_search.h"
 #include "measures/planes.h"
 
 #include <float.h>

@@ -5,6 +5,7 @@
 #include "life/rainflow.h"
 
 #include "base/domain.h"
+#include "base/select.h"
 #include "rwedge.h"
 
 #include <stdlib.h>
@@ -15,12 +16,6 @@ typedef struct {
     rw_counted *cycle;
     bool repeats;
 } rainflow;
-
-/* A branch in place of a call: fmax() has to look for NaN. */
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
 
 static double range_of(const rw_turn *turn)
 {
@@ -39,12 +34,12 @@ static void drop_last(rainflow *r)
 {
     const rw_turn *last = &r->turn[--r->count];
     if (r->count > 0)
-        r->turn[r->count - 1].highest = larger(r->turn[r->count - 1].highest, last->highest);
+        r->turn[r->count - 1].highest = rw_larger(r->turn[r->count - 1].highest, last->highest);
 }
 
 static void add_half(rainflow *r)
 {
-    add_cycle(r, r->turn, 0.5, larger(r->turn[0].highest, r->turn[1].own));
+    add_cycle(r, r->turn, 0.5, rw_larger(r->turn[0].highest, r->turn[1].own));
     r->turn++;
     r->count--;
 }
@@ -52,7 +47,7 @@ static void add_half(rainflow *r)
 static void close_last(rainflow *r)
 {
     const rw_turn *from = &r->turn[r->count - 2];
-    add_cycle(r, from, 1, larger(from[0].highest, from[1].highest));
+    add_cycle(r, from, 1, rw_larger(from[0].highest, from[1].highest));
     drop_last(r);
     drop_last(r);
 }
@@ -68,7 +63,7 @@ static bool goes_on(const rainflow *r, double value)
 static void lay(rainflow *r, rw_turn next)
 {
     if (r->count > 0 && next.value == r->turn[r->count - 1].value) {
-        r->turn[r->count - 1].highest = larger(r->turn[r->count - 1].highest, next.own);
+        r->turn[r->count - 1].highest = rw_larger(r->turn[r->count - 1].highest, next.own);
         return;
     }
     if (goes_on(r, next.value))

@@ -3,7 +3,7 @@
  * of plane_search.h, the normal strain of a plane is (1+nu)/E ((1-2nu) s + n - s), and its shear
  * strain 2(1+nu)/E q. */
 #include "base/domain.h"
-#include "measures/plane_search.h"
+#include "planes/plane_search.h"
 #include "rwedge.h"
 
 /* The stresses of `loads` loads at `points` points, load by load. */

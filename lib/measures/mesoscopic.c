@@ -2,7 +2,7 @@
 /* Criteria of the smallest sphere around the path of the stress deviator. In plane strain the
  * deviator has three components, (d, txy, (1-2nu)/sqrt(3) s), whose length is sqrt(J2). */
 #include "measures/field.h"
-#include "measures/smallest_ball.h"
+#include "planes/smallest_ball.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #define RW_PLANES_H
 
 #include "measures/field.h"
-#include "measures/worst_plane.h"
+#include "planes/worst_plane.h"
 
 /* What makes the criterion of the search; unit is that of the stresses in the search. */
 typedef struct rw_criterion rw_criterion;

@@ -31,23 +31,22 @@ static double nearest_kink(const rw_fronts *f, double angle)
     return nearest;
 }
 
-static bool jacobian(rw_fronts *f, double J[])
+/* By forward differences from the residual r. */
+static bool jacobian(rw_fronts *f, const double r[], double J[])
 {
     const int n = f->unknowns;
     for (int j = 0; j < n; j++) {
         const double y = f->y[j];
         const double h =
             j < f->fronts ? fmin(1e-5 * room(f, j), fmax(0.3 * nearest_kink(f, y), 3e-8)) : 1e-5;
-        double up[RW_MOST_FRONTS], down[RW_MOST_FRONTS];
+        double moved[RW_MOST_FRONTS];
         f->y[j] = y + h;
-        bool is_done = rw_fronts_residual(f, up);
-        f->y[j] = y - h;
-        is_done = is_done && rw_fronts_residual(f, down);
+        const bool is_done = rw_fronts_residual(f, moved);
         f->y[j] = y;
         if (!is_done)
             return false;
         for (int i = 0; i < n; i++)
-            J[i * n + j] = (up[i] - down[i]) / (2 * h);
+            J[i * n + j] = (moved[i] - r[i]) / h;
     }
     return true;
 }
@@ -113,7 +112,7 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
         const double before = largest(n, r);
         if (before < nothing)
             return true;
-        if (!jacobian(f, J))
+        if (!jacobian(f, r, J))
             return false;
         for (int i = 0; i < n; i++)
             d[i] = -r[i];

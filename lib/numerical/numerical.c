@@ -86,7 +86,7 @@ double rw_numerical_slip(const rw_numerical *n, double x)
 /* ---- Errors ---- */
 
 /* What steps differ by is about what they err by, and may be less. */
-static const double CAUTION = 1.5;
+static const double CAUTION = 2.5;
 
 double rw_numerical_error(const rw_numerical *n)
 {

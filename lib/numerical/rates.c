@@ -52,7 +52,7 @@ static double largest_slip(const rw_fronts *f, const rates *r, rw_zone zone, int
                 (RW_HALF_PI / POINTS);
         most = fmax(most, way * zone.label * slip);
     }
-    return most / r->stuck.half;
+    return most / sqrt(fabs(length) * r->stuck.half);
 }
 
 /* Of the rate of friction at an edge, where it is like 1/sqrt: > 0 where the edge grows. */

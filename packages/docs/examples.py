@@ -13,7 +13,7 @@ NUMBERS = {
     "beta": 0.1, "k_over_E": 0.0015, "safety": 0.9, "terms": 4, "doubt": 4, "status": 1,
     "sxx": 120, "syy": -64, "txy": 55, "E": 200e3, "k_over_sy": 0.0025, "strain_per_tension": 4.55e-6, "measure": 1,
     "plane_stress": 0, "repeats": 0, "angle": 0, "length": 0.1, "line": 1, "kappa": 50, "constant": 0.0025, "tolerance": 1e-3,
-    "swt": 4.05, "fatemi_socie": 0.005, "sf": 475.4, "ef": 0.612, "tf": 450, "gf": 0.7, "G": 62e3, "limit": 0, "t_A": 160, "su": 500,
+    "swt": 4.05, "fatemi_socie": 0.005, "sf": 475.4, "ef": 0.612, "tf": 450, "gf": 0.7, "G": 62e3, "limit": 0, "t_A": 160, "su": 500, "dK_th": 5, "ds0": 400,
     "P1": 2000, "M1": 0, "Q1": 300, "sigma1": 10, "P2": 2000, "M2": 0, "Q2": -300, "sigma2": -10,
 }
 # Of an array.

@@ -40,9 +40,9 @@ typedef struct {
 
 static bool takes_long(const char *name)
 {
-    static const char *const part[] = {"yield_factor", "planes",        "findley",
-                                       "wohler",       "mcdiarmid",     "criterion_field",
-                                       "damage",       "cycle_friction"};
+    static const char *const part[] = {"yield_factor", "planes",         "findley",
+                                       "wohler",       "mcdiarmid",      "criterion_field",
+                                       "damage",       "cycle_friction", "keep_cycle"};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
         if (strstr(name, part[i]) != NULL)
             return true;

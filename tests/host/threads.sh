@@ -44,8 +44,9 @@ done
 $compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -I"$build/made/c" -Itests/support lib/*/*.c \
     tests/host/test_threads.c tests/support/every_function.c tests/support/claims.c -o "$work/threads" \
     -lgsl -lgslcblas -llapack -lcmocka -lpthread -lm
-$compiler -std=c99 -D_XOPEN_SOURCE=700 -O1 -g -fsanitize=thread -Icli tests/cli/system/test_ahead.c cli/system/ahead.c cli/text/memory.c cli/text/message.c \
-    cli/text/utf8.c cli/system/progress.c cli/system/posix/processors.c cli/system/posix/signals.c cli/system/posix/streams.c -o "$work/ahead" -lcmocka -lpthread
+$compiler -std=c99 -D_XOPEN_SOURCE=700 -O1 -g -fsanitize=thread -DTEST_DATA='""' -Icli -Itests/support tests/support/claims.c tests/support/main.c \
+    tests/cli/system/test_ahead.c cli/system/ahead.c cli/text/memory.c cli/text/message.c cli/text/utf8.c cli/system/progress.c \
+    cli/system/posix/processors.c cli/system/posix/signals.c cli/system/posix/streams.c -o "$work/ahead" -lgsl -lgslcblas -lcmocka -lpthread -lm
 for program in "$work/threads 4" "$work/ahead"; do
     if ! TSAN_OPTIONS=halt_on_error=1 $program >"$work/log" 2>&1; then
         cat "$work/log"

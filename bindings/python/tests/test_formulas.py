@@ -30,7 +30,7 @@ INSIDE = {  # an argument list inside each domain
     "permanent_stick": (0.01, 2, 1.8e-5, 0.3, 2000, 40, 20, 1, 2000, 40, 200, 3),
     "von_mises": (120.0, -80.0, 45.0, 0.3), "out_of_plane_stress": (120.0, -80.0, 0.3),
     "smith_watson_topper_life": (4.05, 162e3, 475.4, -0.078, 0.612, -0.62, 0.0),
-    "fatemi_socie_life": (0.005, 62e3, 450.0, -0.08, 0.7, -0.6, 0.0), "largest_shear": (120.0, -80.0, 45.0, 0.3), "principal_stresses": (120.0, -80.0, 45.0)}
+    "fatemi_socie_life": (0.005, 62e3, 450.0, -0.08, 0.7, -0.6, 0.0), "critical_distance": (5.0, 400.0), "largest_shear": (120.0, -80.0, 45.0, 0.3), "principal_stresses": (120.0, -80.0, 45.0)}
 
 
 def results(name, *arguments):

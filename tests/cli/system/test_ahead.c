@@ -4,18 +4,12 @@
  * tests/host/threads.sh runs this under the thread sanitizer too. */
 #define _POSIX_C_SOURCE 200809L
 
+#include "claims.h"
 #include "system/ahead.h"
 
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <pthread.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <time.h>
-
-#include <cmocka.h>
 
 /* Takes longer for some, so that blocks become ready out of order. */
 static void square(const void *context, int64_t i, void *result)
@@ -26,9 +20,8 @@ static void square(const void *context, int64_t i, void *result)
     *(int64_t *)result = i * i;
 }
 
-static void results_come_in_order(void **state)
+CLAIM(results_come_in_order)
 {
-    (void)state;
     static const int64_t counts[] = {0, 1, 31, 32, 33, 100, 1000, 5000};
     const int slowness = 100;
     for (int threads = 1; threads <= 8; threads++)
@@ -41,9 +34,8 @@ static void results_come_in_order(void **state)
         }
 }
 
-static void work_may_be_left(void **state)
+CLAIM(work_may_be_left)
 {
-    (void)state;
     const int slowness = 10;
     for (int taken = 0; taken < 200; taken += 13) {
         ahead *work = ahead_start(4, INT64_MAX / 2, sizeof(int64_t), square, &slowness);
@@ -96,9 +88,8 @@ static void meet_others(const void *context, int64_t i, void *result)
 
 /* As many blocks at a time as there are threads: none of them waits for a block of another to be
  * computed. */
-static void blocks_are_computed_at_one_time(void **state)
+CLAIM(blocks_are_computed_at_one_time)
 {
-    (void)state;
     enum { COUNT = 1000 };
     for (int threads = 2; threads <= 8; threads *= 2) {
         meeting place = {.lock = PTHREAD_MUTEX_INITIALIZER,
@@ -124,9 +115,8 @@ static void is_interrupt_blocked(const void *context, int64_t i, void *result)
     *(bool *)result = sigismember(&mask, SIGINT) == 1;
 }
 
-static void threads_leave_signals_to_the_caller(void **state)
+CLAIM(threads_leave_signals_to_the_caller)
 {
-    (void)state;
     enum { COUNT = 1000 };
     ahead *work = ahead_start(4, COUNT, sizeof(bool), is_interrupt_blocked, NULL);
     assert_non_null(work);
@@ -136,15 +126,4 @@ static void threads_leave_signals_to_the_caller(void **state)
     bool callers;
     is_interrupt_blocked(NULL, 0, &callers);
     assert_false(callers);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(results_come_in_order),
-        cmocka_unit_test(work_may_be_left),
-        cmocka_unit_test(blocks_are_computed_at_one_time),
-        cmocka_unit_test(threads_leave_signals_to_the_caller),
-    };
-    return cmocka_run_group_tests_name("ahead", tests, NULL, NULL);
 }

@@ -388,6 +388,87 @@ CLAIM(there_is_no_displacement_without_contact)
     assert_nan(rwedge_contact_displacement(contact, 0));
 }
 
+/* ---- A cycle that is kept ---- */
+
+enum { ANSWERS = 4 + 2 + 3 * MOST };
+
+/* Friction, a worst place, stresses below; all 0 where the cycle is refused. */
+static void ask(const rwedge_contact *contact, const loads *c, double answer[ANSWERS])
+{
+    const double x = 0.1, value = 1e-9;
+    memset(answer, 0, ANSWERS * sizeof *answer);
+    rwedge_contact_cycle_friction(contact, c->count, c->P, c->M, c->Q, c->sigma, 1, &x, &answer[0],
+                                  &answer[1], &answer[2], &answer[3]);
+    rwedge_contact_cycle_worst(contact, RWEDGE_MEASURE_SWT, c->count, c->P, c->M, c->Q, c->sigma, 1,
+                               &x, &value, 0, 70, 0.3, 0, 0.4, 1, &answer[4], &answer[5]);
+    rwedge_contact_cycle_below(contact, c->count, c->P, c->M, c->Q, c->sigma, x, 0, 0.2, 0,
+                               &answer[6], &answer[6 + MOST], &answer[6 + 2 * MOST]);
+}
+
+static void assert_same_answers(const rwedge_contact *contact, const rwedge_contact *other,
+                                const loads *cycle)
+{
+    double answer[ANSWERS], expected[ANSWERS];
+    ask(contact, cycle, answer);
+    ask(other, cycle, expected);
+    assert_memory_equal(answer, expected, sizeof answer);
+}
+
+static int32_t keep(rwedge_contact *contact, const loads *c)
+{
+    return rwedge_contact_keep_cycle(contact, c->count, c->P, c->M, c->Q, c->sigma);
+}
+
+CLAIM(a_kept_cycle_gives_the_bits_of_one_that_is_not)
+{
+    const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 0.8, 0, -0.3, 0),
+                less = add(add((loads){0}, 1, 0, 0.3, 0), 0.8, 0, -0.3, 0);
+    rwedge_contact *contact = after(0.4, &cycle, 1), *plain = copy_of(contact);
+    assert_ok(keep(contact, &cycle));
+    assert_same_answers(contact, plain, &cycle);
+    assert_same_answers(contact, plain, &less);
+    assert_same_answers(copy_of(contact), plain, &cycle);
+    apply(contact, 0.9, 0, 0.1, 0);
+    apply(plain, 0.9, 0, 0.1, 0);
+    assert_same_answers(contact, plain, &cycle);
+}
+
+CLAIM(stresses_of_a_cycle_are_kept_where_its_slip_is_not_known)
+{
+    const loads cycle = add(add((loads){0}, 0.5, 0, 0.1, 0), 0, 0, 0, 0);
+    rwedge_contact *contact = create(0.4, F), *plain = create(0.4, F);
+    load(contact, 1, 0);
+    load(plain, 1, 0);
+    assert_ok(keep(contact, &cycle));
+    friction at;
+    const double x = 0.1;
+    assert_int_equal(rub(contact, &cycle, 1, &x, &at), rub(plain, &cycle, 1, &x, &at));
+    assert_same_answers(contact, plain, &cycle);
+}
+
+CLAIM(a_cycle_that_is_refused_is_not_kept)
+{
+    loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 1, 0, -0.3, 0);
+    rwedge_contact *contact = after(0.4, &cycle, 1);
+    assert_ok(keep(contact, &cycle));
+    assert_int_equal(keep(NULL, &cycle), RWEDGE_ENULL);
+    loads none = cycle, slides = cycle;
+    none.count = 0;
+    slides.Q[1] = 0.6;
+    assert_int_equal(keep(contact, &none), RWEDGE_ERANGE);
+    assert_int_equal(keep(contact, &slides), RWEDGE_ESLIDING);
+    assert_same_answers(contact, copy_of(contact), &cycle);
+}
+
+/* Steel, with a threshold of 5 MPa sqrt(m) and a limit of 400 MPa: 0.0497 mm. */
+CLAIM(the_critical_distance_is_that_of_a_crack_at_its_threshold)
+{
+    assert_close(rwedge_critical_distance(5, 400) * 1e3, 0.0497359197162, 1e-11);
+    assert_nan(rwedge_critical_distance(0, 400));
+    assert_nan(rwedge_critical_distance(5, -1));
+    assert_nan(rwedge_critical_distance(NAN, 400));
+}
+
 /* ---- Refusals ---- */
 
 CLAIM(a_refusal_leaves_the_outputs)

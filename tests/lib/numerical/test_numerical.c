@@ -4,6 +4,7 @@
 #include "claims.h"
 #include "contact/contact.h"
 #include "numerical/numerical.h"
+#include "numerical/rates.h"
 #include "rwedge.h"
 
 static const double F = 0.5;
@@ -189,5 +190,60 @@ CLAIM(repeated_loads_do_not_fill_the_memory)
         most = count > most ? count : most;
     }
     assert_true(most < 400);
+    end(&c);
+}
+
+/* What grows sticks up to both edges, in a straight line of all loads. */
+static double grown_traction(const rw_frame *frame, const rw_stance *first, int parts, double x)
+{
+    const rw_course from = first->at, to = {3.6, 0.3, 0.35, 0.02};
+    rw_work w;
+    rw_stance now = *first;
+    assert_true(rw_work_create(&w, frame));
+    assert_true(rw_traction_copy(&first->shear.traction, &now.shear.traction));
+    for (int i = 1; i <= parts; i++) {
+        const double u = (double)i / parts;
+        const rw_course at = {from.P + u * (to.P - from.P), u * to.M, u * to.shear, u * to.stretch};
+        rw_stance next;
+        assert_true(rw_implicit_step(&w, &now, at, NULL, false, &next));
+        rw_shear_state_destroy(&now.shear);
+        now = next;
+    }
+    const double t = rw_traction_at(&now.shear.traction, x);
+    rw_shear_state_destroy(&now.shear);
+    rw_work_destroy(&w);
+    return t;
+}
+
+/* The difference falls to a quarter with each halving. With one D for all of the step no zones keep
+ * Coulomb's condition. */
+CLAIM(steps_of_a_contact_that_grows_are_of_second_order)
+{
+    pair c = begin(2.5, 0, 1e-6);
+    const double one = grown_traction(&c.frame, &c.numerical.now, 1, 1.5);
+    const double two = grown_traction(&c.frame, &c.numerical.now, 2, 1.5);
+    const double four = grown_traction(&c.frame, &c.numerical.now, 4, 1.5);
+    assert_true(fabs(four - two) < 0.35 * fabs(two - one));
+    end(&c);
+}
+
+/* Q/pi +- sigma s/4 over f (P/pi -+ tilt s), of the rates (theta = A = a = 1). */
+CLAIM(rates_at_edges_that_stick_are_those_of_a_punch)
+{
+    pair c = begin(4, 0.5, 1e-6);
+    const rw_patch contact = c.numerical.now.contact;
+    const double m = rw_patch_middle(contact), s = rw_patch_half_width(contact);
+    const double P = 0.3, M = 0.1, Q = 0.03, stretch = 0.002;
+    const rw_zones stuck = {1, {{0, contact.left, contact.right}}};
+    rw_work w;
+    rw_problem rates;
+    double D[2];
+    assert_true(rw_work_create(&w, &c.frame));
+    rw_problem_init_rates(&rates, &c.frame, contact, P, M, Q, stretch);
+    rw_rates_ratio(&w.fronts, &rates, &stuck, D);
+    const double tilt = 2 * (M - m * P) / (PI * s * s);
+    assert_close(D[0], (Q / PI + stretch * s) / (F * (P / PI - tilt * s)), 1e-12);
+    assert_close(D[1], (Q / PI - stretch * s) / (F * (P / PI + tilt * s)), 1e-12);
+    rw_work_destroy(&w);
     end(&c);
 }

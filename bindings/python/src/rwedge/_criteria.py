@@ -36,15 +36,7 @@ class Damage(NamedTuple):
 
 
 class Criteria:
-    """What a class gains that has stresses, (load, point, component).
-
-    Each criterion is that of the function of its name, with these parameters:
-
-    material : mapping
-        the constants that it names
-    plane_stress : bool
-        plane stress, for contacts with such a compliance; plane strain otherwise
-    """
+    """What a class gains that has stresses, (load, point, component)."""
 
     stress: NDArray[np.float64]
 

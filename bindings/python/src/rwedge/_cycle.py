@@ -34,7 +34,8 @@ class Cycle(Criteria):
     x, y : ndarray
         the points, length, in their broadcast shape
 
-    Criteria of fatigue, damage and lives at the points are methods that take the constants of a material by name.
+    Criteria of fatigue, damage and lives at the points are methods. They take ``material``, a mapping with the constants that
+    each names, and ``plane_stress``, which is for contacts with such a compliance; otherwise it is plane strain.
 
     Source: new.
 

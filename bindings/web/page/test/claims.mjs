@@ -152,21 +152,13 @@ export async function a_case_is_typed_by_keyboard({ session, file, tool }) {
     await page.close();
 }
 
+/** Of each way to give an input one; test/model_claims.js has the words for all. */
 const bad = {
     E1: ["-1", "a number above 0"],
-    nu1: ["0.6", "a number from 0 to 0.5"],
-    E2: ["0", "a number above 0, or inf"],
     nu2: ["-0.1", "a number from 0 to 0.5"],
-    theta: ["2", "above 0 and below pi/2"],
     theta_deg: ["90", "above 0 and below 90"],
-    a: ["-0.1", "a number not below 0"],
     radius: ["x", "a number not below 0"],
-    P: ["0", "a number above 0"],
-    M: ["1.2.3", "a number"],
     Q: ["20 N", "a number"],
-    sigma: ["1,234.5", "a number"],
-    f: ["-0.1", "a number from 0 to 1000000"],
-    k: ["1e61", "1e-60 to 1e60"],
     yield_stress: ["", "k"],
 };
 

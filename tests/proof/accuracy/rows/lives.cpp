@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lives: how far the curve at the life is from the value, over its slope. */
+/* Lives: how far the curve at the life is from the value, over its slope. Critical distances. */
+#include <float.h>
+
 #include "rows/rows.hpp"
 #include "rwedge.h"
 
@@ -61,6 +63,21 @@ ball judge_fatemi_socie(const probe &call)
     return error_of_life(call, tf / G, call.value[B], call.value[DUCTILITY], call.value[C]);
 }
 
+bool draw_distance(probe *call)
+{
+    const double dK_th = argument(call, "dK_th", log_between(call, 1e-60, 1e60));
+    call->result[0] =
+        rwedge_critical_distance(dK_th, argument(call, "ds0", log_between(call, 1e-60, 1e60)));
+    return true;
+}
+
+ball judge_distance(const probe &call)
+{
+    const ball ratio = ball(call.value[0]) / ball(call.value[1]);
+    const ball length = sqr(ratio) / pi();
+    return abs(ball(call.result[0]) / length - 1);
+}
+
 } // namespace
 
 #define METALS "constants of metals, no limit"
@@ -70,5 +87,7 @@ const row LIFE_ROWS[] = {
      judge_smith_watson_topper},
     {"fatemi_socie_life", METALS, "relative", 1e-11, "1e-11", 1, draw_fatemi_socie,
      judge_fatemi_socie},
+    {"critical_distance", "1e-60 to 1e60", "relative", 4 * DBL_EPSILON, "4 eps", 1, draw_distance,
+     judge_distance},
     {},
 };

@@ -22,6 +22,7 @@ export function lastCycle(setup, loads, before) {
     }
     going.free();
     const lists = ["P", "M", "Q", "sigma"].map((name) => Float64Array.from(loads, (load) => load[name]));
+    status.orNull(() => before.keep_cycle(...lists));
     const slipKnown = Boolean(status.orNull(() => before.cycle_friction(...lists, new Float64Array(0))));
     return { setup, before, loads, lists, edges, slipKnown, error };
 }

@@ -4,7 +4,7 @@
 #ifndef RW_EQUATOR_H
 #define RW_EQUATOR_H
 
-#include "measures/plane_cycle.h"
+#include "planes/plane_cycle.h"
 
 #include <stdbool.h>
 

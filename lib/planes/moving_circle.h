@@ -3,7 +3,7 @@
 #ifndef RW_MOVING_CIRCLE_H
 #define RW_MOVING_CIRCLE_H
 
-#include "measures/plane_cycle.h"
+#include "planes/plane_cycle.h"
 
 typedef struct {
     rw_ball ball;

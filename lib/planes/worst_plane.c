@@ -7,13 +7,13 @@
  * circle moves so that all points on it leave it at the same rate: then the bound exceeds the true
  * values by the second order of the cell's size, and few cells are left at each size. A load is
  * kept in a cell only if it can be the highest, or on the circle, somewhere in it. */
-#include "measures/worst_plane.h"
+#include "planes/worst_plane.h"
 
 #include "base/domain.h"
-#include "measures/equator.h"
-#include "measures/moving_circle.h"
-#include "measures/plane_cycle.h"
-#include "measures/plane_search.h"
+#include "planes/equator.h"
+#include "planes/moving_circle.h"
+#include "planes/plane_cycle.h"
+#include "planes/plane_search.h"
 
 #include <float.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "measures/plane_cycle.h"
+#include "planes/plane_cycle.h"
 
 #include <float.h>
 #include <stddef.h>

@@ -3,7 +3,9 @@
  * the support replaces it: a larger one, so that no support comes twice. Around so few points it is
  * found by trying every choice of those that lie on it, as in the programs of linear type of
  * Matousek, Sharir and Welzl (1996). */
-#include "measures/smallest_ball.h"
+#include "planes/smallest_ball.h"
+
+#include "base/select.h"
 
 #include <float.h>
 #include <math.h>
@@ -151,18 +153,12 @@ static bool grow(rw_ball *ball, double slack, const rw_point points[], size_t mo
     return true;
 }
 
-/* A branch in place of a call: fmax() has to look for NaN. */
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 static double largest_coordinate(size_t n, const rw_point points[])
 {
     double largest = 0;
     for (size_t i = 0; i < n; i++)
         for (int k = 0; k < DIMENSIONS; k++)
-            largest = larger(largest, fabs(points[i].x[k]));
+            largest = rw_larger(largest, fabs(points[i].x[k]));
     return largest;
 }
 

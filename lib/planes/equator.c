@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Branch and bound, as in worst_plane.c, in one dimension. */
-#include "measures/equator.h"
+#include "planes/equator.h"
 
 #include "base/domain.h"
 

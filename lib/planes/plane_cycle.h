@@ -7,9 +7,10 @@
 #ifndef RW_PLANE_CYCLE_H
 #define RW_PLANE_CYCLE_H
 
-#include "measures/plane_search.h"
-#include "measures/smallest_ball.h"
-#include "measures/worst_plane.h"
+#include "base/select.h"
+#include "planes/plane_search.h"
+#include "planes/smallest_ball.h"
+#include "planes/worst_plane.h"
 
 #include <math.h>
 
@@ -39,16 +40,6 @@ struct rw_plane_cycle {
     rw_local *local;
     rw_point *point;
 };
-
-static inline double rw_larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-static inline double rw_smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
 
 static inline double rw_severity_of(const rw_severity *v, double amplitude, double peak)
 {

@@ -7,10 +7,11 @@
  * the best plane so far; of an arc that is halved only the waves are kept that can matter in it;
  * and where one is left of each kind, the derivative is a polynomial with one root. Nothing is
  * left to chance: no plane exceeds the result by more than rounding. */
-#include "measures/plane_search.h"
+#include "planes/plane_search.h"
 
 #include "base/always.h"
 #include "base/root.h"
+#include "base/select.h"
 
 #include <float.h>
 #include <stdbool.h>
@@ -69,11 +70,6 @@ static inline double magnitude(const rw_wave *w)
     return fabs(w->mean) + fabs(w->cosine) + fabs(w->sine);
 }
 
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 static inline control control_of(const rw_wave *w, const arc *a)
 {
     const double from = value_at(w, a->from), to = value_at(w, a->to);
@@ -84,7 +80,7 @@ static inline control control_of(const rw_wave *w, const arc *a)
 static inline void raise(control *c, const control *other)
 {
     for (int i = 0; i < 3; i++)
-        c->at[i] = larger(c->at[i], other->at[i]);
+        c->at[i] = rw_larger(c->at[i], other->at[i]);
 }
 
 /* Below all; the sum of two is a number. */
@@ -98,12 +94,12 @@ static inline double bound(const arc *a, const control *x, const control *y, con
     const double weight = 4 / (1 + a->tangent * a->tangent);
     double p[3], q[3];
     for (int i = 0; i < 3; i++) {
-        p[i] = larger(0, x->at[i]);
-        q[i] = larger(0, y->at[i] + z->at[i]);
+        p[i] = rw_larger(0, x->at[i]);
+        q[i] = rw_larger(0, y->at[i] + z->at[i]);
     }
     const double first = (p[0] * q[1] + p[1] * q[0]) / 2, last = (p[1] * q[2] + p[2] * q[1]) / 2;
     const double middle = (p[0] * q[2] + weight * p[1] * q[1] + p[2] * q[0]) / (2 + weight);
-    return larger(larger(first, last), middle);
+    return rw_larger(rw_larger(first, last), middle);
 }
 
 static bool may_exceed(const search *s, const arc *a, const control c[KINDS])
@@ -114,7 +110,7 @@ static bool may_exceed(const search *s, const arc *a, const control c[KINDS])
 
 static void record(search *s, direction u, double peak, double range)
 {
-    const double product = larger(0, peak) * range;
+    const double product = rw_larger(0, peak) * range;
     if (product > s->best) {
         s->best = product;
         s->where = u;
@@ -229,7 +225,7 @@ static double highest_at(const search *s, int kind, size_t count, direction u)
 {
     double highest = -DBL_MAX;
     for (size_t i = 0; i < count; i++)
-        highest = larger(highest, value_at(&s->member[kind][i], u));
+        highest = rw_larger(highest, value_at(&s->member[kind][i], u));
     return highest;
 }
 
@@ -278,12 +274,12 @@ static void controls_of(const rw_cycle *cycle, const arc *a, control c[KINDS])
 
 static double top_of(const control *c)
 {
-    return larger(larger(c->at[0], c->at[1]), c->at[2]);
+    return rw_larger(rw_larger(c->at[0], c->at[1]), c->at[2]);
 }
 
 static double bottom_of(const control *c)
 {
-    return -larger(larger(-c->at[0], -c->at[1]), -c->at[2]);
+    return -rw_larger(rw_larger(-c->at[0], -c->at[1]), -c->at[2]);
 }
 
 /* One of a cycle's loads often comes again, or again but for rounding. */
@@ -370,8 +366,8 @@ static inline void raise_all(double highest[ARCS], const rw_wave *w)
     for (int k = 0; k < ARCS / 2; k++) {
         const double swing = w->cosine * COSINES[k] + w->sine * SINES[k];
         const double one = w->mean + swing, other = w->mean - swing;
-        highest[k] = larger(highest[k], one);
-        highest[k + ARCS / 2] = larger(highest[k + ARCS / 2], other);
+        highest[k] = rw_larger(highest[k], one);
+        highest[k + ARCS / 2] = rw_larger(highest[k + ARCS / 2], other);
     }
 }
 
@@ -388,8 +384,8 @@ static void survey_of(const rw_cycle *cycle, survey *v)
         waves_of(cycle, i, wave);
         for (int kind = 0; kind < KINDS; kind++) {
             raise_all(v->highest[kind], &wave[kind]);
-            v->least_mean[kind] = -larger(-v->least_mean[kind], -wave[kind].mean);
-            v->magnitude[kind] = larger(v->magnitude[kind], magnitude(&wave[kind]));
+            v->least_mean[kind] = -rw_larger(-v->least_mean[kind], -wave[kind].mean);
+            v->magnitude[kind] = rw_larger(v->magnitude[kind], magnitude(&wave[kind]));
         }
     }
 }
@@ -436,8 +432,8 @@ double rw_plane_search(const rw_cycle *cycle, rw_direction *phi)
     s.cycle = cycle;
     s.best = 0;
     s.where = start_of(0);
-    s.noise = larger(NOTHING, 8 * DBL_EPSILON * v.magnitude[PEAK] *
-                                  (v.magnitude[TOP] + v.magnitude[BOTTOM]));
+    s.noise = rw_larger(NOTHING, 8 * DBL_EPSILON * v.magnitude[PEAK] *
+                                     (v.magnitude[TOP] + v.magnitude[BOTTOM]));
     for (int k = 0; k < ARCS; k++)
         record(&s, start_of(k), v.highest[PEAK][k], v.highest[TOP][k] + v.highest[BOTTOM][k]);
     explore_all(&s, &v);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "measures/moving_circle.h"
+#include "planes/moving_circle.h"
 
 static rw_vector mean_rate(const rw_ball *ball, const rw_vector rate[])
 {

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The states of a cycle that a contact keeps until its next load, for the calls that ask for the
+ * same loads: of each interest, as a load that is cut into parts ends in other bits. */
+#include "cycle/measures.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { LISTS = 4 };
+
+typedef struct {
+    rw_kept head;
+    size_t count;
+    double *loads; /* all P, then M, Q and sigma */
+    rw_cycle cycle[RW_INTERESTS];
+    int32_t status[RW_INTERESTS];
+} kept_cycle;
+
+static void destroy(rw_kept *head)
+{
+    kept_cycle *kept = (kept_cycle *)head;
+    for (int interest = 0; interest < RW_INTERESTS; interest++)
+        rw_cycle_destroy(&kept->cycle[interest]);
+    free(kept->loads);
+    free(kept);
+}
+
+static bool is_same(const kept_cycle *kept, const rw_load_list *loads)
+{
+    const double *const list[LISTS] = {loads->P, loads->M, loads->Q, loads->sigma};
+    bool same = kept->count == loads->count;
+    for (int i = 0; i < LISTS && same; i++)
+        same = memcmp(kept->loads + (size_t)i * kept->count, list[i],
+                      kept->count * sizeof *kept->loads) == 0;
+    return same;
+}
+
+const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_list *loads,
+                              rw_interest interest, int32_t *status)
+{
+    const kept_cycle *kept = (const kept_cycle *)contact->kept;
+    if (!kept || !is_same(kept, loads))
+        return NULL;
+    *status = kept->status[interest];
+    return &kept->cycle[interest];
+}
+
+static kept_cycle *create(const rw_load_list *loads)
+{
+    kept_cycle *kept = calloc(1, sizeof *kept);
+    double *copy = malloc(LISTS * loads->count * sizeof *copy);
+    if (!kept || !copy) {
+        free(kept);
+        free(copy);
+        return NULL;
+    }
+    const double *const list[LISTS] = {loads->P, loads->M, loads->Q, loads->sigma};
+    for (int i = 0; i < LISTS; i++)
+        memcpy(copy + (size_t)i * loads->count, list[i], loads->count * sizeof *copy);
+    kept->head.destroy = destroy;
+    kept->count = loads->count;
+    kept->loads = copy;
+    return kept;
+}
+
+/* A slip that is not known is a result, too. */
+static int32_t go_through(const rwedge_contact *contact, const rw_load_list *loads,
+                          kept_cycle *kept)
+{
+    int32_t status = RWEDGE_OK;
+    for (int i = 0; i < RW_INTERESTS && status == RWEDGE_OK; i++) {
+        status = rw_cycle_create(contact, loads, (rw_interest)i, &kept->cycle[i]);
+        kept->status[i] = status;
+    }
+    return status == RWEDGE_ENOMEM ? status : kept->status[RW_STRESS_ALONE];
+}
+
+int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads, const double P[],
+                                  const double M[], const double Q[], const double sigma[])
+{
+    const rw_load_list list = {loads, P, M, Q, sigma};
+    if (!contact || !rw_is_load_list(&list))
+        return RWEDGE_ENULL;
+    if (loads == 0 || loads > SIZE_MAX / LISTS / sizeof *P)
+        return RWEDGE_ERANGE;
+    kept_cycle *kept = create(&list);
+    const int32_t status = kept ? go_through(contact, &list, kept) : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK) {
+        rw_contact_drop_kept(contact);
+        contact->kept = &kept->head;
+    } else if (kept) {
+        destroy(&kept->head);
+    }
+    return status;
+}

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the test of the Fortran module needs from C: how many handles are alive (linked with
- * --wrap), and the loops that elemental functions are timed against. */
+ * --wrap), and the loop that an elemental function is timed against. */
 #include "rwedge.h"
 
 int32_t __real_rwedge_contact_create(double theta, double a, double A, double f,
@@ -55,10 +55,4 @@ void loads_in_c(size_t n, const double alpha[], double load[])
 {
     for (size_t i = 0; i < n; i++)
         load[i] = rwedge_load(alpha[i]);
-}
-
-void elastic_limits_in_c(size_t n, const double alpha[], double limit[])
-{
-    for (size_t i = 0; i < n; i++)
-        limit[i] = rwedge_elastic_limit(alpha[i], 0.1, 0.3);
 }

@@ -46,7 +46,7 @@ function [results, objects] = answer(name, count, given, objects)
     if isempty(parts)
         name = regexprep(name, {'^stresses$', '^elastic_limits$'}, {'stress', 'elastic_limit'});
         [results{:}] = feval(['rwedge_' name], given{:});
-    elseif count == 0 && isempty(regexp(name, '_(load|apply|set_strain|allow_error)$', 'once'))
+    elseif ~isempty(regexp(parts{2}, '^(create|copy|restore|fit)', 'once'))
         objects.(parts{1}) = made(parts{1}, parts{2}, objects.(parts{1}), given);
     else
         [results{:}] = feval(parts{2}, objects.(parts{1}), given{:});

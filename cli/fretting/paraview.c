@@ -34,14 +34,14 @@ static double y_of_point(const void *written, int64_t point)
     return place_at(written, point, 0)->y;
 }
 
-static const char *name_of(const void *written, int which)
+static const char *name_of(const void *written, int number)
 {
-    return column_kind_of(((const source *)written)->column[which])->column;
+    return column_kind_of(((const source *)written)->column[number])->column;
 }
 
-static double value_of(const void *written, int64_t column, int64_t row, int which)
+static double value_of(const void *written, int64_t column, int64_t row, int number)
 {
-    return place_at(written, column, row)->at.value[((const source *)written)->column[which]];
+    return place_at(written, column, row)->at.value[((const source *)written)->column[number]];
 }
 
 static source source_of(const measured_columns *columns)

@@ -183,35 +183,42 @@ static position after_byte(position at, char byte, char separator)
     return byte == '"' && at != CELL_PLAIN ? CELL_QUOTED : CELL_PLAIN;
 }
 
-static char take_byte(csv_input *in)
+/* How many bytes of the block belong to the row: up to its end, or all. */
+static size_t row_bytes(csv_input *in, position *at, bool *ends)
 {
-    const char byte = in->block[in->begin++];
-    const bool same_end = in->after_return && byte == '\n';
-    in->line += ends_line(byte) && !same_end;
-    in->after_return = byte == '\r';
-    make_room(&in->row, &in->row_room, in->length, 2); /* and for what may end the last row */
-    in->row[in->length++] = byte;
-    return byte;
+    const char separator = csv_input_separator(in);
+    size_t i = in->begin;
+    for (*ends = false; i < in->end && !*ends; i++) {
+        const char byte = in->block[i];
+        const bool is_end = ends_line(byte), same_end = in->after_return && byte == '\n';
+        *at = after_byte(*at, byte, separator);
+        *ends = is_end && *at == CELL_BEGINS;
+        in->line += is_end && !same_end;
+        in->after_return = byte == '\r';
+    }
+    return i - in->begin;
 }
 
 /* The lines of a row; an empty one where there is a blank line. The last may lack its end. */
 static csv_event read_lines(csv_input *in)
 {
     position at = CELL_BEGINS;
-    char byte = '\0';
     in->length = 0;
     in->first_line = in->line;
-    while (at == CELL_QUOTED || !ends_line(byte)) {
+    for (bool ends = false; !ends;) {
         if (in->begin == in->end && !in->at_end && !fill(in))
             return CSV_FAILED;
         if (in->begin == in->end)
             return at == CELL_QUOTED ? not_closed(in) : in->length > 0 ? CSV_ROW : CSV_END;
-        if (in->length == CSV_ROW_BYTES)
-            return in->line > in->first_line
+        const size_t count = row_bytes(in, &at, &ends);
+        if (in->length + count > CSV_ROW_BYTES)
+            return at == CELL_QUOTED && in->line > in->first_line
                        ? not_closed(in)
-                       : stop(in, in->line, "a line of more than 1 MiB; allowed: CSV");
-        byte = take_byte(in);
-        at = after_byte(at, byte, csv_input_separator(in));
+                       : stop(in, in->first_line, "a line of more than 1 MiB; allowed: CSV");
+        make_room(&in->row, &in->row_room, in->length, count + 1); /* and for what may end it */
+        memcpy(in->row + in->length, in->block + in->begin, count);
+        in->length += count;
+        in->begin += count;
     }
     return CSV_ROW;
 }

@@ -170,7 +170,8 @@ static bool check(text_input *in, const char *bytes, size_t count)
 {
     uint32_t code;
     for (size_t i = 0, length; i < count; i += length) {
-        length = utf8_length(bytes + i, count - i, &code);
+        code = (unsigned char)bytes[i];
+        length = code < 0x80 ? 1 : utf8_length(bytes + i, count - i, &code);
         if (length == 0)
             return refuse_byte(in, bytes[i]);
         if (!utf8_is_text(code))

@@ -20,6 +20,8 @@ static const double SLACK = 1e-12;
 
 bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt)
 {
+    if (fabs(tilt) >= 1) /* a flank is on the surface: it has no edges */
+        return false;
     const double reach = fmax(fabs(outer.left), fabs(outer.right)); /* may be many widths */
     const double tolerance =
         (SLACK + 16 * DBL_EPSILON / (1 - fabs(tilt))) * (outer.right - outer.left) +

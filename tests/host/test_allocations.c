@@ -228,6 +228,8 @@ static outcome cycles(void)
         seen.status = STATUS_OF(rwedge_contact_cycle_friction(contact, 2, P, M, Q, sigma, 1, &x,
                                                               &n[4], &n[5], &n[6], &n[7]));
     if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_contact_keep_cycle(contact, 2, P, M, Q, sigma));
+    if (seen.status == RWEDGE_OK)
         seen.status = STATUS_OF(rwedge_permanent_stick(0.1, 0.4, 0.5, 0.5, 0.5, 0.1, -0.1, 0, 0.5,
                                                        0.1, 0.1, 0.01, &n[8], &n[9]));
     if (seen.status == RWEDGE_OK)

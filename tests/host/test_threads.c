@@ -7,58 +7,50 @@
  *     test_threads [NUMBERS]     how many arguments of each function */
 #define _POSIX_C_SOURCE 200809L
 
+#include "calls.h"
 #include "claims.h"
-#include "every_function.h"
 
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { THREADS_MAX = 8 };
+enum { THREADS_MAX = 8, ARRAY = 21 };
 static int numbers = 8;
-static int most; /* results of one number */
-static shared_handles shared;
 
-/* The results of one thread, with the same room at each number. */
+/* The results of one thread: outputs of each call at each number. */
 typedef struct {
-    double *values;
-    int first, number; /* where the thread begins, and is */
-    int count;         /* of the results of this number */
+    double (*out)[CALL_OUTPUTS];
+    int first; /* where the thread begins */
     pthread_barrier_t *start;
 } results;
 
-static void count(void *context, const char *function, bool is_status, double value)
+static size_t count_of_calls(void)
 {
-    (void)function, (void)is_status, (void)value;
-    ++*(int *)context;
+    size_t count;
+    public_calls(&count);
+    return count;
 }
 
-static void count_most(void)
+static void evaluate_number(int number, double out[][CALL_OUTPUTS])
 {
-    for (int i = 0; i < numbers; i++) {
-        int here = 0;
-        every_function(&shared, i, count, &here);
-        most = here > most ? here : most;
+    size_t count;
+    const public_call *calls = public_calls(&count);
+    for (size_t i = 0; i < count; i++) {
+        double v[CALL_ARGUMENTS];
+        uint64_t state = (uint64_t)number << 32;
+        int32_t status;
+        draw_inside(&calls[i], &state, v);
+        complaint_of(&calls[i], v, out[i], &status); /* without a result all are marked */
     }
-}
-
-static void keep(void *context, const char *function, bool is_status, double value)
-{
-    (void)function, (void)is_status;
-    results *r = context;
-    if (r->count < most)
-        r->values[r->number * most + r->count] = value;
-    r->count++;
 }
 
 static void *evaluate(void *context)
 {
-    results *r = context;
+    const results *r = context;
     pthread_barrier_wait(r->start);
     for (int i = 0; i < numbers; i++) {
-        r->number = (r->first + i) % numbers;
-        r->count = 0;
-        every_function(&shared, r->number, keep, r);
+        const int number = (r->first + i) % numbers;
+        evaluate_number(number, r->out + (size_t)number * count_of_calls());
     }
     return NULL;
 }
@@ -70,10 +62,10 @@ static void run_threads(int count, results r[])
     pthread_barrier_t start;
     assert_int_equal(pthread_barrier_init(&start, NULL, (unsigned)count), 0);
     for (int i = 0; i < count; i++) {
-        r[i] = (results){.values = calloc((size_t)(numbers * most), sizeof(double)),
+        r[i] = (results){.out = calloc((size_t)numbers * count_of_calls(), sizeof *r[i].out),
                          .first = i * numbers / count,
                          .start = &start};
-        assert_non_null(r[i].values);
+        assert_non_null(r[i].out);
         assert_int_equal(pthread_create(&thread[i], NULL, evaluate, &r[i]), 0);
     }
     for (int i = 0; i < count; i++)
@@ -81,35 +73,27 @@ static void run_threads(int count, results r[])
     pthread_barrier_destroy(&start);
 }
 
-static void assert_same_results(const results *expected, const results *actual)
-{
-    assert_true(actual->count >= 1 && actual->count <= most);
-    assert_memory_equal(actual->values, expected->values,
-                        (size_t)(numbers * most) * sizeof(double));
-}
-
 CLAIM(threads_give_the_bits_of_one)
 {
     results alone, r[THREADS_MAX];
-    count_most();
     run_threads(1, &alone);
     for (int count = 2; count <= THREADS_MAX; count *= 4) {
         run_threads(count, r);
         for (int i = 0; i < count; i++) {
-            assert_same_results(&alone, &r[i]);
-            free(r[i].values);
+            assert_memory_equal(r[i].out, alone.out,
+                                (size_t)numbers * count_of_calls() * sizeof *alone.out);
+            free(r[i].out);
         }
     }
-    free(alone.values);
+    free(alone.out);
 }
 
 int main(int argc, char **argv)
 {
     if (argc > 1)
         numbers = atoi(argv[1]);
-    if (numbers < 1 || !shared_create(&shared))
+    if (numbers < 1)
         return 2;
-    const int status = run_claims();
-    shared_destroy(&shared);
-    return status;
+    array_size = ARRAY;
+    return run_claims();
 }

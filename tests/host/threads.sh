@@ -41,8 +41,8 @@ for compiler in gcc clang; do
 done
 [ -n "$compiler" ] || { echo "SKIPPED: no compiler here whose thread sanitizer finds a race"; exit 77; }
 
-$compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -I"$build/made/c" -Itests/support lib/*/*.c \
-    tests/host/test_threads.c tests/support/every_function.c tests/support/claims.c -o "$work/threads" \
+$compiler -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -DTEST_DATA='""' -Iinclude -Ilib -I"$build/made/c" -Itests/support -Itests/host/calls lib/*/*.c \
+    tests/host/test_threads.c tests/host/calls/*.c tests/support/claims.c -o "$work/threads" \
     -lgsl -lgslcblas -llapack -lcmocka -lpthread -lm
 $compiler -std=c99 -D_XOPEN_SOURCE=700 -O1 -g -fsanitize=thread -DTEST_DATA='""' -Icli -Itests/support tests/support/claims.c tests/support/main.c \
     tests/cli/system/test_ahead.c cli/system/ahead.c cli/text/memory.c cli/text/message.c cli/text/utf8.c cli/system/progress.c \

@@ -6,6 +6,8 @@
 
 #define BIT(status) (1u << (status))
 
+int array_size = 3;
+
 const entry_argument which_object = {
     .name = "object", .low = INT32_MIN, .high = INT32_MAX, .finite = 1, .whole = 1};
 
@@ -14,7 +16,7 @@ const entry_argument which_object = {
 static rwedge_contact *contact_of_loads(size_t count, const double loads[][2])
 {
     rwedge_contact *contact = NULL;
-    if (rwedge_contact_create(0.02, 0.3, 1e-5, 0.5, &contact) != RWEDGE_OK)
+    if (rwedge_contact_create(0.5, 0.3, 1, 0.5, &contact) != RWEDGE_OK)
         return NULL;
     for (size_t i = 0; i < count; i++)
         rwedge_contact_load(contact, loads[i][0], loads[i][1]);
@@ -24,7 +26,7 @@ static rwedge_contact *contact_of_loads(size_t count, const double loads[][2])
 /* They live as long as the program. */
 static void *object_of(const entry *e, double number)
 {
-    static const double loads[][2] = {{1000, 0}, {1000, 300}, {1400, -200}, {1200, 50}};
+    static const double loads[][2] = {{4, 0}, {4, 1.4}, {6, -1}, {5, -0.7}};
     static rwedge_contact *contacts[OBJECTS];
     static rwedge_series *series[OBJECTS];
     const int i = (int)fabs(fmod(number, OBJECTS));
@@ -43,7 +45,7 @@ static void *object_of(const entry *e, double number)
 
 static size_t size_of(const entry *e)
 {
-    return e->sizes > 1 ? 2 : POINTS;
+    return e->sizes > 1 ? 2 : (size_t)array_size;
 }
 
 static int count_of(const entry *e, const signed char sizes[2])

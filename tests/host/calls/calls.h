@@ -11,7 +11,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { CALL_ARGUMENTS = 32, CALL_OUTPUTS = 256 };
+enum { CALL_ARGUMENTS = 128, CALL_OUTPUTS = 256 };
+
+/* Numbers of an array, 3 unless set before all else; of one of two sizes, 2 times 2. */
+extern int array_size;
 
 typedef struct {
     const char *name;
@@ -35,6 +38,9 @@ bool is_in_domain(const public_call *call, const double v[]);
 
 /* Whether an argument is in its domain by itself. */
 bool is_sound(const entry_argument *a, double v);
+
+/* Arguments in the domain, mostly of the order of 1; the same on every machine. */
+void draw_inside(const public_call *call, uint64_t *state, double v[]);
 
 /* What is wrong with a call's answer, by the header's rules for errors: NULL if nothing. Calls
  * it. */

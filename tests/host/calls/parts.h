@@ -5,10 +5,7 @@
 
 #include "calls.h"
 
-enum {
-    OBJECTS = 3, /* of each family, which its functions are called with */
-    POINTS = 3   /* numbers of an array; of one of two sizes, 2 times 2 */
-};
+enum { OBJECTS = 3 /* of each family, which its functions are called with */ };
 
 /* The number in front of the arguments of a function that takes an object. */
 extern const entry_argument which_object;

@@ -94,8 +94,8 @@ static bool is_not_apex(const double v[])
 static bool are_not_the_apex(const double v[])
 {
     bool are = true;
-    for (int i = 0; i < POINTS; i++)
-        are = are && (v[0] > 0 || v[3 + i] != 0 || v[3 + POINTS + i] != 0);
+    for (int i = 0; i < array_size; i++)
+        are = are && (v[0] > 0 || v[3 + i] != 0 || v[3 + array_size + i] != 0);
     return are;
 }
 

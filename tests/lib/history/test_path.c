@@ -2,6 +2,7 @@
 /* Which loads with moment and tension have a closed form, and where they lead. */
 #include "histories.h"
 
+#include <fenv.h>
 #include <string.h>
 
 static const double F = 0.5;
@@ -255,4 +256,14 @@ CLAIM(without_friction_all_is_exact)
     assert_true(rwedge_contact_largest_tension_step(contact, 0) == HUGE_VAL);
     assert_string_equal(rwedge_contact_obstacle(contact, 0.2, 0.3, 0, 5), "");
     apply(contact, 0, 0, 0, 0);
+}
+
+/* On the way the front of slip has the tilt of a flank: it once divided by nothing. */
+CLAIM(a_front_as_steep_as_a_flank_raises_nothing)
+{
+    rwedge_contact *contact = create_wedge(0.5, 0.3, 1, 0.5);
+    apply(contact, 4, 0, 0, 0);
+    feclearexcept(FE_ALL_EXCEPT);
+    refuse(contact, 2, 1e-16, 0.001, 2, RWEDGE_EPATH);
+    assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
 }

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "parts.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Functions that have no result for most random arguments: some that have, an array's all the
+ * same. The last is drawn. */
+static const struct {
+    const char *name;
+    double given[ENTRY_ARGUMENTS];
+} hints[] = {
+    {"subsurface_yield", {0.3, 0.05}},
+    {"permanent_stick", {0.5, 0.3, 1, 0.5, 3, 0, 0.1, 0, 4, 0, 0.05}},
+    {"contact_permanent_stick", {3, 0, 0.1, 0, 4, 0, 0.05}},
+    {"contact_stress_history", {4, 0.05, 0, 0, 0.5}},
+    {"contact_cycle_friction", {4, 0.05, 0, 0}},
+    {"contact_keep_cycle", {4, 0.05, 0}},
+    {"contact_cycle_below", {4, 0.05, 0, 0, 0.3, 0.2, 0.1}},
+    {"contact_cycle_worst", {3, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1}},
+};
+
+static const double *hint_of(const char *name)
+{
+    for (size_t i = 0; i < sizeof hints / sizeof hints[0]; i++)
+        if (strcmp(hints[i].name, name) == 0)
+            return hints[i].given;
+    return NULL;
+}
+
+/* The next of a sequence in [0, 1): splitmix64. */
+static double fraction(uint64_t *state)
+{
+    uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15);
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+/* Without narrow bounds it is 0 at times, mostly of the order of 1, and at times far smaller. */
+static double number(const entry_argument *a, uint64_t *state)
+{
+    enum { NARROW = 2, MOST_WHOLE = 60 };
+    const double u = fraction(state), kind = fraction(state), side = fraction(state);
+    if (a->whole)
+        return fmax(a->low, -1) + floor(u * fmin(a->high, MOST_WHOLE));
+    if (a->high - a->low <= NARROW)
+        return a->low + u * (a->high - a->low);
+    if (kind < 0.1 && entry_allows(a, 0))
+        return 0;
+    const double size = kind > 0.9 ? ldexp(1 + u, -(int)(25 * side)) : 0.01 + 2 * u;
+    return a->low < 0 && side < 0.5 ? -size : size;
+}
+
+/* The places and the slopes of a profile rise. */
+static void sort_profile(const public_call *call, double v[])
+{
+    const double STEP = 0.01;
+    if (strcmp(call->name, "contact_create_profile") != 0)
+        return;
+    for (int i = 1; i < array_size; i++) {
+        v[i] = v[0] / 8 + STEP * i;
+        v[array_size + i] = v[array_size] / 8 + STEP * i;
+    }
+}
+
+void draw_inside(const public_call *call, uint64_t *state, double v[])
+{
+    const double *hint = hint_of(call->name);
+    const entry_argument *last = call->arguments > 0 ? call->argument[call->arguments - 1] : NULL;
+    for (int i = 0; i < call->arguments; i++) {
+        const entry_argument *a = call->argument[i];
+        const bool is_given =
+            hint != NULL && call->entry != NULL && a != &which_object && a != last;
+        v[i] = is_given             ? hint[a - call->entry->argument]
+               : a == &which_object ? floor(OBJECTS * fraction(state))
+                                    : number(a, state);
+    }
+    sort_profile(call, v);
+}

@@ -288,6 +288,22 @@ static bool is_finite(const rw_outcome *o)
     return isfinite(o->violation) && isfinite(o->energy) && isfinite(o->move);
 }
 
+/* What the fit has lost of the load is carried by what sticks, alike. */
+static void balance(const rw_problem *p, rw_shear_state *s)
+{
+    const double lost =
+        rw_traction_total(&p->old->traction) + p->shear - rw_traction_total(&s->traction);
+    double width = 0;
+    for (int i = 0; i < s->zones.count; i++)
+        if (s->zones.zone[i].label == 0)
+            width += s->zones.zone[i].right - s->zones.zone[i].left;
+    for (int i = 0; i < s->zones.count; i++) {
+        const rw_zone zone = s->zones.zone[i];
+        if (zone.label == 0)
+            rw_traction_shift(&s->traction, zone.left, zone.right, lost / width);
+    }
+}
+
 static bool complete(const after *n, rw_outcome *o)
 {
     const rw_problem *p = n->problem;
@@ -295,9 +311,11 @@ static bool complete(const after *n, rw_outcome *o)
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
     if (rw_traction_fit(&o->state.traction, traction_after, n, (size_t)breaks, at,
-                        FIT * p->tolerance) &&
-        check(p, o, breaks, at) && is_finite(o))
-        return true;
+                        FIT * p->tolerance)) {
+        balance(p, &o->state);
+        if (check(p, o, breaks, at) && is_finite(o))
+            return true;
+    }
     rw_shear_state_destroy(&o->state);
     return false;
 }

@@ -143,6 +143,20 @@ bool rw_traction_append(rw_traction *t, const rw_element *e)
     return append(t, e, &r);
 }
 
+void rw_traction_shift(rw_traction *t, double from, double to, double by)
+{
+    rule r;
+    make_rule(&r);
+    for (size_t i = 0; i < t->count; i++) {
+        rw_element *e = &t->elements[i];
+        const double middle = e->low / 2 + e->high / 2;
+        if (middle > from && middle < to) {
+            e->coefficient[0] += by;
+            complete(e, &r);
+        }
+    }
+}
+
 bool rw_traction_copy(const rw_traction *t, rw_traction *copy)
 {
     *copy = (rw_traction){0};

@@ -44,6 +44,9 @@ bool rw_traction_fit(rw_traction *traction, rw_function f, const void *context, 
 /* Appends an element of which all but the coefficients' consequences is set. */
 bool rw_traction_append(rw_traction *traction, const rw_element *element);
 
+/* Adds a constant to the elements between two ends of some. */
+void rw_traction_shift(rw_traction *traction, double from, double to, double by);
+
 /* 0 outside. */
 double rw_traction_at(const rw_traction *traction, double x);
 

@@ -5,19 +5,19 @@
 #include <string.h>
 
 /* Functions that have no result for most random arguments: some that have, an array's all the
- * same. The last is drawn. */
+ * same. NAN is drawn. */
 static const struct {
     const char *name;
     double given[ENTRY_ARGUMENTS];
 } hints[] = {
-    {"subsurface_yield", {0.3, 0.05}},
-    {"permanent_stick", {0.5, 0.3, 1, 0.5, 3, 0, 0.1, 0, 4, 0, 0.05}},
-    {"contact_permanent_stick", {3, 0, 0.1, 0, 4, 0, 0.05}},
-    {"contact_stress_history", {4, 0.05, 0, 0, 0.5}},
-    {"contact_cycle_friction", {4, 0.05, 0, 0}},
-    {"contact_keep_cycle", {4, 0.05, 0}},
-    {"contact_cycle_below", {4, 0.05, 0, 0, 0.3, 0.2, 0.1}},
-    {"contact_cycle_worst", {3, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1}},
+    {"subsurface_yield", {0.3, 0.05, NAN}},
+    {"permanent_stick", {0.5, 0.3, 1, 0.5, 3, 0, 0.1, 0, 4, 0, 0.05, NAN}},
+    {"contact_permanent_stick", {3, 0, 0.1, 0, 4, 0, 0.05, NAN}},
+    {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
+    {"contact_cycle_friction", {4, 0.05, 0, 0, NAN}},
+    {"contact_keep_cycle", {4, 0.05, 0, 0}},
+    {"contact_cycle_below", {4, 0.05, 0, 0, 0.3, 0.2, 0.1, NAN}},
+    {"contact_cycle_worst", {3, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1, NAN}},
 };
 
 static const double *hint_of(const char *name)
@@ -66,15 +66,15 @@ static void sort_profile(const public_call *call, double v[])
 
 void draw_inside(const public_call *call, uint64_t *state, double v[])
 {
-    const double *hint = hint_of(call->name);
-    const entry_argument *last = call->arguments > 0 ? call->argument[call->arguments - 1] : NULL;
+    const double *hint = call->entry != NULL ? hint_of(call->name) : NULL;
     for (int i = 0; i < call->arguments; i++) {
         const entry_argument *a = call->argument[i];
-        const bool is_given =
-            hint != NULL && call->entry != NULL && a != &which_object && a != last;
-        v[i] = is_given             ? hint[a - call->entry->argument]
-               : a == &which_object ? floor(OBJECTS * fraction(state))
-                                    : number(a, state);
+        if (a == &which_object)
+            v[i] = floor(OBJECTS * fraction(state));
+        else if (hint != NULL && !isnan(hint[a - call->entry->argument]))
+            v[i] = hint[a - call->entry->argument];
+        else
+            v[i] = number(a, state);
     }
     sort_profile(call, v);
 }

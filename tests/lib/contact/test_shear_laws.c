@@ -101,7 +101,7 @@ static bool goes_on(const rwedge_contact *before, const rwedge_contact *after, d
 
 static void assert_laws(const rwedge_contact *before, const rwedge_contact *after, int *slipping)
 {
-    assert_within(resultant_of(after).force, -load_Q(after), 1e-8);
+    assert_within(resultant_of(after).force, -load_Q(after), 1e-10);
     for (int j = 0; j < PLACES; j++) {
         const double x = place(common(before, after), j), q = shear(after, x);
         assert_true(fabs(q) <= F * (fabs(pressure(after, x)) + TOLERANCE));

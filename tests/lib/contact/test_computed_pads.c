@@ -128,3 +128,16 @@ CLAIM(a_flat_pad_ends_it_by_sliding_and_separation)
     assert_true(rwedge_contact_error(contact) == 0);
     assert_true(rwedge_contact_dissipated_energy(contact) > before);
 }
+
+/* The contact is as wide as the flat from the first. */
+CLAIM(a_flat_pad_is_touched_under_shear_and_tension)
+{
+    rwedge_contact *whole = flat(0.7), *parts = flat(0.7);
+    apply(whole, 0.5, 0.02, 0.1, 0.05);
+    assert_true(rwedge_contact_error(whole) > 0 && rwedge_contact_error(whole) < 1e-3);
+    for (int i = 1; i <= 10; i++)
+        apply(parts, 0.05 * i, 0.002 * i, 0.01 * i, 0.005 * i);
+    const double limit = 1e-3 * F * fabs(pressure(whole, 1));
+    for (int i = -9; i <= 9; i++)
+        assert_within(shear(whole, i / 5.0), shear(parts, i / 5.0), limit);
+}

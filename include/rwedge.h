@@ -370,9 +370,8 @@ RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, doubl
  *   R  radius of the edges, length, > 0, at most 1e60
  * Its slope is (|x| - a)/R beyond the flat, as far as |x| = a + R: a load that would bring the
  * contact farther is refused with RWEDGE_ERANGE. For theta stands 1 where a function below names
- * it. All functions serve it as they serve the wedge, but for one of a flat that is not 0 wide, and
- * of any profile: the energy of a step that slips in closed form is NaN unless P and M are constant
- * and it does not end in full sliding. The errors are those of the wedge, over the root of 1 - a/b.
+ * it. All functions serve it as they serve the wedge. The errors are those of the wedge, over the
+ * root of 1 - a/b.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_create_flat(double a, double R, double A, double f,
                                               rwedge_contact **contact);

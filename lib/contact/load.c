@@ -52,12 +52,11 @@ static double share_centred(const rwedge_contact *contact, const rw_step *step)
     const rw_memory *memory = &contact->memory;
     if (contact->f == 0 || memory->count == 1)
         return 0;
-    if (contact->geometry.pad || !rw_memory_is_plain(memory, step->to))
-        return rw_path_separates_stuck(step) ? 0 : NAN;
     const rw_geometry *g = &contact->geometry;
-    const double corner_load = RW_HALF_PI * g->a * rw_unit_stress(g);
+    if (!rw_is_symmetric(g) || !rw_memory_is_plain(memory, step->to))
+        return rw_path_separates_stuck(step) ? 0 : NAN;
     const double f_over_pi = contact->f / RW_PI;
-    const double integral = rw_dissipation(memory, step->to.load, step->to.shear, corner_load);
+    const double integral = rw_dissipation(memory, step->to.load, step->to.shear, g);
     return contact->f * g->A * (f_over_pi * fmax(0, integral));
 }
 
@@ -223,7 +222,8 @@ static double share_of(const rwedge_contact *contact, const rw_step *step,
                        const rw_departure *departure)
 {
     const rw_geometry *g = &contact->geometry;
-    if (step->to.load == 0 || (!g->pad && rw_memory_is_plain(&contact->memory, step->to)))
+    if (step->to.load == 0 ||
+        (rw_is_symmetric(g) && rw_memory_is_plain(&contact->memory, step->to)))
         return share_centred(contact, step);
     if (contact->f == 0 || departure->slip == 0)
         return 0;

@@ -14,7 +14,7 @@
  *     (A f^2 w/pi) int B(u) du/(u m(u)),
  *     B(u) = int (P(s) - u)+ ds over s1 < s < min(s0, u),   m = d ln u/d ln eta.
  * This is one integral of one sign, and nothing in it cancels. m is 2 for Hertz and 1 for the sharp
- * wedge. */
+ * wedge. Of any other symmetric pad the integral is taken over the half-widths. */
 #include "history/dissipation.h"
 
 #include "base/always.h"
@@ -29,6 +29,7 @@
 typedef struct {
     double top, corner_load;
     double s0, s1, p0, p1;
+    const rw_geometry *pad; /* NULL for the wedge */
 } layer;
 
 /* ---- The integrand ---- */
@@ -128,8 +129,61 @@ static double smooth_integral(const layer *l, double shallow, double deep)
     return sum;
 }
 
+/* ---- Over the half-widths of a pad ---- */
+
+typedef struct {
+    const layer *l;
+    double from, to;
+} span;
+
+/* du/(u m) is d(ln eta). Roots at both ends are smooth in t. */
+static double at_half_width(double t, const void *context)
+{
+    const span *s = context;
+    const double sine = sin(t), width = s->to - s->from, b = s->from + width * sine * sine;
+    return overlap(s->l, s->l->top - rw_normal_load(s->l->pad, b)) / b * width * sin(2 * t);
+}
+
+static double half_width_at(const layer *l, double depth)
+{
+    return rw_half_width(l->pad, fmax(0, l->top - depth));
+}
+
+static double earlier(double place, double from, double next)
+{
+    return place > from && place < next ? place : next;
+}
+
+/* Where B is another polynomial, where the contact reaches an arc, and in geometric sequence. */
+static double next_cut(const layer *l, const double cut[4], double from, double end)
+{
+    const rw_pad *pad = l->pad->pad;
+    double next = from > 0 ? fmin(end, 4 * from) : end;
+    for (int i = 0; i < 4; i++)
+        next = earlier(cut[i], from, next);
+    for (size_t i = 0; i < pad->count; i++)
+        next = earlier(pad->arcs[i].right, from, earlier(pad->arcs[i].left, from, next));
+    return next;
+}
+
+static double integral_of_pad(const layer *l)
+{
+    const double cut[] = {half_width_at(l, l->p0), half_width_at(l, l->p1), half_width_at(l, l->s0),
+                          half_width_at(l, l->s1)};
+    const double end = fmax(cut[0], cut[1]);
+    double sum = 0;
+    for (double from = cut[3], next; from < end; from = next) {
+        next = next_cut(l, cut, from, end);
+        const span s = {l, from, next};
+        sum += rw_integral(at_half_width, &s, 0, RW_HALF_PI);
+    }
+    return sum;
+}
+
 static double layer_integral(const layer *l)
 {
+    if (l->pad)
+        return integral_of_pad(l);
     const double corner = l->top - l->corner_load; /* the depth where m(u) has its corner */
     double cut[5] = {l->p0, l->p1, l->s0, corner, l->s1};
     for (int i = 1; i < 5; i++)
@@ -151,6 +205,7 @@ typedef struct {
     const rw_memory *memory;
     double top, run, rise; /* the step: t = 0 ... 1 */
     double corner_load;
+    const rw_geometry *pad;
 } step;
 
 /* How far a corner of the path lies below its end. */
@@ -178,7 +233,8 @@ static double sweep(const step *s, int slip, double start, double end)
         const double next =
             t_bottom > end ? fmin(bottom, front + (end - t) * climb / weight) : bottom;
         const double t_next = fmin(t_bottom, end);
-        const layer l = {s->top, s->corner_load, front, next, -s->run * t, -s->run * t_next};
+        const layer l = {s->top,      s->corner_load,   front, next,
+                         -s->run * t, -s->run * t_next, s->pad};
         sum += weight * layer_integral(&l);
         front = next;
         t = t_next;
@@ -218,14 +274,15 @@ static double falling(const step *s)
     return slip != 0 ? sum + sweep(s, slip, start, 1) : sum;
 }
 
-double rw_dissipation(const rw_memory *memory, double load, double shear, double corner_load)
+double rw_dissipation(const rw_memory *memory, double load, double shear, const rw_geometry *g)
 {
     const rw_corner *end = rw_memory_end(memory);
     const step s = {.memory = memory,
                     .top = end->load,
                     .run = load - end->load,
                     .rise = shear - end->shear,
-                    .corner_load = corner_load};
+                    .corner_load = RW_HALF_PI * g->a * rw_unit_stress(g),
+                    .pad = g->pad ? g : NULL};
     if (s.run < 0)
         return falling(&s);
     if (fabs(s.rise) <= s.run + rw_memory_tolerance(load))

@@ -3,11 +3,13 @@
 #ifndef RW_DISSIPATION_H
 #define RW_DISSIPATION_H
 
+#include "formulas/size.h"
 #include "history/memory.h"
 
 /* In the straight step from the end of the path to (load, shear): the integral of |p|
- * |d(slip)|/f over the contact, times pi/A. corner_load is the load (pi/2) a theta/A under which
- * the contact reaches the end of the rounding. Not negative, but for rounding. */
-double rw_dissipation(const rw_memory *memory, double load, double shear, double corner_load);
+ * |d(slip)|/f over the contact, times pi/A. Of a symmetric pad, centred. Not negative, but for
+ * rounding. */
+double rw_dissipation(const rw_memory *memory, double load, double shear,
+                      const rw_geometry *geometry);
 
 #endif

@@ -74,3 +74,14 @@ def test_what_is_no_profile_is_refused_with_the_place(x, slope, said):
 def test_what_is_no_flat_pad_is_refused(a, R, named):
     with pytest.raises(rwedge.Error, match=named):
         rwedge.Contact.flat(a, R, A, F)
+
+
+@pytest.mark.parametrize("made", [rwedge.Contact.cylinder, lambda *given, **more: rwedge.Contact.flat(1.0, *given, **more)])
+def test_loads_without_a_closed_form_are_computed_unless_the_tolerance_is_0(made):
+    usual, strict = made(50.0, A, F), made(50.0, A, F, tolerance=0)
+    for contact in usual, strict:
+        contact.load(P=100)
+    usual.load(P=100, Q=3, sigma=40)
+    assert 0 < usual.error < 1e-3
+    with pytest.raises(rwedge.PathError, match="or have it computed"):
+        strict.load(P=100, Q=3, sigma=40)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "inverse.h"
 
+#include "sliding.h"
+
 #include "number/number.h"
 
 #include <math.h>
@@ -84,6 +86,15 @@ static bool find_in_proportion(const contact_case *setup, int input, double safe
     return true;
 }
 
+/* ---- Of other pads ---- */
+
+static bool find_of_pad(const contact_case *setup, int input, double safety, double *value,
+                        char complaint[COMPLAINT_SIZE])
+{
+    *value = sliding_find(setup, input, safety);
+    return *value > 0 ? true : refuse("none is found, as far as the pad is known", complaint);
+}
+
 /* ---- Together ---- */
 
 static bool is_centred(const input_texts *texts)
@@ -119,8 +130,6 @@ static bool read_rest(const input_texts *texts, int input, contact_case *setup,
     rest.text[INPUT_Q] = NULL;
     if (!case_read(&rest, CASE_OF_SOLVE, setup, complaint))
         return false;
-    if (!pad_has_formulas(&setup->shape))
-        return refuse("of a flat pad or a profile it is not looked for", complaint);
     return isnan(setup->k) ? refuse("no yield stress is given", complaint) : true;
 }
 
@@ -130,8 +139,9 @@ bool inverse_find(const input_texts *texts, int input, double safety, contact_ca
     char text[NUMBER_SIZE];
     input_texts all = *texts;
     if (!read_rest(texts, input, setup, complaint) ||
-        !(input == INPUT_F ? find_friction(setup, safety, value, complaint)
-                           : find_in_proportion(setup, input, safety, value, complaint)))
+        !(!pad_has_formulas(&setup->shape) ? find_of_pad(setup, input, safety, value, complaint)
+          : input == INPUT_F               ? find_friction(setup, safety, value, complaint)
+                             : find_in_proportion(setup, input, safety, value, complaint)))
         return false;
     number_write(*value, NUMBER_DIGITS, '.', text);
     put(&all, input, text);

@@ -5,9 +5,17 @@
 
 static const double SQRT_3 = 1.7320508075688772;
 
-/* What a load does that slides to the side of Q. */
+/* The case with another value of an input, P, f or the radius, that slides to the side of Q under
+ * so many times P. */
 typedef struct {
-    double P, b, tension;
+    const contact_case *setup;
+    int input;
+    double k, times;
+} search;
+
+/* What it does then. */
+typedef struct {
+    double value, b, tension;
     double excess; /* logarithm of the yield factor: 0 at first yield; -inf at a kink */
     double x, y;
 } sliding;
@@ -29,32 +37,38 @@ static int32_t look(const contact_case *setup, double k, const rwedge_contact *c
     return RWEDGE_OK;
 }
 
-static int32_t slide(const contact_case *setup, double k, double P, sliding *at)
+static int32_t slide(const search *s, double value, sliding *at)
 {
+    contact_case changed = *s->setup;
+    *(s->input == INPUT_P   ? &changed.P
+      : s->input == INPUT_F ? &changed.f
+                            : &changed.shape.radius) = value;
+    const double P = s->times * changed.P;
     rwedge_contact *contact = NULL;
-    int32_t status = case_contact(setup, &contact);
-    at->P = P;
+    int32_t status = case_contact(&changed, &contact);
+    at->value = value;
     if (status == RWEDGE_OK)
-        status = rwedge_contact_load(contact, P, copysign(setup->f * P, setup->Q));
+        status = rwedge_contact_load(contact, P, copysign(changed.f * P, changed.Q));
     if (status == RWEDGE_OK)
-        status = look(setup, k, contact, at);
+        status = look(&changed, s->k, contact, at);
     rwedge_contact_destroy(contact);
     return status;
 }
 
-/* Of Hertz' contact the stress grows with the root of P. */
-static double next_load(const sliding *at)
+/* Of Hertz' contact the stress grows with the root of P, and falls with that of the radius. */
+static double next_value(const search *s, const sliding *at)
 {
+    const double way = s->input == INPUT_RADIUS ? -at->excess : at->excess;
     const double STEP_LEAST = 0.2, STEP_MOST = 6;
     const double step = fmin(STEP_MOST, fmax(STEP_LEAST, 2.2 * fabs(at->excess)));
-    return at->P * exp(copysign(step, at->excess));
+    return at->value * exp(copysign(step, way));
 }
 
-static bool bracket(const contact_case *setup, sliding *from, sliding *to)
+static bool bracket(const search *s, sliding *from, sliding *to)
 {
     enum { STEPS_MOST = 60 };
     for (int i = 0; i < STEPS_MOST; i++) {
-        if (slide(setup, setup->k, next_load(from), to) != RWEDGE_OK)
+        if (slide(s, next_value(s, from), to) != RWEDGE_OK)
             return false;
         if (to->excess * from->excess <= 0)
             return true;
@@ -63,21 +77,21 @@ static bool bracket(const contact_case *setup, sliding *from, sliding *to)
     return false;
 }
 
-/* The rule of the false position, by Illinois, in the logarithms. P is NAN where there is no such
- * load as far as the pad is known. */
-static sliding first_yield(const contact_case *setup, const sliding *present)
+/* The rule of the false position, by Illinois, in the logarithms. The value is NAN where
+ * there is no such one as far as the pad is known. */
+static sliding first_yield(const search *s, const sliding *present)
 {
     enum { ROUNDS = 60 };
     const double CLOSE = 1e-12;
     sliding from = *present, to, next = *present;
-    if (isinf(from.excess) || !bracket(setup, &from, &to)) {
-        next.P = isinf(from.excess) ? 0 : NAN;
+    if (isinf(from.excess) || !bracket(s, &from, &to)) {
+        next.value = isinf(from.excess) ? 0 : NAN;
         return next;
     }
     for (int i = 0; i < ROUNDS && fabs(to.excess) > CLOSE; i++) {
-        const double ratio = log(to.P / from.P);
-        const double P = to.P * exp(-ratio * to.excess / (to.excess - from.excess));
-        if (P == to.P || slide(setup, setup->k, P, &next) != RWEDGE_OK)
+        const double ratio = log(to.value / from.value);
+        const double value = to.value * exp(-ratio * to.excess / (to.excess - from.excess));
+        if (value == to.value || slide(s, value, &next) != RWEDGE_OK)
             break;
         if (next.excess * to.excess < 0)
             from = to;
@@ -93,7 +107,8 @@ int32_t results_of_sliding(const contact_case *setup, cell row[])
     sliding now;
     const bool strong = !isnan(setup->k);
     const double k = strong ? setup->k : 1 / setup->A;
-    const int32_t status = slide(setup, k, setup->P, &now);
+    const search loads = {setup, INPUT_P, k, 1};
+    const int32_t status = slide(&loads, setup->P, &now);
     if (status != RWEDGE_OK)
         return status;
     row[RESULT_TENSION_SLIDING] = cell_number(now.tension);
@@ -101,13 +116,20 @@ int32_t results_of_sliding(const contact_case *setup, cell row[])
     row[RESULT_P_OVER_BK] = cell_number(setup->P / now.b / k * exp(now.excess));
     if (!strong)
         return RWEDGE_OK;
-    const sliding yield = first_yield(setup, &now);
-    row[RESULT_P_YIELD] = cell_number(yield.P);
-    row[RESULT_SAFETY] = cell_number(yield.P / setup->P);
-    if (isnan(yield.P))
+    const sliding yield = first_yield(&loads, &now);
+    row[RESULT_P_YIELD] = cell_number(yield.value);
+    row[RESULT_SAFETY] = cell_number(yield.value / setup->P);
+    if (isnan(yield.value))
         return RWEDGE_OK;
     row[RESULT_YIELD_X] = cell_number(yield.x);
     row[RESULT_YIELD_Y] = cell_number(yield.y);
     row[RESULT_YIELD_BRANCH] = cell_text(yield.y > 0 ? "subsurface" : "surface");
     return RWEDGE_OK;
+}
+
+double sliding_find(const contact_case *setup, int input, double safety)
+{
+    const search values = {setup, input, setup->k, safety};
+    sliding now;
+    return slide(&values, 1, &now) == RWEDGE_OK ? first_yield(&values, &now).value : NAN;
 }

@@ -115,8 +115,32 @@ refuses "rwedge history: --hull: needs --profile" history loads.csv $steel --f 0
 printf 'P\n1\n' >cases.csv
 refuses "rwedge solve: --hull: needs --profile, or a column profile" solve -i cases.csv $steel --hull --radius 1
 refuses "rwedge solve: --output worn.csv: it is the input; allowed: another file" solve $steel $loads --profile worn.csv -o worn.csv
-cannot "rwedge solve: no solution: of a flat pad or a profile it is not looked for" \
-    solve $steel --P 300 --profile worn.csv --k 500 --for f --safety 2
+for option in radius=100 P=150 f=0.3; do # found, and then given
+    name=${option%=*} rest=
+    for other in radius=100 P=150 f=0.3; do
+        [ "$other" = "$option" ] || rest="$rest --${other%=*} ${other#*=}"
+    done
+    does solve $steel --flat 1 $rest --k 500 --for $name --safety 1.5
+    close_to "safety with the $name found" 1.5 "$(value safety)" 1e-10
+    run solve $steel --flat 1 $rest --k 500 --$name "$(value $name)"
+    close_to "safety with the $name given" 1.5 "$(value safety)" 1e-10
+done
+does solve $steel --profile worn.csv --P 300 --k 900 --for f --safety 1.1
+close_to "safety of a profile" 1.1 "$(value safety)" 1e-10
+cannot "rwedge solve: no solution: none is found, as far as the pad is known" \
+    solve $steel --flat 1 --radius 100 --P 300 --k 500 --for f --safety 900
+
+# A tension that lags behind Q has no closed form: it is computed, of any pad, unless that is refused.
+printf 'P,Q,sigma\n150,0,0\n150,5,40\n150,20,20\n' >lags.csv
+for pad in "--flat 1 --radius 100" "--profile worn.csv"; do
+    does history lags.csv $steel $pad --f 0.3
+    same "computed" "0 1" "$(column error out | awk 'NR < 3 { print ($1 > 0 && $1 < 1e-3) }' | paste -s -d ' ' -)"
+    message_has "computed numerically: tractions to about "
+    run history lags.csv $steel $pad --f 0.3 --exact
+    status_is 1
+    message_has "rwedge history: lags.csv: line 3: no closed form: "
+    message_has "without --exact it is computed"
+done
 cannot "rwedge solve: b: the contact would reach farther than the radius, or results leave 1e-60 to 1e60" \
     solve $steel --P 1e9 --flat 1 --radius 1
 bad() { # MESSAGE LINES

@@ -177,6 +177,44 @@ CLAIM(a_centred_pad_dissipates_as_its_wedge)
     }
 }
 
+/* P and Q change together, up and down, to full sliding and to separation. */
+CLAIM(a_symmetric_pad_dissipates_as_its_wedge_while_P_changes)
+{
+    const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
+    const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
+    const double loads[][2] = {{0.2, 0},     {0.2, 0.04},  {0.14, 0.05}, {0.3, -0.05}, {0.25, 0.03},
+                               {0.4, -0.02}, {0.1, 0.045}, {0.1, 0.05},  {0.08, 0.04}, {0.3, 0.1},
+                               {0.2, 0.02},  {0.2, 0.02},  {0, 0}};
+    rwedge_contact *wedge = create(a, F), *pad = profile(4, x, slope);
+    for (int i = 0; i < 13; i++) {
+        load(wedge, loads[i][0], loads[i][1]);
+        load(pad, loads[i][0], loads[i][1]);
+        assert_close(rwedge_contact_dissipated_energy(pad), rwedge_contact_dissipated_energy(wedge),
+                     1e-10);
+    }
+}
+
+/* Over a closed cycle of P and Q it is the area of the loop of Q over the displacement. */
+CLAIM(a_flat_pads_loop_encloses_its_energy)
+{
+    enum { A_CYCLE = 100 };
+    rwedge_contact *contact = flat(0.7);
+    load(contact, 0.5, 0);
+    double before = 0, area = 0, last = 0, Q_last = 0;
+    for (int i = 0; i <= 2 * A_CYCLE; i++) {
+        const double phase = 2 * PI * i / A_CYCLE, Q = 0.15 * sin(phase);
+        load(contact, 0.5 + 0.1 * cos(phase), Q);
+        const double now = rwedge_contact_displacement(contact, 10);
+        if (i > A_CYCLE)
+            area += (Q + Q_last) / 2 * (now - last);
+        if (i == A_CYCLE)
+            before = rwedge_contact_dissipated_energy(contact);
+        last = now;
+        Q_last = Q;
+    }
+    assert_close(area, rwedge_contact_dissipated_energy(contact) - before, 1e-3);
+}
+
 CLAIM(the_sharp_wedge_is_a_kink)
 {
     const double x[] = {0, 0}, slope[] = {-THETA, THETA}, y = 0;

@@ -230,16 +230,33 @@ static int32_t status_of(rw_step_result result)
                                          : RWEDGE_ENOCONV;
 }
 
+/* While the load is a part of what it will be, an error is as small a part of the peak at last as
+ * the peak is then. */
+static rw_step_result step_of_touch(rw_numerical *n, const rw_frame *frame, rw_course at,
+                                    double last_peak)
+{
+    static const double LOOSEST = 1e-2;
+    const double before = rw_peak_friction(frame, n->now.contact);
+    const double peak = rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M));
+    const rw_frame loose = rw_frame_of(frame->arcs, frame->f,
+                                       fmin(LOOSEST, frame->tolerance * fmax(1, last_peak / peak)));
+    rw_numerical_rescale(n, before / peak);
+    return rw_numerical_step(n, &loose, at);
+}
+
 static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_course to, bool touches)
 {
     const rw_course from = n->now.at;
-    for (double part = touches ? 4 * FIRST_TOUCH : 1; part < 1; part *= 4) {
-        const rw_step_result result = rw_numerical_step(
-            n, frame, part_of(from, to, (part - FIRST_TOUCH) / (1 - FIRST_TOUCH)));
-        if (result != RW_STEP_DONE)
-            return result;
-    }
-    return rw_numerical_step(n, frame, to);
+    if (!touches)
+        return rw_numerical_step(n, frame, to);
+    const double last_peak =
+        rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, to.P, to.M));
+    rw_step_result result = RW_STEP_DONE;
+    for (double part = 4 * FIRST_TOUCH; part <= 1 && result == RW_STEP_DONE; part *= 4)
+        result = step_of_touch(
+            n, frame, part < 1 ? part_of(from, to, (part - FIRST_TOUCH) / (1 - FIRST_TOUCH)) : to,
+            last_peak);
+    return result;
 }
 
 /* The contact is as it was where its edges are. */

@@ -96,6 +96,13 @@ double rw_numerical_error(const rw_numerical *n)
     return CAUTION * most + n->rest;
 }
 
+void rw_numerical_rescale(rw_numerical *n, double factor)
+{
+    n->rest *= factor;
+    for (int i = 0; i < RW_PLACES; i++)
+        n->error[i] *= factor;
+}
+
 static bool sticks_at(const rw_zones *zones, double x)
 {
     int i = 0;

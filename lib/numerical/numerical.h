@@ -31,6 +31,9 @@ rw_step_result rw_numerical_step(rw_numerical *numerical, const rw_frame *frame,
 /* Over f times the peak pressure. */
 double rw_numerical_error(const rw_numerical *numerical);
 
+/* The peak pressure has changed: its errors are so many times as large. */
+void rw_numerical_rescale(rw_numerical *numerical, double factor);
+
 /* The slip of a place in contact, over theta. */
 double rw_numerical_slip(const rw_numerical *numerical, double x);
 

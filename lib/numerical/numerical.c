@@ -132,22 +132,38 @@ static void note_error(rw_numerical *n, const rw_stance *s)
 
 /* ---- New places in contact ---- */
 
+/* A step in two halves. */
 typedef struct {
-    const rw_numerical *numerical; /* before the step */
-    const rw_stance *now;
+    const rw_numerical *numerical; /* before it */
+    const rw_stance *half, *now;
 } growth;
 
-/* A place that comes into contact has not slipped. */
+static bool touches(const rw_stance *s, double x)
+{
+    return x >= s->contact.left && x <= s->contact.right;
+}
+
+/* Minus the displacement when an edge of the contact came to a place, between two stances. */
+static double origin_between(const rw_stance *from, const rw_stance *to, double x)
+{
+    const double part = x > from->contact.right
+                            ? (x - from->contact.right) / (to->contact.right - from->contact.right)
+                            : (x - from->contact.left) / (to->contact.left - from->contact.left);
+    return -(1 - part) * displacement(from, x) - part * displacement(to, x);
+}
+
+/* A place that comes into contact has not slipped then. */
 static double origin_after(double x, const void *context)
 {
     const growth *g = context;
-    const rw_patch before = g->numerical->now.contact;
-    if (x >= before.left && x <= before.right)
-        return rw_traction_at(&g->numerical->origin, x);
-    return -displacement(g->now, x);
+    const rw_stance *old = &g->numerical->now;
+    return touches(old, x)       ? rw_traction_at(&g->numerical->origin, x)
+           : touches(g->half, x) ? origin_between(old, g->half, x)
+                                 : origin_between(g->half, g->now, x);
 }
 
-static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance *now)
+static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance *half,
+                         const rw_stance *now)
 {
     const rw_patch before = n->now.contact, contact = now->contact;
     const bool is_inside = contact.left >= before.left && contact.right <= before.right;
@@ -156,10 +172,12 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
     double at[6];
     size_t count = 0;
     rw_traction origin = {0};
-    const growth g = {n, now};
-    const double all[] = {contact.left, fmax(contact.left, before.left),
-                          fmin(contact.right, before.right), contact.right};
-    for (size_t i = 0; i < 4; i++)
+    const growth g = {n, half, now};
+    const double left = fmax(contact.left, before.left), right = fmin(contact.right, before.right);
+    const double all[] = {
+        contact.left, fmin(left, fmax(contact.left, half->contact.left)),    left,
+        right,        fmax(right, fmin(contact.right, half->contact.right)), contact.right};
+    for (size_t i = 0; i < 6; i++)
         if (count == 0 || all[i] > at[count - 1])
             at[count++] = all[i];
     if (!rw_traction_fit(&origin, origin_after, &g, count, at, slip_tolerance(frame, now))) {
@@ -180,9 +198,9 @@ enum { HALVINGS = 9 };
 static const double ELEMENTS = 1e-2;
 
 /* Takes over where a step has led. */
-static bool accept(rw_work *w, rw_numerical *n, rw_stance *now)
+static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance *now)
 {
-    if (!renew_origin(n, w->frame, now)) {
+    if (!renew_origin(n, w->frame, half, now)) {
         w->is_short = true;
         rw_shear_state_destroy(&now->shear);
         return false;
@@ -299,9 +317,10 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
     const rw_zones zones = whole->is_known ? whole->stance.shear.zones : n->now.shear.zones;
     trial half = try_step(w, &n->now, middle, &zones, is_last), both = {.is_known = false};
     if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.stance, &whole->stance)) {
+        const bool is_done = accept(w, n, &half.stance, &whole->stance);
         whole->is_known = false;
         drop(&half);
-        return accept(w, n, &whole->stance);
+        return is_done;
     }
     if (half.is_known && whole->is_known)
         both = try_step(w, &half.stance, to, &zones, is_last);
@@ -309,8 +328,9 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
         both.is_known && compare(w->frame, &whole->stance, &half.stance, &both.stance);
     drop(whole);
     if (is_close || (both.is_known && is_last)) {
+        const bool is_done = accept(w, n, &half.stance, &both.stance);
         drop(&half);
-        return accept(w, n, &both.stance);
+        return is_done;
     }
     drop(&both);
     if (is_last || w->is_short) {

@@ -83,8 +83,11 @@ int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads, const d
         return RWEDGE_ENULL;
     if (loads == 0 || loads > SIZE_MAX / LISTS / sizeof *P)
         return RWEDGE_ERANGE;
+    int32_t status;
+    if (rw_kept_cycle(contact, &list, RW_STRESS_ALONE, &status))
+        return status;
     kept_cycle *kept = create(&list);
-    const int32_t status = kept ? go_through(contact, &list, kept) : RWEDGE_ENOMEM;
+    status = kept ? go_through(contact, &list, kept) : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
         rw_contact_drop_kept(contact);
         contact->kept = &kept->head;

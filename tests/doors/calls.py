@@ -213,9 +213,7 @@ def objects():
                 for f in readers:
                     sample(f, 1 if maker.method != "create" else 2, present)
             for f in others:
-                if maker.method != "create" and f.method == "allow_error":
-                    continue  # another pad is not computed numerically, nor is its copy
-                sample(f, 2)
+                sample(f, 2, present if f.method == "keep_cycle" else {})
                 present = {**present, **loads_after(f, sampled(f, 1))}
                 for reader in readers:
                     sample(reader, 1, present)

@@ -81,7 +81,7 @@ def test_loads_without_a_closed_form_are_computed_unless_the_tolerance_is_0(made
     usual, strict = made(50.0, A, F), made(50.0, A, F, tolerance=0)
     for contact in usual, strict:
         contact.load(P=100)
-    usual.load(P=100, Q=3, sigma=40)
+    usual.apply(P=100, M=0, Q=3, sigma=40)
     assert 0 < usual.error < 1e-3
     with pytest.raises(rwedge.PathError, match="or have it computed"):
-        strict.load(P=100, Q=3, sigma=40)
+        strict.apply(P=100, M=0, Q=3, sigma=40)

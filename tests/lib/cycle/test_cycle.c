@@ -427,6 +427,16 @@ CLAIM(a_kept_cycle_gives_the_bits_of_one_that_is_not)
     assert_same_answers(contact, plain, &cycle);
 }
 
+/* The second call used states that it then freed. */
+CLAIM(a_cycle_is_kept_again)
+{
+    const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0), 0.8, 0, -0.3, 0);
+    rwedge_contact *contact = after(0.4, &cycle, 1), *plain = copy_of(contact);
+    assert_ok(keep(contact, &cycle));
+    assert_ok(keep(contact, &cycle));
+    assert_same_answers(contact, plain, &cycle);
+}
+
 CLAIM(stresses_of_a_cycle_are_kept_where_its_slip_is_not_known)
 {
     const loads cycle = add(add((loads){0}, 0.5, 0, 0.1, 0), 0, 0, 0, 0);

@@ -71,7 +71,7 @@ static void sign(contact_state s)
     s.number[1] = (double)(sum >> 12);
 }
 
-/* Every function, within a second of the processor's time. */
+/* Every function, within seconds of the processor's time, also where nothing is optimised. */
 static void use(rwedge_contact *contact)
 {
     enum { N = 9 };
@@ -102,7 +102,7 @@ static void use(rwedge_contact *contact)
         (void)rwedge_contact_apply(contact, next[i].P, next[i].M, next[i].Q, next[i].sigma);
         (void)rwedge_contact_slip(contact, N, x, s);
     }
-    assert_true(clock() - start < CLOCKS_PER_SEC);
+    assert_true(clock() - start < 5 * CLOCKS_PER_SEC);
 }
 
 static bool is_usable(contact_state s)

@@ -457,8 +457,8 @@ RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double to
  * grows with the loads that the tractions still depend on, and may pass the tolerance. Nearer to a
  * front of slip, or to where one has been, than a hundredth of the half-width q may err by more: it
  * rises there like a root. Elsewhere q erred by less than is told in 95 of 100 random histories of
- * P, M, Q and sigma. In the others slip turned back within a load, and q erred by up to 6 times as
- * much, once by 40 times: smaller loads are safer.                                             new
+ * P, M, Q and sigma. In the others it erred by up to 6 times as much, in one by 44 times: smaller
+ * loads are safer.                                                                             new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 

@@ -18,7 +18,7 @@ in_c()
         "$here/test/speed.c" "$@" ../lib/librwedge_inside.a $(pkg-config --libs gsl lapack) -lm -o "$program"
 }
 in_c speed-widest
-in_c speed-two -DRW_BASELINE "$top/lib/stress/batch.c" "$top/lib/stress/eccentric_batch.c"
+in_c speed-two -DRW_BASELINE "$top/lib/potential/batch.c" "$top/lib/potential/eccentric_batch.c"
 echo 'ns a point or call                      C, widest  C, of two  JavaScript'
 { ./speed-widest && ./speed-two && node installed/speed.mjs; } | awk -F ': ' '
     { time[$1, ++count[$1]] = $2 }

@@ -7,7 +7,7 @@
 #include "formulas/size.h"
 #include "history/path.h"
 #include "numerical/numerical.h"
-#include "stress/pad_potential.h"
+#include "potential/pad_potential.h"
 #include "rwedge.h"
 
 typedef struct {

@@ -2,7 +2,7 @@
 /* The tractions and stresses of a contact: sums over the patches of its memory. */
 #include "formulas/pressure.h"
 #include "contact/contact.h"
-#include "numerical/transform.h"
+#include "traction/transform.h"
 #include "stress/stress.h"
 
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)

@@ -5,7 +5,7 @@
 #include "contact/neighbourhood.h"
 
 #include "base/domain.h"
-#include "stress/eccentric_form.h"
+#include "potential/eccentric_form.h"
 
 /* In radii of the disc. */
 static const double FAR = 5, INTERVAL = 2;

@@ -9,7 +9,7 @@
  *
  * Off the centre it is the slip of a place, and what the tractions do there. */
 #include "contact/contact.h"
-#include "numerical/transform.h"
+#include "traction/transform.h"
 
 /* int P(s)/s ds from 0 to s, in theta/A. */
 static double load_integral(double a, double s)

@@ -13,7 +13,7 @@
 
 #include "base/domain.h"
 #include "formulas/patch.h"
-#include "stress/far_series.h"
+#include "potential/far_series.h"
 #include "base/integral.h"
 
 #include <float.h>

@@ -3,7 +3,7 @@
 #ifndef RW_GAP_H
 #define RW_GAP_H
 
-#include "stress/potential.h"
+#include "potential/potential.h"
 
 /* How far the profile h(x) lies above the surface that a contact of half-width 1 has deformed,
  * at x >= 0, in theta:

@@ -14,7 +14,7 @@
 
 #include "base/integral.h"
 #include "base/logarithm.h"
-#include "stress/eccentric.h"
+#include "potential/eccentric.h"
 
 /* ---- The gap, on the right of a patch ---- */
 

@@ -2,7 +2,7 @@
 #include "numerical/numerical.h"
 
 #include "base/domain.h"
-#include "numerical/transform.h"
+#include "traction/transform.h"
 
 #include <string.h>
 

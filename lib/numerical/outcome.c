@@ -2,7 +2,7 @@
 #include "numerical/outcome.h"
 
 #include "base/domain.h"
-#include "numerical/transform.h"
+#include "traction/transform.h"
 
 #include <stdlib.h>
 

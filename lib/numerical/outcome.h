@@ -4,8 +4,8 @@
 #ifndef RW_OUTCOME_H
 #define RW_OUTCOME_H
 
-#include "numerical/fronts.h"
-#include "numerical/grid.h"
+#include "fronts/fronts.h"
+#include "fronts/grid.h"
 
 typedef struct {
     rw_shear_state state;

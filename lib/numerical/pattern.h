@@ -4,7 +4,7 @@
 #ifndef RW_PATTERN_H
 #define RW_PATTERN_H
 
-#include "numerical/problem.h"
+#include "fronts/problem.h"
 
 /* Neighbours of one label become one zone; two zones that slip opposite ways get a place between
  * them that sticks, of at most the width `least` to either side. false where they are too many. */

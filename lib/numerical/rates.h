@@ -6,7 +6,7 @@
 #ifndef RW_RATES_H
 #define RW_RATES_H
 
-#include "numerical/fronts.h"
+#include "fronts/fronts.h"
 
 /* The largest slip that goes the wrong way, over the half-width, and by how much the traction of
  * edges that stick after the step passes friction: if the rates last for as much as the problem

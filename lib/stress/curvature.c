@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stress/curvature.h"
 
-#include "stress/closed_form.h"
+#include "potential/closed_form.h"
 
 #include <complex.h>
 

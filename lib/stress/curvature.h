@@ -3,7 +3,7 @@
 #ifndef RW_CURVATURE_H
 #define RW_CURVATURE_H
 
-#include "stress/potential.h"
+#include "potential/potential.h"
 
 /* K = y^2 G'' and L = y^3 G''', which are algebraic. */
 typedef struct {

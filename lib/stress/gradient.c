@@ -14,8 +14,8 @@
 #include "base/complex.h"
 #include "base/integral.h"
 #include "rwedge.h"
-#include "stress/closed_form.h"
-#include "stress/far_series.h"
+#include "potential/closed_form.h"
+#include "potential/far_series.h"
 
 /* Two potentials of the right half. */
 typedef struct {

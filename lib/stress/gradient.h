@@ -3,7 +3,7 @@
 #ifndef RW_GRADIENT_H
 #define RW_GRADIENT_H
 
-#include "stress/potential.h"
+#include "potential/potential.h"
 
 /* d/dx of G and of H = y G', by the unit of the points; d/dy follows, as both are made of what is
  * analytic. Not at the edges and at the corners of the rounding: there G' is infinite. */

@@ -5,7 +5,7 @@
 #include "rwedge.h"
 
 #include "base/domain.h"
-#include "stress/elliptic.h"
+#include "potential/elliptic.h"
 #include "base/least_squares.h"
 #include "stress/stress.h"
 

@@ -6,7 +6,7 @@
  * same profile pressed to the half-width c of the stick zone. */
 #include "stress/stress.h"
 
-#include "stress/batch.h"
+#include "potential/batch.h"
 #include "base/domain.h"
 #include "base/inline.h"
 #include "stress/gradient.h"

@@ -4,7 +4,7 @@
 #ifndef RW_STRESS_H
 #define RW_STRESS_H
 
-#include "stress/potential.h"
+#include "potential/potential.h"
 
 /* Mean stress s = (sxx+syy)/2 and deviator D = (syy-sxx)/2 + i txy. */
 typedef struct {

@@ -23,7 +23,7 @@ processor_has avx512dq && processor_has avx512vl && vectors="$vectors -mavx512f,
 # The tests are compiled without optimisation, so that their own comparisons raise nothing.
 build_tests()
 {
-    for test in host/test_calls host/calls/calls host/calls/draw host/calls/edges host/calls/together host/calls/sequences lib/stress/test_batches support/claims support/main support/quadrature; do
+    for test in host/test_calls host/calls/calls host/calls/draw host/calls/edges host/calls/together host/calls/sequences lib/potential/test_batches support/claims support/main support/quadrature; do
         "$1" -std=c99 -D_XOPEN_SOURCE=700 -DTEST_DATA='"tests/data"' -Iinclude -I"$build/made/c" -Itests/host/calls -Itests/support -Ilib -c "tests/$test.c" \
             -o "$work/$(basename "$test").o"
     done

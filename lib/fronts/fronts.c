@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fronts/fronts.h"
+
+#include "base/domain.h"
+#include "base/linear.h"
+
+#include <string.h>
+
+/* Chebyshev points on a gap, and terms of X there. */
+enum { GAP_POINTS = 40, GAP_TERMS = 48 };
+
+/* An edge that moves by less of the half-width has one D. */
+static const double LEAST_GROWTH = 1e-4;
+
+/* The layers that make D at the edges that stick: after the step, and, where it is known, before.
+ * As many of them as there are conditions. */
+static bool find_layers(rw_fronts *f, const double ratio[2])
+{
+    const rw_problem *p = f->problem;
+    double A[RW_LAYERS * RW_LAYERS], B[3][RW_LAYERS] = {{0}};
+    int n = 0, column = 1;
+    int row_side[RW_LAYERS], row_after[RW_LAYERS];
+    for (int side = 0; side < 2; side++) {
+        if (!f->sticks_to_edge[side])
+            continue;
+        const double growth = side ? p->to.right - p->from.right : p->from.left - p->to.left;
+        row_side[n] = side, row_after[n] = 1;
+        B[column++][n++] = 1;
+        if (!isfinite(ratio[side]) || growth < LEAST_GROWTH * p->half)
+            continue;
+        row_side[n] = side, row_after[n] = 0;
+        B[0][n++] = ratio[side];
+    }
+    for (int i = 0; i < 3; i++) {
+        f->layer_of[i].count = n;
+        for (int row = 0; row < n; row++)
+            for (int k = 0; k < n; k++)
+                A[row * n + k] = p->ratio[k][row_side[row]][row_after[row]];
+        if (n > 0 && !rw_solve((size_t)n, A, B[i]))
+            return false;
+        memcpy(f->layer_of[i].weight, B[i], sizeof B[i]);
+    }
+    return true;
+}
+
+bool rw_fronts_begin(rw_fronts *f, const rw_problem *p, const rw_zones *zones,
+                     const double ratio[2])
+{
+    if (f->problem != p)
+        rw_fronts_forget(f);
+    f->problem = p;
+    f->zones = zones->count;
+    f->fronts = zones->count - 1;
+    f->sticks = 0;
+    f->segments = 0;
+    f->count = 0;
+    for (int i = 0; i < zones->count; i++) {
+        f->label[i] = zones->zone[i].label;
+        f->sticks += f->label[i] == 0;
+        if (i > 0 && (f->label[i] == 0) == (f->label[i - 1] == 0))
+            return false;
+    }
+    f->sticks_to_edge[0] = f->label[0] == 0;
+    f->sticks_to_edge[1] = f->label[f->zones - 1] == 0;
+    f->unknowns = f->fronts + f->sticks_to_edge[0] + f->sticks_to_edge[1];
+    if (f->sticks == 0 || f->sticks > RW_MOST_STICK || f->unknowns != 2 * f->sticks)
+        return false;
+    for (int i = 0; i < 2; i++)
+        if (f->sticks_to_edge[i] && !p->grows[i])
+            return false;
+    for (int i = 0; i < f->fronts; i++)
+        f->y[i] = rw_angle_of(p, zones->zone[i].right);
+    for (int side = 0, i = f->fronts; side < 2; side++)
+        if (f->sticks_to_edge[side])
+            f->y[i++] = isfinite(ratio[side]) ? ratio[side] : 0;
+    return find_layers(f, ratio);
+}
+
+rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
+{
+    zones->count = f->zones;
+    for (int i = 0; i < f->zones; i++)
+        zones->zone[i] =
+            (rw_zone){f->label[i], i == 0 ? f->problem->to.left : zones->zone[i - 1].right,
+                      i == f->fronts ? f->problem->to.right : rw_place_of(f->problem, f->y[i])};
+    rw_layers layers = f->layer_of[0];
+    for (int i = f->fronts; i < f->unknowns; i++)
+        for (int k = 0; k < layers.count; k++)
+            layers.weight[k] += f->y[i] * f->layer_of[1 + i - f->fronts].weight[k];
+    return layers;
+}
+
+/* ---- The polynomial ---- */
+
+/* Smaller terms, over the largest, are none. */
+static const double LEAST_TERM = 1e-13;
+
+/* X in the gap, over its half-length, as a sum of sines. How many terms count. */
+static int expand_gap(const rw_stuck *sticks, double middle, double half, double c[])
+{
+    enum { TURN = 2 * (GAP_TERMS + 1) };
+    double sampled[GAP_TERMS], sine[TURN], most = 0;
+    int terms = GAP_TERMS;
+    for (int i = 0; i < TURN; i++)
+        sine[i] = sin(2 * RW_PI * i / TURN);
+    for (int i = 0; i < GAP_TERMS; i++)
+        sampled[i] =
+            4.0 / TURN / half * rw_X_at(sticks, middle + half * cos(2 * RW_PI * (i + 1) / TURN));
+    for (int k = 0; k < GAP_TERMS; k++) {
+        c[k] = 0;
+        for (int i = 0; i < GAP_TERMS; i++)
+            c[k] += sampled[i] * sine[(k + 1) * (i + 1) % TURN];
+        most = fmax(most, fabs(c[k]));
+    }
+    while (terms > 1 && !(fabs(c[terms - 1]) > LEAST_TERM * most))
+        terms--;
+    return terms;
+}
+
+/* int over a slip zone between two that stick of X (1/pi) int [dt/X]/(s - x) ds dx: the inner
+ * integral over x is a Chebyshev series of X/sqrt((x - a)(b - x)). */
+static double gap_of_change(const rw_fronts *f, const rw_stuck *sticks, double a, double b)
+{
+    const double half = (b - a) / 2, middle = (a + b) / 2;
+    double c[GAP_TERMS];
+    const int terms = expand_gap(sticks, middle, half, c);
+    double sum = 0;
+    for (size_t i = 0; i < f->count; i++) {
+        const double eta = (f->x[i] - middle) / half;
+        double kernel = 0;
+        if (fabs(eta) <= 1) {
+            double b1 = 0, b2 = 0; /* Clenshaw, of T_1 ... */
+            for (int k = terms - 1; k >= 0; k--) {
+                const double b0 = c[k] + 2 * eta * b1 - b2;
+                b2 = b1;
+                b1 = b0;
+            }
+            kernel = eta * b1 - b2;
+        } else {
+            const double R = 1 / (eta + copysign(sqrt(eta * eta - 1), eta));
+            for (int k = terms - 1; k >= 0; k--)
+                kernel = (kernel + c[k]) * R;
+        }
+        sum += f->step[i] * f->change[i] / f->X[i] * kernel;
+    }
+    return half * sum;
+}
+
+/* The first n coefficients of product (1 - c/z)^(power), power +-1/2. */
+static void expand_at_infinity(int n, int count, const double c[], double power, double series[])
+{
+    for (int i = 0; i < n; i++)
+        series[i] = i == 0;
+    for (int j = 0; j < count; j++) {
+        double factor[RW_MOST_FRONTS + 1] = {1}, product[RW_MOST_FRONTS + 1];
+        for (int k = 1; k < n; k++)
+            factor[k] = factor[k - 1] * c[j] * (k - 1 - power) / k;
+        for (int i = 0; i < n; i++) {
+            product[i] = 0;
+            for (int k = 0; k <= i; k++)
+                product[i] += series[i - k] * factor[k];
+        }
+        memcpy(series, product, (size_t)n * sizeof *series);
+    }
+}
+
+/* Rows of A p = B. */
+static void conditions(const rw_fronts *f, const rw_stuck *s, const double front[], double A[],
+                       double B[])
+{
+    const int m = s->count, n = 2 * m;
+    double shear, stretch;
+    rw_beside_layers(f->problem, &f->layers, &shear, &stretch);
+    double moment[RW_MOST_STICK + 1] = {0}, grown[RW_MOST_FRONTS + 1], shrunk[RW_MOST_FRONTS + 1];
+    for (size_t i = 0; i < f->count; i++) {
+        const double at = (f->x[i] - s->middle) / s->half;
+        double power = f->step[i] * f->change[i] / f->X[i] / s->half;
+        for (int j = 0; j <= m; j++, power *= at)
+            moment[j] += power;
+    }
+    expand_at_infinity(n + 1, n, front, 0.5, grown);
+    expand_at_infinity(n + 1, n, front, -0.5, shrunk);
+    memset(A, 0, (size_t)(n * n) * sizeof *A);
+    for (int row = 0; row <= m; row++) { /* of the power m - 1 - row at infinity */
+        const int power = m - 1 - row;
+        for (int i = m + power; i < n; i++)
+            A[row * n + i] = i - m - power <= n && i >= 0 ? shrunk[i - m - power] : 0;
+        B[row] = (power == 0 ? stretch : 0) - (power == -1 ? shear / (RW_PI * s->half) : 0);
+        for (int j = 0; j <= row; j++)
+            B[row] += grown[row - j] * moment[j] / RW_PI;
+    }
+    for (int k = 0; k + 1 < m; k++) {
+        const double a = s->end[2 * k + 1], b = s->end[2 * k + 2], half = (b - a) / 2;
+        double *row = A + (m + 1 + k) * n;
+        for (int i = 0; i < GAP_POINTS; i++) {
+            const double x = (a + b) / 2 + half * cos(RW_PI * (i + 0.5) / GAP_POINTS);
+            const double at = (x - s->middle) / s->half;
+            double share = sqrt((x - a) * (b - x)) / rw_X_at(s, x) * RW_PI / GAP_POINTS / half;
+            for (int j = 0; j < n; j++, share *= at)
+                row[j] += share;
+        }
+        B[m + 1 + k] = -gap_of_change(f, s, a, b) / half;
+    }
+}
+
+bool rw_fronts_polynomial(const rw_fronts *f, const rw_stuck *s, double front[], double p[])
+{
+    double A[RW_MOST_FRONTS * RW_MOST_FRONTS];
+    for (int i = 0; i < RW_MOST_FRONTS; i++)
+        front[i] = (s->end[i] - s->middle) / s->half;
+    conditions(f, s, front, A, p);
+    return rw_solve((size_t)(2 * s->count), A, p);
+}
+
+void rw_fronts_singular(const rw_stuck *s, const double front[], const double p[], double K[])
+{
+    const int n = 2 * s->count;
+    for (int j = 0; j < n; j++) {
+        double value = 0, apart = 1;
+        for (int i = n - 1; i >= 0; i--)
+            value = value * front[j] + p[i];
+        for (int i = 0; i < n; i++)
+            apart *= i == j ? 1 : fabs(front[i] - front[j]);
+        /* X has the sign (-1)^(m-1-k) on the k-th zone, times i */
+        K[j] = ((s->count - 1 - j / 2) % 2 == 0 ? -1 : 1) * value / sqrt(apart);
+    }
+}
+
+bool rw_fronts_residual(rw_fronts *f, double r[])
+{
+    rw_zones zones;
+    const rw_layers layers = rw_fronts_zones(f, &zones);
+    if (f->budget-- <= 0 || !rw_fronts_collect(f, &zones, &layers, RW_COARSE))
+        return false;
+    const rw_stuck s = rw_stuck_of(f, &zones);
+    const int n = 2 * s.count;
+    double p[RW_MOST_FRONTS], front[RW_MOST_FRONTS], K[RW_MOST_FRONTS];
+    if (!rw_fronts_polynomial(f, &s, front, p))
+        return false;
+    rw_fronts_singular(&s, front, p, K);
+    int count = 0;
+    for (int j = 0; j < n; j++)
+        if (!isfinite(K[j]))
+            return false;
+        else if (!(j == 0 && f->sticks_to_edge[0]) && !(j == n - 1 && f->sticks_to_edge[1]))
+            r[count++] = K[j];
+    if (f->sticks_to_edge[0])
+        r[count++] = K[0];
+    if (f->sticks_to_edge[1])
+        r[count++] = K[n - 1];
+    return true;
+}
+
+/* ---- The traction that sticks ---- */
+
+bool rw_fronts_prepare_stick(rw_fronts *f, const rw_zones *zones, const rw_layers *layers)
+{
+    if (!rw_fronts_collect(f, zones, layers, f->finest))
+        return false;
+    for (size_t i = 0; i < f->count; i++)
+        f->change[i] *= f->step[i] / f->X[i] / RW_PI;
+    return true;
+}
+
+double rw_fronts_stick_traction(const rw_fronts *f, const rw_zones *zones, double x)
+{
+    const rw_stuck s = rw_stuck_of(f, zones);
+    int after = 0; /* zones that stick beyond this one */
+    for (int k = 0; k < s.count; k++)
+        after += x < s.end[2 * k];
+    double sum[2] = {0, 0}; /* the points come in pairs; divisions are done two at a time */
+    for (size_t i = 0; i + 1 < f->count; i += 2)
+        for (size_t k = 0; k < 2; k++) {
+            const double d = f->x[i + k] - x;
+            sum[k] += f->change[i + k] / (d == 0 ? HUGE_VAL : d);
+        }
+    return rw_base_traction(f->problem, &f->layers, x) +
+           (sum[0] + sum[1]) * fabs(rw_X_at(&s, x)) * (after % 2 ? -1 : 1);
+}

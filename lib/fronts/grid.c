@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* With x = middle - half cos(theta) and tau = dt half sin(theta) at the N angles of Chebyshev, the
+ * displacement is K tau pi/N but for a constant, K = (1/pi) [ln 2 + sum (2/k) cos(k theta_i) cos(k
+ * theta_j)]: a function of i - j and one of i + j. Here the factor pi/N is in K, and the sum of tau
+ * over N is the load over pi.
+ *
+ * An active set: what sticks is solved for, together with the rigid move lambda. A place that
+ * passes its bound is set there, one that slips against its traction is released. Each change of
+ * the set lowers the energy of a convex problem. In practice 3 to 20 are enough; sets that still
+ * change are those of places at their bounds to rounding, and either will do. */
+#include "fronts/grid.h"
+
+#include "base/domain.h"
+#include "base/linear.h"
+
+#include <stdlib.h>
+
+enum { TURNS = 100 };
+
+/* Of the scale of traction and of slip: differences are none. */
+static const double NOTHING = 1e-12;
+
+bool rw_grid_create(rw_grid *g, int n)
+{
+    const size_t rows = (size_t)n;
+    double *all = malloc((7 * rows + 2 * rows * rows + 2 * rows) * sizeof *all);
+    int *label = malloc(rows * sizeof *label);
+    if (!all || !label) {
+        free(all);
+        free(label);
+        return false;
+    }
+    *g = (rw_grid){.n = n,
+                   .x = all,
+                   .change = all + rows,
+                   .upper = all + 2 * rows,
+                   .lower = all + 3 * rows,
+                   .strain = all + 4 * rows,
+                   .move = all + 5 * rows,
+                   .right = all + 6 * rows,
+                   .matrix = all + 9 * rows,
+                   .factor = all + 9 * rows + rows * rows,
+                   .label = label};
+    /* cos(pi k d/N) summed: of d = 0 ... 2N - 1, for i - j and i + j + 1 */
+    double *wave = all + 7 * rows, *cosine = all; /* before there are places and changes */
+    for (int i = 0; i < 2 * n; i++)
+        cosine[i] = cos(RW_PI * i / n);
+    for (int d = 0; d < 2 * n; d++) {
+        wave[d] = 0;
+        for (int k = 1; k < n; k++)
+            wave[d] += cosine[k * d % (2 * n)] / k;
+    }
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            g->matrix[i * n + j] = (1 + wave[i > j ? i - j : j - i] + wave[i + j + 1]) / n;
+    return true;
+}
+
+void rw_grid_destroy(rw_grid *g)
+{
+    free(g->x);
+    free(g->label);
+    *g = (rw_grid){0};
+}
+
+static double angle_of(const rw_grid *g, int i)
+{
+    return RW_PI * (i + 0.5) / g->n;
+}
+
+static int old_label(const rw_problem *p, double x)
+{
+    const rw_zones *zones = &p->old->zones;
+    for (int i = 0; i < zones->count; i++)
+        if (x <= zones->zone[i].right)
+            return x >= zones->zone[i].left ? zones->zone[i].label : 0;
+    return 0;
+}
+
+/* After full sliding: all sticks at first. */
+static void release_where_nothing_sticks(rw_grid *g)
+{
+    for (int i = 0; i < g->n; i++)
+        if (g->label[i] == 0)
+            return;
+    for (int i = 0; i < g->n; i++)
+        if (g->label[i] != RW_GONE)
+            g->label[i] = 0;
+}
+
+static double prepare(rw_grid *g, const rw_problem *p, const rw_layers *layers, double stretch)
+{
+    double scale = 0;
+    g->middle = rw_patch_middle(p->both);
+    g->half = rw_patch_half_width(p->both);
+    for (int i = 0; i < g->n; i++) {
+        const double x = g->middle - g->half * cos(angle_of(g, i));
+        const double stretching = g->half * sin(angle_of(g, i));
+        const double F = rw_friction_after(p, x), t = rw_base_traction(p, layers, x);
+        g->x[i] = x;
+        g->upper[i] = (F - t) * stretching;
+        g->lower[i] = (-F - t) * stretching;
+        g->strain[i] = stretch * (x - p->middle);
+        g->label[i] = F > 0 ? old_label(p, x) : RW_GONE;
+        scale = fmax(scale, fmax(fabs(g->upper[i]), fabs(g->lower[i])));
+    }
+    release_where_nothing_sticks(g);
+    return scale;
+}
+
+static double sum_of(int n, const double v[])
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++)
+        sum += v[i];
+    return sum;
+}
+
+static void multiply(const rw_grid *g, const double v[], double product[])
+{
+    for (int i = 0; i < g->n; i++) {
+        product[i] = 0;
+        for (int j = 0; j < g->n; j++)
+            product[i] += g->matrix[i * g->n + j] * v[j];
+    }
+}
+
+/* What slips is at its bound, what sticks at 0 as yet. */
+static void set_bounds(rw_grid *g)
+{
+    for (int i = 0; i < g->n; i++)
+        g->change[i] = g->label[i] == 1    ? g->upper[i]
+                       : g->label[i] == -1 ? g->lower[i]
+                       : g->label[i] == 0  ? 0
+                                           : (g->upper[i] + g->lower[i]) / 2;
+}
+
+/* The change where it sticks: one rigid move, and the whole load. */
+static bool solve_stuck(rw_grid *g, double load)
+{
+    const int n = g->n;
+    size_t count = 0;
+    set_bounds(g);
+    multiply(g, g->change, g->move);
+    double *one = g->right + n, *row = g->factor;
+    for (int i = 0; i < n; i++) {
+        if (g->label[i] != 0)
+            continue;
+        g->right[count] = -g->strain[i] - g->move[i];
+        one[count++] = 1;
+    }
+    if (count == 0)
+        return false;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; g->label[i] == 0 && j < n; j++)
+            if (g->label[j] == 0)
+                *row++ = g->matrix[i * n + j];
+    if (!rw_cholesky(count, g->factor))
+        return false;
+    rw_cholesky_solve(count, g->factor, g->right);
+    rw_cholesky_solve(count, g->factor, one);
+    g->multiplier = (load * n / RW_PI - sum_of(n, g->change) - sum_of((int)count, g->right)) /
+                    sum_of((int)count, one);
+    count = 0;
+    for (int i = 0; i < n; i++)
+        if (g->label[i] == 0) {
+            g->change[i] = g->right[count] + g->multiplier * one[count];
+            count++;
+        }
+    return true;
+}
+
+/* The next sets; whether they are the last. */
+static bool settle(rw_grid *g, double scale)
+{
+    const double nothing = NOTHING * scale;
+    bool is_settled = true;
+    multiply(g, g->change, g->move);
+    for (int i = 0; i < g->n; i++) {
+        g->move[i] += g->strain[i] - g->multiplier;
+        const int before = g->label[i];
+        if (before == 0 && g->change[i] > g->upper[i] + nothing)
+            g->label[i] = 1;
+        else if (before == 0 && g->change[i] < g->lower[i] - nothing)
+            g->label[i] = -1;
+        else if ((before == 1 || before == -1) && before * g->move[i] > nothing)
+            g->label[i] = 0;
+        is_settled = is_settled && g->label[i] == before;
+    }
+    return is_settled;
+}
+
+bool rw_grid_solve(rw_grid *g, const rw_problem *p, const rw_layers *layers)
+{
+    double load, stretch;
+    rw_beside_layers(p, layers, &load, &stretch);
+    const double scale = prepare(g, p, layers, stretch);
+    for (int turn = 0; turn < TURNS; turn++) {
+        if (!solve_stuck(g, load))
+            return false;
+        if (settle(g, scale))
+            break;
+    }
+    return true;
+}
+
+bool rw_grid_zones(const rw_grid *g, const rw_problem *p, rw_zones *zones)
+{
+    zones->count = 0;
+    int last = -1; /* the place before that is in contact */
+    for (int i = 0; i < g->n; i++) {
+        if (g->label[i] == RW_GONE)
+            continue;
+        if (last < 0 || g->label[last] != g->label[i]) {
+            const double middle = (angle_of(g, i) + angle_of(g, last)) / 2;
+            const double from = last < 0 ? p->to.left : g->middle - g->half * cos(middle);
+            if (zones->count == RW_MOST_ZONES)
+                return false;
+            if (zones->count > 0)
+                zones->zone[zones->count - 1].right = from;
+            zones->zone[zones->count++] = (rw_zone){g->label[i], from, p->to.right};
+        }
+        last = i;
+    }
+    return zones->count > 0;
+}
+
+/* Linear in the angle. */
+double rw_grid_change(const rw_grid *g, double x)
+{
+    const double cosine = fmax(-1, fmin(1, (g->middle - x) / g->half));
+    const double place = acos(cosine) * g->n / RW_PI - 0.5;
+    const int i = (int)fmax(0, fmin(g->n - 2, floor(place)));
+    const double part = fmax(0, fmin(1, place - i));
+    double density[2];
+    for (int k = 0; k < 2; k++)
+        density[k] = g->change[i + k] / (g->half * sin(angle_of(g, i + k)));
+    return density[0] + part * (density[1] - density[0]);
+}

@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where the fronts are: Newton's method, and front by front where it fails. */
+#include "base/domain.h"
+#include "base/linear.h"
+#include "fronts/fronts.h"
+
+#include <string.h>
+
+/* ---- All at once ---- */
+
+static double largest(int n, const double v[])
+{
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = fmax(most, fabs(v[i]));
+    return most;
+}
+
+/* How wide the narrower zone beside a front is. */
+static double room(const rw_fronts *f, int j)
+{
+    const double before = j > 0 ? f->y[j - 1] : 0, after = j + 1 < f->fronts ? f->y[j + 1] : RW_PI;
+    return fmin(f->y[j] - before, after - f->y[j]);
+}
+
+static double nearest_kink(const rw_fronts *f, double angle)
+{
+    double nearest = 1;
+    for (int i = 0; i < f->problem->old->kinks; i++)
+        nearest = fmin(nearest, fabs(rw_angle_of(f->problem, f->problem->old->kink[i]) - angle));
+    return nearest;
+}
+
+/* By forward differences from the residual r. */
+static bool jacobian(rw_fronts *f, const double r[], double J[])
+{
+    const int n = f->unknowns;
+    for (int j = 0; j < n; j++) {
+        const double y = f->y[j];
+        const double h =
+            j < f->fronts ? fmin(1e-5 * room(f, j), fmax(0.3 * nearest_kink(f, y), 3e-8)) : 1e-5;
+        double moved[RW_MOST_FRONTS];
+        f->y[j] = y + h;
+        const bool is_done = rw_fronts_residual(f, moved);
+        f->y[j] = y;
+        if (!is_done)
+            return false;
+        for (int i = 0; i < n; i++)
+            J[i * n + j] = (moved[i] - r[i]) / h;
+    }
+    return true;
+}
+
+/* A front does not jump over a kink of the old traction: it stops just beyond it. */
+static void stop_at_kinks(const rw_fronts *f, double d[])
+{
+    const rw_problem *p = f->problem;
+    for (int j = 0; j < f->fronts; j++)
+        for (int i = 0; i < p->old->kinks; i++) {
+            const double to = rw_angle_of(p, p->old->kink[i]) - f->y[j];
+            if (to * (to - d[j]) < 0 && fabs(to) > 4e-5)
+                d[j] = to + copysign(2e-5, d[j]);
+        }
+}
+
+/* The part of the step that leaves a quarter of each zone. */
+static double damping(const rw_fronts *f, const double d[])
+{
+    double part = 1;
+    for (int i = 0; i <= f->fronts; i++) {
+        const double gap = (i < f->fronts ? f->y[i] : RW_PI) - (i > 0 ? f->y[i - 1] : 0);
+        const double grows = (i < f->fronts ? d[i] : 0) - (i > 0 ? d[i - 1] : 0);
+        if (grows < 0)
+            part = fmin(part, 0.75 * gap / -grows);
+    }
+    return part;
+}
+
+/* The best of ever shorter steps; its residual in r. */
+static bool go_along(rw_fronts *f, const double d[], double r[], double *size)
+{
+    const int n = f->unknowns;
+    double from[RW_MOST_FRONTS], best[RW_MOST_FRONTS], lowest = HUGE_VAL, new_r[RW_MOST_FRONTS];
+    const double before = largest(n, r), whole = damping(f, d);
+    memcpy(from, f->y, sizeof from);
+    for (double part = whole; part >= 0.05 * whole; part /= 2) {
+        for (int i = 0; i < n; i++)
+            f->y[i] = from[i] + part * d[i];
+        if (!rw_fronts_residual(f, new_r))
+            return false;
+        if (largest(n, new_r) < lowest) {
+            lowest = largest(n, new_r);
+            memcpy(best, f->y, sizeof best);
+            memcpy(r, new_r, sizeof new_r);
+        }
+        if (lowest < before * (1 - 1e-2 * part))
+            break;
+    }
+    memcpy(f->y, best, sizeof best);
+    *size = lowest;
+    return true;
+}
+
+bool rw_fronts_newton(rw_fronts *f, double nothing)
+{
+    const int n = f->unknowns;
+    double r[RW_MOST_FRONTS], J[RW_MOST_FRONTS * RW_MOST_FRONTS], d[RW_MOST_FRONTS];
+    if (!rw_fronts_residual(f, r))
+        return false;
+    int worse = 0;
+    for (int turn = 0; turn < 40; turn++) {
+        const double before = largest(n, r);
+        if (before < nothing)
+            return true;
+        if (!jacobian(f, r, J))
+            return false;
+        for (int i = 0; i < n; i++)
+            d[i] = -r[i];
+        if (!rw_solve((size_t)n, J, d))
+            return false;
+        stop_at_kinks(f, d);
+        double size, kept[RW_MOST_FRONTS];
+        memcpy(kept, f->y, sizeof kept);
+        if (!go_along(f, d, r, &size))
+            return false;
+        if (size >= before) {
+            if (before < 30 * nothing || (before < 1000 * nothing && worse > 1)) {
+                memcpy(f->y, kept, sizeof kept);
+                return true;
+            }
+            if (++worse > 6)
+                return false;
+        }
+        for (int i = 0; i < f->fronts; i++)
+            if (room(f, i) < 1e-9)
+                return false;
+    }
+    return false;
+}
+
+/* ---- Front by front ---- */
+
+/* > 0 where the front wants to move into the zone that sticks. */
+static bool pull(rw_fronts *f, int j, double angle, double *value)
+{
+    double r[RW_MOST_FRONTS];
+    const double y = f->y[j];
+    const int slip = f->label[j] != 0 ? f->label[j] : f->label[j + 1];
+    f->y[j] = angle;
+    const bool is_done = rw_fronts_residual(f, r);
+    f->y[j] = y;
+    *value = slip * r[j];
+    return is_done;
+}
+
+/* Regula falsi (Illinois) between a and b. */
+static bool close_in(rw_fronts *f, int j, double a, double at_a, double b, double at_b)
+{
+    for (int turn = 0; turn < 30 && fabs(b - a) > 1e-7; turn++) {
+        const double c = b - at_b * (b - a) / (at_b - at_a);
+        double at_c;
+        if (!isfinite(c) || !pull(f, j, c, &at_c))
+            return false;
+        if (at_c * at_b < 0) {
+            a = b;
+            at_a = at_b;
+        } else {
+            at_a /= 2;
+        }
+        b = c;
+        at_b = at_c;
+    }
+    f->y[j] = b;
+    return true;
+}
+
+static bool relax_front(rw_fronts *f, int j)
+{
+    const double start = f->y[j], inwards = f->label[j] != 0 ? 1 : -1;
+    double a = start, at_a;
+    if (!pull(f, j, a, &at_a))
+        return false;
+    const double direction = at_a > 0 ? inwards : -inwards;
+    const double limit = direction < 0       ? j > 0 ? f->y[j - 1] : 0
+                         : j + 1 < f->fronts ? f->y[j + 1]
+                                             : RW_PI;
+    double step = 0.02 * fmin(1, fabs(limit - start) / 0.04);
+    while (fabs(limit - a) > 1e-4 * fabs(limit - start)) {
+        double b = a + direction * step, at_b;
+        if ((b - limit) * direction >= -1e-3 * fabs(limit - start))
+            b = (a + limit) / 2;
+        if (!pull(f, j, b, &at_b))
+            return false;
+        if (at_a * at_b <= 0)
+            return close_in(f, j, a, at_a, b, at_b);
+        a = b;
+        at_a = at_b;
+        step *= 2;
+    }
+    return false; /* the zone vanishes */
+}
+
+bool rw_fronts_relax(rw_fronts *f)
+{
+    if (f->unknowns != f->fronts)
+        return false;
+    for (int sweep = 0; sweep < 3; sweep++) {
+        double moved = 0;
+        for (int j = 0; j < f->fronts; j++) {
+            const double before = f->y[j];
+            if (!relax_front(f, j))
+                return false;
+            moved = fmax(moved, fabs(f->y[j] - before));
+        }
+        if (moved < 1e-3)
+            break;
+    }
+    return true;
+}

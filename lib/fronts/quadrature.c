@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The quadrature over what slips: panels that shrink towards the fronts. */
+#include "base/domain.h"
+#include "fronts/fronts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_PANELS = 12, ROWS = 5 + RW_LAYERS };
+
+static const double RATIO = 0.12;
+
+/* Of the half-width: distances from a front are not less. */
+static const double AT_FRONT = 1e-15;
+
+static bool reserve(rw_fronts *f, size_t capacity)
+{
+    double *all = malloc(ROWS * capacity * sizeof *all);
+    if (!all)
+        return false;
+    for (size_t i = 0; i < ROWS && f->x; i++)
+        memcpy(all + capacity * i, f->x + f->capacity * i, f->capacity * sizeof *all);
+    free(f->x);
+    f->x = all;
+    f->step = all + capacity;
+    f->X = all + 2 * capacity;
+    f->change = all + 3 * capacity;
+    f->known = all + 4 * capacity;
+    f->layer = all + 5 * capacity;
+    f->capacity = capacity;
+    return true;
+}
+
+bool rw_fronts_create(rw_fronts *f, int order, int finest)
+{
+    *f = (rw_fronts){.order = order, .finest = finest};
+    rw_gauss(order, f->node, f->weight);
+    for (int i = 0; i < order; i++) { /* for a function like square roots at both ends */
+        const double angle = RW_PI * f->node[i], half = sin(angle / 2);
+        f->weight[i] *= RW_HALF_PI * sin(angle);
+        f->node[i] = half * half;
+    }
+    return reserve(f, 2048);
+}
+
+void rw_fronts_destroy(rw_fronts *f)
+{
+    free(f->x);
+    *f = (rw_fronts){0};
+}
+
+rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
+{
+    rw_stuck s = {.middle = f->problem->middle, .half = f->problem->half};
+    for (int i = 0; i < zones->count; i++)
+        if (zones->zone[i].label == 0) {
+            s.end[2 * s.count] = zones->zone[i].left;
+            s.end[2 * s.count + 1] = zones->zone[i].right;
+            s.count++;
+        }
+    return s;
+}
+
+/* X outside of what sticks, and its size inside, over half^count. */
+double rw_X_at(const rw_stuck *s, double x)
+{
+    double product = 1;
+    for (int i = 0; i < s->count; i++) {
+        const double least = AT_FRONT * s->half;
+        const double size =
+            sqrt(fmax(fabs(x - s->end[2 * i]), least) * fmax(fabs(x - s->end[2 * i + 1]), least)) /
+            s->half;
+        product *= x < s->end[2 * i] ? -size : size;
+    }
+    return product;
+}
+
+static double nearest_end(const rw_stuck *s, double x)
+{
+    double nearest = HUGE_VAL;
+    for (int i = 0; i < 2 * s->count; i++)
+        nearest = fmin(nearest, fabs(x - s->end[i]));
+    return nearest;
+}
+
+/* What is known of the change: but for the layers, and each of these. */
+static bool put(rw_fronts *f, int label, double x, double step)
+{
+    const rw_problem *p = f->problem;
+    double layer[RW_LAYERS];
+    if (f->count == f->capacity && !reserve(f, 2 * f->capacity))
+        return false;
+    const double friction = label == 0 && f->layers.count == 0 ? 0 : rw_friction_after(p, x);
+    rw_layers_at(p, f->layers.count, x, friction, layer);
+    for (int k = 0; k < f->layers.count; k++)
+        f->layer[(size_t)k * f->capacity + f->count] = layer[k];
+    f->x[f->count] = x;
+    f->step[f->count] = step;
+    f->known[f->count++] = label * friction - rw_traction_at(&p->old->traction, x);
+    return true;
+}
+
+static void add_layers(rw_fronts *f)
+{
+    memcpy(f->change, f->known, f->count * sizeof *f->change);
+    for (int k = 0; k < f->layers.count; k++)
+        for (size_t i = 0; i < f->count; i++)
+            f->change[i] -= f->layers.weight[k] * f->layer[(size_t)k * f->capacity + i];
+}
+
+/* A panel at the distances from `near` to `far` of both ends. */
+static bool put_panel(rw_fronts *f, const rw_segment *s, double near, double far)
+{
+    for (int side = 0; side < 2; side++)
+        for (int i = 0; i < f->order; i++) {
+            const double distance = near + (far - near) * f->node[i];
+            const double x = side == 0 ? s->from + distance : s->to - distance;
+            if (!put(f, s->label, x, (far - near) * f->weight[i]))
+                return false;
+        }
+    return true;
+}
+
+static bool put_segment(rw_fronts *f, rw_segment *s)
+{
+    s->first = f->count;
+    const double half = (s->to - s->from) / 2;
+    double near = 0, far = half * pow(RATIO, s->panels);
+    for (int i = 0; i <= s->panels; i++) {
+        if (!put_panel(f, s, near, far))
+            return false;
+        near = far;
+        far = i + 1 == s->panels ? half : far / RATIO;
+    }
+    s->count = f->count - s->first;
+    return true;
+}
+
+/* A segment as it was computed last is left as it is. */
+static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, double to, int label,
+                        int finest)
+{
+    const double near = fmin(nearest_end(sticks, from), nearest_end(sticks, to)),
+                 length = to - from;
+    int panels = 1;
+    if (near == 0)
+        panels = finest;
+    else if (near < length)
+        panels = (int)fmin(MOST_PANELS, fmax(2, 1 + ceil(log(near / length) / log(RATIO))));
+    if (f->segments == RW_MOST_SEGMENTS)
+        return false;
+    rw_segment *s = &f->segment[f->segments++];
+    if (s->first == f->count && s->from == from && s->to == to && s->label == label &&
+        s->panels == panels && s->count > 0) {
+        f->count += s->count;
+        return true;
+    }
+    const size_t first = s->first, count = s->count;
+    *s = (rw_segment){from, to, label, panels, 0, 0};
+    if (!put_segment(f, s))
+        return false;
+    if (s->first != first || s->count != count) /* it has taken the place of those that follow */
+        for (int i = f->segments; i < RW_MOST_SEGMENTS; i++)
+            f->segment[i].count = 0;
+    return true;
+}
+
+/* Whether nothing changes: the zone has slipped as far as it can before, or all of the change is in
+ * the layer. */
+static bool is_spent(const rw_fronts *f, int label, double from, double to)
+{
+    const rw_zones *old = &f->problem->old->zones;
+    if (f->problem->is_rate && label == f->layers.weight[0])
+        return true;
+    for (int i = 0; f->problem->is_still && i < old->count; i++)
+        if (old->zone[i].label == label && label != 0 && from >= old->zone[i].left &&
+            to <= old->zone[i].right)
+            return true;
+    return false;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double one = *(const double *)a, other = *(const double *)b;
+    return (one > other) - (one < other);
+}
+
+/* All places where the change is not smooth, between two others. */
+static int breaks_of(const rw_problem *p, double from, double to, double at[])
+{
+    const double other[] = {p->to.left, p->to.right, p->from.left, p->from.right};
+    int n = 1 + rw_bends_between(p->frame, from, to, at + 1);
+    at[0] = from;
+    for (int i = 0; i < 4; i++)
+        if (other[i] > from && other[i] < to)
+            at[n++] = other[i];
+    for (int i = 0; i < p->old->kinks; i++)
+        if (p->old->kink[i] > from && p->old->kink[i] < to)
+            at[n++] = p->old->kink[i];
+    at[n++] = to;
+    qsort(at, (size_t)n, sizeof *at, by_size);
+    return n;
+}
+
+static bool add_zone(rw_fronts *f, const rw_stuck *sticks, rw_zone zone, int finest)
+{
+    double at[RW_MOST_KINKS + RW_MOST_BENDS + 6];
+    const int n = breaks_of(f->problem, zone.left, zone.right, at);
+    for (int i = 0; i + 1 < n; i++)
+        if (at[i + 1] > at[i] && !is_spent(f, zone.label, at[i], at[i + 1]) &&
+            !add_segment(f, sticks, at[i], at[i + 1], zone.label, finest))
+            return false;
+    return true;
+}
+
+void rw_fronts_forget(rw_fronts *f)
+{
+    for (int i = 0; i < RW_MOST_SEGMENTS; i++)
+        f->segment[i].count = 0;
+}
+
+bool rw_fronts_collect(rw_fronts *f, const rw_zones *zones, const rw_layers *layers, int finest)
+{
+    const rw_problem *p = f->problem;
+    const rw_stuck sticks = rw_stuck_of(f, zones);
+    if (layers->count > f->layers.count)
+        rw_fronts_forget(f);
+    f->layers = *layers;
+    f->segments = 0;
+    f->count = 0;
+    if (p->both.left < p->to.left &&
+        !add_zone(f, &sticks, (rw_zone){0, p->both.left, p->to.left}, finest))
+        return false;
+    for (int i = 0; i < zones->count; i++)
+        if (zones->zone[i].label != 0 && !add_zone(f, &sticks, zones->zone[i], finest))
+            return false;
+    if (p->both.right > p->to.right &&
+        !add_zone(f, &sticks, (rw_zone){0, p->to.right, p->both.right}, finest))
+        return false;
+    add_layers(f);
+    for (size_t i = 0; i < f->count; i++)
+        f->X[i] = rw_X_at(&sticks, f->x[i]);
+    return true;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "potential/potential.h"
+
+#include "potential/closed_form.h"
+#include "potential/far_series.h"
+
+void rw_potential_init_patch(rw_potential *potential, double a, double c)
+{
+    const double alpha = a / c;
+    potential->half_width = c;
+    potential->per_half_width = 1 / c;
+    potential->a = a;
+    potential->alpha = alpha;
+    potential->per_alpha = alpha == 0 ? 0 : 1 / alpha;
+    potential->c0 = alpha < 1 ? sqrt((c - a) / c * (1 + alpha)) : 0;
+    potential->phi0_over_alpha = alpha == 0 ? 1 : rw_angle(potential->c0, fmin(alpha, 1)) / alpha;
+}
+
+void rw_potential_init(rw_potential *potential, double alpha)
+{
+    rw_potential_init_patch(potential, alpha, 1);
+}
+
+/* G = b_0 R, y G' = -y b_0 R/z. */
+static rw_field remote_field(const rw_potential *p, rw_place at)
+{
+    const rw_ray ray = rw_ray_to(at.x, at.y);
+    const double b0 = rw_first_coefficient(p);
+    const double G_re = b0 * ray.R_re, G_im = b0 * ray.R_im;
+    return (rw_field){G_re, G_im, -ray.sine * (G_re * ray.cosine + G_im * ray.sine),
+                      -ray.sine * (G_im * ray.cosine - G_re * ray.sine)};
+}
+
+rw_field rw_potential_at(const rw_potential *potential, double x, double y)
+{
+    const rw_place at = rw_place_of(potential, x, y);
+    if (rw_is_remote(at.x, at.y))
+        return rw_mirrored(potential, x, y, remote_field(potential, at));
+    if (potential->alpha >= 1)
+        return rw_mirrored(potential, x, y, rw_hertz_field(potential, at));
+    return rw_mirrored(potential, x, y, rw_rounded_field(potential, at));
+}

@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "traction/traction.h"
+
+#include "base/domain.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Elements are divided at most so often, and not into shorter parts of the whole: what is narrower
+ * is the noise of a front that is not exact. */
+enum { DEPTH = 12 };
+
+static const double SHORTEST = 1e-8;
+
+/* ---- Legendre polynomials ---- */
+
+/* P_n and P_(n-1) at v. */
+static double legendre(int n, double v, double *before)
+{
+    double p = v, q = 1;
+    for (int k = 1; k < n; k++) {
+        const double next = ((2 * k + 1) * v * p - k * q) / (k + 1);
+        q = p;
+        p = next;
+    }
+    *before = q;
+    return p;
+}
+
+void rw_gauss(int n, double node[], double weight[])
+{
+    for (int i = 0; i < n; i++) {
+        double v = -cos(RW_PI * (i + 0.75) / (n + 0.5)), slope = 1;
+        for (int k = 0; k < 5; k++) { /* Newton's steps, quadratic: three are enough */
+            double before;
+            const double p = legendre(n, v, &before);
+            slope = n * (v * p - before) / (v * v - 1);
+            v -= p / slope;
+        }
+        node[i] = (1 + v) / 2;
+        weight[i] = 1 / ((1 - v) * (1 + v) * slope * slope);
+    }
+}
+
+/* The nodes of an element, and what makes coefficients of values there. */
+typedef struct {
+    double node[RW_TERMS], weight[RW_TERMS];
+    double legendre[RW_TERMS + 2][RW_TERMS]; /* [k][node] */
+} rule;
+
+static void make_rule(rule *r)
+{
+    rw_gauss(RW_TERMS, r->node, r->weight);
+    for (int i = 0; i < RW_TERMS; i++) {
+        const double v = 2 * r->node[i] - 1;
+        r->legendre[0][i] = 1;
+        r->legendre[1][i] = v;
+        for (int k = 1; k < RW_TERMS + 1; k++)
+            r->legendre[k + 1][i] =
+                ((2 * k + 1) * v * r->legendre[k][i] - k * r->legendre[k - 1][i]) / (k + 1);
+    }
+}
+
+/* ---- An element ---- */
+
+static double u_of(const rw_element *e, double node)
+{
+    return e->first + (e->last - e->first) * node;
+}
+
+static double x_of(const rw_element *e, double u)
+{
+    return e->end + e->scale * u * u;
+}
+
+/* The primitive of the traction times dx/du, a series of two more terms: u is a line in v. */
+static void integrate(rw_element *e)
+{
+    const double middle = (e->first + e->last) / 2, half = (e->last - e->first) / 2;
+    double rate[RW_TERMS + 1] = {0};
+    for (int k = 0; k < RW_TERMS; k++) {
+        const double c = e->coefficient[k] * 2 * fabs(e->scale) * half;
+        rate[k] += middle * c;
+        rate[k + 1] += half * c * (k + 1) / (2 * k + 1);
+        if (k > 0)
+            rate[k - 1] += half * c * k / (2 * k + 1);
+    }
+    memset(e->primitive, 0, sizeof e->primitive);
+    for (int k = 0; k < RW_TERMS + 1; k++) {
+        e->primitive[k + 1] += rate[k] / (2 * k + 1);
+        e->primitive[k > 0 ? k - 1 : 0] += (k > 0 ? -1 : 1) * rate[k] / (2 * k + 1);
+    }
+}
+
+/* All that follows from the coefficients. */
+static void complete(rw_element *e, const rule *r)
+{
+    const double from = x_of(e, e->first), to = x_of(e, e->last), du = e->last - e->first;
+    e->low = fmin(from, to);
+    e->high = fmax(from, to);
+    integrate(e);
+    for (int i = 0; i < RW_TERMS; i++) {
+        const double u = u_of(e, r->node[i]);
+        double value = 0, primitive = 0;
+        for (int k = 0; k < RW_TERMS; k++)
+            value += e->coefficient[k] * r->legendre[k][i];
+        for (int k = 0; k < RW_TERMS + 2; k++)
+            primitive += e->primitive[k] * r->legendre[k][i];
+        const double rate = 2 * fabs(e->scale) * u * du * r->weight[i];
+        e->u[i] = u;
+        e->x[i] = x_of(e, u);
+        e->load[i] = value * rate;
+        e->carried[i] = primitive * 2 * e->scale * u * du * r->weight[i];
+    }
+}
+
+static bool reserve(rw_traction *t)
+{
+    if (t->count < t->capacity)
+        return true;
+    const size_t capacity = 2 * t->capacity + 16;
+    rw_element *elements = realloc(t->elements, capacity * sizeof *elements);
+    if (!elements)
+        return false;
+    t->elements = elements;
+    t->capacity = capacity;
+    return true;
+}
+
+static bool append(rw_traction *t, const rw_element *e, const rule *r)
+{
+    if (!reserve(t))
+        return false;
+    t->elements[t->count] = *e;
+    complete(&t->elements[t->count++], r);
+    return true;
+}
+
+bool rw_traction_append(rw_traction *t, const rw_element *e)
+{
+    rule r;
+    make_rule(&r);
+    return append(t, e, &r);
+}
+
+void rw_traction_shift(rw_traction *t, double from, double to, double by)
+{
+    rule r;
+    make_rule(&r);
+    for (size_t i = 0; i < t->count; i++) {
+        rw_element *e = &t->elements[i];
+        const double middle = e->low / 2 + e->high / 2;
+        if (middle > from && middle < to) {
+            e->coefficient[0] += by;
+            complete(e, &r);
+        }
+    }
+}
+
+bool rw_traction_copy(const rw_traction *t, rw_traction *copy)
+{
+    *copy = (rw_traction){0};
+    if (t->count == 0)
+        return true;
+    copy->elements = malloc(t->count * sizeof *copy->elements);
+    if (!copy->elements)
+        return false;
+    memcpy(copy->elements, t->elements, t->count * sizeof *copy->elements);
+    copy->count = copy->capacity = t->count;
+    return true;
+}
+
+void rw_traction_destroy(rw_traction *t)
+{
+    free(t->elements);
+    *t = (rw_traction){0};
+}
+
+/* ---- The fit ---- */
+
+typedef struct {
+    rw_traction *traction;
+    rw_function f;
+    const void *context;
+    double tolerance, shortest;
+    rule rule;
+} fit;
+
+static void expand(const fit *how, rw_element *e)
+{
+    double value[RW_TERMS];
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = how->f(x_of(e, u_of(e, how->rule.node[i])), how->context);
+    for (int k = 0; k < RW_TERMS; k++) {
+        double sum = 0;
+        for (int i = 0; i < RW_TERMS; i++)
+            sum += how->rule.weight[i] * value[i] * how->rule.legendre[k][i];
+        e->coefficient[k] = (2 * k + 1) * sum;
+    }
+}
+
+static bool is_fine(const fit *how, const rw_element *e)
+{
+    const double *c = e->coefficient;
+    const double last =
+        fmax(fabs(c[RW_TERMS - 1]), fmax(fabs(c[RW_TERMS - 2]), fabs(c[RW_TERMS - 3])));
+    return !(last > how->tolerance);
+}
+
+/* Parts in the order of x. Towards the end, where x is quadratic, they shrink faster. */
+static bool fit_part(fit *how, double end, double scale, double first, double last, int depth)
+{
+    rw_element e = {.end = end, .scale = scale, .first = first, .last = last};
+    expand(how, &e);
+    if (depth == 0 || fabs(scale) * (last * last - first * first) < how->shortest ||
+        is_fine(how, &e))
+        return append(how->traction, &e, &how->rule);
+    const double middle = first == 0 ? last / 3 : (first + last) / 2;
+    if (scale > 0)
+        return fit_part(how, end, scale, first, middle, depth - 1) &&
+               fit_part(how, end, scale, middle, last, depth - 1);
+    return fit_part(how, end, scale, middle, last, depth - 1) &&
+           fit_part(how, end, scale, first, middle, depth - 1);
+}
+
+bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t breaks,
+                     const double at[], double tolerance)
+{
+    fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance};
+    how.shortest = SHORTEST * (at[breaks - 1] - at[0]);
+    make_rule(&how.rule);
+    t->count = 0;
+    for (size_t i = 0; i + 1 < breaks; i++) {
+        const double middle = at[i] / 2 + at[i + 1] / 2;
+        if (middle > at[i] && middle < at[i + 1] &&
+            (!fit_part(&how, at[i], middle - at[i], 0, 1, DEPTH) ||
+             !fit_part(&how, at[i + 1], middle - at[i + 1], 0, 1, DEPTH)))
+            return false;
+    }
+    return true;
+}
+
+/* ---- Reading ---- */
+
+/* (2k + 1)/(k + 1) and (k + 1)/(k + 2). */
+#define FOUR(F, K) F(K), F(K + 1), F(K + 2), F(K + 3)
+#define SIXTEEN(F) FOUR(F, 0), FOUR(F, 4), FOUR(F, 8), FOUR(F, 12)
+#define RISE_OF(K) ((2.0 * (K) + 1) / ((K) + 1))
+#define FALL_OF(K) (((K) + 1.0) / ((K) + 2))
+
+static const double RISE[RW_TERMS] = {SIXTEEN(RISE_OF)}, FALL[RW_TERMS] = {SIXTEEN(FALL_OF)};
+
+double rw_traction_at(const rw_traction *t, double x)
+{
+    if (t->count == 0 || !(x >= t->elements[0].low))
+        return 0;
+    size_t low = 0, high = t->count;
+    while (low + 1 < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (t->elements[middle].low <= x)
+            low = middle;
+        else
+            high = middle;
+    }
+    const rw_element *e = &t->elements[low];
+    if (x > e->high)
+        return 0;
+    const double u = sqrt(fmax(0, (x - e->end) / e->scale));
+    const double v = (2 * u - e->first - e->last) / (e->last - e->first);
+    double b1 = 0, b2 = 0; /* Clenshaw */
+    for (int k = RW_TERMS - 1; k >= 0; k--) {
+        const double b0 = e->coefficient[k] + RISE[k] * v * b1 - FALL[k] * b2;
+        b2 = b1;
+        b1 = b0;
+    }
+    return b1;
+}
+
+double rw_traction_total(const rw_traction *t)
+{
+    double sum = 0;
+    for (size_t i = 0; i < t->count; i++)
+        for (int k = 0; k < RW_TERMS; k++)
+            sum += t->elements[i].load[k];
+    return sum;
+}

@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "traction/transform.h"
+
+#include "base/complex.h"
+#include "base/domain.h"
+
+#include <float.h>
+
+/* Legendre's functions are had by the forward recurrence, which loses digits like rho^(2k) where v
+ * is on the ellipse of the half-axes' sum rho about -1 and 1. Gauss's rule is exact to rho^(-2n)
+ * there. Both leave 1e-9 of the traction at this. */
+static const double NEAR = 2;
+
+/* Points as near to the end of an element, over its length, are moved beside it: the logarithms of
+ * the two elements that meet there cancel, but not in numbers. Slopes may have a root there,
+ * displacements have none. */
+static const double BESIDE = 1e-10, WELL_BESIDE = 1e-8;
+
+/* Of x: a point that is moved by less may stay where it is. */
+static const double LEAST_MOVE = 4 * DBL_EPSILON;
+
+static rw_complex sum_of(rw_complex a, rw_complex b)
+{
+    return (rw_complex){a.re + b.re, a.im + b.im};
+}
+
+static rw_complex multiple(double factor, rw_complex a)
+{
+    return (rw_complex){factor * a.re, factor * a.im};
+}
+
+/* ---- One pole: J(zeta) = int c(u)/(u - zeta) du over an element ---- */
+
+typedef struct {
+    rw_complex value, slope; /* J and J' */
+} pole;
+
+static bool is_near(rw_complex v)
+{
+    const double to_one = (v.re - 1) * (v.re - 1) + v.im * v.im;
+    const double to_other = (v.re + 1) * (v.re + 1) + v.im * v.im;
+    return sqrt(to_one) + sqrt(to_other) < NEAR + 1 / NEAR;
+}
+
+/* Q_0 = ln((v+1)/(v-1))/2; its real part is the principal value where v is real. */
+static rw_complex first_function(rw_complex v)
+{
+    const double up = v.re + 1, down = v.re - 1, square = v.im * v.im;
+    return (rw_complex){
+        rw_log_of_quotient(up * up + square + DBL_MIN, down * down + square + DBL_MIN) / 4,
+        rw_angle(up * down + square, v.im * (down - up)) / 2};
+}
+
+/* sum c_k Q_k(v) and its derivative, Q_k' = k (v Q_k - Q_(k-1))/(v^2 - 1). */
+static pole legendre_sum(int n, const double c[], rw_complex v)
+{
+    const rw_complex squared = rw_product(v, v);
+    const rw_complex per =
+        rw_quotient((rw_complex){1, 0}, (rw_complex){squared.re - 1, squared.im});
+    rw_complex before = first_function(v), q = rw_product(v, before), rate = {0, 0};
+    q.re -= 1;
+    rw_complex sum = multiple(c[0], before);
+    for (int k = 1; k < n; k++) {
+        const rw_complex vq = rw_product(v, q);
+        sum = sum_of(sum, multiple(c[k], q));
+        rate = sum_of(rate, multiple(k * c[k], sum_of(vq, multiple(-1, before))));
+        const rw_complex next =
+            multiple(1.0 / (k + 1), sum_of(multiple(2 * k + 1, vq), multiple(-k, before)));
+        before = q;
+        q = next;
+    }
+    rate.re -= c[0];
+    return (pole){sum, rw_product(rate, per)};
+}
+
+/* By Gauss's rule; load_i is c(u_i) du_i times twice u_i and the size of the scale. */
+static pole gauss_sum(const rw_element *e, const double load[], double scale, rw_complex zeta)
+{
+    pole sum = {{0, 0}, {0, 0}};
+    for (int i = 0; i < RW_TERMS; i++) {
+        const double d = e->u[i] - zeta.re, square = d * d + zeta.im * zeta.im;
+        const double share = load[i] / (2 * scale * e->u[i] * square);
+        const rw_complex value = {share * d, share * zeta.im};
+        sum.value = sum_of(sum.value, value);
+        sum.slope =
+            sum_of(sum.slope, rw_product(value, (rw_complex){d / square, zeta.im / square}));
+    }
+    return sum;
+}
+
+static pole pole_of(const rw_element *e, int n, const double c[], const double load[], double scale,
+                    rw_complex zeta)
+{
+    const double per_half = 2 / (e->last - e->first);
+    const rw_complex v = {(zeta.re - e->first) * per_half - 1, zeta.im * per_half};
+    if (!is_near(v))
+        return gauss_sum(e, load, scale, zeta);
+    const pole sum = legendre_sum(n, c, v);
+    return (pole){multiple(-2, sum.value), multiple(-2 * per_half, sum.slope)};
+}
+
+/* ---- An element, of which z is not far ---- */
+
+static rw_complex zeta_of(const rw_element *e, double x, double y)
+{
+    return rw_complex_root((rw_complex){(x - e->end) / e->scale, y / e->scale});
+}
+
+static bool is_far(const rw_element *e, double x, double y)
+{
+    const double middle = e->low / 2 + e->high / 2, length = e->high - e->low;
+    return fabs(x - middle) > 2 * length || y > 2 * length;
+}
+
+/* J(zeta) + J(-zeta), and its derivative by z. */
+static pole both_poles(const rw_element *e, int n, const double c[], const double load[],
+                       double scale, double x, double y)
+{
+    const rw_complex zeta = zeta_of(e, x, y);
+    const pole one = pole_of(e, n, c, load, scale, zeta);
+    const pole other = pole_of(e, n, c, load, scale, multiple(-1, zeta));
+    return (pole){
+        sum_of(one.value, other.value),
+        rw_quotient(sum_of(one.slope, multiple(-1, other.slope)), multiple(2 * e->scale, zeta))};
+}
+
+static pole transform(const rw_element *e, double x, double y)
+{
+    pole sum = both_poles(e, RW_TERMS, e->coefficient, e->load, fabs(e->scale), x, y);
+    const double sign = e->scale < 0 ? -1 : 1;
+    return (pole){multiple(sign, sum.value), multiple(sign, sum.slope)};
+}
+
+/* ---- All of them ---- */
+
+/* Off the ends of elements. */
+static double beside(const rw_traction *t, double x, double part)
+{
+    for (size_t i = 0; i < t->count; i++) {
+        const rw_element *e = &t->elements[i];
+        const double least = fmax(part * (e->high - e->low), LEAST_MOVE * fabs(x));
+        if (fabs(x - e->low) < least)
+            return e->low + least;
+        if (fabs(x - e->high) < least)
+            return e->high - least;
+    }
+    return x;
+}
+
+static double far_sum(const double x[], const double load[], double to)
+{
+    double sum = 0;
+    for (int i = 0; i < RW_TERMS; i++)
+        sum += load[i] / (x[i] - to);
+    return sum;
+}
+
+double rw_traction_slope(const rw_traction *t, double x)
+{
+    const double at = beside(t, x, BESIDE);
+    double sum = 0;
+    for (size_t i = 0; i < t->count; i++) {
+        const rw_element *e = &t->elements[i];
+        sum += is_far(e, at, 0) ? far_sum(e->x, e->load, at) : transform(e, at, 0).value.re;
+    }
+    return sum / RW_PI;
+}
+
+/* The primitive is that of the load from `first` on. */
+static double element_potential(const rw_element *e, double x)
+{
+    double whole = 0;
+    for (int k = 0; k < RW_TERMS + 2; k++)
+        whole += e->primitive[k];
+    const double end = e->scale > 0 ? e->high : e->low;
+    const double rest =
+        is_far(e, x, 0)
+            ? far_sum(e->x, e->carried, x)
+            : both_poles(e, RW_TERMS + 2, e->primitive, e->carried, e->scale, x, 0).value.re;
+    return rest - whole * rw_log_of_quotient(fabs(end - x) + DBL_MIN, 1);
+}
+
+double rw_traction_displacement(const rw_traction *t, double x)
+{
+    const double at = beside(t, x, WELL_BESIDE);
+    double sum = 0;
+    for (size_t i = 0; i < t->count; i++)
+        sum += element_potential(&t->elements[i], at);
+    return sum / RW_PI;
+}
+
+static pole far_transform(const rw_element *e, double x, double y)
+{
+    pole sum = {{0, 0}, {0, 0}};
+    for (int i = 0; i < RW_TERMS; i++) {
+        const double d = e->x[i] - x, share = 1 / (d * d + y * y);
+        const rw_complex per = {d * share, y * share};
+        sum.value = sum_of(sum.value, multiple(e->load[i], per));
+        sum.slope = sum_of(sum.slope, multiple(e->load[i], rw_product(per, per)));
+    }
+    return sum;
+}
+
+rw_field rw_traction_field(const rw_traction *t, double x, double y)
+{
+    if (y == 0)
+        return (rw_field){rw_traction_slope(t, x), rw_traction_at(t, x), 0, 0};
+    pole sum = {{0, 0}, {0, 0}};
+    for (size_t i = 0; i < t->count; i++) {
+        const rw_element *e = &t->elements[i];
+        const pole share = is_far(e, x, y) ? far_transform(e, x, y) : transform(e, x, y);
+        sum.value = sum_of(sum.value, share.value);
+        sum.slope = sum_of(sum.slope, share.slope);
+    }
+    return (rw_field){sum.value.re / RW_PI, sum.value.im / RW_PI, y * sum.slope.re / RW_PI,
+                      y * sum.slope.im / RW_PI};
+}

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Transforms of a traction, held against t = sqrt(1 - x^2) and t = x sqrt(1 - x^2), whose
+ * transforms are those of Hertz: Omega = -z + X and 1/2 - z^2 + z X, X = sqrt(z^2 - 1). */
+#include "claims.h"
+#include "base/complex.h"
+#include "traction/transform.h"
+
+static const double BREAKS[] = {-1, -0.2, 0.5, 1};
+
+static double hertz(double x, const void *context)
+{
+    (void)context;
+    return sqrt(fmax(0, (1 - x) * (1 + x)));
+}
+
+static rw_traction fitted(void)
+{
+    rw_traction t = {0};
+    assert_true(rw_traction_fit(&t, hertz, NULL, 4, BREAKS, 1e-12));
+    return t;
+}
+
+CLAIM(the_traction_is_what_was_fitted)
+{
+    rw_traction t = fitted();
+    for (int i = -50; i <= 50; i++)
+        assert_within(rw_traction_at(&t, i / 50.0), hertz(i / 50.0, NULL), 1e-12);
+    assert_int_equal(rw_traction_at(&t, 1.001) == 0 && rw_traction_at(&t, -1.001) == 0, 1);
+    assert_close(rw_traction_total(&t), 1.57079632679489661923, 1e-14);
+    rw_traction_destroy(&t);
+}
+
+CLAIM(the_slope_of_hertz_is_a_line_inside_and_falls_off_outside)
+{
+    rw_traction t = fitted();
+    for (int i = -300; i <= 300; i++) {
+        const double x = i / 100.0;
+        const double X = fabs(x) > 1 ? copysign(sqrt(x * x - 1), x) : 0;
+        assert_within(rw_traction_slope(&t, x), -x + X, 1e-9);
+    }
+    assert_close(rw_traction_slope(&t, 1e6), -0.5e-6, 1e-10);
+    rw_traction_destroy(&t);
+}
+
+/* -(1/pi) int sqrt(1 - s^2) ln|s - x| ds = -(x^2 - 1/2 - ln 2)/2 inside. */
+CLAIM(the_displacement_of_hertz_is_a_parabola)
+{
+    rw_traction t = fitted();
+    for (int i = -40; i <= 40; i++) {
+        const double x = i / 40.0;
+        assert_within(rw_traction_displacement(&t, x), -(x * x - 0.5 - RW_LN2) / 2, 2e-8);
+    }
+    rw_traction_destroy(&t);
+}
+
+static rw_complex root(double x, double y)
+{
+    const rw_complex one = rw_complex_root((rw_complex){x - 1, y}),
+                     other = rw_complex_root((rw_complex){x + 1, y});
+    return rw_product(one, other);
+}
+
+CLAIM(the_field_of_hertz_is_its_potential)
+{
+    rw_traction t = fitted();
+    const double x[] = {0.3, -1.01, 0.5, 2, 0.4, 0, -0.2, 7},
+                 y[] = {0.2, 1e-3, 1e-6, 3, 1e-12, 50, 0.1, 1};
+    for (int i = 0; i < 8; i++) {
+        const rw_complex X = root(x[i], y[i]);
+        const rw_complex z_over_X = rw_quotient((rw_complex){x[i], y[i]}, X);
+        const rw_field field = rw_traction_field(&t, x[i], y[i]);
+        assert_within(field.G_re, X.re - x[i], 1e-12);
+        assert_within(field.G_im, X.im - y[i], 1e-12);
+        assert_within(field.H_re, y[i] * (z_over_X.re - 1), 1e-10);
+        assert_within(field.H_im, y[i] * z_over_X.im, 1e-10);
+    }
+    rw_traction_destroy(&t);
+}
+
+/* The edges of slip zones may lie so close together: a point was not moved off such an edge. */
+CLAIM(the_slope_at_the_ends_of_a_narrow_element_is_finite)
+{
+    for (double width = 1e-6; width > 1e-10; width /= 10) {
+        const double breaks[] = {-1, 0.38, 0.38 + width, 1};
+        rw_traction t = {0};
+        assert_true(rw_traction_fit(&t, hertz, NULL, 4, breaks, 1e-12));
+        for (size_t i = 0; i < t.count; i++)
+            assert_within(rw_traction_slope(&t, t.elements[i].low), -t.elements[i].low, 1e-5);
+        rw_traction_destroy(&t);
+    }
+}
+
+CLAIM(an_element_made_of_coefficients_is_the_same)
+{
+    rw_traction t = fitted(), again = {0};
+    for (size_t i = 0; i < t.count; i++)
+        assert_true(rw_traction_append(&again, &t.elements[i]));
+    assert_int_equal(again.count, t.count);
+    for (int i = -9; i <= 9; i++)
+        assert_true(rw_traction_slope(&t, i / 9.5) == rw_traction_slope(&again, i / 9.5));
+    rw_traction_destroy(&t);
+    rw_traction_destroy(&again);
+}

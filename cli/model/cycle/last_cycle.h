@@ -42,8 +42,8 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
  * after the other, sxx of all first, then syy and txy. */
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[]);
 
-/* Where a measure is largest on a line along x of n places, ascending: value has what is known there,
- * and 0 elsewhere. Returns the library's status. */
+/* Where a measure is largest on a line along x of n places, ascending: value has what is known
+ * there, and 0 elsewhere. Returns the library's status. */
 int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
                          const double value[], double y, double *worst_x, double *worst_value);
 

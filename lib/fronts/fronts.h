@@ -15,7 +15,7 @@ enum {
     RW_MOST_STICK = 6,
     RW_MOST_FRONTS = 2 * RW_MOST_STICK,
     RW_MOST_SEGMENTS = 96,
-    RW_COARSE = 3 /* panels at a front, for the residual */
+    RW_COARSE = 1 /* panels at a front, for the residual */
 };
 
 /* A part of a slip zone, and where its points begin in the row of all. */

@@ -19,9 +19,6 @@ enum { BUDGET = 400 };
 /* Residuals that take as long as a traction and its conditions. */
 enum { OUTCOME = 20 };
 
-/* Violations over the tolerance that count as none. */
-static const double ALLOWED = 0.2;
-
 /* The residual of Newton's method, over the tolerance. */
 static const double RESIDUAL = 1e-5;
 
@@ -263,32 +260,30 @@ static rw_patch contact_of(const rw_frame *frame, rw_course at)
     return rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
 }
 
-double rw_peak_friction(const rw_frame *frame, rw_patch contact)
+/* Kept for the steps that follow: they share their contacts. */
+static const rw_friction *friction_of(rw_work *w, rw_patch contact)
 {
-    enum { PLACES = 31 };
-    double x[PLACES], p[PLACES], peak = 0;
-    for (int i = 0; i < PLACES; i++)
-        x[i] = contact.left + (contact.right - contact.left) * (i + 1.3) / 32.6;
-    rw_pad_pressures(&frame->arcs, contact, PLACES, x, p);
-    for (int i = 0; i < PLACES; i++)
-        peak = fmax(peak, p[i]);
-    return frame->f * peak;
+    for (int i = 0; i < RW_FRICTIONS; i++)
+        if (w->friction[i].contact.left == contact.left &&
+            w->friction[i].contact.right == contact.right)
+            return &w->friction[i];
+    rw_friction *oldest = &w->friction[w->frictions++ % RW_FRICTIONS];
+    rw_friction_destroy(oldest);
+    *oldest = (rw_friction){.peak = 0};
+    const bool is_done = rw_friction_create(oldest, w->frame, contact);
+    w->is_short = w->is_short || !is_done;
+    return is_done ? oldest : NULL;
 }
 
 static bool set_problem(rw_work *w, const rw_stance *from, rw_course to, rw_patch contact,
                         rw_problem *p)
 {
-    const rw_frame *frame = w->frame;
-    if (!rw_problem_create(p, frame, from->contact, contact, &from->shear,
-                           to.shear - rw_traction_total(&from->shear.traction),
-                           to.stretch - from->at.stretch)) {
-        w->is_short = true;
-        return false;
-    }
-    p->scale = rw_peak_friction(frame, contact);
-    p->tolerance = frame->tolerance * p->scale;
-    p->allowed = ALLOWED * frame->tolerance;
-    return true;
+    const rw_friction *after = friction_of(w, contact), *before = friction_of(w, from->contact);
+    if (before && after)
+        rw_problem_init(p, w->frame, before, after, &from->shear,
+                        to.shear - rw_traction_total(&from->shear.traction),
+                        to.stretch - from->at.stretch);
+    return before && after;
 }
 
 /* What is left of a patch, of several parts the widest. */
@@ -387,9 +382,7 @@ bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, const rw_
     rw_problem p;
     if (!set_problem(w, from, to, contact, &p))
         return false;
-    const bool is_done = step_to(w, &p, from, to, guess, coarse, there);
-    rw_problem_destroy(&p);
-    return is_done;
+    return step_to(w, &p, from, to, guess, coarse, there);
 }
 
 /* Whether all that sticks is inside of what stuck. */
@@ -420,7 +413,6 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
         there->energy = from->energy + outcome.energy;
         there->error = fmax(from->error, fmax(there->error, outcome.violation));
     }
-    rw_problem_destroy(&p);
     return goes_on;
 }
 
@@ -436,4 +428,6 @@ void rw_work_destroy(rw_work *w)
     rw_fronts_destroy(&w->fronts);
     for (int i = 0; i < RW_TRIALS; i++)
         rw_grid_destroy(&w->grid[i]);
+    for (int i = 0; i < RW_FRICTIONS; i++)
+        rw_friction_destroy(&w->friction[i]);
 }

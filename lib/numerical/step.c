@@ -7,14 +7,12 @@
 
 #include <string.h>
 
-/* Of the quadrature, where few digits are asked for. */
-enum { ORDER = 10 };
-
 /* Angles of the grid; at a second trial twice as many. */
 enum { ANGLES = 96 };
 
-/* Residuals that a pattern may cost. */
-enum { BUDGET = 400 };
+/* Residuals that a pattern may cost front by front; Newton's method, for each unknown and one: it
+ * succeeds with fewer, if at all. */
+enum { BUDGET = 400, TURNS = 10 };
 
 /* Residuals that take as long as a traction and its conditions. */
 enum { OUTCOME = 20 };
@@ -65,6 +63,23 @@ static bool has_sliver(const rw_work *w, const rw_fronts *f)
     return false;
 }
 
+static bool newton(rw_work *w, double residual)
+{
+    const int budget = TURNS * (w->fronts.unknowns + 1);
+    w->fronts.budget = budget;
+    const bool is_done = rw_fronts_newton(&w->fronts, residual);
+    w->effort += budget - w->fronts.budget;
+    return is_done;
+}
+
+static bool relax(rw_work *w)
+{
+    w->fronts.budget = BUDGET;
+    const bool is_done = rw_fronts_relax(&w->fronts);
+    w->effort += BUDGET - w->fronts.budget;
+    return is_done;
+}
+
 static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
 {
     rw_fronts *f = &w->fronts;
@@ -77,7 +92,6 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     for (int side = 1; side >= -1; side -= 2) {
         if (w->effort > RW_MOST_EFFORT || !rw_fronts_begin(f, p, zones, ratio))
             return false;
-        f->budget = BUDGET;
         const bool is_moved = start_beside(p, f, angle, side);
         if (side < 0 && !is_moved)
             return false;
@@ -85,13 +99,10 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
             rw_fronts_begin(f, p, zones, ratio);
         double start[RW_MOST_FRONTS];
         memcpy(start, f->y, sizeof start);
-        bool is_done = rw_fronts_newton(f, residual);
-        w->effort += BUDGET - f->budget;
+        bool is_done = newton(w, residual);
         if (!is_done && angle > 0) {
             memcpy(f->y, start, sizeof start);
-            f->budget = BUDGET;
-            is_done = rw_fronts_relax(f) && rw_fronts_newton(f, residual);
-            w->effort += BUDGET - f->budget;
+            is_done = relax(w) && newton(w, residual);
         }
         if (is_done)
             return !has_sliver(w, f);
@@ -419,8 +430,7 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
 bool rw_work_create(rw_work *w, const rw_frame *frame)
 {
     *w = (rw_work){.frame = frame};
-    const double digits = -log10(frame->tolerance);
-    return rw_fronts_create(&w->fronts, digits > 4.5 ? RW_TERMS : ORDER, (int)(digits + 2.5));
+    return rw_fronts_create(&w->fronts, frame->tolerance);
 }
 
 void rw_work_destroy(rw_work *w)

@@ -2,10 +2,10 @@
 #include "fronts/frame.h"
 
 #include "base/domain.h"
+#include "base/sort.h"
 #include "potential/pad_potential.h"
 
 #include <float.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- Bends ---- */
@@ -47,12 +47,6 @@ static void note_bend(bends *b, place at)
     b->jump[i] = jump;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
 rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
 {
     rw_frame frame = {.arcs = arcs, .f = f, .tolerance = tolerance};
@@ -69,7 +63,7 @@ rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
         last = (place){arc.right, last.after, 0};
     }
     note_bend(&all, last);
-    qsort(frame.bend, (size_t)frame.bends, sizeof *frame.bend, by_size);
+    rw_sort(frame.bend, (size_t)frame.bends);
     return frame;
 }
 
@@ -126,9 +120,8 @@ bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch c
     *friction = (rw_friction){.contact = contact, .peak = rw_peak_friction(frame, contact)};
     if (!rw_pad_potential_create(&p.potential, &frame->arcs, contact))
         return false;
-    const bool is_done =
-        rw_traction_fit(&friction->traction, friction_at, &p, (size_t)inside + 2, at,
-                        FIT * frame->tolerance * friction->peak);
+    const bool is_done = rw_traction_fit(&friction->traction, friction_at, &p, (size_t)inside + 2,
+                                         at, FIT * frame->tolerance * friction->peak);
     rw_pad_potential_destroy(&p.potential);
     if (!is_done)
         rw_friction_destroy(friction);

@@ -11,11 +11,7 @@
 
 #include "fronts/problem.h"
 
-enum {
-    RW_MOST_STICK = 6,
-    RW_MOST_FRONTS = 2 * RW_MOST_STICK,
-    RW_MOST_SEGMENTS = 96
-};
+enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK, RW_MOST_SEGMENTS = 96 };
 
 /* A part of a slip zone, and where its points begin in the row of all. */
 typedef struct {

@@ -129,7 +129,7 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
                       .before = before,
                       .after = after,
                       .is_still = from.left == to.left && from.right == to.right,
-                      .grows = {to.left < from.left - slack, to.right > from.right + slack},
+                      .grows = {to.left<from.left - slack, to.right> from.right + slack},
                       .middle = rw_patch_middle(to),
                       .half = rw_patch_half_width(to),
                       .shear = shear,

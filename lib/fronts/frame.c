@@ -97,32 +97,34 @@ double rw_peak_friction(const rw_frame *frame, rw_patch contact)
     return frame->f * peak;
 }
 
-/* Of the tolerance. */
+/* Of the tolerance: a tenth of what is left to the traction, whose elements begin elsewhere. */
 static const double FIT = 1e-3;
 
 typedef struct {
-    double f;
-    rw_pad_potential potential;
+    const rw_frame *frame;
+    rw_patch contact;
 } pressed;
 
-static double friction_at(double x, const void *context)
+static void friction_at(const double x[], const void *context, double value[])
 {
+    static const double surface[RW_TERMS] = {0};
     const pressed *p = context;
-    return p->f * rw_pad_pressure(&p->potential, x);
+    rw_fields fields;
+    rw_pad_fields(&p->frame->arcs, p->contact, RW_TERMS, x, surface, &fields);
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = -p->frame->f * fields.G_im[i];
 }
 
 bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch contact)
 {
-    pressed p = {.f = frame->f};
+    const pressed p = {frame, contact};
     double at[RW_MOST_BENDS + 2] = {contact.left};
     const int inside = rw_bends_between(frame, contact.left, contact.right, at + 1);
     at[inside + 1] = contact.right;
     *friction = (rw_friction){.contact = contact, .peak = rw_peak_friction(frame, contact)};
-    if (!rw_pad_potential_create(&p.potential, &frame->arcs, contact))
-        return false;
-    const bool is_done = rw_traction_fit(&friction->traction, friction_at, &p, (size_t)inside + 2,
-                                         at, FIT * frame->tolerance * friction->peak);
-    rw_pad_potential_destroy(&p.potential);
+    const bool is_done =
+        rw_traction_fit_values(&friction->traction, friction_at, &p, (size_t)inside + 2, at,
+                               FIT * frame->tolerance * friction->peak);
     if (!is_done)
         rw_friction_destroy(friction);
     return is_done;

@@ -226,8 +226,8 @@ static void check_slip_part(slipping *s, double from, double to)
         const double excess = s->label * slip / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
-            begun = isnan(begun) ? x : begun;
-            last = x;
+            begun = !isnan(begun) ? begun : i == 0 && s->attached ? from : x;
+            last = i + 1 == SLIPS && s->attached ? to : x;
         }
     }
     if (!isnan(begun))

@@ -110,8 +110,7 @@ static bool is_smooth(const rw_traction *t, double from, double to, double toler
 {
     rw_traction fit = {0};
     const double at[2] = {from, to};
-    const bool is_fit =
-        rw_traction_fit(&fit, traction_of, t, 2, at, tolerance) && fit.count == 2;
+    const bool is_fit = rw_traction_fit(&fit, traction_of, t, 2, at, tolerance) && fit.count == 2;
     rw_traction_destroy(&fit);
     return is_fit;
 }

@@ -562,8 +562,8 @@ RWEDGE_API int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact,
                                                   double M2, double Q2, double sigma2, double *left,
                                                   double *right);
 
-/* Half-width b of the contact, length: half its width, also off the centre; 0 when separated;
- * NaN for NULL.
+/* Half-width b of the contact, length; 0 when separated; NaN for NULL. Off the centre it is half of
+ * the width.
  *                                                                   Eq. (7), (11), (15), inverse */
 RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 

@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "figure.h"
+/* rwedge figure: the paper's figures, and more, as pictures. */
+#include "kind.h"
 
-#include "figure_eccentric.h"
-#include "figure_field.h"
-#include "figure_loop.h"
-#include "figures_history.h"
-#include "figures_strength.h"
-#include "figures_traction.h"
+#include "options/command.h"
 #include "contact/notices.h"
 #include "picture/gnuplot.h"
 #include "text/list.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "figures_history.h"
+#include "kind.h"
 
 #include "model/results/tensor.h"
 #include "fretting/surface.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fretting.h"
-
+/* "rwedge fretting". */
 #include "paraview.h"
 #include "worst.h"
 
+#include "options/command.h"
 #include "contact/notices.h"
 #include "options/threads.h"
 #include "rows/output_options.h"

@@ -245,8 +245,8 @@ static int read_measure(const char *text, const criteria *asked)
     char allowed[600] = "";
     int column = text == NULL ? MEASURE_SWT : -1;
     for (int i = 0; i < COLUMN_COUNT; i++) {
-        const measure_kind *kind = column_kind_of(i);
-        if (!column_is_wanted(asked, i) || kind->is_angle)
+        const measure_kind *kind = &measure_kinds[i];
+        if (!column_is_wanted(asked, i) || kind->part != PART_VALUE)
             continue;
         list_add(allowed, sizeof allowed, ", ", "%s", kind->column);
         if (text != NULL && strcmp(text, kind->column) == 0)
@@ -301,12 +301,11 @@ static void read_measure_and_place(const arguments *line, work *to_do)
     inputs->asked = &to_do->asked;
     inputs->measure = read_measure(line->value[OPTION_MEASURE], inputs->asked);
     inputs->over = read_over(line->value[OPTION_OVER]);
-    const bool is_of_friction =
-        (inputs->measure >= MEASURE_SLIP_RANGE && inputs->measure < MEASURE_COUNT) ||
-        inputs->measure == COLUMN_WEAR;
+    const bool is_of_friction = inputs->measure >= MEASURE_SLIP_RANGE &&
+                                measure_kinds[inputs->measure].criterion == NO_CRITERION;
     if (is_of_friction && inputs->over != OVER_SURFACE)
         usage_error("--over %s: %s is of the surface alone", line->value[OPTION_OVER],
-                    column_kind_of(inputs->measure)->column);
+                    measure_kinds[inputs->measure].column);
 }
 
 static void read_history(const arguments *line, char decimal_sign, work *to_do)

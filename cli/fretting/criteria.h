@@ -6,7 +6,7 @@
 #include "material.h"
 
 #include "history/places.h"
-#include "model/results/measures.h"
+#include "model/measures.h"
 
 enum {
     OPTION_FS_K = OPTION_AFTER_PLACES,
@@ -23,51 +23,13 @@ enum {
     OPTION_AFTER_CRITERIA
 };
 
-enum {
-    CRITERION_SWT,
-    CRITERION_FATEMI_SOCIE,
-    CRITERION_FINDLEY,
-    CRITERION_MODIFIED_WOHLER,
-    CRITERION_MCDIARMID,
-    CRITERION_CROSSLAND,
-    CRITERION_DANG_VAN,
-    CRITERION_SWT_DAMAGE,
-    CRITERION_FS_DAMAGE,
-    CRITERION_COUNT
-};
-
-/* Columns that follow those of the measures where they are asked for. */
-enum {
-    COLUMN_SWT_OUT = MEASURE_COUNT,
-    COLUMN_FS_OUT,
-    COLUMN_FINDLEY,
-    COLUMN_FINDLEY_ANGLE,
-    COLUMN_FINDLEY_OUT,
-    COLUMN_MODIFIED_WOHLER,
-    COLUMN_MODIFIED_WOHLER_ANGLE,
-    COLUMN_MODIFIED_WOHLER_OUT,
-    COLUMN_MCDIARMID,
-    COLUMN_MCDIARMID_ANGLE,
-    COLUMN_MCDIARMID_OUT,
-    COLUMN_CROSSLAND,
-    COLUMN_DANG_VAN,
-    COLUMN_SWT_DAMAGE,
-    COLUMN_SWT_DAMAGE_ANGLE,
-    COLUMN_SWT_DAMAGE_OUT,
-    COLUMN_SWT_CYCLES,
-    COLUMN_FS_DAMAGE,
-    COLUMN_FS_DAMAGE_ANGLE,
-    COLUMN_FS_DAMAGE_OUT,
-    COLUMN_FS_CYCLES,
-    COLUMN_WEAR,
-    COLUMN_COUNT
-};
-
+/* How a criterion is asked for, and what it is compared with. */
 typedef struct {
-    const char *name;
-    int32_t measure;                /* as the library calls it; -1 for damage */
-    int value, angle, out_of_plane; /* its columns; 0: it has no plane */
-    int cycles;                     /* of damage: the column of their number; else 0 */
+    const char *name; /* in --criteria */
+    int limit;        /* what it must not exceed, of the material; MATERIAL_COUNT: 1 */
+    int option;       /* of its constant, and the name of that; 0 for none */
+    const char *option_name;
+    double least; /* of the constant */
 } criterion_kind;
 extern const criterion_kind criterion_kinds[CRITERION_COUNT];
 
@@ -85,11 +47,6 @@ typedef struct {
 
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
 extern struct poptOption criteria_option_table[];
-
-const measure_kind *column_kind_of(int column);
-
-/* The criterion that a column has the value of; -1 for other columns. */
-int column_criterion(int column);
 
 /* Whether a column is written. */
 bool column_is_wanted(const criteria *all, int column);

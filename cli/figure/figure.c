@@ -4,6 +4,8 @@
 
 #include "options/command.h"
 #include "contact/notices.h"
+#include "fretting/criteria_options.h"
+#include "fretting/material_file.h"
 #include "picture/gnuplot.h"
 #include "text/list.h"
 #include "text/memory.h"

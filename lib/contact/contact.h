@@ -14,11 +14,30 @@ typedef struct {
     double P, M, Q, sigma;
 } rw_loads;
 
-/* What a room above keeps with a contact until its next load, and how that is freed. */
-typedef struct rw_kept rw_kept;
-struct rw_kept {
-    void (*destroy)(rw_kept *kept);
-};
+/* The loads of a history, or of a cycle. */
+typedef struct {
+    size_t count;
+    const double *P, *M, *Q, *sigma;
+} rw_load_list;
+
+static inline bool rw_is_load_list(const rw_load_list *loads)
+{
+    return loads->count == 0 || (loads->P && loads->M && loads->Q && loads->sigma);
+}
+
+static inline rw_loads rw_loads_at(const rw_load_list *loads, size_t i)
+{
+    return (rw_loads){loads->P[i], loads->M[i], loads->Q[i], loads->sigma[i]};
+}
+
+/* A part of the way from one to the other. */
+static inline rw_loads rw_loads_between(rw_loads from, rw_loads to, double part)
+{
+    return part == 1 ? to
+                     : (rw_loads){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
+                                  from.Q + part * (to.Q - from.Q),
+                                  from.sigma + part * (to.sigma - from.sigma)};
+}
 
 struct rwedge_contact {
     rw_geometry geometry; /* its pad is the contact's own */
@@ -38,10 +57,14 @@ struct rwedge_contact {
     double tolerance;        /* of loads without a closed form; 0: they are refused */
     rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
     rwedge_contact *exact;   /* then: as it was in closed form last; NULL: without contact */
-    rw_kept *kept;           /* NULL for nothing; no copy has it */
+    void *kept; /* by a room above until the next load; NULL for nothing; no copy has it */
+    void (*destroy_kept)(void *kept);
 };
 
 void rw_contact_drop_kept(rwedge_contact *contact);
+
+/* Each takes what the other has. */
+void rw_contact_exchange(rwedge_contact *one, rwedge_contact *other);
 
 /* Without load; the contact takes the geometry's pad over. RWEDGE_ENOMEM. */
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);

@@ -335,18 +335,6 @@ static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
     return go_on(contact, to, &step, &departure);
 }
 
-static double at(double t, double from, double to)
-{
-    return from + t * (to - from);
-}
-
-static rw_loads loads_at(double t, rw_loads from, rw_loads to)
-{
-    return t == 1 ? to
-                  : (rw_loads){at(t, from.P, to.P), at(t, from.M, to.M), at(t, from.Q, to.Q),
-                               at(t, from.sigma, to.sigma)};
-}
-
 /* Of the pieces that a step without a closed form is divided into. */
 enum { MOST_PIECES = 40 };
 static const double SHORTEST_PIECE = 1.0 / 256;
@@ -357,20 +345,13 @@ static int32_t apply_in_pieces(rwedge_contact *contact, rw_loads to)
     const rw_loads from = contact->loads;
     double t = 0, next = 0.5;
     for (int i = 0; i < MOST_PIECES && t < 1 && next - t >= SHORTEST_PIECE; i++) {
-        if (apply_whole(contact, loads_at(next, from, to)) == RWEDGE_OK) {
+        if (apply_whole(contact, rw_loads_between(from, to, next)) == RWEDGE_OK) {
             t = next;
             next = 1;
         } else
             next = t / 2 + next / 2;
     }
     return t == 1 ? RWEDGE_OK : RWEDGE_EPATH;
-}
-
-static void take_over(rwedge_contact *contact, rwedge_contact *other)
-{
-    const rwedge_contact before = *contact;
-    *contact = *other;
-    *other = before;
 }
 
 /* Where all that has slipped since slips in the straight line from the last closed form to these
@@ -385,7 +366,7 @@ static void return_to_closed_form(rwedge_contact *contact)
     if (apply_whole(exact, contact->loads) == RWEDGE_OK && rw_numerical_agrees(contact, exact)) {
         exact->energy = contact->energy;
         exact->energy_carry = contact->energy_carry;
-        take_over(contact, exact);
+        rw_contact_exchange(contact, exact);
     }
     rwedge_contact_destroy(exact);
 }
@@ -413,7 +394,7 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
         return RWEDGE_ENOMEM;
     const int32_t in_pieces = apply_in_pieces(trial, to);
     if (in_pieces == RWEDGE_OK)
-        take_over(contact, trial);
+        rw_contact_exchange(contact, trial);
     rwedge_contact_destroy(trial);
     return in_pieces == RWEDGE_EPATH ? apply_numerically(contact, to) : in_pieces;
 }

@@ -9,16 +9,15 @@
 enum { LISTS = 4 };
 
 typedef struct {
-    rw_kept head;
     size_t count;
     double *loads; /* all P, then M, Q and sigma */
     rw_cycle cycle[RW_INTERESTS];
     int32_t status[RW_INTERESTS];
 } kept_cycle;
 
-static void destroy(rw_kept *head)
+static void destroy(void *of_contact)
 {
-    kept_cycle *kept = (kept_cycle *)head;
+    kept_cycle *kept = of_contact;
     for (int interest = 0; interest < RW_INTERESTS; interest++)
         rw_cycle_destroy(&kept->cycle[interest]);
     free(kept->loads);
@@ -38,7 +37,7 @@ static bool is_same(const kept_cycle *kept, const rw_load_list *loads)
 const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_list *loads,
                               rw_interest interest, int32_t *status)
 {
-    const kept_cycle *kept = (const kept_cycle *)contact->kept;
+    const kept_cycle *kept = contact->kept;
     if (!kept || !is_same(kept, loads))
         return NULL;
     *status = kept->status[interest];
@@ -57,7 +56,6 @@ static kept_cycle *create(const rw_load_list *loads)
     const double *const list[LISTS] = {loads->P, loads->M, loads->Q, loads->sigma};
     for (int i = 0; i < LISTS; i++)
         memcpy(copy + (size_t)i * loads->count, list[i], loads->count * sizeof *copy);
-    kept->head.destroy = destroy;
     kept->count = loads->count;
     kept->loads = copy;
     return kept;
@@ -90,9 +88,10 @@ int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads, const d
     status = kept ? go_through(contact, &list, kept) : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
         rw_contact_drop_kept(contact);
-        contact->kept = &kept->head;
+        contact->kept = kept;
+        contact->destroy_kept = destroy;
     } else if (kept) {
-        destroy(&kept->head);
+        destroy(kept);
     }
     return status;
 }

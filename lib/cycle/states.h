@@ -6,11 +6,6 @@
 #include "contact/contact.h"
 
 typedef struct {
-    size_t count;
-    const double *P, *M, *Q, *sigma;
-} rw_load_list;
-
-typedef struct {
     rwedge_contact *contact;
     rw_patch patch; /* of the contact; NaN when separated */
     rw_patch stuck; /* where nothing has slipped since the state before */

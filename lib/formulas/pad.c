@@ -35,8 +35,8 @@ rw_edge_rates rw_pad_edge_rates(const rw_pad *pad, rw_patch patch)
     for (size_t i = 0; i < pad->count; i++) {
         if (!rw_arc_is_inside(pad->arcs[i], patch))
             continue;
-        const rw_corners corners = rw_corners_of(pad->arcs[i], patch);
-        const rw_edge_rates rates = rw_patch_edge_rates(&corners);
+        const rw_arc_ends ends = rw_arc_ends_of(pad->arcs[i], patch);
+        const rw_edge_rates rates = rw_patch_edge_rates(&ends);
         sum.at_left += pad->weights[i] * rates.at_left;
         sum.at_right += pad->weights[i] * rates.at_right;
     }

@@ -50,10 +50,10 @@ double rw_arc_less_product(double v, double sine, double cosine)
 
 /* With the sines t and cosines c of the two angles, t_1 - t_0 = 2 cos_middle sin_half, c_0 + c_1 =
  * 2 cos_middle cos_half and t_0 + t_1 = 2 sin_middle cos_half. */
-rw_corners rw_corners_of(rw_arc arc, rw_patch patch)
+rw_arc_ends rw_arc_ends_of(rw_arc arc, rw_patch patch)
 {
     const double s = rw_patch_half_width(patch), alpha = rw_arc_half_length(arc) / s;
-    rw_corners k = {.alpha = alpha, .per_alpha = alpha < SHARP ? 0 : 1 / alpha};
+    rw_arc_ends k = {.alpha = alpha, .per_alpha = alpha < SHARP ? 0 : 1 / alpha};
     for (int i = 0; i < 2; i++) {
         const double at = i == 0 ? arc.left : arc.right;
         const double from_left = (at - patch.left) / s, to_right = (patch.right - at) / s;
@@ -81,7 +81,7 @@ rw_corners rw_corners_of(rw_arc arc, rw_patch patch)
     return k;
 }
 
-rw_edge_rates rw_patch_edge_rates(const rw_corners *k)
+rw_edge_rates rw_patch_edge_rates(const rw_arc_ends *k)
 {
     const double slant = k->sin_middle * k->sin_half_over; /* (c_0 - c_1)/(2 alpha) */
     return (rw_edge_rates){.at_left = k->half_over - slant, .at_right = k->half_over + slant};
@@ -89,7 +89,7 @@ rw_edge_rates rw_patch_edge_rates(const rw_corners *k)
 
 /* -<phi> (2/pi). Of both ends inside, phi is the middle and <phi> less than that by what the sine
  * bends; of one, all of the rounding but an angle counts as pi/2. */
-static double tilt_of(const rw_corners *k, double half, int *side)
+static double tilt_of(const rw_arc_ends *k, double half, int *side)
 {
     *side = 0;
     if (k->is_inside[0] && k->is_inside[1]) {
@@ -113,7 +113,7 @@ rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side)
         *side = 0;
         return (rw_pressing){load, m * load, (m - (arc.left / 2 + arc.right / 2)) / a};
     }
-    const rw_corners k = rw_corners_of(arc, patch);
+    const rw_arc_ends k = rw_arc_ends_of(arc, patch);
     const double half = k.half_over * k.alpha;
     const double load = s * (rw_arc_less_product(half, k.sin_half, k.cos_half) * k.per_alpha +
                              2 * k.cos_middle * k.cos_middle * k.sin_half_over * k.cos_half);

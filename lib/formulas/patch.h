@@ -76,10 +76,10 @@ typedef struct {
     double half_over, sin_half_over; /* over alpha, finite for alpha = 0 too */
     double sin_middle, cos_middle;   /* cos_middle >= sin_half */
     bool is_inside[2];
-} rw_corners;
+} rw_arc_ends;
 
 /* left < right, with the arc at least partly inside. */
-rw_corners rw_corners_of(rw_arc arc, rw_patch patch);
+rw_arc_ends rw_arc_ends_of(rw_arc arc, rw_patch patch);
 
 /* Load, moment about x = 0, tilt. */
 typedef struct {
@@ -103,7 +103,7 @@ typedef struct {
     double at_left, at_right;
 } rw_edge_rates;
 
-rw_edge_rates rw_patch_edge_rates(const rw_corners *corners);
+rw_edge_rates rw_patch_edge_rates(const rw_arc_ends *ends);
 
 /* The patch of the load P > 0 and the moment M; of the load P > 0 and the tilt |delta| < 1. Edges
  * to 1e-14 of the width. -M or -delta gives the mirror image to the last bit. NaN where the tilt is

@@ -22,7 +22,7 @@ typedef struct {
     double m, s, delta;
     rw_arc arc;
     rw_patch patch;
-    rw_corners ends;
+    rw_arc_ends ends;
     double clear[2]; /* 1 - t, exactly */
     bool flank;      /* lies outside of the patch */
     rw_eccentric potential;
@@ -50,7 +50,7 @@ static double omega(const outside *o, int end, place at)
 /* (omega_0 - omega_1)/alpha, both ends inside. */
 static double omega_difference(const outside *o, place at)
 {
-    const rw_corners *k = &o->ends;
+    const rw_arc_ends *k = &o->ends;
     const double X = at.X, C = at.C;
     const double x0 = o->clear[0] - k->sine[0] * at.less, x1 = o->clear[1] - k->sine[1] * at.less;
     const double x = x0 * x1 + k->cosine[0] * k->cosine[1] * X * X;
@@ -67,7 +67,7 @@ static bool is_rounded(const outside *o)
 static double slope(double w, const void *context)
 {
     const outside *o = context;
-    const rw_corners *k = &o->ends;
+    const rw_arc_ends *k = &o->ends;
     const place at = place_at(w);
     const double X = at.X, C = at.C;
     double sum;
@@ -92,7 +92,7 @@ static double primitive_of(const outside *o, int end, place at)
 /* int slope, times pi/2. */
 static double primitive(const outside *o, double w)
 {
-    const rw_corners *k = &o->ends;
+    const rw_arc_ends *k = &o->ends;
     const place at = place_at(w);
     const double X = at.X, C = at.C;
     if (is_rounded(o) && k->per_alpha == 0)
@@ -148,7 +148,7 @@ static outside outside_of(rw_arc arc, rw_patch patch)
                  .patch = patch,
                  .m = rw_patch_middle(patch),
                  .s = rw_patch_half_width(patch),
-                 .ends = rw_corners_of(arc, patch),
+                 .ends = rw_arc_ends_of(arc, patch),
                  .flank = patch.right >= arc.right};
     o.clear[0] = (patch.right - arc.left) / o.s;
     o.clear[1] = (patch.right - arc.right) / o.s;

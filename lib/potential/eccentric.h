@@ -28,7 +28,7 @@ typedef struct {
     rw_patch patch;
     double middle, half_width, per_half_width;
     double a; /* half of the arc */
-    rw_corners corners;
+    rw_arc_ends ends;
     bool is_centred;
     int inside;                  /* how many ends of the arc are inside the patch */
     rw_half_view view[2];        /* right, left */

@@ -2,7 +2,7 @@
 /* With t = (z - centre)/(2 radius), what is interpolated has its nearest singularity beyond |t| =
  * 2.5, and the disc is |t| <= 1/2. Chebyshev's series over -1 < t < 1 then converges like 0.338^n
  * at the top of the disc, t = i/2: 24 terms leave 5e-12. */
-#include "contact/neighbourhood.h"
+#include "yield/neighbourhood.h"
 
 #include "base/domain.h"
 #include "potential/eccentric_form.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "criteria.h"
+#include "criteria_options.h"
 
 #include "text/list.h"
 #include "text/message.h"
@@ -7,8 +7,6 @@
 
 #include <math.h>
 #include <string.h>
-
-#include <rwedge.h>
 
 struct poptOption criteria_option_table[] = {
     {"criteria", '\0', POPT_ARG_STRING, NULL, OPTION_CRITERIA,
@@ -35,29 +33,20 @@ struct poptOption criteria_option_table[] = {
     POPT_TABLEEND,
 };
 
-const criterion_kind criterion_kinds[CRITERION_COUNT] = {
-    {"swt", MATERIAL_SWT_LIMIT, 0, NULL, 0},
-    {"fatemi-socie", MATERIAL_FS_LIMIT, 0, NULL, 0},
-    {"findley", MATERIAL_FINDLEY_LIMIT, OPTION_FINDLEY_K, "findley-k", 0},
-    {"modified-wohler", MATERIAL_LAMBDA, OPTION_KAPPA, "kappa", 0},
-    {"mcdiarmid", MATERIAL_COUNT, OPTION_T_A, "t-a", 1e-60},
-    {"crossland", MATERIAL_CROSSLAND_LIMIT, OPTION_CROSSLAND_ALPHA, "crossland-alpha", 0},
-    {"dang-van", MATERIAL_DANG_VAN_LIMIT, OPTION_DANG_VAN_ALPHA, "dang-van-alpha", 0},
-    {"swt-damage", MATERIAL_COUNT, 0, NULL, 0},
-    {"fatemi-socie-damage", MATERIAL_COUNT, 0, NULL, 0},
-};
-
-bool column_is_wanted(const criteria *all, int column)
-{
-    const int criterion = measure_kinds[column].criterion;
-    if (column < MEASURE_COUNT)
-        return true;
-    return criterion == NO_CRITERION ? !isnan(all->archard) : all->is_wanted[criterion];
-}
-
 /* ---- Constants ---- */
 
-static const double SQRT_3 = 1.7320508075688772;
+/* The option of the constant of each; 0 for none. */
+static const struct {
+    int number;
+    double least;
+    const char *name;
+} constant_options[CRITERION_COUNT] = {
+    [CRITERION_FINDLEY] = {OPTION_FINDLEY_K, 0, "findley-k"},
+    [CRITERION_MODIFIED_WOHLER] = {OPTION_KAPPA, 0, "kappa"},
+    [CRITERION_MCDIARMID] = {OPTION_T_A, 1e-60, "t-a"},
+    [CRITERION_CROSSLAND] = {OPTION_CROSSLAND_ALPHA, 0, "crossland-alpha"},
+    [CRITERION_DANG_VAN] = {OPTION_DANG_VAN_ALPHA, 0, "dang-van-alpha"},
+};
 
 /* NAN where it is not given. */
 static double read_constant(const arguments *line, int number, const char *name, double least)
@@ -81,13 +70,12 @@ static void read_constants(const arguments *line, criteria *all)
 {
     all->archard = read_constant(line, OPTION_ARCHARD, "archard", 1e-60);
     all->su = read_constant(line, OPTION_SU, "su", 1e-60);
-    for (int i = 0; i < CRITERION_COUNT; i++) {
-        const criterion_kind *kind = &criterion_kinds[i];
-        if (kind->option == 0)
-            continue;
-        all->constant[i] = read_constant(line, kind->option, kind->option_name, kind->least);
+    for (int i = CRITERION_FINDLEY; i <= CRITERION_DANG_VAN; i++) {
+        const char *name = constant_options[i].name;
+        all->constant[i] =
+            read_constant(line, constant_options[i].number, name, constant_options[i].least);
         all->is_wanted[i] = all->is_listed ? all->is_wanted[i] : !isnan(all->constant[i]);
-        need(all, i, all->constant[i], kind->option_name);
+        need(all, i, all->constant[i], name);
     }
     if (!all->is_listed && !isnan(all->su))
         all->is_wanted[CRITERION_MCDIARMID] = true;
@@ -127,14 +115,6 @@ static void read_names(const char *text, criteria *all)
 }
 
 /* ---- All ---- */
-
-criteria criteria_usual(const contact_case *setup)
-{
-    criteria all = {.nu = setup->nu1, .archard = NAN, .su = NAN};
-    for (int i = 0; i < CRITERION_COUNT; i++)
-        all.constant[i] = i == CRITERION_SWT ? 0 : NAN;
-    return all;
-}
 
 static void read_plane_stress(arguments *line, criteria *all)
 {
@@ -182,7 +162,7 @@ void criteria_read_strength(const arguments *line, const contact_case *setup, cr
         usage_error("--fs-k %s: must be a number from 0 to 1000000", text);
     if (text != NULL && isnan(setup->k))
         usage_error("--fs-k %s: needs --k or --yield-stress", text);
-    all->constant[CRITERION_FATEMI_SOCIE] = k / (SQRT_3 * setup->k);
+    all->constant[CRITERION_FATEMI_SOCIE] = criteria_fatemi_socie(setup, k);
     need(all, CRITERION_FATEMI_SOCIE, setup->k, "yield-stress");
     need(all, CRITERION_FS_DAMAGE, setup->k, "yield-stress");
     read_damage(CRITERION_SWT, CRITERION_SWT_DAMAGE, "sf, b, ef, c", all);

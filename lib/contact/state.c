@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact as numbers, for restarts and for other processes. In this order: the version of this
- * form and a sum of the bits of all that follows; what the contact is; its path; the origins of its
- * slip. All of it is what the contact holds, to the last bit, so that what is restored goes on as
- * the original would. */
+ * form and a checksum of all that follows; the pad and the present loads; the path of the memory;
+ * the origins of slip; the computed shear. The numbers are those that the contact holds, to the
+ * last bit, so that a restored contact goes on as the original would. */
 #include "contact/contact.h"
 
 #include "base/logarithm.h"
 
 #include <stdlib.h>
 
-/* Since 2 it has the strain per bulk tension, since 3 what has no closed form and any pad. */
+/* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad. */
 static const double VERSION = 3;
 
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
@@ -65,13 +65,13 @@ static void pass_corner(tape *t, rw_corner *c)
     pass(t, &c->most);
 }
 
-/* ---- What is sound ---- */
+/* ---- Checks of a state that is read ---- */
 
-/* What a contact has computed from each other is as near to each other as this, whatever was
- * rounded on the way. */
+/* Two numbers that follow from each other in a contact differ by no more than this, relatively,
+ * whatever was rounded. */
 static const double LOOSE = 1e-6;
 
-/* Half of the width of the least patch inside a contact, and less. */
+/* No patch of a contact has a smaller half-width. */
 static const double LEAST = 1e-90;
 
 static bool is_near(double value, double expected, double scale)
@@ -110,8 +110,8 @@ static bool is_corner_sound(const rw_geometry *g, const rw_corner *c, const rw_c
            (before->load == 0 || is_nested(before->patch, c->patch));
 }
 
-/* Whether slip is measured from the end of its path, at points that the one before does not have.
- */
+/* Whether an origin is sound: it starts at the end of its path, and its points begin where those of
+ * the origin before it end. */
 static bool is_origin_sound(const rw_slip_origins *origins, size_t i)
 {
     const rw_slip_origin *o = &origins->all[i];
@@ -137,7 +137,7 @@ static bool are_loads_sound(const rwedge_contact *c)
            (c->numerical || is_near(c->loads.Q, c->f * end->shear, c->f * end->load));
 }
 
-/* Whether the last path kept has what the present one shares with it. */
+/* Whether the last kept path has the corners that the present one shares with it. */
 static bool is_share_sound(const rwedge_contact *c)
 {
     const rw_slip_origins *origins = &c->origins;
@@ -179,7 +179,7 @@ static bool is_contact_sound(const rwedge_contact *c)
 
 /* ---- Reading and writing ---- */
 
-/* Corners in a row, after the one before them if there is one. */
+/* Corners one after the other; `before` is the corner in front of them, or NULL. */
 static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_corner *before)
 {
     for (size_t i = 0; i < count; i++) {
@@ -206,7 +206,7 @@ static void pass_path(tape *t, rw_memory *memory)
         rw_memory_relevel(memory);
 }
 
-/* An origin but for its corners: how many they are, and how many it shares with the last. */
+/* An origin without its corners: how many it has, and how many it shares with the last origin. */
 static void pass_origin(tape *t, rw_slip_origin *o, size_t *shared, size_t most_shared)
 {
     double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
@@ -225,7 +225,7 @@ static void write_origin(tape *t, const rw_slip_origins *origins, size_t i)
                  NULL);
 }
 
-/* Its corners are read to where they will be. */
+/* Reads the corners straight to their final place. */
 static void read_origin(tape *t, rw_slip_origins *origins)
 {
     const size_t last = rw_slip_origins_last_corners(origins);
@@ -264,7 +264,7 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
             write_origin(t, origins, i);
 }
 
-/* ---- What has no closed form ---- */
+/* ---- The computed shear ---- */
 
 static void pass_elements(tape *t, rw_traction *traction)
 {

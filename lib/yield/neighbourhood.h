@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The fields of a contact around a place of its surface. A patch that ends far away has a potential
  * that is analytic there, across the surface too. So the shear traction of all such patches has an
- * analytic potential, which is interpolated: the time then does not depend on their number.
+ * analytic potential, which is interpolated: the time then does not depend on their number. */
 #ifndef RW_NEIGHBOURHOOD_H
 #define RW_NEIGHBOURHOOD_H
 

@@ -14,6 +14,7 @@
 #include "base/linear.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { TURNS = 100 };
 
@@ -47,8 +48,8 @@ bool rw_grid_create(rw_grid *g, int n)
         cosine[i] = cos(RW_PI * i / n);
     for (int d = 0; d < 2 * n; d++) {
         wave[d] = 0;
-        for (int k = 1; k < n; k++)
-            wave[d] += cosine[k * d % (2 * n)] / k;
+        for (int k = 1, turn = d; k < n; k++, turn += turn + d < 2 * n ? d : d - 2 * n)
+            wave[d] += cosine[turn] / k;
     }
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
@@ -118,11 +119,10 @@ static double sum_of(int n, const double v[])
 
 static void multiply(const rw_grid *g, const double v[], double product[])
 {
-    for (int i = 0; i < g->n; i++) {
-        product[i] = 0;
-        for (int j = 0; j < g->n; j++)
-            product[i] += g->matrix[i * g->n + j] * v[j];
-    }
+    memset(product, 0, (size_t)g->n * sizeof *product);
+    for (int j = 0; j < g->n; j++)
+        for (int i = 0; i < g->n; i++)
+            product[i] += g->matrix[j * g->n + i] * v[j];
 }
 
 /* What slips is at its bound, what sticks at 0 as yet. */

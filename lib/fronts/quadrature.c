@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* The order of a panel is RW_TERMS, or less where few digits are asked for. */
-enum { MOST_PANELS = 12, FEW_TERMS = 10, ROWS = 5 + RW_LAYERS };
+enum { MOST_PANELS = 12, FEW_TERMS = 8, ROWS = 5 + RW_LAYERS };
 
 static const double RATIO = 0.12;
 

@@ -248,6 +248,7 @@ static outcome computed(void)
     static const double STEP[][4] = {{0.5, 0, 0, 0}, {0.5, 0, 0.1, 0.9}};
     outcome seen = {0};
     const double x = 0.1;
+    double s[5];
     rwedge_contact *contact = NULL, *other = NULL;
     seen.status = STATUS_OF(rwedge_contact_create_profile(4, place, slope, 0.5, 0.5, &contact));
     if (seen.status == RWEDGE_OK)
@@ -268,7 +269,14 @@ static outcome computed(void)
         seen.status = STATUS_OF(rwedge_contact_restore(last.size, last.number, &other));
     }
     if (seen.status == RWEDGE_OK)
-        assert_ok(STATUS_OF(rwedge_contact_slip(other, 1, &x, seen.number)));
+        seen.status =
+            STATUS_OF(rwedge_contact_stress_history(other, 1, &STEP[1][0], &STEP[1][1], &STEP[1][2],
+                                                    &STEP[1][3], 1, &x, &x, s, s + 1, s + 2));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(
+            rwedge_contact_permanent_stick(contact, 0.5, 0, -0.1, 0, 0.5, 0, 0.1, 0, &s[3], &s[4]));
+    if (seen.status == RWEDGE_OK)
+        memcpy(seen.number, s, sizeof s);
     RUN(rwedge_contact_destroy(other));
     RUN(rwedge_contact_destroy(contact));
     return seen;
@@ -278,8 +286,13 @@ static outcome planes(void)
 {
     outcome seen = {0};
     const double sxx[] = {1, -2}, syy[] = {0, 0.5}, txy[] = {0.3, 0.1};
-    double n[3];
+    double n[13];
     seen.status = STATUS_OF(rwedge_findley(2, sxx, syy, txy, 0.3, 0.2, &n[0], &n[1], &n[2]));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_smith_watson_topper_damage(
+            2, sxx, syy, txy, 2e5, 0.3, 0, 1000, -0.1, 0.5, -0.6, 0, &n[3], &n[4], &n[5], &n[6]));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_rainflow(2, sxx, 1, &n[7], &n[9], &n[11]));
     if (seen.status == RWEDGE_OK)
         memcpy(seen.number, n, sizeof n);
     return seen;

@@ -482,6 +482,9 @@ CLAIM(a_cycle_has_loads)
     double value = 5, angle = 6, out = 7;
     assert_int_equal(rwedge_findley(0, TENSION, NOTHING, NOTHING, 0.3, 0.2, &value, &angle, &out),
                      RWEDGE_ERANGE);
+    assert_int_equal(rwedge_findley_field(2, SIZE_MAX / 8, TENSION, NOTHING, NOTHING, 0.3, 0.2,
+                                          &value, &angle, &out),
+                     RWEDGE_ERANGE);
     assert_true(value == 5 && angle == 6 && out == 7);
 }
 

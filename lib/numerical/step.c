@@ -14,7 +14,7 @@ enum { ORDER = 10 };
 enum { ANGLES = 96 };
 
 /* Residuals that a pattern may cost. */
-enum { BUDGET = 400 };
+enum { BUDGET = 120 };
 
 /* Residuals that take as long as a traction and its conditions. */
 enum { OUTCOME = 20 };

@@ -245,6 +245,9 @@ typedef struct {
 static void check_slip_part(slipping *s, double from, double to)
 {
     const rw_problem *p = s->problem;
+    /* what is wrong on both sides of a break is one part; but an edge that does not grow slips */
+    const double least = p->grows[0] ? -HUGE_VAL : p->to.left;
+    const double most = p->grows[1] ? HUGE_VAL : p->to.right;
     double begun = NAN, last = from;
     for (int i = 0; i < SLIPS; i++) {
         const double half = sin(RW_HALF_PI * s->node[i]), x = from + (to - from) * half * half;
@@ -262,8 +265,8 @@ static void check_slip_part(slipping *s, double from, double to)
         const double excess = s->label * slip / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
-            begun = !isnan(begun) ? begun : i == 0 && s->attached ? from : x;
-            last = i + 1 == SLIPS && s->attached ? to : x;
+            begun = !isnan(begun) ? begun : i == 0 && from > least ? from : x;
+            last = i + 1 == SLIPS && to < most ? to : x;
         }
     }
     if (!isnan(begun))

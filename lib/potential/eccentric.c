@@ -5,7 +5,7 @@
 
 /* ---- Preparation ---- */
 
-/* Of a patch within the rounding, which sees no more than its edges. */
+/* For a patch within the rounding: Hertz. */
 static rw_half_view plain_view(const rw_eccentric *p, double side)
 {
     return (rw_half_view){.edge = side > 0 ? p->patch.right : -p->patch.left};

@@ -53,6 +53,7 @@ typedef struct {
     int32_t measure;                /* as the library calls it; -1 for damage */
     int value, angle, out_of_plane; /* its columns; 0: it has no plane */
     int cycles;                     /* of damage: the column of their number; else 0 */
+    int constant;                   /* of the material; MATERIAL_COUNT: it needs none of its own */
 } criterion_kind;
 extern const criterion_kind criterion_kinds[CRITERION_COUNT];
 

@@ -19,4 +19,14 @@ export const alternatives = Object.fromEntries(
 
 export const resultKinds = kinds("result");
 export const measureKinds = kinds("measure");
-export const isAngle = ({ unit }) => unit === "deg";
+
+/** Criteria by their columns, as they are offered. */
+export const criteria = {
+    swt: { title: "Smith\u2013Watson\u2013Topper", unit: "stress" },
+    fatemi_socie: { title: "Fatemi\u2013Socie", unit: "none" },
+    findley: { title: "Findley", unit: "stress" },
+    modified_wohler: { title: "modified W\u00f6hler curve", unit: "stress" },
+    mcdiarmid: { title: "McDiarmid", unit: "none" },
+    crossland: { title: "Crossland", unit: "stress" },
+    dang_van: { title: "Dang Van", unit: "stress" },
+};

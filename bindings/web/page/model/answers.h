@@ -6,7 +6,8 @@
 #include "model/contact_case.h"
 
 /* Reads the case without its loads, which are given apart, and Poisson's ratio of body 1. In plane
- * stress the contact is one of Poisson's ratio 0. False where it is refused: the records say why. */
+ * stress the contact is one of Poisson's ratio 0. False where it is refused: the records say
+ * why. */
 bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form,
                      double *nu);
 

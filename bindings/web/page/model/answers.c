@@ -5,7 +5,7 @@
 #include "field_texts.h"
 #include "records.h"
 
-#include "model/results/measures.h"
+#include "model/cycle/measures.h"
 #include "model/results/verdict.h"
 
 #include "text/list.h"
@@ -39,7 +39,7 @@ EXPORTED const char *page_words(void)
         records_text(result_kinds[i].unit);
         records_text(result_kinds[i].meaning);
     }
-    for (int i = 0; i < MEASURE_COUNT; i++) {
+    for (int i = 0; i < COLUMN_COUNT; i++) {
         records_add("measure");
         records_text(measure_kinds[i].column);
         records_text(measure_kinds[i].unit);

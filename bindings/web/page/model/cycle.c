@@ -63,14 +63,14 @@ static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
     return true;
 }
 
-/* By its column; Smith, Watson and Topper's where no criterion has it. */
+/* By its column. */
 static void choose(const char *column)
 {
-    int i = CRITERION_DANG_VAN;
-    while (i > 0 && strcmp(column, column_kind_of(criterion_kinds[i].value)->column) != 0)
-        i--;
-    asked.criterion = i;
-    asked.column = criterion_kinds[i].value;
+    asked.column = MEASURE_SWT;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        if (strcmp(column, measure_kinds[i].column) == 0)
+            asked.column = i;
+    asked.criterion = measure_criterion(asked.column);
 }
 
 static double constant_of(int constant)
@@ -214,7 +214,7 @@ static void write_numbers(const double *numbers, size_t count, size_t distance)
 static void write_column(int column)
 {
     records_add("measured");
-    records_text(column_kind_of(column)->column);
+    records_text(measure_kinds[column].column);
     write_numbers(&asked.at->value[column], asked.n, COLUMN_COUNT);
 }
 
@@ -224,7 +224,7 @@ static void write_worst(int column)
     if (isnan(asked.worst_x[column]))
         return;
     records_add("worst");
-    records_text(column_kind_of(column)->column);
+    records_text(measure_kinds[column].column);
     records_number(asked.worst_x[column]);
     records_number(asked.worst[column]);
 }
@@ -237,9 +237,9 @@ static void write_measures(void)
     write_numbers(asked.x, asked.n, 1);
     for (int i = 0; i < MEASURE_COUNT; i++) {
         write_column(i);
-        if (i == MEASURE_FS_ANGLE && !is_usual)
+        if (i + 1 == MEASURE_SLIP_RANGE && !is_usual)
             write_column(asked.column);
-        if (!measure_kinds[i].is_angle)
+        if (measure_kinds[i].part == PART_VALUE)
             write_worst(i);
     }
     if (!is_usual)

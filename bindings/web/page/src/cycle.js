@@ -21,7 +21,7 @@ function linesOfMaterial(text, sign) {
 
 const takers = {
     refused: (answer, input, text) =>
-        answer.faults.push(input === "criterion" ? `${criteria[answer.criterion.name].title} ${text}` : text),
+        answer.faults.push(input === "criterion" ? `${criteria[answer.criterion.name]} ${text}` : text),
     load: (answer, ...numbers) => answer.loads.push(loadOf(numbers)),
     unused: (answer, text) => (answer.unused = text),
     known: (answer, slip, error) => Object.assign(answer, { slipKnown: slip === "1", error: number(error) }),

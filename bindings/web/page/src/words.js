@@ -18,15 +18,16 @@ export const alternatives = Object.fromEntries(
 );
 
 export const resultKinds = kinds("result");
-export const measureKinds = kinds("measure");
+/** By name. */
+export const measures = Object.fromEntries(kinds("measure").map((kind) => [kind.name, kind]));
 
-/** Criteria by their columns, as they are offered. */
+/** Titles of the criteria that are offered, by their columns. */
 export const criteria = {
-    swt: { title: "Smith\u2013Watson\u2013Topper", unit: "stress" },
-    fatemi_socie: { title: "Fatemi\u2013Socie", unit: "none" },
-    findley: { title: "Findley", unit: "stress" },
-    modified_wohler: { title: "modified W\u00f6hler curve", unit: "stress" },
-    mcdiarmid: { title: "McDiarmid", unit: "none" },
-    crossland: { title: "Crossland", unit: "stress" },
-    dang_van: { title: "Dang Van", unit: "stress" },
+    swt: "Smith\u2013Watson\u2013Topper",
+    fatemi_socie: "Fatemi\u2013Socie",
+    findley: "Findley",
+    modified_wohler: "modified W\u00f6hler curve",
+    mcdiarmid: "McDiarmid",
+    crossland: "Crossland",
+    dang_van: "Dang Van",
 };

@@ -9,11 +9,10 @@ import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { writeNumber } from "../number.js";
 import { barText } from "../verdict.js";
-import { criteria, measureKinds } from "../words.js";
+import { criteria, measures } from "../words.js";
 import { tableText } from "./table.js";
 
-const kindOf = (name) => measureKinds.find((kind) => kind.name === name) ?? { name, ...criteria[name] };
-const unitOf = (name, unit) => unit[kindOf(name).unit];
+const unitOf = (name, unit) => unit[measures[name].unit];
 
 /** A measure along the surface, where it is worst, and its limit. */
 function alongOf({ x, measured, worst }, { unit, write }, name, title, limit = NaN) {
@@ -34,7 +33,7 @@ function alongOf({ x, measured, worst }, { unit, write }, name, title, limit = N
 
 function fatigueOf(answer, model) {
     const { name } = answer.criterion;
-    return alongOf(answer, model, name, `${criteria[name].title} along the surface`, answer.limit);
+    return alongOf(answer, model, name, `${criteria[name]} along the surface`, answer.limit);
 }
 
 const loopNames = ({ whole }) => (whole ? ["displacement by slip", "Q"] : ["slip", "q"]);
@@ -59,7 +58,7 @@ function sentenceText({ worst, criterion: { name }, limit, safety, life }, { uni
     const place = x === undefined ? "" : ` at x = ${write(x)} ${unit.length}`,
         beside = safety < 1 ? "above" : "below";
     const parts = [
-        `${criteria[name].title}: ${write(value)} ${unitOf(name, unit)}${place}`,
+        `${criteria[name]}: ${write(value)} ${unitOf(name, unit)}${place}`,
         Number.isNaN(safety)
             ? "no limit of the material is given"
             : `${beside} its limit ${write(limit)}, a factor of ${write(safety)}`,
@@ -92,7 +91,7 @@ function worstText(answer, model) {
         name,
         value: write(worst[name].value),
         unit: unitOf(name, unit),
-        meaning: `at x = ${write(worst[name].x)}: ${kindOf(name).meaning ?? kindOf(name).title}`,
+        meaning: `at x = ${write(worst[name].x)}: ${measures[name].meaning}`,
     }));
     return tableText("The worst places", [...rows, ...verdictRows(answer, model)]);
 }
@@ -125,7 +124,7 @@ const entry = (name, attributes) => element(name, { spellcheck: "false", ...attr
 
 /** What is typed and chosen, by the names of the state, the command, and the remark. */
 function makeEntries() {
-    const options = Object.entries(criteria).map(([value, { title }]) => element("option", { value }, title));
+    const options = Object.entries(criteria).map(([value, title]) => element("option", { value }, title));
     return {
         typed: {
             loads: entry("textarea", { id: "loads", rows: 5, placeholder: "P\tQ", "aria-describedby": "loads-note" }),

@@ -151,6 +151,19 @@ static bool are_measured(size_t n, const double x[], const double value[])
     return true;
 }
 
+static int32_t check(const rwedge_contact *contact, const rw_load_list *loads, const line *l,
+                     size_t n, const double x[], const double value[])
+{
+    if (!contact || !rw_is_load_list(loads) || (n > 0 && (!x || !value)))
+        return RWEDGE_ENULL;
+    if (l->measure < RWEDGE_MEASURE_STRESS_RANGE || l->measure > RWEDGE_MEASURE_DANG_VAN ||
+        !is_material(&l->material) || !rw_is_magnitude(l->y) || !are_measured(n, x, value))
+        return RWEDGE_EDOMAIN;
+    if (n == 0)
+        return RWEDGE_ERANGE;
+    return is_of_friction(l->measure) && l->y != 0 ? RWEDGE_EDOMAIN : RWEDGE_OK;
+}
+
 int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measure, size_t loads,
                                    const double P[], const double M[], const double Q[],
                                    const double sigma[], size_t n, const double x[],
@@ -164,20 +177,13 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
               .material = {E, nu, constant, su, plane_stress},
               .y = y,
               .lacked_memory = &lacked_memory};
-    if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !value)) || !worst_x ||
-        !worst_value)
-        return RWEDGE_ENULL;
-    if (measure < RWEDGE_MEASURE_STRESS_RANGE || measure > RWEDGE_MEASURE_DANG_VAN ||
-        !is_material(&l.material) || !rw_is_magnitude(y) || !are_measured(n, x, value))
-        return RWEDGE_EDOMAIN;
-    if (n == 0)
-        return RWEDGE_ERANGE;
     peak best = {NAN, NAN};
-    const bool is_slip = is_of_friction(measure);
-    if (is_slip && y != 0)
-        return RWEDGE_EDOMAIN;
     int32_t status =
-        rw_cycle_create(contact, &list, is_slip ? RW_SLIP_TOO : RW_STRESS_ALONE, &l.cycle);
+        !worst_x || !worst_value ? RWEDGE_ENULL : check(contact, &list, &l, n, x, value);
+    if (status != RWEDGE_OK)
+        return status;
+    status = rw_cycle_create(contact, &list,
+                             is_of_friction(measure) ? RW_SLIP_TOO : RW_STRESS_ALONE, &l.cycle);
     if (status == RWEDGE_OK && !(l.stress = malloc(3 * loads * sizeof *l.stress)))
         status = RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {

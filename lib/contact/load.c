@@ -82,6 +82,14 @@ static bool is_same_pressing(const rwedge_contact *contact, rw_loads to)
            fabs(to.M - contact->loads.M) <= rw_memory_tolerance(end->load) * arm;
 }
 
+/* The tilt of the contact under the loads; NaN where there is none. */
+static double tilt_of(const rw_geometry *g, rw_loads loads, rw_patch patch)
+{
+    if (loads.P == 0 || (loads.M == 0 && rw_is_symmetric(g)))
+        return 0;
+    return isnan(patch.left) ? NAN : rw_pressing_of(g, patch).tilt;
+}
+
 /* The step to the loads in the units of the memory, and the patch that it leads to. */
 static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *step)
 {
@@ -110,9 +118,7 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
     step->patch = rw_patch_under_moment(g, to.P, to.M);
     if (g->reach > 0 && fmax(-step->patch.left, step->patch.right) > g->reach)
         return RWEDGE_ERANGE;
-    step->to.tilt = to.P == 0 || (to.M == 0 && rw_is_symmetric(g)) ? 0
-                    : isnan(step->patch.left) ? NAN /* there is no such patch */
-                                              : rw_pressing_of(g, step->patch).tilt;
+    step->to.tilt = tilt_of(g, to, step->patch);
     return RWEDGE_OK;
 }
 

@@ -60,6 +60,13 @@ static double load_up_to(const rw_geometry *g, double x)
     return g->pad ? rw_normal_load(g, x) : rwedge_normal_load(g->theta, g->a, g->A, x);
 }
 
+/* What is small last. */
+static double in_units(const rwedge_contact *contact, double w)
+{
+    const double f = contact->f, theta = contact->geometry.theta;
+    return f > 1 ? f * w * theta : theta * w * f;
+}
+
 /* x >= 0 */
 static double slip_at(const rwedge_contact *contact, double x)
 {
@@ -83,8 +90,7 @@ static double slip_at(const rwedge_contact *contact, double x)
         w -= departure_displacement(contact, &left, x);
     const double at_centre = kept > 1 ? rw_trail_corner(&base, 1)->ratio : after_kept;
     w -= (now->corners[1].ratio - at_centre) * rw_height(g, x);
-    /* what is small last */
-    return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f;
+    return in_units(contact, w);
 }
 
 /* Off the centre: from the one origin that serves all points. */
@@ -95,9 +101,7 @@ static double slip_off_centre(const rwedge_contact *contact, double x)
         return 0;
     const rw_memory base = {.corners = contact->origins.own.corners, /* the first path of a row */
                             .count = contact->origins.all[0].corners};
-    const double w = rw_path_displacement(&contact->memory, &base, &contact->geometry, x);
-    return contact->f > 1 ? contact->f * w * contact->geometry.theta
-                          : contact->geometry.theta * w * contact->f;
+    return in_units(contact, rw_path_displacement(&contact->memory, &base, &contact->geometry, x));
 }
 
 int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],

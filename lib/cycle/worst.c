@@ -151,17 +151,31 @@ static bool are_measured(size_t n, const double x[], const double value[])
     return true;
 }
 
-static int32_t check(const rwedge_contact *contact, const rw_load_list *loads, const line *l,
-                     size_t n, const double x[], const double value[])
+static int32_t check(const line *l, size_t n, const double x[], const double value[])
 {
-    if (!contact || !rw_is_load_list(loads) || (n > 0 && (!x || !value)))
-        return RWEDGE_ENULL;
     if (l->measure < RWEDGE_MEASURE_STRESS_RANGE || l->measure > RWEDGE_MEASURE_DANG_VAN ||
         !is_material(&l->material) || !rw_is_magnitude(l->y) || !are_measured(n, x, value))
         return RWEDGE_EDOMAIN;
     if (n == 0)
         return RWEDGE_ERANGE;
     return is_of_friction(l->measure) && l->y != 0 ? RWEDGE_EDOMAIN : RWEDGE_OK;
+}
+
+/* Through the loads, and then from place to place. */
+static int32_t find(const rwedge_contact *contact, const rw_load_list *loads, line *l, size_t n,
+                    const double x[], const double value[], peak *best)
+{
+    const rw_interest interest = is_of_friction(l->measure) ? RW_SLIP_TOO : RW_STRESS_ALONE;
+    int32_t status = rw_cycle_create(contact, loads, interest, &l->cycle);
+    if (status == RWEDGE_OK && !(l->stress = malloc(3 * loads->count * sizeof *l->stress)))
+        status = RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK) {
+        *best = search(l, n, x, value);
+        status = *l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
+    }
+    free(l->stress);
+    rw_cycle_destroy(&l->cycle);
+    return status;
 }
 
 int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measure, size_t loads,
@@ -177,24 +191,16 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
               .material = {E, nu, constant, su, plane_stress},
               .y = y,
               .lacked_memory = &lacked_memory};
-    peak best = {NAN, NAN};
-    int32_t status =
-        !worst_x || !worst_value ? RWEDGE_ENULL : check(contact, &list, &l, n, x, value);
-    if (status != RWEDGE_OK)
-        return status;
-    status = rw_cycle_create(contact, &list,
-                             is_of_friction(measure) ? RW_SLIP_TOO : RW_STRESS_ALONE, &l.cycle);
-    if (status == RWEDGE_OK && !(l.stress = malloc(3 * loads * sizeof *l.stress)))
-        status = RWEDGE_ENOMEM;
-    if (status == RWEDGE_OK) {
-        best = search(&l, n, x, value);
-        status = lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
-    }
+    if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !value)) || !worst_x ||
+        !worst_value)
+        return RWEDGE_ENULL;
+    peak best;
+    int32_t status = check(&l, n, x, value);
+    if (status == RWEDGE_OK)
+        status = find(contact, &list, &l, n, x, value, &best);
     if (status == RWEDGE_OK) {
         *worst_x = best.x;
         *worst_value = best.value;
     }
-    free(l.stress);
-    rw_cycle_destroy(&l.cycle);
     return status;
 }

@@ -218,18 +218,24 @@ static station first_station(const rw_step *s, int slip)
                      .stuck = front->patch};
 }
 
-static station station_at(const rw_step *s, double t, int slip, const station *last)
+/* On the straight way to the new load, where the contact is of that load. */
+static rw_loading loading_at(const rw_step *s, double t, double load, rw_patch contact)
 {
     const rw_corner *end = rw_memory_end(s->memory);
+    return (rw_loading){.load = load,
+                        .shear = end->shear + t * (s->to.shear - end->shear),
+                        .tilt = rw_pressing_of(s->geometry, contact).tilt,
+                        .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+}
+
+static station station_at(const rw_step *s, double t, int slip, const station *last)
+{
     station at = {.t = t, .contact = s->patch, .stuck = last->stuck};
     rw_loading loading = s->to;
     if (t < 1) {
         const double P = s->from_P + t * (s->to_P - s->from_P);
         at.contact = rw_patch_under_moment(s->geometry, P, s->from_M + t * (s->to_M - s->from_M));
-        loading = (rw_loading){.load = P,
-                               .shear = end->shear + t * (s->to.shear - end->shear),
-                               .tilt = rw_pressing_of(s->geometry, at.contact).tilt,
-                               .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+        loading = loading_at(s, t, P, at.contact);
     }
     at.front = rw_memory_departure(s->memory, loading);
     at.is_known = at.front.slip == slip && front_is_known(s, loading, at.contact, &at.front);
@@ -327,10 +333,7 @@ static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
     part.to_P = at->load;
     part.to_M = s->from_M + t * (s->to_M - s->from_M);
     part.patch = rw_patch_under_moment(s->geometry, part.to_P, part.to_M);
-    part.to = (rw_loading){.load = at->load,
-                           .shear = end->shear + t * (s->to.shear - end->shear),
-                           .tilt = rw_pressing_of(s->geometry, part.patch).tilt,
-                           .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+    part.to = loading_at(s, t, at->load, part.patch);
     rw_departure d;
     if (!rw_patch_is_nested(part.patch, at->patch, part.to.tilt) ||
         obstacle_of(&part, &d) != RW_NO_OBSTACLE || d.slip != 0)

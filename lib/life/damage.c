@@ -325,7 +325,7 @@ static verdict exactly(miner *m, const plane *p)
     return v;
 }
 
-static verdict worst_of(miner *m, const rw_field *f, size_t point)
+static verdict worst_of(miner *m, const rw_stress_field *f, size_t point)
 {
     for (int i = 0; i < STARTS; i++)
         m->best[i] = (verdict){{{1, 0}, {1, 0}, {1, 0}}, 0, 0};
@@ -379,7 +379,7 @@ static void give(const verdict *v, size_t n, const results *r)
     }
 }
 
-static int32_t sum_up(const rw_field *f, miner *m, const results *r)
+static int32_t sum_up(const rw_stress_field *f, miner *m, const results *r)
 {
     verdict *all = calloc(f->points + 1, sizeof *all);
     int32_t status = all && take_room(m, f->loads) ? RWEDGE_OK : RWEDGE_ENOMEM;
@@ -396,7 +396,7 @@ static int32_t sum_up(const rw_field *f, miner *m, const results *r)
     return status;
 }
 
-static int32_t damage(const rw_field *f, bool in_domain, const rw_criterion *c,
+static int32_t damage(const rw_stress_field *f, bool in_domain, const rw_criterion *c,
                       const rw_life_curve *curve, const results *r)
 {
     const int32_t status =
@@ -414,7 +414,7 @@ int32_t rwedge_smith_watson_topper_damage_field(size_t loads, size_t n, const do
                                                 double value[], double cycles[], double angle[],
                                                 double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     rw_criterion criterion;
     rw_life_curve curve;
     const bool in_domain = rw_smith_watson_topper(E, nu, plane_stress, &criterion) &&
@@ -430,7 +430,7 @@ int32_t rwedge_fatemi_socie_damage_field(size_t loads, size_t n, const double sx
                                          double limit, double value[], double cycles[],
                                          double angle[], double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     rw_criterion criterion;
     rw_life_curve curve;
     const bool in_domain = rw_fatemi_socie(E, nu, plane_stress, k_over_sy, &criterion) &&

@@ -85,6 +85,41 @@ static void note_kinks(const rw_problem *p, rw_shear_state *s)
     rw_sort(s->kink, (size_t)s->kinks);
 }
 
+static bool is_front(const rw_zones *zones, double x)
+{
+    for (int i = 0; i + 1 < zones->count; i++)
+        if (zones->zone[i].right == x)
+            return true;
+    return false;
+}
+
+static double traction_of(double x, const void *context)
+{
+    return rw_traction_at(context, x);
+}
+
+/* Two elements are enough. */
+static bool is_smooth(const rw_traction *t, double from, double to, double tolerance)
+{
+    rw_traction fit = {0};
+    const double at[2] = {from, to};
+    const bool is_fit = rw_traction_fit(&fit, traction_of, t, 2, at, tolerance) && fit.count == 2;
+    rw_traction_destroy(&fit);
+    return is_fit;
+}
+
+void rw_shear_state_smooth(rw_shear_state *s, rw_patch contact, double tolerance)
+{
+    int kept = 0;
+    for (int i = 0; i < s->kinks; i++) {
+        const double from = kept > 0 ? s->kink[kept - 1] : contact.left;
+        const double to = i + 1 < s->kinks ? s->kink[i + 1] : contact.right;
+        if (is_front(&s->zones, s->kink[i]) || !is_smooth(&s->traction, from, to, FIT * tolerance))
+            s->kink[kept++] = s->kink[i];
+    }
+    s->kinks = kept;
+}
+
 static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
 {
     double all[MOST_BREAKS];
@@ -219,8 +254,8 @@ static void check_slip_part(slipping *s, double from, double to)
         const double excess = s->label * slip / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
-            begun = isnan(begun) ? x : begun;
-            last = x;
+            begun = !isnan(begun) ? begun : i == 0 && s->attached ? from : x;
+            last = i + 1 == SLIPS && s->attached ? to : x;
         }
     }
     if (!isnan(begun))

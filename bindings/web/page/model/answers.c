@@ -5,7 +5,7 @@
 #include "field_texts.h"
 #include "records.h"
 
-#include "model/results/measures.h"
+#include "model/cycle/measures.h"
 #include "model/results/verdict.h"
 
 #include "text/list.h"

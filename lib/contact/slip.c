@@ -26,8 +26,8 @@ static double gap(const rw_geometry *g, double s, double x)
     return s * rw_gap(&patch, x / s);
 }
 
-/* The displacement at x over f theta, but for that of the profile, of the corners first ...
- * count-1, with the slope `beyond` after the last. */
+/* The sum of w(x)/(f theta) over the corners from `first` to count - 1, without the term of the
+ * profile. `beyond` is the slope D after the last of them. */
 static double displacement(const rwedge_contact *contact, const rw_trail *path, size_t first,
                            size_t count, double beyond, double x)
 {
@@ -54,7 +54,7 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
     return displacement(contact, &trail, 0, 1, left->slip, x);
 }
 
-/* The load under which the edge is at x. */
+/* The load under which the edge of the contact is at x. */
 static double load_up_to(const rw_geometry *g, double x)
 {
     return g->pad ? rw_normal_load(g, x) : rwedge_normal_load(g->theta, g->a, g->A, x);
@@ -93,7 +93,7 @@ static double slip_at(const rwedge_contact *contact, double x)
     return in_units(contact, w);
 }
 
-/* Off the centre: over the one origin there is. */
+/* Off the centre: from the one origin that serves all points. */
 static double slip_off_centre(const rwedge_contact *contact, double x)
 {
     const rw_patch settled = contact->settled;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/sound.h"
 
-/* What a contact has computed from each other is as near to each other as this, whatever was
- * rounded on the way. */
+/* Two numbers that follow from each other in a contact differ by no more than this, relatively,
+ * whatever was rounded. */
 static const double LOOSE = 1e-6;
 
-/* Half of the width of the least patch inside a contact, and less. */
+/* No patch of a contact has a smaller half-width. */
 static const double LEAST = 1e-90;
 
 static bool is_near(double value, double expected, double scale)
@@ -69,7 +69,7 @@ static bool are_loads_sound(const rwedge_contact *c)
            (c->numerical || is_near(c->loads.Q, c->f * end->shear, c->f * end->load));
 }
 
-/* Whether the last path kept has what the present one shares with it. */
+/* Whether the last kept path has the corners that the present one shares with it. */
 static bool is_share_sound(const rwedge_contact *c)
 {
     const rw_slip_origins *origins = &c->origins;

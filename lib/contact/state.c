@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact as numbers, for restarts and for other processes. In this order: the version of this
- * form and a sum of the bits of all that follows; what the contact is; its path; the origins of its
- * slip. All of it is what the contact holds, to the last bit, so that what is restored goes on as
- * the original would. */
+ * form and a checksum of all that follows; the pad and the present loads; the path of the memory;
+ * the origins of slip; the computed shear. The numbers are those that the contact holds, to the
+ * last bit, so that a restored contact goes on as the original would. */
 #include "contact/sound.h"
 
 #include "base/logarithm.h"
 
 #include <stdlib.h>
 
-/* Since 2 it has the strain per bulk tension, since 3 what has no closed form and any pad. */
+/* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad. */
 static const double VERSION = 3;
 
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
@@ -71,7 +71,7 @@ static void pass_corner(tape *t, rw_corner *c)
 
 /* ---- Reading and writing ---- */
 
-/* Corners in a row, after the one before them if there is one. */
+/* Corners one after the other; `before` is the corner in front of them, or NULL. */
 static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_corner *before)
 {
     for (size_t i = 0; i < count; i++) {
@@ -98,7 +98,7 @@ static void pass_path(tape *t, rw_memory *memory)
         rw_memory_relevel(memory);
 }
 
-/* An origin but for its corners: how many they are, and how many it shares with the last. */
+/* An origin without its corners: how many it has, and how many it shares with the last origin. */
 static void pass_origin(tape *t, rw_slip_origin *o, size_t *shared, size_t most_shared)
 {
     double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
@@ -117,7 +117,7 @@ static void write_origin(tape *t, const rw_slip_origins *origins, size_t i)
                  NULL);
 }
 
-/* Its corners are read to where they will be. */
+/* Reads the corners straight to their final place. */
 static void read_origin(tape *t, rw_slip_origins *origins)
 {
     const size_t last = rw_slip_origins_last_corners(origins);
@@ -155,7 +155,7 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
             write_origin(t, origins, i);
 }
 
-/* ---- What has no closed form ---- */
+/* ---- The computed shear ---- */
 
 static void pass_elements(tape *t, rw_traction *traction)
 {

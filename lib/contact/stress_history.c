@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses at many points through many loads. The loads come first: a load leaves the first patches
- * of the contact as they were, and what follows is noted, weighted patches. Then the points, block
- * by block: the sums over the first patches are kept, and so is the field of the contact itself. */
+/* Stresses at many points through many loads. First the contact goes through the loads: each load
+ * leaves the first patches as they were, and the record notes the patches that follow, with their
+ * weights. Then the points are computed, block by block: the sums over the first patches, and the
+ * field of the contact itself, are kept from load to load. */
 #include "contact/contact.h"
 #include "stress/stress.h"
 
@@ -19,8 +20,8 @@ typedef struct {
     size_t count, capacity;
 } pieces;
 
-/* Of each load: how many pieces of the load before it keeps, how many more it has, the last being
- * the contact, and its tension. */
+/* For a load: how many pieces of the load before it keeps; how many more it has, the last being the
+ * contact; its tension. */
 typedef struct {
     size_t kept, own;
     double sigma;
@@ -100,7 +101,7 @@ typedef struct {
     rw_fields field, sum;
 } level;
 
-/* The points, and a level for each piece; levels[0] is none. */
+/* The points, and a level for each piece; levels[0] is for no piece. */
 typedef struct {
     const rw_geometry *geometry;
     int n;
@@ -120,7 +121,7 @@ static void add_piece(const block *b, size_t at, const piece *next)
     rw_add_fields(&l->field, next->weight, b->n, &l->sum);
 }
 
-/* The contact is often as it was, with more or fewer pieces inside of it. */
+/* The contact is often the same, with more or fewer pieces inside it: its field is then kept. */
 static void move_contact(const block *b, size_t to, const piece *contact)
 {
     const level *from = &b->levels[b->top];
@@ -179,7 +180,7 @@ static bool have_stress(const rwedge_contact *contact, const points *p)
     return true;
 }
 
-/* Points have to be in the domain in units of the half-width too: of the least, of the largest. */
+/* Points have to be in the domain in units of the half-width too, the least and the largest. */
 static int32_t load_all(rwedge_contact *contact, const rw_load_list *loads, const points *p,
                         record *r)
 {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The states of a cycle that a contact keeps until its next load, for the calls that ask for the
- * same loads: of each interest, as a load that is cut into parts ends in other bits. */
+/* The states of a cycle that a contact keeps until its next load, for calls with the same loads.
+ * There is one list for stresses and one for slip, because a load that is cut into parts ends in
+ * other bits. */
 #include "cycle/measures.h"
 
 #include <stdlib.h>
@@ -61,7 +62,7 @@ static kept_cycle *create(const rw_load_list *loads)
     return kept;
 }
 
-/* A slip that is not known is a result, too. */
+/* RWEDGE_EPATH for the slip is kept as a result too. */
 static int32_t go_through(const rwedge_contact *contact, const rw_load_list *loads,
                           kept_cycle *kept)
 {

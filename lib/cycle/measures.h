@@ -10,7 +10,7 @@
 int32_t rw_cycle_stresses(const rw_cycle *cycle, size_t n, const double x[], const double y[],
                           double stress[]);
 
-/* Of n stresses after each load, at the place i. */
+/* The largest sxx after any load at the place i, from the stresses at n places. */
 double rw_largest_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i);
 
 #endif

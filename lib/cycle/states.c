@@ -4,7 +4,7 @@
 #include "base/sort.h"
 
 /* A step in which P or M changes is cut into PARTS. Where it ends in separation its last part is
- * halved again and again, as the contact shrinks to nothing. */
+ * halved again and again, because the contact shrinks to nothing. */
 enum { PARTS = 32, HALVINGS = 10, STATES_A_STEP = PARTS + HALVINGS };
 
 static double share_of(int part)
@@ -12,8 +12,8 @@ static double share_of(int part)
     return part < PARTS ? (double)part / PARTS : 1 - ldexp(1.0 / PARTS, PARTS - 1 - part);
 }
 
-/* The corners of the path that a straight step has not left: there nothing slips. The corner at
- * which a line leaves the last common segment has the slope of that segment. */
+/* The patch in which a straight step slips nowhere: that of the last corner which both paths have
+ * in common, or of the new corner at which the step leaves a segment of the old path. */
 static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact *after)
 {
     if (before->numerical || after->numerical)
@@ -27,7 +27,7 @@ static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact
     return path->corners[is_on_segment ? common : common - 1].patch;
 }
 
-/* Goes on from the last state. */
+/* Adds the state after a step from the last one. */
 static int32_t add_state(rw_cycle *cycle, rw_loads to)
 {
     const rwedge_contact *before = cycle->states[cycle->count - 1].contact;
@@ -52,8 +52,8 @@ static void drop_states(rw_cycle *cycle, size_t count)
         rwedge_contact_destroy(cycle->states[--cycle->count].contact);
 }
 
-/* Where a state on the way has no closed form, there are none, as the step has one as a whole. But
- * not even then what slips while the bodies separate is known. */
+/* Adds the states on the way to a load. Where one of them has no closed form, none is added: the
+ * step as a whole has one. On the way to separation the slip is then not known, RWEDGE_EPATH. */
 static int32_t add_parts(rw_cycle *cycle, rw_loads to)
 {
     const size_t count = cycle->count;

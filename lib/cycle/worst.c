@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a measure of a cycle is largest, between places at which it is known too. */
+/* Where a measure of a cycle is largest on a line, also between the places at which it is known. */
 #include "cycle/friction.h"
 #include "cycle/measures.h"
 
@@ -73,7 +73,8 @@ static bool has_stress(const line *l, double x)
     return has;
 }
 
-/* NaN at the apex of a sharp wedge. Of what friction does F2 alone takes stresses. */
+/* The measure at one place; NaN at the apex of a sharp wedge. Among the measures of friction only
+ * Ruiz' F2 needs stresses. */
 static double measure_at(const line *l, double x)
 {
     if (is_of_friction(l->measure) && l->measure != RWEDGE_MEASURE_RUIZ_F2)
@@ -90,8 +91,9 @@ static peak better(const line *l, peak best, double x)
     return value > best.value ? (peak){x, value} : best;
 }
 
-/* The interval is halved around its best place, to 1e-10 of it. After a few rounds what is still to
- * be gained is less than what was: then a top that cannot come up to the highest is left. */
+/* The interval is halved around its best place, to 1e-10 of it. After a few rounds the gain still
+ * to come is less than the gain so far: a top that cannot reach the highest one is then given
+ * up. */
 static peak climb(const line *l, double from, double to, peak best, double highest)
 {
     enum { ROUNDS = 34, TRIAL = 6 };
@@ -108,7 +110,7 @@ static peak climb(const line *l, double from, double to, peak best, double highe
     return best;
 }
 
-/* Another top is worth a search if its place comes so near to the best one. */
+/* A top is searched if its given value is at least this part of the best one. */
 static const double NEARLY = 0.97;
 enum { SEARCHES = 8 }; /* enough for tops; a plateau has more */
 

@@ -9,13 +9,13 @@
 
 #include <float.h>
 
-/* Below it alpha is nothing beside 1, nor is its square beside any number. */
+/* A smaller alpha is lost in rounding beside 1, and its square beside any number. */
 static const double SHARP = 0x1p-260;
 
 /* A width that cannot be multiplied. */
 static const double LARGEST = 1e250;
 
-/* Of an edge, over the width: edges at the same place are inside. */
+/* The rounding of an edge, over the width: an edge at the same place counts as inside. */
 static const double SLACK = 1e-12;
 
 bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt)
@@ -87,8 +87,9 @@ rw_edge_rates rw_patch_edge_rates(const rw_arc_ends *k)
     return (rw_edge_rates){.at_left = k->half_over - slant, .at_right = k->half_over + slant};
 }
 
-/* -<phi> (2/pi). Of both ends inside, phi is the middle and <phi> less than that by what the sine
- * bends; of one, all of the rounding but an angle counts as pi/2. */
+/* The tilt -<phi> (2/pi). Where both ends of the rounding are inside, <phi> is the middle angle
+ * less a term from the curvature of the sine. Where one end is inside, phi is pi/2 on the rest of
+ * the rounding. */
 static double tilt_of(const rw_arc_ends *k, double half, int *side)
 {
     *side = 0;
@@ -132,7 +133,7 @@ rw_pressing rw_patch_pressing(double a, rw_patch patch)
     return carried;
 }
 
-/* ---- Which patch ---- */
+/* ---- The patch of a load ---- */
 
 /* For M, delta >= 0. */
 typedef struct {
@@ -188,7 +189,7 @@ static rw_patch hertz(double m, double s)
     return (rw_patch){m - s, m + s};
 }
 
-/* Of the sharp wedge, m >= 0: the edge that is nearer to the apex is small where they differ. */
+/* The sharp wedge, m >= 0: where the edges differ much, the one nearer to the apex is small. */
 static rw_patch sharp(double m, double P)
 {
     const double s = hypot(m, P / 2);

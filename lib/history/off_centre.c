@@ -40,7 +40,7 @@ static place place_at(double w)
     return (place){w, 2 * half * sqrt(1 + half * half), 1 + less, less};
 }
 
-/* omega of an end, 0 for one that is not inside. */
+/* omega of an end of the rounding, 0 for an end outside the patch. */
 static double omega(const outside *o, int end, place at)
 {
     if (!o->ends.is_inside[end])
@@ -142,7 +142,7 @@ static double w_at(const outside *o, double right, double x)
     return asinh(sqrt(beyond * (2 + beyond)));
 }
 
-/* The formulas hold as far as the profile is what they take it for. */
+/* The formulas hold up to the next end of the rounding: beyond it the profile differs. */
 static outside outside_of(rw_arc arc, rw_patch patch)
 {
     outside o = {.arc = arc,
@@ -177,7 +177,7 @@ static double right_gap(outside *o, double x)
     return o->s * gap;
 }
 
-/* Of the wedge that an arc is the rounding of, x outside. */
+/* The gap of the wedge that has the arc for its rounding; x is outside the patch. */
 static double arc_gap(rw_arc arc, rw_patch patch, double x)
 {
     const bool is_right = x > patch.right;
@@ -203,7 +203,8 @@ double rw_patch_gap(const rw_geometry *g, rw_patch patch, double x)
 
 /* ---- Displacement ---- */
 
-/* Of the corners from `first` on; where that is not the first, the step at the corner before it. */
+/* The displacement by the corners from `first` on, and, where `first` is not the first of all, by
+ * the step at the corner before it. */
 static double displacement(const rw_memory *path, size_t first, const rw_geometry *g, double x)
 {
     double sum = 0;

@@ -3,8 +3,9 @@
  * its largest, rounded to a power of two, so that no product leaves the range of a double. */
 #include "measures/planes.h"
 
-/* The plane of the largest shear amplitude, and of these the one of the largest normal stress: such
- * a part of that decides between amplitudes which are equal but for rounding. */
+/* The plane of the largest shear amplitude; among equal ones, that of the largest normal stress.
+ * This part of the normal stress is added to the amplitude, to decide between amplitudes that
+ * differ by rounding. */
 static const double TIE = 1e-8;
 
 typedef struct {
@@ -127,7 +128,7 @@ static double stress(const rw_criterion *c, const rw_worst_plane *plane, double 
     return plane->value * unit;
 }
 
-/* 0 where nothing changes. */
+/* 0 where no stress changes. */
 static double amplitude_and_ratio(const rw_criterion *c, const rw_worst_plane *plane, double unit)
 {
     if (!(plane->amplitude > 0))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a criterion of planes is to the search, and the loads of a point of a field. */
+/* A criterion of planes as the search takes it, and the loads of a point of a field. */
 #ifndef RW_PLANES_H
 #define RW_PLANES_H
 

@@ -22,8 +22,8 @@ typedef struct {
 
 /* ---- One load ---- */
 
-/* What counts by its range, and the normal stress: at the middle, half of its change over the arc,
- * and what that leaves out. */
+/* The quantity that counts by its range, and the normal stress: the value at the middle of the arc,
+ * half of the change over the arc, and a bound on the remainder. */
 typedef struct {
     double along, change, rest, peak, peak_change, peak_rest;
 } wave;
@@ -44,7 +44,7 @@ static inline wave wave_of(bool is_strain, const rw_item *load, const rw_psi_arc
 
 /* ---- All loads on an arc ---- */
 
-/* At the middle; at the ends above all; and what the largest of the loads are at least. */
+/* Values at the middle; upper bounds at the ends; lower bounds of the largest of all loads. */
 typedef struct {
     double high, low, peak;
     double top[ENDS], bottom[ENDS], peaks[ENDS];
@@ -134,7 +134,7 @@ static bool note_all(rivals *r, const wave *l, const view *v, const rw_item *loa
     return note(r, PEAK, peak >= v->least_peak, load) || is_top || is_bottom;
 }
 
-/* Those that are kept stand in front, where the rivals point. */
+/* The loads that are kept stand in front, and `rivals` points to them. */
 static size_t keep(search *w, const rw_psi_arc *arc, size_t n, const view *v, rivals *r)
 {
     size_t kept = 0;
@@ -147,7 +147,7 @@ static size_t keep(search *w, const rw_psi_arc *arc, size_t n, const view *v, ri
     return kept;
 }
 
-/* ---- Where no other load comes in ---- */
+/* ---- Arcs with one top, bottom and peak ---- */
 
 /* The direction of the largest top - bottom + gain peak of a shear, each of one load: a wave. */
 static rw_direction crest_of(const rw_severity *v, const rivals *r)

@@ -19,12 +19,12 @@
 
 enum { CORNERS = 4 };
 
-/* No cell is as small: its bound is above the value by less than noise. */
+/* Cells never get this small: their bound exceeds the value by less than noise before. */
 static const double SMALLEST = 1e-9;
 
 /* Where a curve of planes has the same value no cell of it can be left out. After every PATIENCE
- * cells what counts as noise grows by a factor; beyond LARGE_NOISE of the value, after more. So the
- * search ends. */
+ * cells the difference that counts as noise grows by a factor; beyond LARGE_NOISE of the value it
+ * grows after more cells. So the search ends. */
 enum { PATIENCE = 512, MORE_PATIENCE = 8192 };
 static const double IMPATIENCE = 8, LARGE_NOISE = 1e-5;
 
@@ -38,7 +38,7 @@ typedef struct {
     double at[CORNERS];
 } corners;
 
-/* What the loads are at most in the cell, and what at least the largest of them is. */
+/* Upper bounds of the loads in the cell, and a lower bound of the largest of them. */
 typedef struct {
     rw_circle around;
     corners amplitude, peak;
@@ -238,7 +238,8 @@ static bool is_worst_at_equator(const search *w, const cell *a, size_t n)
     return rw_equator_is_worst(w->cycle, w->severity, &arc, n, w->best.value + w->noise);
 }
 
-/* How many of the first n loads are left in the cell, and its halves; 0 where it is done with. */
+/* How many of the first n loads can matter in the cell, and the halves of the cell; 0 where the
+ * cell is settled. */
 static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
 {
     view v;
@@ -290,7 +291,7 @@ static const rw_direction ROW[ROWS] = {{0.98078528040323044, 0.19509032201612827
                                        {0.19509032201612827, 0.98078528040323044}};
 static const double HALF_HEIGHT = RW_PI / 16, TANGENT = 0.098491403357164255;
 
-/* Of an arc of the equator, what may be worse above it. */
+/* Planes above an arc of the equator that may be worse. */
 static void explore_above(search *w, const rw_psi_arc *arc)
 {
     for (int row = 0; row < ROWS; row++) {
@@ -304,7 +305,7 @@ static void explore_above(search *w, const rw_psi_arc *arc)
     }
 }
 
-/* How often an arc is halved to see that nothing above it is worse. */
+/* How often an arc is halved to show that no plane above it is worse. */
 enum { DEPTH = 3 };
 
 static void explore_arc(search *w, const rw_psi_arc *arc, int depth)

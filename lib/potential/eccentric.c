@@ -5,7 +5,7 @@
 
 /* ---- Preparation ---- */
 
-/* Of a patch within the rounding, which sees no more than its edges. */
+/* For a patch within the rounding: Hertz. */
 static rw_half_view plain_view(const rw_eccentric *p, double side)
 {
     return (rw_half_view){.edge = side > 0 ? p->patch.right : -p->patch.left};
@@ -66,7 +66,7 @@ static void make_series(rw_eccentric *p)
         p->far[n - 1] = (part[n - 1] - part[n + 1]) / n;
 }
 
-/* As if it were within the rounding. */
+/* Sets the potential as if the patch were within the rounding. */
 static void begin(rw_eccentric *p, rw_patch patch)
 {
     const double s = rw_patch_half_width(patch);

@@ -31,10 +31,11 @@ typedef struct {
     double past[2];      /* from the ends of the rounding, or [0] from the one that is inside */
 } rw_side_place;
 
-/* Lost in any square but 0, at the end of a rounding, for whose logarithm any number will do. */
+/* Added to a square it is lost in rounding, unless the square is 0: at the end of a rounding, where
+ * any finite logarithm will do. */
 static const double ZERO_SQUARED = 0x1p-1000;
 
-/* What all ends of a point have in common. */
+/* Quantities of a point that all ends of arcs share. */
 typedef struct {
     rw_elliptic e;
     double shrink, cosh_less_1, per_cosh;
@@ -232,8 +233,8 @@ static inline bool rw_eccentric_is_far(const rw_eccentric *p, double x, double y
     return fabs(dx) > far || y > far || dx * dx + y * y > far * far;
 }
 
-/* The points with the edge in place of those that are far, and to the end of the last vector;
- * how many are far. */
+/* The points, with the edge of the patch in place of far points and as filling of the last vector.
+ * Returns how many are far. */
 static inline int rw_near_points(const rw_eccentric *p, int count, const double x[],
                                  const double y[], double near_x[RW_BATCH], double near_y[RW_BATCH])
 {

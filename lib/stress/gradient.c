@@ -5,8 +5,8 @@
  *     alpha dG/da   =  (2/pi) [ z A/alpha - (phi0/alpha) R ],
  *     alpha dG'/da  = -G' - (2/pi) c0 z/(X q),
  *     c dG/dc       =  (2/pi) (phi0/alpha)/X.
- * The two by the rounding fall like (alpha/z)^2 beside their terms. So far from the rounding they
- * are taken from
+ * The two derivatives by the rounding fall like (alpha/z)^2 beside their terms. So far from the
+ * rounding they are computed from
  *     alpha dG/da   = -(2/(pi alpha)) X int s^2/(z^2 - s^2) dpsi,
  * s = sin(psi), 0 <= psi <= phi0. */
 #include "stress/gradient.h"

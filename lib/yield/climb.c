@@ -35,7 +35,7 @@ void rw_J2_from(rw_highest *s, const rw_contact_fields *fields, int side, int n,
     }
 }
 
-/* At n <= RW_BATCH points, which may be the place of the highest. */
+/* J2 at n <= RW_BATCH points. A higher one becomes the highest so far. */
 static void evaluate(rw_highest *s, int n, const double x[], const double y[], double J2[])
 {
     rw_contact_fields fields;
@@ -58,7 +58,7 @@ typedef struct {
     double J2;
 } climb;
 
-/* Beyond the surface is the surface. */
+/* An angle beyond the surface counts as the surface. */
 static void evaluate_places(climb *c, int n, const rw_polar at[], double J2[])
 {
     double x[LINE], y[LINE];
@@ -72,9 +72,9 @@ static void evaluate_places(climb *c, int n, const rw_polar at[], double J2[])
     evaluate(c->s, n, x, y, J2);
 }
 
-/* To the highest place along a line, both ways. While the highest of its points is at an end, the
- * span is doubled. Then it is narrowed to the points beside the highest. Beyond the ends of angle
- * and radius nothing is higher. */
+/* Moves to the highest place along a line, both ways. While the highest of its points is at an end,
+ * the span is doubled. Then it is narrowed to the points beside the highest. Nothing is higher
+ * beyond the limits of angle and radius. */
 static void climb_along(climb *c, double to_angle, double to_log_radius, double last_span)
 {
     const double length = hypot(to_angle, to_log_radius);
@@ -118,8 +118,8 @@ static void climb_to(climb *c, double last_span)
     }
 }
 
-/* To the highest place at any radius. A ridge lies beside the angles of the grid: along it J2 may
- * rise where the grid falls, by as much as the angle from one to the other changes. */
+/* Moves to the highest place of each radius. A ridge lies beside the angles of the grid: along it
+ * J2 may rise where the grid falls, by as much as the angle from one to the other changes. */
 static void climb_ridge(climb *c)
 {
     const double angle = c->top.angle, step = log(1 / RW_FALL);
@@ -169,7 +169,7 @@ static void climb_to_top(climb *c)
     }
 }
 
-/* The mark itself, where J2 is finite. */
+/* J2 at the mark itself, where it is finite. */
 static void evaluate_mark(rw_highest *s, double at)
 {
     const double surface = 0;

@@ -31,7 +31,7 @@ typedef struct {
 /* The ratio of neighbouring radii of a grid. */
 #define RW_FALL 0.5
 
-/* Of the fields at n points, and at their mirror images for side = -1. */
+/* J2 from the fields at n points; for side = -1 at their mirror images. */
 void rw_J2_from(rw_highest *highest, const rw_contact_fields *fields, int side, int n, double J2[]);
 
 /* The depth at which a place at the distance r from its mark is looked at. By rounding the place
@@ -41,7 +41,7 @@ static inline double rw_off_apex(const rwedge_contact *contact, double x, double
     return y == 0 && rw_is_kink(&contact->geometry, x) ? 1e-3 * r : y;
 }
 
-/* At the mark of the foot, and from the foot to its top. */
+/* Looks at the mark of the foot, and climbs from the foot to its top. */
 void rw_climb(rw_highest *highest, const rw_foot *from);
 
 #endif

@@ -79,7 +79,7 @@ static void note(search *s, const rw_foot *from)
 
 /* ---- The grid around one mark ---- */
 
-/* On both sides: [1] is the mirror image. */
+/* J2 on both sides of the contact: [1] is the mirror image. */
 typedef struct {
     double centre, floor, close, reach;
     int rows;
@@ -122,7 +122,8 @@ static void fill(search *s, polar_grid *grid, rw_neighbourhood around, double ou
     }
 }
 
-/* Whether no neighbour is higher; on a plateau, the first of its points. The lowest neighbour. */
+/* Whether no neighbour is higher (on a plateau only its first point counts), and the lowest
+ * neighbour. */
 static bool is_maximum(const double J2[], int rows, int i, int j, double *lowest)
 {
     const double here = *lowest = J2[i * ANGLES + j];

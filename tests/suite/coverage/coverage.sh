@@ -39,7 +39,6 @@ printf '%s\n' $programs | xargs -P 2 -I {} sh -c '
     case $1 in
     strength_survey) cases=300 ;;
     yield_survey) cases=60 ;;
-    test_calls) cases=100 ;;
     *) cases= ;;
     esac
     "$(find "$2/tests" -type f -name "$1")" $cases >"$2/$1.log" 2>&1 || { cat "$2/$1.log"; echo "FAILED: $1"; exit 1; }' sh {} "$build"

@@ -16,12 +16,12 @@
  * trailing edge is x = -b. For plane stress take nu = 0 in the functions of strength, and A =
  * 2/E1 + 2/E2.
  *
- * Domain. Whatever has a size is 0, where that is allowed, or 1e-60 to 1e60 in magnitude:
- * lengths, loads, moduli, stresses, the compliance, friction, the angle theta, and ratios of
- * lengths such as a/b and x/b. A result that would leave this range is an error. Without a size
- * are nu, nu1, nu2, Q_over_fP, AP_over_theta_a.
+ * Domain. Lengths, loads, moduli, stresses, the compliance, friction, the angle theta, and ratios
+ * of lengths such as a/b and x/b have a size: they are 0, where that is allowed, or 1e-60 to 1e60
+ * in magnitude. A result that would leave this range is an error. These arguments have no size:
+ * nu, nu1, nu2, Q_over_fP, AP_over_theta_a.
  *
- * Arguments that return everywhere:
+ * Arguments that many functions share:
  *   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is
  *          Hertz' contact
  *   f      coefficient of friction, 0 <= f <= 1e6
@@ -33,9 +33,8 @@
  * Errors, two rules. A pure formula returns its value, and NaN outside its domain, like sqrt().
  * A function that iterates, allocates or has several results returns a status: RWEDGE_OK or a
  * reason. It leaves its outputs untouched on failure. RWEDGE_OK implies finite outputs. No
- * function prints, exits, aborts, sets errno or keeps state between calls. Only _create, _fit,
- * _create_..., _copy, _load, _apply, _obstacle, _stress_history, _restore, _cycle_... and
- * both permanent_stick() allocate.
+ * function prints, exits, aborts, sets errno or keeps state between calls. A function allocates
+ * only if RWEDGE_ENOMEM is among its errors; rwedge_contact_obstacle() allocates too.
  *
  * Threads: every function may be called from any number of threads. A handle may be read by many
  * at a time. Output arrays may be the same as input arrays, but may not overlap them in part. */
@@ -283,8 +282,8 @@ enum {
 };
 
 /* What makes the results for such a contact doubtful, as a sum of bits: rwedge_validity_text()
- * says what each means. The sum is 0 where nothing does. What is not known is given as NaN; it adds
- * no doubt. Nor does a 0, except as safety.                                                     new
+ * says what each means. The sum is 0 where nothing is doubtful. For what is not known give NaN,
+ * which adds no doubt; 0 adds none either, except as safety.                                    new
  *   theta     any number; the angle between flank and surface, rad
  *   alpha     any number; a/b under the load; 0 is the sharp wedge
  *   beta      any number; rwedge_dundurs_beta()
@@ -302,7 +301,7 @@ RWEDGE_API const char *rwedge_validity_text(int32_t doubt);
 
 /* ---- Dimensional quantities ------------------------------------------------------------------ */
 
-/* From here to the series, any consistent set of units. Arguments that return:
+/* From here to the series, units are any consistent set. Arguments that many functions share:
  *   theta  angle between flank and surface, rad, 0 < theta < pi/2; the theory is that of small
  *          angles
  *   a      half-width of the rounding, length, finite, >= 0; 0 is the sharp wedge
@@ -343,19 +342,18 @@ RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, 
 
 /* ---- A contact with a load history ----------------------------------------------------------- */
 
-/* One contact and what it remembers of its loads (P, Q). It is exact for any history: see
+/* One contact and what it remembers of its loads. It is exact for any history of P and Q: see
  * lib/README.md, "Load histories". Lengths are not in b here: x and y are in the unit of a,
- * stresses in that of 1/A, and 0 is the centre of the contact. rwedge_contact_create() and
- * _copy() make a handle, rwedge_contact_destroy() frees it. Only what may return RWEDGE_ENOMEM
- * uses the heap. Different handles are independent. One handle may be read by many threads at a
- * time. While one thread loads it, no other may use it.
+ * stresses in that of 1/A, and 0 is the centre of the contact. rwedge_contact_create() and _copy()
+ * make a handle, rwedge_contact_destroy() frees it. Different handles are independent. One handle
+ * may be read by many threads at a time. While one thread loads it, no other may use it.
  *
  * Accuracy. The half-width b has a relative error below 1e-14. A remembered load has the rounding
- * error of the largest load, and that over 1 - |D| where Q/f changed by D times the change of P. So
- * has the half-width that belongs to it, such as c. The functions below promise their accuracy for
- * these half-widths as they are. Next to an edge, the error of a half-width changes tractions and
- * stresses too. Where two loads differ by less than 1 %, the errors of q, of the stresses and of
- * the slip are larger in proportion. */
+ * error of the largest load. Where Q/f changed by D times the change of P, it has that error over
+ * (1 - |D|). The half-width that belongs to the load, such as c, has the same relative error. The
+ * functions below promise their accuracy for these half-widths as they are. Next to an edge, the
+ * error of a half-width changes tractions and stresses too. Where two loads differ by less than
+ * 1 %, the errors of q, of the stresses and of the slip are larger in proportion. */
 typedef struct rwedge_contact rwedge_contact;
 
 /* A contact without load, separated.
@@ -364,21 +362,21 @@ typedef struct rwedge_contact rwedge_contact;
 RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, double f,
                                          rwedge_contact **contact);
 
-/* The same of a flat pad with rounded edges, flat over |x| < a and of the radius R beyond; for
- * a = 0 a cylinder.                                                                             new
+/* The same for a flat pad with rounded edges: flat over |x| < a, of the radius R beyond. It is a
+ * cylinder for a = 0.                                                                           new
  *   a  half-width of the flat, length
  *   R  radius of the edges, length, > 0, at most 1e60
  * Its slope is (|x| - a)/R beyond the flat, as far as |x| = a + R: a load that would bring the
- * contact farther is refused with RWEDGE_ERANGE. For theta stands 1 where a function below names
- * it. All functions serve it as they serve the wedge. The errors are those of the wedge, over the
- * root of 1 - a/b.
+ * contact farther is refused with RWEDGE_ERANGE. Where a function below names theta, it is 1 for
+ * this pad. All functions serve it as they serve the wedge. The errors are those of the wedge, over
+ * the root of 1 - a/b.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_create_flat(double a, double R, double A, double f,
                                               rwedge_contact **contact);
 
-/* The same of any convex profile, by its slopes: linear between the places, constant beyond. Of an
- * asymmetric one the contact is off the centre, and tilted, under P alone. A point of its stresses
- * takes 3 times a wedge's where 4 parts of the profile are in contact, 40 times where 100 are.  new
+/* The same for any convex profile, given by its slopes: linear between the places, constant beyond.
+ * The contact of an asymmetric profile is off the centre, and tilted, under P alone. The stresses
+ * at a point take 3 times as long as a wedge's with 4 arcs in contact, 40 times with 100.       new
  *   x      length, finite: of each place, from left to right; equal places are a kink
  *   slope  finite, |slope| < pi/2: the slope there, positive where the profile rises to the right
  * RWEDGE_EDOMAIN where a place or a slope is less than the one before, where all slopes are equal,
@@ -403,20 +401,20 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
 
 /* The next point of the history, reached in a straight line of the (P, Q) plane from the last one.
  *                                                                                     Sec. 3.2; new
- *   P  0, or 1e-60 to 1e60; not below 1e-8 of the last P: but 0 may follow any load. It separates
- *      the bodies (Q must then be 0 too), and all but the dissipated energy is forgotten
+ *   P  0, or 1e-60 to 1e60; not below 1e-8 of the last P: but 0 may follow any load. 0 separates
+ *      the bodies (Q must then be 0 too): all but the dissipated energy is forgotten
  *   Q  |Q| <= f P; equality is full sliding, to 8 epsilon of f times the larger of P and the last
  *      P, or the largest P since it slides: a ramp may be interpolated in any number of steps
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
- * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below
- * 1e-8 of the last P, whose rounding would blur what Q/(fP) is: go there in two loads. RWEDGE_EPATH
- * after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENULL; RWEDGE_ENOMEM. Unless
- * RWEDGE_OK, the contact is as before. It remembers at most two points of the history per load, and
- * of them only those that its tractions or its slip still depend on. */
+ * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below 1e-8
+ * of the last P, because the rounding of the last P would blur Q/(fP): go there in two loads.
+ * RWEDGE_EPATH after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENULL;
+ * RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most two points of the
+ * history per load, and only while its tractions or its slip depend on them. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
 
-/* The next point of the history with a moment and a bulk tension, reached in a straight line of all
- * four.                                                                                         new
+/* The next point of the history with a moment and a bulk tension, reached in a straight line in all
+ * four loads.                                                                                   new
  *   P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
  *   M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0
  *          where P is 0
@@ -424,47 +422,48 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  *   sigma  bulk tension of the half-plane, stress, finite: added to its sxx. It stretches the
  *          surface against the wedge's, by A sigma/4 or as rwedge_contact_set_strain() says, and
  *          so makes it slip. Apply it while P is 0 to have it without slip
- * rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. The result is
- * exact without friction, and where |Q| = f P. It is exact without moment and under one sigma,
- * whatever P and Q do. It is exact under constant P and M, where both edges slip the same way:
- * |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact, for a strain of A/4. It is
- * exact where both edges of the contact move outwards, or both inwards, and both slip the same way
- * or stick; and where Q and sigma stay and the contact keeps what carries shear, or nothing does. A
- * straight line may consist of such pieces. Other loads have no closed form. Nor have loads that
- * bring the front of slip between two patches of the memory at one edge, and between two others at
- * the other edge, or that leave a part beyond the front that sticks: lib/README.md, "Moment and
- * bulk tension". A line may pass such loads and end where there is a closed form. P and M that
- * differ from the last ones by rounding, 4 epsilon of P and of P |x| at the edges, are the last.
- * RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why. RWEDGE_EDOMAIN
- * where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank all but lies on the
- * surface. The others as rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL;
- * RWEDGE_ENOMEM. */
+ * rwedge_contact_load() keeps M and sigma as they are, and drops M where P is 0. A load has a
+ * closed form, and the result is exact: without friction; where |Q| = f P; without moment and under
+ * one sigma, whatever P and Q do; under constant P and M, where both edges slip the same way, that
+ * is |d sigma| <= 4 |dQ|/(pi s), s being the half-width of the contact, for a strain of A/4; where
+ * both edges of the contact move outwards, or both inwards, and both slip the same way or stick;
+ * where Q and sigma stay and the contact keeps the part that carries shear, or no part does. A
+ * straight line may consist of such pieces. Other loads have no closed form. Two kinds of the loads
+ * named have none either: the front of slip ends between two patches of the memory at one edge and
+ * between two others at the other edge; or a part beyond the front sticks: lib/README.md, "Moment
+ * and bulk tension". A line may pass such loads and end where there is a closed form. P and M count
+ * as unchanged where they differ from the last ones by rounding: 4 epsilon of P, and of P |x| at
+ * the edges. RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why.
+ * RWEDGE_EDOMAIN where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank nearly lies
+ * on the surface. Other errors as those of rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE;
+ * RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
-/* From now on, loads that have no closed form are computed instead of refused, to an error of q
- * that is this part of f times the peak pressure. The closed form is used wherever it holds, to
- * the same bits, and again after full sliding, after separation, and, if P and M have not changed
+/* From now on, loads that have no closed form are computed instead of refused. The tolerance is the
+ * error of q over f times the peak pressure. The closed form is used wherever it holds, to the same
+ * bits. It holds again after full sliding, after separation, and, if P and M have not changed
  * since, after a load that slips past all that was computed.                                    new
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
- * What cannot be had to the tolerance is tried once more to ten times as much. A load whose shear
- * cannot be found, or that adds more than 0.1 to the error, fails with RWEDGE_ENOCONV, the contact
- * as before: smaller loads may go. A profile takes as many times longer as it has arcs in contact.
- * rwedge_contact_error() tells the error that was reached. RWEDGE_EDOMAIN; RWEDGE_ENULL. */
+ * A load that does not reach the tolerance is tried once more with ten times the tolerance. A load
+ * whose shear cannot be found, or that adds more than 0.1 to the error, fails with RWEDGE_ENOCONV
+ * and leaves the contact as before: smaller steps may succeed. A profile of n arcs in contact takes
+ * n times as long as a wedge. rwedge_contact_error() tells the error that was reached.
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
 
 /* Estimated error of q over f times the peak pressure; 0 while the state is in closed form. It
- * grows with the loads that the tractions still depend on, and may pass the tolerance. Nearer to a
- * front of slip, or to where one has been, than a hundredth of the half-width q may err by more: it
- * rises there like a root. Elsewhere q erred by less than is told in 95 of 100 random histories of
- * P, M, Q and sigma. In the others it erred by up to 6 times as much, in one by 44 times: smaller
- * loads are safer.                                                                             new
+ * grows with the loads that the tractions still depend on, and may pass the tolerance. The estimate
+ * leaves out places nearer than a hundredth of the half-width to an edge of a slip zone, present or
+ * past: q rises there like a root. At other places q erred by less than the estimate in 95 of 100
+ * random histories of P, M, Q and sigma. In the others it erred by up to 6 times as much, in one by
+ * 44 times: smaller steps are safer.                                                            new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 
-/* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, and which loads lead there
- * or near instead, in English; empty where it would not. They were tried, on a copy of the contact:
- * it takes as long as some loads. Another way is another history.                               new
+/* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, in English; empty where it
+ * would not. The text also names loads that lead there, or near, another way. They were tried on a
+ * copy of the contact, which takes as long as some loads. Another way is another history.       new
  *   arguments as for rwedge_contact_apply(); the contact stays as it is
  * Static text, never NULL. */
 RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M,
@@ -489,17 +488,17 @@ RWEDGE_API int32_t rwedge_contact_loads(const rwedge_contact *contact, double *P
  * is larger, over 1 - |tilt|/theta. */
 RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double *right);
 
-/* How far the contact reaches beyond the corners of its flat, as rwedge_contact_create_flat() has
- * it, with the digits that the edges lose where that is little; below 0 where a corner is lifted.
- * Of other contacts, how far from x = 0.                                                        new
+/* How far the contact reaches beyond the corners of its flat, |x| = a of
+ * rwedge_contact_create_flat(); below 0 where a corner is lifted. It keeps its digits where it is
+ * small. Without a flat, how far the contact reaches from x = 0.                                new
  *   left, right  length
  * RWEDGE_EABSENT when separated; RWEDGE_ENULL. Relative error below 1e-14 without a moment; else
  * that of the edges. */
 RWEDGE_API int32_t rwedge_contact_beyond_flat(const rwedge_contact *contact, double *left,
                                               double *right);
 
-/* The edges of the stick zone: between them and those of the contact friction is exhausted, |q| = f
- * |p|. Those of the contact where there is no such zone.                                        new
+/* The edges of the stick zone. Friction is exhausted, |q| = f |p|, between these edges and those of
+ * the contact. They are the edges of the contact where it slips nowhere.                        new
  *   left, right  length
  * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma
  * the error is that of the contact's edges, over the root of the part of P that the zone carries,
@@ -511,7 +510,7 @@ RWEDGE_API int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, doub
 RWEDGE_API size_t rwedge_contact_zone_count(const rwedge_contact *contact);
 
 /* The zones of the contact that stick and slip, from left to right. Without a closed form there may
- * be several of either.                                                                         new
+ * be several of each kind.                                                                      new
  *   n            rwedge_contact_zone_count()
  *   left, right  each receives n numbers, length: the edges of the zones
  *   slip         receives n numbers: 0 where it sticks, else -1 or 1, the sign of slip and of q,
@@ -541,7 +540,7 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
 
 /* The zone that never slips while loads go to and fro between two points in a straight line, once
  * the first cycles are over, whatever was before. It is all of the smaller contact where the ring
- * that comes and goes takes up the change of Q and sigma.                                       new
+ * that opens and closes carries the change of Q and sigma.                                      new
  *   P1, P2          finite, >= 0, as for rwedge_contact_apply()
  *   M1, M2          finite; 0 where P is 0
  *   Q1, Q2          |Q| <= f P, as for rwedge_contact_load()
@@ -563,21 +562,22 @@ RWEDGE_API int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact,
                                                   double M2, double Q2, double sigma2, double *left,
                                                   double *right);
 
-/* Half-width b of the contact, length; 0 when separated; NaN for NULL. Half its width where it is
- * off the centre.
+/* Half-width b of the contact, length; 0 when separated; NaN for NULL. Off the centre it is half of
+ * the width.
  *                                                                   Eq. (7), (11), (15), inverse */
 RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 
 /* Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
- * |p|. So it is in a ring that came into contact with |dQ| = f dP, to rounding, though it has not
- * slipped. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
+ * |p|. A ring that came into contact with |dQ| = f dP, to rounding, counts as outside too, though
+ * it has not slipped. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
  *                                                                                  Eq. (25); new */
 RWEDGE_API double rwedge_contact_stick_half_width(const rwedge_contact *contact);
 
 /* How many points of its history the contact remembers: those that its tractions depend on, and
  * those that its slip is measured from. At most two per load, and some tens after any number of
- * loads that dither around one point; 0 when separated, and for NULL. The memory it takes grows in
- * proportion; so does the time of its functions, at most, for each point of the half-plane. */
+ * loads that dither around one point; 0 when separated, and for NULL. The heap that the contact
+ * takes grows in proportion. The time of its functions for a point of the half-plane grows at most
+ * in proportion. */
 RWEDGE_API size_t rwedge_contact_memory(const rwedge_contact *contact);
 
 /* Pressure p and shear traction q at n points of the surface, stress: compression negative; q =
@@ -655,11 +655,11 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
  * NaN for NULL. A load off the centre that slips while P or M change, or slides, has no single
- * integral: the energy is then NaN until the first load after the bodies have separated, from
- * which it counts again. What was dissipated between is missing in the sum. Relative error of each
- * load's share below 1e-12, and epsilon times P over the change of Q/f where that slip reaches an
- * older layer. Off the centre it is below 1e-12 and 1e-14 times P over the change of Q/f. Both grow
- * with 1/(1 - |tilt|/theta), and with |x| at the edges over the width where that is above 1. */
+ * integral. The energy is then NaN until the bodies have separated. From the next load on it counts
+ * again, without what was dissipated in between. Relative error of each load's share below 1e-12,
+ * plus epsilon times P over the change of Q/f where slip reaches an older layer. Off the centre it
+ * is below 1e-12 plus 1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta),
+ * and with |x| at the edges over the width where that is above 1. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of
@@ -680,10 +680,9 @@ RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, do
 
 /* ---- A cycle of loads ------------------------------------------------------------------------ */
 
-/* What a contact undergoes when it goes through a cycle of loads, in straight steps, as
- * rwedge_contact_apply() goes to each. The contact is the one before the cycle, and stays there.
- * For a steady state let it go through the loads first: once under constant P and M, twice where
- * they change.
+/* What a contact undergoes in a cycle of loads, reached one after the other in straight steps, as
+ * by rwedge_contact_apply(). The functions start from the contact as it is, and leave it so. For a
+ * steady state load it with the cycle first: once under constant P and M, twice where they change.
  *   loads          number of loads of the cycle, >= 1
  *   P              0, or at least 1e-8 of the last P
  *   M, Q, sigma    finite: loads numbers each, as P
@@ -709,13 +708,13 @@ enum {
     RWEDGE_MEASURE_DANG_VAN = 11
 };
 
-/* Goes through the cycle and keeps its states until the next load, rwedge_contact_set_strain() or
- * rwedge_contact_allow_error(). The functions below go by them where they are asked for the same
- * loads: each takes as long as it needs for its places alone. A copy does not have them. Until then
- * several threads may ask.                                                                      new
+/* Goes through the cycle and keeps the states on the way until the next load,
+ * rwedge_contact_set_strain() or rwedge_contact_allow_error(). The functions below use the kept
+ * states where they are called with the same loads: then only their places take time. Several
+ * threads may call them until then. A copy of the contact does not have the states.             new
  * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ENOCONV, RWEDGE_ERANGE, RWEDGE_ENULL,
- * RWEDGE_ENOMEM: as those functions have them for stresses. Where only the slip is not known, the
- * states are kept. */
+ * RWEDGE_ENOMEM: as rwedge_contact_cycle_worst() has them for stresses. The states are kept too
+ * where only the slip is not known. */
 RWEDGE_API int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads,
                                              const double P[], const double M[], const double Q[],
                                              const double sigma[]);
@@ -731,9 +730,9 @@ RWEDGE_API int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loa
  *   energy      receives n numbers: dissipated per area, the integral of q d(slip)
  * RWEDGE_EPATH where the slip has no closed form after one of the loads, or on the way to
  * separation; RWEDGE_EDOMAIN, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Under
- * constant P and M slip and energy are those of rwedge_contact_slip() and the tractions. Where they
- * change, a step is cut into 32 parts: the energy of the contact then errs by 0.1 % in usual
- * cycles, and by 1 % where little slips. */
+ * constant P and M slip and energy are those of rwedge_contact_slip() and the tractions. Where P or
+ * M change, a step is cut into 32 parts: the energy of the contact then errs by 0.1 % in usual
+ * cycles, and by 1 % where only a small part slips. */
 RWEDGE_API int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, size_t loads,
                                                  const double P[], const double M[],
                                                  const double Q[], const double sigma[], size_t n,
@@ -741,8 +740,8 @@ RWEDGE_API int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, 
                                                  double ruiz_f1[], double ruiz_f2[],
                                                  double energy[]);
 
-/* Where a measure of the cycle is largest on a line along x: at the places at which it is known, or
- * between them, around its tops.                                                                new
+/* Where a measure of the cycle is largest on a line along x: at one of the given places, or between
+ * them, next to the largest values.                                                             new
  *   measure                 0 <= measure <= 11: RWEDGE_MEASURE_STRESS_RANGE and so on; SWT and
  *                           Fatemi-Socie over all planes
  *   x                       length, finite; one after the other: n numbers
@@ -760,8 +759,8 @@ RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int
                                               double constant, double su, double *worst_x,
                                               double *worst_value);
 
-/* The length of the theory of critical distances, (dK_th/ds0)^2/pi.     Taylor (1999), El Haddad,
- * Smith, Topper (1979)
+/* The length of the theory of critical distances, (dK_th/ds0)^2/pi.
+ *                                         Taylor (1999); El Haddad, Smith and Topper (1979)
  *   dK_th   range of the threshold of long cracks, stress times root of length, 1e-60 to 1e60
  *   ds0     range of the plain fatigue limit, stress, 1e-60 to 1e60; both of one stress ratio
  * NaN outside. Relative error below 4 epsilon. */
@@ -769,8 +768,8 @@ RWEDGE_API double rwedge_critical_distance(double dK_th, double ds0);
 
 /* Stresses of the cycle by the theory of critical distances, from a place of the surface into the
  * half-plane: after each load at half of the length L (the point), or their means over 2 L (the
- * line). Criteria of them take rwedge_criterion_field() and its kin. L is a property of the
- * material: rwedge_critical_distance().           Taylor (1999), see lib/README.md; new
+ * line). rwedge_criterion_field() gives the criteria of these stresses. L is a property of the
+ * material: rwedge_critical_distance().                      Taylor (1999), see lib/README.md; new
  *   x              length, finite; not the apex 0 of a loaded sharp wedge
  *   angle          -1.5 <= angle <= 1.5, rad, from the surface's normal towards +x
  *   length         L, length, 1e-60 to 1e60
@@ -784,9 +783,9 @@ RWEDGE_API int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, siz
                                               double length, int32_t line, double sxx[],
                                               double syy[], double txy[]);
 
-/* How far remote points of the half-plane have moved along the surface against the wedge's, further
- * than if the contact were bonded over |x| < b: what slip adds. Its loop over Q encloses the energy
- * of a cycle under constant P.                                                                  new
+/* The displacement that slip adds: how much further remote points of the half-plane have moved
+ * tangentially, relative to the wedge's, than if the contact were bonded over |x| < b. Its loop
+ * over Q encloses the energy of a cycle under constant P.                                       new
  *   b  length, > 0, finite
  * NaN when separated; NaN for NULL; NaN off the centre where the slip has no closed form, as in
  * rwedge_contact_slip(). Error below 1e-14 of f theta times the half-width for every remembered
@@ -795,12 +794,12 @@ RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, dou
 
 /* ---- Measures of a stress -------------------------------------------------------------------- */
 
-/* Of stresses from anywhere, in any unit; tension positive, y into the half-plane.
+/* For any stresses, of a contact or not, in any unit; tension positive, y into the half-plane.
  *   sxx, syy, txy  stresses, of at most 1e60 in magnitude
  *   nu             Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane
  *                  stress, szz = 0, give nu = 0
- * What is said of accuracy holds where the largest of the stresses is at least 1e-60. A measure is
- * finite, but may be above 1e60 itself. */
+ * The accuracy holds where the largest of the stresses is at least 1e-60. A measure is finite, but
+ * may be above 1e60. */
 
 /* Von Mises' equivalent stress, sqrt(3 J2).                                       von Mises (1913)
  * NaN outside the domain. Relative error below 4 epsilon. */
@@ -859,10 +858,10 @@ RWEDGE_API int32_t rwedge_smith_watson_topper_field(size_t loads, size_t n, cons
 
 /* Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
  *     (dgamma/2) (1 + k sn_max/sy)
- * over the planes that contain z. Other planes are not looked at: where szz is an extreme principal
- * stress, they may have a larger value. In the cycle, dgamma is the range of the plane's shear
- * strain, 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that is
- * compressive it counts as it is, but no plane counts less than 0.
+ * over the planes that contain z. Where szz is an extreme principal stress, other planes may have a
+ * larger value: rwedge_fatemi_socie_planes(). In the cycle, dgamma is the range of the plane's
+ * shear strain, 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that
+ * is compressive it counts as it is, but no plane counts less than 0.
  *                                                 Fatemi and Socie (1988), see lib/README.md; new
  *   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1
  *              for most metals
@@ -885,11 +884,12 @@ RWEDGE_API int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const doubl
 
 /* ---- Criteria over all planes ---------------------------------------------------------------- */
 
-/* Of a cycle of stresses in plane strain, szz = nu (sxx+syy); for plane stress give nu = 0, or
- * plane_stress = 1 where E is an argument. No sampling: no plane exceeds the one that is named by
- * more than the error; where a whole curve of planes is nearly as bad, by more than 1e-7 of it. The
- * plane's normal is (x, y, z) = (cos(o) sin(a), cos(o) cos(a), sin(o)), a = angle, -pi/2 < a <=
- * pi/2, o = out_of_plane, 0 <= o <= pi/2, both in rad: the plane contains z where o is 0. The one
+/* For a cycle of stresses in plane strain, szz = nu (sxx+syy). For plane stress give nu = 0, or
+ * plane_stress = 1 where E is an argument. Planes are not sampled: no plane exceeds the one that is
+ * named by more than the error, or by more than 1e-7 of the value where a whole curve of planes is
+ * nearly as bad.
+ * The plane's normal is (x, y, z) = (cos(o) sin(a), cos(o) cos(a), sin(o)), a = angle, -pi/2 < a <=
+ * pi/2, o = out_of_plane, 0 <= o <= pi/2, both in rad: the plane contains z where o is 0. The plane
  * with -o is equally bad.
  * The shear stress on a plane is a path in two dimensions. Its amplitude tau_a is the radius of the
  * smallest circle around the path: half of the range for a straight path. sn_max is the largest
@@ -1009,7 +1009,8 @@ RWEDGE_API int32_t rwedge_mcdiarmid_field(size_t loads, size_t n, const double s
 
 /* Crossland's criterion, a stress: the amplitude of sqrt(J2), which is the radius of the smallest
  * sphere around the path of the stress deviator, plus alpha times the largest hydrostatic stress
- * (sxx+syy+szz)/3. Not half of the range of sqrt(J2), which a rotating deviator does not have.
+ * (sxx+syy+szz)/3. The amplitude is not half of the range of sqrt(J2): that is 0 for a deviator
+ * that only rotates.
  *                                                                          Crossland (1956)
  *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
  *   value  receives one number
@@ -1028,9 +1029,9 @@ RWEDGE_API int32_t rwedge_crossland_field(size_t loads, size_t n, const double s
                                           double alpha, double value[]);
 
 /* Dang Van's criterion, a stress: the largest tau(t) + alpha sH(t) of the loads t. tau is the
- * largest shear stress of the deviator less the centre of the smallest sphere around its path, to
- * which the residual stresses of shakedown bring it; sH is the hydrostatic stress, negative in
- * compression, which does no harm.                                            Dang Van (1973)
+ * largest shear stress of the deviator less the centre of the smallest sphere around its path:
+ * after shakedown, residual stresses have shifted the path to that centre. sH is the hydrostatic
+ * stress, negative in compression, where it lowers the value.                 Dang Van (1973)
  *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
  *   value  receives one number
  * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 +
@@ -1047,8 +1048,8 @@ RWEDGE_API int32_t rwedge_dang_van_field(size_t loads, size_t n, const double sx
                                          const double syy[], const double txy[], double nu,
                                          double alpha, double value[]);
 
-/* The criterion of a measure of a cycle at n points, by its number: the largest less the smallest
- * sxx, rwedge_smith_watson_topper_planes(), rwedge_fatemi_socie_planes(), and so on.            new
+/* A measure of a cycle of stresses at n points, by its number: the range of sxx, or the criterion
+ * of rwedge_smith_watson_topper_planes(), rwedge_fatemi_socie_planes() and so on.               new
  *   measure        0 <= measure <= 11: RWEDGE_MEASURE_STRESS_RANGE and so on
  *   loads          number of loads of the cycle, >= 1
  *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
@@ -1092,7 +1093,7 @@ RWEDGE_API double rwedge_fatemi_socie_life(double fatemi_socie, double G, double
                                            double gf, double c, double limit);
 
 /* The cycles of a history by rainflow. A history that repeats is counted from its largest value to
- * the same again: nothing is left over. Of any other what is left over counts half.
+ * its return: no half cycle is left over. In other histories the cycles left over count half.
  *                                                                       ASTM E1049-85 (2017); new
  *   n        number of values, >= 1
  *   value    of at most 1e60 in magnitude: n numbers
@@ -1102,7 +1103,7 @@ RWEDGE_API double rwedge_fatemi_socie_life(double fatemi_socie, double G, double
  *   mean     receives n numbers: the mean of these two
  *   count    receives n numbers: 1, 1/2 for what is left over, 0 where no cycle begins
  * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. A value between its
- * neighbours is no turn; of equal ones in a row the first is. */
+ * neighbours is no turn. Of equal values in a row only the first may be one. */
 RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repeats, double range[],
                                    double mean[], double count[]);
 
@@ -1111,17 +1112,18 @@ RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repea
  *                                                    Bannantine and Socie (1991), Miner (1945); new
  * The cycles are those of the plane's normal strain, by rwedge_rainflow() of a history that
  * repeats. Each has the largest normal stress between its first load and the one at which it
- * closes. One of the parameter P adds 1/N(P).
+ * closes. A cycle with the parameter S adds 1/N(S), N being its life.
  *   n       number of loads of the block, >= 1, in their order; stresses change straight between
  *   sf, b, ef, c, limit         as in rwedge_smith_watson_topper_life()
  *   value, cycles               each receives one number: the sum; how many cycles there are
  *   angle, out_of_plane         each receives one number
  *   others                      as in rwedge_smith_watson_topper_planes()
  * RWEDGE_EDOMAIN, also for a life below 1e-60; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL;
- * RWEDGE_ENOMEM. The sum itself errs by 1e-11 and 1e-13 of the criterion over its slope. Damage is
- * not smooth over the planes: they are a grid of 5 degrees, refined around the worst. In no random
- * block of the tests another plane had a damage larger by 1e-4. With a limit, a cycle that is at
- * the limit may be missed. A block of one cycle has the plane of the criterion. */
+ * RWEDGE_ENOMEM. The sum on a plane errs by 1e-11, plus what 1e-13 of the criterion changes in the
+ * lives. Damage is not smooth over the planes: it is sampled at every 5 degrees, and finer around
+ * the worst planes. In no random block of the tests was the damage of another plane larger by 1e-4.
+ * With a limit, a cycle that is at the limit may be missed. A block of one cycle has the plane of
+ * the criterion. */
 RWEDGE_API int32_t rwedge_smith_watson_topper_damage(size_t n, const double sxx[],
                                                      const double syy[], const double txy[],
                                                      double E, double nu, int32_t plane_stress,
@@ -1170,7 +1172,8 @@ RWEDGE_API int32_t rwedge_fatemi_socie_damage_field(
 /* ---- The paper's series ---------------------------------------------------------------------- */
 
 /* A pressure p = -sqrt(1-x^2) sum_k a_k U_k(x), k = 0 ... terms-1, and its stresses. The paper's
- * b_n is a_(2n). It serves pressures that have no closed form, and checks those that have. */
+ * b_n is a_(2n). A series serves pressures that have no closed form, and checks those that have
+ * one. */
 typedef struct rwedge_series rwedge_series;
 
 /* The rounded wedge's own series, cut after the first terms coefficients.

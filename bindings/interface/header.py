@@ -43,7 +43,7 @@ TO = re.compile(rf"(0,? or )?({NUMBER}) to ({NUMBER})(?: .*)?")
 AT_LEAST = re.compile(rf"(0,? or )?at least ({NUMBER})")
 AT_LEAST_OF = re.compile(rf"(?:0,? or )?at least (?:{NUMBER}) of the .*")
 AT_MOST = re.compile(rf"(?:of )?at most ({NUMBER})(?: in magnitude)")
-WITHOUT_SIZE = re.compile(r"Without a size are (.*?)\.")
+WITHOUT_SIZE = re.compile(r"These arguments have no size: (.*?)\.")
 SMALLEST, LARGEST = 1e-60, 1e60  # the domain of whatever has a size
 REASON = re.compile(r"(RWEDGE_E[A-Z]+) ((?:after|in|off|when|where) [^;.:]*)")
 REFUSES_MORE = re.compile(r"RWEDGE_EDOMAIN(?: where|, also for)|NaN (?!outside the domain(?: of \w+| or NULL)?[.;]|for NULL[.;])")
@@ -308,7 +308,7 @@ class Reader:
         """A comment that no declaration follows: what it lists holds for the section."""
         if self.comment:
             self.alone.append(self.comment)
-            if self.section and "eturn" not in " ".join(self.comment):
+            if self.section and "functions share" not in " ".join(self.comment):
                 self.here.update(self.listed(self.comment)[0])
         self.comment = []
 
@@ -316,7 +316,7 @@ class Reader:
         self.comment = self.comment + lines
         if not self.interface.introduction and lines[0].startswith("rwedge:"):
             self.interface.introduction = lines
-        if any(re.search("[Aa]rguments that return", x) for x in lines):
+        if any(re.search("rguments that many functions share", x) for x in lines):
             if match := re.search(r"From here to the (\w+)", " ".join(lines)):
                 self.dimensional, self.until = True, match[1]
             elif self.shared[False]:

@@ -55,7 +55,7 @@ def without_sizes(f: Function, lines: list[str]) -> list[str]:
 
 
 def shared(f: Function) -> list[str]:
-    """The domains that the comment leaves to the list of arguments that return."""
+    """The domains that the comment leaves to the list of arguments that many functions share."""
     found: dict[str, list[str]] = {}
     for p in f.inputs:
         if p.domain and not p.described:

@@ -8,6 +8,8 @@
 #include "figures_strength.h"
 #include "figures_traction.h"
 #include "contact/notices.h"
+#include "fretting/criteria_options.h"
+#include "fretting/material_file.h"
 #include "picture/gnuplot.h"
 #include "text/list.h"
 #include "text/memory.h"

@@ -2,6 +2,7 @@
 #include "figures_history.h"
 
 #include "model/results/tensor.h"
+#include "fretting/history_cycle.h"
 #include "fretting/surface.h"
 
 #include <math.h>
@@ -213,7 +214,7 @@ static void compute_fretting(const figure_case *inputs, dataset *rows)
     last_cycle last;
     measured all;
     const criteria usual = criteria_usual(&inputs->history->setup);
-    last_cycle_begin(inputs->history, &usual, &last);
+    history_cycle(inputs->history, &usual, &last, NULL);
     measure_usual(inputs, &last, &all);
     for (size_t i = 0; i < all.count; i++) {
         const double *v = all.place[i].at.value;
@@ -331,7 +332,7 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
     static void (*const ways[OVER_COUNT])(const figure_case *, const last_cycle *, dataset *) = {
         measure_surface, measure_depth, measure_field};
     last_cycle last;
-    last_cycle_begin(inputs->history, inputs->asked, &last);
+    history_cycle(inputs->history, inputs->asked, &last, NULL);
     case_check(inputs, isnan(last.left) ? RWEDGE_EABSENT : RWEDGE_OK);
     ways[inputs->over](inputs, &last, rows);
 }

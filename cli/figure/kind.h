@@ -3,7 +3,7 @@
 #ifndef CLI_KIND_H
 #define CLI_KIND_H
 
-#include "fretting/criteria.h"
+#include "model/cycle/criteria.h"
 #include "history/places.h"
 #include "picture/drawing.h"
 #include "options/variable.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fretting.h"
 
+#include "criteria_options.h"
+#include "history_cycle.h"
+#include "material_file.h"
 #include "paraview.h"
 #include "worst.h"
 
@@ -93,6 +96,7 @@ static void describe(FILE *stream)
 typedef struct {
     contact_history history;
     last_cycle last;
+    doubts doubts;
     measured all;
     material constants;
     worst_table worst;
@@ -207,7 +211,7 @@ static void read_plan(arguments *line, plan *job, output_options *how)
     job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
     contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 3}, &job->history);
     criteria_read_strength(line, &job->history.setup, &asked);
-    last_cycle_begin(&job->history, &asked, &job->last);
+    history_cycle(&job->history, &asked, &job->last, &job->doubts);
     surface_places(line, how->decimal_sign, &job->last, &job->all);
 }
 
@@ -226,7 +230,7 @@ static void read_worst(const arguments *line, const output_options *how, output_
 
 static void say_what_is_doubtful(const plan *job)
 {
-    doubts_say(job->last.doubts, "");
+    doubts_say(job->doubts, "");
     if (!job->last.slip_known)
         notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
                "energy_per_area are empty");

@@ -4,7 +4,7 @@
 #ifndef CLI_LENGTH_H
 #define CLI_LENGTH_H
 
-#include "last_cycle.h"
+#include "model/cycle/last_cycle.h"
 
 typedef struct {
     double length, angle; /* NAN for none; from the surface's normal towards +x, deg */

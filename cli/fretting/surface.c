@@ -1,91 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface.h"
 
+#include "model/cycle/stops.h"
 #include "text/memory.h"
 #include "text/message.h"
-#include "number/pi.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* By default: so many steps across the contact, dense at its edges, and so many beyond each edge,
- * as far as its half-width. */
-enum { INSIDE = 200, OUTSIDE = 40, PLACES_MAX = 1000000 };
+enum { PLACES_MAX = 1000000 };
 
-typedef struct {
-    double x;
-    bool is_shown;
-} stop;
-
-typedef struct {
-    stop *stop;
-    size_t count;
-} stops;
-
-static void add(stops *to, double x, bool is_shown)
-{
-    to->stop[to->count++] = (stop){x, is_shown};
-}
-
-static int ascending(const void *left, const void *right)
-{
-    const stop *a = left, *b = right;
-    if (a->x != b->x)
-        return a->x < b->x ? -1 : 1;
-    return (int)b->is_shown - (int)a->is_shown;
-}
-
-/* Ascending, each once: edges of several loads are one but for rounding. Of two, one that is shown
- * stays. */
-static void sort(stops *all, double rounding)
-{
-    size_t kept = 0;
-    qsort(all->stop, all->count, sizeof *all->stop, ascending);
-    for (size_t i = 0; i < all->count; i++)
-        if (kept == 0 || all->stop[i].x - all->stop[kept - 1].x > rounding)
-            all->stop[kept++] = all->stop[i];
-        else if (all->stop[i].is_shown)
-            all->stop[kept - 1] = all->stop[i];
-    all->count = kept;
-}
-
-/* Many loads have edges everywhere. Then those that are close to another are left out: tops are
- * searched between the places too. */
-static void add_edges(const last_cycle *cycle, double from, double to, bool is_shown, stops *all)
-{
-    enum { EDGES_MAX = 200 };
-    stops edges = {all->stop + all->count, 0};
-    for (size_t i = 0; i < cycle->edge_count; i++)
-        if (cycle->edges[i] >= from && cycle->edges[i] <= to)
-            add(&edges, cycle->edges[i], is_shown);
-    const double width = cycle->right - cycle->left;
-    sort(&edges, 1e-12 * width);
-    if (edges.count > EDGES_MAX)
-        sort(&edges, width / EDGES_MAX);
-    all->count += edges.count;
-}
-
-/* ---- By default ---- */
-
-static void add_usual(const last_cycle *cycle, stops *all)
-{
-    const double left = cycle->left, right = cycle->right;
-    const double middle = (left + right) / 2, half = (right - left) / 2;
-    all->stop = memory_zeroed(INSIDE + 2 * OUTSIDE + cycle->edge_count, sizeof *all->stop);
-    for (int i = 1; i < INSIDE; i++)
-        add(all, middle + half * sin(PI / 2 * (2 * i - INSIDE) / INSIDE), true);
-    for (int i = 1; i <= OUTSIDE; i++) {
-        const double part = (double)i / OUTSIDE, beyond = half * part * part;
-        add(all, left - beyond, true);
-        add(all, right + beyond, true);
-    }
-    add_edges(cycle, -HUGE_VAL, HUGE_VAL, true, all);
-    sort(all, 1e-12 * half);
-}
-
-/* ---- --x ---- */
-
-static void add_range(const char *text, const last_cycle *cycle, stops *all)
+/* Those of --x. */
+static stops stops_of_range(const char *text, const last_cycle *cycle)
 {
     range x = {0};
     const char *complaint = range_read(text, &x);
@@ -94,20 +20,14 @@ static void add_range(const char *text, const last_cycle *cycle, stops *all)
     if (complaint != NULL)
         usage_error("--x %s: %s", text, complaint);
     range_say_two_values("x", text);
-    all->stop = memory_zeroed((size_t)x.count + cycle->edge_count, sizeof *all->stop);
-    double from = HUGE_VAL, to = -HUGE_VAL;
-    for (int64_t i = 0; i < x.count; i++) {
-        const double value = range_value(&x, i);
-        add(all, value, true);
-        from = fmin(from, value);
-        to = fmax(to, value);
-    }
+    double *value = memory_zeroed((size_t)x.count, sizeof *value);
+    for (int64_t i = 0; i < x.count; i++)
+        value[i] = range_value(&x, i);
+    const stops along = stops_at(cycle, (size_t)x.count, value);
+    free(value);
     range_free(&x);
-    add_edges(cycle, from, to, false, all);
-    sort(all, 0);
+    return along;
 }
-
-/* ---- All ---- */
 
 static measured *begin(size_t count, size_t line, measured *all)
 {
@@ -131,14 +51,10 @@ static void read_lines(const arguments *line, const last_cycle *cycle, measured 
 {
     const char *x = line->value[OPTION_X];
     range depth = {0};
-    stops along = {0};
     places_read_depth(line, &depth);
     if (x == NULL && isnan(cycle->left))
         usage_error("--x: missing; there is no contact in the cycle to take places from");
-    if (x != NULL)
-        add_range(x, cycle, &along);
-    else
-        add_usual(cycle, &along);
+    const stops along = x != NULL ? stops_of_range(x, cycle) : stops_usual(cycle);
     fill_lines(&along, &depth, all);
     free(along.stop);
     range_free(&depth);
@@ -162,13 +78,10 @@ void surface_places(const arguments *line, char decimal_sign, const last_cycle *
 bool surface_usual(const last_cycle *cycle, measured *all)
 {
     const range surface = {.count = 1};
-    stops along = {0};
-    if (isnan(cycle->left))
-        return false;
-    add_usual(cycle, &along);
+    const stops along = stops_usual(cycle);
     fill_lines(&along, &surface, all);
     free(along.stop);
-    return true;
+    return all->count > 0;
 }
 
 int32_t surface_measure(const last_cycle *cycle, measured *all)

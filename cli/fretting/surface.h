@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which places along x a cycle is looked at: the edges of contact and stick zone after each load
- * are among them, as it is there that stresses and slip have their tops. */
+/* The places at which a cycle is looked at, and its measures there. */
 #ifndef CLI_SURFACE_H
 #define CLI_SURFACE_H
 
 #include "history/places.h"
-#include "last_cycle.h"
+#include "model/cycle/last_cycle.h"
 
 typedef struct {
     double x, y;

@@ -30,9 +30,10 @@ static void search_line(const last_cycle *last, const measured *all, int column,
         x[i] = all->place[first + i].x;
         value[i] = fmax(all->place[first + i].at.value[column], 0);
     }
-    const worst_place worst = last_cycle_worst(last, column, all->line, x, value, row->y);
-    row->x = worst.x;
-    row->value = worst.value;
+    const int32_t status =
+        last_cycle_worst(last, column, all->line, x, value, row->y, &row->x, &row->value);
+    if (status != RWEDGE_OK)
+        failure("%s", rwedge_strerror(status));
     free(x);
 }
 

@@ -10,6 +10,16 @@ typedef struct {
     double re, im;
 } rw_complex;
 
+RW_INLINE rw_complex rw_sum(rw_complex a, rw_complex b)
+{
+    return (rw_complex){a.re + b.re, a.im + b.im};
+}
+
+RW_INLINE rw_complex rw_multiple(double factor, rw_complex a)
+{
+    return (rw_complex){factor * a.re, factor * a.im};
+}
+
 RW_INLINE rw_complex rw_product(rw_complex a, rw_complex b)
 {
     return (rw_complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};

@@ -88,8 +88,15 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
 void rw_contact_drop_kept(rwedge_contact *contact)
 {
     if (contact->kept)
-        contact->kept->destroy(contact->kept);
+        contact->destroy_kept(contact->kept);
     contact->kept = NULL;
+}
+
+void rw_contact_exchange(rwedge_contact *one, rwedge_contact *other)
+{
+    const rwedge_contact before = *one;
+    *one = *other;
+    *other = before;
 }
 
 void rwedge_contact_destroy(rwedge_contact *contact)

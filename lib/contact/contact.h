@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a contact with a load history is made of; the header has its functions. */
+/* The parts of a contact with a load history. rwedge.h has its functions. */
 #ifndef RW_CONTACT_H
 #define RW_CONTACT_H
 
@@ -14,11 +14,30 @@ typedef struct {
     double P, M, Q, sigma;
 } rw_loads;
 
-/* What a room above keeps with a contact until its next load, and how that is freed. */
-typedef struct rw_kept rw_kept;
-struct rw_kept {
-    void (*destroy)(rw_kept *kept);
-};
+/* The loads of a history, or of a cycle. */
+typedef struct {
+    size_t count;
+    const double *P, *M, *Q, *sigma;
+} rw_load_list;
+
+static inline bool rw_is_load_list(const rw_load_list *loads)
+{
+    return loads->count == 0 || (loads->P && loads->M && loads->Q && loads->sigma);
+}
+
+static inline rw_loads rw_loads_at(const rw_load_list *loads, size_t i)
+{
+    return (rw_loads){loads->P[i], loads->M[i], loads->Q[i], loads->sigma[i]};
+}
+
+/* The loads at a part of the way from one to the other, 0 to 1. */
+static inline rw_loads rw_loads_between(rw_loads from, rw_loads to, double part)
+{
+    return part == 1 ? to
+                     : (rw_loads){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
+                                  from.Q + part * (to.Q - from.Q),
+                                  from.sigma + part * (to.sigma - from.sigma)};
+}
 
 struct rwedge_contact {
     rw_geometry geometry; /* its pad is the contact's own */
@@ -38,24 +57,28 @@ struct rwedge_contact {
     double tolerance;        /* of loads without a closed form; 0: they are refused */
     rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
     rwedge_contact *exact;   /* then: as it was in closed form last; NULL: without contact */
-    rw_kept *kept;           /* NULL for nothing; no copy has it */
+    void *kept; /* by a room above until the next load; NULL for nothing; no copy has it */
+    void (*destroy_kept)(void *kept);
 };
 
 void rw_contact_drop_kept(rwedge_contact *contact);
 
-/* Without load; the contact takes the geometry's pad over. RWEDGE_ENOMEM. */
+/* The contacts exchange all they have. */
+void rw_contact_exchange(rwedge_contact *one, rwedge_contact *other);
+
+/* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);
 
-/* The same again without load, with a pad of its own. */
+/* A contact like another, without load, with its own copy of the pad. */
 int32_t rw_contact_create_like(const rwedge_contact *contact, rwedge_contact **like);
 
-/* Room for that many arcs. NULL where memory is short. */
+/* A pad with room for `count` arcs. NULL where memory is short. */
 rw_pad *rw_pad_create(size_t count);
 rw_pad *rw_pad_copy(const rw_pad *pad);
 void rw_pad_destroy(rw_pad *pad); /* NULL is allowed */
 void rw_pad_append(rw_pad *pad, rw_arc arc, double weight);
 
-/* What is in the way of a straight line to the loads that is not divided into pieces. */
+/* Why a straight line to the loads, as one step, has no closed form. */
 rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to);
 
 /* The traction of a history is a sum of patches, one for each corner of its path: the pressure
@@ -67,7 +90,7 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
     return memory->corners[corner].ratio - beyond;
 }
 
-/* At a place of a loaded contact, not the apex of the sharp wedge. */
+/* The pressure at a place of a loaded contact, not the apex of the sharp wedge. */
 double rw_contact_pressure(const rwedge_contact *contact, double x);
 
 /* The stretch that a bulk tension makes, in the unit of the memory. */
@@ -93,7 +116,7 @@ static inline void rw_patch_fields(const rw_geometry *geometry, rw_patch patch, 
     rw_pad_fields(&arcs, patch, n, x, y, fields);
 }
 
-/* The same of a traction of its own, which is -q: over f. */
+/* Adds the fields of a computed shear traction t = -q, over f. */
 void rw_add_traction(const rw_traction *traction, double f, int n, const double x[],
                      const double y[], rw_fields *sum);
 

@@ -18,7 +18,7 @@ int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double
     return give_edges(rw_memory_end(&contact->memory)->patch, left, right);
 }
 
-/* From the first zone that sticks to the last. */
+/* The patch from the first zone that sticks to the last one. */
 static rw_patch stick_hull(const rw_zones *zones)
 {
     int first = 0, last = zones->count - 1;
@@ -29,7 +29,7 @@ static rw_patch stick_hull(const rw_zones *zones)
     return (rw_patch){zones->zone[first].left, zones->zone[last].right};
 }
 
-/* Up to the front of what slips; the contact where nothing does. */
+/* The patch inside the fronts of slip; the contact where nothing slips. */
 static rw_patch stick_zone(const rwedge_contact *contact)
 {
     if (contact->numerical)
@@ -58,7 +58,7 @@ double rwedge_contact_stick_half_width(const rwedge_contact *contact)
     return contact ? rw_patch_half_width(stick_zone(contact)) : NAN;
 }
 
-/* Of a pad, off the slope it was given with. */
+/* For a pad: less the slope with which its profile was given. */
 static double tilt_of(const rwedge_contact *contact)
 {
     const rw_geometry *g = &contact->geometry;

@@ -16,7 +16,7 @@ bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
            !(y == 0 && rw_is_kink(&contact->geometry, x));
 }
 
-/* Where it is no sum of patches. */
+/* The shear that is no sum of patches but computed. */
 static const rw_traction *shear_of(const rwedge_contact *contact)
 {
     return &contact->numerical->now.shear.traction;

@@ -6,19 +6,19 @@
 
 #include <float.h>
 
-/* How far Q may exceed f P: Q, f and P are each rounded, and so is their product; where a caller
- * interpolates between two loads, they are rounded like the larger. The larger may be many steps
- * back: it is the largest since the contact slides. */
+/* How far Q may exceed f P, over f times a load: Q, f, P and f P are each rounded. Where a caller
+ * interpolates between two loads, the rounding is that of the larger load, which may be many steps
+ * back: the largest since the contact slides. */
 static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
 
-/* Of the load in one step: beyond, the rounding of the last load would be seen in what Q/(fP)
- * is, 2e-7 of it here. */
+/* The new load P over the last one is not less. At this ratio the rounding of the last load changes
+ * Q/(fP) by 2e-7 of it, and below it by more. */
 static const double STEEPEST_FALL = 1e-8;
 
-/* Of the tilt over theta: closer to 1 the edges are not to be told from rounding. */
+/* Of the tilt over theta: closer to 1 the edges are lost in rounding. */
 static const double LARGEST_TILT = 1 - 1e-9;
 
-/* Q/f, at friction's limit exactly. */
+/* The shear T = Q/f; exactly +-P where Q is at the limit of friction, to rounding. */
 static int32_t shear_of(const rwedge_contact *contact, double P, double Q, double *shear)
 {
     const double limit = contact->f * P, magnitude = fabs(Q);
@@ -45,8 +45,8 @@ static bool is_in_range(const rw_geometry *g, double P)
     return g->a == 0 || rw_is_positive(rw_unit_stress(g) * rwedge_peak_pressure(g->a / b));
 }
 
-/* The energy of a step that leaves the centre at most by separation; never negative, NaN where it
- * has no single integral. */
+/* The energy of a step of a centred contact, or of a step to separation; never negative, NaN where
+ * it has no single integral. */
 static double share_centred(const rwedge_contact *contact, const rw_step *step)
 {
     const rw_memory *memory = &contact->memory;
@@ -60,7 +60,7 @@ static double share_centred(const rwedge_contact *contact, const rw_step *step)
     return contact->f * g->A * (f_over_pi * fmax(0, integral));
 }
 
-/* The last corner, if it is new, is the contact. */
+/* Gives new corners their patches: the last corner is the contact itself. */
 static void measure_new_corners(rwedge_contact *contact, const rw_step *step)
 {
     rw_memory *memory = &contact->memory;
@@ -72,7 +72,7 @@ static void measure_new_corners(rwedge_contact *contact, const rw_step *step)
     }
 }
 
-/* Differences of rounding in P and M are none. The contact keeps the loads of the path's end, or
+/* Whether P and M stay, to rounding. The contact then keeps the loads of the path's end: otherwise
  * many small steps could shift them unnoticed. */
 static bool is_same_pressing(const rwedge_contact *contact, rw_loads to)
 {
@@ -82,7 +82,15 @@ static bool is_same_pressing(const rwedge_contact *contact, rw_loads to)
            fabs(to.M - contact->loads.M) <= rw_memory_tolerance(end->load) * arm;
 }
 
-/* What the loads are to the memory, and to the contact. */
+/* The tilt of the contact under the loads; NaN where there is none. */
+static double tilt_of(const rw_geometry *g, rw_loads loads, rw_patch patch)
+{
+    if (loads.P == 0 || (loads.M == 0 && rw_is_symmetric(g)))
+        return 0;
+    return isnan(patch.left) ? NAN : rw_pressing_of(g, patch).tilt;
+}
+
+/* The step to the loads in the units of the memory, and the patch that it leads to. */
 static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *step)
 {
     const rw_geometry *g = &contact->geometry;
@@ -110,9 +118,7 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
     step->patch = rw_patch_under_moment(g, to.P, to.M);
     if (g->reach > 0 && fmax(-step->patch.left, step->patch.right) > g->reach)
         return RWEDGE_ERANGE;
-    step->to.tilt = to.P == 0 || (to.M == 0 && rw_is_symmetric(g)) ? 0
-                    : isnan(step->patch.left) ? NAN /* there is no such patch */
-                                              : rw_pressing_of(g, step->patch).tilt;
+    step->to.tilt = tilt_of(g, to, step->patch);
     return RWEDGE_OK;
 }
 
@@ -127,13 +133,13 @@ static int32_t check(const rwedge_contact *contact, rw_loads to)
     return RWEDGE_OK;
 }
 
-/* Edges that rounding puts at the same place tell no width; NaN is not known yet. */
+/* Rounding may put both edges at one place. A patch of NaN is not known yet, and counts as wide. */
 static bool has_width(rw_patch patch)
 {
     return !isgreaterequal(patch.left, patch.right);
 }
 
-/* A flank that lies on the surface, to rounding, has no edge to tell. */
+/* Where a flank lies on the surface, to rounding, the contact has no definite edge there. */
 static bool is_tilt_possible(const rw_step *step)
 {
     return step->to.load == 0 || isless(fabs(step->to.tilt), LARGEST_TILT);
@@ -194,8 +200,8 @@ static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
            (contact->was_off_centre || !rw_memory_is_plain(&contact->memory, step->to));
 }
 
-/* One origin serves for all points that slipped, where they had touched before the first slip: no
- * point slips that came later. */
+/* Off the centre the slip is known while one origin (slip_origin.h) serves all points that slipped:
+ * they were in contact before the first slip, and no later point slips. */
 static bool keeps_origin(const rwedge_contact *contact, const rw_step *step, int slip)
 {
     const rw_slip_origins *origins = &contact->origins;
@@ -284,7 +290,7 @@ static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_ste
     return RWEDGE_OK;
 }
 
-/* Separation and full sliding leave nothing of the shear. */
+/* Separation and full sliding end the computed shear: what follows is in closed form again. */
 static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *step)
 {
     const bool separates = step->to.load == 0;
@@ -317,9 +323,9 @@ static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
     return contact->tolerance > 0 ? go_numerically(contact, to, &step) : RWEDGE_EPATH;
 }
 
-/* ---- With one ---- */
+/* ---- With a closed form ---- */
 
-/* In a straight line that has a closed form as it is. */
+/* The straight line as one step. */
 static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
 {
     rw_step step;
@@ -335,29 +341,17 @@ static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
     return go_on(contact, to, &step, &departure);
 }
 
-static double at(double t, double from, double to)
-{
-    return from + t * (to - from);
-}
-
-static rw_loads loads_at(double t, rw_loads from, rw_loads to)
-{
-    return t == 1 ? to
-                  : (rw_loads){at(t, from.P, to.P), at(t, from.M, to.M), at(t, from.Q, to.Q),
-                               at(t, from.sigma, to.sigma)};
-}
-
-/* Of the pieces that a step without a closed form is divided into. */
+/* A line that has no closed form as one step may have one in pieces. */
 enum { MOST_PIECES = 40 };
 static const double SHORTEST_PIECE = 1.0 / 256;
 
-/* Each piece is as long as it may be: one may end where another may not. */
+/* Each piece is tried to the end of the line, and then at ever shorter lengths. */
 static int32_t apply_in_pieces(rwedge_contact *contact, rw_loads to)
 {
     const rw_loads from = contact->loads;
     double t = 0, next = 0.5;
     for (int i = 0; i < MOST_PIECES && t < 1 && next - t >= SHORTEST_PIECE; i++) {
-        if (apply_whole(contact, loads_at(next, from, to)) == RWEDGE_OK) {
+        if (apply_whole(contact, rw_loads_between(from, to, next)) == RWEDGE_OK) {
             t = next;
             next = 1;
         } else
@@ -366,15 +360,9 @@ static int32_t apply_in_pieces(rwedge_contact *contact, rw_loads to)
     return t == 1 ? RWEDGE_OK : RWEDGE_EPATH;
 }
 
-static void take_over(rwedge_contact *contact, rwedge_contact *other)
-{
-    const rwedge_contact before = *contact;
-    *contact = *other;
-    *other = before;
-}
-
-/* Where all that has slipped since slips in the straight line from the last closed form to these
- * loads too, and to the same fronts, both ways have the same end: what sticks has never moved. */
+/* The straight line from the last closed form to these loads may have a closed form. It ends in the
+ * same state if all places that have slipped since slip on it too, to the same fronts: the places
+ * that stick have then never moved on either way. */
 static void return_to_closed_form(rwedge_contact *contact)
 {
     rwedge_contact *exact;
@@ -385,7 +373,7 @@ static void return_to_closed_form(rwedge_contact *contact)
     if (apply_whole(exact, contact->loads) == RWEDGE_OK && rw_numerical_agrees(contact, exact)) {
         exact->energy = contact->energy;
         exact->energy_carry = contact->energy_carry;
-        take_over(contact, exact);
+        rw_contact_exchange(contact, exact);
     }
     rwedge_contact_destroy(exact);
 }
@@ -413,7 +401,7 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
         return RWEDGE_ENOMEM;
     const int32_t in_pieces = apply_in_pieces(trial, to);
     if (in_pieces == RWEDGE_OK)
-        take_over(contact, trial);
+        rw_contact_exchange(contact, trial);
     rwedge_contact_destroy(trial);
     return in_pieces == RWEDGE_EPATH ? apply_numerically(contact, to) : in_pieces;
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/numerical.h"
 
-#include <stdlib.h>
-#include <string.h>
+#include "base/sort.h"
 
 /* The bodies touch: the load grows fourfold at a time from this part of it, below which all of the
  * contact sticks, or slides, as it grows. */
@@ -74,12 +73,6 @@ static bool make_patches(const rwedge_contact *c, patches *p)
     return is_made;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
 /* The edges of the patches; of many, those of the widest. */
 static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
 {
@@ -90,7 +83,7 @@ static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
             if (edge[k] > contact.left && edge[k] < contact.right)
                 s->kink[s->kinks++] = edge[k];
     }
-    qsort(s->kink, (size_t)s->kinks, sizeof *s->kink, by_size);
+    rw_sort(s->kink, (size_t)s->kinks);
 }
 
 static void note_zones(const rwedge_contact *c, rw_zones *z)
@@ -144,7 +137,7 @@ static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_stan
     for (int i = 0; i < now->shear.kinks; i++)
         at[n++] = now->shear.kink[i];
     n += (size_t)rw_bends_between(frame, now->contact.left, now->contact.right, at + n);
-    qsort(at, n, sizeof *at, by_size);
+    rw_sort(at, n);
     const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
     const bool is_done = rw_traction_fit(&now->shear.traction, traction_at, &p, n, at, tolerance);
     free_patches(&p);

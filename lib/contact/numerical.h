@@ -11,17 +11,17 @@
  * contact is as before. energy receives what the load dissipates. */
 int32_t rw_numerical_go(rwedge_contact *contact, const rw_step *step, double *energy);
 
-/* What is dissipated on the way to separation; NaN where that is not known. */
+/* The energy that the way to separation dissipates; NaN where that is not known. */
 double rw_numerical_energy_to_separation(const rwedge_contact *contact);
 
-/* Whether the pressing is that of the last closed form, and one zone sticks, which has not slipped
- * since, between two that slip the same way. */
+/* Whether the contact may be in closed form again: P and M are those of the last closed form, and
+ * one zone sticks, which has not slipped since, between two zones that slip the same way. */
 bool rw_numerical_is_passed(const rwedge_contact *contact);
 
 /* Whether a contact in closed form sticks and slips where this one does. */
 bool rw_numerical_agrees(const rwedge_contact *contact, const rwedge_contact *exact);
 
-/* A copy of another contact's, where there is one. false where memory is short. */
+/* Copies the computed shear of another contact, if it has one. false where memory is short. */
 bool rw_numerical_take_over(rwedge_contact *contact, const rwedge_contact *other);
 
 /* Ends the numerical state, after which the contact is without shear. */

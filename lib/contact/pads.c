@@ -50,7 +50,7 @@ void rw_pad_append(rw_pad *pad, rw_arc arc, double weight)
             pad->is_symmetric = false;
 }
 
-/* The pad is taken over. */
+/* The contact takes the pad over, which is destroyed where that fails. */
 static int32_t create(rw_geometry geometry, double f, rwedge_contact **contact)
 {
     const int32_t status = geometry.pad ? rw_contact_create(&geometry, f, contact) : RWEDGE_ENOMEM;

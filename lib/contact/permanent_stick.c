@@ -2,7 +2,7 @@
 /* What never slips in a straight cycle between two loads. */
 #include "contact/contact.h"
 
-/* The tension moves nothing before the contact. */
+/* The first tension acts before the bodies touch, and so moves nothing. */
 static int32_t load_once(const rwedge_contact *like, rw_loads to, rwedge_contact **contact)
 {
     int32_t status = rw_contact_create_like(like, contact);
@@ -23,9 +23,10 @@ static bool keeps(const rwedge_contact *smaller, const rwedge_contact *larger)
     return fabs(M - rw_patch_middle(patch) * P) <= (0.5 + SLACK) * rw_patch_half_width(patch) * P;
 }
 
-/* The load and the tilt of what sticks are (N_1 + N_2 - |T_2 - T_1|)/2, which loses as much on the
- * way to either load; the stretch has the sign of the shear. Where that is more than the smaller
- * contact, all of this sticks: the ring that comes and goes takes up the change of shear. */
+/* The patch that sticks has the load and tilt N* = (N_1 + N_2 - |T_2 - T_1|)/2 (lib/README.md,
+ * "Moment and bulk tension"): the ways to both loads slip as far. The stretch has the sign of the
+ * shear. Where N* is more than the smaller contact, all of that contact sticks: the ring that opens
+ * and closes carries the change of shear. */
 static int32_t permanent(const rwedge_contact *one, const rwedge_contact *two, double sign,
                          rw_patch *stuck)
 {

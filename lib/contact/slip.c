@@ -26,8 +26,8 @@ static double gap(const rw_geometry *g, double s, double x)
     return s * rw_gap(&patch, x / s);
 }
 
-/* The displacement at x over f theta, but for that of the profile, of the corners first ...
- * count-1, with the slope `beyond` after the last. */
+/* The sum of w(x)/(f theta) over the corners from `first` to count - 1, without the term of the
+ * profile. `beyond` is the slope D after the last of them. */
 static double displacement(const rwedge_contact *contact, const rw_trail *path, size_t first,
                            size_t count, double beyond, double x)
 {
@@ -54,10 +54,17 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
     return displacement(contact, &trail, 0, 1, left->slip, x);
 }
 
-/* The load under which the edge is at x. */
+/* The load under which the edge of the contact is at x. */
 static double load_up_to(const rw_geometry *g, double x)
 {
     return g->pad ? rw_normal_load(g, x) : rwedge_normal_load(g->theta, g->a, g->A, x);
+}
+
+/* What is small last. */
+static double in_units(const rwedge_contact *contact, double w)
+{
+    const double f = contact->f, theta = contact->geometry.theta;
+    return f > 1 ? f * w * theta : theta * w * f;
 }
 
 /* x >= 0 */
@@ -83,11 +90,10 @@ static double slip_at(const rwedge_contact *contact, double x)
         w -= departure_displacement(contact, &left, x);
     const double at_centre = kept > 1 ? rw_trail_corner(&base, 1)->ratio : after_kept;
     w -= (now->corners[1].ratio - at_centre) * rw_height(g, x);
-    /* what is small last */
-    return contact->f > 1 ? contact->f * w * g->theta : g->theta * w * contact->f;
+    return in_units(contact, w);
 }
 
-/* Off the centre: over the one origin there is. */
+/* Off the centre: from the one origin that serves all points. */
 static double slip_off_centre(const rwedge_contact *contact, double x)
 {
     const rw_patch settled = contact->settled;
@@ -95,9 +101,7 @@ static double slip_off_centre(const rwedge_contact *contact, double x)
         return 0;
     const rw_memory base = {.corners = contact->origins.own.corners, /* the first path of a row */
                             .count = contact->origins.all[0].corners};
-    const double w = rw_path_displacement(&contact->memory, &base, &contact->geometry, x);
-    return contact->f > 1 ? contact->f * w * contact->geometry.theta
-                          : contact->geometry.theta * w * contact->f;
+    return in_units(contact, rw_path_displacement(&contact->memory, &base, &contact->geometry, x));
 }
 
 int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],

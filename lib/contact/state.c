@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact as numbers, for restarts and for other processes. In this order: the version of this
- * form and a sum of the bits of all that follows; what the contact is; its path; the origins of its
- * slip. All of it is what the contact holds, to the last bit, so that what is restored goes on as
- * the original would. */
-#include "contact/contact.h"
+ * form and a checksum of all that follows; the pad and the present loads; the path of the memory;
+ * the origins of slip; the computed shear. The numbers are those that the contact holds, to the
+ * last bit, so that a restored contact goes on as the original would. */
+#include "contact/sound.h"
 
 #include "base/logarithm.h"
 
 #include <stdlib.h>
 
-/* Since 2 it has the strain per bulk tension, since 3 what has no closed form and any pad. */
+/* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad. */
 static const double VERSION = 3;
 
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
@@ -48,143 +48,35 @@ static size_t pass_count(tape *t, size_t count, size_t limit)
     return (size_t)value;
 }
 
-static void pass_finite(tape *t, size_t count, double *const numbers[])
+static void pass_finite(tape *t, double *number)
 {
-    for (size_t i = 0; i < count; i++) {
-        pass(t, numbers[i]);
-        t->is_sound = t->is_sound && isfinite(*numbers[i]);
-    }
+    pass(t, number);
+    t->is_sound = t->is_sound && isfinite(*number);
+}
+
+static void pass_all(tape *t, size_t count, double *const numbers[])
+{
+    for (size_t i = 0; i < count; i++)
+        pass_finite(t, numbers[i]);
 }
 
 static void pass_corner(tape *t, rw_corner *c)
 {
     double *const finite[] = {&c->load,  &c->shear,      &c->tilt,       &c->stretch,
                               &c->ratio, &c->patch.left, &c->patch.right};
-    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass_all(t, sizeof finite / sizeof *finite, finite);
     pass(t, &c->least); /* infinite where nothing bounds the slope */
     pass(t, &c->most);
 }
 
-/* ---- What is sound ---- */
-
-/* What a contact has computed from each other is as near to each other as this, whatever was
- * rounded on the way. */
-static const double LOOSE = 1e-6;
-
-/* Half of the width of the least patch inside a contact, and less. */
-static const double LEAST = 1e-90;
-
-static bool is_near(double value, double expected, double scale)
-{
-    return islessequal(fabs(value - expected), LOOSE * scale);
-}
-
-/* Whether a patch is that of its corner's load and tilt. */
-static bool is_patch_sound(const rw_geometry *g, const rw_corner *c)
-{
-    const rw_patch p = c->patch;
-    const double load = rw_as_length(g, c->load);
-    if (!(rw_patch_half_width(p) > LEAST && fmax(-p.left, p.right) < 2 * RW_LARGEST) ||
-        !(g->pad || (p.left < g->a && p.right > -g->a)) || !(fabs(c->tilt) < 1))
-        return false;
-    const rw_pressing carried = rw_pressing_of(g, p);
-    return is_near(carried.load, load, load) && is_near(carried.tilt, c->tilt, 1);
-}
-
-static bool is_nested(rw_patch inner, rw_patch outer)
-{
-    const double slack = LOOSE * (outer.right - outer.left);
-    return inner.left > outer.left - slack && inner.right < outer.right + slack;
-}
-
-static bool is_corner_sound(const rw_geometry *g, const rw_corner *c, const rw_corner *before)
-{
-    if (isnan(c->least) || isnan(c->most))
-        return false;
-    if (!before)
-        return c->load == 0 && c->shear == 0 && c->ratio == 0 && c->patch.left == 0 &&
-               c->patch.right == 0;
-    const double run = c->load - before->load, rise = c->shear - before->shear;
-    return run > 0 && c->load < 2 * RW_LARGEST && fabs(c->ratio) <= 1 &&
-           is_near(rise, c->ratio * run, c->load) && is_patch_sound(g, c) &&
-           (before->load == 0 || is_nested(before->patch, c->patch));
-}
-
-/* Whether slip is measured from the end of its path, at points that the one before does not have.
- */
-static bool is_origin_sound(const rw_slip_origins *origins, size_t i)
-{
-    const rw_slip_origin *o = &origins->all[i];
-    const rw_trail trail = rw_slip_origin_trail(origins, o);
-    const rw_corner *end = rw_trail_end(&trail);
-    return o->end > (i > 0 ? origins->all[i - 1].end : 0) &&
-           o->end <= fmax(o->from_load, o->to_load) && o->from_load == end->load &&
-           o->from_shear == end->shear && o->to_load >= 0 && o->to_load < 2 * RW_LARGEST &&
-           fabs(o->to_shear) <= (1 + LOOSE) * o->to_load;
-}
-
-/* Whether the loads are those at the end of the path. */
-static bool are_loads_sound(const rwedge_contact *c)
-{
-    const rw_geometry *g = &c->geometry;
-    const rw_corner *end = rw_memory_end(&c->memory);
-    if (end->load == 0)
-        return c->loads.P == 0 && c->loads.M == 0 && c->loads.Q == 0;
-    const rw_pressing carried = rw_pressing_of(g, end->patch);
-    const double arm = fmax(-end->patch.left, end->patch.right);
-    return is_near(c->loads.P, end->load, end->load) &&
-           is_near(rw_as_length(g, c->loads.M), carried.moment, carried.load * arm) &&
-           (c->numerical || is_near(c->loads.Q, c->f * end->shear, c->f * end->load));
-}
-
-/* Whether the last path kept has what the present one shares with it. */
-static bool is_share_sound(const rwedge_contact *c)
-{
-    const rw_slip_origins *origins = &c->origins;
-    if (c->memory.shared == 0)
-        return true;
-    if (c->memory.shared > rw_slip_origins_last_corners(origins))
-        return false;
-    const rw_trail last = rw_slip_origin_trail(origins, &origins->all[origins->count - 1]);
-    return rw_memory_common(&c->memory, &last) >= c->memory.shared;
-}
-
-static bool is_shear_sound(const rwedge_contact *c)
-{
-    if (!(c->tolerance == 0 ||
-          (isgreaterequal(c->tolerance, 1e-6) && islessequal(c->tolerance, 1e-2))))
-        return false;
-    if (!c->numerical)
-        return true;
-    const rw_stance *s = &c->numerical->now;
-    const rw_patch contact = rw_memory_end(&c->memory)->patch;
-    const rw_zones *z = &s->shear.zones;
-    return c->f > 0 && fabs(c->loads.Q) <= c->f * c->loads.P * (1 + LOOSE) &&
-           c->memory.count == 2 && c->memory.corners[1].ratio == 0 &&
-           s->contact.left == contact.left && s->contact.right == contact.right && s->at.P > 0 &&
-           z->zone[0].left == contact.left && z->zone[z->count - 1].right == contact.right;
-}
-
-static bool is_contact_sound(const rwedge_contact *c)
-{
-    const rw_slip_origins *origins = &c->origins;
-    return rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
-           rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
-           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && !isinf(c->energy) &&
-           !isinf(c->energy_carry) && rw_is_magnitude(c->slid_from) && rw_is_magnitude(c->strain) &&
-           are_loads_sound(c) && is_share_sound(c) && is_shear_sound(c) &&
-           (!c->exact || is_contact_sound(c->exact)) &&
-           origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
-}
-
 /* ---- Reading and writing ---- */
 
-/* Corners in a row, after the one before them if there is one. */
+/* Corners one after the other; `before` is the corner in front of them, or NULL. */
 static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_corner *before)
 {
     for (size_t i = 0; i < count; i++) {
         pass_corner(t, &corners[i]);
-        if (t->in && !is_corner_sound(t->geometry, &corners[i], before))
+        if (t->in && !rw_is_corner_sound(t->geometry, &corners[i], before))
             t->is_sound = false;
         before = &corners[i];
     }
@@ -206,11 +98,11 @@ static void pass_path(tape *t, rw_memory *memory)
         rw_memory_relevel(memory);
 }
 
-/* An origin but for its corners: how many they are, and how many it shares with the last. */
+/* An origin without its corners: how many it has, and how many it shares with the last origin. */
 static void pass_origin(tape *t, rw_slip_origin *o, size_t *shared, size_t most_shared)
 {
     double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
-    pass_finite(t, sizeof numbers / sizeof *numbers, numbers);
+    pass_all(t, sizeof numbers / sizeof *numbers, numbers);
     *shared = pass_count(t, *shared, most_shared);
     o->corners =
         *shared + pass_count(t, o->corners - *shared, t->in ? t->size / CORNER : o->corners);
@@ -225,7 +117,7 @@ static void write_origin(tape *t, const rw_slip_origins *origins, size_t i)
                  NULL);
 }
 
-/* Its corners are read to where they will be. */
+/* Reads the corners straight to their final place. */
 static void read_origin(tape *t, rw_slip_origins *origins)
 {
     const size_t last = rw_slip_origins_last_corners(origins);
@@ -248,13 +140,12 @@ static void read_origin(tape *t, rw_slip_origins *origins)
     if (!t->is_sound)
         return;
     rw_slip_origins_keep(origins, origin, own, shared);
-    t->is_sound = is_origin_sound(origins, origins->count - 1);
+    t->is_sound = rw_is_origin_sound(origins, origins->count - 1);
 }
 
 static void pass_origins(tape *t, rw_slip_origins *origins)
 {
-    double *const fresh[] = {&origins->fresh};
-    pass_finite(t, 1, fresh);
+    pass_finite(t, &origins->fresh);
     const size_t limit = t->in ? t->size / ORIGIN : origins->count;
     const size_t count = pass_count(t, origins->count, limit);
     for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++)
@@ -264,7 +155,7 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
             write_origin(t, origins, i);
 }
 
-/* ---- What has no closed form ---- */
+/* ---- The computed shear ---- */
 
 static void pass_elements(tape *t, rw_traction *traction)
 {
@@ -276,10 +167,9 @@ static void pass_elements(tape *t, rw_traction *traction)
         if (!t->in)
             e = traction->elements[i];
         double *const shape[] = {&e.end, &e.scale, &e.first, &e.last};
-        pass_finite(t, 4, shape);
+        pass_all(t, 4, shape);
         for (int k = 0; k < RW_TERMS; k++) {
-            double *const coefficient[] = {&e.coefficient[k]};
-            pass_finite(t, 1, coefficient);
+            pass_finite(t, &e.coefficient[k]);
         }
         if (!t->in || !t->is_sound)
             continue;
@@ -298,7 +188,7 @@ static void pass_zones(tape *t, rw_zones *z)
     z->count = (int)pass_count(t, (size_t)z->count, RW_MOST_ZONES);
     for (int i = 0; i < z->count; i++) {
         double *const ends[] = {&z->zone[i].left, &z->zone[i].right};
-        pass_finite(t, 2, ends);
+        pass_all(t, 2, ends);
         z->zone[i].label = (int)pass_count(t, (size_t)(z->zone[i].label + 1), 2) - 1;
         if (!(z->zone[i].left < z->zone[i].right) ||
             (i > 0 && z->zone[i].left != z->zone[i - 1].right))
@@ -309,11 +199,9 @@ static void pass_zones(tape *t, rw_zones *z)
 
 static void pass_errors(tape *t, rw_numerical *n)
 {
-    double *const rest[] = {&n->rest};
-    pass_finite(t, 1, rest);
+    pass_finite(t, &n->rest);
     for (int i = 0; i < RW_PLACES; i++) {
-        double *const error[] = {&n->error[i]};
-        pass_finite(t, 1, error);
+        pass_finite(t, &n->error[i]);
         t->is_sound = t->is_sound && n->error[i] >= 0;
     }
 }
@@ -325,12 +213,11 @@ static void pass_shear(tape *t, rw_numerical *n)
                               &s->at.stretch,     &s->contact.left,   &s->contact.right,
                               &s->move,           &s->energy,         &s->error,
                               &s->unslipped.left, &s->unslipped.right};
-    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass_all(t, sizeof finite / sizeof *finite, finite);
     pass_zones(t, &s->shear.zones);
     s->shear.kinks = (int)pass_count(t, (size_t)s->shear.kinks, RW_MOST_KINKS);
     for (int i = 0; i < s->shear.kinks; i++) {
-        double *const kink[] = {&s->shear.kink[i]};
-        pass_finite(t, 1, kink);
+        pass_finite(t, &s->shear.kink[i]);
     }
     pass_elements(t, &s->shear.traction);
     n->has_origin = pass_count(t, n->has_origin, 1) == 1;
@@ -370,20 +257,13 @@ static void pass_numerical(tape *t, rwedge_contact *c)
     pass_exact(t, c);
 }
 
-static bool is_arc_sound(const rw_pad *pad, rw_arc arc, double weight)
-{
-    return arc.left <= arc.right && weight > 0 && weight <= 1 &&
-           (pad->count == 0 || pad->arcs[pad->count - 1].right <= arc.left);
-}
-
 /* What the pad is, if it is not a wedge. */
 static void pass_pad(tape *t, rw_geometry *g)
 {
     double *const finite[] = {&g->reach, &g->middle_slope};
-    pass_finite(t, 2, finite);
+    pass_all(t, 2, finite);
     t->is_sound = t->is_sound && rw_is_magnitude(g->reach);
     const size_t count = pass_count(t, g->pad ? g->pad->count : 0, t->in ? t->size / 3 : SIZE_MAX);
-    double all = 0;
     if (t->in && t->is_sound && count > 0) {
         g->pad = rw_pad_create(count);
         t->is_short = !g->pad;
@@ -396,13 +276,12 @@ static void pass_pad(tape *t, rw_geometry *g)
             weight = g->pad->weights[i];
         }
         double *const numbers[] = {&arc.left, &arc.right, &weight};
-        pass_finite(t, 3, numbers);
-        t->is_sound = t->is_sound && (!t->in || is_arc_sound(g->pad, arc, weight));
+        pass_all(t, 3, numbers);
+        t->is_sound = t->is_sound && (!t->in || rw_is_arc_sound(g->pad, arc, weight));
         if (t->in && t->is_sound)
             rw_pad_append(g->pad, arc, weight);
-        all += weight;
     }
-    t->is_sound = t->is_sound && (count == 0 || is_near(all, 1, 1));
+    t->is_sound = t->is_sound && (!g->pad || rw_is_pad_sound(g->pad));
 }
 
 static void pass_contact(tape *t, rwedge_contact *c)
@@ -411,7 +290,7 @@ static void pass_contact(tape *t, rwedge_contact *c)
         &c->geometry.theta, &c->geometry.a,   &c->geometry.A,   &c->f,
         &c->loads.P,        &c->loads.M,      &c->loads.Q,      &c->loads.sigma,
         &c->touched_at,     &c->settled.left, &c->settled.right};
-    pass_finite(t, sizeof finite / sizeof *finite, finite);
+    pass_all(t, sizeof finite / sizeof *finite, finite);
     pass(t, &c->energy_carry); /* NaN where the energy is not known */
     pass(t, &c->slid_from);
     if (t->version > 1)
@@ -481,7 +360,7 @@ int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **
         return RWEDGE_ENOMEM;
     tape t = {.in = state, .at = HEAD, .size = n, .version = state[0], .is_sound = true};
     pass_contact(&t, restored);
-    if (!t.is_sound || t.is_short || t.at != n || !is_contact_sound(restored)) {
+    if (!t.is_sound || t.is_short || t.at != n || !rw_is_contact_sound(restored)) {
         rwedge_contact_destroy(restored);
         return t.is_short ? RWEDGE_ENOMEM : RWEDGE_EDOMAIN;
     }

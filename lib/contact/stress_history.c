@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses at many points through many loads. The loads come first: a load leaves the first patches
- * of the contact as they were, and what follows is noted, weighted patches. Then the points, block
- * by block: the sums over the first patches are kept, and so is the field of the contact itself. */
+/* Stresses at many points through many loads. First the contact goes through the loads: each load
+ * leaves the first patches as they were, and the record notes the patches that follow, with their
+ * weights. Then the points are computed, block by block: the sums over the first patches, and the
+ * field of the contact itself, are kept from load to load. */
 #include "contact/contact.h"
 #include "stress/stress.h"
 
@@ -19,8 +20,8 @@ typedef struct {
     size_t count, capacity;
 } pieces;
 
-/* Of each load: how many pieces of the load before it keeps, how many more it has, the last being
- * the contact, and its tension. */
+/* For a load: how many pieces of the load before it keeps; how many more it has, the last being the
+ * contact; its tension. */
 typedef struct {
     size_t kept, own;
     double sigma;
@@ -100,7 +101,7 @@ typedef struct {
     rw_fields field, sum;
 } level;
 
-/* The points, and a level for each piece; levels[0] is none. */
+/* The points, and a level for each piece; levels[0] is for no piece. */
 typedef struct {
     const rw_geometry *geometry;
     int n;
@@ -120,7 +121,7 @@ static void add_piece(const block *b, size_t at, const piece *next)
     rw_add_fields(&l->field, next->weight, b->n, &l->sum);
 }
 
-/* The contact is often as it was, with more or fewer pieces inside of it. */
+/* The contact is often the same, with more or fewer pieces inside it: its field is then kept. */
 static void move_contact(const block *b, size_t to, const piece *contact)
 {
     const level *from = &b->levels[b->top];
@@ -140,51 +141,57 @@ static void follow_load(block *b, const entry *e, const piece own[])
     b->top = top;
 }
 
-static void roll(const rwedge_contact *contact, const record *r, level levels[], size_t n,
-                 const double x[], const double y[], double sxx[], double syy[], double txy[])
+/* All points, and their stresses after each load. */
+typedef struct {
+    size_t n;
+    const double *x, *y;
+    double *sxx, *syy, *txy;
+} points;
+
+static void roll(const rwedge_contact *contact, const record *r, level levels[], const points *p)
 {
-    for (size_t start = 0; start < n; start += RW_BATCH) {
-        const int size = n - start < RW_BATCH ? (int)(n - start) : RW_BATCH;
-        block b = {&contact->geometry, size, x + start, y + start, levels, 0};
+    for (size_t start = 0; start < p->n; start += RW_BATCH) {
+        const int size = p->n - start < RW_BATCH ? (int)(p->n - start) : RW_BATCH;
+        block b = {&contact->geometry, size, p->x + start, p->y + start, levels, 0};
         for (size_t i = 0; i <= r->most; i++)
             levels[i].patch = (rw_patch){0, 0};
         const piece *own = r->own.all;
         for (size_t load = 0; load < r->loads; load++) {
             const entry *e = &r->entries[load];
-            const size_t to = load * n + start;
+            const size_t to = load * p->n + start;
             follow_load(&b, e, own);
             own += e->own;
             rw_fields shear = levels[b.top].sum;
             if (e->shear.count > 0)
                 rw_add_traction(&e->shear, contact->f, size, b.x, b.y, &shear);
             rw_contact_stresses_from(contact, e->sigma, &levels[b.top].field, &shear, size,
-                                     sxx + to, syy + to, txy + to);
+                                     p->sxx + to, p->syy + to, p->txy + to);
         }
     }
 }
 
 /* ---- All loads ---- */
 
-static bool have_stress(const rwedge_contact *contact, size_t n, const double x[], const double y[])
+static bool have_stress(const rwedge_contact *contact, const points *p)
 {
-    for (size_t i = 0; i < n; i++)
-        if (!rw_contact_has_stress(contact, x[i], y[i]))
+    for (size_t i = 0; i < p->n; i++)
+        if (!rw_contact_has_stress(contact, p->x[i], p->y[i]))
             return false;
     return true;
 }
 
-/* Points have to be in the domain in units of the half-width too: of the least, of the largest. */
-static int32_t load_all(rwedge_contact *contact, size_t loads, const double P[], const double M[],
-                        const double Q[], const double sigma[], size_t n, const double x[],
-                        const double y[], record *r)
+/* Points have to be in the domain in units of the half-width too, the least and the largest. */
+static int32_t load_all(rwedge_contact *contact, const rw_load_list *loads, const points *p,
+                        record *r)
 {
     double least = HUGE_VAL, most = 0;
-    for (size_t i = 0; i < loads; i++) {
-        const int32_t status = rwedge_contact_apply(contact, P[i], M[i], Q[i], sigma[i]);
+    for (size_t i = 0; i < loads->count; i++) {
+        const rw_loads to = rw_loads_at(loads, i);
+        const int32_t status = rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
         if (status != RWEDGE_OK)
             return status;
         const double b = rwedge_contact_half_width(contact);
-        if ((b == 0 || b < least || b > most) && !have_stress(contact, n, x, y))
+        if ((b == 0 || b < least || b > most) && !have_stress(contact, p))
             return RWEDGE_EDOMAIN;
         least = b > 0 ? fmin(b, least) : least;
         most = fmax(b, most);
@@ -194,21 +201,19 @@ static int32_t load_all(rwedge_contact *contact, size_t loads, const double P[],
     return RWEDGE_OK;
 }
 
-static int32_t follow(rwedge_contact *contact, size_t loads, const double P[], const double M[],
-                      const double Q[], const double sigma[], size_t n, const double x[],
-                      const double y[], double sxx[], double syy[], double txy[])
+static int32_t follow(rwedge_contact *contact, const rw_load_list *loads, const points *p)
 {
-    record r = {.entries = calloc(loads + 1, sizeof *r.entries)};
+    record r = {.entries = calloc(loads->count + 1, sizeof *r.entries)};
     level *levels = NULL;
     int32_t status = r.entries ? RWEDGE_OK : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK)
-        status = load_all(contact, loads, P, M, Q, sigma, n, x, y, &r);
+        status = load_all(contact, loads, p, &r);
     if (status == RWEDGE_OK) {
         levels = calloc(r.most + 1, sizeof *levels);
         status = levels ? RWEDGE_OK : RWEDGE_ENOMEM;
     }
     if (status == RWEDGE_OK)
-        roll(contact, &r, levels, n, x, y, sxx, syy, txy);
+        roll(contact, &r, levels, p);
     free(levels);
     discard(&r);
     return status;
@@ -219,19 +224,18 @@ int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads, con
                                       size_t n, const double x[], const double y[], double sxx[],
                                       double syy[], double txy[])
 {
-    if (!contact || (loads > 0 && (!P || !M || !Q || !sigma)) || (n > 0 && (!x || !y)) ||
+    const rw_load_list list = {loads, P, M, Q, sigma};
+    const points p = {n, x, y, sxx, syy, txy};
+    if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !y)) ||
         (n > 0 && loads > 0 && (!sxx || !syy || !txy)))
         return RWEDGE_ENULL;
     rwedge_contact *ahead;
     int32_t status = rwedge_contact_copy(contact, &ahead);
     if (status != RWEDGE_OK)
         return status;
-    status = follow(ahead, loads, P, M, Q, sigma, n, x, y, sxx, syy, txy);
-    if (status == RWEDGE_OK) { /* the original takes its place */
-        const rwedge_contact before = *contact;
-        *contact = *ahead;
-        *ahead = before;
-    }
+    status = follow(ahead, &list, &p);
+    if (status == RWEDGE_OK)
+        rw_contact_exchange(contact, ahead);
     rwedge_contact_destroy(ahead);
     return status;
 }

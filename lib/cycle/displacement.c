@@ -6,8 +6,8 @@
  * such punches, dP(s) each, and the traction is a sum of patches:
  *
  *     displacement = (A f/pi) sum (D_i - D_(i+1)) int_0^(s_i) ln(b/s) dP(s).
- *
- * Off the centre it is the slip of a place, and what the tractions do there. */
+ * Off the centre it is the slip of a place, plus the displacement that the tractions cause
+ * there. */
 #include "contact/contact.h"
 #include "traction/transform.h"
 
@@ -53,7 +53,7 @@ static double panel(const rwedge_contact *contact, double b, double x, double fr
     return sum * (30.0 / POINTS) * fabs(to - from);
 }
 
-/* int -q(t) ln(b/(2 |t - x|)) dt, of a shear that is no sum of patches. */
+/* int -q(t) ln(b/(2 |t - x|)) dt for a computed shear, which is no sum of patches. */
 static double numerical_sum(const rwedge_contact *contact, double b, double x)
 {
     const rw_traction *t = &contact->numerical->now.shear.traction;
@@ -61,7 +61,7 @@ static double numerical_sum(const rwedge_contact *contact, double b, double x)
            (RW_PI * rw_traction_displacement(t, x) + log(b / 2) * rw_traction_total(t));
 }
 
-/* The edges of the patches are kinks. They lie one in the other. */
+/* The edges of the patches, which are nested, are kinks of q. */
 static double off_centre(const rwedge_contact *contact, double b)
 {
     const rw_memory *path = &contact->memory;

@@ -11,7 +11,8 @@
 enum { FIRST_LEVEL = 3, LAST_LEVEL = 9 };
 static const double T_MAX = 3.6, SETTLED = 1e-11;
 
-/* From a place of the surface, to the distance `end`, at an angle to the normal. */
+/* A line into the half-plane: from a place of the surface, at an angle to the normal, `end`
+ * long. */
 typedef struct {
     double x, angle, end;
 } ray;
@@ -40,7 +41,7 @@ static bool make_nodes(int level, const ray *line, nodes *all)
     return true;
 }
 
-/* Of sxx, syy, txy of each load. */
+/* The means of sxx, syy, txy for each load. */
 static int32_t means(const rw_cycle *cycle, int level, const ray *line, double mean[])
 {
     nodes at;

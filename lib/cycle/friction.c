@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Slip, shear and energy of a place, from state to state. Slip is counted from when the place came
- * into contact. A place that the contact leaves in the cycle has several stays. The first and the
- * last are one, across the end of the cycle. Any other goes on from the slip with which the one
- * before it ended: so a place beside an edge slips as one that the edge does not pass. */
+ * into contact. A place that the contact leaves and meets again has several stays in the cycle. The
+ * last stay continues as the first one of the next cycle. Any other stay begins with the slip at
+ * the end of the stay before it: so a place beside an edge slips as much as a place that the edge
+ * does not pass. */
 #include "cycle/friction.h"
 
 typedef struct {
     const rw_cycle *cycle;
-    double x, inside; /* the place; the same off the edges */
+    double x, inside; /* the place; inside: moved off the edges of the states */
     bool touches;
     double slip, limit;     /* of the last state in which it slipped: slip; f |p| */
     size_t limit_at;        /* the state of that limit */
@@ -89,9 +90,9 @@ static void refresh_limit(place *at, size_t state)
         at->limit = limit_at(at, state);
 }
 
-/* The place slips until the edge passes it. How much it slips is interpolated: at the edge's new
- * position the change of slip is known, at its old position it is 0. The change is taken, not the
- * slip: slip jumps at the border of what the contact has never left. */
+/* The place slips until the edge passes it. Its slip is interpolated: the change of slip is known
+ * at the edge's new position, and 0 at its old one. The change is interpolated, not the slip
+ * itself, which jumps at the border of the places that the contact has never left. */
 static void leave(place *at, size_t to)
 {
     const rw_cycle *cycle = at->cycle;
@@ -109,8 +110,8 @@ static void leave(place *at, size_t to)
 
 /* ---- From state to state ---- */
 
-/* What slips to the end of a step has the shear f |p|; what sticks has its largest shear after a
- * load. */
+/* A place that slips at the end of a step has the shear f |p|. A place that sticks has its largest
+ * shear after a load. */
 static void go_to(place *at, size_t to)
 {
     const rw_state *now = &at->cycle->states[to];
@@ -127,7 +128,7 @@ static void go_to(place *at, size_t to)
         at->shear = fmax(at->shear, shear_at(at, now));
 }
 
-/* What came before the cycle is none of its energy. */
+/* Slip before the cycle adds nothing to the energy of the cycle. */
 static void begin(place *at)
 {
     const rw_state *first = at->cycle->states;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The states of a cycle that a contact keeps until its next load, for the calls that ask for the
- * same loads: of each interest, as a load that is cut into parts ends in other bits. */
+/* The states of a cycle that a contact keeps until its next load, for calls with the same loads.
+ * There is one list for stresses and one for slip, because a load that is cut into parts ends in
+ * other bits. */
 #include "cycle/measures.h"
 
 #include <stdlib.h>
@@ -9,16 +10,15 @@
 enum { LISTS = 4 };
 
 typedef struct {
-    rw_kept head;
     size_t count;
     double *loads; /* all P, then M, Q and sigma */
     rw_cycle cycle[RW_INTERESTS];
     int32_t status[RW_INTERESTS];
 } kept_cycle;
 
-static void destroy(rw_kept *head)
+static void destroy(void *of_contact)
 {
-    kept_cycle *kept = (kept_cycle *)head;
+    kept_cycle *kept = of_contact;
     for (int interest = 0; interest < RW_INTERESTS; interest++)
         rw_cycle_destroy(&kept->cycle[interest]);
     free(kept->loads);
@@ -38,7 +38,7 @@ static bool is_same(const kept_cycle *kept, const rw_load_list *loads)
 const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_list *loads,
                               rw_interest interest, int32_t *status)
 {
-    const kept_cycle *kept = (const kept_cycle *)contact->kept;
+    const kept_cycle *kept = contact->kept;
     if (!kept || !is_same(kept, loads))
         return NULL;
     *status = kept->status[interest];
@@ -57,13 +57,12 @@ static kept_cycle *create(const rw_load_list *loads)
     const double *const list[LISTS] = {loads->P, loads->M, loads->Q, loads->sigma};
     for (int i = 0; i < LISTS; i++)
         memcpy(copy + (size_t)i * loads->count, list[i], loads->count * sizeof *copy);
-    kept->head.destroy = destroy;
     kept->count = loads->count;
     kept->loads = copy;
     return kept;
 }
 
-/* A slip that is not known is a result, too. */
+/* RWEDGE_EPATH for the slip is kept as a result too. */
 static int32_t go_through(const rwedge_contact *contact, const rw_load_list *loads,
                           kept_cycle *kept)
 {
@@ -90,9 +89,10 @@ int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads, const d
     status = kept ? go_through(contact, &list, kept) : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
         rw_contact_drop_kept(contact);
-        contact->kept = &kept->head;
+        contact->kept = kept;
+        contact->destroy_kept = destroy;
     } else if (kept) {
-        destroy(&kept->head);
+        destroy(kept);
     }
     return status;
 }

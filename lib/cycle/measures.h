@@ -5,17 +5,12 @@
 
 #include "cycle/states.h"
 
-static inline bool rw_is_load_list(const rw_load_list *loads)
-{
-    return loads->count == 0 || (loads->P && loads->M && loads->Q && loads->sigma);
-}
-
 /* The stresses after each load at n places, 3 loads n numbers: those of a load one after the other,
  * sxx of all loads first, then syy and txy. */
 int32_t rw_cycle_stresses(const rw_cycle *cycle, size_t n, const double x[], const double y[],
                           double stress[]);
 
-/* Of n stresses after each load, at the place i. */
+/* The largest sxx after any load at the place i, from the stresses at n places. */
 double rw_largest_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i);
 
 #endif

@@ -1,24 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cycle/states.h"
 
-#include <stdlib.h>
+#include "base/sort.h"
 
 /* A step in which P or M changes is cut into PARTS. Where it ends in separation its last part is
- * halved again and again, as the contact shrinks to nothing. */
+ * halved again and again, because the contact shrinks to nothing. */
 enum { PARTS = 32, HALVINGS = 10, STATES_A_STEP = PARTS + HALVINGS };
-
-static double between(double from, double to, double share)
-{
-    return from + (to - from) * share;
-}
 
 static double share_of(int part)
 {
     return part < PARTS ? (double)part / PARTS : 1 - ldexp(1.0 / PARTS, PARTS - 1 - part);
 }
 
-/* The corners of the path that a straight step has not left: there nothing slips. The corner at
- * which a line leaves the last common segment has the slope of that segment. */
+/* The patch in which a straight step slips nowhere: that of the last corner which both paths have
+ * in common, or of the new corner at which the step leaves a segment of the old path. */
 static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact *after)
 {
     if (before->numerical || after->numerical)
@@ -32,7 +27,7 @@ static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact
     return path->corners[is_on_segment ? common : common - 1].patch;
 }
 
-/* Goes on from the last state. */
+/* Adds the state after a step from the last one. */
 static int32_t add_state(rw_cycle *cycle, rw_loads to)
 {
     const rwedge_contact *before = cycle->states[cycle->count - 1].contact;
@@ -57,8 +52,8 @@ static void drop_states(rw_cycle *cycle, size_t count)
         rwedge_contact_destroy(cycle->states[--cycle->count].contact);
 }
 
-/* Where a state on the way has no closed form, there are none, as the step has one as a whole. But
- * not even then what slips while the bodies separate is known. */
+/* Adds the states on the way to a load. Where one of them has no closed form, none is added: the
+ * step as a whole has one. On the way to separation the slip is then not known, RWEDGE_EPATH. */
 static int32_t add_parts(rw_cycle *cycle, rw_loads to)
 {
     const size_t count = cycle->count;
@@ -67,12 +62,8 @@ static int32_t add_parts(rw_cycle *cycle, rw_loads to)
     if (from.P == to.P && from.M == to.M)
         return status;
     const int parts = to.P == 0 ? STATES_A_STEP : PARTS;
-    for (int i = 1; i < parts && status == RWEDGE_OK; i++) {
-        const double share = share_of(i);
-        status = add_state(
-            cycle, (rw_loads){between(from.P, to.P, share), between(from.M, to.M, share),
-                              between(from.Q, to.Q, share), between(from.sigma, to.sigma, share)});
-    }
+    for (int i = 1; i < parts && status == RWEDGE_OK; i++)
+        status = add_state(cycle, rw_loads_between(from, to, share_of(i)));
     if (status == RWEDGE_OK || status == RWEDGE_ENOMEM)
         return status;
     drop_states(cycle, count);
@@ -83,7 +74,7 @@ static int32_t go_through(const rw_load_list *loads, rw_interest interest, rw_cy
 {
     int32_t status = RWEDGE_OK;
     for (size_t i = 0; i < loads->count && status == RWEDGE_OK; i++) {
-        const rw_loads to = {loads->P[i], loads->M[i], loads->Q[i], loads->sigma[i]};
+        const rw_loads to = rw_loads_at(loads, i);
         if (interest == RW_SLIP_TOO)
             status = add_parts(cycle, to);
         if (status == RWEDGE_OK)
@@ -98,12 +89,6 @@ static int32_t go_through(const rw_load_list *loads, rw_interest interest, rw_cy
 /* ---- Edges ---- */
 
 static const double ROUNDING = 1e-12; /* of an edge, in widths of the contact */
-
-static int ascending(const void *left, const void *right)
-{
-    const double a = *(const double *)left, b = *(const double *)right;
-    return (a > b) - (a < b);
-}
 
 static bool note_edges(rw_cycle *cycle)
 {
@@ -121,8 +106,8 @@ static bool note_edges(rw_cycle *cycle)
     for (size_t i = 0, n = 0; i < cycle->count; i++)
         if (!isnan(cycle->states[i].patch.left))
             rights[n++] = cycle->states[i].patch.right;
-    qsort(lefts, cycle->touching, sizeof *lefts, ascending);
-    qsort(rights, cycle->touching, sizeof *rights, ascending);
+    rw_sort(lefts, cycle->touching);
+    rw_sort(rights, cycle->touching);
     cycle->edges = lefts;
     cycle->rounding = ROUNDING * widest;
     return true;

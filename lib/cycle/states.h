@@ -6,18 +6,13 @@
 #include "contact/contact.h"
 
 typedef struct {
-    size_t count;
-    const double *P, *M, *Q, *sigma;
-} rw_load_list;
-
-typedef struct {
     rwedge_contact *contact;
     rw_patch patch; /* of the contact; NaN when separated */
     rw_patch stuck; /* where nothing has slipped since the state before */
     bool is_load;   /* after a load; else on the way to one, where P or M changes */
 } rw_state;
 
-/* The first state is that before the cycle. */
+/* The states of a cycle. The first one is that before it. */
 typedef struct {
     rw_state *states;
     size_t count, loads;
@@ -27,21 +22,22 @@ typedef struct {
     bool is_kept;    /* the contact has it, and frees it */
 } rw_cycle;
 
-/* What is looked at: stresses need the states after the loads alone; slip those on the way too. */
+/* Stresses need the states after the loads alone, slip those on the way too. */
 typedef enum { RW_STRESS_ALONE, RW_SLIP_TOO, RW_INTERESTS } rw_interest;
 
-/* Those that the contact keeps, if it keeps those of the same loads. For slip, RWEDGE_EPATH too
- * where that of a state has no closed form. To be destroyed in either case. */
+/* The states of the cycle: those that the contact keeps, if they are of the same loads, else new
+ * ones. For slip, RWEDGE_EPATH where the slip of a state has no closed form. The caller destroys
+ * the cycle, after an error too. */
 int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads,
                         rw_interest interest, rw_cycle *cycle);
 void rw_cycle_destroy(rw_cycle *cycle);
 
-/* NULL where the contact keeps none of these loads; with the status of their states. */
+/* The states that the contact keeps of these loads, with their status; NULL where it keeps none. */
 const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_list *loads,
                               rw_interest interest, int32_t *status);
 
-/* The place itself, or, within a rounding of an edge, one inside of it: slip may jump at an edge,
- * and all states are to see the place on the same side. */
+/* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an
+ * edge, and the place must be on the same side of it in all states. */
 double rw_cycle_off_the_edges(const rw_cycle *cycle, double x);
 
 #endif

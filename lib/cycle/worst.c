@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a measure of a cycle is largest, between places at which it is known too. */
+/* Where a measure of a cycle is largest on a line, also between the places at which it is known. */
 #include "cycle/friction.h"
 #include "cycle/measures.h"
 
@@ -73,7 +73,8 @@ static bool has_stress(const line *l, double x)
     return has;
 }
 
-/* NaN at the apex of a sharp wedge. Of what friction does F2 alone takes stresses. */
+/* The measure at one place; NaN at the apex of a sharp wedge. Among the measures of friction only
+ * Ruiz' F2 needs stresses. */
 static double measure_at(const line *l, double x)
 {
     if (is_of_friction(l->measure) && l->measure != RWEDGE_MEASURE_RUIZ_F2)
@@ -90,8 +91,9 @@ static peak better(const line *l, peak best, double x)
     return value > best.value ? (peak){x, value} : best;
 }
 
-/* The interval is halved around its best place, to 1e-10 of it. After a few rounds what is still to
- * be gained is less than what was: then a top that cannot come up to the highest is left. */
+/* The interval is halved around its best place, to 1e-10 of it. After a few rounds the gain still
+ * to come is less than the gain so far: a top that cannot reach the highest one is then given
+ * up. */
 static peak climb(const line *l, double from, double to, peak best, double highest)
 {
     enum { ROUNDS = 34, TRIAL = 6 };
@@ -108,7 +110,7 @@ static peak climb(const line *l, double from, double to, peak best, double highe
     return best;
 }
 
-/* Another top is worth a search if its place comes so near to the best one. */
+/* A top is searched if its given value is at least this part of the best one. */
 static const double NEARLY = 0.97;
 enum { SEARCHES = 8 }; /* enough for tops; a plateau has more */
 
@@ -149,6 +151,33 @@ static bool are_measured(size_t n, const double x[], const double value[])
     return true;
 }
 
+static int32_t check(const line *l, size_t n, const double x[], const double value[])
+{
+    if (l->measure < RWEDGE_MEASURE_STRESS_RANGE || l->measure > RWEDGE_MEASURE_DANG_VAN ||
+        !is_material(&l->material) || !rw_is_magnitude(l->y) || !are_measured(n, x, value))
+        return RWEDGE_EDOMAIN;
+    if (n == 0)
+        return RWEDGE_ERANGE;
+    return is_of_friction(l->measure) && l->y != 0 ? RWEDGE_EDOMAIN : RWEDGE_OK;
+}
+
+/* Through the loads, and then from place to place. */
+static int32_t find(const rwedge_contact *contact, const rw_load_list *loads, line *l, size_t n,
+                    const double x[], const double value[], peak *best)
+{
+    const rw_interest interest = is_of_friction(l->measure) ? RW_SLIP_TOO : RW_STRESS_ALONE;
+    int32_t status = rw_cycle_create(contact, loads, interest, &l->cycle);
+    if (status == RWEDGE_OK && !(l->stress = malloc(3 * loads->count * sizeof *l->stress)))
+        status = RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK) {
+        *best = search(l, n, x, value);
+        status = *l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
+    }
+    free(l->stress);
+    rw_cycle_destroy(&l->cycle);
+    return status;
+}
+
 int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measure, size_t loads,
                                    const double P[], const double M[], const double Q[],
                                    const double sigma[], size_t n, const double x[],
@@ -165,28 +194,13 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
     if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !value)) || !worst_x ||
         !worst_value)
         return RWEDGE_ENULL;
-    if (measure < RWEDGE_MEASURE_STRESS_RANGE || measure > RWEDGE_MEASURE_DANG_VAN ||
-        !is_material(&l.material) || !rw_is_magnitude(y) || !are_measured(n, x, value))
-        return RWEDGE_EDOMAIN;
-    if (n == 0)
-        return RWEDGE_ERANGE;
-    peak best = {NAN, NAN};
-    const bool is_slip = is_of_friction(measure);
-    if (is_slip && y != 0)
-        return RWEDGE_EDOMAIN;
-    int32_t status =
-        rw_cycle_create(contact, &list, is_slip ? RW_SLIP_TOO : RW_STRESS_ALONE, &l.cycle);
-    if (status == RWEDGE_OK && !(l.stress = malloc(3 * loads * sizeof *l.stress)))
-        status = RWEDGE_ENOMEM;
-    if (status == RWEDGE_OK) {
-        best = search(&l, n, x, value);
-        status = lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
-    }
+    peak best;
+    int32_t status = check(&l, n, x, value);
+    if (status == RWEDGE_OK)
+        status = find(contact, &list, &l, n, x, value, &best);
     if (status == RWEDGE_OK) {
         *worst_x = best.x;
         *worst_value = best.value;
     }
-    free(l.stress);
-    rw_cycle_destroy(&l.cycle);
     return status;
 }

@@ -6,9 +6,10 @@
 
 #include <float.h>
 
-/* ---- What a patch carries ---- */
+/* ---- Load, moment and tilt of a patch ---- */
 
-/* The whole parts of the tilts are added apart: of a symmetric pad they cancel exactly. */
+/* An arc outside the patch has a tilt of -1 or 1. These are added apart: for a symmetric pad they
+ * cancel exactly. */
 rw_pressing rw_pad_pressing(const rw_pad *pad, rw_patch patch)
 {
     rw_pressing sum = {0, 0, 0};
@@ -35,15 +36,15 @@ rw_edge_rates rw_pad_edge_rates(const rw_pad *pad, rw_patch patch)
     for (size_t i = 0; i < pad->count; i++) {
         if (!rw_arc_is_inside(pad->arcs[i], patch))
             continue;
-        const rw_corners corners = rw_corners_of(pad->arcs[i], patch);
-        const rw_edge_rates rates = rw_patch_edge_rates(&corners);
+        const rw_arc_ends ends = rw_arc_ends_of(pad->arcs[i], patch);
+        const rw_edge_rates rates = rw_patch_edge_rates(&ends);
         sum.at_left += pad->weights[i] * rates.at_left;
         sum.at_right += pad->weights[i] * rates.at_right;
     }
     return sum;
 }
 
-/* What an arc rises, as x goes away from before it. */
+/* How much the profile of an arc rises from its left end to x. */
 static double rise(rw_arc arc, double x)
 {
     const double a = rw_arc_half_length(arc);
@@ -88,7 +89,7 @@ bool rw_pad_is_kink(const rw_pad *pad, double x)
     return false;
 }
 
-/* ---- Which patch ---- */
+/* ---- The patch of a load ---- */
 
 /* A width that cannot be multiplied. */
 static const double LARGEST = 1e250;
@@ -112,7 +113,8 @@ static double load_excess(double right, const void *context)
     return rw_pad_pressing(at->pad, (rw_patch){at->left, right}).load - at->P;
 }
 
-/* From `from` on, where f is not positive, in steps that double; the place before it in *from. */
+/* The first place after *from, in steps that double, at which f is positive. *from, where f is not
+ * positive, moves to the place before it. */
 static double beyond_root(rw_function f, const void *context, double *from, double step)
 {
     while (f(*from + step, context) < 0 && step < LARGEST) {
@@ -141,8 +143,8 @@ static double right_edge(const search *at)
     return hi < LARGEST ? rw_root(load_excess, at, lo, hi, nearest) : NAN;
 }
 
-/* Under one load the moment and the tilt grow as the edges move to the right. Of a narrow patch far
- * from x = 0 the rounded edges do not have that load: the moment is taken for what they have. */
+/* Under one load the moment and the tilt grow as the edges move to the right. The rounded edges of
+ * a narrow patch far from x = 0 have a load that differs: the moment is corrected for it. */
 static double excess(double left, const void *context)
 {
     search at = *(const search *)context;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A convex profile as a list of arcs. The slope is made of those of wedges that have an arc for
- * their rounding, so what a patch carries is the sum of what it carries of each, and no term
- * cancels another. In theta, half of the angle between the outermost slopes, the weights of the
- * arcs add up to 1. */
+/* A convex profile as a list of arcs. Its slope is a weighted sum of slopes of wedges, each with
+ * one arc for its rounding. So the load of a patch, its moment and its tilt are sums over the arcs,
+ * and no term cancels another. In the unit theta, half of the angle between the outermost slopes,
+ * the weights add up to 1. */
 #ifndef RW_PAD_H
 #define RW_PAD_H
 
@@ -37,7 +37,7 @@ static inline double rw_arc_weight(const rw_arcs *arcs, size_t i)
 rw_pressing rw_pad_pressing(const rw_pad *pad, rw_patch patch);
 rw_edge_rates rw_pad_edge_rates(const rw_pad *pad, rw_patch patch);
 
-/* What the arcs outside of a patch lift the profile at x outside, over theta. */
+/* How much the arcs outside of a patch raise the profile at a place x outside it, over theta. */
 double rw_pad_rise(const rw_pad *pad, rw_patch patch, double x);
 
 /* The height of a symmetric profile above its middle, x >= 0. */
@@ -46,14 +46,14 @@ double rw_pad_height(const rw_pad *pad, double x);
 /* Whether x is at a kink. */
 bool rw_pad_is_kink(const rw_pad *pad, double x);
 
-/* Half of the patch of a load P > 0 in the middle of a symmetric pad. */
+/* The half-width of the centred patch of a symmetric pad under a load P > 0. */
 double rw_pad_half_width(const rw_pad *pad, double P);
 
 /* As rw_patch_of_moment() and rw_patch_of_tilt(); P may be 0 in the middle of a symmetric pad. */
 rw_patch rw_pad_patch_of_moment(const rw_pad *pad, double P, double M);
 rw_patch rw_pad_patch_of_tilt(const rw_pad *pad, double P, double tilt);
 
-/* What a patch carries of the arcs, and the patch of a load P > 0 and a moment. */
+/* Load, moment and tilt of a patch; and the patch of a load P > 0 and a moment. */
 static inline rw_pressing rw_arcs_pressing(const rw_arcs *arcs, rw_patch patch)
 {
     return arcs->pad ? rw_pad_pressing(arcs->pad, patch)

@@ -9,7 +9,7 @@
 
 #include <float.h>
 
-/* Below it alpha is nothing beside 1, nor is its square beside any number. */
+/* A smaller alpha is lost in rounding beside 1, and its square beside any number. */
 static const double SHARP = 0x1p-260;
 
 /* A width that cannot be multiplied. */
@@ -50,10 +50,10 @@ double rw_arc_less_product(double v, double sine, double cosine)
 
 /* With the sines t and cosines c of the two angles, t_1 - t_0 = 2 cos_middle sin_half, c_0 + c_1 =
  * 2 cos_middle cos_half and t_0 + t_1 = 2 sin_middle cos_half. */
-rw_corners rw_corners_of(rw_arc arc, rw_patch patch)
+rw_arc_ends rw_arc_ends_of(rw_arc arc, rw_patch patch)
 {
     const double s = rw_patch_half_width(patch), alpha = rw_arc_half_length(arc) / s;
-    rw_corners k = {.alpha = alpha, .per_alpha = alpha < SHARP ? 0 : 1 / alpha};
+    rw_arc_ends k = {.alpha = alpha, .per_alpha = alpha < SHARP ? 0 : 1 / alpha};
     for (int i = 0; i < 2; i++) {
         const double at = i == 0 ? arc.left : arc.right;
         const double from_left = (at - patch.left) / s, to_right = (patch.right - at) / s;
@@ -81,15 +81,16 @@ rw_corners rw_corners_of(rw_arc arc, rw_patch patch)
     return k;
 }
 
-rw_edge_rates rw_patch_edge_rates(const rw_corners *k)
+rw_edge_rates rw_patch_edge_rates(const rw_arc_ends *k)
 {
     const double slant = k->sin_middle * k->sin_half_over; /* (c_0 - c_1)/(2 alpha) */
     return (rw_edge_rates){.at_left = k->half_over - slant, .at_right = k->half_over + slant};
 }
 
-/* -<phi> (2/pi). Of both ends inside, phi is the middle and <phi> less than that by what the sine
- * bends; of one, all of the rounding but an angle counts as pi/2. */
-static double tilt_of(const rw_corners *k, double half, int *side)
+/* The tilt -<phi> (2/pi). Where both ends of the rounding are inside, <phi> is the middle angle
+ * less a term from the curvature of the sine. Where one end is inside, phi is pi/2 on the rest of
+ * the rounding. */
+static double tilt_of(const rw_arc_ends *k, double half, int *side)
 {
     *side = 0;
     if (k->is_inside[0] && k->is_inside[1]) {
@@ -113,7 +114,7 @@ rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side)
         *side = 0;
         return (rw_pressing){load, m * load, (m - (arc.left / 2 + arc.right / 2)) / a};
     }
-    const rw_corners k = rw_corners_of(arc, patch);
+    const rw_arc_ends k = rw_arc_ends_of(arc, patch);
     const double half = k.half_over * k.alpha;
     const double load = s * (rw_arc_less_product(half, k.sin_half, k.cos_half) * k.per_alpha +
                              2 * k.cos_middle * k.cos_middle * k.sin_half_over * k.cos_half);
@@ -132,7 +133,7 @@ rw_pressing rw_patch_pressing(double a, rw_patch patch)
     return carried;
 }
 
-/* ---- Which patch ---- */
+/* ---- The patch of a load ---- */
 
 /* For M, delta >= 0. */
 typedef struct {
@@ -188,7 +189,7 @@ static rw_patch hertz(double m, double s)
     return (rw_patch){m - s, m + s};
 }
 
-/* Of the sharp wedge, m >= 0: the edge that is nearer to the apex is small where they differ. */
+/* The sharp wedge, m >= 0: where the edges differ much, the one nearer to the apex is small. */
 static rw_patch sharp(double m, double P)
 {
     const double s = hypot(m, P / 2);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A patch of contact off the centre, as a moment or a bulk tension makes it: the wedge's profile,
- * of rounding a, pressed to left < x < right. This room knows what a patch carries, and which patch
- * carries what.
+ * of rounding a, pressed to left < x < right. This file has the load, moment and tilt of a patch,
+ * and finds the patch that has given ones.
  *
  * With x = m + s sin(phi), m = (left + right)/2, s = (right - left)/2, all of it is a mean over the
  * rounding: <> is over |x| < a, phi staying at +-pi/2 beyond the edges. In theta/A and theta,
@@ -13,7 +13,7 @@
 
 #include <stdbool.h>
 
-/* The edges are exact: next to them it is differences from them that count. */
+/* The edges are exact: next to an edge, differences from it count. */
 typedef struct {
     double left, right;
 } rw_patch;
@@ -76,10 +76,10 @@ typedef struct {
     double half_over, sin_half_over; /* over alpha, finite for alpha = 0 too */
     double sin_middle, cos_middle;   /* cos_middle >= sin_half */
     bool is_inside[2];
-} rw_corners;
+} rw_arc_ends;
 
 /* left < right, with the arc at least partly inside. */
-rw_corners rw_corners_of(rw_arc arc, rw_patch patch);
+rw_arc_ends rw_arc_ends_of(rw_arc arc, rw_patch patch);
 
 /* Load, moment about x = 0, tilt. */
 typedef struct {
@@ -88,9 +88,10 @@ typedef struct {
 
 rw_pressing rw_patch_pressing(double a, rw_patch patch);
 
-/* The same of the wedge that an arc is the rounding of, but for the part `side` of the tilt: -1, 1
- * or 0. An arc on the right of the patch makes the tilt -1 and one on its left 1; where it reaches
- * in, the rest is small. */
+/* The same for the wedge that has the arc for its rounding, without the part `side` of its tilt. An
+ * arc on the right of the patch makes the tilt -1, one on its left 1: that is `side`, or 0. Where
+ * an arc reaches into the patch only a little, what is left of the tilt is small, and keeps its
+ * digits. */
 rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side);
 
 /* v - sin(v) cos(v), 0 <= v <= pi/2: of the order (2/3) v^3. */
@@ -103,7 +104,7 @@ typedef struct {
     double at_left, at_right;
 } rw_edge_rates;
 
-rw_edge_rates rw_patch_edge_rates(const rw_corners *corners);
+rw_edge_rates rw_patch_edge_rates(const rw_arc_ends *ends);
 
 /* The patch of the load P > 0 and the moment M; of the load P > 0 and the tilt |delta| < 1. Edges
  * to 1e-14 of the width. -M or -delta gives the mirror image to the last bit. NaN where the tilt is

@@ -99,8 +99,8 @@ rw_edge_rates rw_edge_rates_of(const rw_geometry *g, rw_patch patch)
 {
     if (g->pad)
         return rw_pad_edge_rates(g->pad, patch);
-    const rw_corners corners = rw_corners_of(rw_rounding(g->a), patch);
-    return rw_patch_edge_rates(&corners);
+    const rw_arc_ends ends = rw_arc_ends_of(rw_rounding(g->a), patch);
+    return rw_patch_edge_rates(&ends);
 }
 
 double rw_height(const rw_geometry *g, double x)

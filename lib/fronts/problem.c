@@ -2,9 +2,9 @@
 #include "fronts/problem.h"
 
 #include "base/domain.h"
+#include "base/sort.h"
 
 #include <float.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Edges that differ by less, over the width, do not. */
@@ -49,12 +49,6 @@ static void note_bend(bends *b, place at)
     b->jump[i] = jump;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
 rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
 {
     rw_frame frame = {.arcs = arcs, .f = f, .tolerance = tolerance};
@@ -71,7 +65,7 @@ rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
         last = (place){arc.right, last.after, 0};
     }
     note_bend(&all, last);
-    qsort(frame.bend, (size_t)frame.bends, sizeof *frame.bend, by_size);
+    rw_sort(frame.bend, (size_t)frame.bends);
     return frame;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The quadrature over what slips: panels that shrink towards the fronts. */
 #include "base/domain.h"
+#include "base/sort.h"
 #include "fronts/fronts.h"
 
 #include <stdlib.h>
@@ -179,12 +180,6 @@ static bool is_spent(const rw_fronts *f, int label, double from, double to)
     return false;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
 /* All places where the change is not smooth, between two others. */
 static int breaks_of(const rw_problem *p, double from, double to, double at[])
 {
@@ -198,7 +193,7 @@ static int breaks_of(const rw_problem *p, double from, double to, double at[])
         if (p->old->kink[i] > from && p->old->kink[i] < to)
             at[n++] = p->old->kink[i];
     at[n++] = to;
-    qsort(at, (size_t)n, sizeof *at, by_size);
+    rw_sort(at, (size_t)n);
     return n;
 }
 

@@ -20,6 +20,7 @@
 #include "base/always.h"
 #include "base/domain.h"
 #include "base/integral.h"
+#include "base/sort.h"
 #include "rwedge.h"
 
 #include <float.h>
@@ -186,12 +187,7 @@ static double layer_integral(const layer *l)
         return integral_of_pad(l);
     const double corner = l->top - l->corner_load; /* the depth where m(u) has its corner */
     double cut[5] = {l->p0, l->p1, l->s0, corner, l->s1};
-    for (int i = 1; i < 5; i++)
-        for (int j = i; j > 0 && cut[j] < cut[j - 1]; j--) {
-            const double swap = cut[j];
-            cut[j] = cut[j - 1];
-            cut[j - 1] = swap;
-        }
+    rw_sort(cut, 5);
     const double shallowest = fmin(l->p0, l->p1), deepest = l->s1;
     double sum = 0;
     for (int i = 1; i < 5; i++)

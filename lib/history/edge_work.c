@@ -5,8 +5,8 @@
  *
  * The work is a sum over pairs of a flat punch t of that change and a flat punch u of the pressure
  * that is larger: the work of u on the displacement of t outside of t. With L = (P, M) of a punch
- * and its compliance C, a symmetric matrix, that is L_t . (C_u - C_t) L_u. Between t and u the
- * compliance changes by what the edges v feel as they move (Irwin):
+ * and its compliance C, a symmetric matrix, that is L_t . (C_u - C_t) L_u. As a punch grows from t
+ * to u, its compliance changes by the stress intensities k at its moving edges (Irwin):
  *
  *     L_t . dC L_u = (k_t k_u dr)_right - (k_t k_u dl)_left,   k = P +- 2 (M - m P)/s,
  *
@@ -41,7 +41,7 @@ static rw_pressing sum(rw_pressing one, double weight, rw_pressing two, rw_press
                          .moment = one.moment + weight * (two.moment - less.moment)};
 }
 
-/* What is felt at an edge, right for side = 1. */
+/* The stress intensity k = P +- 2 (M - m P)/s at an edge, the right one for side = 1. */
 static double felt(rw_pressing carried, rw_patch patch, int side)
 {
     const double about_middle = carried.moment - rw_patch_middle(patch) * carried.load;
@@ -73,7 +73,8 @@ static double panel_integral(const layer *l, double from, double to)
     return half * step * sum;
 }
 
-/* How far on the way something that goes evenly passes a place; 1 where it does not. */
+/* The part of the way, 0 to 1, at which an edge that moves evenly passes a place; 1 where it does
+ * not. */
 static double passing(double from, double to, double place)
 {
     return (from < place) != (to < place) ? (place - from) / (to - from) : 1;

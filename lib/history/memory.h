@@ -7,9 +7,9 @@
  * corners and knows no geometry.
  *
  * With moment and bulk tension, load and shear are pairs: the tilt stands beside the load, the
- * stretch beside the shear. D is the one number that makes a difference of the second pair from
- * one of the first. Load and shear decide which corner a line meets; tilt and stretch follow.
- * path.h decides whether patches of such tilts are nested, on which all this rests.
+ * stretch beside the shear. On a segment of the path the change of the second pair is D times that
+ * of the first. Load and shear decide which corner a line meets; tilt and stretch follow. All this
+ * holds only where the patches are nested: path.h decides that.
  *
  * A new load (P', T') extends the path where the step is not steeper than 1. Otherwise the edge
  * slips, D = +-1: a line of that slope is drawn from (P', T') back to where it meets the path.
@@ -30,19 +30,19 @@ typedef struct {
     double tilt, stretch;
 } rw_loading;
 
-/* A corner, with the slope D of the path from the corner before it. The caller sets the patch, that
- * of the contact under this load and tilt; it is NaN when the corner is new. least and most bound
- * the slope: within them, no corner that was left out is farther from the path than its rounding
- * error. */
+/* A corner. `ratio` is the slope D of the path from the corner before it. The caller sets the
+ * patch, that of the contact under this load and tilt; it is NaN when the corner is new. Corners
+ * that lie on the path to rounding are left out: for slopes between `least` and `most` none of them
+ * is farther from the path than its rounding error. */
 typedef struct {
     double load, shear, tilt, stretch;
     double ratio, least, most;
     rw_patch patch;
 } rw_corner;
 
-/* corners[0] is the origin. The first `shared` of them are as they were when they were last kept:
- * slip_origin.h. Those from the
- * second on and before `level` have no tilt and the origin's stretch. */
+/* corners[0] is the origin. The first `shared` corners are as in the path that was last kept
+ * (slip_origin.h). Those from the second on and before `level` have no tilt, and the stretch of the
+ * origin. */
 typedef struct {
     rw_corner *corners;
     size_t count, capacity;
@@ -50,9 +50,9 @@ typedef struct {
     size_t level;
 } rw_memory;
 
-/* How a path that is kept branches off one that was kept before. Its corners are that one's up to
- * `shared`, and its own from there on, in a row. `before` is the nearest branch before it that
- * shares less, `jump` one farther back, so that any corner is found in a few jumps. */
+/* A kept path as a branch of the path kept before it: it has the first `shared` corners of that
+ * path, and then its own. `before` is the nearest earlier branch that shares fewer corners, `jump`
+ * one farther back, so that any corner is found in a few jumps. */
 typedef struct {
     size_t shared, first; /* first: the place of its first own corner in the row of all */
     size_t before, jump, depth;
@@ -100,14 +100,14 @@ typedef struct {
 rw_departure rw_memory_departure(const rw_memory *memory, rw_loading to);
 rw_departure rw_trail_departure(const rw_trail *trail, rw_loading to);
 
-/* Goes on to a load by way of the departure for it. There is room for two more corners. */
+/* Extends the path to a load from the departure for it. There must be room for two more corners. */
 void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_loading to);
 
-/* A new path that goes straight to a load, from an origin with that load's tilt and stretch: of a
+/* Starts a new path, straight to a load from an origin with that load's tilt and stretch: for a
  * contact that slides, or that has no friction. */
 void rw_memory_restart(rw_memory *memory, rw_loading to, double ratio);
 
-/* Whether all of it, and this load, have one stretch and no tilt: the history of P and Q alone. */
+/* Whether the path and this load have one stretch and no tilt: a history of P and Q alone. */
 static inline bool rw_memory_is_plain(const rw_memory *memory, rw_loading to)
 {
     const rw_corner *origin = &memory->corners[0];
@@ -132,8 +132,8 @@ static inline const rw_corner *rw_trail_end(const rw_trail *trail)
 /* The shear where the path has that load, 0 <= load <= that of its end. */
 double rw_trail_shear(const rw_trail *trail, double load);
 
-/* What the tilt and the stretch of the front lack to those of the corner where the path is left:
- * 0, but for rounding, where the line meets the path at the corner. */
+/* V = (tilt' - tilt) - S (stretch' - stretch) beyond a corner, S = slip (lib/README.md, "Moment and
+ * bulk tension"): 0, to rounding, where the corner is the front. */
 double rw_memory_missing_tilt(const rw_corner *corner, int slip, rw_loading to);
 
 /* Whether friction is exhausted all over: the path is one line of the slope +-1. */

@@ -22,7 +22,7 @@ typedef struct {
     double m, s, delta;
     rw_arc arc;
     rw_patch patch;
-    rw_corners ends;
+    rw_arc_ends ends;
     double clear[2]; /* 1 - t, exactly */
     bool flank;      /* lies outside of the patch */
     rw_eccentric potential;
@@ -39,7 +39,7 @@ static place place_at(double w)
     return (place){w, 2 * half * sqrt(1 + half * half), 1 + less, less};
 }
 
-/* omega of an end, 0 for one that is not inside. */
+/* omega of an end of the rounding, 0 for an end outside the patch. */
 static double omega(const outside *o, int end, place at)
 {
     if (!o->ends.is_inside[end])
@@ -50,7 +50,7 @@ static double omega(const outside *o, int end, place at)
 /* (omega_0 - omega_1)/alpha, both ends inside. */
 static double omega_difference(const outside *o, place at)
 {
-    const rw_corners *k = &o->ends;
+    const rw_arc_ends *k = &o->ends;
     const double X = at.X, C = at.C;
     const double x0 = o->clear[0] - k->sine[0] * at.less, x1 = o->clear[1] - k->sine[1] * at.less;
     const double x = x0 * x1 + k->cosine[0] * k->cosine[1] * X * X;
@@ -67,7 +67,7 @@ static bool is_rounded(const outside *o)
 static double slope(double w, const void *context)
 {
     const outside *o = context;
-    const rw_corners *k = &o->ends;
+    const rw_arc_ends *k = &o->ends;
     const place at = place_at(w);
     const double X = at.X, C = at.C;
     double sum;
@@ -92,7 +92,7 @@ static double primitive_of(const outside *o, int end, place at)
 /* int slope, times pi/2. */
 static double primitive(const outside *o, double w)
 {
-    const rw_corners *k = &o->ends;
+    const rw_arc_ends *k = &o->ends;
     const place at = place_at(w);
     const double X = at.X, C = at.C;
     if (is_rounded(o) && k->per_alpha == 0)
@@ -141,14 +141,14 @@ static double w_at(const outside *o, double right, double x)
     return asinh(sqrt(beyond * (2 + beyond)));
 }
 
-/* The formulas hold as far as the profile is what they take it for. */
+/* The formulas hold up to the next end of the rounding: beyond it the profile differs. */
 static outside outside_of(rw_arc arc, rw_patch patch)
 {
     outside o = {.arc = arc,
                  .patch = patch,
                  .m = rw_patch_middle(patch),
                  .s = rw_patch_half_width(patch),
-                 .ends = rw_corners_of(arc, patch),
+                 .ends = rw_arc_ends_of(arc, patch),
                  .flank = patch.right >= arc.right};
     o.clear[0] = (patch.right - arc.left) / o.s;
     o.clear[1] = (patch.right - arc.right) / o.s;
@@ -176,7 +176,7 @@ static double right_gap(outside *o, double x)
     return o->s * gap;
 }
 
-/* Of the wedge that an arc is the rounding of, x outside. */
+/* The gap of the wedge that has the arc for its rounding; x is outside the patch. */
 static double arc_gap(rw_arc arc, rw_patch patch, double x)
 {
     const bool is_right = x > patch.right;

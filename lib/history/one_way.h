@@ -6,10 +6,9 @@
 #include "formulas/size.h"
 #include "history/memory.h"
 
-/* Whether all points between the front of a departure and the edges of the contact that the path
- * ends at have slipped the way of the departure, to rounding, where the front has slipped over the
- * layers of the path. false where that is not shown. The front's patch is known, and the patches
- * of the path are nested from it on. */
+/* The front of a departure has passed the layers of the path from the edges of the contact. Whether
+ * all points between have slipped the way of the departure, to rounding; false where that is not
+ * shown. The front's patch must be known, and the patches of the path nested from it on. */
 bool rw_slips_one_way(const rw_memory *path, const rw_departure *departure,
                       const rw_geometry *geometry);
 

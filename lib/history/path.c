@@ -21,7 +21,7 @@
 
 #include <float.h>
 
-/* Of pieces that a step is divided into, to bound what changes on them. */
+/* How often a step is divided, to bound what changes on its pieces. */
 enum { TRIES = 40 };
 
 /* Loads at the limit of a cone are inside. */
@@ -34,7 +34,8 @@ static double half_width(rw_patch patch)
 
 /* ---- Conditions ---- */
 
-/* Of tilts and stretches, which are as small as the contact is beside the rounding. */
+/* The rounding of tilts and stretches, which are as small as the contact is beside the rounding of
+ * the profile. */
 static double tilt_tolerance(const rw_step *s, rw_loading to)
 {
     const rw_corner *end = rw_memory_end(s->memory);
@@ -62,8 +63,8 @@ static bool adds_everywhere(double load, range tilt, rw_patch patch, double tole
     return arm * (largest(tilt) - tolerance) <= (1 + SLACK) * load;
 }
 
-/* Whether slip has exhausted friction all over, and leaves nothing of the old path. Whatever the
- * way, no other traction then carries so much shear. */
+/* Whether slip has exhausted friction all over, so that nothing of the old path is left. No other
+ * traction carries so much shear, whatever the way. */
 static bool is_sliding(const rw_step *s, rw_loading to, int slip, rw_departure *d)
 {
     const double most = fmax(to.load, rw_memory_end(s->memory)->load);
@@ -73,8 +74,8 @@ static bool is_sliding(const rw_step *s, rw_loading to, int slip, rw_departure *
     return true;
 }
 
-/* Whether the front that slips from the edges is between the same two patches at both, and all
- * points that it passed have slipped. */
+/* Whether the front of slip lies between the same two patches at both edges, and all points that it
+ * passed have slipped. */
 static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_departure *d)
 {
     const rw_memory *memory = s->memory;
@@ -137,7 +138,8 @@ static bool is_level(const rw_step *s)
             (end->load == 0 || fabs(s->to.tilt - end->tilt) <= tilt_tolerance(s, s->to)));
 }
 
-/* Without a width there is no bound, but no infinity either: a layer of slope 0 stays level. */
+/* The tilt that a moment makes. For a patch without width it is unbounded, but not infinite: 0
+ * times it is 0. */
 static double tilt_by(double moment, double half_width)
 {
     static const double UNBOUNDED = 1e200;
@@ -146,8 +148,8 @@ static double tilt_by(double moment, double half_width)
     return 2 / RW_PI * moment / (half_width * half_width);
 }
 
-/* d delta/dt = 2 (dM - m dP)/(pi s^2) while the patch is between two others; the step lasts from
- * t = 0 to 1. */
+/* Bounds on d delta/dt = 2 (dM - m dP)/(pi s^2) while the patch, of middle m and half-width s, is
+ * between two others; the step lasts from t = 0 to 1. */
 static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
 {
     if (is_level(s))
@@ -161,7 +163,8 @@ static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
     return (range){tilt_by(least, least > 0 ? many : few), tilt_by(most, most > 0 ? few : many)};
 }
 
-/* Whether the shear keeps to a layer of slope D all along, as the tilt bends. */
+/* Whether the shear stays in a layer of slope D during the step: its stretch does not change, so D
+ * times the tilt must not either. */
 static bool keeps_to_layer(const rw_step *s, double D, range tilt_rate)
 {
     const double tolerance = tilt_tolerance(s, s->to);
@@ -169,7 +172,7 @@ static bool keeps_to_layer(const rw_step *s, double D, range tilt_rate)
            fabs(D) * largest(tilt_rate) <= tolerance;
 }
 
-/* A growing contact whose shear does not slip. */
+/* A growing contact that does not slip. */
 static rw_obstacle sticking_growth(const rw_step *s)
 {
     const rw_corner *end = rw_memory_end(s->memory);
@@ -181,7 +184,7 @@ static rw_obstacle sticking_growth(const rw_step *s)
                                                                     : RW_GROWS_UNEVENLY;
 }
 
-/* A receding contact whose shear does not slip: it is that of the last layer. */
+/* A receding contact that does not slip: only its last layer becomes smaller. */
 static rw_obstacle sticking_recession(const rw_step *s, const rw_departure *d)
 {
     const rw_corner *end = rw_memory_end(s->memory);
@@ -201,8 +204,7 @@ typedef struct {
     rw_patch stuck; /* the last front that was known */
 } station;
 
-/* What sticks at first: all but a ring that slipped before. A contact that slides cannot go on to
- * slip that way. */
+/* The beginning of the step: all sticks but a ring that slips this way already. */
 static station first_station(const rw_step *s, int slip)
 {
     const size_t count = s->memory->count;
@@ -216,18 +218,24 @@ static station first_station(const rw_step *s, int slip)
                      .stuck = front->patch};
 }
 
-static station station_at(const rw_step *s, double t, int slip, const station *last)
+/* On the straight way to the new load, where the contact is of that load. */
+static rw_loading loading_at(const rw_step *s, double t, double load, rw_patch contact)
 {
     const rw_corner *end = rw_memory_end(s->memory);
+    return (rw_loading){.load = load,
+                        .shear = end->shear + t * (s->to.shear - end->shear),
+                        .tilt = rw_pressing_of(s->geometry, contact).tilt,
+                        .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+}
+
+static station station_at(const rw_step *s, double t, int slip, const station *last)
+{
     station at = {.t = t, .contact = s->patch, .stuck = last->stuck};
     rw_loading loading = s->to;
     if (t < 1) {
         const double P = s->from_P + t * (s->to_P - s->from_P);
         at.contact = rw_patch_under_moment(s->geometry, P, s->from_M + t * (s->to_M - s->from_M));
-        loading = (rw_loading){.load = P,
-                               .shear = end->shear + t * (s->to.shear - end->shear),
-                               .tilt = rw_pressing_of(s->geometry, at.contact).tilt,
-                               .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+        loading = loading_at(s, t, P, at.contact);
     }
     at.front = rw_memory_departure(s->memory, loading);
     at.is_known = at.front.slip == slip && front_is_known(s, loading, at.contact, &at.front);
@@ -236,7 +244,8 @@ static station station_at(const rw_step *s, double t, int slip, const station *l
     return at;
 }
 
-/* Whether the front stays in its layer, behind the edges of the contact: S (dT - D dN) adds. */
+/* Whether the front stays in its layer of slope D, behind the edges of the contact: S (dT - D dN)
+ * adds to the traction everywhere. */
 static bool stays_behind(const rw_step *s, const station *from, const station *to, range tilt_rate)
 {
     if (!from->is_known || !to->is_known || from->front.kept != to->front.kept)
@@ -250,7 +259,7 @@ static bool stays_behind(const rw_step *s, const station *from, const station *t
                            tilt_tolerance(s, s->to));
 }
 
-/* What is in the way between two moments. */
+/* The obstacle between two moments. */
 static rw_obstacle obstacle_between(const rw_step *s, int slip, const station *from,
                                     const station *to)
 {
@@ -324,10 +333,7 @@ static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
     part.to_P = at->load;
     part.to_M = s->from_M + t * (s->to_M - s->from_M);
     part.patch = rw_patch_under_moment(s->geometry, part.to_P, part.to_M);
-    part.to = (rw_loading){.load = at->load,
-                           .shear = end->shear + t * (s->to.shear - end->shear),
-                           .tilt = rw_pressing_of(s->geometry, part.patch).tilt,
-                           .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+    part.to = loading_at(s, t, at->load, part.patch);
     rw_departure d;
     if (!rw_patch_is_nested(part.patch, at->patch, part.to.tilt) ||
         obstacle_of(&part, &d) != RW_NO_OBSTACLE || d.slip != 0)
@@ -343,7 +349,7 @@ static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
 
 /* ---- A contact without a change of shear ---- */
 
-/* The last corner of a layer that carries shear; the origin where none does. */
+/* The outer corner of the last layer that carries shear; the origin where none does. */
 static size_t last_sheared(const rw_memory *memory, double tolerance)
 {
     size_t i = memory->count - 1;
@@ -358,7 +364,7 @@ static size_t last_sheared(const rw_memory *memory, double tolerance)
     return i;
 }
 
-/* Above 0 where the edge of a patch moves outwards, on the side -1 or 1. */
+/* Above 0 where the step moves the edge of a patch outwards, on the side -1 or 1. */
 static double outwards(const rw_step *s, rw_patch patch, int side)
 {
     const double P = rw_as_length(s->geometry, s->to_P - s->from_P);
@@ -366,8 +372,9 @@ static double outwards(const rw_step *s, rw_patch patch, int side)
     return P + side * 2 / half_width(patch) * (M - rw_patch_middle(patch) * P);
 }
 
-/* Whether an edge of the contact does not come inside of a patch during a step, at whose ends it
- * does not. The loads that bring an edge inside of a place are convex: it turns once, outwards. */
+/* Whether an edge of the contact stays outside of a patch during a step. It is outside at both
+ * ends. The set of loads under which it is inside of a given place is convex, so the edge turns
+ * once, from inwards to outwards: the turn is searched for. */
 static bool stays_outside(const rw_step *s, rw_patch patch, int side)
 {
     const rw_corner *end = rw_memory_end(s->memory);
@@ -387,8 +394,8 @@ static bool stays_outside(const rw_step *s, rw_patch patch, int side)
     return true;
 }
 
-/* Whether Q and the tension stay, and the contact keeps the last patch that carries shear: nothing
- * slips, because the pressure there is never less than what that patch has. */
+/* Whether Q and the tension stay, and the contact keeps the last patch that carries shear. Then
+ * nothing slips: the pressure there is never less than that patch's own. */
 static bool keeps_sheared(const rw_step *s, rw_departure *d)
 {
     const rw_memory *memory = s->memory;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Whether a load with moment and bulk tension leads to a state in closed form. The memory diagram
- * is exact as long as its patches are nested and slip has one sign at both edges at a time; for
- * loads without moment and under one tension that is always so. */
+ * is exact as long as its patches are nested and slip has one sign at both edges at a time. Without
+ * moment and under one tension this is always so. */
 #ifndef RW_PATH_H
 #define RW_PATH_H
 
@@ -25,7 +25,8 @@ typedef enum {
     RW_GROWS_UNEVENLY   /* tilt or tension change while new rings come into contact with shear */
 } rw_obstacle;
 
-/* What is in the way; the departure for the step's load, its patch known, where nothing is. */
+/* Why the step has no closed form; RW_NO_OBSTACLE where it has one, with the departure for its
+ * load, whose patch is then known. */
 rw_obstacle rw_path_departure(const rw_step *step, rw_departure *departure);
 
 /* Whether a step that separates the bodies slips nowhere on its way. */

@@ -54,7 +54,8 @@ void rw_slip_origins_destroy(rw_slip_origins *origins)
     *origins = (rw_slip_origins){0};
 }
 
-/* A branch next to the last. Jumps double in length where two of equal length meet. */
+/* A new branch behind the last one. Where two jumps of equal length meet, the next one is as long
+ * as both. */
 static rw_branch branch_off(const rw_slip_origins *origins, size_t shared)
 {
     const size_t itself = origins->count;
@@ -83,7 +84,7 @@ void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const
     origins->own.count += more;
 }
 
-/* The last one is not needed any more. */
+/* Removes the last origin. */
 static void pop(rw_slip_origins *origins, rw_memory *memory)
 {
     const rw_branch *last = &origins->branches[--origins->count];
@@ -105,7 +106,7 @@ size_t rw_slip_origins_corners(const rw_slip_origins *origins)
     return origins->own.count - roots;
 }
 
-/* Points beyond the load have separated. */
+/* Removes the points beyond the load, which have separated. */
 static void cut_off(rw_slip_origins *origins, rw_memory *memory, double load)
 {
     rw_slip_origin *all = origins->all;

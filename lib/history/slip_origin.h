@@ -5,11 +5,11 @@
  * the contact is at them.
  *
  * A load that rises without slip adds points whose path is the present one. They have not
- * slipped, and nothing is kept for them. The first slip after that keeps the path. It
- * serves all of these points, and those that the slipping step itself brings into contact: the path
- * of each of the latter is the one that was kept, gone on along the step's straight line to the
- * point. A falling load takes its points off. So a load adds one origin at most, and only if the
- * contact grew since the origin before; a repeated cycle replaces its own.
+ * slipped, and nothing is kept for them. The first slip after that keeps the path. It serves all of
+ * these points, and those that the slipping step itself brings into contact: the path of each of
+ * the latter is the kept path, extended along the step's straight line to the point. A falling load
+ * removes the points that separate. So a load adds one origin at most, and only if the contact grew
+ * since the origin before; a repeated cycle replaces its own origins.
  *
  * A path that is kept has its first corners in common with the one kept before it, as many as no
  * load has changed in between. Only the others are stored. Each load makes two new corners at most,
@@ -19,8 +19,9 @@
 
 #include "history/memory.h"
 
-/* The points up to the load `end` that are beyond those of the one before. For u > from_load the
- * path goes on along the straight line from (from_load, from_shear) to (to_load, to_shear). */
+/* An origin serves the points u up to the load `end`, from the end of the origin before it. For u >
+ * from_load the path goes on along the straight line from (from_load, from_shear) to (to_load,
+ * to_shear). */
 typedef struct {
     double end;
     double from_load, from_shear, to_load, to_shear;
@@ -39,21 +40,21 @@ typedef struct {
 bool rw_slip_origins_copy(const rw_slip_origins *origins, rw_slip_origins *copy);
 void rw_slip_origins_destroy(rw_slip_origins *origins);
 
-/* Makes room for that many more, with as many corners of their own. false where memory is short;
+/* Makes room for so many more origins and for so many more corners. false where memory is short;
  * all is as before. */
 bool rw_slip_origins_reserve(rw_slip_origins *origins, size_t more, size_t corners);
 
-/* The step from the end of the path, before the path is told of it; slips: whether it does.
- * false where memory is short; all is as before. */
+/* Notes a step from the end of the path to (load, shear), before the path itself goes on. false
+ * where memory is short; all is as before. */
 bool rw_slip_origins_advance(rw_slip_origins *origins, rw_memory *memory, bool slips, double load,
                              double shear);
 
-/* One more, whose path has its first corners in common with the last, `shared` of them, and goes on
- * with its own. There is room. */
+/* Adds an origin whose path shares its first corners with the last one, `shared` of them, and goes
+ * on with its own. There must be room. */
 void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const rw_corner own[],
                           size_t shared);
 
-/* Of the path that was kept last; 0 where none is. */
+/* How many corners the path has that was kept last; 0 where none is. */
 size_t rw_slip_origins_last_corners(const rw_slip_origins *origins);
 
 /* How many corners beyond the origin of their path are kept. */
@@ -65,7 +66,7 @@ const rw_slip_origin *rw_slip_origin_of(const rw_slip_origins *origins, double u
 /* The path it has kept. */
 rw_trail rw_slip_origin_trail(const rw_slip_origins *origins, const rw_slip_origin *origin);
 
-/* Where the path of the point u leaves its origin's. */
+/* Where a path at the point u leaves that of the origin. */
 rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, const rw_trail *trail,
                                       double u);
 

@@ -20,9 +20,10 @@ enum { ACROSS_EQUATOR = 36, UP = 19, ACROSS = 12, STARTS = 4 };
 static const double PSI_STEP = 0.087488663525924007, BETA_STEP = 0.043660942908512059,
                     ACROSS_STEP = 0.13165249758739585, LAST = 2e-5, APART = 0.9659258262890683;
 
-/* A plane is left out where the most cycles that can be, each as bad as is possible there, give
- * less than this part of the largest damage so far. So are starts: no plane of the grid is doubled
- * by steps of half of the grid's. After these, no start catches up from BEHIND. */
+/* A plane is left out if an upper bound of its damage (as many cycles as possible, each as bad as
+ * possible there) is less than this part of the largest damage so far. Starts are left out
+ * likewise: steps of half of the grid's do not double the damage of a plane. After these steps, a
+ * start that is BEHIND by this factor does not catch up. */
 static const double HOPELESS = 0.5, BEHIND = 0.95;
 
 /* Of the largest range of a component: cycles above it are bounded by the worst one, others by a
@@ -60,7 +61,7 @@ typedef struct {
 
 /* ---- One plane ---- */
 
-/* Across the path and the normal stress, how far they go at the most. */
+/* Upper bounds of the range of the path and of the normal stress. */
 typedef struct {
     double low_x, high_x, low_y, high_y, peak;
 } extent;
@@ -94,7 +95,7 @@ static extent go_through(miner *m, const plane *p)
     return e;
 }
 
-/* Of one cycle, of an amplitude with a largest normal stress. */
+/* The damage of one cycle, given its amplitude and its largest normal stress. */
 static double damage_of(miner *m, double amplitude, double peak)
 {
     const rw_worst_plane at = {.value = rw_severity_of(&m->severity, amplitude, peak)};
@@ -128,8 +129,8 @@ static double resolve(miner *m, rw_direction across)
     return (high - low) / 2;
 }
 
-/* Cycles of the component whose range is not smaller, or one more: half of the ways from turn to
- * turn when smaller ones are passed over. */
+/* How many cycles of the component have at least this range, or one more: half of the number of
+ * ways from turn to turn, smaller ways being passed over. */
 static double larger_cycles(const miner *m, double range)
 {
     size_t ways = 0;
@@ -183,7 +184,8 @@ static double cosine_between(const plane *a, const plane *b)
     return fabs(a->beta.cosine * b->beta.cosine) * once + fabs(a->beta.sine * b->beta.sine);
 }
 
-/* Takes the place of one that is near, or of the least, if it is worse; which are then in order. */
+/* Puts a plane into the list in place of a near one, or of the least, if it is worse. The list
+ * stays in order. */
 static void note(miner *m, const verdict *v)
 {
     int place = STARTS - 1;
@@ -239,7 +241,7 @@ static bool step(miner *m, verdict *v, double psi, double beta, double across)
     return true;
 }
 
-/* By t along each coordinate and, of psi and beta, along both. */
+/* Steps of t along each coordinate, and along psi and beta together. */
 static bool step_around(miner *m, verdict *v, double t)
 {
     bool is_worse = false;
@@ -258,7 +260,7 @@ static void refine(miner *m, verdict *v, double from, double to)
             t /= 2;
 }
 
-/* Those that are left behind after a few steps are not refined further. */
+/* Planes that are far behind after a few steps are not refined further. */
 static verdict worst_of_starts(miner *m)
 {
     verdict best = m->best[0];
@@ -283,7 +285,8 @@ static rw_direction direction_of(double x, double y)
     return length > 0 ? (rw_direction){x / length, y / length} : (rw_direction){1, 0};
 }
 
-/* Of the path: from one end of it, the farthest load from the first, to the farthest from that. */
+/* The length of the path: from the load farthest from the first one to the load farthest from
+ * that. */
 static rw_direction longest_way(const miner *m)
 {
     size_t end[2] = {0, 0};
@@ -300,7 +303,7 @@ static rw_direction longest_way(const miner *m)
                         m->path[end[1]].y - m->path[end[0]].y);
 }
 
-/* On the plane of the largest value of the criterion. */
+/* The damage on the plane of the largest value of the criterion. */
 static void look_at(miner *m, const rw_worst_plane *worst)
 {
     plane p = {{cos(2 * worst->angle), sin(2 * worst->angle)},
@@ -322,7 +325,7 @@ static verdict exactly(miner *m, const plane *p)
     return v;
 }
 
-static verdict worst_of(miner *m, const rw_field *f, size_t point)
+static verdict worst_of(miner *m, const rw_stress_field *f, size_t point)
 {
     for (int i = 0; i < STARTS; i++)
         m->best[i] = (verdict){{{1, 0}, {1, 0}, {1, 0}}, 0, 0};
@@ -376,7 +379,7 @@ static void give(const verdict *v, size_t n, const results *r)
     }
 }
 
-static int32_t sum_up(const rw_field *f, miner *m, const results *r)
+static int32_t sum_up(const rw_stress_field *f, miner *m, const results *r)
 {
     verdict *all = calloc(f->points + 1, sizeof *all);
     int32_t status = all && take_room(m, f->loads) ? RWEDGE_OK : RWEDGE_ENOMEM;
@@ -393,7 +396,7 @@ static int32_t sum_up(const rw_field *f, miner *m, const results *r)
     return status;
 }
 
-static int32_t damage(const rw_field *f, bool in_domain, const rw_criterion *c,
+static int32_t damage(const rw_stress_field *f, bool in_domain, const rw_criterion *c,
                       const rw_life_curve *curve, const results *r)
 {
     const int32_t status =
@@ -411,7 +414,7 @@ int32_t rwedge_smith_watson_topper_damage_field(size_t loads, size_t n, const do
                                                 double value[], double cycles[], double angle[],
                                                 double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     rw_criterion criterion;
     rw_life_curve curve;
     const bool in_domain = rw_smith_watson_topper(E, nu, plane_stress, &criterion) &&
@@ -427,7 +430,7 @@ int32_t rwedge_fatemi_socie_damage_field(size_t loads, size_t n, const double sx
                                          double limit, double value[], double cycles[],
                                          double angle[], double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     rw_criterion criterion;
     rw_life_curve curve;
     const bool in_domain = rw_fatemi_socie(E, nu, plane_stress, k_over_sy, &criterion) &&

@@ -7,10 +7,11 @@
 #include "base/domain.h"
 #include "rwedge.h"
 
-/* Of a logarithm: exp() of its opposite is nothing, but does not underflow, which sets errno. */
+/* A bound on logarithms: exp() of minus this is negligible, but does not underflow, which would set
+ * errno. */
 static const double NEGLIGIBLE = 700;
 
-/* u = log(2 N) of a logarithm of the value, and how u changes with it. Newton's steps begin where
+/* u = log(2 N) for a logarithm of the value, and the derivative of u. Newton's steps begin where
  * the larger power alone has the value. The sum of both is convex over u: so they go one way, and
  * never beyond. */
 static double reversals_of(const rw_life_curve *c, double wanted, double *rate)
@@ -51,7 +52,7 @@ double rw_life(const rw_life_curve *curve, double value)
 
 /* ---- By a table ---- */
 
-/* Lines a unit of the logarithm of the value. */
+/* Lines of the table for each unit of the logarithm of the value. */
 static const double DENSITY = 64;
 
 void rw_life_table_begin(const rw_life_curve *curve, rw_life_table *table)
@@ -72,7 +73,7 @@ static const rw_life_line *line_at(rw_life_table *table, double place)
     return line;
 }
 
-/* A polynomial between two lines that has their u and their rates. */
+/* Interpolates between two lines with their u and their rates. */
 double rw_life_by_table(rw_life_table *table, double value)
 {
     if (is_run_out(table->curve, value))
@@ -89,7 +90,8 @@ static bool is_slope(double v)
     return isfinite(v) && v >= -2 && v <= -0.01;
 }
 
-/* A strength with its exponent b, a ductility with its exponent c. */
+/* Whether a strength with its exponent b and a ductility with its exponent c are in their
+ * domains. */
 static bool is_curve(double strength, double b, double ductility, double c, double limit)
 {
     return rw_is_positive(strength) && is_slope(b) && rw_is_positive(ductility) && is_slope(c) &&

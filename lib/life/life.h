@@ -32,8 +32,8 @@ typedef struct {
 } rw_life_table;
 void rw_life_table_begin(const rw_life_curve *curve, rw_life_table *table);
 
-/* The same, where lives are many: to 1e-5 for constants of metals, whose slopes are steeper than
- * -0.04; to 1e-2 for any. */
+/* The same by a table, for many lives: to 1e-5 for constants of metals, whose slopes are steeper
+ * than -0.04; to 1e-2 for any constants. */
 double rw_life_by_table(rw_life_table *table, double value);
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* ASTM E1049-85, 5.4.4 and, for a history that repeats, 5.4.5. The turns that wait are a stack, on
- * which each value is laid in its turn: one that goes on in the direction of the last takes its
- * place; a range that is not smaller than the one before it closes that one. */
+/* ASTM E1049-85, 5.4.4 and, for a history that repeats, 5.4.5. The turns that no cycle has taken
+ * wait on a stack. Each value of the history is put on it: a value that goes on in the direction of
+ * the last one replaces it; a range that is not smaller than the range before it closes the cycle
+ * of that one. */
 #include "life/rainflow.h"
 
 #include "base/domain.h"
@@ -22,14 +23,15 @@ static double range_of(const rw_turn *turn)
     return fabs(turn[1].value - turn[0].value);
 }
 
-/* From a turn to the next; highest is that of the whole cycle. */
+/* Counts the cycle from a turn to the next one; `highest` is the highest value of the other
+ * quantity in it. */
 static void add_cycle(rainflow *r, const rw_turn *turn, double count, double highest)
 {
     r->cycle[r->cycles++] =
         (rw_counted){turn->at, range_of(turn), (turn[0].value + turn[1].value) / 2, count, highest};
 }
 
-/* The last turn goes; what is the highest since then is seen from the one before. */
+/* Removes the last turn from the stack. The highest value since it passes to the turn below. */
 static void drop_last(rainflow *r)
 {
     const rw_turn *last = &r->turn[--r->count];

@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A turn of the history that no cycle has taken yet: which of its values, what is the highest from
- * there to before the next turn, and there. */
+/* A turn of the history that no cycle has taken yet: its place in the history; the highest value of
+ * the other quantity from there to before the next turn, and at the turn. */
 typedef struct {
     size_t at;
     double value, highest, own;

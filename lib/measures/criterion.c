@@ -2,7 +2,7 @@
 /* The criteria of a cycle of stresses by their numbers. */
 #include "measures/field.h"
 
-static int32_t stress_range(const rw_field *f, double value[])
+static int32_t stress_range(const rw_stress_field *f, double value[])
 {
     const int32_t status = rw_field_status(f, value != NULL);
     for (size_t j = 0; j < f->points && status == RWEDGE_OK; j++) {
@@ -16,8 +16,8 @@ static int32_t stress_range(const rw_field *f, double value[])
     return status;
 }
 
-static int32_t without_plane(int32_t measure, const rw_field *f, double constant, double value[],
-                             double angle[], double out_of_plane[])
+static int32_t without_plane(int32_t measure, const rw_stress_field *f, double constant,
+                             double value[], double angle[], double out_of_plane[])
 {
     int32_t status;
     if (!angle || !out_of_plane)
@@ -44,7 +44,7 @@ int32_t rwedge_criterion_field(int32_t measure, size_t loads, size_t n, const do
         !rw_is_magnitude(constant) || !rw_is_positive(su))
         return RWEDGE_EDOMAIN;
     const double across = plane_stress ? 0 : nu;
-    const rw_field f = {loads, n, sxx, syy, txy, across};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, across};
     switch (measure) {
     case RWEDGE_MEASURE_SWT:
         return rwedge_smith_watson_topper_planes_field(loads, n, sxx, syy, txy, E, nu, plane_stress,

@@ -2,33 +2,18 @@
 /* Fatigue parameters of cycles of stresses, on the critical plane. In plane strain, with the waves
  * of plane_search.h, the normal strain of a plane is (1+nu)/E ((1-2nu) s + n - s), and its shear
  * strain 2(1+nu)/E q. */
-#include "base/domain.h"
+#include "measures/field.h"
 #include "planes/plane_search.h"
-#include "rwedge.h"
 
-/* The stresses of `loads` loads at `points` points, load by load. */
-typedef struct {
-    size_t loads, points;
-    const double *sxx, *syy, *txy;
-    double E, nu;
-} field;
-
-static int32_t check(const field *f, const double value[], const double angle[])
+static int32_t check(const rw_stress_field *f, double E, const double value[], const double angle[])
 {
-    if (!f->sxx || !f->syy || !f->txy || !value || !angle)
-        return RWEDGE_ENULL;
-    if (f->loads == 0 || f->points > SIZE_MAX / sizeof(double) / f->loads)
-        return RWEDGE_ERANGE;
-    if (!rw_is_positive(f->E) || !rw_is_poisson(f->nu))
-        return RWEDGE_EDOMAIN;
-    for (size_t i = 0; i < f->loads * f->points; i++)
-        if (!rw_is_stress(f->sxx[i]) || !rw_is_stress(f->syy[i]) || !rw_is_stress(f->txy[i]))
-            return RWEDGE_EDOMAIN;
-    return RWEDGE_OK;
+    const int32_t status = rw_field_status(f, value && angle);
+    return status == RWEDGE_OK && !rw_is_positive(E) ? RWEDGE_EDOMAIN : status;
 }
 
 /* Point by point, the largest product of the two waves, times `unit`. */
-static void search(const field *f, rw_cycle waves, double unit, double value[], double angle[])
+static void search(const rw_stress_field *f, rw_stress_cycle waves, double unit, double value[],
+                   double angle[])
 {
     waves.loads = f->loads;
     waves.stride = f->points;
@@ -46,11 +31,11 @@ int32_t rwedge_smith_watson_topper_field(size_t loads, size_t n, const double sx
                                          const double syy[], const double txy[], double E,
                                          double nu, double value[], double angle[])
 {
-    const field f = {loads, n, sxx, syy, txy, E, nu};
-    const int32_t status = check(&f, value, angle);
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
+    const int32_t status = check(&f, E, value, angle);
     if (status == RWEDGE_OK)
-        search(&f, (rw_cycle){.gain = 1, .mean = 1 - 2 * nu, .normal = 1}, (1 + nu) / E / 2, value,
-               angle);
+        search(&f, (rw_stress_cycle){.gain = 1, .mean = 1 - 2 * nu, .normal = 1}, (1 + nu) / E / 2,
+               value, angle);
     return status;
 }
 
@@ -58,13 +43,13 @@ int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const double sxx[], co
                                   const double txy[], double E, double nu, double k_over_sy,
                                   double value[], double angle[])
 {
-    const field f = {loads, n, sxx, syy, txy, E, nu};
-    const int32_t status = check(&f, value, angle);
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
+    const int32_t status = check(&f, E, value, angle);
     if (status == RWEDGE_OK && !rw_is_magnitude(k_over_sy))
         return RWEDGE_EDOMAIN;
     if (status == RWEDGE_OK)
-        search(&f, (rw_cycle){.offset = 1, .gain = k_over_sy, .shear = 1}, (1 + nu) / E, value,
-               angle);
+        search(&f, (rw_stress_cycle){.offset = 1, .gain = k_over_sy, .shear = 1}, (1 + nu) / E,
+               value, angle);
     return status;
 }
 

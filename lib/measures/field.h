@@ -13,9 +13,9 @@ typedef struct {
     size_t loads, points;
     const double *sxx, *syy, *txy;
     double nu;
-} rw_field;
+} rw_stress_field;
 
-static inline bool rw_field_in_domain(const rw_field *f)
+static inline bool rw_field_in_domain(const rw_stress_field *f)
 {
     for (size_t i = 0; i < f->loads * f->points; i++)
         if (!rw_is_stress(f->sxx[i]) || !rw_is_stress(f->syy[i]) || !rw_is_stress(f->txy[i]))
@@ -24,7 +24,7 @@ static inline bool rw_field_in_domain(const rw_field *f)
 }
 
 /* RWEDGE_OK if the field can be measured; has_results tells that no array of results is NULL. */
-static inline int32_t rw_field_status(const rw_field *f, bool has_results)
+static inline int32_t rw_field_status(const rw_stress_field *f, bool has_results)
 {
     if (!f->sxx || !f->syy || !f->txy || !has_results)
         return RWEDGE_ENULL;
@@ -35,7 +35,7 @@ static inline int32_t rw_field_status(const rw_field *f, bool has_results)
 
 /* The power of two that brings the largest stress of a point's cycle to between 1/2 and 1; 1 where
  * all are 0. */
-static inline double rw_field_scale(const rw_field *f, size_t point)
+static inline double rw_field_scale(const rw_stress_field *f, size_t point)
 {
     double largest = 0;
     int exponent = 0;

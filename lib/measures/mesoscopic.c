@@ -11,12 +11,12 @@ typedef struct {
     bool is_dang_van;
 } criterion;
 
-static double hydrostatic(const rw_field *f, size_t k)
+static double hydrostatic(const rw_stress_field *f, size_t k)
 {
     return (1 + f->nu) * (f->sxx[k] + f->syy[k]) / 3;
 }
 
-static rw_point deviator(const rw_field *f, size_t k, double unit)
+static rw_point deviator(const rw_stress_field *f, size_t k, double unit)
 {
     const double s = (f->sxx[k] + f->syy[k]) / 2, d = (f->syy[k] - f->sxx[k]) / 2;
     return (rw_point){{d / unit, f->txy[k] / unit, (1 - 2 * f->nu) / sqrt(3) * (s / unit)}};
@@ -31,7 +31,7 @@ static double tresca(const rw_point *p, const rw_point *centre)
     return fmax(in_plane, (in_plane + off) / 2);
 }
 
-static double crossland(const rw_field *f, size_t point, const rw_ball *ball, double unit,
+static double crossland(const rw_stress_field *f, size_t point, const rw_ball *ball, double unit,
                         double alpha)
 {
     double highest = -HUGE_VAL;
@@ -40,7 +40,7 @@ static double crossland(const rw_field *f, size_t point, const rw_ball *ball, do
     return ball->radius * unit + alpha * highest;
 }
 
-static double dang_van(const rw_field *f, size_t point, const rw_ball *ball, double unit,
+static double dang_van(const rw_stress_field *f, size_t point, const rw_ball *ball, double unit,
                        double alpha)
 {
     double highest = -HUGE_VAL;
@@ -51,7 +51,7 @@ static double dang_van(const rw_field *f, size_t point, const rw_ball *ball, dou
     return highest;
 }
 
-static int32_t measured(const rw_field *f, const criterion *c, double value[])
+static int32_t measured(const rw_stress_field *f, const criterion *c, double value[])
 {
     const int32_t status = rw_field_status(f, value != NULL);
     if (status != RWEDGE_OK)
@@ -75,14 +75,14 @@ static int32_t measured(const rw_field *f, const criterion *c, double value[])
 int32_t rwedge_crossland_field(size_t loads, size_t n, const double sxx[], const double syy[],
                                const double txy[], double nu, double alpha, double value[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     return measured(&f, &(criterion){alpha, false}, value);
 }
 
 int32_t rwedge_dang_van_field(size_t loads, size_t n, const double sxx[], const double syy[],
                               const double txy[], double nu, double alpha, double value[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     return measured(&f, &(criterion){alpha, true}, value);
 }
 

@@ -3,8 +3,9 @@
  * its largest, rounded to a power of two, so that no product leaves the range of a double. */
 #include "measures/planes.h"
 
-/* The plane of the largest shear amplitude, and of these the one of the largest normal stress: such
- * a part of that decides between amplitudes which are equal but for rounding. */
+/* The plane of the largest shear amplitude; among equal ones, that of the largest normal stress.
+ * This part of the normal stress is added to the amplitude, to decide between amplitudes that
+ * differ by rounding. */
 static const double TIE = 1e-8;
 
 typedef struct {
@@ -18,7 +19,7 @@ rw_severity rw_severity_in(const rw_criterion *c, double unit)
     return severity;
 }
 
-void rw_set_loads(const rw_field *f, size_t point, const rw_criterion *c, double unit,
+void rw_set_loads(const rw_stress_field *f, size_t point, const rw_criterion *c, double unit,
                   rw_plane_cycle *cycle)
 {
     for (size_t i = 0; i < f->loads; i++) {
@@ -30,7 +31,7 @@ void rw_set_loads(const rw_field *f, size_t point, const rw_criterion *c, double
     }
 }
 
-static int32_t search(const rw_field *f, const rw_criterion *c, const results *r)
+static int32_t search(const rw_stress_field *f, const rw_criterion *c, const results *r)
 {
     rw_plane_cycle *cycle = rw_plane_cycle_create(f->loads);
     if (!cycle)
@@ -48,7 +49,8 @@ static int32_t search(const rw_field *f, const rw_criterion *c, const results *r
     return RWEDGE_OK;
 }
 
-static int32_t measured(const rw_field *f, bool in_domain, const rw_criterion *c, const results *r)
+static int32_t measured(const rw_stress_field *f, bool in_domain, const rw_criterion *c,
+                        const results *r)
 {
     const int32_t status = rw_field_status(f, r->value && r->angle && r->out_of_plane);
     if (status != RWEDGE_OK)
@@ -101,7 +103,7 @@ int32_t rwedge_smith_watson_topper_planes_field(size_t loads, size_t n, const do
                                                 double nu, int32_t plane_stress, double value[],
                                                 double angle[], double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     rw_criterion c;
     const bool in_domain = rw_smith_watson_topper(E, nu, plane_stress, &c);
     return measured(&f, in_domain, &c, &(results){value, angle, out_of_plane});
@@ -112,7 +114,7 @@ int32_t rwedge_fatemi_socie_planes_field(size_t loads, size_t n, const double sx
                                          double nu, int32_t plane_stress, double k_over_sy,
                                          double value[], double angle[], double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     rw_criterion c;
     const bool in_domain = rw_fatemi_socie(E, nu, plane_stress, k_over_sy, &c);
     return measured(&f, in_domain, &c, &(results){value, angle, out_of_plane});
@@ -126,7 +128,7 @@ static double stress(const rw_criterion *c, const rw_worst_plane *plane, double 
     return plane->value * unit;
 }
 
-/* 0 where nothing changes. */
+/* 0 where no stress changes. */
 static double amplitude_and_ratio(const rw_criterion *c, const rw_worst_plane *plane, double unit)
 {
     if (!(plane->amplitude > 0))
@@ -143,7 +145,7 @@ int32_t rwedge_findley_field(size_t loads, size_t n, const double sxx[], const d
                              const double txy[], double nu, double k, double value[],
                              double angle[], double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     const rw_criterion c = {.severity = {.is_sum = true, .gain = k}, .value = stress};
     return measured(&f, rw_is_magnitude(k), &c, &(results){value, angle, out_of_plane});
 }
@@ -152,7 +154,7 @@ int32_t rwedge_modified_wohler_field(size_t loads, size_t n, const double sxx[],
                                      const double txy[], double nu, double kappa, double value[],
                                      double angle[], double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     const rw_criterion c = {
         .severity = {.is_sum = true, .gain = TIE}, .value = amplitude_and_ratio, .share = kappa};
     return measured(&f, rw_is_magnitude(kappa), &c, &(results){value, angle, out_of_plane});
@@ -162,7 +164,7 @@ int32_t rwedge_mcdiarmid_field(size_t loads, size_t n, const double sxx[], const
                                const double txy[], double nu, double t_A, double su, double value[],
                                double angle[], double out_of_plane[])
 {
-    const rw_field f = {loads, n, sxx, syy, txy, nu};
+    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     const rw_criterion c = {.severity = {.is_sum = true, .gain = TIE},
                             .value = sum_of_ratios,
                             .share = su,

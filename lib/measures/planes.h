@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a criterion of planes is to the search, and the loads of a point of a field. */
+/* A criterion of planes as the search takes it, and the loads of a point of a field. */
 #ifndef RW_PLANES_H
 #define RW_PLANES_H
 
@@ -23,7 +23,7 @@ bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy
 rw_severity rw_severity_in(const rw_criterion *c, double unit);
 
 /* The loads of a point, in their order, in the unit. */
-void rw_set_loads(const rw_field *f, size_t point, const rw_criterion *c, double unit,
+void rw_set_loads(const rw_stress_field *f, size_t point, const rw_criterion *c, double unit,
                   rw_plane_cycle *cycle);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a stress amounts to, in plane strain. With the mean s = (sxx+syy)/2, d = (syy-sxx)/2 and
+/* Measures of one stress, in plane strain. With the mean s = (sxx+syy)/2, d = (syy-sxx)/2 and
  * R = sqrt(d^2+txy^2), the principal stresses are s + R, s - R and szz = 2 nu s. */
 #include "base/domain.h"
 #include "planes/plane_search.h"

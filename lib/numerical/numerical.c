@@ -206,6 +206,8 @@ static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance
         return false;
     }
     const double elements = ELEMENTS * w->frame->tolerance;
+    rw_shear_state_smooth(&now->shear, now->contact,
+                          w->frame->tolerance * rw_peak_friction(w->frame, now->contact));
     n->rest = hypot(n->rest, elements);
     note_error(n, now);
     rw_shear_state_destroy(&n->now.shear);

@@ -2,9 +2,8 @@
 #include "numerical/outcome.h"
 
 #include "base/domain.h"
+#include "base/sort.h"
 #include "traction/transform.h"
-
-#include <stdlib.h>
 
 /* Points between neighbouring breaks, for Coulomb's condition and for slip. */
 enum { CHECKS = 24, SLIPS = 10 };
@@ -54,12 +53,6 @@ static double traction_after(double x, const void *context)
     return fmax(-F, fmin(F, t));
 }
 
-static int by_size(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
 static bool sticks_at(const rw_zones *zones, double x, double slack)
 {
     for (int i = 0; i < zones->count; i++)
@@ -89,7 +82,42 @@ static void note_kinks(const rw_problem *p, rw_shear_state *s)
     for (int i = 0; i < p->old->kinks; i++)
         if (sticks_at(&s->zones, p->old->kink[i], slack))
             add_kink(s, p->old->kink[i]);
-    qsort(s->kink, (size_t)s->kinks, sizeof *s->kink, by_size);
+    rw_sort(s->kink, (size_t)s->kinks);
+}
+
+static bool is_front(const rw_zones *zones, double x)
+{
+    for (int i = 0; i + 1 < zones->count; i++)
+        if (zones->zone[i].right == x)
+            return true;
+    return false;
+}
+
+static double traction_of(double x, const void *context)
+{
+    return rw_traction_at(context, x);
+}
+
+/* Two elements are enough. */
+static bool is_smooth(const rw_traction *t, double from, double to, double tolerance)
+{
+    rw_traction fit = {0};
+    const double at[2] = {from, to};
+    const bool is_fit = rw_traction_fit(&fit, traction_of, t, 2, at, tolerance) && fit.count == 2;
+    rw_traction_destroy(&fit);
+    return is_fit;
+}
+
+void rw_shear_state_smooth(rw_shear_state *s, rw_patch contact, double tolerance)
+{
+    int kept = 0;
+    for (int i = 0; i < s->kinks; i++) {
+        const double from = kept > 0 ? s->kink[kept - 1] : contact.left;
+        const double to = i + 1 < s->kinks ? s->kink[i + 1] : contact.right;
+        if (is_front(&s->zones, s->kink[i]) || !is_smooth(&s->traction, from, to, FIT * tolerance))
+            s->kink[kept++] = s->kink[i];
+    }
+    s->kinks = kept;
 }
 
 static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
@@ -101,7 +129,7 @@ static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
         all[n++] = s->kink[i];
     n += rw_bends_between(p->frame, p->to.left, p->to.right, all + n);
     all[n++] = p->to.right;
-    qsort(all, (size_t)n, sizeof *all, by_size);
+    rw_sort(all, (size_t)n);
     for (int i = 0; i < n; i++)
         if (kept == 0 || all[i] - at[kept - 1] > SAME_BREAK * (p->to.right - p->to.left))
             at[kept++] = all[i];
@@ -172,7 +200,7 @@ static bool attach(const rw_problem *p, attached *a, double origin)
                    at[4 + RW_MOST_BENDS];
     const int count = 4 + rw_bends_between(p->frame, p->both.left, p->both.right, all + 4);
     int n = 0;
-    qsort(all, (size_t)count, sizeof *all, by_size);
+    rw_sort(all, (size_t)count);
     for (int i = 0; i < count; i++)
         if (n == 0 || all[i] > at[n - 1])
             at[n++] = all[i];
@@ -226,8 +254,8 @@ static void check_slip_part(slipping *s, double from, double to)
         const double excess = s->label * slip / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
-            begun = isnan(begun) ? x : begun;
-            last = x;
+            begun = !isnan(begun) ? begun : i == 0 && s->attached ? from : x;
+            last = i + 1 == SLIPS && s->attached ? to : x;
         }
     }
     if (!isnan(begun))

@@ -17,6 +17,10 @@ typedef struct {
 
 void rw_shear_state_destroy(rw_shear_state *state);
 
+/* Kinks, but for fronts, without which the traction is fitted to the tolerance as well are none:
+ * those are left where an edge of the contact stood, at each step. */
+void rw_shear_state_smooth(rw_shear_state *state, rw_patch contact, double tolerance);
+
 /* From exact fronts, and from the grid where there are none. false where memory is short, or a
  * number is not finite. */
 bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);

@@ -103,9 +103,9 @@ bool rw_pattern_variant(const rw_problem *p, const rw_zones *z, double angle, in
     *variant = *z;
     for (int side = 0; side < 2; side++) {
         const int bits = number >> (side ? 0 : 2) & 3;
-        const bool sticks = ((bits & 2) != 0) != seems_stuck(p, z, side, angle);
-        const bool flipped = (bits & 1) != 0;
-        if (sticks && flipped)
+        const bool may_stick = seems_stuck(p, z, side, angle);
+        const bool sticks = may_stick && (bits & 2) == 0, flipped = (bits & 1) != 0;
+        if ((!may_stick && (bits & 2) != 0) || (sticks && flipped))
             return false;
         if (!(sticks ? stick_to_edge(p, variant, side)
                      : slip_at_edge(p, variant, side, flipped, angle)))

@@ -19,6 +19,10 @@ enum { BUDGET = 400 };
 /* Residuals that take as long as a traction and its conditions. */
 enum { OUTCOME = 20 };
 
+/* Residuals that the zones of a step may cost: a shorter step has zones that are nearer to the old
+ * ones, and found at once. */
+enum { SEARCH = 500 };
+
 /* Violations over the tolerance that count as none. */
 static const double ALLOWED = 0.2;
 
@@ -78,7 +82,7 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
         rw_rates_ratio(f, &w->start, &begun, ratio);
     }
     for (int side = 1; side >= -1; side -= 2) {
-        if (w->effort > RW_MOST_EFFORT || !rw_fronts_begin(f, p, zones, ratio))
+        if (w->effort > w->limit || !rw_fronts_begin(f, p, zones, ratio))
             return false;
         f->budget = BUDGET;
         const bool is_moved = start_beside(p, f, angle, side);
@@ -365,6 +369,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_c
     rw_outcome outcome;
     set_rates(w->frame, from, to, from->contact, &w->start);
     rw_fronts_forget(&w->fronts);
+    w->limit = w->effort < RW_MOST_EFFORT - SEARCH ? w->effort + SEARCH : RW_MOST_EFFORT;
     if (!solve(w, p, guess, coarse || w->effort > RW_MOST_EFFORT, &outcome))
         return false;
     *there = (rw_stance){.shear = outcome.state,

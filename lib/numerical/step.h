@@ -39,6 +39,7 @@ typedef struct {
     rw_grid grid[RW_TRIALS];
     int effort;    /* residuals so far; from RW_MOST_EFFORT on there is but the grid. From half of
                       it on steps are divided no more, so that exact fronts may end them. */
+    int limit;     /* up to which the zones of this step are searched */
     bool is_short; /* memory was */
 } rw_work;
 

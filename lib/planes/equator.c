@@ -21,13 +21,13 @@ typedef struct {
 
 /* ---- One load ---- */
 
-/* What counts by its range, and the normal stress: at the middle, half of its change over the arc,
- * and what that leaves out. */
+/* The quantity that counts by its range, and the normal stress: the value at the middle of the arc,
+ * half of the change over the arc, and a bound on the remainder. */
 typedef struct {
     double along, change, rest, peak, peak_change, peak_rest;
 } wave;
 
-static inline wave wave_of(bool is_strain, const rw_item *load, const rw_arc *arc)
+static inline wave wave_of(bool is_strain, const rw_item *load, const rw_psi_arc *arc)
 {
     const double C = arc->psi.cosine, S = arc->psi.sine, h = arc->half;
     const double swing = load->swing_d * C + load->swing_t * S,
@@ -43,7 +43,7 @@ static inline wave wave_of(bool is_strain, const rw_item *load, const rw_arc *ar
 
 /* ---- All loads on an arc ---- */
 
-/* At the middle; at the ends above all; and what the largest of the loads are at least. */
+/* Values at the middle; upper bounds at the ends; lower bounds of the largest of all loads. */
 typedef struct {
     double high, low, peak;
     double top[ENDS], bottom[ENDS], peaks[ENDS];
@@ -62,7 +62,7 @@ static const view NOTHING = {
     .least_peak = -DBL_MAX,
 };
 
-static void look(const search *w, const rw_arc *arc, size_t n, view *v)
+static void look(const search *w, const rw_psi_arc *arc, size_t n, view *v)
 {
     *v = NOTHING;
     for (size_t i = 0; i < n; i++) {
@@ -96,7 +96,7 @@ static double bound_of(const rw_severity *v, const view *at, double severity[END
            fabs((amplitude[0] - amplitude[1]) * (factor[0] - factor[1])) / 4;
 }
 
-static void record(search *w, const rw_arc *arc, const view *v)
+static void record(search *w, const rw_psi_arc *arc, const view *v)
 {
     const double amplitude = (v->high - v->low) / 2;
     const double value = rw_severity_of(w->severity, amplitude, v->peak);
@@ -133,8 +133,8 @@ static bool note_all(rivals *r, const wave *l, const view *v, const rw_item *loa
     return note(r, PEAK, peak >= v->least_peak, load) || is_top || is_bottom;
 }
 
-/* Those that are kept stand in front, where the rivals point. */
-static size_t keep(search *w, const rw_arc *arc, size_t n, const view *v, rivals *r)
+/* The loads that are kept stand in front, and `rivals` points to them. */
+static size_t keep(search *w, const rw_psi_arc *arc, size_t n, const view *v, rivals *r)
 {
     size_t kept = 0;
     *r = (rivals){{NULL}, {0}};
@@ -146,7 +146,7 @@ static size_t keep(search *w, const rw_arc *arc, size_t n, const view *v, rivals
     return kept;
 }
 
-/* ---- Where no other load comes in ---- */
+/* ---- Arcs with one top, bottom and peak ---- */
 
 /* The direction of the largest top - bottom + gain peak, each of one load: a wave. */
 static rw_direction crest_of(const rw_severity *v, const rivals *r)
@@ -160,7 +160,7 @@ static rw_direction crest_of(const rw_severity *v, const rivals *r)
 }
 
 /* The crest, or the end of the arc that is nearer to it. */
-static rw_direction nearest_on(const rw_arc *arc, rw_direction crest)
+static rw_direction nearest_on(const rw_psi_arc *arc, rw_direction crest)
 {
     const double along = arc->psi.cosine * crest.cosine + arc->psi.sine * crest.sine,
                  across = arc->psi.cosine * crest.sine - arc->psi.sine * crest.cosine;
@@ -171,26 +171,26 @@ static rw_direction nearest_on(const rw_arc *arc, rw_direction crest)
 }
 
 /* A sum of one load each is a wave, whose largest value is known; whether it is so. */
-static bool settle(search *w, const rw_arc *arc, size_t n, const rivals *r)
+static bool settle(search *w, const rw_psi_arc *arc, size_t n, const rivals *r)
 {
     for (int kind = 0; kind < KINDS; kind++)
         if (!w->severity->is_sum || r->count[kind] != 1)
             return false;
-    const rw_arc at = {nearest_on(arc, crest_of(w->severity, r)), 0, 0};
+    const rw_psi_arc at = {nearest_on(arc, crest_of(w->severity, r)), 0, 0};
     view v;
     look(w, &at, n, &v);
     record(w, &at, &v);
     return true;
 }
 
-rw_arc rw_half_of_arc(const rw_arc *arc, bool is_forward)
+rw_psi_arc rw_half_of_arc(const rw_psi_arc *arc, bool is_forward)
 {
     const double tangent = rw_half_tangent(arc->tangent);
-    return (rw_arc){rw_turned_by(arc->psi, is_forward ? tangent : -tangent), arc->half / 2,
-                    tangent};
+    return (rw_psi_arc){rw_turned_by(arc->psi, is_forward ? tangent : -tangent), arc->half / 2,
+                        tangent};
 }
 
-static void explore(search *w, const rw_arc *arc, size_t n)
+static void explore(search *w, const rw_psi_arc *arc, size_t n)
 {
     view v;
     double severity[ENDS];
@@ -203,7 +203,8 @@ static void explore(search *w, const rw_arc *arc, size_t n)
     if (settle(w, arc, kept, &some))
         return;
     const bool is_forward = severity[0] > severity[1];
-    const rw_arc first = rw_half_of_arc(arc, is_forward), second = rw_half_of_arc(arc, !is_forward);
+    const rw_psi_arc first = rw_half_of_arc(arc, is_forward),
+                     second = rw_half_of_arc(arc, !is_forward);
     explore(w, &first, kept);
     explore(w, &second, kept);
 }
@@ -216,9 +217,9 @@ static const rw_direction CENTRES[RW_ARCS] = {
     {-1, 0}, {-DIAGONAL, -DIAGONAL}, {0, -1}, {DIAGONAL, -DIAGONAL}};
 static const double TANGENT = 0.19891236737965801; /* of pi/16 */
 
-rw_arc rw_equator_arc(int k)
+rw_psi_arc rw_equator_arc(int k)
 {
-    return (rw_arc){CENTRES[k], RW_PI / RW_ARCS, TANGENT};
+    return (rw_psi_arc){CENTRES[k], RW_PI / RW_ARCS, TANGENT};
 }
 
 void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, double noise,
@@ -227,7 +228,7 @@ void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, doubl
     search w = {cycle, severity, noise, best, psi};
     double bound[RW_ARCS], unused[ENDS];
     for (int k = 0; k < RW_ARCS; k++) {
-        const rw_arc arc = rw_equator_arc(k);
+        const rw_psi_arc arc = rw_equator_arc(k);
         view v;
         look(&w, &arc, cycle->loads, &v);
         record(&w, &arc, &v);
@@ -239,7 +240,7 @@ void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, doubl
             if (bound[k] > bound[worst])
                 worst = k;
         bound[worst] = -DBL_MAX;
-        const rw_arc arc = rw_equator_arc(worst);
+        const rw_psi_arc arc = rw_equator_arc(worst);
         explore(&w, &arc, cycle->loads);
     }
 }
@@ -252,7 +253,7 @@ typedef struct {
     double least, most, beyond, least_peak, most_peak, lift, z;
 } reach;
 
-static reach reach_of(const rw_plane_cycle *cycle, const rw_severity *v, const rw_arc *arc,
+static reach reach_of(const rw_plane_cycle *cycle, const rw_severity *v, const rw_psi_arc *arc,
                       size_t n)
 {
     double high = -DBL_MAX, low = DBL_MAX, top = -DBL_MAX, bottom = DBL_MAX, travel = 0, turn = 0;
@@ -301,7 +302,7 @@ static double most_amplitude(const rw_severity *v, const reach *r)
 }
 
 bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severity,
-                         const rw_arc *arc, size_t n, double value)
+                         const rw_psi_arc *arc, size_t n, double value)
 {
     const reach r = reach_of(cycle, severity, arc, n);
     return falls_away(severity, &r) || rw_severity_of(severity, most_amplitude(severity, &r),

@@ -48,20 +48,6 @@ static inline double rw_severity_of(const rw_severity *v, double amplitude, doub
     return rw_larger(0, v->offset + v->gain * peak) * amplitude;
 }
 
-/* The direction turned by the angle whose half has the tangent x, by three shears. (By the usual
- * two sums of products gcc 12 makes a fused instruction of them, against all options.) */
-static inline rw_direction rw_turned_by(rw_direction u, double x)
-{
-    const double sheared = u.cosine - x * u.sine;
-    const double sine = u.sine + 2 * x / (1 + x * x) * sheared;
-    return (rw_direction){sheared - x * sine, sine};
-}
-
-static inline double rw_half_tangent(double tangent)
-{
-    return tangent / (1 + sqrt(1 + tangent * tangent));
-}
-
 /* Moves load i to the front, behind the `kept` that are there. */
 static inline void rw_keep_load(rw_plane_cycle *cycle, size_t i, size_t kept)
 {

@@ -24,10 +24,8 @@ static const double SHORTEST = 1e-9;
 /* A product this small has too few digits to be compared. */
 static const double NOTHING = 1e-200;
 
-typedef rw_direction direction;
-
 typedef struct {
-    direction from, to;
+    rw_direction from, to;
     double tangent; /* of half of its angle */
 } arc;
 
@@ -41,15 +39,15 @@ typedef struct {
 } control;
 
 typedef struct {
-    const rw_cycle *cycle;
+    const rw_stress_cycle *cycle;
     double best, noise; /* the largest product so far; what counts as none */
-    direction where;
+    rw_direction where;
     rw_wave member[KINDS][CAPACITY];
 } search;
 
 /* ---- Waves ---- */
 
-static inline void waves_of(const rw_cycle *cycle, size_t load, rw_wave wave[KINDS])
+static inline void waves_of(const rw_stress_cycle *cycle, size_t load, rw_wave wave[KINDS])
 {
     const size_t i = load * cycle->stride;
     const double xx = cycle->sxx[i], yy = cycle->syy[i], t = cycle->txy[i];
@@ -60,7 +58,7 @@ static inline void waves_of(const rw_cycle *cycle, size_t load, rw_wave wave[KIN
     wave[BOTTOM] = (rw_wave){-wave[TOP].mean, -wave[TOP].cosine, -wave[TOP].sine};
 }
 
-static inline double value_at(const rw_wave *w, direction u)
+static inline double value_at(const rw_wave *w, rw_direction u)
 {
     return w->mean + w->cosine * u.cosine + w->sine * u.sine;
 }
@@ -108,7 +106,7 @@ static bool may_exceed(const search *s, const arc *a, const control c[KINDS])
            bound(a, &c[PEAK], &c[TOP], &c[BOTTOM]) > s->best + s->noise;
 }
 
-static void record(search *s, direction u, double peak, double range)
+static void record(search *s, rw_direction u, double peak, double range)
 {
     const double product = rw_larger(0, peak) * range;
     if (product > s->best) {
@@ -117,16 +115,16 @@ static void record(search *s, direction u, double peak, double range)
     }
 }
 
-static arc half_of(const arc *a, direction from, direction to)
+static arc half_of(const arc *a, rw_direction from, rw_direction to)
 {
-    return (arc){from, to, a->tangent / (1 + sqrt(1 + a->tangent * a->tangent))};
+    return (arc){from, to, rw_half_tangent(a->tangent)};
 }
 
-static direction middle_of(const arc *a)
+static rw_direction middle_of(const arc *a)
 {
     const double factor = sqrt(1 + a->tangent * a->tangent) / 2;
-    return (direction){factor * (a->from.cosine + a->to.cosine),
-                       factor * (a->from.sine + a->to.sine)};
+    return (rw_direction){factor * (a->from.cosine + a->to.cosine),
+                          factor * (a->from.sine + a->to.sine)};
 }
 
 /* ---- One wave of each kind ---- */
@@ -143,7 +141,7 @@ static double quartic_at(double x, const void *context)
     return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])));
 }
 
-static rw_wave turned(const rw_wave *w, direction u)
+static rw_wave turned(const rw_wave *w, rw_direction u)
 {
     return (rw_wave){w->mean, w->cosine * u.cosine + w->sine * u.sine,
                      w->sine * u.cosine - w->cosine * u.sine};
@@ -162,20 +160,11 @@ static quartic derivative(const rw_wave *v, const rw_wave *w)
          -v->sine * (w->mean - w->cosine) - w->sine * (v->mean - v->cosine)}};
 }
 
-/* The direction turned by the angle whose half has the tangent x, |x| < 1, by three shears. (By the
- * usual two sums of products gcc 12 makes a fused instruction of them, against all options.) */
-static direction turned_by(direction u, double x)
-{
-    const double sheared = u.cosine - x * u.sine;
-    const double sine = u.sine + 2 * x / (1 + x * x) * sheared;
-    return (direction){sheared - x * sine, sine};
-}
-
 /* The largest product on the arc, where its derivative has one root at most; whether that is so.
  * Without a root, or where it is the smallest, the largest is at an end, and there it is known. */
 static bool settle(search *s, const arc *a)
 {
-    const direction u = middle_of(a);
+    const rw_direction u = middle_of(a);
     rw_wave range = s->member[TOP][0];
     range.mean += s->member[BOTTOM][0].mean;
     range.cosine += s->member[BOTTOM][0].cosine;
@@ -188,7 +177,7 @@ static bool settle(search *s, const arc *a)
         return false;
     const double x = rw_root(quartic_at, &slope, -reach, reach, DBL_EPSILON / 8);
     if (!isnan(x)) {
-        const direction there = turned_by(u, x);
+        const rw_direction there = rw_turned_by(u, x);
         record(s, there, value_at(&s->member[PEAK][0], there), value_at(&range, there));
     }
     return true;
@@ -221,7 +210,7 @@ static size_t keep(search *s, const arc *a, const control c[KINDS], int kind, si
     return kept;
 }
 
-static double highest_at(const search *s, int kind, size_t count, direction u)
+static double highest_at(const search *s, int kind, size_t count, rw_direction u)
 {
     double highest = -DBL_MAX;
     for (size_t i = 0; i < count; i++)
@@ -248,7 +237,7 @@ static void refine(search *s, const arc *a, const size_t count[KINDS])
         return;
     if (kept[PEAK] == 1 && kept[TOP] == 1 && kept[BOTTOM] == 1 && settle(s, a))
         return;
-    const direction u = middle_of(a);
+    const rw_direction u = middle_of(a);
     record(s, u, highest_at(s, PEAK, kept[PEAK], u),
            highest_at(s, TOP, kept[TOP], u) + highest_at(s, BOTTOM, kept[BOTTOM], u));
     const arc left = half_of(a, a->from, u), right = half_of(a, u, a->to);
@@ -258,7 +247,7 @@ static void refine(search *s, const arc *a, const size_t count[KINDS])
 
 /* ---- All loads ---- */
 
-static void controls_of(const rw_cycle *cycle, const arc *a, control c[KINDS])
+static void controls_of(const rw_stress_cycle *cycle, const arc *a, control c[KINDS])
 {
     for (int kind = 0; kind < KINDS; kind++)
         c[kind] = LOWEST;
@@ -330,7 +319,7 @@ static void explore(search *s, const arc *a, const control c[KINDS])
         refine(s, a, count);
         return;
     }
-    const direction u = middle_of(a);
+    const rw_direction u = middle_of(a);
     const arc half[2] = {half_of(a, a->from, u), half_of(a, u, a->to)};
     control within[2][KINDS];
     for (int i = 0; i < 2; i++)
@@ -371,7 +360,7 @@ static inline void raise_all(double highest[ARCS], const rw_wave *w)
     }
 }
 
-static void survey_of(const rw_cycle *cycle, survey *v)
+static void survey_of(const rw_stress_cycle *cycle, survey *v)
 {
     for (int kind = 0; kind < KINDS; kind++) {
         for (int k = 0; k < ARCS; k++)
@@ -390,9 +379,9 @@ static void survey_of(const rw_cycle *cycle, survey *v)
     }
 }
 
-static direction start_of(int k)
+static rw_direction start_of(int k)
 {
-    return (direction){COSINES[k % ARCS], SINES[k % ARCS]};
+    return (rw_direction){COSINES[k % ARCS], SINES[k % ARCS]};
 }
 
 /* As control_of(), for the largest of all waves: with the mean the tangents' point falls. */
@@ -424,7 +413,7 @@ static void explore_all(search *s, const survey *v)
         explore(s, &a[k % ARCS], c[k % ARCS]);
 }
 
-double rw_plane_search(const rw_cycle *cycle, rw_direction *phi)
+double rw_plane_search(const rw_stress_cycle *cycle, rw_direction *phi)
 {
     survey v;
     survey_of(cycle, &v);

@@ -14,6 +14,20 @@ typedef struct {
     double cosine, sine;
 } rw_direction;
 
+/* The direction turned by the angle whose half has the tangent x, by three shears. (By the usual
+ * two sums of products gcc 12 makes a fused instruction of them, against all options.) */
+static inline rw_direction rw_turned_by(rw_direction u, double x)
+{
+    const double sheared = u.cosine - x * u.sine;
+    const double sine = u.sine + 2 * x / (1 + x * x) * sheared;
+    return (rw_direction){sheared - x * sine, sine};
+}
+
+static inline double rw_half_tangent(double tangent)
+{
+    return tangent / (1 + sqrt(1 + tangent * tangent));
+}
+
 typedef struct {
     double mean, cosine, sine;
 } rw_wave;
@@ -28,11 +42,11 @@ typedef struct {
     const double *sxx, *syy, *txy;
     double offset, gain;
     double mean, normal, shear;
-} rw_cycle;
+} rw_stress_cycle;
 
 /* The largest max(0, max peak) (max range - min range), and its phi; phi is 0 where the product is
  * 0. */
-double rw_plane_search(const rw_cycle *cycle, rw_direction *phi);
+double rw_plane_search(const rw_stress_cycle *cycle, rw_direction *phi);
 
 /* Half the angle of the direction (cosine, sine), in (-pi/2, pi/2]: the angle between a plane's
  * normal and +y, positive towards +x. */

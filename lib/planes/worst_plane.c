@@ -19,12 +19,12 @@
 
 enum { CORNERS = 4 };
 
-/* No cell is as small: its bound is above the value by less than noise. */
+/* Cells never get this small: their bound exceeds the value by less than noise before. */
 static const double SMALLEST = 1e-9;
 
 /* Where a curve of planes has the same value no cell of it can be left out. After every PATIENCE
- * cells what counts as noise grows by a factor; beyond LARGE_NOISE of the value, after more. So the
- * search ends. */
+ * cells the difference that counts as noise grows by a factor; beyond LARGE_NOISE of the value it
+ * grows after more cells. So the search ends. */
 enum { PATIENCE = 512, MORE_PATIENCE = 8192 };
 static const double IMPATIENCE = 8, LARGE_NOISE = 1e-5;
 
@@ -38,7 +38,7 @@ typedef struct {
     double at[CORNERS];
 } corners;
 
-/* What the loads are at most in the cell, and what at least the largest of them is. */
+/* Upper bounds of the loads in the cell, and a lower bound of the largest of them. */
 typedef struct {
     rw_circle around;
     corners amplitude, peak;
@@ -234,11 +234,12 @@ static void lose_patience(search *w)
 
 static bool is_worst_at_equator(const search *w, const cell *a, size_t n)
 {
-    const rw_arc arc = {a->psi, a->half_psi, a->tangent_psi};
+    const rw_psi_arc arc = {a->psi, a->half_psi, a->tangent_psi};
     return rw_equator_is_worst(w->cycle, w->severity, &arc, n, w->best.value + w->noise);
 }
 
-/* How many of the first n loads are left in the cell, and its halves; 0 where it is done with. */
+/* How many of the first n loads can matter in the cell, and the halves of the cell; 0 where the
+ * cell is settled. */
 static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
 {
     view v;
@@ -290,8 +291,8 @@ static const rw_direction ROW[ROWS] = {{0.98078528040323044, 0.19509032201612827
                                        {0.19509032201612827, 0.98078528040323044}};
 static const double HALF_HEIGHT = RW_PI / 16, TANGENT = 0.098491403357164255;
 
-/* Of an arc of the equator, what may be worse above it. */
-static void explore_above(search *w, const rw_arc *arc)
+/* Planes above an arc of the equator that may be worse. */
+static void explore_above(search *w, const rw_psi_arc *arc)
 {
     for (int row = 0; row < ROWS; row++) {
         const cell a = {.psi = arc->psi,
@@ -304,10 +305,10 @@ static void explore_above(search *w, const rw_arc *arc)
     }
 }
 
-/* How often an arc is halved to see that nothing above it is worse. */
+/* How often an arc is halved to show that no plane above it is worse. */
 enum { DEPTH = 3 };
 
-static void explore_arc(search *w, const rw_arc *arc, int depth)
+static void explore_arc(search *w, const rw_psi_arc *arc, int depth)
 {
     if (rw_equator_is_worst(w->cycle, w->severity, arc, w->cycle->loads, w->best.value + w->noise))
         return;
@@ -315,7 +316,7 @@ static void explore_arc(search *w, const rw_arc *arc, int depth)
         explore_above(w, arc);
         return;
     }
-    const rw_arc first = rw_half_of_arc(arc, false), second = rw_half_of_arc(arc, true);
+    const rw_psi_arc first = rw_half_of_arc(arc, false), second = rw_half_of_arc(arc, true);
     explore_arc(w, &first, depth - 1);
     explore_arc(w, &second, depth - 1);
 }
@@ -399,14 +400,14 @@ static bool is_product_of_strain(const rw_severity *v)
 static void search_products(search *w)
 {
     const rw_plane_cycle *cycle = w->cycle;
-    const rw_cycle waves = {.loads = cycle->loads,
-                            .stride = 1,
-                            .sxx = cycle->sxx,
-                            .syy = cycle->syy,
-                            .txy = cycle->txy,
-                            .gain = w->severity->gain,
-                            .mean = 1 + w->severity->shift,
-                            .normal = 1};
+    const rw_stress_cycle waves = {.loads = cycle->loads,
+                                   .stride = 1,
+                                   .sxx = cycle->sxx,
+                                   .syy = cycle->syy,
+                                   .txy = cycle->txy,
+                                   .gain = w->severity->gain,
+                                   .mean = 1 + w->severity->shift,
+                                   .normal = 1};
     cell at = {.beta = {1, 0}};
     rw_plane_search(&waves, &at.psi);
     value_at(w, &at, &(step){0, 0}, 0);
@@ -441,7 +442,7 @@ rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *sever
                 .beta = {1, 0}};
     const bool is_done = search_equator(&w);
     for (int k = 0; k < RW_ARCS && !is_done; k++) {
-        const rw_arc arc = rw_equator_arc(k);
+        const rw_psi_arc arc = rw_equator_arc(k);
         explore_arc(&w, &arc, DEPTH);
     }
     if (w.noise > noise)

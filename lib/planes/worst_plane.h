@@ -15,8 +15,8 @@ typedef struct {
     double s, d, t, z; /* (sxx+syy)/2, (syy-sxx)/2, txy, szz */
 } rw_plane_load;
 
-/* What is the largest: amplitude (offset + gain peak), 0 where the factor is negative; or the sum
- * amplitude + gain peak. The peak is the largest normal stress. */
+/* The value that is to be the largest: amplitude (offset + gain peak), 0 where the factor is
+ * negative; or the sum amplitude + gain peak. The peak is the largest normal stress. */
 typedef struct {
     bool is_strain; /* the amplitude is that of the normal strain, otherwise of the shear stress */
     bool is_sum;

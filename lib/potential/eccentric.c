@@ -5,7 +5,7 @@
 
 /* ---- Preparation ---- */
 
-/* Of a patch within the rounding, which sees no more than its edges. */
+/* For a patch within the rounding: Hertz. */
 static rw_half_view plain_view(const rw_eccentric *p, double side)
 {
     return (rw_half_view){.edge = side > 0 ? p->patch.right : -p->patch.left};
@@ -15,7 +15,7 @@ static rw_half_view view_of(const rw_eccentric *p, rw_arc arc, double side)
 {
     const double left = side > 0 ? arc.left : -arc.right, right = side > 0 ? arc.right : -arc.left;
     const double centre = left / 2 + right / 2, part = centre - left / 2;
-    const rw_corners *k = &p->corners;
+    const rw_arc_ends *k = &p->ends;
     const int first = side > 0 ? 0 : 1;
     const double sin_middle = side * k->sin_middle, up = fmax(sin_middle, 0);
     rw_half_view v = {
@@ -49,7 +49,7 @@ static rw_half_view view_of(const rw_eccentric *p, rw_arc arc, double side)
  * half)/(n+1)]. */
 static void make_series(rw_eccentric *p)
 {
-    const rw_corners *k = &p->corners;
+    const rw_arc_ends *k = &p->ends;
     double part[RW_SERIES_TERMS + 2];                   /* cos(n psi) sin(n half)/(n alpha) */
     double cosine = 1, sine = 0, wave = 0, before = -1; /* wave: sin(n half)/sin(half) */
     part[0] = k->half_over;
@@ -97,8 +97,8 @@ void rw_eccentric_init_arc(rw_eccentric *p, rw_arc arc, rw_patch patch)
         p->far[0] = RW_HALF_PI * (s / a);
         return;
     }
-    p->corners = rw_corners_of(arc, patch);
-    p->inside = p->corners.is_inside[0] + p->corners.is_inside[1];
+    p->ends = rw_arc_ends_of(arc, patch);
+    p->inside = p->ends.is_inside[0] + p->ends.is_inside[1];
     p->view[0] = view_of(p, arc, 1);
     p->view[1] = view_of(p, arc, -1);
     make_series(p);
@@ -159,7 +159,7 @@ rw_field rw_eccentric_at(const rw_eccentric *p, double x, double y)
         return rw_eccentric_by(rw_side_hertz_field, p, right, left, x, y);
     if (p->inside == 1)
         return rw_eccentric_by(rw_side_half_rounded_field, p, right, left, x, y);
-    if (p->corners.per_alpha == 0)
+    if (p->ends.per_alpha == 0)
         return rw_eccentric_by(rw_side_sharp_field, p, right, left, x, y);
     return rw_eccentric_by(rw_side_rounded_field, p, right, left, x, y);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential of a patch off the centre: as potential.h has it for the centred one, to which a
- * patch that is centred is handed on. */
+/* The potential of a patch off the centre, as potential.h has it for a centred one. A centred patch
+ * is passed on to potential.h. */
 #ifndef RW_ECCENTRIC_H
 #define RW_ECCENTRIC_H
 
@@ -8,8 +8,8 @@
 #include "potential/batch.h"
 #include "potential/potential.h"
 
-/* What a half of the plane, right or left of the patch's middle, sees of the profile; the left
- * half as its mirror image. */
+/* The profile as seen from one half of the plane, right or left of the patch's middle; from the
+ * left half mirrored. */
 typedef struct {
     double edge;                     /* of the patch on this side */
     double end, other_end;           /* of the arc: the one that is inside, or the left one */
@@ -28,7 +28,7 @@ typedef struct {
     rw_patch patch;
     double middle, half_width, per_half_width;
     double a; /* half of the arc */
-    rw_corners corners;
+    rw_arc_ends ends;
     bool is_centred;
     int inside;                  /* how many ends of the arc are inside the patch */
     rw_half_view view[2];        /* right, left */
@@ -37,10 +37,10 @@ typedef struct {
 
 void rw_eccentric_init(rw_eccentric *potential, double a, rw_patch patch);
 
-/* Of an arc that is partly inside the patch. */
+/* The potential of an arc that is partly inside the patch. */
 void rw_eccentric_init_arc(rw_eccentric *potential, rw_arc arc, rw_patch patch);
 
-/* Of any sum of arcs, for points that are far: of the series (2/pi) sum far[n - 1] R^n. */
+/* The potential of any sum of arcs at points that are far: the series (2/pi) sum far[n - 1] R^n. */
 void rw_eccentric_init_series(rw_eccentric *potential, rw_patch patch,
                               const double far[RW_SERIES_TERMS]);
 

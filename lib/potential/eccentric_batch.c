@@ -24,7 +24,7 @@ RW_INLINE void apply_its_formula(const rw_eccentric *p, int count, const double 
         apply(rw_side_hertz_field, p, count, x, y, fields);
     else if (p->inside == 1)
         apply(rw_side_half_rounded_field, p, count, x, y, fields);
-    else if (p->corners.per_alpha == 0)
+    else if (p->ends.per_alpha == 0)
         apply(rw_side_sharp_field, p, count, x, y, fields);
     else
         apply(rw_side_rounded_field, p, count, x, y, fields);

@@ -31,10 +31,11 @@ typedef struct {
     double past[2];      /* from the ends of the rounding, or [0] from the one that is inside */
 } rw_side_place;
 
-/* Lost in any square but 0, at the end of a rounding, for whose logarithm any number will do. */
+/* Added to a square it is lost in rounding, unless the square is 0: at the end of a rounding, where
+ * any finite logarithm will do. */
 static const double ZERO_SQUARED = 0x1p-1000;
 
-/* What all ends of a point have in common. */
+/* Quantities of a point that all ends of arcs share. */
 typedef struct {
     rw_elliptic e;
     double shrink, cosh_less_1, per_cosh;
@@ -71,7 +72,7 @@ RW_INLINE rw_complex rw_over_X(const rw_elliptic *e, double y, double re, double
 
 /* A = (l_0 - l_1)/(2 alpha), a logarithm: of the quotient of eta +- cos(zeta) sin(half), whose
  * product is (z - sin(phi_0))(z - sin(phi_1)). First of its modulus, then its angle. */
-RW_INLINE double log_over(const rw_corners *k, const rw_half_view *v, rw_side_place at,
+RW_INLINE double log_over(const rw_arc_ends *k, const rw_half_view *v, rw_side_place at,
                           rw_complex eta, const rw_elliptic *e)
 {
     const double C_re = e->cos_v * e->cosh_w, C_im = -(e->sin_v * e->sinh_w);
@@ -86,7 +87,7 @@ RW_INLINE double log_over(const rw_corners *k, const rw_half_view *v, rw_side_pl
                                    k->per_alpha);
 }
 
-RW_INLINE double turn_over(const rw_corners *k, const rw_half_view *v, rw_complex eta,
+RW_INLINE double turn_over(const rw_arc_ends *k, const rw_half_view *v, rw_complex eta,
                            double cosh_less_1, const rw_elliptic *e)
 {
     const double s = k->sin_half, c = k->cos_half, cos_whole = c * c - s * s;
@@ -100,7 +101,7 @@ RW_INLINE double turn_over(const rw_corners *k, const rw_half_view *v, rw_comple
     return 0.5 * rw_angle_over(x, y_over, k->alpha, k->per_alpha);
 }
 
-RW_INLINE rw_complex difference_over(const rw_corners *k, const rw_half_view *v, rw_side_place at,
+RW_INLINE rw_complex difference_over(const rw_arc_ends *k, const rw_half_view *v, rw_side_place at,
                                      double cosh_less_1, const rw_elliptic *e)
 {
     const double s = k->sin_half, c = k->cos_half;
@@ -123,7 +124,7 @@ RW_INLINE rw_field rw_side_hertz_field(const rw_eccentric *p, const rw_half_view
 RW_INLINE rw_field rw_side_rounded_field(const rw_eccentric *p, const rw_half_view *v,
                                          rw_side_place at)
 {
-    const rw_corners *k = &p->corners;
+    const rw_arc_ends *k = &p->ends;
     const rw_sight sight = rw_sight_of(rw_elliptic_at(at.x, at.y, at.beyond));
     const rw_elliptic e = sight.e;
     const double shrink = sight.shrink;
@@ -149,7 +150,7 @@ RW_INLINE rw_field rw_side_half_rounded_field(const rw_eccentric *p, const rw_ha
     const rw_elliptic e = sight.e;
     const double shrink = sight.shrink;
     const rw_complex l = rw_end_logarithm(v->sine[0], v->cosine[0], at.past[0], sight);
-    const double w = v->arc_over, per = v->side * p->corners.per_alpha, c = per * v->cosine[0];
+    const double w = v->arc_over, per = v->side * p->ends.per_alpha, c = per * v->cosine[0];
     const double R_re = w * (shrink * e.sin_v), R_im = -w * (shrink * e.cos_v);
     const double l_re = per * l.re, l_im = per * l.im;
     const rw_complex edge = rw_over_X(&e, at.y, R_re + c, R_im);
@@ -232,8 +233,8 @@ static inline bool rw_eccentric_is_far(const rw_eccentric *p, double x, double y
     return fabs(dx) > far || y > far || dx * dx + y * y > far * far;
 }
 
-/* The points with the edge in place of those that are far, and to the end of the last vector;
- * how many are far. */
+/* The points, with the edge of the patch in place of far points and as filling of the last vector.
+ * Returns how many are far. */
 static inline int rw_near_points(const rw_eccentric *p, int count, const double x[],
                                  const double y[], double near_x[RW_BATCH], double near_y[RW_BATCH])
 {

@@ -5,9 +5,9 @@
  *     G  = C R - D + i sum K_j (z - t_j) l_j,   K_j = k_j s/pi,   t_j = cos(psi_j),
  *     G' = i sum K_j l_j - (C R + D)/X,         C = sum K_j psi_j,   D = sum K_j sin(psi_j),
  *
- * with one complex logarithm l_j (eccentric_form.h) each, where a sum over the arcs has two for
- * each. Of arcs that are much more curved than the pressure is large, the terms would cancel: they
- * are taken one by one. An end on the left of the patch has psi = pi. Far away
+ * with one complex logarithm l_j (eccentric_form.h) for each joint; a sum over the arcs has two for
+ * each arc. For arcs so curved that their terms would cancel, the arcs are added one by one
+ * instead. An end on the left of the patch has psi = pi. Far away
  *
  *     G = sum K_j sum_n (S_(n-1) - S_(n+1)) R^n/n,   S_n = sin(n psi_j)/n, S_0 = psi_j.
  */
@@ -16,8 +16,8 @@
 #include "potential/lanes.h"
 #include "potential/pad_potential.h"
 
-/* Arcs with both ends inside are taken one by one where they are so many times as curved as would
- * make all the pressure: so much would be lost of it. */
+/* An arc with both ends inside is added by itself if its curvature is this many times that which
+ * would make all of the pressure by itself: as many times the rounding would be lost. */
 static const double STEEPEST = 32;
 
 enum { JOINTS = 64 };
@@ -144,7 +144,7 @@ static void begin(joints *p, rw_patch patch)
     p->count = 0;
 }
 
-/* But for S_0: the sum of it is C. */
+/* Without S_0, whose sum is C. */
 static void add_series(rw_eccentric *whole, const joint *j)
 {
     double before = 0, now = j->cosine, wave = j->cosine, last = 0; /* wave: sin(n psi) */

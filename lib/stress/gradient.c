@@ -5,8 +5,8 @@
  *     alpha dG/da   =  (2/pi) [ z A/alpha - (phi0/alpha) R ],
  *     alpha dG'/da  = -G' - (2/pi) c0 z/(X q),
  *     c dG/dc       =  (2/pi) (phi0/alpha)/X.
- * The two by the rounding fall like (alpha/z)^2 beside their terms. So far from the rounding they
- * are taken from
+ * The two derivatives by the rounding fall like (alpha/z)^2 beside their terms. So far from the
+ * rounding they are computed from
  *     alpha dG/da   = -(2/(pi alpha)) X int s^2/(z^2 - s^2) dpsi,
  * s = sin(psi), 0 <= psi <= phi0. */
 #include "stress/gradient.h"
@@ -21,16 +21,6 @@
 typedef struct {
     rw_complex G, H;
 } pair;
-
-static rw_complex scaled(double factor, rw_complex z)
-{
-    return (rw_complex){factor * z.re, factor * z.im};
-}
-
-static rw_complex sum(rw_complex a, rw_complex b)
-{
-    return (rw_complex){a.re + b.re, a.im + b.im};
-}
 
 static rw_complex root_of(const rw_elliptic *e)
 {
@@ -67,7 +57,7 @@ static rw_complex slope_of(const rw_potential *p, rw_place at, const rw_elliptic
     const rw_complex A = A_over_alpha(p, at, e);
     const rw_complex edge = {per_cos2 * rw_elliptic_RX_re(e, rw_elliptic_shrink(e)),
                              -per_cos2 * (e->sin_v * e->cos_v)};
-    return scaled(-2 / RW_PI, sum(A, edge));
+    return rw_multiple(-2 / RW_PI, rw_sum(A, edge));
 }
 
 /* y c0/(X q). */
@@ -88,8 +78,8 @@ static pair by_x(const rw_potential *p, rw_place at)
 {
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const rw_complex X = root_of(&e);
-    const rw_complex edge = scaled(p->phi0_over_alpha, y_over_cube(at.y, X));
-    return (pair){slope_of(p, at, &e), scaled(2 / RW_PI, sum(corner_of(p, at, X), edge))};
+    const rw_complex edge = rw_multiple(p->phi0_over_alpha, y_over_cube(at.y, X));
+    return (pair){slope_of(p, at, &e), rw_multiple(2 / RW_PI, rw_sum(corner_of(p, at, X), edge))};
 }
 
 /* G' = -b_0/(2 z^2), y G'' = 2 y b_0/(2 z^3); H = -y b_0/(2 z^2). */
@@ -98,8 +88,8 @@ static pair remote_by_x(const rw_potential *p, rw_place at)
     const rw_ray ray = rw_ray_to(at.x, at.y);
     const rw_complex turn = {ray.cosine, -ray.sine}, R = {ray.R_re, ray.R_im};
     const double b0 = rw_first_coefficient(p), per_z = 2 * sqrt(R.re * R.re + R.im * R.im);
-    const rw_complex slope = scaled(-b0 * per_z, rw_product(R, turn));
-    return (pair){slope, scaled(-2 * ray.sine, rw_product(slope, turn))};
+    const rw_complex slope = rw_multiple(-b0 * per_z, rw_product(R, turn));
+    return (pair){slope, rw_multiple(-2 * ray.sine, rw_product(slope, turn))};
 }
 
 rw_field rw_potential_by_x(const rw_potential *potential, double x, double y)
@@ -145,9 +135,9 @@ static pair by_rounding_outside(const rw_potential *p, rw_place at)
     const rw_complex per_z = rw_quotient(one, (rw_complex){at.x, at.y});
     const rw_complex per_z2 = rw_product(per_z, per_z);
     const rw_complex G = rw_product(rw_product(X, per_z), per_z);
-    const rw_complex H = rw_quotient(scaled(at.y, per_z), X);
-    return (pair){scaled(factor, rw_product(G, kernel_integral(per_z2, false, phi0))),
-                  scaled(factor, rw_product(H, kernel_integral(per_z2, true, phi0)))};
+    const rw_complex H = rw_quotient(rw_multiple(at.y, per_z), X);
+    return (pair){rw_multiple(factor, rw_product(G, kernel_integral(per_z2, false, phi0))),
+                  rw_multiple(factor, rw_product(H, kernel_integral(per_z2, true, phi0)))};
 }
 
 static pair by_rounding_inside(const rw_potential *p, rw_place at)
@@ -158,8 +148,8 @@ static pair by_rounding_inside(const rw_potential *p, rw_place at)
     const rw_complex zA = rw_product(z, A_over_alpha(p, at, &e));
     const rw_complex bend = rw_product(z, corner_of(p, at, root_of(&e)));
     const rw_complex slope = slope_of(p, at, &e);
-    return (pair){scaled(2 / RW_PI, sum(zA, scaled(-p->phi0_over_alpha, R))),
-                  scaled(-1, sum(scaled(at.y, slope), scaled(2 / RW_PI, bend)))};
+    return (pair){rw_multiple(2 / RW_PI, rw_sum(zA, rw_multiple(-p->phi0_over_alpha, R))),
+                  rw_multiple(-1, rw_sum(rw_multiple(at.y, slope), rw_multiple(2 / RW_PI, bend)))};
 }
 
 /* a d/da of ln b_0, b_0 = (2/pi) (phi0/alpha + c0). c0 has digits next to alpha = 1 that alpha has
@@ -194,7 +184,7 @@ static pair flat_punch(rw_place at)
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const rw_complex X = root_of(&e), z = {at.x, at.y};
     return (pair){rw_quotient((rw_complex){1, 0}, X),
-                  scaled(-1, rw_product(z, y_over_cube(at.y, X)))};
+                  rw_multiple(-1, rw_product(z, y_over_cube(at.y, X)))};
 }
 
 /* 1/z, -y/z^2. */
@@ -202,7 +192,7 @@ static pair remote_force(rw_place at)
 {
     const rw_ray ray = rw_ray_to(at.x, at.y);
     const rw_complex R = {2 * ray.R_re, 2 * ray.R_im}, turn = {ray.cosine, -ray.sine};
-    return (pair){R, scaled(-ray.sine, rw_product(R, turn))};
+    return (pair){R, rw_multiple(-ray.sine, rw_product(R, turn))};
 }
 
 rw_field rw_potential_by_half_width(const rw_potential *potential, double x, double y)

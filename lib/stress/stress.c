@@ -77,7 +77,7 @@ static tensor changed(const tractions *t, change by, double x, double y, double 
                      t->c > 0 ? rw_field_multiple(factor, by(&t->stick, x, y)) : NO_FIELD);
 }
 
-/* What is analytic changes with y by i times what it does with x; y G' has its own y besides. */
+/* For an analytic function d/dy is i d/dx; y G' has the term G' besides. */
 static rw_field by_y(const rw_potential *potential, double x, double y)
 {
     const rw_field d = rw_potential_by_x(potential, x, y);
@@ -91,8 +91,8 @@ static tensor by_friction(const tractions *t, double x, double y)
     return tensor_of(1, NO_FIELD, difference(stick, normal));
 }
 
-/* The smallest stick zone grows from 0: below the rounding its load does so like c^2, but that of
- * the sharp wedge like c. */
+/* d/dc at c = 0 is that of a stick zone that begins to grow: its load grows like c^2 within the
+ * rounding, but like c for the sharp wedge. */
 static tensor by_stick_zone(const tractions *t, double x, double y)
 {
     if (t->c == 0 && t->contact.alpha > 0)

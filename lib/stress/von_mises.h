@@ -21,8 +21,8 @@ double rw_plane_strain_weight(double nu);
 rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kappa, double x,
                              double y);
 
-/* What J2 at (x, y), y >= 0, changes by with friction, with kappa, and with the rounding, of which
- * (x/a, y/a) is constant. Not at the edge of the contact. */
+/* The derivatives of J2 at (x, y), y >= 0, by friction, by kappa, and by the rounding where x/a and
+ * y/a stay. Not at the edge of the contact. */
 typedef struct {
     double J2;
     double f, kappa;

@@ -19,16 +19,6 @@ static const double BESIDE = 1e-10, WELL_BESIDE = 1e-8;
 /* Of x: a point that is moved by less may stay where it is. */
 static const double LEAST_MOVE = 4 * DBL_EPSILON;
 
-static rw_complex sum_of(rw_complex a, rw_complex b)
-{
-    return (rw_complex){a.re + b.re, a.im + b.im};
-}
-
-static rw_complex multiple(double factor, rw_complex a)
-{
-    return (rw_complex){factor * a.re, factor * a.im};
-}
-
 /* ---- One pole: J(zeta) = int c(u)/(u - zeta) du over an element ---- */
 
 typedef struct {
@@ -59,13 +49,13 @@ static pole legendre_sum(int n, const double c[], rw_complex v)
         rw_quotient((rw_complex){1, 0}, (rw_complex){squared.re - 1, squared.im});
     rw_complex before = first_function(v), q = rw_product(v, before), rate = {0, 0};
     q.re -= 1;
-    rw_complex sum = multiple(c[0], before);
+    rw_complex sum = rw_multiple(c[0], before);
     for (int k = 1; k < n; k++) {
         const rw_complex vq = rw_product(v, q);
-        sum = sum_of(sum, multiple(c[k], q));
-        rate = sum_of(rate, multiple(k * c[k], sum_of(vq, multiple(-1, before))));
+        sum = rw_sum(sum, rw_multiple(c[k], q));
+        rate = rw_sum(rate, rw_multiple(k * c[k], rw_sum(vq, rw_multiple(-1, before))));
         const rw_complex next =
-            multiple(1.0 / (k + 1), sum_of(multiple(2 * k + 1, vq), multiple(-k, before)));
+            rw_multiple(1.0 / (k + 1), rw_sum(rw_multiple(2 * k + 1, vq), rw_multiple(-k, before)));
         before = q;
         q = next;
     }
@@ -81,9 +71,9 @@ static pole gauss_sum(const rw_element *e, const double load[], double scale, rw
         const double d = e->u[i] - zeta.re, square = d * d + zeta.im * zeta.im;
         const double share = load[i] / (2 * scale * e->u[i] * square);
         const rw_complex value = {share * d, share * zeta.im};
-        sum.value = sum_of(sum.value, value);
+        sum.value = rw_sum(sum.value, value);
         sum.slope =
-            sum_of(sum.slope, rw_product(value, (rw_complex){d / square, zeta.im / square}));
+            rw_sum(sum.slope, rw_product(value, (rw_complex){d / square, zeta.im / square}));
     }
     return sum;
 }
@@ -96,7 +86,7 @@ static pole pole_of(const rw_element *e, int n, const double c[], const double l
     if (!is_near(v))
         return gauss_sum(e, load, scale, zeta);
     const pole sum = legendre_sum(n, c, v);
-    return (pole){multiple(-2, sum.value), multiple(-2 * per_half, sum.slope)};
+    return (pole){rw_multiple(-2, sum.value), rw_multiple(-2 * per_half, sum.slope)};
 }
 
 /* ---- An element, of which z is not far ---- */
@@ -118,17 +108,17 @@ static pole both_poles(const rw_element *e, int n, const double c[], const doubl
 {
     const rw_complex zeta = zeta_of(e, x, y);
     const pole one = pole_of(e, n, c, load, scale, zeta);
-    const pole other = pole_of(e, n, c, load, scale, multiple(-1, zeta));
-    return (pole){
-        sum_of(one.value, other.value),
-        rw_quotient(sum_of(one.slope, multiple(-1, other.slope)), multiple(2 * e->scale, zeta))};
+    const pole other = pole_of(e, n, c, load, scale, rw_multiple(-1, zeta));
+    return (pole){rw_sum(one.value, other.value),
+                  rw_quotient(rw_sum(one.slope, rw_multiple(-1, other.slope)),
+                              rw_multiple(2 * e->scale, zeta))};
 }
 
 static pole transform(const rw_element *e, double x, double y)
 {
     pole sum = both_poles(e, RW_TERMS, e->coefficient, e->load, fabs(e->scale), x, y);
     const double sign = e->scale < 0 ? -1 : 1;
-    return (pole){multiple(sign, sum.value), multiple(sign, sum.slope)};
+    return (pole){rw_multiple(sign, sum.value), rw_multiple(sign, sum.slope)};
 }
 
 /* ---- All of them ---- */
@@ -195,8 +185,8 @@ static pole far_transform(const rw_element *e, double x, double y)
     for (int i = 0; i < RW_TERMS; i++) {
         const double d = e->x[i] - x, share = 1 / (d * d + y * y);
         const rw_complex per = {d * share, y * share};
-        sum.value = sum_of(sum.value, multiple(e->load[i], per));
-        sum.slope = sum_of(sum.slope, multiple(e->load[i], rw_product(per, per)));
+        sum.value = rw_sum(sum.value, rw_multiple(e->load[i], per));
+        sum.slope = rw_sum(sum.slope, rw_multiple(e->load[i], rw_product(per, per)));
     }
     return sum;
 }
@@ -209,8 +199,8 @@ rw_field rw_traction_field(const rw_traction *t, double x, double y)
     for (size_t i = 0; i < t->count; i++) {
         const rw_element *e = &t->elements[i];
         const pole share = is_far(e, x, y) ? far_transform(e, x, y) : transform(e, x, y);
-        sum.value = sum_of(sum.value, share.value);
-        sum.slope = sum_of(sum.slope, share.slope);
+        sum.value = rw_sum(sum.value, share.value);
+        sum.slope = rw_sum(sum.slope, share.slope);
     }
     return (rw_field){sum.value.re / RW_PI, sum.value.im / RW_PI, y * sum.slope.re / RW_PI,
                       y * sum.slope.im / RW_PI};

@@ -21,8 +21,4 @@ for file in *.command; do
 done
 same "there are examples" yes "$([ "$checks" -ge 10 ] && echo yes)"
 
-called="cli/README.md"
-same "overlong lines, but for tables and examples" "" \
-    "$(awk '/^```/ { code = !code } length > 128 && !code && !/^\|/ { print NR }' "$here/../../../cli/README.md")"
-
 finish

@@ -180,7 +180,7 @@ message_has "--format svg: unknown format"
 does figure --help
 same "lines over 80 columns" 0 "$(awk 'length > 80' out | wc -l | tr -d ' ')"
 for word in $(grep -o -e '--[a-z][a-z-]*' out | sort -u) $(echo $all | tr -d ,); do
-    same "README has $word" yes "$(sed -n '/^## rwedge figure/,/^## How/p' "$here/../../../cli/README.md" |
+    same "README has $word" yes "$(sed -n '/^## rwedge figure/,/^## Exit/p' "$here/../../../cli/README.md" |
         grep -q -e "\`$word[\` ]" && echo yes)"
 done
 

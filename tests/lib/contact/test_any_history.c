@@ -261,6 +261,28 @@ CLAIM(the_second_half_of_a_load_has_effort_left)
     assert_within(stick[0].right, stick[1].right, 1e-4);
 }
 
+/* The search for the zones of the whole load left no effort for its parts: the error was 0.03. */
+CLAIM(a_load_that_is_too_long_is_divided_before_its_zones_are_searched_to_the_end)
+{
+    const double loads[4][4] = {{2.179, -0.222, 0, 0},
+                                {2.009, -0.222, 0.341, -1.602},
+                                {1.974, -0.222, 0.011, 1.064},
+                                {2.374, -0.222, 0.958, 0.252}};
+    rwedge_contact *whole = create_wedge(1, 1, 1, 0.83), *parts = create_wedge(1, 1, 1, 0.83);
+    assert_ok(rwedge_contact_allow_error(whole, 1e-4));
+    assert_ok(rwedge_contact_allow_error(parts, 1e-4));
+    for (int i = 0; i < 4; i++) {
+        const double *to = loads[i], *from = loads[i > 0 ? i - 1 : 0];
+        apply(whole, to[0], to[1], to[2], to[3]);
+        for (int k = i == 0 ? 4 : 1; k <= 4; k++)
+            apply(parts, from[0] + k * (to[0] - from[0]) / 4, from[1] + k * (to[1] - from[1]) / 4,
+                  from[2] + k * (to[2] - from[2]) / 4, from[3] + k * (to[3] - from[3]) / 4);
+    }
+    assert_within(rwedge_contact_error(whole), 0, 1e-3);
+    for (int i = -6; i <= 5; i++)
+        assert_within(shear(whole, i / 5.0), shear(parts, i / 5.0), 1e-3 * 0.83);
+}
+
 /* Tension alone, of many times what friction bears, as the bodies touch. */
 CLAIM(a_load_that_errs_too_much_is_refused_and_changes_nothing)
 {

@@ -2,6 +2,7 @@
 /* A contact as numbers. */
 #include "histories.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -105,18 +106,22 @@ static void use(rwedge_contact *contact)
     assert_true(clock() - start < 5 * CLOCKS_PER_SEC);
 }
 
-static bool is_usable(contact_state s)
+/* NULL where it is refused. */
+static rwedge_contact *signed_and_restored(contact_state s)
 {
     rwedge_contact *contact = NULL;
     sign(s);
     const int32_t status = rwedge_contact_restore(s.size, s.number, &contact);
-    if (status != RWEDGE_OK) {
-        assert_int_equal(status, RWEDGE_EDOMAIN);
-        assert_null(contact);
-        return false;
-    }
-    use(owned(contact));
-    return true;
+    assert_int_equal(status, contact ? RWEDGE_OK : RWEDGE_EDOMAIN);
+    return contact;
+}
+
+static bool is_usable(contact_state s)
+{
+    rwedge_contact *contact = signed_and_restored(s);
+    if (contact)
+        use(owned(contact));
+    return contact;
 }
 
 /* Of a contact, centred or not, that has slipped to and fro. */
@@ -180,20 +185,29 @@ CLAIM(a_path_of_one_corner_has_no_slope)
     }
 }
 
-/* Each number in turn, and each length. */
-static void damage_all(contact_state s)
+static bool is_restored(contact_state s)
+{
+    rwedge_contact *contact = signed_and_restored(s);
+    rwedge_contact_destroy(contact);
+    return contact;
+}
+
+/* Each number in turn, and each length. How many damaged states are taken. */
+static size_t damage_all(contact_state s, bool (*is_taken)(contact_state s))
 {
     static const double BAD[] = {NAN, HUGE_VAL, -HUGE_VAL, -1, 0, 0.5, 1, 2, 1e300};
+    size_t taken = 0;
     for (size_t i = 2; i < s.size; i++) {
         const double kept = s.number[i];
         for (size_t j = 0; j < sizeof BAD / sizeof *BAD; j++) {
             s.number[i] = BAD[j];
-            (void)is_usable(s);
+            taken += is_taken(s);
         }
         s.number[i] = kept;
-        (void)is_usable((contact_state){i + 1, s.number});
+        if (i + 1 < s.size)
+            taken += is_taken((contact_state){i + 1, s.number});
     }
-    (void)is_usable((contact_state){s.size + 1, s.number});
+    return taken + is_taken((contact_state){s.size + 1, s.number});
 }
 
 CLAIM(damage_that_is_signed_does_no_harm)
@@ -205,13 +219,61 @@ CLAIM(damage_that_is_signed_does_no_harm)
     load(centred, 0.7, -0.1);
     apply(tilted, 0.5, 0.1, 0, 0);
     apply(tilted, 0.5, 0.1, 0.1, 0.01);
-    damage_all(state_of(centred));
-    damage_all(state_of(tilted));
+    (void)damage_all(state_of(centred), is_usable);
+    (void)damage_all(state_of(tilted), is_usable);
     const contact_state s = state_of(none);
-    damage_all(s);
+    (void)damage_all(s, is_usable);
     s.number[2] = 1e-50; /* theta */
     s.number[4] = 1e50;  /* A: each is in the domain, theta/A is not */
     (void)is_usable(s);
+}
+
+/* Of a shear without a closed form. */
+static rwedge_contact *computed(double P)
+{
+    rwedge_contact *contact = create(0.4, 0.5);
+    assert_ok(rwedge_contact_allow_error(contact, 1e-2));
+    apply(contact, P, 0, 0, 0);
+    apply(contact, P, 0, 0.1, 0.9);
+    assert_true(rwedge_contact_error(contact) > 0);
+    return contact;
+}
+
+/* Of ten changes to each number. Most numbers of a traction may be any. */
+CLAIM(damage_to_what_is_computed_is_refused_or_taken)
+{
+    rwedge_contact *flat = NULL;
+    assert_ok(rwedge_contact_create_flat(1, 2, A, 0.5, &flat));
+    load(owned(flat), 0.5, 0.1);
+    const contact_state computed_shear = state_of(computed(0.5)), pad = state_of(flat);
+    assert_true(damage_all(computed_shear, is_restored) < 5 * computed_shear.size);
+    assert_true(damage_all(pad, is_restored) < 3 * pad.size);
+}
+
+/* What is computed goes with a contact that holds no other shear, and has its edges. */
+CLAIM(a_shear_of_another_contact_is_refused)
+{
+    rwedge_contact *bare = create(0.4, 0.5), *sheared = create(0.4, 0.5),
+                   *layered = create(0.4, 0.5), *other = create(0.4, 0.5);
+    load(bare, 0.5, 0);
+    load(sheared, 0.5, 0.1);
+    load(layered, 0.3, 0);
+    load(layered, 0.5, 0.05);
+    load(other, 0.6, 0);
+    const contact_state whole = state_of(computed(0.5));
+    const size_t from = rwedge_contact_state_size(bare) - 2; /* the tolerance, and what follows */
+    const rwedge_contact *hosts[] = {bare, sheared, layered, other};
+    for (int i = 0; i < 4; i++) {
+        const contact_state host = state_of(hosts[i]);
+        contact_state joint = {host.size - 2 + whole.size - from, NULL};
+        joint.number = malloc(joint.size * sizeof *joint.number);
+        assert_non_null(joint.number);
+        memcpy(joint.number, host.number, (host.size - 2) * sizeof *joint.number);
+        memcpy(joint.number + host.size - 2, whole.number + from,
+               (whole.size - from) * sizeof *joint.number);
+        assert_true(is_restored(joint) == (i == 0));
+        free(joint.number);
+    }
 }
 
 /* A state of the first version, which did not hold the strain, is that of equal compliances. Since

@@ -77,8 +77,8 @@ CLAIM(edges_move_at_their_rates)
     static const rw_patch patches[] = {{-0.8, 1.7}, {0.2, 1.9}, {-2.5, 0.1}, {-1, 4}};
     for (size_t i = 0; i < sizeof patches / sizeof *patches; i++) {
         const rw_patch p = patches[i];
-        const rw_corners corners = rw_corners_of(rw_rounding(1), p);
-        const rw_edge_rates rates = rw_patch_edge_rates(&corners);
+        const rw_arc_ends ends = rw_arc_ends_of(rw_rounding(1), p);
+        const rw_edge_rates rates = rw_patch_edge_rates(&ends);
         const double s = rw_patch_half_width(p), m = rw_patch_middle(p), h = 1e-5;
         const rw_pressing wider = rw_patch_pressing(1, (rw_patch){p.left, p.right + h}),
                           narrower = rw_patch_pressing(1, (rw_patch){p.left, p.right - h});

@@ -112,6 +112,16 @@ CLAIM(mindlins_loading_unloading_and_reloading)
     }
 }
 
+/* Each step left a kink where the edge had been: 40 of them made all that followed slow. */
+CLAIM(a_contact_that_grows_in_steps_keeps_few_kinks)
+{
+    pair c = begin(2, 0, 1e-4);
+    for (int i = 1; i <= 20; i++)
+        go(&c, 2 + 0.1 * i, 0, 0.04 * i, 0);
+    assert_in_range(c.numerical.now.shear.kinks, 0, 6);
+    end(&c);
+}
+
 CLAIM(tension_in_phase_with_a_moment)
 {
     for (int i = 0; i < 3; i++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How far a contact with a history is from yield. */
-#include "contact/marks.h"
-#include "contact/neighbourhood.h"
+#include "yield/marks.h"
+#include "yield/neighbourhood.h"
 #include "histories.h"
 
 #include <fenv.h>

@@ -1,27 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Criteria of fatigue over all planes: which are asked for, and their constants. */
+/* Criteria of fatigue over all planes: which are asked for, their constants, and their columns. */
 #ifndef CLI_CRITERIA_H
 #define CLI_CRITERIA_H
 
 #include "material.h"
 
-#include "history/places.h"
+#include "model/contact_case.h"
 #include "model/results/measures.h"
-
-enum {
-    OPTION_FS_K = OPTION_AFTER_PLACES,
-    OPTION_FINDLEY_K,
-    OPTION_KAPPA,
-    OPTION_T_A,
-    OPTION_SU,
-    OPTION_CROSSLAND_ALPHA,
-    OPTION_DANG_VAN_ALPHA,
-    OPTION_CRITERIA,
-    OPTION_PLANE_STRESS,
-    OPTION_ARCHARD,
-    OPTION_MATERIAL,
-    OPTION_AFTER_CRITERIA
-};
 
 enum {
     CRITERION_SWT,
@@ -83,9 +68,6 @@ typedef struct {
     double constant[CRITERION_COUNT], su;
 } criteria;
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
-extern struct poptOption criteria_option_table[];
-
 const measure_kind *column_kind_of(int column);
 
 /* The criterion that a column has the value of; -1 for other columns. */
@@ -97,11 +79,7 @@ bool column_is_wanted(const criteria *all, int column);
 /* Smith, Watson and Topper's alone, in plane strain. */
 criteria criteria_usual(const contact_case *setup);
 
-/* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
- * from then on. */
-void criteria_read(arguments *line, const material *constants, criteria *all);
-
-/* When the contact is read: Fatemi and Socie's constant; then those of damage. */
-void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all);
+/* Fatemi and Socie's constant, of their k; NAN without a yield stress. */
+double criteria_fatemi_socie(const contact_case *setup, double k);
 
 #endif

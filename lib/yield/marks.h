@@ -23,7 +23,7 @@ static inline double rw_mark_edge(rw_patch patch, int side)
 int rw_main_parts(const rwedge_contact *contact);
 rw_mark rw_main_mark(const rwedge_contact *contact, int part, int side);
 
-/* A kink of a shear that is no sum of patches. */
+/* The i-th kink of a computed shear. */
 rw_mark rw_kink_mark(const rwedge_contact *contact, const rw_shear_state *shear, int i);
 
 /* The edge of a patch. Its grid reaches twice the distance to the nearest of the marks before it,

@@ -4,8 +4,6 @@
 #define CLI_LAST_CYCLE_H
 
 #include "criteria.h"
-#include "history/contact_history.h"
-#include "model/doubts.h"
 
 /* Of one place; NAN where there is none. */
 typedef struct {
@@ -22,11 +20,19 @@ typedef struct {
     size_t edge_count;
     double left, right; /* the outermost; NAN where there is no contact */
     bool slip_known;    /* it has a closed form after every load */
-    doubts doubts;      /* of all states after loads, those before the cycle included */
 } last_cycle;
 
-/* Goes through the history. */
-void last_cycle_begin(const contact_history *history, const criteria *asked, last_cycle *cycle);
+/* Begins with the contact before it, which is copied, and room for so many loads. */
+void last_cycle_begin(const contact_case *setup, const criteria *asked,
+                      const rwedge_contact *before, size_t room, last_cycle *cycle);
+
+/* Adds a load: the contact is under it. */
+void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle);
+
+/* After the last load: then it can be asked for the measures. */
+void last_cycle_end(last_cycle *cycle);
+
+void last_cycle_free(last_cycle *cycle);
 
 /* At n places. Returns the library's status, or RWEDGE_ENOMEM. Threads may call it at a time. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
@@ -36,12 +42,9 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
  * after the other, sxx of all first, then syy and txy. */
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[]);
 
-typedef struct {
-    double x, value; /* the value is NAN where the measure is nowhere above 0 */
-} worst_place;
-
-/* Where a measure is largest on a line along x of n places, ascending, at which it is known. */
-worst_place last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
-                             const double value[], double y);
+/* Where a measure is largest on a line along x of n places, ascending: value has what is known
+ * there, and 0 elsewhere. Returns the library's status. */
+int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
+                         const double value[], double y, double *worst_x, double *worst_value);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The fields of a contact around a place of its surface. A patch that ends far away has a potential
- * that is analytic there, across the surface too. So the shear traction of all such patches has
- * one, which is interpolated: their number does not count then. */
+ * that is analytic there, across the surface too. So the shear traction of all such patches has an
+ * analytic potential, which is interpolated: the time then does not depend on their number. */
 #ifndef RW_NEIGHBOURHOOD_H
 #define RW_NEIGHBOURHOOD_H
 
@@ -17,10 +17,10 @@ typedef struct {
     double re[RW_NODES], im[RW_NODES];
 } rw_neighbourhood;
 
-/* Of the whole half-plane. */
+/* The neighbourhood that is the whole half-plane. */
 rw_neighbourhood rw_neighbourhood_whole(const rwedge_contact *contact);
 
-/* A smaller one inside of another; the whole where it is not inside. */
+/* A smaller one inside of another; the whole half-plane where it is not inside. */
 rw_neighbourhood rw_neighbourhood_within(const rwedge_contact *contact,
                                          const rw_neighbourhood *outer, double centre,
                                          double radius);

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A file of a material's constants, by name. */
+/* A material's constants, by name. */
 #ifndef CLI_MATERIAL_H
 #define CLI_MATERIAL_H
 
-#include "options/arguments.h"
-
 #include <stdbool.h>
 
-/* Constants without an option of their own. */
 enum {
     MATERIAL_SWT_LIMIT,
     MATERIAL_FS_LIMIT,
@@ -26,16 +23,33 @@ enum {
     MATERIAL_C0,
     MATERIAL_DK_TH,
     MATERIAL_DS0,
+    /* From here on an input or an option has the same. */
+    MATERIAL_E,
+    MATERIAL_NU,
+    MATERIAL_YIELD_STRESS,
+    MATERIAL_FS_K,
+    MATERIAL_FINDLEY_K,
+    MATERIAL_KAPPA,
+    MATERIAL_T_A,
+    MATERIAL_SU,
+    MATERIAL_CROSSLAND_ALPHA,
+    MATERIAL_DANG_VAN_ALPHA,
     MATERIAL_COUNT
 };
+extern const char *const material_names[MATERIAL_COUNT];
 
 typedef struct {
     double value[MATERIAL_COUNT]; /* NAN where not given */
 } material;
 
-/* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants
- * stand for options that are not given. What is wrong ends the command. */
-void material_read(const char *path, arguments *line, material *all);
+/* Without any constant. */
+material material_unknown(void);
+
+/* The constant of a name; -1 where none is known. */
+int material_constant(const char *name);
+
+/* Names that stand beside the constants, and say where they are from. */
+bool material_is_remark(const char *name);
 
 /* What a criterion must not exceed; NAN where it is not known. */
 double material_allowable(const material *all, int criterion);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "criteria.h"
+#include "criteria_options.h"
 
 #include "text/list.h"
 #include "text/message.h"
@@ -7,8 +7,6 @@
 
 #include <math.h>
 #include <string.h>
-
-#include <rwedge.h>
 
 struct poptOption criteria_option_table[] = {
     {"criteria", '\0', POPT_ARG_STRING, NULL, OPTION_CRITERIA,
@@ -35,82 +33,7 @@ struct poptOption criteria_option_table[] = {
     POPT_TABLEEND,
 };
 
-const criterion_kind criterion_kinds[CRITERION_COUNT] = {
-    {"swt", RWEDGE_MEASURE_SWT, MEASURE_SWT, MEASURE_SWT_ANGLE, COLUMN_SWT_OUT, 0},
-    {"fatemi-socie", RWEDGE_MEASURE_FATEMI_SOCIE, MEASURE_FATEMI_SOCIE, MEASURE_FS_ANGLE,
-     COLUMN_FS_OUT, 0},
-    {"findley", RWEDGE_MEASURE_FINDLEY, COLUMN_FINDLEY, COLUMN_FINDLEY_ANGLE, COLUMN_FINDLEY_OUT,
-     0},
-    {"modified-wohler", RWEDGE_MEASURE_MODIFIED_WOHLER, COLUMN_MODIFIED_WOHLER,
-     COLUMN_MODIFIED_WOHLER_ANGLE, COLUMN_MODIFIED_WOHLER_OUT, 0},
-    {"mcdiarmid", RWEDGE_MEASURE_MCDIARMID, COLUMN_MCDIARMID, COLUMN_MCDIARMID_ANGLE,
-     COLUMN_MCDIARMID_OUT, 0},
-    {"crossland", RWEDGE_MEASURE_CROSSLAND, COLUMN_CROSSLAND, 0, 0, 0},
-    {"dang-van", RWEDGE_MEASURE_DANG_VAN, COLUMN_DANG_VAN, 0, 0, 0},
-    {"swt-damage", -1, COLUMN_SWT_DAMAGE, COLUMN_SWT_DAMAGE_ANGLE, COLUMN_SWT_DAMAGE_OUT,
-     COLUMN_SWT_CYCLES},
-    {"fatemi-socie-damage", -1, COLUMN_FS_DAMAGE, COLUMN_FS_DAMAGE_ANGLE, COLUMN_FS_DAMAGE_OUT,
-     COLUMN_FS_CYCLES},
-};
-
-/* ---- Columns ---- */
-
-#define OF_Z "from its normal to the plane of x and y, 0 to 90 deg"
-
-static const measure_kind more_kinds[COLUMN_COUNT - MEASURE_COUNT] = {
-    {"swt_out_of_plane", OF_Z, "deg", true},
-    {"fs_out_of_plane", OF_Z, "deg", true},
-    {"findley", "Findley's largest shear amplitude + k largest normal stress", "stress", false},
-    {"findley_angle", "that of its plane", "deg", true},
-    {"findley_out_of_plane", OF_Z, "deg", true},
-    {"modified_wohler", "shear amplitude + kappa largest normal stress/shear amplitude", "stress",
-     false},
-    {"modified_wohler_angle", "that of its plane", "deg", true},
-    {"modified_wohler_out_of_plane", OF_Z, "deg", true},
-    {"mcdiarmid", "shear amplitude/t-a + largest normal stress/(2 su)", "none", false},
-    {"mcdiarmid_angle", "that of its plane", "deg", true},
-    {"mcdiarmid_out_of_plane", OF_Z, "deg", true},
-    {"crossland", "amplitude of sqrt(J2) + alpha largest hydrostatic stress", "stress", false},
-    {"dang_van", "largest shear amplitude + alpha hydrostatic stress", "stress", false},
-    {"swt_damage", "Miner's sum of a pass of the loads, of its worst plane", "none", false},
-    {"swt_damage_angle", "that of its plane", "deg", true},
-    {"swt_damage_out_of_plane", OF_Z, "deg", true},
-    {"swt_cycles", "how many cycles that plane's normal strain has in a pass", "none", true},
-    {"fs_damage", "the same by Fatemi and Socie's parameter", "none", false},
-    {"fs_damage_angle", "that of its plane", "deg", true},
-    {"fs_damage_out_of_plane", OF_Z, "deg", true},
-    {"fs_cycles", "how many cycles that plane's shear strain has in a pass", "none", true},
-    {"wear_depth", "worn in the cycle, --archard times energy_per_area", "length", false},
-};
-
-const measure_kind *column_kind_of(int column)
-{
-    return column < MEASURE_COUNT ? &measure_kinds[column] : &more_kinds[column - MEASURE_COUNT];
-}
-
-int column_criterion(int column)
-{
-    int i = CRITERION_COUNT - 1;
-    while (i >= 0 && criterion_kinds[i].value != column)
-        i--;
-    return i;
-}
-
-bool column_is_wanted(const criteria *all, int column)
-{
-    bool wanted = column < MEASURE_COUNT || (column == COLUMN_WEAR && !isnan(all->archard));
-    for (int i = 0; i < CRITERION_COUNT; i++) {
-        const criterion_kind *kind = &criterion_kinds[i];
-        const bool is_its = kind->value == column || kind->angle == column ||
-                            kind->out_of_plane == column || kind->cycles == column;
-        wanted = wanted || (is_its && all->is_wanted[i]);
-    }
-    return wanted;
-}
-
 /* ---- Constants ---- */
-
-static const double SQRT_3 = 1.7320508075688772;
 
 /* The option of the constant of each; 0 for none. */
 static const struct {
@@ -193,14 +116,6 @@ static void read_names(const char *text, criteria *all)
 
 /* ---- All ---- */
 
-criteria criteria_usual(const contact_case *setup)
-{
-    criteria all = {.nu = setup->nu1, .archard = NAN, .su = NAN};
-    for (int i = 0; i < CRITERION_COUNT; i++)
-        all.constant[i] = i == CRITERION_SWT ? 0 : NAN;
-    return all;
-}
-
 static void read_plane_stress(arguments *line, criteria *all)
 {
     static char zero[] = "0";
@@ -247,7 +162,7 @@ void criteria_read_strength(const arguments *line, const contact_case *setup, cr
         usage_error("--fs-k %s: must be a number from 0 to 1000000", text);
     if (text != NULL && isnan(setup->k))
         usage_error("--fs-k %s: needs --k or --yield-stress", text);
-    all->constant[CRITERION_FATEMI_SOCIE] = k / (SQRT_3 * setup->k);
+    all->constant[CRITERION_FATEMI_SOCIE] = criteria_fatemi_socie(setup, k);
     need(all, CRITERION_FATEMI_SOCIE, setup->k, "yield-stress");
     need(all, CRITERION_FS_DAMAGE, setup->k, "yield-stress");
     read_damage(CRITERION_SWT, CRITERION_SWT_DAMAGE, "sf, b, ef, c", all);

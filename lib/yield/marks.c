@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "contact/marks.h"
+#include "yield/marks.h"
 
 /* After the centre and the contact. */
 enum { FIRST_ARC = 2 };

@@ -3,7 +3,6 @@
 
 #include "model/results/tensor.h"
 #include "text/memory.h"
-#include "text/message.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,63 +22,45 @@ static void note_edges(const rwedge_contact *contact, last_cycle *cycle)
         cycle->edge_count += 2;
 }
 
-static void note_load(const rwedge_contact *contact, size_t i, last_cycle *cycle)
+void last_cycle_begin(const contact_case *setup, const criteria *asked,
+                      const rwedge_contact *before, size_t room, last_cycle *cycle)
 {
-    rwedge_contact_loads(contact, &cycle->P[i], &cycle->M[i], &cycle->Q[i], &cycle->sigma[i]);
-    note_edges(contact, cycle);
-    doubts_add(&cycle->doubts, doubts_of_state(cycle->setup, contact));
-}
-
-static void keep(const rwedge_contact *contact, last_cycle *cycle)
-{
-    if (rwedge_contact_copy(contact, &cycle->before) != RWEDGE_OK)
-        failure("out of memory");
-    note_edges(contact, cycle);
-}
-
-/* Loads before the first cycle that the contact may yield under. */
-static void look_before(const contact_history *history, last_cycle *cycle)
-{
-    char complaint[COMPLAINT_SIZE];
-    rwedge_contact *contact;
-    if (case_contact(&history->setup, &contact) != RWEDGE_OK)
-        return;
-    for (size_t i = 0; i < history->before.count; i++)
-        if (load_history_apply(&history->before, i, history->setup.f, contact, complaint))
-            doubts_add(&cycle->doubts, doubts_of_state(cycle->setup, contact));
-    rwedge_contact_destroy(contact);
-}
-
-void last_cycle_begin(const contact_history *history, const criteria *asked, last_cycle *cycle)
-{
-    const size_t loads =
-        history->steps < history->loads.count ? history->steps : history->loads.count;
-    *cycle = (last_cycle){.setup = &history->setup,
+    *cycle = (last_cycle){.setup = setup,
                           .asked = *asked,
-                          .loads = loads,
-                          .P = memory_zeroed(4 * loads, sizeof(double)),
-                          .edges = memory_zeroed(4 * (loads + 1), sizeof(double)),
+                          .P = memory_zeroed(4 * room, sizeof(double)),
+                          .edges = memory_zeroed(4 * (room + 1), sizeof(double)),
                           .left = NAN,
                           .right = NAN};
-    cycle->M = cycle->P + loads;
-    cycle->Q = cycle->M + loads;
-    cycle->sigma = cycle->Q + loads;
-    look_before(history, cycle);
-    rwedge_contact *contact = contact_history_begin(history);
-    for (size_t step = 0, first = history->steps - loads; step < history->steps; step++) {
-        if (step == first)
-            keep(contact, cycle);
-        contact_history_go_on(history, step, contact);
-        if (step >= first)
-            note_load(contact, step - first, cycle);
-    }
-    rwedge_contact_destroy(contact);
-    if (rwedge_contact_keep_cycle(cycle->before, loads, cycle->P, cycle->M, cycle->Q,
-                                  cycle->sigma) == RWEDGE_ENOMEM)
-        failure("out of memory");
+    cycle->M = cycle->P + room;
+    cycle->Q = cycle->M + room;
+    cycle->sigma = cycle->Q + room;
+    rwedge_contact_copy(before, &cycle->before);
+    memory_checked(cycle->before);
+    note_edges(before, cycle);
+}
+
+void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle)
+{
+    const size_t i = cycle->loads++;
+    rwedge_contact_loads(contact, &cycle->P[i], &cycle->M[i], &cycle->Q[i], &cycle->sigma[i]);
+    note_edges(contact, cycle);
+}
+
+/* Without memory for the states the measures go through the cycle again. */
+void last_cycle_end(last_cycle *cycle)
+{
+    rwedge_contact_keep_cycle(cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q,
+                              cycle->sigma);
     cycle->slip_known =
-        rwedge_contact_cycle_friction(cycle->before, loads, cycle->P, cycle->M, cycle->Q,
+        rwedge_contact_cycle_friction(cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q,
                                       cycle->sigma, 0, NULL, NULL, NULL, NULL, NULL) == RWEDGE_OK;
+}
+
+void last_cycle_free(last_cycle *cycle)
+{
+    rwedge_contact_destroy(cycle->before);
+    free(cycle->P);
+    free(cycle->edges);
 }
 
 /* ---- Measures ---- */
@@ -262,18 +243,13 @@ static int32_t library_measure(int column)
     return criterion >= 0 ? criterion_kinds[criterion].measure : others[column];
 }
 
-worst_place last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
-                             const double value[], double y)
+int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
+                         const double value[], double y, double *worst_x, double *worst_value)
 {
     const criteria *asked = &cycle->asked;
     const int criterion = column_criterion(column);
-    worst_place worst = {x[0], NAN};
-    const int32_t status = rwedge_contact_cycle_worst(
+    return rwedge_contact_cycle_worst(
         cycle->before, library_measure(column), cycle->loads, cycle->P, cycle->M, cycle->Q,
         cycle->sigma, n, x, value, y, cycle->setup->E1, asked->nu, asked->is_plane_stress,
-        criterion >= 0 ? asked->constant[criterion] : 0, strength_of(asked), &worst.x,
-        &worst.value);
-    if (status != RWEDGE_OK)
-        failure("%s", rwedge_strerror(status));
-    return worst;
+        criterion >= 0 ? asked->constant[criterion] : 0, strength_of(asked), worst_x, worst_value);
 }

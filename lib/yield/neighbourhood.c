@@ -2,7 +2,7 @@
 /* With t = (z - centre)/(2 radius), what is interpolated has its nearest singularity beyond |t| =
  * 2.5, and the disc is |t| <= 1/2. Chebyshev's series over -1 < t < 1 then converges like 0.338^n
  * at the top of the disc, t = i/2: 24 terms leave 5e-12. */
-#include "contact/neighbourhood.h"
+#include "yield/neighbourhood.h"
 
 #include "base/domain.h"
 #include "potential/eccentric_form.h"
@@ -10,7 +10,7 @@
 /* In radii of the disc. */
 static const double FAR = 5, INTERVAL = 2;
 
-/* A series takes as long as so many patches. */
+/* A series takes as long as this many patches. */
 enum { WORTH_A_SERIES = 8 };
 
 rw_neighbourhood rw_neighbourhood_whole(const rwedge_contact *contact)
@@ -29,7 +29,8 @@ static bool is_clear(double end, rw_patch p, double centre, double radius)
     return end < p.left || end > p.right || is_far(centre, radius, end);
 }
 
-/* Whether a patch is smooth there: its edges are far away, and the ends of arcs in contact. */
+/* Whether the potential of a patch is smooth in the disc: its edges, and the ends of its arcs in
+ * contact, are far away. */
 static bool is_smooth(const rwedge_contact *contact, size_t patch, double centre, double radius)
 {
     const rw_patch p = contact->memory.corners[patch].patch;
@@ -105,7 +106,7 @@ static void add_patches(const rwedge_contact *contact, size_t first, size_t last
     }
 }
 
-/* What the outer one interpolates, at a place of the surface. */
+/* The function that the outer neighbourhood interpolates, at a place of the surface. */
 static rw_complex interpolated(const rw_neighbourhood *outer, double x)
 {
     const rw_complex t = {(x - outer->centre) / (INTERVAL * outer->radius), 0}, none = {0, 0};

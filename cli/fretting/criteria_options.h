@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Options of criteria of fatigue: which are asked for, and their constants. */
+#ifndef CLI_CRITERIA_OPTIONS_H
+#define CLI_CRITERIA_OPTIONS_H
+
+#include "history/places.h"
+#include "model/cycle/criteria.h"
+
+enum {
+    OPTION_FS_K = OPTION_AFTER_PLACES,
+    OPTION_FINDLEY_K,
+    OPTION_KAPPA,
+    OPTION_T_A,
+    OPTION_SU,
+    OPTION_CROSSLAND_ALPHA,
+    OPTION_DANG_VAN_ALPHA,
+    OPTION_CRITERIA,
+    OPTION_PLANE_STRESS,
+    OPTION_ARCHARD,
+    OPTION_MATERIAL,
+    OPTION_AFTER_CRITERIA
+};
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
+extern struct poptOption criteria_option_table[];
+
+/* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
+ * from then on. */
+void criteria_read(arguments *line, const material *constants, criteria *all);
+
+/* When the contact is read: Fatemi and Socie's constant; then those of damage. */
+void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all);
+
+#endif

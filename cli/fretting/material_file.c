@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "material_file.h"
+
+#include "criteria_options.h"
+
+#include "input/csv_input.h"
+#include "text/message.h"
+#include "number/number.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include <jansson.h>
+
+/* What its constants stand for. */
+static const struct {
+    int constant, option;
+} of_options[] = {
+    {MATERIAL_E, OPTION_INPUT + INPUT_E1},
+    {MATERIAL_NU, OPTION_INPUT + INPUT_NU1},
+    {MATERIAL_YIELD_STRESS, OPTION_INPUT + INPUT_YIELD_STRESS},
+    {MATERIAL_FS_K, OPTION_FS_K},
+    {MATERIAL_FINDLEY_K, OPTION_FINDLEY_K},
+    {MATERIAL_KAPPA, OPTION_KAPPA},
+    {MATERIAL_T_A, OPTION_T_A},
+    {MATERIAL_SU, OPTION_SU},
+    {MATERIAL_CROSSLAND_ALPHA, OPTION_CROSSLAND_ALPHA},
+    {MATERIAL_DANG_VAN_ALPHA, OPTION_DANG_VAN_ALPHA},
+};
+enum { OF_OPTIONS = sizeof of_options / sizeof of_options[0] };
+
+static void set(const char *file, const char *name, double value, material *all)
+{
+    const int i = material_constant(name);
+    if (i < 0)
+        failure("%s: %.60s: no constant that is known here; see rwedge fretting in its manual",
+                file, name);
+    all->value[i] = value;
+}
+
+/* ---- The file ---- */
+
+static void read_json(const char *path, material *all)
+{
+    json_error_t error;
+    json_t *top = json_load_file(path, JSON_REJECT_DUPLICATES, &error), *value;
+    const char *name;
+    if (top == NULL)
+        failure("%s: line %d: %s", path, error.line, error.text);
+    if (!json_is_object(top))
+        failure("%s: must be an object of names and numbers", path);
+    json_object_foreach(top, name, value)
+    {
+        if (material_is_remark(name))
+            continue;
+        if (!json_is_number(value))
+            failure("%s: %.60s: must be a number", path, name);
+        set(path, name, json_number_value(value), all);
+    }
+    json_decref(top);
+}
+
+static void read_csv(const char *path, const char *encoding, material *all)
+{
+    csv_input *in = csv_input_open(path, ',', encoding);
+    csv_event event;
+    while ((event = csv_input_next(in)) == CSV_ROW) {
+        const char *const *cells = csv_input_cells(in);
+        double value;
+        if (csv_input_count(in) < 2)
+            failure("%s: line %" PRId64 ": must be a name and a number", path, csv_input_line(in));
+        if (material_is_remark(cells[0]))
+            continue;
+        if (!number_read_cell(cells[1], '.', &value))
+            failure("%s: line %" PRId64 ": %.60s: must be a number", path, csv_input_line(in),
+                    cells[0]);
+        set(path, cells[0], value, all);
+    }
+    if (event != CSV_END)
+        csv_input_fail(in);
+    csv_input_close(in);
+}
+
+/* ---- All ---- */
+
+/* Either all of these or none. */
+static void need_group(const char *path, const material *all, int first, int last)
+{
+    int missing = -1, there = -1;
+    for (int i = first; i <= last; i++)
+        *(isnan(all->value[i]) ? &missing : &there) = i;
+    if (missing >= 0 && there >= 0)
+        failure("%s: %s: missing; needed beside %s", path, material_names[missing],
+                material_names[there]);
+}
+
+/* What the file has stands for options that are not given. k without a yield stress, and su without
+ * t_A, say nothing. */
+static void hand_over(const material *all, arguments *line)
+{
+    static char texts[OF_OPTIONS][NUMBER_SIZE];
+    char **value = line->value;
+    for (int i = 0; i < OF_OPTIONS; i++) {
+        const int option = of_options[i].option;
+        const double constant = all->value[of_options[i].constant];
+        const bool is_idle =
+            (option == OPTION_FS_K && value[OPTION_INPUT + INPUT_YIELD_STRESS] == NULL) ||
+            (option == OPTION_SU && value[OPTION_T_A] == NULL) ||
+            (option == OPTION_INPUT + INPUT_YIELD_STRESS && value[OPTION_INPUT + INPUT_K] != NULL);
+        if (isnan(constant) || value[option] != NULL || is_idle)
+            continue;
+        number_write(constant, NUMBER_DIGITS, '.', texts[i]);
+        value[option] = texts[i];
+    }
+}
+
+void material_read(const char *path, arguments *line, material *all)
+{
+    *all = material_unknown();
+    if (path == NULL)
+        return;
+    const char *ending = strrchr(path, '.');
+    if (ending != NULL && strcasecmp(ending, ".json") == 0)
+        read_json(path, all);
+    else
+        read_csv(path, line->value[OPTION_ENCODING], all);
+    need_group(path, all, MATERIAL_SF, MATERIAL_C);
+    need_group(path, all, MATERIAL_G, MATERIAL_C0);
+    need_group(path, all, MATERIAL_DK_TH, MATERIAL_DS0);
+    hand_over(all, line);
+}

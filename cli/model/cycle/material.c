@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "material.h"
+
+#include "criteria.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <rwedge.h>
+
+const char *const material_names[MATERIAL_COUNT] = {"swt_limit",
+                                                    "fs_limit",
+                                                    "findley_limit",
+                                                    "lambda",
+                                                    "crossland_limit",
+                                                    "dang_van_limit",
+                                                    "sf",
+                                                    "b",
+                                                    "ef",
+                                                    "c",
+                                                    "G",
+                                                    "tf",
+                                                    "b0",
+                                                    "gf",
+                                                    "c0",
+                                                    "dK_th",
+                                                    "ds0",
+                                                    "E",
+                                                    "nu",
+                                                    "yield_stress",
+                                                    "fs_k",
+                                                    "findley_k",
+                                                    "kappa",
+                                                    "t_A",
+                                                    "su",
+                                                    "crossland_alpha",
+                                                    "dang_van_alpha"};
+
+material material_unknown(void)
+{
+    material all;
+    for (int i = 0; i < MATERIAL_COUNT; i++)
+        all.value[i] = NAN;
+    return all;
+}
+
+int material_constant(const char *name)
+{
+    int i = MATERIAL_COUNT - 1;
+    while (i >= 0 && strcmp(name, material_names[i]) != 0)
+        i--;
+    return i;
+}
+
+bool material_is_remark(const char *name)
+{
+    return strcmp(name, "name") == 0 || strcmp(name, "source") == 0;
+}
+
+double material_allowable(const material *all, int criterion)
+{
+    static const int limits[CRITERION_COUNT] = {
+        [CRITERION_SWT] = MATERIAL_SWT_LIMIT,
+        [CRITERION_FATEMI_SOCIE] = MATERIAL_FS_LIMIT,
+        [CRITERION_FINDLEY] = MATERIAL_FINDLEY_LIMIT,
+        [CRITERION_MODIFIED_WOHLER] = MATERIAL_LAMBDA,
+        [CRITERION_CROSSLAND] = MATERIAL_CROSSLAND_LIMIT,
+        [CRITERION_DANG_VAN] = MATERIAL_DANG_VAN_LIMIT,
+    };
+    const bool is_ratio = criterion == CRITERION_MCDIARMID || criterion >= CRITERION_SWT_DAMAGE;
+    return is_ratio ? 1 : all->value[limits[criterion]];
+}
+
+bool material_has_life(const material *all, int criterion)
+{
+    return !isnan(all->value[criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G]);
+}
+
+double material_length(const material *all)
+{
+    return rwedge_critical_distance(all->value[MATERIAL_DK_TH], all->value[MATERIAL_DS0]);
+}

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "stops.h"
+
+#include "number/pi.h"
+#include "text/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* By default: so many steps across the contact, dense at its edges, and so many beyond each edge,
+ * as far as its half-width. */
+enum { INSIDE = 200, OUTSIDE = 40 };
+
+static void add(stops *to, double x, bool is_shown)
+{
+    to->stop[to->count++] = (stop){x, is_shown};
+}
+
+static int ascending(const void *left, const void *right)
+{
+    const stop *a = left, *b = right;
+    if (a->x != b->x)
+        return a->x < b->x ? -1 : 1;
+    return (int)b->is_shown - (int)a->is_shown;
+}
+
+/* Ascending, each once: edges of several loads are one but for rounding. Of two, one that is shown
+ * stays. */
+static void sort(stops *all, double rounding)
+{
+    size_t kept = 0;
+    qsort(all->stop, all->count, sizeof *all->stop, ascending);
+    for (size_t i = 0; i < all->count; i++)
+        if (kept == 0 || all->stop[i].x - all->stop[kept - 1].x > rounding)
+            all->stop[kept++] = all->stop[i];
+        else if (all->stop[i].is_shown)
+            all->stop[kept - 1] = all->stop[i];
+    all->count = kept;
+}
+
+/* Many loads have edges everywhere. Then those that are close to another are left out: tops are
+ * searched between the places too. */
+static void add_edges(const last_cycle *cycle, double from, double to, bool is_shown, stops *all)
+{
+    enum { EDGES_MAX = 200 };
+    stops edges = {all->stop + all->count, 0};
+    for (size_t i = 0; i < cycle->edge_count; i++)
+        if (cycle->edges[i] >= from && cycle->edges[i] <= to)
+            add(&edges, cycle->edges[i], is_shown);
+    const double width = cycle->right - cycle->left;
+    sort(&edges, 1e-12 * width);
+    if (edges.count > EDGES_MAX)
+        sort(&edges, width / EDGES_MAX);
+    all->count += edges.count;
+}
+
+static stops with_room(size_t count, const last_cycle *cycle)
+{
+    return (stops){memory_zeroed(count + cycle->edge_count, sizeof(stop)), 0};
+}
+
+stops stops_usual(const last_cycle *cycle)
+{
+    stops all = with_room(INSIDE + 2 * OUTSIDE, cycle);
+    const double left = cycle->left, right = cycle->right;
+    const double middle = (left + right) / 2, half = (right - left) / 2;
+    if (isnan(left))
+        return all;
+    for (int i = 1; i < INSIDE; i++)
+        add(&all, middle + half * sin(PI / 2 * (2 * i - INSIDE) / INSIDE), true);
+    for (int i = 1; i <= OUTSIDE; i++) {
+        const double part = (double)i / OUTSIDE, beyond = half * part * part;
+        add(&all, left - beyond, true);
+        add(&all, right + beyond, true);
+    }
+    add_edges(cycle, -HUGE_VAL, HUGE_VAL, true, &all);
+    sort(&all, 1e-12 * half);
+    return all;
+}
+
+stops stops_at(const last_cycle *cycle, size_t n, const double x[])
+{
+    stops all = with_room(n, cycle);
+    double from = HUGE_VAL, to = -HUGE_VAL;
+    for (size_t i = 0; i < n; i++) {
+        add(&all, x[i], true);
+        from = fmin(from, x[i]);
+        to = fmax(to, x[i]);
+    }
+    add_edges(cycle, from, to, false, &all);
+    sort(&all, 0);
+    return all;
+}

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "contact/sound.h"
+
+/* Two numbers that follow from each other in a contact differ by no more than this, relatively,
+ * whatever was rounded. */
+static const double LOOSE = 1e-6;
+
+/* No patch of a contact has a smaller half-width. */
+static const double LEAST = 1e-90;
+
+static bool is_near(double value, double expected, double scale)
+{
+    return islessequal(fabs(value - expected), LOOSE * scale);
+}
+
+/* Whether a patch is that of its corner's load and tilt. */
+static bool is_patch_sound(const rw_geometry *g, const rw_corner *c)
+{
+    const rw_patch p = c->patch;
+    const double load = rw_as_length(g, c->load);
+    if (!(rw_patch_half_width(p) > LEAST && fmax(-p.left, p.right) < 2 * RW_LARGEST) ||
+        !(g->pad || (p.left < g->a && p.right > -g->a)) || !(fabs(c->tilt) < 1))
+        return false;
+    const rw_pressing carried = rw_pressing_of(g, p);
+    return is_near(carried.load, load, load) && is_near(carried.tilt, c->tilt, 1);
+}
+
+static bool is_nested(rw_patch inner, rw_patch outer)
+{
+    const double slack = LOOSE * (outer.right - outer.left);
+    return inner.left > outer.left - slack && inner.right < outer.right + slack;
+}
+
+bool rw_is_corner_sound(const rw_geometry *g, const rw_corner *c, const rw_corner *before)
+{
+    if (isnan(c->least) || isnan(c->most))
+        return false;
+    if (!before)
+        return c->load == 0 && c->shear == 0 && c->ratio == 0 && c->patch.left == 0 &&
+               c->patch.right == 0;
+    const double run = c->load - before->load, rise = c->shear - before->shear;
+    return run > 0 && c->load < 2 * RW_LARGEST && fabs(c->ratio) <= 1 &&
+           is_near(rise, c->ratio * run, c->load) && is_patch_sound(g, c) &&
+           (before->load == 0 || is_nested(before->patch, c->patch));
+}
+
+bool rw_is_origin_sound(const rw_slip_origins *origins, size_t i)
+{
+    const rw_slip_origin *o = &origins->all[i];
+    const rw_trail trail = rw_slip_origin_trail(origins, o);
+    const rw_corner *end = rw_trail_end(&trail);
+    return o->end > (i > 0 ? origins->all[i - 1].end : 0) &&
+           o->end <= fmax(o->from_load, o->to_load) && o->from_load == end->load &&
+           o->from_shear == end->shear && o->to_load >= 0 && o->to_load < 2 * RW_LARGEST &&
+           fabs(o->to_shear) <= (1 + LOOSE) * o->to_load;
+}
+
+/* Whether the loads are those at the end of the path. */
+static bool are_loads_sound(const rwedge_contact *c)
+{
+    const rw_geometry *g = &c->geometry;
+    const rw_corner *end = rw_memory_end(&c->memory);
+    if (end->load == 0)
+        return c->loads.P == 0 && c->loads.M == 0 && c->loads.Q == 0;
+    const rw_pressing carried = rw_pressing_of(g, end->patch);
+    const double arm = fmax(-end->patch.left, end->patch.right);
+    return is_near(c->loads.P, end->load, end->load) &&
+           is_near(rw_as_length(g, c->loads.M), carried.moment, carried.load * arm) &&
+           (c->numerical || is_near(c->loads.Q, c->f * end->shear, c->f * end->load));
+}
+
+/* Whether the last kept path has the corners that the present one shares with it. */
+static bool is_share_sound(const rwedge_contact *c)
+{
+    const rw_slip_origins *origins = &c->origins;
+    if (c->memory.shared == 0)
+        return true;
+    if (c->memory.shared > rw_slip_origins_last_corners(origins))
+        return false;
+    const rw_trail last = rw_slip_origin_trail(origins, &origins->all[origins->count - 1]);
+    return rw_memory_common(&c->memory, &last) >= c->memory.shared;
+}
+
+static bool is_shear_sound(const rwedge_contact *c)
+{
+    if (!(c->tolerance == 0 ||
+          (isgreaterequal(c->tolerance, 1e-6) && islessequal(c->tolerance, 1e-2))))
+        return false;
+    if (!c->numerical)
+        return true;
+    const rw_stance *s = &c->numerical->now;
+    const rw_patch contact = rw_memory_end(&c->memory)->patch;
+    const rw_zones *z = &s->shear.zones;
+    return c->f > 0 && fabs(c->loads.Q) <= c->f * c->loads.P * (1 + LOOSE) &&
+           c->memory.count == 2 && c->memory.corners[1].ratio == 0 &&
+           s->contact.left == contact.left && s->contact.right == contact.right && s->at.P > 0 &&
+           z->zone[0].left == contact.left && z->zone[z->count - 1].right == contact.right;
+}
+
+bool rw_is_contact_sound(const rwedge_contact *c)
+{
+    const rw_slip_origins *origins = &c->origins;
+    return rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
+           rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
+           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && !isinf(c->energy) &&
+           !isinf(c->energy_carry) && rw_is_magnitude(c->slid_from) && rw_is_magnitude(c->strain) &&
+           are_loads_sound(c) && is_share_sound(c) && is_shear_sound(c) &&
+           (!c->exact || rw_is_contact_sound(c->exact)) &&
+           origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
+}
+
+bool rw_is_arc_sound(const rw_pad *pad, rw_arc arc, double weight)
+{
+    return arc.left <= arc.right && weight > 0 && weight <= 1 &&
+           (pad->count == 0 || pad->arcs[pad->count - 1].right <= arc.left);
+}
+
+bool rw_is_pad_sound(const rw_pad *pad)
+{
+    double all = 0;
+    for (size_t i = 0; i < pad->count; i++)
+        all += pad->weights[i];
+    return is_near(all, 1, 1);
+}

@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "yield/climb.h"
+
+#include "base/domain.h"
+#include "stress/stress.h"
+
+#include <float.h>
+
+enum { LINE = 7, CLIMB_MAX = 60 };
+
+/* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r. It
+ * starts with FIRST. It ends at ROUGH when only the top must be told from others, and at LAST. */
+static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7;
+
+/* The relative rise of J2 that counts as none. */
+static const double NO_GAIN = 4 * DBL_EPSILON;
+
+/* How well a rough climb knows a top: a fraction of J2, and of the distance from the mark. */
+static const double ROUGHLY = 0.05;
+
+static double J2_of(const rw_highest *s, rw_field normal, rw_field shear)
+{
+    const rw_stress_state state = rw_superpose(normal, shear);
+    const double difference = state.difference - s->tension, mean = state.mean + s->tension;
+    return difference * difference + state.shear * state.shear + s->kappa * mean * mean;
+}
+
+void rw_J2_from(rw_highest *s, const rw_contact_fields *fields, int side, int n, double J2[])
+{
+    const double f = side * s->contact->f;
+    for (int i = 0; i < n; i++) {
+        J2[i] = J2_of(s, rw_field_in(&fields->normal, i),
+                      rw_field_multiple(f, rw_field_in(&fields->tangential, i)));
+        s->known = fmax(s->known, J2[i]);
+    }
+}
+
+/* J2 at n <= RW_BATCH points. A higher one becomes the highest so far. */
+static void evaluate(rw_highest *s, int n, const double x[], const double y[], double J2[])
+{
+    rw_contact_fields fields;
+    rw_contact_fields_at(s->contact, 1, s->contact->memory.count, n, x, y, &fields);
+    rw_J2_from(s, &fields, 1, n, J2);
+    for (int i = 0; i < n; i++)
+        if (J2[i] > s->J2) {
+            s->J2 = J2[i];
+            s->x = x[i];
+            s->y = y[i];
+        }
+}
+
+/* ---- Climbing ---- */
+
+typedef struct {
+    rw_highest *s;
+    double centre, innermost, outermost;
+    rw_polar top;
+    double J2;
+} climb;
+
+/* An angle beyond the surface counts as the surface. */
+static void evaluate_places(climb *c, int n, const rw_polar at[], double J2[])
+{
+    double x[LINE], y[LINE];
+    for (int i = 0; i < n; i++) {
+        const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius))),
+                     angle = at[i].angle;
+        x[i] = c->centre + r * (angle <= 0 ? 1 : angle >= RW_PI ? -1 : cos(angle));
+        y[i] = angle <= 0 || angle >= RW_PI ? 0 : r * sin(angle);
+        y[i] = rw_off_apex(c->s->contact, x[i], y[i], r);
+    }
+    evaluate(c->s, n, x, y, J2);
+}
+
+/* Moves to the highest place along a line, both ways. While the highest of its points is at an end,
+ * the span is doubled. Then it is narrowed to the points beside the highest. Nothing is higher
+ * beyond the limits of angle and radius. */
+static void climb_along(climb *c, double to_angle, double to_log_radius, double last_span)
+{
+    const double length = hypot(to_angle, to_log_radius);
+    bool is_found = false; /* between two points of the line */
+    for (double span = FIRST_SPAN; length > 0 && span > last_span;) {
+        rw_polar at[LINE];
+        double J2[LINE];
+        for (int i = 0; i < LINE; i++) {
+            const double t = span * (2.0 * (i + 1) / (LINE + 1) - 1) / length;
+            at[i] = (rw_polar){c->top.angle + t * to_angle, c->top.log_radius + t * to_log_radius};
+        }
+        evaluate_places(c, LINE, at, J2);
+        int highest = 0;
+        for (int i = 1; i < LINE; i++)
+            if (J2[i] > J2[highest])
+                highest = i;
+        const bool is_higher = J2[highest] > c->J2;
+        if (is_higher) {
+            c->top = at[highest];
+            c->J2 = J2[highest];
+        }
+        is_found = is_found || !is_higher || (highest > 0 && highest < LINE - 1);
+        span *= is_found ? 2.0 / (LINE + 1) : 2;
+    }
+}
+
+/* Two places that are each highest for their radius make a line, and the next climb goes along it
+ * (Powell's conjugate direction). It is exact where J2 is quadratic. It follows the ridges of
+ * narrow roundings, where J2 is flat to 1e-9. */
+static void climb_to(climb *c, double last_span)
+{
+    for (int i = 0; i < CLIMB_MAX; i++) { /* a few are enough, but on a plateau */
+        const double before = c->J2;
+        climb_along(c, 1, 0, last_span);
+        const rw_polar one = c->top;
+        climb_along(c, 0, 1, last_span);
+        climb_along(c, 1, 0, last_span);
+        climb_along(c, c->top.angle - one.angle, c->top.log_radius - one.log_radius, last_span);
+        if (c->J2 - before <= NO_GAIN * before || last_span >= ROUGH_SPAN)
+            return;
+    }
+}
+
+/* Moves to the highest place of each radius. A ridge lies beside the angles of the grid: along it
+ * J2 may rise where the grid falls, by as much as the angle from one to the other changes. */
+static void climb_ridge(climb *c)
+{
+    const double angle = c->top.angle, step = log(1 / RW_FALL);
+    double log_radius = log(c->innermost);
+    while (log_radius < log(c->outermost)) {
+        rw_polar at[LINE];
+        double J2[LINE];
+        for (int i = 0; i < LINE; i++, log_radius += step)
+            at[i] = (rw_polar){angle, log_radius};
+        evaluate_places(c, LINE, at, J2);
+        for (int i = 0; i < LINE; i++)
+            if (J2[i] > c->J2) {
+                c->top = at[i];
+                c->J2 = J2[i];
+            }
+    }
+}
+
+/* A top much nearer to the centre than to its own mark is narrow from there. */
+static void climb_around_centre(rw_highest *s, double from_mark)
+{
+    const double r = hypot(s->x, s->y);
+    if (!(r > 0 && r < from_mark / 5))
+        return;
+    climb c = {s, 0, 1e-3 * r, 1e3 * r, {atan2(s->y, s->x), log(r)}, s->J2};
+    climb_to(&c, LAST_SPAN);
+}
+
+/* Climbs roughly first. That is enough for a top that is lower than the highest, and for one that
+ * was climbed already, from a mark about as near: a mark much farther away sees less detail. */
+static void climb_to_top(climb *c)
+{
+    rw_highest *s = c->s;
+    climb_to(c, ROUGH_SPAN);
+    const double r = exp(c->top.log_radius);
+    const double to_known =
+        hypot(c->centre + r * cos(c->top.angle) - s->top_x, r * sin(c->top.angle) - s->top_y);
+    if (c->J2 < (1 - ROUGHLY) * s->J2 || (to_known < ROUGHLY * r && s->top_radius < 2 * r))
+        return;
+    climb_ridge(c);
+    climb_to(c, LAST_SPAN);
+    if (c->J2 >= s->J2) {
+        climb_around_centre(s, exp(c->top.log_radius));
+        s->top_x = s->x;
+        s->top_y = s->y;
+        s->top_radius = exp(c->top.log_radius);
+    }
+}
+
+/* J2 at the mark itself, where it is finite. */
+static void evaluate_mark(rw_highest *s, double at)
+{
+    const double surface = 0;
+    double J2;
+    if (!rw_is_kink(&s->contact->geometry, at))
+        evaluate(s, 1, &at, &surface, &J2);
+}
+
+void rw_climb(rw_highest *s, const rw_foot *from)
+{
+    climb c = {s, from->centre, from->innermost, from->outermost, from->at, 0};
+    evaluate_mark(s, from->centre);
+    evaluate_places(&c, 1, &c.top, &c.J2);
+    climb_to_top(&c);
+}

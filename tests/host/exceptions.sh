@@ -23,7 +23,7 @@ processor_has avx512dq && processor_has avx512vl && vectors="$vectors -mavx512f,
 # The tests are compiled without optimisation, so that their own comparisons raise nothing.
 build_tests()
 {
-    for test in host/test_calls host/calls/calls host/calls/draw host/calls/edges host/calls/together host/calls/sequences lib/potential/test_batches support/claims support/main support/quadrature; do
+    for test in host/test_calls host/calls/calls host/calls/draw host/calls/edges host/calls/sequences lib/potential/test_batches support/claims support/main support/quadrature; do
         "$1" -std=c99 -D_XOPEN_SOURCE=700 -DTEST_DATA='"tests/data"' -Iinclude -I"$build/made/c" -Itests/host/calls -Itests/support -Ilib -c "tests/$test.c" \
             -o "$work/$(basename "$test").o"
     done
@@ -38,7 +38,7 @@ try()
         # shellcheck disable=SC2046
         "$@" $(options_of "$1" "$file") -Iinclude -Ilib -c "$file" -o "$work/lib/$(basename "$file").o"
     done
-    for test in "test_calls calls draw edges together sequences" "test_batches main"; do
+    for test in "test_calls calls draw edges sequences" "test_batches main"; do
         objects=$(printf "$work/%s.o " $test claims quadrature)
         "$1" $objects "$work"/lib/*.o -o "$work/program" -lcmocka -lgsl -lgslcblas -llapack -lpthread -lm
         filter=''

@@ -150,6 +150,31 @@ CLAIM(a_pointer_that_is_needed_may_not_be_null)
     most_calls = most;
 }
 
+/* Each argument is in its domain; what becomes of them is not, or is at the sharp apex. */
+CLAIM(what_leaves_the_domain_together_is_refused)
+{
+    rwedge_contact *contact = NULL;
+    double s[3];
+    const double apex = 0;
+    assert_nan(rwedge_compliance(HUGE_VAL, 0.3, HUGE_VAL, 0.3));
+    assert_nan(rwedge_compliance(1e-60, 0.3, 1, 0.3));
+    assert_nan(rwedge_dundurs_beta(HUGE_VAL, 0.3, HUGE_VAL, 0.3));
+    assert_nan(rwedge_radius(1e-10, 1e55));
+    assert_nan(rwedge_rounding(1e-40, 1e-40));
+    assert_nan(rwedge_a_over_b(1e-121));
+    assert_nan(rwedge_a_over_b(3e60));
+    assert_nan(rwedge_half_width(1e-50, 0, 1e50, 1e20));
+    assert_nan(rwedge_normal_load(1, 0, 1e-60, 1e50));
+    assert_nan(rwedge_pressure(0, 0));
+    assert_nan(rwedge_peak_pressure(0));
+    assert_nan(rwedge_transition_pressure(0));
+    assert_nan(rwedge_shear(0, 0, 0));
+    assert_int_equal(rwedge_stress(0, 0.3, 0, 0, 0, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_stresses(0, 0.3, 0, 1, &apex, &apex, &s[0], &s[1], &s[2]),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create(1e-50, 0.1, 1e50, 0.3, &contact), RWEDGE_EDOMAIN);
+}
+
 /* ---- The host's exceptions ---- */
 
 static const char *flags(const public_call *call, const double v[])

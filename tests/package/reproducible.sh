@@ -14,7 +14,7 @@ cd "$source"
 
 # Bit for bit: a program that prints the bits of results of every function.
 printer='-Iinclude -Ilib -Itests/host/calls tests/host/calls/calls.c tests/host/calls/draw.c tests/host/calls/edges.c
-    tests/host/calls/sequences.c tests/host/calls/together.c tests/package/print_bits.c'
+    tests/host/calls/sequences.c tests/package/print_bits.c'
 # print_bits_of NAME COMMAND... - compiles the program, and leaves the bits, or nothing where they could not be had
 print_bits_of()
 {

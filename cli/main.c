@@ -2,21 +2,14 @@
 /* rwedge: finds the command, and does what all commands need. */
 #include "contact/input_options.h"
 #include "options/arguments.h"
+#include "options/command.h"
 #include "options/completion.h"
-#include "fretting/fretting.h"
-#include "history/history.h"
-#include "field/field.h"
-#include "figure/figure.h"
 #include "text/invocation.h"
 #include "text/list.h"
 #include "text/message.h"
 #include "text/nearest.h"
-#include "field/profile.h"
 #include "system/signals.h"
 #include "system/start.h"
-#include "solve/solve.h"
-#include "table/table.h"
-#include "workbook/workbook.h"
 
 #include <errno.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "field.h"
-
+/* rwedge field: stresses on a grid below the surface. */
 #include "grid.h"
+#include "options/command.h"
 #include "text/message.h"
 #include "rows/output_options.h"
 

@@ -6,7 +6,7 @@
 #include "number/range.h"
 #include "rows/records.h"
 #include "contact/loaded_contact.h"
-#include "model/results/tensor.h"
+#include "model/tensor.h"
 
 typedef struct {
     loaded_contact loaded;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "profile.h"
-
+/* rwedge profile: tractions, stress and slip along the surface. */
+#include "options/command.h"
 #include "text/message.h"
 #include "rows/output_options.h"
 #include "system/progress.h"

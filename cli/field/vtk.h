@@ -3,7 +3,7 @@
 #ifndef CLI_VTK_H
 #define CLI_VTK_H
 
-#include "model/results/tensor.h"
+#include "model/tensor.h"
 #include "rows/records.h"
 
 /* So many numbers of a point, with their names. */

@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "figure.h"
+/* rwedge figure: the paper's figures, and more, as pictures. */
+#include "kind.h"
 
-#include "figure_eccentric.h"
-#include "figure_field.h"
-#include "figure_loop.h"
-#include "figures_history.h"
-#include "figures_strength.h"
-#include "figures_traction.h"
+#include "options/command.h"
 #include "contact/notices.h"
 #include "fretting/criteria_options.h"
 #include "fretting/material_file.h"
@@ -251,8 +247,8 @@ static int read_measure(const char *text, const criteria *asked)
     char allowed[600] = "";
     int column = text == NULL ? MEASURE_SWT : -1;
     for (int i = 0; i < COLUMN_COUNT; i++) {
-        const measure_kind *kind = column_kind_of(i);
-        if (!column_is_wanted(asked, i) || kind->is_angle)
+        const measure_kind *kind = &measure_kinds[i];
+        if (!column_is_wanted(asked, i) || kind->part != PART_VALUE)
             continue;
         list_add(allowed, sizeof allowed, ", ", "%s", kind->column);
         if (text != NULL && strcmp(text, kind->column) == 0)
@@ -307,12 +303,11 @@ static void read_measure_and_place(const arguments *line, work *to_do)
     inputs->asked = &to_do->asked;
     inputs->measure = read_measure(line->value[OPTION_MEASURE], inputs->asked);
     inputs->over = read_over(line->value[OPTION_OVER]);
-    const bool is_of_friction =
-        (inputs->measure >= MEASURE_SLIP_RANGE && inputs->measure < MEASURE_COUNT) ||
-        inputs->measure == COLUMN_WEAR;
+    const bool is_of_friction = inputs->measure >= MEASURE_SLIP_RANGE &&
+                                measure_kinds[inputs->measure].criterion == NO_CRITERION;
     if (is_of_friction && inputs->over != OVER_SURFACE)
         usage_error("--over %s: %s is of the surface alone", line->value[OPTION_OVER],
-                    column_kind_of(inputs->measure)->column);
+                    measure_kinds[inputs->measure].column);
 }
 
 static void read_history(const arguments *line, char decimal_sign, work *to_do)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/loads.h"
-#include "figure_eccentric.h"
+#include "kind.h"
 #include "number/pi.h"
 
 #include <math.h>

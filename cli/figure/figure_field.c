@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contours of von Mises' stress below the contact. */
 #include "model/loads.h"
-#include "figure_field.h"
+#include "kind.h"
 #include "text/message.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hysteresis loop of a cycle of Q under constant P: Q over the displacement by slip. Its area
  * is the energy dissipated: the part of the displacement in proportion to Q encloses none. */
-#include "figure_loop.h"
+#include "kind.h"
 
 #include "number/pi.h"
 

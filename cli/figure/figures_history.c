@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "figures_history.h"
+#include "kind.h"
 
-#include "model/results/tensor.h"
+#include "model/tensor.h"
 #include "fretting/history_cycle.h"
 #include "fretting/surface.h"
 
@@ -353,7 +353,7 @@ static void draw_measure_field(const dataset *rows, double top, drawing *on)
 /* A column in words: "_" would begin a subscript. */
 static void write_name(const figure_case *inputs, char name[DRAWING_TEXT])
 {
-    snprintf(name, DRAWING_TEXT, "%s", column_kind_of(inputs->measure)->column);
+    snprintf(name, DRAWING_TEXT, "%s", measure_kinds[inputs->measure].column);
     for (char *at = strchr(name, '_'); at != NULL; at = strchr(at, '_'))
         *at = ' ';
 }

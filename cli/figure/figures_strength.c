@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figs. 3 to 5: the elastic limit, and where it yields. */
-#include "figures_strength.h"
+#include "kind.h"
 
 #include "text/list.h"
 

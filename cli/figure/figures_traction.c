@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figs. 2, 6 and 7: pressure, maximum tension, shear tractions. */
-#include "figures_traction.h"
+#include "kind.h"
 
 #include "number/pi.h"
 

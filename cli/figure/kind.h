@@ -55,6 +55,11 @@ typedef struct {
     const char *(*draw)(const figure_case *inputs, const dataset *rows, drawing *on);
 } figure;
 
+/* Those of the paper, 2 to 7, and more. Each is defined in a file of its subject. */
+extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point,
+    figure_tension, figure_shear, figure_field, figure_loop, figure_eccentric, figure_history,
+    figure_any_loop, figure_fretting, figure_measure;
+
 /* A round step that gives 8 to 20 levels up to the top. */
 double step_of_levels(double top);
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fretting.h"
-
+/* "rwedge fretting". */
 #include "criteria_options.h"
 #include "history_cycle.h"
 #include "material_file.h"
 #include "paraview.h"
 #include "worst.h"
 
+#include "options/command.h"
 #include "contact/notices.h"
 #include "options/threads.h"
 #include "rows/output_options.h"
@@ -57,8 +57,7 @@ static const struct poptOption options[] = {
 
 static void describe_column(int column, FILE *stream)
 {
-    const measure_kind *kind = column_kind_of(column);
-    fprintf(stream, "  %-15s %s\n", kind->column, kind->meaning);
+    fprintf(stream, "  %-15s %s\n", measure_kinds[column].column, measure_kinds[column].meaning);
 }
 
 static void describe(FILE *stream)
@@ -75,7 +74,7 @@ static void describe(FILE *stream)
         describe_column(i, stream);
     fputs("and at the end, for --criteria, or where their constants are given:\n", stream);
     for (int i = MEASURE_COUNT; i < COLUMN_COUNT; i++)
-        if (!column_kind_of(i)->is_angle)
+        if (measure_kinds[i].part == PART_VALUE)
             describe_column(i, stream);
     fputs("with NAME_angle and NAME_out_of_plane: from the normal of its plane to the plane\n"
           "of x and y, 0 to 90 deg.\n",
@@ -157,7 +156,7 @@ static void write_rows(void *of_plan, records *rows)
     records_name(rows, "y");
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
-            records_name(rows, column_kind_of(i)->column);
+            records_name(rows, measure_kinds[i].column);
     records_end_header(rows);
     for (size_t i = 0; i < job->all.count && records_go_on(rows); i++)
         if (job->all.place[i].is_shown)

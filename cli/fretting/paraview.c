@@ -36,7 +36,7 @@ static double y_of_point(const void *written, int64_t point)
 
 static const char *name_of(const void *written, int number)
 {
-    return column_kind_of(((const source *)written)->column[number])->column;
+    return measure_kinds[((const source *)written)->column[number]].column;
 }
 
 static double value_of(const void *written, int64_t column, int64_t row, int number)

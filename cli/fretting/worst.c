@@ -4,6 +4,7 @@
 #include "text/list.h"
 #include "text/memory.h"
 #include "text/message.h"
+#include "number/pi.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,12 +50,12 @@ static void take_wear(const criteria *asked, worst_row row[])
 /* Which is not smooth: the worst of the places stands. */
 static bool is_damage(int column)
 {
-    return column_criterion(column) >= CRITERION_SWT_DAMAGE;
+    return measure_criterion(column) >= CRITERION_SWT_DAMAGE;
 }
 
 static double cycles_at(const measured_place *place, int damage)
 {
-    return place->at.value[criterion_kinds[column_criterion(damage)].cycles];
+    return place->at.value[measure_column(measure_criterion(damage), PART_CYCLES)];
 }
 
 void worst_find(const measured *all, worst_table *worst)
@@ -64,7 +65,7 @@ void worst_find(const measured *all, worst_table *worst)
         const size_t best = best_place(all, i);
         const double value = all->place[best].at.value[i];
         const bool is_worst =
-            value > 0 && !column_kind_of(i)->is_angle && column_is_wanted(&last->asked, i);
+            value > 0 && measure_kinds[i].part == PART_VALUE && column_is_wanted(&last->asked, i);
         worst->row[i] = (worst_row){all->place[best].x, all->place[best].y, is_worst ? value : NAN,
                                     is_damage(i) ? cycles_at(&all->place[best], i) : NAN};
         if (all->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
@@ -134,7 +135,7 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
         number_write(row->value, 6, '.', value);
         number_write(row->x, 6, '.', x);
         number_write(row->y, 6, '.', y);
-        list_add(text, size, "; ", "%s %s at x = %s%s%s", column_kind_of(i)->column, value, x,
+        list_add(text, size, "; ", "%s %s at x = %s%s%s", measure_kinds[i].column, value, x,
                  is_deep ? ", y = " : "", is_deep ? y : "");
         if (!isnan(row->cycles))
             list_add(text, size, "", " (%.0f cycle%s)", row->cycles, row->cycles == 1 ? "" : "s");
@@ -148,11 +149,19 @@ static const char *const columns[] = {"measure",   "value",     "x",     "y",
                                       "allowable", "safety",    "life",  "cycles"};
 enum { COLUMNS = sizeof columns / sizeof columns[0] };
 
-/* Below the worst place of the surface. */
-static measures measures_below(const worst_table *worst, double x)
+/* The criteria below the worst place of the surface, of the stresses of each load there; the means
+ * may not settle to 1e-10 of the stresses. */
+static measures measures_below(const last_cycle *cycle, const distance *below, double x)
 {
+    const size_t n = cycle->loads;
     measures at;
-    const int32_t status = length_measure(worst->last, &worst->below, x, &at);
+    double *stress = memory_zeroed(3 * n, sizeof *stress);
+    int32_t status = rwedge_contact_cycle_below(
+        cycle->before, n, cycle->P, cycle->M, cycle->Q, cycle->sigma, x, below->angle * PI / 180,
+        below->length, below->is_line, stress, stress + n, stress + 2 * n);
+    if (status == RWEDGE_OK)
+        status = last_cycle_criteria(cycle, 1, stress, &at);
+    free(stress);
     if (status != RWEDGE_OK)
         failure("--length: %s", rwedge_strerror(status));
     return at;
@@ -166,46 +175,50 @@ static int damage_of(int criterion)
                                                  : criterion;
 }
 
-/* In passes of the loads. */
-static void add_life(const criterion_kind *kind, const measures *at, cell cells[COLUMNS])
+/* NAN where the criterion has no such part. */
+static double part_of(const measures *at, int criterion, measure_part part)
 {
-    if (kind->cycles == 0)
+    const int column = measure_column(criterion, part);
+    return column >= 0 ? at->value[column] : NAN;
+}
+
+/* In passes of the loads. */
+static void add_life(int criterion, const measures *at, cell cells[COLUMNS])
+{
+    if (criterion < CRITERION_SWT_DAMAGE)
         return;
-    const double damage = at->value[kind->value];
+    const double damage = part_of(at, criterion, PART_VALUE);
     cells[10] = damage == 0 ? cell_text("inf") : cell_number(1 / damage);
-    cells[11] = cell_number(at->value[kind->cycles]);
+    cells[11] = cell_number(part_of(at, criterion, PART_CYCLES));
 }
 
 /* What a criterion comes to: its plane, what is allowed, the life. */
 static void add_verdict(const worst_table *worst, int criterion, const worst_row *row,
                         cell cells[COLUMNS])
 {
-    const criterion_kind *kind = &criterion_kinds[criterion];
     const bool is_below = !isnan(worst->below.length) && row->y == 0;
     const material *constants = worst->last->asked.constants;
     measures at;
     if (is_below)
-        at = measures_below(worst, row->x);
+        at = measures_below(worst->last, &worst->below, row->x);
     else
         measure(worst->last, 1, &row->x, &row->y, &at);
-    const double value = at.value[kind->value],
+    const double value = part_of(&at, criterion, PART_VALUE),
                  allowable = material_allowable(constants, criterion);
     cells[4] = cell_number(is_below ? worst->below.length : NAN);
     cells[5] = cell_number(is_below ? value : NAN);
-    if (kind->angle > 0) {
-        cells[6] = cell_number(at.value[kind->angle]);
-        cells[7] = cell_number(at.value[kind->out_of_plane]);
-    }
+    cells[6] = cell_number(part_of(&at, criterion, PART_ANGLE));
+    cells[7] = cell_number(part_of(&at, criterion, PART_OUT_OF_PLANE));
     cells[8] = cell_number(allowable);
     cells[9] = cell_number(value > 0 ? allowable / value : NAN);
-    add_life(&criterion_kinds[damage_of(criterion)], &at, cells);
+    add_life(damage_of(criterion), &at, cells);
 }
 
 static void write_row(const worst_table *worst, int column, records *rows)
 {
     const worst_row *row = &worst->row[column];
-    const int criterion = column_criterion(column);
-    cell cells[COLUMNS] = {cell_text(column_kind_of(column)->column), cell_number(row->value),
+    const int criterion = measure_criterion(column);
+    cell cells[COLUMNS] = {cell_text(measure_kinds[column].column), cell_number(row->value),
                            cell_number(row->x), cell_number(row->y)};
     for (int i = 4; i < COLUMNS; i++)
         cells[i] = cell_number(NAN);
@@ -217,7 +230,7 @@ static void write_row(const worst_table *worst, int column, records *rows)
 static bool is_written(const worst_table *worst, int column)
 {
     const criteria *asked = &worst->last->asked;
-    const int criterion = column_criterion(column);
+    const int criterion = measure_criterion(column);
     return !isnan(worst->row[column].value) &&
            (!worst->is_verdict ||
             (criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion])));

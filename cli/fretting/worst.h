@@ -3,9 +3,15 @@
 #ifndef CLI_WORST_H
 #define CLI_WORST_H
 
-#include "length.h"
 #include "rows/records.h"
 #include "surface.h"
+
+/* The theory of critical distances: the stresses below a place of the surface, at half of a length,
+ * or their means over twice the length. */
+typedef struct {
+    double length, angle; /* NAN for none; from the surface's normal towards +x, deg */
+    bool is_line;         /* mean over twice the length; else the point at half of it */
+} distance;
 
 /* The value is NAN where the column is nowhere above 0; cycles but for damage. */
 typedef struct {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "history.h"
-
+/* "rwedge history". */
 #include "after_load.h"
 #include "point_rows.h"
 #include "series.h"
 
+#include "options/command.h"
 #include "contact/notices.h"
 #include "system/progress.h"
 #include "text/message.h"

@@ -6,7 +6,7 @@
 #include "contact_history.h"
 #include "places.h"
 
-#include "model/results/tensor.h"
+#include "model/tensor.h"
 #include "rows/records.h"
 
 /* The columns of the result, but for those of the file that pass through in front. */

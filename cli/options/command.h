@@ -13,4 +13,8 @@ typedef struct {
     int (*run)(const arguments *line); /* returns the exit status */
 } command;
 
+/* Each is defined in the file of its name. */
+extern const command solve_command, table_command, profile_command, field_command, history_command,
+    fretting_command, figure_command, workbook_command;
+
 #endif

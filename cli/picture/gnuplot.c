@@ -12,9 +12,6 @@
 
 enum { SCRIPT, PICTURE, COMPLAINTS, STREAMS }; /* numbered as gnuplot's standard streams */
 
-/* Without the user's own start file. */
-static const char *const words[] = {"gnuplot", "--default-settings", "-", NULL};
-
 /* What would change the picture: the locale, and the date in a PDF. Cairo 1.18 compresses the date
  * too, where remove_date() cannot see it. CAIRO_DEBUG_PDF tells it to compress nothing. */
 static const char *const variables[] = {"LC_ALL=C", "GNUTERM=dumb",      "SOURCE_DATE_EPOCH=0",
@@ -116,6 +113,8 @@ static void put_script(const drawing *plot, const picture_format *format, FILE *
 
 static void run(FILE *const stream[])
 {
+    /* without the user's own start file; from standard input itself gnuplot reads byte by byte */
+    const char *const words[] = {"gnuplot", "--default-settings", program_input_name, NULL};
     program_end end;
     const int error = program_run(words, variables, stream, &end);
     if (error == ENOENT)

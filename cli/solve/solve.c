@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "solve.h"
-
+/* rwedge solve: sizes, pressures, tension and strength of one contact, or of a file of them. */
 #include "batch.h"
+#include "options/command.h"
 #include "input/csv_input.h"
 #include "input/text_input.h"
 #include "options/threads.h"

@@ -11,6 +11,10 @@ typedef struct {
     int number; /* of the signal, or the exit status */
 } program_end;
 
+/* What a program opens to read its standard input as a file; "-", the usual word for it, where it
+ * has no name. */
+extern const char program_input_name[];
+
 /* Runs words[0], looked for on PATH, with the three files as its standard streams. These
  * variables, "NAME=value", become part of the environment. Lists end with NULL. 0; or errno where
  * it could not be run. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "table.h"
-
+/* rwedge table: lookup tables. */
+#include "options/command.h"
 #include "system/ahead.h"
 #include "flat_pad.h"
 #include "layout.h"

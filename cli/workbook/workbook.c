@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "workbook.h"
-
+/* rwedge workbook: the spreadsheet that computes. */
+#include "options/command.h"
 #include "system/streams.h"
 #include "text/message.h"
 #include "book.h"

@@ -230,7 +230,7 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
 {
     rw_zones zones;
     const rw_layers layers = rw_fronts_zones(f, &zones);
-    if (f->budget-- <= 0 || !rw_fronts_collect(f, &zones, &layers, RW_COARSE))
+    if (f->budget-- <= 0 || !rw_fronts_collect(f, &zones, &layers, f->coarse))
         return false;
     const rw_stuck s = rw_stuck_of(f, &zones);
     const int n = 2 * s.count;

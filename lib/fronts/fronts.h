@@ -11,12 +11,7 @@
 
 #include "fronts/problem.h"
 
-enum {
-    RW_MOST_STICK = 6,
-    RW_MOST_FRONTS = 2 * RW_MOST_STICK,
-    RW_MOST_SEGMENTS = 96,
-    RW_COARSE = 3 /* panels at a front, for the residual */
-};
+enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK, RW_MOST_SEGMENTS = 96 };
 
 /* A part of a slip zone, and where its points begin in the row of all. */
 typedef struct {
@@ -34,7 +29,8 @@ typedef struct {
     rw_layers layer_of[3];    /* for D = 0, and more for each D */
     /* the quadrature: places, weights, X there, changes of traction; what is known of these, and
      * the layers' */
-    int order, finest; /* of a panel; how many at a front, for the traction next to it */
+    int order, coarse, finest; /* of a panel; how many at a front, for what is had from integrals
+                                  over all that slips, and for the traction next to it */
     double node[RW_TERMS], weight[RW_TERMS];
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;
@@ -74,7 +70,7 @@ void rw_fronts_singular(const rw_stuck *stuck, const double front[], const doubl
 bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
 
 /* For zones that alternate between stick and slip. false where memory is short. */
-bool rw_fronts_create(rw_fronts *fronts, int order, int finest);
+bool rw_fronts_create(rw_fronts *fronts, double tolerance);
 void rw_fronts_destroy(rw_fronts *fronts);
 
 /* Takes over the zones, and D at the edges at first, NaN where it is not known; false where they

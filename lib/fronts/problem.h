@@ -11,26 +11,11 @@
 #ifndef RW_PROBLEM_H
 #define RW_PROBLEM_H
 
+#include "fronts/frame.h"
 #include "traction/layers.h"
 #include "traction/traction.h"
-#include "potential/pad_potential.h"
 
-enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 48, RW_MOST_BENDS = 24 };
-
-/* What does not change: the profile, friction, and the error of q over f times the peak pressure
- * that is asked for. Bends are where the curvature of the profile jumps so much that a pressure is
- * not smooth there. */
-typedef struct {
-    rw_arcs arcs;
-    double f, tolerance;
-    int bends;
-    double bend[RW_MOST_BENDS];
-} rw_frame;
-
-rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance);
-
-/* The bends between two places, in order; at has room for all. */
-int rw_bends_between(const rw_frame *frame, double from, double to, double at[]);
+enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 48 };
 
 /* Neighbours share their ends; 0 sticks, +-1 is the sign of t. */
 typedef struct {
@@ -58,7 +43,7 @@ typedef struct {
     double tolerance;        /* of tractions */
     double allowed;          /* violations, over the scale */
     rw_patch from, to, both; /* both: what is in either */
-    rw_pad_potential from_pressure, to_pressure;
+    const rw_friction *before, *after;
     bool is_still;                           /* the contact is as it was */
     bool grows[2];                           /* at the left, right edge */
     double load[RW_LAYERS], tilt[RW_LAYERS]; /* by which layers change: lengths, theta */
@@ -69,11 +54,10 @@ typedef struct {
     const rw_shear_state *old;
 } rw_problem;
 
-/* loads are lengths: P A/theta, and what the old traction carries is its total. false where memory
- * is short; then there is nothing to destroy. */
-bool rw_problem_create(rw_problem *p, const rw_frame *frame, rw_patch from, rw_patch to,
-                       const rw_shear_state *old, double shear, double stretch);
-void rw_problem_destroy(rw_problem *p);
+/* loads are lengths: P A/theta, and what the old traction carries is its total. */
+void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *before,
+                     const rw_friction *after, const rw_shear_state *old, double shear,
+                     double stretch);
 
 /* F after the step, and before it. */
 double rw_friction_after(const rw_problem *p, double x);
@@ -88,7 +72,7 @@ void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shea
 /* The old traction and the layers. */
 double rw_base_traction(const rw_problem *p, const rw_layers *layers, double x);
 
-/* A contact in its place, whose loads change at these rates. It needs no destruction. */
+/* A contact in its place, whose loads change at these rates. */
 void rw_problem_init_rates(rw_problem *p, const rw_frame *frame, rw_patch contact, double load,
                            double moment, double shear, double stretch);
 

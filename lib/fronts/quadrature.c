@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_PANELS = 12, ROWS = 5 + RW_LAYERS };
+/* The order of a panel is RW_TERMS, or less where few digits are asked for. */
+enum { MOST_PANELS = 12, FEW_TERMS = 10, ROWS = 5 + RW_LAYERS };
 
 static const double RATIO = 0.12;
 
@@ -32,11 +33,15 @@ static bool reserve(rw_fronts *f, size_t capacity)
     return true;
 }
 
-bool rw_fronts_create(rw_fronts *f, int order, int finest)
+bool rw_fronts_create(rw_fronts *f, double tolerance)
 {
-    *f = (rw_fronts){.order = order, .finest = finest};
-    rw_gauss(order, f->node, f->weight);
-    for (int i = 0; i < order; i++) { /* for a function like square roots at both ends */
+    const double digits = -log10(tolerance);
+    const bool is_fine = digits > 4.5;
+    *f = (rw_fronts){.order = is_fine ? RW_TERMS : FEW_TERMS,
+                     .coarse = is_fine ? 1 : 0,
+                     .finest = (int)(digits + 2.5)};
+    rw_gauss(f->order, f->node, f->weight);
+    for (int i = 0; i < f->order; i++) { /* for a function like square roots at both ends */
         const double angle = RW_PI * f->node[i], half = sin(angle / 2);
         f->weight[i] *= RW_HALF_PI * sin(angle);
         f->node[i] = half * half;
@@ -143,7 +148,7 @@ static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, doubl
 {
     const double near = fmin(nearest_end(sticks, from), nearest_end(sticks, to)),
                  length = to - from;
-    int panels = 1;
+    int panels = 0;
     if (near == 0)
         panels = finest;
     else if (near < length)

@@ -22,7 +22,7 @@ static bool solve(rw_fronts *f, const rw_problem *problem, const rw_zones *zones
     rw_fronts_forget(f);
     *r = (rates){.sign = sign, .stuck = rw_stuck_of(f, zones)};
     return r->stuck.count > 0 && r->stuck.count <= RW_MOST_STICK &&
-           rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, RW_COARSE) &&
+           rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, f->coarse) &&
            rw_fronts_polynomial(f, &r->stuck, r->front, r->p);
 }
 

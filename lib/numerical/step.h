@@ -29,7 +29,7 @@ typedef struct {
     double apart[RW_PLACES]; /* of the step in halves: how far it is from the whole */
 } rw_stance;
 
-enum { RW_TRIALS = 2, RW_MOST_EFFORT = 16000 };
+enum { RW_TRIALS = 2, RW_MOST_EFFORT = 16000, RW_FRICTIONS = 4 };
 
 /* What steps work with, kept from one to the next. */
 typedef struct {
@@ -37,6 +37,8 @@ typedef struct {
     rw_fronts fronts;
     rw_problem start; /* the rates at the beginning of the step */
     rw_grid grid[RW_TRIALS];
+    rw_friction friction[RW_FRICTIONS]; /* of the contacts at last */
+    unsigned frictions;                 /* so far */
     int effort;    /* residuals so far; from RW_MOST_EFFORT on there is but the grid. From half of
                       it on steps are divided no more, so that exact fronts may end them. */
     int limit;     /* up to which the zones of this step are searched */
@@ -55,8 +57,5 @@ bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, const 
 /* Whether a contact that is still went on from one stance to the other, of which both were reached
  * from the same, as a step from the first to the second would: then the energy is that of both. */
 bool rw_step_goes_on(rw_work *work, const rw_stance *from, rw_stance *there);
-
-/* f times the peak pressure of a contact, in theta/A. */
-double rw_peak_friction(const rw_frame *frame, rw_patch contact);
 
 #endif

@@ -180,7 +180,7 @@ void rw_traction_destroy(rw_traction *t)
 
 typedef struct {
     rw_traction *traction;
-    rw_function f;
+    rw_values f;
     const void *context;
     double tolerance, shortest;
     rule rule;
@@ -188,9 +188,10 @@ typedef struct {
 
 static void expand(const fit *how, rw_element *e)
 {
-    double value[RW_TERMS];
+    double x[RW_TERMS], value[RW_TERMS];
     for (int i = 0; i < RW_TERMS; i++)
-        value[i] = how->f(x_of(e, u_of(e, how->rule.node[i])), how->context);
+        x[i] = x_of(e, u_of(e, how->rule.node[i]));
+    how->f(x, how->context, value);
     for (int k = 0; k < RW_TERMS; k++) {
         double sum = 0;
         for (int i = 0; i < RW_TERMS; i++)
@@ -223,8 +224,8 @@ static bool fit_part(fit *how, double end, double scale, double first, double la
            fit_part(how, end, scale, first, middle, depth - 1);
 }
 
-bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t breaks,
-                     const double at[], double tolerance)
+bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, size_t breaks,
+                            const double at[], double tolerance)
 {
     fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance};
     how.shortest = SHORTEST * (at[breaks - 1] - at[0]);
@@ -238,6 +239,25 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
             return false;
     }
     return true;
+}
+
+typedef struct {
+    rw_function f;
+    const void *context;
+} pointwise;
+
+static void at_each(const double x[], const void *context, double value[])
+{
+    const pointwise *p = context;
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = p->f(x[i], p->context);
+}
+
+bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t breaks,
+                     const double at[], double tolerance)
+{
+    const pointwise p = {f, context};
+    return rw_traction_fit_values(t, at_each, &p, breaks, at, tolerance);
 }
 
 /* ---- Reading ---- */

@@ -35,9 +35,16 @@ void rw_gauss(int n, double node[], double weight[]);
 bool rw_traction_copy(const rw_traction *traction, rw_traction *copy);
 void rw_traction_destroy(rw_traction *traction);
 
+/* A function at the RW_TERMS places x of an element. */
+typedef void (*rw_values)(const double x[], const void *context, double value[]);
+
 /* A function as a traction, between neighbours of the breaks, in order: it may be like a square
  * root there. Elements are divided until their last coefficients are below the tolerance. Replaces
  * what the traction was. false where memory is short. */
+bool rw_traction_fit_values(rw_traction *traction, rw_values f, const void *context, size_t breaks,
+                            const double at[], double tolerance);
+
+/* The same of a function that is computed place by place. */
 bool rw_traction_fit(rw_traction *traction, rw_function f, const void *context, size_t breaks,
                      const double at[], double tolerance);
 

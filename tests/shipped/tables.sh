@@ -19,6 +19,19 @@ diff -rq "$work/shipped" "$work/now" ||
     { echo "FAILED: tables/ is not what the tool writes now; ./tables/generate.sh writes it"; exit 1; }
 echo "ok: $(ls "$work/now" | wc -l) files"
 
+# A clone in a folder that CMake does not take is refused at once.
+newline='
+'
+for name in 'a#b' 'a;b' "a${newline}b"; do
+    mkdir -p "$work/$name/tables" "$work/$name/tests/support"
+    cp "$source/tables/generate.sh" "$work/$name/tables"
+    cp "$source/tests/support/install.sh" "$work/$name/tests/support"
+    ended_odd=0
+    sh "$work/$name/tables/generate.sh" >"$work/said_odd" 2>&1 || ended_odd=$?
+    [ $ended_odd = 2 ] && grep -q ': CMake does not take this path: no #' "$work/said_odd" ||
+        { echo "FAILED: a clone in $name: status $ended_odd: $(cat "$work/said_odd")"; exit 1; }
+done
+
 status=0
 if [ $ended = 3 ]; then
     echo "SKIPPED: the spreadsheets: this build has no libxlsxwriter; the other files were compared"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "last_cycle.h"
 
-#include "model/results/tensor.h"
+#include "model/tensor.h"
 #include "text/memory.h"
 
 #include <math.h>
@@ -91,7 +91,7 @@ static int32_t stresses_of(const last_cycle *cycle, size_t n, const double x[], 
     return status;
 }
 
-/* Damage, its cycles, the two angles: four lists of n numbers each. */
+/* Damage, the two angles, its cycles: four lists of n numbers each, as the parts of a measure. */
 static int32_t damage(const last_cycle *cycle, int i, size_t n, const double *stress, double *room)
 {
     const double *v = cycle->asked.constants->value, E = cycle->setup->E1;
@@ -116,27 +116,24 @@ static int32_t criterion_of(const last_cycle *cycle, int i, size_t n, const doub
 {
     const size_t all = cycle->loads * n;
     const criteria *asked = &cycle->asked;
-    if (criterion_kinds[i].cycles > 0)
+    if (i >= CRITERION_SWT_DAMAGE)
         return damage(cycle, i, n, stress, room);
-    return rwedge_criterion_field(criterion_kinds[i].measure, cycle->loads, n, stress, stress + all,
-                                  stress + 2 * all, cycle->setup->E1, asked->nu,
-                                  asked->is_plane_stress, asked->constant[i], strength_of(asked),
-                                  room, room + n, room + 2 * n);
+    return rwedge_criterion_field(measure_kinds[measure_column(i, PART_VALUE)].number, cycle->loads,
+                                  n, stress, stress + all, stress + 2 * all, cycle->setup->E1,
+                                  asked->nu, asked->is_plane_stress, asked->constant[i],
+                                  strength_of(asked), room, room + n, room + 2 * n);
 }
 
 static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
                              double *room, measures at[])
 {
-    const criterion_kind *kind = &criterion_kinds[i];
     const int32_t status = criterion_of(cycle, i, n, stress, room);
-    for (size_t j = 0; j < n && status == RWEDGE_OK; j++) {
-        at[j].value[kind->value] = room[j];
-        if (kind->angle == 0)
-            continue;
-        at[j].value[kind->angle] = degrees(room[n + j]);
-        at[j].value[kind->out_of_plane] = degrees(room[2 * n + j]);
-        if (kind->cycles > 0)
-            at[j].value[kind->cycles] = room[3 * n + j];
+    for (int part = PART_VALUE; part < PART_COUNT && status == RWEDGE_OK; part++) {
+        const int column = measure_column(i, (measure_part)part);
+        const bool is_angle = part == PART_ANGLE || part == PART_OUT_OF_PLANE;
+        const double *value = room + (size_t)part * n;
+        for (size_t j = 0; j < n && column >= 0; j++)
+            at[j].value[column] = is_angle ? degrees(value[j]) : value[j];
     }
     return status;
 }
@@ -229,27 +226,13 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
 
 /* ---- The worst ---- */
 
-/* As the library calls it. */
-static int32_t library_measure(int column)
-{
-    static const int32_t others[MEASURE_COUNT] = {
-        [MEASURE_STRESS_RANGE] = RWEDGE_MEASURE_STRESS_RANGE,
-        [MEASURE_SLIP_RANGE] = RWEDGE_MEASURE_SLIP_RANGE,
-        [MEASURE_RUIZ_F1] = RWEDGE_MEASURE_RUIZ_F1,
-        [MEASURE_RUIZ_F2] = RWEDGE_MEASURE_RUIZ_F2,
-        [MEASURE_ENERGY_PER_AREA] = RWEDGE_MEASURE_ENERGY_PER_AREA,
-    };
-    const int criterion = column_criterion(column);
-    return criterion >= 0 ? criterion_kinds[criterion].measure : others[column];
-}
-
 int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
                          const double value[], double y, double *worst_x, double *worst_value)
 {
     const criteria *asked = &cycle->asked;
-    const int criterion = column_criterion(column);
+    const int criterion = measure_criterion(column);
     return rwedge_contact_cycle_worst(
-        cycle->before, library_measure(column), cycle->loads, cycle->P, cycle->M, cycle->Q,
+        cycle->before, measure_kinds[column].number, cycle->loads, cycle->P, cycle->M, cycle->Q,
         cycle->sigma, n, x, value, y, cycle->setup->E1, asked->nu, asked->is_plane_stress,
         criterion >= 0 ? asked->constant[criterion] : 0, strength_of(asked), worst_x, worst_value);
 }

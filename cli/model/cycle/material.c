@@ -59,16 +59,8 @@ bool material_is_remark(const char *name)
 
 double material_allowable(const material *all, int criterion)
 {
-    static const int limits[CRITERION_COUNT] = {
-        [CRITERION_SWT] = MATERIAL_SWT_LIMIT,
-        [CRITERION_FATEMI_SOCIE] = MATERIAL_FS_LIMIT,
-        [CRITERION_FINDLEY] = MATERIAL_FINDLEY_LIMIT,
-        [CRITERION_MODIFIED_WOHLER] = MATERIAL_LAMBDA,
-        [CRITERION_CROSSLAND] = MATERIAL_CROSSLAND_LIMIT,
-        [CRITERION_DANG_VAN] = MATERIAL_DANG_VAN_LIMIT,
-    };
-    const bool is_ratio = criterion == CRITERION_MCDIARMID || criterion >= CRITERION_SWT_DAMAGE;
-    return is_ratio ? 1 : all->value[limits[criterion]];
+    const int limit = criterion_kinds[criterion].limit;
+    return limit == MATERIAL_COUNT ? 1 : all->value[limit];
 }
 
 bool material_has_life(const material *all, int criterion)

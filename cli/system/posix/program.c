@@ -8,6 +8,8 @@
 
 extern char **environ;
 
+const char program_input_name[] = "/dev/stdin";
+
 static int start(const char *const words[], FILE *const streams[3], pid_t *process)
 {
     posix_spawn_file_actions_t actions;

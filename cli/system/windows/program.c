@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <windows.h>
 
+const char program_input_name[] = "-";
+
 enum { STREAMS = 3 };
 
 /* Looked for on PATH alone: Windows itself would begin in the current folder. */

@@ -80,7 +80,7 @@ cat >/dev/null
 echo "<?xml?> $LC_ALL $* $SOURCE_DATE_EPOCH $TZ</svg>"
 FAKE
 draw_with "$scratch/fake:/usr/bin:/bin" 6
-output_is "<?xml?> C --default-settings - 0 UTC0</svg>"
+output_is "<?xml?> C --default-settings /dev/stdin 0 UTC0</svg>"
 
 # The target is refused before gnuplot is asked.
 draw_with /nonexistent 4 -o none/f.svg
@@ -118,20 +118,22 @@ is_picture() { # FILE FORMAT
     esac
 }
 
-draws() { # FORMAT ARGUMENTS...: the same bytes again, elsewhere and in another locale
+draws() { # FORMAT ARGUMENTS...
     format=$1
     shift
     does_quietly figure "$@" -o "drawn.$format"
     is_picture "drawn.$format" "$format"
-    LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo "$rwedge" figure "$@" --format "$format" >again
-    same "the same bytes" "" "$(cmp "drawn.$format" again 2>&1)"
 }
 
-for name in 2 3 4 5 6 7 field loop eccentric; do
-    for format in svg png pdf; do
+# Curves, a second axis and contours in each format; the same bytes again, elsewhere and in another locale.
+for format in svg png pdf; do
+    for name in 3 4 field; do
         draws $format $name
+        LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo "$rwedge" figure $name --format $format >again
+        same "the same bytes" "" "$(cmp drawn.$format again 2>&1)"
     done
 done
+draws svg eccentric
 
 # Curves, labels and axes are in the picture.
 has() {
@@ -157,7 +159,7 @@ has "f = 0.6" "c/b = 0.5" "black: stick" "first yield"
 
 # The circle is at the largest stress of what is drawn, in partial slip too: no point of the grid is
 # higher than its three digits allow, and one comes near.
-for stick in 0.1 0.4 0.8; do
+for stick in 0.1 0.8; do
     draws svg field --a-over-b 0.25 --friction 0.6 --c-over-b $stick
     top=$(sed -n 's/.*first yield, \([0-9.]*\).*/\1/p' drawn.svg)
     run figure field --a-over-b 0.25 --friction 0.6 --c-over-b $stick --data

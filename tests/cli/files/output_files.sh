@@ -24,6 +24,16 @@ files_are new.csv
 files_are "here.csv new.csv"
 rm files/here.csv
 
+# Any name will do, of what is written and of what is read; a message stays one line.
+odd="a #b;c${newline}d.csv"
+prints "" $small -o "files/$odd"
+same "the odd name" "$text" "$(cat "files/$odd")"
+printf 'P,f\n100,0.1\n' >"$odd"
+does solve --input "$odd" --E1 2e5 --nu1 0.3 --theta 0.1 --a 1 -o "files/$odd"
+same "its row" 100,0.1, "$(sed -n 2p "files/$odd" | cut -c 1-8)"
+cannot "rwedge solve: none/a #b;c?d.csv: No such file or directory" solve --input "none/$odd" --E1 2e5
+rm "files/$odd"
+
 # Permissions: those of open(), or the old file's.
 rm files/new.csv
 (umask 027 && "$rwedge" $small -o files/new.csv)

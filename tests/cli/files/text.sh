@@ -27,12 +27,12 @@ for format in $formats; do
 done
 cannot "rwedge solve: latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed
 # A file is read as it is solved. What went to standard output before stays, and its last row tells; a file is not written.
-awk 'BEGIN { print "a,P,f"; for (i = 0; i < 10000; i++) print "1,100,0.1"; print "1,100,0.1,\374" }' >late.csv
+awk 'BEGIN { print "note,a,P,f"; for (i = 0; i < 2000; i++) printf "%0100d,1,100,0.1\n", 0; print "1,1,100,0.1,\374" }' >late.csv
 for format in $formats; do
-    cannot "rwedge solve: late.csv: line 10002, column 11: $refused" solve -i late.csv $fixed --format $format -o solved.$format
+    cannot "rwedge solve: late.csv: line 2002, column 13: $refused" solve -i late.csv $fixed --format $format -o solved.$format
     same "no file" "" "$(ls solved.$format 2>/dev/null)"
 done
-cannot "rwedge solve: late.csv: line 10002, column 11: $refused" solve -i late.csv $fixed --format json
+cannot "rwedge solve: late.csv: line 2002, column 13: $refused" solve -i late.csv $fixed --format json
 same "ends of the JSON" '[|"error": null}|"error": "the file could not be read beyond this row"}|]' \
     "$(sed 's/.* \("error".*}\),*/\1/' out | uniq | paste -s -d '|' -)"
 same "rows before it" yes "$([ "$(wc -l <out)" -gt 1000 ] && echo yes)"
@@ -167,33 +167,44 @@ refuses "rwedge table: ü: unknown table; allowed: elastic-limit, max-tension, c
 case $formats in *xlsx*) ;; *) finish ;; esac
 command -v python3 >/dev/null 2>&1 || { echo "SKIPPED: what is in the spreadsheets, for lack of python3"; finish; }
 cat >read.py <<'EOF'
+# Of files that are sound: the command on the sheet About, and the date.
 import sys, zipfile, xml.etree.ElementTree as ET
-archive = zipfile.ZipFile(sys.argv[1])
-for name in archive.namelist():
-    if name.endswith((".xml", ".rels")):
-        ET.fromstring(archive.read(name))
-text = "".join(archive.read(name).decode() for name in archive.namelist() if "sheet" in name or "Strings" in name)
-print(text[text.index("with the command:"):].split("<")[0])
+for path in sys.argv[1:]:
+    archive = zipfile.ZipFile(path)
+    texts = {name: archive.read(name).decode() for name in archive.namelist()}
+    for name in texts:
+        if name.endswith((".xml", ".rels")):
+            ET.fromstring(texts[name])
+    text = "".join(texts[name] for name in texts if "sheet" in name or "Strings" in name)
+    date = texts["docProps/core.xml"].split("</dcterms:created>")[0].split(">")[-1]
+    print(text[text.index("with the command:"):].split("<")[0], date, sep="|")
 EOF
-command_in() { # FILE: of the sheet About, where the file is sound
-    python3 read.py "$1" 2>&1 | tail -n 1
-}
+# The date, which SOURCE_DATE_EPOCH gives, ends with the year 9999.
+SOURCE_DATE_EPOCH=253402300799
+export SOURCE_DATE_EPOCH
 bad=$(printf 'Pr\374fung\001\357\277\277.xlsx')
 for command in "workbook" "table contact-law --format xlsx"; do
     does $command -o "$bad"
-    same "command" "with the command:  rwedge $command -o 'Pr�fung��.xlsx'" "$(command_in "$bad")"
-    rm "$bad"
+    same "command and date" "with the command:  rwedge $command -o 'Pr�fung��.xlsx'|9999-12-31T23:59:59Z" "$(python3 read.py "$bad" 2>&1)"
 done
+SOURCE_DATE_EPOCH=0
+for length in 460 461 462 463; do
+    list=$(awk -v n=$length 'BEGIN { for (i = 0; i < n; i++) printf "0,"; print 0 }')
+    does table contact-law --a-over-b "$list" --format xlsx -o "éééééééééééééééééééééééééééééééééééé$length.xlsx"
+done
+python3 read.py é*.xlsx >commands
+same "cut in whole characters" 4 "$(grep -c 'é46.[.]xlsx.|\|é ...|' commands)"
+same "the first date is not the usual one" 4 "$(grep -c '|1970-01-01T' commands)"
+for SOURCE_DATE_EPOCH in 253402300800 9223372036854775807 99999999999999999999 -1 now; do
+    cannot "rwedge table: new.xlsx: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to \
+253402300799, the end of the year 9999" table contact-law -o new.xlsx
+    same "no file" "" "$(ls new.xlsx 2>/dev/null)"
+done
+unset SOURCE_DATE_EPOCH
 named=$(printf 'a\001\374b.csv')
 printf 'x\n1\n' >"$named"
 does workbook "$named" -o named.xlsx
 message_is "rwedge workbook: a??b.csv: its sheet is called a__b"
-rm "$named" named.xlsx
-for length in 460 461 462 463; do
-    list=$(awk -v n=$length 'BEGIN { for (i = 0; i < n; i++) printf "0,"; print 0 }')
-    does table contact-law --a-over-b "$list" --format xlsx -o "ééééééééééééééééééééééééééééééééééééééé.xlsx"
-    same "cut in whole characters" 1 "$(command_in é*.xlsx | grep -c 'é[.]xlsx.$\|é ...$')"
-done
 run solve -i utf8.csv $fixed --format xlsx -o cells.xlsx
 same "cells are text and numbers" "Prüfling 1|2|2000|0.3" "$(python3 -c '
 import zipfile, xml.etree.ElementTree as ET
@@ -201,22 +212,4 @@ M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 sheet = ET.fromstring(zipfile.ZipFile("cells.xlsx").read("xl/worksheets/sheet1.xml"))
 row = list(sheet.iter(M + "row"))[1]
 print("|".join("".join(cell.itertext()) if cell.get("t") == "inlineStr" else cell.find(M + "v").text for cell in list(row)[:4]))')"
-
-# The date of a spreadsheet, which SOURCE_DATE_EPOCH gives, ends with the year 9999.
-SOURCE_DATE_EPOCH=253402300799
-export SOURCE_DATE_EPOCH
-for command in "workbook" "table contact-law --format xlsx"; do
-    does $command -o dated.xlsx
-    same "date" 1 "$(python3 -c 'import zipfile; print(zipfile.ZipFile("dated.xlsx").read("docProps/core.xml").decode())' |
-        grep -c 9999-12-31T23:59:59Z)"
-done
-SOURCE_DATE_EPOCH=0
-run table contact-law -o dated.xlsx
-same "the first date is not the usual one" 1 \
-    "$(python3 -c 'import zipfile; print(zipfile.ZipFile("dated.xlsx").read("docProps/core.xml").decode())' | grep -c 1970-01-01T)"
-for SOURCE_DATE_EPOCH in 253402300800 9223372036854775807 99999999999999999999 -1 now; do
-    cannot "rwedge table: new.xlsx: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to \
-253402300799, the end of the year 9999" table contact-law -o new.xlsx
-    same "no file" "" "$(ls new.xlsx 2>/dev/null)"
-done
 finish

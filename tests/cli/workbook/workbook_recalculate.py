@@ -2,10 +2,10 @@
 """Has LibreOffice recalculate the workbook: the results in the file are those of its formulas, and its results for random
 inputs, on the sheet Calculator and in the rows of Batch, are the library's. Working cells have no value in the file.
 
-    workbook_recalculate.py RWEDGE FOLDER WORKBOOK [DAMAGED...]
+    workbook_recalculate.py RWEDGE FOLDER WORKBOOK
 
-In DAMAGED files a difference must be found. One LibreOffice does all, first with a decimal point, then with a comma. Standard
-library only, and LibreOffice's module uno."""
+One LibreOffice opens the workbook once, and computes first with a decimal point, then with a comma. Standard library only, and
+LibreOffice's module uno."""
 import csv
 import math
 import os
@@ -21,8 +21,7 @@ import uno
 from com.sun.star.beans import PropertyValue
 from com.sun.star.sheet import FormulaResult
 
-RWEDGE, FOLDER, WORKBOOK = sys.argv[1:4]
-DAMAGED = sys.argv[4:]
+RWEDGE, FOLDER, WORKBOOK = sys.argv[1:]
 INPUTS = ["E1", "nu1", "E2", "nu2", "theta", "theta_deg", "a", "radius", "P", "Q", "f", "k", "yield_stress"]
 # The column of "rwedge solve" and of Batch, the name in Calculator, the tolerance: relative, absolute.
 EXACT = [
@@ -41,14 +40,14 @@ AFTER_YIELD = ("P_yield", "safety", "yield_x", "yield_y")
 TIP_MIN = 0.003
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 FIRST_ROW, ROWS = 1, 200  # of Batch, from 0
-failures, quiet = 0, False
+failures = 0
 
 
 def same(what, good, detail):
     global failures
     if not good:
         failures += 1
-        if failures <= 20 and not quiet:
+        if failures <= 20:
             print("FAILED: %s: %s" % (what, detail))
 
 
@@ -65,12 +64,12 @@ class Office:
         local = uno.getComponentContext()
         resolver = local.ServiceManager.createInstanceWithContext("com.sun.star.bridge.UnoUrlResolver", local)
         self.context = None
-        for _ in range(240):
+        for _ in range(1200):
             try:
                 self.context = resolver.resolve("uno:pipe,name=%s;urp;StarOffice.ComponentContext" % pipe)
                 break
             except Exception:
-                time.sleep(0.25)
+                time.sleep(0.05)
         if self.context is None:
             self.process.kill()
             sys.exit("LibreOffice does not start")
@@ -87,12 +86,9 @@ class Office:
         access.setPropertyValue("ooSetupSystemLocale", locale)
         access.commitChanges()
 
-    def open(self, path, calculate=True):
+    def open(self, path):
         hidden = PropertyValue("Hidden", 0, True, 0)
         document = self.desktop.loadComponentFromURL("file://" + os.path.abspath(path), "_blank", 0, (hidden,))
-        if calculate:
-            document.calculateAll()
-            document.calculateAll()  # once alone left out a cell of those without a value in the file
         document.enableAutomaticCalculation(True)  # as users have it; calculate() alone left a cell out
         return document
 
@@ -110,18 +106,17 @@ def value_of(cell):
     return cell.String if cell.FormulaResultType2 == FormulaResult.STRING else cell.Value
 
 
+def check_no_errors(sheet):
+    errors = sheet.queryFormulaCells(FormulaResult.ERROR)
+    same("no error on " + sheet.Name, errors.Count == 0, errors.RangeAddressesAsString)
+
+
+def range_named(document, name):
+    match = re.fullmatch(r"\$?'?([^'.]+)'?\.(.*)", document.NamedRanges.getByName(name).Content)
+    return document.Sheets.getByName(match[1]).getCellRangeByName(match[2].replace("$", ""))
+
+
 # ---- The file ----
-
-
-def stored(path, number):
-    """The values of a sheet's formulas as they are in the file: cell name to number or text."""
-    cells = {}
-    for cell in ET.fromstring(zipfile.ZipFile(path).read("xl/worksheets/sheet%d.xml" % number)).iter(MAIN + "c"):
-        if cell.find(MAIN + "f") is not None:
-            value = cell.find(MAIN + "v")
-            text = value.text if value is not None and value.text is not None else ""
-            cells[cell.get("r")] = text if cell.get("t") == "str" else float(text)
-    return cells
 
 
 def place_of(name):
@@ -130,6 +125,18 @@ def place_of(name):
     for letter in letters:
         column = 26 * column + ord(letter) - 64
     return int(row) - 1, column - 1
+
+
+def stored(path, number):
+    """The values of a sheet's formulas that are in the file, by row and column from 0: numbers and texts."""
+    cells = {}
+    for cell in ET.fromstring(zipfile.ZipFile(path).read("xl/worksheets/sheet%d.xml" % number)).iter(MAIN + "c"):
+        if cell.find(MAIN + "f") is not None:
+            value = cell.find(MAIN + "v")
+            text = value.text if value is not None and value.text is not None else ""
+            if text != "":  # the others are computed on opening
+                cells[place_of(cell.get("r"))] = text if cell.get("t") == "str" else float(text)
+    return cells
 
 
 NUMBER = re.compile(r"-?\d+(?:[.,]\d+)?(?:E-\d+)?")
@@ -145,39 +152,46 @@ def alike(text, other):
         abs(a - b) <= 2e-3 * (abs(a) + 1) for a, b in zip(numbers_in(text), numbers_in(other)))
 
 
-def check_stored(document, path):
-    """The library's results in the file are those of the formulas, within the table's error."""
-    count = 0
-    for number, name in enumerate(document.Sheets.ElementNames, 1):
-        cells = {place_of(place): value for place, value in stored(path, number).items()}
-        if not cells:
-            continue
-        area = document.Sheets.getByName(name).getCellRangeByPosition(
-            0, 0, max(column for _, column in cells), max(row for row, _ in cells))
-        errors = area.queryFormulaCells(FormulaResult.ERROR)
-        same("no error on " + name, errors.Count == 0, errors.RangeAddressesAsString)
-        found = area.getDataArray()
+def differences(document, values):
+    """Formulas whose results are not the values that the file has for them, within the table's error."""
+    wrong = []
+    for name, cells in values.items():
+        sheet = document.Sheets.getByName(name)
+        check_no_errors(sheet)
+        found = sheet.getCellRangeByPosition(0, 0, max(column for _, column in cells), max(row for row, _ in cells)).getDataArray()
         for (row, column), value in cells.items():
             got = found[row][column]
-            if value == "":
-                continue  # computed on opening
             good = type(got) is type(value) and (alike(got, value) if isinstance(value, str) else
                                                  got == value or abs(got - value) <= 2e-3 * abs(value) + 1e-13)
-            count += 1
-            same("value stored in row %d, column %d of %s" % (row + 1, column + 1, name), good, (value, got))
-    return count
+            if not good:
+                wrong.append((name, row + 1, column + 1, value, got))
+    return wrong
 
 
-def check_first_input(office):
+def check_stored(document):
+    """The library's results in the file are those of the formulas; a wrong one would be found."""
+    values = {}
+    for number, name in enumerate(document.Sheets.ElementNames, 1):
+        cells = stored(WORKBOOK, number)
+        if cells:
+            values[name] = cells
+    wrong = differences(document, values)
+    print("%d values of formulas are stored" % sum(map(len, values.values())))
+    same("values are stored as they are computed", not wrong, wrong[:5])
+    place, value = next((place, value) for place, value in values["Calculator"].items() if isinstance(value, float))
+    values["Calculator"][place] = 1.1 * value + 1
+    same("a wrong one is found", len(differences(document, values)) == 1, place)
+
+
+def check_first_input(document, calculator):
     """What is typed first changes all that depends on it, though the working cells have no value in the file."""
-    document = office.open(WORKBOOK, calculate=False)
-    calculator = Calculator(document)
+    strength = calculator.cells["rw_k"].Value
     calculator.cells["rw_k"].Value = 500
     first = {name: calculator.result(name) for _, name, _, _ in RESULTS}
     document.calculateAll()
-    document.calculateAll()
+    document.calculateAll()  # once alone left out a cell of those without a value in the file
     same("after the first input", first == {name: calculator.result(name) for _, name, _, _ in RESULTS}, first)
-    document.close(True)
+    calculator.cells["rw_k"].Value = strength
 
 
 def check_file(path):
@@ -318,13 +332,11 @@ class Batch:
     def read(self):
         last = max(self.columns.values())
         self.data = self.sheet.getCellRangeByPosition(0, FIRST_ROW, last, FIRST_ROW + ROWS).getDataArray()
-        errors = self.sheet.getCellRangeByPosition(0, FIRST_ROW, 200, FIRST_ROW + ROWS).queryFormulaCells(FormulaResult.ERROR)
-        same("no error in any cell", errors.Count == 0, errors.RangeAddressesAsString)
+        check_no_errors(self.sheet)
 
     def last_printed(self):
         """Of the formula that is the sheet's print area."""
-        place = self.document.NamedRanges.getByName("rwt_used").Content.split(".")[1].replace("$", "")
-        return self.sheet.getCellRangeByName(place).Value
+        return range_named(self.document, "rwt_used").getDataArray()[0][0]
 
     def result(self, row, column):
         return self.data[row][self.columns[column]]
@@ -359,8 +371,7 @@ def next_to_cusp(case, tip):
         float(row["P_over_bk_subsurface"]) / float(row["P_over_bk_surface"]) - 1) < 1e-3
 
 
-def check_result(where, case, row, column, relative, absolute, got, branch, worst):
-    at_yield = yield_tip(case, row) if row["P_yield"] not in ("", "0") else 0
+def check_result(case, row, at_yield, column, relative, absolute, got, branch, worst):
     if column in AFTER_YIELD and 0.97 * TIP_MIN <= at_yield <= 1.03 * TIP_MIN:
         return  # at the end of the table it may be either
     if column in ("P_yield", "safety"):
@@ -371,7 +382,7 @@ def check_result(where, case, row, column, relative, absolute, got, branch, wors
     if column in ("yield_x", "yield_y"):
         # next to a cusp the branch may be the other one, with another place
         if branch and branch != row["yield_branch"]:
-            return same(where + ", the other branch", next_to_cusp(case, at_yield), case)
+            return same("the other branch", next_to_cusp(case, at_yield), case)
         unit = rounding(case) * min(1, 1 / at_yield) or 1 if at_yield else 1
         flat = branch == "surface" and case["nu1"] > 0.4
         absolute = (3e-3 / at_yield if 0 < at_yield < 0.02 else 0.35 if flat else absolute) * unit
@@ -385,7 +396,7 @@ def check_result(where, case, row, column, relative, absolute, got, branch, wors
         good = not isinstance(got, str) and abs(got - want) <= relative * abs(want) + absolute
         if good:
             worst[column] = max(worst.get(column, 0), abs(got - want) / (unit if absolute else abs(want) or 1))
-    same("%s, %s" % (where, column), good, "expected %r, got %r, for %r" % (want, got, case))
+    same("Batch, " + column, good, "expected %r, got %r, for %r" % (want, got, case))
 
 
 def check_strength(case, row, got):
@@ -426,9 +437,9 @@ def check_cases(calculator, batch, count, beside, seed):
     worst = {}
     for i, (case, row) in enumerate(zip(cases, rows)):
         same("error", batch.result(i, "error") == "" == row["error"], (batch.result(i, "error"), row["error"], case))
+        at_yield = yield_tip(case, row) if row["P_yield"] not in ("", "0") else 0
         for column, name, relative, absolute in RESULTS:
-            check_result("Batch", case, row, column, relative, absolute, batch.result(i, column),
-                         batch.result(i, "yield_branch"), worst)
+            check_result(case, row, at_yield, column, relative, absolute, batch.result(i, column), batch.result(i, "yield_branch"), worst)
         check_strength(case, row, batch.result(i, "safety_strength"))
         check_warnings(case, row, batch.result(i, "warnings"))
         if i < beside:
@@ -505,8 +516,7 @@ def check_messages(document, calculator, batch):
         if begins.startswith("SLIDES"):
             same("no safety where it slides, %r" % change, calculator.result("rw_safety") == "", calculator.result("rw_safety"))
         same("an error for %r" % change, (row["error"] != "") == (column == "error"), row)
-        wrong = [name for name in calculator.cells if str(calculator.result(name)).startswith("error")]
-        same("no error value for %r" % change, not wrong, wrong)
+        check_no_errors(document.Sheets.getByName("Calculator"))
     calculator.enter({})
     same("status without inputs", calculator.result("rw_status") == "Type into the yellow cells.", calculator.result("rw_status"))
     calculator.enter(dict(GOOD, E2="inf", nu2=None))
@@ -539,11 +549,6 @@ def check_fill_down(batch):
 # ---- The sheet Look up ----
 
 
-def nodes(document, name):
-    match = re.fullmatch(r"\$?'?([^'.]+)'?\.(.*)", document.NamedRanges.getByName(name).Content)
-    return document.Sheets.getByName(match[1]).getCellRangeByName(match[2].replace("$", "")).getDataArray()
-
-
 def between(table, i, j, share_f, share_tip):
     """None where a corner is missing."""
     corners = [table[i + k][j + m] for k in (0, 1) for m in (0, 1)]
@@ -564,8 +569,8 @@ def check_look_up(document):
     """The middles of all cells err as little as the sheet says; its formula does the same arithmetic."""
     sheet = document.Sheets.getByName("Look up")
     sheet.unprotect("")
-    tips, frictions = nodes(document, "rw_table_tips")[0], [row[0] for row in nodes(document, "rw_table_f")]
-    tables = [nodes(document, name) for name in ("rw_table_surface", "rw_table_below")]
+    tips, frictions = range_named(document, "rw_table_tips").getDataArray()[0], [row[0] for row in range_named(document, "rw_table_f").getDataArray()]
+    tables = [range_named(document, name).getDataArray() for name in ("rw_table_surface", "rw_table_below")]
     middles = [[(low + high) / 2 for low, high in zip(values, values[1:])] for values in (tips, frictions)]
     done = subprocess.run([RWEDGE, "table", "elastic-limit", "--nu", "0.3", "--a-over-b", ",".join(map(repr, middles[0])),
                            "--friction", ",".join(map(repr, middles[1]))], stdout=subprocess.PIPE, universal_newlines=True)
@@ -611,20 +616,18 @@ def check_legends(document):
 
 
 def check_book(office):
-    check_first_input(office)
-    started = time.time()
     document = office.open(WORKBOOK)
-    print("opened and recalculated in %.1f s" % (time.time() - started))
-    check_file(WORKBOOK)
-    print("%d values of formulas are as stored" % check_stored(document, WORKBOOK))
     calculator, batch = Calculator(document), Batch(document)
+    check_first_input(document, calculator)
+    check_file(WORKBOOK)
+    check_stored(document)
     for locale, count, beside, shown in ("en-US", 180, 30, "0.05"), ("de-DE", 40, 10, "0,05"):
         office.speak(locale)
         calculator.enter(GOOD)
         same("the decimal sign of " + locale, calculator.cells["rw_a"].String == shown, calculator.cells["rw_a"].String)
         check_cases(calculator, batch, count, beside, 2026)
         check_messages(document, calculator, batch)
-    for seed in range(1, 6):
+    for seed in 1, 2:
         check_cases(calculator, batch, ROWS - 1, 0, seed)
     check_fill_down(batch)
     check_look_up(document)
@@ -632,22 +635,9 @@ def check_book(office):
     document.close(True)
 
 
-def check_damage(office):
-    """What this program finds wrong in a file."""
-    global failures, quiet
-    for path in DAMAGED:
-        before, failures, quiet = failures, 0, True
-        document = office.open(path)
-        check_stored(document, path)
-        document.close(True)
-        found, failures, quiet = failures, before, False
-        same("a difference is found", found > 0, path)
-
-
 office = Office()
 try:
     check_book(office)
-    check_damage(office)
 finally:
     office.end()
 print("%d failures" % failures)

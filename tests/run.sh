@@ -46,10 +46,10 @@ wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox c
 wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octave-dev \
     command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-mingw32-gfortran=gfortran-mingw-w64-x86-64 \
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev
-# JavaScript, WebAssembly, the page; clang is below. Browsers are for the long run alone
+# JavaScript, WebAssembly, the page; clang is below. Browsers and gcovr are for the long run alone
 wish command:node=nodejs command:npm=npm command:wasm-ld=lld file:/usr/lib/wasm32-wasi/libc.a=wasi-libc \
     file:/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a=libclang-rt-dev-wasm32
-case $long in *campaign*) wish command:chromium=chromium command:firefox-esr=firefox-esr ;; esac
+case $long in *campaign*) wish command:chromium=chromium command:firefox-esr=firefox-esr command:gcovr=gcovr ;; esac
 # finite elements, for a worked case in Python
 wish command:ccx=calculix-ccx
 # libFuzzer, Debian's gcc has none

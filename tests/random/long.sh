@@ -42,7 +42,7 @@ explore()
 {
     mkdir -p "long/$1"
     case $1 in number | range) length=64 ;; *) length=512 ;; esac
-    ASAN_OPTIONS=quarantine_size_mb=8 "tests/random/fuzz_$1" -max_total_time="$((seconds * $2 / 100 + 1))" -max_len="$length" -timeout=20 \
+    ASAN_OPTIONS=detect_leaks=0:quarantine_size_mb=8 "tests/random/fuzz_$1" -max_total_time="$((seconds * $2 / 100 + 1))" -max_len="$length" -timeout=20 \
         -print_final_stats=1 -artifact_prefix="found_$1_" "long/$1" "seeds/$1" >"long_$1.log" 2>&1 || {
         status=1
         echo "$1: FOUND"

@@ -17,7 +17,7 @@ unit_tests()
     echo strength_survey yield_survey
 }
 
-for tool in gcc gcov python3; do
+for tool in gcc gcovr; do
     command -v $tool >/dev/null || { echo "SKIPPED: no $tool here"; exit 77; }
 done
 
@@ -39,6 +39,4 @@ printf '%s\n' $programs | xargs -P 2 -I {} sh -c '
     *) cases= ;;
     esac
     "$(find "$2/tests" -type f -name "$1")" $cases >"$2/$1.log" 2>&1 || { cat "$2/$1.log"; echo "FAILED: $1"; exit 1; }' sh {} "$build"
-find "$build/lib" -name '*.gcda' -exec gcov --json-format --branch-probabilities --stdout {} + >"$build/gcov.json" 2>"$log" ||
-    { cat "$log"; exit 1; }
-python3 "$source/tests/suite/coverage/branches.py" "$source/lib" "$build/gcov.json"
+gcovr --root "$source/lib" --object-directory "$build/lib" --branches --fail-under-branch 100 --fail-under-line 100 "$build/lib"

@@ -20,7 +20,7 @@ enum {
     TENSOR_COUNT
 };
 
-/* Their columns. */
+/* The names of the columns. */
 extern const char *const tensor_names[TENSOR_COUNT];
 
 typedef struct {
@@ -29,10 +29,10 @@ typedef struct {
 
 tensor tensor_of(double sxx, double syy, double txy, double nu);
 
-/* Where the stress is infinite: NAN all over. */
+/* The tensor where the stress is infinite: all NAN. */
 tensor tensor_unknown(void);
 
-/* Angles of the library in degrees. */
+/* An angle of the library, in degrees. */
 double degrees(double angle);
 
 #endif

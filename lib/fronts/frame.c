@@ -10,8 +10,8 @@
 
 /* ---- Bends ---- */
 
-/* Jumps of the curvature, over its larger value, that are a bend: the error of a pressure that is
- * taken for smooth is below 1e-3 of it. */
+/* A jump of the curvature, over its larger value, from which on the place is a bend. A pressure
+ * that is taken for smooth across such a jump errs by less than 1e-3 of it. */
 static double least_jump(double tolerance)
 {
     return fmin(20 * tolerance, 0.02);
@@ -97,7 +97,8 @@ double rw_peak_friction(const rw_frame *frame, rw_patch contact)
     return frame->f * peak;
 }
 
-/* Of the tolerance: a tenth of what is left to the traction, whose elements begin elsewhere. */
+/* The tolerance of the fit of friction, over that of the step: a tenth of the tolerance for the
+ * traction, whose elements have other ends. */
 static const double FIT = 1e-3;
 
 typedef struct {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What friction bears in a contact, f times the pressure, on elements: it is read at thousands of
- * places of a step, and takes as long there for a profile of many arcs as for one. */
+/* The limit of friction in a contact, f times the pressure, on elements. A step reads it at
+ * thousands of places, and on elements a profile of many arcs takes no longer than one arc. */
 #ifndef RW_FRAME_H
 #define RW_FRAME_H
 
@@ -9,9 +9,9 @@
 
 enum { RW_MOST_BENDS = 24 };
 
-/* What does not change: the profile, friction, and the error of q over f times the peak pressure
- * that is asked for. Bends are where the curvature of the profile jumps so much that a pressure is
- * not smooth there. */
+/* What all steps of a contact share: the profile, friction, and the tolerance of q over f times the
+ * peak pressure. Bends are places where the curvature of the profile jumps so much that a pressure
+ * is not smooth there. */
 typedef struct {
     rw_arcs arcs;
     double f, tolerance;
@@ -21,7 +21,8 @@ typedef struct {
 
 rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance);
 
-/* The bends between two places, in order; at has room for all. */
+/* Writes the bends between two places to `at`, in order, and returns how many; `at` has room for
+ * all. */
 int rw_bends_between(const rw_frame *frame, double from, double to, double at[]);
 
 /* f times the pressure at a place, in theta/A, and its peak. */

@@ -5,13 +5,14 @@
 
 #include <string.h>
 
-/* Edges that differ by less, over the width, do not. */
+/* Edges that differ by less than this, over the width, count as one place. */
 static const double SAME_EDGE = 1e-12;
 
 /* Violations over the tolerance that count as none. */
 static const double ALLOWED = 0.2;
 
-/* A moving patch changes the pressure like a flat punch. */
+/* F per time, from the pressure by which a moving patch changes, that of a flat punch: dp/ds =
+ * (P'/pi + kappa (x - m))/sqrt((x - left)(right - x)), kappa from the moment. */
 static double rate_of_friction(const rw_problem *p, double x)
 {
     if (!(x > p->to.left && x < p->to.right))
@@ -78,10 +79,10 @@ double rw_place_of(const rw_problem *p, double angle)
     return p->to.left + (p->to.right - p->to.left) * half * half;
 }
 
-/* Next to an edge, over its half-width. */
+/* The distance from an edge, over the half-width, at which layers are compared with friction. */
 static const double AT_EDGE = 1e-6;
 
-/* What layers are there over friction. */
+/* Notes each layer over friction at the edges: D of that layer there. */
 static void note_ratios(rw_problem *p, int after)
 {
     const rw_patch patch = after ? p->to : p->from;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The quadrature over what slips: panels that shrink towards the fronts. */
+/* The quadrature over the places where dt is known: panels that shrink towards the fronts. */
 #include "base/domain.h"
 #include "base/sort.h"
 #include "fronts/fronts.h"
@@ -12,7 +12,7 @@ enum { MOST_PANELS = 12, FEW_TERMS = 8, ROWS = 5 + RW_LAYERS };
 
 static const double RATIO = 0.12;
 
-/* Of the half-width: distances from a front are not less. */
+/* Distances from a front are at least this part of the half-width. */
 static const double AT_FRONT = 1e-15;
 
 static bool reserve(rw_fronts *f, size_t capacity)
@@ -89,7 +89,8 @@ static double nearest_end(const rw_stuck *s, double x)
     return nearest;
 }
 
-/* What is known of the change: but for the layers, and each of these. */
+/* Adds a point with its weight: the change dt there without the layers, and the change by each
+ * layer. */
 static bool put(rw_fronts *f, int label, double x, double step)
 {
     const rw_problem *p = f->problem;
@@ -165,7 +166,7 @@ static bool is_as_before(const rw_segment *s, const rw_segment *before, size_t f
            before->panels[1] == s->panels[1] && before->count > 0;
 }
 
-/* A segment as it was computed last is left as it is. */
+/* Adds a segment; if it is the one that was computed at this place last time, it is kept. */
 static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, double to, int label,
                         int finest)
 {
@@ -191,8 +192,8 @@ static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, doubl
     return true;
 }
 
-/* Whether nothing changes: the zone has slipped as far as it can before, or all of the change is in
- * the layer. */
+/* Whether dt is 0 there: the places slipped this way before, and friction has not changed; or the
+ * layer is all of the change. */
 static bool is_spent(const rw_fronts *f, int label, double from, double to)
 {
     const rw_zones *old = &f->problem->old->zones;
@@ -205,7 +206,7 @@ static bool is_spent(const rw_fronts *f, int label, double from, double to)
     return false;
 }
 
-/* All places where the change is not smooth, between two others. */
+/* All places between two others where dt is not smooth. */
 static int breaks_of(const rw_problem *p, double from, double to, double at[])
 {
     const double other[] = {p->to.left, p->to.right, p->from.left, p->from.right};

@@ -4,8 +4,8 @@
 #include "base/domain.h"
 #include "numerical/pattern.h"
 
-/* With S f dp/ds on all of the contact, which makes no slip, there is nothing left but where it
- * slips the other way. */
+/* The solution of the rates. S f dp/ds on all of the contact makes no slip. With this traction as
+ * layer 0, the rest is 0 but in zones that slip the other way than S. */
 typedef struct {
     int sign; /* S */
     rw_stuck stuck;

@@ -12,7 +12,7 @@ enum { ANGLES = 96 };
 
 /* Residuals that a pattern may cost front by front; Newton's method, for each unknown and one: it
  * succeeds with fewer, if at all. */
-enum { BUDGET = 400, TURNS = 10 };
+enum { BUDGET = 120, TURNS = 10 };
 
 /* Residuals that take as long as a traction and its conditions. */
 enum { OUTCOME = 20 };

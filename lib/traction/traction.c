@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Elements are divided at most so often, and not into shorter parts of the whole: what is narrower
- * is the noise of a front that is not exact. */
+/* Elements are divided at most DEPTH times, and not into parts shorter than SHORTEST of the whole:
+ * narrower features are the noise of a front that is not exact. */
 enum { DEPTH = 12 };
 
 static const double SHORTEST = 1e-8;
@@ -46,7 +46,8 @@ void rw_gauss(int n, double node[], double weight[])
     }
 }
 
-/* The nodes of an element, and what makes coefficients of values there. */
+/* The nodes of an element, and the Legendre polynomials there, which give the coefficients from
+ * values at the nodes. */
 typedef struct {
     double node[RW_TERMS], weight[RW_TERMS];
     double legendre[RW_TERMS + 2][RW_TERMS]; /* [k][node] */
@@ -77,7 +78,8 @@ static double x_of(const rw_element *e, double u)
     return e->end + e->scale * u * u;
 }
 
-/* The primitive of the traction times dx/du, a series of two more terms: u is a line in v. */
+/* The primitive of the traction times dx/du: a Legendre series of two more terms, because dx/du is
+ * linear in u. */
 static void integrate(rw_element *e)
 {
     const double middle = (e->first + e->last) / 2, half = (e->last - e->first) / 2;
@@ -96,7 +98,7 @@ static void integrate(rw_element *e)
     }
 }
 
-/* All that follows from the coefficients. */
+/* Sets all members that follow from the coefficients. */
 static void complete(rw_element *e, const rule *r)
 {
     const double from = x_of(e, e->first), to = x_of(e, e->last), du = e->last - e->first;
@@ -222,7 +224,8 @@ static void shorten(const fit *how, rw_element *e)
         e->coefficient[k] = 0;
 }
 
-/* Parts in the order of x. Towards the end, where x is quadratic, they shrink faster. */
+/* Fits a part, in halves where one element is not enough, in the order of x. Next to the end, where
+ * x is quadratic in u, the first part is a third. */
 static bool fit_part(fit *how, double end, double scale, double first, double last, int depth)
 {
     rw_element e = {.end = end, .scale = scale, .first = first, .last = last};

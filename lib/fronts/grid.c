@@ -48,10 +48,11 @@ bool rw_grid_create(rw_grid *g, int n)
     double *wave = all + 7 * rows, *cosine = all; /* before there are places and changes */
     for (int i = 0; i < 2 * n; i++)
         cosine[i] = cos(RW_PI * i / n);
-    for (int d = 0; d < 2 * n; d++) {
+    for (int d = 0; d <= n; d++) {
         wave[d] = 0;
         for (int k = 1, turn = d; k < n; k++, turn += turn + d < 2 * n ? d : d - 2 * n)
             wave[d] += cosine[turn] / k;
+        wave[(2 * n - d) % (2 * n)] = wave[d];
     }
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)

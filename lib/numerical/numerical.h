@@ -11,7 +11,6 @@ typedef struct {
     rw_stance now;
     bool has_origin;    /* slip is known */
     rw_traction origin; /* slip less the displacement, at each place since it came into contact */
-    double rest;        /* of the error: what has no place */
     double error[RW_PLACES]; /* of the traction, at the places of the contact */
 } rw_numerical;
 

@@ -41,8 +41,8 @@ void boundary_element_start(boundary_element *solver, double theta, double a, do
  * edges or the zones of slip did not end. */
 int boundary_element_go(boundary_element *solver, int steps, boundary_loads to);
 
-/* Differences summed up over the legs of a history, relative to friction's limit, to the largest slip there could
- * be, and to the energy. */
+/* Differences summed up over the legs of a history, relative to friction's limit and to the largest
+ * slip there could be; of the energy the last. */
 typedef struct {
     double pressure, shear, slip, young_slip, energy; /* young: of what came later */
     int legs;

@@ -32,7 +32,7 @@ typedef struct {
      * layers, `layer` the change by each layer */
     int order;          /* points of a panel */
     int coarse, finest; /* panels at a front: for integrals over all slip zones, and for the
-                                  traction next to the front */
+                           traction next to the front */
     double node[RW_TERMS], weight[RW_TERMS];
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;

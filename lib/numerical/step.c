@@ -12,7 +12,7 @@ enum { ANGLES = 96 };
 
 /* How many residuals the search for the fronts of one pattern may take: front by front in all, by
  * Newton's method for each unknown and one more. It succeeds with fewer, if at all. */
-enum { BUDGET = 400, TURNS = 10 };
+enum { BUDGET = 120, TURNS = 10 };
 
 /* The time of an outcome, in residuals. */
 enum { OUTCOME = 20 };

@@ -15,7 +15,7 @@
 
 #include <jansson.h>
 
-/* What its constants stand for. */
+/* The options that constants of the file stand for. */
 static const struct {
     int constant, option;
 } of_options[] = {

@@ -20,8 +20,11 @@ enum {
     TENSOR_COUNT
 };
 
-/* Their columns. */
-extern const char *const tensor_names[TENSOR_COUNT];
+/* The first three need no words. */
+typedef struct {
+    const char *column, *meaning;
+} tensor_kind;
+extern const tensor_kind tensor_kinds[TENSOR_COUNT];
 
 typedef struct {
     double value[TENSOR_COUNT];

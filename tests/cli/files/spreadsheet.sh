@@ -171,21 +171,21 @@ for row in rows[1:]:
             blurred.append(shown)
         if len(shown) > min(widths):
             cut.append(shown)
-print(len(described), unknown, blurred, cut)
+print(unknown, blurred, cut)
 EOF
-shows() { # COUNT COLUMNS-OF-THE-FILE COMMAND...
-    count=$1 own=$2
-    shift 2
+shows() { # COLUMNS-OF-THE-FILE COMMAND...
+    own=$1
+    shift
     does "$@" --format xlsx -o book.xlsx
-    same "columns and digits of $*" "$count [] [] []" "$("$python" shown.py book.xlsx $own)"
+    same "columns and digits of $*" "[] [] []" "$("$python" shown.py book.xlsx $own)"
 }
-shows 9 "" table elastic-limit --a-over-b 0.001,0.5
-shows 4 "" table max-tension --a-over-b 0:1:0.1
-shows 5 "" table contact-law --a-over-b 1e-7,0.01,0.5,3e5
-shows 4 "" table critical-friction
-shows 3 "" table stick-zone
+shows "" table elastic-limit --a-over-b 0.001,0.5
+shows "" table max-tension --a-over-b 0:1:0.1
+shows "" table contact-law --a-over-b 1e-7,0.01,0.5,3e5
+shows "" table critical-friction
+shows "" table stick-zone
 printf 'E1,nu1,theta,a,P,M,f,k\n210000,0.3,0.03,0.3,300,10,0.3,500\n21e9,0.31,0.003,0.3e-5,123456.789,0,0.3,5e8\n' >cases.csv
-shows 30 "E1 nu1 theta P M f k error" solve --input cases.csv --yield-factor
-shows 29 "" solve --E1 210000 --nu1 0.3 --theta 0.03 --a 0.3 --P 300 --M 1 --f 0.3 --k 500 --layout row
+shows "E1 nu1 theta P M f k error" solve --input cases.csv --yield-factor
+shows "" solve --E1 210000 --nu1 0.3 --theta 0.03 --a 0.3 --P 300 --M 1 --f 0.3 --k 500 --layout row
 
 finish

@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A longer row, or one with more cells, is no table that this tool could mean. */
+/* A longer row, or one with more cells, does not belong to a table for this tool. */
 enum { CSV_ROW_BYTES = 1 << 20, CSV_ROW_CELLS = 1000 };
 
 typedef struct csv_input csv_input;
@@ -42,7 +42,7 @@ csv_event csv_input_stop(csv_input *in, const char *why);
 /* Why it cannot be read on, with the name and the line. */
 const char *csv_input_problem(const csv_input *in);
 
-/* Ends the command with that, or because the row that was read last is malformed. */
+/* Ends the command with this problem, or because the row that was read last is malformed. */
 NO_RETURN void csv_input_fail(const csv_input *in);
 
 /* The row that was read: its cells live until the next is. */

@@ -27,20 +27,23 @@ typedef enum {
     CASE_OF_SOLVE     /* P; f too where Q, sigma or a yield stress is: 0 would look like a result */
 } case_needs;
 
-/* False, with the complaint, where inputs exclude each other, or one that is needed is missing. */
+/* Checks which inputs are given. False, with the complaint, where two exclude each other, or a
+ * needed one is missing. */
 bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE]);
 
-/* Reads it; the loads and f are 0 where they are not given. False, with the complaint. */
+/* Reads a case; loads and f are 0 where they are not given. False, with the complaint, where a
+ * value is wrong. */
 bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
                char complaint[COMPLAINT_SIZE]);
 
-/* Makes it, without loads yet; returns the library's status. Destroy it in either case. */
+/* Makes the contact of a case, without loads; returns the library's status. Destroy the contact
+ * also after an error. */
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact);
 
-/* The same under its loads. */
+/* Makes the contact under the loads of the case. */
 int32_t case_loaded(const contact_case *setup, rwedge_contact **contact);
 
-/* What is wrong with its loads; with none of them where they can be applied. */
+/* What is wrong with the loads of a case; nothing where they can be applied. */
 load_fault case_fault(const contact_case *setup);
 
 load case_load(const contact_case *setup);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a contact is given by, one at a time: its names as option and as column, its domain, and
- * how its text is read. */
+/* The inputs that define a contact: for each its names as option and as column, its domain, and how
+ * its text is read. */
 #ifndef CLI_INPUTS_H
 #define CLI_INPUTS_H
 
@@ -62,17 +62,18 @@ enum { COMPLAINT_SIZE = 400, INPUT_NAME_SIZE = 16 };
 /* The name of its column, "theta_deg". */
 const char *input_column(int input, char name[INPUT_NAME_SIZE]);
 
-/* The other input that gives the same, as radius gives a; -1 where there is none. */
+/* The input that is an alternative to this one, as radius is to a; -1 where there is none. */
 int input_alternative(int input);
 
-/* Its name as where its text came from spells it: "theta_deg" or "--theta-deg". */
+/* The name of an input as the source of its text spells it: "theta_deg" in a file, "--theta-deg" as
+ * an option. */
 const char *input_name(const input_texts *texts, int input, char name[INPUT_NAME_SIZE]);
 
 /* Whether a text is there; an empty cell is none. */
 bool input_is_given(const input_texts *texts, int input);
 
-/* Reads one that is given. False, with the complaint, where it is not in its domain. E2 may be
- * HUGE_VAL, "inf"; of a profile it is the number of places. */
+/* Reads an input that is given. False, with the complaint, where it is outside its domain. E2 may
+ * be HUGE_VAL, "inf"; the value of a profile is the number of its places. */
 bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE]);
 
 #endif

@@ -15,19 +15,20 @@ typedef struct {
  * status. */
 int32_t loads_apply_monotonic(load to, rwedge_contact *contact);
 
-/* What is wrong with a load: with which of its four, INPUT_COUNT where with none, and the rest of
- * the sentence about it. */
+/* What is wrong with a load: which of its four numbers, INPUT_COUNT for none of them, and the rest
+ * of the sentence about it. */
 typedef struct {
     int input;
     char why[COMPLAINT_SIZE - 100]; /* a name and a text have room in front of it */
     int32_t status;                 /* of the library */
 } load_fault;
 
-/* Of a load that the contact, which is as before, has refused with this status. */
+/* What is wrong with a load that the contact has refused with this status. The contact is as before
+ * the load. */
 load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact);
 
-/* Applies the next load of a history. False, with what is wrong with it, where the contact refuses
- * it; it is as before. */
+/* Applies the next load of a history. False, with the reason, where the contact refuses it; the
+ * contact is then as before. */
 bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE]);
 
 #endif

@@ -20,7 +20,7 @@ enum {
     TENSOR_COUNT
 };
 
-/* The first three need no words. */
+/* Of the columns; the first three need no words. */
 typedef struct {
     const char *column, *meaning;
 } tensor_kind;
@@ -32,10 +32,10 @@ typedef struct {
 
 tensor tensor_of(double sxx, double syy, double txy, double nu);
 
-/* Where the stress is infinite: NAN all over. */
+/* The tensor where the stress is infinite: all NAN. */
 tensor tensor_unknown(void);
 
-/* Angles of the library in degrees. */
+/* An angle of the library, in degrees. */
 double degrees(double angle);
 
 #endif

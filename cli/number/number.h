@@ -8,9 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How many characters at the start of text are a decimal number: sign, digits, point, exponent.
- * 0 where none starts there. Neither spaces nor "inf", "nan" and hexadecimal numbers, which
- * strtod() would take, are numbers here. */
+/* How many characters at the start of text are a decimal number: sign, digits, point, exponent. 0
+ * where no number starts there. Spaces, "inf", "nan" and hexadecimal numbers, which strtod() would
+ * accept, are no part of a number here. */
 size_t number_length(const char *text);
 
 /* Reads a whole text as a finite number, correctly rounded; -0 becomes 0. */

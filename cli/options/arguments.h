@@ -42,7 +42,7 @@ typedef struct {
  * which the command is done. */
 bool arguments_read(arguments *line, const syntax *grammar, int argc, const char **argv);
 
-/* A mistake where there is a word that is no option. */
+/* Refuses a word that is no option. */
 void arguments_no_operand(const arguments *line);
 
 /* Another name of an option, which the help and the shells do not list. */

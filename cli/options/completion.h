@@ -5,7 +5,7 @@
 
 #include "command.h"
 
-/* Prints that of a shell; own is what may stand in front of a command. */
+/* Prints the completion of a shell; `own` has the options that may stand in front of a command. */
 void completion_print(const char *shell, const command *const commands[], int count,
                       const struct poptOption *own);
 

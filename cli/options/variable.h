@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What tables depend on: for each variable its option, its column, its domain and the range that
- * is tabulated unless another is asked for. */
+/* The variables that tables depend on: for each its option, its column, its domain and its range by
+ * default. */
 #ifndef CLI_VARIABLE_H
 #define CLI_VARIABLE_H
 

@@ -26,20 +26,22 @@ pad pad_of_profile(const pad_profile *places);
 /* Whether the formulas of the wedge hold, with its theta and a. */
 bool pad_has_formulas(const pad *shape);
 
-/* Its contact, without loads; returns the library's status. Destroy it in either case. */
+/* Makes a contact of the pad, without loads; returns the library's status. Destroy the contact also
+ * after an error. */
 int32_t pad_contact(const pad *shape, double A, double f, rwedge_contact **contact);
 
-/* Half the width of its contact under P alone; NAN where it cannot bear that. */
+/* The half-width of its contact under P alone; NAN where the pad cannot bear P. */
 double pad_half_width(const pad *shape, double A, double P);
 
-/* Whether the pressure is infinite at x, if that is in contact. */
+/* Whether the pressure is infinite at x, where x is in contact. */
 bool pad_is_kink(const pad *shape, double x);
 
-/* Places at which its curvature changes, or may be infinite: how many, and one of them. */
+/* Places at which the curvature of the profile changes, or may be infinite: how many, and one of
+ * them. */
 size_t pad_corners(const pad *shape);
 double pad_corner(const pad *shape, size_t i);
 
-/* Its steepest slope from left to right; that of a wedge is theta. */
+/* The steepest slope of the profile between left and right; that of a wedge is theta. */
 double pad_steepest(const pad *shape, double left, double right);
 
 #endif

@@ -20,13 +20,13 @@ typedef struct {
     char text[450];
 } profile_remark;
 
-/* From slopes. False, with the remark, where they are no convex profile. */
+/* Makes a profile from slopes. False, with the remark, where they are not convex. */
 bool pad_profile_of_slopes(size_t n, const double x[], const double slope[], pad_profile *to,
                            profile_remark *remark);
 
-/* From heights above the surface: the slope between two places is that in their middle. Heights
- * that are not convex are lowered to their convex hull where that is asked for, and the remark then
- * says by how much. False, with the remark, where they are no convex profile. */
+/* Makes a profile from heights above the surface: the slope of the line between two places is the
+ * slope in their middle. Where the hull is asked for, heights that are not convex are lowered to
+ * it, and the remark says by how much. False, with the remark, where they are not convex. */
 bool pad_profile_of_heights(size_t n, const double x[], const double height[], bool takes_hull,
                             pad_profile *to, profile_remark *remark);
 

@@ -13,8 +13,8 @@ enum { DRAWING_CURVES_MAX = 60, DRAWING_LABELS_MAX = 60, DRAWING_TEXT = 200 };
 
 typedef enum { STYLE_LINE, STYLE_CROSSES, STYLE_CIRCLES, STYLE_AREA } curve_style;
 
-/* The palette of Okabe and Ito, which the colour-blind can tell apart, without its yellow, which
- * paper swallows. */
+/* The palette of Okabe and Ito, which the colour-blind can tell apart, without its yellow, which is
+ * too pale on paper. */
 enum { BLACK, BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY, PALETTE_SIZE };
 
 enum { DASHES = 5 }; /* 0 is a solid line; the others differ in print without colour */
@@ -85,7 +85,7 @@ axis drawing_axis(double largest, const char *text);
 /* A round distance between tics: four to seven of them in the span of an axis, mostly. */
 double drawing_tic(double span);
 
-/* A number for a text: as many digits as it has, at most so many, and 1/6 for a sixth. */
+/* A number as text, with at most `digits` digits; 1/6 for a sixth. */
 enum { DRAWING_DIGITS = 6 };
 void drawing_number(double value, int digits, char text[NUMBER_SIZE]);
 

@@ -30,7 +30,7 @@ extern struct poptOption output_option_table[], other_output_option_table[];
     "no-formulas", '\0', POPT_ARG_NONE, NULL, OPTION_NO_FORMULAS,                                  \
         "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL
 
-/* What is wrong with them ends the command. */
+/* Reads the options; a mistake in them ends the command. */
 void output_options_read(const arguments *line, output_options *how);
 
 /* The same for a command with formats of its own. The list ends with NULL, its first is the
@@ -49,7 +49,7 @@ void output_options_spare(const output_options *how, const char *input);
 /* Writes rows. */
 typedef void rows_writer(void *context, records *rows);
 
-/* Opens the output, has the rows written, and makes them appear. */
+/* Opens the output, calls the writer of the rows, and finishes the output. */
 void output_options_write(const output_options *how, rows_writer *write_rows, void *context);
 
 #endif

@@ -39,7 +39,7 @@ struct records {
     uint64_t described_kinds; /* a bit for each */
 };
 
-/* Before the rows begin: what is known of columns by their names. */
+/* To be called before the rows: meanings and units of columns by their names. */
 static inline void records_describe(records *rows, const column_kind kinds[], int count)
 {
     rows->kinds = kinds;
@@ -56,11 +56,11 @@ void records_value(records *rows, cell value);
 void records_end_row(records *rows);
 void records_row(records *rows, size_t count, const cell values[]);
 
-/* Whether to write on: an output that fails is given up at the next row. */
+/* Whether to go on writing: after a failure of the output no more rows are written. */
 bool records_go_on(const records *rows);
 
-/* Ends the file, where it has begun, and the command where a format could not write a text; what an
- * output could not, output_finish() says. */
+/* Ends the file, if it has begun. Ends the command where a format could not write a text;
+ * output_finish() reports failures of the output. */
 void records_end(records *rows);
 
 #endif

@@ -119,8 +119,8 @@ typedef struct {
 } xlsx_page;
 void xlsx_print(xlsx *book, xlsx_page page);
 
-/* Ends it, into the output. NULL, or why it could not be made; what the output could not take,
- * output_finish() says. */
+/* Ends the file and writes it to the output. NULL, or why it could not be made; output_finish()
+ * reports failures of the output. */
 const char *xlsx_finish(xlsx *book, output *out);
 
 #endif

@@ -17,8 +17,9 @@ typedef void ahead_work(const void *context, int64_t i, void *result);
 
 typedef struct ahead ahead;
 
-/* Begins with the indices 0 to count - 1. Each result takes `size` bytes; the context must stay.
- * Where the system gives fewer threads, those do the work. One is at work at a time. */
+/* Starts to compute the results 0 to count - 1. Each takes `size` bytes; the context must stay.
+ * Where the system gives fewer threads, those do the work. Only one such computation may run at a
+ * time. */
 ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,
                    const void *context);
 

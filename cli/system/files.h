@@ -11,11 +11,11 @@ typedef enum {
     FILE_UNKNOWN /* errno says why */
 } file_kind;
 
-/* Of what path leads to, links followed. */
+/* The kind of the file that path leads to, links followed. */
 file_kind file_kind_of(const char *path);
 
-/* Opens what is there: for reading, or a pipe or a device for writing. The descriptor, which other
- * programs do not inherit; -1 with errno. */
+/* Opens an existing file for reading, or a pipe or a device for writing. Returns the descriptor,
+ * which other programs do not inherit; -1 with errno. */
 int file_to_read(const char *path);
 int file_to_write(const char *path);
 

@@ -21,9 +21,9 @@ typedef struct {
     char buffer[OUTPUT_BUFFER];
 } output;
 
-/* NULL or "-" is standard output. One output is open at a time. Should the command end by a
- * mistake, a file is left as it was; what was meant for standard output, a pipe or a device up to
- * there goes there. */
+/* Opens the output; NULL or "-" is standard output. One output is open at a time. If the command
+ * ends by a mistake, a file is left as it was; rows for standard output, a pipe or a device are
+ * written up to there. */
 void output_open(output *out, const char *path);
 
 bool output_is_stdout(const output *out);

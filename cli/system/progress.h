@@ -17,7 +17,7 @@ void progress_start(bool wanted, int64_t total, const char *unit);
 /* To be called for every row. It is cheap: it looks at the clock every few rows only. */
 void progress_step(void);
 
-/* Takes the line off the terminal. Safe in a signal handler. */
+/* Removes the line from the terminal. Safe in a signal handler. */
 void progress_erase(void);
 
 #endif

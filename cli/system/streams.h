@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What C's streams lack. */
+/* Temporary files as streams. */
 #ifndef CLI_STREAMS_H
 #define CLI_STREAMS_H
 

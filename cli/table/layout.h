@@ -14,7 +14,7 @@ typedef struct {
     int threads;
 } plan;
 
-/* How many values it computes. */
+/* How many values the table computes. */
 int64_t plan_size(const plan *job);
 
 /* Writes it, with progress. Ends the command where a value cannot be computed, or written as the

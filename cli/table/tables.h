@@ -24,14 +24,14 @@ typedef struct {
     const table_variable *ratio; /* a/b of another pad than the wedge; NULL */
 } table;
 
-/* Those of the wedge, and then some of a flat pad. */
+/* The tables of the wedge, and then those of a flat pad. */
 enum { WEDGE_TABLES = 5, TABLE_COUNT = 7 };
 extern const table tables[TABLE_COUNT];
 
 /* Of all tables. */
 extern const column_kind table_columns[COLUMN_KINDS];
 
-/* By its name; NULL where there is none. The second is of a flat pad. */
+/* The table of a name; NULL where there is none. The second function is for a flat pad. */
 const table *table_named(const char *name);
 const table *table_of_flat(const char *name);
 

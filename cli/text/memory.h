@@ -5,14 +5,15 @@
 
 #include <stddef.h>
 
-/* As calloc() and realloc(), for the first thread alone. They do not return NULL. */
+/* As calloc() and realloc(), but they never return NULL. For the first thread alone. */
 void *memory_zeroed(size_t count, size_t size);
 void *memory_resized(void *old, size_t size);
 
-/* Of so many things of a size, with room for one more: it doubles at powers of two. */
+/* Makes room for one more element of a list of `count` elements: the list doubles at powers of
+ * two. */
 void *memory_for_one_more(void *old, size_t count, size_t size);
 
-/* What another function gives: the end where it is NULL. */
+/* A pointer from another function: ends the command where it is NULL. */
 void *memory_checked(void *memory);
 
 #endif

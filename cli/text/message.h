@@ -14,7 +14,8 @@
 
 enum { STATUS_DONE = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 
-/* Who speaks from now on, "rwedge table": it opens every message. The text is kept, not copied. */
+/* The name with which every message begins from now on, such as "rwedge table". The text is kept,
+ * not copied. */
 void message_speaker_is(const char *speaker);
 const char *message_speaker(void);
 
@@ -24,7 +25,7 @@ const char *message_speaker(void);
 NO_RETURN int usage_error(const char *format, ...) PRINTF_LIKE(1, 2);
 NO_RETURN int failure(const char *format, ...) PRINTF_LIKE(1, 2);
 
-/* A line that is no failure: what the user should know of a result. */
+/* A line on stderr that is no failure: something that the user should know about a result. */
 void notice(const char *format, ...) PRINTF_LIKE(1, 2);
 
 #endif

@@ -12,7 +12,7 @@ typedef struct {
 
 nearest nearest_to(const char *typed);
 
-/* Shows it one of the names. */
+/* Offers one of the names. */
 void nearest_try(nearest *to, const char *name);
 
 #endif

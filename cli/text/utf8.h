@@ -18,8 +18,8 @@ bool utf8_is_text(uint32_t code);
 /* Whether all of a text is characters of that kind. */
 bool utf8_is_whole(const char *text);
 
-/* Whether a terminal would take it for a command, or turn the writing around: control characters,
- * marks of direction. */
+/* Whether a terminal would take the character for a command, or reverse the text: control
+ * characters, marks of direction. */
 bool utf8_is_command(uint32_t code);
 
 /* Copies a text, up to a whole character where the room ends. What `allowed` does not allow, and

@@ -3,12 +3,12 @@
 
 #include "base/sort.h"
 
-/* The bodies touch: the load grows fourfold at a time from this part of it, below which all of the
- * contact sticks, or slides, as it grows. */
+/* When the bodies touch, the first step is to this part of the load, and each step grows fourfold.
+ * Below it all of the contact sticks, or slides, as it grows. */
 static const double FIRST_TOUCH = 0x1p-16;
 
-/* Before the bodies separate, the work of what is left of the load is nothing; and little where
- * nothing sticks any more under a tension. */
+/* On the way to separation the work of the last part of the load is negligible. It is small, too,
+ * where nothing sticks any more under a tension. */
 static const double LAST_TOUCH = 0.01, LAST_STICK = 1.0 / 32;
 
 static rw_frame frame_of(const rwedge_contact *c)
@@ -73,7 +73,7 @@ static bool make_patches(const rwedge_contact *c, patches *p)
     return is_made;
 }
 
-/* The edges of the patches; of many, those of the widest. */
+/* The edges of the patches; if there are many, those of the widest patches. */
 static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
 {
     s->kinks = 0;
@@ -198,7 +198,7 @@ static bool fit_first(const rw_frame *frame, first_contact *first, rw_stance *no
     return is_done;
 }
 
-/* The bodies have touched a little, under a shear in proportion. */
+/* The state after a first small contact, with a shear in proportion to the load. */
 static bool touch(const rwedge_contact *c, rw_course to, rw_numerical *numerical)
 {
     const rw_frame frame = frame_of(c);
@@ -214,7 +214,7 @@ static bool touch(const rwedge_contact *c, rw_course to, rw_numerical *numerical
     return false;
 }
 
-/* ---- Going on ---- */
+/* ---- The next load ---- */
 
 static int32_t status_of(rw_step_result result)
 {
@@ -223,8 +223,8 @@ static int32_t status_of(rw_step_result result)
                                          : RWEDGE_ENOCONV;
 }
 
-/* While the load is a part of what it will be, an error is as small a part of the peak at last as
- * the peak is then. */
+/* An error while the load is small counts less at the end of the step: by the ratio of the peak
+ * pressures. */
 static rw_step_result step_of_touch(rw_numerical *n, const rw_frame *frame, rw_course at,
                                     double last_peak)
 {
@@ -252,7 +252,7 @@ static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_course 
     return result;
 }
 
-/* The contact is as it was where its edges are. */
+/* Whether the contact stays: its edges do. */
 static rw_course destination(const rwedge_contact *c, const rw_step *step, const rw_numerical *n)
 {
     rw_course to = course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
@@ -282,7 +282,7 @@ static void discard(rw_numerical *n)
     free(n);
 }
 
-/* As it is before the step; NULL where memory is short. */
+/* The computed shear before the step; NULL where memory is short. */
 static rw_numerical *start(const rwedge_contact *c, const rw_step *step)
 {
     rw_numerical *n = malloc(sizeof *n);
@@ -296,7 +296,7 @@ static rw_numerical *start(const rwedge_contact *c, const rw_step *step)
     return NULL;
 }
 
-/* Before the closed form is lost. */
+/* Keeps a copy of the contact in its last closed form. */
 static bool keep_exact(rwedge_contact *c)
 {
     return c->numerical || c->memory.count == 1 || rwedge_contact_copy(c, &c->exact) == RWEDGE_OK;
@@ -387,7 +387,7 @@ void rw_numerical_end(rwedge_contact *c)
     c->numerical = NULL;
 }
 
-/* ---- What the header has ---- */
+/* ---- Functions of the header ---- */
 
 int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
 {

@@ -31,7 +31,7 @@ static rw_loads twice_as_far(rw_loads from, rw_loads to)
                       2 * to.sigma - from.sigma};
 }
 
-/* As much as may be under constant P and M. */
+/* The largest change of the tension under constant P and M. */
 static rw_loads with_less_tension(const rwedge_contact *contact, rw_loads to)
 {
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);

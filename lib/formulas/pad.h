@@ -49,7 +49,8 @@ bool rw_pad_is_kink(const rw_pad *pad, double x);
 /* The half-width of the centred patch of a symmetric pad under a load P > 0. */
 double rw_pad_half_width(const rw_pad *pad, double P);
 
-/* As rw_patch_of_moment() and rw_patch_of_tilt(); P may be 0 in the middle of a symmetric pad. */
+/* The same as rw_patch_of_moment() and rw_patch_of_tilt(), for a pad; P may be 0 in the middle of a
+ * symmetric one. */
 rw_patch rw_pad_patch_of_moment(const rw_pad *pad, double P, double M);
 rw_patch rw_pad_patch_of_tilt(const rw_pad *pad, double P, double tilt);
 

@@ -15,7 +15,7 @@ static const double SHARP = 0x1p-260;
 /* A width that cannot be multiplied. */
 static const double LARGEST = 1e250;
 
-/* Of an edge, over the width: edges at the same place are inside. */
+/* The rounding of an edge, over the width: an edge at the same place counts as inside. */
 static const double SLACK = 1e-12;
 
 bool rw_patch_is_nested(rw_patch inner, rw_patch outer, double tilt)

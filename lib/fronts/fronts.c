@@ -9,11 +9,12 @@
 /* Chebyshev points on a gap, and terms of X there. */
 enum { GAP_POINTS = 40, GAP_TERMS = 48 };
 
-/* An edge that moves by less of the half-width has one D. */
+/* An edge that moves by less than this part of the half-width has the same D before and after. */
 static const double LEAST_GROWTH = 1e-4;
 
-/* The layers that make D at the edges that stick: after the step, and, where it is known, before.
- * As many of them as there are conditions. */
+/* The layers that have a given D at the edges that stick: D after the step is an unknown of
+ * Newton's method; D before it is `ratio`, where that is known. There are as many layers as
+ * conditions. layer_of[0] is for D = 0 after the step, the others are added for each D. */
 static bool find_layers(rw_fronts *f, const double ratio[2])
 {
     const rw_problem *p = f->problem;
@@ -92,10 +93,11 @@ rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
 
 /* ---- The polynomial ---- */
 
-/* Smaller terms, over the largest, are none. */
+/* Smaller terms, over the largest, are left out. */
 static const double LEAST_TERM = 1e-13;
 
-/* X in the gap, over its half-length, as a sum of sines. How many terms count. */
+/* X in the gap between two zones that stick, over the half-length of the gap, as a sum of sines.
+ * Returns how many terms count. */
 static int expand_gap(const rw_stuck *sticks, double middle, double half, double c[])
 {
     enum { TURN = 2 * (GAP_TERMS + 1) };
@@ -117,8 +119,9 @@ static int expand_gap(const rw_stuck *sticks, double middle, double half, double
     return terms;
 }
 
-/* int over a slip zone between two that stick of X (1/pi) int [dt/X]/(s - x) ds dx: the inner
- * integral over x is a Chebyshev series of X/sqrt((x - a)(b - x)). */
+/* How far two zones that stick would move apart by dt, without p: the integral over the gap (a, b)
+ * between them of X (1/pi) int [dt/X]/(s - x) ds dx. The integral over x comes first, from a
+ * Chebyshev series of X/sqrt((x - a)(b - x)). */
 static double gap_of_change(const rw_fronts *f, const rw_stuck *sticks, double a, double b)
 {
     const double half = (b - a) / 2, middle = (a + b) / 2;
@@ -164,7 +167,7 @@ static void expand_at_infinity(int n, int count, const double c[], double power,
     }
 }
 
-/* Rows of A p = B. */
+/* The conditions on p, rows of A p = B: one for each power at infinity, one for each gap. */
 static void conditions(const rw_fronts *f, const rw_stuck *s, const double front[], double A[],
                        double B[])
 {
@@ -230,7 +233,7 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
 {
     rw_zones zones;
     const rw_layers layers = rw_fronts_zones(f, &zones);
-    if (f->budget-- <= 0 || !rw_fronts_collect(f, &zones, &layers, RW_COARSE))
+    if (f->budget-- <= 0 || !rw_fronts_collect(f, &zones, &layers, f->coarse))
         return false;
     const rw_stuck s = rw_stuck_of(f, &zones);
     const int n = 2 * s.count;

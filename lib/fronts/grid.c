@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* With x = middle - half cos(theta) and tau = dt half sin(theta) at the N angles of Chebyshev, the
- * displacement is K tau pi/N but for a constant, K = (1/pi) [ln 2 + sum (2/k) cos(k theta_i) cos(k
- * theta_j)]: a function of i - j and one of i + j. Here the factor pi/N is in K, and the sum of tau
- * over N is the load over pi.
+/* Let dt be the change of traction, x = middle - half cos(theta) and tau = dt half sin(theta) at
+ * the N angles theta_i of Chebyshev. The displacement dw is then sum_j K_ij tau_j pi/N, up to a
+ * constant, with K_ij = (1/pi) [ln 2 + sum (2/k) cos(k theta_i) cos(k theta_j)]: a function of i -
+ * j plus one of i + j. In `matrix` the factor pi/N is included. The sum of tau over N is the load
+ * over pi.
  *
- * An active set: what sticks is solved for, together with the rigid move lambda. A place that
- * passes its bound is set there, one that slips against its traction is released. Each change of
- * the set lowers the energy of a convex problem. In practice 3 to 20 are enough; sets that still
- * change are those of places at their bounds to rounding, and either will do. */
+ * The method is that of an active set: the places that stick are solved for, together with their
+ * rigid move lambda. A place that passes its bound is set to the bound; a place that slips against
+ * its traction is released. Each change of the set lowers the energy of a convex problem. In
+ * practice 3 to 20 turns are enough. A set that still changes then has places at their bounds to
+ * rounding, and either choice will do. */
 #include "fronts/grid.h"
 
 #include "base/domain.h"
@@ -17,7 +19,7 @@
 
 enum { TURNS = 100 };
 
-/* Of the scale of traction and of slip: differences are none. */
+/* Smaller differences, over the scale of traction and slip, are rounding. */
 static const double NOTHING = 1e-12;
 
 bool rw_grid_create(rw_grid *g, int n)
@@ -77,7 +79,7 @@ static int old_label(const rw_problem *p, double x)
     return 0;
 }
 
-/* After full sliding: all sticks at first. */
+/* After full sliding all places stick at first. */
 static void release_where_nothing_sticks(rw_grid *g)
 {
     for (int i = 0; i < g->n; i++)
@@ -125,7 +127,7 @@ static void multiply(const rw_grid *g, const double v[], double product[])
     }
 }
 
-/* What slips is at its bound, what sticks at 0 as yet. */
+/* The change of places that slip is at its bound; that of places that stick is set to 0 first. */
 static void set_bounds(rw_grid *g)
 {
     for (int i = 0; i < g->n; i++)
@@ -135,7 +137,8 @@ static void set_bounds(rw_grid *g)
                                            : (g->upper[i] + g->lower[i]) / 2;
 }
 
-/* The change where it sticks: one rigid move, and the whole load. */
+/* Solves for the places that stick: they move by lambda, and the sum of all changes carries the
+ * load. */
 static bool solve_stuck(rw_grid *g, double load)
 {
     const int n = g->n;
@@ -170,7 +173,7 @@ static bool solve_stuck(rw_grid *g, double load)
     return true;
 }
 
-/* The next sets; whether they are the last. */
+/* Relabels the places. Whether no label changed. */
 static bool settle(rw_grid *g, double scale)
 {
     const double nothing = NOTHING * scale;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where the fronts are: Newton's method, and front by front where it fails. */
+/* The places of the fronts: by Newton's method for all at once, and front by front where that
+ * fails. */
 #include "base/domain.h"
 #include "base/linear.h"
 #include "fronts/fronts.h"
@@ -16,7 +17,7 @@ static double largest(int n, const double v[])
     return most;
 }
 
-/* How wide the narrower zone beside a front is. */
+/* The width of the narrower zone beside a front, as an angle. */
 static double room(const rw_fronts *f, int j)
 {
     const double before = j > 0 ? f->y[j - 1] : 0, after = j + 1 < f->fronts ? f->y[j + 1] : RW_PI;
@@ -31,7 +32,7 @@ static double nearest_kink(const rw_fronts *f, double angle)
     return nearest;
 }
 
-/* By forward differences from the residual r. */
+/* The Jacobian, by forward differences from the residual r. */
 static bool jacobian(rw_fronts *f, const double r[], double J[])
 {
     const int n = f->unknowns;
@@ -63,7 +64,7 @@ static void stop_at_kinks(const rw_fronts *f, double d[])
         }
 }
 
-/* The part of the step that leaves a quarter of each zone. */
+/* The part of the step d that leaves at least a quarter of each zone. */
 static double damping(const rw_fronts *f, const double d[])
 {
     double part = 1;
@@ -76,7 +77,7 @@ static double damping(const rw_fronts *f, const double d[])
     return part;
 }
 
-/* The best of ever shorter steps; its residual in r. */
+/* Tries ever shorter steps along d and keeps the best, with its residual in r. */
 static bool go_along(rw_fronts *f, const double d[], double r[], double *size)
 {
     const int n = f->unknowns;
@@ -140,7 +141,8 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
 
 /* ---- Front by front ---- */
 
-/* > 0 where the front wants to move into the zone that sticks. */
+/* K of a front at an angle, with the sign of slip: > 0 where the traction beyond it would exceed
+ * friction, so that the front must move into the zone that sticks. */
 static bool pull(rw_fronts *f, int j, double angle, double *value)
 {
     double r[RW_MOST_FRONTS];

@@ -2,85 +2,17 @@
 #include "fronts/problem.h"
 
 #include "base/domain.h"
-#include "base/sort.h"
 
-#include <float.h>
 #include <string.h>
 
-/* Edges that differ by less, over the width, do not. */
+/* Edges that differ by less than this, over the width, count as one place. */
 static const double SAME_EDGE = 1e-12;
 
-/* ---- Bends ---- */
+/* Violations over the tolerance that count as none. */
+static const double ALLOWED = 0.2;
 
-/* Jumps of the curvature, over its larger value, that are a bend: the error of a pressure that is
- * taken for smooth is below 1e-3 of it. */
-static double least_jump(double tolerance)
-{
-    return fmin(20 * tolerance, 0.02);
-}
-
-/* A place of the profile, and the curvatures beside it. */
-typedef struct {
-    double x, before, after;
-} place;
-
-/* The largest jumps, in order of size. */
-typedef struct {
-    rw_frame *frame;
-    double jump[RW_MOST_BENDS];
-} bends;
-
-static void note_bend(bends *b, place at)
-{
-    rw_frame *f = b->frame;
-    const double jump = fabs(at.after - at.before);
-    int i = f->bends;
-    if (!(jump > least_jump(f->tolerance) * fmax(at.before, at.after)))
-        return;
-    while (i > 0 && jump > b->jump[i - 1])
-        i--;
-    if (i == RW_MOST_BENDS)
-        return;
-    f->bends += f->bends < RW_MOST_BENDS;
-    const size_t moved = (size_t)(f->bends - 1 - i) * sizeof *f->bend;
-    memmove(f->bend + i + 1, f->bend + i, moved);
-    memmove(b->jump + i + 1, b->jump + i, moved);
-    f->bend[i] = at.x;
-    b->jump[i] = jump;
-}
-
-rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
-{
-    rw_frame frame = {.arcs = arcs, .f = f, .tolerance = tolerance};
-    bends all = {.frame = &frame};
-    place last = {.x = rw_arc_at(&arcs, 0).left};
-    for (size_t i = 0; i < arcs.count; i++) {
-        const rw_arc arc = rw_arc_at(&arcs, i);
-        if (arc.left > last.x) {
-            note_bend(&all, last);
-            last = (place){.x = arc.left};
-        }
-        last.after = fmin(rw_arc_weight(&arcs, i) / rw_arc_half_length(arc), DBL_MAX);
-        note_bend(&all, last);
-        last = (place){arc.right, last.after, 0};
-    }
-    note_bend(&all, last);
-    rw_sort(frame.bend, (size_t)frame.bends);
-    return frame;
-}
-
-int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
-{
-    int n = 0;
-    for (int i = 0; i < frame->bends; i++)
-        if (frame->bend[i] > from && frame->bend[i] < to)
-            at[n++] = frame->bend[i];
-    return n;
-}
-
-/* ---- One step ---- */
-
-/* A moving patch changes the pressure like a flat punch. */
+/* F per time, from the pressure by which a moving patch changes, that of a flat punch: dp/ds =
+ * (P'/pi + kappa (x - m))/sqrt((x - left)(right - x)), kappa from the moment. */
 static double rate_of_friction(const rw_problem *p, double x)
 {
     if (!(x > p->to.left && x < p->to.right))
@@ -91,12 +23,12 @@ static double rate_of_friction(const rw_problem *p, double x)
 
 double rw_friction_after(const rw_problem *p, double x)
 {
-    return p->is_rate ? rate_of_friction(p, x) : p->f * rw_pad_pressure(&p->to_pressure, x);
+    return p->is_rate ? rate_of_friction(p, x) : rw_traction_at(&p->after->traction, x);
 }
 
 double rw_friction_before(const rw_problem *p, double x)
 {
-    return p->is_rate ? 0 : p->f * rw_pad_pressure(&p->from_pressure, x);
+    return p->is_rate ? 0 : rw_traction_at(&p->before->traction, x);
 }
 
 static double power_friction(const rw_problem *p, rw_patch patch, int k, double x)
@@ -147,17 +79,17 @@ double rw_place_of(const rw_problem *p, double angle)
     return p->to.left + (p->to.right - p->to.left) * half * half;
 }
 
-/* Next to an edge, over its half-width. */
+/* The distance from an edge, over the half-width, at which layers are compared with friction. */
 static const double AT_EDGE = 1e-6;
 
-/* What layers are there over friction. */
+/* Notes each layer over friction at the edges: D of that layer there. */
 static void note_ratios(rw_problem *p, int after)
 {
     const rw_patch patch = after ? p->to : p->from;
     for (int side = 0; side < 2; side++) {
         const double inside = AT_EDGE * rw_patch_half_width(patch);
         const double x = side ? patch.right - inside : patch.left + inside;
-        const double friction = after ? rw_friction_after(p, x) : rw_friction_before(p, x);
+        const double friction = rw_exact_friction(p->frame, patch, x);
         p->ratio[0][side][after] = 1;
         for (int k = 1; k < RW_LAYERS; k++)
             p->ratio[k][side][after] = power_friction(p, patch, k, x) / friction;
@@ -181,28 +113,31 @@ static void note_layers(rw_problem *p)
     note_ratios(p, 1);
 }
 
-bool rw_problem_create(rw_problem *p, const rw_frame *frame, rw_patch from, rw_patch to,
-                       const rw_shear_state *old, double shear, double stretch)
+void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *before,
+                     const rw_friction *after, const rw_shear_state *old, double shear,
+                     double stretch)
 {
+    const rw_patch from = before->contact, to = after->contact;
     const double slack = SAME_EDGE * (to.right - to.left);
-    *p = (rw_problem){.frame = frame, .f = frame->f, .from = from, .to = to, .old = old};
-    if (!rw_pad_potential_create(&p->from_pressure, &frame->arcs, from))
-        return false;
-    if (!rw_pad_potential_create(&p->to_pressure, &frame->arcs, to)) {
-        rw_pad_potential_destroy(&p->from_pressure);
-        return false;
-    }
-    p->both = (rw_patch){fmin(from.left, to.left), fmax(from.right, to.right)};
-    p->is_still = from.left == to.left && from.right == to.right;
-    p->grows[0] = to.left < from.left - slack;
-    p->grows[1] = to.right > from.right + slack;
-    p->middle = rw_patch_middle(to);
-    p->half = rw_patch_half_width(to);
+    *p = (rw_problem){.frame = frame,
+                      .f = frame->f,
+                      .scale = after->peak,
+                      .tolerance = frame->tolerance * after->peak,
+                      .allowed = ALLOWED * frame->tolerance,
+                      .from = from,
+                      .to = to,
+                      .both = {fmin(from.left, to.left), fmax(from.right, to.right)},
+                      .before = before,
+                      .after = after,
+                      .is_still = from.left == to.left && from.right == to.right,
+                      .grows = {to.left<from.left - slack, to.right> from.right + slack},
+                      .middle = rw_patch_middle(to),
+                      .half = rw_patch_half_width(to),
+                      .shear = shear,
+                      .stretch = stretch,
+                      .old = old};
     if (p->grows[0] || p->grows[1])
         note_layers(p);
-    p->shear = shear;
-    p->stretch = stretch;
-    return true;
 }
 
 static const rw_shear_state NO_SHEAR = {.kinks = 0};
@@ -223,10 +158,4 @@ void rw_problem_init_rates(rw_problem *p, const rw_frame *frame, rw_patch contac
                       .stretch = stretch,
                       .old = &NO_SHEAR};
     p->tilt[0] = 2 * (moment - p->middle * load) / (RW_PI * p->half * p->half);
-}
-
-void rw_problem_destroy(rw_problem *p)
-{
-    rw_pad_potential_destroy(&p->from_pressure);
-    rw_pad_potential_destroy(&p->to_pressure);
 }

@@ -1,38 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One step of the shear. Tractions are in theta/A, t = -q, so that the integral of t is the shear
- * load; displacements in theta. On the surface the half-plane moves against the pad by w with
+/* One step of the shear to new loads, as a problem for its traction: lib/README.md, "Any history".
+ * Tractions are in theta/A, t = -q, so that the integral of t is the shear load; displacements are
+ * in theta. On the surface the half-plane moves relative to the pad by w, with Omega of transform.h
+ * and
  *     w' = Omega + stretch,   stretch = (surface strain of the bulk tension)/theta.
- * A straight step to new loads is a convex problem with one solution. Its traction is t + dt, with
- * |t + dt| <= F' = f |p'|. Where it sticks, dw is one constant; where it slips, t + dt = S F', and
- * dw less that constant has the sign -S.
+ * A straight step changes the pressure to p', t by dt and w by dw. It is a convex problem with one
+ * solution: |t + dt| <= F' = f |p'|. Where the surface sticks, dw is one constant. Where it slips,
+ * t + dt = S F', S = +-1, and dw less that constant has the sign -S.
  *
- * A growing contact brings new material into contact without slip. Where that sticks up to the
- * edge, the change holds layers (layers.h). */
+ * A growing contact takes in places that have not slipped. Where it sticks up to the edge, dt
+ * contains layers (layers.h). */
 #ifndef RW_PROBLEM_H
 #define RW_PROBLEM_H
 
+#include "fronts/frame.h"
 #include "traction/layers.h"
 #include "traction/traction.h"
-#include "potential/pad_potential.h"
 
-enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 48, RW_MOST_BENDS = 24 };
+enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 48 };
 
-/* What does not change: the profile, friction, and the error of q over f times the peak pressure
- * that is asked for. Bends are where the curvature of the profile jumps so much that a pressure is
- * not smooth there. */
-typedef struct {
-    rw_arcs arcs;
-    double f, tolerance;
-    int bends;
-    double bend[RW_MOST_BENDS];
-} rw_frame;
-
-rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance);
-
-/* The bends between two places, in order; at has room for all. */
-int rw_bends_between(const rw_frame *frame, double from, double to, double at[]);
-
-/* Neighbours share their ends; 0 sticks, +-1 is the sign of t. */
+/* A zone that sticks, label 0, or slips, label S = +-1, the sign of t. Neighbours share their
+ * ends. */
 typedef struct {
     int label;
     double left, right;
@@ -43,7 +31,8 @@ typedef struct {
     rw_zone zone[RW_MOST_ZONES];
 } rw_zones;
 
-/* Where the shear stands: in closed form no more. Kinks are where the traction is not smooth. */
+/* A shear traction that has no closed form, with its zones. Kinks are places where it is not
+ * smooth. */
 typedef struct {
     rw_traction traction;
     rw_zones zones;
@@ -58,7 +47,7 @@ typedef struct {
     double tolerance;        /* of tractions */
     double allowed;          /* violations, over the scale */
     rw_patch from, to, both; /* both: what is in either */
-    rw_pad_potential from_pressure, to_pressure;
+    const rw_friction *before, *after;
     bool is_still;                           /* the contact is as it was */
     bool grows[2];                           /* at the left, right edge */
     double load[RW_LAYERS], tilt[RW_LAYERS]; /* by which layers change: lengths, theta */
@@ -69,30 +58,32 @@ typedef struct {
     const rw_shear_state *old;
 } rw_problem;
 
-/* loads are lengths: P A/theta, and what the old traction carries is its total. false where memory
- * is short; then there is nothing to destroy. */
-bool rw_problem_create(rw_problem *p, const rw_frame *frame, rw_patch from, rw_patch to,
-                       const rw_shear_state *old, double shear, double stretch);
-void rw_problem_destroy(rw_problem *p);
+/* The step from one contact and the old traction to another; `shear` is the change of the shear
+ * load, a length, `stretch` that of the stretch. */
+void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *before,
+                     const rw_friction *after, const rw_shear_state *old, double shear,
+                     double stretch);
 
-/* F after the step, and before it. */
+/* The limit of friction F = f |p| after the step, and before it. */
 double rw_friction_after(const rw_problem *p, double x);
 double rw_friction_before(const rw_problem *p, double x);
 
-/* What layers change; friction is that after the step, to spare it. */
+/* The change of traction by each of the first `count` layers at x, per weight; `friction` is F
+ * after the step there, which the caller has already. */
 void rw_layers_at(const rw_problem *p, int count, double x, double friction, double change[]);
 
-/* What is left of the changes of shear and stretch besides layers. */
+/* The changes of shear load and stretch, less those that the layers make. */
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch);
 
-/* The old traction and the layers. */
+/* The old traction plus the layers at x. */
 double rw_base_traction(const rw_problem *p, const rw_layers *layers, double x);
 
-/* A contact in its place, whose loads change at these rates. It needs no destruction. */
+/* The problem of the rates: a contact whose loads change at these rates, at one moment. */
 void rw_problem_init_rates(rw_problem *p, const rw_frame *frame, rw_patch contact, double load,
                            double moment, double shear, double stretch);
 
-/* The angle of a place in the contact, 0 at its left edge to pi, and back. */
+/* The angle of a place, 0 at the left edge of the contact to pi at the right one, and the place of
+ * an angle. */
 double rw_angle_of(const rw_problem *p, double x);
 double rw_place_of(const rw_problem *p, double angle);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The quadrature over what slips: panels that shrink towards the fronts. */
+/* The quadrature over the places where dt is known: panels that shrink towards the fronts. */
 #include "base/domain.h"
 #include "base/sort.h"
 #include "fronts/fronts.h"
@@ -7,11 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_PANELS = 12, ROWS = 5 + RW_LAYERS };
+/* The order of a panel is RW_TERMS, or less where few digits are asked for. */
+enum { MOST_PANELS = 12, FEW_TERMS = 10, ROWS = 5 + RW_LAYERS };
 
 static const double RATIO = 0.12;
 
-/* Of the half-width: distances from a front are not less. */
+/* Distances from a front are at least this part of the half-width. */
 static const double AT_FRONT = 1e-15;
 
 static bool reserve(rw_fronts *f, size_t capacity)
@@ -32,11 +33,15 @@ static bool reserve(rw_fronts *f, size_t capacity)
     return true;
 }
 
-bool rw_fronts_create(rw_fronts *f, int order, int finest)
+bool rw_fronts_create(rw_fronts *f, double tolerance)
 {
-    *f = (rw_fronts){.order = order, .finest = finest};
-    rw_gauss(order, f->node, f->weight);
-    for (int i = 0; i < order; i++) { /* for a function like square roots at both ends */
+    const double digits = -log10(tolerance);
+    const bool is_fine = digits > 4.5;
+    *f = (rw_fronts){.order = is_fine ? RW_TERMS : FEW_TERMS,
+                     .coarse = is_fine ? 1 : 0,
+                     .finest = (int)(digits + 2.5)};
+    rw_gauss(f->order, f->node, f->weight);
+    for (int i = 0; i < f->order; i++) { /* for a function like square roots at both ends */
         const double angle = RW_PI * f->node[i], half = sin(angle / 2);
         f->weight[i] *= RW_HALF_PI * sin(angle);
         f->node[i] = half * half;
@@ -84,7 +89,8 @@ static double nearest_end(const rw_stuck *s, double x)
     return nearest;
 }
 
-/* What is known of the change: but for the layers, and each of these. */
+/* Adds a point with its weight: the change dt there without the layers, and the change by each
+ * layer. */
 static bool put(rw_fronts *f, int label, double x, double step)
 {
     const rw_problem *p = f->problem;
@@ -137,13 +143,13 @@ static bool put_segment(rw_fronts *f, rw_segment *s)
     return true;
 }
 
-/* A segment as it was computed last is left as it is. */
+/* Adds a segment; if it is the one that was computed at this place last time, it is kept. */
 static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, double to, int label,
                         int finest)
 {
     const double near = fmin(nearest_end(sticks, from), nearest_end(sticks, to)),
                  length = to - from;
-    int panels = 1;
+    int panels = 0;
     if (near == 0)
         panels = finest;
     else if (near < length)
@@ -166,8 +172,8 @@ static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, doubl
     return true;
 }
 
-/* Whether nothing changes: the zone has slipped as far as it can before, or all of the change is in
- * the layer. */
+/* Whether dt is 0 there: the places slipped this way before, and friction has not changed; or the
+ * layer is all of the change. */
 static bool is_spent(const rw_fronts *f, int label, double from, double to)
 {
     const rw_zones *old = &f->problem->old->zones;
@@ -180,7 +186,7 @@ static bool is_spent(const rw_fronts *f, int label, double from, double to)
     return false;
 }
 
-/* All places where the change is not smooth, between two others. */
+/* All places between two others where dt is not smooth. */
 static int breaks_of(const rw_problem *p, double from, double to, double at[])
 {
     const double other[] = {p->to.left, p->to.right, p->from.left, p->from.right};

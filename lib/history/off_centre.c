@@ -202,7 +202,8 @@ double rw_patch_gap(const rw_geometry *g, rw_patch patch, double x)
 
 /* ---- Displacement ---- */
 
-/* Of the corners from `first` on; where that is not the first, the step at the corner before it. */
+/* The displacement by the corners from `first` on, and, where `first` is not the first of all, by
+ * the step at the corner before it. */
 static double displacement(const rw_memory *path, size_t first, const rw_geometry *g, double x)
 {
     double sum = 0;

@@ -23,7 +23,7 @@
  * 3/2 next to it. */
 static const double ROUNDING = 1e-12, EDGE_ROUNDING = 8 * DBL_EPSILON;
 
-/* So often an interval is halved. */
+/* How often an interval is halved. */
 enum { HALVINGS = 16 };
 
 typedef struct {

@@ -26,8 +26,8 @@ static const double PSI_STEP = 0.087488663525924007, BETA_STEP = 0.0436609429085
  * start that is BEHIND by this factor does not catch up. */
 static const double HOPELESS = 0.5, BEHIND = 0.95;
 
-/* Of the largest range of a component: cycles above it are bounded by the worst one, others by a
- * cycle of this range. */
+/* A part of the largest range of a component: for the bound, cycles above it are as bad as the
+ * worst one, others as bad as a cycle of this range. */
 static const double LARGE = 0.7;
 
 /* Cycles this small, relative to the largest, are rounding and are not counted. */

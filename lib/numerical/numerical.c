@@ -14,7 +14,7 @@ typedef struct {
     const void *context;
 } beginning;
 
-/* The displacement that the traction and the stretch make, less the move of what sticks. */
+/* The displacement by the traction and the stretch, less the rigid move of the zones that stick. */
 static double displacement(const rw_stance *s, double x)
 {
     return rw_traction_displacement(&s->shear.traction, x) + s->at.stretch * x - s->move;
@@ -35,7 +35,7 @@ static size_t breaks_of(const rw_frame *frame, const rw_stance *s, double at[])
     return (size_t)bends + 2;
 }
 
-/* To this part of what is asked for. */
+/* The tolerance of the fit of the slip, over that of the tractions. */
 static const double FIT = 0.03;
 
 static double slip_tolerance(const rw_frame *frame, const rw_stance *s)
@@ -85,7 +85,7 @@ double rw_numerical_slip(const rw_numerical *n, double x)
 
 /* ---- Errors ---- */
 
-/* What steps differ by is about what they err by, and may be less. */
+/* The difference of steps is about their error, but may be smaller: it is multiplied by this. */
 static const double CAUTION = 2.5;
 
 double rw_numerical_error(const rw_numerical *n)
@@ -118,7 +118,8 @@ static double error_at(const rw_numerical *n, double x)
     return fabs(cosine) < 1 ? n->error[(int)(acos(cosine) * RW_PLACES / RW_PI)] : 0;
 }
 
-/* Where it slips the traction is exact: slip forgets errors. */
+/* Adds the errors of a step by place. Where it slips the traction is exact: the error is 0
+ * again. */
 static void note_error(rw_numerical *n, const rw_stance *s)
 {
     double error[RW_PLACES];
@@ -143,7 +144,8 @@ static bool touches(const rw_stance *s, double x)
     return x >= s->contact.left && x <= s->contact.right;
 }
 
-/* Minus the displacement when an edge of the contact came to a place, between two stances. */
+/* Minus the displacement at the time when an edge of the contact came to a place, interpolated
+ * between two stances. */
 static double origin_between(const rw_stance *from, const rw_stance *to, double x)
 {
     const double part = x > from->contact.right
@@ -152,7 +154,7 @@ static double origin_between(const rw_stance *from, const rw_stance *to, double 
     return -(1 - part) * displacement(from, x) - part * displacement(to, x);
 }
 
-/* A place that comes into contact has not slipped then. */
+/* A place that comes into contact has slip 0 then. */
 static double origin_after(double x, const void *context)
 {
     const growth *g = context;
@@ -194,10 +196,11 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
 /* Halvings of a load. */
 enum { HALVINGS = 9 };
 
-/* The error of the elements, of the tolerance; step by step it is another one. */
+/* The error of the fit of a step, over the tolerance. The errors of steps are independent, and
+ * added as squares. */
 static const double ELEMENTS = 1e-2;
 
-/* Takes over where a step has led. */
+/* Makes the end of a step the present state. */
 static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance *now)
 {
     if (!renew_origin(n, w->frame, half, now)) {
@@ -215,7 +218,8 @@ static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance
     return true;
 }
 
-/* Of the half-width: nearer to a front tractions are not compared. They rise there like a root. */
+/* Tractions are not compared nearer to a front than this part of the half-width: they rise there
+ * like a square root, and a front moves with the error. */
 static const double AT_FRONT = 0.01;
 
 static bool is_at_front(const rw_stance *s, double x)
@@ -227,7 +231,7 @@ static bool is_at_front(const rw_stance *s, double x)
     return is_near;
 }
 
-/* Next to a front, what is beside it. */
+/* Places next to a front get the difference of the places beside them. */
 static void spread(bool left_out[], double apart[])
 {
     for (int i = 1; i < RW_PLACES; i++)
@@ -238,11 +242,11 @@ static void spread(bool left_out[], double apart[])
             apart[i] = fmax(apart[i], apart[i + 1]);
 }
 
-/* So many times the difference is the error, at most: what D is in a ring that is wide is seen by
- * the halves but in part. */
+/* The error is at most this many times the difference: halves see the D of a wide new ring only in
+ * part. */
 static const double SAFETY = 4;
 
-/* The differences of two tractions, over the scale. The largest. */
+/* The differences of two tractions over the scale, by place. Returns the largest. */
 static double difference(double scale, const rw_stance *one, const rw_stance *other, double apart[])
 {
     bool left_out[RW_PLACES];
@@ -261,12 +265,12 @@ static double difference(double scale, const rw_stance *one, const rw_stance *ot
     return most;
 }
 
-/* Energies may differ by so many times what tractions may, over the square of scale and
- * half-width; that of the halves is of second order. */
+/* Energies, over the square of scale and half-width, may differ by this many times the tolerance of
+ * tractions. The energy of the halves is of second order. */
 static const double ENERGY = 30;
 
-/* How far the halves are from the whole: the error of the halves is not more. Whether that is
- * little, and so is the difference of the energies. */
+/* Compares the halves with the whole: the difference bounds the error of the halves. Whether it and
+ * the difference of the energies are small enough. */
 static bool compare(const rw_frame *frame, const rw_stance *whole, const rw_stance *half,
                     rw_stance *both)
 {
@@ -285,7 +289,7 @@ static rw_course half_way(rw_course from, rw_course to)
                        from.stretch / 2 + to.stretch / 2};
 }
 
-/* A step that may be there or not. */
+/* A step that may have failed. */
 typedef struct {
     bool is_known;
     rw_stance stance;
@@ -306,9 +310,9 @@ static trial try_step(rw_work *w, const rw_stance *from, rw_course to, const rw_
     return t;
 }
 
-/* The step as a whole, if it is known, and by way of the middle: how far these are apart is the
- * error. Both halves are divided again until it is small, or the effort is spent: the first may
- * take half of what is left. */
+/* Goes on to a load. `whole` is the step as a whole, if it is known. Its difference from two halves
+ * is the error. Both halves are divided again until that is small, or the effort is spent: the
+ * first half may take half of the effort left. */
 static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings,
                     int effort)
 {
@@ -345,7 +349,7 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
     return advance(w, n, to, &rest, halvings - 1, effort);
 }
 
-/* A load that adds a larger error has not converged: it is no answer. */
+/* A load that adds more than this to the error has not converged. */
 static const double FAR_OFF = 0.1;
 
 static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course to)
@@ -368,7 +372,8 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course
     return is_done ? RW_STEP_DONE : w.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
 }
 
-/* What cannot be had to the tolerance may be had to ten times as much: the error tells. */
+/* A load that fails is tried once more with ten times the tolerance; rwedge_contact_error() then
+ * says so. */
 rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
 {
     static const double LOOSEST = 1e-2;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shear of a contact whose history has no closed form: its traction on elements, with the slip
- * so far and an estimate of the error. It is as large as the traction is complicated, not as its
- * history is long. */
+/* The shear of a contact whose history has no closed form: its traction on elements, the slip so
+ * far and an estimate of the error. Its memory grows with the complexity of the traction, not with
+ * the length of the history. */
 #ifndef RW_NUMERICAL_H
 #define RW_NUMERICAL_H
 
@@ -17,21 +17,21 @@ typedef struct {
 
 typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;
 
-/* Begins where `now` stands, whose traction is set; slip is what has slipped before, NULL where
- * that is not known. false where memory is short, and nothing is to be freed but `now`. */
+/* Begins from `now`, whose traction is set. `slip` gives the slip so far of each place, NULL where
+ * it is not known. false where memory is short; then only `now` is to be freed. */
 bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame, const rw_stance *now,
                         rw_function slip, const void *context);
 
 bool rw_numerical_copy(const rw_numerical *numerical, rw_numerical *copy);
 void rw_numerical_destroy(rw_numerical *numerical);
 
-/* On a straight line to new loads. Unless it is done all is as before. */
+/* A straight line to new loads. Unless RW_STEP_DONE, all is as before. */
 rw_step_result rw_numerical_step(rw_numerical *numerical, const rw_frame *frame, rw_course to);
 
-/* Over f times the peak pressure. */
+/* The estimated error of q over f times the peak pressure. */
 double rw_numerical_error(const rw_numerical *numerical);
 
-/* The peak pressure has changed: its errors are so many times as large. */
+/* Multiplies the errors, where the peak pressure that they are measured by has changed. */
 void rw_numerical_rescale(rw_numerical *numerical, double factor);
 
 /* The slip of a place in contact, over theta. */

@@ -145,6 +145,14 @@ static void add_wrong(rw_outcome *o, int label, double left, double right)
         o->wrong.zone[o->wrong.count++] = (rw_zone){label, left, right};
 }
 
+/* Slip that is told where the traction is too large goes beyond: a traction that is steep beyond a
+ * kink is too large there for less than the distance of points. */
+static void add_slip(rw_outcome *o, int label, double left, double right)
+{
+    const double margin = 0.05 * (right - left);
+    add_wrong(o, label, left - margin, right + margin);
+}
+
 /* Where the traction of a zone that sticks exceeds friction, between two breaks. */
 static void check_friction(const rw_problem *p, rw_outcome *o, double from, double to)
 {
@@ -160,13 +168,13 @@ static void check_friction(const rw_problem *p, rw_outcome *o, double from, doub
             begun = before;
             label = t > 0 ? 1 : -1;
         } else if (!(excess > p->allowed) && !isnan(begun)) {
-            add_wrong(o, label, begun, x);
+            add_slip(o, label, begun, x);
             begun = NAN;
         }
         before = x;
     }
     if (!isnan(begun))
-        add_wrong(o, label, begun, to);
+        add_slip(o, label, begun, to);
 }
 
 /* dw, but for the constant. */
@@ -237,6 +245,9 @@ typedef struct {
 static void check_slip_part(slipping *s, double from, double to)
 {
     const rw_problem *p = s->problem;
+    /* what is wrong on both sides of a break is one part; but an edge that does not grow slips */
+    const double least = p->grows[0] ? -HUGE_VAL : p->to.left;
+    const double most = p->grows[1] ? HUGE_VAL : p->to.right;
     double begun = NAN, last = from;
     for (int i = 0; i < SLIPS; i++) {
         const double half = sin(RW_HALF_PI * s->node[i]), x = from + (to - from) * half * half;
@@ -254,8 +265,8 @@ static void check_slip_part(slipping *s, double from, double to)
         const double excess = s->label * slip / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
-            begun = !isnan(begun) ? begun : i == 0 && s->attached ? from : x;
-            last = i + 1 == SLIPS && s->attached ? to : x;
+            begun = !isnan(begun) ? begun : i == 0 && from > least ? from : x;
+            last = i + 1 == SLIPS && to < most ? to : x;
         }
     }
     if (!isnan(begun))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a step leaves, once its zones are known, and how well it keeps the conditions of the
+/* The state after a step whose zones are known, and how well it meets the conditions of the
  * problem: Coulomb's where it sticks, the sense of slip where it slips. */
 #ifndef RW_OUTCOME_H
 #define RW_OUTCOME_H
@@ -9,7 +9,8 @@
 
 typedef struct {
     rw_shear_state state;
-    double violation; /* the larger one, over f times the peak pressure, and its half-width */
+    double violation; /* the largest: excess of |t| over the scale, f times the peak pressure; or
+                         slip the wrong way over the scale times the half-width */
     double energy;    /* in theta^2/A */
     double move;      /* of what sticks: the constant part of dw */
     rw_zones wrong;   /* parts that should have another label */
@@ -21,13 +22,14 @@ void rw_shear_state_destroy(rw_shear_state *state);
  * those are left where an edge of the contact stood, at each step. */
 void rw_shear_state_smooth(rw_shear_state *state, rw_patch contact, double tolerance);
 
-/* From exact fronts, and from the grid where there are none. false where memory is short, or a
- * number is not finite. */
+/* The outcome of exact fronts, and that of the grid. false where memory is short, or a number is
+ * not finite. */
 bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);
 bool rw_outcome_of_grid(const rw_grid *grid, const rw_problem *problem, const rw_layers *layers,
                         rw_outcome *outcome);
 
-/* What a state leaves that is known already; it stays the caller's. false where memory is short. */
+/* The outcome of a step to a state that is known; the caller keeps the state. false where memory is
+ * short. */
 bool rw_outcome_of_state(const rw_problem *problem, const rw_shear_state *state,
                          rw_outcome *outcome);
 

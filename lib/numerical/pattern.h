@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Patterns of zones: which of them stick and slip. The grid proposes one to an angle; what may be
- * between its angles is tried out. */
+/* Patterns of zones that stick and slip. The grid proposes one; zones narrower than its angles are
+ * tried as variants. */
 #ifndef RW_PATTERN_H
 #define RW_PATTERN_H
 
@@ -10,17 +10,17 @@
  * them that sticks, of at most the width `least` to either side. false where they are too many. */
 bool rw_pattern_clean(rw_zones *zones, double least);
 
-/* What may be at the two edges, numbered from 0 on: slip as wide as 0.15 of an angle, one way or
- * the other, where the grid saw none; stick to the edge of a growing contact. false where there is
- * no such variant, for number < RW_VARIANTS. `angle` is the width of an angle at the edge. */
+/* The variants at the two edges, numbered from 0 on: a narrow zone of slip, one way or the other,
+ * where the grid saw none; stick up to the edge of a growing contact. false where the variant does
+ * not exist, number < RW_VARIANTS. `angle` is the width of an angle of the grid at the edge. */
 enum { RW_VARIANTS = 16 };
 bool rw_pattern_variant(const rw_problem *problem, const rw_zones *zones, double angle, int number,
                         rw_zones *variant);
 
-/* Without the narrowest zone that is not at an edge. false where there is none. */
+/* Removes the narrowest zone that is not at an edge. false where there is none. */
 bool rw_pattern_simpler(const rw_problem *problem, rw_zones *zones, double least);
 
-/* Gives parts another label. */
+/* Gives parts of the zones the labels of `parts`. */
 bool rw_pattern_insert(rw_zones *zones, const rw_zones *parts, double least);
 
 bool rw_pattern_is_same(const rw_zones *one, const rw_zones *other);

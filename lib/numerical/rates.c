@@ -4,8 +4,8 @@
 #include "base/domain.h"
 #include "numerical/pattern.h"
 
-/* With S f dp/ds on all of the contact, which makes no slip, there is nothing left but where it
- * slips the other way. */
+/* The solution of the rates. S f dp/ds on all of the contact makes no slip. With this traction as
+ * layer 0, the rest is 0 but in zones that slip the other way than S. */
 typedef struct {
     int sign; /* S */
     rw_stuck stuck;
@@ -22,7 +22,7 @@ static bool solve(rw_fronts *f, const rw_problem *problem, const rw_zones *zones
     rw_fronts_forget(f);
     *r = (rates){.sign = sign, .stuck = rw_stuck_of(f, zones)};
     return r->stuck.count > 0 && r->stuck.count <= RW_MOST_STICK &&
-           rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, RW_COARSE) &&
+           rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, f->coarse) &&
            rw_fronts_polynomial(f, &r->stuck, r->front, r->p);
 }
 

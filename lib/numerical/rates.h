@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shear at one moment of a straight step: its rate, given which zones stick and slip. Where it
- * sticks the rate of w is one constant. Where it slips the rate of t is S f dp/ds, in closed form,
- * and the rate of w has the sign -S if these are the zones. A step that is right at its end may
- * have slipped another way before, and its halves as well: the rates at its ends tell. */
+/* The rate of the shear at one moment of a straight step, given which zones stick and slip. Where
+ * it sticks the rate of w is one constant. Where it slips the rate of t is S f dp/ds, in closed
+ * form (problem.c), and the rate of w has the sign -S if the zones are right. A step may meet all
+ * conditions at its end and still have slipped another way before, and so may its halves: the rates
+ * at both ends show it. */
 #ifndef RW_RATES_H
 #define RW_RATES_H
 
 #include "fronts/fronts.h"
 
-/* The largest slip that goes the wrong way, over the half-width, and by how much the traction of
- * edges that stick after the step passes friction: if the rates last for as much as the problem
- * says. 0 where nothing sticks. */
+/* How wrong the zones are, if the rates last for the whole step: the largest slip the wrong way
+ * over the half-width, or the traction beyond friction at edges that stick after the step. 0 where
+ * nothing sticks. */
 double rw_rates_wrong(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
                       const rw_zones *after);
 

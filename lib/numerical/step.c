@@ -7,14 +7,12 @@
 
 #include <string.h>
 
-/* Of the quadrature, where few digits are asked for. */
-enum { ORDER = 10 };
-
 /* Angles of the grid; at a second trial twice as many. */
 enum { ANGLES = 96 };
 
-/* Residuals that a pattern may cost. */
-enum { BUDGET = 400 };
+/* Residuals that a pattern may cost front by front; Newton's method, for each unknown and one: it
+ * succeeds with fewer, if at all. */
+enum { BUDGET = 120, TURNS = 10 };
 
 /* Residuals that take as long as a traction and its conditions. */
 enum { OUTCOME = 20 };
@@ -22,9 +20,6 @@ enum { OUTCOME = 20 };
 /* Residuals that the zones of a step may cost: a shorter step has zones that are nearer to the old
  * ones, and found at once. */
 enum { SEARCH = 500 };
-
-/* Violations over the tolerance that count as none. */
-static const double ALLOWED = 0.2;
 
 /* The residual of Newton's method, over the tolerance. */
 static const double RESIDUAL = 1e-5;
@@ -72,6 +67,23 @@ static bool has_sliver(const rw_work *w, const rw_fronts *f)
     return false;
 }
 
+static bool newton(rw_work *w, double residual)
+{
+    const int budget = TURNS * (w->fronts.unknowns + 1);
+    w->fronts.budget = budget;
+    const bool is_done = rw_fronts_newton(&w->fronts, residual);
+    w->effort += budget - w->fronts.budget;
+    return is_done;
+}
+
+static bool relax(rw_work *w)
+{
+    w->fronts.budget = BUDGET;
+    const bool is_done = rw_fronts_relax(&w->fronts);
+    w->effort += BUDGET - w->fronts.budget;
+    return is_done;
+}
+
 static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
 {
     rw_fronts *f = &w->fronts;
@@ -84,7 +96,6 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     for (int side = 1; side >= -1; side -= 2) {
         if (w->effort > w->limit || !rw_fronts_begin(f, p, zones, ratio))
             return false;
-        f->budget = BUDGET;
         const bool is_moved = start_beside(p, f, angle, side);
         if (side < 0 && !is_moved)
             return false;
@@ -92,13 +103,10 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
             rw_fronts_begin(f, p, zones, ratio);
         double start[RW_MOST_FRONTS];
         memcpy(start, f->y, sizeof start);
-        bool is_done = rw_fronts_newton(f, residual);
-        w->effort += BUDGET - f->budget;
+        bool is_done = newton(w, residual);
         if (!is_done && angle > 0) {
             memcpy(f->y, start, sizeof start);
-            f->budget = BUDGET;
-            is_done = rw_fronts_relax(f) && rw_fronts_newton(f, residual);
-            w->effort += BUDGET - f->budget;
+            is_done = relax(w) && newton(w, residual);
         }
         if (is_done)
             return !has_sliver(w, f);
@@ -267,32 +275,30 @@ static rw_patch contact_of(const rw_frame *frame, rw_course at)
     return rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
 }
 
-double rw_peak_friction(const rw_frame *frame, rw_patch contact)
+/* Kept for the steps that follow: they share their contacts. */
+static const rw_friction *friction_of(rw_work *w, rw_patch contact)
 {
-    enum { PLACES = 31 };
-    double x[PLACES], p[PLACES], peak = 0;
-    for (int i = 0; i < PLACES; i++)
-        x[i] = contact.left + (contact.right - contact.left) * (i + 1.3) / 32.6;
-    rw_pad_pressures(&frame->arcs, contact, PLACES, x, p);
-    for (int i = 0; i < PLACES; i++)
-        peak = fmax(peak, p[i]);
-    return frame->f * peak;
+    for (int i = 0; i < RW_FRICTIONS; i++)
+        if (w->friction[i].contact.left == contact.left &&
+            w->friction[i].contact.right == contact.right)
+            return &w->friction[i];
+    rw_friction *oldest = &w->friction[w->frictions++ % RW_FRICTIONS];
+    rw_friction_destroy(oldest);
+    *oldest = (rw_friction){.peak = 0};
+    const bool is_done = rw_friction_create(oldest, w->frame, contact);
+    w->is_short = w->is_short || !is_done;
+    return is_done ? oldest : NULL;
 }
 
 static bool set_problem(rw_work *w, const rw_stance *from, rw_course to, rw_patch contact,
                         rw_problem *p)
 {
-    const rw_frame *frame = w->frame;
-    if (!rw_problem_create(p, frame, from->contact, contact, &from->shear,
-                           to.shear - rw_traction_total(&from->shear.traction),
-                           to.stretch - from->at.stretch)) {
-        w->is_short = true;
-        return false;
-    }
-    p->scale = rw_peak_friction(frame, contact);
-    p->tolerance = frame->tolerance * p->scale;
-    p->allowed = ALLOWED * frame->tolerance;
-    return true;
+    const rw_friction *after = friction_of(w, contact), *before = friction_of(w, from->contact);
+    if (before && after)
+        rw_problem_init(p, w->frame, before, after, &from->shear,
+                        to.shear - rw_traction_total(&from->shear.traction),
+                        to.stretch - from->at.stretch);
+    return before && after;
 }
 
 /* What is left of a patch, of several parts the widest. */
@@ -392,9 +398,7 @@ bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, const rw_
     rw_problem p;
     if (!set_problem(w, from, to, contact, &p))
         return false;
-    const bool is_done = step_to(w, &p, from, to, guess, coarse, there);
-    rw_problem_destroy(&p);
-    return is_done;
+    return step_to(w, &p, from, to, guess, coarse, there);
 }
 
 /* Whether all that sticks is inside of what stuck. */
@@ -425,15 +429,13 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
         there->energy = from->energy + outcome.energy;
         there->error = fmax(from->error, fmax(there->error, outcome.violation));
     }
-    rw_problem_destroy(&p);
     return goes_on;
 }
 
 bool rw_work_create(rw_work *w, const rw_frame *frame)
 {
     *w = (rw_work){.frame = frame};
-    const double digits = -log10(frame->tolerance);
-    return rw_fronts_create(&w->fronts, digits > 4.5 ? RW_TERMS : ORDER, (int)(digits + 2.5));
+    return rw_fronts_create(&w->fronts, frame->tolerance);
 }
 
 void rw_work_destroy(rw_work *w)
@@ -441,4 +443,6 @@ void rw_work_destroy(rw_work *w)
     rw_fronts_destroy(&w->fronts);
     for (int i = 0; i < RW_TRIALS; i++)
         rw_grid_destroy(&w->grid[i]);
+    for (int i = 0; i < RW_FRICTIONS; i++)
+        rw_friction_destroy(&w->friction[i]);
 }

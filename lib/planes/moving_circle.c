@@ -11,8 +11,8 @@ static rw_vector mean_rate(const rw_ball *ball, const rw_vector rate[])
     return mean;
 }
 
-/* The rate of the centre for which the points of the support leave it at one rate; of one point or
- * two, which stand opposite, the mean has it. */
+/* The rate of the centre with which its distances to the points of the support change alike. For
+ * one point, or two opposite ones, it is the mean of their rates. */
 static rw_vector rate_of_centre(const rw_ball *ball, const rw_point points[],
                                 const rw_vector rate[])
 {

@@ -10,7 +10,8 @@ typedef struct {
     rw_vector by_psi, by_beta; /* rates of its centre */
 } rw_circle;
 
-/* Around the components of the first n loads, which are set; a strain's lie on a line. */
+/* The circle around the components of the first n loads, which must be set; those of a strain lie
+ * on a line. */
 rw_circle rw_circle_of(rw_plane_cycle *cycle, bool is_strain, size_t n);
 
 #endif

@@ -49,7 +49,7 @@ void rw_plane_cycle_set(rw_plane_cycle *cycle, size_t i, const rw_plane_load *lo
                                .level = load->z + severity->shift * load->s};
 }
 
-/* What is in the middle between the least and the largest of the loads. */
+/* The middle between the least and the largest of the loads. */
 static double middle_of(const rw_plane_cycle *cycle, size_t offset)
 {
     double least = DBL_MAX, most = -DBL_MAX;

@@ -59,7 +59,7 @@ static inline void rw_keep_load(rw_plane_cycle *cycle, size_t i, size_t kept)
 /* What counts as rounding of the severity. */
 double rw_plane_cycle_noise(const rw_plane_cycle *cycle, const rw_severity *severity);
 
-/* Takes the middle off what amplitudes are made of. */
+/* Subtracts the middle of all loads from the components of amplitudes. */
 void rw_plane_cycle_centre(rw_plane_cycle *cycle);
 
 #endif

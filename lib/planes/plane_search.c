@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Branch and bound over the circle of phi. On an arc a wave is a quadratic polynomial over another
- * (phi by the tangent of its half), whose Bernstein coefficients are its values at the two ends
- * and at the point where the tangents of the ends meet. The largest of the loads' coefficients
- * bound the largest of their waves, and the coefficients of a product bound a product: to the
- * second order in the arc's length. So an arc is left out when no plane in it can have more than
- * the best plane so far; of an arc that is halved only the waves are kept that can matter in it;
- * and where one is left of each kind, the derivative is a polynomial with one root. Nothing is
- * left to chance: no plane exceeds the result by more than rounding. */
+/* Branch and bound over the circle of phi. On an arc a wave is a quotient of quadratic polynomials
+ * of tan(phi/2). Its Bernstein coefficients are its values at the two ends and at the point where
+ * the tangents of the ends meet. The largest coefficients of all loads bound the largest of their
+ * waves, and the coefficients of a product bound a product, to the second order in the arc's
+ * length. An arc is left out when no plane in it can have more than the best plane so far. An arc
+ * that is halved keeps only the waves that can matter in it. Where one wave of each kind is left,
+ * the derivative is a polynomial with one root. So no plane exceeds the result by more than
+ * rounding. */
 #include "planes/plane_search.h"
 
 #include "base/always.h"
@@ -18,7 +18,8 @@
 
 enum { ARCS = 16, CAPACITY = 64 };
 
-/* No arc is as short: at 1e-7 the bound exceeds the products at the ends by less than noise. */
+/* Arcs never get this short: at 1e-7 the bound exceeds the products at the ends by less than
+ * noise. */
 static const double SHORTEST = 1e-9;
 
 /* A product this small has too few digits to be compared. */
@@ -29,8 +30,8 @@ typedef struct {
     double tangent; /* of half of its angle */
 } arc;
 
-/* What counts: the highest peak, the top of the range, and its bottom, as the top of the waves
- * with their signs turned. */
+/* The kinds of waves: the highest peak; the top of the range; its bottom, as the top of the waves
+ * with opposite sign. */
 enum { PEAK, TOP, BOTTOM, KINDS };
 
 /* Values at the ends and, in the middle, where the tangents of the ends meet. */
@@ -86,7 +87,7 @@ static const control LOWEST = {{-DBL_MAX / 2, -DBL_MAX / 2, -DBL_MAX / 2}};
 
 /* ---- Bounds ---- */
 
-/* Above (or equal to) each product of a positive wave below x with one below the sum of y, z. */
+/* An upper bound of the products of a positive wave below x and a wave below the sum of y and z. */
 static inline double bound(const arc *a, const control *x, const control *y, const control *z)
 {
     const double weight = 4 / (1 + a->tangent * a->tangent);
@@ -147,8 +148,8 @@ static rw_wave turned(const rw_wave *w, rw_direction u)
                      w->sine * u.cosine - w->cosine * u.sine};
 }
 
-/* Of a wave, times 1+x^2: (mean+cosine) + 2 sine x + (mean-cosine) x^2, and its derivative by phi,
- * sine - 2 cosine x - sine x^2. */
+/* A wave times 1+x^2, (mean+cosine) + 2 sine x + (mean-cosine) x^2, and its derivative by phi, sine
+ * - 2 cosine x - sine x^2. */
 static quartic derivative(const rw_wave *v, const rw_wave *w)
 {
     const double sines = 4 * v->sine * w->sine;
@@ -160,8 +161,9 @@ static quartic derivative(const rw_wave *v, const rw_wave *w)
          -v->sine * (w->mean - w->cosine) - w->sine * (v->mean - v->cosine)}};
 }
 
-/* The largest product on the arc, where its derivative has one root at most; whether that is so.
- * Without a root, or where it is the smallest, the largest is at an end, and there it is known. */
+/* The largest product on an arc where its derivative has at most one root; false where it may have
+ * more. Without a root, or where the root is a minimum, the largest product is at an end, where it
+ * is known already. */
 static bool settle(search *s, const arc *a)
 {
     const rw_direction u = middle_of(a);
@@ -194,7 +196,7 @@ static inline bool matters(const search *s, const arc *a, const control c[KINDS]
     return bound(a, p[PEAK], p[TOP], p[BOTTOM]) > s->best + s->noise;
 }
 
-/* Moves those that matter to the front; how many. */
+/* Moves the members that matter to the front, and returns how many they are. */
 static size_t keep(search *s, const arc *a, const control c[KINDS], int kind, size_t count)
 {
     rw_wave *member = s->member[kind];
@@ -218,8 +220,8 @@ static double highest_at(const search *s, int kind, size_t count, rw_direction u
     return highest;
 }
 
-/* The arc with the first count[] members of each kind. What is called for a half changes their
- * order, and not which are the first. */
+/* Searches the arc with the first count[] members of each kind. The calls for its halves change
+ * their order, but not which members are among the first. */
 static void refine(search *s, const arc *a, const size_t count[KINDS])
 {
     control c[KINDS] = {LOWEST, LOWEST, LOWEST};
@@ -271,7 +273,7 @@ static double bottom_of(const control *c)
     return -rw_larger(rw_larger(-c->at[0], -c->at[1]), -c->at[2]);
 }
 
-/* One of a cycle's loads often comes again, or again but for rounding. */
+/* A load of a cycle often comes again, exactly or to rounding. */
 static bool is_new(const search *s, int kind, size_t count, const rw_wave *w)
 {
     const rw_wave *member = s->member[kind];
@@ -342,13 +344,13 @@ static const double SINES[ARCS] = {0, C3,  C2,  C1,  1,  C1,  C2,  C3,
                                    0, -C3, -C2, -C1, -1, -C1, -C2, -C3};
 static const double TANGENT = 0.19891236737965801; /* of pi/ARCS */
 
-/* At the ends of the arcs, the largest wave of each kind; of all loads, the smallest mean and the
- * largest magnitude. */
+/* The largest wave of each kind at the ends of the arcs; the smallest mean and the largest
+ * magnitude of all loads. */
 typedef struct {
     double highest[KINDS][ARCS], least_mean[KINDS], magnitude[KINDS];
 } survey;
 
-/* Opposite directions together. */
+/* The waves in two opposite directions at once. */
 static inline void raise_all(double highest[ARCS], const rw_wave *w)
 {
 #pragma GCC unroll 1 /* unrolled it would not become vector instructions */
@@ -392,7 +394,7 @@ static control control_between(const survey *v, int kind, int k)
     return (control){{from, (from + to) * (1 + square) / 2 - v->least_mean[kind] * square, to}};
 }
 
-/* First the arc of the largest bound: most others are then left out at once. */
+/* The arc with the largest bound comes first: most others are then left out at once. */
 static void explore_all(search *s, const survey *v)
 {
     arc a[ARCS];

@@ -66,7 +66,7 @@ static void make_series(rw_eccentric *p)
         p->far[n - 1] = (part[n - 1] - part[n + 1]) / n;
 }
 
-/* As if it were within the rounding. */
+/* Sets the potential as if the patch were within the rounding. */
 static void begin(rw_eccentric *p, rw_patch patch)
 {
     const double s = rw_patch_half_width(patch);

@@ -10,7 +10,8 @@ typedef struct {
     double K_re, K_im, L_re, L_im;
 } rw_curvature;
 
-/* As rw_potential_at(), and these. alpha = 0 or >= 1e-50, x >= 0, y > 0, |z| below 1e8
+/* The same as rw_potential_at(), with these derivatives. alpha = 0 or >= 1e-50, x >= 0, y > 0, |z|
+ * below 1e8
  * half-widths. */
 rw_field rw_potential_with_curvature(const rw_potential *potential, double x, double y,
                                      rw_curvature *curvature);

@@ -13,8 +13,8 @@
 
 enum { MAX_TERMS = 1 << 24, MAX_ENTRIES = 1 << 27 };
 
-/* Of samples * terms^2, in proportion to which the time of a fit grows: 2 to 4 ns with the
- * reference BLAS, so that the longest takes half a minute. */
+/* The largest samples * terms^2. The time of a fit grows in proportion to it, 2 to 4 ns each with
+ * the reference BLAS, so that the longest fit takes half a minute. */
 static const uint64_t MAX_WORK = (uint64_t)1 << 33;
 
 struct rwedge_series {

@@ -3,7 +3,8 @@
 
 #include "base/domain.h"
 
-/* The slope in powers of u = (x - m)/s, s the half-width of the patch. */
+/* The slope of layer k in powers of u = (x - m)/s, m the middle and s the half-width of the
+ * patch. */
 static void slope_of(rw_power_scale scale, rw_patch patch, int k, double c[])
 {
     const double off = (rw_patch_middle(patch) - scale.middle) / scale.half;
@@ -17,7 +18,8 @@ static void slope_of(rw_power_scale scale, rw_patch patch, int k, double c[])
     }
 }
 
-/* u^n is pressed by sqrt(1 - u^2) times 0, 1, u, u^2 + 1/2, u^3 + u/2. */
+/* The slopes 1, u, u^2, u^3, u^4 have the pressures sqrt(1 - u^2) times 0, 1, u, u^2 + 1/2, u^3 +
+ * u/2. */
 double rw_power_pressure(rw_power_scale scale, rw_patch patch, int k, double x)
 {
     double c[RW_LAYERS + 1] = {0};

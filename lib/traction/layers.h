@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Layers of a contact that grows and sticks up to an edge. What comes into contact has not slipped
- * since: the pressure of any profile, less that of the contact before, is such a traction. At each
- * moment its rate at a growing edge is D times that of friction. Layer 0 is friction itself, D = 1;
- * the slope of the others is ((x - x_0)/half)^(k+1), and their D changes as the contact grows. */
+/* Layers: the tractions of a contact that grows and sticks up to an edge. The places that come into
+ * contact have not slipped. f times the pressure of any profile on the new patch, less that on the
+ * old patch, is a traction without slip there. At each moment it grows at the edge D times as fast
+ * as friction. Layer 0 is friction itself, D = 1. The profile of layer k > 0 has the slope ((x -
+ * middle)/half)^(k+1), and its D changes as the contact grows. */
 #ifndef RW_LAYERS_H
 #define RW_LAYERS_H
 
@@ -15,13 +16,13 @@ typedef struct {
     double weight[RW_LAYERS];
 } rw_layers;
 
-/* Where the powers' slope is 0, and where it is 1. */
+/* The slope of layer k is 0 at the middle, and 1 at the distance half from it. */
 typedef struct {
     double middle, half;
 } rw_power_scale;
 
-/* Of the power k + 1 on a patch, k > 0: the pressure over sqrt((x - left)(right - x)) times the
- * half-width of the patch; load and tilt. */
+/* Layer k > 0 on a patch: its pressure over the root of (x - left)(right - x), times the half-width
+ * of the patch; its load and tilt. */
 double rw_power_pressure(rw_power_scale scale, rw_patch patch, int k, double x);
 rw_pressing rw_power_pressing(rw_power_scale scale, rw_patch patch, int k);
 

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Elements are divided at most so often, and not into shorter parts of the whole: what is narrower
- * is the noise of a front that is not exact. */
+/* Elements are divided at most DEPTH times, and not into parts shorter than SHORTEST of the whole:
+ * narrower features are the noise of a front that is not exact. */
 enum { DEPTH = 12 };
 
 static const double SHORTEST = 1e-8;
@@ -42,7 +42,8 @@ void rw_gauss(int n, double node[], double weight[])
     }
 }
 
-/* The nodes of an element, and what makes coefficients of values there. */
+/* The nodes of an element, and the Legendre polynomials there, which give the coefficients from
+ * values at the nodes. */
 typedef struct {
     double node[RW_TERMS], weight[RW_TERMS];
     double legendre[RW_TERMS + 2][RW_TERMS]; /* [k][node] */
@@ -73,7 +74,8 @@ static double x_of(const rw_element *e, double u)
     return e->end + e->scale * u * u;
 }
 
-/* The primitive of the traction times dx/du, a series of two more terms: u is a line in v. */
+/* The primitive of the traction times dx/du: a Legendre series of two more terms, because dx/du is
+ * linear in u. */
 static void integrate(rw_element *e)
 {
     const double middle = (e->first + e->last) / 2, half = (e->last - e->first) / 2;
@@ -92,7 +94,7 @@ static void integrate(rw_element *e)
     }
 }
 
-/* All that follows from the coefficients. */
+/* Sets all members that follow from the coefficients. */
 static void complete(rw_element *e, const rule *r)
 {
     const double from = x_of(e, e->first), to = x_of(e, e->last), du = e->last - e->first;
@@ -180,7 +182,7 @@ void rw_traction_destroy(rw_traction *t)
 
 typedef struct {
     rw_traction *traction;
-    rw_function f;
+    rw_values f;
     const void *context;
     double tolerance, shortest;
     rule rule;
@@ -188,9 +190,10 @@ typedef struct {
 
 static void expand(const fit *how, rw_element *e)
 {
-    double value[RW_TERMS];
+    double x[RW_TERMS], value[RW_TERMS];
     for (int i = 0; i < RW_TERMS; i++)
-        value[i] = how->f(x_of(e, u_of(e, how->rule.node[i])), how->context);
+        x[i] = x_of(e, u_of(e, how->rule.node[i]));
+    how->f(x, how->context, value);
     for (int k = 0; k < RW_TERMS; k++) {
         double sum = 0;
         for (int i = 0; i < RW_TERMS; i++)
@@ -207,7 +210,8 @@ static bool is_fine(const fit *how, const rw_element *e)
     return !(last > how->tolerance);
 }
 
-/* Parts in the order of x. Towards the end, where x is quadratic, they shrink faster. */
+/* Fits a part, in halves where one element is not enough, in the order of x. Next to the end, where
+ * x is quadratic in u, the first part is a third. */
 static bool fit_part(fit *how, double end, double scale, double first, double last, int depth)
 {
     rw_element e = {.end = end, .scale = scale, .first = first, .last = last};
@@ -223,8 +227,8 @@ static bool fit_part(fit *how, double end, double scale, double first, double la
            fit_part(how, end, scale, first, middle, depth - 1);
 }
 
-bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t breaks,
-                     const double at[], double tolerance)
+bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, size_t breaks,
+                            const double at[], double tolerance)
 {
     fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance};
     how.shortest = SHORTEST * (at[breaks - 1] - at[0]);
@@ -238,6 +242,25 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
             return false;
     }
     return true;
+}
+
+typedef struct {
+    rw_function f;
+    const void *context;
+} pointwise;
+
+static void at_each(const double x[], const void *context, double value[])
+{
+    const pointwise *p = context;
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = p->f(x[i], p->context);
+}
+
+bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t breaks,
+                     const double at[], double tolerance)
+{
+    const pointwise p = {f, context};
+    return rw_traction_fit_values(t, at_each, &p, breaks, at, tolerance);
 }
 
 /* ---- Reading ---- */

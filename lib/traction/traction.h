@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A traction that is no sum of patches: a piecewise function of x on square-root elements,
+/* A traction that has no closed form: a piecewise function of x on square-root elements,
  *     x = end + scale u^2,   first <= u <= last,
- * on each a Legendre series in u. At an edge of the contact and at a front of slip a traction
- * behaves like a square root of the distance, which is smooth in u. Its Cauchy transform and its
- * logarithmic potential have closed forms (transform.h). */
+ * with a Legendre series in u on each. At an edge of the contact and at a front of slip a traction
+ * behaves like a square root of the distance, which is smooth in u. The Cauchy transform and the
+ * logarithmic potential of an element have closed forms (transform.h). */
 #ifndef RW_TRACTION_H
 #define RW_TRACTION_H
 
@@ -35,19 +35,26 @@ void rw_gauss(int n, double node[], double weight[]);
 bool rw_traction_copy(const rw_traction *traction, rw_traction *copy);
 void rw_traction_destroy(rw_traction *traction);
 
-/* A function as a traction, between neighbours of the breaks, in order: it may be like a square
- * root there. Elements are divided until their last coefficients are below the tolerance. Replaces
- * what the traction was. false where memory is short. */
+/* A function at the RW_TERMS places x of an element. */
+typedef void (*rw_values)(const double x[], const void *context, double value[]);
+
+/* Replaces a traction by a function of x. The function is smooth between neighbouring breaks, which
+ * are in order; at a break it may be like a square root. Elements are divided until their last
+ * coefficients are below the tolerance. false where memory is short. */
+bool rw_traction_fit_values(rw_traction *traction, rw_values f, const void *context, size_t breaks,
+                            const double at[], double tolerance);
+
+/* The same for a function that is computed place by place. */
 bool rw_traction_fit(rw_traction *traction, rw_function f, const void *context, size_t breaks,
                      const double at[], double tolerance);
 
-/* Appends an element of which all but the coefficients' consequences is set. */
+/* Appends an element of which end, scale, first, last and the coefficients are set. */
 bool rw_traction_append(rw_traction *traction, const rw_element *element);
 
-/* Adds a constant to the elements between two ends of some. */
+/* Adds a constant to the traction between two places, which are ends of elements. */
 void rw_traction_shift(rw_traction *traction, double from, double to, double by);
 
-/* 0 outside. */
+/* The traction at x, 0 outside of its elements. */
 double rw_traction_at(const rw_traction *traction, double x);
 
 /* Its integral. */

@@ -6,17 +6,17 @@
 
 #include <float.h>
 
-/* Legendre's functions are had by the forward recurrence, which loses digits like rho^(2k) where v
- * is on the ellipse of the half-axes' sum rho about -1 and 1. Gauss's rule is exact to rho^(-2n)
- * there. Both leave 1e-9 of the traction at this. */
+/* Let v be on the ellipse about -1 and 1 whose half-axes have the sum rho. There the forward
+ * recurrence of Legendre's functions loses digits like rho^(2k), and Gauss's rule errs by
+ * rho^(-2n). At rho = NEAR both errors are 1e-9 of the traction. */
 static const double NEAR = 2;
 
-/* Points as near to the end of an element, over its length, are moved beside it: the logarithms of
- * the two elements that meet there cancel, but not in numbers. Slopes may have a root there,
- * displacements have none. */
+/* A point nearer to the end of an element than this part of its length is moved away: there the
+ * infinite logarithms of two neighbouring elements cancel, but not in numbers. The slope may be
+ * like a square root there and allows a smaller move than the displacement. */
 static const double BESIDE = 1e-10, WELL_BESIDE = 1e-8;
 
-/* Of x: a point that is moved by less may stay where it is. */
+/* A point is moved by at least this part of x: a smaller move may be lost in rounding. */
 static const double LEAST_MOVE = 4 * DBL_EPSILON;
 
 /* ---- One pole: J(zeta) = int c(u)/(u - zeta) du over an element ---- */
@@ -89,7 +89,7 @@ static pole pole_of(const rw_element *e, int n, const double c[], const double l
     return (pole){rw_multiple(-2, sum.value), rw_multiple(-2 * per_half, sum.slope)};
 }
 
-/* ---- An element, of which z is not far ---- */
+/* ---- An element that is not far from z ---- */
 
 static rw_complex zeta_of(const rw_element *e, double x, double y)
 {
@@ -123,7 +123,7 @@ static pole transform(const rw_element *e, double x, double y)
 
 /* ---- All of them ---- */
 
-/* Off the ends of elements. */
+/* The place x, moved off the ends of elements. */
 static double beside(const rw_traction *t, double x, double part)
 {
     for (size_t i = 0; i < t->count; i++) {

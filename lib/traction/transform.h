@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a traction does to the half-plane, in closed form of its elements:
+/* The displacement and the field that a traction t causes, in closed form of its elements:
  *     Omega(z) = (1/pi) int t/(s - z) ds,   w(x) = -(1/pi) int t ln|s - x| ds,   w' = Re Omega.
  * With z = end + scale zeta^2 an element of the Legendre coefficients c_k has
  *     int t/(s - z) ds = -2 sum c_k [Q_k(v+) + Q_k(v-)],   v+- = (2 (+-zeta) - first - last)/(last
  * - first) times the sign of the scale, with Legendre's functions of the second kind. The
  * potential is that of the primitive, integrated by parts. Far from an element Gauss's rule on it
- * is as exact. */
+ * is as accurate. */
 #ifndef RW_TRANSFORM_H
 #define RW_TRANSFORM_H
 
 #include "traction/traction.h"
 #include "potential/potential.h"
 
-/* Omega on the surface, the principal value in the traction. */
+/* Re Omega at a place of the surface, a principal value where there is traction. */
 double rw_traction_slope(const rw_traction *traction, double x);
 
-/* w, but for a constant that depends on the unit of length. */
+/* w at a place of the surface, up to a constant that depends on the unit of length. */
 double rw_traction_displacement(const rw_traction *traction, double x);
 
 /* Omega and y Omega' at a depth y > 0; on the surface, Omega + i t. */

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Can others use it? Installed by find_package and pkg-config, as a subproject, in one compiler line, from C++.
+# Can others use it? Installed by find_package and pkg-config, as a subproject, from C++.
 #     package.sh SOURCE BUILD
 set -eu
 source=$(realpath "$1") build=$(realpath "$2")
@@ -83,7 +83,3 @@ try "a static host builds" cmake --build "$work/static_host" --parallel 2
 try "a static host installs" cmake --install "$work/static_host" --prefix "$work/static_installed"
 [ -z "$(find "$work/static_host" "$work/static_installed" -name 'librwedge.so*')" ] || { echo "FAILED: a shared library"; exit 1; }
 try "runs" "$work/static_installed/bin/with_rwedge"
-
-cd "$source"
-try "one compiler line" cc -Iinclude -Ilib lib/*/*.c tests/package/consumer/main.c -o "$work/line" -lgsl -lgslcblas -llapack -lm
-try "runs" "$work/line"

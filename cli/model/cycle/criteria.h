@@ -30,10 +30,10 @@ typedef struct {
 /* Whether a column is written. */
 bool column_is_wanted(const criteria *all, int column);
 
-/* Smith, Watson and Topper's alone, in plane strain. */
+/* The criteria by default: Smith, Watson and Topper's alone, in plane strain. */
 criteria criteria_usual(const contact_case *setup);
 
-/* Fatemi and Socie's constant, of their k; NAN without a yield stress. */
+/* Fatemi and Socie's constant, their k over the yield stress; NAN without a yield stress. */
 double criteria_fatemi_socie(const contact_case *setup, double k);
 
 #endif

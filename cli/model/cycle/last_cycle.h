@@ -5,7 +5,7 @@
 
 #include "criteria.h"
 
-/* Of one place; NAN where there is none. */
+/* The measures at one place; NAN where a measure has no value. */
 typedef struct {
     double value[COLUMN_COUNT];
 } measures;
@@ -15,26 +15,27 @@ typedef struct {
     criteria asked;
     rwedge_contact *before;    /* the contact before the cycle */
     size_t loads;              /* of the cycle */
-    double *P, *M, *Q, *sigma; /* so many each */
+    double *P, *M, *Q, *sigma; /* `loads` numbers each */
     double *edges;             /* of contact and stick zone, in no order */
     size_t edge_count;
     double left, right; /* the outermost; NAN where there is no contact */
     bool slip_known;    /* it has a closed form after every load */
 } last_cycle;
 
-/* Begins with the contact before it, which is copied, and room for so many loads. */
+/* Begins a cycle: copies the contact before it, and makes room for so many loads. */
 void last_cycle_begin(const contact_case *setup, const criteria *asked,
                       const rwedge_contact *before, size_t room, last_cycle *cycle);
 
-/* Adds a load: the contact is under it. */
+/* Adds a load, which the contact is under. */
 void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle);
 
-/* After the last load: then it can be asked for the measures. */
+/* To be called after the last load, before the measures. */
 void last_cycle_end(last_cycle *cycle);
 
 void last_cycle_free(last_cycle *cycle);
 
-/* At n places. Returns the library's status, or RWEDGE_ENOMEM. Threads may call it at a time. */
+/* The measures at n places. Returns the library's status, or RWEDGE_ENOMEM. Several threads may
+ * call it at a time. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
                            measures at[]);
 
@@ -42,8 +43,8 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
  * after the other, sxx of all first, then syy and txy. */
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[]);
 
-/* Where a measure is largest on a line along x of n places, ascending: value has what is known
- * there, and 0 elsewhere. Returns the library's status. */
+/* Where a measure is largest on a line along x of n ascending places. `value` has the measure at
+ * the places, 0 where it is not known. Returns the library's status. */
 int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
                          const double value[], double y, double *worst_x, double *worst_value);
 

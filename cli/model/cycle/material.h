@@ -48,10 +48,10 @@ material material_unknown(void);
 /* The constant of a name; -1 where none is known. */
 int material_constant(const char *name);
 
-/* Names that stand beside the constants, and say where they are from. */
+/* Whether a name is a remark on the constants, such as their source. */
 bool material_is_remark(const char *name);
 
-/* What a criterion must not exceed; NAN where it is not known. */
+/* The allowable value of a criterion; NAN where it is not known. */
 double material_allowable(const material *all, int criterion);
 
 /* Whether the curve of life of a criterion is known. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which places along x a cycle is looked at: the edges of contact and stick zone after each load
- * are among them, as it is there that stresses and slip have their tops. */
+/* The places along x at which a cycle is evaluated. The edges of contact and stick zone after each
+ * load are among them, because stresses and slip have their peaks there. */
 #ifndef CLI_STOPS_H
 #define CLI_STOPS_H
 
@@ -16,10 +16,10 @@ typedef struct {
     size_t count;
 } stops;
 
-/* By default: across the contact and beyond. None where there is no contact. */
+/* The places by default: across the contact and beyond. None where there is no contact. */
 stops stops_usual(const last_cycle *cycle);
 
-/* At places that are given, in any order; the edges between them are not shown. */
+/* The given places, in any order, and the edges between them, which are not shown. */
 stops stops_at(const last_cycle *cycle, size_t n, const double x[]);
 
 #endif

@@ -14,15 +14,16 @@ typedef struct {
     bool shown[RESULT_COUNT]; /* the results that become columns */
 } case_table;
 
-/* The column behind the results, for why a row has none. */
+/* The column after the results, which says why a row has none. */
 extern const char case_table_error[];
 
-/* Before any row: chooses the results that are shown, the other members being there. False, with
- * the complaint, where columns and constants cannot give a contact, or where a column has the name
- * of a result. */
+/* To be called before any row, when the other members are set: chooses the results that are shown.
+ * False, with the complaint, where columns and constants cannot give a contact, or where a column
+ * has the name of a result. */
 bool case_table_begin(case_table *table, char complaint[COMPLAINT_SIZE]);
 
-/* Solves a row of so many cells. False, with the complaint. Threads may call it at a time. */
+/* Solves a row of `count` cells. False, with the complaint, where it has no results. Several
+ * threads may call it at a time. */
 bool case_table_solve(const case_table *table, const char *const row[], size_t count,
                       results *answer, char complaint[COMPLAINT_SIZE]);
 

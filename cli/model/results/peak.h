@@ -8,7 +8,8 @@
 /* NAN where it has no value, which no peak is. */
 typedef double peak_function(const void *context, double x);
 
-/* At places that are dense at the edges, and around the best of them to 1e-10 of their distance. */
+/* Finds the largest value at places that are dense at the edges, and then around the best place, to
+ * 1e-10 of the distance of its neighbours. */
 double peak_over(double left, double right, peak_function *f, const void *context);
 
 /* The largest pressure of a contact in its present state, a magnitude; NAN where it is infinite, or

@@ -8,8 +8,9 @@
 /* Adds the results for full sliding to those of the present state. Returns the library's status. */
 int32_t results_of_sliding(const contact_case *setup, cell row[]);
 
-/* The value of P, f or the radius with which a load yields first that is so many times the case's
- * and slides; the case has 1 for it. NAN where there is none as far as the pad is known. */
+/* The value of P, f or the radius with which first yield, in full sliding, is at `safety` times the
+ * load of the case; the case has 1 for this input. NAN where there is none within the known part of
+ * the pad. */
 double sliding_find(const contact_case *setup, int input, double safety);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What all results of a contact come to. */
+/* The verdict: a summary of all results of a contact. */
 #ifndef CLI_VERDICT_H
 #define CLI_VERDICT_H
 
@@ -12,18 +12,18 @@ typedef struct {
     char text[1200];    /* its state in a word, and what is doubtful */
 } verdict;
 
-/* How its sentences are written. */
+/* The style of its sentences. */
 typedef struct {
     char decimal_sign;
     const char *length; /* the unit, or "" */
 } verdict_style;
 
-/* The state under the loads as they are counts, by the yield factor; where that is not computed,
- * full sliding does. */
+/* The verdict goes by the yield factor of the present loads; where that is not computed, by full
+ * sliding. */
 verdict verdict_of(const results *answer, verdict_style style);
 
-/* On a contact that the library refuses with this status, or RWEDGE_OK where its inputs are
- * wrong. */
+/* The verdict on a contact that the library refuses with this status; RWEDGE_OK means that its
+ * inputs are wrong. */
 verdict verdict_of_fault(int32_t status, const char *complaint);
 
 #endif

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The contact of a wedge with a rounded apex and an elastically similar half-plane.
 
-Formulas are NumPy ufuncs that take arguments by name too: they broadcast, know ``out=`` and ``where=``, and release the GIL. Outside its domain a formula gives
-NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does (``numpy.errstate(invalid="raise")`` makes an
-exception of it); NaN among the arguments gives NaN without one.
+Formulas are NumPy ufuncs that take arguments by name too: they broadcast, take ``out=`` and ``where=``, and release the GIL.
+Outside its domain a formula gives NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does
+(``numpy.errstate(invalid="raise")`` makes an exception of it); NaN among the arguments gives NaN without a warning.
 
-``Contact`` is a contact with a history of loads, ``Cycle`` the stresses through such a history, ``Series`` the paper's series, ``stresses()`` the ufunc ``stress`` that
-raises. These warn of doubtful results (``ValidityWarning``), and raise ValueError outside the domain. NaN among points gives NaN; as a parameter, a load or a sample it is refused.
+``Contact`` is a contact with a history of loads, ``Cycle`` the stresses through such a history, ``Series`` the paper's series.
+``stresses()`` is the ufunc ``stress``, but raises. These raise ValueError outside the domain, and warn of doubtful results
+(``ValidityWarning``). NaN among points gives NaN; as a parameter, a load or a sample it is refused.
 
 Natural units in the formulas of alpha = a/b: lengths in b, stresses in theta/A; compression is negative; k is the yield stress
 in pure shear. "Eq. (n)" is the numbering of M. Ciavarella, D. A. Hills, G. Monno, "Contact problems for a wedge with rounded
@@ -43,6 +44,6 @@ _stresses = _Points("stress")
 
 
 def stresses(alpha, f, c, x, y):
-    """Stresses sxx, syy, txy in the broadcast shape of the arguments: the ufunc ``stress``, which see, but with a ValueError
-    that says where the domain was left; NaN gives NaN. Source: Eq. (28), (32), (33) with E4, E8; new."""
+    """Stresses sxx, syy, txy in the broadcast shape of the arguments, as the ufunc ``stress``. A ValueError says which
+    arguments are outside the domain; NaN gives NaN. Source: Eq. (28), (32), (33) with E4, E8; new."""
     return _stresses(alpha, f, c, x, y)

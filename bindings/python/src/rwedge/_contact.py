@@ -120,7 +120,8 @@ class Contact(ContactMethods, Handle):
     threads are safe, and wait for each other; to read one at the same time, give each thread a copy. ``os.fork`` waits for
     the calls that other threads are in.
 
-    Bodies of two materials under a bulk tension: ``set_strain((1 - nu1**2) / E1)`` before the first load, of the half-plane.
+    Bodies of two materials under a bulk tension: before the first load ``set_strain((1 - nu1**2) / E1)``, E1 and nu1 of the
+    half-plane.
 
     Source: Sec. 3.2 for Q growing under constant P; all other histories are new, lib/README.md "Load histories".
 
@@ -298,7 +299,7 @@ class Contact(ContactMethods, Handle):
             check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
 
     def apply(self, P: Numbers, M: Numbers, Q: Numbers, sigma: Numbers) -> None:
-        """The next point of the history with a moment and a bulk tension, reached in a straight line of all four. Of arrays,
+        """The next point of the history with a moment and a bulk tension, reached in a straight line in all four loads. Of arrays,
         one load after the other: all of them, or none where one is refused.
 
         Parameters
@@ -394,7 +395,7 @@ class Contact(ContactMethods, Handle):
         ----------
         loads : mapping, frame, or array_like
             P, M, Q, sigma by name, each a number or all of its values: a dict, or a frame of pandas, in which other columns
-            are left alone. What has no name stays as it is. Or rows of P, Q, or of P, M, Q, sigma. Domains as in ``apply``
+            are left alone. A load without a name keeps its value. Or rows of P, Q, or of P, M, Q, sigma. Domains as in ``apply``
         x, y : array_like
             length, finite, y >= 0; they broadcast, and keep their labels; NaN gives NaN
 
@@ -413,7 +414,7 @@ class Contact(ContactMethods, Handle):
         See Also
         --------
         Cycle : what it gives
-        smith_watson_topper, fatemi_socie : what tires at these points
+        smith_watson_topper, fatemi_socie : fatigue parameters at these points
 
         Examples
         --------
@@ -441,7 +442,7 @@ class Contact(ContactMethods, Handle):
 
     def state(self) -> NDArray[np.float64]:
         """The contact as n = ``state_size`` numbers, for restarts and for other processes: ``Contact.restore(state)`` goes on
-        to the same bits. The numbers are of no other use. Source: new."""
+        to the same bits. The numbers have no other use. Source: new."""
         with self._lock:
             numbers = np.empty(_state_size(self._address))
             check("contact_state", _state(self._address, numbers.size, numbers.ctypes.data))
@@ -540,7 +541,7 @@ class Contact(ContactMethods, Handle):
     def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:
         """How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the
         half-plane, and where (x, y) that is, length. Above 1 all is elastic; 0 where the stress is infinite, at the apex of
-        the sharp wedge. A millisecond for a first load; the time grows with the square of ``memory``.
+        the sharp wedge. It takes about a millisecond for a first load, and more after a long history.
 
         Parameters
         ----------

@@ -89,7 +89,7 @@ class AbsentError(Error, AttributeError):
 
 
 class PathError(Error):
-    """There is no closed form on this path of loads, and the contact may not compute it, as its ``tolerance`` is 0. The
+    """There is no closed form on this path of loads, and the contact may not compute it, because its ``tolerance`` is 0. The
     message says why, and what to do instead.
 
     See Also

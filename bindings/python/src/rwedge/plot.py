@@ -2,7 +2,7 @@
 """Pictures of a contact with matplotlib, in the style of ``rwedge figure``.
 
 Each function draws on ``ax``, or on matplotlib's current axes, and returns what it has drawn. Lengths are over the half-width
-b of the contact and stresses over theta/A; with ``units=("mm", "MPa")`` they are as they are, under these names. Needs
+b of the contact and stresses over theta/A; with ``units=("mm", "MPa")`` they are those of the contact, with these names. Needs
 matplotlib. Other settings, such as fonts and sizes, are matplotlib's own.
 """
 from __future__ import annotations

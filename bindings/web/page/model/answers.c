@@ -39,7 +39,7 @@ EXPORTED const char *page_words(void)
         records_text(result_kinds[i].unit);
         records_text(result_kinds[i].meaning);
     }
-    for (int i = 0; i < MEASURE_COUNT; i++) {
+    for (int i = 0; i < COLUMN_COUNT; i++) {
         records_add("measure");
         records_text(measure_kinds[i].column);
         records_text(measure_kinds[i].unit);
@@ -68,7 +68,7 @@ EXPORTED rwedge_contact *page_contact(void)
     return contact;
 }
 
-void answers_keep(rwedge_contact *contact)
+static void keep(rwedge_contact *contact)
 {
     rwedge_contact_destroy(page_contact());
     loaded = contact;
@@ -192,7 +192,7 @@ static void write_results(const contact_case *setup, verdict_style style)
     const results_wanted wanted = {.edges = true};
     if (case_loaded(setup, &loaded) != RWEDGE_OK ||
         !results_compute(setup, wanted, &answer, complaint)) {
-        answers_keep(NULL);
+        keep(NULL);
         refuse(INPUT_COUNT, complaint);
         write_verdict(verdict_of_fault(RWEDGE_OK, complaint));
         return;
@@ -216,7 +216,7 @@ EXPORTED const char *page_answer(char *lines, const char *length, int decimal_si
 {
     contact_case setup;
     const input_texts texts = field_texts(lines);
-    answers_keep(NULL);
+    keep(NULL);
     records_begin();
     if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup))
         write_results(&setup, (verdict_style){(char)decimal_sign, length});
@@ -230,12 +230,16 @@ static double number_of(const input_texts *texts, int input)
     return input_is_given(texts, input) && input_read(texts, input, &value, complaint) ? value : 0;
 }
 
-bool answers_history(char *lines, contact_case *setup, load *form)
+bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form, double *nu)
 {
     input_texts texts = field_texts(lines);
-    answers_keep(NULL);
     if (!write_inputs(&texts))
         return false;
+    *nu = number_of(&texts, INPUT_NU1);
+    if (is_plane_stress)
+        texts.text[INPUT_NU1] = "0";
+    if (is_plane_stress && input_is_given(&texts, INPUT_NU2))
+        texts.text[INPUT_NU2] = "0";
     *form = (load){number_of(&texts, INPUT_P), number_of(&texts, INPUT_M),
                    number_of(&texts, INPUT_Q), number_of(&texts, INPUT_SIGMA)};
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)

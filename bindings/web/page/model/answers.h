@@ -5,11 +5,10 @@
 
 #include "model/contact_case.h"
 
-/* Reads the case without its loads, which are given apart. False where it is refused: the records
- * say why. */
-bool answers_history(char *lines, contact_case *setup, load *form);
-
-/* Keeps the contact, which may be NULL, for page_contact(); the one before is destroyed. */
-void answers_keep(rwedge_contact *contact);
+/* Reads the case without its loads, which are given apart, and Poisson's ratio of body 1. In plane
+ * stress the contact is one of Poisson's ratio 0. False where it is refused: the records say
+ * why. */
+bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form,
+                     double *nu);
 
 #endif

@@ -113,13 +113,13 @@ EXPORTED const char *page_rows(const char *text, char *lines, int decimal_sign)
     case_table table = {0};
     records_begin();
     if (!pasted_next(in, &first, &problem))
-        records_refuse(problem);
+        records_refuse("", problem);
     else if (!begin(&first, lines, (char)decimal_sign, &table, complaint))
-        records_refuse(complaint);
+        records_refuse("", complaint);
     else {
         write_head(&table);
         if (!write_rows(in, &table, &problem))
-            records_refuse(problem);
+            records_refuse("", problem);
     }
     csv_row_free(&first);
     csv_input_close(in);

@@ -15,7 +15,7 @@ EXPORTED const char *page_find(char *lines, const char *name, double safety)
     double value;
     char complaint[COMPLAINT_SIZE];
     if (!inverse_find(&texts, input, safety, &setup, &value, complaint)) {
-        records_refuse(complaint);
+        records_refuse("", complaint);
         return records_end();
     }
     records_begin();

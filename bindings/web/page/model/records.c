@@ -56,11 +56,11 @@ void records_number(double number)
     records_text(text);
 }
 
-void records_refuse(const char *why)
+void records_refuse(const char *input, const char *why)
 {
     records_begin();
     records_add("refused");
-    records_text("");
+    records_text(input);
     records_text(why);
 }
 

@@ -14,8 +14,8 @@ void records_add(const char *kind);
 void records_text(const char *text);
 void records_number(double number); /* empty where it is not a number; inf is one */
 
-/* In place of all that was added: what is wrong. */
-void records_refuse(const char *why);
+/* In place of all that was added: what is wrong, and with what; or "". */
+void records_refuse(const char *input, const char *why);
 
 /* The whole; an empty text without memory. */
 const char *records_end(void);

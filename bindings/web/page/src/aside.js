@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long work is done aside, in a worker: typing goes on, and the next question ends the one before. The worker runs this page's script.
-import { answerOf } from "./cycle/answer.js";
+import { cycleOf } from "./cycle.js";
 import { solveRows } from "./tables.js";
 
-const tasks = { rows: solveRows, cycle: answerOf };
+const tasks = { rows: solveRows, cycle: cycleOf };
 
 function answerTo(task, values) {
     try {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case as a command and as a program: both give the numbers that are shown.
-import { criteria } from "./cycle/criteria.js";
 import { wholeNumber } from "./number.js";
 import { inputs } from "./words.js";
 
@@ -25,8 +24,8 @@ const SHOWN = 100; // loads
 
 /** The options of a criterion other than the usual one, and of what it needs. */
 function criterionOptions({ name, isPlaneStress, constants }) {
-    const values = criteria[name].needs.map(
-        (need) => `--${need.toLowerCase().replaceAll("_", "-")} ${constants[need]}`,
+    const values = Object.entries(constants).map(
+        ([need, value]) => `--${need.toLowerCase().replaceAll("_", "-")} ${value}`,
     );
     return [
         isPlaneStress && "--plane-stress",

@@ -72,6 +72,13 @@ export function ask(name, ...values) {
     return text === "" ? [] : text.split("\x1e").map((record) => record.split("\x1f"));
 }
 
+/** Numbers that an answer has left in memory, by three of its fields: where, how many, how far from each other. */
+export function numbersAt(...fields) {
+    const [address, length, distance] = fields.map(Number);
+    const all = new Float64Array(library.memory.buffer);
+    return Float64Array.from({ length }, (_, i) => all[address / 8 + i * distance]);
+}
+
 /** NaN where the text is no number with a decimal point. */
 export const numberOf = (text) => call("page_number", [text]);
 

@@ -3,7 +3,6 @@
 import { readAddress, writeAddress } from "./address.js";
 import { rwedge } from "./library.js";
 import { asCommand, asPython } from "./export.js";
-import { criteria } from "./cycle/criteria.js";
 import { copyButton, download, element } from "./elements.js";
 import { makeForm } from "./left/form.js";
 import { makeFinder } from "./left/find.js";
@@ -16,7 +15,7 @@ import { makeTabs } from "./tabs/tabs.js";
 import { makeVerdict } from "./verdict.js";
 import { conversion, unitsRemark, unitSystems } from "./units.js";
 import { readNumber, writeNumber } from "./number.js";
-import { inputNames, inputs } from "./words.js";
+import { criteria, inputNames, inputs } from "./words.js";
 
 /** Two steel bodies, as in the workbook. */
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };

@@ -73,7 +73,3 @@ export function heightOf({ theta, a, radius, flat, places }) {
     if (Number.isFinite(flat)) return (x) => Math.max(0, Math.abs(x) - flat) ** 2 / (2 * radius);
     return (x) => theta * (Math.abs(x) < a ? (x * x) / (2 * a) : Math.abs(x) - a / 2);
 }
-
-/** Sharp edges, where the pressure is infinite. */
-export const kinksOf = ({ a, places }) =>
-    a === 0 ? [0] : places.filter(({ x }, i) => i > 0 && x === places[i - 1].x).map(({ x }) => x);

@@ -4,7 +4,7 @@ import { answeredContact, ask } from "./library.js";
 import { withPoint } from "./number.js";
 import { rowsOfProfile } from "./pads.js";
 
-const number = (text) => (text === "" ? NaN : text === "inf" ? Infinity : text === "-inf" ? -Infinity : Number(text));
+export const number = (text) => (text === "" ? NaN : text === "inf" ? Infinity : text === "-inf" ? -Infinity : Number(text));
 
 const takers = {
     refused: (answer, input, text) => answer.faults.push({ input, text }),
@@ -20,15 +20,13 @@ const takers = {
     text: (answer, name, value) => ((answer.results ??= {})[name] = value === "" ? null : value),
     verdict: (answer, colour, text, strength, factor) =>
         (answer.verdict = { colour, text, strength, factor: number(factor) }),
-    load(answer, ...numbers) {
-        const [P, M, Q, sigma] = numbers.map(number);
-        answer.loads.push({ P, M, Q, sigma });
-    },
-    unused: (answer, text) => (answer.unused = text),
 };
 
 const lineOf = ([name, text], sign) =>
     name === "profile" ? `profile=${rowsOfProfile(text, sign).join("\x1d")}` : `${name}=${withPoint(text, sign)}`;
+
+export const loadOf = (numbers) =>
+    Object.fromEntries(["P", "M", "Q", "sigma"].map((name, i) => [name, number(numbers[i])]));
 
 /** The texts as lines for the model. The rows of a profile are one; "hull" has them again where their hull is taken. */
 export function linesOf({ hull, ...texts }, sign) {
@@ -37,8 +35,8 @@ export function linesOf({ hull, ...texts }, sign) {
 }
 
 /**
- * From records of the model: { inputs: numbers by name, faults: [{ input, text }], setup, hardest, results, verdict, loads, unused, remark }. setup
- * has the numbers of the case, where it is one, and the places of a profile.
+ * From records of the model: { inputs: numbers by name, faults: [{ input, text }], setup, hardest, results, verdict, remark }. setup has the
+ * numbers of the case, where it is one, and the places of a profile.
  */
 export function taken(records) {
     const answer = {
@@ -48,8 +46,6 @@ export function taken(records) {
         hardest: null,
         results: null,
         verdict: null,
-        loads: [],
-        unused: "",
         remark: "",
     };
     for (const [kind, ...fields] of records) takers[kind](answer, ...fields);

@@ -18,5 +18,16 @@ export const alternatives = Object.fromEntries(
 );
 
 export const resultKinds = kinds("result");
-export const measureKinds = kinds("measure");
-export const isAngle = ({ unit }) => unit === "deg";
+/** By name. */
+export const measures = Object.fromEntries(kinds("measure").map((kind) => [kind.name, kind]));
+
+/** Titles of the criteria that are offered, by their columns. */
+export const criteria = {
+    swt: "Smith\u2013Watson\u2013Topper",
+    fatemi_socie: "Fatemi\u2013Socie",
+    findley: "Findley",
+    modified_wohler: "modified W\u00f6hler curve",
+    mcdiarmid: "McDiarmid",
+    crossland: "Crossland",
+    dang_van: "Dang Van",
+};

@@ -3,17 +3,17 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
-import { answerOf } from "../src/cycle/answer.js";
-import { readMaterial } from "../src/cycle/criteria.js";
+import { cycleOf } from "../src/cycle.js";
 import { asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/solution.js";
-import { goThrough, solveRows } from "../src/tables.js";
+import { solveRows } from "../src/tables.js";
 import { conversion } from "../src/units.js";
 import { inputs } from "../src/words.js";
 
 const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3" };
 const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
+const swt = { name: "swt", isPlaneStress: false, material: "" };
 const optionsOf = (texts) => Object.entries(texts).flatMap(([name, text]) => [`--${inputs[name].option}`, text]);
 
 function assertNear(value, expected, tolerance, about) {
@@ -41,7 +41,7 @@ test("a thousands comma in pasted rows is refused, not read as a decimal comma",
 });
 
 test("a thousands comma in the loads of a cycle is refused", () => {
-    const { complaint } = goThrough(bodies, "P\tQ\n3,000\t1,000\n3,000\t-1,000\n", ".", "3");
+    const { complaint } = cycleOf(bodies, "P\tQ\n3,000\t1,000\n3,000\t-1,000\n", ".", "3", swt);
     assert.equal(complaint, "line 2: P 3,000: must be a number, with a decimal point");
 });
 
@@ -69,7 +69,7 @@ test("the decimal comma is read in pasted rows where it is chosen", () => {
 test("surplus cells in the loads of a cycle are refused as by the tool", () => {
     const loads = "P,Q\n300,25,20,5\n300,75,-20,5\n";
     const told = run(["fretting", "-", ...optionsOf(bodies)], loads).stderr;
-    const { complaint } = goThrough(bodies, loads, ".", "3");
+    const { complaint } = cycleOf(bodies, loads, ".", "3", swt);
     assert.equal(complaint, "line 2: 4 cells in this row, 2 in the header");
     assert.ok(told.includes(complaint), told);
 });
@@ -85,7 +85,7 @@ test("columns that are not used are named, above the rows and in their warnings"
     const solved = solveRows("P\tT\n300\t80\n", usual, ".");
     assert.equal(solved.unused, "columns with numbers that are not used: 'T'");
     assert.ok(solved.rows[0].values.at(-1).includes(solved.unused));
-    assert.equal(goThrough(bodies, "P\tQ\tT\n300\t20\t7\n300\t-20\t7\n", ".", "3").unused, solved.unused);
+    assert.equal(cycleOf(bodies, "P\tQ\tT\n300\t20\t7\n300\t-20\t7\n", ".", "3", swt).unused, solved.unused);
 });
 
 test("an empty cell, too few cells and misplaced quotes cost their row alone", () => {
@@ -162,12 +162,15 @@ test("rows of flat pads take nothing of the wedge of the form", () => {
 });
 
 test("constants of a material are read as lines or JSON; what is unknown is named", () => {
-    const told = { constants: { swt_limit: 0.5, t_A: 150 } };
-    for (const text of ["swt_limit\t0.5\nt_A, 150\nsource,a paper", '{"swt_limit": 0.5, "t_A": 150, "name": "x"}'])
-        assert.deepEqual(readMaterial(text, "."), told);
-    assert.deepEqual(readMaterial("swt_limit;0,5\nt_A = 150", ","), told);
-    assert.match(readMaterial("limit 1", ".").complaint, /^limit: no constant that is known/);
-    assert.match(readMaterial("kappa x", ".").complaint, /^kappa: must be a number/);
+    const read = (material, sign, name = "mcdiarmid") => cycleOf(usual, "", sign, "3", { ...swt, name, material });
+    for (const text of ["su\t500\nt_A, 150.5\nsource,a paper", '{"su": 500, "t_A": 150.5, "name": "x\\ny"}'])
+        assert.deepEqual(read(text, ".").criterion.constants, { t_A: "150.5", su: "500" });
+    assert.deepEqual(read("su;500\nt_A = 150,5", ",").criterion.constants, { t_A: "150.5", su: "500" });
+    assert.equal(read("limit 1", ".").complaint, "limit: no constant that is known here");
+    assert.equal(read("kappa x", ".").complaint, "kappa: must be a number");
+    assert.equal(read("su 500", ".").complaint, "McDiarmid needs t_A of the material");
+    assert.match(read("{", ".").complaint, /^the material: /);
+    assert.match(read("dang_van_alpha -1", ".", "dang_van").complaint, /outside its domain/);
 });
 
 test("what yields under the loads and what would in full sliding are told apart", () => {
@@ -251,7 +254,6 @@ test("bodies of two materials under tension: body 1 is stretched by its own comp
 });
 
 test("a cycle without a table is that of the tool after P and M", () => {
-    const chosen = { name: "swt", isPlaneStress: false, material: "", nu: 0.3 };
     for (const texts of [{}, { M: "1" }, { sigma: "10" }]) {
         const { P, Q, ...rest } = { ...usual, ...texts };
         const { M = "0", sigma = "0", ...bodiesAlone } = rest;
@@ -260,9 +262,9 @@ test("a cycle without a table is that of the tool after P and M", () => {
         const worst = Object.fromEntries(
             [...told.stderr.matchAll(/(\w+) (\S+) at x = ([^;\s]+)/g)].map((m) => [m[1], m]),
         );
-        const answer = answerOf({ ...usual, ...texts }, "", ".", "3", chosen);
+        const answer = cycleOf({ ...usual, ...texts }, "", ".", "3", swt);
         assert.equal(answer.complaint, undefined);
         assertNear(answer.worst.swt.value, Number(worst.swt[2]), 5e-6, told.stderr);
     }
-    assert.match(answerOf({ ...usual, Q: "0" }, "", ".", "3", chosen).complaint, /both are 0$/);
+    assert.match(cycleOf({ ...usual, Q: "0" }, "", ".", "3", swt).complaint, /both are 0$/);
 });

@@ -2,7 +2,6 @@
 // The tab Cycle: a table of loads, what its last cycle does along the surface, the worst places, and the loop.
 import { copyButton, element, escaped } from "../elements.js";
 import { Aside } from "../aside.js";
-import { allowable, criteria, lifeAt } from "../cycle/criteria.js";
 import { asFretting } from "../export.js";
 import { markWorst } from "../left/drawing.js";
 import { roomy } from "../plot/axes.js";
@@ -10,14 +9,13 @@ import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { writeNumber } from "../number.js";
 import { barText } from "../verdict.js";
-import { measureKinds } from "../words.js";
+import { criteria, measures } from "../words.js";
 import { tableText } from "./table.js";
 
-const kindOf = (name) => measureKinds.find((kind) => kind.name === name) ?? { name, ...criteria[name] };
-const unitOf = (name, unit) => unit[kindOf(name).unit];
+const unitOf = (name, unit) => unit[measures[name].unit];
 
 /** A measure along the surface, where it is worst, and its limit. */
-function alongOf({ x, measured, worst }, { unit, write }, name, title, limit) {
+function alongOf({ x, measured, worst }, { unit, write }, name, title, limit = NaN) {
     const top = worst[name];
     if (!top) return "";
     const ends = [x[0], x.at(-1)];
@@ -25,7 +23,7 @@ function alongOf({ x, measured, worst }, { unit, write }, name, title, limit) {
         title,
         curves: [
             { name: title, style: "one", x, y: measured[name] },
-            ...(limit === undefined ? [] : [{ name: "limit", style: "thin", x: ends, y: [limit, limit] }]),
+            ...(Number.isNaN(limit) ? [] : [{ name: "limit", style: "thin", x: ends, y: [limit, limit] }]),
         ],
         points: [{ x: top.x, y: top.value, name: write(top.value) }],
         xLabel: withUnit("x", unit.length),
@@ -34,61 +32,52 @@ function alongOf({ x, measured, worst }, { unit, write }, name, title, limit) {
 }
 
 function fatigueOf(answer, model) {
-    const { name, constants } = answer.criterion;
-    return alongOf(answer, model, name, `${criteria[name].title} along the surface`, allowable(name, constants));
+    const { name } = answer.criterion;
+    return alongOf(answer, model, name, `${criteria[name]} along the surface`, answer.limit);
 }
+
+const loopNames = ({ whole }) => (whole ? ["displacement by slip", "Q"] : ["slip", "q"]);
 
 function loopOf({ loop }, { unit, write }) {
     if (!loop) return "";
-    const ofPlace = `shear traction over slip at x = ${write(loop.place)}`;
-    const name = loop.whole ? "tangential load over displacement by slip" : ofPlace;
+    const ofPlace = `shear traction over slip at x = ${write(loop.place)}`,
+        name = loop.whole ? "tangential load over displacement by slip" : ofPlace,
+        [xName, yName] = loopNames(loop);
     return {
         title: `Loop of the cycle: ${name}`,
         curves: [{ name, style: "one", x: loop.x, y: loop.y }],
         xDomain: roomy([Math.min(...loop.x), Math.max(...loop.x)]),
-        xLabel: withUnit(loop.xName, unit.length),
-        yLabel: withUnit(loop.yName, loop.whole ? unit["force/length"] : unit.stress),
+        xLabel: withUnit(xName, unit.length),
+        yLabel: withUnit(yName, loop.whole ? unit["force/length"] : unit.stress),
     };
 }
 
-/** What the chosen criterion comes to where it is worst: value, limit, safety, life; each undefined where it is not known. */
-function verdictOf({ worst, criterion: { name, constants } }, { inputs }) {
-    const top = worst[name] ?? { value: 0 },
-        limit = allowable(name, constants);
-    const safety = limit !== undefined && top.value > 0 ? limit / top.value : undefined;
-    return { ...top, limit, safety, life: lifeAt(name, top.value, inputs.E1, constants) };
-}
-
-/** The same in a sentence, with a bar. */
-function sentenceText(answer, model) {
-    const { name } = answer.criterion,
-        { value, x, limit, safety, life } = verdictOf(answer, model),
-        { unit, write } = model;
+/** What the chosen criterion comes to where it is worst, in a sentence, with a bar. */
+function sentenceText({ worst, criterion: { name }, limit, safety, life }, { unit, write }) {
+    const { value, x } = worst[name] ?? { value: 0 };
     const place = x === undefined ? "" : ` at x = ${write(x)} ${unit.length}`,
         beside = safety < 1 ? "above" : "below";
     const parts = [
-        `${criteria[name].title}: ${write(value)} ${unitOf(name, unit)}${place}`,
-        safety === undefined
+        `${criteria[name]}: ${write(value)} ${unitOf(name, unit)}${place}`,
+        Number.isNaN(safety)
             ? "no limit of the material is given"
             : `${beside} its limit ${write(limit)}, a factor of ${write(safety)}`,
-        life !== undefined && (life === Infinity ? "no failure" : `${write(life)} cycles to failure`),
+        !Number.isNaN(life) && (life === Infinity ? "no failure" : `${write(life)} cycles to failure`),
     ];
-    const bar = safety === undefined ? "" : barText(safety, safety < 1 ? "red" : "green", "the limit");
+    const bar = Number.isNaN(safety) ? "" : barText(safety, safety < 1 ? "red" : "green", "the limit");
     return `<p class="sentence">${escaped(parts.filter(Boolean).join("; "))}.</p>${bar}`;
 }
 
-function verdictRows(answer, model) {
-    const { limit, safety, life } = verdictOf(answer, model),
-        { write } = model;
+function verdictRows({ limit, safety, life }, { write }) {
     return [
         {
             name: "cycle_safety",
-            value: safety === undefined ? "" : write(safety),
+            value: write(safety),
             meaning: `limit ${write(limit)} over the worst value`,
         },
         {
             name: "cycle_life",
-            value: life === undefined ? "" : write(life),
+            value: write(life),
             meaning: "cycles to failure; inf below the limit",
         },
     ];
@@ -97,12 +86,12 @@ function verdictRows(answer, model) {
 function worstText(answer, model) {
     const { worst } = answer,
         { unit, write } = model,
-        names = Object.keys(worst).filter((name) => worst[name]);
+        names = Object.keys(worst);
     const rows = names.map((name) => ({
         name,
         value: write(worst[name].value),
         unit: unitOf(name, unit),
-        meaning: `at x = ${write(worst[name].x)}: ${kindOf(name).meaning ?? kindOf(name).title}`,
+        meaning: `at x = ${write(worst[name].x)}: ${measures[name].meaning}`,
     }));
     return tableText("The worst places", [...rows, ...verdictRows(answer, model)]);
 }
@@ -117,7 +106,8 @@ function surfaceTable({ x, measured }, unit) {
 }
 
 function loopTable({ loop }) {
-    return { names: [loop.xName.replaceAll(" ", "_"), loop.yName], rows: loop.x.map((v, i) => [v, loop.y[i]]) };
+    const names = loopNames(loop).map((name) => name.replaceAll(" ", "_"));
+    return { names, rows: Array.from(loop.x, (v, i) => [v, loop.y[i]]) };
 }
 
 function remarkOf(answer, state) {
@@ -134,7 +124,7 @@ const entry = (name, attributes) => element(name, { spellcheck: "false", ...attr
 
 /** What is typed and chosen, by the names of the state, the command, and the remark. */
 function makeEntries() {
-    const options = Object.entries(criteria).map(([value, { title }]) => element("option", { value }, title));
+    const options = Object.entries(criteria).map(([value, title]) => element("option", { value }, title));
     return {
         typed: {
             loads: entry("textarea", { id: "loads", rows: 5, placeholder: "P\tQ", "aria-describedby": "loads-note" }),
@@ -234,12 +224,7 @@ function panelOf({ typed, note, command }, answers) {
     );
 }
 
-const chosenBy = ({ criterion, plane, material }, { inputs }) => ({
-    name: criterion,
-    isPlaneStress: plane === "stress",
-    material,
-    nu: inputs.nu1,
-});
+const chosenBy = ({ criterion, plane, material }) => ({ name: criterion, isPlaneStress: plane === "stress", material });
 
 export function makeCycle(state, changed) {
     const entries = makeEntries(),
@@ -259,7 +244,7 @@ export function makeCycle(state, changed) {
         model = present;
         showEntries(entries, state);
         panel.setAttribute("aria-busy", "true");
-        aside.ask([model.texts, state.loads, state.sign, state.cycles, chosenBy(state, model)], draw);
+        aside.ask([model.texts, state.loads, state.sign, state.cycles, chosenBy(state)], draw);
     };
     for (const [name, part] of Object.entries(entries.typed))
         part.addEventListener(part.tagName === "SELECT" ? "change" : "input", () => {

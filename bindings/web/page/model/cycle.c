@@ -1,0 +1,343 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the page asks about a history of loads: what its last cycle does along the surface, where
+ * that is worst, and the loop. */
+#include "answers.h"
+#include "load_list.h"
+#include "loop.h"
+#include "records.h"
+
+#include "model/cycle/stops.h"
+#include "number/number.h"
+#include "text/list.h"
+#include "text/memory.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    contact_case setup;
+    material constants;
+    int criterion, column; /* that is chosen, and its column */
+    load_list loads;
+    last_cycle last;
+    double error; /* the largest of its states */
+    size_t n;     /* places */
+    double *x;
+    measures *at;
+    double worst_x[COLUMN_COUNT], worst[COLUMN_COUNT]; /* NAN and 0 where nothing is above 0 */
+    loop loop;
+} question;
+
+static question asked; /* JavaScript reads its arrays until the next one */
+
+static void forget(void)
+{
+    load_list_free(&asked.loads);
+    last_cycle_free(&asked.last);
+    free(asked.x);
+    free(asked.at);
+    free(asked.loop.x);
+    memset(&asked, 0, sizeof asked);
+}
+
+/* ---- What is asked ---- */
+
+/* From "name=text" of each constant, a line each; it takes the lines apart in place. */
+static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
+{
+    asked.constants = material_unknown();
+    for (char *name = strtok(lines, "\n"); name != NULL; name = strtok(NULL, "\n")) {
+        char *text = strchr(name, '=');
+        *text++ = '\0';
+        const int constant = material_constant(name);
+        if (material_is_remark(name))
+            continue;
+        snprintf(complaint, COMPLAINT_SIZE, "%.60s: %s", name,
+                 constant < 0 ? "no constant that is known here" : "must be a number");
+        if (constant < 0 || !number_read_cell(text, '.', &asked.constants.value[constant]))
+            return false;
+    }
+    return true;
+}
+
+/* By its column. */
+static void choose(const char *column)
+{
+    asked.column = MEASURE_SWT;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        if (strcmp(column, measure_kinds[i].column) == 0)
+            asked.column = i;
+    asked.criterion = measure_criterion(asked.column);
+}
+
+static double constant_of(int constant)
+{
+    return constant < MATERIAL_COUNT ? asked.constants.value[constant] : 0;
+}
+
+/* The usual criteria and that which is chosen. False, with what it needs, where it lacks that. */
+static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
+                             char complaint[COMPLAINT_SIZE])
+{
+    const int i = asked.criterion, own = criterion_kinds[i].constant;
+    const double fs_k = asked.constants.value[MATERIAL_FS_K];
+    const bool lacks_su = i == CRITERION_MCDIARMID && isnan(asked.constants.value[MATERIAL_SU]);
+    const bool lacks_own = isnan(constant_of(own));
+    *wanted = criteria_usual(&asked.setup);
+    wanted->nu = nu;
+    wanted->is_plane_stress = is_plane_stress;
+    wanted->constants = &asked.constants;
+    wanted->su = asked.constants.value[MATERIAL_SU];
+    wanted->constant[i] = constant_of(own);
+    wanted->constant[CRITERION_FATEMI_SOCIE] =
+        criteria_fatemi_socie(&asked.setup, isnan(fs_k) ? 1 : fs_k);
+    if (i == CRITERION_FATEMI_SOCIE && isnan(asked.setup.k))
+        snprintf(complaint, COMPLAINT_SIZE, "needs a yield stress");
+    else
+        snprintf(complaint, COMPLAINT_SIZE, "needs %s%s%s of the material",
+                 lacks_own ? material_names[own] : "", lacks_own && lacks_su ? " and " : "",
+                 lacks_su ? "su" : "");
+    return !isnan(wanted->constant[i]) && !lacks_su;
+}
+
+/* ---- The loads ---- */
+
+/* P and M come first; then Q and sigma go to and fro. */
+static bool to_and_fro(load form, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
+{
+    const load before = {.P = form.P, .M = form.M};
+    snprintf(complaint, COMPLAINT_SIZE,
+             "Q or sigma of the form goes to and fro where no loads are given; both are 0");
+    if ((form.Q == 0 && form.sigma == 0) ||
+        !loads_apply_next(before, asked.setup.f, contact, complaint))
+        return false;
+    load_list_add(&asked.loads, form, 0);
+    load_list_add(&asked.loads, (load){form.P, form.M, -form.Q, -form.sigma}, 0);
+    return true;
+}
+
+static bool go_through(int64_t cycle, bool is_last, rwedge_contact *contact,
+                       char complaint[COMPLAINT_SIZE])
+{
+    char why[COMPLAINT_SIZE], place[60];
+    for (size_t i = 0; i < asked.loads.count; i++) {
+        const listed_load *next = &asked.loads.load[i];
+        if (!loads_apply_next(next->to, asked.setup.f, contact, why)) {
+            snprintf(place, sizeof place,
+                     cycle > 1 ? "line %d, cycle %" PRId64 ": " : "line %d: ", next->line, cycle);
+            snprintf(complaint, COMPLAINT_SIZE, "%s%.300s", next->line > 0 ? place : "", why);
+            return false;
+        }
+        if (is_last) {
+            last_cycle_add(contact, &asked.last);
+            asked.error = fmax(asked.error, rwedge_contact_error(contact));
+        }
+    }
+    return true;
+}
+
+static bool go_through_all(const criteria *wanted, int64_t cycles, rwedge_contact *contact,
+                           char complaint[COMPLAINT_SIZE])
+{
+    bool gone = true;
+    for (int64_t cycle = 1; gone && cycle <= cycles; cycle++) {
+        if (cycle == cycles) {
+            last_cycle_begin(&asked.setup, wanted, contact, asked.loads.count, &asked.last);
+            asked.error = rwedge_contact_error(contact);
+        }
+        gone = go_through(cycle, cycle == cycles, contact, complaint);
+    }
+    return gone;
+}
+
+/* Without a text the loads of the form go to and fro. */
+static bool apply(const criteria *wanted, load form, const char *text, char decimal_sign,
+                  const char *times, char complaint[COMPLAINT_SIZE])
+{
+    rwedge_contact *contact = NULL;
+    int64_t cycles;
+    bool gone = false;
+    snprintf(complaint, COMPLAINT_SIZE, "cycles must be a whole number from 1 to 1000000");
+    if (!number_read_whole(times, 1, 1000000, &cycles))
+        return false;
+    snprintf(complaint, COMPLAINT_SIZE, "the contact cannot be made");
+    if (case_contact(&asked.setup, &contact) == RWEDGE_OK)
+        gone = (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads, complaint)
+                                : to_and_fro(form, contact, complaint)) &&
+               go_through_all(wanted, cycles, contact, complaint);
+    rwedge_contact_destroy(contact);
+    return gone;
+}
+
+/* ---- The measures ---- */
+
+/* At places along the surface. The pressure is infinite at none. */
+static int32_t measure(void)
+{
+    const stops along = stops_usual(&asked.last);
+    asked.x = memory_zeroed(2 * along.count, sizeof *asked.x);
+    asked.at = memory_zeroed(along.count, sizeof *asked.at);
+    for (size_t i = 0; i < along.count; i++)
+        if (!pad_is_kink(&asked.setup.shape, along.stop[i].x))
+            asked.x[asked.n++] = along.stop[i].x;
+    free(along.stop);
+    return last_cycle_measure(&asked.last, asked.n, asked.x, asked.x + along.count, asked.at);
+}
+
+static void find_worst(int column)
+{
+    double *known = memory_zeroed(asked.n, sizeof *known), highest = 0;
+    asked.worst_x[column] = NAN;
+    for (size_t i = 0; i < asked.n; i++) {
+        known[i] = fmax(asked.at[i].value[column], 0);
+        highest = fmax(highest, known[i]);
+    }
+    if (highest > 0)
+        last_cycle_worst(&asked.last, column, asked.n, asked.x, known, 0, &asked.worst_x[column],
+                         &asked.worst[column]);
+    free(known);
+}
+
+/* ---- Answers ---- */
+
+/* Where JavaScript finds numbers, how many, and how far from each other. */
+static void write_numbers(const double *numbers, size_t count, size_t distance)
+{
+    records_number((double)(uintptr_t)numbers);
+    records_number((double)count);
+    records_number((double)distance);
+}
+
+static void write_column(int column)
+{
+    records_add("measured");
+    records_text(measure_kinds[column].column);
+    write_numbers(&asked.at->value[column], asked.n, COLUMN_COUNT);
+}
+
+static void write_worst(int column)
+{
+    find_worst(column);
+    if (isnan(asked.worst_x[column]))
+        return;
+    records_add("worst");
+    records_text(measure_kinds[column].column);
+    records_number(asked.worst_x[column]);
+    records_number(asked.worst[column]);
+}
+
+/* The usual measures, and the chosen criterion behind the other ones. */
+static void write_measures(void)
+{
+    const bool is_usual = asked.column < MEASURE_COUNT;
+    records_add("places");
+    write_numbers(asked.x, asked.n, 1);
+    for (int i = 0; i < MEASURE_COUNT; i++) {
+        write_column(i);
+        if (i + 1 == MEASURE_SLIP_RANGE && !is_usual)
+            write_column(asked.column);
+        if (measure_kinds[i].part == PART_VALUE)
+            write_worst(i);
+    }
+    if (!is_usual)
+        write_worst(asked.column);
+}
+
+/* Cycles to failure; NAN where the constants are not given. */
+static double life_at(double value, double limit)
+{
+    const double *v = asked.constants.value, least = isnan(limit) ? 0 : limit;
+    if (asked.criterion == CRITERION_SWT)
+        return rwedge_smith_watson_topper_life(value, asked.setup.E1, v[MATERIAL_SF], v[MATERIAL_B],
+                                               v[MATERIAL_EF], v[MATERIAL_C], least);
+    if (asked.criterion == CRITERION_FATEMI_SOCIE)
+        return rwedge_fatemi_socie_life(value, v[MATERIAL_G], v[MATERIAL_TF], v[MATERIAL_B0],
+                                        v[MATERIAL_GF], v[MATERIAL_C0], least);
+    return NAN;
+}
+
+static void write_constant(int constant)
+{
+    if (constant == MATERIAL_COUNT)
+        return;
+    records_add("constant");
+    records_text(material_names[constant]);
+    records_number(asked.constants.value[constant]);
+}
+
+/* What the chosen criterion comes to where it is worst, and its constants. */
+static void write_verdict(void)
+{
+    const double limit = material_allowable(&asked.constants, asked.criterion);
+    const double value = asked.worst[asked.column];
+    records_add("judged");
+    records_number(limit);
+    records_number(value > 0 ? limit / value : NAN);
+    records_number(life_at(value, limit));
+    write_constant(criterion_kinds[asked.criterion].constant);
+    if (asked.criterion == CRITERION_MCDIARMID)
+        write_constant(MATERIAL_SU);
+}
+
+static void write_loop(void)
+{
+    asked.loop = loop_of(&asked.last, asked.worst_x[MEASURE_ENERGY_PER_AREA]);
+    if (asked.loop.count == 0)
+        return;
+    records_add("loop");
+    records_text(asked.loop.is_whole ? "whole" : "");
+    records_number(asked.loop.place);
+    write_numbers(asked.loop.x, asked.loop.count, 1);
+    write_numbers(asked.loop.y, asked.loop.count, 1);
+}
+
+static void write_answer(void)
+{
+    last_cycle_end(&asked.last);
+    const int32_t status = measure();
+    if (asked.n == 0)
+        records_refuse("", "there is no contact in the cycle");
+    else if (status != RWEDGE_OK) {
+        char complaint[COMPLAINT_SIZE];
+        snprintf(complaint, sizeof complaint, "This cannot be computed: %s",
+                 rwedge_strerror(status));
+        records_refuse("", complaint);
+    } else {
+        load_list_write(&asked.loads);
+        records_add("known");
+        records_number(asked.last.slip_known);
+        records_number(asked.error);
+        write_measures();
+        write_verdict();
+        write_loop();
+    }
+}
+
+/* Of the case of the form, and pasted loads, which are gone through so many times: the loads of the
+ * last cycle, columns that are not used, the measures along the surface, the worst places, the
+ * verdict of a criterion by the constants of a material, the loop; or what is wrong. */
+EXPORTED const char *page_cycle(char *lines, const char *text, int decimal_sign, const char *times,
+                                const char *criterion, int is_plane_stress, char *constants)
+{
+    load form;
+    double nu;
+    criteria wanted;
+    char complaint[COMPLAINT_SIZE];
+    forget();
+    choose(criterion);
+    records_begin();
+    if (!read_constants(constants, complaint))
+        records_refuse("", complaint);
+    else if (!answers_history(lines, is_plane_stress, &asked.setup, &form, &nu))
+        ; /* the records say why */
+    else if (!collect_criteria(nu, is_plane_stress, &wanted, complaint))
+        records_refuse("criterion", complaint);
+    else if (!apply(&wanted, form, text, (char)decimal_sign, times, complaint))
+        records_refuse("", complaint);
+    else
+        write_answer();
+    return records_end();
+}

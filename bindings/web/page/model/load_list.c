@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "load_list.h"
+
+#include "pasted.h"
+#include "records.h"
+
+#include "model/reading/load_row.h"
+#include "number/number.h"
+#include "text/memory.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+void load_list_add(load_list *loads, load to, int line)
+{
+    loads->load = memory_for_one_more(loads->load, loads->count, sizeof *loads->load);
+    loads->load[loads->count++] = (listed_load){to, line};
+}
+
+void load_list_free(load_list *loads)
+{
+    free(loads->load);
+}
+
+void load_list_write(const load_list *loads)
+{
+    for (size_t i = 0; i < loads->count; i++) {
+        const load to = loads->load[i].to;
+        records_add("load");
+        records_number(to.P);
+        records_number(to.M);
+        records_number(to.Q);
+        records_number(to.sigma);
+    }
+    records_add("unused");
+    records_text(loads->unused);
+}
+
+/* The names of a table without: P and Q, or all four; NULL for another number of columns. */
+static const char *const *usual_names(size_t count)
+{
+    static const char *const names[][4] = {{"P", "Q"}, {"P", "M", "Q", "sigma"}};
+    return count == 2 ? names[0] : count == 4 ? names[1] : NULL;
+}
+
+static bool is_load(const csv_row *row, char decimal_sign)
+{
+    double number;
+    for (size_t i = 0; i < row->count; i++)
+        if (!number_read_cell(row->cell[i], decimal_sign, &number))
+            return false;
+    return true;
+}
+
+static bool take_row(const header *names, const csv_row *row, char decimal_sign, load_list *loads,
+                     char complaint[COMPLAINT_SIZE])
+{
+    load to;
+    char why[COMPLAINT_SIZE] = "misplaced quotes";
+    if (!row->malformed &&
+        load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, why)) {
+        load_list_add(loads, to, (int)row->line);
+        return true;
+    }
+    snprintf(complaint, COMPLAINT_SIZE, "line %" PRId64 ": %.300s", row->line, why);
+    return false;
+}
+
+static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, load_list *loads,
+                      char complaint[COMPLAINT_SIZE])
+{
+    header names;
+    csv_row row;
+    const char *problem;
+    bool unused[HEADER_COLUMNS] = {false};
+    const bool bare = usual_names(first->count) != NULL && is_load(first, decimal_sign);
+    bool taken = load_header_find(bare ? usual_names(first->count) : first->cell, first->count,
+                                  &names, complaint) &&
+                 (!bare || take_row(&names, first, decimal_sign, loads, complaint));
+    while (taken && pasted_next(in, &row, &problem)) {
+        taken = take_row(&names, &row, decimal_sign, loads, complaint);
+        if (taken)
+            header_note_unused(&names, row.cell, unused);
+        csv_row_free(&row);
+    }
+    if (taken && problem[0] != '\0')
+        snprintf(complaint, COMPLAINT_SIZE, "%s", problem);
+    else if (taken && loads->count == 0)
+        snprintf(complaint, COMPLAINT_SIZE, "no loads below the names");
+    else if (taken)
+        header_write_unused(&names, unused, loads->unused, sizeof loads->unused);
+    return taken && problem[0] == '\0' && loads->count > 0;
+}
+
+bool load_list_read(const char *text, char decimal_sign, load_list *loads,
+                    char complaint[COMPLAINT_SIZE])
+{
+    csv_input *in = pasted_open(text);
+    csv_row first = {0};
+    const char *problem;
+    bool read = pasted_next(in, &first, &problem);
+    if (read)
+        read = take_rows(in, &first, decimal_sign, loads, complaint);
+    else
+        snprintf(complaint, COMPLAINT_SIZE, "%s", problem);
+    csv_row_free(&first);
+    csv_input_close(in);
+    return read;
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fronts/frame.h"
+
+#include "base/domain.h"
+#include "base/sort.h"
+#include "potential/pad_potential.h"
+
+#include <float.h>
+#include <string.h>
+
+/* ---- Bends ---- */
+
+/* A jump of the curvature, over its larger value, from which on the place is a bend. A pressure
+ * that is taken for smooth across such a jump errs by less than 1e-3 of it. */
+static double least_jump(double tolerance)
+{
+    return fmin(20 * tolerance, 0.02);
+}
+
+/* A place of the profile, and the curvatures beside it. */
+typedef struct {
+    double x, before, after;
+} place;
+
+/* The largest jumps, in order of size. */
+typedef struct {
+    rw_frame *frame;
+    double jump[RW_MOST_BENDS];
+} bends;
+
+static void note_bend(bends *b, place at)
+{
+    rw_frame *f = b->frame;
+    const double jump = fabs(at.after - at.before);
+    int i = f->bends;
+    if (!(jump > least_jump(f->tolerance) * fmax(at.before, at.after)))
+        return;
+    while (i > 0 && jump > b->jump[i - 1])
+        i--;
+    if (i == RW_MOST_BENDS)
+        return;
+    f->bends += f->bends < RW_MOST_BENDS;
+    const size_t moved = (size_t)(f->bends - 1 - i) * sizeof *f->bend;
+    memmove(f->bend + i + 1, f->bend + i, moved);
+    memmove(b->jump + i + 1, b->jump + i, moved);
+    f->bend[i] = at.x;
+    b->jump[i] = jump;
+}
+
+rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
+{
+    rw_frame frame = {.arcs = arcs, .f = f, .tolerance = tolerance};
+    bends all = {.frame = &frame};
+    place last = {.x = rw_arc_at(&arcs, 0).left};
+    for (size_t i = 0; i < arcs.count; i++) {
+        const rw_arc arc = rw_arc_at(&arcs, i);
+        if (arc.left > last.x) {
+            note_bend(&all, last);
+            last = (place){.x = arc.left};
+        }
+        last.after = fmin(rw_arc_weight(&arcs, i) / rw_arc_half_length(arc), DBL_MAX);
+        note_bend(&all, last);
+        last = (place){arc.right, last.after, 0};
+    }
+    note_bend(&all, last);
+    rw_sort(frame.bend, (size_t)frame.bends);
+    return frame;
+}
+
+int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
+{
+    int n = 0;
+    for (int i = 0; i < frame->bends; i++)
+        if (frame->bend[i] > from && frame->bend[i] < to)
+            at[n++] = frame->bend[i];
+    return n;
+}
+
+/* ---- Friction ---- */
+
+double rw_exact_friction(const rw_frame *frame, rw_patch contact, double x)
+{
+    double pressure;
+    rw_pad_pressures(&frame->arcs, contact, 1, &x, &pressure);
+    return frame->f * pressure;
+}
+
+double rw_peak_friction(const rw_frame *frame, rw_patch contact)
+{
+    enum { PLACES = 31 };
+    double x[PLACES], p[PLACES], peak = 0;
+    for (int i = 0; i < PLACES; i++)
+        x[i] = contact.left + (contact.right - contact.left) * (i + 1.3) / 32.6;
+    rw_pad_pressures(&frame->arcs, contact, PLACES, x, p);
+    for (int i = 0; i < PLACES; i++)
+        peak = fmax(peak, p[i]);
+    return frame->f * peak;
+}
+
+/* The tolerance of the fit of friction, over that of the step: a tenth of the tolerance for the
+ * traction, whose elements have other ends. */
+static const double FIT = 1e-3;
+
+typedef struct {
+    const rw_frame *frame;
+    rw_patch contact;
+} pressed;
+
+static void friction_at(const double x[], const void *context, double value[])
+{
+    static const double surface[RW_TERMS] = {0};
+    const pressed *p = context;
+    rw_fields fields;
+    rw_pad_fields(&p->frame->arcs, p->contact, RW_TERMS, x, surface, &fields);
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = -p->frame->f * fields.G_im[i];
+}
+
+bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch contact)
+{
+    const pressed p = {frame, contact};
+    double at[RW_MOST_BENDS + 2] = {contact.left};
+    const int inside = rw_bends_between(frame, contact.left, contact.right, at + 1);
+    at[inside + 1] = contact.right;
+    *friction = (rw_friction){.contact = contact, .peak = rw_peak_friction(frame, contact)};
+    const bool is_done =
+        rw_traction_fit_values(&friction->traction, friction_at, &p, (size_t)inside + 2, at,
+                               FIT * frame->tolerance * friction->peak);
+    if (!is_done)
+        rw_friction_destroy(friction);
+    return is_done;
+}
+
+void rw_friction_destroy(rw_friction *friction)
+{
+    rw_traction_destroy(&friction->traction);
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The limit of friction in a contact, f times the pressure, on elements. A step reads it at
+ * thousands of places, and on elements a profile of many arcs takes no longer than one arc. */
+#ifndef RW_FRAME_H
+#define RW_FRAME_H
+
+#include "formulas/pad.h"
+#include "traction/traction.h"
+
+enum { RW_MOST_BENDS = 24 };
+
+/* What all steps of a contact share: the profile, friction, and the tolerance of q over f times the
+ * peak pressure. Bends are places where the curvature of the profile jumps so much that a pressure
+ * is not smooth there. */
+typedef struct {
+    rw_arcs arcs;
+    double f, tolerance;
+    int bends;
+    double bend[RW_MOST_BENDS];
+} rw_frame;
+
+rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance);
+
+/* Writes the bends between two places to `at`, in order, and returns how many; `at` has room for
+ * all. */
+int rw_bends_between(const rw_frame *frame, double from, double to, double at[]);
+
+/* f times the pressure at a place, in theta/A, and its peak. */
+double rw_exact_friction(const rw_frame *frame, rw_patch contact, double x);
+double rw_peak_friction(const rw_frame *frame, rw_patch contact);
+
+typedef struct {
+    rw_patch contact;
+    double peak;
+    rw_traction traction;
+} rw_friction;
+
+/* false where memory is short; then there is nothing to destroy. */
+bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch contact);
+void rw_friction_destroy(rw_friction *friction);
+
+#endif

@@ -15,7 +15,7 @@
 
 #include <jansson.h>
 
-/* What its constants stand for. */
+/* The option that a constant of the file stands for. */
 static int option_of(int constant)
 {
     const int inputs[] = {INPUT_E1, INPUT_NU1, INPUT_YIELD_STRESS};

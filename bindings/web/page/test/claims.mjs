@@ -485,36 +485,6 @@ export async function a_pad_begins_with_the_sizes_of_the_one_before({ session, f
     await page.close();
 }
 
-/** At one place of the grid: each measure in the saved table beside what the library says of the same place. */
-export async function contours_show_what_the_library_says({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual, { tab: "stress", digits: "14" }));
-    for (const measure of ["von_mises", "s1", "tau_max", "sxx", "syy", "txy"]) {
-        await enter(page, { measure });
-        const table = await savedBy(page, '#panel-stress .save button[aria-label$="CSV"]');
-        const lines = table.split("\n").map((line) => line.split(",")),
-            [names, row] = [lines[0], lines[200 * 20 + 131]];
-        assert.equal(names.at(-1), `${measure} [MPa]`);
-        await enter(page, { "probe-x": row[0], "probe-y": row[1] });
-        const told = Number((await shownNumbers(page))[measure]);
-        assertNear(row.at(-1), told, 1e-12, measure);
-    }
-    await page.close();
-}
-
-/** The place that is named as the hardest has the stress that is said there. */
-export async function the_hardest_place_has_the_stress_that_is_said({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual, { tab: "stress", digits: "14" }));
-    const place = await page.evaluate(() =>
-        document
-            .querySelector("#panel-stress .save + p")
-            .textContent.match(/stress: (\S+) MPa at x = (\S+), y = (\S+) mm/)
-            .slice(1),
-    );
-    await enter(page, { "probe-x": place[1], "probe-y": place[2] });
-    assertNear((await shownNumbers(page)).von_mises, Number(place[0]), 1e-12, place);
-    await page.close();
-}
-
 /** 120 loads, each with another P, at each of several keystrokes: the page answers at once, and the last question is answered. */
 export async function long_work_freezes_nothing({ session, file }) {
     const page = await openPage(session, file, asAddress(usual, { tab: "cycle" }));

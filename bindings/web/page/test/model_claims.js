@@ -9,6 +9,7 @@ import { cycleOf } from "../src/cycle.js";
 import { asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/solution.js";
+import { fieldOf, gridOf, measures, valuesAt } from "../src/stresses.js";
 import { solveRows } from "../src/tables.js";
 import { conversion } from "../src/units.js";
 import { inputs } from "../src/words.js";
@@ -219,6 +220,17 @@ test("the sentence on strength has the numbers of the results, the unit and the 
         [Number.isNaN(none.factor), none.strength],
         [true, "No yield stress is given, so nothing is known of its strength."],
     );
+});
+
+test("a field and the hardest place have the stresses of their places", () => {
+    const model = solveHolding(usual, "."),
+        grid = gridOf(model.results, false),
+        i = 200 * 20 + 131;
+    for (const measure of Object.keys(measures)) {
+        const told = valuesAt(model, { x: grid.x[i], y: grid.y[i] })[measure];
+        assertNear(fieldOf(model, grid, measure).values[i], told, 1e-12, measure);
+    }
+    assertNear(valuesAt(model, model.hardest).von_mises, model.hardest.von_mises, 1e-12, "the hardest");
 });
 
 test("what gives a safety is found: solved forwards it has it, and the tool finds the same", () => {

@@ -5,7 +5,7 @@
 #     ./tests/run.sh              the everyday run
 #     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
-#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, bindings
+#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, threads, fuzzing, coverage, bindings
 #     ./tests/run.sh --packages   also: the packages made, and each tested as it is installed
 #     ./tests/run.sh --elsewhere  also: both commands on the stable release of Debian, if this machine is another system; and
 #                                 the packages made again in another folder, to the same bytes

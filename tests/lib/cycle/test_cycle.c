@@ -393,6 +393,21 @@ CLAIM(critical_distances_take_the_point_and_the_mean_of_the_line)
     assert_true(kept == 7);
 }
 
+/* All that varies is near one end of a line of 2000 half-widths, but not at the end itself. */
+CLAIM(a_mean_that_does_not_settle_is_refused)
+{
+    const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0.001), 1, 0, -0.3, -0.001);
+    rwedge_contact *contact = create(0, F);
+    load(contact, 1, 0);
+    const double b = rwedge_contact_half_width(contact);
+    double sxx[2] = {7}, syy[2] = {7}, txy[2] = {7};
+    assert_int_equal(rwedge_contact_cycle_below(contact, cycle.count, cycle.P, cycle.M, cycle.Q,
+                                                cycle.sigma, 1.32311 * b, -1.49839, 408.671, 1, sxx,
+                                                syy, txy),
+                     RWEDGE_ENOCONV);
+    assert_true(sxx[0] == 7 && syy[0] == 7 && txy[0] == 7);
+}
+
 /* ---- Displacement ---- */
 
 static double punch(double s, const void *b)

@@ -23,8 +23,8 @@ typedef struct {
     rw_course at;
     bool is_still;           /* the contact is as it was at the beginning */
     rw_patch unslipped;      /* the widest part that has not slipped since then */
-    double move, energy;     /* summed */
-    double error;            /* of the step that led here: violations, over the scale */
+    double move, energy;     /* the rigid move of the zones that stick, the energy: so far */
+    double error;            /* violations of the step that led here, over the scale */
     double haste;            /* its error by the rates at its ends (rates.h), over the scale */
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_stance;
@@ -37,12 +37,12 @@ typedef struct {
     rw_fronts fronts;
     rw_problem start; /* the rates at the beginning of the step */
     rw_grid grid[RW_TRIALS];
-    rw_friction friction[RW_FRICTIONS]; /* of the contacts at last */
-    unsigned frictions;                 /* so far */
+    rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
+    unsigned frictions;                 /* how many so far */
     int effort;    /* residuals so far. Beyond RW_MOST_EFFORT only the grid is used. Beyond half of
                       it steps are not divided any more, so that exact fronts may end them. */
     int limit;     /* up to which the zones of this step are searched */
-    bool is_short; /* memory was */
+    bool is_short; /* memory was short */
 } rw_work;
 
 bool rw_work_create(rw_work *work, const rw_frame *frame);

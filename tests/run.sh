@@ -59,8 +59,9 @@ wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-
 have header:arb.h || wish file:/usr/include/flint/flint.h=libflint-dev
 have header:flint/arb.h || wish header:arb.h=libflint-arb-dev
 [ $compilers = no ] || wish command:gcc=gcc
-# what is compiled twice in a run: the library for the bindings, for hosts that embed it
-wish command:ccache=ccache
+# what is compiled twice in a run is compiled once: the library for the bindings, for hosts that embed it
+wish command:ccache=ccache command:ninja=ninja-build
+! have command:ninja || export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}" # of folders that are new
 if have command:ccache; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DIR="${CCACHE_DIR:-$top/build/ccache}"
 fi

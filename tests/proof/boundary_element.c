@@ -229,3 +229,51 @@ int boundary_element_go(boundary_element *solver, int steps, boundary_loads to)
     }
     return failed;
 }
+
+/* ---- Beside the library ---- */
+
+/* Where slip jumps: what is beyond has come into contact since. */
+static bool is_at_a_jump(const rwedge_contact *contact, const boundary_element *solver, double x)
+{
+    return fabs(x - contact->settled.left) < solver->width ||
+           fabs(x - contact->settled.right) < solver->width;
+}
+
+/* What has been in contact since the first leg, if a load was computed. What comes later touches as
+ * an element, not as a place. */
+static rw_patch lasting(const rwedge_contact *contact, difference *sum)
+{
+    const rw_patch now = edges_of(contact), before = sum->legs == 0 ? now : sum->lasting;
+    sum->lasting = (rw_patch){fmax(before.left, now.left), fmin(before.right, now.right)};
+    return contact->numerical ? sum->lasting : now;
+}
+
+void add_difference(const rwedge_contact *contact, const boundary_element *solver, double f,
+                    difference *sum)
+{
+    double off[2] = {0}, slip[2] = {0}, limit = 0;
+    const rw_patch part = lasting(contact, sum);
+    size_t number[2] = {0};
+    for (size_t i = 0; i < solver->n; i++) {
+        const double x = solver->x[i];
+        off[0] += fabs(pressure(contact, x) - solver->p[i]);
+        off[1] += fabs(shear(contact, x) - solver->q[i]);
+        limit += fabs(pressure(contact, x));
+        double slipped; /* there may be no closed form of it */
+        if (i >= solver->first && i < solver->end && !is_at_a_jump(contact, solver, x) &&
+            rwedge_contact_slip(contact, 1, &x, &slipped) == RWEDGE_OK) {
+            const bool is_young = !(x > part.left && x < part.right);
+            slip[is_young] += fabs(slipped - solver->slip[i]);
+            number[is_young]++;
+        }
+    }
+    sum->pressure += off[0] / limit;
+    sum->shear += off[1] / (f * limit);
+    const double most = f * THETA * rwedge_contact_half_width(contact);
+    sum->slip += number[0] > 0 ? slip[0] / (double)number[0] / most : 0;
+    sum->young_slip += number[1] > 0 ? slip[1] / (double)number[1] / most : 0;
+    const double energy = rwedge_contact_dissipated_energy(contact);
+    if (energy > 0)
+        sum->energy = fabs(solver->energy / energy - 1); /* that of the whole history */
+    sum->legs++;
+}

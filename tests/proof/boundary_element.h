@@ -6,8 +6,7 @@
 #ifndef BOUNDARY_ELEMENT_H
 #define BOUNDARY_ELEMENT_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include "histories.h"
 
 enum { BOUNDARY_ELEMENTS_MAX = 200 };
 
@@ -41,5 +40,17 @@ void boundary_element_start(boundary_element *solver, double theta, double a, do
 /* To these loads in so many equal, straight steps; |Q| < f P. 0, or 1 where the iteration for the
  * edges or the zones of slip did not end. */
 int boundary_element_go(boundary_element *solver, int steps, boundary_loads to);
+
+/* Differences summed up over the legs of a history, relative to friction's limit and to the largest
+ * slip there could be; of the energy the last. */
+typedef struct {
+    double pressure, shear, slip, young_slip, energy; /* young: of what came later */
+    int legs;
+    rw_patch lasting; /* what has been in contact since the first leg */
+} difference;
+
+/* Adds those of the present state. */
+void add_difference(const rwedge_contact *contact, const boundary_element *solver, double f,
+                    difference *sum);
 
 #endif

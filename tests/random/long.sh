@@ -27,14 +27,6 @@ cmake -S "$source" -B . -DCMAKE_C_COMPILER="$clang" -DCMAKE_BUILD_TYPE=None -DCM
     -DRWEDGE_FUZZ=ON -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=ON -DRWEDGE_INSTALL=OFF >log 2>&1 &&
     cmake --build . --parallel "$processors" --target targets_of_any_bytes >>log 2>&1 || { cat log; exit 1; }
 
-rm -rf seeds
-for file in "$source"/tests/random/targets/*.seeds; do
-    to=seeds/$(basename "$file" .seeds)
-    mkdir -p "$to"
-    sed '/^#/d' "$file" | while read -r name bytes; do
-        printf %b "$bytes" >"$to/$name"
-    done
-done
 [ -n "$seconds" ] || exec ctest --tests-regex '^fuzz_' --parallel "$processors" --output-on-failure --no-tests=error
 
 # explore TARGET SHARE - short texts run 50 times faster than contacts

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum { PIECES = 1 << 16, FILES = 64, ENDINGS = 16 };
+enum { PIECES = 1 << 16, FILES = 8, ENDINGS = 16 };
 
 static bool is_inside;
 static jmp_buf outside;

@@ -236,6 +236,21 @@ CLAIM(a_stress_history_is_that_of_its_loads)
     }
 }
 
+/* What sticks moves until each place has slipped. */
+CLAIM(errors_are_forgotten_where_it_slips)
+{
+    rwedge_contact *contact = allowing(1e-3);
+    apply(contact, 4, 0, 0, 0);
+    for (int i = 0; i < 20; i++)
+        apply(contact, 4, 0, 0.5 + 0.3 * sin(0.6 * i), 0.9 + 0.3 * sin(0.6 * i - 0.8));
+    apply(contact, 4, 0, 1.6, 1.6);
+    apply(contact, 4, 0, -1.6, 1.6);
+    apply(contact, 4, 0, 1.6, -1.6);
+    assert_true(rwedge_contact_error(contact) > 1e-3);
+    apply(contact, 4, 0, -1.6, -1.6);
+    assert_in_range(1e6 * rwedge_contact_error(contact), 1, 100);
+}
+
 CLAIM(yield_is_found_and_the_energy_grows)
 {
     rwedge_contact *contact = computed();

@@ -172,32 +172,6 @@ static double no_slip(double x, const void *context)
     return 0;
 }
 
-typedef struct {
-    rw_pad_potential potential;
-    double ratio;
-} first_contact;
-
-static double first_traction(double x, const void *context)
-{
-    const first_contact *c = context;
-    return c->ratio * rw_pad_pressure(&c->potential, x);
-}
-
-static bool fit_first(const rw_frame *frame, first_contact *first, rw_stance *now)
-{
-    const rw_patch patch = now->contact;
-    if (!rw_pad_potential_create(&first->potential, &frame->arcs, patch))
-        return false;
-    double at[RW_MOST_BENDS + 2] = {patch.left};
-    const int bends = rw_bends_between(frame, patch.left, patch.right, at + 1);
-    at[bends + 1] = patch.right;
-    const bool is_done =
-        rw_traction_fit(&now->shear.traction, first_traction, first, (size_t)bends + 2, at,
-                        0.01 * frame->tolerance * rw_peak_friction(frame, patch));
-    rw_pad_potential_destroy(&first->potential);
-    return is_done;
-}
-
 /* The state after a first small contact, with a shear in proportion to the load. */
 static bool touch(const rwedge_contact *c, rw_course to, rw_numerical *numerical)
 {
@@ -206,9 +180,13 @@ static bool touch(const rwedge_contact *c, rw_course to, rw_numerical *numerical
     rw_stance now = {.at = part_of(from, to, FIRST_TOUCH)};
     now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
     now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
-    first_contact first = {.ratio = to.shear / to.P};
-    if (fit_first(&frame, &first, &now) &&
-        rw_numerical_begin(numerical, &frame, &now, no_slip, NULL))
+    rw_frame in_proportion = frame; /* what friction would bear is the traction */
+    in_proportion.f = to.shear / to.P;
+    rw_friction first;
+    if (!rw_friction_create(&first, &in_proportion, now.contact))
+        return false;
+    now.shear.traction = first.traction;
+    if (rw_numerical_begin(numerical, &frame, &now, no_slip, NULL))
         return true;
     rw_shear_state_destroy(&now.shear);
     return false;

@@ -198,7 +198,7 @@ enum { HALVINGS = 9 };
 
 /* The error of the fit of a step, over the tolerance. The errors of steps are independent, and
  * added as squares. */
-static const double ELEMENTS = 1e-2;
+static const double ELEMENTS = 0.03;
 
 /* Makes the end of a step the present state. */
 static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance *now)

@@ -29,7 +29,7 @@ typedef struct {
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_stance;
 
-enum { RW_TRIALS = 2, RW_MOST_EFFORT = 16000, RW_FRICTIONS = 4 };
+enum { RW_TRIALS = 2, RW_MOST_EFFORT = 24000000, RW_FRICTIONS = 4 };
 
 /* Working memory of steps, kept from one to the next. */
 typedef struct {
@@ -39,9 +39,10 @@ typedef struct {
     rw_grid grid[RW_TRIALS];
     rw_friction friction[RW_FRICTIONS]; /* of the contacts at last */
     unsigned frictions;                 /* so far */
-    int effort;    /* residuals so far. Beyond RW_MOST_EFFORT only the grid is used. Beyond half of
-                      it steps are not divided any more, so that exact fronts may end them. */
-    int limit;     /* up to which the zones of this step are searched */
+    int effort;    /* so far: values at points of a quadrature, some 40 ns each. Beyond
+                      RW_MOST_EFFORT only the grid is used. Beyond half of it steps are not divided
+                      any more, so that exact fronts may end them. */
+    int search;    /* residuals that the zones of this step may still cost */
     bool is_short; /* memory was */
 } rw_work;
 

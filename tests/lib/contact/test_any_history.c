@@ -326,7 +326,7 @@ CLAIM(a_place_that_should_stick_goes_on_beyond_a_kink)
 {
     const hard_history h = {0.336,
                             1e-4,
-                            1e-3,
+                            2e-3,
                             8,
                             {{2.61, 0.56, 0, 0},
                              {2.48, 0.46, 0.05, -0.5},

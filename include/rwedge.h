@@ -94,7 +94,7 @@ RWEDGE_API double rwedge_compliance(double E1, double nu1, double E2, double nu2
  *                                                                 Dundurs (1969), see lib/README.md
  *   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged;
  *   |beta| <= 1/2 for nu >= 0
- * NaN outside the domain. Error below 4 epsilon, absolutely. */
+ * NaN where rwedge_compliance() is. Error below 4 epsilon, absolutely. */
 RWEDGE_API double rwedge_dundurs_beta(double E1, double nu1, double E2, double nu2);
 
 /* ---- Contact law ----------------------------------------------------------------------------- */

@@ -24,30 +24,20 @@ fail()
 # scope, of a rule of 2008 about other objects. That an allocatable array may be used uninitialised is a false alarm of gfortran.
 strict='-std=f2018 -Wall -Wextra -pedantic -Werror -Wno-maybe-uninitialized'
 
-# module FOLDER OPTIONS... - compiles the module into FOLDER.
-module()
-{
-    mkdir -p "$1"
-    folder=$1
-    shift
-    # shellcheck disable=SC2086
-    gfortran $strict "$@" -J"$folder" -c "$prefix/include/rwedge.f90" -o "$folder/rwedge.o"
-}
-
-# fortran PROGRAM FOLDER OPTIONS... - builds it with the module that is in FOLDER; the door is made.
+# fortran PROGRAM OPTIONS... - builds it with the module; the door is made.
 fortran()
 {
-    program=$1 folder=$2 place=$here
-    shift 2
+    program=$1 place=$here
+    shift
     [ $program != door ] || place=$made/fortran
     # shellcheck disable=SC2086
-    gfortran $strict "$@" -I"$folder" "$place/$program.f90" "$folder/rwedge.o" $objects "$prefix/lib/librwedge.a" -lm -o "$program"
+    gfortran $strict "$@" "$place/$program.f90" rwedge.o $objects "$prefix/lib/librwedge.a" -lm -o "$program"
 }
 objects=''
 
-module serial -O2
-module openmp -O2 -fopenmp
-fortran door serial -O0
+# shellcheck disable=SC2086
+gfortran $strict -O2 -fopenmp -c "$prefix/include/rwedge.f90"
+fortran door -O0
 cc -I"$prefix/include" -I"$made/c" "$top/tests/doors/door.c" "$prefix/lib/librwedge.a" -lm -o door_in_c
 python3 -B "$top/tests/doors/calls.py" >calls.csv
 ./door_in_c <calls.csv >expected.csv
@@ -55,7 +45,7 @@ python3 -B "$top/tests/doors/calls.py" >calls.csv
 cmp answers.csv expected.csv || fail "the door's answers differ from those in C"
 echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 
-fortran example_fretting serial -O2
+fortran example_fretting -O2
 ./example_fretting >example.txt
 sed '$d; s/E\([-+]\)/e\1/' example.txt | diff - "$top/tests/data/example_fretting.txt" ||
     fail "the example differs from that in C"
@@ -64,7 +54,7 @@ echo "the example prints what it does in C; $(tail -n 1 example.txt)"
 # where equality is asserted, it is meant
 cc -O2 -c -I"$prefix/include" "$here/support.c" -o support.o
 objects=support.o
-fortran test_module serial -O2 -Wno-compare-reals -Wl,--wrap=rwedge_contact_create,--wrap=rwedge_contact_copy \
+fortran test_module -O2 -Wno-compare-reals -Wl,--wrap=rwedge_contact_create,--wrap=rwedge_contact_copy \
     -Wl,--wrap=rwedge_contact_destroy,--wrap=rwedge_series_create,--wrap=rwedge_series_destroy
 objects=''
 ./test_module
@@ -74,5 +64,5 @@ fi
 grep -q '^rwedge_stress(alpha, f, c, x, y): an argument is outside its domain: ' stopped.txt ||
     fail "it does not say why it ends"
 
-fortran copies openmp -O2 -fopenmp -Wno-compare-reals
+fortran copies -O2 -fopenmp -Wno-compare-reals
 ./copies

@@ -568,11 +568,26 @@ static mxArray *call_text(const entry *call, const void *object, const mxArray *
 }
 
 /* A function that makes an object gives its number, and nothing else. */
+/* The results of a call; *made is the object that it makes. */
+static void answer(const entry *call, handle *h, const mxArray *const prhs[], mxArray *results[],
+                   void **made)
+{
+    void *object = h ? h->object : NULL;
+    if (call->text)
+        results[0] = call_text(call, object, prhs);
+    else if (is_of_whole_arrays(call))
+        whole(call, object, prhs, results, made);
+    else if (call->changes_object)
+        map_loads(call, h, prhs);
+    else
+        map(call, object, prhs, results);
+}
+
 static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
                        const mxArray *const prhs[])
 {
     mxArray *results[ENTRY_RESULTS];
-    void *object = NULL, *made = NULL;
+    void *made = NULL;
     handle *h = NULL,
            *slot = call->makes_object ? free_slot() : NULL; /* before find(): it may move them */
     if (call->makes_object && !slot)
@@ -581,7 +596,6 @@ static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
         h = nrhs > 0 ? find(kind_of(call), prhs[0]) : NULL;
         if (!h)
             fail_without(call->name, kind_of(call));
-        object = h->object;
         nrhs--;
         prhs++;
     }
@@ -590,14 +604,7 @@ static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
     if (nlhs > count)
         fail("arguments", "rwedge_%s gives %d result%s, not %d", call->name, count,
              count == 1 ? "" : "s", nlhs);
-    if (call->text)
-        results[0] = call_text(call, object, prhs);
-    else if (is_of_whole_arrays(call))
-        whole(call, object, prhs, results, &made);
-    else if (call->changes_object)
-        map_loads(call, h, prhs);
-    else
-        map(call, object, prhs, results);
+    answer(call, h, prhs, results, &made);
     if (call->makes_object)
         results[0] = keep(slot, kind_of(call), made);
     for (int j = 0; j < count; j++)

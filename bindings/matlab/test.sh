@@ -37,10 +37,9 @@ octave-cli --no-init-file --no-history --path installed/share/rwedge/matlab --ev
 mkdir -p lacking/lib
 ln -s "$prefix/include" lacking/
 ar rc lacking/lib/librwedge.a
-octave --eval "try, build_rwedge('lacking', 'refused'), catch err, disp(err.message), end" >refused.txt 2>&1
+octave --eval "for from = {'lacking', 'nowhere'}, try, build_rwedge(from{1}, 'refused'), catch err, disp(err.message), end, end" >refused.txt 2>&1
 grep -q 'librwedge.a built with -DRWEDGE_PRIVATE_DEPS=ON?' refused.txt || fail "a library that lacks something is taken"
 # and nothing is left behind then, nor where nothing is installed; what was built before stays
-octave --eval "try, build_rwedge('nowhere', 'refused'), catch err, disp(err.message), end" >refused.txt 2>&1
 grep -q 'rwedge.h is missing: is rwedge installed at nowhere?' refused.txt || fail "nothing is taken for a library"
 cp -r rwedge before
 # objects of one build are none of another's
@@ -62,14 +61,11 @@ for left in refused refused-* before-* rwedge-*; do
     [ ! -e "$left" ] || fail "a build leaves $left behind"
 done
 # the library may be in other folders than lib
-for inner in lib64 lib/x86_64-linux-gnu; do
-    mkdir -p "elsewhere/$inner"
-    ln -s "$prefix/include" elsewhere/
-    ln -s "$prefix/lib/librwedge.a" "elsewhere/$inner"
-    octave --eval "build_rwedge('elsewhere', 'a place/found');" >/dev/null
-    [ "$(ls "a place/found")" = "$(ls rwedge)" ] || fail "a library in $inner is not found"
-    rm -r elsewhere "a place/found"
-done
+mkdir -p elsewhere/lib/x86_64-linux-gnu
+ln -s "$prefix/include" elsewhere/
+ln -s "$prefix/lib/librwedge.a" elsewhere/lib/x86_64-linux-gnu
+octave --eval "build_rwedge('elsewhere', 'a place/found');" >/dev/null
+[ "$(ls "a place/found")" = "$(ls rwedge)" ] || fail "a library in lib/x86_64-linux-gnu is not found"
 cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsyntax-only -I"$prefix/include" \
     -I"$made/c" \
     -isystem "$(mkoctfile -p OCTINCLUDEDIR)" "$here/rwedge_mex.c"

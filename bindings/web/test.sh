@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The JavaScript package: made, packed by npm, installed in an empty folder and used there, with its types; its answers against those
-# of C.    test.sh [--long] BUILD        --long: also against C with the same libm, to the last bit, and the time that it takes
+# The JavaScript package: made, packed by npm, installed in an empty folder and used there; its answers against those
+# of C.    test.sh [--long] BUILD        --long: also its types; against C with the same libm, to the last bit; the time that it takes
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top=$(cd "$here/../.." && pwd)
@@ -17,9 +17,6 @@ for command in node npm python3 cc; do
 done
 cd "$build/web"
 npm() { command npm --no-audit --no-fund --no-update-notifier --loglevel=error "$@"; }
-# kept for the next time
-mkdir -p tools
-sh "$here/page/packages.sh" "$here/test" tools >npm.log 2>&1 || skip "npm cannot fetch TypeScript: $(tail -n 1 npm.log)"
 sh "$here/build.sh" "$build"
 
 # Packed, and installed without a network, where nothing else is.
@@ -42,7 +39,6 @@ cp "$here"/test/*.mjs "$here"/test/*.ts installed
 cd installed
 node --expose-gc --test --test-reporter=tap test.mjs >../test.log 2>&1 || { cat ../test.log; fail "test.mjs"; }
 sed -n 's/^# pass/tests passed:/p' ../test.log
-../tools/node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext types.ts || fail "the types"
 # The statuses are those of the header.
 python3 -B "$top/bindings/interface/header.py" "$top/include/rwedge.h" |
     python3 -c 'import json, sys; [print(*pair) for pair in json.load(sys.stdin)["statuses"].items()]' >statuses.txt
@@ -70,6 +66,9 @@ with_libm door -lm
 python3 -B "$top/tests/doors/compare.py" expected.csv answers.csv 1e-12
 [ $long = yes ] || exit 0
 
+mkdir -p tools # kept for the next time
+sh "$here/page/packages.sh" "$here/test" tools >npm.log 2>&1 || skip "npm cannot fetch TypeScript: $(tail -n 1 npm.log)"
+(cd installed && ../tools/node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext types.ts) || fail "the types"
 sh "$top/packages/sources.sh" sources musl >log 2>&1 || skip "the sources of musl cannot be fetched: $(grep '^E: ' log | head -n 1)"
 sh "$top/packages/libm.sh" sources linux
 with_libm door-same linux/libm.a

@@ -31,14 +31,10 @@ static void describe(FILE *stream)
         "\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns, of vtk all but the "
         "first two\nas scalars, and the stress as a tensor:\n"
         "  x, y           the point, y the depth; in ParaView the half-plane is above\n"
-        "  sxx, syy, txy  stresses in body 1, tension positive\n"
-        "  von_mises      equivalent stress, plane strain: szz = nu1 (sxx + syy)\n"
-        "  s1             larger principal stress in the plane\n"
-        "  szz            stress across the plane\n"
-        "  s2             smaller principal stress in the plane\n"
-        "  tau_max        largest shear stress on any plane\n"
-        "  s1_angle       from the normal of the surface to that of the plane of s1, deg\n",
+        "  sxx, syy, txy  stresses in body 1, tension positive\n",
         stream);
+    for (int i = TENSOR_TXY + 1; i < TENSOR_COUNT; i++)
+        fprintf(stream, "  %-14s %s\n", tensor_kinds[i].column, tensor_kinds[i].meaning);
     loaded_contact_describe(stream);
 }
 

@@ -31,6 +31,9 @@ enum {
     OPTION_OVER
 };
 
+/* No command has more options. */
+typedef char options_have_room[(int)OPTION_OVER < (int)OPTION_LIMIT ? 1 : -1];
+
 static const table_variable stick_width = {
     "c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
 static const table_variable tension = {
@@ -190,7 +193,7 @@ static void read_case(const arguments *line, const figure *chosen, figure_case *
             line->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
 }
 
-/* What is to be drawn, or written. */
+/* The figure to draw or write, and how. */
 typedef struct {
     const figure *chosen;
     figure_case inputs;
@@ -241,7 +244,7 @@ static int read_over(const char *text)
     return i;
 }
 
-/* Of those that are computed. */
+/* The measure of --measure, which must be one of those that are computed. */
 static int read_measure(const char *text, const criteria *asked)
 {
     char allowed[600] = "";

@@ -8,7 +8,7 @@
 
 #include <rwedge.h>
 
-/* Of the rows. */
+/* The columns of the rows. */
 enum { SIGMA, X, SHEAR, STICK_LEFT, STICK_RIGHT };
 
 /* ---- The numbers ---- */

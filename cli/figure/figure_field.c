@@ -59,7 +59,8 @@ static void compute_field(const figure_case *inputs, dataset *rows)
 
 /* ---- Contours ---- */
 
-/* Of the grid: no number stands on the edges of the picture. */
+/* Rows and columns of the grid without numbers of contours: none stands on the edges of the
+ * picture. */
 enum { MARGIN = 14, FIRST_ROW = 18 };
 
 static double highest(const dataset *rows)

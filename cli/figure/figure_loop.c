@@ -20,7 +20,7 @@ typedef struct {
 
 enum { LOOP_STEPS = 100 };
 
-/* From one turning point, or the origin, to the next. */
+/* Adds the loop from one turning point, or the origin, to the next. */
 static void add_part(const loop_case *loop, double from, double to, const char *part)
 {
     const double normal = rwedge_load(loop->alpha);

@@ -81,7 +81,7 @@ static void write_number(double value, int digits, char text[NUMBER_SIZE])
     snprintf(text, NUMBER_SIZE, "%s%.20s", value < 0 ? "−" : "", size);
 }
 
-/* From the least number to the largest, and 0, with room. */
+/* An axis from the least number to the largest, with 0 in it, and with room at the ends. */
 static axis axis_over(const dataset *rows, int column, const char *text)
 {
     const double lo = -extreme(rows, column, -1), hi = extreme(rows, column, 1);
@@ -203,7 +203,7 @@ const figure figure_any_loop = {.name = "loop",
 
 enum { F_X, F_SWT, F_ANGLE, F_SLIP, F_F1, F_F2, F_ENERGY };
 
-/* At the places by default. */
+/* Measures the cycle at the places by default. */
 static void measure_usual(const figure_case *inputs, const last_cycle *last, measured *all)
 {
     case_check(inputs, surface_usual(last, all) ? surface_measure(last, all) : RWEDGE_EABSENT);

@@ -214,7 +214,8 @@ static void read_plan(arguments *line, plan *job, output_options *how)
     surface_places(line, how->decimal_sign, &job->last, &job->all);
 }
 
-/* The same as for the rows, but for the file and the format of its ending. */
+/* The output options of --worst: those of the rows, with its own file and the format of its
+ * ending. */
 static void read_worst(const arguments *line, const output_options *how, output_options *worst)
 {
     arguments its = *line;

@@ -23,7 +23,7 @@ static double x_of(const void *written, int64_t column)
     return place_at(written, column, 0)->x;
 }
 
-/* Of the row of a grid; else of the point. */
+/* The depth of a row of a grid, or of a point. */
 static double y_of_row(const void *written, int64_t row)
 {
     return place_at(written, 0, row)->y;

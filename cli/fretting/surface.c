@@ -10,7 +10,7 @@
 
 enum { PLACES_MAX = 1000000 };
 
-/* Those of --x. */
+/* The places of --x. */
 static stops stops_of_range(const char *text, const last_cycle *cycle)
 {
     range x = {0};

@@ -192,7 +192,7 @@ static void add_life(int criterion, const measures *at, cell cells[COLUMNS])
     cells[11] = cell_number(part_of(at, criterion, PART_CYCLES));
 }
 
-/* What a criterion comes to: its plane, what is allowed, the life. */
+/* The verdict of a criterion: its plane, the allowable value, the life. */
 static void add_verdict(const worst_table *worst, int criterion, const worst_row *row,
                         cell cells[COLUMNS])
 {

@@ -48,7 +48,7 @@ static void describe(FILE *stream)
           stream);
 }
 
-/* What is to be written. */
+/* The contact, its loads and the points to write. */
 typedef struct {
     contact_history history;
     places at;

@@ -86,7 +86,7 @@ static char *frame_name(const char *path, const char *mark, size_t step)
     return name;
 }
 
-/* What the present list names: none where there is no list. */
+/* The files that the present series names; none where there is no series. */
 static frames frames_of(const char *path)
 {
     frames old = {"b", 0};
@@ -116,7 +116,7 @@ typedef struct {
     frames all;
 } list;
 
-/* As JSON has it. */
+/* The text as a string of JSON. */
 static char *quoted(const char *text)
 {
     json_t *string = json_string(text);

@@ -113,7 +113,7 @@ static bool ends_line(char c)
     return c == '\n' || c == '\r';
 }
 
-/* As far as the next end of a line, that included; a return and a line feed are two. */
+/* The length of the first line with its end; a return and a line feed are two ends. */
 static size_t line_length(const char *bytes, size_t count)
 {
     size_t i = 0;

@@ -20,7 +20,7 @@ static const alternatives ways[] = {
     {INPUT_E1, -1}, {INPUT_NU1, -1}, {INPUT_THETA, INPUT_THETA_DEG}, {INPUT_A, INPUT_RADIUS},
     {INPUT_P, -1},  {INPUT_F, -1},   {INPUT_K, INPUT_YIELD_STRESS},
 };
-/* What gives one shape does not go with what gives another. */
+/* Inputs of different shapes, which exclude each other. */
 static const alternatives shapes[] = {
     {INPUT_THETA, INPUT_FLAT},     {INPUT_THETA_DEG, INPUT_FLAT},    {INPUT_A, INPUT_FLAT},
     {INPUT_THETA, INPUT_PROFILE},  {INPUT_THETA_DEG, INPUT_PROFILE}, {INPUT_A, INPUT_PROFILE},

@@ -16,7 +16,7 @@ static size_t sign_length(const char *text)
     return *text == '+' || *text == '-' ? 1 : 0;
 }
 
-/* Of "e-5"; 0 where the e is not followed by an exponent. */
+/* The length of an exponent such as "e-5"; 0 where there is none. */
 static size_t exponent_length(const char *text)
 {
     if (*text != 'e' && *text != 'E')

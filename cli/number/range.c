@@ -18,7 +18,7 @@ static const char no_memory[] = "out of memory";
 
 enum { START, STOP, STEP };
 
-/* As the library has it of whatever has a size. */
+/* Whether a value is in the library's domain of everything that has a size. */
 static bool is_possible(double value)
 {
     return value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);

@@ -38,7 +38,7 @@ static const char *const row_formats[] = {"csv", "tsv", "json", "xlsx", NULL};
 static const record_format *const record_formats[] = {&delimited_format, &delimited_format,
                                                       &json_format, &xlsx_format};
 
-/* Of this tool, whatever the command. */
+/* The formats of all commands. */
 static const char *const all_formats[] = {"csv", "tsv", "json", "xlsx",   "vtk",
                                           "svg", "png", "pdf",  "series", NULL};
 

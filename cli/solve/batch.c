@@ -20,7 +20,7 @@
 /* So many rows are held at a time, for threads to solve them; fewer where they are long. */
 enum { HELD_ROWS = 1024, HELD_BYTES = 1 << 20 };
 
-/* What goes on from row to row. */
+/* The state of the run, from row to row. */
 typedef struct {
     const batch *many;
     const output_options *how;
@@ -100,7 +100,7 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
                : cell_text(text);
 }
 
-/* What the columns cannot show of a row is in its error. */
+/* Writes the error of a row, with the whole row where the columns cannot show it. */
 static void write_error(run *r, const csv_row *row, const char *complaint)
 {
     const size_t size = strlen(complaint) + strlen(row->whole) + 3;

@@ -194,7 +194,7 @@ static bool read_yield_factor(const arguments *line, const input_texts *texts)
     return wanted;
 }
 
-/* What is looked for cannot be given too, and there is one contact. */
+/* Reads --for and --safety: the input to be found must not be given, and there is one contact. */
 static void read_inverse(const arguments *line, const input_texts *texts, job *task)
 {
     const char *name = line->value[OPTION_FOR], *safety = line->value[OPTION_SAFETY];

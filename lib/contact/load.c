@@ -160,15 +160,20 @@ static bool slides(const rw_departure *departure)
     return departure->slip != 0 && departure->corner.load == 0;
 }
 
+/* The bodies touch, after the load with the tension. */
+static void touch(rwedge_contact *contact, double sigma)
+{
+    contact->touched_at = sigma;
+    if (isnan(contact->energy_carry))
+        contact->energy_carry = 0;
+}
+
 static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
                const rw_departure *departure)
 {
     rw_memory *memory = &contact->memory;
-    if (memory->count == 1) {
-        contact->touched_at = contact->loads.sigma;
-        if (isnan(contact->energy_carry))
-            contact->energy_carry = 0;
-    }
+    if (memory->count == 1)
+        touch(contact, contact->loads.sigma);
     contact->loads = (rw_loads){step->to_P, step->to_M, to->Q, to->sigma};
     if (memory->count == 1) /* it touches */
         memory->corners[0].tilt = step->to.tilt;
@@ -259,7 +264,7 @@ static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
         return RWEDGE_ENOMEM;
     go(contact, &to, step, departure);
     add_energy(contact, share);
-    contact->was_off_centre = off_centre || (contact->was_off_centre && !is_separated);
+    contact->was_off_centre = off_centre;
     if (off_centre)
         contact->settled = common_part(settled, step->patch);
     if (off_centre || is_separated)
@@ -277,11 +282,8 @@ static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_ste
     const int32_t status = rw_numerical_go(contact, step, &share);
     if (status != RWEDGE_OK)
         return status;
-    if (touches) {
-        contact->touched_at = before;
-        if (isnan(contact->energy_carry))
-            contact->energy_carry = 0;
-    }
+    if (touches)
+        touch(contact, before);
     contact->loads = to;
     contact->slid_from = 0;
     contact->was_off_centre = true;

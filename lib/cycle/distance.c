@@ -104,8 +104,10 @@ static int32_t go_through(const rwedge_contact *contact, const rw_load_list *lis
 
 double rwedge_critical_distance(double dK_th, double ds0)
 {
+    if (!rw_is_positive(dK_th) || !rw_is_positive(ds0))
+        return NAN;
     const double ratio = dK_th / ds0;
-    return rw_is_positive(dK_th) && rw_is_positive(ds0) ? ratio * ratio / RW_PI : NAN;
+    return ratio * ratio / RW_PI;
 }
 
 int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads, const double P[],

@@ -86,7 +86,7 @@ rw_patch rw_patch_under_moment(const rw_geometry *g, double P, double M)
 
 rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
 {
-    if (tilt == 0 && (rw_is_symmetric(g) || P == 0))
+    if (tilt == 0 && rw_is_symmetric(g))
         return centred(g, P);
     if (!(fabs(tilt) < 1))
         return (rw_patch){NAN, NAN};

@@ -25,13 +25,14 @@ typedef struct {
     const rw_problem *problem;
     int zones, fronts, sticks, unknowns;
     int label[RW_MOST_ZONES];
-    bool sticks_to_edge[2];   /* left, right: of a growing contact */
-    double y[RW_MOST_FRONTS]; /* angles of the fronts, then D at edges that stick */
-    rw_layers layer_of[3];    /* for D = 0, and more for each D */
-    /* the quadrature: places, weights, X there, changes of traction; what is known of these, and
-     * the layers' */
-    int order, coarse, finest; /* of a panel; how many at a front, for what is had from integrals
-                                  over all that slips, and for the traction next to it */
+    bool sticks_to_edge[2];   /* whether a growing contact sticks up to its left, right edge */
+    double y[RW_MOST_FRONTS]; /* the unknowns: angles of the fronts, then D at edges that stick */
+    rw_layers layer_of[3];    /* for D = 0, and what each D adds */
+    /* the quadrature: places x, weights step, X and dt (change) there; dt is `known` less the
+     * layers, `layer` the change by each layer */
+    int order;          /* points of a panel */
+    int coarse, finest; /* panels at a front: for integrals over all slip zones, and for the
+                           traction next to the front */
     double node[RW_TERMS], weight[RW_TERMS];
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;
@@ -45,7 +46,7 @@ typedef struct {
 typedef struct {
     int count;
     double end[RW_MOST_FRONTS];
-    double middle, half; /* of the contact */
+    double middle, half; /* of the contact: its middle and half-width */
 } rw_stuck;
 
 rw_stuck rw_stuck_of(const rw_fronts *fronts, const rw_zones *zones);

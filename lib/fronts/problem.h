@@ -44,17 +44,17 @@ typedef struct {
     const rw_frame *frame;
     double f;
     double scale;            /* f times the peak pressure */
-    double tolerance;        /* of tractions */
-    double allowed;          /* violations, over the scale */
-    rw_patch from, to, both; /* both: what is in either */
+    double tolerance;        /* of tractions, in theta/A */
+    double allowed;          /* violations up to this, over the scale, count as none */
+    rw_patch from, to, both; /* the contact before and after the step; both: their union */
     const rw_friction *before, *after;
-    bool is_still;                           /* the contact is as it was */
+    bool is_still;                           /* from and to are the same */
     bool grows[2];                           /* at the left, right edge */
-    double load[RW_LAYERS], tilt[RW_LAYERS]; /* by which layers change: lengths, theta */
-    double ratio[RW_LAYERS][2][2]; /* of layers to friction: at the edges, before and after */
+    double load[RW_LAYERS], tilt[RW_LAYERS]; /* of the layers: lengths, theta */
+    double ratio[RW_LAYERS][2][2]; /* layers over friction: at the edges, before and after */
     double middle, half;           /* of the contact after the step */
-    double shear, stretch;         /* the changes */
-    bool is_rate;                  /* changes are those of a moment: of friction, like 1/sqrt */
+    double shear, stretch;         /* the changes of the shear load and of the stretch */
+    bool is_rate;                  /* the rates at one moment: friction is like 1/sqrt at edges */
     const rw_shear_state *old;
 } rw_problem;
 

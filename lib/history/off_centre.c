@@ -12,6 +12,7 @@
  * rounding, and beyond x = a the slope is 1 - delta - G. */
 #include "history/off_centre.h"
 
+#include "base/always.h"
 #include "base/integral.h"
 #include "base/logarithm.h"
 #include "potential/eccentric.h"
@@ -211,7 +212,7 @@ static double displacement(const rw_memory *path, size_t first, const rw_geometr
         const double beyond = i + 1 < path->count ? path->corners[i + 1].ratio : 0;
         sum += (path->corners[i].ratio - beyond) * rw_patch_gap(g, path->corners[i].patch, x);
     }
-    if (first > 1 && first < path->count)
+    if (first > 1 && ALWAYS(first < path->count)) /* see below */
         sum -= path->corners[first].ratio * rw_patch_gap(g, path->corners[first - 1].patch, x);
     return sum;
 }

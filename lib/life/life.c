@@ -4,6 +4,7 @@
  * steep than the other. */
 #include "life/life.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 #include "rwedge.h"
 
@@ -20,7 +21,7 @@ static double reversals_of(const rw_life_curve *c, double wanted, double *rate)
     static const double LAST = 1e-9;
     const double *height = c->height, *slope = c->slope;
     double u = fmax((wanted - height[0]) / slope[0], (wanted - height[1]) / slope[1]);
-    for (int i = 0; i < STEPS; i++) {
+    for (int i = 0; ALWAYS(i < STEPS); i++) {
         const double first = height[0] + slope[0] * u, second = height[1] + slope[1] * u;
         const int larger = second > first;
         const double ratio = exp(-fmin(fabs(first - second), NEGLIGIBLE));

@@ -9,10 +9,10 @@
 
 typedef struct {
     rw_stance now;
-    bool has_origin;    /* slip is known */
-    rw_traction origin; /* slip less the displacement, at each place since it came into contact */
-    double rest;        /* of the error: what has no place */
-    double error[RW_PLACES]; /* of the traction, at the places of the contact */
+    bool has_origin;         /* whether the slip is known */
+    rw_traction origin;      /* slip less displacement: constant at a place while in contact */
+    double rest;             /* the part of the error that belongs to no place */
+    double error[RW_PLACES]; /* the error of the traction, by place */
 } rw_numerical;
 
 typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;

@@ -14,7 +14,7 @@ enum { MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 /* Of the width: breaks that are closer are one. */
 static const double SAME_BREAK = 1e-8;
 
-/* The fit of a traction, of the tolerance. */
+/* The tolerance of the fit of a traction, over that of the step. */
 static const double FIT = 0.03;
 
 void rw_shear_state_destroy(rw_shear_state *state)
@@ -68,7 +68,7 @@ static void add_kink(rw_shear_state *s, double x)
         s->kink[s->kinks++] = x;
 }
 
-/* The fronts, and what sticks of the old kinks. */
+/* The kinks after the step: its fronts, and the old kinks in zones that stick. */
 static void note_kinks(const rw_problem *p, rw_shear_state *s)
 {
     const double slack = SAME_BREAK * (p->to.right - p->to.left);
@@ -145,15 +145,15 @@ static void add_wrong(rw_outcome *o, int label, double left, double right)
         o->wrong.zone[o->wrong.count++] = (rw_zone){label, left, right};
 }
 
-/* Slip that is told where the traction is too large goes beyond: a traction that is steep beyond a
- * kink is too large there for less than the distance of points. */
+/* Notes slip where the traction is too large, and a little beyond: next to a kink the traction may
+ * be too large over less than the distance of points. */
 static void add_slip(rw_outcome *o, int label, double left, double right)
 {
     const double margin = 0.05 * (right - left);
     add_wrong(o, label, left - margin, right + margin);
 }
 
-/* Where the traction of a zone that sticks exceeds friction, between two breaks. */
+/* Notes where the traction of a zone that sticks exceeds friction, between two breaks. */
 static void check_friction(const rw_problem *p, rw_outcome *o, double from, double to)
 {
     double begun = NAN, before = from;
@@ -177,14 +177,15 @@ static void check_friction(const rw_problem *p, rw_outcome *o, double from, doub
         add_slip(o, label, begun, to);
 }
 
-/* dw, but for the constant. */
+/* dw, up to the constant. */
 static double change_of_displacement(const rw_problem *p, const rw_outcome *o, double x)
 {
     return rw_traction_displacement(&o->state.traction, x) -
            rw_traction_displacement(&p->old->traction, x) + p->stretch * x;
 }
 
-/* That of a contact which grows under full friction: material comes into contact with it. */
+/* The displacement of places that a growing contact takes in as it slips: they move by less than
+ * dw, because they touch later. It is that of f times the added pressure. */
 typedef struct {
     rw_traction layer;
     double constant;
@@ -219,7 +220,7 @@ static bool attach(const rw_problem *p, attached *a, double origin)
     return true;
 }
 
-/* A place that sticks and was in contact before. */
+/* A place that sticks and was in contact before: its dw is the constant of all that sticks. */
 static bool anchor(const rw_problem *p, const rw_zones *zones, double *x)
 {
     double widest = 0;
@@ -273,7 +274,7 @@ static void check_slip_part(slipping *s, double from, double to)
         add_wrong(s->outcome, 0, begun, last);
 }
 
-/* The slip and its work between two breaks: the old kinks, which slip has passed, are between. */
+/* The slip and its work between two breaks, in parts between the old kinks there. */
 static void check_slip(slipping *s, double from, double to)
 {
     const rw_shear_state *old = s->problem->old;
@@ -327,7 +328,7 @@ static bool is_finite(const rw_outcome *o)
     return isfinite(o->violation) && isfinite(o->energy) && isfinite(o->move);
 }
 
-/* What the fit has lost of the load is carried by what sticks, alike. */
+/* The fit changes the load a little: the difference is spread evenly over the zones that stick. */
 static void balance(const rw_problem *p, rw_shear_state *s)
 {
     const double lost =

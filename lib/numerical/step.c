@@ -10,21 +10,21 @@
 /* Angles of the grid; at a second trial twice as many. */
 enum { ANGLES = 96 };
 
-/* Residuals that a pattern may cost front by front; Newton's method, for each unknown and one: it
- * succeeds with fewer, if at all. */
+/* How many residuals the search for the fronts of one pattern may take: front by front in all, by
+ * Newton's method for each unknown and one more. It succeeds with fewer, if at all. */
 enum { BUDGET = 120, TURNS = 10 };
 
-/* Residuals that the zones of a step may cost, and a trial of zones for each at least: a shorter
- * step has zones that are nearer to the old ones, and found at once. */
+/* How many residuals the search for the zones of a step may take, and how many each outcome counts.
+ * Beyond that a shorter step is better: its zones are nearer to the old ones, and found at once. */
 enum { SEARCH = 500, OUTCOME = 20 };
 
-/* The residual of Newton's method, over the tolerance. */
+/* The residual at which Newton's method ends, over the tolerance. */
 static const double RESIDUAL = 1e-5;
 
 /* ---- One problem ---- */
 
-/* The zones of the guess that are about as an old front was begin just inside the old zone that
- * stuck, where the residual is steep; side -1: just outside. Whether any is moved. */
+/* A front near one of the state before starts just inside the old zone that stuck, where the
+ * residual is steep; for side -1 just outside. Whether any front was moved. */
 static bool start_beside(const rw_problem *p, rw_fronts *f, double angle, int side)
 {
     const rw_zones *old = &p->old->zones;
@@ -52,9 +52,9 @@ static bool is_ordered(const rw_fronts *f)
     return true;
 }
 
-/* Inside, zones narrower than this over the half-width are none: the equations tell nothing of
- * them, and what they would change is below the tolerance. Between two ways of slip one may be a
- * point. */
+/* Whether a zone inside is narrower than `least` over the half-width: the equations do not
+ * determine it, and its effect is below the tolerance. A zone that sticks between two ways of slip
+ * may be a point. */
 static bool has_sliver(const rw_work *w, const rw_fronts *f)
 {
     const double least = 0.1 * pow(w->frame->tolerance, 2.0 / 3);
@@ -131,8 +131,8 @@ static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, d
     return true;
 }
 
-/* The outcome of a pattern; parts that turn out wrong are given their label, and it is tried
- * again. */
+/* The outcome of a pattern. Parts that turn out to have the wrong label get the other one, and the
+ * pattern is tried again. */
 static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                         double least, rw_outcome *best)
 {
@@ -165,7 +165,7 @@ static void keep_better(rw_outcome *best, bool *is_known, const rw_outcome *othe
     *is_known = true;
 }
 
-/* What the layers of a growing contact are at first, as if all else stuck: about. */
+/* A guess of the layers of a growing contact, as if all of it stuck. */
 static rw_layers guess_layers(rw_work *w)
 {
     const rw_zones stuck = {1, {{0, w->start.to.left, w->start.to.right}}};
@@ -214,7 +214,7 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
     return is_known;
 }
 
-/* The zones of a contact in the room of another. */
+/* The zones of a contact, scaled to another one. */
 static rw_zones moved_to(rw_zones zones, rw_patch contact)
 {
     const double left = zones.zone[0].left, right = zones.zone[zones.count - 1].right;
@@ -228,14 +228,14 @@ static rw_zones moved_to(rw_zones zones, rw_patch contact)
     return zones;
 }
 
-/* From the zones of a step to a place near by. */
+/* Tries the zones of a similar step. */
 static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_outcome *best)
 {
     const rw_zones zones = moved_to(*guess, p->to);
     return try_pattern(w, p, &zones, 0, p->half * 1e-3, best);
 }
 
-/* Of exact fronts; or of the grid, where `coarse` allows it. */
+/* The best outcome by exact fronts; or by the grid, where `coarse` allows it. */
 static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coarse,
                   rw_outcome *best)
 {
@@ -283,7 +283,7 @@ static rw_patch contact_of(const rw_frame *frame, rw_course at)
     return rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
 }
 
-/* Kept for the steps that follow: they share their contacts. */
+/* The friction of a contact, kept for the steps that follow, which share their contacts. */
 static const rw_friction *friction_of(rw_work *w, rw_patch contact)
 {
     for (int i = 0; i < RW_FRICTIONS; i++)
@@ -309,7 +309,7 @@ static bool set_problem(rw_work *w, const rw_stance *from, rw_course to, rw_patc
     return before && after;
 }
 
-/* What is left of a patch, of several parts the widest. */
+/* The widest part of a patch that sticks. */
 static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
 {
     rw_patch widest = {patch.left, patch.left};
@@ -333,7 +333,7 @@ static bool slips_so(const rw_zones *zones, rw_zone zone)
     return zone.label == 0 || begun.count > 1 || begun.zone[0].label != 0;
 }
 
-/* Whether one more zone slips within the contact. */
+/* Adds a zone of slip within the contact. Whether there is room for one. */
 static bool add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
 {
     zone.left = fmax(zone.left, contact.left);
@@ -341,7 +341,8 @@ static bool add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
     return zone.left < zone.right && rw_pattern_insert(zones, &(rw_zones){1, {zone}}, 0);
 }
 
-/* At the beginning: what goes on to slip, what begins to at the edges, and what ends to. */
+/* The error by the rates at the beginning: zones that go on slipping, zones that begin to slip at
+ * the edges, and zones that stop. */
 static double haste_at_first(rw_work *w, const rw_zones *old, const rw_zones *after)
 {
     const rw_zones begun = rw_rates_begun(old, after);
@@ -409,7 +410,7 @@ bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, const rw_
     return step_to(w, &p, from, to, guess, coarse, there);
 }
 
-/* Whether all that sticks is inside of what stuck. */
+/* Whether all places that stick in `inner` stick in `outer` too. */
 static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
 {
     for (int i = 0, k = 0; i < inner->count; i++) {

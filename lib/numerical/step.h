@@ -23,8 +23,8 @@ typedef struct {
     rw_course at;
     bool is_still;           /* the contact is as it was at the beginning */
     rw_patch unslipped;      /* the widest part that has not slipped since then */
-    double move, energy;     /* summed */
-    double error;            /* of the step that led here: violations, over the scale */
+    double move, energy;     /* the rigid move of the zones that stick, the energy: so far */
+    double error;            /* violations of the step that led here, over the scale */
     double haste;            /* its error by the rates at its ends (rates.h), over the scale */
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_stance;
@@ -37,13 +37,14 @@ typedef struct {
     rw_fronts fronts;
     rw_problem start; /* the rates at the beginning of the step */
     rw_grid grid[RW_TRIALS];
-    rw_friction friction[RW_FRICTIONS]; /* of the contacts at last */
-    unsigned frictions;                 /* so far */
-    int effort;    /* so far: values at points of a quadrature, some 40 ns each. Beyond
-                      RW_MOST_EFFORT only the grid is used. Beyond half of it steps are not divided
-                      any more, so that exact fronts may end them. */
+    rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
+    unsigned frictions;                 /* how many so far */
+    int effort;    /* so far: values at points of a quadrature, some 40 ns each. Beyond `most` only
+                      the grid is used. Beyond half of it steps are not divided any more, so that
+                      exact fronts may end them. */
+    int most;
     int search;    /* residuals that the zones of this step may still cost */
-    bool is_short; /* memory was */
+    bool is_short; /* memory was short */
 } rw_work;
 
 bool rw_work_create(rw_work *work, const rw_frame *frame);

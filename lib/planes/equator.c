@@ -2,6 +2,7 @@
 /* Branch and bound, as in worst_plane.c, in one dimension. */
 #include "planes/equator.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 
 #include <float.h>
@@ -148,24 +149,23 @@ static size_t keep(search *w, const rw_psi_arc *arc, size_t n, const view *v, ri
 
 /* ---- Arcs with one top, bottom and peak ---- */
 
-/* The direction of the largest top - bottom + gain peak, each of one load: a wave. */
+/* The direction of the largest top - bottom + gain peak of a shear, each of one load: a wave. */
 static rw_direction crest_of(const rw_severity *v, const rivals *r)
 {
     const double d = (r->last[TOP]->swing_d - r->last[BOTTOM]->swing_d) / 2,
                  t = (r->last[TOP]->swing_t - r->last[BOTTOM]->swing_t) / 2;
-    const double C = (v->is_strain ? d : t) + v->gain * r->last[PEAK]->d,
-                 S = (v->is_strain ? t : -d) + v->gain * r->last[PEAK]->t;
+    const double C = t + v->gain * r->last[PEAK]->d, S = v->gain * r->last[PEAK]->t - d;
     const double length = sqrt(C * C + S * S);
-    return length > 0 ? (rw_direction){C / length, S / length} : (rw_direction){1, 0};
+    /* always: what does not vary is not above its value at the middle */
+    return ALWAYS(length > 0) ? (rw_direction){C / length, S / length} : (rw_direction){1, 0};
 }
 
-/* The crest, or the end of the arc that is nearer to it. */
+/* The crest, or the end of the arc that is nearer to it. One behind is above all of the arc too. */
 static rw_direction nearest_on(const rw_psi_arc *arc, rw_direction crest)
 {
-    const double along = arc->psi.cosine * crest.cosine + arc->psi.sine * crest.sine,
-                 across = arc->psi.cosine * crest.sine - arc->psi.sine * crest.cosine;
+    const double across = arc->psi.cosine * crest.sine - arc->psi.sine * crest.cosine;
     const double end = 2 * arc->tangent / (1 + arc->tangent * arc->tangent);
-    if (along > 0 && fabs(across) <= end)
+    if (fabs(across) <= end)
         return crest;
     return rw_turned_by(arc->psi, across > 0 ? arc->tangent : -arc->tangent);
 }

@@ -136,7 +136,7 @@ static bool grow(rw_ball *ball, double slack, const rw_point points[], size_t mo
         index[i] = ball->support[i];
     index[ball->count] = more;
     const int others = ball->count;
-    rw_ball best = {.radius = HUGE_VAL}, candidate;
+    rw_ball candidate;
     for (unsigned choice = 1; choice < 1u << others; choice++) {
         size_t support[CANDIDATES] = {more};
         int count = 1;
@@ -144,13 +144,13 @@ static bool grow(rw_ball *ball, double slack, const rw_point points[], size_t mo
             if (choice >> i & 1)
                 support[count++] = index[i];
         if (count <= RW_SUPPORT && ball_through(points, count, support, &candidate) &&
-            candidate.radius < best.radius && holds(&candidate, slack, points, others + 1, index))
-            best = candidate;
+            holds(&candidate, slack, points, others + 1, index)) {
+            const bool is_larger = candidate.radius > ball->radius;
+            *ball = is_larger ? candidate : *ball;
+            return is_larger;
+        }
     }
-    if (!(best.radius < HUGE_VAL) || best.radius <= ball->radius)
-        return false;
-    *ball = best;
-    return true;
+    return false;
 }
 
 static double largest_coordinate(size_t n, const rw_point points[])

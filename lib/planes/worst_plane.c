@@ -392,11 +392,6 @@ static void climb(search *w)
 /* ---- All ---- */
 
 /* A product of strain and stress has a search of its own over the planes that contain z. */
-static bool is_product_of_strain(const rw_severity *v)
-{
-    return v->is_strain && !v->is_sum && v->offset == 0;
-}
-
 static void search_products(search *w)
 {
     const rw_plane_cycle *cycle = w->cycle;
@@ -416,7 +411,7 @@ static void search_products(search *w)
 /* Whether the worst plane that contains z is the worst of all. */
 static bool search_equator(search *w)
 {
-    if (!is_product_of_strain(w->severity)) {
+    if (!w->severity->is_strain) {
         rw_equator_search(w->cycle, w->severity, w->noise, &w->best, &w->psi);
         return false;
     }

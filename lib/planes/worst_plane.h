@@ -18,7 +18,8 @@ typedef struct {
 /* The value that is to be the largest: amplitude (offset + gain peak), 0 where the factor is
  * negative; or the sum amplitude + gain peak. The peak is the largest normal stress. */
 typedef struct {
-    bool is_strain; /* the amplitude is that of the normal strain, otherwise of the shear stress */
+    bool is_strain; /* the amplitude is that of the normal strain, the value gain times the product;
+                       otherwise of the shear stress */
     bool is_sum;
     double offset, gain;
     double

@@ -20,8 +20,8 @@ typedef struct {
     double coefficient[RW_TERMS];    /* of the Legendre polynomials in u */
     double u[RW_TERMS], x[RW_TERMS]; /* Gauss's nodes */
     double load[RW_TERMS];           /* the traction there times its weight in x */
-    double primitive[RW_TERMS + 2];  /* of the load up to u: its coefficients */
-    double carried[RW_TERMS];        /* the primitive at the nodes times scale d(u^2) */
+    double primitive[RW_TERMS + 2];  /* coefficients of the load from first to u */
+    double carried[RW_TERMS];        /* that load at the nodes times scale d(u^2) */
 } rw_element;
 
 typedef struct {

@@ -4,11 +4,9 @@
 # every level of optimisation, and with every width of vectors that this processor has.
 #     exceptions.sh SOURCE BUILD [COMPILER...]
 set -eu
-build=$(cd "$2" && pwd)
+build=$(cd "$2" && pwd)/exceptions
 cd "$1"
 shift 2
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 . tests/support/compilers.sh
 
 processor_has()
@@ -20,43 +18,31 @@ processor_has avx2 && vectors="$vectors -mavx2" || echo "SKIPPED: this processor
 processor_has avx512dq && processor_has avx512vl && vectors="$vectors -mavx512f,-mavx512dq,-mavx512vl" ||
     echo "SKIPPED: this processor has no AVX-512"
 
-# The tests are compiled without optimisation, so that their own comparisons raise nothing.
-build_tests()
-{
-    for test in host/test_calls host/calls/calls host/calls/draw host/calls/edges host/calls/together host/calls/sequences lib/potential/test_batches support/claims support/main support/quadrature; do
-        "$1" -std=c99 -D_XOPEN_SOURCE=700 -DTEST_DATA='"tests/data"' -Iinclude -I"$build/made/c" -Itests/host/calls -Itests/support -Ilib -c "tests/$test.c" \
-            -o "$work/$(basename "$test").o"
-    done
-}
-
-# try COMPILER OPTIONS... - the library, and two tests with it.
+# try COMPILER OPTIONS - the library, and two tests with it.
 try()
 {
-    rm -rf "$work/lib"
-    mkdir "$work/lib"
-    for file in lib/*/*.c; do
-        # shellcheck disable=SC2046
-        "$@" $(options_of "$1" "$file") -Iinclude -Ilib -c "$file" -o "$work/lib/$(basename "$file").o"
-    done
-    for test in "test_calls calls draw edges together sequences" "test_batches main"; do
-        objects=$(printf "$work/%s.o " $test claims quadrature)
-        "$1" $objects "$work"/lib/*.o -o "$work/program" -lcmocka -lgsl -lgslcblas -llapack -lpthread -lm
-        filter=''
-        case $test in test_calls*) filter='2000 no_call_raises_an_exception*' ;; esac
-        # shellcheck disable=SC2086
-        "$work/program" $filter >"$work/log" 2>&1 || { cat "$work/log"; echo "FAILED: $*, ${test%% *}"; failed=yes; return; }
-    done
-    echo "ok: $*"
+    rm -rf "$build"
+    mkdir "$build"
+    if cmake -S . -B "$build" -DCMAKE_C_COMPILER="$1" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS="$2" -DRWEDGE_BUILD_CLI=OFF \
+        -DRWEDGE_BUILD_TESTS=ON -DRWEDGE_INSTALL=OFF >"$build/log" 2>&1 &&
+        cmake --build "$build" --target test_calls test_batches >"$build/log" 2>&1 &&
+        "$build/tests/host/test_calls" 2000 'answers_follow*' >"$build/log" 2>&1 &&
+        "$build/tests/lib/test_batches" >"$build/log" 2>&1; then
+        echo "ok: $*"
+    else
+        cat "$build/log"
+        echo "FAILED: $*"
+        failed=yes
+    fi
 }
 
 failed=no
 for compiler in ${*:-$(compilers_here)}; do
-    build_tests "$compiler"
     for level in -O0 -O1 -O2 -O3; do
         try "$compiler" $level
     done
     for wide in $vectors; do
-        try "$compiler" -O3 $(echo "$wide" | tr , ' ')
+        try "$compiler" "-O3 $(echo "$wide" | tr , ' ')"
     done
 done
 [ $failed = no ]

@@ -215,11 +215,14 @@ static outcome cycles(void)
     outcome seen = {0};
     const double P[] = {0.6, 0.5}, M[] = {0, 0}, Q[] = {0.1, -0.1}, sigma[] = {0, 0}, x = 0.2,
                  value = 1e-9;
-    double n[10];
+    double n[16];
     rwedge_contact *contact = NULL;
     seen.status = STATUS_OF(rwedge_contact_create(0.1, 0.4, 0.5, 0.5, &contact));
     if (seen.status == RWEDGE_OK)
         seen.status = STATUS_OF(rwedge_contact_load(contact, 0.5, 0));
+    for (int line = 0; line < 2 && seen.status == RWEDGE_OK; line++)
+        seen.status = STATUS_OF(rwedge_contact_cycle_below(contact, 2, P, M, Q, sigma, x, 0, 0.1,
+                                                           line, &n[10], &n[12], &n[14]));
     for (int i = 0; i < 2 && seen.status == RWEDGE_OK; i++)
         seen.status = STATUS_OF(rwedge_contact_cycle_worst(contact, measures[i], 2, P, M, Q, sigma,
                                                            1, &x, &value, 0, 70, 0.3, 0, 0.4, 1,
@@ -238,12 +241,58 @@ static outcome cycles(void)
     return seen;
 }
 
+/* A pad, and what has no closed form. */
+static outcome computed(void)
+{
+    static const double place[] = {-2, -1, 1, 2}, slope[] = {-0.1, 0, 0, 0.1};
+    static const double STEP[][4] = {{0.5, 0, 0, 0}, {0.5, 0, 0.1, 0.9}};
+    outcome seen = {0};
+    const double x = 0.1;
+    double s[5];
+    rwedge_contact *contact = NULL, *other = NULL;
+    seen.status = STATUS_OF(rwedge_contact_create_profile(4, place, slope, 0.5, 0.5, &contact));
+    if (seen.status == RWEDGE_OK)
+        seen.status = rwedge_contact_allow_error(contact, 1e-2);
+    for (int i = 0; i < 2 && seen.status == RWEDGE_OK; i++) {
+        const contact_state before = state_of(contact);
+        seen.status = STATUS_OF(
+            rwedge_contact_apply(contact, STEP[i][0], STEP[i][1], STEP[i][2], STEP[i][3]));
+        if (seen.status != RWEDGE_OK)
+            assert_state(contact, before);
+    }
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_contact_copy(contact, &other));
+    RUN(rwedge_contact_destroy(other));
+    other = NULL;
+    if (seen.status == RWEDGE_OK) {
+        const contact_state last = state_of(contact);
+        seen.status = STATUS_OF(rwedge_contact_restore(last.size, last.number, &other));
+    }
+    if (seen.status == RWEDGE_OK)
+        seen.status =
+            STATUS_OF(rwedge_contact_stress_history(other, 1, &STEP[1][0], &STEP[1][1], &STEP[1][2],
+                                                    &STEP[1][3], 1, &x, &x, s, s + 1, s + 2));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(
+            rwedge_contact_permanent_stick(contact, 0.5, 0, -0.1, 0, 0.5, 0, 0.1, 0, &s[3], &s[4]));
+    if (seen.status == RWEDGE_OK)
+        memcpy(seen.number, s, sizeof s);
+    RUN(rwedge_contact_destroy(other));
+    RUN(rwedge_contact_destroy(contact));
+    return seen;
+}
+
 static outcome planes(void)
 {
     outcome seen = {0};
     const double sxx[] = {1, -2}, syy[] = {0, 0.5}, txy[] = {0.3, 0.1};
-    double n[3];
+    double n[13];
     seen.status = STATUS_OF(rwedge_findley(2, sxx, syy, txy, 0.3, 0.2, &n[0], &n[1], &n[2]));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_smith_watson_topper_damage(
+            2, sxx, syy, txy, 2e5, 0.3, 0, 1000, -0.1, 0.5, -0.6, 0, &n[3], &n[4], &n[5], &n[6]));
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_rainflow(2, sxx, 1, &n[7], &n[9], &n[11]));
     if (seen.status == RWEDGE_OK)
         memcpy(seen.number, n, sizeof n);
     return seen;
@@ -367,6 +416,24 @@ CLAIM(every_failed_allocation_is_survived)
     assert_true(every_allocation_of("planes", planes) >= 4);
     assert_int_equal(every_allocation_of("series_create", series_create), 1);
     assert_int_equal(every_allocation_of("series_fit", series_fit), 4);
+}
+
+/* Where memory fails once, another trial may have enough. There are many allocations: most are
+ * tried at the beginning. */
+CLAIM(no_load_is_computed_where_memory_stays_short)
+{
+    const long before = heap.outstanding;
+    arm(0, false);
+    const outcome expected = computed();
+    const size_t allocations = heap.calls;
+    assert_ok(expected.status);
+    for (size_t k = 1; k <= allocations; k += 1 + k / 40) {
+        arm(k, true);
+        const outcome failed = computed();
+        arm(0, false);
+        assert_refused(&failed);
+        assert_int_equal(heap.outstanding, before);
+    }
 }
 
 CLAIM(nothing_else_allocates)

@@ -3,12 +3,12 @@
  * - The header's rules for errors hold.
  * - A host that traps floating-point exceptions is not trapped. Exceptions that the host has raised
  *   stay raised.
- * - The host's rounding mode, errno and locale are left alone, and do not matter.
+ * - The host's rounding mode and errno are left alone, and do not matter.
  * - A stack of 64 KiB is enough.
  *
  *     test_calls [CALLS [TESTS]]
  *
- * CALLS is the number of calls of each function (500). If there are more combinations of
+ * CALLS is the number of calls of each function (100). If there are more combinations of
  * arguments, they are drawn at random. */
 #define _GNU_SOURCE /* feenableexcept() */
 #include "calls.h"
@@ -18,7 +18,6 @@
 #include <errno.h>
 #include <fenv.h>
 #include <float.h>
-#include <locale.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
@@ -26,7 +25,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static size_t most_calls = 500;
+static size_t most_calls = 100;
 
 /* ---- All combinations of edges, or so many; a tenth of a function that takes milliseconds -- */
 
@@ -40,9 +39,9 @@ typedef struct {
 
 static bool takes_long(const char *name)
 {
-    static const char *const part[] = {"yield_factor", "planes",         "findley",
-                                       "wohler",       "mcdiarmid",      "criterion_field",
-                                       "damage",       "cycle_friction", "keep_cycle"};
+    static const char *const part[] = {"yield_factor", "planes",    "findley",
+                                       "wohler",       "mcdiarmid", "criterion_field",
+                                       "damage",       "cycle_",    "keep_cycle"};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
         if (strstr(name, part[i]) != NULL)
             return true;
@@ -141,26 +140,39 @@ static void ask_of_every_call(question *ask)
         fail_msg("%zu of %zu calls", wrong, asked);
 }
 
-/* ---- Answers ---- */
-
-static const char *answers(const public_call *call, const double v[])
-{
-    double out[CALL_OUTPUTS];
-    int32_t status;
-    return complaint_of(call, v, out, &status);
-}
-
-CLAIM(every_answer_follows_the_rules_for_errors)
-{
-    ask_of_every_call(answers);
-}
+/* ---- Pointers ---- */
 
 CLAIM(a_pointer_that_is_needed_may_not_be_null)
 {
     const size_t most = most_calls;
-    most_calls = most < 100 ? most : 100;
+    most_calls = most < 50 ? most : 50;
     ask_of_every_call(complaint_about_null);
     most_calls = most;
+}
+
+/* Each argument is in its domain; what becomes of them is not, or is at the sharp apex. */
+CLAIM(what_leaves_the_domain_together_is_refused)
+{
+    rwedge_contact *contact = NULL;
+    double s[3];
+    const double apex = 0;
+    assert_nan(rwedge_compliance(HUGE_VAL, 0.3, HUGE_VAL, 0.3));
+    assert_nan(rwedge_compliance(1e-60, 0.3, 1, 0.3));
+    assert_nan(rwedge_dundurs_beta(HUGE_VAL, 0.3, HUGE_VAL, 0.3));
+    assert_nan(rwedge_radius(1e-10, 1e55));
+    assert_nan(rwedge_rounding(1e-40, 1e-40));
+    assert_nan(rwedge_a_over_b(1e-121));
+    assert_nan(rwedge_a_over_b(3e60));
+    assert_nan(rwedge_half_width(1e-50, 0, 1e50, 1e20));
+    assert_nan(rwedge_normal_load(1, 0, 1e-60, 1e50));
+    assert_nan(rwedge_pressure(0, 0));
+    assert_nan(rwedge_peak_pressure(0));
+    assert_nan(rwedge_transition_pressure(0));
+    assert_nan(rwedge_shear(0, 0, 0));
+    assert_int_equal(rwedge_stress(0, 0.3, 0, 0, 0, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_stresses(0, 0.3, 0, 1, &apex, &apex, &s[0], &s[1], &s[2]),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create(1e-50, 0.1, 1e50, 0.3, &contact), RWEDGE_EDOMAIN);
 }
 
 /* ---- The host's exceptions ---- */
@@ -171,17 +183,17 @@ static const char *flags(const public_call *call, const double v[])
     int32_t status;
     errno = 12345;
     feclearexcept(FE_ALL_EXCEPT);
-    complaint_of(call, v, out, &status);
+    const char *complaint = complaint_of(call, v, out, &status);
     const int raised = fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-    if (errno != 12345)
-        return "errno is set";
-    return (raised & FE_INVALID) != 0     ? "invalid is raised"
+    return complaint != NULL              ? complaint
+           : errno != 12345               ? "errno is set"
+           : (raised & FE_INVALID) != 0   ? "invalid is raised"
            : (raised & FE_DIVBYZERO) != 0 ? "division by zero is raised"
            : (raised & FE_OVERFLOW) != 0  ? "overflow is raised"
                                           : NULL;
 }
 
-CLAIM(no_call_raises_an_exception_but_inexact_and_underflow)
+CLAIM(answers_follow_the_rules_and_raise_only_inexact_and_underflow)
 {
     ask_of_every_call(flags);
 }
@@ -289,61 +301,13 @@ static const char *rounds(const public_call *call, const double v[])
     return is_far_from_the_ends(call, v) ? complaint : NULL;
 }
 
-CLAIM(every_rounding_mode_gives_answers_by_the_rules)
+CLAIM(every_other_rounding_mode_gives_answers_by_the_rules)
 {
-    const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    for (int i = 0; i < 4; i++) {
+    const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (int i = 0; i < 3; i++) {
         mode = modes[i];
         ask_of_every_call(rounds);
     }
-}
-
-/* ---- Locale ---- */
-
-typedef struct {
-    uint64_t hash;
-    size_t calls;
-} digest;
-
-static digest everything;
-
-static const char *digests(const public_call *call, const double v[])
-{
-    double out[CALL_OUTPUTS];
-    int32_t status;
-    complaint_of(call, v, out, &status);
-    unsigned char bytes[sizeof out];
-    memcpy(bytes, out, sizeof out);
-    for (size_t i = 0; i < sizeof bytes; i++) /* FNV-1a */
-        everything.hash = (everything.hash ^ bytes[i]) * UINT64_C(1099511628211);
-    everything.calls++;
-    return NULL;
-}
-
-static digest digest_of_everything(void)
-{
-    everything = (digest){UINT64_C(14695981039346656037), 0};
-    ask_of_every_call(digests);
-    return everything;
-}
-
-/* tests/host/locale.sh runs this where it has made a locale with a comma. */
-CLAIM(a_decimal_comma_changes_no_bit)
-{
-    const char *name = getenv("COMMA_LOCALE");
-    if (name == NULL) {
-        print_message("    only with COMMA_LOCALE, which tests/host/locale.sh sets\n");
-        skip();
-    }
-    const digest point = digest_of_everything();
-    assert_non_null(setlocale(LC_ALL, name));
-    char text[8];
-    snprintf(text, sizeof text, "%.1f", 0.5);
-    assert_string_equal(text, "0,5");
-    const digest comma = digest_of_everything();
-    assert_string_equal(setlocale(LC_NUMERIC, NULL), name);
-    assert_memory_equal(&point, &comma, sizeof point);
-    setlocale(LC_ALL, "C");
 }
 
 /* ---- Stack ---- */

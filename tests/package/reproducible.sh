@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The bytes of tables/ and the bits of the library's results are the same from every compiler, level of optimisation and processor.
-# So are the tables from another math library, and the bits of pressures and stresses.
-#     reproducible.sh SOURCE BUILD [all]     all: every compiler at every level, and the tables from another math library
+# The bits of the library's results are the same without optimisation, as built, and with the vectors of every processor.
+#     reproducible.sh SOURCE BUILD [all]
+# all: so they are from every compiler at every level; so are the bytes of tables/ without fused multiply-add and with another math
+# library, and with that the bits of pressures and stresses.
 set -eu
 : "${2:?usage: reproducible.sh SOURCE BUILD [all]}"
 source=$(realpath "$1") build=$(realpath "$2") extent=${3:-ordinary}
@@ -11,47 +12,9 @@ trap 'rm -rf "$work"' EXIT
 cd "$source"
 . tests/support/compilers.sh
 
-# The committed tables, written again on a processor without fused multiply-add. (tests/shipped compares what this one writes.)
-mkdir "$work/plain"
-compare()
-{
-    count=0
-    for file in tables/*.csv; do
-        if ! cmp "$file" "$2/$(basename "$file")"; then
-            echo "FAILED: $file is not what $1 writes"
-            exit 1
-        fi
-        count=$((count + 1))
-    done
-    [ "$count" -gt 0 ] && [ "$count" -eq "$(find "$2" -name '*.csv' | wc -l)" ] ||
-        { echo "FAILED: tables/ does not hold what $1 writes"; exit 1; }
-    echo "ok: $count tables, $1"
-}
-# generate FOLDER TOOL - its status 3 says that the tool cannot write the workbook.
-generate()
-{
-    ended=0
-    ./tables/generate.sh "$1" "$2" >"$work/said" 2>&1 || ended=$?
-    [ $ended = 0 ] || [ $ended = 3 ] || { cat "$work/said"; exit 1; }
-}
-(export GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable
-    generate "$work/plain" "$build/cli/rwedge")
-compare "a processor without fused multiply-add" "$work/plain"
-
-# Another math library: other_libm.h stands in for all that the library calls but what IEEE or C define to the last bit. sincos() is
-# what a compiler makes of a sin() and a cos().
-exact='sqrt|fmin|fmax|frexp|ilogb|ldexp|floor|ceil|fabs'
-nm -D --undefined-only "$build"/lib/librwedge.so | sed -n 's/.* U \([a-z0-9]*\)@.*/\1/p' | sort >"$work/called"
-nm -D --defined-only "$(ldd "$build"/lib/librwedge.so | sed -n 's/.*libm\.so.*=> \([^ ]*\).*/\1/p')" |
-    sed -n 's/.* [WTi] \([a-z0-9]*\)@.*/\1/p' | sort -u | comm -12 - "$work/called" | grep -vxE "$exact" | sed 's/^sincos$/sin\ncos/' >"$work/inexact"
-[ -s "$work/inexact" ] || { echo "FAILED: no function of the math library found in the library"; exit 1; }
-while read -r name; do
-    grep -q "^#define $name(" tests/package/other_libm.h || { echo "FAILED: tests/package/other_libm.h does not have $name()"; exit 1; }
-done <"$work/inexact"
-
 # Bit for bit: a program that prints the bits of results of every function.
 printer='-Iinclude -Ilib -Itests/host/calls tests/host/calls/calls.c tests/host/calls/draw.c tests/host/calls/edges.c
-    tests/host/calls/sequences.c tests/host/calls/together.c tests/package/print_bits.c'
+    tests/host/calls/sequences.c tests/package/print_bits.c'
 # print_bits_of NAME COMMAND... - compiles the program, and leaves the bits, or nothing where they could not be had
 print_bits_of()
 {
@@ -93,21 +56,62 @@ for compiler in gcc clang; do
     command -v $compiler >/dev/null && here="$here $compiler" || echo "SKIPPED: no $compiler here"
 done
 case $here in *gcc*) ;; *) echo "SKIPPED: the bits between compilers, no gcc here"; exit 77 ;; esac
-last=${here##* } # clang, where it is here
 
-# Two at a time, as two processors are enough.
-of_all_files reference gcc -O0 &
-of_all_files native "$last" -O3 -march=native
-wait
-of_all_files foreign gcc -O0 -include tests/package/other_libm.h &
+of_all_files reference gcc -O0
 of_this_build ordinary
 # shellcheck disable=SC2046
 of_this_build baseline -DRW_BASELINE $(grep -l '"lanes.h"' lib/*/*.c)
-wait
 compare_bits ordinary the ordinary build
 compare_bits baseline vectors of every such processor
-compare_bits native "$last" -O3, all that this processor has
+[ "$extent" = all ] || exit 0
 
+for compiler in $here; do
+    for options in -O0 -O1 -O2 -O3 '-O3 -DRW_BASELINE' '-O3 -march=native'; do
+        # shellcheck disable=SC2086
+        of_all_files other $compiler $options
+        compare_bits other $compiler $options
+    done
+done
+
+# The committed tables, written again on a processor without fused multiply-add. (tests/shipped compares what this one writes.)
+mkdir "$work/plain"
+compare()
+{
+    count=0
+    for file in tables/*.csv; do
+        if ! cmp "$file" "$2/$(basename "$file")"; then
+            echo "FAILED: $file is not what $1 writes"
+            exit 1
+        fi
+        count=$((count + 1))
+    done
+    [ "$count" -gt 0 ] && [ "$count" -eq "$(find "$2" -name '*.csv' | wc -l)" ] ||
+        { echo "FAILED: tables/ does not hold what $1 writes"; exit 1; }
+    echo "ok: $count tables, $1"
+}
+# generate FOLDER TOOL - its status 3 says that the tool cannot write the workbook.
+generate()
+{
+    ended=0
+    ./tables/generate.sh "$1" "$2" >"$work/said" 2>&1 || ended=$?
+    [ $ended = 0 ] || [ $ended = 3 ] || { cat "$work/said"; exit 1; }
+}
+(export GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable
+    generate "$work/plain" "$build/cli/rwedge")
+compare "a processor without fused multiply-add" "$work/plain"
+
+# Another math library: other_libm.h stands in for all that the library calls but what IEEE or C define to the last bit. sincos() is
+# what a compiler makes of a sin() and a cos().
+exact='sqrt|fmin|fmax|frexp|ilogb|ldexp|floor|ceil|fabs'
+nm -D --undefined-only "$build"/lib/librwedge.so | sed -n 's/.* U \([a-z0-9]*\)@.*/\1/p' | sort >"$work/called"
+nm -D --defined-only "$(ldd "$build"/lib/librwedge.so | sed -n 's/.*libm\.so.*=> \([^ ]*\).*/\1/p')" |
+    sed -n 's/.* [WTi] \([a-z0-9]*\)@.*/\1/p' | sort -u | comm -12 - "$work/called" | grep -vxE "$exact" | sed 's/^sincos$/sin\ncos/' >"$work/inexact"
+[ -s "$work/inexact" ] || { echo "FAILED: no function of the math library found in the library"; exit 1; }
+while read -r name; do
+    grep -q "^#define $name(" tests/package/other_libm.h || { echo "FAILED: tests/package/other_libm.h does not have $name()"; exit 1; }
+done <"$work/inexact"
+
+of_all_files foreign gcc -O0 -include tests/package/other_libm.h
 # With another math library pressures and stresses keep every bit, as they call nothing but sqrt(); something else differs, or
 # it would be the same library.
 grep -E '^(pressure|stress|stresses) ' "$work/reference" >"$work/without-library"
@@ -119,24 +123,6 @@ if cmp -s "$work/reference" "$work/foreign"; then
     exit 1
 fi
 echo "ok: $(wc -l <"$work/without-library") pressures and stresses, another math library"
-[ "$extent" = all ] || exit 0
-
-for compiler in $here; do
-    of_all_files $compiler-O0 $compiler -O0 &
-    of_all_files $compiler-O1 $compiler -O1
-    wait
-    of_all_files $compiler-O2 $compiler -O2 &
-    of_all_files $compiler-O3 $compiler -O3
-    wait
-    of_all_files $compiler-baseline $compiler -O3 -DRW_BASELINE &
-    of_all_files $compiler-native $compiler -O3 -march=native
-    wait
-    for level in -O0 -O1 -O2 -O3; do
-        compare_bits $compiler$level $compiler $level
-    done
-    compare_bits $compiler-baseline $compiler -O3, vectors of every such processor
-    compare_bits $compiler-native $compiler -O3, all that this processor has
-done
 
 # The tables from another math library, by a build of the tool that has no libxlsxwriter either.
 mkdir "$work/other"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "boundary_element.h"
 
+#include <gsl/gsl_linalg.h>
 #include <math.h>
 
 enum { SIZE = BOUNDARY_ELEMENTS_MAX + 2, ITERATIONS_MAX = 500 };
@@ -12,37 +13,17 @@ typedef struct {
 
 static linear_system equations; /* large for a stack; the tests run in one thread */
 
-static void swap_rows(size_t i, size_t j)
-{
-    for (size_t k = 0; k <= equations.n; k++) {
-        const double kept = equations.row[i][k];
-        equations.row[i][k] = equations.row[j][k];
-        equations.row[j][k] = kept;
-    }
-}
-
-/* Gauss, with pivots. The solution is in the column n. */
+/* The solution is in the column n. */
 static void solve(void)
 {
     const size_t n = equations.n;
-    for (size_t k = 0; k < n; k++) {
-        size_t pivot = k;
-        for (size_t i = k + 1; i < n; i++)
-            if (fabs(equations.row[i][k]) > fabs(equations.row[pivot][k]))
-                pivot = i;
-        swap_rows(k, pivot);
-        for (size_t i = k + 1; i < n; i++) {
-            const double factor = equations.row[i][k] / equations.row[k][k];
-            if (factor != 0)
-                for (size_t j = k; j <= n; j++)
-                    equations.row[i][j] -= factor * equations.row[k][j];
-        }
-    }
-    for (size_t k = n; k-- > 0;) {
-        for (size_t j = k + 1; j < n; j++)
-            equations.row[k][n] -= equations.row[k][j] * equations.row[j][n];
-        equations.row[k][n] /= equations.row[k][k];
-    }
+    int sign;
+    gsl_matrix_view matrix = gsl_matrix_view_array_with_tda(equations.row[0], n, n, SIZE + 1);
+    gsl_vector_view right = gsl_vector_view_array_with_stride(&equations.row[0][n], SIZE + 1, n);
+    gsl_permutation *order = gsl_permutation_alloc(n);
+    gsl_linalg_LU_decomp(&matrix.matrix, order, &sign);
+    gsl_linalg_LU_svx(&matrix.matrix, order, &right.vector);
+    gsl_permutation_free(order);
 }
 
 /* int ln|t| dt */
@@ -51,15 +32,11 @@ static double logarithm_integral(double t)
     return t == 0 ? 0 : t * log(fabs(t)) - t;
 }
 
-/* The displacement at element i from a unit traction on element j, and on its mirror image where
- * the elements are even, Eq. (1) and (17) integrated. */
+/* The displacement at element i from a unit traction on element j, Eq. (1) and (17) integrated. */
 static double influence(const boundary_element *s, size_t i, size_t j)
 {
-    const double half = s->width / 2, near = s->x[i] - s->x[j], far = s->x[i] + s->x[j];
-    double sum = logarithm_integral(near + half) - logarithm_integral(near - half);
-    if (s->even)
-        sum += logarithm_integral(far + half) - logarithm_integral(far - half);
-    return s->A / acos(-1) * sum;
+    const double half = s->width / 2, away = s->x[i] - s->x[j];
+    return s->A / acos(-1) * (logarithm_integral(away + half) - logarithm_integral(away - half));
 }
 
 static double displaced(const boundary_element *s, size_t i, size_t first, size_t end,
@@ -79,29 +56,13 @@ static double profile(const boundary_element *s, double signed_x)
     return s->theta * (x < s->a ? x * x / (2 * s->a) : x - s->a / 2);
 }
 
-static void start(boundary_element *solver, const boundary_element *made)
-{
-    *solver = *made;
-    solver->width = (made->even ? 1 : 2) * made->width / (double)made->n;
-    const double left = made->even ? 0 : -made->width;
-    for (size_t i = 0; i < made->n; i++)
-        solver->x[i] = left + ((double)i + 0.5) * solver->width;
-}
-
 void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f,
                             size_t n, double half)
 {
-    const boundary_element made = {
-        .theta = theta, .a = a, .A = A, .f = f, .n = n, .end = n, .width = half};
-    start(solver, &made);
-}
-
-void boundary_element_start_even(boundary_element *solver, double theta, double a, double A,
-                                 double f, size_t n, double half)
-{
-    const boundary_element made = {
-        .theta = theta, .a = a, .A = A, .f = f, .even = true, .n = n, .end = 1, .width = half};
-    start(solver, &made);
+    *solver = (boundary_element){
+        .theta = theta, .a = a, .A = A, .f = f, .n = n, .end = n, .width = 2 * half / (double)n};
+    for (size_t i = 0; i < n; i++)
+        solver->x[i] = ((double)i + 0.5) * solver->width - half;
 }
 
 /* A row of the equations: what m tractions add up to, each weighted by its place or not. */
@@ -111,7 +72,7 @@ static void balance(const boundary_element *s, size_t row, size_t first, size_t 
     for (size_t j = 0; j < equations.n; j++)
         equations.row[row][j] = 0;
     for (size_t j = 0; j < m; j++)
-        equations.row[row][j] = -(s->even ? 2 : 1) * s->width * (by_place ? s->x[first + j] : 1);
+        equations.row[row][j] = -s->width * (by_place ? s->x[first + j] : 1);
     equations.row[row][equations.n] = sum;
 }
 
@@ -125,22 +86,20 @@ static position press(const boundary_element *s, size_t first, size_t end, bound
                       double p[])
 {
     const size_t m = end - first;
-    equations.n = m + (s->even ? 1 : 2);
+    equations.n = m + 2;
     for (size_t i = 0; i < m; i++) {
         for (size_t j = 0; j < m; j++)
             equations.row[i][j] = influence(s, first + i, first + j);
         equations.row[i][m] = -1;
-        equations.row[i][m + 1] = -s->x[first + i]; /* the last column where they are even */
+        equations.row[i][m + 1] = -s->x[first + i];
         equations.row[i][equations.n] = -profile(s, s->x[first + i]);
     }
     balance(s, m, first, m, false, to.P);
-    if (!s->even)
-        balance(s, m + 1, first, m, true, to.M);
+    balance(s, m + 1, first, m, true, to.M);
     solve();
     for (size_t i = 0; i < m; i++)
         p[first + i] = equations.row[i][equations.n];
-    return (position){equations.row[m][equations.n],
-                      s->even ? 0 : equations.row[m + 1][equations.n]};
+    return (position){equations.row[m][equations.n], equations.row[m + 1][equations.n]};
 }
 
 static bool overlaps(const boundary_element *s, size_t i, size_t first, size_t end,
@@ -156,12 +115,12 @@ static bool find_contact(boundary_element *s, boundary_loads to, double p[])
     size_t first = s->first, end = s->end;
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
         const position at = press(s, first, end, to, p);
-        const bool left = !s->even && first > 0 && overlaps(s, first - 1, first, end, p, at);
+        const bool left = first > 0 && overlaps(s, first - 1, first, end, p, at);
         const bool right = end < s->n && overlaps(s, end, first, end, p, at);
         const size_t before = end - first;
-        while (end - first > 3 && !s->even && p[first] >= 0)
+        while (end - first > 3 && p[first] >= 0)
             first++;
-        while (end - first > (s->even ? 1 : 3) && p[end - 1] >= 0)
+        while (end - first > 3 && p[end - 1] >= 0)
             end--;
         if (end - first < before)
             continue;
@@ -228,7 +187,7 @@ static void accept(boundary_element *s, const double p[], const double q[], cons
         const bool touches = i >= s->first && i < s->end;
         const double slip = touches ? moved[i] - s->displacement[i] : 0;
         const double mean = touches ? (s->q[i] + q[i]) / 2 : 0;
-        s->energy += (s->even ? 2 : 1) * s->width * slip * mean;
+        s->energy += s->width * slip * mean;
         s->slip[i] = touches ? s->slip[i] + slip : 0;
         s->p[i] = touches ? p[i] : 0;
         s->q[i] = touches ? q[i] : 0;
@@ -237,7 +196,7 @@ static void accept(boundary_element *s, const double p[], const double q[], cons
     }
 }
 
-int boundary_element_step(boundary_element *s, boundary_loads to)
+static int take_step(boundary_element *s, boundary_loads to)
 {
     double p[SIZE], q[SIZE], moved[SIZE];
     motion moves[SIZE] = {STICKS};
@@ -266,7 +225,55 @@ int boundary_element_go(boundary_element *solver, int steps, boundary_loads to)
         const boundary_loads at = {from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
                                    from.Q + t * (to.Q - from.Q),
                                    from.sigma + t * (to.sigma - from.sigma)};
-        failed = boundary_element_step(solver, at);
+        failed = take_step(solver, at);
     }
     return failed;
+}
+
+/* ---- Beside the library ---- */
+
+/* Where slip jumps: what is beyond has come into contact since. */
+static bool is_at_a_jump(const rwedge_contact *contact, const boundary_element *solver, double x)
+{
+    return fabs(x - contact->settled.left) < solver->width ||
+           fabs(x - contact->settled.right) < solver->width;
+}
+
+/* What has been in contact since the first leg, if a load was computed. What comes later touches as
+ * an element, not as a place. */
+static rw_patch lasting(const rwedge_contact *contact, difference *sum)
+{
+    const rw_patch now = edges_of(contact), before = sum->legs == 0 ? now : sum->lasting;
+    sum->lasting = (rw_patch){fmax(before.left, now.left), fmin(before.right, now.right)};
+    return contact->numerical ? sum->lasting : now;
+}
+
+void add_difference(const rwedge_contact *contact, const boundary_element *solver, double f,
+                    difference *sum)
+{
+    double off[2] = {0}, slip[2] = {0}, limit = 0;
+    const rw_patch part = lasting(contact, sum);
+    size_t number[2] = {0};
+    for (size_t i = 0; i < solver->n; i++) {
+        const double x = solver->x[i];
+        off[0] += fabs(pressure(contact, x) - solver->p[i]);
+        off[1] += fabs(shear(contact, x) - solver->q[i]);
+        limit += fabs(pressure(contact, x));
+        double slipped; /* there may be no closed form of it */
+        if (i >= solver->first && i < solver->end && !is_at_a_jump(contact, solver, x) &&
+            rwedge_contact_slip(contact, 1, &x, &slipped) == RWEDGE_OK) {
+            const bool is_young = !(x > part.left && x < part.right);
+            slip[is_young] += fabs(slipped - solver->slip[i]);
+            number[is_young]++;
+        }
+    }
+    sum->pressure += off[0] / limit;
+    sum->shear += off[1] / (f * limit);
+    const double most = f * THETA * rwedge_contact_half_width(contact);
+    sum->slip += number[0] > 0 ? slip[0] / (double)number[0] / most : 0;
+    sum->young_slip += number[1] > 0 ? slip[1] / (double)number[1] / most : 0;
+    const double energy = rwedge_contact_dissipated_energy(contact);
+    if (energy > 0)
+        sum->energy = fabs(solver->energy / energy - 1); /* that of the whole history */
+    sum->legs++;
 }

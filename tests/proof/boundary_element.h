@@ -6,8 +6,7 @@
 #ifndef BOUNDARY_ELEMENT_H
 #define BOUNDARY_ELEMENT_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include "histories.h"
 
 enum { BOUNDARY_ELEMENTS_MAX = 200 };
 
@@ -22,7 +21,6 @@ typedef enum { STICKS, FORWARD, BACKWARD } motion;
 typedef struct {
     double theta, a, A, f;
     double (*height)(double x); /* of another profile than the wedge's; NULL: the wedge's */
-    bool even;                  /* the elements are those of x > 0, and have their mirror images */
     size_t n, first, end;       /* elements `first` to `end` - 1 are in contact */
     double width;
     double x[BOUNDARY_ELEMENTS_MAX], p[BOUNDARY_ELEMENTS_MAX], q[BOUNDARY_ELEMENTS_MAX];
@@ -35,17 +33,24 @@ typedef struct {
     boundary_loads loads;
 } boundary_element;
 
-/* The elements of -half < x < half; for even loads those of 0 < x < half are enough. */
+/* The elements of -half < x < half. */
 void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f,
                             size_t n, double half);
-void boundary_element_start_even(boundary_element *solver, double theta, double a, double A,
-                                 double f, size_t n, double half);
 
-/* One straight step of the loads; |Q| < f P; M and sigma are 0 where the elements are even. 0, or
- * 1 where the iteration for the edges or the zones of slip did not end. */
-int boundary_element_step(boundary_element *solver, boundary_loads to);
-
-/* The same in so many equal steps. */
+/* To these loads in so many equal, straight steps; |Q| < f P. 0, or 1 where the iteration for the
+ * edges or the zones of slip did not end. */
 int boundary_element_go(boundary_element *solver, int steps, boundary_loads to);
+
+/* Differences summed up over the legs of a history, relative to friction's limit and to the largest
+ * slip there could be; of the energy the last. */
+typedef struct {
+    double pressure, shear, slip, young_slip, energy; /* young: of what came later */
+    int legs;
+    rw_patch lasting; /* what has been in contact since the first leg */
+} difference;
+
+/* Adds those of the present state. */
+void add_difference(const rwedge_contact *contact, const boundary_element *solver, double f,
+                    difference *sum);
 
 #endif

@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The linker gives calls of f() to __wrap_f(), which calls the usual one as __real_f(). */
+/* The linker gives calls of f() to __wrap_f(), which calls the usual one as __real_f(). What the C
+ * library or libcsv takes for itself is little, and is left. */
 #include "until_exit.h"
 
 #include <setjmp.h>
 #include <stdbool.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
-#include <csv.h>
-#include <iconv.h>
-
-enum { PIECES = 1 << 16, FILES = 64, CONVERTERS = 64, ENDINGS = 16 };
+enum { PIECES = 1 << 16, FILES = 8, ENDINGS = 16 };
 
 static bool is_inside;
 static jmp_buf outside;
@@ -19,10 +16,6 @@ static int status_of_exit;
 
 static void *memory[PIECES]; /* taken since then, and not given back */
 static int pieces;
-static int file[FILES]; /* opened since then */
-static int files;
-static iconv_t converter[CONVERTERS]; /* opened since then, and not closed */
-static int converters;
 static void (*ending[ENDINGS])(void); /* since the process began */
 static int endings;
 
@@ -83,73 +76,6 @@ void __wrap_free(void *old)
     __real_free(old);
 }
 
-char *__wrap_strdup(const char *text);
-
-char *__wrap_strdup(const char *text)
-{
-    char *copy = __wrap_malloc(strlen(text) + 1);
-    return copy != NULL ? strcpy(copy, text) : NULL;
-}
-
-/* ---- Memory of libraries ---- */
-
-int __real_csv_init(struct csv_parser *parser, unsigned char options);
-int __wrap_csv_init(struct csv_parser *parser, unsigned char options);
-iconv_t __real_iconv_open(const char *to, const char *from);
-iconv_t __wrap_iconv_open(const char *to, const char *from);
-int __real_iconv_close(iconv_t old);
-int __wrap_iconv_close(iconv_t old);
-
-int __wrap_csv_init(struct csv_parser *parser, unsigned char options)
-{
-    const int status = __real_csv_init(parser, options);
-    csv_set_realloc_func(parser, __wrap_realloc);
-    csv_set_free_func(parser, __wrap_free);
-    return status;
-}
-
-iconv_t __wrap_iconv_open(const char *to, const char *from)
-{
-    const iconv_t opened = __real_iconv_open(to, from);
-    fail_unless(converters < CONVERTERS);
-    if (is_inside && opened != (iconv_t)-1)
-        converter[converters++] = opened;
-    return opened;
-}
-
-int __wrap_iconv_close(iconv_t old)
-{
-    for (int i = 0; i < converters; i++)
-        if (converter[i] == old)
-            converter[i] = converter[--converters];
-    return __real_iconv_close(old);
-}
-
-/* ---- Files ---- */
-
-int __real_file_to_read(const char *path);
-int __real_file_to_write(const char *path);
-int __wrap_file_to_read(const char *path);
-int __wrap_file_to_write(const char *path);
-
-static int keep_file(int descriptor)
-{
-    fail_unless(files < FILES);
-    if (is_inside && descriptor >= 0)
-        file[files++] = descriptor;
-    return descriptor;
-}
-
-int __wrap_file_to_read(const char *path)
-{
-    return keep_file(__real_file_to_read(path));
-}
-
-int __wrap_file_to_write(const char *path)
-{
-    return keep_file(__real_file_to_write(path));
-}
-
 /* ---- The end ---- */
 
 int __real_atexit(void (*act)(void));
@@ -179,25 +105,24 @@ void __wrap_exit(int status)
     longjmp(outside, 1);
 }
 
-/* A file that the part has closed itself has no descriptor any more. */
-static void take_back(void)
+static void take_back(int first_file)
 {
     for (int i = 0; i < pieces; i++)
         __real_free(memory[i]);
-    for (int i = 0; i < files; i++)
-        close(file[i]);
-    for (int i = 0; i < converters; i++)
-        __real_iconv_close(converter[i]);
-    pieces = files = converters = 0;
+    pieces = 0;
+    for (int i = first_file; i < first_file + FILES; i++)
+        close(i);
 }
 
 int until_exit(void (*part)(void *context), void *context)
 {
+    const int first_file = dup(STDERR_FILENO); /* the first that is free */
+    close(first_file);
     is_inside = true;
     status_of_exit = NO_EXIT;
     if (setjmp(outside) == 0)
         part(context);
     is_inside = false;
-    take_back();
+    take_back(first_file);
     return status_of_exit;
 }

@@ -14,19 +14,19 @@ find include lib cli tests bindings packages -path bindings/made -prune -o \( -n
 [ "$(wc -l <"$work/files")" -gt 100 ] || { echo "FAILED: the sources were not found"; exit 1; }
 
 status=0
-while IFS= read -r file; do
-    # a byte 10xxxxxx continues a character, and is no column
-    LC_ALL=C sed 's/[\x80-\xbf]//g' "$file" | LC_ALL=C awk -v file="$file" 'length > 100 { print file ":" NR ": longer than 100 columns" }'
-done <"$work/files" >"$work/long"
+# columns MOST FILES AWK... - lines that are longer; a byte 10xxxxxx continues a character, and is no column
+columns()
+{
+    tr '\n' '\0' <"$2" | LC_ALL=C xargs -0 awk -v most="$1" "$3"'
+        { gsub(/[\200-\277]/, "") } length > most && !code { print FILENAME ":" FNR ": longer than " most " columns" }'
+}
+columns 100 "$work/files" '' >"$work/long"
 
 # Indented code begins after an empty line. Other lines that are indented belong to a list.
 find . \( -name 'build*' -o -name node_modules -o -name .git \) -prune -o -name '*.md' -print >"$work/texts"
 [ "$(wc -l <"$work/texts")" -gt 50 ] || { echo "FAILED: the texts were not found"; exit 1; }
-while IFS= read -r file; do
-    LC_ALL=C sed 's/[\x80-\xbf]//g' "$file" | LC_ALL=C awk -v file="$file" '/^ *```/ { fenced = !fenced; next }
-        { code = fenced || (/^    / && (code || blank)); blank = /^ *$/ }
-        length > 130 && !code && !/^ *\|/ { print file ":" NR ": longer than 130 columns" }'
-done <"$work/texts" >>"$work/long"
+columns 130 "$work/texts" 'FNR == 1 { fenced = indented = blank = 0 } /^ *```/ { fenced = !fenced; next }
+    { indented = /^    / && (indented || blank); blank = /^ *$/; code = fenced || indented || /^ *\|/ }' >>"$work/long"
 if [ -s "$work/long" ]; then
     cat "$work/long"
     status=1

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The library is as fast as it says. What is tested are ratios of times within one run: to a plain
  * evaluation of the series, and to other calls of the library. A busy machine disturbs both sides
- * alike, and one good attempt out of a few is enough. A loop that is no longer made of vector
+ * alike, and one good attempt of several is enough. A loop that is no longer made of vector
  * instructions fails every attempt, and so does a search that takes twice the steps. */
 #include "claims.h"
 #include "stopwatch.h"
@@ -21,7 +21,7 @@
 #define IS_SANITIZED 0
 #endif
 
-enum { POINTS = 20000, MANY = 1000000, LIMITS = 130, RUNS = 9, ATTEMPTS = 5 };
+enum { POINTS = 20000, MANY = 1000000, LIMITS = 130, RUNS = 4, ATTEMPTS = 9 };
 
 static void assert_ratio(const char *name, work slow, long slow_n, work fast, long fast_n,
                          double least)

@@ -1,18 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by what builds the library without CMake. Runs in the top folder.
 
-# The options with which lib/CMakeLists.txt compiles every file of the library, for gcc and clang.
+# The options of lib/CMakeLists.txt on which bits depend, for gcc and clang.
 library_options='-std=c99 -ffp-contract=off -fno-math-errno'
-
-# options_of COMPILER FILE - the same, and what clang needs not to raise exceptions.
-options_of()
-{
-    case $1,$2 in
-    *clang*,*/batch.c | *clang*,*/eccentric_batch.c | *clang*,*/plane_search.c) echo "$library_options" ;;
-    *clang*) echo "$library_options -ffp-exception-behavior=maytrap" ;;
-    *) echo "$library_options" ;;
-    esac
-}
 
 # compilers_here - gcc, gcc-*, clang, clang-* on this machine, each once whatever its names.
 compilers_here()

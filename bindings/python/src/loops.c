@@ -93,6 +93,12 @@ struct points {
     intptr_t at_once; /* how many points it takes */
 };
 
+/* Where point j of an argument stands. */
+static void *element(char **args, const intptr_t *steps, int argument, intptr_t j)
+{
+    return args[argument] + j * steps[argument];
+}
+
 /* Evaluates n points from i on. Where one of them fails they go one by one. Was one outside the
  * domain? */
 static bool block(const struct points *points, char **args, const intptr_t *steps, intptr_t i,
@@ -102,17 +108,16 @@ static bool block(const struct points *points, char **args, const intptr_t *step
               first_output = first_input + points->inputs;
     double shared[MAX_SHARED], inputs[MAX_INPUTS][BLOCK], outputs[MAX_OUTPUTS][BLOCK];
     double *in[MAX_INPUTS], *out[MAX_OUTPUTS];
-    for (int k = 0; k < points->inputs; k++)
-        in[k] = inputs[k];
     for (int k = 0; k < points->outputs; k++)
         out[k] = outputs[k];
     const void *object = points->objects ? AT(const void *const, 0) : NULL;
     for (int k = 0; k < points->shared; k++)
         shared[k] = AT(const double, points->objects + k);
-    for (int k = 0; k < points->inputs; k++)
+    for (int k = 0; k < points->inputs; k++) {
+        in[k] = inputs[k];
         for (intptr_t j = 0; j < n; j++)
-            in[k][j] = *(const double *)(const void *)(args[first_input + k] +
-                                                       (i + j) * steps[first_input + k]);
+            in[k][j] = *(const double *)element(args, steps, first_input + k, i + j);
+    }
     const int32_t status = points->function(object, shared, (size_t)n, in, out);
     bool invalid = false;
     if (status != RWEDGE_OK && n > 1) {
@@ -128,8 +133,7 @@ static bool block(const struct points *points, char **args, const intptr_t *step
     }
     for (int k = 0; k < points->outputs; k++)
         for (intptr_t j = 0; j < n; j++)
-            *(double *)(void *)(args[first_output + k] + (i + j) * steps[first_output + k]) =
-                out[k][j];
+            *(double *)element(args, steps, first_output + k, i + j) = out[k][j];
     return invalid;
 }
 

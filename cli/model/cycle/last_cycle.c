@@ -172,7 +172,7 @@ static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], cons
     return status;
 }
 
-/* Of the surface in contact. */
+/* Whether the place is on the surface and in contact in the cycle. */
 static bool is_rubbed(const last_cycle *cycle, double x, double y)
 {
     const double rounding = 1e-12 * (cycle->right - cycle->left);

@@ -29,7 +29,7 @@ static peak peak_between(double from, double to, peak start, peak_function *f, c
     return best;
 }
 
-/* Of ascending places. */
+/* The peak at ascending places, or between them. */
 static peak peak_around(size_t n, const double place[], peak_function *f, const void *context)
 {
     size_t best = 0;

@@ -13,7 +13,7 @@ typedef struct {
     double k, times;
 } search;
 
-/* What it does then. */
+/* The state of a sliding contact. */
 typedef struct {
     double value, b, tension;
     double excess; /* logarithm of the yield factor: 0 at first yield; -inf at a kink */

@@ -77,7 +77,7 @@ static void fill(const char *from, const argument values[ARGUMENTS], char *end)
     *end = '\0';
 }
 
-/* What is wrong with each input: texts to be listed. */
+/* The formula of the texts about wrong inputs, as parts of a list. */
 static void fill_checks(char *end)
 {
     for (int i = 0; i < INPUT_CELLS; i++) {

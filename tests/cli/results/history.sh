@@ -69,7 +69,7 @@ cp out one
 run history other.csv $specimen --k 300
 tail -n +2 one >first
 tail -n +2 out | paste -d , first - | awk -F, 'function pair(a, b) { printf "%.17g %.17g\n", a, b }
-    { n = 20; pair(-$6, $(n + 7)); pair($8, -$(n + 9)); pair(-$10, $(n + 10))
+    { n = NF / 2; pair(-$6, $(n + 7)); pair($8, -$(n + 9)); pair(-$10, $(n + 10))
     pair($11, $(n + 11)); pair($12, $(n + 13)); pair($14, $(n + 14)); pair($15, $(n + 15)); pair($16, $(n + 16)); pair(1, 1 + 1e-3 * ($17 + $(n + 17))) }' >both
 close_rows "mirror image" 1e-9 1e-9
 

@@ -151,7 +151,7 @@ static int32_t make(const public_call *call, const double given[], double out[])
 
 static public_call call_of_entry(const entry *e)
 {
-    public_call call = {.name = e->name, .entry = e, .is_inside = claim_about(e->name)};
+    public_call call = {.name = e->name, .entry = e};
     if (e->takes_object)
         call.argument[call.arguments++] = &which_object;
     for (int j = 0; j < e->arguments; j++)
@@ -162,7 +162,7 @@ static public_call call_of_entry(const entry *e)
     call.gives_anything = e->sizes > 0 && e->size[0].teller != NULL;
     call.may_be_infinite = e->may_be_infinite;
     call.also_allowed = e->errors & ~(BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENULL) | BIT(RWEDGE_ENOMEM));
-    if (e->refuses_more && call.is_inside == NULL)
+    if (e->refuses_more)
         call.also_allowed |= BIT(RWEDGE_EDOMAIN);
     return call;
 }
@@ -199,12 +199,12 @@ bool is_sound(const entry_argument *a, double v)
     return entry_allows(a, v);
 }
 
-bool is_in_domain(const public_call *call, const double v[])
+static bool are_in_their_domains(const public_call *call, const double v[])
 {
     for (int i = 0; i < call->arguments; i++)
         if (!may_be_anything(call->argument[i]) && !entry_allows(call->argument[i], v[i]))
             return false;
-    return call->is_inside == NULL || call->is_inside(v);
+    return true;
 }
 
 static const double MARK = -6.02214076e23; /* what an output is before: no result is that */
@@ -214,7 +214,7 @@ const char *complaint_of(const public_call *call, const double v[], double out[]
     for (int i = 0; i < CALL_OUTPUTS; i++)
         out[i] = MARK;
     *status = make(call, v, out);
-    const bool valid = is_in_domain(call, v);
+    const bool valid = are_in_their_domains(call, v);
     if (valid && *status != RWEDGE_OK && (call->also_allowed & BIT(*status)) == 0)
         return "an error, though all arguments are in the domain";
     if (!valid && *status == RWEDGE_OK)

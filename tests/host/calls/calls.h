@@ -25,16 +25,12 @@ typedef struct {
     bool may_be_infinite;
     bool gives_anything; /* numbers that say nothing by themselves */
 
-    bool (*is_inside)(const double v[]); /* NULL, or what single domains do not say */
-    const entry *entry;                  /* NULL, or the function; else it is a sequence: */
+    const entry *entry; /* NULL, or the function; else it is a sequence: */
     int32_t (*make)(const double v[], double out[]);
 } public_call;
 
 /* All calls. */
 const public_call *public_calls(size_t *count);
-
-/* Whether the header's domain has these arguments. */
-bool is_in_domain(const public_call *call, const double v[]);
 
 /* Whether an argument is in its domain by itself. */
 bool is_sound(const entry_argument *a, double v);

@@ -13,10 +13,6 @@ extern const entry_argument which_object;
 /* Whether any number will do: what comes of it may be refused or not. */
 bool may_be_anything(const entry_argument *a);
 
-/* Whether a function's arguments are in its domain together; each is in its own. */
-typedef bool together_claim(const double v[]);
-together_claim *claim_about(const char *name); /* NULL where there is none */
-
 /* Calls that are made one after the other. The list ends with a name that is NULL. */
 typedef struct {
     const char *name;

@@ -144,10 +144,29 @@ CLAIM(full_sliding_and_separation_end_it)
     apply(fresh, 4, 0, 2, 0);
     for (int i = -9; i <= 9; i++)
         assert_true(shear(contact, i / 5.0) == shear(fresh, i / 5.0));
+    rwedge_contact *back = computed();
+    apply(back, 4, 0, -2, 0.9);
+    for (int i = -9; i <= 9; i++)
+        assert_true(shear(back, i / 5.0) == -shear(fresh, i / 5.0));
     contact = computed();
     apply(contact, 0, 0, 0, 0);
     assert_true(rwedge_contact_error(contact) == 0);
     assert_true(rwedge_contact_dissipated_energy(contact) > 0);
+}
+
+CLAIM(what_is_refused_leaves_what_was_computed)
+{
+    rwedge_contact *contact = computed(), *bare = allowing(1e-2);
+    const contact_state before = state_of(contact);
+    assert_int_equal(rwedge_contact_apply(contact, 4, 0, 2.1, 0), RWEDGE_ESLIDING);
+    assert_int_equal(rwedge_contact_apply(contact, -4, 0, 0, 0), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_restore(before.size, before.number, NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_restore(before.size, NULL, &contact), RWEDGE_ENULL);
+    assert_state(contact, before);
+    assert_true(rwedge_contact_memory(contact) > 0);
+    /* a patch that rounding leaves without a width */
+    assert_int_equal(rwedge_contact_apply(bare, 1e-40, 5e-41, 1e-41, 0), RWEDGE_ERANGE);
+    assert_true(rwedge_contact_half_width(bare) == 0);
 }
 
 /* Where nothing sticks there was no zone to begin from. */

@@ -93,6 +93,22 @@ CLAIM(the_edges_of_a_flat_are_known_from_its_corners)
     }
 }
 
+/* Under a moment, and of a profile that has no flat: from the edges themselves. */
+CLAIM(edges_off_the_centre_are_counted_from_the_corners)
+{
+    const double x[] = {-1, 1}, slope[] = {-THETA, THETA}, a = 0.4;
+    rwedge_contact *pads[] = {flat(a), profile(2, x, slope), flat(a)};
+    for (int i = 0; i < 3; i++) {
+        const double corner = i == 1 ? 0 : a;
+        double left, right;
+        apply(pads[i], 0.1, i == 2 ? -0.01 : 0.01, 0, 0);
+        assert_ok(rwedge_contact_beyond_flat(pads[i], &left, &right));
+        assert_true(left == -corner - edges_of(pads[i]).left);
+        assert_true(right == edges_of(pads[i]).right - corner);
+    }
+    assert_true(edges_of(pads[0]).left == -edges_of(pads[2]).right);
+}
+
 /* Steps of P, M, Q, sigma that all have a closed form. */
 static const double STEPS[][4] = {{0.2, 0.03, 0, 0},         {0.2, 0.03, 0.06, 0.002},
                                   {0.2, 0.03, -0.02, -0.01}, {0.2, 0.03, 0.01, 0},
@@ -145,16 +161,51 @@ CLAIM(the_rounded_wedge_is_a_profile)
     }
 }
 
+/* The arcs beside it, of which one is longer, are out of contact: they have no part in anything. */
+CLAIM(a_pad_is_a_cylinder_where_one_arc_touches)
+{
+    const double x[] = {-2, -1, 1, 3, 3}, slope[] = {-0.2, -0.1, 0.1, 0.2, 0.2}, P = 0.2;
+    rwedge_contact *pad = profile(5, x, slope), *cylinder = flat(0);
+    const double Q[] = {0, 0.05, -0.04};
+    for (int i = 0; i < 3; i++) {
+        double factor[2], k[2][4];
+        apply(pad, P, 0, Q[i], 0);
+        apply(cylinder, P, 0, Q[i], 0);
+        assert_close(edges_of(pad).right, edges_of(cylinder).right, 1e-14);
+        assert_close(stick_zone_of(pad).right, stick_zone_of(cylinder).right, 1e-14);
+        assert_close(pressure(pad, 0.3), pressure(cylinder, 0.3), 1e-13);
+        assert_within(shear(pad, 0.3), shear(cylinder, 0.3), 1e-13 * P);
+        assert_ok(rwedge_contact_edge_asymptotes(pad, &k[0][0], &k[0][1], &k[0][2], &k[0][3]));
+        assert_ok(rwedge_contact_edge_asymptotes(cylinder, &k[1][0], &k[1][1], &k[1][2], &k[1][3]));
+        for (int j = 0; j < 4; j++)
+            assert_within(k[0][j], k[1][j], 1e-13 * P);
+        assert_within(slip(pad, 0.7), slip(cylinder, 0.7), 1e-12 * THETA);
+        assert_within(rwedge_contact_dissipated_energy(pad),
+                      rwedge_contact_dissipated_energy(cylinder), 1e-12 * P * THETA);
+        assert_ok(rwedge_contact_yield_factor(pad, 0.3, 1, &factor[0], NULL, NULL));
+        assert_ok(rwedge_contact_yield_factor(cylinder, 0.3, 1, &factor[1], NULL, NULL));
+        assert_close(factor[0], factor[1], 1e-12);
+    }
+    const double energy = rwedge_contact_dissipated_energy(pad);
+    load(pad, 0, 0);
+    assert_nan(rwedge_contact_dissipated_energy(pad)); /* what slips on the way is not known */
+    load(pad, P, 0);
+    assert_close(rwedge_contact_dissipated_energy(pad), energy, 1e-15);
+}
+
 /* P and Q alone: slip is then known along all of a history. */
 CLAIM(a_profile_slips_as_its_wedge)
 {
     const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
     const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
     const double loads[][2] = {{0.2, 0}, {0.2, 0.08}, {0.3, 0.05}, {0.25, -0.1}, {0.4, 0.15}};
-    rwedge_contact *wedge = create(a, F), *pad = profile(4, x, slope);
-    for (int i = 0; i < 5; i++) {
-        load(wedge, loads[i][0], loads[i][1]);
-        load(pad, loads[i][0], loads[i][1]);
+    const double kink[] = {0, 0}, sides[] = {-THETA, THETA};
+    rwedge_contact *wedges[] = {create(a, F), create(0, F)},
+                   *pads[] = {profile(4, x, slope), profile(2, kink, sides)};
+    for (int i = 0; i < 10; i++) {
+        rwedge_contact *wedge = wedges[i / 5], *pad = pads[i / 5];
+        load(wedge, loads[i % 5][0], loads[i % 5][1]);
+        load(pad, loads[i % 5][0], loads[i % 5][1]);
         const double b = edges_of(wedge).right;
         for (int j = -4; j < 5; j++)
             assert_within(slip(pad, 0.24 * j * b), slip(wedge, 0.24 * j * b), 1e-12 * THETA);
@@ -285,8 +336,13 @@ CLAIM(a_mirrored_profile_mirrors_everything)
         slope[i] = -WORN[4 - i];
     }
     rwedge_contact *one = profile(5, WORN_X, WORN), *other = profile(5, x, slope);
-    for (int i = 0; i < 4; i++) {
-        const double *to = STEPS[i];
+    const double far[] = {0.2, 0.3, 0, 0};
+    for (int i = 0; i < 5; i++) {
+        const double *to = i < 4 ? STEPS[i] : far;
+        if (i == 4) {
+            load(one, 0, 0);
+            load(other, 0, 0);
+        }
         apply(one, to[0], to[1], to[2], to[3] / 10);
         apply(other, to[0], -to[1], -to[2], to[3] / 10);
         const rw_patch edge = edges_of(one), mirrored = edges_of(other);
@@ -300,6 +356,14 @@ CLAIM(a_mirrored_profile_mirrors_everything)
             assert_within(s.xy, -t.xy, 1e-12);
         }
     }
+    const double even[] = {-1, 0, 1}, left[] = {-0.3, 0, 0.1}, right[] = {-0.1, 0, 0.3};
+    rwedge_contact *steep_left = profile(3, even, left), *steep_right = profile(3, even, right);
+    load(steep_left, 0.1, 0);
+    load(steep_right, 0.1, 0);
+    const rw_patch edge = edges_of(steep_left), mirrored = edges_of(steep_right);
+    assert_within(edge.left, -mirrored.right, 1e-14);
+    assert_within(edge.right, -mirrored.left, 1e-14);
+    assert_true(fabs(edge.left + edge.right) > 0.01);
 }
 
 CLAIM(a_pad_is_stored_and_restored)
@@ -396,7 +460,13 @@ CLAIM(profiles_that_are_none_are_refused)
     rwedge_contact *contact = NULL;
     const double x[] = {0, 1, 2}, back[] = {0, 2, 1}, slope[] = {-0.1, 0, 0.1};
     const double hollow[] = {-0.1, 0.1, 0}, even[] = {0.1, 0.1, 0.1}, steep[] = {-1.6, 0, 0.1};
-    double left, right;
+    const double tiny[] = {-1e-30, 0, 1e-30};
+    double left, right, many[1001] = {0};
+    many[1000] = 0.1;
+    assert_int_equal(rwedge_contact_create_profile(1001, many, many, A, F, &contact),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create_profile(3, x, slope, 0, F, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create_profile(3, x, tiny, 1e60, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(3, back, slope, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(3, x, hollow, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(3, x, even, A, F, &contact), RWEDGE_EDOMAIN);
@@ -407,4 +477,7 @@ CLAIM(profiles_that_are_none_are_refused)
     assert_null(contact);
     contact = profile(3, x, slope);
     assert_int_equal(rwedge_contact_beyond_flat(contact, &left, &right), RWEDGE_EABSENT);
+    assert_true(rwedge_contact_tilt(contact) == 0);
+    assert_int_equal(rwedge_contact_apply(contact, 0.1, 1e30, 0, 0), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_apply(contact, 0.1, -1e30, 0, 0), RWEDGE_EDOMAIN);
 }

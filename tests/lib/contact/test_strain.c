@@ -67,6 +67,7 @@ CLAIM(it_is_set_while_the_bodies_are_apart)
     assert_int_equal(rwedge_contact_set_strain(contact, -1), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_set_strain(contact, NAN), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_set_strain(contact, HUGE_VAL), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_set_strain(contact, 1e60), RWEDGE_EDOMAIN); /* over A */
     apply(contact, 1, 0, 0, 0);
     assert_int_equal(rwedge_contact_set_strain(contact, A / 2), RWEDGE_EDOMAIN);
     apply(contact, 0, 0, 0, 0.02); /* is there before the contact, and slips nothing */

@@ -216,6 +216,38 @@ CLAIM(there_is_no_friction_outside)
     assert_true(at.range[0] == 0 && at.f1[0] == 0 && at.f2[0] == 0 && at.energy[0] == 0);
 }
 
+/* Without shear it rolls so far at a time that no place stays in contact. */
+CLAIM(a_narrow_contact_that_rolls_does_not_slip)
+{
+    const double P = 1e-6;
+    const loads cycle = add(add((loads){0}, P, 0.5 * P, 0, 0), P, -0.5 * P, 0, 0);
+    rwedge_contact *contact = after(1, &cycle, 1);
+    for (double x = -0.55; x < 0.6; x += 0.01) {
+        const friction at = rubbed(contact, &cycle, 1, &x);
+        assert_true(at.range[0] == 0 && at.f1[0] == 0 && at.energy[0] == 0);
+    }
+}
+
+CLAIM(the_range_without_a_closed_form_is_that_of_the_loads_one_by_one)
+{
+    const loads cycle = add(add((loads){0}, 1, 0, 0.2, 0.3), 1, 0, -0.2, -0.3);
+    rwedge_contact *contact = create(0.4, F), *going = create(0.4, F);
+    rwedge_contact *both[] = {contact, going};
+    for (int i = 0; i < 2; i++) {
+        assert_ok(rwedge_contact_allow_error(both[i], 1e-2));
+        load(both[i], 1, 0);
+    }
+    const double x = 0.9 * rwedge_contact_half_width(contact);
+    double least = 0, most = 0;
+    for (size_t i = 0; i < cycle.count; i++) {
+        apply(going, 1, 0, cycle.Q[i], cycle.sigma[i]);
+        least = fmin(least, slip(going, x));
+        most = fmax(most, slip(going, x));
+    }
+    assert_true(rwedge_contact_error(going) > 0 && most > least);
+    assert_close(rubbed(contact, &cycle, 1, &x).range[0], most - least, 1e-13);
+}
+
 /* ---- The worst place ---- */
 
 static double at_one_place(const rwedge_contact *contact, const loads *c, int measure, double x)
@@ -257,6 +289,47 @@ CLAIM(the_worst_is_found_between_the_places)
         assert_true(top >= scanned * (1 - 1e-12));
         assert_close(top, scanned, 3e-3);
         assert_close(top, at_one_place(contact, &cycle, measure, worst), 1e-15);
+    }
+}
+
+static int32_t worst_of(const rwedge_contact *contact, int measure, const loads *c, size_t n,
+                        const double x[], const double value[], double *at, double *worst)
+{
+    return rwedge_contact_cycle_worst(contact, measure, c->count, c->P, c->M, c->Q, c->sigma, n, x,
+                                      value, 0, 70, 0.3, 0, 0.4, 500, at, worst);
+}
+
+/* The tops on both sides, of which the tension makes one a little lower; places that are all
+ * worst; places that do not slip; the apex of a sharp wedge, on which the search comes. */
+CLAIM(the_worst_is_found_among_equals)
+{
+    enum { COARSE = 41 };
+    const loads slipping = add(add((loads){0}, 1, 0, 0.4, 2e-4), 1, 0, -0.4, -2e-4),
+                resting = add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0, 0);
+    rwedge_contact *contact = create(0.4, F), *sharp = create(0, F);
+    load(contact, 1, 0);
+    load(sharp, 1, 0);
+    const double b = rwedge_contact_half_width(contact);
+    double x[COARSE], value[COARSE], at, top, highest = 0;
+    for (int i = 0; i < COARSE; i++) {
+        x[i] = b * (2.0 * i / (COARSE - 1) - 1);
+        value[i] = at_one_place(contact, &slipping, RWEDGE_MEASURE_RUIZ_F1, x[i]);
+        highest = fmax(highest, value[i]);
+    }
+    assert_ok(worst_of(contact, RWEDGE_MEASURE_RUIZ_F1, &slipping, COARSE, x, value, &at, &top));
+    assert_true(top >= highest);
+    assert_close(top, at_one_place(contact, &slipping, RWEDGE_MEASURE_RUIZ_F1, at), 1e-15);
+    for (int i = 0; i < COARSE; i++)
+        value[i] = highest / 2;
+    assert_ok(worst_of(contact, RWEDGE_MEASURE_RUIZ_F1, &slipping, COARSE, x, value, &at, &top));
+    assert_true(top >= highest / 2);
+    memset(value, 0, sizeof value);
+    assert_ok(worst_of(contact, RWEDGE_MEASURE_SLIP_RANGE, &resting, COARSE, x, value, &at, &top));
+    assert_true(top == 0);
+    const double around[] = {-0.2, 0.2, 0.6}, guess[] = {1e-9, 2e-9, 1e-9};
+    for (int measure = 0; measure <= RWEDGE_MEASURE_SLIP_RANGE; measure++) {
+        assert_ok(worst_of(sharp, measure, &slipping, 3, around, guess, &at, &top));
+        assert_true(at != 0 && isfinite(top));
     }
 }
 
@@ -345,6 +418,32 @@ CLAIM(displacement_is_that_of_flat_punches)
                  A * F / PI * integral(punch, &b, 2, pieces), 1e-8);
 }
 
+/* Of the sharp wedge P is 2 s theta/A. */
+CLAIM(the_displacement_of_a_sharp_wedge_is_a_closed_form)
+{
+    rwedge_contact *contact = create(0, F);
+    load(contact, 1, 0);
+    load(contact, 1, 0.3);
+    const double b = rwedge_contact_half_width(contact), c = b * (1 - 0.3 / F);
+    assert_close(rwedge_contact_displacement(contact, b),
+                 F / PI * 2 * THETA * (b - c - c * log(b / c)), 1e-13);
+}
+
+/* Without shear, by way of a patch beside the middle or directly. */
+CLAIM(the_displacement_does_not_depend_on_patches_without_shear)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        rwedge_contact *contact = create(0.4, F), *direct = create(0.4, F);
+        apply(contact, 0.1, side * 0.03, 0, 0);
+        apply(contact, 1, side * 0.03, 0, 0);
+        apply(direct, 1, side * 0.03, 0, 0);
+        apply(contact, 1, side * 0.03, 0.1, 0);
+        apply(direct, 1, side * 0.03, 0.1, 0);
+        assert_close(rwedge_contact_displacement(contact, 1),
+                     rwedge_contact_displacement(direct, 1), 1e-4);
+    }
+}
+
 /* The loop of Q over the displacement encloses the energy of the cycle, by the trapezoidal rule. */
 static void its_loop_encloses_the_energy(double M, double sigma, double tolerance)
 {
@@ -380,6 +479,9 @@ CLAIM(there_is_no_displacement_without_contact)
     assert_nan(rwedge_contact_displacement(contact, 1));
     load(contact, 1, 0);
     assert_nan(rwedge_contact_displacement(contact, 0));
+    apply(contact, 1, 0.2, 0, 0);
+    apply(contact, 1, 0.2, F, 0); /* slides: how far is not known */
+    assert_nan(rwedge_contact_displacement(contact, 1));
 }
 
 /* ---- A cycle that is kept ---- */
@@ -473,6 +575,50 @@ CLAIM(the_critical_distance_is_that_of_a_crack_at_its_threshold)
 }
 
 /* ---- Refusals ---- */
+
+CLAIM(a_missing_array_is_an_error)
+{
+    const double P[] = {1, 1}, M[] = {0, 0}, Q[] = {0.4, -0.3}, sigma[] = {0, 0}, x = 0.1;
+    double out[8] = {0};
+    rwedge_contact *contact = create(0.4, F);
+    load(contact, 1, 0);
+    for (int missing = 0; missing < 6; missing++) {
+        double *some[6];
+        const rwedge_contact *asked = missing == 0 ? NULL : contact;
+        for (int i = 0; i < 6; i++)
+            some[i] = i == missing ? NULL : &out[i];
+        const double *loads_P = missing == 1 ? NULL : P, *places = missing == 2 ? NULL : &x;
+        assert_int_equal(rwedge_contact_cycle_worst(asked, 0, 2, loads_P, M, Q, sigma, 1, places,
+                                                    some[3], 0, 70, 0.3, 0, 0, 1, some[4], some[5]),
+                         RWEDGE_ENULL);
+        assert_int_equal(rwedge_contact_cycle_friction(asked, 2, loads_P, M, Q, sigma, 1, places,
+                                                       some[3], some[4], some[5], &out[6]),
+                         RWEDGE_ENULL);
+        if (missing != 2)
+            assert_int_equal(rwedge_contact_cycle_below(asked, 2, loads_P, M, Q, sigma, x, 0, 1, 0,
+                                                        some[3], some[4], some[5]),
+                             RWEDGE_ENULL);
+    }
+}
+
+CLAIM(more_numbers_than_memory_has_are_refused)
+{
+    const size_t many = SIZE_MAX / 16, fewer = SIZE_MAX / 1000;
+    const double v[] = {1, 1}, none[] = {0, 0};
+    double out[4];
+    rwedge_contact *contact = create(0.4, F);
+    load(contact, 1, 0);
+    assert_int_equal(rwedge_contact_keep_cycle(contact, many, v, none, none, none), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_contact_cycle_friction(contact, fewer, v, none, none, none, 1, none,
+                                                   out, out, out, out),
+                     RWEDGE_ERANGE);
+    assert_int_equal(rwedge_contact_cycle_friction(contact, 2, v, none, none, none, many, none, out,
+                                                   out, out, out),
+                     RWEDGE_ERANGE);
+    assert_int_equal(
+        rwedge_contact_cycle_below(contact, many, v, none, none, none, 0.1, 0, 1, 0, out, out, out),
+        RWEDGE_ERANGE);
+}
 
 CLAIM(a_refusal_leaves_the_outputs)
 {

@@ -114,7 +114,7 @@ CLAIM(a_spectrum_of_tension_is_summed_by_hand)
 
 CLAIM(cycles_below_the_limit_do_no_damage)
 {
-    const double sxx[6] = {300, -50, 200, -280, 120, 60}, zero[6] = {0};
+    const double sxx[6] = {300, -50, 200, -280, 120, 60}, zero[6] = {0}, still[2] = {300, 300};
     const double small = 200 * 250 / 2 / E;
     double value, cycles, angle, out;
     assert_ok(rwedge_smith_watson_topper_damage(6, sxx, zero, zero, E, 0.3, 1, SF, B, EF, C,
@@ -125,6 +125,9 @@ CLAIM(cycles_below_the_limit_do_no_damage)
     assert_close(cycles, 3, 0);
     assert_ok(rwedge_smith_watson_topper_damage(6, sxx, zero, zero, E, 0.3, 1, SF, B, EF, C, 1e3,
                                                 &value, &cycles, &angle, &out));
+    assert_true(value == 0);
+    assert_ok(rwedge_fatemi_socie_damage(2, still, zero, zero, E, 0.3, 1, 0.1, 80, SF, B, EF, C, 0,
+                                         &value, &cycles, &angle, &out));
     assert_true(value == 0);
 }
 

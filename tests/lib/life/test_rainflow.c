@@ -102,5 +102,6 @@ CLAIM(refusals_leave_the_counts_alone)
     assert_int_equal(rwedge_rainflow(2, bad, 0, range, mean, count), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_rainflow(2, good, 2, range, mean, count), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_rainflow(0, good, 0, range, mean, count), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_rainflow(SIZE_MAX / 8, good, 0, range, mean, count), RWEDGE_ERANGE);
     assert_true(range[0] == 5 && mean[1] == 8 && count[1] == 10);
 }

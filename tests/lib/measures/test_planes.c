@@ -175,6 +175,15 @@ static void draw_cycle(cycle *c, path kind, size_t n, uint64_t *seed)
 }
 
 /* No scanned plane has more, and the plane that is named has it. */
+static void assert_worst(const cycle *c, criterion asked)
+{
+    const worst w = worst_of(c, asked);
+    const double unit = unit_of(c, asked);
+    assert_within(on_plane(c, asked, w.angle, w.out_of_plane), w.value, 2e-14 * unit);
+    assert_true(scanned(c, asked) <= w.value + 1e-14 * unit);
+    assert_true(w.out_of_plane >= 0 && w.out_of_plane <= PI / 2);
+}
+
 CLAIM(the_worst_plane_is_that_of_a_scan)
 {
     static const size_t counts[] = {1, 2, 3, 9};
@@ -184,12 +193,16 @@ CLAIM(the_worst_plane_is_that_of_a_scan)
         for (size_t i = 0; i < 6 * sizeof counts / sizeof *counts; i++)
             for (criterion asked = 0; asked < CRITERIA; asked++) {
                 draw_cycle(&c, kind, counts[i % 4], &seed);
-                const worst w = worst_of(&c, asked);
-                const double unit = unit_of(&c, asked);
-                assert_within(on_plane(&c, asked, w.angle, w.out_of_plane), w.value, 2e-14 * unit);
-                assert_true(scanned(&c, asked) <= w.value + 1e-14 * unit);
-                assert_true(w.out_of_plane >= 0 && w.out_of_plane <= PI / 2);
+                assert_worst(&c, asked);
             }
+}
+
+/* The strain does not swing where the normal stress is high: no quick bound holds. */
+CLAIM(a_static_stress_across_a_plane_without_strain_hides_no_worse_one)
+{
+    const cycle c = {
+        .n = 2, .sxx = {1.05, 0.95}, .syy = {0.1, -0.1}, .E = 1, .nu = 0.5, .plane_stress = true};
+    assert_worst(&c, SMITH_WATSON_TOPPER);
 }
 
 /* ---- Closed forms ---- */
@@ -326,6 +339,43 @@ CLAIM(spheres_around_textbook_paths_are_exact)
     assert_close(value, 100 / sqrt(3) + 0.2 * 100 / 3, 1e-15);
 }
 
+static double farthest(size_t n, double p[][3], const double from[3], size_t *which)
+{
+    double most = -1;
+    for (size_t i = 0; i < n; i++) {
+        const double square =
+            pow(p[i][0] - from[0], 2) + pow(p[i][1] - from[1], 2) + pow(p[i][2] - from[2], 2);
+        *which = square > most ? i : *which;
+        most = fmax(most, square);
+    }
+    return sqrt(most);
+}
+
+/* A centre that goes to the farthest point, less and less far, is soon the best. */
+CLAIM(spheres_around_random_paths_are_the_smallest)
+{
+    enum { N = 40, STEPS = 20000 };
+    uint64_t seed = 11;
+    for (int turn = 0; turn < 8; turn++) {
+        double sxx[N], syy[N], txy[N], p[N][3], centre[3] = {0}, radius;
+        size_t which = 0;
+        for (int i = 0; i < N; i++) {
+            sxx[i] = some_stress(&seed), syy[i] = some_stress(&seed), txy[i] = some_stress(&seed);
+            p[i][0] = (syy[i] - sxx[i]) / 2, p[i][1] = txy[i];
+            p[i][2] = (sxx[i] + syy[i]) / 2 / sqrt(3); /* of nu = 0 */
+        }
+        for (int k = 1; k <= STEPS; k++) {
+            (void)farthest(N, p, centre, &which);
+            for (int j = 0; j < 3; j++)
+                centre[j] += (p[which][j] - centre[j]) / (k + 1);
+        }
+        const double around = farthest(N, p, centre, &which);
+        assert_ok(rwedge_crossland(N, sxx, syy, txy, 0, 0, &radius));
+        assert_true(radius <= around * (1 + 1e-14));
+        assert_close(radius, around, 1e-3);
+    }
+}
+
 /* A cycle between 0 and p has the centre p/2: its shear is p/4 about it, whatever the mean, and
  * compression takes from it. */
 CLAIM(dang_van_counts_from_shakedown)
@@ -431,6 +481,9 @@ CLAIM(a_cycle_has_loads)
 {
     double value = 5, angle = 6, out = 7;
     assert_int_equal(rwedge_findley(0, TENSION, NOTHING, NOTHING, 0.3, 0.2, &value, &angle, &out),
+                     RWEDGE_ERANGE);
+    assert_int_equal(rwedge_findley_field(2, SIZE_MAX / 8, TENSION, NOTHING, NOTHING, 0.3, 0.2,
+                                          &value, &angle, &out),
                      RWEDGE_ERANGE);
     assert_true(value == 5 && angle == 6 && out == 7);
 }

@@ -39,6 +39,7 @@ static bool has_other_start(const uint8_t *data, size_t size)
 }
 
 typedef struct {
+    const char *path;
     const uint8_t *data;
     size_t size;
     char separator;
@@ -50,7 +51,7 @@ static void read_anything(void *of_file)
     const any_file *file = of_file;
     const uint8_t *data = file->data;
     const size_t size = file->size;
-    csv_input *in = csv_input_open(file_of(data, size), file->separator, NULL);
+    csv_input *in = csv_input_open(file->path, file->separator, NULL);
     CLAIM(in != NULL, "open");
     csv_event event;
     size_t rows = 0, letters = 0;
@@ -144,7 +145,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const uint8_t kind = take_byte(&in);
     const char separator = kind % 2 == 0 ? ',' : ';';
     if (kind < 128) {
-        any_file file = {in.data, in.left, separator};
+        any_file file = {file_of(in.data, in.left), in.data, in.left, separator};
         const int ended = until_exit(read_anything, &file);
         CLAIM(ended == NO_EXIT || ended == STATUS_FAILED, "%d", ended);
     } else

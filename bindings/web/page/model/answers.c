@@ -125,20 +125,8 @@ static void write_profile(const pad *shape)
     records_text(field_remark());
 }
 
-static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
+static void write_setup(const contact_case *setup)
 {
-    char complaint[COMPLAINT_SIZE];
-    load_fault fault = {.input = INPUT_COUNT, .status = RWEDGE_OK};
-    bool there = case_is_complete(texts, needs, complaint);
-    if (there && !case_read(texts, needs, setup, complaint)) {
-        fault = case_fault(setup);
-        there = false;
-    }
-    if (!there) {
-        refuse(fault.input, complaint);
-        write_verdict(verdict_of_fault(fault.status, complaint));
-        return false;
-    }
     const struct {
         const char *name;
         double value;
@@ -161,6 +149,23 @@ static bool write_case(const input_texts *texts, case_needs needs, contact_case 
         records_number(numbers[i].value);
     }
     write_profile(&setup->shape);
+}
+
+static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
+{
+    char complaint[COMPLAINT_SIZE];
+    load_fault fault = {.input = INPUT_COUNT, .status = RWEDGE_OK};
+    bool there = case_is_complete(texts, needs, complaint);
+    if (there && !case_read(texts, needs, setup, complaint)) {
+        fault = case_fault(setup);
+        there = false;
+    }
+    if (!there) {
+        refuse(fault.input, complaint);
+        write_verdict(verdict_of_fault(fault.status, complaint));
+        return false;
+    }
+    write_setup(setup);
     return true;
 }
 

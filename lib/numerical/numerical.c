@@ -352,19 +352,20 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
 /* A load that adds more than this to the error has not converged. */
 static const double FAR_OFF = 0.1;
 
-static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course to)
+static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course to, int *effort)
 {
     rw_work w;
     rw_numerical next;
-    if (!rw_work_create(&w, frame))
+    if (!rw_work_create(&w, frame, *effort))
         return RW_STEP_NO_MEMORY;
     if (!rw_numerical_copy(n, &next)) {
         rw_work_destroy(&w);
         return RW_STEP_NO_MEMORY;
     }
     trial whole = try_step(&w, &next.now, to, NULL, false);
-    const bool is_done = advance(&w, &next, to, &whole, HALVINGS, RW_MOST_EFFORT / 2) &&
+    const bool is_done = advance(&w, &next, to, &whole, HALVINGS, *effort / 2) &&
                          rw_numerical_error(&next) - rw_numerical_error(n) <= FAR_OFF;
+    *effort -= w.effort;
     rw_work_destroy(&w);
     rw_numerical_destroy(is_done ? n : &next);
     if (is_done)
@@ -372,15 +373,19 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course
     return is_done ? RW_STEP_DONE : w.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
 }
 
-/* A load that fails is tried once more with ten times the tolerance; rwedge_contact_error() then
- * says so. */
-rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to)
+/* A load that fails is tried once more with ten times the tolerance and a quarter of the effort;
+ * rwedge_contact_error() then says so. */
+rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to, int *effort)
 {
     static const double LOOSEST = 1e-2;
     const rw_frame looser =
         rw_frame_of(frame->arcs, frame->f, fmin(10 * frame->tolerance, LOOSEST));
-    const rw_step_result result = try_load(n, frame, to);
-    return result == RW_STEP_FAILED && looser.tolerance > frame->tolerance
-               ? try_load(n, &looser, to)
-               : result;
+    int rest = *effort / 4;
+    const rw_step_result result = try_load(n, frame, to, effort);
+    if (result != RW_STEP_FAILED || !(looser.tolerance > frame->tolerance))
+        return result;
+    *effort -= rest;
+    const rw_step_result second = try_load(n, &looser, to, &rest);
+    *effort += rest;
+    return second;
 }

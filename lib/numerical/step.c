@@ -252,6 +252,7 @@ static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool c
         }
         rw_zones zones;
         rw_outcome outcome;
+        w->effort += n * n * n / 250; /* as measured */
         if (!rw_grid_solve(grid, p, &layers) || !rw_grid_zones(grid, p, &zones))
             continue;
         if (try_all(w, p, &zones, RW_PI / n, &outcome))
@@ -384,8 +385,8 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_c
     rw_outcome outcome;
     set_rates(w->frame, from, to, from->contact, &w->start);
     rw_fronts_forget(&w->fronts);
-    w->search = w->effort > RW_MOST_EFFORT ? 0 : SEARCH;
-    if (!solve(w, p, guess, coarse || w->effort > RW_MOST_EFFORT, &outcome))
+    w->search = w->effort > w->most_effort ? 0 : SEARCH;
+    if (!solve(w, p, guess, coarse || w->effort > w->most_effort, &outcome))
         return false;
     *there = (rw_stance){.shear = outcome.state,
                          .contact = p->to,
@@ -441,9 +442,9 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
     return goes_on;
 }
 
-bool rw_work_create(rw_work *w, const rw_frame *frame)
+bool rw_work_create(rw_work *w, const rw_frame *frame, int most_effort)
 {
-    *w = (rw_work){.frame = frame};
+    *w = (rw_work){.frame = frame, .most_effort = most_effort};
     return rw_fronts_create(&w->fronts, frame->tolerance);
 }
 

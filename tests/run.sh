@@ -5,7 +5,7 @@
 #     ./tests/run.sh              the everyday run
 #     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
-#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, fuzzing, coverage, bindings
+#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, threads, fuzzing, coverage, bindings
 #     ./tests/run.sh --packages   also: the packages made, and each tested as it is installed
 #     ./tests/run.sh --elsewhere  also: both commands on the stable release of Debian, if this machine is another system; and
 #                                 the packages made again in another folder, to the same bytes
@@ -60,8 +60,7 @@ have header:arb.h || wish file:/usr/include/flint/flint.h=libflint-dev
 have header:flint/arb.h || wish header:arb.h=libflint-arb-dev
 [ $compilers = no ] || wish command:gcc=gcc
 # what is compiled twice in a run is compiled once: the library for the bindings, for hosts that embed it
-wish command:ccache=ccache command:ninja=ninja-build
-! have command:ninja || export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}" # of folders that are new
+wish command:ccache=ccache
 if have command:ccache; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DIR="${CCACHE_DIR:-$top/build/ccache}"
 fi

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output_options.h"
 
-#include "delimited.h"
-#include "json.h"
-#include "spreadsheet.h"
 #include "text/list.h"
 #include "text/message.h"
 #include "system/progress.h"

@@ -61,11 +61,19 @@ static double numerical_sum(const rwedge_contact *contact, double b, double x)
            (RW_PI * rw_traction_displacement(t, x) + log(b / 2) * rw_traction_total(t));
 }
 
+/* In contact since before the first slip: a place that came later was not where it would have been
+ * without shear. */
+static double lasting_place(const rwedge_contact *contact)
+{
+    const bool has_slipped = !contact->numerical && contact->origins.count > 0;
+    return rw_patch_middle(has_slipped ? contact->settled : rw_memory_end(&contact->memory)->patch);
+}
+
 /* The edges of the patches, which are nested, are kinks of q. */
 static double off_centre(const rwedge_contact *contact, double b)
 {
     const rw_memory *path = &contact->memory;
-    const double x = rw_patch_middle(rw_memory_end(path)->patch);
+    const double x = lasting_place(contact);
     const double tension = contact->loads.sigma - contact->touched_at;
     double slip, left = x, right = x, sum = 0;
     if (rwedge_contact_slip(contact, 1, &x, &slip) != RWEDGE_OK)

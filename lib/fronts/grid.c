@@ -22,6 +22,23 @@ enum { TURNS = 100 };
 /* Smaller differences, over the scale of traction and slip, are rounding. */
 static const double NOTHING = 1e-12;
 
+/* The matrix K, from sums of cos(pi k d/N)/k. Arrays that are not in use yet hold the sums. */
+static void set_matrix(rw_grid *g)
+{
+    const int n = g->n;
+    double *wave = g->right + n, *cosine = g->x; /* d = 0 ... 2N - 1, for i - j and i + j + 1 */
+    for (int i = 0; i < 2 * n; i++)
+        cosine[i] = cos(RW_PI * i / n);
+    for (int d = 0; d < 2 * n; d++) {
+        wave[d] = 0;
+        for (int k = 1; k < n; k++)
+            wave[d] += cosine[k * d % (2 * n)] / k;
+    }
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            g->matrix[i * n + j] = (1 + wave[i > j ? i - j : j - i] + wave[i + j + 1]) / n;
+}
+
 bool rw_grid_create(rw_grid *g, int n)
 {
     const size_t rows = (size_t)n;
@@ -43,18 +60,7 @@ bool rw_grid_create(rw_grid *g, int n)
                    .matrix = all + 9 * rows,
                    .factor = all + 9 * rows + rows * rows,
                    .label = label};
-    /* cos(pi k d/N) summed: of d = 0 ... 2N - 1, for i - j and i + j + 1 */
-    double *wave = all + 7 * rows, *cosine = all; /* before there are places and changes */
-    for (int i = 0; i < 2 * n; i++)
-        cosine[i] = cos(RW_PI * i / n);
-    for (int d = 0; d < 2 * n; d++) {
-        wave[d] = 0;
-        for (int k = 1; k < n; k++)
-            wave[d] += cosine[k * d % (2 * n)] / k;
-    }
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-            g->matrix[i * n + j] = (1 + wave[i > j ? i - j : j - i] + wave[i + j + 1]) / n;
+    set_matrix(g);
     return true;
 }
 

@@ -72,8 +72,8 @@ try "find_package without GSL and LAPACK builds" cmake --build "$work/shared_onl
 try "runs" "$work/shared_only/with_rwedge"
 
 # The host's programs load what it has installed, and nothing else.
-try "an embedding host configures" cmake -S "$consumer" -B "$work/host" -DRWEDGE_SOURCE="$source" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
-    -DCMAKE_INSTALL_RPATH="\$ORIGIN/../lib" -DCMAKE_INSTALL_LIBDIR=lib
+try "an embedding host configures" cmake -S "$consumer" -B "$work/host" -DRWEDGE_SOURCE="$source" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_INSTALL_RPATH="\$ORIGIN/../lib" -DCMAKE_INSTALL_LIBDIR=lib
 try "an embedding host builds, with unity builds" cmake --build "$work/host" --parallel 2
 try "an embedding host installs" cmake --install "$work/host" --prefix "$work/installed"
 mv "$work/host" "$work/elsewhere"

@@ -3,12 +3,13 @@
  * library or libcsv takes for itself is little, and is left. */
 #include "until_exit.h"
 
+#include <fcntl.h>
 #include <setjmp.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-enum { PIECES = 1 << 16, FILES = 8, ENDINGS = 16 };
+enum { PIECES = 1 << 16, FILES = 32, ENDINGS = 16 };
 
 static bool is_inside;
 static jmp_buf outside;
@@ -105,24 +106,31 @@ void __wrap_exit(int status)
     longjmp(outside, 1);
 }
 
-static void take_back(int first_file)
+static bool is_open(int file)
+{
+    return fcntl(file, F_GETFD) >= 0;
+}
+
+static void take_back(const bool was_open[FILES])
 {
     for (int i = 0; i < pieces; i++)
         __real_free(memory[i]);
     pieces = 0;
-    for (int i = first_file; i < first_file + FILES; i++)
-        close(i);
+    for (int i = 0; i < FILES; i++)
+        if (!was_open[i] && is_open(i))
+            close(i);
 }
 
 int until_exit(void (*part)(void *context), void *context)
 {
-    const int first_file = dup(STDERR_FILENO); /* the first that is free */
-    close(first_file);
+    bool was_open[FILES];
+    for (int i = 0; i < FILES; i++)
+        was_open[i] = is_open(i);
     is_inside = true;
     status_of_exit = NO_EXIT;
     if (setjmp(outside) == 0)
         part(context);
     is_inside = false;
-    take_back(first_file);
+    take_back(was_open);
     return status_of_exit;
 }

@@ -10,10 +10,10 @@ skip_without_xlsx 2 "rwedge table: --format xlsx"
 status_is 0
 message_is ""
 
-refuses "rwedge table: --decimal-comma: not in XLSX, whose numbers have a point; allowed with: csv, tsv" \
+refuses "--decimal-comma: not in XLSX, whose numbers have a point; allowed with: csv, tsv" \
     table contact-law --format xlsx --decimal-comma -o law.xlsx
 if [ "$extent" = all ]; then
-    cannot "rwedge table: long.xlsx: more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json" \
+    cannot "long.xlsx: more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json" \
         table max-tension --a-over-b 0:2:0.000001 --friction 0.3 --format xlsx -o long.xlsx
     same "no file" "law.xlsx" "$(ls ./*.xlsx | sed 's,./,,')"
 fi
@@ -110,7 +110,7 @@ done
 fails "rwedge workbook: comma.csv: one column; the columns seem to be separated by ';': --decimal-comma reads that" comma.csv
 fails "rwedge workbook: law.csv: one column; the columns seem to be separated by ',': leave --decimal-comma out" law.csv --decimal-comma
 fails "rwedge workbook: comma.tsv: line 3: 0,5: a decimal comma; --decimal-comma reads it" comma.tsv
-refuses "rwedge workbook: --decimal-comma: a workbook has no sign; allowed with: CSV files" workbook --decimal-comma -o new.xlsx
+refuses "--decimal-comma: a workbook has no sign; allowed with: CSV files" workbook --decimal-comma -o new.xlsx
 
 # Names that no sheet can have, or that are taken, whatever their capitals: what they are instead is said.
 sheets() { # NAMES MESSAGE FILE...
@@ -131,7 +131,7 @@ sheets "about_2 history_2" "rwedge workbook: about.csv: its sheet is called abou
 rwedge workbook: history.csv: its sheet is called history_2" about.csv history.csv
 sheets "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" "rwedge workbook: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.csv: its sheet is called \
 aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.csv
-refuses "rwedge workbook: k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k -o new.xlsx
+refuses "k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k -o new.xlsx
 
 # The header stays, a page is as wide as the table, another sheet says how it was made.
 text() { "$python" -c 'import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode())' book.xlsx "$1"; }

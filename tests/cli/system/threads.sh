@@ -44,12 +44,12 @@ run solve -i few.csv $contact --yield-factor --threads 1
 cp out expected
 run solve -i few.csv $contact --yield-factor
 same "bytes with the yield factor" "" "$(cmp expected out 2>&1)"
-refuses "rwedge solve: --threads 0: must be a whole number from 1 to 256" solve -i cases.csv $contact --threads 0
-refuses "rwedge solve: --threads 2: needs --input" solve $contact --P 1 --threads 2
+refuses "--threads 0: must be a whole number from 1 to 256" solve -i cases.csv $contact --threads 0
+refuses "--threads 2: needs --input" solve $contact --P 1 --threads 2
 
-refuses "rwedge table: --threads 0: must be a whole number from 1 to 256" table contact-law --threads 0
-refuses "rwedge table: --threads 257: must be a whole number from 1 to 256" table contact-law --threads 257
-refuses "rwedge table: --threads two: must be a whole number from 1 to 256" table contact-law --threads two
+refuses "--threads 0: must be a whole number from 1 to 256" table contact-law --threads 0
+refuses "--threads 257: must be a whole number from 1 to 256" table contact-law --threads 257
+refuses "--threads two: must be a whole number from 1 to 256" table contact-law --threads two
 
 # Rows that nobody takes are not kept, and threads end with the table.
 called="rwedge table ... | head -n 1"

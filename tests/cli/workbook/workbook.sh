@@ -3,8 +3,8 @@
 . "$(dirname "$0")/../claims.sh"
 
 # Nothing is called, and nothing written, for a mistake.
-refuses "rwedge workbook: --output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -" workbook
-refuses "rwedge workbook: --digits: the workbook has its own; allowed with: CSV files" workbook --digits 8 -o book.xlsx
+refuses "--output: missing; allowed: the name of a file, such as rounded-wedge.xlsx, or -" workbook
+refuses "--digits: the workbook has its own; allowed with: CSV files" workbook --digits 8 -o book.xlsx
 
 run workbook -o book.xlsx
 skip_without_xlsx 1 "rwedge workbook: book.xlsx"

@@ -172,6 +172,7 @@ CLAIM(a_pad_is_a_cylinder_where_one_arc_touches)
         apply(pad, P, 0, Q[i], 0);
         apply(cylinder, P, 0, Q[i], 0);
         assert_close(edges_of(pad).right, edges_of(cylinder).right, 1e-14);
+        assert_close(rw_patch_under_tilt(&pad->geometry, P, 0).right, edges_of(pad).right, 1e-14);
         assert_close(stick_zone_of(pad).right, stick_zone_of(cylinder).right, 1e-14);
         assert_close(pressure(pad, 0.3), pressure(cylinder, 0.3), 1e-13);
         assert_within(shear(pad, 0.3), shear(cylinder, 0.3), 1e-13 * P);

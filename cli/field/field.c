@@ -9,19 +9,13 @@
 
 enum { OPTION_X = OPTION_AFTER_LOADED, OPTION_Y };
 
-static struct poptOption field_output_option_table[] = {
-    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
-    POPT_TABLEEND,
-};
-
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loaded_contact_option_table, 0, NULL, NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X,
      "Columns of the grid (default: 81 within 2 b of the contact's middle)", "RANGE"},
     {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y,
      "Its rows, depths below the surface (default: 41 from 0 to 2 b)", "RANGE"},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, field_output_option_table, 0, "Common options:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, grid_output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -78,14 +72,12 @@ static void check_grid(const arguments *line, const grid *points, bool vtk)
                         text[i]);
 }
 
-static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
-
 static int field(const arguments *line)
 {
     grid points = {0};
     output_options how;
     arguments_no_operand(line);
-    output_options_read_of(line, formats, "", &how);
+    output_options_read_of(line, grid_formats, "", &how);
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     loaded_contact_read(line, how.decimal_sign, &points.loaded);

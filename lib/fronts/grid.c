@@ -16,6 +16,7 @@
 #include "base/linear.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { TURNS = 100 };
 
@@ -29,10 +30,11 @@ static void set_matrix(rw_grid *g)
     double *wave = g->right + n, *cosine = g->x; /* d = 0 ... 2N - 1, for i - j and i + j + 1 */
     for (int i = 0; i < 2 * n; i++)
         cosine[i] = cos(RW_PI * i / n);
-    for (int d = 0; d < 2 * n; d++) {
+    for (int d = 0; d <= n; d++) {
         wave[d] = 0;
-        for (int k = 1; k < n; k++)
-            wave[d] += cosine[k * d % (2 * n)] / k;
+        for (int k = 1, turn = d; k < n; k++, turn += turn + d < 2 * n ? d : d - 2 * n)
+            wave[d] += cosine[turn] / k;
+        wave[(2 * n - d) % (2 * n)] = wave[d];
     }
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
@@ -126,11 +128,10 @@ static double sum_of(int n, const double v[])
 
 static void multiply(const rw_grid *g, const double v[], double product[])
 {
-    for (int i = 0; i < g->n; i++) {
-        product[i] = 0;
-        for (int j = 0; j < g->n; j++)
-            product[i] += g->matrix[i * g->n + j] * v[j];
-    }
+    memset(product, 0, (size_t)g->n * sizeof *product);
+    for (int j = 0; j < g->n; j++)
+        for (int i = 0; i < g->n; i++)
+            product[i] += g->matrix[j * g->n + i] * v[j];
 }
 
 /* The change of places that slip is at its bound; that of places that stick is set to 0 first. */

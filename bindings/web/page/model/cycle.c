@@ -8,7 +8,6 @@
 
 #include "model/cycle/stops.h"
 #include "number/number.h"
-#include "text/list.h"
 #include "text/memory.h"
 
 #include <math.h>
@@ -50,8 +49,9 @@ static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
     asked.constants = material_unknown();
     for (char *name = strtok(lines, "\n"); name != NULL; name = strtok(NULL, "\n")) {
         char *text = strchr(name, '=');
-        *text++ = '\0';
-        const int constant = material_constant(name);
+        if (text != NULL)
+            *text++ = '\0';
+        const int constant = text != NULL ? material_constant(name) : -1;
         if (material_is_remark(name))
             continue;
         snprintf(complaint, COMPLAINT_SIZE, "%.60s: %s", name,

@@ -183,6 +183,7 @@ test("constants of a material are read as lines or JSON; what is unknown is name
         assert.deepEqual(read(text, ".").criterion.constants, { t_A: "150.5", su: "500" });
     assert.deepEqual(read("su;500\nt_A = 150,5", ",").criterion.constants, { t_A: "150.5", su: "500" });
     assert.equal(read("limit 1", ".").complaint, "limit: no constant that is known here");
+    assert.equal(read('{"kap\\npa": 1}', ".").complaint, "kap: no constant that is known here");
     assert.equal(read("kappa x", ".").complaint, "kappa: must be a number");
     assert.equal(read("su 500", ".").complaint, "McDiarmid needs t_A of the material");
     assert.match(read("{", ".").complaint, /^the material: /);

@@ -9,19 +9,13 @@
 
 enum { OPTION_X = OPTION_AFTER_LOADED, OPTION_Y };
 
-static struct poptOption field_output_option_table[] = {
-    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
-    POPT_TABLEEND,
-};
-
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loaded_contact_option_table, 0, NULL, NULL},
     {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X,
      "Columns of the grid (default: 81 within 2 b of the contact's middle)", "RANGE"},
     {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y,
      "Its rows, depths below the surface (default: 41 from 0 to 2 b)", "RANGE"},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, field_output_option_table, 0, "Common options:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, grid_output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -31,14 +25,10 @@ static void describe(FILE *stream)
         "\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns, of vtk all but the "
         "first two\nas scalars, and the stress as a tensor:\n"
         "  x, y           the point, y the depth; in ParaView the half-plane is above\n"
-        "  sxx, syy, txy  stresses in body 1, tension positive\n"
-        "  von_mises      equivalent stress, plane strain: szz = nu1 (sxx + syy)\n"
-        "  s1             larger principal stress in the plane\n"
-        "  szz            stress across the plane\n"
-        "  s2             smaller principal stress in the plane\n"
-        "  tau_max        largest shear stress on any plane\n"
-        "  s1_angle       from the normal of the surface to that of the plane of s1, deg\n",
+        "  sxx, syy, txy  stresses in body 1, tension positive\n",
         stream);
+    for (int i = TENSOR_TXY + 1; i < TENSOR_COUNT; i++)
+        fprintf(stream, "  %-14s %s\n", tensor_kinds[i].column, tensor_kinds[i].meaning);
     loaded_contact_describe(stream);
 }
 
@@ -82,14 +72,12 @@ static void check_grid(const arguments *line, const grid *points, bool vtk)
                         text[i]);
 }
 
-static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
-
 static int field(const arguments *line)
 {
     grid points = {0};
     output_options how;
     arguments_no_operand(line);
-    output_options_read_of(line, formats, "", &how);
+    output_options_read_of(line, grid_formats, "", &how);
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     loaded_contact_read(line, how.decimal_sign, &points.loaded);

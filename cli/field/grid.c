@@ -47,7 +47,7 @@ void grid_write_rows(void *of_grid, records *rows)
     records_name(rows, "x");
     records_name(rows, "y");
     for (int i = 0; i < TENSOR_COUNT; i++)
-        records_name(rows, tensor_names[i]);
+        records_name(rows, tensor_kinds[i].column);
     records_end_header(rows);
     for (int64_t j = 0; j < points->y.count; j++)
         for (int64_t i = 0; i < points->x.count && records_go_on(rows); i++)

@@ -22,18 +22,22 @@ static const struct poptOption options[] = {
 };
 
 enum { X, P, Q, ZONE, SXX, SLIP, COLUMN_COUNT };
-static const char *const columns[COLUMN_COUNT] = {"x", "p", "q", "zone", "sxx", "slip"};
+static const struct {
+    const char *name, *meaning;
+} columns[COLUMN_COUNT] = {
+    [X] = {"x", "along the surface"},
+    [P] = {"p", "pressure, negative in compression"},
+    [Q] = {"q", "shear traction, txy at the surface; q = f p where it slips under Q > 0"},
+    [ZONE] = {"zone", "stick; slip, where friction is exhausted; or free, outside the contact"},
+    [SXX] = {"sxx", "stress along the surface, tension positive"},
+    [SLIP] = {"slip", "of body 1 relative to body 2, the wedge, since they came into contact"},
+};
 
 static void describe(FILE *stream)
 {
-    fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns:\n"
-          "  x     along the surface\n"
-          "  p     pressure, negative in compression\n"
-          "  q     shear traction, txy at the surface; q = f p where it slips under Q > 0\n"
-          "  zone  stick; slip, where friction is exhausted; or free, outside the contact\n"
-          "  sxx   stress along the surface, tension positive\n"
-          "  slip  of body 1 relative to body 2, the wedge, since they came into contact\n",
-          stream);
+    fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns:\n", stream);
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        fprintf(stream, "  %-5s %s\n", columns[i].name, columns[i].meaning);
     loaded_contact_describe(stream);
 }
 
@@ -117,7 +121,9 @@ static void write_profile(void *of_plan, records *rows)
     const plan *job = of_plan;
     const int64_t count = job->points > 0 ? job->points : job->x.count;
     progress_start(rows->show_progress, count, "rows");
-    records_header(rows, COLUMN_COUNT, columns);
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        records_name(rows, columns[i].name);
+    records_end_header(rows);
     for (int64_t i = 0; i < count && records_go_on(rows); i++)
         write_row(job, rows, x_of(job, i));
 }

@@ -83,7 +83,7 @@ static void put_numbers(records *rows, const vtk_points *points, const void *sou
 static const char *stress_name(const void *of_points, int n)
 {
     (void)of_points;
-    return tensor_names[n];
+    return tensor_kinds[n].column;
 }
 
 static double stress_value(const void *of_points, int64_t column, int64_t row, int n)

@@ -31,6 +31,9 @@ enum {
     OPTION_OVER
 };
 
+/* No command has more options. */
+typedef char options_have_room[(int)OPTION_OVER < (int)OPTION_LIMIT ? 1 : -1];
+
 static const table_variable stick_width = {
     "c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
 static const table_variable tension = {

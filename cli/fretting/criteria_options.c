@@ -13,17 +13,20 @@ struct poptOption criteria_option_table[] = {
      "Columns of these alone: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, "
      "dang-van, swt-damage, fatemi-socie-damage",
      "LIST"},
-    {"fs-k", '\0', POPT_ARG_STRING, NULL, OPTION_FS_K,
+    {"fs-k", '\0', POPT_ARG_STRING, NULL, OPTION_OF(MATERIAL_FS_K),
      "Fatemi and Socie's k, beside a yield stress (default 1)", "NUMBER"},
-    {"findley-k", '\0', POPT_ARG_STRING, NULL, OPTION_FINDLEY_K, "Findley's k", "NUMBER"},
-    {"kappa", '\0', POPT_ARG_STRING, NULL, OPTION_KAPPA,
-     "kappa of the modified Woehler curve, a stress", "NUMBER"},
-    {"t-a", '\0', POPT_ARG_STRING, NULL, OPTION_T_A, "McDiarmid's fully reversed limit in torsion",
+    {"findley-k", '\0', POPT_ARG_STRING, NULL, OPTION_OF(MATERIAL_FINDLEY_K), "Findley's k",
      "NUMBER"},
-    {"su", '\0', POPT_ARG_STRING, NULL, OPTION_SU, "McDiarmid's tensile strength", "NUMBER"},
-    {"crossland-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_CROSSLAND_ALPHA,
+    {"kappa", '\0', POPT_ARG_STRING, NULL, OPTION_OF(MATERIAL_KAPPA),
+     "kappa of the modified Woehler curve, a stress", "NUMBER"},
+    {"t-a", '\0', POPT_ARG_STRING, NULL, OPTION_OF(MATERIAL_T_A),
+     "McDiarmid's fully reversed limit in torsion", "NUMBER"},
+    {"su", '\0', POPT_ARG_STRING, NULL, OPTION_OF(MATERIAL_SU), "McDiarmid's tensile strength",
+     "NUMBER"},
+    {"crossland-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_OF(MATERIAL_CROSSLAND_ALPHA),
      "Crossland's share of the hydrostatic stress", "NUMBER"},
-    {"dang-van-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_DANG_VAN_ALPHA, "Dang Van's", "NUMBER"},
+    {"dang-van-alpha", '\0', POPT_ARG_STRING, NULL, OPTION_OF(MATERIAL_DANG_VAN_ALPHA),
+     "Dang Van's", "NUMBER"},
     {"plane-stress", '\0', POPT_ARG_NONE, NULL, OPTION_PLANE_STRESS,
      "Plane stress, of contact and criteria (default: plane strain)", NULL},
     {"material", '\0', POPT_ARG_STRING, NULL, OPTION_MATERIAL,
@@ -35,27 +38,22 @@ struct poptOption criteria_option_table[] = {
 
 /* ---- Constants ---- */
 
-/* The option of the constant of each; 0 for none. */
-static const struct {
-    int number;
-    double least;
-    const char *name;
-} constant_options[CRITERION_COUNT] = {
-    [CRITERION_FINDLEY] = {OPTION_FINDLEY_K, 0, "findley-k"},
-    [CRITERION_MODIFIED_WOHLER] = {OPTION_KAPPA, 0, "kappa"},
-    [CRITERION_MCDIARMID] = {OPTION_T_A, 1e-60, "t-a"},
-    [CRITERION_CROSSLAND] = {OPTION_CROSSLAND_ALPHA, 0, "crossland-alpha"},
-    [CRITERION_DANG_VAN] = {OPTION_DANG_VAN_ALPHA, 0, "dang-van-alpha"},
-};
+static const char *name_of(int number)
+{
+    const struct poptOption *option = criteria_option_table;
+    while (option->val != number)
+        option++;
+    return option->longName;
+}
 
 /* NAN where it is not given. */
-static double read_constant(const arguments *line, int number, const char *name, double least)
+static double read_constant(const arguments *line, int number, double least)
 {
     const char *text = line->value[number];
     double value = NAN;
     if (text != NULL && !(number_read(text, &value) && value >= least && value <= 1e60 &&
                           (value == 0 || value >= 1e-60)))
-        usage_error("--%s %s: must be a number%s 1e-60 to 1e60", name, text,
+        usage_error("--%s %s: must be a number%s 1e-60 to 1e60", name_of(number), text,
                     least > 0 ? "" : ", 0 or");
     return value;
 }
@@ -68,14 +66,16 @@ static void need(const criteria *all, int criterion, double constant, const char
 
 static void read_constants(const arguments *line, criteria *all)
 {
-    all->archard = read_constant(line, OPTION_ARCHARD, "archard", 1e-60);
-    all->su = read_constant(line, OPTION_SU, "su", 1e-60);
-    for (int i = CRITERION_FINDLEY; i <= CRITERION_DANG_VAN; i++) {
-        const char *name = constant_options[i].name;
+    all->archard = read_constant(line, OPTION_ARCHARD, 1e-60);
+    all->su = read_constant(line, OPTION_OF(MATERIAL_SU), 1e-60);
+    for (int i = 0; i < CRITERION_COUNT; i++) {
+        const int constant = criterion_kinds[i].constant;
+        if (constant == MATERIAL_COUNT)
+            continue;
         all->constant[i] =
-            read_constant(line, constant_options[i].number, name, constant_options[i].least);
+            read_constant(line, OPTION_OF(constant), constant == MATERIAL_T_A ? 1e-60 : 0);
         all->is_wanted[i] = all->is_listed ? all->is_wanted[i] : !isnan(all->constant[i]);
-        need(all, i, all->constant[i], name);
+        need(all, i, all->constant[i], name_of(OPTION_OF(constant)));
     }
     if (!all->is_listed && !isnan(all->su))
         all->is_wanted[CRITERION_MCDIARMID] = true;
@@ -156,7 +156,7 @@ static void read_damage(int criterion, int damage, const char *needed, criteria 
 
 void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all)
 {
-    const char *text = line->value[OPTION_FS_K];
+    const char *text = line->value[OPTION_OF(MATERIAL_FS_K)];
     double k = 1;
     if (text != NULL && !(number_read(text, &k) && k >= 0 && k <= 1e6))
         usage_error("--fs-k %s: must be a number from 0 to 1000000", text);

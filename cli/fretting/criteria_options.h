@@ -6,20 +6,16 @@
 #include "history/places.h"
 #include "model/cycle/criteria.h"
 
+/* OPTION_OF() a constant: those of a material that an option has too are in the same order. */
 enum {
-    OPTION_FS_K = OPTION_AFTER_PLACES,
-    OPTION_FINDLEY_K,
-    OPTION_KAPPA,
-    OPTION_T_A,
-    OPTION_SU,
-    OPTION_CROSSLAND_ALPHA,
-    OPTION_DANG_VAN_ALPHA,
-    OPTION_CRITERIA,
+    OPTION_CONSTANTS = OPTION_AFTER_PLACES,
+    OPTION_CRITERIA = OPTION_CONSTANTS + MATERIAL_COUNT - MATERIAL_FS_K,
     OPTION_PLANE_STRESS,
     OPTION_ARCHARD,
     OPTION_MATERIAL,
     OPTION_AFTER_CRITERIA
 };
+#define OPTION_OF(constant) (OPTION_CONSTANTS + (constant)-MATERIAL_FS_K)
 
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
 extern struct poptOption criteria_option_table[];

@@ -25,12 +25,6 @@ enum {
     OPTION_ANGLE
 };
 
-static struct poptOption fretting_output_option_table[] = {
-    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
-    POPT_TABLEEND,
-};
-
 static const struct poptOption options[] = {
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
     {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
@@ -51,7 +45,7 @@ static const struct poptOption options[] = {
     {"angle", '\0', POPT_ARG_STRING, NULL, OPTION_ANGLE,
      "Of that way, from the surface's normal towards +x, -85 to 85 deg (default 0)", "NUMBER"},
     {THREADS_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, fretting_output_option_table, 0, "Common options:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, grid_output_option_table, 0, "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -190,8 +184,6 @@ static distance read_distance(const arguments *line, const material *constants)
     return below;
 }
 
-static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
-
 static bool is_for_paraview(const output_options *how)
 {
     return how->format == NULL;
@@ -200,7 +192,7 @@ static bool is_for_paraview(const output_options *how)
 static void read_plan(arguments *line, plan *job, output_options *how)
 {
     criteria asked;
-    output_options_read_of(line, formats, "", how);
+    output_options_read_of(line, grid_formats, "", how);
     if (is_for_paraview(how) && line->value[OPTION_AT_WORST] != NULL)
         usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
     places_spare_files(line, how);

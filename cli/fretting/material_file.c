@@ -15,22 +15,13 @@
 
 #include <jansson.h>
 
-/* The options that constants of the file stand for. */
-static const struct {
-    int constant, option;
-} of_options[] = {
-    {MATERIAL_E, OPTION_INPUT + INPUT_E1},
-    {MATERIAL_NU, OPTION_INPUT + INPUT_NU1},
-    {MATERIAL_YIELD_STRESS, OPTION_INPUT + INPUT_YIELD_STRESS},
-    {MATERIAL_FS_K, OPTION_FS_K},
-    {MATERIAL_FINDLEY_K, OPTION_FINDLEY_K},
-    {MATERIAL_KAPPA, OPTION_KAPPA},
-    {MATERIAL_T_A, OPTION_T_A},
-    {MATERIAL_SU, OPTION_SU},
-    {MATERIAL_CROSSLAND_ALPHA, OPTION_CROSSLAND_ALPHA},
-    {MATERIAL_DANG_VAN_ALPHA, OPTION_DANG_VAN_ALPHA},
-};
-enum { OF_OPTIONS = sizeof of_options / sizeof of_options[0] };
+/* The option that a constant of the file stands for. */
+static int option_of(int constant)
+{
+    const int inputs[] = {INPUT_E1, INPUT_NU1, INPUT_YIELD_STRESS};
+    return constant < MATERIAL_FS_K ? OPTION_INPUT + inputs[constant - MATERIAL_E]
+                                    : OPTION_OF(constant);
+}
 
 static void set(const char *file, const char *name, double value, material *all)
 {
@@ -101,18 +92,17 @@ static void need_group(const char *path, const material *all, int first, int las
  * t_A, say nothing. */
 static void hand_over(const material *all, arguments *line)
 {
-    static char texts[OF_OPTIONS][NUMBER_SIZE];
+    static char texts[MATERIAL_COUNT][NUMBER_SIZE];
     char **value = line->value;
-    for (int i = 0; i < OF_OPTIONS; i++) {
-        const int option = of_options[i].option;
-        const double constant = all->value[of_options[i].constant];
+    for (int i = MATERIAL_E; i < MATERIAL_COUNT; i++) {
+        const int option = option_of(i);
         const bool is_idle =
-            (option == OPTION_FS_K && value[OPTION_INPUT + INPUT_YIELD_STRESS] == NULL) ||
-            (option == OPTION_SU && value[OPTION_T_A] == NULL) ||
-            (option == OPTION_INPUT + INPUT_YIELD_STRESS && value[OPTION_INPUT + INPUT_K] != NULL);
-        if (isnan(constant) || value[option] != NULL || is_idle)
+            (i == MATERIAL_FS_K && value[OPTION_INPUT + INPUT_YIELD_STRESS] == NULL) ||
+            (i == MATERIAL_SU && value[OPTION_OF(MATERIAL_T_A)] == NULL) ||
+            (i == MATERIAL_YIELD_STRESS && value[OPTION_INPUT + INPUT_K] != NULL);
+        if (isnan(all->value[i]) || value[option] != NULL || is_idle)
             continue;
-        number_write(constant, NUMBER_DIGITS, '.', texts[i]);
+        number_write(all->value[i], NUMBER_DIGITS, '.', texts[i]);
         value[option] = texts[i];
     }
 }

@@ -5,16 +5,17 @@
 
 #include <math.h>
 
-const char *const tensor_names[TENSOR_COUNT] = {
-    [TENSOR_SXX] = "sxx",
-    [TENSOR_SYY] = "syy",
-    [TENSOR_TXY] = "txy",
-    [TENSOR_VON_MISES] = "von_mises",
-    [TENSOR_S1] = "s1",
-    [TENSOR_SZZ] = "szz",
-    [TENSOR_S2] = "s2",
-    [TENSOR_TAU_MAX] = "tau_max",
-    [TENSOR_S1_ANGLE] = "s1_angle",
+const tensor_kind tensor_kinds[TENSOR_COUNT] = {
+    [TENSOR_SXX] = {"sxx", NULL},
+    [TENSOR_SYY] = {"syy", NULL},
+    [TENSOR_TXY] = {"txy", NULL},
+    [TENSOR_VON_MISES] = {"von_mises", "equivalent stress, plane strain: szz = nu1 (sxx + syy)"},
+    [TENSOR_S1] = {"s1", "larger principal stress in the plane"},
+    [TENSOR_SZZ] = {"szz", "stress across the plane"},
+    [TENSOR_S2] = {"s2", "smaller principal stress in the plane"},
+    [TENSOR_TAU_MAX] = {"tau_max", "largest shear stress on any plane"},
+    [TENSOR_S1_ANGLE] = {"s1_angle",
+                         "from the normal of the surface to that of the plane of s1, deg"},
 };
 
 double degrees(double angle)

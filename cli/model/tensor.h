@@ -20,8 +20,11 @@ enum {
     TENSOR_COUNT
 };
 
-/* The names of the columns. */
-extern const char *const tensor_names[TENSOR_COUNT];
+/* Of the columns; the first three need no words. */
+typedef struct {
+    const char *column, *meaning;
+} tensor_kind;
+extern const tensor_kind tensor_kinds[TENSOR_COUNT];
 
 typedef struct {
     double value[TENSOR_COUNT];

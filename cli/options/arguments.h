@@ -21,7 +21,7 @@ enum {
     OPTION_THREADS,
     OPTION_NO_FORMULAS,
     OPTION_OWN,
-    OPTION_LIMIT = 72
+    OPTION_LIMIT = 80
 };
 
 typedef struct {

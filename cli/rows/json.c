@@ -3,7 +3,7 @@
  * It would build the whole array in memory, and print every number with the same digits. So the
  * frame of the array is written here. The numbers are those of the other formats, which are valid
  * in JSON too. */
-#include "json.h"
+#include "records.h"
 
 #include "text/memory.h"
 #include "text/message.h"

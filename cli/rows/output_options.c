@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output_options.h"
 
-#include "delimited.h"
-#include "json.h"
-#include "spreadsheet.h"
 #include "text/list.h"
 #include "text/message.h"
 #include "system/progress.h"
@@ -20,6 +17,12 @@ struct poptOption output_option_table[] = {
     POPT_TABLEEND,
 };
 
+struct poptOption grid_output_option_table[] = {
+    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
+    POPT_TABLEEND,
+};
+
 struct poptOption other_output_option_table[] = {
     {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
      "Significant digits, 1 to 17 (default 17: numbers read back to the same bits)", "N"},
@@ -32,6 +35,8 @@ struct poptOption other_output_option_table[] = {
     {HELP_OPTION},
     POPT_TABLEEND,
 };
+
+const char *const grid_formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
 
 /* The formats of rows. */
 static const char *const row_formats[] = {"csv", "tsv", "json", "xlsx", NULL};

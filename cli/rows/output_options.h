@@ -17,9 +17,11 @@ typedef struct {
     bool no_formulas; /* CSV: a ' before texts that a spreadsheet would compute */
 } output_options;
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE; and what is in it beside --format, for a
- * command that has a format of its own. */
-extern struct poptOption output_option_table[], other_output_option_table[];
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE; for one that can write VTK too; and what is
+ * in them beside --format, for a command that has a format of its own. */
+extern struct poptOption output_option_table[], grid_output_option_table[],
+    other_output_option_table[];
+extern const char *const grid_formats[]; /* of the second */
 
 #define FORMAT_OPTION(formats)                                                                     \
     "format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How results are written (default csv)", \

@@ -20,6 +20,9 @@ typedef struct {
     void (*end)(records *rows);
 } record_format;
 
+/* CSV and TSV; JSON; XLSX. Each is in the file of its name, XLSX in spreadsheet. */
+extern const record_format delimited_format, json_format, xlsx_format;
+
 struct records {
     const record_format *format;
     output *out;

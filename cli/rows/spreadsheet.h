@@ -5,8 +5,6 @@
 
 #include "records.h"
 
-extern const record_format xlsx_format;
-
 /* What follows, a header first, goes to the next of several sheets. */
 void spreadsheet_next_sheet(records *rows);
 

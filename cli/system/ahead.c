@@ -3,7 +3,6 @@
  * of blocks. The caller empties the ring. Without threads the caller computes each block itself. */
 #include "ahead.h"
 
-#include "processors.h"
 #include "signals.h"
 
 #include "text/memory.h"
@@ -38,12 +37,6 @@ struct ahead {
     int threads;
     pthread_t thread[AHEAD_THREADS_MAX];
 };
-
-int ahead_processors(void)
-{
-    const long all = processors();
-    return all > AHEAD_THREADS_MAX ? AHEAD_THREADS_MAX : (int)all;
-}
 
 static int64_t blocks_of(int64_t count)
 {

@@ -9,9 +9,6 @@
 
 enum { AHEAD_THREADS_MAX = 256 };
 
-/* How many threads the machine can run at a time. */
-int ahead_processors(void);
-
 /* Computes the result of index i. It is called by several threads at a time. */
 typedef void ahead_work(const void *context, int64_t i, void *result);
 

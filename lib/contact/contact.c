@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A contact with a load history: its life, and what it knows of itself. */
+/* A contact with a load history: how it is made, copied and freed, and its present loads and
+ * sizes. */
 #include "contact/numerical.h"
 
 #include <stdlib.h>

@@ -240,11 +240,8 @@ static double share_of(const rwedge_contact *contact, const rw_step *step,
         return 0;
     if (step->to_P != step->from_P || slides(departure))
         return NAN;
-    rw_departure from = *departure;
-    if (isnan(from.corner.patch.left)) /* of a pad that has no moment it is not known yet */
-        from.corner.patch = rw_patch_under_tilt(g, from.corner.load, from.corner.tilt);
     return contact->f * g->theta * (contact->f * g->theta / g->A) *
-           rw_edge_work(&contact->memory, &from, g);
+           rw_edge_work(&contact->memory, departure, g);
 }
 
 static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,

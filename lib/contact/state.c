@@ -199,7 +199,6 @@ static void pass_zones(tape *t, rw_zones *z)
 
 static void pass_errors(tape *t, rw_numerical *n)
 {
-    pass_finite(t, &n->rest);
     for (int i = 0; i < RW_PLACES; i++) {
         pass_finite(t, &n->error[i]);
         t->is_sound = t->is_sound && n->error[i] >= 0;

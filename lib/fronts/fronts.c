@@ -167,31 +167,43 @@ static void expand_at_infinity(int n, int count, const double c[], double power,
     }
 }
 
-/* The conditions on p, rows of A p = B: one for each power at infinity, one for each gap. */
-static void conditions(const rw_fronts *f, const rw_stuck *s, const double front[], double A[],
-                       double B[])
+/* The moments of dt/X over the slip zones, in powers of the place. */
+static void add_moments(const rw_fronts *f, const rw_stuck *s, double moment[])
+{
+    for (size_t i = 0; i < f->count; i++) {
+        const double at = (f->x[i] - s->middle) / s->half;
+        double power = f->step[i] * f->change[i] / f->X[i] / s->half;
+        for (int j = 0; j <= s->count; j++, power *= at)
+            moment[j] += power;
+    }
+}
+
+/* At infinity Omega + stretch is the stretch less the load over pi z: a row of A p = B for each
+ * power of z from m - 1 to -1. */
+static void conditions_at_infinity(const rw_fronts *f, const rw_stuck *s, const double front[],
+                                   double A[], double B[])
 {
     const int m = s->count, n = 2 * m;
     double shear, stretch;
     rw_beside_layers(f->problem, &f->layers, &shear, &stretch);
     double moment[RW_MOST_STICK + 1] = {0}, grown[RW_MOST_FRONTS + 1], shrunk[RW_MOST_FRONTS + 1];
-    for (size_t i = 0; i < f->count; i++) {
-        const double at = (f->x[i] - s->middle) / s->half;
-        double power = f->step[i] * f->change[i] / f->X[i] / s->half;
-        for (int j = 0; j <= m; j++, power *= at)
-            moment[j] += power;
-    }
+    add_moments(f, s, moment);
     expand_at_infinity(n + 1, n, front, 0.5, grown);
     expand_at_infinity(n + 1, n, front, -0.5, shrunk);
-    memset(A, 0, (size_t)(n * n) * sizeof *A);
-    for (int row = 0; row <= m; row++) { /* of the power m - 1 - row at infinity */
+    for (int row = 0; row <= m; row++) {
         const int power = m - 1 - row;
         for (int i = m + power; i < n; i++)
-            A[row * n + i] = i - m - power <= n && i >= 0 ? shrunk[i - m - power] : 0;
+            A[row * n + i] = shrunk[i - m - power];
         B[row] = (power == 0 ? stretch : 0) - (power == -1 ? shear / (RW_PI * s->half) : 0);
         for (int j = 0; j <= row; j++)
             B[row] += grown[row - j] * moment[j] / RW_PI;
     }
+}
+
+/* Zones that stick do not move apart: a row of A p = B for each gap between two. */
+static void conditions_of_gaps(const rw_fronts *f, const rw_stuck *s, double A[], double B[])
+{
+    const int m = s->count, n = 2 * m;
     for (int k = 0; k + 1 < m; k++) {
         const double a = s->end[2 * k + 1], b = s->end[2 * k + 2], half = (b - a) / 2;
         double *row = A + (m + 1 + k) * n;
@@ -208,10 +220,11 @@ static void conditions(const rw_fronts *f, const rw_stuck *s, const double front
 
 bool rw_fronts_polynomial(const rw_fronts *f, const rw_stuck *s, double front[], double p[])
 {
-    double A[RW_MOST_FRONTS * RW_MOST_FRONTS];
+    double A[RW_MOST_FRONTS * RW_MOST_FRONTS] = {0};
     for (int i = 0; i < RW_MOST_FRONTS; i++)
         front[i] = (s->end[i] - s->middle) / s->half;
-    conditions(f, s, front, A, p);
+    conditions_at_infinity(f, s, front, A, p);
+    conditions_of_gaps(f, s, A, p);
     return rw_solve((size_t)(2 * s->count), A, p);
 }
 

@@ -17,7 +17,7 @@ enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK, RW_MOST_SEGMENTS =
 /* A part of a slip zone, and where its points begin in the row of all. */
 typedef struct {
     double from, to;
-    int label, panels;
+    int label, panels[2]; /* towards its left, right end */
     size_t first, count;
 } rw_segment;
 

@@ -16,11 +16,30 @@
 #include "base/linear.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { TURNS = 100 };
 
 /* Smaller differences, over the scale of traction and slip, are rounding. */
 static const double NOTHING = 1e-12;
+
+/* The matrix K, from sums of cos(pi k d/N)/k. Arrays that are not in use yet hold the sums. */
+static void set_matrix(rw_grid *g)
+{
+    const int n = g->n;
+    double *wave = g->right + n, *cosine = g->x; /* d = 0 ... 2N - 1, for i - j and i + j + 1 */
+    for (int i = 0; i < 2 * n; i++)
+        cosine[i] = cos(RW_PI * i / n);
+    for (int d = 0; d <= n; d++) {
+        wave[d] = 0;
+        for (int k = 1, turn = d; k < n; k++, turn += turn + d < 2 * n ? d : d - 2 * n)
+            wave[d] += cosine[turn] / k;
+        wave[(2 * n - d) % (2 * n)] = wave[d];
+    }
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            g->matrix[i * n + j] = (1 + wave[i > j ? i - j : j - i] + wave[i + j + 1]) / n;
+}
 
 bool rw_grid_create(rw_grid *g, int n)
 {
@@ -43,18 +62,7 @@ bool rw_grid_create(rw_grid *g, int n)
                    .matrix = all + 9 * rows,
                    .factor = all + 9 * rows + rows * rows,
                    .label = label};
-    /* cos(pi k d/N) summed: of d = 0 ... 2N - 1, for i - j and i + j + 1 */
-    double *wave = all + 7 * rows, *cosine = all; /* before there are places and changes */
-    for (int i = 0; i < 2 * n; i++)
-        cosine[i] = cos(RW_PI * i / n);
-    for (int d = 0; d < 2 * n; d++) {
-        wave[d] = 0;
-        for (int k = 1; k < n; k++)
-            wave[d] += cosine[k * d % (2 * n)] / k;
-    }
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-            g->matrix[i * n + j] = (1 + wave[i > j ? i - j : j - i] + wave[i + j + 1]) / n;
+    set_matrix(g);
     return true;
 }
 
@@ -120,11 +128,10 @@ static double sum_of(int n, const double v[])
 
 static void multiply(const rw_grid *g, const double v[], double product[])
 {
-    for (int i = 0; i < g->n; i++) {
-        product[i] = 0;
-        for (int j = 0; j < g->n; j++)
-            product[i] += g->matrix[i * g->n + j] * v[j];
-    }
+    memset(product, 0, (size_t)g->n * sizeof *product);
+    for (int j = 0; j < g->n; j++)
+        for (int i = 0; i < g->n; i++)
+            product[i] += g->matrix[j * g->n + i] * v[j];
 }
 
 /* The change of places that slip is at its bound; that of places that stick is set to 0 first. */

@@ -102,10 +102,25 @@ static bool go_along(rw_fronts *f, const double d[], double r[], double *size)
     return true;
 }
 
+/* The step of Newton's method from the residual r. */
+static bool find_step(rw_fronts *f, const double r[], double d[])
+{
+    const int n = f->unknowns;
+    double J[RW_MOST_FRONTS * RW_MOST_FRONTS];
+    if (!jacobian(f, r, J))
+        return false;
+    for (int i = 0; i < n; i++)
+        d[i] = -r[i];
+    if (!rw_solve((size_t)n, J, d))
+        return false;
+    stop_at_kinks(f, d);
+    return true;
+}
+
 bool rw_fronts_newton(rw_fronts *f, double nothing)
 {
     const int n = f->unknowns;
-    double r[RW_MOST_FRONTS], J[RW_MOST_FRONTS * RW_MOST_FRONTS], d[RW_MOST_FRONTS];
+    double r[RW_MOST_FRONTS], d[RW_MOST_FRONTS];
     if (!rw_fronts_residual(f, r))
         return false;
     int worse = 0;
@@ -113,13 +128,8 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
         const double before = largest(n, r);
         if (before < nothing)
             return true;
-        if (!jacobian(f, r, J))
+        if (!find_step(f, r, d))
             return false;
-        for (int i = 0; i < n; i++)
-            d[i] = -r[i];
-        if (!rw_solve((size_t)n, J, d))
-            return false;
-        stop_at_kinks(f, d);
         double size, kept[RW_MOST_FRONTS];
         memcpy(kept, f->y, sizeof kept);
         if (!go_along(f, d, r, &size))

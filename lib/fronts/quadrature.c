@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* The order of a panel is RW_TERMS, or less where few digits are asked for. */
-enum { MOST_PANELS = 12, FEW_TERMS = 10, ROWS = 5 + RW_LAYERS };
+enum { MOST_PANELS = 12, FEW_TERMS = 8, ROWS = 5 + RW_LAYERS };
 
 static const double RATIO = 0.12;
 
@@ -115,58 +115,78 @@ static void add_layers(rw_fronts *f)
             f->change[i] -= f->layers.weight[k] * f->layer[(size_t)k * f->capacity + i];
 }
 
-/* A panel at the distances from `near` to `far` of both ends. */
-static bool put_panel(rw_fronts *f, const rw_segment *s, double near, double far)
+/* A panel at the distances from `near` to `far` of an end, which is left or right. */
+static bool put_panel(rw_fronts *f, const rw_segment *s, int side, double near, double far)
 {
-    for (int side = 0; side < 2; side++)
-        for (int i = 0; i < f->order; i++) {
-            const double distance = near + (far - near) * f->node[i];
-            const double x = side == 0 ? s->from + distance : s->to - distance;
-            if (!put(f, s->label, x, (far - near) * f->weight[i]))
-                return false;
-        }
+    for (int i = 0; i < f->order; i++) {
+        const double distance = near + (far - near) * f->node[i];
+        const double x = side == 0 ? s->from + distance : s->to - distance;
+        if (!put(f, s->label, x, (far - near) * f->weight[i]))
+            return false;
+    }
+    return true;
+}
+
+static bool put_half(rw_fronts *f, const rw_segment *s, int side)
+{
+    const double half = (s->to - s->from) / 2;
+    double near = 0, far = half * pow(RATIO, s->panels[side]);
+    for (int i = 0; i <= s->panels[side]; i++) {
+        if (!put_panel(f, s, side, near, far))
+            return false;
+        near = far;
+        far = i + 1 == s->panels[side] ? half : far / RATIO;
+    }
     return true;
 }
 
 static bool put_segment(rw_fronts *f, rw_segment *s)
 {
     s->first = f->count;
-    const double half = (s->to - s->from) / 2;
-    double near = 0, far = half * pow(RATIO, s->panels);
-    for (int i = 0; i <= s->panels; i++) {
-        if (!put_panel(f, s, near, far))
-            return false;
-        near = far;
-        far = i + 1 == s->panels ? half : far / RATIO;
-    }
+    if (!put_half(f, s, 0) || !put_half(f, s, 1))
+        return false;
     s->count = f->count - s->first;
     return true;
+}
+
+/* Towards an end of a segment, by how far from there the next front is. */
+static int panels_towards(const rw_fronts *f, double front, double length, int finest)
+{
+    if (front == 0)
+        return finest;
+    return front < length
+               ? (int)fmin(MOST_PANELS, fmax(2, 1 + ceil(log(front / length) / log(RATIO))))
+               : f->coarse;
+}
+
+static bool is_as_before(const rw_segment *s, const rw_segment *before, size_t first)
+{
+    return before->first == first && before->from == s->from && before->to == s->to &&
+           before->label == s->label && before->panels[0] == s->panels[0] &&
+           before->panels[1] == s->panels[1] && before->count > 0;
 }
 
 /* Adds a segment; if it is the one that was computed at this place last time, it is kept. */
 static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, double to, int label,
                         int finest)
 {
-    const double near = fmin(nearest_end(sticks, from), nearest_end(sticks, to)),
-                 length = to - from;
-    int panels = 0;
-    if (near == 0)
-        panels = finest;
-    else if (near < length)
-        panels = (int)fmin(MOST_PANELS, fmax(2, 1 + ceil(log(near / length) / log(RATIO))));
     if (f->segments == RW_MOST_SEGMENTS)
         return false;
     rw_segment *s = &f->segment[f->segments++];
-    if (s->first == f->count && s->from == from && s->to == to && s->label == label &&
-        s->panels == panels && s->count > 0) {
+    const rw_segment before = *s;
+    *s = (rw_segment){.from = from,
+                      .to = to,
+                      .label = label,
+                      .panels = {panels_towards(f, nearest_end(sticks, from), to - from, finest),
+                                 panels_towards(f, nearest_end(sticks, to), to - from, finest)}};
+    if (is_as_before(s, &before, f->count)) {
+        *s = before;
         f->count += s->count;
         return true;
     }
-    const size_t first = s->first, count = s->count;
-    *s = (rw_segment){from, to, label, panels, 0, 0};
     if (!put_segment(f, s))
         return false;
-    if (s->first != first || s->count != count) /* it has taken the place of those that follow */
+    if (s->first != before.first || s->count != before.count) /* it has taken the place of others */
         for (int i = f->segments; i < RW_MOST_SEGMENTS; i++)
             f->segment[i].count = 0;
     return true;

@@ -7,8 +7,8 @@
 #include "history/memory.h"
 
 /* In the straight step from the end of the path to (load, shear): the integral of |p|
- * |d(slip)|/f over the contact, times pi/A. Of a symmetric pad, centred. Not negative, but for
- * rounding. */
+ * |d(slip)|/f over the contact, times pi/A. For a centred patch of a symmetric pad. Not negative,
+ * to rounding. */
 double rw_dissipation(const rw_memory *memory, double load, double shear,
                       const rw_geometry *geometry);
 

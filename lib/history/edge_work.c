@@ -61,7 +61,8 @@ static double rate(const layer *l, double t)
 
 enum { STEPS = 20 };
 
-/* Smooth but for roots at the ends, which the substitution of tanh and sinh takes away. */
+/* The integrand is smooth but for roots at the ends, which the substitution of tanh and sinh
+ * removes. */
 static double panel_integral(const layer *l, double from, double to)
 {
     const double half = (to - from) / 2, middle = from + half, step = 0.16;

@@ -421,7 +421,7 @@ static bool keeps_sheared(const rw_step *s, rw_departure *d)
 
 rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
 {
-    if (s->to.load == 0 || rw_memory_is_plain(s->memory, s->to)) {
+    if (s->to.load == 0 || (rw_is_symmetric(s->geometry) && rw_memory_is_plain(s->memory, s->to))) {
         *departure = rw_memory_departure(s->memory, s->to);
         return RW_NO_OBSTACLE;
     }

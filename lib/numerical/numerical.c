@@ -93,12 +93,11 @@ double rw_numerical_error(const rw_numerical *n)
     double most = 0;
     for (int i = 0; i < RW_PLACES; i++)
         most = fmax(most, n->error[i]);
-    return CAUTION * most + n->rest;
+    return CAUTION * most;
 }
 
 void rw_numerical_rescale(rw_numerical *n, double factor)
 {
-    n->rest *= factor;
     for (int i = 0; i < RW_PLACES; i++)
         n->error[i] *= factor;
 }
@@ -118,17 +117,21 @@ static double error_at(const rw_numerical *n, double x)
     return fabs(cosine) < 1 ? n->error[(int)(acos(cosine) * RW_PLACES / RW_PI)] : 0;
 }
 
-/* Adds the errors of a step by place. Where it slips the traction is exact: the error is 0
- * again. */
-static void note_error(rw_numerical *n, const rw_stance *s)
+/* The error of the fit of a step, over the tolerance. */
+static const double ELEMENTS = 1e-2;
+
+/* Adds the errors of a step by place. Those of the fit and of the zones are independent from step
+ * to step, and added as squares. Slip makes the traction exact, and leaves those of this step. */
+static void note_error(rw_numerical *n, const rw_stance *s, double tolerance)
 {
     double error[RW_PLACES];
+    const double random = hypot(s->error, ELEMENTS * tolerance) / CAUTION;
     for (int i = 0; i < RW_PLACES; i++) {
         const double x = rw_place(s->contact, i);
-        error[i] = sticks_at(&s->shear.zones, x) ? error_at(n, x) + s->apart[i] : 0;
+        error[i] =
+            sticks_at(&s->shear.zones, x) ? hypot(error_at(n, x), random) + s->apart[i] : random;
     }
     memcpy(n->error, error, sizeof error);
-    n->rest = hypot(n->rest, s->error);
 }
 
 /* ---- New places in contact ---- */
@@ -196,10 +199,6 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
 /* Halvings of a load. */
 enum { HALVINGS = 9 };
 
-/* The error of the fit of a step, over the tolerance. The errors of steps are independent, and
- * added as squares. */
-static const double ELEMENTS = 1e-2;
-
 /* Makes the end of a step the present state. */
 static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance *now)
 {
@@ -208,11 +207,9 @@ static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance
         rw_shear_state_destroy(&now->shear);
         return false;
     }
-    const double elements = ELEMENTS * w->frame->tolerance;
     rw_shear_state_smooth(&now->shear, now->contact,
                           w->frame->tolerance * rw_peak_friction(w->frame, now->contact));
-    n->rest = hypot(n->rest, elements);
-    note_error(n, now);
+    note_error(n, now, w->frame->tolerance);
     rw_shear_state_destroy(&n->now.shear);
     n->now = *now;
     return true;

@@ -11,7 +11,6 @@ typedef struct {
     rw_stance now;
     bool has_origin;         /* whether the slip is known */
     rw_traction origin;      /* slip less displacement: constant at a place while in contact */
-    double rest;             /* the part of the error that belongs to no place */
     double error[RW_PLACES]; /* the error of the traction, by place */
 } rw_numerical;
 

@@ -6,7 +6,7 @@
 #include "traction/transform.h"
 
 /* Points between neighbouring breaks, for Coulomb's condition and for slip. */
-enum { CHECKS = 24, SLIPS = 10 };
+enum { CHECKS = 24, SLIPS = 8 };
 
 /* Kinks, bends and the edges. */
 enum { MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 2 };
@@ -274,16 +274,20 @@ static void check_slip_part(slipping *s, double from, double to)
         add_wrong(s->outcome, 0, begun, last);
 }
 
-/* The slip and its work between two breaks, in parts between the old kinks there. */
+/* The slip and its work between two breaks, in parts between the old kinks and edges there. */
 static void check_slip(slipping *s, double from, double to)
 {
-    const rw_shear_state *old = s->problem->old;
+    const rw_problem *p = s->problem;
     double begun = from;
-    for (int i = 0; i < old->kinks; i++)
-        if (old->kink[i] > begun && old->kink[i] < to) {
-            check_slip_part(s, begun, old->kink[i]);
-            begun = old->kink[i];
+    for (int i = -1; i <= p->old->kinks; i++) {
+        const double at = i < 0               ? p->from.left
+                          : i < p->old->kinks ? p->old->kink[i]
+                                              : p->from.right;
+        if (at > begun && at < to) {
+            check_slip_part(s, begun, at);
+            begun = at;
         }
+    }
     check_slip_part(s, begun, to);
 }
 

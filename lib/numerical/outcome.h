@@ -18,8 +18,8 @@ typedef struct {
 
 void rw_shear_state_destroy(rw_shear_state *state);
 
-/* Kinks, but for fronts, without which the traction is fitted to the tolerance as well are none:
- * those are left where an edge of the contact stood, at each step. */
+/* Removes kinks, except fronts, without which the traction is fitted to the tolerance too: each
+ * step leaves kinks where an edge of the contact was. */
 void rw_shear_state_smooth(rw_shear_state *state, rw_patch contact, double tolerance);
 
 /* The outcome of exact fronts, and that of the grid. false where memory is short, or a number is

@@ -247,8 +247,8 @@ void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, doubl
 
 /* ---- Away from the equator ---- */
 
-/* On an arc: half of the range of the amplitude's quantity, at least and at most; half of the range
- * of what it tends to away from the equator; the peak at least and at most; the largest lift. */
+/* Bounds on an arc: least and most of half the range of the amplitude's quantity; half the range of
+ * its limit away from the equator; least and most of the peak; the largest lift. */
 typedef struct {
     double least, most, beyond, least_peak, most_peak, lift, z;
 } reach;

@@ -44,7 +44,7 @@ static rw_half_view view_of(const rw_eccentric *p, rw_arc arc, double side)
     return v;
 }
 
-/* <sin n psi> is had from the sines and cosines of multiples of half the angle between the ends,
+/* <sin n psi> follows from the sines and cosines of multiples of half the angle between the ends,
  * and of psi midway: (1/2 alpha) [cos((n-1) psi) sin((n-1) half)/(n-1) - cos((n+1) psi) sin((n+1)
  * half)/(n+1)]. */
 static void make_series(rw_eccentric *p)

@@ -12,6 +12,9 @@ enum { DEPTH = 12 };
 
 static const double SHORTEST = 1e-8;
 
+/* Of the tolerance: smaller coefficients at the end of a series are none. */
+static const double LOST = 1e-4;
+
 /* ---- Legendre polynomials ---- */
 
 /* P_n and P_(n-1) at v. */
@@ -29,16 +32,17 @@ static double legendre(int n, double v, double *before)
 
 void rw_gauss(int n, double node[], double weight[])
 {
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < (n + 1) / 2; i++) {
         double v = -cos(RW_PI * (i + 0.75) / (n + 0.5)), slope = 1;
-        for (int k = 0; k < 5; k++) { /* Newton's steps, quadratic: three are enough */
+        for (int k = 0; k < 5; k++) { /* Newton's steps; the weights need one more than the nodes */
             double before;
             const double p = legendre(n, v, &before);
             slope = n * (v * p - before) / (v * v - 1);
             v -= p / slope;
         }
         node[i] = (1 + v) / 2;
-        weight[i] = 1 / ((1 - v) * (1 + v) * slope * slope);
+        node[n - 1 - i] = (1 - v) / 2;
+        weight[i] = weight[n - 1 - i] = 1 / ((1 - v) * (1 + v) * slope * slope);
     }
 }
 
@@ -100,6 +104,9 @@ static void complete(rw_element *e, const rule *r)
     const double from = x_of(e, e->first), to = x_of(e, e->last), du = e->last - e->first;
     e->low = fmin(from, to);
     e->high = fmax(from, to);
+    e->terms = RW_TERMS;
+    while (e->terms > 1 && e->coefficient[e->terms - 1] == 0)
+        e->terms--;
     integrate(e);
     for (int i = 0; i < RW_TERMS; i++) {
         const double u = u_of(e, r->node[i]);
@@ -210,6 +217,13 @@ static bool is_fine(const fit *how, const rw_element *e)
     return !(last > how->tolerance);
 }
 
+/* Without the last terms that are lost in the tolerance. */
+static void shorten(const fit *how, rw_element *e)
+{
+    for (int k = RW_TERMS - 1; k > 0 && fabs(e->coefficient[k]) < LOST * how->tolerance; k--)
+        e->coefficient[k] = 0;
+}
+
 /* Fits a part, in halves where one element is not enough, in the order of x. Next to the end, where
  * x is quadratic in u, the first part is a third. */
 static bool fit_part(fit *how, double end, double scale, double first, double last, int depth)
@@ -217,8 +231,10 @@ static bool fit_part(fit *how, double end, double scale, double first, double la
     rw_element e = {.end = end, .scale = scale, .first = first, .last = last};
     expand(how, &e);
     if (depth == 0 || fabs(scale) * (last * last - first * first) < how->shortest ||
-        is_fine(how, &e))
+        is_fine(how, &e)) {
+        shorten(how, &e);
         return append(how->traction, &e, &how->rule);
+    }
     const double middle = first == 0 ? last / 3 : (first + last) / 2;
     if (scale > 0)
         return fit_part(how, end, scale, first, middle, depth - 1) &&
@@ -291,7 +307,7 @@ double rw_traction_at(const rw_traction *t, double x)
     const double u = sqrt(fmax(0, (x - e->end) / e->scale));
     const double v = (2 * u - e->first - e->last) / (e->last - e->first);
     double b1 = 0, b2 = 0; /* Clenshaw */
-    for (int k = RW_TERMS - 1; k >= 0; k--) {
+    for (int k = e->terms - 1; k >= 0; k--) {
         const double b0 = e->coefficient[k] + RISE[k] * v * b1 - FALL[k] * b2;
         b2 = b1;
         b1 = b0;

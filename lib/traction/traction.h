@@ -18,6 +18,7 @@ typedef struct {
     double end, scale, first, last;
     double low, high;                /* the ends in x, in order */
     double coefficient[RW_TERMS];    /* of the Legendre polynomials in u */
+    int terms;                       /* of them that are not 0 at last */
     double u[RW_TERMS], x[RW_TERMS]; /* Gauss's nodes */
     double load[RW_TERMS];           /* the traction there times its weight in x */
     double primitive[RW_TERMS + 2];  /* coefficients of the load from first to u */

@@ -96,10 +96,11 @@ static rw_complex zeta_of(const rw_element *e, double x, double y)
     return rw_complex_root((rw_complex){(x - e->end) / e->scale, y / e->scale});
 }
 
+/* Neither pole is near, whichever part of its square-root element this is. */
 static bool is_far(const rw_element *e, double x, double y)
 {
     const double middle = e->low / 2 + e->high / 2, length = e->high - e->low;
-    return fabs(x - middle) > 2 * length || y > 2 * length;
+    return fabs(x - middle) > 0.8 * length || y > 0.8 * length;
 }
 
 /* J(zeta) + J(-zeta), and its derivative by z. */
@@ -116,7 +117,7 @@ static pole both_poles(const rw_element *e, int n, const double c[], const doubl
 
 static pole transform(const rw_element *e, double x, double y)
 {
-    pole sum = both_poles(e, RW_TERMS, e->coefficient, e->load, fabs(e->scale), x, y);
+    pole sum = both_poles(e, e->terms, e->coefficient, e->load, fabs(e->scale), x, y);
     const double sign = e->scale < 0 ? -1 : 1;
     return (pole){rw_multiple(sign, sum.value), rw_multiple(sign, sum.slope)};
 }
@@ -166,7 +167,7 @@ static double element_potential(const rw_element *e, double x)
     const double rest =
         is_far(e, x, 0)
             ? far_sum(e->x, e->carried, x)
-            : both_poles(e, RW_TERMS + 2, e->primitive, e->carried, e->scale, x, 0).value.re;
+            : both_poles(e, e->terms + 2, e->primitive, e->carried, e->scale, x, 0).value.re;
     return rest - whole * rw_log_of_quotient(fabs(end - x) + DBL_MIN, 1);
 }
 

@@ -96,13 +96,10 @@ static void add_patches(const rwedge_contact *contact, size_t first, size_t last
 {
     static const double surface[RW_NODES] = {0};
     for (size_t i = first; i < last; i++) {
-        const double weight = rw_patch_weight(&contact->memory, i);
         rw_fields field;
-        if (weight == 0)
-            continue;
         rw_patch_fields(&contact->geometry, contact->memory.corners[i].patch, RW_NODES, x, surface,
                         &field);
-        rw_add_fields(&field, weight, RW_NODES, values);
+        rw_add_fields(&field, rw_patch_weight(&contact->memory, i), RW_NODES, values);
     }
 }
 

@@ -47,7 +47,7 @@ typedef struct {
 
 /* ---- Where to climb ---- */
 
-/* Whether a foot cannot lead above what is known. */
+/* Whether the climb from a foot cannot end above the highest J2 known. */
 static bool is_low(const search *s, const rw_foot *from)
 {
     return from->J2 + from->hidden < (1 - GRID_ERROR) * s->highest.known;

@@ -24,7 +24,7 @@ done
 
 # On this machine: with nothing else on the path, then the suite; all of it with the Python that is here, the calculations with others.
 linux=$(echo "$folder"/*manylinux*_"$(uname -m)".whl)
-sh "$top/bindings/private.sh" "$build"
+sh "$top/tests/doors/answers.sh" "$build"
 # python_of VERSION - where such a Python is, if it is
 python_of()
 {
@@ -45,7 +45,7 @@ suite()
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/pip install --quiet --no-index "$linux"
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/python -c \
         'import rwedge; assert abs(rwedge.elastic_limit(0.25, 0.1, 0.3) / 3.4068757722085774 - 1) < 1e-13'
-    PATH="$work/environment/bin:$PATH" RWEDGE_PRIVATE_PREFIX="$build/private/prefix" environment/bin/python -m pytest \
+    PATH="$work/environment/bin:$PATH" RWEDGE_DOORS="$build/private/doors" environment/bin/python -m pytest \
         -c "$source/pyproject.toml" --rootdir "$source" -p no:cacheprovider --quiet --no-header "$@" >log 2>&1 ||
         { tail -n 40 log; fail "the suite of $(environment/bin/python --version)"; }
     said="$(environment/bin/python --version) with NumPy $(environment/bin/python -c 'import numpy; print(numpy.__version__)')"
@@ -71,7 +71,7 @@ for wheel in "$folder"/*.whl; do
 done
 
 # The libraries for other kinds of Linux answer as that of this machine does, but for the last bits that their mathematics differ in.
-python3 -B "$top/tests/doors/calls.py" >calls
+cp "$build/private/doors/calls.csv" calls
 environment/bin/python -W ignore "$source/tests/door.py" <calls >answers
 # alike WHEEL - as answered in answers-there
 alike()

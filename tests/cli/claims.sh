@@ -74,14 +74,22 @@ prints() {
     output_is "$expected"
 }
 
-# refuses MESSAGE ARGUMENTS...: a mistake on the command line is one line, no output, status 2.
+# refuses MESSAGE ARGUMENTS...: a mistake on the command line is one line, no output, status 2. The line begins with the command, if
+# the message does not begin with "rwedge" itself.
 refuses() {
-    expected=$1
-    shift
-    run "$@"
-    status_is 2
-    message_is "$expected"
+    fails_with_status 2 "$@"
     output_is ""
+}
+fails_with_status() {
+    status_expected=$1
+    case $2 in
+    rwedge*) expected=$2 ;;
+    *) expected="rwedge $3: $2" ;;
+    esac
+    shift 2
+    run "$@"
+    status_is "$status_expected"
+    message_is "$expected"
 }
 
 # close_rows WHAT RELATIVE ABSOLUTE: whether the two columns of the file "both", expected and got, agree row by row. Without
@@ -107,13 +115,9 @@ value() {
     awk -F, -v name="$1" '$1 == name { print $2 }' "$scratch/out"
 }
 
-# cannot MESSAGE ARGUMENTS...: what cannot be done is one line, status 1.
+# cannot MESSAGE ARGUMENTS...: what cannot be done is the same with status 1.
 cannot() {
-    expected=$1
-    shift
-    run "$@"
-    status_is 1
-    message_is "$expected"
+    fails_with_status 1 "$@"
 }
 
 # column NAME FILE: the cells of a CSV file below that name; empty ones as "-".

@@ -18,7 +18,6 @@
 #include <string.h>
 
 enum { POINTS = 100000, RUNS = 7 };
-static const double TURN = 2 * 3.14159265358979323846;
 
 /* The same with both branches, as `rwedge table` writes it. */
 static double branches(long n)
@@ -174,23 +173,6 @@ static double history_by_calls(long n)
 
 /* ---- Loads without a closed form ---- */
 
-/* Tension that lags behind Q by an eighth of a cycle; P, Q and tension may scatter. */
-static double lagging(double tolerance, double scatter, long n)
-{
-    rwedge_contact *contact = new_contact();
-    must(rwedge_contact_allow_error(contact, tolerance));
-    must(rwedge_contact_load(contact, 20000, 0));
-    for (long i = 1; i <= n; i++) {
-        const double phase = TURN * (double)i / 48;
-        const double noise = scatter * (fmod((double)i * 0.6180339887498949, 1) - 0.5);
-        must(rwedge_contact_apply(contact, 20000 * (1 + noise), 0, 9000 * (sin(phase) - noise),
-                                  2000 * (sin(phase - TURN / 8) + noise)));
-    }
-    const double error = rwedge_contact_error(contact);
-    rwedge_contact_destroy(contact);
-    return error;
-}
-
 /* The stresses of a third cycle of 48 such loads at n places, and their critical planes. */
 static double lagging_cycle(long n)
 {
@@ -252,6 +234,8 @@ static void print_calls(double series, double search)
         {"load, tension lags, to 1e-3", {NULL, lagging, 1e-3, 0}, 48, 0},
         {"load, tension lags, to 1e-6", {NULL, lagging, 1e-6, 0}, 48, 0},
         {"load of a noisy log, to 1e-3", {NULL, lagging, 1e-3, 0.03}, 48, 0},
+        {"load that rocks, to 1e-6", {NULL, rocking, 1e-6, 0}, 12, 0},
+        {"load of 100 places, to 1e-3", {NULL, lagging_profile, 1e-3, 0}, 12, 0},
         {"stresses through a cycle, by calls", {.plain = history_by_calls}, LOADS * CYCLES, 0},
         {"stresses through a cycle of Q", {NULL, history, 0, 0}, LOADS * CYCLES, 0},
         {"and of Q and sigma, under M", {NULL, history, 3000, 100}, LOADS * CYCLES, 0},

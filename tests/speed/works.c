@@ -139,7 +139,7 @@ double points_of_a_flat_pad(long n)
     return points_of(contact, 2000, n);
 }
 
-double points_of_a_profile(long n)
+static rwedge_contact *new_profile(void)
 {
     enum { PLACES = 100 };
     rwedge_contact *contact;
@@ -149,7 +149,12 @@ double points_of_a_profile(long n)
         slope[i] = i == 0 ? -0.1 : slope[i - 1] + 0.004 * fmod(i * 0.6180339887498949, 1);
     }
     must(rwedge_contact_create_profile(PLACES, x, slope, 1.82e-5, 0.6, &contact));
-    return points_of(contact, 20000, n);
+    return contact;
+}
+
+double points_of_a_profile(long n)
+{
+    return points_of(new_profile(), 20000, n);
 }
 
 double yield_factors(double corners, double M, long n)
@@ -162,4 +167,38 @@ double yield_factors(double corners, double M, long n)
     }
     rwedge_contact_destroy(contact);
     return sum;
+}
+
+/* ---- Loads without a closed form ---- */
+
+/* The contact is destroyed. M goes with Q, so many mm from it. */
+static double follow(rwedge_contact *contact, double tolerance, double arm, double scatter, long n)
+{
+    must(rwedge_contact_allow_error(contact, tolerance));
+    must(rwedge_contact_load(contact, 20000, 0));
+    for (long i = 1; i <= n; i++) {
+        const double phase = TURN * (double)i / 48;
+        const double noise = scatter * (fmod((double)i * 0.6180339887498949, 1) - 0.5);
+        const double Q = 9000 * (sin(phase) - noise);
+        must(rwedge_contact_apply(contact, 20000 * (1 + noise), arm * Q, Q,
+                                  2000 * (sin(phase - TURN / 8) + noise)));
+    }
+    const double error = rwedge_contact_error(contact);
+    rwedge_contact_destroy(contact);
+    return error;
+}
+
+double lagging(double tolerance, double scatter, long n)
+{
+    return follow(new_contact(), tolerance, 0, scatter, n);
+}
+
+double rocking(double tolerance, double scatter, long n)
+{
+    return follow(new_contact(), tolerance, 0.5, scatter, n);
+}
+
+double lagging_profile(double tolerance, double scatter, long n)
+{
+    return follow(new_profile(), tolerance, 0, scatter, n);
 }

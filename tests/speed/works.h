@@ -10,6 +10,8 @@
 #include <stddef.h>
 
 /* Points below a contact and beside it, and room for what is computed of them. */
+static const double TURN = 2 * 3.14159265358979323846;
+
 extern double *xs, *ys, *out[3];
 bool reserve_points(long n);
 void release_points(void);
@@ -48,5 +50,11 @@ double points_of_a_profile(long n);
 
 /* The yield factor of such a contact, n times. */
 double yield_factors(double corners, double M, long n);
+
+/* Loads whose tension lags behind Q by an eighth of a cycle, and the error at last: of that contact,
+ * of one that a moment rocks, of that profile. P, Q and tension may scatter. */
+double lagging(double tolerance, double scatter, long n);
+double rocking(double tolerance, double scatter, long n);
+double lagging_profile(double tolerance, double scatter, long n);
 
 #endif

@@ -18,9 +18,9 @@ const criterion_kind criterion_kinds[CRITERION_COUNT] = {
 bool column_is_wanted(const criteria *all, int column)
 {
     const int criterion = measure_kinds[column].criterion;
-    if (column < MEASURE_COUNT)
-        return true;
-    return criterion == NO_CRITERION ? !isnan(all->archard) : all->is_wanted[criterion];
+    if (column == COLUMN_WEAR)
+        return !isnan(all->archard);
+    return column < MEASURE_COUNT || criterion == NO_CRITERION || all->is_wanted[criterion];
 }
 
 criteria criteria_usual(const contact_case *setup)

@@ -79,6 +79,6 @@ message_is "rwedge figure: --a-over-b 0,5: two values, 0 and 5; a decimal is wri
 for list in 1,5 0,0.5 0,1,2 0.0,1 5 0:1:0.5 10,20; do
     does_quietly table max-tension --a-over-b 1 --friction $list
 done
-refuses "rwedge profile: --q-over-fp 0,1: must be one number" profile --a-over-b 1 --q-over-fp 0,1
+refuses "--q-over-fp 0,1: must be one number" profile --a-over-b 1 --q-over-fp 0,1
 
 finish

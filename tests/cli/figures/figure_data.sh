@@ -149,29 +149,27 @@ same "JSON" '{"a_over_b": 0, "b_sigma_over_fP": 1},' "$(sed -n 2p out)"
 run figure 6 --data --decimal-comma --digits 3
 same "decimal comma" "0,005;1" "$(sed -n 3p out)"
 echo old >old.csv
-cannot "rwedge figure: none/new.csv: No such file or directory" figure 6 --data -o none/new.csv
+cannot "none/new.csv: No such file or directory" figure 6 --data -o none/new.csv
 run figure 6 --data -o old.csv
 same "file" "a_over_b,b_sigma_over_fP" "$(head -n 1 old.csv)"
 
 # Mistakes.
 all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure"
-refuses "rwedge figure: which figure must follow; allowed: $all" figure
-refuses "rwedge figure: 1: unknown figure; allowed: $all" figure 1
-refuses "rwedge figure: 3: unexpected; allowed: one figure, and options" figure 2 3
-refuses "rwedge figure: --friction 0.1: figure 4 does not depend on it; allowed: --a-over-b, --nu" figure 4 --friction 0.1
-refuses "rwedge figure: --nu 0.3: figure 6 does not depend on it; allowed: none of the variables" figure 6 --nu 0.3
-refuses "rwedge figure: --nu 0.6: Poisson's ratio must be a number from 0 to 0.5" figure 3 --nu 0.6
-refuses "rwedge figure: --nu 0.2,0.3: must be one number" figure 3 --nu 0.2,0.3
-refuses "rwedge figure: --c-over-b 1.1: c/b must be a number from 0 to 1" figure 7 --c-over-b 1.1
-refuses "rwedge figure: --a-over-b 0:1:0.05: must not have more than 12 values, a curve each" figure 2 --a-over-b 0:1:0.05
-refuses "rwedge figure: --c-over-b 0.5: not with --q-over-fp, which says the same; allowed: one of the two" \
+refuses "which figure must follow; allowed: $all" figure
+refuses "1: unknown figure; allowed: $all" figure 1
+refuses "3: unexpected; allowed: one figure, and options" figure 2 3
+refuses "--friction 0.1: figure 4 does not depend on it; allowed: --a-over-b, --nu" figure 4 --friction 0.1
+refuses "--nu 0.3: figure 6 does not depend on it; allowed: none of the variables" figure 6 --nu 0.3
+refuses "--nu 0.6: Poisson's ratio must be a number from 0 to 0.5" figure 3 --nu 0.6
+refuses "--nu 0.2,0.3: must be one number" figure 3 --nu 0.2,0.3
+refuses "--c-over-b 1.1: c/b must be a number from 0 to 1" figure 7 --c-over-b 1.1
+refuses "--a-over-b 0:1:0.05: must not have more than 12 values, a curve each" figure 2 --a-over-b 0:1:0.05
+refuses "--c-over-b 0.5: not with --q-over-fp, which says the same; allowed: one of the two" \
     figure field --c-over-b 0.5 --q-over-fp 0.5
-refuses "rwedge figure: --format gif: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" \
-    figure 2 --format gif
-refuses "rwedge figure: --format csv: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" \
-    figure 2 --format csv
-refuses "rwedge figure: --digits 5: not for a picture; allowed with: --data" figure 2 --digits 5
-refuses "rwedge figure: --decimal-comma: not for a picture; allowed with: --data" figure 2 --decimal-comma
+refuses "--format gif: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" figure 2 --format gif
+refuses "--format csv: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" figure 2 --format csv
+refuses "--digits 5: not for a picture; allowed with: --data" figure 2 --digits 5
+refuses "--decimal-comma: not for a picture; allowed with: --data" figure 2 --decimal-comma
 run figure 2 --data --format svg
 status_is 2
 message_has "--format svg: unknown format"
@@ -217,11 +215,11 @@ for over in depth field; do
     column crossland out | paste -d ' ' - drawn | sed 's/ .*,/ /' >both
     close_rows "Crossland over the $over" 1e-12 0
 done
-refuses "rwedge figure: --measure none: must be one of: stress_range, swt, fatemi_socie, slip_range, ruiz_f1, ruiz_f2, energy_per_area" \
+refuses "--measure none: must be one of: stress_range, swt, fatemi_socie, slip_range, ruiz_f1, ruiz_f2, energy_per_area" \
     figure measure --history loads.csv $specimen --measure none
-refuses "rwedge figure: --over all: must be surface, depth or field" figure measure --history loads.csv $specimen --over all
-refuses "rwedge figure: --over field: slip_range is of the surface alone" figure measure --history loads.csv $specimen --measure slip_range --over field
-refuses "rwedge figure: figure fretting: criteria and measures are for figure measure" figure fretting --history loads.csv $specimen --kappa 3
+refuses "--over all: must be surface, depth or field" figure measure --history loads.csv $specimen --over all
+refuses "--over field: slip_range is of the surface alone" figure measure --history loads.csv $specimen --measure slip_range --over field
+refuses "figure fretting: criteria and measures are for figure measure" figure fretting --history loads.csv $specimen --kappa 3
 # Loads before the first cycle: those of fretting; for history and the loop, rows that stand before the cycle in one file.
 once="--load 135.75,0 --load 135.75,38"
 does figure fretting --history loads.csv $once $specimen --data
@@ -249,11 +247,11 @@ same "last load" 4 "$(tail -n 1 out | cut -d , -f 1)"
 close_to "the loop closes" "$(awk -F, '$1 == 2 { print $6 }' out)" "$(awk -F, '$1 == 4 { print $6 }' out)" 1e-12
 run figure history --at -0.2,0.01 --history two.csv $specimen --data
 same "the whole cycle" "2 4" "$(sed -n '2p;$p' out | cut -d , -f 1 | paste -s -d ' ' -)"
-refuses "rwedge figure: --at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
-refuses "rwedge figure: figure 4: a contact and its loads are for history, fretting, measure, and loop with --history or --load" figure 4 --E1 3
-refuses "rwedge figure: --a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \
+refuses "--at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
+refuses "figure 4: a contact and its loads are for history, fretting, measure, and loop with --history or --load" figure 4 --E1 3
+refuses "--a-over-b 1: figure fretting does not depend on it; allowed: none of the variables" \
     figure fretting --history loads.csv --a-over-b 1
-cannot "rwedge figure: loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
+cannot "loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
     figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 
 finish

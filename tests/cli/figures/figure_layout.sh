@@ -7,7 +7,7 @@
 nothing() { # MESSAGE ARGUMENTS...
     message=$1
     shift
-    cannot "rwedge figure: figure $1: nothing to draw: $message" figure "$@" -o none.svg
+    cannot "figure $1: nothing to draw: $message" figure "$@" -o none.svg
     same "files" "" "$(ls none.svg 2>/dev/null)"
     does figure "$@" --data
 }

@@ -96,14 +96,4 @@ rows = json.load(open("out"))
 print(len(rows), len(rows[0]))')"
 fi
 
-# A locale with a decimal comma changes nothing.
-mkdir locales
-if localedef -i de_DE -f UTF-8 "$scratch/locales/de_DE.UTF-8" >/dev/null 2>&1; then
-    run table contact-law
-    cp out plain
-    called="LC_ALL=de_DE.UTF-8 rwedge table contact-law"
-    LOCPATH=$scratch/locales LC_ALL=de_DE.UTF-8 "$rwedge" table contact-law --a-over-b 0.1:1:0.1 >out
-    same "numbers in a comma locale" "" "$(diff plain out)"
-fi
-
 finish

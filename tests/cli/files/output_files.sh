@@ -31,7 +31,7 @@ same "the odd name" "$text" "$(cat "files/$odd")"
 printf 'P,f\n100,0.1\n' >"$odd"
 does solve --input "$odd" --E1 2e5 --nu1 0.3 --theta 0.1 --a 1 -o "files/$odd"
 same "its row" 100,0.1, "$(sed -n 2p "files/$odd" | cut -c 1-8)"
-cannot "rwedge solve: none/a #b;c?d.csv: No such file or directory" solve --input "none/$odd" --E1 2e5
+cannot "none/a #b;c?d.csv: No such file or directory" solve --input "none/$odd" --E1 2e5
 rm "files/$odd"
 
 # Permissions: those of open(), or the old file's.
@@ -62,7 +62,7 @@ ln -s "$scratch/elsewhere/not_yet.csv" files/dangling.csv
 run $small -o files/dangling.csv
 same "file behind a dangling link" "$text" "$(cat elsewhere/not_yet.csv)"
 ln -s loop.csv files/loop.csv
-cannot "rwedge table: files/loop.csv: Too many levels of symbolic links" $small -o files/loop.csv
+cannot "files/loop.csv: Too many levels of symbolic links" $small -o files/loop.csv
 rm files/link.csv files/link_to_link.csv files/dangling.csv files/loop.csv
 
 # A pipe or a device is written to, not replaced.
@@ -77,14 +77,14 @@ prints "" $small -o /dev/null
 prints "$text" $small -o /dev/stdout
 
 # What cannot be written to: status 1, one line, nothing left behind.
-cannot "rwedge table: files: Is a directory" $small -o files
-cannot "rwedge table: nowhere/new.csv: No such file or directory" $small -o nowhere/new.csv
-cannot "rwedge table: files/new.csv/more.csv: Not a directory" $small -o files/new.csv/more.csv
+cannot "files: Is a directory" $small -o files
+cannot "nowhere/new.csv: No such file or directory" $small -o nowhere/new.csv
+cannot "files/new.csv/more.csv: Not a directory" $small -o files/new.csv/more.csv
 files_are new.csv
 
 # A full disk.
 if [ -c /dev/full ]; then
-    cannot "rwedge table: /dev/full: No space left on device" $small -o /dev/full
+    cannot "/dev/full: No space left on device" $small -o /dev/full
     called="rwedge $large >/dev/full"
     status=0
     "$rwedge" $large >/dev/full 2>err || status=$?

@@ -10,30 +10,25 @@ skip_without_xlsx 2 "rwedge table: --format xlsx"
 status_is 0
 message_is ""
 
-refuses "rwedge table: --decimal-comma: not in XLSX, whose numbers have a point; allowed with: csv, tsv" \
+refuses "--decimal-comma: not in XLSX, whose numbers have a point; allowed with: csv, tsv" \
     table contact-law --format xlsx --decimal-comma -o law.xlsx
 if [ "$extent" = all ]; then
-    cannot "rwedge table: long.xlsx: more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json" \
+    cannot "long.xlsx: more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json" \
         table max-tension --a-over-b 0:2:0.000001 --friction 0.3 --format xlsx -o long.xlsx
     same "no file" "law.xlsx" "$(ls ./*.xlsx | sed 's,./,,')"
 fi
 
-# Elsewhere, to standard output, and in a comma locale: the same bytes.
+# Elsewhere and to standard output: the same bytes.
 run table contact-law --format xlsx --output=law.xlsx
 mkdir folder
 (cd folder && "$rwedge" table contact-law --format xlsx --output=law.xlsx)
 same "the same again" "" "$(cmp law.xlsx folder/law.xlsx 2>&1)"
 run table contact-law --format xlsx
 same "a file on standard output" PK "$(head -c 2 out)"
-mkdir locales
-if localedef -i de_DE -f UTF-8 "$scratch/locales/de_DE.UTF-8" >/dev/null 2>&1; then
-    called="LC_ALL=de_DE.UTF-8 rwedge table contact-law --format xlsx"
-    LOCPATH=$scratch/locales LC_ALL=de_DE.UTF-8 "$rwedge" table contact-law --format xlsx --output=folder/law.xlsx
-    same "in a comma locale" "" "$(cmp law.xlsx folder/law.xlsx 2>&1)"
-fi
 
 [ "$failures" -eq 0 ] || finish
 command -v python3 >/dev/null 2>&1 || skip "Python, which reads the cells here, is missing (package python3)"
+python=$(python3 -c 'import sys; print(sys.executable)') # not a shim that looks for it at each call
 cat >cells.py <<'EOF'
 # Prints a sheet's cells as CSV, numbers as they are read.
 import csv, re, sys, zipfile
@@ -59,7 +54,7 @@ for row in ET.fromstring(archive.read("xl/worksheets/sheet%s.xml" % sys.argv[2])
     out.writerow([cells.get(i, "") for i in range(wide)])
 EOF
 same_cells() { # SHEET CSV: XLSX has 16 digits
-    python3 cells.py book.xlsx "$1" >cells
+    "$python" cells.py book.xlsx "$1" >cells
     same "cells of sheet $1" close "$(awk -F, 'NR == FNR { row[NR] = $0; rows = NR; next }
         { n = split(row[FNR], cell, ","); if (n != NF) { print "row " FNR ": " n " cells, not " NF; bad = 1; exit } }
         { for (i = 1; i <= NF; i++) { d = cell[i] - $i; if (cell[i] != $i && !($i + 0 == $i && d * d <= 1e-30 * $i * $i)) {
@@ -86,11 +81,11 @@ does workbook law.csv ./limits.csv "a[1].csv" -o book.xlsx
 message_is "rwedge workbook: a[1].csv: its sheet is called a_1_"
 same_cells 1 law.csv
 same_cells 2 limits.csv
-same "another sheet" 'name,P;007,1000.0;0.10,1E5;,x;' "$(python3 cells.py book.xlsx 3 | tr '\n' ';')"
-same "names of sheets" "law limits a_1_ Columns About " "$(python3 -c 'import re, zipfile
+same "another sheet" 'name,P;007,1000.0;0.10,1E5;,x;' "$("$python" cells.py book.xlsx 3 | tr '\n' ';')"
+same "names of sheets" "law limits a_1_ Columns About " "$("$python" -c 'import re, zipfile
 print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode()), "")')"
 run workbook law.csv --digits 3 -o book.xlsx
-same "three digits" 0.5,1.91,3.83,1.51,1.02 "$(python3 cells.py book.xlsx 1 | sed -n 3p)"
+same "three digits" 0.5,1.91,3.83,1.51,1.02 "$("$python" cells.py book.xlsx 1 | sed -n 3p)"
 fails() { # MESSAGE FILE...
     expected=$1
     shift
@@ -115,7 +110,7 @@ done
 fails "rwedge workbook: comma.csv: one column; the columns seem to be separated by ';': --decimal-comma reads that" comma.csv
 fails "rwedge workbook: law.csv: one column; the columns seem to be separated by ',': leave --decimal-comma out" law.csv --decimal-comma
 fails "rwedge workbook: comma.tsv: line 3: 0,5: a decimal comma; --decimal-comma reads it" comma.tsv
-refuses "rwedge workbook: --decimal-comma: a workbook has no sign; allowed with: CSV files" workbook --decimal-comma -o new.xlsx
+refuses "--decimal-comma: a workbook has no sign; allowed with: CSV files" workbook --decimal-comma -o new.xlsx
 
 # Names that no sheet can have, or that are taken, whatever their capitals: what they are instead is said.
 sheets() { # NAMES MESSAGE FILE...
@@ -126,7 +121,7 @@ sheets() { # NAMES MESSAGE FILE...
     done
     does workbook "$@" -o book.xlsx
     message_is "$expected"
-    same "names" "$names" "$(python3 -c 'import re, zipfile
+    same "names" "$names" "$("$python" -c 'import re, zipfile
 print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode())[:-2])')"
 }
 mkdir capitals
@@ -136,10 +131,10 @@ sheets "about_2 history_2" "rwedge workbook: about.csv: its sheet is called abou
 rwedge workbook: history.csv: its sheet is called history_2" about.csv history.csv
 sheets "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" "rwedge workbook: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.csv: its sheet is called \
 aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.csv
-refuses "rwedge workbook: k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k -o new.xlsx
+refuses "k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k -o new.xlsx
 
 # The header stays, a page is as wide as the table, another sheet says how it was made.
-text() { python3 -c 'import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode())' book.xlsx "$1"; }
+text() { "$python" -c 'import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode())' book.xlsx "$1"; }
 run table elastic-limit --format xlsx --digits 6 -o "$scratch/book.xlsx"
 same "frozen header" 1 "$(text xl/worksheets/sheet1.xml | grep -c 'state="frozen"')"
 same "fit to the page" 1 "$(text xl/worksheets/sheet1.xml | grep -c 'fitToHeight="0"')"
@@ -176,21 +171,21 @@ for row in rows[1:]:
             blurred.append(shown)
         if len(shown) > min(widths):
             cut.append(shown)
-print(len(described), unknown, blurred, cut)
+print(unknown, blurred, cut)
 EOF
-shows() { # COUNT COLUMNS-OF-THE-FILE COMMAND...
-    count=$1 own=$2
-    shift 2
+shows() { # COLUMNS-OF-THE-FILE COMMAND...
+    own=$1
+    shift
     does "$@" --format xlsx -o book.xlsx
-    same "columns and digits of $*" "$count [] [] []" "$(python3 shown.py book.xlsx $own)"
+    same "columns and digits of $*" "[] [] []" "$("$python" shown.py book.xlsx $own)"
 }
-shows 9 "" table elastic-limit --a-over-b 0.001,0.5
-shows 4 "" table max-tension --a-over-b 0:1:0.1
-shows 5 "" table contact-law --a-over-b 1e-7,0.01,0.5,3e5
-shows 4 "" table critical-friction
-shows 3 "" table stick-zone
+shows "" table elastic-limit --a-over-b 0.001,0.5
+shows "" table max-tension --a-over-b 0:1:0.1
+shows "" table contact-law --a-over-b 1e-7,0.01,0.5,3e5
+shows "" table critical-friction
+shows "" table stick-zone
 printf 'E1,nu1,theta,a,P,M,f,k\n210000,0.3,0.03,0.3,300,10,0.3,500\n21e9,0.31,0.003,0.3e-5,123456.789,0,0.3,5e8\n' >cases.csv
-shows 30 "E1 nu1 theta P M f k error" solve --input cases.csv --yield-factor
-shows 29 "" solve --E1 210000 --nu1 0.3 --theta 0.03 --a 0.3 --P 300 --M 1 --f 0.3 --k 500 --layout row
+shows "E1 nu1 theta P M f k error" solve --input cases.csv --yield-factor
+shows "" solve --E1 210000 --nu1 0.3 --theta 0.03 --a 0.3 --P 300 --M 1 --f 0.3 --k 500 --layout row
 
 finish

@@ -7,8 +7,7 @@
 #include "number/number.h"
 #include "number/range.h"
 #include "text/utf8.h"
-#include "rows/delimited.h"
-#include "rows/json.h"
+#include "rows/records.h"
 
 #include <inttypes.h>
 #include <stdio.h>

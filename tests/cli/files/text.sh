@@ -22,17 +22,17 @@ run table contact-law --a-over-b 1 --format xlsx -o probe.xlsx
 [ "$status" -eq 0 ] && formats="$formats xlsx"
 refused="the byte FC is not UTF-8; allowed: UTF-8, UTF-16 with its mark, or --encoding, such as windows-1252"
 for format in $formats; do
-    cannot "rwedge solve: latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed --format $format -o solved.$format
+    cannot "latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed --format $format -o solved.$format
     same "no file" "" "$(ls solved.$format 2>/dev/null)"
 done
-cannot "rwedge solve: latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed
+cannot "latin.csv: line 2, column 3: $refused" solve -i latin.csv $fixed
 # A file is read as it is solved. What went to standard output before stays, and its last row tells; a file is not written.
 awk 'BEGIN { print "note,a,P,f"; for (i = 0; i < 2000; i++) printf "%0100d,1,100,0.1\n", 0; print "1,1,100,0.1,\374" }' >late.csv
 for format in $formats; do
-    cannot "rwedge solve: late.csv: line 2002, column 13: $refused" solve -i late.csv $fixed --format $format -o solved.$format
+    cannot "late.csv: line 2002, column 13: $refused" solve -i late.csv $fixed --format $format -o solved.$format
     same "no file" "" "$(ls solved.$format 2>/dev/null)"
 done
-cannot "rwedge solve: late.csv: line 2002, column 13: $refused" solve -i late.csv $fixed --format json
+cannot "late.csv: line 2002, column 13: $refused" solve -i late.csv $fixed --format json
 same "ends of the JSON" '[|"error": null}|"error": "the file could not be read beyond this row"}|]' \
     "$(sed 's/.* \("error".*}\),*/\1/' out | uniq | paste -s -d '|' -)"
 same "rows before it" yes "$([ "$(wc -l <out)" -gt 1000 ] && echo yes)"
@@ -67,18 +67,18 @@ if command -v iconv >/dev/null && echo ü | iconv -f UTF-8 -t WINDOWS-1252 >/dev
     run solve -i long.csv $fixed
     same "rows" 1500 "$(grep -c "^$note,1,100,0.1," out)"
 fi
-refuses "rwedge solve: --encoding klingon: unknown encoding; allowed: utf-8, utf-16, windows-1252, and others that iconv knows" \
+refuses "--encoding klingon: unknown encoding; allowed: utf-8, utf-16, windows-1252, and others that iconv knows" \
     solve -i utf8.csv $fixed --encoding klingon
-refuses "rwedge solve: --encoding utf-8: needs --input or --history" solve --encoding utf-8
-refuses "rwedge profile: --encoding utf-8: needs --history" profile --encoding utf-8 --a-over-b 1
+refuses "--encoding utf-8: needs --input or --history" solve --encoding utf-8
+refuses "--encoding utf-8: needs --history" profile --encoding utf-8 --a-over-b 1
 printf '\357\273\277a,P,f\n1,100,0.1\n' >marked.csv
-cannot "rwedge solve: --encoding windows-1252: marked.csv begins with the mark of UTF-8; allowed: utf-8" \
+cannot "--encoding windows-1252: marked.csv begins with the mark of UTF-8; allowed: utf-8" \
     solve -i marked.csv $fixed --encoding windows-1252
 
 # No text at all: cut characters, surrogates, long forms, codes beyond Unicode, control characters.
 no_text() { # BYTES MESSAGE
     printf "a,P,f,note\n1,100,0.1,é$1\n" >none.csv
-    cannot "rwedge solve: none.csv: line 2, column 12: $2" solve -i none.csv $fixed --format json
+    cannot "none.csv: line 2, column 12: $2" solve -i none.csv $fixed --format json
 }
 for bytes in '\303' '\342\202' '\355\240\200' '\300\200' '\340\200\200' '\364\220\200\200' '\200' '\376'; do
     no_text "$bytes" "the byte $(printf "$bytes" | head -c 1 | od -An -tx1 | tr -d ' \n' | tr a-f A-F) is${refused#*is}"
@@ -158,10 +158,10 @@ same "in CSV they stay" "note,P,a,f,note,,,note_2" "$(head -n 1 out | cut -d , -
 
 # Messages: neither control characters of two bytes, nor marks of direction, nor broken characters reach the terminal.
 for bytes in '\302\233' '\342\200\256' '\342\201\246' '\033' '\377' '\303'; do
-    refuses "rwedge table: x?y: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone" \
+    refuses "x?y: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone" \
         table "$(printf "x${bytes}y")"
 done
-refuses "rwedge table: ü: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone" table ü
+refuses "ü: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone" table ü
 
 # The command line in a spreadsheet: as far as it goes, in whole characters.
 case $formats in *xlsx*) ;; *) finish ;; esac
@@ -196,7 +196,7 @@ python3 read.py é*.xlsx >commands
 same "cut in whole characters" 4 "$(grep -c 'é46.[.]xlsx.|\|é ...|' commands)"
 same "the first date is not the usual one" 4 "$(grep -c '|1970-01-01T' commands)"
 for SOURCE_DATE_EPOCH in 253402300800 9223372036854775807 99999999999999999999 -1 now; do
-    cannot "rwedge table: new.xlsx: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to \
+    cannot "new.xlsx: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to \
 253402300799, the end of the year 9999" table contact-law -o new.xlsx
     same "no file" "" "$(ls new.xlsx 2>/dev/null)"
 done

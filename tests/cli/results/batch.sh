@@ -145,18 +145,17 @@ same "friction 0 in a column" "-" "$(column warnings out)"
 # Where Q or a yield stress is given, a default of 0 would look like a result.
 no_default="missing: f; friction has no default where Q, sigma or a yield stress is given; allowed: columns or options"
 printf 'P,a,Q\n100,1,0\n' >frictionless.csv
-cannot "rwedge solve: frictionless.csv: $no_default" solve -i frictionless.csv $fixed
+cannot "frictionless.csv: $no_default" solve -i frictionless.csv $fixed
 for strength in k yield_stress; do
     printf 'P,a,%s\n100,1,300\n' $strength >frictionless.csv
-    cannot "rwedge solve: frictionless.csv: $no_default" solve -i frictionless.csv $fixed
+    cannot "frictionless.csv: $no_default" solve -i frictionless.csv $fixed
 done
 printf 'P,a\n100,1\n' >frictionless.csv
-cannot "rwedge solve: frictionless.csv: $no_default" solve -i frictionless.csv $fixed --k 300
+cannot "frictionless.csv: $no_default" solve -i frictionless.csv $fixed --k 300
 
 # Where every row has an error, it could not be done; the rows are written all the same.
 printf 'P,a\n-1,1\n100,-1\n' >hopeless.csv
-cannot "rwedge solve: hopeless.csv: 2 of 2 rows could not be solved: see the column error" \
-    solve -i hopeless.csv $fixed -o hopeless_solved.csv
+cannot "hopeless.csv: 2 of 2 rows could not be solved: see the column error" solve -i hopeless.csv $fixed -o hopeless_solved.csv
 same "rows with errors" \
     "P -1: the normal force must be a number above 0|a -1: the half-width of the rounding must be a number not below 0" \
     "$(column error hopeless_solved.csv | paste -s -d '|' -)"
@@ -194,9 +193,9 @@ same "errors" ",7e4: needs nu2" "$(sed -n 2p out | sed 's/.*,/,/')$(sed -n 3p ou
 # A quote that is not closed ends the file, with its line: it may have taken rows. So does one that is closed where it cannot be,
 # or that makes of several lines no row like the header. Whatever ends the lines; what is solved before is written.
 ends_at() { # COUNT MESSAGE: what is in open.csv
-    cannot "rwedge solve: open.csv: $2" solve -i open.csv $fixed --f 0.1
+    cannot "open.csv: $2" solve -i open.csv $fixed --f 0.1
     same "solved before, and that there may be more" "$1 1" "$(grep -c '1[.]73.*,$' out) $(grep -c 'could not be read beyond' out)"
-    cannot "rwedge solve: open.csv: $2" solve -i open.csv $fixed --f 0.1 -o kept.csv
+    cannot "open.csv: $2" solve -i open.csv $fixed --f 0.1 -o kept.csv
     same "the old file" old "$(cat kept.csv)"
 }
 echo old >kept.csv
@@ -216,7 +215,7 @@ header() { # MESSAGE HEADER OPTIONS...
     message=$1
     printf '%b\n100,1\n' "$2" >header.csv
     shift 2
-    cannot "rwedge solve: header.csv: $message" solve -i header.csv "$@" -o kept.csv
+    cannot "header.csv: $message" solve -i header.csv "$@" -o kept.csv
     output_is ""
     same "the old file" old "$(cat kept.csv)"
 }
@@ -300,20 +299,19 @@ header "missing: a or radius, P; allowed: columns or options; the columns seem t
     "P;a" $fixed
 header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ',': leave --decimal-comma out" \
     "P,a" $fixed --decimal-comma
-refuses "rwedge solve: --P 5: plain.csv has a column for it; allowed: one of the two" solve -i plain.csv $fixed --P 5
-refuses "rwedge solve: --layout list: a file has a row for each contact; allowed with --input: row" \
-    solve -i plain.csv --layout list
+refuses "--P 5: plain.csv has a column for it; allowed: one of the two" solve -i plain.csv $fixed --P 5
+refuses "--layout list: a file has a row for each contact; allowed with --input: row" solve -i plain.csv --layout list
 : >empty.csv
-cannot "rwedge solve: empty.csv: empty; needed: a header row with the names of the columns" solve -i empty.csv $fixed
-cannot "rwedge solve: nowhere.csv: No such file or directory" solve -i nowhere.csv $fixed
-cannot "rwedge solve: .: Is a directory" solve -i . $fixed
+cannot "empty.csv: empty; needed: a header row with the names of the columns" solve -i empty.csv $fixed
+cannot "nowhere.csv: No such file or directory" solve -i nowhere.csv $fixed
+cannot ".: Is a directory" solve -i . $fixed
 prints "$(head -n 1 plain_solved)" solve -i - $fixed <<'ROWS'
 note,P,a
 ROWS
 
 # What is no CSV: binary, endless, too wide. The message names the line, the old file stays.
 hopeless() { # MESSAGE: what is in the file "input"
-    cannot "rwedge solve: standard input: $1" solve -i - $fixed -o kept.csv <input
+    cannot "standard input: $1" solve -i - $fixed -o kept.csv <input
     same "the old file" old "$(cat kept.csv)"
 }
 printf 'P,a\n100,1\n\000\001\002\n' >input

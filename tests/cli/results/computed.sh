@@ -9,12 +9,11 @@ awk 'BEGIN { print "P,Q,sigma\n135.75,0,0"; for (i = 1; i <= 6; i++) { w = 6.283
     printf "135.75,%.6g,%.6g\n", 30 * sin(w), 100 * sin(w - 0.7) } }' >lags.csv
 does history lags.csv $specimen
 cp out usual
-same "error is the last column" "warnings,error" "$(head -n 1 out | sed 's/.*,\(.*,.*\)$/\1/')"
 same "exact at first, then computed" "0 0 0 1 1 1 1" "$(column error out | awk '{ print ($1 == 0 ? 0 : $1 > 0 && $1 < 1e-4 ? 1 : "?") }' | paste -s -d ' ' -)"
 same "said in the rows that are" "0 0 0 1 1 1 1" \
     "$(column warnings out | awk '{ print /^computed numerically: tractions to about [1-9]e-[0-9]* of f p0$/ + 0 }' | paste -s -d ' ' -)"
 same "and once on standard error" 1 "$(grep -c '^rwedge history: lags.csv, in some rows: computed numerically: tractions to about [1-9]e-[0-9]* of f p0$' err)"
-cannot "rwedge history: lags.csv: line 5: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 24.7579 with this Q; without --exact it is computed" \
+cannot "lags.csv: line 5: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 24.7579 with this Q; without --exact it is computed" \
     history lags.csv $specimen --exact
 printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >phase.csv
 run history phase.csv $specimen --exact
@@ -54,12 +53,12 @@ message_has "rwedge profile: computed numerically: "
 same "natural units, whose middle sticks" stick "$(column zone out | sed -n 6p)"
 
 for wrong in 0 1e-7 0.1 nan 1,5; do
-    refuses "rwedge history: --tolerance $wrong: must be a number from 1e-6 to 1e-2" history lags.csv $specimen --tolerance $wrong
+    refuses "--tolerance $wrong: must be a number from 1e-6 to 1e-2" history lags.csv $specimen --tolerance $wrong
 done
-refuses "rwedge fretting: --tolerance 1e-3: given together with --exact; allowed: one of the two" \
+refuses "--tolerance 1e-3: given together with --exact; allowed: one of the two" \
     fretting lags.csv $specimen --tolerance 1e-3 --exact
-refuses "rwedge figure: figure 7: a contact and its loads are for history, fretting, measure, and loop with --history or --load" figure 7 --exact
-cannot "rwedge history: error.csv: column error: a result has that name; allowed: any other" \
+refuses "figure 7: a contact and its loads are for history, fretting, measure, and loop with --history or --load" figure 7 --exact
+cannot "error.csv: column error: a result has that name; allowed: any other" \
     history "$(printf 'P,Q,error\n1,0,0\n' >error.csv; echo error.csv)" $specimen
 
 # Energy that is not known is not said to be "nan".

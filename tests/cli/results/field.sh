@@ -123,17 +123,15 @@ import vtk
 reader = vtk.vtkRectilinearGridReader(); reader.SetFileName("sharp.vtk"); reader.ReadAllScalarsOn(); reader.Update()
 print(reader.GetOutput().GetNumberOfPoints())')"
 fi
-refuses "rwedge field: --x 1,0: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,0 --format vtk
-refuses "rwedge field: --y 1:0:-0.1: must ascend; so the format vtk wants it" field --a-over-b 1 --y 1:0:-0.1 --format vtk
-refuses "rwedge field: --x 1,1: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,1 --format vtk
-refuses "rwedge field: --decimal-comma: not in VTK, whose numbers have a point; allowed with: csv, tsv" \
+refuses "--x 1,0: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,0 --format vtk
+refuses "--y 1:0:-0.1: must ascend; so the format vtk wants it" field --a-over-b 1 --y 1:0:-0.1 --format vtk
+refuses "--x 1,1: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,1 --format vtk
+refuses "--decimal-comma: not in VTK, whose numbers have a point; allowed with: csv, tsv" \
     field --a-over-b 1 --format vtk --decimal-comma
-refuses "rwedge field: --format xml: unknown format; allowed: csv, tsv, json, xlsx, vtk" field --a-over-b 1 --format xml
-refuses "rwedge field: --y -1:1:1: depths must not be below 0" field --a-over-b 1 --y -1:1:1
-refuses "rwedge field: --x 0:1:1e-8: must not give the grid more than 1000000000 points in all" \
-    field --a-over-b 1 --x 0:1:1e-8 --y 0:1:1e-3
-refuses "rwedge field: --x: missing; after the last load there is no contact to lay a grid around" \
-    field $contact --load 0,0
+refuses "--format xml: unknown format; allowed: csv, tsv, json, xlsx, vtk" field --a-over-b 1 --format xml
+refuses "--y -1:1:1: depths must not be below 0" field --a-over-b 1 --y -1:1:1
+refuses "--x 0:1:1e-8: must not give the grid more than 1000000000 points in all" field --a-over-b 1 --x 0:1:1e-8 --y 0:1:1e-3
+refuses "--x: missing; after the last load there is no contact to lay a grid around" field $contact --load 0,0
 
 # Rows stream: the first of a thousand million comes at once, in little memory.
 limit=100000

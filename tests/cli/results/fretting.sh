@@ -204,15 +204,15 @@ same "within its strength" 1 "$(wc -l <err | tr -d ' ')"
 run fretting cycle.csv $specimen --load 2000,0 --load 135.75,0 --yield-stress 500 --at 0,0
 message_has "rwedge fretting: P is above P_yield: the contact yields in full sliding"
 for load in 135.75 135.75,0,0 nan,0 135.75,x; do
-    refuses "rwedge fretting: --load $load: must be numbers P,Q or P,M,Q,sigma" fretting cycle.csv $specimen --load 135.75,0 --load $load
+    refuses "--load $load: must be numbers P,Q or P,M,Q,sigma" fretting cycle.csv $specimen --load 135.75,0 --load $load
 done
-refuses "rwedge fretting: --load 135.75,41: Q 41: must not exceed f P = 40.725: there is no equilibrium" \
+refuses "--load 135.75,41: Q 41: must not exceed f P = 40.725: there is no equilibrium" \
     fretting cycle.csv $specimen --until --load 135.75,0 --load 135.75,41
-refuses "rwedge fretting: cycle.csv: given together with --history; allowed: one of the two" \
+refuses "cycle.csv: given together with --history; allowed: one of the two" \
     fretting cycle.csv $specimen --history within.csv --load 135.75,0
-refuses "rwedge fretting: --P 3: given together with --history, which has the loads; allowed: one of the two" \
+refuses "--P 3: given together with --history, which has the loads; allowed: one of the two" \
     fretting cycle.csv $specimen --load 135.75,0 --P 3
-cannot "rwedge fretting: cycle.csv: line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma; without --exact it is computed" \
+cannot "cycle.csv: line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma; without --exact it is computed" \
     fretting cycle.csv $specimen --load 135.75,0 --load 0,0 --exact
 
 # The mirror image, and any number of threads.
@@ -376,22 +376,21 @@ for metal in "$here"/../../../tables/materials/*.json; do
     close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
         -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9
 done
-refuses "rwedge fretting: swt-damage: needs sf, b, ef, c of --material" fretting cycle.csv $shape --E1 72100 --nu1 0.33 --criteria swt-damage
-refuses "rwedge fretting: --method line: needs --length, or dK_th and ds0 of --material" \
-    fretting cycle.csv $specimen --at-worst --method line
-refuses "rwedge fretting: --length 1: needs --at-worst or --worst" fretting cycle.csv $specimen --length 1
-refuses "rwedge fretting: --method area: must be point or line" fretting cycle.csv $specimen --at-worst --method area
+refuses "swt-damage: needs sf, b, ef, c of --material" fretting cycle.csv $shape --E1 72100 --nu1 0.33 --criteria swt-damage
+refuses "--method line: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --method line
+refuses "--length 1: needs --at-worst or --worst" fretting cycle.csv $specimen --length 1
+refuses "--method area: must be point or line" fretting cycle.csv $specimen --at-worst --method area
 printf 'name,value\nsf,475\nb,-0.08\nef,0.6\n' >short.csv
-cannot "rwedge fretting: short.csv: c: missing; needed beside ef" fretting cycle.csv $specimen --material short.csv
+cannot "short.csv: c: missing; needed beside ef" fretting cycle.csv $specimen --material short.csv
 printf '{"sy": 475}' >short.json
-cannot "rwedge fretting: short.json: sy: no constant that is known here; see rwedge fretting in its manual" fretting cycle.csv $specimen --material short.json
+cannot "short.json: sy: no constant that is known here; see rwedge fretting in its manual" fretting cycle.csv $specimen --material short.json
 printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
 
-refuses "rwedge fretting: findley: needs --findley-k" fretting cycle.csv $specimen --criteria findley
-refuses "rwedge fretting: mcdiarmid: needs --t-a" fretting cycle.csv $specimen --su 500
-refuses "rwedge fretting: fatemi-socie: needs --yield-stress" fretting cycle.csv $specimen --criteria swt,fatemi-socie
-refuses "rwedge fretting: --kappa -1: must be a number, 0 or 1e-60 to 1e60" fretting cycle.csv $specimen --kappa=-1
-refuses "rwedge fretting: --criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van, swt-damage, fatemi-socie-damage" \
+refuses "findley: needs --findley-k" fretting cycle.csv $specimen --criteria findley
+refuses "mcdiarmid: needs --t-a" fretting cycle.csv $specimen --su 500
+refuses "fatemi-socie: needs --yield-stress" fretting cycle.csv $specimen --criteria swt,fatemi-socie
+refuses "--kappa -1: must be a number, 0 or 1e-60 to 1e60" fretting cycle.csv $specimen --kappa=-1
+refuses "--criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van, swt-damage, fatemi-socie-damage" \
     fretting cycle.csv $specimen --criteria swt,fs
 
 # Wear is K times the energy, at the places and in the last line; the angle of a critical distance is to the normal.
@@ -405,8 +404,8 @@ x=$(verdict swt x)
 at_length=$(verdict swt at_length)
 run fretting cycle.csv $specimen --at "$(awk -v x="$x" 'BEGIN { pi = 3.14159265358979324; printf "%.17g,%.17g", x + 0.01 * sin(pi / 6), 0.01 * cos(pi / 6) }')"
 close_to "the point at an angle" "$(column swt out)" "$at_length" 1e-10
-refuses "rwedge fretting: --angle 86: must be a number from -85 to 85" fretting cycle.csv $specimen --at-worst --length 1 --angle 86
-refuses "rwedge fretting: --angle 8: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --angle 8
+refuses "--angle 86: must be a number from -85 to 85" fretting cycle.csv $specimen --at-worst --length 1 --angle 86
+refuses "--angle 8: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --angle 8
 
 # For ParaView: a grid of the places of the rows, with each column; points otherwise.
 run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt
@@ -420,14 +419,14 @@ same "its numbers" "$(column swt out)" "$(cat swt)"
 run fretting cycle.csv $specimen --at '0.1,0;0.2,0.1' --format vtk
 same "points" "POINTS 2 double 0.1 0 0 0.2 0.1 0" "$(grep -A 2 '^POINTS' out | paste -s -d ' ' -)"
 same "what has no value" "nan" "$(awk '/^SCALARS slip_range/ { on = 1; next } on && !/^LOOKUP/ { print $2; exit }' out)"
-refuses "rwedge fretting: --at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx" fretting cycle.csv $specimen --at-worst --format vtk
+refuses "--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx" fretting cycle.csv $specimen --at-worst --format vtk
 
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
-cannot "rwedge fretting: bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
-refuses "rwedge fretting: --fs-k 1: needs --k or --yield-stress" fretting sharp.csv $specimen --fs-k 1
-refuses "rwedge fretting: --threads 0: must be a whole number from 1 to 256" fretting sharp.csv $specimen --threads 0
-refuses "rwedge fretting: --depth -1: depths must not be below 0" fretting sharp.csv $specimen --depth=-1
-refuses "rwedge fretting: --x: missing; there is no contact in the cycle to take places from" fretting $specimen --load 0,0
+cannot "bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
+refuses "--fs-k 1: needs --k or --yield-stress" fretting sharp.csv $specimen --fs-k 1
+refuses "--threads 0: must be a whole number from 1 to 256" fretting sharp.csv $specimen --threads 0
+refuses "--depth -1: depths must not be below 0" fretting sharp.csv $specimen --depth=-1
+refuses "--x: missing; there is no contact in the cycle to take places from" fretting $specimen --load 0,0
 
 finish

@@ -69,7 +69,7 @@ cp out one
 run history other.csv $specimen --k 300
 tail -n +2 one >first
 tail -n +2 out | paste -d , first - | awk -F, 'function pair(a, b) { printf "%.17g %.17g\n", a, b }
-    { n = 20; pair(-$6, $(n + 7)); pair($8, -$(n + 9)); pair(-$10, $(n + 10))
+    { n = NF / 2; pair(-$6, $(n + 7)); pair($8, -$(n + 9)); pair(-$10, $(n + 10))
     pair($11, $(n + 11)); pair($12, $(n + 13)); pair($14, $(n + 14)); pair($15, $(n + 15)); pair($16, $(n + 16)); pair(1, 1 + 1e-3 * ($17 + $(n + 17))) }' >both
 close_rows "mirror image" 1e-9 1e-9
 
@@ -98,14 +98,14 @@ same "names and times" "series_0001.vtk 1 series_0002.vtk 2 series_0003.vtk 3 se
 run history loads.csv $specimen --at '-0.2,0;0.1,0.05' -o loose.series
 same "points that are no grid" "DATASET POLYDATA;POINTS 2 double;-0.2 0 0;0.1 0.05 0;VERTICES 2 4;1 0;1 1;POINT_DATA 2" \
     "$(sed -n 4,11p loose_0002.vtk | paste -s -d ';' -)"
-refuses "rwedge history: --output x.series: needs points; allowed with: --at, --points, or --x and --depth" history loads.csv $specimen -o x.series
-refuses "rwedge history: --format series: writes several files; allowed with: --output NAME.vtk.series" history loads.csv $specimen --format series
+refuses "--output x.series: needs points; allowed with: --at, --points, or --x and --depth" history loads.csv $specimen -o x.series
+refuses "--format series: writes several files; allowed with: --output NAME.vtk.series" history loads.csv $specimen --format series
 
 # A history that leaves the closed form, or cannot be: the line, why, and nothing written; with --until, what was before.
 fails() { # MESSAGE TEXT
     printf "$2" >bad.csv
     rm -f x.csv
-    cannot "rwedge history: bad.csv: $1" history bad.csv $specimen --exact -o x.csv
+    cannot "bad.csv: $1" history bad.csv $specimen --exact -o x.csv
     same "nothing is written" no "$([ -e x.csv ] && echo yes || echo no)"
 }
 fails "line 3: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q; without --exact it is computed" \
@@ -138,8 +138,8 @@ run history cycle.csv $specimen
 cp out expected
 run history comma.csv $specimen --decimal-comma
 same "decimal comma" "" "$(tr ';,' ',.' <out | diff expected -)"
-refuses "rwedge history: --load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
-refuses "rwedge history: a file of loads must follow, with the columns P and Q, perhaps M, sigma; or --load P,Q for each" history $specimen
+refuses "--load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
+refuses "a file of loads must follow, with the columns P and Q, perhaps M, sigma; or --load P,Q for each" history $specimen
 
 # Loads before those of a file: as if they stood in front of them, but for their rows and the numbers of the loads.
 printf 'P,Q\n135.75,38\n135.75,-20\n' >rest.csv
@@ -170,30 +170,30 @@ same "its files too" "" "$(cmp first again_b0001.vtk 2>&1)"
 run history two.csv $specimen --at 0,0 -o 'a"b\c.series'
 same "a name with quotes" '{"name": "a\"b\\c_0001.vtk", "time": 1},' "$(sed -n 2p 'a"b\c.series')"
 printf 'x,y\n0,0\n' >own_0001.vtk
-refuses "rwedge history: --output own_0001.vtk: it is the input; allowed: another file" history two.csv $specimen --points own_0001.vtk -o own.series
-refuses "rwedge history: --P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
-refuses "rwedge history: missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
-refuses "rwedge history: --cycles 0: must be a whole number from 1 to 1000000" history loads.csv $specimen --cycles 0
-refuses "rwedge history: --at 1,-1: y is a depth, and must not be below 0" history loads.csv $specimen --at 1,-1
-refuses "rwedge history: --at 1;2: must be points x,y separated by semicolons" history loads.csv $specimen --at '1;2'
-refuses "rwedge history: --at 1,1: given together with --x; allowed: one of the two" history loads.csv $specimen --at 1,1 --x 0
-refuses "rwedge history: --depth 1: needs --x" history loads.csv $specimen --depth 1
-refuses "rwedge history: --output loads.csv: it is the input; allowed: another file" history loads.csv $specimen -o loads.csv
+refuses "--output own_0001.vtk: it is the input; allowed: another file" history two.csv $specimen --points own_0001.vtk -o own.series
+refuses "--P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
+refuses "missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
+refuses "--cycles 0: must be a whole number from 1 to 1000000" history loads.csv $specimen --cycles 0
+refuses "--at 1,-1: y is a depth, and must not be below 0" history loads.csv $specimen --at 1,-1
+refuses "--at 1;2: must be points x,y separated by semicolons" history loads.csv $specimen --at '1;2'
+refuses "--at 1,1: given together with --x; allowed: one of the two" history loads.csv $specimen --at 1,1 --x 0
+refuses "--depth 1: needs --x" history loads.csv $specimen --depth 1
+refuses "--output loads.csv: it is the input; allowed: another file" history loads.csv $specimen -o loads.csv
 printf 'x,z\n1,2\n' >bad.csv
-cannot "rwedge history: bad.csv: column y: missing; needed: x and y, the depth" history loads.csv $specimen --points bad.csv
+cannot "bad.csv: column y: missing; needed: x and y, the depth" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,-2\n' >bad.csv
-cannot "rwedge history: bad.csv: line 2: y is a depth, and must not be below 0" history loads.csv $specimen --points bad.csv
+cannot "bad.csv: line 2: y is a depth, and must not be below 0" history loads.csv $specimen --points bad.csv
 # Nothing of a file of points is dropped or guessed.
 printf 'x,y,x\n1,2,3\n' >bad.csv
-cannot "rwedge history: bad.csv: column x: there twice; allowed: once" history loads.csv $specimen --points bad.csv
+cannot "bad.csv: column x: there twice; allowed: once" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,2\n1,2,5\n' >bad.csv
-cannot "rwedge history: bad.csv: line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" history loads.csv $specimen --points bad.csv
+cannot "bad.csv: line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" history loads.csv $specimen --points bad.csv
 printf 'x,y\n1,"2\n1,2\n' >bad.csv
-cannot "rwedge history: bad.csv: line 2: a quote that is not closed" history loads.csv $specimen --points bad.csv
+cannot "bad.csv: line 2: a quote that is not closed" history loads.csv $specimen --points bad.csv
 printf 'node,x,y,S11\n1,0,0,-5.3\n' >stress.csv
 run history loads.csv $specimen --points stress.csv
 message_is "rwedge history: stress.csv: columns with numbers that are not used: 'S11'"
-refuses "rwedge history: --output points.csv: it is the input; allowed: another file" \
+refuses "--output points.csv: it is the input; allowed: another file" \
     history loads.csv $specimen --points points.csv -o points.csv
 run history loads.csv $specimen --points points.csv
 mv out wanted

@@ -36,15 +36,15 @@ same "contact, stick zone, tension and yield factor of a history" "$(awk -F, '{ 
 for name in p0 Q_over_fP max_tension_sliding von_mises_sliding f_critical load_over_bk P_over_bk P_yield safety yield_x yield_y yield_branch; do
     same "$name, after a history" "$(awk -F, -v name=$name '$1 == name { print $2 }' slides)" "$(value $name)"
 done
-cannot "rwedge solve: --load: the last load has P = 0, which separates the bodies; allowed: a last P above 0" \
+cannot "--load: the last load has P = 0, which separates the bodies; allowed: a last P above 0" \
     solve $specimen --load 100,0 --load 0,0
-cannot "rwedge solve: loads.csv: line 3: Q 38.75: must not exceed f P = 27.15: there is no equilibrium" \
+cannot "loads.csv: line 3: Q 38.75: must not exceed f P = 27.15: there is no equilibrium" \
     solve --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2 --history loads.csv
-refuses "rwedge solve: --Q 3: given together with --history, which has the loads; allowed: one of the two" solve $specimen --history loads.csv --Q 3
-refuses "rwedge solve: --history: given together with --input; allowed: one of the two" solve $specimen --history loads.csv -i loads.csv
-refuses "rwedge solve: --encoding latin1: needs --input or --history" solve $specimen --load 100,0 --encoding latin1
-refuses "rwedge solve: missing: --f; friction has no default here" solve --E1 1 --nu1 0 --theta 0.1 --a 1 --load 1,0
-refuses "rwedge solve: --output loads.csv: it is the input; allowed: another file" solve $specimen --history loads.csv -o loads.csv
+refuses "--Q 3: given together with --history, which has the loads; allowed: one of the two" solve $specimen --history loads.csv --Q 3
+refuses "--history: given together with --input; allowed: one of the two" solve $specimen --history loads.csv -i loads.csv
+refuses "--encoding latin1: needs --input or --history" solve $specimen --load 100,0 --encoding latin1
+refuses "missing: --f; friction has no default here" solve --E1 1 --nu1 0 --theta 0.1 --a 1 --load 1,0
+refuses "--output loads.csv: it is the input; allowed: another file" solve $specimen --history loads.csv -o loads.csv
 
 # A tension stretches body 1 by (1 - nu1^2)/E1: A/2 on a rigid cylinder, not A/4. Then e = b sigma/(2 f p0), with b^2 = 2 A P R/pi,
 # p0 = 2 P/(pi b), A = 0.15.
@@ -143,7 +143,7 @@ printf 'Q,sigma,P,M\n0,0,100,5\n20,40,100,5\n-10,40,100,5\n' >history.csv
 does_quietly profile $specimen --history history.csv --points 21
 same "from a file" "" "$(diff listed out)"
 printf 'Q,sigma,P,M\n0,0,100,5\n20,,100,5\n' >gap.csv
-cannot "rwedge profile: gap.csv: line 3: sigma: the cell is empty" profile $specimen --history gap.csv
+cannot "gap.csv: line 3: sigma: the cell is empty" profile $specimen --history gap.csv
 
 # What slips while the contact moves has no closed form of the slip; all else has.
 does profile $specimen --load 135.75,10,0,0 --load 135.75,10,38,50 --load 125,9.2,30,50 --points 5
@@ -173,22 +173,22 @@ M 1e30: must be below 6.4e+10 in magnitude: more lays a flank on the surface" \
 
 # Loads that cannot be name the argument, and what is allowed.
 # (the search for the largest moment did not end where none is allowed)
-refuses "rwedge solve: --M 2e39: must be 0: any other lays a flank on the surface" \
+refuses "--M 2e39: must be 0: any other lays a flank on the surface" \
     solve --E1 1e-10 --nu1 0.3 --theta 0.01 --a 0 --P 2e-60 --f 0.5 --M 2e39
-refuses "rwedge solve: --M 1x: the moment must be a number" solve $specimen --P 100 --M 1x
-refuses "rwedge solve: --sigma inf: the bulk tension must be a number" solve $specimen --P 100 --sigma inf
-refuses "rwedge solve: missing: --f; friction has no default where Q, sigma or a yield stress is given" \
+refuses "--M 1x: the moment must be a number" solve $specimen --P 100 --M 1x
+refuses "--sigma inf: the bulk tension must be a number" solve $specimen --P 100 --sigma inf
+refuses "missing: --f; friction has no default where Q, sigma or a yield stress is given" \
     solve --E1 1 --nu1 0 --theta 0.1 --a 1 --P 1 --sigma 1
-refuses "rwedge solve: --Q 38.75: must not exceed f P = 30: there is no equilibrium" solve $specimen --P 100 --Q 38.75 --sigma 1
-refuses "rwedge profile: --load 0,0,1e70,0: an argument is outside its domain" profile $specimen --load 0,0,1e70,0
-refuses "rwedge profile: --load 0,1,0,0: M 1: must be 0 where P is" profile $specimen --load 100,0 --load 0,1,0,0
-refuses "rwedge profile: --load 100,40,20,0: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q; without --exact it is computed" \
+refuses "--Q 38.75: must not exceed f P = 30: there is no equilibrium" solve $specimen --P 100 --Q 38.75 --sigma 1
+refuses "--load 0,0,1e70,0: an argument is outside its domain" profile $specimen --load 0,0,1e70,0
+refuses "--load 0,1,0,0: M 1: must be 0 where P is" profile $specimen --load 100,0 --load 0,1,0,0
+refuses "--load 100,40,20,0: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q; without --exact it is computed" \
     profile $specimen --load 100,5,20,0 --load 100,40,20,0 --exact
-refuses "rwedge profile: --sigma 3: given together with --load, which has the loads; allowed: one of the two" \
+refuses "--sigma 3: given together with --load, which has the loads; allowed: one of the two" \
     profile $specimen --sigma 3 --load 100,0
-refuses "rwedge field: --c-over-b 0.5: not with --M or --sigma, which move the stick zone; allowed: --q-over-fp" \
+refuses "--c-over-b 0.5: not with --M or --sigma, which move the stick zone; allowed: --q-over-fp" \
     field --a-over-b 0.5 --f 0.3 --c-over-b 0.5 --M 3
-refuses "rwedge field: --sigma 3: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 0.365399 with this Q; without --exact it is computed" \
+refuses "--sigma 3: no closed form: the two edges would slip in opposite directions; change sigma by less; sigma may change by 0.365399 with this Q; without --exact it is computed" \
     field --a-over-b 0.5 --f 0.3 --q-over-fp 0.5 --sigma 3 --exact
 # The limit that the message names is the limit.
 run profile $specimen --load 10,1e20,0,0
@@ -224,8 +224,7 @@ close_rows "without tension: the stick zone" 1e-13 0
 run figure 7 --data --c-over-b "$width" --a-over-b 0.25
 awk -F, 'NR == FNR { q[$2] = $3; next } $1 == 0 && ($2 in q) { print q[$2], $3 }' out eccentric >both
 close_rows "without tension: Fig. 7" 1e-12 1e-12
-refuses "rwedge figure: --sigma-over-max 1.5: the bulk tension must be a number from -1 to 1" figure eccentric --sigma-over-max 1.5
-refuses "rwedge figure: --sigma-over-max 1: figure 7 does not depend on it; allowed: --a-over-b, --c-over-b" \
-    figure 7 --sigma-over-max 1
+refuses "--sigma-over-max 1.5: the bulk tension must be a number from -1 to 1" figure eccentric --sigma-over-max 1.5
+refuses "--sigma-over-max 1: figure 7 does not depend on it; allowed: --a-over-b, --c-over-b" figure 7 --sigma-over-max 1
 
 finish

@@ -15,10 +15,8 @@ run solve $steel --theta 0.1 --radius 10 $loads --k 500 --yield-factor
 cp out wedge
 does_quietly solve $steel --radius 10 $loads --k 500 --yield-factor
 same_results "cylinder" 1e-13 out wedge
-for name in a a_over_b AP_over_theta_b p_transition; do
-    same "$name of a cylinder" "" "$(value $name)"
-done
-same "numbers of a cylinder" 19 "$(grep -c ',[-0-9]' out)"
+same "what only a wedge has" "a a_over_b AP_over_theta_b p_transition" \
+    "$(awk -F, 'NR == FNR { wedge[$1] = $2; next } $2 == "" && wedge[$1] != "" { print $1 }' wedge out | paste -s -d ' ' -)"
 printf 'P,M,Q,sigma\n300,0,0,0\n300,0,50,20\n300,0,-40,-10\n' >loads.csv
 for command in "profile --history loads.csv --points 9" "field --history loads.csv --x -0.1,0.2 --y 0,0.1" \
     "history loads.csv --k 500" "fretting loads.csv --x -0.1:0.1:0.05" "figure fretting --data --history loads.csv" \
@@ -103,18 +101,17 @@ message_has "dent.csv: line 4: height 0.03: not convex at 1 place"
 same "rows that are solved" 2 "$(column b out | grep -c '^[0-9]')"
 
 # What is no pad.
-refuses "rwedge solve: missing: --radius" solve $steel $loads --flat 1
-refuses "rwedge solve: --flat -1: the half-width of the flat must be a number above 0" solve $steel $loads --flat -1 --radius 1
-refuses "rwedge solve: --radius 0: the radius must be a number above 0" solve $steel $loads --flat 1 --radius 0
-refuses "rwedge solve: --radius 0: the radius must be a number above 0, or an angle is missing" solve $steel $loads --radius 0
-refuses "rwedge solve: --flat 1: given together with --theta; allowed: one of the two" \
-    solve $steel $loads --theta 0.1 --radius 1 --flat 1
-refuses "rwedge solve: --profile worn.csv: given together with --radius; allowed: one of the two" \
+refuses "missing: --radius" solve $steel $loads --flat 1
+refuses "--flat -1: the half-width of the flat must be a number above 0" solve $steel $loads --flat -1 --radius 1
+refuses "--radius 0: the radius must be a number above 0" solve $steel $loads --flat 1 --radius 0
+refuses "--radius 0: the radius must be a number above 0, or an angle is missing" solve $steel $loads --radius 0
+refuses "--flat 1: given together with --theta; allowed: one of the two" solve $steel $loads --theta 0.1 --radius 1 --flat 1
+refuses "--profile worn.csv: given together with --radius; allowed: one of the two" \
     solve $steel $loads --radius 1 --profile worn.csv
-refuses "rwedge history: --hull: needs --profile" history loads.csv $steel --f 0.3 --radius 1 --hull
+refuses "--hull: needs --profile" history loads.csv $steel --f 0.3 --radius 1 --hull
 printf 'P\n1\n' >cases.csv
-refuses "rwedge solve: --hull: needs --profile, or a column profile" solve -i cases.csv $steel --hull --radius 1
-refuses "rwedge solve: --output worn.csv: it is the input; allowed: another file" solve $steel $loads --profile worn.csv -o worn.csv
+refuses "--hull: needs --profile, or a column profile" solve -i cases.csv $steel --hull --radius 1
+refuses "--output worn.csv: it is the input; allowed: another file" solve $steel $loads --profile worn.csv -o worn.csv
 for option in radius=100 P=150 f=0.3; do # found, and then given
     name=${option%=*} rest=
     for other in radius=100 P=150 f=0.3; do
@@ -127,7 +124,7 @@ for option in radius=100 P=150 f=0.3; do # found, and then given
 done
 does solve $steel --profile worn.csv --P 300 --k 900 --for f --safety 1.1
 close_to "safety of a profile" 1.1 "$(value safety)" 1e-10
-cannot "rwedge solve: no solution: none is found, as far as the pad is known" \
+cannot "no solution: none is found, as far as the pad is known" \
     solve $steel --flat 1 --radius 100 --P 300 --k 500 --for f --safety 900
 
 # A tension that lags behind Q has no closed form: it is computed, of any pad, unless that is refused.
@@ -141,11 +138,11 @@ for pad in "--flat 1 --radius 100" "--profile worn.csv"; do
     message_has "rwedge history: lags.csv: line 3: no closed form: "
     message_has "without --exact it is computed"
 done
-cannot "rwedge solve: b: the contact would reach farther than the radius, or results leave 1e-60 to 1e60" \
+cannot "b: the contact would reach farther than the radius, or results leave 1e-60 to 1e60" \
     solve $steel --P 1e9 --flat 1 --radius 1
 bad() { # MESSAGE LINES
     printf "$2" >bad.csv
-    cannot "rwedge solve: profile bad.csv: $1" solve $steel $loads --profile bad.csv
+    cannot "profile bad.csv: $1" solve $steel $loads --profile bad.csv
 }
 bad "line 3: x -2: left of the place before it; allowed: places from left to right" 'x,slope\n-1,0\n-2,1\n'
 bad "line 3: height 0.1: not convex at 1 place, x = 0; the convex hull is lower by up to 0.1, at x = 0; --hull takes it" \

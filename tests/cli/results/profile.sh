@@ -100,15 +100,14 @@ run profile --a-over-b 0.5
 same "points by default" 202 "$(wc -l <out | tr -d ' ')"
 
 # A history that cannot be.
-refuses "rwedge profile: --load 300,100: Q 100: must not exceed f P = 90: there is no equilibrium" \
-    profile $wedge --load 300,0 --load 300,100
-refuses "rwedge profile: --load -1,0: P -1: must not be below 0, and Q must be 0 where P is" profile $wedge --load -1,0
+refuses "--load 300,100: Q 100: must not exceed f P = 90: there is no equilibrium" profile $wedge --load 300,0 --load 300,100
+refuses "--load -1,0: P -1: must not be below 0, and Q must be 0 where P is" profile $wedge --load -1,0
 for text in 300 300, ,1 300,1,2 300,1,2,3,4 300:1 "300, 1" "" a,b; do
-    refuses "rwedge profile: --load $text: must be numbers P,Q or P,M,Q,sigma" profile $wedge --load 300,0 --load "$text"
+    refuses "--load $text: must be numbers P,Q or P,M,Q,sigma" profile $wedge --load 300,0 --load "$text"
 done
 history_fails() { # MESSAGE TEXT
     printf '%b' "$2" >bad.csv
-    cannot "rwedge profile: bad.csv: $1" profile $wedge --history bad.csv
+    cannot "bad.csv: $1" profile $wedge --history bad.csv
     output_is ""
 }
 history_fails "line 3: Q 100: must not exceed f P = 90: there is no equilibrium" 'P,Q\n300,0\n300,100\n'

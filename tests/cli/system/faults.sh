@@ -68,7 +68,7 @@ for signal in INT:130 TERM:143 HUP:129 KILL:137; do
 done
 
 # A disk that is full and stays so, also for libxlsxwriter's temporary files.
-if "$rwedge" workbook -o book.xlsx 2>/dev/null; then
+if "$rwedge" table contact-law -o law.xlsx 2>/dev/null; then
     for number in 1 6 11; do
         fail write error=ENOSPC "$number+" solve $bodies --k 300 --input in.csv --format xlsx
         status_is 1

@@ -627,8 +627,7 @@ def check_book(office):
         same("the decimal sign of " + locale, calculator.cells["rw_a"].String == shown, calculator.cells["rw_a"].String)
         check_cases(calculator, batch, count, beside, 2026)
         check_messages(document, calculator, batch)
-    for seed in 1, 2:
-        check_cases(calculator, batch, ROWS - 1, 0, seed)
+    check_cases(calculator, batch, ROWS - 1, 0, 1)
     check_fill_down(batch)
     check_look_up(document)
     check_legends(document)

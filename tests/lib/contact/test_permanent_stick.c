@@ -93,6 +93,9 @@ CLAIM(cycles_without_a_permanent_stick_zone_say_why)
         {0.5, {0.5, 0, 0, -1, 0.5, 0, 0.01, 1}, RWEDGE_EPATH},
         {0.5, {0.5, 0.3, 0, 0, 0.6, -0.3, 0.01, 0}, RWEDGE_EPATH},
         {0.5, {0.9, 0.3, 0, 0, 0.2, 0, 0.01, 0}, RWEDGE_EPATH}, /* an edge passes it on the way */
+        {0.5, /* each is outside of the other at one edge */
+         {0.92, 0.425, 0.1325, 0.0103, 0.847, -0.3315, -0.1325, -0.0103},
+         RWEDGE_EPATH},
         {0.5, {0.9, 0, 0, 0, 0, 0, 0, 0}, RWEDGE_EABSENT},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

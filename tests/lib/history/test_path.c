@@ -165,6 +165,22 @@ CLAIM(recession_passes_a_patch_at_both_edges_at_once)
     }
 }
 
+/* Each edge recedes and comes back, or the other way round, and stays beyond what carries shear. */
+CLAIM(an_edge_that_turns_outside_of_the_shear_moves_nothing)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        rwedge_contact *contact = create(0.4, 0.5);
+        apply(contact, 0.1, 0, 0, 0);
+        apply(contact, 0.1, 0, 0.02, 0);
+        const double b = rwedge_contact_half_width(contact), at_edge = slip(contact, 0.99 * b),
+                     before = shear(contact, 0.3 * b);
+        apply(contact, 1, -0.15 * side, 0.02, 0);
+        apply(contact, 1.31, 0.22 * side, 0.02, 0);
+        assert_close(slip(contact, 0.99 * b), at_edge, 1e-12);
+        assert_close(shear(contact, 0.3 * b), before, 1e-12);
+    }
+}
+
 /* In shorter steps the front goes the same way. */
 CLAIM(long_steps_lead_where_short_ones_do)
 {

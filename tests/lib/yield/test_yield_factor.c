@@ -145,7 +145,6 @@ CLAIM(a_factor_beyond_the_domain_is_refused)
 static rwedge_contact *worn(double a, double M, int corners)
 {
     rwedge_contact *contact = create(a, 0.5);
-    apply(contact, 0.1, M / 8, 0, 0); /* a patch without shear of its own */
     apply(contact, 0.5, M, 0, 0);
     for (int i = 1; i < corners; i++)
         apply(contact, 0.5, M, (i % 2 ? 0.2 : -0.2) * (1 - i / (corners + 1.0)), 0);

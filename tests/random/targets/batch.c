@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* "rwedge solve --input" on any file, from its header to the last row, with some of the options. */
-#include "rows/delimited.h"
-#include "rows/json.h"
+#include "rows/records.h"
 #include "solve/batch.h"
 #include "file.h"
 #include "input.h"

@@ -4,7 +4,7 @@
 #include "input/csv_input.h"
 #include "file.h"
 #include "input.h"
-#include "rows/delimited.h"
+#include "rows/records.h"
 #include "text/message.h"
 #include "until_exit.h"
 

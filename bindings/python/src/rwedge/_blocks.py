@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Long calls of the library in blocks: Python hears Ctrl-C between them, and never while the library computes."""
+"""Long calls of the library in blocks: Python reacts to Ctrl-C between blocks, never while the library computes."""
 from __future__ import annotations
 
 import math
@@ -14,7 +14,7 @@ SECONDS = 0.25  # what a block aims at
 
 
 def blocks(total: int, first: int) -> Iterator[slice]:
-    """Slices of 0 <= i < total, the first of the size that is given, others of a size that takes as long as aimed at."""
+    """Slices of 0 <= i < total: the first of the given size, the others of a size that takes the intended time."""
     start, count = 0, max(1, first)
     while start < total:
         began = time.monotonic()
@@ -24,7 +24,7 @@ def blocks(total: int, first: int) -> Iterator[slice]:
 
 
 def in_blocks(ufunc: np.ufunc, given: tuple[Any, ...], core: tuple[int, ...]) -> Any:
-    """ufunc(*given), of numbers and plain arrays. core: how many dimensions at the end of each argument go into one call."""
+    """ufunc(*given) for numbers and plain arrays. core: how many last dimensions of each argument go into one call."""
     shapes = [np.shape(one)[:np.ndim(one) - own] for one, own in zip(given, core)]
     shape = np.broadcast_shapes(*shapes)
     size = math.prod(shape)
@@ -41,7 +41,7 @@ def in_blocks(ufunc: np.ufunc, given: tuple[Any, ...], core: tuple[int, ...]) ->
 
 
 def beside(function: Callable[[], Any]) -> Any:
-    """function() in a thread, where there are no blocks: Ctrl-C is heard at once, and what is computed then is lost."""
+    """function() in a thread, for calls without blocks: Python reacts to Ctrl-C at once, and the result is then lost."""
     results: list[Any] = []
     worker = threading.Thread(target=lambda: results.append(function()), daemon=True)
     worker.start()

@@ -47,7 +47,7 @@ class YieldFactor(NamedTuple):
 
 
 class _Forks:
-    """No process is copied while a contact is in the middle of a call: the copy would wait for a thread that it does not have."""
+    """os.fork waits until no contact is in a call: the new process would wait for a thread that it does not have."""
 
     def __init__(self) -> None:
         self._lock, self._contacts = threading.RLock(), weakref.WeakSet[Any]()
@@ -56,7 +56,7 @@ class _Forks:
             os.register_at_fork(before=self._before, after_in_parent=self._after, after_in_child=self._after)
 
     def add(self, contact: Any) -> None:
-        """Not to be called by who holds a contact's lock: before a fork it is taken first, and the contacts' locks then."""
+        """Not to be called while holding a contact's lock: a fork takes this lock first, and then those of the contacts."""
         with self._lock:
             self._contacts.add(contact)
 
@@ -208,7 +208,7 @@ class Contact(ContactMethods, Handle):
 
     @classmethod
     def _made(cls: type[Self], name: str, tolerance: SupportsFloat, numbers: dict[str, float], *arrays: Any) -> Self:
-        """By the function of that name, which takes the arrays first."""
+        """A contact by the library's function of that name, which takes the arrays first."""
         handle = ctypes.c_void_p()
         check(name, function(name)(*arrays, *numbers.values(), ctypes.byref(handle)), numbers)
         contact = cls._of_handle(handle)
@@ -217,7 +217,7 @@ class Contact(ContactMethods, Handle):
 
     @classmethod
     def _of_handle(cls: type[Self], handle: ctypes.c_void_p) -> Self:
-        """What the contact is made of stands in its state."""
+        """The parameters of the contact, from its state."""
         size = _state_size(handle)
         numbers = np.empty(size)
         check("contact_state", _state(handle, size, numbers.ctypes.data))
@@ -249,7 +249,7 @@ class Contact(ContactMethods, Handle):
         return handle
 
     def _slots(self) -> dict[str, Any]:
-        """What a subclass keeps in __slots__."""
+        """The attributes that a subclass keeps in __slots__."""
         names: list[str] = getattr(copyreg, "_slotnames")(type(self))  # which copy and pickle ask, too
         return {name: getattr(self, name) for name in names if hasattr(self, name)}
 
@@ -341,7 +341,7 @@ class Contact(ContactMethods, Handle):
         return self.a / b if b > 0 else math.nan
 
     def _check_loads(self, address: Any, loads: Loads, place: str = "") -> None:
-        """Loads the contact, this one or a copy; or says which load is refused, and why."""
+        """Loads the contact, this one or a copy, or raises an error that says which load is refused, and why."""
         status = _apply(address, *loads)
         if status == EPATH:
             refused = ", ".join(f"{name}{place} = {value}" for name, value in loads._asdict().items())
@@ -358,7 +358,7 @@ class Contact(ContactMethods, Handle):
             self._through(history, nowhere, nowhere, np.empty((3, len(history[0]), 0)))
 
     def _warn_of(self, history: Columns) -> None:
-        """Of the smallest and the largest contact."""
+        """Warns of doubts about the smallest and the largest contact."""
         loaded = history[0][history[0] > 0]
         for P in {float(loaded.min()), float(loaded.max())} if loaded.size else ():
             warn(alpha=self._alpha(P))

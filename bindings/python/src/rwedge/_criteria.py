@@ -36,12 +36,12 @@ class Damage(NamedTuple):
 
 
 class Criteria:
-    """What a class gains that has stresses, (load, point, component)."""
+    """Methods of a class that has stresses, (load, point, component)."""
 
     stress: NDArray[np.float64]
 
     def _measured(self, name: str, material: Material, plane_stress: bool, constants: tuple[Any, ...]) -> Any:
-        """rwedge_name() at every point; constants: numbers, or names of the material's."""
+        """rwedge_name() at every point; constants are numbers, or names of constants of the material."""
         numbers = [self._constant(material, value) if isinstance(value, str) else value for value in constants]
         if plane_stress and "E" not in constants:
             numbers[0] = 0.0  # nu counts for the stress across the plane alone

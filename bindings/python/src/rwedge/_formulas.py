@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The ufuncs of all functions of the header that take and give nothing but numbers, and those of a cycle. They are attributes of this module, as
-pickle looks for a ufunc by its name in every module."""
+"""The ufuncs of all functions of the header that take and return nothing but numbers, and those of a cycle. They are attributes of
+this module, because pickle looks for a ufunc by its name in every module.
+"""
 import numpy as np
 
 from ._header import FUNCTIONS

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays with labels (pandas, xarray): which number belongs to which is said by the labels, not by the place."""
+"""Arrays with labels (pandas, xarray): the labels, not the positions, say which numbers belong together."""
 from __future__ import annotations
 
 import functools
@@ -11,18 +11,18 @@ from numpy.typing import NDArray
 
 
 def is_labelled(given: Any) -> bool:
-    """Has it an index or named dimensions? A list has a method of that name."""
+    """Whether it has an index or named dimensions. (A list has a method called index.)"""
     return hasattr(given, "dims") or not callable(getattr(given, "index", len))
 
 
 def refuse_units(given: Any) -> None:
-    """pint's, unyt's and astropy's quantities: their unit would be lost."""
+    """Refuses quantities of pint, unyt and astropy: their unit would be lost."""
     if hasattr(type(given), "units") or hasattr(type(given), "unit"):
         raise TypeError(f"{given!r} has a unit, which would be lost: give the number alone, in the units of the other arguments")
 
 
 def _numbers(given: Any) -> NDArray[Any]:
-    """As a plain array; what pandas has not is NaN."""
+    """As a plain array; a missing value of pandas is NaN."""
     return given.to_numpy(dtype=float, na_value=np.nan) if hasattr(given, "to_numpy") and hasattr(given, "index") else np.asarray(given)
 
 
@@ -44,7 +44,7 @@ def aligned(given: tuple[Any, ...]) -> tuple[tuple[Any, ...], Any]:
 
 
 def _unmasked(given: tuple[Any, ...]) -> tuple[tuple[Any, ...], Any]:
-    """Masked elements as NaN, which gives NaN; the results are masked there."""
+    """Masked elements as NaN; the results, NaN there, are masked again."""
     mask = functools.reduce(np.logical_or, map(np.ma.getmaskarray, given))
     arguments = tuple(np.ma.filled(np.ma.asarray(one, dtype=float), np.nan) if isinstance(one, np.ma.MaskedArray) else np.asarray(one)
                       for one in given)
@@ -52,7 +52,7 @@ def _unmasked(given: tuple[Any, ...]) -> tuple[tuple[Any, ...], Any]:
 
 
 def refuse_labels(name: str, given: Any) -> None:
-    """For what takes whole arrays by place."""
+    """Refuses labels in functions that take whole arrays by position."""
     refuse_units(given)
     if is_labelled(given):
         raise TypeError(f"{name} has labels, which would be lost: give the numbers alone, such as {name}.to_numpy()")

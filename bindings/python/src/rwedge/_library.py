@@ -139,7 +139,7 @@ def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: s
 
 
 def real(name: str, value: SupportsFloat) -> float:
-    """The argument as a double; a string is none."""
+    """The argument as a double; a string is refused."""
     try:
         math.fabs(value)
     except TypeError as error:
@@ -163,8 +163,8 @@ def _free(cell: list[int | None], destroy: Any) -> None:
 class Handle:
     """An object of the library, freed when the last reference to it goes; at the end of the process, with its memory.
 
-    In a cycle that is collected, the object may still be reached when it has been freed: from another's __del__. The cell,
-    which is shared with the finalizer, tells that."""
+    In a cycle of references that is collected, another object's __del__ may still use this one after it has been freed. The
+    cell, which is shared with the finalizer, shows that."""
 
     def _adopt(self, handle: ctypes.c_void_p, destroy: Any) -> None:
         self._cell = [handle.value]

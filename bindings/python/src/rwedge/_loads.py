@@ -59,13 +59,13 @@ def _by_place(loads: Any) -> dict[str, Any]:
 
 
 def given_columns(loads: History) -> dict[str, NDArray[np.float64]]:
-    """What is given of P, M, Q, sigma, by a mapping or frame with these names, or by rows."""
+    """The given ones of P, M, Q, sigma, from a mapping or frame with these names, or from rows."""
     given: dict[str, Any] = _named(loads) if hasattr(loads, "keys") else _by_place(loads)
     return {name: _numbers(name, values) for name, values in given.items()}
 
 
 def columns(arrays: dict[str, NDArray[np.float64]], present: Loads) -> Columns:
-    """P, M, Q, sigma, each of all loads. What is not given stays as it is; but where P is 0 the moment goes, and stays away."""
+    """P, M, Q, sigma of all loads. A load that is not given keeps its value, but where P is 0 the moment becomes and stays 0."""
     try:
         P, M, Q, sigma = np.broadcast_arrays(*(arrays.get(name, getattr(present, name)) for name in Loads._fields))
     except ValueError:

@@ -21,7 +21,7 @@ _coefficient, _potential = Points("series_coefficient"), Points("series_potentia
 
 
 def _samples(numbers: Any) -> NDArray[Any]:
-    """As the ufuncs take numbers: a TypeError for strings, objects and complex numbers."""
+    """Numbers as the ufuncs accept them: a TypeError for strings, objects and complex numbers."""
     return np.ascontiguousarray(np.asarray(numbers).astype(float, casting="safe"))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the functions take: NumPy's own ArrayLike has strings and complex numbers too."""
+"""The types of arguments: NumPy's own ArrayLike has strings and complex numbers too."""
 from __future__ import annotations
 
 from typing import Any, Protocol, Sequence, SupportsFloat, Union

@@ -45,7 +45,7 @@ _kept: list[object] = []  # what the ufuncs point to, for as long as the process
 
 
 def _address(symbol: str) -> ctypes.Array[ctypes.c_void_p]:
-    """An array of one pointer: that to rwedge_symbol."""
+    """An array with one pointer, to rwedge_symbol."""
     return (ctypes.c_void_p * 1)(ctypes.addressof(ctypes.c_char.in_dll(_library, "rwedge_" + symbol)))
 
 
@@ -96,7 +96,7 @@ else:
 
 
 def _tell(text: str) -> None:
-    """What numpy.errstate(invalid=...) asks for."""
+    """Warns or raises as numpy.errstate(invalid=...) asks for."""
     mode: str = np.geterr()["invalid"]
     told: Any = np.geterrcall()
     if mode == "warn":
@@ -135,7 +135,7 @@ class Formula:
         return self._evaluated(given, options)
 
     def _evaluated(self, given: tuple[Any, ...], options: dict[str, Any]) -> Any:
-        """By the ufunc that tells what was refused."""
+        """The result of the ufunc that says which point was refused."""
         if options:
             given, options = self._in_order(given, options)
         before = _enter(_NOTED)
@@ -151,7 +151,7 @@ class Formula:
         return results
 
     def _why(self, given: tuple[Any, ...], results: Any) -> str:
-        """What was refused first; of one that may end without a closed form, whether it did."""
+        """Which arguments were refused first, and whether it was for want of a closed form."""
         name = self.__name__
         if EPATH in FUNCTIONS[name]["reasons"]:
             first, *numbers = np.broadcast_arrays(results[0], *given)

@@ -38,7 +38,7 @@ def _axes(ax: Any) -> Any:
 
 
 def _style(ax: Any, line: dict[str, Any]) -> dict[str, Any]:
-    """That of the next curve of a family, but for what the caller wants otherwise."""
+    """The style of the next curve of a family, with the settings of the caller."""
     number = sum(one.get_gid() == "rwedge" for one in ax.lines)
     own = {"color": COLOURS[number % len(COLOURS)], "linestyle": DASHES[number % len(DASHES)], "linewidth": WIDTH}
     short = {"c": "color", "ls": "linestyle", "lw": "linewidth"}
@@ -53,7 +53,7 @@ def _loaded(contact: Contact) -> float:
 
 
 def _scales(contact: Contact, units: Units | None) -> tuple[float, float]:
-    """What lengths and stresses are drawn in."""
+    """The units in which lengths and stresses are drawn."""
     return (contact.half_width, contact.theta / contact.A) if units is None else (1.0, 1.0)
 
 

@@ -8,10 +8,8 @@
 
 #include "model/cycle/stops.h"
 #include "number/number.h"
-#include "text/list.h"
 #include "text/memory.h"
 
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,8 +49,9 @@ static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
     asked.constants = material_unknown();
     for (char *name = strtok(lines, "\n"); name != NULL; name = strtok(NULL, "\n")) {
         char *text = strchr(name, '=');
-        *text++ = '\0';
-        const int constant = material_constant(name);
+        if (text != NULL)
+            *text++ = '\0';
+        const int constant = text != NULL ? material_constant(name) : -1;
         if (material_is_remark(name))
             continue;
         snprintf(complaint, COMPLAINT_SIZE, "%.60s: %s", name,
@@ -119,38 +118,36 @@ static bool to_and_fro(load form, rwedge_contact *contact, char complaint[COMPLA
     return true;
 }
 
-static bool go_through(int64_t cycle, bool is_last, rwedge_contact *contact,
+static void refuse_load(int line, size_t cycle, const char *why, char complaint[COMPLAINT_SIZE])
+{
+    char place[60] = "";
+    if (line > 0)
+        snprintf(place, sizeof place, cycle > 1 ? "line %d, cycle %zu: " : "line %d: ", line,
+                 cycle);
+    snprintf(complaint, COMPLAINT_SIZE, "%s%.300s", place, why);
+}
+
+static bool go_through(const criteria *wanted, int64_t cycles, rwedge_contact *contact,
                        char complaint[COMPLAINT_SIZE])
 {
-    char why[COMPLAINT_SIZE], place[60];
-    for (size_t i = 0; i < asked.loads.count; i++) {
-        const listed_load *next = &asked.loads.load[i];
+    const size_t n = asked.loads.count, last = (size_t)(cycles - 1) * n;
+    char why[COMPLAINT_SIZE];
+    for (size_t i = 0; i < last + n; i++) {
+        const listed_load *next = &asked.loads.load[i % n];
+        if (i == last) {
+            last_cycle_begin(&asked.setup, wanted, contact, n, &asked.last);
+            asked.error = rwedge_contact_error(contact);
+        }
         if (!loads_apply_next(next->to, asked.setup.f, contact, why)) {
-            snprintf(place, sizeof place,
-                     cycle > 1 ? "line %d, cycle %" PRId64 ": " : "line %d: ", next->line, cycle);
-            snprintf(complaint, COMPLAINT_SIZE, "%s%.300s", next->line > 0 ? place : "", why);
+            refuse_load(next->line, i / n + 1, why, complaint);
             return false;
         }
-        if (is_last) {
+        if (i >= last) {
             last_cycle_add(contact, &asked.last);
             asked.error = fmax(asked.error, rwedge_contact_error(contact));
         }
     }
     return true;
-}
-
-static bool go_through_all(const criteria *wanted, int64_t cycles, rwedge_contact *contact,
-                           char complaint[COMPLAINT_SIZE])
-{
-    bool gone = true;
-    for (int64_t cycle = 1; gone && cycle <= cycles; cycle++) {
-        if (cycle == cycles) {
-            last_cycle_begin(&asked.setup, wanted, contact, asked.loads.count, &asked.last);
-            asked.error = rwedge_contact_error(contact);
-        }
-        gone = go_through(cycle, cycle == cycles, contact, complaint);
-    }
-    return gone;
 }
 
 /* Without a text the loads of the form go to and fro. */
@@ -167,7 +164,7 @@ static bool apply(const criteria *wanted, load form, const char *text, char deci
     if (case_contact(&asked.setup, &contact) == RWEDGE_OK)
         gone = (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads, complaint)
                                 : to_and_fro(form, contact, complaint)) &&
-               go_through_all(wanted, cycles, contact, complaint);
+               go_through(wanted, cycles, contact, complaint);
     rwedge_contact_destroy(contact);
     return gone;
 }

@@ -24,6 +24,7 @@ void load_list_add(load_list *loads, load to, int line);
 bool load_list_read(const char *text, char decimal_sign, load_list *loads,
                     char complaint[COMPLAINT_SIZE]);
 
+/* Adds records of the loads, and of the columns that are not used. */
 void load_list_write(const load_list *loads);
 
 void load_list_free(load_list *loads);

@@ -2,11 +2,14 @@
 // What the page computes, beside the tool: numbers as they are pasted, refusals, unused columns.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { test } from "node:test";
 import { cycleOf } from "../src/cycle.js";
 import { asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/solution.js";
+import { fieldOf, gridOf, measures, valuesAt } from "../src/stresses.js";
 import { solveRows } from "../src/tables.js";
 import { conversion } from "../src/units.js";
 import { inputs } from "../src/words.js";
@@ -139,6 +142,19 @@ test("all wrong fields are named at a time", () => {
     assert.ok(verdict.text.startsWith("CHECK THE INPUTS: P x: ") && verdict.text.includes("; f y: "));
 });
 
+test("what is doubtful or missing is the verdict", () => {
+    for (const [name, text, words] of [
+        ["P", "", "CHECK THE INPUTS: missing: P"],
+        ["Q", "50", "SLIDES: Q is above f P, there is no equilibrium."],
+        ["M", "1e12", "in magnitude: more lays a flank on the surface"],
+        ["sigma", "5000", "computed numerically: tractions to about"],
+        ["k", "", "CAUTION: no yield stress is given, so there is no safety"],
+    ])
+        assert.ok(solveHolding({ ...usual, [name]: text }, ".").verdict.text.includes(words), words);
+    const { verdict } = solveHolding({ ...usual, E2: "70000", nu2: "0.3" }, ".");
+    assert.ok(verdict.text.includes("CAUTION: Dundurs' beta is not 0"));
+});
+
 test("a profile is read with tabs, spaces or decimal commas, with names or as x and height", () => {
     const { theta, a, ...rest } = usual,
         rows = Array.from({ length: 21 }, (_, i) => [(i - 10) / 10, ((i - 10) / 10) ** 2 / 20]);
@@ -167,6 +183,7 @@ test("constants of a material are read as lines or JSON; what is unknown is name
         assert.deepEqual(read(text, ".").criterion.constants, { t_A: "150.5", su: "500" });
     assert.deepEqual(read("su;500\nt_A = 150,5", ",").criterion.constants, { t_A: "150.5", su: "500" });
     assert.equal(read("limit 1", ".").complaint, "limit: no constant that is known here");
+    assert.equal(read('{"kap\\npa": 1}', ".").complaint, "kap: no constant that is known here");
     assert.equal(read("kappa x", ".").complaint, "kappa: must be a number");
     assert.equal(read("su 500", ".").complaint, "McDiarmid needs t_A of the material");
     assert.match(read("{", ".").complaint, /^the material: /);
@@ -204,6 +221,17 @@ test("the sentence on strength has the numbers of the results, the unit and the 
         [Number.isNaN(none.factor), none.strength],
         [true, "No yield stress is given, so nothing is known of its strength."],
     );
+});
+
+test("a field and the hardest place have the stresses of their places", () => {
+    const model = solveHolding(usual, "."),
+        grid = gridOf(model.results, false),
+        i = 200 * 20 + 131;
+    for (const measure of Object.keys(measures)) {
+        const told = valuesAt(model, { x: grid.x[i], y: grid.y[i] })[measure];
+        assertNear(fieldOf(model, grid, measure).values[i], told, 1e-12, measure);
+    }
+    assertNear(valuesAt(model, model.hardest).von_mises, model.hardest.von_mises, 1e-12, "the hardest");
 });
 
 test("what gives a safety is found: solved forwards it has it, and the tool finds the same", () => {
@@ -267,4 +295,40 @@ test("a cycle without a table is that of the tool after P and M", () => {
         assertNear(answer.worst.swt.value, Number(worst.swt[2]), 5e-6, told.stderr);
     }
     assert.match(cycleOf({ ...usual, Q: "0" }, "", ".", "3", swt).complaint, /both are 0$/);
+});
+
+/** The tool's cycle of these loads, of the usual contact. */
+function toldOf(loads, ...args) {
+    const { P, Q, ...rest } = usual;
+    return run(["fretting", "-", ...optionsOf(rest), ...args], loads);
+}
+
+test("a criterion comes to what the tool says: the worst value, the safety against its limit, the life", () => {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        loads = "P,Q\n190,20\n190,-20";
+    for (const [name, material, ...plane] of [
+        ["swt", "swt_limit,0.05\nsf,1000\nb,-0.1\nef,0.5\nc,-0.6", "--plane-stress"],
+        ["findley", "findley_k,0.3\nfindley_limit,200"],
+        ["mcdiarmid", "t_A,150\nsu,800"],
+        ["dang_van", "dang_van_alpha,0.3"],
+    ]) {
+        writeFileSync(`${folder}/material.csv`, material);
+        const args = ["--material", `${folder}/material.csv`, "--at-worst", "--format", "json", ...plane];
+        const told = JSON.parse(toldOf(loads, ...args).stdout).find((row) => row.measure === name);
+        const chosen = { name, isPlaneStress: plane.length > 0, material },
+            { worst, safety, life } = cycleOf(usual, loads, ".", "3", chosen);
+        assertNear(worst[name].value, told.value, 1e-9, name);
+        for (const [value, expected] of [[safety, told.safety], [life, told.life]])
+            if (typeof expected === "number") assertNear(value, expected, 1e-8, name);
+            else assert.ok(Number.isNaN(value), `${name}: ${value}`);
+    }
+    rmSync(folder, { recursive: true });
+});
+
+test("a tension that lags behind Q has no closed form: it is computed, and its error is told", () => {
+    const loads = "P,Q,sigma\n190,20,0\n190,14,100\n190,-20,0\n190,-14,-100";
+    const { worst, error } = cycleOf(usual, loads, ".", "2", swt),
+        told = toldOf(loads, "--cycles", "2").stderr;
+    assertNear(worst.swt.value, Number(told.match(/swt (\S+) at/)[1]), 1e-4, "swt");
+    assert.ok(error > 0 && error < 1e-2 && /computed numerically/.test(told), told);
 });

@@ -455,9 +455,9 @@ RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double to
 /* Estimated error of q over f times the peak pressure; 0 while the state is in closed form. It
  * grows with the loads that the tractions still depend on, and may pass the tolerance. The estimate
  * leaves out places nearer than a hundredth of the half-width to an edge of a slip zone, present or
- * past: q rises there like a root. At other places q erred by less than the estimate in 95 of 100
- * random histories of P, M, Q and sigma. In the others it erred by up to 6 times as much, in one by
- * 44 times: smaller steps are safer.                                                            new
+ * past, even within a load: q rises there like a root. At other places q erred by less than the
+ * estimate in 95 of 100 random histories of P, M, Q and sigma. In the others it erred by up to 4
+ * times as much: smaller steps are safer.                                                       new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 

@@ -6,7 +6,7 @@
 #include "history/places.h"
 #include "model/cycle/criteria.h"
 
-/* The constants of criteria have one each, in the order of a material's. */
+/* OPTION_OF() a constant: those of a material that an option has too are in the same order. */
 enum {
     OPTION_CONSTANTS = OPTION_AFTER_PLACES,
     OPTION_CRITERIA = OPTION_CONSTANTS + MATERIAL_COUNT - MATERIAL_FS_K,

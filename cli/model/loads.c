@@ -119,7 +119,7 @@ static load_fault fault_of(int32_t status, load to, double f, const rwedge_conta
     }
     fault.input = INPUT_COUNT;
     snprintf(fault.why, sizeof fault.why, "%s%s", rwedge_strerror(status),
-             status == RWEDGE_ENOCONV ? ": go there in two loads" : "");
+             status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
     return fault;
 }
 

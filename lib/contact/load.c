@@ -2,7 +2,6 @@
 /* The next load of a contact: whether it is allowed, and what it does. */
 #include "contact/numerical.h"
 #include "history/dissipation.h"
-#include "history/edge_work.h"
 
 #include <float.h>
 

@@ -223,10 +223,14 @@ static int32_t status_of(rw_step_result result)
                                          : RWEDGE_ENOCONV;
 }
 
+/* P grows or falls so many times at most in one step of the numerical shear: a contact that becomes
+ * much larger or smaller errs in parts of each peak pressure that it has on the way. */
+static const double FOLD = 4;
+
 /* An error while the load is small counts less at the end of the step: by the ratio of the peak
  * pressures. */
-static rw_step_result step_of_touch(rw_numerical *n, const rw_frame *frame, rw_course at,
-                                    double last_peak)
+static rw_step_result advance_part(rw_numerical *n, const rw_frame *frame, rw_course at,
+                                   double last_peak, int *effort)
 {
     static const double LOOSEST = 1e-2;
     const double before = rw_peak_friction(frame, n->now.contact);
@@ -234,21 +238,26 @@ static rw_step_result step_of_touch(rw_numerical *n, const rw_frame *frame, rw_c
     const rw_frame loose = rw_frame_of(frame->arcs, frame->f,
                                        fmin(LOOSEST, frame->tolerance * fmax(1, last_peak / peak)));
     rw_numerical_rescale(n, before / peak);
-    return rw_numerical_step(n, &loose, at);
+    return rw_numerical_step(n, &loose, at, effort);
 }
 
-static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_course to, bool touches)
+static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_course to)
 {
     const rw_course from = n->now.at;
-    if (!touches)
-        return rw_numerical_step(n, frame, to);
     const double last_peak =
         rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, to.P, to.M));
+    const double folds = fabs(log(to.P / from.P)) / log(FOLD);
+    const int parts = (int)fmax(1, ceil(folds - 1e-9));
     rw_step_result result = RW_STEP_DONE;
-    for (double part = 4 * FIRST_TOUCH; part <= 1 && result == RW_STEP_DONE; part *= 4)
-        result = step_of_touch(
-            n, frame, part < 1 ? part_of(from, to, (part - FIRST_TOUCH) / (1 - FIRST_TOUCH)) : to,
-            last_peak);
+    int effort = RW_MOST_EFFORT;
+    for (int i = 1; i <= parts && result == RW_STEP_DONE; i++) {
+        int share = effort / (parts - i + 1);
+        effort -= share;
+        const double P = from.P * pow(to.P / from.P, (double)i / parts);
+        const rw_course at = i < parts ? part_of(from, to, (P - from.P) / (to.P - from.P)) : to;
+        result = advance_part(n, frame, at, last_peak, &share);
+        effort += share;
+    }
     return result;
 }
 
@@ -311,8 +320,7 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
         return RWEDGE_ENOMEM;
     }
     const double before = next->now.energy;
-    int32_t status =
-        status_of(advance(next, &frame, destination(c, step, next), c->memory.count == 1));
+    int32_t status = status_of(advance(next, &frame, destination(c, step, next)));
     if (status == RWEDGE_OK && !keep_exact(c))
         status = RWEDGE_ENOMEM;
     if (status != RWEDGE_OK) {
@@ -335,8 +343,9 @@ double rw_numerical_energy_to_separation(const rwedge_contact *c)
     const double before = n.now.energy;
     const rw_course away = {0, 0, 0, n.now.at.stretch}, from = n.now.at;
     double left = 1;
+    int effort = RW_MOST_EFFORT;
     while (left > LAST_TOUCH &&
-           rw_numerical_step(&n, &frame, part_of(away, from, left / 2)) == RW_STEP_DONE)
+           rw_numerical_step(&n, &frame, part_of(away, from, left / 2), &effort) == RW_STEP_DONE)
         left /= 2;
     const double work = n.now.energy - before;
     rw_numerical_destroy(&n);

@@ -8,6 +8,7 @@
  *     displacement = (A f/pi) sum (D_i - D_(i+1)) int_0^(s_i) ln(b/s) dP(s).
  * Off the centre it is the slip of a place, plus the displacement that the tractions cause
  * there. */
+#include "base/always.h"
 #include "contact/contact.h"
 #include "traction/transform.h"
 
@@ -65,7 +66,7 @@ static double numerical_sum(const rwedge_contact *contact, double b, double x)
  * without shear. */
 static double lasting_place(const rwedge_contact *contact)
 {
-    const bool has_slipped = !contact->numerical && contact->origins.count > 0;
+    const bool has_slipped = contact->was_off_centre && contact->origins.count > 0;
     return rw_patch_middle(has_slipped ? contact->settled : rw_memory_end(&contact->memory)->patch);
 }
 
@@ -82,9 +83,9 @@ static double off_centre(const rwedge_contact *contact, double b)
         sum = numerical_sum(contact, b, x);
     for (size_t i = 1; i < path->count && !contact->numerical; i++) {
         const rw_patch patch = path->corners[i].patch;
-        if (patch.left < left)
+        if (ALWAYS(patch.left < left)) /* the first one has x inside */
             sum += panel(contact, b, x, left, patch.left);
-        if (patch.right > right)
+        if (ALWAYS(patch.right > right))
             sum += panel(contact, b, x, right, patch.right);
         left = fmin(left, patch.left);
         right = fmax(right, patch.right);

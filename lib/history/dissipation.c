@@ -150,20 +150,15 @@ static double half_width_at(const layer *l, double depth)
     return rw_half_width(l->pad, fmax(0, l->top - depth));
 }
 
-static double earlier(double place, double from, double next)
-{
-    return place > from && place < next ? place : next;
-}
-
 /* Where B is another polynomial, where the contact reaches an arc, and in geometric sequence. */
 static double next_cut(const layer *l, const double cut[4], double from, double end)
 {
     const rw_pad *pad = l->pad->pad;
     double next = from > 0 ? fmin(end, 4 * from) : end;
     for (int i = 0; i < 4; i++)
-        next = earlier(cut[i], from, next);
+        next = rw_earlier(cut[i], from, next);
     for (size_t i = 0; i < pad->count; i++)
-        next = earlier(pad->arcs[i].right, from, earlier(pad->arcs[i].left, from, next));
+        next = rw_earlier(pad->arcs[i].right, from, rw_earlier(pad->arcs[i].left, from, next));
     return next;
 }
 

@@ -17,7 +17,7 @@
  *
  * The pressures between two patches do not depend on the way from one to the other: here the edges
  * move evenly. */
-#include "history/edge_work.h"
+#include "history/dissipation.h"
 
 #include "base/domain.h"
 
@@ -81,24 +81,19 @@ static double passing(double from, double to, double place)
     return (from < place) != (to < place) ? (place - from) / (to - from) : 1;
 }
 
-static double earlier(double end, double t, double next)
-{
-    return end > t && end < next ? end : next;
-}
-
 /* Panels end where an edge passes the end of an arc, and where the patch has four times the width,
  * however narrow the front is: there is a pole where it has none. */
 static double next_end(const layer *l, double t)
 {
     const double from = rw_patch_half_width(l->from), to = rw_patch_half_width(l->to);
     const rw_arcs arcs = rw_arcs_of(l->geometry);
-    double next = earlier(passing(from, to, 4 * (from + t * (to - from))), t, 1);
+    double next = rw_earlier(passing(from, to, 4 * (from + t * (to - from))), t, 1);
     for (size_t i = 0; i < arcs.count; i++) {
         const rw_arc arc = rw_arc_at(&arcs, i);
-        next = earlier(passing(l->from.left, l->to.left, arc.left), t, next);
-        next = earlier(passing(l->from.right, l->to.right, arc.right), t, next);
-        next = earlier(passing(l->from.left, l->to.left, arc.right), t, next);
-        next = earlier(passing(l->from.right, l->to.right, arc.left), t, next);
+        next = rw_earlier(passing(l->from.left, l->to.left, arc.left), t, next);
+        next = rw_earlier(passing(l->from.right, l->to.right, arc.right), t, next);
+        next = rw_earlier(passing(l->from.left, l->to.left, arc.right), t, next);
+        next = rw_earlier(passing(l->from.right, l->to.right, arc.left), t, next);
     }
     return next;
 }

@@ -13,8 +13,6 @@
  * smaller of its values there. So w is positive up to a point if it is at the beginning, and if the
  * concave part there and the gap at the beginning have a positive sum. If they have not, the
  * interval is halved. */
-#include "history/one_way.h"
-
 #include "history/off_centre.h"
 
 #include <float.h>

@@ -11,13 +11,11 @@
  * - S T. A change of N - S T in the negative cone takes z away everywhere. Then z falls and y
  * grows at every point and all the time, because slip at one point presses every other one the
  * same way. So y and z at the end of the step do not depend on the way there. They are what the
- * memory diagram says if that has z >= 0, which nested patches have, and y >= 0, see one_way.h.
+ * memory diagram says if that has z >= 0, which nested patches have, and y >= 0, see one_way.c.
  * No point slips the other way as long as z <= 2 f |p|. That is so where the pressure nowhere
  * falls; where what sticks is still inside the contact; and where the front inside one layer
  * stays behind the edges of the contact. */
 #include "history/path.h"
-
-#include "history/one_way.h"
 
 #include <float.h>
 
@@ -27,11 +25,6 @@ enum { TRIES = 40 };
 /* Loads at the limit of a cone are inside. */
 static const double SLACK = 1e-12;
 
-static double half_width(rw_patch patch)
-{
-    return rw_patch_half_width(patch);
-}
-
 /* ---- Conditions ---- */
 
 /* The rounding of tilts and stretches, which are as small as the contact is beside the rounding of
@@ -39,7 +32,7 @@ static double half_width(rw_patch patch)
 static double tilt_tolerance(const rw_step *s, rw_loading to)
 {
     const rw_corner *end = rw_memory_end(s->memory);
-    const double width = half_width(end->patch), a = s->geometry->a,
+    const double width = rw_patch_half_width(end->patch), a = s->geometry->a,
                  size = width < a ? width / a : 1;
     return 64 * DBL_EPSILON *
            (size + fmax(fabs(to.tilt), fabs(end->tilt)) +
@@ -59,7 +52,7 @@ static double largest(range r)
  * patch. */
 static bool adds_everywhere(double load, range tilt, rw_patch patch, double tolerance)
 {
-    const double arm = RW_PI * half_width(patch);
+    const double arm = RW_PI * rw_patch_half_width(patch);
     return arm * (largest(tilt) - tolerance) <= (1 + SLACK) * load;
 }
 
@@ -123,7 +116,7 @@ static bool edges_go_together(const rw_step *s)
         return true;
     const rw_patch smaller = grows(s) ? rw_memory_end(s->memory)->patch : s->patch;
     const double action = (s->to_M - s->from_M) / (s->to_P - s->from_P);
-    return fabs(action - rw_patch_middle(smaller)) <= (0.5 + SLACK) * half_width(smaller);
+    return fabs(action - rw_patch_middle(smaller)) <= (0.5 + SLACK) * rw_patch_half_width(smaller);
 }
 
 /* Whether the tilt stays as it is: without moment, and for Hertz under one line of action. */
@@ -159,7 +152,7 @@ static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
     const double one = M - P * (larger.left / 2 + smaller.right / 2);
     const double other = M - P * (smaller.left / 2 + larger.right / 2);
     const double least = fmin(one, other), most = fmax(one, other);
-    const double few = half_width(smaller), many = half_width(larger);
+    const double few = rw_patch_half_width(smaller), many = rw_patch_half_width(larger);
     return (range){tilt_by(least, least > 0 ? many : few), tilt_by(most, most > 0 ? few : many)};
 }
 
@@ -369,7 +362,7 @@ static double outwards(const rw_step *s, rw_patch patch, int side)
 {
     const double P = rw_as_length(s->geometry, s->to_P - s->from_P);
     const double M = rw_as_length(s->geometry, s->to_M - s->from_M);
-    return P + side * 2 / half_width(patch) * (M - rw_patch_middle(patch) * P);
+    return P + side * 2 / rw_patch_half_width(patch) * (M - rw_patch_middle(patch) * P);
 }
 
 /* Whether an edge of the contact stays outside of a patch during a step. It is outside at both

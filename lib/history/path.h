@@ -29,6 +29,12 @@ typedef enum {
  * load, whose patch is then known. */
 rw_obstacle rw_path_departure(const rw_step *step, rw_departure *departure);
 
+/* The front of a departure has passed the layers of the path from the edges of the contact. Whether
+ * all points between have slipped the way of the departure, to rounding; false where that is not
+ * shown. The front's patch must be known, and the patches of the path nested from it on. */
+bool rw_slips_one_way(const rw_memory *path, const rw_departure *departure,
+                      const rw_geometry *geometry);
+
 /* Whether a step that separates the bodies slips nowhere on its way. */
 bool rw_path_separates_stuck(const rw_step *step);
 #endif

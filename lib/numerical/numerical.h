@@ -14,6 +14,9 @@ typedef struct {
     double error[RW_PLACES]; /* the error of the traction, by place */
 } rw_numerical;
 
+/* For a load: within a second. */
+enum { RW_MOST_EFFORT = 24000000 };
+
 typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;
 
 /* Begins from `now`, whose traction is set. `slip` gives the slip so far of each place, NULL where
@@ -24,8 +27,10 @@ bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame, const rw
 bool rw_numerical_copy(const rw_numerical *numerical, rw_numerical *copy);
 void rw_numerical_destroy(rw_numerical *numerical);
 
-/* A straight line to new loads. Unless RW_STEP_DONE, all is as before. */
-rw_step_result rw_numerical_step(rw_numerical *numerical, const rw_frame *frame, rw_course to);
+/* A straight line to new loads. Unless RW_STEP_DONE, all is as before.
+ *   effort  what it may take (rw_work), less what it has taken on return: it may be below 0 */
+rw_step_result rw_numerical_step(rw_numerical *numerical, const rw_frame *frame, rw_course to,
+                                 int *effort);
 
 /* The estimated error of q over f times the peak pressure. */
 double rw_numerical_error(const rw_numerical *numerical);

@@ -15,7 +15,7 @@ enum { MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 static const double SAME_BREAK = 1e-8;
 
 /* The tolerance of the fit of a traction, over that of the step. */
-static const double FIT = 0.01;
+static const double FIT = 0.03;
 
 void rw_shear_state_destroy(rw_shear_state *state)
 {

@@ -14,12 +14,9 @@ enum { ANGLES = 96 };
  * Newton's method for each unknown and one more. It succeeds with fewer, if at all. */
 enum { BUDGET = 120, TURNS = 10 };
 
-/* The time of an outcome, in residuals. */
-enum { OUTCOME = 20 };
-
-/* How many residuals the search for the zones of a step may take. Beyond that a shorter step is
- * better: its zones are nearer to the old ones, and found at once. */
-enum { SEARCH = 500 };
+/* How many residuals the search for the zones of a step may take, and how many each outcome counts.
+ * Beyond that a shorter step is better: its zones are nearer to the old ones, and found at once. */
+enum { SEARCH = 500, OUTCOME = 20 };
 
 /* The residual at which Newton's method ends, over the tolerance. */
 static const double RESIDUAL = 1e-5;
@@ -67,12 +64,19 @@ static bool has_sliver(const rw_work *w, const rw_fronts *f)
     return false;
 }
 
+/* A residual takes values at all points, for each zone that sticks. */
+static void spend(rw_work *w, int residuals)
+{
+    w->search -= residuals;
+    w->effort += residuals * w->fronts.sticks * (int)w->fronts.count;
+}
+
 static bool newton(rw_work *w, double residual)
 {
     const int budget = TURNS * (w->fronts.unknowns + 1);
     w->fronts.budget = budget;
     const bool is_done = rw_fronts_newton(&w->fronts, residual);
-    w->effort += budget - w->fronts.budget;
+    spend(w, budget - w->fronts.budget);
     return is_done;
 }
 
@@ -80,7 +84,7 @@ static bool relax(rw_work *w)
 {
     w->fronts.budget = BUDGET;
     const bool is_done = rw_fronts_relax(&w->fronts);
-    w->effort += BUDGET - w->fronts.budget;
+    spend(w, BUDGET - w->fronts.budget);
     return is_done;
 }
 
@@ -94,7 +98,7 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
         rw_rates_ratio(f, &w->start, &begun, ratio);
     }
     for (int side = 1; side >= -1; side -= 2) {
-        if (w->effort > w->limit || !rw_fronts_begin(f, p, zones, ratio))
+        if (w->search <= 0 || !rw_fronts_begin(f, p, zones, ratio))
             return false;
         const bool is_moved = start_beside(p, f, angle, side);
         if (side < 0 && !is_moved)
@@ -114,13 +118,17 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     return false;
 }
 
+/* A traction and its conditions take about a residual for each element. */
 static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                        rw_outcome *outcome)
 {
     if (!find_fronts(w, p, zones, angle))
         return false;
-    w->effort += OUTCOME;
-    return rw_outcome_of_fronts(&w->fronts, outcome);
+    if (!rw_outcome_of_fronts(&w->fronts, outcome))
+        return false;
+    w->search -= OUTCOME;
+    w->effort += (int)(outcome->state.traction.count * w->fronts.count);
+    return true;
 }
 
 /* The outcome of a pattern. Parts that turn out to have the wrong label get the other one, and the
@@ -244,6 +252,7 @@ static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool c
         }
         rw_zones zones;
         rw_outcome outcome;
+        w->effort += n * n * n / 250; /* as measured */
         if (!rw_grid_solve(grid, p, &layers) || !rw_grid_zones(grid, p, &zones))
             continue;
         if (try_all(w, p, &zones, RW_PI / n, &outcome))
@@ -376,8 +385,8 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_c
     rw_outcome outcome;
     set_rates(w->frame, from, to, from->contact, &w->start);
     rw_fronts_forget(&w->fronts);
-    w->limit = w->effort < RW_MOST_EFFORT - SEARCH ? w->effort + SEARCH : RW_MOST_EFFORT;
-    if (!solve(w, p, guess, coarse || w->effort > RW_MOST_EFFORT, &outcome))
+    w->search = w->effort > w->most_effort ? 0 : SEARCH;
+    if (!solve(w, p, guess, coarse || w->effort > w->most_effort, &outcome))
         return false;
     *there = (rw_stance){.shear = outcome.state,
                          .contact = p->to,
@@ -433,9 +442,9 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
     return goes_on;
 }
 
-bool rw_work_create(rw_work *w, const rw_frame *frame)
+bool rw_work_create(rw_work *w, const rw_frame *frame, int most_effort)
 {
-    *w = (rw_work){.frame = frame};
+    *w = (rw_work){.frame = frame, .most_effort = most_effort};
     return rw_fronts_create(&w->fronts, frame->tolerance);
 }
 

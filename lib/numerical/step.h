@@ -29,7 +29,7 @@ typedef struct {
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_stance;
 
-enum { RW_TRIALS = 2, RW_MOST_EFFORT = 16000, RW_FRICTIONS = 4 };
+enum { RW_TRIALS = 2, RW_FRICTIONS = 4 };
 
 /* Working memory of steps, kept from one to the next. */
 typedef struct {
@@ -39,13 +39,14 @@ typedef struct {
     rw_grid grid[RW_TRIALS];
     rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
     unsigned frictions;                 /* how many so far */
-    int effort;    /* residuals so far. Beyond RW_MOST_EFFORT only the grid is used. Beyond half of
-                      it steps are not divided any more, so that exact fronts may end them. */
-    int limit;     /* up to which the zones of this step are searched */
+    /* so far: values at points of a quadrature, some 40 ns each. Beyond the most only the grid is
+     * used. Beyond half of it steps are not divided any more, so that exact fronts may end them. */
+    int effort, most_effort;
+    int search;    /* residuals that the zones of this step may still cost */
     bool is_short; /* memory was short */
 } rw_work;
 
-bool rw_work_create(rw_work *work, const rw_frame *frame);
+bool rw_work_create(rw_work *work, const rw_frame *frame, int most_effort);
 void rw_work_destroy(rw_work *work);
 
 /* One step as a whole. false where no zones meet the conditions to the tolerance. With `coarse` the

@@ -419,12 +419,6 @@ static bool search_equator(search *w)
     return rw_equator_has_worst_product(w->cycle, w->best.value);
 }
 
-/* 0 to pi/2: planes that are mirrored are equally bad. */
-static double out_of_plane(rw_direction beta)
-{
-    return rw_angle(fabs(beta.cosine), fabs(beta.sine));
-}
-
 rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *severity)
 {
     rw_plane_cycle_centre(cycle);
@@ -443,6 +437,7 @@ rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *sever
     if (w.noise > noise)
         climb(&w);
     w.best.angle = rw_plane_angle(w.psi.cosine, w.psi.sine);
-    w.best.out_of_plane = out_of_plane(w.beta);
+    /* 0 to pi/2: planes that are mirrored are equally bad */
+    w.best.out_of_plane = rw_angle(fabs(w.beta.cosine), fabs(w.beta.sine));
     return w.best;
 }

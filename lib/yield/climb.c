@@ -169,19 +169,12 @@ static void climb_to_top(climb *c)
     }
 }
 
-/* J2 at the mark itself, where it is finite. */
-static void evaluate_mark(rw_highest *s, double at)
-{
-    const double surface = 0;
-    double J2;
-    if (!rw_is_kink(&s->contact->geometry, at))
-        evaluate(s, 1, &at, &surface, &J2);
-}
-
 void rw_climb(rw_highest *s, const rw_foot *from)
 {
     climb c = {s, from->centre, from->innermost, from->outermost, from->at, 0};
-    evaluate_mark(s, from->centre);
+    const double surface = 0;
+    if (!rw_is_kink(&s->contact->geometry, from->centre)) /* J2 is finite there */
+        evaluate(s, 1, &from->centre, &surface, &c.J2);
     evaluate_places(&c, 1, &c.top, &c.J2);
     climb_to_top(&c);
 }

@@ -250,7 +250,11 @@ static outcome computed(void)
     const double x = 0.1;
     double s[5];
     rwedge_contact *contact = NULL, *other = NULL;
-    seen.status = STATUS_OF(rwedge_contact_create_profile(4, place, slope, 0.5, 0.5, &contact));
+    seen.status = STATUS_OF(rwedge_contact_create_flat(1, 1, 0.5, 0.5, &contact));
+    RUN(rwedge_contact_destroy(contact));
+    contact = NULL;
+    if (seen.status == RWEDGE_OK)
+        seen.status = STATUS_OF(rwedge_contact_create_profile(4, place, slope, 0.5, 0.5, &contact));
     if (seen.status == RWEDGE_OK)
         seen.status = rwedge_contact_allow_error(contact, 1e-2);
     for (int i = 0; i < 2 && seen.status == RWEDGE_OK; i++) {

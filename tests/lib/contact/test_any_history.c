@@ -345,7 +345,7 @@ CLAIM(a_place_that_should_stick_goes_on_beyond_a_kink)
 {
     const hard_history h = {0.336,
                             1e-4,
-                            1e-3,
+                            2e-3,
                             8,
                             {{2.61, 0.56, 0, 0},
                              {2.48, 0.46, 0.05, -0.5},
@@ -356,6 +356,29 @@ CLAIM(a_place_that_should_stick_goes_on_beyond_a_kink)
                              {2.55, 0.65, -0.29, 0.62},
                              {2.64, 0.88, -0.8, -0.33}}};
     follow_hard(&h);
+}
+
+/* Errors of the contact before were too large for the pressure of what is left: not converged. */
+CLAIM(a_contact_that_shrinks_to_nearly_nothing_is_computed)
+{
+    rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-4);
+    rwedge_contact *both[] = {whole, parts};
+    for (int i = 0; i < 2; i++) {
+        apply(both[i], 1, 0, 0, 0);
+        apply(both[i], 1, 0.45, 0.1, 0.1);
+    }
+    apply(whole, 1e-3, 0, 0, 0);
+    for (int i = 9; i >= 0; i--) { /* halved each time */
+        const double u = i == 0 ? 0 : (ldexp(1, i - 10) - 1e-3) / (1 - 1e-3);
+        apply(parts, 1e-3 + u * (1 - 1e-3), 0.45 * u, 0.1 * u, 0.1 * u);
+    }
+    const double error = rwedge_contact_error(whole) + rwedge_contact_error(parts);
+    assert_within(error, 0, 0.02);
+    const double b = rwedge_contact_half_width(whole), middle = 0;
+    double p, q;
+    assert_ok(rwedge_contact_tractions(whole, 1, &middle, &p, &q));
+    for (int i = -9; i <= 9; i++)
+        assert_within(shear(whole, b * i / 10), shear(parts, b * i / 10), error * F * -p);
 }
 
 /* Tension alone, of many times what friction bears, as the bodies touch. */

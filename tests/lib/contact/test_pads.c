@@ -461,12 +461,15 @@ CLAIM(profiles_that_are_none_are_refused)
     rwedge_contact *contact = NULL;
     const double x[] = {0, 1, 2}, back[] = {0, 2, 1}, slope[] = {-0.1, 0, 0.1};
     const double hollow[] = {-0.1, 0.1, 0}, even[] = {0.1, 0.1, 0.1}, steep[] = {-1.6, 0, 0.1};
-    const double tiny[] = {-1e-30, 0, 1e-30};
+    const double tiny[] = {-1e-30, 0, 1e-30},
+                 least[] = {0, 0, 1e-60}; /* half of it is too little */
     double left, right, many[1001] = {0};
     many[1000] = 0.1;
     assert_int_equal(rwedge_contact_create_profile(1001, many, many, A, F, &contact),
                      RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(3, x, slope, 0, F, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create_profile(3, x, slope, A, -1, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create_profile(3, x, least, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(3, x, tiny, 1e60, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(3, back, slope, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(3, x, hollow, A, F, &contact), RWEDGE_EDOMAIN);

@@ -77,7 +77,8 @@ static double difference(const pair *c)
 static void go(pair *c, double P, double M, double Q, double sigma)
 {
     assert_ok(rwedge_contact_apply(c->exact, P, M, Q, sigma));
-    assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, (rw_course){P, M, Q, sigma / 4}),
+    assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, (rw_course){P, M, Q, sigma / 4},
+                                       &(int){RW_MOST_EFFORT}),
                      RW_STEP_DONE);
     assert_within(difference(c), 0, c->frame.tolerance);
     assert_within(rw_traction_total(&c->numerical.now.shear.traction), Q, 0.1 * c->frame.tolerance);
@@ -177,7 +178,8 @@ CLAIM(a_step_in_parts_is_the_step_as_a_whole)
             const double t = (double)i / parts[k];
             const rw_course at = {from.P + t * (to.P - from.P), t * to.M, t * to.shear,
                                   t * to.stretch};
-            assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, at), RW_STEP_DONE);
+            assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, at, &(int){RW_MOST_EFFORT}),
+                             RW_STEP_DONE);
         }
         const rw_traction *t = &c.numerical.now.shear.traction;
         if (k == 0)
@@ -195,7 +197,8 @@ CLAIM(repeated_loads_do_not_fill_the_memory)
     size_t most = 0;
     for (int i = 0; i < 200; i++) {
         const rw_course to = {4, 0, 0.9 * sin(i * 0.7), 0.15 * cos(i * 0.7 + 0.1 * sin(i))};
-        assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, to), RW_STEP_DONE);
+        assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, to, &(int){RW_MOST_EFFORT}),
+                         RW_STEP_DONE);
         const size_t count = c.numerical.now.shear.traction.count;
         most = count > most ? count : most;
     }
@@ -209,7 +212,7 @@ static double grown_traction(const rw_frame *frame, const rw_stance *first, int 
     const rw_course from = first->at, to = {3.6, 0.3, 0.35, 0.02};
     rw_work w;
     rw_stance now = *first;
-    assert_true(rw_work_create(&w, frame));
+    assert_true(rw_work_create(&w, frame, RW_MOST_EFFORT));
     assert_true(rw_traction_copy(&first->shear.traction, &now.shear.traction));
     for (int i = 1; i <= parts; i++) {
         const double u = (double)i / parts;
@@ -248,7 +251,7 @@ CLAIM(rates_at_edges_that_stick_are_those_of_a_punch)
     rw_work w;
     rw_problem rates;
     double D[2];
-    assert_true(rw_work_create(&w, &c.frame));
+    assert_true(rw_work_create(&w, &c.frame, RW_MOST_EFFORT));
     rw_problem_init_rates(&rates, &c.frame, contact, P, M, Q, stretch);
     rw_rates_ratio(&w.fronts, &rates, &stuck, D);
     const double tilt = 2 * (M - m * P) / (PI * s * s);

@@ -63,9 +63,9 @@ static void try_options(const struct poptOption *options, nearest *to)
 
 static void refuse_unknown(const syntax *grammar, const char *option)
 {
-    char allowed[512], name[40] = "";
-    if (strncmp(option, "--", 2) == 0)
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(option + 2, "="), option + 2);
+    char allowed[512], name[40];
+    const char *typed = option + strspn(option, "-");
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
     nearest to = nearest_to(name);
     try_options(grammar->options, &to);
     if (to.name != NULL)

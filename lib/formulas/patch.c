@@ -174,6 +174,8 @@ static double excess(double left, const void *context)
  * and delta is 1. */
 static rw_patch search_patch(search *s, double centred)
 {
+    if (isnan(centred)) /* a/b is not in the domain */
+        return (rw_patch){NAN, NAN};
     double lo = -centred * (1 + 4 * DBL_EPSILON), distance = s->a - lo;
     do {
         distance /= 2;

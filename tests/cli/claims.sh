@@ -120,6 +120,9 @@ cannot() {
     fails_with_status 1 "$@"
 }
 
+# What reads a file whose columns ';' separates.
+semicolons='--decimal-comma reads that, or, where numbers have a point, a first line "sep=;"'
+
 # column NAME FILE: the cells of a CSV file below that name; empty ones as "-".
 column() {
     awk -F, -v name="$1" '

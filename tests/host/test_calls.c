@@ -198,6 +198,19 @@ CLAIM(answers_follow_the_rules_and_raise_only_inexact_and_underflow)
     ask_of_every_call(flags);
 }
 
+/* The contact is 1e60 times as wide as its rounding, which is not in the domain: its half-width is
+ * NaN, and was compared. */
+CLAIM(a_moment_on_next_to_no_rounding_is_refused_without_an_exception)
+{
+    rwedge_contact *contact = NULL;
+    assert_ok(
+        rwedge_contact_create(0.5 - DBL_EPSILON / 4, 3.0000000000000002e-60, 1.5, 0.5, &contact));
+    feclearexcept(FE_ALL_EXCEPT);
+    assert_int_equal(rwedge_contact_apply(contact, 2, -6e-60, 0, 0), RWEDGE_EDOMAIN);
+    assert_int_equal(fetestexcept(FE_INVALID), 0);
+    rwedge_contact_destroy(contact);
+}
+
 enum { EVERYTHING = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW | FE_INEXACT };
 
 /* By the host's arithmetic, so that they are where the library's are. */

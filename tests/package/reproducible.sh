@@ -68,8 +68,8 @@ compare_bits baseline vectors of every such processor
 for compiler in $here; do
     for options in -O0 -O1 -O2 -O3 '-O3 -DRW_BASELINE' '-O3 -march=native'; do
         # shellcheck disable=SC2086
-        of_all_files other $compiler $options
-        compare_bits other $compiler $options
+        of_all_files tried $compiler $options
+        compare_bits tried $compiler $options
     done
 done
 

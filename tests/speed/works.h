@@ -51,8 +51,8 @@ double points_of_a_profile(long n);
 /* The yield factor of such a contact, n times. */
 double yield_factors(double corners, double M, long n);
 
-/* Loads whose tension lags behind Q by an eighth of a cycle, and the error at last: of that contact,
- * of one that a moment rocks, of that profile. P, Q and tension may scatter. */
+/* Loads whose tension lags behind Q by an eighth of a cycle, and the error at last: of that
+ * contact, of one that a moment rocks, of that profile. P, Q and tension may scatter. */
 double lagging(double tolerance, double scatter, long n);
 double rocking(double tolerance, double scatter, long n);
 double lagging_profile(double tolerance, double scatter, long n);

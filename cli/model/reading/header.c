@@ -250,7 +250,8 @@ const char *header_separator_hint(const char *const name[], size_t count)
     if (count != 1)
         return "";
     if (strchr(name[0], ';') != NULL)
-        return "; the columns seem to be separated by ';': --decimal-comma reads that";
+        return "; the columns seem to be separated by ';': --decimal-comma reads that, or, where "
+               "numbers have a point, a first line \"sep=;\"";
     if (strchr(name[0], ',') != NULL)
         return "; the columns seem to be separated by ',': leave --decimal-comma out";
     return strchr(name[0], '\t') != NULL

@@ -38,6 +38,7 @@ done
 for command in solve profile field; do
     nearest $command --mu --f
     nearest $command --R --radius
+    nearest $command -Q --Q
     nearest $command --E --E1
     nearest $command --theta_deg --theta-deg
     nearest $command --encodng --encoding

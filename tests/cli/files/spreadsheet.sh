@@ -107,7 +107,7 @@ for file in comma.csv comma.tsv; do
     does workbook $file --decimal-comma -o book.xlsx
     same_cells 1 law.csv
 done
-fails "rwedge workbook: comma.csv: one column; the columns seem to be separated by ';': --decimal-comma reads that" comma.csv
+fails "rwedge workbook: comma.csv: one column; the columns seem to be separated by ';': $semicolons" comma.csv
 fails "rwedge workbook: law.csv: one column; the columns seem to be separated by ',': leave --decimal-comma out" law.csv --decimal-comma
 fails "rwedge workbook: comma.tsv: line 3: 0,5: a decimal comma; --decimal-comma reads it" comma.tsv
 refuses "--decimal-comma: a workbook has no sign; allowed with: CSV files" workbook --decimal-comma -o new.xlsx

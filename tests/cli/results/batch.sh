@@ -295,7 +295,7 @@ does_quietly solve -i others.csv $fixed --f 0.3
 header "column b: a result has that name; allowed: any other" "P,a,b" $fixed
 header "column error: a result has that name; allowed: any other" "P,a,error" $fixed
 header "misplaced quotes in the first row; needed: a header row with the names of the columns" 'P,"a"b' $fixed
-header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ';': --decimal-comma reads that" \
+header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ';': $semicolons" \
     "P;a" $fixed
 header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ',': leave --decimal-comma out" \
     "P,a" $fixed --decimal-comma

@@ -122,7 +122,7 @@ fails "line 2: P -100: must not be below 0, and Q must be 0 where P is" 'P,Q\n-1
 fails "line 3: Q nan: must be a number, with a decimal point" 'P,Q\n100,0\n100,nan\n'
 fails "line 3: Q: the cell is empty" 'P,Q\n100,0\n100,\n'
 fails "column Q: missing; a history needs P and Q" 'P,M\n1,2\n'
-fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': --decimal-comma reads that" 'P;Q\n100,5;0\n'
+fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': $semicolons" 'P;Q\n100,5;0\n'
 fails "empty; needed: a header row with the names of the columns" ''
 fails "column 'sigma / MPa': allowed: sigma" 'P,Q,sigma / MPa\n1,0,0\n'
 fails "line 3: a quote that is not closed" 'P,Q\n1,0\n1,"0\n1,0\n'

@@ -69,6 +69,9 @@ run solve --E1 210000 --nu1 0.3 --theta 0.02 --a 0 --P 100 --f 0.2 --k 100 --ver
 message_has "It yields: the stress at a sharp apex has no bound."
 run solve --E1 210000 --nu1 0.3 --theta 0.02 --radius 100 --P 100 --f 0 --verdict
 message_has "No yield stress is given"
+# At the trailing edge the search ends beside the surface, by rounding.
+run solve --E1 210000 --nu1 0.3 --flat 1 --radius 5 --f 0.5 --P 300 --Q 60 --sigma 80 --k 350 --verdict
+message_has "it yields first at x = -1.057, y = 0, at the surface."
 run solve --input - --verdict
 status_is 2
 finish

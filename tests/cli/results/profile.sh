@@ -121,7 +121,7 @@ history_fails "line 2: a quote that is not closed" 'P,Q\n"300,1\n400,1\n'
 history_fails "column Q: missing; a history needs P and Q" 'P,T\n300,0\n'
 history_fails "column 'q': allowed: Q" 'P,q\n300,0\n'
 history_fails "column 'Q [N/mm]': allowed: Q" 'P,Q [N/mm]\n300,0\n'
-history_fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': --decimal-comma reads that" \
+history_fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': $semicolons" \
     'P;Q\n300;0\n'
 history_fails "no loads; needed: rows of P and Q" 'P,Q\n'
 history_fails "empty; needed: a header row with the names of the columns" ''

@@ -13,7 +13,7 @@ enum { BYTES = 256, LOADS_PER_UNSOLVED = 1000 };
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
 static const double LONGEST = 200;
 #else
-static const double LONGEST = 10;
+static const double LONGEST = 5;
 #endif
 
 int main(int argc, char **argv)

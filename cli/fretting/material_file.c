@@ -7,6 +7,7 @@
 #include "text/message.h"
 #include "number/number.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -39,6 +40,8 @@ static void read_json(const char *path, material *all)
     json_error_t error;
     json_t *top = json_load_file(path, JSON_REJECT_DUPLICATES, &error), *value;
     const char *name;
+    if (top == NULL && error.line < 1) /* not opened */
+        failure("%s: %s", path, strerror(errno));
     if (top == NULL)
         failure("%s: line %d: %s", path, error.line, error.text);
     if (!json_is_object(top))

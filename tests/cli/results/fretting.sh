@@ -382,6 +382,7 @@ refuses "--length 1: needs --at-worst or --worst" fretting cycle.csv $specimen -
 refuses "--method area: must be point or line" fretting cycle.csv $specimen --at-worst --method area
 printf 'name,value\nsf,475\nb,-0.08\nef,0.6\n' >short.csv
 cannot "short.csv: c: missing; needed beside ef" fretting cycle.csv $specimen --material short.csv
+cannot "nowhere.json: No such file or directory" fretting cycle.csv $specimen --material nowhere.json
 printf '{"sy": 475}' >short.json
 cannot "short.json: sy: no constant that is known here; see rwedge fretting in its manual" fretting cycle.csv $specimen --material short.json
 printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv

@@ -7,9 +7,23 @@
  * halved again and again, because the contact shrinks to nothing. */
 enum { PARTS = 32, HALVINGS = 10, STATES_A_STEP = PARTS + HALVINGS };
 
-static double share_of(int part)
+static double share_of(int part, int parts)
 {
-    return part < PARTS ? (double)part / PARTS : 1 - ldexp(1.0 / PARTS, PARTS - 1 - part);
+    return part < parts ? (double)part / parts : 1 - ldexp(1.0 / parts, parts - 1 - part);
+}
+
+/* A computed shear takes its time for each part: none is to change P, or M over the half-width, by
+ * less than this part of P. A measured log has such noise in every load. */
+static const double LEAST_CHANGE = 0.01;
+
+static int parts_of(const rw_state *from, rw_loads to)
+{
+    const rw_loads old = from->contact->loads;
+    const double change =
+        fabs(to.P - old.P) + fabs(to.M - old.M) / rw_patch_half_width(from->patch);
+    return !from->contact->numerical || to.P == 0
+               ? PARTS
+               : (int)fmin(PARTS, ceil(change / (LEAST_CHANGE * old.P)));
 }
 
 /* The patch in which a straight step slips nowhere: that of the last corner which both paths have
@@ -61,9 +75,10 @@ static int32_t add_parts(rw_cycle *cycle, rw_loads to)
     int32_t status = RWEDGE_OK;
     if (from.P == to.P && from.M == to.M)
         return status;
-    const int parts = to.P == 0 ? STATES_A_STEP : PARTS;
-    for (int i = 1; i < parts && status == RWEDGE_OK; i++)
-        status = add_state(cycle, rw_loads_between(from, to, share_of(i)));
+    const int parts = parts_of(&cycle->states[count - 1], to);
+    const int end = to.P == 0 ? STATES_A_STEP : parts;
+    for (int i = 1; i < end && status == RWEDGE_OK; i++)
+        status = add_state(cycle, rw_loads_between(from, to, share_of(i, parts)));
     if (status == RWEDGE_OK || status == RWEDGE_ENOMEM)
         return status;
     drop_states(cycle, count);

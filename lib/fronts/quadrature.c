@@ -149,14 +149,17 @@ static bool put_segment(rw_fronts *f, rw_segment *s)
     return true;
 }
 
+/* Where no front is near: the change is like a root at edges of the contact, old and new. */
+enum { AWAY = 2 };
+
 /* Towards an end of a segment, by how far from there the next front is. */
-static int panels_towards(const rw_fronts *f, double front, double length, int finest)
+static int panels_towards(double front, double length, int finest)
 {
     if (front == 0)
         return finest;
     return front < length
                ? (int)fmin(MOST_PANELS, fmax(2, 1 + ceil(log(front / length) / log(RATIO))))
-               : f->coarse;
+               : AWAY;
 }
 
 static bool is_as_before(const rw_segment *s, const rw_segment *before, size_t first)
@@ -177,8 +180,8 @@ static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, doubl
     *s = (rw_segment){.from = from,
                       .to = to,
                       .label = label,
-                      .panels = {panels_towards(f, nearest_end(sticks, from), to - from, finest),
-                                 panels_towards(f, nearest_end(sticks, to), to - from, finest)}};
+                      .panels = {panels_towards(nearest_end(sticks, from), to - from, finest),
+                                 panels_towards(nearest_end(sticks, to), to - from, finest)}};
     if (is_as_before(s, &before, f->count)) {
         *s = before;
         f->count += s->count;

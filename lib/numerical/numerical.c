@@ -236,7 +236,7 @@ static void spread(bool left_out[], double apart[])
             apart[i] = fmax(apart[i], apart[i + 1]);
 }
 
-/* The error is at most this many times the difference of a step from its halves, in 95 of 100
+/* The error is at most this many times the difference of a step from its halves, in 98 of 100
  * histories (tests/proof/history_survey.c). A step of first order errs by the difference; but the
  * halves see only a part of what both leave out, like the D of a wide new ring, and such errors add
  * up. From 12 on it would be told more than 30 times too large in some histories. */

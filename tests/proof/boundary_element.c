@@ -56,11 +56,16 @@ static double profile(const boundary_element *s, double signed_x)
     return s->theta * (x < s->a ? x * x / (2 * s->a) : x - s->a / 2);
 }
 
-void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f,
-                            size_t n, double half)
+void boundary_element_start(boundary_element *solver, double theta, double a, double compliance,
+                            double f, size_t n, double half)
 {
-    *solver = (boundary_element){
-        .theta = theta, .a = a, .A = A, .f = f, .n = n, .end = n, .width = 2 * half / (double)n};
+    *solver = (boundary_element){.theta = theta,
+                                 .a = a,
+                                 .A = compliance,
+                                 .f = f,
+                                 .n = n,
+                                 .end = n,
+                                 .width = 2 * half / (double)n};
     for (size_t i = 0; i < n; i++)
         solver->x[i] = ((double)i + 0.5) * solver->width - half;
 }

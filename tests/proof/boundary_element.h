@@ -34,8 +34,8 @@ typedef struct {
 } boundary_element;
 
 /* The elements of -half < x < half. */
-void boundary_element_start(boundary_element *solver, double theta, double a, double A, double f,
-                            size_t n, double half);
+void boundary_element_start(boundary_element *solver, double theta, double a, double compliance,
+                            double f, size_t n, double half);
 
 /* To these loads in so many equal, straight steps; |Q| < f P. 0, or 1 where the iteration for the
  * edges or the zones of slip did not end. */

@@ -128,7 +128,7 @@ step()
 }
 
 # Left out where another compiler or the sanitizers are tried: what builds the library itself, or needs another language than C.
-of_another_compiler='^(package|reproducible|abi|doors|bindings_.*)$'
+of_another_compiler='^(package|reproducible|abi|answers|bindings_.*)$'
 
 without_warnings()
 {

@@ -8,7 +8,7 @@ top=$here/../..
 for tool in gfortran python3; do
     command -v $tool >/dev/null 2>&1 || { echo "SKIPPED: $tool is not installed"; exit 77; }
 done
-sh "$top/tests/doors/answers.sh" "$1"
+sh "$top/tests/answers/answers.sh" "$1"
 prefix=$(cd "$1/private/prefix" && pwd)
 made=$(cd "$1/private/made" && pwd)
 mkdir -p "$1/fortran"
@@ -24,12 +24,12 @@ fail()
 # scope, of a rule of 2008 about other objects. That an allocatable array may be used uninitialised is a false alarm of gfortran.
 strict='-std=f2018 -Wall -Wextra -pedantic -Werror -Wno-maybe-uninitialized'
 
-# fortran PROGRAM OPTIONS... - builds it with the module; the door is made.
+# fortran PROGRAM OPTIONS... - builds it with the module; the program that answers is made.
 fortran()
 {
     program=$1 place=$here
     shift
-    [ $program != door ] || place=$made/fortran
+    [ $program != answer ] || place=$made/fortran
     # shellcheck disable=SC2086
     gfortran $strict "$@" "$place/$program.f90" rwedge.o $objects "$prefix/lib/librwedge.a" -lm -o "$program"
 }
@@ -37,9 +37,9 @@ objects=''
 
 # shellcheck disable=SC2086
 gfortran $strict -O2 -fopenmp -c "$prefix/include/rwedge.f90"
-fortran door -O0
-./door <"$prefix/../doors/calls.csv" >answers.csv
-cmp answers.csv "$prefix/../doors/answers.csv" || fail "the door's answers differ from those in C"
+fortran answer -O0
+./answer <"$prefix/../answers/calls.csv" >answers.csv
+cmp answers.csv "$prefix/../answers/answers.csv" || fail "the answers differ from those in C"
 echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 
 fortran example_fretting -O2

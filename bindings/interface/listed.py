@@ -10,7 +10,7 @@ from header import read
 
 TOP = Path(__file__).resolve().parents[2]
 PLACES = {  # what a function needs there, and which files may have it
-    "a claim": "tests/lib/*/*.c tests/proof/*.c tests/host/test_*.c",
+    "a claim": "tests/lib/*/*.c tests/proof/*.c tests/embedding/test_*.c",
     "a row of accuracy": "tests/proof/accuracy/rows/*.cpp",
 }
 # Without a number whose error could be measured; those of a cycle are sums over a path, which tests/lib/cycle/ compares with

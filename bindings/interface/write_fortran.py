@@ -363,10 +363,10 @@ def module(interface: Interface) -> str:
     return module_text
 
 
-# ---- The door: a case for each call of tests/doors/ ----
+# ---- The program that answers: a case for each call of tests/answers/ ----
 
 
-def in_door(f: Function, p: Parameter) -> str:
+def in_answer(f: Function, p: Parameter) -> str:
     if p in f.outputs:
         k = f.outputs.index(p) + 1
         return {0: f"s(1, 1, {k})", 1: f"s(:, 1, {k})", 2: f"s(:, :, {k})"}[len(p.size)]
@@ -375,8 +375,8 @@ def in_door(f: Function, p: Parameter) -> str:
     return f"int({value}, c_int32_t)" if p.kind == "int32_t" else value
 
 
-def door_case(f: Function) -> str:
-    given = [in_door(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
+def answer_case(f: Function) -> str:
+    given = [in_answer(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
     name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
     lines = [f"case ('{f.name}')"]
     if f.result in ("value", "text"):
@@ -401,10 +401,10 @@ def door_case(f: Function) -> str:
     return "\n".join([folded(lines[0], 8), *(folded(x, 12) for x in lines[1:])])
 
 
-def door(interface: Interface) -> str:
-    cases = [door_case(f) for f in interface.functions if f.name not in BY_HAND]
-    return template("fortran/door_template.f90").replace("{cases}", "\n".join(cases))
+def answer(interface: Interface) -> str:
+    cases = [answer_case(f) for f in interface.functions if f.name not in BY_HAND]
+    return template("fortran/answer_template.f90").replace("{cases}", "\n".join(cases))
 
 
 def texts(interface: Interface) -> dict[str, str]:
-    return {"rwedge.f90": module(interface), "door.f90": door(interface)}
+    return {"rwedge.f90": module(interface), "answer.f90": answer(interface)}

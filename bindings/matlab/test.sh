@@ -9,7 +9,7 @@ top=$here/../..
 for tool in octave-cli mkoctfile python3; do
     command -v $tool >/dev/null 2>&1 || { echo "SKIPPED: $tool is not installed"; exit 77; }
 done
-sh "$top/tests/doors/answers.sh" "$1"
+sh "$top/tests/answers/answers.sh" "$1"
 prefix=$(cd "$1/private/prefix" && pwd)
 made=$(cd "$1/private/made" && pwd)
 rm -rf "$1/matlab"
@@ -95,8 +95,8 @@ mxIsSparse
 END
 diff called.txt known.txt || fail "< called, > known to be in MATLAB's C Matrix API"
 
-octave "$here/door.m" <"$prefix/../doors/calls.csv" >answers.csv
-cmp answers.csv "$prefix/../doors/answers.csv" || fail "the door's answers differ from those in C"
+octave "$here/answer.m" <"$prefix/../answers/calls.csv" >answers.csv
+cmp answers.csv "$prefix/../answers/answers.csv" || fail "the answers differ from those in C"
 echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 
 octave "$here/rwedge_example.m" >example.txt

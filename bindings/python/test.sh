@@ -47,7 +47,7 @@ if [ "$(cat "$folder/fetched" 2>/dev/null)" != "$wanted" ]; then
 fi
 [ $long = no ] || { fetch long && fetch gradients; } # nothing is fetched twice
 
-sh "$source/../../tests/doors/answers.sh" "$build"
+sh "$source/../../tests/answers/answers.sh" "$build"
 SKBUILD_BUILD_DIR=$folder/package "$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index \
     --force-reinstall "$source"
 
@@ -55,7 +55,7 @@ SKBUILD_BUILD_DIR=$folder/package "$folder/venv/bin/pip" install --quiet --no-bu
 pytest_of()
 {
     echo "== NumPy $("$folder/venv/bin/python" -c 'import numpy; print(numpy.__version__)')"
-    RWEDGE_DOORS=$build/private/doors "$folder/venv/bin/python" -m pytest -c "$source/pyproject.toml" \
+    RWEDGE_ANSWERS=$build/private/answers "$folder/venv/bin/python" -m pytest -c "$source/pyproject.toml" \
         --rootdir "$source" -p no:cacheprovider --quiet --no-header "$@"
 }
 

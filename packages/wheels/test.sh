@@ -24,7 +24,7 @@ done
 
 # On this machine: with nothing else on the path, then the suite; all of it with the Python that is here, the calculations with others.
 linux=$(echo "$folder"/*manylinux*_"$(uname -m)".whl)
-sh "$top/tests/doors/answers.sh" "$build"
+sh "$top/tests/answers/answers.sh" "$build"
 # python_of VERSION - where such a Python is, if it is
 python_of()
 {
@@ -45,7 +45,7 @@ suite()
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/pip install --quiet --no-index "$linux"
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/python -c \
         'import rwedge; assert abs(rwedge.elastic_limit(0.25, 0.1, 0.3) / 3.4068757722085774 - 1) < 1e-13'
-    PATH="$work/environment/bin:$PATH" RWEDGE_DOORS="$build/private/doors" environment/bin/python -m pytest \
+    PATH="$work/environment/bin:$PATH" RWEDGE_ANSWERS="$build/private/answers" environment/bin/python -m pytest \
         -c "$source/pyproject.toml" --rootdir "$source" -p no:cacheprovider --quiet --no-header "$@" >log 2>&1 ||
         { tail -n 40 log; fail "the suite of $(environment/bin/python --version)"; }
     said="$(environment/bin/python --version) with NumPy $(environment/bin/python -c 'import numpy; print(numpy.__version__)')"
@@ -71,12 +71,12 @@ for wheel in "$folder"/*.whl; do
 done
 
 # The libraries for other kinds of Linux answer as that of this machine does, but for the last bits that their mathematics differ in.
-cp "$build/private/doors/calls.csv" calls
-environment/bin/python -W ignore "$source/tests/door.py" <calls >answers
+cp "$build/private/answers/calls.csv" calls
+environment/bin/python -W ignore "$source/tests/answer.py" <calls >answers
 # alike WHEEL - as answered in answers-there
 alike()
 {
-    compared=$(python3 -B "$top/tests/doors/compare.py" answers answers-there 1e-12) || { echo "$compared"; fail "$1"; }
+    compared=$(python3 -B "$top/tests/answers/compare.py" answers answers-there 1e-12) || { echo "$compared"; fail "$1"; }
     echo "tested: $1: $compared" >>"$tested"
 }
 unpacked() { rm -rf there; mkdir there; (cd there && python3 -m zipfile -e "$1" .); }
@@ -89,7 +89,7 @@ elif ! sh "$here/arm.sh" "$build/wheels/arm" >log 2>&1; then
     echo "not tested: the wheel for Linux on ARM: its Python cannot be fetched: $(tail -n 1 log)" | tee -a "$tested"
 else
     unpacked "$arm"
-    PYTHONPATH=$work/there "$build/wheels/arm/python" -W ignore "$source/tests/door.py" <calls >answers-there
+    PYTHONPATH=$work/there "$build/wheels/arm/python" -W ignore "$source/tests/answer.py" <calls >answers-there
     alike "$(basename "$arm"), with a Python for ARM under qemu"
 fi
 # with_musl MACHINE COMPILER [EMULATOR...] - from C, as no Python with musl is here
@@ -100,9 +100,9 @@ with_musl()
     [ -f "$musl" ] || return 0 # make.sh has said it
     unpacked "$musl"
     [ "$(readelf -d there/rwedge/_rwedge.so | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')" = libc.so ] || fail "$musl needs more than musl"
-    "$compiler" -std=c99 -O2 -I"$top/include" -I"$build/private/made/c" "$top/tests/doors/door.c" there/rwedge/_rwedge.so \
-        -Wl,-rpath,"$work/there/rwedge" -o there/door
-    "$@" there/door <calls >answers-there
+    "$compiler" -std=c99 -O2 -I"$top/include" -I"$build/private/made/c" "$top/tests/answers/answer.c" there/rwedge/_rwedge.so \
+        -Wl,-rpath,"$work/there/rwedge" -o there/answer
+    "$@" there/answer <calls >answers-there
     [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "two machines differ, both with musl's mathematics"
     cp answers-there answers-musl
     alike "$(basename "$musl"), its library from C with musl, not in a Python"
@@ -143,11 +143,11 @@ else
     [ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "$windows needs other DLLs"
     grep -o 'rwedge_[a-z_]*' tables | sort -u >offered
     LC_ALL=C sort offered | cmp - wanted || fail "the library for Windows offers other functions than that for Linux"
-    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$build/private/made/c" "$top/tests/doors/door.c" \
-        there/rwedge/_rwedge.dll -o there/rwedge/door.exe
+    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$build/private/made/c" "$top/tests/answers/answer.c" \
+        there/rwedge/_rwedge.dll -o there/rwedge/answer.exe
     trap end_wine EXIT
     start_wine
-    on_windows there/rwedge/door.exe <calls | tr -d '\r' >answers-there
+    on_windows there/rwedge/answer.exe <calls | tr -d '\r' >answers-there
     [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "Windows and Linux differ, both with musl's mathematics"
     alike "$(basename "$windows"), its library from C under Wine, not in a Python"
 fi

@@ -48,7 +48,7 @@ int main(void)
         if (!has_result)
             fprintf(stderr,
                     "FAILED: no random arguments of %s() have a result: give some in hints[] of "
-                    "tests/host/calls/draw.c\n",
+                    "tests/embedding/calls/draw.c\n",
                     calls[i].name);
         failed += !has_result;
     }

@@ -13,8 +13,8 @@ cd "$source"
 . tests/support/compilers.sh
 
 # Bit for bit: a program that prints the bits of results of every function.
-printer='-Iinclude -Ilib -Itests/host/calls tests/host/calls/calls.c tests/host/calls/draw.c tests/host/calls/edges.c
-    tests/host/calls/sequences.c tests/package/print_bits.c'
+printer='-Iinclude -Ilib -Itests/embedding/calls tests/embedding/calls/calls.c tests/embedding/calls/draw.c tests/embedding/calls/edges.c
+    tests/embedding/calls/sequences.c tests/package/print_bits.c'
 # print_bits_of NAME COMMAND... - compiles the program, and leaves the bits, or nothing where they could not be had
 print_bits_of()
 {
@@ -73,7 +73,7 @@ for compiler in $here; do
     done
 done
 
-# The committed tables, written again on a processor without fused multiply-add. (tests/shipped compares what this one writes.)
+# The committed tables, written again on a processor without fused multiply-add. (tests/repository compares what this one writes.)
 mkdir "$work/plain"
 compare()
 {

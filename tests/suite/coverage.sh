@@ -11,7 +11,7 @@ source=$(cd "$1" && pwd) build=$2/coverage
 # with the boundary-element solver are left out, because they take longer than all others.
 unit_tests()
 {
-    for file in tests/lib/*/test_*.c tests/host/test_*.c tests/proof/test_*.c; do
+    for file in tests/lib/*/test_*.c tests/embedding/test_*.c tests/proof/test_*.c; do
         basename "$file" .c
     done | grep -v '^test_boundary_element$'
     echo strength_survey yield_survey

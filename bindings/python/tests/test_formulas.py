@@ -22,9 +22,9 @@ UFUNCS = {name: value for name, value in FORMULAS.items() if value.signature is 
 
 
 def first_calls():
-    """An argument list of each function: the first call in tests/doors that C answers with numbers."""
+    """An argument list of each function: the first call in tests/answers that C answers with numbers."""
     found = {}
-    for call, answer in zip(*(Path(os.environ["RWEDGE_DOORS"], name).read_text().splitlines() for name in ("calls.csv", "answers.csv"))):
+    for call, answer in zip(*(Path(os.environ["RWEDGE_ANSWERS"], name).read_text().splitlines() for name in ("calls.csv", "answers.csv"))):
         name, arguments = call.partition(":")[0], call.split(",")[1:]
         if name in UFUNCS and not re.search("nan|error", answer):
             kinds = [int if kind == "int32_t" else float for kind, _ in FUNCTIONS[name]["parameters"]]
@@ -32,7 +32,7 @@ def first_calls():
     return found
 
 
-if "RWEDGE_DOORS" not in os.environ:
+if "RWEDGE_ANSWERS" not in os.environ:
     pytest.skip("test.sh says where the calls of all languages are", allow_module_level=True)
 INSIDE = first_calls()
 

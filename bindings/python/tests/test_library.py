@@ -18,11 +18,11 @@ def test_version_is_that_of_the_header():
     assert f'RWEDGE_VERSION "{rwedge.__version__}"' in (TOP / "include" / "rwedge.h").read_text()
 
 
-@pytest.mark.skipif("RWEDGE_DOORS" not in os.environ, reason="test.sh says where the answers of C are")
-def test_door_prints_the_bits_of_the_c_library(run):
-    calls, expected = (Path(os.environ["RWEDGE_DOORS"], name).read_text() for name in ("calls.csv", "answers.csv"))
+@pytest.mark.skipif("RWEDGE_ANSWERS" not in os.environ, reason="test.sh says where the answers of C are")
+def test_answer_prints_the_bits_of_the_c_library(run):
+    calls, expected = (Path(os.environ["RWEDGE_ANSWERS"], name).read_text() for name in ("calls.csv", "answers.csv"))
     assert expected.count("\n") == calls.count("\n") > 900
-    assert run(PACKAGE / "tests/door.py", input=calls) == expected
+    assert run(PACKAGE / "tests/answer.py", input=calls) == expected
 
 
 def test_it_needs_the_c_and_the_math_library_only():

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The package as it is installed: numbers, arrays, errors, objects. That the numbers are those of C is door.mjs.
+// The package as it is installed: numbers, arrays, errors, objects. That the numbers are those of C is answer.mjs.
 import assert from "node:assert/strict";
 import test from "node:test";
 

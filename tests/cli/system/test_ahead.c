@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Results computed ahead arrive in order, each once, with any number of threads. Several blocks are
  * computed at one time. The caller may stop before it has taken all results.
- * tests/host/threads.sh runs this under the thread sanitizer too. */
+ * tests/embedding/threads.sh runs this under the thread sanitizer too. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "claims.h"

@@ -12,7 +12,7 @@ status_is 0
 message_is ""
 output_is ""
 
-# The same command writes the same bytes on the same machine, later and wherever it is called from; tests/host/locale.sh has it
+# The same command writes the same bytes on the same machine, later and wherever it is called from; tests/embedding/locale.sh has it
 # in a locale with a comma.
 mkdir later
 run workbook -o later/book.xlsx

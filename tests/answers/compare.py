@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Counts the lines of two doors that differ, and how much: compare.py ANSWERS ANSWERS LARGEST-DIFFERENCE
+"""Counts the lines of two sets of answers that differ, and how much: compare.py ANSWERS ANSWERS LARGEST-DIFFERENCE
 
 A difference is told in parts of the largest result of its line. A point where something is greatest may have a coordinate that is
 0 but for rounding.
@@ -15,7 +15,7 @@ SEARCHED = {"contact_cycle_worst": 1e-8}
 
 
 def results(line):
-    """The numbers that a door has given: the last words, of which the second field of the line has the count."""
+    """The numbers of an answer: the last words, of which the second field of the line has the count."""
     call, *words = line.split(",")
     count = int(call.split(":")[2])
     if "error" in words[-1:]:

@@ -26,7 +26,7 @@ try()
     if cmake -S . -B "$build" -DCMAKE_C_COMPILER="$1" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS="$2" -DRWEDGE_BUILD_CLI=OFF \
         -DRWEDGE_BUILD_TESTS=ON -DRWEDGE_INSTALL=OFF >"$build/log" 2>&1 &&
         cmake --build "$build" --target test_calls test_batches >"$build/log" 2>&1 &&
-        "$build/tests/host/test_calls" 2000 'answers_follow*' >"$build/log" 2>&1 &&
+        "$build/tests/embedding/test_calls" 2000 'answers_follow*' >"$build/log" 2>&1 &&
         "$build/tests/lib/test_batches" >"$build/log" 2>&1; then
         echo "ok: $*"
     else

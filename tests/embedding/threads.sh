@@ -15,7 +15,7 @@ done
 cmake -S . -B "$build" -DCMAKE_C_COMPILER=$compiler -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS='-O1 -g -fsanitize=thread' \
     -DRWEDGE_BUILD_CLI=ON -DRWEDGE_INSTALL=OFF >"$build/log" 2>&1 &&
     cmake --build "$build" --target test_threads test_cli_ahead >>"$build/log" 2>&1 || { cat "$build/log"; exit 1; }
-for program in "host/test_threads 4" cli/test_cli_ahead; do
+for program in "embedding/test_threads 4" cli/test_cli_ahead; do
     if ! TSAN_OPTIONS=halt_on_error=1 "$build"/tests/$program >"$build/log" 2>&1; then
         cat "$build/log"
         echo "FAILED: $program under the thread sanitizer of $compiler"

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether the calls tell the arguments and the results of every function apart: exchange.py DOOR < CALLS
+"""Whether the calls tell the arguments and the results of every function apart: exchange.py PROGRAM < CALLS
 
-A binding that exchanges two of them answers as C answers the calls with these two exchanged. So the answers of the DOOR in C must
-change with each exchange: then the doors, which compare every answer, notice it. CALLS are those of `calls.py --own`.
+A binding that exchanges two of them answers as C answers the calls with these two exchanged. So the answers of the PROGRAM in C must
+change with each exchange: then the tests of the bindings, which compare every answer, notice it. CALLS are those of `calls.py --own`.
 """
 import subprocess
 import sys
@@ -27,7 +27,7 @@ def name_of(call):
 
 
 def answers(asked):
-    """What the door says to each call, without the call."""
+    """What the program answers to each call, without the call."""
     said = subprocess.run([sys.argv[1]], input="\n".join(asked) + "\n", capture_output=True, text=True, check=True).stdout
     return [line[len(call):] for line, call in zip(said.splitlines(), asked)]
 

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-! Answers the calls of tests/doors/calls.py from standard input as tests/doors/door.c does, through the module.
-! Written by bindings/interface/generate.py from include/rwedge.h and door_template.f90: change those, not door.f90.
-program door
+! Answers the calls of tests/answers/calls.py from standard input as tests/answers/answer.c does, through the module.
+! Written by bindings/interface/generate.py from include/rwedge.h and answer_template.f90: change those, not answer.f90.
+program answers
     use rwedge
     use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
     use, intrinsic :: ieee_arithmetic, only: ieee_is_nan

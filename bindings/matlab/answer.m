@@ -1,5 +1,5 @@
 % SPDX-License-Identifier: GPL-3.0-or-later
-% Answers the calls of tests/doors/calls.py from standard input as tests/doors/door.c does, through the functions and classes.
+% Answers the calls of tests/answers/calls.py from standard input as tests/answers/answer.c does, through the functions and classes.
 1;
 
 function text = bits(value)

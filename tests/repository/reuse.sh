@@ -6,7 +6,7 @@ set -eu
 top=$(cd "$1" && pwd)
 tools=$(cd "$2" && pwd)/reuse
 . "$top/tests/support/venv.sh"
-venv "$top/tests/shipped/packages/reuse.txt" "$tools"
+venv "$top/tests/repository/packages/reuse.txt" "$tools"
 git -C "$top" rev-parse HEAD >/dev/null 2>&1 || { echo 'SKIPPED: these files are no clone: what is built cannot be told apart'; exit 77; }
 cmp "$top/LICENSE" "$top/LICENSES/GPL-3.0-or-later.txt"
 

@@ -84,10 +84,10 @@ mkdir sdist
 rm -r "$source/library" # what went into it
 tar -xzf sdist/*.tar.gz -C sdist --strip-components=1
 SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
-(source=$folder/sdist && pytest_of "$folder/sdist/tests" --deselect "$folder/sdist/tests/test_speed.py" -k "not sweep and not finite_elements and not thousand" "$@")
+(source=$folder/sdist && pytest_of "$folder/sdist/tests" -k "not sweep and not finite_elements and not as_fast" "$@")
 
 [ -d "$folder/older/numpy" ] || fetch older --target "$folder/older"
 export PYTHONPATH="$folder/older"
 # but for what needs pandas, which has a newer NumPy here
 pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_cycle.py" \
-    "$source/tests/test_series.py" -k "not other_packages and not by_place" "$@"
+    "$source/tests/test_series.py" -k "not other_packages" "$@"

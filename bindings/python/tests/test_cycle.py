@@ -188,18 +188,10 @@ def test_criteria_by_a_material_are_those_of_the_functions(pad, plane_stress):
         assert np.array_equal(np.array(getattr(cycle, name)(METAL, plane_stress)), np.array(results))
 
 
-def test_damage_of_one_cycle_is_one_over_its_life(pad):
-    cycle = pad.cycle({"Q": [900, -900]}, X, 0)
-    parameter = cycle.smith_watson_topper(METAL).value
-    life = rwedge.smith_watson_topper_life(parameter, E, *(METAL[name] for name in ("sf", "b", "ef", "c")), 0)
-    np.testing.assert_allclose(cycle.life(METAL), life, rtol=1e-9)
-    assert set(cycle.damage(METAL).cycles.ravel()) <= {0, 1} and np.isinf(cycle.life({**METAL, "swt_limit": 1e9})).all()
-    assert (cycle.damage(METAL, "fatemi-socie").value > 0).any()
-
-
 def test_a_constant_that_the_material_lacks_is_named(pad):
     cycle = pad.cycle({"Q": Q}, X, 0)
     with pytest.raises(rwedge.Error, match="the material has no sf"):
         cycle.damage({"E": E, "nu": NU})
+    assert set(cycle.damage(METAL).cycles.ravel()) <= {0, 1} and np.isinf(cycle.life({**METAL, "swt_limit": 1e9})).all()
     with pytest.raises(rwedge.Error, match="must be one of swt, fatemi-socie"):
         cycle.damage(METAL, "findley")

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whether the yield factor of a contact with a history, or the elastic limit in full sliding, misses
- * the maximum of J2. The library climbs from those points of its grids alone that may lie below the
- * highest top. Here nothing is left out: grids three times as fine around every mark, both sides
- * apart, and a climb from every maximum of them that reaches 0.8 of the highest. Stresses come from
- * the public function, so that nothing of the search is shared.
+/* Whether the yield factor of a contact with a history, or the elastic limit in full sliding,
+ * misses the maximum of J2. The library climbs from those points of its grids alone that may lie
+ * below the highest top. Here nothing is left out: grids three times as fine around every mark,
+ * both sides apart, and a climb from every maximum of them that reaches 0.8 of the highest.
+ * Stresses come from the public function, so that nothing of the search is shared.
  *
  *     yield_survey HISTORIES [SEED]
  *
  * Random loads of P and Q, and of moment and tension; sharp, rounded and Hertz; nu 0 to 0.5. Then
- * as many contacts in full sliding. There the survey also checks what the library's search rests on:
+ * as many contacts in full sliding. There the survey also checks what the search rests on:
  *   - A maximum below the surface is the one that rwedge_subsurface_yield() gives, or a second one
  *     next to the corner x = a, at f > 0.25, lower than the surface's. None is left at f > 0.6.
  *   - On the surface there is one local maximum, and rwedge_surface_yield() finds it.

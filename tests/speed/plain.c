@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plain way to stresses and elastic limits, which times are compared with: the paper's series as
- * it stands and a search on a grid. */
+/* The plain way to stresses and elastic limits, which times are compared with: the paper's series
+ * as it stands and a search on a grid. */
 #include "works.h"
 
 #include <math.h>

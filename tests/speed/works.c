@@ -201,8 +201,8 @@ static double growing_loads(const work *w)
 
 /* ---- Loads without a closed form ---- */
 
-/* The tension lags behind Q by an eighth of a cycle; P, Q and tension may scatter. M goes with Q, so
- * many mm from it. The contact is destroyed. */
+/* The tension lags behind Q by an eighth of a cycle; P, Q and tension may scatter. M goes with
+ * Q, so many mm from it. The contact is destroyed. */
 static double follow(rwedge_contact *contact, double tolerance, double arm, double scatter, long n)
 {
     must(rwedge_contact_allow_error(contact, tolerance));

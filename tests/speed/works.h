@@ -70,8 +70,8 @@ extern const work works[WORKS];
 bool reserve_places(void);
 void release_places(void);
 
-/* The plain way: J2 by the paper's series of 60 terms as it stands, at n points; elastic limits of n
- * frictions by a search on a grid. */
+/* The plain way: J2 by the paper's series of 60 terms as it stands, at n points; elastic limits of
+ * n frictions by a search on a grid. */
 double plain_points(const work *w);
 double plain_limits(const work *w);
 

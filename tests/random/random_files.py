@@ -28,15 +28,22 @@ def random_text(draw):
     return "".join(draw.choice('",;\n\r\t \'x.é€𝄞0') for _ in range(draw.randint(0, 12)))
 
 
+def is_cell(value, text):
+    return str(value) == text.strip(" \t") if isinstance(value, (int, float)) else (value or "") == text
+
+
 def check_round_trip(program, draw):
     rows = [["P", "a"] + ["n%d" % i for i in range(draw.randint(1, 5))]]
     for _ in range(draw.randint(1, 8)):
         rows.append(["100", "1"] + [random_text(draw) for _ in rows[0][2:]])
     written = io.StringIO(newline="")
     csv.writer(written).writerows(rows)
-    status, out, err = solve(program, written.getvalue().encode(), CONTACT)
+    data = written.getvalue().encode()
+    status, out, err = solve(program, data, CONTACT)
     got = [row[:len(rows[0])] for row in csv.reader(io.StringIO(out.decode(), newline=""))]
-    if status != 0 or got != rows:
+    objects = json.loads(solve(program, data, ["--format", "json"] + CONTACT)[1])
+    as_json = all(is_cell(row[name], cell) for row, cells in zip(objects, rows[1:]) for name, cell in zip(rows[0], cells))
+    if status != 0 or got != rows or len(objects) != len(rows) - 1 or not as_json:
         sys.exit("FAILED: %r\n%r\nbecame %r (status %d, %r)" % (written.getvalue(), rows, got, status, err))
 
 

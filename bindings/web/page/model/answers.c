@@ -5,10 +5,10 @@
 #include "field_texts.h"
 #include "records.h"
 
-#include "model/cycle/measures.h"
-#include "model/results/verdict.h"
+#include "model/cycle/cycle.h"
+#include "model/results/results.h"
 
-#include "text/list.h"
+#include "text/text.h"
 #include "number/number.h"
 
 #include <rwedge.h>

@@ -4,8 +4,8 @@
 #include "pasted.h"
 #include "records.h"
 
-#include "model/reading/case_table.h"
-#include "model/results/verdict.h"
+#include "model/reading/reading.h"
+#include "model/results/results.h"
 
 /* The form gives what the columns do not, not even the other way, the radius for a, or another
  * pad. */

@@ -6,9 +6,9 @@
 #include "loop.h"
 #include "records.h"
 
-#include "model/cycle/stops.h"
+#include "model/cycle/cycle.h"
 #include "number/number.h"
-#include "text/memory.h"
+#include "text/text.h"
 
 #include <math.h>
 #include <stdio.h>

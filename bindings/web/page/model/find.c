@@ -3,7 +3,7 @@
 #include "field_texts.h"
 #include "records.h"
 
-#include "model/results/inverse.h"
+#include "model/results/results.h"
 
 /* Of the case of the form, whose own text of that input does not count: the number that gives the
  * safety, or why there is none. */

@@ -4,9 +4,9 @@
 #include "pasted.h"
 #include "records.h"
 
-#include "model/reading/load_row.h"
+#include "model/reading/reading.h"
 #include "number/number.h"
-#include "text/memory.h"
+#include "text/text.h"
 
 #include <inttypes.h>
 #include <stdio.h>

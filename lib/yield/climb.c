@@ -10,7 +10,8 @@
 enum { LINE = 7, CLIMB_MAX = 60 };
 
 /* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r. It
- * starts with FIRST, and with LATER where it goes on from a top. It ends at ROUGH when only the top must be told from others, and at LAST. */
+ * starts with FIRST, and with LATER where it goes on from a top. It ends at ROUGH when only the top
+ * must be told from others, and at LAST. */
 static const double FIRST_SPAN = 0.4, LATER_SPAN = 1e-4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7;
 
 /* The relative rise of J2 that counts as none. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every allocation of every public function fails in turn: only once, or from then on. The call
- * returns RWEDGE_ENOMEM, changes nothing and leaks nothing. When there is memory again, it gives the
- * same result as before.
+ * returns RWEDGE_ENOMEM, changes nothing and leaks nothing. When there is memory again, it gives
+ * the same result as before.
  *
  * With PROGRAM_HEAP this program defines the four functions of the heap itself. They stand before
  * those of glibc in every shared library too, so allocations of GSL and LAPACK count. Without
@@ -149,8 +149,8 @@ static void assert_same_again(const trial *t)
     assert_memory_equal(again, t->out, sizeof again);
 }
 
-/* A computed load may go by another trial, or without making its numbers fewer; or it is said not to
- * converge. */
+/* A computed load may go by another trial, or without making its numbers fewer; or it is said not
+ * to converge. */
 static void fail_each(const trial *t)
 {
     const size_t few = t->is_computed ? FEW_COMPUTED : FEW;
@@ -183,8 +183,8 @@ static trial trial_of(const public_call *call, bool is_computed)
     return best;
 }
 
-/* The header says of rwedge_contact_obstacle(), which gives a text, that it allocates too. Where the
- * object is changed, a copy of it is made. */
+/* The header says of rwedge_contact_obstacle(), which gives a text, that it allocates too. Where
+ * the object is changed, a copy of it is made. */
 static bool may_allocate(const entry *e)
 {
     return (e->errors & 1u << RWEDGE_ENOMEM) != 0 || e->text != NULL || e->changes_object;

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Loads of P, M, Q and bulk tension at random, as tests and joints have them. They are computed where
- * there is no closed form. Each load is done or it does not converge. One that is done leaves a shear
- * that is finite and within friction; one that is not leaves the contact as it was, to the last bit.
+/* Loads of P, M, Q and bulk tension at random, as tests and joints have them. They are computed
+ * where there is no closed form. Each load is done or it does not converge. One that is done leaves
+ * a shear that is finite and within friction; one that is not leaves the contact as it was, to the
+ * last bit.
  *
  *     random_loads HISTORIES [SEED]
  *
- * theta = A = a = 1, f = 0.1 to 1; the mean P is 0.2 to 20, in the logarithm: a/b from 0.1 to 3. There
- * are four kinds of history, of 24 loads after the first one, which is P and M alone:
+ * theta = A = a = 1, f = 0.1 to 1; the mean P is 0.2 to 20, in the logarithm: a/b from 0.1 to 3.
+ * There are four kinds of history, of 24 loads after the first one, which is P and M alone:
  *   steps under constant P and M; steps of P too, by a tenth; steps of P and M, by P b/10;
  *   a log: Q and tension swing, one after the other, and all four scatter by up to 3 %.
  * |Q| is up to 0.95 f P, in every sixteenth load f P; |sigma| up to 4 f P/(pi b).
  *
- * The claim fails if more than one load in 1000 does not converge, or if one takes more than LONGEST
- * seconds of the processor. */
+ * The claim fails if more than one load in 1000 does not converge, or if one takes more than
+ * LONGEST seconds of the processor. */
 #include "histories.h"
 #include "rwedge.h"
 

@@ -1,20 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge: finds the command, and does what all commands need. */
-#include "contact/input_options.h"
-#include "options/arguments.h"
-#include "options/command.h"
-#include "options/completion.h"
-#include "text/invocation.h"
-#include "text/list.h"
-#include "text/message.h"
-#include "text/nearest.h"
-#include "system/signals.h"
-#include "system/start.h"
+#include "system/system.h"
+#include "setup/setup.h"
 
 #include <errno.h>
 #include <string.h>
-
-#include <rwedge.h>
 
 static const command help_command;
 static const command *const commands[] = {&solve_command,  &table_command,    &profile_command,
@@ -50,7 +40,7 @@ NO_RETURN static void refuse_command(const char *name)
         list_add(allowed, sizeof allowed, ", ", "%s", commands[i]->name);
     if (name == NULL)
         usage_error("a command must follow; allowed: %s, --help, --version", allowed);
-    nearest to = nearest_to(name);
+    nearest_name to = nearest_to(name);
     for (int i = 0; i < COMMAND_COUNT; i++)
         nearest_try(&to, commands[i]->name);
     usage_error("%s: unknown command; %s%s%sallowed: %s", name,

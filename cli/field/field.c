@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge field: stresses on a grid below the surface. */
-#include "grid.h"
-#include "options/command.h"
-#include "text/message.h"
-#include "rows/output_options.h"
+#include "field.h"
 
 #include <math.h>
 

@@ -1,10 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "grid.h"
-
-#include "vtk.h"
-
-#include "text/message.h"
-#include "system/progress.h"
+#include "field.h"
 
 #include <math.h>
 

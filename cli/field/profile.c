@@ -1,12 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge profile: tractions, stress and slip along the surface. */
-#include "options/command.h"
-#include "text/message.h"
-#include "rows/output_options.h"
-#include "system/progress.h"
-#include "number/pi.h"
-#include "number/range.h"
-#include "contact/loaded_contact.h"
+#include "field.h"
 
 #include <math.h>
 

@@ -2,9 +2,7 @@
 /* The legacy format of VTK, version 3.0, ASCII. It has one quantity after the other. The stresses
  * are computed anew for every quantity. So a grid of any size takes no memory; and writing the
  * digits takes longer than computing. */
-#include "vtk.h"
-
-#include "system/progress.h"
+#include "field.h"
 
 #include <inttypes.h>
 #include <math.h>

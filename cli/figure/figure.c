@@ -1,21 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge figure: the paper's figures, and more, as pictures. */
-#include "kind.h"
+#include "figure.h"
 
-#include "options/command.h"
-#include "contact/notices.h"
-#include "fretting/criteria_options.h"
-#include "fretting/material_file.h"
-#include "picture/gnuplot.h"
-#include "text/list.h"
-#include "text/memory.h"
-#include "text/message.h"
-#include "rows/output_options.h"
+#include "fretting/fretting.h"
 
 #include <math.h>
 #include <string.h>
-
-#include <rwedge.h>
 
 enum { FIGURE_COUNT = 12 };
 static const figure *const figures[FIGURE_COUNT] = {

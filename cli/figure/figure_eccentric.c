@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "model/loads.h"
-#include "kind.h"
-#include "number/pi.h"
+#include "figure.h"
 
 #include <math.h>
 #include <stdio.h>
-
-#include <rwedge.h>
 
 /* The columns of the rows. */
 enum { SIGMA, X, SHEAR, STICK_LEFT, STICK_RIGHT };

@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contours of von Mises' stress below the contact. */
-#include "model/loads.h"
-#include "kind.h"
-#include "text/message.h"
+#include "figure.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-#include <rwedge.h>
 
 /* Rows are closer to each other near the surface, where the stress changes most. */
 enum { FIELD_COLUMNS = 241, FIELD_ROWS = 97 };

@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hysteresis loop of a cycle of Q under constant P: Q over the displacement by slip. Its area
  * is the energy dissipated: the part of the displacement in proportion to Q encloses none. */
-#include "kind.h"
-
-#include "number/pi.h"
+#include "figure.h"
 
 #include <math.h>
 #include <stdio.h>
-
-#include <rwedge.h>
 
 typedef struct {
     const figure_case *inputs;

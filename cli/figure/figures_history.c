@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "kind.h"
+#include "figure.h"
 
-#include "model/tensor.h"
-#include "fretting/history_cycle.h"
-#include "fretting/surface.h"
+#include "fretting/fretting.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figs. 3 to 5: the elastic limit, and where it yields. */
-#include "kind.h"
-
-#include "text/list.h"
+#include "figure.h"
 
 #include <math.h>
 #include <stdio.h>
-
-#include <rwedge.h>
 
 static const char surface[] = "surface", subsurface[] = "subsurface";
 

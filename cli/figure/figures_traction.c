@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figs. 2, 6 and 7: pressure, maximum tension, shear tractions. */
-#include "kind.h"
-
-#include "number/pi.h"
+#include "figure.h"
 
 #include <math.h>
 #include <stdio.h>
-
-#include <rwedge.h>
 
 /* x = sin t in equal steps of t: dense at the edges, where the tractions fall to 0 with a
  * vertical tangent. Below the first step there are eight places a decade, so many as the smallest

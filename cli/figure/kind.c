@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "kind.h"
-
-#include "text/message.h"
+#include "figure.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "criteria_options.h"
-
-#include "text/list.h"
-#include "text/message.h"
-#include "number/number.h"
+#include "fretting.h"
 
 #include <math.h>
 #include <string.h>

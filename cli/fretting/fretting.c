@@ -1,18 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* "rwedge fretting". */
-#include "criteria_options.h"
-#include "history_cycle.h"
-#include "material_file.h"
-#include "paraview.h"
-#include "worst.h"
-
-#include "options/command.h"
-#include "contact/notices.h"
-#include "options/threads.h"
-#include "rows/output_options.h"
-#include "system/ahead.h"
-#include "system/progress.h"
-#include "text/message.h"
+#include "fretting.h"
 
 #include <math.h>
 #include <string.h>
@@ -239,10 +227,10 @@ static bool is_deep(const measured *all)
 
 static void write_output(const arguments *line, const output_options *how, plan *job)
 {
-    worst_table verdict = job->worst;
-    verdict.is_verdict = true;
+    worst_table verdicts = job->worst;
+    verdicts.is_verdict = true;
     if (line->value[OPTION_AT_WORST] != NULL)
-        output_options_write(how, worst_write_rows, &verdict);
+        output_options_write(how, worst_write_rows, &verdicts);
     else if (is_for_paraview(how))
         output_options_write(how, paraview_write, &(measured_columns){&job->all, &job->last.asked});
     else

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "history_cycle.h"
+#include "fretting.h"
 
 static void note(const contact_case *setup, const rwedge_contact *contact, doubts *all)
 {

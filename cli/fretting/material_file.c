@@ -1,11 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "material_file.h"
-
-#include "criteria_options.h"
-
-#include "input/csv_input.h"
-#include "text/message.h"
-#include "number/number.h"
+#include "fretting.h"
 
 #include <errno.h>
 #include <inttypes.h>

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "paraview.h"
+#include "fretting.h"
 
-#include "field/vtk.h"
-#include "text/memory.h"
+#include "field/field.h"
 
 #include <stdlib.h>
 

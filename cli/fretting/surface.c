@@ -1,9 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface.h"
-
-#include "model/cycle/stops.h"
-#include "text/memory.h"
-#include "text/message.h"
+#include "fretting.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "worst.h"
-
-#include "text/list.h"
-#include "text/memory.h"
-#include "text/message.h"
-#include "number/pi.h"
+#include "fretting.h"
 
 #include <math.h>
 #include <stdlib.h>

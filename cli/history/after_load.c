@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "after_load.h"
-
-#include "model/results/peak.h"
-#include "text/message.h"
+#include "history.h"
 
 #include <math.h>
 
@@ -41,21 +38,21 @@ static double slip_size_at(const void *contact, double x)
     return rwedge_contact_slip(contact, 1, &x, &slip) == RWEDGE_OK ? fabs(slip) : NAN;
 }
 
-static int32_t edges(const contact_case *setup, const touching *zone, cell row[])
+static int32_t edges(const contact_case *setup, const touching *at, cell row[])
 {
-    const double edge[2] = {zone->left, zone->right}, surface[2] = {0, 0};
+    const double edge[2] = {at->left, at->right}, surface[2] = {0, 0};
     double sxx[2], syy[2], txy[2], left, right;
-    row[AFTER_LEFT] = cell_number(zone->left);
-    row[AFTER_RIGHT] = cell_number(zone->right);
-    row[AFTER_TILT] = cell_number(rwedge_contact_tilt(zone->contact));
-    row[AFTER_PEAK_PRESSURE] = cell_number(peak_pressure(setup, zone->contact));
+    row[AFTER_LEFT] = cell_number(at->left);
+    row[AFTER_RIGHT] = cell_number(at->right);
+    row[AFTER_TILT] = cell_number(rwedge_contact_tilt(at->contact));
+    row[AFTER_PEAK_PRESSURE] = cell_number(peak_pressure(setup, at->contact));
     row[AFTER_LARGEST_SLIP] =
-        cell_number(peak_over(zone->left, zone->right, slip_size_at, zone->contact));
-    if (rwedge_contact_stick_zone(zone->contact, &left, &right) == RWEDGE_OK) {
+        cell_number(peak_over(at->left, at->right, slip_size_at, at->contact));
+    if (rwedge_contact_stick_zone(at->contact, &left, &right) == RWEDGE_OK) {
         row[AFTER_STICK_LEFT] = cell_number(left);
         row[AFTER_STICK_RIGHT] = cell_number(right);
     }
-    const int32_t status = rwedge_contact_stresses(zone->contact, 2, edge, surface, sxx, syy, txy);
+    const int32_t status = rwedge_contact_stresses(at->contact, 2, edge, surface, sxx, syy, txy);
     if (status == RWEDGE_OK) {
         row[AFTER_TENSION_LEFT] = cell_number(sxx[0]);
         row[AFTER_TENSION_RIGHT] = cell_number(sxx[1]);
@@ -95,13 +92,13 @@ void after_load_compute(const contact_case *setup, const rwedge_contact *contact
                         after_load *row)
 {
     double factor = NAN;
-    touching zone = {.contact = contact};
+    touching at = {.contact = contact};
     int32_t status = RWEDGE_OK;
     for (int i = 0; i < AFTER_COUNT; i++)
         row->value[i] = cell_empty();
     loads(contact, number, row->value);
-    if (rwedge_contact_edges(contact, &zone.left, &zone.right) == RWEDGE_OK) {
-        status = edges(setup, &zone, row->value);
+    if (rwedge_contact_edges(contact, &at.left, &at.right) == RWEDGE_OK) {
+        status = edges(setup, &at, row->value);
         if (status == RWEDGE_OK)
             status = strength(setup, contact, &factor, row->value);
     }

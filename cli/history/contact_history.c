@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "contact_history.h"
-
-#include "text/message.h"
-#include "number/number.h"
+#include "history.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,13 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* "rwedge history". */
-#include "after_load.h"
-#include "point_rows.h"
-#include "series.h"
-
-#include "options/command.h"
-#include "contact/notices.h"
-#include "system/progress.h"
-#include "text/message.h"
+#include "history.h"
 
 #include <math.h>
 #include <string.h>

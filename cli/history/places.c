@@ -1,10 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "places.h"
-
-#include "contact/pairs.h"
-#include "text/memory.h"
-#include "text/message.h"
-#include "number/number.h"
+#include "history.h"
 
 #include <math.h>
 #include <stdlib.h>

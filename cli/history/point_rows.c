@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "point_rows.h"
-
-#include "system/progress.h"
-#include "text/message.h"
+#include "history.h"
 
 #include <string.h>
 
@@ -11,17 +8,17 @@ const char *const point_columns[POINT_COLUMNS] = {"load", "x",  "y",  "sxx",    
 
 /* ---- Columns that pass through ---- */
 
-void passed_check(const load_history *loads, const char *const results[], size_t count)
+void passed_check(const load_history *loads, const char *const columns[], size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         bool is_load = false;
         for (int n = INPUT_P; n <= INPUT_SIGMA; n++) {
             char name[INPUT_NAME_SIZE];
-            is_load = is_load || strcmp(results[i], input_column(n, name)) == 0;
+            is_load = is_load || strcmp(columns[i], input_column(n, name)) == 0;
         }
-        if (!is_load && header_has(&loads->names, results[i]))
+        if (!is_load && header_has(&loads->names, columns[i]))
             failure("%s: column %s: a result has that name; allowed: any other", loads->name,
-                    results[i]);
+                    columns[i]);
     }
 }
 

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "series.h"
+#include "history.h"
 
-#include "field/vtk.h"
-#include "text/memory.h"
-#include "text/message.h"
+#include "field/field.h"
 
-#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <jansson.h>
 
 /* ---- One load ---- */
 

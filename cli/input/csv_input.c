@@ -2,11 +2,7 @@
 /* The only file that knows libcsv. Callers ask for one row after the other, but libcsv's parser
  * calls back for whatever it is given. So it is given a row at a time: the lines up to one at whose
  * end no quote is open. */
-#include "csv_input.h"
-
-#include "text_input.h"
-#include "text/memory.h"
-#include "text/message.h"
+#include "input.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

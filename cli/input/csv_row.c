@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "csv_row.h"
-
-#include "text/memory.h"
+#include "input.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The only file that knows iconv. */
-#include "text_input.h"
+#include "input.h"
 
-#include "system/files.h"
-#include "text/memory.h"
-#include "text/message.h"
-#include "text/utf8.h"
+#include "system/system.h"
 
 #include <errno.h>
 #include <inttypes.h>

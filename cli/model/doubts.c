@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "doubts.h"
+#include "model.h"
 
-#include "text/list.h"
+#include "text/text.h"
 #include "number/number.h"
 
 #include <math.h>
 #include <stdio.h>
-
-#include <rwedge.h>
 
 /* Beside the library's bits. */
 enum { DOUBT_STATE = 1 << 20, DOUBT_SLOPE = 1 << 21 };

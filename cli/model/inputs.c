@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "inputs.h"
+#include "model.h"
 
-#include "text/list.h"
+#include "text/text.h"
 #include "number/number.h"
 
 #include <math.h>
@@ -92,14 +92,14 @@ bool input_is_given(const input_texts *texts, int input)
 static void add_hint(const input_texts *texts, int input, char complaint[COMPLAINT_SIZE])
 {
     const char *text = texts->text[input];
-    const bool cell = texts->is_cell[input], comma = cell && texts->cell_decimal_sign == ',';
+    const bool is_cell = texts->is_cell[input], comma = is_cell && texts->cell_decimal_sign == ',';
     if (input == INPUT_E1 && strcasecmp(text, "inf") == 0)
         list_add(complaint, COMPLAINT_SIZE, "; ", "a rigid body is body 2, with --E2 inf");
     else if (comma && strchr(text, '.') != NULL)
         list_add(complaint, COMPLAINT_SIZE, "; ", "the decimal sign is a comma");
     else if (!comma && strchr(text, ',') != NULL)
         list_add(complaint, COMPLAINT_SIZE, "; ", "the decimal sign is a point%s%s",
-                 cell ? ", or a comma " : "", cell ? texts->how_comma : "");
+                 is_cell ? ", or a comma " : "", is_cell ? texts->how_comma : "");
 }
 
 static bool is_in(double value, const input_kind *kind)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "loads.h"
+#include "model.h"
 
-#include "text/list.h"
+#include "text/text.h"
 #include "number/number.h"
 
 #include <math.h>

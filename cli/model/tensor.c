@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tensor.h"
+#include "model.h"
 
-#include "number/pi.h"
+#include "number/number.h"
 
 #include <math.h>
 

@@ -125,3 +125,14 @@ bool number_survives(const char *text, char decimal_sign, double *value)
     const size_t length = number_write(*value, NUMBER_DIGITS, decimal_sign, again);
     return strncmp(text, again, length) == 0 && text[length + strspn(text + length, " \t")] == '\0';
 }
+
+double number_rounded(double value, int digits)
+{
+    char text[NUMBER_SIZE];
+    double rounded = value;
+    if (isfinite(value) && digits < NUMBER_DIGITS) {
+        number_write(value, digits, '.', text);
+        number_read(text, &rounded);
+    }
+    return rounded;
+}

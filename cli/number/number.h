@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers as text, the same in every locale: the tool never calls setlocale(), so the decimal
- * sign is a point unless asked otherwise. */
 #ifndef CLI_NUMBER_H
 #define CLI_NUMBER_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* ---- number ---- Numbers as text, the same in every locale: the tool never calls setlocale(), so
+ * the decimal sign is a point unless asked otherwise. */
 
 /* How many characters at the start of text are a decimal number: sign, digits, point, exponent. 0
  * where no number starts there. Spaces, "inf", "nan" and hexadecimal numbers, which strtod() would
@@ -35,5 +37,82 @@ enum { NUMBER_SIZE = 32, NUMBER_DIGITS = 17 };
  * back to the same bits, and takes the shortest of 15, 16 and 17 digits that does. Returns the
  * length. */
 size_t number_write(double value, int digits, char decimal_sign, char text[NUMBER_SIZE]);
+
+/* The number with so many digits; one that is not finite stays as it is. */
+double number_rounded(double value, int digits);
+
+/* ---- cell ---- A cell of a table, and what its column holds. */
+
+/* A number as it was typed, with its text; or a text, whose number is NAN; or a number, whose text
+ * is NULL. A number without a text that is not finite is an empty cell. */
+typedef struct {
+    const char *text;
+    double number;
+} cell;
+
+static inline cell cell_number(double number)
+{
+    return (cell){NULL, number};
+}
+
+static inline cell cell_text(const char *text)
+{
+    return (cell){text, NAN};
+}
+
+/* CSV gives the text back, other formats the number. */
+static inline cell cell_typed(const char *text, double number)
+{
+    return (cell){text, number};
+}
+
+static inline cell cell_empty(void)
+{
+    return cell_text("");
+}
+
+/* What a column holds, and in which unit. */
+typedef struct {
+    const char *name, *meaning, *unit;
+} column_kind;
+
+/* ---- range ---- */
+
+/* The values that an option takes: START:STOP:STEP, a comma list, or one number. A value is
+ * computed from its index, so that a range of a thousand million values takes no more memory than
+ * one of three. */
+#define RANGE_VALUES_MAX INT64_C(1000000000)
+
+typedef struct {
+    int64_t count;
+    double *items; /* of a list; NULL for START:STOP:STEP */
+    double first, last, step;
+    double
+        power; /* of ten: the values are whole numbers over it; 0 where they have too many digits */
+    int64_t parts; /* of range_between; otherwise 0 */
+} range;
+
+/* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the
+ * option and the text. Numbers are 0, or 1e-60 to 1e60 in magnitude. */
+const char *range_read(const char *text, range *values);
+
+/* Says on stderr how a list was understood that may have been meant as one number, such as 0,5: two
+ * whole numbers, of which the first is 0 or the second begins with 0. */
+void range_say_two_values(const char *option, const char *text);
+
+/* The same of a pair that is a part of an option's value. Whether it was said. */
+bool range_say_pair(const char *option, const char *all, const char *text, size_t length);
+
+/* `count` values, at least 2, in equal steps. Between -x and x they are exact mirror images; 0 is
+ * among them if their number is odd. */
+range range_between(double first, double last, int64_t count);
+
+/* The value of index i, 0 <= i < count. */
+double range_value(const range *values, int64_t i);
+
+/* Whether lo <= value <= hi for every value; otherwise *outside is one that is not. */
+bool range_within(const range *values, double lo, double hi, double *outside);
+
+void range_free(range *values);
 
 #endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "range.h"
-
-#include "text/message.h"
 #include "number.h"
+
+#include "text/text.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "arguments.h"
+#include "options.h"
 
-#include "text/list.h"
-#include "text/memory.h"
-#include "text/message.h"
-#include "text/nearest.h"
+#include "text/text.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -44,7 +41,7 @@ static const struct {
     {"file", "output"}, {"out", "output"}, {"csv", "format"},
 };
 
-static void try_options(const struct poptOption *options, nearest *to)
+static void try_options(const struct poptOption *options, nearest_name *to)
 {
     for (; options->longName != NULL || options->argInfo != 0; options++) {
         if ((options->argInfo & POPT_ARG_MASK) == POPT_ARG_INCLUDE_TABLE) {
@@ -56,7 +53,7 @@ static void try_options(const struct poptOption *options, nearest *to)
         for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
             if (strcmp(to->typed, synonyms[i].usual) == 0 &&
                 strcmp(options->longName, synonyms[i].option) == 0)
-                *to = (nearest){to->typed, options->longName, 0};
+                *to = (nearest_name){to->typed, options->longName, 0};
         nearest_try(to, options->longName);
     }
 }
@@ -66,7 +63,7 @@ static void refuse_unknown(const syntax *grammar, const char *option)
     char allowed[512], name[40];
     const char *typed = option + strspn(option, "-");
     snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
-    nearest to = nearest_to(name);
+    nearest_name to = nearest_to(name);
     try_options(grammar->options, &to);
     if (to.name != NULL)
         usage_error("%s: unknown option; the nearest is --%s; \"%s --help\" lists all", option,

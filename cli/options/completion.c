@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Completion scripts for the shells. The help text of an option says what may follow it: words
  * between bars, a FILE, or something to type. */
-#include "completion.h"
+#include "options.h"
 
-#include "text/message.h"
+#include "text/text.h"
 
 #include <errno.h>
 #include <string.h>

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "threads.h"
+#include "options.h"
 
-#include "system/ahead.h"
-#include "system/processors.h"
-#include "text/message.h"
-#include "number/number.h"
+#include "text/text.h"
+#include "system/system.h"
 
 int threads_read(const arguments *line)
 {

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "variable.h"
+#include "options.h"
 
-#include "text/message.h"
-#include "number/number.h"
+#include "text/text.h"
 
 #include <math.h>
 #include <string.h>

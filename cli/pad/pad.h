@@ -1,11 +1,39 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shape of body 2. */
 #ifndef CLI_PAD_H
 #define CLI_PAD_H
 
-#include "pad_profile.h"
+#include <stdbool.h>
+#include <stddef.h>
 
 #include <rwedge.h>
+
+/* ---- pad_profile ---- The profile of a pad by its slopes at places, linear between them. */
+
+enum { PROFILE_PLACES = 1000 };
+
+typedef struct {
+    size_t count;
+    double x[PROFILE_PLACES], slope[PROFILE_PLACES];
+} pad_profile;
+
+/* What is wrong with it, and at which of the places that were given; or what the hull has changed.
+ */
+typedef struct {
+    size_t place;
+    char text[450];
+} profile_remark;
+
+/* Makes a profile from slopes. False, with the remark, where they are not convex. */
+bool pad_profile_of_slopes(size_t n, const double x[], const double slope[], pad_profile *to,
+                           profile_remark *remark);
+
+/* Makes a profile from heights above the surface: the slope of the line between two places is the
+ * slope in their middle. Where the hull is asked for, heights that are not convex are lowered to
+ * it, and the remark says by how much. False, with the remark, where they are not convex. */
+bool pad_profile_of_heights(size_t n, const double x[], const double height[], bool takes_hull,
+                            pad_profile *to, profile_remark *remark);
+
+/* ---- pad ---- The shape of body 2. */
 
 typedef enum { PAD_WEDGE, PAD_CYLINDER, PAD_FLAT, PAD_PROFILE } pad_kind;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "pad_profile.h"
+#include "pad.h"
 
-#include "text/list.h"
+#include "text/text.h"
 #include "number/number.h"
 
 #include <float.h>

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dataset.h"
-
-#include "text/memory.h"
+#include "picture.h"
 
 void dataset_add(dataset *to, data_row row)
 {
@@ -9,12 +7,12 @@ void dataset_add(dataset *to, data_row row)
     to->row[to->count++] = row;
 }
 
-size_t dataset_curve(const dataset *data, int curve, size_t *first)
+size_t dataset_curve(const dataset *data, int number, size_t *first)
 {
     size_t start = 0, end;
-    while (start < data->count && data->row[start].curve != curve)
+    while (start < data->count && data->row[start].curve != number)
         start++;
-    for (end = start; end < data->count && data->row[end].curve == curve; end++)
+    for (end = start; end < data->count && data->row[end].curve == number; end++)
         continue;
     *first = start;
     return end - start;

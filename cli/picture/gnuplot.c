@@ -1,10 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "gnuplot.h"
-
-#include "system/program.h"
-#include "system/streams.h"
-#include "text/memory.h"
-#include "text/message.h"
+#include "picture.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -14,8 +9,8 @@ enum { SCRIPT, PICTURE, COMPLAINTS, STREAMS }; /* numbered as gnuplot's standard
 
 /* What would change the picture: the locale, and the date in a PDF. Cairo 1.18 compresses the date
  * too, where remove_date() cannot see it. CAIRO_DEBUG_PDF tells it to compress nothing. */
-static const char *const variables[] = {"LC_ALL=C", "GNUTERM=dumb",      "SOURCE_DATE_EPOCH=0",
-                                        "TZ=UTC0",  "CAIRO_DEBUG_PDF=1", NULL};
+static const char *const settings[] = {"LC_ALL=C", "GNUTERM=dumb",      "SOURCE_DATE_EPOCH=0",
+                                       "TZ=UTC0",  "CAIRO_DEBUG_PDF=1", NULL};
 
 /* What a file holds, with a 0 after it. */
 static char *read_whole(FILE *file, size_t *length)
@@ -116,7 +111,7 @@ static void run(FILE *const stream[])
     /* without the user's own start file; from standard input itself gnuplot reads byte by byte */
     const char *const words[] = {"gnuplot", "--default-settings", program_input_name, NULL};
     program_end end;
-    const int error = program_run(words, variables, stream, &end);
+    const int error = program_run(words, settings, stream, &end);
     if (error == ENOENT)
         failure("gnuplot: not found on PATH; it draws the figures: install it (on Debian and "
                 "Ubuntu the package gnuplot-nox), or use --data");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes a drawing in the language of gnuplot 5. The data are in here-documents. */
-#include "gnuplot_script.h"
+#include "picture.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* CSV and TSV: one header row, no comments, quotes only where they are needed. CSV is that of
  * RFC 4180, except that records end in LF. */
-#include "records.h"
+#include "rows.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,10 +3,9 @@
  * It would build the whole array in memory, and print every number with the same digits. So the
  * frame of the array is written here. The numbers are those of the other formats, which are valid
  * in JSON too. */
-#include "records.h"
+#include "rows.h"
 
-#include "text/memory.h"
-#include "text/message.h"
+#include "text/text.h"
 
 #include <errno.h>
 #include <math.h>

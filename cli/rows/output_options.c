@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output_options.h"
+#include "rows.h"
 
-#include "text/list.h"
-#include "text/message.h"
-#include "system/progress.h"
-#include "system/streams.h"
-#include "system/target.h"
-#include "sheet/xlsx.h"
+#include "text/text.h"
+#include "sheet/sheet.h"
 
 #include <string.h>
 #include <strings.h>

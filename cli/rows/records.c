@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "records.h"
+#include "rows.h"
 
-#include "text/message.h"
+#include "text/text.h"
 
 bool records_go_on(const records *rows)
 {

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* XLSX. One sheet has the rows, or several have, below a header that does not scroll. Another says
  * what the columns mean, where that is known; the last, how the rows were made. */
-#include "spreadsheet.h"
+#include "rows.h"
 
-#include "text/invocation.h"
-#include "text/message.h"
-#include "sheet/xlsx.h"
+#include "text/text.h"
+#include "sheet/sheet.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -123,17 +122,6 @@ static void put_name(records *rows, const char *name)
     rows->column++;
 }
 
-static double with_digits(double value, int digits)
-{
-    char text[NUMBER_SIZE];
-    double rounded = value;
-    if (digits < NUMBER_DIGITS) {
-        number_write(value, digits, '.', text);
-        number_read(text, &rounded);
-    }
-    return rounded;
-}
-
 /* Six to nine digits are shown; the cell holds them all. */
 static xlsx_style style_for(double value)
 {
@@ -151,7 +139,7 @@ static void put_value(records *rows, cell value)
         return;
     if (isfinite(value.number))
         xlsx_number(rows->book, rows->row, rows->column,
-                    with_digits(value.number, value.text != NULL ? NUMBER_DIGITS : rows->digits),
+                    number_rounded(value.number, value.text != NULL ? NUMBER_DIGITS : rows->digits),
                     style_for(value.number));
     else if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
         rows->problem =

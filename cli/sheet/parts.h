@@ -3,8 +3,7 @@
 #ifndef CLI_PARTS_H
 #define CLI_PARTS_H
 
-#include "system/streams.h"
-#include "xlsx.h"
+#include "sheet.h"
 
 #include <xlsxwriter.h>
 
@@ -25,5 +24,8 @@ struct xlsx {
 /* Remembers what went wrong first. Where memory is short, or its temporary folder is full, the
  * library leaves things out. Not all of its functions say so, but errno is set. */
 void xlsx_keep(xlsx *book, lxw_error error);
+
+/* Adds the styles and the colours to a file that begins. False where memory is short. */
+bool xlsx_make_styles(xlsx *book);
 
 #endif

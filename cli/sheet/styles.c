@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "styles.h"
-
 #include "parts.h"
 
 static void frame(lxw_format *style, lxw_color_t background)
@@ -57,15 +55,12 @@ static void style_cells(lxw_format *const style[])
     format_set_font_size(style[XLSX_VERDICT], 12);
     format_set_text_wrap(style[XLSX_VERDICT]);
     format_set_align(style[XLSX_VERDICT], LXW_ALIGN_VERTICAL_CENTER);
-    format_set_bold(style[XLSX_STATUS]);
     format_set_indent(style[XLSX_UNIT], 1);
     format_set_num_format(style[XLSX_NUMBER], "0.0#####");
     format_set_num_format(style[XLSX_SMALL], "0.0#######");
     format_set_num_format(style[XLSX_LARGE], "0.0##");
     format_set_num_format(style[XLSX_FIXED_4], "0.0000");
     format_set_num_format(style[XLSX_FIXED_6], "0.000000");
-    format_set_num_format(style[XLSX_LIMIT], "[>=1000000]\"infinite\";0.0000");
-    format_set_align(style[XLSX_LIMIT], LXW_ALIGN_RIGHT);
     format_set_num_format(style[XLSX_POWER], "0.00000E+00");
 }
 

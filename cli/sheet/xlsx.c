@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "xlsx.h"
-
-#include "number/number.h"
-#include "text/utf8.h"
 #include "parts.h"
-#include "styles.h"
+
+#include "text/text.h"
+#include "number/number.h"
 
 #include <errno.h>
 #include <math.h>
@@ -18,6 +16,15 @@
 const char *xlsx_missing(void)
 {
     return NULL;
+}
+
+void xlsx_keep(xlsx *book, lxw_error error)
+{
+    if (error == LXW_NO_ERROR &&
+        (errno == ENOMEM || errno == ENOSPC || errno == EIO || errno == EINTR || errno == EFBIG))
+        error = errno == ENOMEM ? LXW_ERROR_MEMORY_MALLOC_FAILED : LXW_ERROR_CREATING_TMPFILE;
+    if (book->error == LXW_NO_ERROR)
+        book->error = error;
 }
 
 /* ---- The file -------------------------------------------------------------------------------- */

@@ -1,15 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "batch.h"
+#include "solve.h"
 
-#include "contact/notices.h"
-#include "contact/profiles.h"
-#include "contact/table_header.h"
-#include "system/ahead.h"
-#include "text/memory.h"
-#include "text/message.h"
-#include "number/number.h"
-#include "system/progress.h"
-#include "model/reading/case_table.h"
+#include "setup/setup.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,17 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge solve: sizes, pressures, tension and strength of one contact, or of a file of them. */
-#include "batch.h"
-#include "options/command.h"
-#include "input/csv_input.h"
-#include "input/text_input.h"
-#include "options/threads.h"
-#include "text/message.h"
-#include "number/number.h"
-#include "model/results/inverse.h"
-#include "model/results/verdict.h"
+#include "solve.h"
 
-#include "contact/notices.h"
-#include "contact/load_history.h"
+#include "setup/setup.h"
 
 #include <string.h>
 

@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Results computed ahead. Threads take blocks of indices in turn, and put the results into a ring
  * of blocks. The caller empties the ring. Without threads the caller computes each block itself. */
-#include "ahead.h"
+#include "system.h"
 
-#include "signals.h"
-
-#include "text/memory.h"
-#include "text/message.h"
+#include "text/text.h"
 
 #include <pthread.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 enum {

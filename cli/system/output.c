@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output.h"
+#include "system.h"
 
-#include "text/message.h"
-#include "files.h"
-#include "signals.h"
-#include "target.h"
+#include "text/text.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -54,7 +51,7 @@ static void open_by_name(output *out, const char *path)
     case FILE_OTHER:
         open_directly(out, file_to_write(path));
         return;
-    case FILE_UNKNOWN: /* also a link that the system does not follow */
+    case FILE_NOT_KNOWN: /* also a link that the system does not follow */
         break;
     }
     refuse(out, errno);

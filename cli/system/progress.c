@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "progress.h"
+#include "system.h"
 
-#include "streams.h"
-#include "text/message.h"
+#include "text/text.h"
 
 #include <inttypes.h>
 #include <signal.h>

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "flat_pad.h"
+#include "table.h"
 
-#include "model/results/peak.h"
-#include "number/pi.h"
+#include "model/results/results.h"
 
 #include <math.h>
 

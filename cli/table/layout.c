@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "layout.h"
+#include "table.h"
 
-#include "system/ahead.h"
-#include "text/list.h"
-#include "text/message.h"
-#include "system/progress.h"
+#include "text/text.h"
 
 #include <rwedge.h>
 

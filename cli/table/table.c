@@ -1,13 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge table: lookup tables. */
-#include "options/command.h"
-#include "system/ahead.h"
-#include "flat_pad.h"
-#include "layout.h"
-#include "options/threads.h"
-#include "text/list.h"
-#include "text/message.h"
-#include "rows/output_options.h"
+#include "table.h"
+
+#include "text/text.h"
 
 #include <math.h>
 #include <stdlib.h>

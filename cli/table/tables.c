@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tables.h"
-
-#include "flat_pad.h"
+#include "table.h"
 
 #include <math.h>
 #include <string.h>

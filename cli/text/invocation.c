@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "invocation.h"
+#include "text.h"
 
-#include "utf8.h"
-
-#include <stdbool.h>
 #include <string.h>
 
 enum { LINE = 1024 };

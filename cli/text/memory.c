@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "memory.h"
+#include "text.h"
 
-#include "message.h"
-
-#include <stdbool.h>
 #include <stdlib.h>
 
 void *memory_checked(void *memory)

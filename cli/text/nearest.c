@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "nearest.h"
+#include "text.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -30,13 +30,13 @@ static size_t distance(const char *a, const char *b)
 
 /* One mistake, and one more for every three letters; in one or two letters there is none to
  * make. */
-nearest nearest_to(const char *typed)
+nearest_name nearest_to(const char *typed)
 {
     const size_t length = strlen(typed);
-    return (nearest){typed, NULL, length < 3 ? 1 : 2 + length / 3};
+    return (nearest_name){typed, NULL, length < 3 ? 1 : 2 + length / 3};
 }
 
-void nearest_try(nearest *to, const char *name)
+void nearest_try(nearest_name *to, const char *name)
 {
     const size_t length = strlen(to->typed);
     if (length == 0 || length > LENGTH_MAX || strlen(name) > LENGTH_MAX)

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "about.h"
-
-#include "text/invocation.h"
+#include "workbook.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inputs left, results right, named as "solve --input" names its columns; then the working cells,
  * which are hidden. A row refers to itself and to the tables alone: it may be copied. */
-#include "batch_sheet.h"
-
-#include "workbook/case/formula.h"
-#include "workbook/case/shown.h"
+#include "workbook.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,14 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "book.h"
-
-#include "text/memory.h"
-#include "text/message.h"
-#include "workbook/calculator/calculator.h"
-#include "workbook/calculator/working.h"
-#include "workbook/tables/look_up.h"
-#include "workbook/tables/table_sheets.h"
-#include "about.h"
-#include "batch_sheet.h"
+#include "workbook.h"
 
 #include <stdlib.h>
 

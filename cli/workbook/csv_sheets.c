@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "csv_sheets.h"
+#include "workbook.h"
 
-#include "input/csv_input.h"
-#include "model/reading/header.h"
-#include "rows/spreadsheet.h"
-#include "table/tables.h"
-#include "text/memory.h"
-#include "text/message.h"
-#include "text/utf8.h"
+#include "rows/rows.h"
+
+#include "input/input.h"
+#include "table/table.h"
 
 #include <inttypes.h>
 #include <stdio.h>

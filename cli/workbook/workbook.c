@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge workbook: the spreadsheet that computes. */
-#include "options/command.h"
-#include "system/streams.h"
-#include "text/message.h"
-#include "book.h"
-#include "csv_sheets.h"
-#include "rows/output_options.h"
-#include "sheet/xlsx.h"
+#include "workbook.h"
+
+#include "rows/rows.h"
 
 static const struct poptOption options[] = {
     {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,

@@ -24,6 +24,6 @@ exports="$exports $(python3 -B "$top/bindings/interface/header.py" --names "$top
 cli=$top/cli
 # shellcheck disable=SC2046
 sh "$here/../link.sh" ../page/page.wasm -D_XOPEN_SOURCE=700 -I"$top/include" -I"$cli" -Isources/libcsv \
-    "$here"/model/*.c "$cli"/model/*.c "$cli"/model/*/*.c "$cli"/pad/*.c "$cli"/contact/pairs.c "$cli"/contact/profiles.c "$cli"/text/list.c "$cli"/text/memory.c "$cli"/number/number.c "$cli"/text/utf8.c \
+    "$here"/model/*.c "$cli"/model/*.c "$cli"/model/*/*.c "$cli"/pad/*.c "$cli"/input/pairs.c "$cli"/input/profiles.c "$cli"/text/list.c "$cli"/text/memory.c "$cli"/number/number.c "$cli"/text/utf8.c \
     "$cli"/input/csv_input.c "$cli"/input/csv_row.c sources/libcsv/libcsv.c $(printf -- '-Wl,--export=%s ' $exports)
 node "$here/make/page.mjs" "$folder" "$output" "$(clang --version | head -n 1)"

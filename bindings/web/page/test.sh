@@ -32,7 +32,7 @@ for words in 'GNU GENERAL PUBLIC LICENSE' 'Permission to use, copy, modify' 'd3-
 done
 # The verdicts are those of the workbook. Texts may be C strings over several lines: they are joined first.
 joined() { tr -d '"\n' <"$1" | sed 's/\\//g; s/  */ /g'; }
-workbook=$(joined "$top/cli/workbook/calculator/calculator.c") model=$(joined "$top/cli/model/results/verdict.c")
+workbook=$(joined "$top/cli/workbook/calculator.c") model=$(joined "$top/cli/model/results/verdict.c")
 for words in 'CHECK THE INPUTS:' 'SLIDES: Q is above f P, there is no equilibrium.' \
     'YIELDS: P is above the load at first yield in full sliding.' \
     'CAUTION: no yield stress is given, so there is no safety'; do

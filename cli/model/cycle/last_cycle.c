@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "last_cycle.h"
+#include "cycle.h"
 
-#include "model/tensor.h"
-#include "text/memory.h"
+#include "text/text.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "material.h"
-
-#include "criteria.h"
+#include "cycle.h"
 
 #include <math.h>
 #include <string.h>
-
-#include <rwedge.h>
 
 const char *const material_names[MATERIAL_COUNT] = {"swt_limit",
                                                     "fs_limit",

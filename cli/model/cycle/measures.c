@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "measures.h"
-
-#include <rwedge.h>
+#include "cycle.h"
 
 static const char of_z[] = "from its normal to the plane of x and y, 0 to 90 deg";
 static const char of_plane[] = "that of its plane";

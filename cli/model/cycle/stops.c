@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "stops.h"
+#include "cycle.h"
 
-#include "number/pi.h"
-#include "text/memory.h"
+#include "text/text.h"
+#include "number/number.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case_table.h"
+#include "reading.h"
 
 #include <math.h>
 #include <stdio.h>

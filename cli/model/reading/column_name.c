@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "column_name.h"
+#include "reading.h"
 
-#include "text/utf8.h"
+#include "text/text.h"
 
 #include <ctype.h>
 #include <string.h>

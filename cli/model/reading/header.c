@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "header.h"
+#include "reading.h"
 
-#include "column_name.h"
-#include "text/list.h"
-#include "number/number.h"
+#include "text/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -213,11 +211,11 @@ static bool looks_like_number(const char *text)
     return number_read_cell(bare, '.', &number) || number_read_cell(bare, ',', &number);
 }
 
-void header_note_unused(const header *names, const char *const cell[], bool unused[HEADER_COLUMNS])
+void header_note_unused(const header *names, const char *const cells[], bool unused[HEADER_COLUMNS])
 {
     for (size_t i = 0; i < names->count; i++)
         if (!names->is_used[i] && !unused[i])
-            unused[i] = looks_like_number(cell[i]);
+            unused[i] = looks_like_number(cells[i]);
 }
 
 void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS], char *text,

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "load_row.h"
-
-#include "number/number.h"
+#include "reading.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -35,7 +33,7 @@ static bool read_cell(const char *text, int input, char decimal_sign, double *va
 }
 
 /* Moment and tension are 0 where they have no column. */
-bool load_row_read(const header *names, const char *const cell[], size_t count, char separator,
+bool load_row_read(const header *names, const char *const cells[], size_t count, char separator,
                    char decimal_sign, load *to, char complaint[COMPLAINT_SIZE])
 {
     double value[INPUT_COUNT] = {0};
@@ -43,7 +41,7 @@ bool load_row_read(const header *names, const char *const cell[], size_t count, 
         return false;
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         if (header_has_input(names, i) &&
-            !read_cell(cell[names->column[i]], i, decimal_sign, &value[i], complaint))
+            !read_cell(cells[names->column[i]], i, decimal_sign, &value[i], complaint))
             return false;
     *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
     return true;

@@ -1,15 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "inverse.h"
-
-#include "sliding.h"
-
-#include "number/number.h"
+#include "results.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-#include <rwedge.h>
 
 const char inverse_names[] = "radius, a, P, f";
 

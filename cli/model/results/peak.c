@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "peak.h"
-
-#include "number/pi.h"
+#include "results.h"
 
 #include <math.h>
 #include <stdlib.h>

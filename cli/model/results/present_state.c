@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "present_state.h"
-
-#include "peak.h"
+#include "results.h"
 
 #include <math.h>
-
-#include <rwedge.h>
 
 /* The pressure's top and its values at x = -a and a have no closed form under a moment. */
 static void tilted(const contact_case *setup, double b, cell row[])

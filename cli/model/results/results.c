@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
-#include "present_state.h"
-#include "sliding.h"
-#include "text/list.h"
+#include "text/text.h"
 
 #include <math.h>
 #include <stdio.h>
-
-#include <rwedge.h>
 
 const column_kind result_kinds[RESULT_COUNT] = {
     [RESULT_A] = {"A", "composite compliance", "1/stress"},

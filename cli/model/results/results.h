@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What "rwedge solve" answers about one contact. */
 #ifndef CLI_RESULTS_H
 #define CLI_RESULTS_H
 
-#include "model/doubts.h"
-#include "number/cell.h"
+#include "model/model.h"
+#include "number/number.h"
+
+/* ---- results ---- What "rwedge solve" answers about one contact. */
 
 enum {
     RESULT_A,
@@ -64,5 +65,73 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
 
 /* Adds to the warnings. */
 void results_warn(results *answer, const char *warning);
+
+/* ---- present_state ---- The results under a moment or a bulk tension, or after a history, from a
+ * contact in that state. */
+
+/* Corrects the results that were computed without moment and tension; those that do not hold become
+ * empty. Returns the library's status, and rwedge_contact_error() in *error. */
+int32_t results_of_state(const contact_case *setup, cell row[], double *error);
+
+/* ---- sliding ---- The strength of a pad in full sliding where it has no formulas: from its
+ * contact. */
+
+/* Adds the results for full sliding to those of the present state. Returns the library's status. */
+int32_t results_of_sliding(const contact_case *setup, cell row[]);
+
+/* The value of P, f or the radius with which first yield, in full sliding, is at `safety` times the
+ * load of the case; the case has 1 for this input. NAN where there is none within the known part of
+ * the pad. */
+double sliding_find(const contact_case *setup, int input, double safety);
+
+/* ---- peak ---- The largest value of a function over a contact. */
+
+/* NAN where it has no value, which no peak is. */
+typedef double peak_function(const void *context, double x);
+
+/* Finds the largest value at places that are dense at the edges, and then around the best place, to
+ * 1e-10 of the distance of its neighbours. */
+double peak_over(double left, double right, peak_function *f, const void *context);
+
+/* The largest pressure of a contact in its present state, a magnitude; NAN where it is infinite, or
+ * not known. */
+double peak_pressure(const contact_case *setup, const rwedge_contact *contact);
+
+/* ---- inverse ---- The input with which a contact has a safety. */
+
+/* The input of a name, "radius"; INPUT_COUNT where it is none that can be looked for. */
+int inverse_input(const char *name);
+
+/* The names that inverse_input() accepts, for a message. */
+extern const char inverse_names[];
+
+/* Finds the radius, a, P or f with which P_yield/P, in full sliding, is `safety`, and reads the
+ * case with it. The texts give the other inputs; their text of this input and of its alternative is
+ * ignored. False, with the complaint, where there is no such value. */
+bool inverse_find(const input_texts *texts, int input, double safety, contact_case *setup,
+                  double *value, char complaint[COMPLAINT_SIZE]);
+
+/* ---- verdict ---- The verdict: a summary of all results of a contact. */
+
+typedef struct {
+    const char *colour; /* green, amber or red */
+    char strength[400]; /* one sentence or two: by which factor it is elastic, where it yields */
+    double factor;      /* the one that counts, of the first sentence; NAN where there is none */
+    char text[1200];    /* its state in a word, and what is doubtful */
+} verdict;
+
+/* The style of its sentences. */
+typedef struct {
+    char decimal_sign;
+    const char *length; /* the unit, or "" */
+} verdict_style;
+
+/* The verdict goes by the yield factor of the present loads; where that is not computed, by full
+ * sliding. */
+verdict verdict_of(const results *answer, verdict_style style);
+
+/* The verdict on a contact that the library refuses with this status; RWEDGE_OK means that its
+ * inputs are wrong. */
+verdict verdict_of_fault(int32_t status, const char *complaint);
 
 #endif

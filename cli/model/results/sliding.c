@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "sliding.h"
+#include "results.h"
 
 #include <math.h>
 

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verdict.h"
+#include "results.h"
 
-#include "text/list.h"
-#include "number/number.h"
+#include "text/text.h"
 
 #include <stdio.h>
-
-#include <rwedge.h>
 
 /* ---- Strength ---- */
 

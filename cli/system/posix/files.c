@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "system/files.h"
+#include "system/system.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -10,7 +10,7 @@ file_kind file_kind_of(const char *path)
 {
     struct stat file;
     if (stat(path, &file) != 0)
-        return errno == ENOENT ? FILE_ABSENT : FILE_UNKNOWN;
+        return errno == ENOENT ? FILE_ABSENT : FILE_NOT_KNOWN;
     return S_ISREG(file.st_mode) ? FILE_REGULAR : S_ISDIR(file.st_mode) ? FILE_FOLDER : FILE_OTHER;
 }
 

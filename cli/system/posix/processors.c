@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "system/processors.h"
+#include "system/system.h"
 
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "system/program.h"
+#include "system/system.h"
 
 #include <errno.h>
 #include <spawn.h>
@@ -10,7 +10,7 @@ extern char **environ;
 
 const char program_input_name[] = "/dev/stdin";
 
-static int start(const char *const words[], FILE *const streams[3], pid_t *process)
+static int spawn(const char *const words[], FILE *const streams[3], pid_t *process)
 {
     posix_spawn_file_actions_t actions;
     int error = posix_spawn_file_actions_init(&actions);
@@ -32,7 +32,7 @@ int program_run(const char *const words[], const char *const variables[], FILE *
     for (int i = 0; variables[i] != NULL; i++)
         if (putenv((char *)variables[i]) != 0)
             return errno;
-    const int error = start(words, streams, &process);
+    const int error = spawn(words, streams, &process);
     if (error != 0)
         return error;
     while (waitpid(process, &status, 0) < 0)

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "system/signals.h"
-
-#include "text/message.h"
-#include "system/progress.h"
+#include "text/text.h"
+#include "system/system.h"
 
 #include <signal.h>
-#include <stddef.h>
 #include <string.h>
 #include <unistd.h>
 

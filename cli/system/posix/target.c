@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "system/target.h"
+#include "system/system.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -57,10 +57,10 @@ static bool look_at(const char *path, int standard_stream, struct stat *file)
            S_ISREG(file->st_mode);
 }
 
-bool target_is_input(const char *output, const char *input)
+bool target_is_input(const char *to, const char *from)
 {
     struct stat out, in;
-    return look_at(output, STDOUT_FILENO, &out) && look_at(input, STDIN_FILENO, &in) &&
+    return look_at(to, STDOUT_FILENO, &out) && look_at(from, STDIN_FILENO, &in) &&
            out.st_dev == in.st_dev && out.st_ino == in.st_ino;
 }
 

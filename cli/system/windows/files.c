@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "system/files.h"
-
 #include "shared.h"
+#include "system/system.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <io.h>
-#include <stdbool.h>
 #include <string.h>
 
 file_kind file_kind_of(const char *path)
@@ -14,7 +12,7 @@ file_kind file_kind_of(const char *path)
     BY_HANDLE_FILE_INFORMATION known;
     const HANDLE file = open_shared(path, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
     if (file == INVALID_HANDLE_VALUE)
-        return errno == ENOENT ? FILE_ABSENT : FILE_UNKNOWN;
+        return errno == ENOENT ? FILE_ABSENT : FILE_NOT_KNOWN;
     const bool on_disk = GetFileType(file) == FILE_TYPE_DISK;
     const bool is_folder = on_disk && GetFileInformationByHandle(file, &known) != 0 &&
                            (known.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0;

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Windows tells a program in a thread of its own that it is to end. */
-#include "system/signals.h"
-
-#include "system/progress.h"
-#include "text/message.h"
+#include "text/text.h"
+#include "system/system.h"
 
 #include <io.h>
 #include <string.h>

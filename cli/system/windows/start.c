@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "system/start.h"
+#include "system/system.h"
 
 #include <fcntl.h>
 #include <io.h>

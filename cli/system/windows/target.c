@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "system/target.h"
-
 #include "shared.h"
+#include "system/system.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <io.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,10 +49,10 @@ static bool look_at(const char *path, DWORD standard_stream, BY_HANDLE_FILE_INFO
     return known;
 }
 
-bool target_is_input(const char *output, const char *input)
+bool target_is_input(const char *to, const char *from)
 {
     BY_HANDLE_FILE_INFORMATION out, in;
-    return look_at(output, STD_OUTPUT_HANDLE, &out) && look_at(input, STD_INPUT_HANDLE, &in) &&
+    return look_at(to, STD_OUTPUT_HANDLE, &out) && look_at(from, STD_INPUT_HANDLE, &in) &&
            out.dwVolumeSerialNumber == in.dwVolumeSerialNumber &&
            out.nFileIndexHigh == in.nFileIndexHigh && out.nFileIndexLow == in.nFileIndexLow;
 }

@@ -2,12 +2,10 @@
 /* Parts of the command-line tool that its tables reach not at all, or with too few values: texts in
  * CSV and JSON, and hundreds of thousands of numbers and ranges. */
 #include "claims.h"
-#include "sheet/xlsx.h"
-#include "text/nearest.h"
+#include "sheet/sheet.h"
+#include "text/text.h"
 #include "number/number.h"
-#include "number/range.h"
-#include "text/utf8.h"
-#include "rows/records.h"
+#include "rows/rows.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -251,7 +249,7 @@ CLAIM(the_nearest_name_is_the_one_that_was_meant)
                                            {"workbook", NULL},
                                            {"mu", NULL}};
     for (size_t i = 0; i < sizeof typed / sizeof typed[0]; i++) {
-        nearest to = nearest_to(typed[i][0]);
+        nearest_name to = nearest_to(typed[i][0]);
         for (size_t j = 0; j < sizeof names / sizeof names[0]; j++)
             nearest_try(&to, names[j]);
         if (typed[i][1] == NULL)

@@ -5,7 +5,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "claims.h"
-#include "system/ahead.h"
+#include "system/system.h"
 
 #include <signal.h>
 #include <pthread.h>

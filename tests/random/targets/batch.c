@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* "rwedge solve --input" on any file, from its header to the last row, with some of the options. */
-#include "rows/records.h"
-#include "solve/batch.h"
+#include "rows/rows.h"
+#include "solve/solve.h"
 #include "file.h"
 #include "input.h"
-#include "text/message.h"
+#include "text/text.h"
 #include "until_exit.h"
 
 static void set_constants(uint8_t kind, input_texts *constants)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The reader of CSV files. It comes to an end with any bytes, loses no letter, and its cells are
  * texts. It reads back what the writer has written. */
-#include "input/csv_input.h"
+#include "input/input.h"
 #include "file.h"
 #include "input.h"
-#include "rows/records.h"
-#include "text/message.h"
+#include "rows/rows.h"
+#include "text/text.h"
 #include "until_exit.h"
 
 #include <ctype.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ranges as text. A range is refused, or it is monotonic, from START and not beyond STOP. */
 #include "input.h"
-#include "number/range.h"
+#include "number/number.h"
 
 static void check_order(const range *values, const char *text)
 {

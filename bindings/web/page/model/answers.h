@@ -3,7 +3,7 @@
 #ifndef PAGE_ANSWERS_H
 #define PAGE_ANSWERS_H
 
-#include "model/contact_case.h"
+#include "model/model.h"
 
 /* Reads the case without its loads, which are given apart, and Poisson's ratio of body 1. In plane
  * stress the contact is one of Poisson's ratio 0. False where it is refused: the records say

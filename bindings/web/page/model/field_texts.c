@@ -3,7 +3,7 @@
 
 #include "pasted.h"
 
-#include "contact/profiles.h"
+#include "input/input.h"
 
 #include <stddef.h>
 #include <string.h>

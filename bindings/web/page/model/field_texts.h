@@ -3,7 +3,7 @@
 #ifndef PAGE_FIELD_TEXTS_H
 #define PAGE_FIELD_TEXTS_H
 
-#include "model/inputs.h"
+#include "model/model.h"
 
 /* From "name=text" of each input, a line each; it takes the lines apart in place. The text of
  * "profile" has its rows, that of "hull" the same for their convex hull. */

@@ -3,7 +3,7 @@
 #include "field_texts.h"
 #include "records.h"
 
-#include "model/results/inverse.h"
+#include "model/results/results.h"
 
 /* Of the case of the form, whose own text of that input does not count: the number that gives the
  * safety, or why there is none. */
@@ -19,8 +19,6 @@ EXPORTED const char *page_find(char *lines, const char *name, double safety)
         return records_end();
     }
     records_begin();
-    records_add("input");
-    records_text(name);
-    records_number(value);
+    records_add("input", "tn", name, value);
     return records_end();
 }

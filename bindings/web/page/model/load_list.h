@@ -3,7 +3,7 @@
 #ifndef PAGE_LOAD_LIST_H
 #define PAGE_LOAD_LIST_H
 
-#include "model/loads.h"
+#include "model/model.h"
 
 #include <stddef.h>
 

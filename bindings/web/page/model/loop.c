@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "loop.h"
 
-#include "text/memory.h"
+#include "text/text.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #ifndef PAGE_LOOP_H
 #define PAGE_LOOP_H
 
-#include "model/cycle/last_cycle.h"
+#include "model/cycle/cycle.h"
 
 /* Tangential load over displacement by slip, which encloses the energy of the cycle; or the shear
  * traction of a place over its slip, as long as it touches. */

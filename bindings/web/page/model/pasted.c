@@ -2,8 +2,8 @@
 /* The tool's reader of rows asks for a file of text: here it is a text in memory. */
 #include "pasted.h"
 
-#include "input/text_input.h"
-#include "text/message.h"
+#include "input/input.h"
+#include "text/text.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #ifndef PAGE_PASTED_H
 #define PAGE_PASTED_H
 
-#include "input/csv_row.h"
+#include "input/input.h"
 
 /* Cells stand between tabs as a spreadsheet gives them, or between ; or , as a file has them. The
  * text must outlive the input. */

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef CLI_FRETTING_H
+#define CLI_FRETTING_H
+
+#include "history/history.h"
+#include "model/cycle/cycle.h"
+
+/* ---- history_cycle ---- The last cycle of a history of loads that a command was given. */
+
+/* Goes through the history. Where doubts is not NULL it has those of the states after its loads. */
+void history_cycle(const contact_history *history, const criteria *asked, last_cycle *cycle,
+                   doubts *all);
+
+/* ---- surface ---- The places at which a cycle is looked at, and its measures there. */
+
+typedef struct {
+    double x, y;
+    measures at;
+    bool is_shown; /* among the rows that are written */
+} measured_place;
+
+/* Lines along x, one after the other, each of so many places with one y and ascending x. There is
+ * room for a worst place of each measure. */
+typedef struct {
+    measured_place *place;
+    size_t count, line; /* line: places of each; 0 where they are no lines */
+} measured;
+
+/* The places of --x or, where it is not given, from one side of the contact to the other, at each
+ * of the depths; of --at or --points as they are. */
+void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
+                    measured *all);
+
+/* The places by default, on the surface. False where there are none. */
+bool surface_usual(const last_cycle *cycle, measured *all);
+
+/* The measures of all places at a time. Returns the library's status, or RWEDGE_ENOMEM. */
+int32_t surface_measure(const last_cycle *cycle, measured *all);
+
+/* ---- criteria_options ---- Options of criteria of fatigue: which are asked for, and their
+ * constants. */
+
+/* OPTION_OF() a constant: those of a material that an option has too are in the same order. */
+enum {
+    OPTION_CONSTANTS = OPTION_AFTER_PLACES,
+    OPTION_CRITERIA = OPTION_CONSTANTS + MATERIAL_COUNT - MATERIAL_FS_K,
+    OPTION_PLANE_STRESS,
+    OPTION_ARCHARD,
+    OPTION_MATERIAL,
+    OPTION_AFTER_CRITERIA
+};
+#define OPTION_OF(constant) (OPTION_CONSTANTS + (constant)-MATERIAL_FS_K)
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
+extern struct poptOption criteria_option_table[];
+
+/* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
+ * from then on. */
+void criteria_read(arguments *line, const material *constants, criteria *all);
+
+/* When the contact is read: Fatemi and Socie's constant; then those of damage. */
+void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all);
+
+/* ---- material_file ---- A file of a material's constants, by name. */
+
+/* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants
+ * stand for options that are not given. What is wrong ends the command. */
+void material_read(const char *path, arguments *line, material *all);
+
+/* ---- worst ---- Where each column of "rwedge fretting" is worst, also between the places: a line,
+ * or a table. */
+
+/* The theory of critical distances: the stresses below a place of the surface, at half of a length,
+ * or their means over twice the length. */
+typedef struct {
+    double length, angle; /* NAN for none; from the surface's normal towards +x, deg */
+    bool is_line;         /* mean over twice the length; else the point at half of it */
+} distance;
+
+/* The value is NAN where the column is nowhere above 0; cycles but for damage. */
+typedef struct {
+    double x, y, value, cycles;
+} worst_row;
+
+typedef struct {
+    const last_cycle *last;
+    distance below;  /* where criteria count, beside the surface */
+    bool is_verdict; /* criteria alone are written; those of --criteria where it is given */
+    worst_row row[COLUMN_COUNT];
+} worst_table;
+
+void worst_find(const measured *all, worst_table *worst);
+
+/* Those between the places become places too. */
+void worst_add_places(const worst_table *worst, measured *all);
+
+/* "swt 1.2 at x = -0.3; swt_damage 0.01 at x = -0.3 (2 cycles)"; "" where
+ * there is none. Depths where they matter. */
+void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size);
+
+/* A row for each: a rows_writer of a worst_table. The life is "inf" for a run-out. */
+void worst_write_rows(void *of_worst, records *rows);
+
+/* ---- paraview ---- The columns of "rwedge fretting" as a file for ParaView. */
+
+typedef struct {
+    const measured *all;
+    const criteria *asked;
+} measured_columns;
+
+/* A rows_writer of a measured_columns: a grid of lines along x, else points. */
+void paraview_write(void *of_columns, records *rows);
+
+#endif

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef CLI_HISTORY_H
+#define CLI_HISTORY_H
+
+#include "rows/rows.h"
+#include "setup/setup.h"
+
+/* ---- contact_history ---- A contact and the loads it goes through, once or again and again. */
+
+enum { OPTION_CYCLES = OPTION_AFTER_LOADS, OPTION_UNTIL, OPTION_AFTER_HISTORY };
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
+extern struct poptOption history_option_table[];
+
+/* How often a command goes through the loads where --cycles is not given. */
+typedef struct {
+    int64_t cycles;
+    int64_t of_two; /* through two loads, to and fro; 0 where that makes no difference */
+} usual_cycles;
+
+typedef struct {
+    contact_case setup;
+    load_history before; /* applied once, before the first cycle; perhaps none */
+    load_history loads;
+    int64_t cycles; /* how often the table is gone through */
+    size_t steps;   /* how many loads are applied: all, or with --until those before the first that
+                       cannot be */
+    double error;   /* the largest rwedge_contact_error() after any of them */
+} contact_history;
+
+/* Reads the options, and a file that stands in place of --history, and tries every load: a load
+ * that cannot be applied ends the command, unless --until is given. Beside a file, --load gives
+ * loads before the first cycle. */
+void contact_history_read(const arguments *line, char decimal_sign, usual_cycles usage,
+                          contact_history *history);
+
+/* The file the loads come from; NULL where there is none. */
+const char *history_file(const arguments *line);
+
+/* The row of the table that the load of this step stands in. */
+size_t contact_history_row(const contact_history *history, size_t step);
+load contact_history_load(const contact_history *history, size_t step);
+
+/* The contact before its first cycle. */
+rwedge_contact *contact_history_begin(const contact_history *history);
+
+/* Applies the load of a step, which has been tried. */
+void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact);
+
+/* ---- places ---- The points of body 1 that are looked at: a list, a file of them, or a grid. */
+
+enum {
+    OPTION_AT = OPTION_AFTER_HISTORY,
+    OPTION_POINTS,
+    OPTION_X,
+    OPTION_DEPTH,
+    OPTION_AFTER_PLACES
+};
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
+extern struct poptOption place_option_table[];
+
+typedef struct {
+    double *x, *y;
+    size_t count; /* 0 where no option gives any */
+    /* of a grid, whose points are row by row, x fastest; 0 and 0 for other places */
+    size_t columns, rows;
+} places;
+
+/* Reads --at or --points; or --x with --depth, which is 0 by default. Free them. */
+void places_read(const arguments *line, char decimal_sign, places *to);
+void places_free(places *at);
+
+/* Refuses an output that is the file of loads or of points. */
+void places_spare_files(const arguments *line, const output_options *how);
+
+/* Reads --depth alone: 0 by default. Free the range. */
+void places_read_depth(const arguments *line, range *depth);
+
+/* ---- after_load ---- What a contact is after a load: the row that "rwedge history" writes of it.
+ * */
+
+enum {
+    AFTER_LOAD,
+    AFTER_P,
+    AFTER_M,
+    AFTER_Q,
+    AFTER_SIGMA,
+    AFTER_LEFT,
+    AFTER_RIGHT,
+    AFTER_STICK_LEFT,
+    AFTER_STICK_RIGHT,
+    AFTER_TILT,
+    AFTER_PEAK_PRESSURE,
+    AFTER_TENSION_LEFT,
+    AFTER_TENSION_RIGHT,
+    AFTER_LARGEST_SLIP,
+    AFTER_ENERGY,
+    AFTER_YIELD_FACTOR,
+    AFTER_YIELD_X,
+    AFTER_YIELD_Y,
+    AFTER_WARNINGS,
+    AFTER_ERROR,
+    AFTER_COUNT
+};
+
+typedef struct {
+    const char *column, *meaning;
+} after_load_kind;
+extern const after_load_kind after_load_kinds[AFTER_COUNT];
+
+typedef struct {
+    cell value[AFTER_COUNT];
+    char warnings[512]; /* the text of their cell */
+    doubts doubts;
+} after_load;
+
+/* Of the load with that number. */
+void after_load_compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
+                        after_load *row);
+
+/* ---- point_rows ---- The stresses at points after each load, as rows. */
+
+/* The columns of the result, but for those of the file that pass through in front. */
+enum { POINT_COLUMNS = 11 };
+extern const char *const point_columns[POINT_COLUMNS];
+
+typedef struct {
+    const contact_history *history;
+    const places *at;
+} point_rows;
+
+/* A row for each load and point, the points of the first load first. */
+void point_rows_write(const point_rows *points, records *rows);
+
+/* The stress at one of the points; NAN where it is infinite. */
+tensor point_stress(const point_rows *points, const rwedge_contact *contact, size_t i);
+
+/* Columns of a file of loads that are no loads: they go in front of the results. */
+void passed_names(const load_history *loads, records *rows);
+void passed_cells(const load_history *loads, size_t row, records *rows);
+
+/* Refuses a column that has the name of a result. */
+void passed_check(const load_history *loads, const char *const columns[], size_t count);
+
+/* ---- series ---- The stresses at points after each load as files for ParaView: one for each load,
+ * and one that names them all. */
+
+/* Writes NAME_0001.vtk and so on, or NAME_b0001.vtk where the series that is replaced has those
+ * names, beside NAME.vtk.series, which is the output and comes last. The files of the series that
+ * is replaced are then removed. */
+void series_write(const point_rows *points, const arguments *line, const output_options *how);
+
+#endif

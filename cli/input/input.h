@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef CLI_INPUT_H
+#define CLI_INPUT_H
+
+#include "model/reading/reading.h"
+#include "text/text.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* ---- text_input ---- A file of text, read as UTF-8 whatever its encoding. What is no text is
+ * refused here, so that every format can write what was read. */
+
+typedef struct text_input text_input;
+
+/* Refuses an encoding that iconv does not know, by the name of --encoding. */
+void text_input_check(const char *encoding);
+
+/* Opens a file, or standard input where path is "-". The encoding is one that iconv knows; NULL is
+ * UTF-8, or UTF-16 where the file begins with its mark. */
+text_input *text_input_open(const char *path, const char *encoding);
+
+/* Why it cannot be opened, or read on; an empty text as long as it can. */
+const char *text_input_problem(const text_input *in);
+
+/* Reads whole characters into room for at least 4 bytes; *count is 0 at the end. False, with the
+ * problem, where it cannot be read, or has what is no text: the problem names the file, the line
+ * and the column, which is the number of the character in the line. */
+bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count);
+
+/* Whether it began with the mark that some programs put before Unicode; to be asked once it has
+ * been read from. */
+bool text_input_has_mark(const text_input *in);
+
+/* As messages call it. */
+const char *text_input_name(const text_input *in);
+
+void text_input_close(text_input *in);
+
+/* ---- csv_input ---- Rows of a CSV file (RFC 4180), one at a time: memory holds one row, however
+ * many there are. */
+
+/* A longer row, or one with more cells, does not belong to a table for this tool. */
+enum { CSV_ROW_BYTES = 1 << 20, CSV_ROW_CELLS = 1000 };
+
+typedef struct csv_input csv_input;
+
+typedef enum {
+    CSV_ROW,
+    CSV_MALFORMED, /* quotes are misplaced: the cells before that; the next line starts afresh */
+    CSV_END,
+    CSV_FAILED /* it cannot be read on: see the problem */
+} csv_event;
+
+/* Opens a file, or standard input where path is "-". Tabs separate where the name ends in .tsv, or
+ * where the first line has tabs but no separator; another separator where the first line names it,
+ * as "sep=;". The encoding is that of text_input. Ends the command where it cannot be read. */
+csv_input *csv_input_open(const char *path, char separator, const char *encoding);
+
+/* The same, but where it cannot be read only the problem says so, and there is no next row. */
+csv_input *csv_input_try(const char *path, char separator, const char *encoding);
+
+/* Reads the next row. Blank lines, and rows of empty cells, are no rows. A quote that is not closed
+ * ends the file: what it has taken may have been rows. */
+csv_event csv_input_next(csv_input *in);
+
+/* Whether the row has a quote over several lines. */
+bool csv_input_spans_lines(csv_input *in);
+
+/* Ends the file at this row, for the reason. */
+csv_event csv_input_stop(csv_input *in, const char *why);
+
+/* Why it cannot be read on, with the name and the line. */
+const char *csv_input_problem(const csv_input *in);
+
+/* Ends the command with this problem, or because the row that was read last is malformed. */
+NO_RETURN void csv_input_fail(const csv_input *in);
+
+/* The row that was read: its cells live until the next is. */
+size_t csv_input_count(const csv_input *in);
+const char *const *csv_input_cells(const csv_input *in);
+
+/* The whole row as it stands in the file, quotes and all. */
+const char *csv_input_row(csv_input *in);
+
+/* The line of the file on which it starts, from 1, and the file's name in messages. */
+int64_t csv_input_line(const csv_input *in);
+const char *csv_input_name(const csv_input *in);
+
+/* What stands between the cells: a comma, a semicolon, a tab, or what the file names. */
+char csv_input_separator(csv_input *in);
+
+/* Whether the file begins with the mark of Unicode. */
+bool csv_input_has_mark(const csv_input *in);
+
+/* The option that names the encoding, for a command's own table. It is checked by
+ * text_input_check(). */
+#define ENCODING_OPTION                                                                            \
+    "encoding", '\0', POPT_ARG_STRING, NULL, OPTION_ENCODING,                                      \
+        "Encoding of the file that is read, such as windows-1252 (default utf-8)", "NAME"
+
+void csv_input_close(csv_input *in);
+
+/* ---- csv_row ---- A row of a CSV file that stays while others are read. */
+
+typedef struct {
+    bool malformed;
+    int64_t line; /* of the file, on which it starts */
+    size_t count;
+    const char **cell;
+    const char *whole; /* as it stands in the file */
+    size_t bytes;      /* that it takes */
+} csv_row;
+
+/* Keeps the row that was read last. */
+void csv_row_keep(csv_input *in, bool malformed, csv_row *row);
+void csv_row_free(csv_row *row);
+
+/* ---- table_header ---- The header of a table that a file has. */
+
+/* Reads the first row, which is kept. Ends the command where there is none. */
+void table_header_read(csv_input *in, csv_row *row);
+
+/* Says which columns have numbers that nothing uses. */
+void table_header_say_unused(const header *names, const bool unused[HEADER_COLUMNS],
+                             const char *file);
+
+/* ---- pairs ---- A CSV file of which two columns are numbers: points, or a profile. */
+
+/* What the file must have. */
+typedef struct {
+    const char *first, *second, *instead; /* the last may be there for the second; or NULL */
+    const char *needed, *rows;            /* "x and y, the depth"; "points" */
+    size_t most;
+    /* what is wrong with such numbers, or NULL */
+    const char *(*complaint_about)(double first, double second);
+} pair_columns;
+
+typedef struct {
+    size_t count;
+    double *first, *second;
+    int64_t *line;      /* on which each stands */
+    const char *column; /* what the second is */
+    char unused[600];   /* columns with numbers that are not used */
+    char problem[600];  /* why it cannot be read, with the name of the file; "" where it can */
+} pairs;
+
+/* Reads it all, but for what follows a problem. Free it. */
+void pairs_read(const char *path, const char *encoding, char decimal_sign,
+                const pair_columns *wanted, pairs *to);
+void pairs_free(pairs *all);
+
+/* ---- profiles ---- The profiles of pads, each from a file of its name. */
+
+/* How the files are read that come next. */
+typedef struct {
+    char decimal_sign;
+    bool takes_hull;
+} profile_style;
+
+/* Reads a file, unless it has been read, and gives what is to be known of it: columns that are not
+ * used, the hull; or "". What is wrong with it is kept too. Not while threads look for profiles. */
+const char *profiles_read(const char *name, profile_style style);
+
+/* Those that have been read: of input_texts. */
+const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZE]);
+
+/* Forgets those that were read since so many had been. */
+size_t profiles_count(void);
+void profiles_forget(size_t count);
+
+#endif

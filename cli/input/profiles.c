@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "input.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    char *name;
+    pad_profile places;
+    char problem[600]; /* why it is none; "" */
+    char remark[900];
+} entry;
+
+/* All that have been read. */
+static entry **entries;
+static size_t entry_count;
+
+static entry *entry_named(const char *name)
+{
+    for (size_t i = 0; i < entry_count; i++)
+        if (strcmp(entries[i]->name, name) == 0)
+            return entries[i];
+    return NULL;
+}
+
+static entry *new_entry(const char *name)
+{
+    entry *made = memory_zeroed(1, sizeof *made);
+    made->name = memory_zeroed(strlen(name) + 1, 1);
+    strcpy(made->name, name);
+    entries = memory_for_one_more(entries, entry_count, sizeof *entries);
+    entries[entry_count++] = made;
+    return made;
+}
+
+static void take(const pairs *all, bool takes_hull, entry *to)
+{
+    static const char hull[] = "; --hull takes it";
+    profile_remark remark;
+    const bool taken =
+        strcmp(all->column, "height") == 0
+            ? pad_profile_of_heights(all->count, all->first, all->second, takes_hull, &to->places,
+                                     &remark)
+            : pad_profile_of_slopes(all->count, all->first, all->second, &to->places, &remark);
+    char text[sizeof to->problem] = "";
+    if (remark.text[0] != '\0')
+        list_add(text, sizeof text, "", "%.200s: line %" PRId64 ": %s%s", to->name,
+                 all->line[remark.place], remark.text,
+                 !taken && strstr(remark.text, "hull") != NULL ? hull : "");
+    strcpy(taken ? to->remark : to->problem, text);
+    if (all->unused[0] != '\0')
+        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, all->unused);
+}
+
+const char *profiles_read(const char *name, profile_style style)
+{
+    static const pair_columns wanted = {.first = "x",
+                                        .second = "slope",
+                                        .instead = "height",
+                                        .needed = "x, and slope or height",
+                                        .rows = "places",
+                                        .most = PROFILE_PLACES + 1};
+    pairs all;
+    if (entry_named(name) != NULL)
+        return "";
+    entry *to = new_entry(name);
+    pairs_read(name, NULL, style.decimal_sign, &wanted, &all);
+    if (all.problem[0] == '\0')
+        take(&all, style.takes_hull, to);
+    else
+        snprintf(to->problem, sizeof to->problem, "%s", all.problem);
+    pairs_free(&all);
+    return to->remark;
+}
+
+const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZE])
+{
+    const entry *known = entry_named(name);
+    if (known != NULL && known->problem[0] == '\0')
+        return &known->places;
+    snprintf(complaint, COMPLAINT_SIZE, "profile %.380s", known != NULL ? known->problem : name);
+    return NULL;
+}
+
+size_t profiles_count(void)
+{
+    return entry_count;
+}
+
+void profiles_forget(size_t count)
+{
+    while (entry_count > count) {
+        entry *last = entries[--entry_count];
+        free(last->name);
+        free(last);
+    }
+}

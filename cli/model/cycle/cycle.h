@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef CLI_CYCLE_H
+#define CLI_CYCLE_H
+
+#include "model/model.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* ---- measures ---- What a cycle of loads does to a place: the columns of "rwedge fretting", in
+ * words. */
+
+/* Of fatigue; NO_CRITERION of what is none. */
+enum {
+    NO_CRITERION = -1,
+    CRITERION_SWT,
+    CRITERION_FATEMI_SOCIE,
+    CRITERION_FINDLEY,
+    CRITERION_MODIFIED_WOHLER,
+    CRITERION_MCDIARMID,
+    CRITERION_CROSSLAND,
+    CRITERION_DANG_VAN,
+    CRITERION_SWT_DAMAGE,
+    CRITERION_FS_DAMAGE,
+    CRITERION_COUNT
+};
+
+/* The columns of a criterion: its value, the angles of its plane in degrees, and of damage the
+ * number of cycles. What is no criterion is a value. */
+typedef enum { PART_VALUE, PART_ANGLE, PART_OUT_OF_PLANE, PART_CYCLES, PART_COUNT } measure_part;
+
+/* Those without a name here are found by measure_column(). */
+enum {
+    MEASURE_STRESS_RANGE,
+    MEASURE_SWT,
+    MEASURE_SWT_ANGLE,
+    MEASURE_SLIP_RANGE = 5,
+    MEASURE_RUIZ_F1,
+    MEASURE_RUIZ_F2,
+    MEASURE_ENERGY_PER_AREA,
+    MEASURE_COUNT, /* those that are always there; the others follow where they are asked for */
+    COLUMN_WEAR = 30,
+    COLUMN_COUNT
+};
+
+typedef struct {
+    const char *column, *meaning, *unit;
+    int criterion;
+    measure_part part;
+    int32_t number; /* as the library calls the measure; -1 for none */
+} measure_kind;
+extern const measure_kind measure_kinds[COLUMN_COUNT];
+
+/* A part of a criterion; -1 where it has none. */
+int measure_column(int criterion, measure_part part);
+
+/* The criterion that a column has the value of; NO_CRITERION for other columns. */
+int measure_criterion(int column);
+
+/* ---- material ---- A material's constants, by name. */
+
+enum {
+    MATERIAL_SWT_LIMIT,
+    MATERIAL_FS_LIMIT,
+    MATERIAL_FINDLEY_LIMIT,
+    MATERIAL_LAMBDA,
+    MATERIAL_CROSSLAND_LIMIT,
+    MATERIAL_DANG_VAN_LIMIT,
+    MATERIAL_SF,
+    MATERIAL_B,
+    MATERIAL_EF,
+    MATERIAL_C,
+    MATERIAL_G,
+    MATERIAL_TF,
+    MATERIAL_B0,
+    MATERIAL_GF,
+    MATERIAL_C0,
+    MATERIAL_DK_TH,
+    MATERIAL_DS0,
+    /* From here on an input or an option has the same. */
+    MATERIAL_E,
+    MATERIAL_NU,
+    MATERIAL_YIELD_STRESS,
+    MATERIAL_FS_K,
+    MATERIAL_FINDLEY_K,
+    MATERIAL_KAPPA,
+    MATERIAL_T_A,
+    MATERIAL_SU,
+    MATERIAL_CROSSLAND_ALPHA,
+    MATERIAL_DANG_VAN_ALPHA,
+    MATERIAL_COUNT
+};
+extern const char *const material_names[MATERIAL_COUNT];
+
+typedef struct {
+    double value[MATERIAL_COUNT]; /* NAN where not given */
+} material;
+
+/* Without any constant. */
+material material_unknown(void);
+
+/* The constant of a name; -1 where none is known. */
+int material_constant(const char *name);
+
+/* Whether a name is a remark on the constants, such as their source. */
+bool material_is_remark(const char *name);
+
+/* The allowable value of a criterion; NAN where it is not known. */
+double material_allowable(const material *all, int criterion);
+
+/* Whether the curve of life of a criterion is known. */
+bool material_has_life(const material *all, int criterion);
+
+/* (dK_th/ds0)^2/pi; NAN where they are not known. */
+double material_length(const material *all);
+
+/* ---- criteria ---- Criteria of fatigue over all planes: which are asked for, and their constants.
+ * */
+
+typedef struct {
+    const char *name;
+    int constant; /* of the material; MATERIAL_COUNT: it needs none of its own */
+    int limit;    /* what it must not exceed, of the material; MATERIAL_COUNT: 1 */
+} criterion_kind;
+extern const criterion_kind criterion_kinds[CRITERION_COUNT];
+
+typedef struct {
+    bool is_listed;                  /* by --criteria; otherwise what has its constants is wanted */
+    bool is_wanted[CRITERION_COUNT]; /* with columns of its own */
+    bool is_plane_stress;
+    double nu;                 /* of body 1 */
+    double archard;            /* depth worn per energy and area; NAN for none */
+    const material *constants; /* NULL for none */
+    /* Of the library's criteria; NAN: not known. Fatemi and Socie's is k over the yield stress. Of
+     * damage it is that of its criterion. */
+    double constant[CRITERION_COUNT], su;
+} criteria;
+
+/* Whether a column is written. */
+bool column_is_wanted(const criteria *all, int column);
+
+/* The criteria by default: Smith, Watson and Topper's alone, in plane strain. */
+criteria criteria_usual(const contact_case *setup);
+
+/* Fatemi and Socie's constant, their k over the yield stress; NAN without a yield stress. */
+double criteria_fatemi_socie(const contact_case *setup, double k);
+
+/* ---- last_cycle ---- The last cycle of a history of loads, and what it does to a place. */
+
+/* The measures at one place; NAN where a measure has no value. */
+typedef struct {
+    double value[COLUMN_COUNT];
+} measures;
+
+typedef struct {
+    const contact_case *setup;
+    criteria asked;
+    rwedge_contact *before;    /* the contact before the cycle */
+    size_t loads;              /* of the cycle */
+    double *P, *M, *Q, *sigma; /* `loads` numbers each */
+    double *edges;             /* of contact and stick zone, in no order */
+    size_t edge_count;
+    double left, right; /* the outermost; NAN where there is no contact */
+    bool slip_known;    /* it has a closed form after every load */
+} last_cycle;
+
+/* Begins a cycle: copies the contact before it, and makes room for so many loads. */
+void last_cycle_begin(const contact_case *setup, const criteria *asked,
+                      const rwedge_contact *before, size_t room, last_cycle *cycle);
+
+/* Adds a load, which the contact is under. */
+void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle);
+
+/* To be called after the last load, before the measures. */
+void last_cycle_end(last_cycle *cycle);
+
+void last_cycle_free(last_cycle *cycle);
+
+/* The measures at n places. Returns the library's status, or RWEDGE_ENOMEM. Several threads may
+ * call it at a time. */
+int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
+                           measures at[]);
+
+/* The criteria, with the range, of stresses after all loads at n places: of each load one place
+ * after the other, sxx of all first, then syy and txy. */
+int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[]);
+
+/* Where a measure is largest on a line along x of n ascending places. `value` has the measure at
+ * the places, 0 where it is not known. Returns the library's status. */
+int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
+                         const double value[], double y, double *worst_x, double *worst_value);
+
+/* ---- stops ---- The places along x at which a cycle is evaluated. The edges of contact and stick
+ * zone after each load are among them, because stresses and slip have their peaks there. */
+
+typedef struct {
+    double x;
+    bool is_shown;
+} stop;
+
+typedef struct {
+    stop *stop; /* ascending; freed by free() */
+    size_t count;
+} stops;
+
+/* The places by default: across the contact and beyond. None where there is no contact. */
+stops stops_usual(const last_cycle *cycle);
+
+/* The given places, in any order, and the edges between them, which are not shown. */
+stops stops_at(const last_cycle *cycle, size_t n, const double x[]);
+
+#endif

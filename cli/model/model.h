@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef CLI_MODEL_H
+#define CLI_MODEL_H
+
+#include "pad/pad.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <rwedge.h>
+
+/* ---- inputs ---- The inputs that define a contact: for each its names as option and as column,
+ * its domain, and how its text is read. */
+
+enum {
+    INPUT_E1,
+    INPUT_NU1,
+    INPUT_E2,
+    INPUT_NU2,
+    INPUT_THETA,
+    INPUT_THETA_DEG,
+    INPUT_A,
+    INPUT_RADIUS,
+    INPUT_FLAT,
+    INPUT_PROFILE, /* a name, not a number */
+    INPUT_P,       /* the loads, up to sigma */
+    INPUT_M,
+    INPUT_Q,
+    INPUT_SIGMA,
+    INPUT_F,
+    INPUT_K,
+    INPUT_YIELD_STRESS,
+    INPUT_COUNT
+};
+
+typedef struct {
+    const char *option, *meaning, *argument; /* as the help of an option has them */
+    const char *unit;                        /* the dimension, as that of a result */
+    const char *subject;                     /* of a sentence */
+    double lo, hi;
+    bool open; /* the ends are not in the domain */
+    const char *domain;
+} input_kind;
+extern const input_kind input_kinds[INPUT_COUNT];
+
+/* Texts from options, or from the cells of a row, whose decimal sign may be a comma. */
+typedef struct {
+    const char *text[INPUT_COUNT]; /* NULL where not given; an empty cell is as good as none */
+    bool is_cell[INPUT_COUNT];
+    char cell_decimal_sign;
+    /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
+     * where else inputs are given, "columns or options", or NULL */
+    const char *how_comma, *where_else;
+    /* the profile of a name; NULL with the complaint where there is none. May itself be NULL */
+    const pad_profile *(*profile_named)(const char *name, char complaint[]);
+    /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
+    double tolerance;
+} input_texts;
+
+/* The tolerance where none is given. */
+extern const double usual_tolerance;
+
+/* What is wrong with the inputs: the line of a message, or the error of a row. */
+enum { COMPLAINT_SIZE = 400, INPUT_NAME_SIZE = 16 };
+
+/* The name of its column, "theta_deg". */
+const char *input_column(int input, char name[INPUT_NAME_SIZE]);
+
+/* The input that is an alternative to this one, as radius is to a; -1 where there is none. */
+int input_alternative(int input);
+
+/* The name of an input as the source of its text spells it: "theta_deg" in a file, "--theta-deg" as
+ * an option. */
+const char *input_name(const input_texts *texts, int input, char name[INPUT_NAME_SIZE]);
+
+/* Whether a text is there; an empty cell is none. */
+bool input_is_given(const input_texts *texts, int input);
+
+/* Reads an input that is given. False, with the complaint, where it is outside its domain. E2 may
+ * be HUGE_VAL, "inf"; the value of a profile is the number of its places. */
+bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE]);
+
+/* ---- loads ---- A load, how it is applied, and what is wrong with it where it cannot be. */
+
+typedef struct {
+    double P, M, Q, sigma;
+} load;
+
+/* Applies P and M, then Q and sigma together under constant P and M; returns the library's
+ * status. */
+int32_t loads_apply_monotonic(load to, rwedge_contact *contact);
+
+/* What is wrong with a load: which of its four numbers, INPUT_COUNT for none of them, and the rest
+ * of the sentence about it. */
+typedef struct {
+    int input;
+    char why[COMPLAINT_SIZE - 100]; /* a name and a text have room in front of it */
+    int32_t status;                 /* of the library */
+} load_fault;
+
+/* What is wrong with a load that the contact has refused with this status. The contact is as before
+ * the load. */
+load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact);
+
+/* Applies the next load of a history. False, with the reason, where the contact refuses it; the
+ * contact is then as before. */
+bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE]);
+
+/* ---- contact_case ---- One contact and its load, from the texts that give it. */
+
+typedef struct {
+    double E1, nu1, E2, nu2; /* E2 is HUGE_VAL where body 2 is rigid */
+    pad shape;
+    double P, M, Q, sigma, f;
+    double k;         /* NAN where not given */
+    double A;         /* composite compliance */
+    double beta;      /* Dundurs' second constant */
+    double tolerance; /* as the texts have it */
+    /* the contact that a history has brought to these loads; NULL: the loads came as
+     * loads_apply_monotonic() has them */
+    const rwedge_contact *after;
+} contact_case;
+
+/* What must be given beside the bodies and their shape. */
+typedef enum {
+    CASE_LOADS_APART, /* nothing: a history has the loads, and f may be 0 */
+    CASE_OF_HISTORY,  /* f: a history has the loads */
+    CASE_WITH_LOADS,  /* P */
+    CASE_OF_SOLVE     /* P; f too where Q, sigma or a yield stress is: 0 would look like a result */
+} case_needs;
+
+/* Checks which inputs are given. False, with the complaint, where two exclude each other, or a
+ * needed one is missing. */
+bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE]);
+
+/* Reads a case; loads and f are 0 where they are not given. False, with the complaint, where a
+ * value is wrong. */
+bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
+               char complaint[COMPLAINT_SIZE]);
+
+/* Makes the contact of a case, without loads; returns the library's status. Destroy the contact
+ * also after an error. */
+int32_t case_contact(const contact_case *setup, rwedge_contact **contact);
+
+/* Makes the contact under the loads of the case. */
+int32_t case_loaded(const contact_case *setup, rwedge_contact **contact);
+
+/* What is wrong with the loads of a case; nothing where they can be applied. */
+load_fault case_fault(const contact_case *setup);
+
+load case_load(const contact_case *setup);
+
+/* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
+double case_shear_ratio(const contact_case *setup);
+
+/* ---- doubts ---- What makes results doubtful: the bits of rwedge_validity(), the error of a
+ * computed contact, and their texts. */
+
+typedef struct {
+    int32_t bits;
+    double error; /* rwedge_contact_error(), 0 where there is a closed form */
+} doubts;
+
+/* The doubts about a contact with these edges, both 0 where it is separated; safety is P_yield/P,
+ * NAN where it is not known. */
+int32_t doubts_of(const contact_case *setup, double left, double right, double safety);
+
+/* The doubts about the present state of a contact. It may yield by P, or by a tension or moment
+ * under a P that alone would not make it yield. */
+doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact);
+
+/* The same where rwedge_contact_yield_factor() is known; NAN is not known. */
+doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor);
+
+/* Adds the doubts about another state; the error is the larger one. */
+void doubts_add(doubts *all, doubts more);
+
+/* Removes the first doubt and writes its text. False where none is left. */
+enum { DOUBT_SIZE = 200 };
+bool doubts_next(doubts *left, char text[DOUBT_SIZE]);
+
+/* Adds the texts of the doubts to a list that is separated by "; ". */
+void doubts_write(doubts all, char *text, size_t size);
+
+/* ---- tensor ---- The stress at a point of body 1, and what follows from it. */
+
+enum {
+    TENSOR_SXX,
+    TENSOR_SYY,
+    TENSOR_TXY,
+    TENSOR_VON_MISES,
+    TENSOR_S1,
+    TENSOR_SZZ,
+    TENSOR_S2,
+    TENSOR_TAU_MAX,
+    TENSOR_S1_ANGLE, /* in degrees */
+    TENSOR_COUNT
+};
+
+/* Of the columns; the first three need no words. */
+typedef struct {
+    const char *column, *meaning;
+} tensor_kind;
+extern const tensor_kind tensor_kinds[TENSOR_COUNT];
+
+typedef struct {
+    double value[TENSOR_COUNT];
+} tensor;
+
+tensor tensor_of(double sxx, double syy, double txy, double nu);
+
+/* The tensor where the stress is infinite: all NAN. */
+tensor tensor_unknown(void);
+
+/* C99 does not name it. */
+static const double PI = 3.14159265358979323846;
+
+/* An angle of the library, in degrees. */
+double degrees(double angle);
+
+#endif

@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "setup.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct poptOption load_option_table[] = {
+    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
+     "The next load of a history instead of --P and --Q, or P,M,Q,sigma; repeat it", "P,Q"},
+    {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
+     "A history from a CSV file with the columns P, Q, perhaps M, sigma; - is standard input",
+     "FILE"},
+    {ENCODING_OPTION},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, exactness_option_table, 0, NULL, NULL},
+    POPT_TABLEEND,
+};
+
+history_source history_source_of(const arguments *line)
+{
+    return (history_source){line->value[OPTION_HISTORY], line->value[OPTION_LOAD],
+                            line->value[OPTION_ENCODING]};
+}
+
+bool history_source_is_given(const history_source *from)
+{
+    return from->file != NULL || from->list != NULL;
+}
+
+void history_source_check_encoding(const history_source *from)
+{
+    if (from->encoding == NULL)
+        return;
+    if (from->file == NULL)
+        usage_error("--encoding %s: needs --history", from->encoding);
+    text_input_check(from->encoding);
+}
+
+void history_source_check(const history_source *from, const input_texts *texts)
+{
+    if (from->list != NULL && from->file != NULL)
+        usage_error("--history %s: given together with --load; allowed: one of the two",
+                    from->file);
+    for (int i = INPUT_P; i <= INPUT_SIGMA && history_source_is_given(from); i++) {
+        char name[INPUT_NAME_SIZE];
+        if (texts->text[i] != NULL)
+            usage_error(
+                "%s %s: given together with --%s, which has the loads; allowed: one of the two",
+                input_name(texts, i, name), texts->text[i],
+                from->list != NULL ? "load" : "history");
+    }
+}
+
+/* ---- Rows in memory ---- */
+
+static void add(load_history *loads, load next, csv_row row)
+{
+    loads->load = memory_for_one_more(loads->load, loads->count, sizeof *loads->load);
+    loads->row = memory_for_one_more(loads->row, loads->count, sizeof *loads->row);
+    loads->load[loads->count] = next;
+    loads->row[loads->count++] = row;
+}
+
+/* ---- The command line ---- */
+
+/* Reads up to most numbers, separated by commas; how many there are, 0 where it is not that. */
+static int read_numbers(const char *text, size_t length, int most, double number[])
+{
+    for (int n = 0; n < most; n++) {
+        const size_t own = number_length(text);
+        if (!number_read_part(text, own, &number[n]))
+            return 0;
+        if (own == length)
+            return n + 1;
+        if (own > length || text[own] != ',')
+            return 0;
+        text += own + 1;
+        length -= own + 1;
+    }
+    return 0;
+}
+
+/* Of two numbers, moment and tension stay as they are; without P there is no moment. */
+static bool read_load(const char *text, size_t length, load last, load *to)
+{
+    double number[4];
+    const int count = read_numbers(text, length, 4, number);
+    if (count == 4)
+        *to = (load){number[0], number[1], number[2], number[3]};
+    else if (count == 2)
+        *to = (load){number[0], number[0] == 0 ? 0 : last.M, number[1], last.sigma};
+    return count == 4 || count == 2;
+}
+
+/* A first load with decimal commas, as 135,75,0,0, is four numbers too. */
+static void say_four_values(const char *line, int length)
+{
+    static const char digits[] = "0123456789";
+    const int P = (int)strspn(line, digits);
+    const char *moment = line + P + (line[P] == ',' ? 1 : 0);
+    const int M = (int)strspn(moment, digits);
+    if (M > 1 && strncmp(moment + M, ",0,", 3) == 0)
+        notice("--load %.*s: P %.*s and M %.*s; a decimal is written %.*s.%.*s", length, line, P,
+               line, M, moment, P, line, M, moment);
+}
+
+static void read_list(const char *lines, load_history *loads)
+{
+    load to = {0};
+    loads->lines = lines;
+    for (bool last = false; !last;) {
+        const size_t length = strcspn(lines, "\n");
+        last = lines[length] == '\0';
+        if (!read_load(lines, length, to, &to))
+            usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
+                        (int)(length < 60 ? length : 60), lines);
+        if (loads->count == 0)
+            say_four_values(lines, (int)length);
+        add(loads, to, (csv_row){0});
+        lines += length + 1;
+    }
+}
+
+/* ---- A file ---- */
+
+/* A row that is no load ends it: what comes after would belong to another history. */
+static void take_row(csv_input *in, char decimal_sign, load_history *loads)
+{
+    load to;
+    csv_row row;
+    char complaint[COMPLAINT_SIZE];
+    if (!load_row_read(&loads->names, csv_input_cells(in), csv_input_count(in),
+                       csv_input_separator(in), decimal_sign, &to, complaint))
+        failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
+    header_note_unused(&loads->names, csv_input_cells(in), loads->unused);
+    csv_row_keep(in, false, &row);
+    add(loads, to, row);
+}
+
+static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
+{
+    csv_event event;
+    char complaint[COMPLAINT_SIZE];
+    table_header_read(in, &loads->first);
+    if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, complaint))
+        failure("%s: %s", csv_input_name(in), complaint);
+    while ((event = csv_input_next(in)) == CSV_ROW)
+        take_row(in, decimal_sign, loads);
+    if (event != CSV_END)
+        csv_input_fail(in);
+    if (loads->count == 0)
+        failure("%s: no loads; needed: rows of P and Q", csv_input_name(in));
+}
+
+static void read_file(const history_source *from, char decimal_sign, load_history *loads)
+{
+    csv_input *in = csv_input_open(from->file, decimal_sign == ',' ? ';' : ',', from->encoding);
+    read_rows(in, decimal_sign, loads);
+    loads->name = csv_input_name(in);
+    loads->has_mark = csv_input_has_mark(in);
+    csv_input_close(in);
+}
+
+void load_history_read(const history_source *from, char decimal_sign, load_history *loads)
+{
+    *loads = (load_history){0};
+    if (from->file != NULL)
+        read_file(from, decimal_sign, loads);
+    else
+        read_list(from->list, loads);
+}
+
+/* ---- Columns that nothing uses ---- */
+
+void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size)
+{
+    bool unused[HEADER_COLUMNS] = {false};
+    if (loads->name == NULL)
+        return;
+    header_note_unused(&loads->names, loads->row[row].cell, unused);
+    header_write_unused(&loads->names, unused, text, size);
+}
+
+void load_history_say_unused(const load_history *loads)
+{
+    if (loads->name != NULL)
+        table_header_say_unused(&loads->names, loads->unused, loads->name);
+}
+
+/* ---- Applied ---- */
+
+bool load_history_apply(const load_history *loads, size_t row, double f, rwedge_contact *contact,
+                        char complaint[COMPLAINT_SIZE])
+{
+    return loads_apply_next(loads->load[row], f, contact, complaint);
+}
+
+const char *load_history_place(const load_history *loads, size_t row, char place[LOAD_PLACE_SIZE])
+{
+    if (loads->name != NULL) {
+        snprintf(place, LOAD_PLACE_SIZE, "%.250s: line %" PRId64, loads->name,
+                 loads->row[row].line);
+        return place;
+    }
+    const char *line = loads->lines;
+    for (size_t i = 0; i < row; i++)
+        line += strcspn(line, "\n") + 1;
+    snprintf(place, LOAD_PLACE_SIZE, "--load %.*s", (int)strcspn(line, "\n"), line);
+    return place;
+}
+
+void load_history_fail(const load_history *loads, size_t row, const char *word,
+                       const char *complaint)
+{
+    char place[LOAD_PLACE_SIZE];
+    load_history_place(loads, row, place);
+    if (loads->name != NULL)
+        failure("%s%s: %s", place, word, complaint);
+    usage_error("%s%s: %s", place, word, complaint);
+}
+
+void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact)
+{
+    char complaint[COMPLAINT_SIZE];
+    for (size_t i = 0; i < loads->count; i++)
+        if (!load_history_apply(loads, i, f, contact, complaint))
+            load_history_fail(loads, i, "", complaint);
+}
+
+void history_source_apply(const history_source *from, char decimal_sign, double f,
+                          rwedge_contact *contact)
+{
+    load_history loads;
+    load_history_read(from, decimal_sign, &loads);
+    load_history_apply_all(&loads, f, contact);
+    load_history_say_unused(&loads);
+}

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "setup.h"
+
+static struct poptOption loads_option_table[] = {
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
+    {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
+     "Natural units instead of bodies and loads: rounding over contact", "NUMBER"},
+    {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_Q_OVER_FP,
+     "With --a-over-b: tangential force over its sliding value, 0 to 1 (default 0)", "NUMBER"},
+    {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_C_OVER_B,
+     "With --a-over-b: or the stick zone over the contact, 0 to 1", "NUMBER"},
+    POPT_TABLEEND,
+};
+
+struct poptOption loaded_contact_option_table[] = {
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0,
+     "Its strength, to be warned of yield:", NULL},
+    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loads_option_table, 0,
+     "Its loads, or natural units:", NULL},
+    POPT_TABLEEND,
+};
+
+void loaded_contact_describe(FILE *stream)
+{
+    fputs("\nAny consistent units, or natural ones with --a-over-b, which goes with --f, --nu1\n"
+          "(default 0.3), --M, --sigma, and --q-over-fp or --c-over-b: lengths are in b,\n"
+          "stresses in theta/A, slip in theta b, a moment in theta b^2/A; b is that without\n"
+          "the moment. A history runs in straight steps from load to load; without one, Q\n"
+          "and sigma grow from 0 under constant P and M. x > 0 is the side that the friction\n"
+          "on the half-plane, with Q > 0, points to; y is the depth.\n",
+          stream);
+}
+
+/* Powers of two with theta/A = 1: natural units are exact. */
+static const double NATURAL_THETA = 0.5, NATURAL_A = 0.5, NATURAL_NU = 0.3;
+
+static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1",
+                                        "0"};
+
+/* ---- Natural units ---- */
+
+static void refuse_dimensional(const arguments *line, const input_texts *texts)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        char name[INPUT_NAME_SIZE];
+        if (texts->text[i] != NULL && i != INPUT_F && i != INPUT_NU1 && i != INPUT_M &&
+            i != INPUT_SIGMA)
+            usage_error("%s %s: given together with --a-over-b; allowed: --f, --nu1, --M, --sigma, "
+                        "--q-over-fp, --c-over-b",
+                        input_name(texts, i, name), texts->text[i]);
+    }
+    if (line->value[OPTION_LOAD] != NULL || line->value[OPTION_HISTORY] != NULL)
+        usage_error("--%s: given together with --a-over-b; allowed: --q-over-fp or --c-over-b",
+                    line->value[OPTION_LOAD] != NULL ? "load" : "history");
+}
+
+/* Reads an input that may be left out. */
+static double read_input(const input_texts *texts, int input, double usual)
+{
+    char complaint[COMPLAINT_SIZE];
+    double value = usual;
+    if (texts->text[input] != NULL && !input_read(texts, input, &value, complaint))
+        usage_error("%s", complaint);
+    return value;
+}
+
+static double read_shear_ratio(const arguments *line, double alpha)
+{
+    const char *q = line->value[OPTION_Q_OVER_FP], *c = line->value[OPTION_C_OVER_B];
+    if (q != NULL && c != NULL)
+        usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
+    if (q != NULL)
+        return variable_read_one(&variables[Q_OVER_FP], q);
+    return rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&c_over_b, c) : 1);
+}
+
+static void check_status(int32_t status, const char *subject)
+{
+    if (status != RWEDGE_OK)
+        failure("%s: %s", subject, rwedge_strerror(status));
+}
+
+/* b is the half-width that P has without a moment. */
+static load read_natural_load(const arguments *line, const input_texts *texts, double alpha,
+                              double f)
+{
+    load to = {.P = rwedge_load(alpha),
+               .M = read_input(texts, INPUT_M, 0),
+               .sigma = read_input(texts, INPUT_SIGMA, 0)};
+    if (line->value[OPTION_C_OVER_B] != NULL && (to.M != 0 || to.sigma != 0))
+        usage_error("--c-over-b %s: not with --M or --sigma, which move the stick zone; "
+                    "allowed: --q-over-fp",
+                    line->value[OPTION_C_OVER_B]);
+    to.Q = read_shear_ratio(line, alpha) * f * to.P;
+    return to;
+}
+
+static void apply_natural(const input_texts *texts, double f, load to, loaded_contact *loaded)
+{
+    const int32_t status = loads_apply_monotonic(to, loaded->contact);
+    if (status == RWEDGE_OK)
+        return;
+    char name[INPUT_NAME_SIZE];
+    const load_fault fault = loads_fault(status, to, f, loaded->contact);
+    const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
+    usage_error("%s%s%s: %s", named ? input_name(texts, fault.input, name) : "the loads",
+                named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
+}
+
+/* Without a moment the half-width is 1 to rounding, and the edges are at 1 exactly. */
+static void measure_natural(bool centred, loaded_contact *loaded)
+{
+    const zone contact = loaded_contact_zone(loaded);
+    const double b = rwedge_contact_half_width(loaded->contact);
+    loaded->b = centred ? 1 : b;
+    loaded->left = centred ? -1 : contact.left;
+    loaded->right = centred ? 1 : contact.right;
+    loaded->length_unit = centred ? b : 1;
+    loaded->slip_unit = NATURAL_THETA * loaded->length_unit;
+}
+
+static void read_natural(const arguments *line, const input_texts *texts, loaded_contact *loaded)
+{
+    refuse_dimensional(line, texts);
+    const double alpha = variable_read_one(&variables[A_OVER_B], line->value[OPTION_A_OVER_B]);
+    const double f = read_input(texts, INPUT_F, 0);
+    loaded->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
+    loaded->shape = pad_wedge(NATURAL_THETA, alpha);
+    const load to = read_natural_load(line, texts, alpha, f);
+    check_status(pad_contact(&loaded->shape, NATURAL_A, f, &loaded->contact), "the contact");
+    rwedge_contact_allow_error(loaded->contact, texts->tolerance);
+    apply_natural(texts, f, to, loaded);
+    measure_natural(to.M == 0, loaded);
+    doubts_say((doubts){.error = rwedge_contact_error(loaded->contact)}, "");
+}
+
+/* ---- Dimensional ---- */
+
+static void refuse_natural(const arguments *line)
+{
+    for (int i = OPTION_Q_OVER_FP; i <= OPTION_C_OVER_B; i++)
+        if (line->value[i] != NULL)
+            usage_error("--%s %s: needs --a-over-b; allowed with bodies and loads: --Q",
+                        i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", line->value[i]);
+}
+
+static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
+                             loaded_contact *loaded)
+{
+    contact_case setup;
+    char complaint[COMPLAINT_SIZE];
+    const history_source from = history_source_of(line);
+    const bool has_history = history_source_is_given(&from);
+    history_source_check(&from, texts);
+    refuse_natural(line);
+    if (!case_read(texts, has_history ? CASE_LOADS_APART : CASE_WITH_LOADS, &setup, complaint))
+        usage_error("%s", complaint);
+    check_status(case_contact(&setup, &loaded->contact), "the contact");
+    if (has_history)
+        history_source_apply(&from, decimal_sign, setup.f, loaded->contact);
+    else
+        check_status(loads_apply_monotonic(case_load(&setup), loaded->contact),
+                     "the loads cannot be applied");
+    loaded->nu = setup.nu1;
+    loaded->shape = setup.shape;
+    const zone contact = loaded_contact_zone(loaded);
+    loaded->b = rwedge_contact_half_width(loaded->contact);
+    loaded->left = contact.left;
+    loaded->right = contact.right;
+    loaded->length_unit = loaded->slip_unit = 1;
+    doubts_say(doubts_of_state(&setup, loaded->contact), "");
+}
+
+void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contact *loaded)
+{
+    input_texts texts;
+    *loaded = (loaded_contact){0};
+    input_texts_from_options(line, &texts);
+    input_options_check_hull(line);
+    const history_source from = history_source_of(line);
+    history_source_check_encoding(&from);
+    if (line->value[OPTION_A_OVER_B] != NULL)
+        read_natural(line, &texts, loaded);
+    else
+        read_dimensional(line, decimal_sign, &texts, loaded);
+}
+
+zone loaded_contact_zone(const loaded_contact *loaded)
+{
+    zone stretch = {0, 0};
+    rwedge_contact_edges(loaded->contact, &stretch.left, &stretch.right);
+    return stretch;
+}
+
+zone loaded_contact_stick_zone(const loaded_contact *loaded)
+{
+    zone stretch = {0, 0};
+    rwedge_contact_stick_zone(loaded->contact, &stretch.left, &stretch.right);
+    return stretch;
+}
+
+bool loaded_contact_is_kink(const loaded_contact *loaded, double x, double y)
+{
+    return loaded->b > 0 && y == 0 && pad_is_kink(&loaded->shape, x);
+}

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "setup.h"
+
+void doubts_say(doubts all, const char *where)
+{
+    char text[DOUBT_SIZE];
+    while (doubts_next(&all, text))
+        notice("%s%s", where, text);
+}
+
+void notice_if_any(const char *text)
+{
+    if (text[0] != '\0')
+        notice("%s", text);
+}

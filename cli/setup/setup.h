@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef CLI_SETUP_H
+#define CLI_SETUP_H
+
+#include "input/input.h"
+#include "options/options.h"
+
+/* ---- notices ---- What makes inputs and results doubtful, said on stderr. */
+
+/* A line for each, after a word on where, or "". */
+void doubts_say(doubts all, const char *where);
+
+/* A line, unless it is "". */
+void notice_if_any(const char *text);
+
+/* ---- input_options ---- The inputs of a contact as options of a command. */
+
+/* The numbers of their options; those of a command that has them start after the last. */
+enum {
+    OPTION_INPUT = OPTION_OWN,
+    OPTION_HULL = OPTION_INPUT + INPUT_COUNT,
+    OPTION_EXACT,
+    OPTION_TOLERANCE,
+    OPTION_AFTER_INPUTS
+};
+
+/* An entry of a command's own table. */
+#define HULL_OPTION                                                                                \
+    "hull", '\0', POPT_ARG_NONE, NULL, OPTION_HULL,                                                \
+        "Take the convex hull of the heights of a profile", NULL
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact and its loads; its strength;
+ * how loads without a closed form are taken. The first two are empty before the first call of
+ * input_options_prepare(). */
+extern struct poptOption input_option_table[], strength_option_table[], exactness_option_table[];
+
+/* Fills the tables with the words of the inputs. */
+void input_options_prepare(void);
+
+/* Those on a command line; reads the profile. An impossible tolerance is a mistake. */
+void input_texts_from_options(const arguments *line, input_texts *texts);
+
+/* Refuses --hull without a profile. */
+void input_options_check_hull(const arguments *line);
+
+/* ---- load_history ---- A history of loads, in straight steps, as the command line or a CSV file
+ * gives it: read whole, and then applied, once or again and again. */
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: --load, --history, --encoding, and how
+ * exact they are. */
+enum {
+    OPTION_HISTORY = OPTION_AFTER_INPUTS,
+    OPTION_LOAD, /* may be repeated */
+    OPTION_AFTER_LOADS
+};
+extern struct poptOption load_option_table[];
+
+typedef struct {
+    const char *name;  /* of the file, as messages call it; NULL where --load gave the loads */
+    const char *lines; /* what --load gave, one to a line */
+    csv_row first;     /* of the file, and what its columns are */
+    header names;
+    bool unused[HEADER_COLUMNS]; /* columns with numbers that are not used */
+    bool has_mark;               /* whether the file begins with the mark of Unicode */
+    load *load;
+    csv_row *row; /* of the file, where each stands */
+    size_t count;
+} load_history;
+
+/* Where the loads come from; a file may be named by a word in place of the option. */
+typedef struct {
+    const char *file, *list, *encoding; /* NULL where not given */
+} history_source;
+history_source history_source_of(const arguments *line);
+bool history_source_is_given(const history_source *from);
+
+/* Refuses an encoding without a file, or one that iconv does not know. */
+void history_source_check_encoding(const history_source *from);
+
+/* Refuses a file beside a list, and loads that the texts give too. */
+void history_source_check(const history_source *from, const input_texts *texts);
+
+/* Reads the file or the list. */
+void load_history_read(const history_source *from, char decimal_sign, load_history *loads);
+
+/* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
+void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size);
+void load_history_say_unused(const load_history *loads);
+
+/* Applies one load. False, with the complaint, where the contact refuses it; it is as before. */
+bool load_history_apply(const load_history *loads, size_t row, double f, rwedge_contact *contact,
+                        char complaint[COMPLAINT_SIZE]);
+
+/* Applies them all, in order; the first refusal ends the command. */
+void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact);
+
+/* Ends the command as a load cannot be applied, after a word such as ", cycle 2", or "". */
+NO_RETURN void load_history_fail(const load_history *loads, size_t row, const char *word,
+                                 const char *complaint);
+
+/* Reads the loads and applies them all, and names columns with numbers that are not used. */
+void history_source_apply(const history_source *from, char decimal_sign, double f,
+                          rwedge_contact *contact);
+
+/* Where it stands, as messages say it: "loads.csv: line 3". */
+enum { LOAD_PLACE_SIZE = 300 };
+const char *load_history_place(const load_history *loads, size_t row, char place[LOAD_PLACE_SIZE]);
+
+/* ---- loaded_contact ---- A loaded contact to look into, dimensional or in natural units: what
+ * "profile" and "field" have in common. */
+
+enum {
+    OPTION_A_OVER_B = OPTION_AFTER_LOADS,
+    OPTION_Q_OVER_FP,
+    OPTION_C_OVER_B,
+    OPTION_AFTER_LOADED
+};
+
+/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact, its strength, its loads. */
+extern struct poptOption loaded_contact_option_table[];
+
+typedef struct {
+    rwedge_contact *contact;
+    pad shape;
+    double nu;
+    /* half-width and edges of the contact, as they are written: 1, -1 and 1 in natural units; 0
+     * when separated */
+    double b, left, right;
+    double length_unit; /* of what is written, in the contact's own unit; so is the next */
+    double slip_unit;
+} loaded_contact;
+
+/* Reads the options and applies the loads; decimal_sign is that of a file of loads. */
+void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contact *loaded);
+
+/* The edges of the contact, or of its stick zone, in the contact's own unit; both are 0 where there
+ * is none. */
+typedef struct {
+    double left, right;
+} zone;
+zone loaded_contact_zone(const loaded_contact *loaded);
+zone loaded_contact_stick_zone(const loaded_contact *loaded);
+
+/* Whether the stresses at this point are infinite: at a sharp edge. */
+bool loaded_contact_is_kink(const loaded_contact *loaded, double x, double y);
+
+/* Prints what the help of both commands says about them. */
+void loaded_contact_describe(FILE *stream);
+
+#endif

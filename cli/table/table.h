@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef CLI_TABLE_H
+#define CLI_TABLE_H
+
+#include "rows/rows.h"
+
+#include <stdint.h>
+
+/* ---- tables ---- The tables: what each depends on, its columns, and how a row is computed. */
+
+enum { AXES_MAX = 3, COLUMNS_MAX = 10, COLUMN_KINDS = 22 };
+
+typedef struct {
+    const char *name;
+    const char *summary;
+    int axis[AXES_MAX]; /* the variables, the slowest first */
+    int axis_count;
+    /* the variable that a grid has across, a/b being down; VARIABLE_COUNT where it has no grid */
+    int across;
+    const char *column[COLUMNS_MAX];
+    int column_count;
+    /* the column that a grid shows by default; the ones before it are the variables */
+    int quantity;
+    /* Fills a row from the values of the variables. RWEDGE_OK, or the library's status. */
+    int32_t (*row)(const double value[VARIABLE_COUNT], cell row[COLUMNS_MAX]);
+    const table_variable *ratio; /* a/b of another pad than the wedge; NULL */
+} table;
+
+/* The tables of the wedge, and then those of a flat pad. */
+enum { WEDGE_TABLES = 5, TABLE_COUNT = 7 };
+extern const table tables[TABLE_COUNT];
+
+/* Of all tables. */
+extern const column_kind table_columns[COLUMN_KINDS];
+
+/* The table of a name; NULL where there is none. The second function is for a flat pad. */
+const table *table_named(const char *name);
+const table *table_of_flat(const char *name);
+
+/* One of its variables. */
+const table_variable *table_variable_of(const table *chosen, int variable);
+
+bool table_depends_on(const table *chosen, int variable);
+
+/* ---- flat_pad ---- Tables of a flat pad with rounded edges: a is half the width of the flat. */
+
+/* In place of a/b of a wedge. */
+extern const table_variable flat_over_b;
+
+/* Rows, as those of tables. */
+int32_t flat_elastic_limit(const double value[], cell row[]);
+int32_t flat_contact_law(const double value[], cell row[]);
+
+/* ---- layout ---- A table as rows: long, a row for every combination of the variables; or as a
+ * grid, a/b down, a second variable across. */
+
+typedef struct {
+    const table *table;
+    range axis[VARIABLE_COUNT]; /* those that the table depends on */
+    bool grid;
+    int quantity; /* the column that a grid shows */
+    int threads;
+} plan;
+
+/* How many values the table computes. */
+int64_t plan_size(const plan *job);
+
+/* Writes it, with progress. Ends the command where a value cannot be computed, or written as the
+ * format needs it; the output holds what went wrong with writing. */
+void plan_write(void *plan_to_write, records *rows);
+
+#endif

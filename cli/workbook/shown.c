@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "workbook.h"
+
+#include "model/results/results.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Read as the tool reads it. */
+static contact_case case_of(const double input[INPUT_CELLS])
+{
+    static const int inputs[INPUT_CELLS] = {[CELL_E1] = INPUT_E1,
+                                            [CELL_NU1] = INPUT_NU1,
+                                            [CELL_E2] = INPUT_E2,
+                                            [CELL_NU2] = INPUT_NU2,
+                                            [CELL_THETA] = INPUT_THETA,
+                                            [CELL_THETA_DEG] = INPUT_THETA_DEG,
+                                            [CELL_ROUNDING] = INPUT_A,
+                                            [CELL_RADIUS] = INPUT_RADIUS,
+                                            [CELL_LOAD] = INPUT_P,
+                                            [CELL_Q] = INPUT_Q,
+                                            [CELL_F] = INPUT_F,
+                                            [CELL_K] = INPUT_K,
+                                            [CELL_YIELD_STRESS] = INPUT_YIELD_STRESS};
+    char number[INPUT_CELLS][NUMBER_SIZE], complaint[COMPLAINT_SIZE];
+    input_texts texts = {.tolerance = 0};
+    contact_case setup;
+    for (int i = 0; i < INPUT_CELLS; i++) {
+        number_write(input[i], NUMBER_DIGITS, '.', number[i]);
+        texts.text[inputs[i]] = isnan(input[i]) ? NULL : number[i];
+    }
+    if (!case_read(&texts, CASE_OF_SOLVE, &setup, complaint))
+        failure("the workbook's example: %s", complaint);
+    return setup;
+}
+
+/* The columns of Batch have the names of results; NAN where there is none. */
+static double result_of(const results *answer, const char *column)
+{
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (strcmp(result_kinds[i].name, column) == 0)
+            return answer->value[i].number;
+    return NAN;
+}
+
+/* As many digits as the formulas have. */
+static const char *rounded_text(double value, char text[NUMBER_SIZE])
+{
+    number_write(value, 4, '.', text);
+    return text;
+}
+
+/* The table has the place to two digits. */
+static void write_sentences(results *answer, case_values *shown)
+{
+    char b[NUMBER_SIZE], p0[NUMBER_SIZE], c_over_b[NUMBER_SIZE];
+    for (int i = RESULT_YIELD_X; i <= RESULT_YIELD_Y; i++)
+        answer->value[i].number = number_rounded(answer->value[i].number, 2);
+    const verdict all = verdict_of(answer, (verdict_style){'.', "mm"});
+    snprintf(shown->strength, sizeof shown->strength, "%s", all.strength);
+    snprintf(shown->figures, sizeof shown->figures,
+             "b = %s mm, half-width of the contact;  p0 = %s MPa, peak pressure;  c/b = %s of the "
+             "contact sticks",
+             rounded_text(shown->number[CELL_B], b), rounded_text(shown->number[CELL_P0], p0),
+             rounded_text(shown->number[CELL_C_OVER_B], c_over_b));
+}
+
+void shown_nothing(case_values *shown)
+{
+    for (int i = 0; i < RESULTS_END; i++)
+        shown->number[i] = NAN;
+    shown->branch[0] = '\0';
+}
+
+void shown_values(const double input[INPUT_CELLS], case_values *shown)
+{
+    const contact_case setup = case_of(input);
+    char complaint[COMPLAINT_SIZE];
+    results answer;
+    if (!results_compute(&setup, (results_wanted){false, false}, &answer, complaint))
+        failure("the workbook's example: %s", complaint);
+    shown_nothing(shown);
+    for (int i = 0; i < INPUT_CELLS; i++)
+        shown->number[i] = input[i];
+    for (int i = INPUT_CELLS; i < CELL_WARNINGS; i++)
+        shown->number[i] = result_of(&answer, case_cells[i].column);
+    double *v = shown->number;
+    v[CELL_P_MEAN] = setup.P / (2 * v[CELL_B]);
+    v[CELL_SAFETY_STRENGTH] = v[CELL_P_OVER_BK] / v[CELL_LOAD_OVER_BK];
+    const char *branch = answer.value[RESULT_YIELD_BRANCH].text;
+    snprintf(shown->branch, sizeof shown->branch, "%s", branch);
+    write_sentences(&answer, shown);
+}

@@ -381,8 +381,8 @@ bool rw_traction_is_smooth(const rw_traction *t, double from, double to, double 
                last = {.end = to, .scale = -half, .last = 1};
     make_rule(&how.rule);
     expand(&how, &first);
-    if (!is_fine(&how, &first))
+    if (!is_fine(&how, rest_of(&first), HUGE_VAL))
         return false;
     expand(&how, &last);
-    return is_fine(&how, &last);
+    return is_fine(&how, rest_of(&last), HUGE_VAL);
 }

@@ -114,8 +114,8 @@ static rwedge_contact *follow_noisy(double tolerance, int parts)
     return pad;
 }
 
-/* Each part left its own errors: in 32 parts the largest slip, at the left edge, was wrong by a
- * tenth after these loads, and by a third after one period; the state grew without bound. */
+/* Each part left its own errors: cut in 8, slip and energy differed by the tolerance here; cut in
+ * 32, by a third after one period; cut in 100, the state grew so much that it took minutes. */
 static void its_parts_do_not_matter(double tolerance, const int parts[], int count)
 {
     const rwedge_contact *whole = follow_noisy(tolerance, 1);
@@ -123,10 +123,10 @@ static void its_parts_do_not_matter(double tolerance, const int parts[], int cou
     const double largest = slip(whole, -1.0515), scale = -0.5 * pressure(whole, 1);
     for (int i = 0; i < count; i++) {
         const rwedge_contact *cut = follow_noisy(tolerance, parts[i]);
-        assert_within(slip(cut, -1.0515), largest, 3 * tolerance * fabs(largest));
-        assert_within(rwedge_contact_dissipated_energy(cut), energy, 30 * tolerance * energy);
+        assert_within(slip(cut, -1.0515), largest, 0.1 * tolerance * fabs(largest));
+        assert_within(rwedge_contact_dissipated_energy(cut), energy, 0.1 * tolerance * energy);
         for (int k = -9; k < 10; k++)
-            assert_within(shear(cut, 0.1 * k), shear(whole, 0.1 * k), tolerance * scale);
+            assert_within(shear(cut, 0.1 * k), shear(whole, 0.1 * k), 0.1 * tolerance * scale);
         assert_within((double)rwedge_contact_state_size(cut),
                       (double)rwedge_contact_state_size(whole), 100);
         assert_within(rwedge_contact_error(cut), 0, 1.2 * rwedge_contact_error(whole));

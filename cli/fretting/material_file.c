@@ -54,21 +54,19 @@ static void read_json(const char *path, material *all)
 static void read_csv(const char *path, const char *encoding, material *all)
 {
     csv_input *in = csv_input_open(path, ',', encoding);
-    csv_event event;
-    while ((event = csv_input_next(in)) == CSV_ROW) {
-        const char *const *cells = csv_input_cells(in);
+    while (csv_input_next(in) == CSV_ROW) {
+        const char *const *cells = in->cell;
         double value;
-        if (csv_input_count(in) < 2)
-            failure("%s: line %" PRId64 ": must be a name and a number", path, csv_input_line(in));
+        if (in->count < 2)
+            failure("%s: line %" PRId64 ": must be a name and a number", path, in->line);
         if (material_is_remark(cells[0]))
             continue;
         if (!number_read_cell(cells[1], '.', &value))
-            failure("%s: line %" PRId64 ": %.60s: must be a number", path, csv_input_line(in),
+            failure("%s: line %" PRId64 ": %.60s: must be a number", path, in->line,
                     cells[0]);
         set(path, cells[0], value, all);
     }
-    if (event != CSV_END)
-        csv_input_fail(in);
+    csv_input_check(in);
     csv_input_close(in);
 }
 

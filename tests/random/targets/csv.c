@@ -15,12 +15,11 @@ enum { COLUMNS_MAX = 6, ROWS_MAX = 8, TEXT_MAX = 12 };
 
 static void check_row(const csv_input *in, int64_t *line)
 {
-    CLAIM(csv_input_count(in) <= CSV_ROW_CELLS, "%zu", csv_input_count(in));
-    CLAIM(csv_input_line(in) >= *line, "line %lld after %lld", (long long)csv_input_line(in),
-          (long long)*line);
-    *line = csv_input_line(in);
-    for (size_t i = 0; i < csv_input_count(in); i++)
-        CLAIM(strlen(csv_input_cells(in)[i]) <= CSV_ROW_BYTES, "%zu", i);
+    CLAIM(in->count <= CSV_ROW_CELLS, "%zu", in->count);
+    CLAIM(in->line >= *line, "line %lld after %lld", (long long)in->line, (long long)*line);
+    *line = in->line;
+    for (size_t i = 0; i < in->count; i++)
+        CLAIM(strlen(in->cell[i]) <= CSV_ROW_BYTES, "%zu", i);
 }
 
 static size_t count_letters(const uint8_t *bytes, size_t size)
@@ -63,7 +62,7 @@ static void read_anything(void *of_file)
         letters += count_letters((const uint8_t *)row, strlen(row));
         CLAIM(event == CSV_ROW || !csv_input_spans_lines(in), "more than a line");
     }
-    CLAIM((event == CSV_FAILED) == (csv_input_problem(in)[0] != '\0'), "a reason");
+    CLAIM((event == CSV_FAILED) == (in->problem[0] != '\0'), "a reason");
     const size_t all = count_letters(data, size);
     if (event == CSV_END)
         CLAIM(csv_input_next(in) == CSV_END, "a row after the end");
@@ -131,9 +130,9 @@ static void write_and_read(input *in, char separator)
     for (size_t i = 0; i < t.rows; i++) {
         if (is_blank(&t, i))
             continue;
-        CLAIM(csv_input_next(file) == CSV_ROW && csv_input_count(file) == t.columns, "row %zu", i);
+        CLAIM(csv_input_next(file) == CSV_ROW && file->count == t.columns, "row %zu", i);
         for (size_t j = 0; j < t.columns; j++)
-            CLAIM(strcmp(csv_input_cells(file)[j], t.cell[i][j]) == 0, "row %zu, column %zu", i, j);
+            CLAIM(strcmp(file->cell[j], t.cell[i][j]) == 0, "row %zu, column %zu", i, j);
     }
     CLAIM(csv_input_next(file) == CSV_END, "end");
     csv_input_close(file);

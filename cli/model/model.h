@@ -2,6 +2,7 @@
 #ifndef CLI_MODEL_H
 #define CLI_MODEL_H
 
+#include "number/number.h"
 #include "pad/pad.h"
 
 #include <stdbool.h>
@@ -198,11 +199,8 @@ enum {
     TENSOR_COUNT
 };
 
-/* Of the columns; the first three need no words. */
-typedef struct {
-    const char *column, *meaning;
-} tensor_kind;
-extern const tensor_kind tensor_kinds[TENSOR_COUNT];
+/* The columns; the first three need no words. */
+extern const column_kind tensor_kinds[TENSOR_COUNT];
 
 typedef struct {
     double value[TENSOR_COUNT];

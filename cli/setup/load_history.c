@@ -6,13 +6,13 @@
 #include <string.h>
 
 struct poptOption load_option_table[] = {
-    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
+    {VALUE("load", OPTION_LOAD),
      "The next load of a history instead of --P and --Q, or P,M,Q,sigma; repeat it", "P,Q"},
-    {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
+    {VALUE("history", OPTION_HISTORY),
      "A history from a CSV file with the columns P, Q, perhaps M, sigma; - is standard input",
      "FILE"},
     {ENCODING_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, exactness_option_table, 0, NULL, NULL},
+    {INCLUDED(exactness_option_table), NULL, NULL},
     POPT_TABLEEND,
 };
 
@@ -129,8 +129,8 @@ static void take_row(csv_input *in, char decimal_sign, load_history *loads)
     load to;
     csv_row row;
     char complaint[COMPLAINT_SIZE];
-    if (!load_row_read(&loads->names, in->cell, in->count,
-                       in->separator, decimal_sign, &to, complaint))
+    if (!load_row_read(&loads->names, in->cell, in->count, in->separator, decimal_sign, &to,
+                       complaint))
         failure("%s: line %" PRId64 ": %s", in->name, in->line, complaint);
     header_note_unused(&loads->names, in->cell, loads->unused);
     csv_row_keep(in, false, &row);

@@ -121,8 +121,8 @@ static void read_grid(const arguments *line, places *to)
 {
     const char *text = line->value[OPTION_X];
     range x, y;
-    range_option("x", text, &x);
     places_read_depth(line, &y);
+    range_option("x", text, &x);
     fill_grid(text, &x, &y, to);
     range_free(&x);
     range_free(&y);

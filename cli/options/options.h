@@ -49,8 +49,8 @@ bool arguments_read(arguments *line, const syntax *grammar, int argc, const char
 /* Refuses a word that is no option. */
 void arguments_no_operand(const arguments *line);
 
-/* Entries of a table begin so: an option with a value, one without, and the options of another table;
- * what they mean and NULL or the value's name follow. */
+/* Entries of a table begin so: an option with a value, one without, the options of another table.
+ * What they mean, and NULL or the value's name, follow. */
 #define VALUE(name, number) name, '\0', POPT_ARG_STRING, NULL, number
 #define FLAG(name, number) name, '\0', POPT_ARG_NONE, NULL, number
 #define INCLUDED(table) NULL, '\0', POPT_ARG_INCLUDE_TABLE, table, 0

@@ -108,20 +108,12 @@ double pad_steepest(const pad *shape, double left, double right)
 
 static const double STEEPEST = 1.5707963267948966, SIZE_MOST = 1e60;
 
-static const char *short_number(double value, char text[NUMBER_SIZE])
-{
-    number_write(value, 6, '.', text);
-    return text;
-}
-
 /* "slope 0.1: " and what is wrong with it. */
 static bool refuse(profile_remark *remark, size_t place, const char *column, double value,
                    const char *why)
 {
-    char text[NUMBER_SIZE];
     remark->place = place;
-    snprintf(remark->text, sizeof remark->text, "%s %s: %s", column, short_number(value, text),
-             why);
+    snprintf(remark->text, sizeof remark->text, "%s %.6g: %s", column, value + 0, why);
     return false;
 }
 
@@ -218,9 +210,8 @@ typedef struct {
 static void add_place(double x, excess *above)
 {
     enum { LISTED = 5 };
-    char text[NUMBER_SIZE];
     if (above->count++ < LISTED)
-        list_add(above->list, sizeof above->list, ", ", "%s", short_number(x, text));
+        list_add(above->list, sizeof above->list, ", ", "%.6g", x + 0);
     else if (above->count == LISTED + 1)
         list_add(above->list, sizeof above->list, ", ", "...");
 }
@@ -244,12 +235,12 @@ static excess excess_of(const hull *lower, const double x[], const double h[])
 static void describe(const excess *above, const double x[], const double h[], bool taken,
                      profile_remark *remark)
 {
-    char most[NUMBER_SIZE], at[NUMBER_SIZE], why[360];
-    snprintf(why, sizeof why,
-             "not convex at %zu place%s, x = %s; the convex hull %s lower by up to %s, at x = %s",
-             above->count, above->count > 1 ? "s" : "", above->list,
-             taken ? "that is taken is" : "is", short_number(above->most, most),
-             short_number(x[above->worst], at));
+    char why[360];
+    snprintf(
+        why, sizeof why,
+        "not convex at %zu place%s, x = %s; the convex hull %s lower by up to %.6g, at x = %.6g",
+        above->count, above->count > 1 ? "s" : "", above->list, taken ? "that is taken is" : "is",
+        above->most, x[above->worst] + 0);
     refuse(remark, above->first, "height", h[above->first], why);
 }
 

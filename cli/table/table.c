@@ -125,33 +125,6 @@ static void read_variables(const arguments *line, plan *job)
     }
 }
 
-/* The smallest value above 0; HUGE_VAL where there is none. A range ascends or descends: it is one
- * of the two at either end. */
-static double smallest_tip(const range *tips)
-{
-    double smallest = HUGE_VAL;
-    for (int64_t i = 0; i < tips->count; i++) {
-        if (tips->items == NULL && i == 2 && tips->count > 4)
-            i = tips->count - 2;
-        const double tip = range_value(tips, i);
-        if (tip > 0 && tip < smallest)
-            smallest = tip;
-    }
-    return smallest;
-}
-
-/* The strength, whose tables are those with Poisson's ratio, is not known for the smallest tips. */
-static void check_tips(const arguments *line, const plan *job)
-{
-    if (!table_depends_on(job->table, NU) || job->table->ratio != NULL)
-        return;
-    const double tip = smallest_tip(&job->axis[A_OVER_B]);
-    if (tip < 1 && isnan(rwedge_elastic_limit(tip, 0, 0)))
-        usage_error(
-            "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
-            line->value[OPTION_VARIABLE + A_OVER_B], job->table->name);
-}
-
 /* The variable with the most values is the one to name. */
 static void check_size(const arguments *line, const plan *job)
 {
@@ -215,7 +188,6 @@ static int write_table(const arguments *line)
     choose_table(line, &job);
     choose_pad(line, &job);
     read_variables(line, &job);
-    check_tips(line, &job);
     read_layout(line, &job);
     read_quantity(line, &job);
     job.threads = threads_read(line);

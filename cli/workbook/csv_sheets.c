@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* A sheet's name has up to 31 letters, and none of these. */
 enum { NAME_BYTES = 31, NAME_SIZE };
@@ -23,37 +24,16 @@ static bool fits_in_name(uint32_t code)
            (code > 0x7f || strchr(not_in_names, (int)code) == NULL);
 }
 
-/* Small letters of European alphabets, by their codes. */
-static uint32_t small_letter(uint32_t code)
-{
-    const bool has_small = (code >= 'A' && code <= 'Z') || (code >= 0xc0 && code <= 0xde) ||
-                           (code >= 0x391 && code <= 0x3a9) || (code >= 0x410 && code <= 0x42f);
-    return has_small ? code + 32 : code;
-}
-
-/* Spreadsheets do not tell capitals from small letters in names. */
-static bool is_same_name(const char *a, const char *b)
-{
-    while (*a != '\0' && *b != '\0') {
-        uint32_t first, second;
-        const size_t length = utf8_length(a, strlen(a), &first);
-        b += utf8_length(b, strlen(b), &second);
-        a += length;
-        if (small_letter(first) != small_letter(second))
-            return false;
-    }
-    return *a == *b;
-}
-
-/* The workbook has sheets of its own, and Excel keeps one name for itself. */
+/* The workbook has sheets of its own, and Excel keeps one name for itself. Spreadsheets do not tell
+ * capitals from small letters. */
 static bool is_taken(const char *name, const char *const names[], int count)
 {
     static const char *const kept[] = {"Columns", "About", "History"};
     for (int i = 0; i < (int)(sizeof kept / sizeof kept[0]); i++)
-        if (is_same_name(name, kept[i]))
+        if (strcasecmp(name, kept[i]) == 0)
             return true;
     for (int i = 0; i < count; i++)
-        if (is_same_name(name, names[i]))
+        if (strcasecmp(name, names[i]) == 0)
             return true;
     return false;
 }

@@ -135,8 +135,7 @@ static const double SQRT_3 = 1.7320508075688772;
 
 static bool not_computed(const char *name, const char *why, char complaint[COMPLAINT_SIZE])
 {
-    snprintf(complaint, COMPLAINT_SIZE, "%s: %s", name, why);
-    return false;
+    return complain(complaint, "%s: %s", name, why);
 }
 
 static void geometry(const contact_case *setup, double b, cell row[])

@@ -7,7 +7,7 @@
  *   on the axis.
  * - There is one other kind of local maximum, for f > 0.25, next to the corner x = a where the
  *   rounding ends. There the surface is higher, by at least 5 % of J2.
- * They are not proved here. The test strength_survey checks them: it searches the whole
+ * They are not proved here. The test yield_survey checks them: it searches the whole
  * half-plane without using them. For many alpha, f and nu tests/proof/certificate proves that the
  * result is the global maximum.
  *

@@ -7,7 +7,7 @@
  * - On the rounding, x = alpha sin(psi), 0 <= psi <= pi/2. There the derivative with respect to x
  *   is positive at 0 (for f > 0). It tends to minus infinity at alpha, where p has a vertical
  *   tangent. So it has a root between.
- * It has only one root between. This is not proved here. The test strength_survey checks it
+ * It has only one root between. This is not proved here. The test yield_survey checks it
  * densely over all alpha, f and nu. At many of them tests/proof/certificate proves that the result
  * is the global maximum. */
 #include "strength/surface.h"

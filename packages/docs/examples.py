@@ -2,6 +2,8 @@
 """What the pages of the functions show: numbers for the calls, the command of the tool that answers the same, a figure."""
 from __future__ import annotations
 
+import math
+
 from header import Function, Parameter
 
 # Of an argument, by its name.
@@ -57,9 +59,16 @@ COMMANDS = {
 }
 
 
+def of_domain(p: Parameter):
+    """For an argument of a name that is not above: the middle of its domain, or 1 beyond its lower end."""
+    low, high = (max(p.domain.low, 0), p.domain.high) if p.domain else (0, math.inf)
+    return int(low) + 1 if p.kind == "int32_t" else (low + high) / 2 if high - low < 10 else low + 1
+
+
 def value_of(f: Function, p: Parameter):
     """A number, a list of them, or a list of lists."""
+    number = OWN.get((f.name, p.name), NUMBERS.get(p.name))
     if not p.size:
-        return OWN.get((f.name, p.name), NUMBERS[p.name])
-    of = LISTS[p.name]
+        return of_domain(p) if number is None else number
+    of = LISTS.get(p.name) or [of_domain(p)] * 3
     return [of, [-v for v in of]] if len(p.size) == 2 else of

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the calls that a program in each language answers: calls.py [--own] > CALLS
+"""Prints the calls that a program in each language answers: calls.py > CALLS
 
 A line is NAME:RESULTS:NUMBERS,ARGUMENT,...: the function without rwedge_, how many results it has, how many numbers they are
 in all, and its arguments. The number of a text is its length. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the
 array of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about.
 
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
-unnoticed (exchange.py tries them all; these are the calls of --own); then come the arguments of the reference tables, and the
-ends of the domains.
+unnoticed; then come the arguments of the reference tables, and the ends of the domains.
 """
 import csv
 import math
@@ -253,9 +252,8 @@ def ends():
 def main():
     formulas()
     objects()
-    if sys.argv[1:] != ["--own"]:
-        reference_rows()
-        ends()
+    reference_rows()
+    ends()
 
 
 main()

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The calls give the same bits from C with the ordinary build, from C with the private build, and from C++.
-#     same_answers.sh SOURCE BUILD [exchange]      exchange: that the calls tell all arguments and results apart
+#     same_answers.sh SOURCE BUILD
 set -eu
 command -v python3 >/dev/null || { echo "SKIPPED: no python3 here, which lists the calls"; exit 77; }
 source=$1 build=$2
@@ -15,10 +15,6 @@ set -- -I"$source/include" -I"$build/made/c" "$here/answer.c"
 cc -std=c99 "$@" -o "$work/c" -L"$build/lib" -lrwedge -Wl,-rpath,"$build/lib"
 c++ -x c++ "$@" -x none -o "$work/c++" -L"$build/private/prefix/lib" -lrwedge -Wl,-rpath,"$build/private/prefix/lib"
 
-if [ "${3-}" = exchange ]; then
-    python3 -B "$here/calls.py" --own | python3 -B "$here/exchange.py" "$work/c"
-    exit
-fi
 "$work/c" <"$calls" >"$work/answers"
 [ "$(wc -l <"$work/answers")" -eq "$(wc -l <"$calls")" ] || { echo "FAILED: calls without an answer"; exit 1; }
 if grep ',error' "$work/answers"; then

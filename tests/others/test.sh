@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compares the library with a program of others, which is fetched into BUILD/others/.
-#     test.sh BUILD LIBRARY by_hand | contact_mechanics | tamaas | pylife
+#     test.sh BUILD LIBRARY contact_mechanics | tamaas | pylife
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 tools=$(cd "$1" && pwd)/others/$3
@@ -9,7 +9,4 @@ library=$2
 . "$here/../support/venv.sh"
 venv "$here/packages/$3.txt" "$tools"
 export PYTHONDONTWRITEBYTECODE=1
-case $3 in
-by_hand) exec "$tools/bin/python" "$here/by_hand.py" "$library" ;;
-*) exec "$tools/bin/python" "$here/programs.py" "$library" "$3" ;;
-esac
+exec "$tools/bin/python" "$here/programs.py" "$library" "$3"

@@ -1,13 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whether the yield factor of a contact with a history misses the maximum of J2. The library
- * climbs from those points of its grids alone that may lie below the highest top. Here nothing is
- * left out: grids three times as fine around every mark, both sides apart, and a climb from every
- * maximum of them that reaches 0.8 of the highest. Stresses come from the public function, so that
- * nothing of the search is shared.
+/* Whether the yield factor of a contact with a history, or the elastic limit in full sliding,
+ * misses the maximum of J2. The library climbs from those points of its grids alone that may lie
+ * below the highest top. Here nothing is left out: grids three times as fine around every mark,
+ * both sides apart, and a climb from every maximum of them that reaches 0.8 of the highest.
+ * Stresses come from the public function, so that nothing of the search is shared.
  *
  *     yield_survey HISTORIES [SEED]
  *
- * Random loads of P and Q, and of moment and tension; sharp, rounded and Hertz; nu 0 to 0.5. */
+ * Random loads of P and Q, and of moment and tension; sharp, rounded and Hertz; nu 0 to 0.5. Then
+ * as many contacts in full sliding. There the survey also checks what the search rests on:
+ *   - A maximum below the surface is the one that rwedge_subsurface_yield() gives, or a second one
+ *     next to the corner x = a, at f > 0.25, lower than the surface's. None is left at f > 0.6.
+ *   - On the surface there is one local maximum, and rwedge_surface_yield() finds it.
+ *   - As f grows, yield moves from below to the surface once, and stays there. */
 #include "claims.h"
 #include "contact/contact.h"
 
@@ -19,9 +24,15 @@ static const double FALL = 0.83, COARSE = 0.04, FINE = 1e-8, WORTH = 0.8;
 
 static const double THETA = 0.1, A = 0.1;
 
+/* In full sliding, in natural units. */
+typedef struct {
+    double alpha, f, nu;
+} sliding;
+
 typedef struct {
     const rwedge_contact *contact;
     double kappa, highest;
+    const sliding *slides; /* NULL with a history */
 } search;
 
 static double J2_of(const search *s, double sxx, double syy, double txy)
@@ -53,7 +64,7 @@ static void evaluate(search *s, double mark, place at[AROUND])
 }
 
 /* To the highest of the eight places around, at ever smaller distances. */
-static void climb(search *s, double mark, place top)
+static place climb(search *s, double mark, place top)
 {
     for (double step = COARSE; step > FINE;) {
         place at[AROUND];
@@ -67,6 +78,7 @@ static void climb(search *s, double mark, place top)
                 top = at[i];
         step *= top.J2 > before * (1 + 1e-15) ? 1.5 : 0.4;
     }
+    return top;
 }
 
 typedef struct {
@@ -103,20 +115,91 @@ static bool is_top(const polar_grid *g, int i, int j)
     return true;
 }
 
+/* ---- Full sliding ---- */
+
+static int contradictions;
+
+static void claim(bool holds, const sliding *c, const char *meaning, double number)
+{
+    if (holds)
+        return;
+    contradictions++;
+    printf("a/b = %.17g, f = %.17g, nu = %.17g: %s: %.17g\n", c->alpha, c->f, c->nu, meaning,
+           number);
+}
+
+static bool has_branch(double alpha, double f, double nu)
+{
+    double limit, x, y;
+    return rwedge_subsurface_yield(alpha, f, nu, &limit, &x, &y) == RWEDGE_OK;
+}
+
+/* Within 1e-3 of f or nu the maximum is too flat for a search by values to tell it from a slope. */
+static bool is_next_to_fold(const sliding *c)
+{
+    const double f = 1e-3 * c->f, softer = fmax(0, c->nu - 1e-3), harder = fmin(0.5, c->nu + 1e-3);
+    return has_branch(c->alpha, c->f - f, c->nu) != has_branch(c->alpha, c->f + f, c->nu) ||
+           has_branch(c->alpha, c->f, softer) != has_branch(c->alpha, c->f, harder);
+}
+
+/* Higher than a ring around it. */
+static bool is_below_surface(search *s, double mark, place top)
+{
+    place at[AROUND];
+    for (int i = 0; i < AROUND; i++)
+        at[i] = (place){top.log_r + 3e-3 * cos(i * PI / 4), top.angle + 3e-3 * sin(i * PI / 4), 0};
+    evaluate(s, mark, at);
+    for (int i = 0; i < AROUND; i++)
+        if (at[i].J2 >= top.J2)
+            return false;
+    return top.angle > 1e-2 && top.angle < PI - 1e-2;
+}
+
+static double surface_J2(const sliding *c)
+{
+    double limit = 0, x;
+    return rwedge_surface_yield(c->alpha, c->f, c->nu, &limit, &x) == RWEDGE_OK
+               ? pow(rwedge_load(c->alpha) / limit, 2)
+               : 0;
+}
+
+static void check_below_surface(const sliding *c, place top)
+{
+    double limit = 0, x, y;
+    const int32_t status = rwedge_subsurface_yield(c->alpha, c->f, c->nu, &limit, &x, &y);
+    const bool is_branch =
+        status == RWEDGE_OK && fabs(rwedge_load(c->alpha) / sqrt(top.J2) - limit) < 1e-7 * limit;
+    claim(c->f < 0.6, c, "friction with a maximum below the surface", c->f);
+    if (is_branch || is_next_to_fold(c))
+        return;
+    const double r = exp(top.log_r) / c->alpha,
+                 distance = hypot(r * cos(top.angle) - 1, r * sin(top.angle));
+    claim(c->f > 0.25 && distance < 0.5, c, "a maximum off the branch and off the corner, by a",
+          distance);
+    claim(top.J2 < 0.95 * surface_J2(c), c, "J2 next to the corner", top.J2);
+}
+
 static void survey_mark(search *s, double mark, double reach)
 {
     static polar_grid grid;
+    /* closer to the apex J2 is level */
+    const double least = s->slides && mark == 0 ? 1e-3 * fmin(1, s->slides->alpha) : HUGE_VAL;
     fill(s, &grid, mark, reach);
     for (int i = 0; i < RADII; i++)
-        for (int j = 0; j < ANGLES; j++)
-            if (grid.J2[i][j] > WORTH * s->highest && is_top(&grid, i, j))
-                climb(s, mark,
-                      (place){log(reach) + i * log(FALL), PI * j / (ANGLES - 1), grid.J2[i][j]});
+        for (int j = 0; j < ANGLES; j++) {
+            const bool is_inside = reach * pow(FALL, i) > least && j > 0 && j < ANGLES - 1;
+            if (!(grid.J2[i][j] > WORTH * s->highest || is_inside) || !is_top(&grid, i, j))
+                continue;
+            const place top = climb(
+                s, mark, (place){log(reach) + i * log(FALL), PI * j / (ANGLES - 1), grid.J2[i][j]});
+            if (s->slides && mark == 0 && is_below_surface(s, mark, top))
+                check_below_surface(s->slides, top);
+        }
 }
 
-static double highest_of(const rwedge_contact *contact, double nu)
+static double highest_of(const rwedge_contact *contact, double nu, const sliding *slides)
 {
-    search s = {contact, (1 - 2 * nu) * (1 - 2 * nu) / 3, 0};
+    search s = {contact, (1 - 2 * nu) * (1 - 2 * nu) / 3, 0, slides};
     const rw_memory *memory = &contact->memory;
     const double b = fmax(-rw_memory_end(memory)->patch.left, rw_memory_end(memory)->patch.right);
     double marks[MARKS_MAX] = {0, -contact->geometry.a, contact->geometry.a};
@@ -165,6 +248,85 @@ static rwedge_contact *draw(uint64_t *seed, double *nu)
     return contact;
 }
 
+/* ---- Contacts in full sliding, b = 1 and theta/A = 1 ---- */
+
+static sliding draw_sliding(uint64_t *seed)
+{
+    const double kind = random_fraction(seed), u = random_fraction(seed), v = random_fraction(seed);
+    const double special = random_fraction(seed);
+    return (sliding){
+        .alpha = kind < 0.1    ? pow(10, -14 * u)
+                 : kind < 0.45 ? pow(10, -6 * u)
+                 : kind < 0.9  ? u
+                 : kind < 0.95 ? 1 - pow(10, -12 * u)
+                               : 1 + 4 * u,
+        .f = special < 0.1 ? 0
+             : kind < 0.5  ? 0.5 * v
+                           : 2 * v,
+        .nu = special < 0.15   ? 0.5
+              : special < 0.25 ? 0.5 - 0.3 * pow(10, -8 * v)
+                               : 0.5 * random_fraction(seed),
+    };
+}
+
+static double sliding_J2(const sliding *c, double x, double y)
+{
+    const search s = {NULL, (1 - 2 * c->nu) * (1 - 2 * c->nu) / 3, 0, c};
+    double sxx, syy, txy;
+    assert_ok(rwedge_stress(c->alpha, c->f, 0, x, y, &sxx, &syy, &txy));
+    return J2_of(&s, sxx, syy, txy);
+}
+
+static void check_surface(const sliding *c)
+{
+    enum { NODES = 300 };
+    /* J2 is made of differences */
+    const double p0 = rwedge_peak_pressure(c->alpha), rounding = 1e-15 * (1 + p0 * p0);
+    const double highest = surface_J2(c);
+    double J2[NODES + 1];
+    int maxima = 0;
+    for (int i = 0; i <= NODES; i++) {
+        J2[i] = sliding_J2(c, fmin(c->alpha, 1) * sin(PI / 2 * i / NODES), 0);
+        claim(highest == 0 || J2[i] <= highest * (1 + 1e-13) + rounding, c, "the surface", J2[i]);
+    }
+    for (int i = 1; i < NODES; i++)
+        maxima += J2[i] > J2[i - 1] + rounding && J2[i] > J2[i + 1] + rounding;
+    claim(maxima <= 1, c, "maxima on the surface", maxima);
+}
+
+/* The smallest tips may begin at the surface, at f = 0. */
+static void check_overtaking(const sliding *c)
+{
+    bool was_below = false, overtaken = false;
+    for (double f = 0; f < 0.7; f += 0.02) {
+        double limit, x, y = 0;
+        assert_ok(rwedge_yield_point(c->alpha, f, c->nu, &limit, &x, &y));
+        claim(y == 0 || !overtaken, c, "yield returns below the surface at f", f);
+        overtaken = overtaken || (was_below && y == 0);
+        was_below = y > 0;
+    }
+}
+
+/* J2 over that of the elastic limit, less 1. */
+static double survey_sliding(uint64_t *seed)
+{
+    const sliding c = draw_sliding(seed);
+    rwedge_contact *contact;
+    const double P = rwedge_normal_load(THETA, c.alpha, A, 1);
+    assert_ok(rwedge_contact_create(THETA, c.alpha, A, c.f, &contact));
+    assert_ok(rwedge_contact_load(contact, P, c.f * P));
+    double limit, x, y;
+    assert_ok(rwedge_yield_point(c.alpha, c.f, c.nu, &limit, &x, &y));
+    const double claimed = pow(rwedge_load(c.alpha) / limit, 2);
+    const double above = highest_of(contact, c.nu, &c) / claimed - 1;
+    claim(above < 2e-12, &c, "J2 is higher by", above);
+    claim(fabs(sliding_J2(&c, x, y) / claimed - 1) < 1e-12, &c, "J2 at the yield point", y);
+    check_surface(&c);
+    check_overtaking(&c);
+    rwedge_contact_destroy(contact);
+    return above;
+}
+
 int main(int argc, char **argv)
 {
     const long histories = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
@@ -181,7 +343,7 @@ int main(int argc, char **argv)
         rwedge_contact *contact = draw(&seed, &nu);
         const int32_t status = rwedge_contact_yield_factor(contact, nu, 1, &factor, &x, &y);
         if (status == RWEDGE_OK && factor > 0) {
-            const double above = highest_of(contact, nu) * factor * factor - 1;
+            const double above = highest_of(contact, nu, NULL) * factor * factor - 1;
             searched++;
             worst = fmax(worst, above);
             if (above > 2e-12) {
@@ -195,5 +357,9 @@ int main(int argc, char **argv)
     printf("%ld histories, %ld with a finite stress; highest J2 found over that of the yield "
            "factor, less 1: %.1e; %ld missed\n",
            histories, searched, worst, missed);
-    return missed ? 1 : 0;
+    worst = -1;
+    for (long i = 0; i < histories; i++)
+        worst = fmax(worst, survey_sliding(&seed));
+    printf("as many in full sliding: at most %.1e; %d contradictions\n", worst, contradictions);
+    return missed || contradictions ? 1 : 0;
 }

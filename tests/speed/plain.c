@@ -1,15 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "plain.h"
+/* The plain way to stresses and elastic limits, which times are compared with: the paper's series
+ * as it stands and a search on a grid. */
+#include "works.h"
 
 #include <math.h>
 
+enum { TERMS = 60 };
+
+typedef struct {
+    double b[TERMS];
+} plain_series;
+
 static const double PI = 3.14159265358979323846;
 
-void plain_coefficients(plain_series *s, double alpha, int terms)
+static void set_coefficients(plain_series *s, double alpha)
 {
-    s->terms = terms;
     const double phi0 = asin(fmin(alpha, 1));
-    for (int n = 0; n < s->terms; n++) {
+    for (int n = 0; n < TERMS; n++) {
         const double m = 2 * n + 1;
         s->b[n] = n == 0 ? 2 / PI * (phi0 + alpha * cos(phi0)) / alpha
                          : 4 / PI * (n % 2 ? -1 : 1) *
@@ -18,7 +25,7 @@ void plain_coefficients(plain_series *s, double alpha, int terms)
 }
 
 /* Eq. (30), (32), (33) as they stand; J2 for plane strain. */
-double plain_J2(const plain_series *s, double f, double nu, double x, double y)
+static double plain_J2(const plain_series *s, double f, double nu, double x, double y)
 {
     /* sqrt(z^2-1) with the branch that is z at infinity */
     const double a = x * x - y * y - 1, b = 2 * x * y, r = sqrt(hypot(a, b)),
@@ -30,7 +37,7 @@ double plain_J2(const plain_series *s, double f, double nu, double x, double y)
     }
     const double R = x - X, I = y - Y;
     double G = 0, H = 0, U = 0, V = 0;
-    for (int n = s->terms - 1; n >= 0; n--) {
+    for (int n = TERMS - 1; n >= 0; n--) {
         const double R2 = R * R - I * I, I2 = 2 * R * I, g = G * R2 - H * I2, u = U * R2 - V * I2;
         H = G * I2 + H * R2;
         G = g + s->b[n];
@@ -46,10 +53,10 @@ double plain_J2(const plain_series *s, double f, double nu, double x, double y)
 }
 
 /* A grid of 121 x 61 points and a pattern search from the best. */
-double plain_limit(double alpha, double f, double nu, int terms)
+static double plain_limit(double alpha, double f, double nu)
 {
     plain_series s;
-    plain_coefficients(&s, alpha, terms);
+    set_coefficients(&s, alpha);
     double best = 0, at_x = 0, at_y = 0;
     for (int i = 0; i <= 120; i++)
         for (int j = 0; j <= 60; j++) {
@@ -74,4 +81,22 @@ double plain_limit(double alpha, double f, double nu, int terms)
             }
         }
     return (asin(fmin(alpha, 1)) / alpha + sqrt(fmax(0, 1 - alpha * alpha))) / sqrt(best);
+}
+
+double plain_points(const work *w)
+{
+    plain_series s;
+    double sum = 0;
+    set_coefficients(&s, 0.3);
+    for (long i = 0; i < w->n; i++)
+        sum += plain_J2(&s, 0.4, 0.3, xs[i], ys[i]);
+    return sum;
+}
+
+double plain_limits(const work *w)
+{
+    double sum = 0;
+    for (long i = 0; i < w->n; i++)
+        sum += plain_limit(0.5, 0.05 * (double)i, 0.3);
+    return sum;
 }

@@ -1,37 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "works.h"
 
-#include "plain.h"
+#include "rwedge.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+enum { POINTS = 20000, MANY = 1000000, PAPER_LIMITS = 650, CYCLE_LOADS = 40, PLACES = 1000 };
+
+static const double TURN = 2 * 3.14159265358979323846, P = 20000;
+
 double *xs, *ys, *out[3];
-int plain_terms = PLAIN_TERMS;
+static double *cycle[3]; /* stresses of a cycle of Q at the first places */
 
-static double **const arrays[] = {&xs, &ys, &out[0], &out[1], &out[2]};
-enum { ARRAYS = sizeof arrays / sizeof arrays[0] };
-
-bool reserve_points(long n)
-{
-    for (int i = 0; i < ARRAYS; i++)
-        if ((*arrays[i] = malloc((size_t)n * sizeof **arrays[i])) == NULL)
-            return false;
-    for (long i = 0; i < n; i++) {
-        xs[i] = 4 * fmod((double)i * 0.6180339887498949, 1) - 2;
-        ys[i] = 2 * fmod((double)i * 0.7548776662466927, 1) + 1e-3;
-    }
-    return true;
-}
-
-void release_points(void)
-{
-    for (int i = 0; i < ARRAYS; i++)
-        free(*arrays[i]);
-}
-
-void must(int32_t status)
+static void must(int32_t status)
 {
     if (status == RWEDGE_OK)
         return;
@@ -39,40 +22,46 @@ void must(int32_t status)
     exit(1);
 }
 
-/* ---- Stresses ---- */
+/* ---- Stresses; `first` is c/b, 0 in full sliding ---- */
 
-double array_of_points(double c, double unused, long n)
+static double array_of_points(const work *w)
 {
-    (void)unused;
-    must(rwedge_stresses(0.3, 0.4, c, (size_t)n, xs, ys, out[0], out[1], out[2]));
-    return out[0][0] + out[2][n - 1];
+    must(rwedge_stresses(0.3, 0.4, w->first, (size_t)w->n, xs, ys, out[0], out[1], out[2]));
+    return out[0][0] + out[2][w->n - 1];
 }
 
-double points_one_by_one(double c, double unused, long n)
+static double points_one_by_one(const work *w)
 {
-    (void)unused;
     double sum = 0;
-    for (long i = 0; i < n; i++) {
+    for (long i = 0; i < w->n; i++) {
         double sxx, syy, txy;
-        rwedge_stress(0.3, 0.4, c, xs[i], ys[i], &sxx, &syy, &txy);
+        must(rwedge_stress(0.3, 0.4, w->first, xs[i], ys[i], &sxx, &syy, &txy));
         sum += sxx + syy + txy;
     }
     return sum;
 }
 
-double plain_points(long n)
+static double pressures(const work *w)
 {
-    plain_series s;
     double sum = 0;
-    plain_coefficients(&s, 0.3, plain_terms);
-    for (long i = 0; i < n; i++)
-        sum += plain_J2(&s, 0.4, 0.3, xs[i], ys[i]);
+    for (long i = 0; i < w->n; i++)
+        sum += rwedge_pressure(0.3, (double)i / (double)w->n);
     return sum;
 }
 
-/* ---- Elastic limits ---- */
+static double inverses(const work *w)
+{
+    double sum = 0;
+    for (long i = 0; i < w->n; i++)
+        sum += rwedge_a_over_b(1 + 1e-4 * (double)i);
+    return sum;
+}
 
-double case_of(long i, double *f)
+/* ---- Elastic limits, every call cold ---- */
+
+/* The i-th contact of the paper's table, a/b = 0.1 ... 1, f = 0 ... 0.8, in an order in which a few
+ * are of all kinds. */
+static double case_of(long i, double *f)
 {
     enum { FRICTIONS = 65, STEP = 77 }; /* the step has no divisor of 650 */
     const long k = STEP * i % PAPER_LIMITS;
@@ -80,88 +69,118 @@ double case_of(long i, double *f)
     return (double)(k / FRICTIONS + 1) / 10;
 }
 
-double limits_one_by_one(long n)
+static double limits_one_by_one(const work *w)
 {
     double sum = 0, f;
-    for (long i = 0; i < n; i++) {
+    for (long i = 0; i < w->n; i++) {
         const double alpha = case_of(i, &f);
         sum += rwedge_elastic_limit(alpha, f, 0.3);
     }
     return sum;
 }
 
-double plain_limits(long n)
+static double limits_in_array(const work *w)
 {
-    double sum = 0;
-    for (long i = 0; i < n; i++)
-        sum += plain_limit(0.5, 0.05 * (double)i, 0.3, plain_terms);
+    for (long i = 0; i < w->n; i++)
+        out[0][i] = case_of(i, &out[1][i]);
+    must(rwedge_elastic_limits((size_t)w->n, out[0], out[1], 0.3, out[2]));
+    return out[2][w->n - 1];
+}
+
+/* Both branches, as `rwedge table` writes them. */
+static double branches(const work *w)
+{
+    double sum = 0, f;
+    for (long i = 0; i < w->n; i++) {
+        const double alpha = case_of(i, &f);
+        double limit, x, y;
+        if (rwedge_subsurface_yield(alpha, f, 0.3, &limit, &x, &y) == RWEDGE_OK)
+            sum += limit;
+        must(rwedge_surface_yield(alpha, f, 0.3, &limit, &x));
+        sum += limit;
+    }
     return sum;
 }
 
 /* ---- Contacts ---- */
 
-rwedge_contact *new_contact(void)
+static rwedge_contact *new_contact(void)
 {
     rwedge_contact *contact;
     must(rwedge_contact_create(0.05, 1, 1.82e-5, 0.6, &contact));
     return contact;
 }
 
-rwedge_contact *worn_contact(double corners, double M)
+static rwedge_contact *new_flat(void)
 {
-    rwedge_contact *contact = new_contact();
-    must(rwedge_contact_apply(contact, 20000, M, 0, 0));
-    for (int i = 1; i < corners; i++)
-        must(rwedge_contact_load(contact, 20000,
-                                 (i % 2 ? 0.9 : -0.9) * 12000 * (1 - i / (corners + 1))));
+    rwedge_contact *contact;
+    must(rwedge_contact_create_flat(0.5, 20, 1.82e-5, 0.6, &contact));
     return contact;
 }
 
-/* The contact is destroyed. */
-static double points_of(rwedge_contact *contact, double P, long n)
+/* 99 arcs in contact. */
+static rwedge_contact *new_profile(void)
 {
-    must(rwedge_contact_load(contact, P, 0));
-    must(rwedge_contact_load(contact, P, 0.3 * P));
+    enum { CORNERS = 100 };
+    rwedge_contact *contact;
+    double x[CORNERS], slope[CORNERS];
+    for (int i = 0; i < CORNERS; i++) {
+        x[i] = 2.0 * i / (CORNERS - 1) - 1;
+        slope[i] = i == 0 ? -0.1 : slope[i - 1] + 0.004 * fmod(i * 0.6180339887498949, 1);
+    }
+    must(rwedge_contact_create_profile(CORNERS, x, slope, 1.82e-5, 0.6, &contact));
+    return contact;
+}
+
+/* After one step of Q; the contact is destroyed. */
+static double points_of(rwedge_contact *contact, double load, long n)
+{
+    must(rwedge_contact_load(contact, load, 0));
+    must(rwedge_contact_load(contact, load, 0.3 * load));
     must(rwedge_contact_stresses(contact, (size_t)n, xs, ys, out[0], out[1], out[2]));
     rwedge_contact_destroy(contact);
     return out[0][0] + out[2][n - 1];
 }
 
-double points_of_a_wedge(long n)
+static double points_of_a_wedge(const work *w)
 {
-    return points_of(new_contact(), 20000, n);
+    return points_of(new_contact(), P, w->n);
 }
 
-double points_of_a_flat_pad(long n)
+static double points_of_a_flat_pad(const work *w)
 {
-    rwedge_contact *contact;
-    must(rwedge_contact_create_flat(0.5, 20, 1.82e-5, 0.6, &contact));
-    return points_of(contact, 2000, n);
+    return points_of(new_flat(), 2000, w->n);
 }
 
-static rwedge_contact *new_profile(void)
+static double points_of_a_profile(const work *w)
 {
-    enum { PLACES = 100 };
-    rwedge_contact *contact;
-    double x[PLACES], slope[PLACES] = {-0.1};
-    for (int i = 0; i < PLACES; i++) {
-        x[i] = 2.0 * i / (PLACES - 1) - 1;
-        slope[i] = i == 0 ? -0.1 : slope[i - 1] + 0.004 * fmod(i * 0.6180339887498949, 1);
-    }
-    must(rwedge_contact_create_profile(PLACES, x, slope, 1.82e-5, 0.6, &contact));
+    return points_of(new_profile(), P, w->n);
+}
+
+/* It remembers as many corners: reversals of Q, each smaller than all before. */
+static rwedge_contact *worn_contact(double corners, double M)
+{
+    rwedge_contact *contact = new_contact();
+    must(rwedge_contact_apply(contact, P, M, 0, 0));
+    for (int i = 1; i < corners; i++)
+        must(rwedge_contact_load(contact, P,
+                                 (i % 2 ? 0.9 : -0.9) * 12000 * (1 - i / (corners + 1))));
     return contact;
 }
 
-double points_of_a_profile(long n)
+static double points_of_corners(const work *w)
 {
-    return points_of(new_profile(), 20000, n);
+    rwedge_contact *contact = worn_contact(w->first, w->second);
+    must(rwedge_contact_stresses(contact, (size_t)w->n, xs, ys, out[0], out[1], out[2]));
+    rwedge_contact_destroy(contact);
+    return out[0][0];
 }
 
-double yield_factors(double corners, double M, long n)
+static double yield_factors(const work *w)
 {
-    rwedge_contact *contact = worn_contact(corners, M);
+    rwedge_contact *contact = worn_contact(w->first, w->second);
     double sum = 0, factor;
-    for (long i = 0; i < n; i++) {
+    for (long i = 0; i < w->n; i++) {
         must(rwedge_contact_yield_factor(contact, 0.3, 100, &factor, NULL, NULL));
         sum += factor;
     }
@@ -169,18 +188,30 @@ double yield_factors(double corners, double M, long n)
     return sum;
 }
 
+/* Loads that grow, each remembered because Q/f bends. */
+static double growing_loads(const work *w)
+{
+    rwedge_contact *contact = new_contact();
+    for (long i = 1; i <= w->n; i++)
+        must(rwedge_contact_load(contact, (double)i, 0.1 * (double)(i + i % 2)));
+    const double memory = (double)rwedge_contact_memory(contact);
+    rwedge_contact_destroy(contact);
+    return memory;
+}
+
 /* ---- Loads without a closed form ---- */
 
-/* The contact is destroyed. M goes with Q, so many mm from it. */
+/* The tension lags behind Q by an eighth of a cycle; P, Q and tension may scatter. M goes with
+ * Q, so many mm from it. The contact is destroyed. */
 static double follow(rwedge_contact *contact, double tolerance, double arm, double scatter, long n)
 {
     must(rwedge_contact_allow_error(contact, tolerance));
-    must(rwedge_contact_load(contact, 20000, 0));
+    must(rwedge_contact_load(contact, P, 0));
     for (long i = 1; i <= n; i++) {
         const double phase = TURN * (double)i / 48;
         const double noise = scatter * (fmod((double)i * 0.6180339887498949, 1) - 0.5);
         const double Q = 9000 * (sin(phase) - noise);
-        must(rwedge_contact_apply(contact, 20000 * (1 + noise), arm * Q, Q,
+        must(rwedge_contact_apply(contact, P * (1 + noise), arm * Q, Q,
                                   2000 * (sin(phase - TURN / 8) + noise)));
     }
     const double error = rwedge_contact_error(contact);
@@ -188,17 +219,190 @@ static double follow(rwedge_contact *contact, double tolerance, double arm, doub
     return error;
 }
 
-double lagging(double tolerance, double scatter, long n)
+static double lagging(const work *w)
 {
-    return follow(new_contact(), tolerance, 0, scatter, n);
+    return follow(new_contact(), w->first, 0, w->second, w->n);
 }
 
-double rocking(double tolerance, double scatter, long n)
+static double rocking(const work *w)
 {
-    return follow(new_contact(), tolerance, 0.5, scatter, n);
+    return follow(new_contact(), w->first, 0.5, w->second, w->n);
 }
 
-double lagging_profile(double tolerance, double scatter, long n)
+static double lagging_profile(const work *w)
 {
-    return follow(new_profile(), tolerance, 0, scatter, n);
+    return follow(new_profile(), w->first, 0, w->second, w->n);
+}
+
+/* ---- Stresses through a history ---- */
+
+enum { MOST_LOADS = 2000 };
+static double loads[4][MOST_LOADS]; /* P, M, Q, sigma */
+
+/* Of Q alone; under a moment, with tension in phase; with tension that lags; or reversals, each
+ * smaller than all before, so that all are remembered. */
+enum { OF_Q, IN_PHASE, LAGGING, REVERSALS };
+
+static void set_loads(double kind, long count)
+{
+    for (long i = 0; i < count; i++) {
+        const double turn = TURN * (double)i / (double)count;
+        const double left = 1 - (double)i / ((double)count + 1);
+        loads[0][i] = P;
+        loads[1][i] = kind == IN_PHASE ? 3000 : 0;
+        loads[2][i] = kind == REVERSALS ? (i % 2 ? 10800 : -10800) * left : 9000 * sin(turn);
+        loads[3][i] = kind == IN_PHASE  ? 100 * sin(turn)
+                      : kind == LAGGING ? 2000 * sin(turn - TURN / 8)
+                                        : 0;
+    }
+}
+
+static rwedge_contact *before_history(double kind, long count)
+{
+    rwedge_contact *contact = new_contact();
+    set_loads(kind, count);
+    must(rwedge_contact_allow_error(contact, kind == LAGGING ? 1e-4 : 0));
+    must(rwedge_contact_apply(contact, P, loads[1][0], 0, 0));
+    return contact;
+}
+
+/* Twice, because the first cycle is not a closed one; at so many points the second time. */
+static double history_by_calls(const work *w)
+{
+    const long count = w->n / (long)w->second;
+    rwedge_contact *contact = before_history(w->first, count);
+    for (long i = 0; i < 2 * count; i++) {
+        const long k = i % count;
+        must(rwedge_contact_apply(contact, loads[0][k], loads[1][k], loads[2][k], loads[3][k]));
+        if (i >= count)
+            must(rwedge_contact_stresses(contact, (size_t)w->second, xs, ys, out[0], out[1],
+                                         out[2]));
+    }
+    rwedge_contact_destroy(contact);
+    return out[0][0];
+}
+
+static double history(const work *w)
+{
+    const long count = w->n / (long)w->second;
+    rwedge_contact *contact = before_history(w->first, count);
+    for (int i = 0; i < 2; i++)
+        must(rwedge_contact_stress_history(contact, (size_t)count, loads[0], loads[1], loads[2],
+                                           loads[3], (size_t)i * (size_t)w->second, xs, ys, out[0],
+                                           out[1], out[2]));
+    rwedge_contact_destroy(contact);
+    return out[0][0];
+}
+
+/* ---- Criteria of that cycle ---- */
+
+static double value[PLACES], cycles[PLACES], angle[PLACES], azimuth[PLACES];
+
+static double smith_watson_topper(const work *w)
+{
+    must(rwedge_smith_watson_topper_field(CYCLE_LOADS, (size_t)w->n, cycle[0], cycle[1], cycle[2],
+                                          110000, 0.33, value, angle));
+    return value[0];
+}
+
+static double fatemi_socie(const work *w)
+{
+    must(rwedge_fatemi_socie_field(CYCLE_LOADS, (size_t)w->n, cycle[0], cycle[1], cycle[2], 110000,
+                                   0.33, w->first, value, angle));
+    return value[0];
+}
+
+static double criterion(const work *w)
+{
+    must(rwedge_criterion_field((int32_t)w->first, CYCLE_LOADS, (size_t)w->n, cycle[0], cycle[1],
+                                cycle[2], 110000, 0.33, 0, 0.3, 1, value, angle, azimuth));
+    return value[0];
+}
+
+static double damage(const work *w)
+{
+    must(rwedge_smith_watson_topper_damage_field(CYCLE_LOADS, (size_t)w->n, cycle[0], cycle[1],
+                                                 cycle[2], 110000, 0.33, 0, 1000, -0.1, 0.5, -0.6,
+                                                 0, value, cycles, angle, azimuth));
+    return value[0];
+}
+
+const work works[WORKS] = {
+    [SERIES] = {"J2 by the plain series", plain_points, 0, 0, POINTS},
+    [SEARCH] = {"elastic limit by a plain search", plain_limits, 0, 0, 3},
+    [POINT] = {"stress at a point, full sliding", points_one_by_one, 0, 0, POINTS},
+    [POINT_SLIP] = {"stress at a point, partial slip", points_one_by_one, 0.4, 0, POINTS},
+    [ARRAY] = {"stress in an array, full sliding", array_of_points, 0, 0, POINTS},
+    [ARRAY_SLIP] = {"stress in an array, partial slip", array_of_points, 0.4, 0, POINTS},
+    [LONG_ARRAY] = {"stress in an array of 10^6", array_of_points, 0, 0, MANY},
+    [WEDGE] = {"stress in an array, of a contact", points_of_a_wedge, 0, 0, POINTS},
+    [FLAT_PAD] = {"stress in an array, of a flat pad", points_of_a_flat_pad, 0, 0, POINTS},
+    [PROFILE] = {"stress in an array, 99 arcs", points_of_a_profile, 0, 0, POINTS / 4},
+    [LIMIT] = {"elastic limit, cold", limits_one_by_one, 0, 0, PAPER_LIMITS / 5},
+    [MANY_LIMITS] = {"elastic limit, 2600 of them", limits_one_by_one, 0, 0, 4 * PAPER_LIMITS},
+    [LIMIT_ARRAY] = {"elastic limit, in an array", limits_in_array, 0, 0, PAPER_LIMITS},
+    [BRANCHES] = {"both branches, cold", branches, 0, 0, PAPER_LIMITS},
+    [HALF_WIDTH] = {"half-width from the load", inverses, 0, 0, POINTS},
+    [PRESSURE] = {"pressure", pressures, 0, 0, POINTS},
+    [TWO_CORNERS] = {"stress after P and then Q", points_of_corners, 2, 0, POINTS},
+    [MANY_CORNERS] = {"stress, 250 corners", points_of_corners, 250, 0, POINTS / 2},
+    [MANY_OFF_CENTRE] = {"stress, 250 corners off the centre", points_of_corners, 250, 8000,
+                         POINTS / 2},
+    [YIELD_ONE] = {"yield factor, one load", yield_factors, 1, 0, 100},
+    [YIELD_TWO] = {"yield factor, P and then Q", yield_factors, 2, 0, 20},
+    [YIELD_MANY] = {"yield factor, 250 corners", yield_factors, 250, 0, 1},
+    [YIELD_OFF_CENTRE] = {"yield factor, off the centre", yield_factors, 250, 8000, 1},
+    [LOADS] = {"load that grows, of 2000", growing_loads, 0, 0, MOST_LOADS},
+    [MANY_LOADS] = {"load that grows, of 40000", growing_loads, 0, 0, 20 * MOST_LOADS},
+    [LAG] = {"load, tension lags, to 1e-3", lagging, 1e-3, 0, 48},
+    [LAG_FINE] = {"load, tension lags, to 1e-6", lagging, 1e-6, 0, 48},
+    [NOISY_LOG] = {"load of a noisy log, to 1e-3", lagging, 1e-3, 0.03, 48},
+    [LONG_LOG] = {"load of a noisy log of 1000 loads", lagging, 1e-3, 0.03, 1000},
+    [ROCKING] = {"load that rocks, to 1e-6", rocking, 1e-6, 0, 12},
+    [LAG_PROFILE] = {"load of 100 places, to 1e-3", lagging_profile, 1e-3, 0, 12},
+    [CYCLE_BY_CALLS] = {"stresses through a cycle, by calls", history_by_calls, OF_Q, PLACES,
+                        CYCLE_LOADS *PLACES},
+    [CYCLE] = {"stresses through a cycle of Q", history, OF_Q, PLACES, CYCLE_LOADS *PLACES},
+    [CYCLE_TENSION] = {"stresses through one with tension", history, IN_PHASE, PLACES,
+                       CYCLE_LOADS *PLACES},
+    [CYCLE_LAG] = {"stresses through one that lags", history, LAGGING, 300, 48 * 300},
+    [SHRINKING_BY_CALLS] = {"2 points, 2000 corners, by calls", history_by_calls, REVERSALS, 2,
+                            2 * MOST_LOADS},
+    [SHRINKING] = {"2 points, 2000 corners, in one call", history, REVERSALS, 2, 2 * MOST_LOADS},
+    [SWT] = {"Smith-Watson-Topper of 40 loads", smith_watson_topper, 0, 0, PLACES},
+    [FATEMI_SOCIE] = {"Fatemi-Socie of 40 loads", fatemi_socie, 0.001, 0, PLACES},
+    [SWT_PLANES] = {"Smith-Watson-Topper, all planes", criterion, RWEDGE_MEASURE_SWT, 0, PLACES},
+    [FINDLEY] = {"Findley of 40 loads", criterion, RWEDGE_MEASURE_FINDLEY, 0, PLACES},
+    [CROSSLAND] = {"Crossland of 40 loads", criterion, RWEDGE_MEASURE_CROSSLAND, 0, PLACES},
+    [DAMAGE] = {"damage of 40 loads, by SWT", damage, 0, 0, PLACES},
+};
+
+/* ---- Places ---- */
+
+static double **const arrays[] = {&xs,     &ys,       &out[0],   &out[1],
+                                  &out[2], &cycle[0], &cycle[1], &cycle[2]};
+enum { ARRAYS = sizeof arrays / sizeof arrays[0], LONG = 5 };
+
+bool reserve_places(void)
+{
+    for (int i = 0; i < ARRAYS; i++) {
+        const size_t n = i < LONG ? MANY : CYCLE_LOADS * PLACES;
+        if ((*arrays[i] = malloc(n * sizeof **arrays[i])) == NULL)
+            return false;
+    }
+    for (int i = 0; i < MANY; i++) {
+        xs[i] = 4 * fmod((double)i * 0.6180339887498949, 1) - 2;
+        ys[i] = 2 * fmod((double)i * 0.7548776662466927, 1) + 1e-3;
+    }
+    history(&works[CYCLE]);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < CYCLE_LOADS * PLACES; i++)
+            cycle[k][i] = out[k][i];
+    return true;
+}
+
+void release_places(void)
+{
+    for (int i = 0; i < ARRAYS; i++)
+        free(*arrays[i]);
 }

@@ -147,6 +147,17 @@ CLAIM(what_a_removal_under_tension_costs_is_not_known)
     assert_int_equal(rub(contact, &removal, 1, &x, &at), RWEDGE_EPATH);
 }
 
+/* Tension alone shears it, beyond any closed form. */
+CLAIM(a_computed_shear_may_be_removed_in_a_cycle)
+{
+    const loads removal = add(add(add((loads){0}, 1, 0, 0, 0), 1, 0, 0.1, 0.9), 0, 0, 0, 0);
+    rwedge_contact *contact = create(0.4, F);
+    assert_ok(rwedge_contact_allow_error(contact, 1e-2));
+    const double x = 1;
+    const friction at = rubbed(contact, &removal, 1, &x);
+    assert_true(at.range[0] > 0 && at.energy[0] > 0);
+}
+
 /* ---- Against many small steps ---- */
 
 typedef struct {

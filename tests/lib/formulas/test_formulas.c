@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The paper's formulas and the patches off the centre against their integrals. Their accuracy is the
- * business of ../../proof/accuracy/. */
+/* The paper's formulas and the patches off the centre against their integrals. How accurate they
+ * are, proof/accuracy shows. */
 #include "claims.h"
 #include "formulas/patch.h"
 #include "quadrature.h"

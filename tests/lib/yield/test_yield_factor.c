@@ -99,6 +99,18 @@ CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) == 0);
 }
 
+/* Of two kinks of a profile one touches; what sticks there is finite where shape alone yields. */
+CLAIM(a_kink_beside_the_contact_makes_no_infinite_stress)
+{
+    const double x[] = {0, 0, 1, 1}, slope[] = {-0.1, 0.05, 0.05, 0.1};
+    rwedge_contact *contact;
+    assert_ok(rwedge_contact_create_profile(4, x, slope, A, 0.5, &contact));
+    load(owned(contact), 0.01, 0);
+    assert_true(rwedge_contact_half_width(contact) < 1);
+    assert_true(yield_factor(contact, 0.3, 1, NULL, NULL) == 0);
+    assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
+}
+
 /* A place of the search's grid around another mark is the apex itself, to the last bit. */
 CLAIM(a_grid_that_meets_the_apex_raises_nothing)
 {

@@ -91,6 +91,9 @@ bool rw_pad_is_kink(const rw_pad *pad, double x)
 
 /* ---- The patch of a load ---- */
 
+/* A width that cannot be multiplied. */
+static const double LARGEST = 1e250;
+
 typedef struct {
     const rw_pad *pad;
     double P, wanted;
@@ -110,11 +113,11 @@ static double load_excess(double right, const void *context)
     return rw_pad_pressing(at->pad, (rw_patch){at->left, right}).load - at->P;
 }
 
-/* The first place after *from, in steps that double, at which f is positive: a load grows with the
- * width, without bound. *from, where f is not positive, moves to the place before it. */
+/* The first place after *from, in steps that double, at which f is positive. *from, where f is not
+ * positive, moves to the place before it. */
 static double beyond_root(rw_function f, const void *context, double *from, double step)
 {
-    while (f(*from + step, context) < 0) {
+    while (f(*from + step, context) < 0 && step < LARGEST) {
         *from += step;
         step *= 2;
     }
@@ -129,7 +132,7 @@ double rw_pad_half_width(const rw_pad *pad, double P)
     if (P == 0)
         return 0;
     const double hi = beyond_root(half_load_excess, &at, &lo, lo);
-    return rw_root(half_load_excess, &at, lo, hi, 0);
+    return hi < LARGEST ? rw_root(half_load_excess, &at, lo, hi, 0) : NAN;
 }
 
 static double right_edge(const search *at)
@@ -137,7 +140,7 @@ static double right_edge(const search *at)
     double lo = at->left + at->P * (1 - DBL_EPSILON);
     const double hi = beyond_root(load_excess, at, &lo, at->P);
     const double nearest = DBL_EPSILON / 4 * (hi - at->left);
-    return rw_root(load_excess, at, lo, hi, nearest);
+    return hi < LARGEST ? rw_root(load_excess, at, lo, hi, nearest) : NAN;
 }
 
 /* Under one load the moment and the tilt grow as the edges move to the right. The rounded edges of
@@ -156,14 +159,14 @@ static rw_patch search_patch(search *s)
 {
     const double end = s->pad->arcs[s->pad->count - 1].right;
     double lo = s->pad->arcs[0].left - s->P, step = s->P;
-    while (excess(lo, s) > 0) {
+    while (excess(lo, s) > 0 && step < LARGEST) {
         lo -= step;
         step *= 2;
     }
     double distance = end - lo;
     do {
         distance /= 2;
-        if (!(end - distance < end))
+        if (!(end - distance < end && step < LARGEST))
             return (rw_patch){NAN, NAN};
     } while (excess(end - distance, s) < 0);
     s->left = rw_root(excess, s, lo, end - distance, DBL_EPSILON / 4 * (s->P + (end - lo)));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "formulas/patch.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 #include "base/logarithm.h"
 #include "rwedge.h"
@@ -10,6 +11,9 @@
 
 /* A smaller alpha is lost in rounding beside 1, and its square beside any number. */
 static const double SHARP = 0x1p-260;
+
+/* A width that cannot be multiplied. */
+static const double LARGEST = 1e250;
 
 /* The rounding of an edge, over the width: an edge at the same place counts as inside. */
 static const double SLACK = 1e-12;
@@ -149,7 +153,8 @@ static double load_excess(double right, const void *context)
 static double right_edge(const search *at)
 {
     double lo = at->left + at->P * (1 - DBL_EPSILON), width = at->P;
-    while (load_excess(at->left + width, at) < 0) { /* the load grows with the width */
+    /* always: the load grows with the width */
+    while (load_excess(at->left + width, at) < 0 && ALWAYS(width < LARGEST)) {
         lo = at->left + width;
         width *= 2;
     }

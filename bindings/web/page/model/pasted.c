@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tool's reader of rows asks for a file of text: here it is a text in memory. */
-#include "pasted.h"
-
-#include "input/input.h"
-#include "text/text.h"
+#include "page.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -25,13 +25,6 @@ double some_stress(probe *call, double other)
                         : either_sign(call, log_between(call, 1e-60, 0.5e60));
 }
 
-void draw_stress(probe *call, double s[3])
-{
-    s[0] = argument(call, "sxx", some_stress(call, 1));
-    s[1] = argument(call, "syy", some_stress(call, s[0]));
-    s[2] = argument(call, "txy", some_stress(call, s[chance(call, 0.5)]));
-}
-
 /* s, d, t and R of the stress. */
 struct circle {
     ball s, d, t, R;
@@ -49,53 +42,41 @@ ball off_plane(const circle &c, double nu)
     return abs((1 - 2 * ball(nu)) * c.s);
 }
 
-bool draw_von_mises(probe *call)
+ball von_mises(const double *v)
 {
-    double s[3];
-    draw_stress(call, s);
-    return gives(call,
-                 rwedge_von_mises(s[0], s[1], s[2], argument(call, "nu", some_poisson(call))));
-}
-
-ball judge_von_mises(const probe &call)
-{
-    const circle c = circle_of(call.value);
-    return relative_error(call.result[0], sqrt(sqr(off_plane(c, call.value[3])) + 3 * sqr(c.R)));
-}
-
-bool draw_largest_shear(probe *call)
-{
-    double s[3];
-    draw_stress(call, s);
-    return gives(call,
-                 rwedge_largest_shear(s[0], s[1], s[2], argument(call, "nu", some_poisson(call))));
+    const circle c = circle_of(v);
+    return sqrt(sqr(off_plane(c, v[3])) + 3 * sqr(c.R));
 }
 
 /* The largest of |s1-s2|/2 and |s1-szz|/2, |s2-szz|/2, the larger of which is (R + |s-szz|)/2. */
-ball judge_largest_shear(const probe &call)
+ball largest_shear(const double *v)
 {
-    const circle c = circle_of(call.value);
-    return relative_error(call.result[0], max(c.R, (off_plane(c, call.value[3]) + c.R) / 2));
+    const circle c = circle_of(v);
+    return max(c.R, (off_plane(c, v[3]) + c.R) / 2);
 }
 
-bool draw_out_of_plane(probe *call)
+double some_sxx(probe *call)
 {
-    const double sxx = argument(call, "sxx", some_stress(call, 1)),
-                 syy = argument(call, "syy", some_stress(call, sxx));
-    return gives(call,
-                 rwedge_out_of_plane_stress(sxx, syy, argument(call, "nu", some_poisson(call))));
+    return some_stress(call, 1);
+}
+double some_syy(probe *call)
+{
+    return some_stress(call, call->value[0]);
+}
+double some_txy(probe *call)
+{
+    return some_stress(call, call->value[chance(call, 0.5)]);
 }
 
-ball judge_out_of_plane(const probe &call)
-{
-    const double *v = call.value;
-    return relative_error(call.result[0], v[2] * (ball(v[0]) + v[1]));
-}
+const drawn sxx = {"sxx", some_sxx}, syy = {"syy", some_syy}, txy = {"txy", some_txy},
+            ratio = {"nu", some_poisson};
 
 bool draw_principal(probe *call)
 {
-    double s[3], *r = call->result;
-    draw_stress(call, s);
+    double *r = call->result;
+    const double *s = call->value;
+    for (const drawn &a : {sxx, syy, txy})
+        argument(call, a.name, a.value(call));
     return gives_if(call, rwedge_principal_stresses(s[0], s[1], s[2], &r[0], &r[1], &r[2]));
 }
 
@@ -320,12 +301,13 @@ bool draw_fatemi_socie(probe *call)
 } // namespace
 
 const row MEASURE_ROWS[] = {
-    {"von_mises", STRESS "; nu", "relative", 4 * EPSILON, "4 eps", 1, draw_von_mises,
-     judge_von_mises},
-    {"out_of_plane_stress", "the same", "relative", 4 * EPSILON, "4 eps", 1, draw_out_of_plane,
-     judge_out_of_plane},
-    {"largest_shear", "the same", "relative", 4 * EPSILON, "4 eps", 1, draw_largest_shear,
-     judge_largest_shear},
+    {"von_mises", STRESS "; nu", "relative", 4 * EPSILON, "4 eps", 1,
+     calling(rwedge_von_mises, {{sxx, syy, txy, ratio}}), relative_to(von_mises)},
+    {"out_of_plane_stress", "the same", "relative", 4 * EPSILON, "4 eps", 1,
+     calling(rwedge_out_of_plane_stress, {{sxx, syy, ratio}}),
+     relative_to([](const double *v) { return v[2] * (ball(v[0]) + v[1]); })},
+    {"largest_shear", "the same", "relative", 4 * EPSILON, "4 eps", 1,
+     calling(rwedge_largest_shear, {{sxx, syy, txy, ratio}}), relative_to(largest_shear)},
     {"principal_stresses", "the same", "of the larger of \\|s1\\|, \\|s2\\|", 4 * EPSILON, "4 eps",
      1, draw_principal, judge_principal},
     {"principal_stresses, angle", "the same", "absolute", 4 * EPSILON, "4 eps", 1, draw_principal,

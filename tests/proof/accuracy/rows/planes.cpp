@@ -40,6 +40,30 @@ bool draw_cycle(probe *call, cycle *c)
     return are_apart(s, nu);
 }
 
+/* The parameter of a cycle, whose last arguments these are; r: its value and its plane. */
+std::function<bool(probe *)> of_cycle(const std::vector<drawn> &others,
+                                      int32_t (*parameter)(const cycle &c, const double *v,
+                                                           double *r))
+{
+    return [=](probe *call) {
+        cycle c;
+        if (!draw_cycle(call, &c))
+            return false;
+        for (const drawn &a : others)
+            argument(call, a.name, a.value(call));
+        return gives_if(call, parameter(c, call->value, call->result), call->result[0]);
+    };
+}
+
+double some_part(probe *call)
+{
+    return chance(call, 0.1) ? 0 : between(call, 0, 1);
+}
+double some_E(probe *call)
+{
+    return log_between(call, 1e-3, 1e6);
+}
+
 /* The largest principal stress of the load that was drawn, the one between, the smallest. */
 struct principals {
     ball largest, between, smallest, szz;
@@ -78,36 +102,12 @@ ball per_modulus(const probe &call)
 
 /* ---- Findley, Fatemi and Socie ---- */
 
-bool draw_findley(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double k = argument(call, "k", chance(call, 0.1) ? 0 : between(call, 0, 1));
-    return gives_if(call, rwedge_findley(LOADS, c.sxx, c.syy, c.txy, c.nu, k, &value, &angle, &out),
-                    value);
-}
-
 /* k |s1+s3|/2 + sqrt(1+k^2) (s1-s3)/2 */
 ball judge_findley(const probe &call)
 {
     const outermost at = outermost_of(call);
     const ball k = call.value[4];
     return error_over(call.result[0], k * at.mean + sqrt(1 + sqr(k)) * at.half, (1 + k) * at.s);
-}
-
-bool draw_fatemi_socie(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
-    return gives_if(
-        call,
-        rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, E, c.nu, 0, 0, &value, &angle, &out),
-        value);
 }
 
 /* (1+c.nu)/E (s1-s3) */
@@ -118,19 +118,6 @@ ball judge_fatemi_socie(const probe &call)
 }
 
 /* ---- Smith, Watson and Topper ---- */
-
-bool draw_smith_watson_topper(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
-    return gives_if(call,
-                    rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, E, c.nu, 0,
-                                                      &value, &angle, &out),
-                    value);
-}
 
 struct weights {
     ball stress, strain;
@@ -165,18 +152,6 @@ ball judge_smith_watson_topper(const probe &call)
 
 /* ---- Susmel, McDiarmid ---- */
 
-bool draw_modified_wohler(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double kappa = argument(call, "kappa", fabs(c.sxx[0]) * between(call, 0, 1));
-    return gives_if(
-        call, rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, c.nu, kappa, &value, &angle, &out),
-        value);
-}
-
 /* (s1-s3)/2 + kappa |s1+s3|/(s1-s3), over the first and kappa */
 ball judge_modified_wohler(const probe &call)
 {
@@ -184,19 +159,6 @@ ball judge_modified_wohler(const probe &call)
     const double kappa = call.value[4];
     return error_over(call.result[0], at.half + kappa * at.mean / at.half,
                       at.s + kappa * at.s / at.half); /* s + kappa s/tau_a */
-}
-
-bool draw_mcdiarmid(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double t_A = argument(call, "t_A", 1e-50 + fabs(c.sxx[0]) * between(call, 0.1, 10)),
-                 su = argument(call, "su", t_A * between(call, 1, 10));
-    return gives_if(
-        call, rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, c.nu, t_A, su, &value, &angle, &out),
-        value);
 }
 
 ball judge_mcdiarmid(const probe &call)
@@ -239,13 +201,40 @@ template <bool is_dang_van> ball judge_sphere(const probe &call)
 
 const row PLANE_ROWS[] = {
     {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+c.nu)/E", 1e-14, "1e-14", 0.1,
-     draw_smith_watson_topper, judge_smith_watson_topper},
+     of_cycle({{"E", some_E}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu,
+                                                           0, r, r + 1, r + 2);
+              }),
+     judge_smith_watson_topper},
     {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+c.nu)/E", 1e-14, "1e-14", 0.1,
-     draw_fatemi_socie, judge_fatemi_socie},
-    {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1, draw_findley, judge_findley},
-    {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1, draw_modified_wohler,
+     of_cycle({{"E", some_E}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, 0, 0, r,
+                                                    r + 1, r + 2);
+              }),
+     judge_fatemi_socie},
+    {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1,
+     of_cycle({{"k", some_part}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_findley(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r, r + 1, r + 2);
+              }),
+     judge_findley},
+    {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1,
+     of_cycle({{"kappa", [](probe *call) { return fabs(call->value[0]) * between(call, 0, 1); }}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r, r + 1,
+                                                r + 2);
+              }),
      judge_modified_wohler},
-    {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1, draw_mcdiarmid,
+    {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1,
+     of_cycle({{"t_A",
+                [](probe *call) { return 1e-50 + fabs(call->value[0]) * between(call, 0.1, 10); }},
+               {"su", [](probe *call) { return call->value[4] * between(call, 1, 10); }}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], v[5], r, r + 1,
+                                          r + 2);
+              }),
      judge_mcdiarmid},
     {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<false>,
      judge_sphere<false>},

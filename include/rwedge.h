@@ -364,7 +364,7 @@ RWEDGE_API int32_t rwedge_contact_create(double theta, double a, double A, doubl
 
 /* The same for a flat pad with rounded edges: flat over |x| < a, of the radius R beyond. It is a
  * cylinder for a = 0.                                                                           new
- *   a  half-width of the flat, length
+ *   a  half-width of the flat, length, finite, >= 0
  *   R  radius of the edges, length, > 0, at most 1e60
  * Its slope is (|x| - a)/R beyond the flat, as far as |x| = a + R: a load that would bring the
  * contact farther is refused with RWEDGE_ERANGE. Where a function below names theta, it is 1 for

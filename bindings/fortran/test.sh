@@ -31,9 +31,8 @@ fortran()
     shift
     [ $program != answer ] || place=$made/fortran
     # shellcheck disable=SC2086
-    gfortran $strict "$@" "$place/$program.f90" rwedge.o $objects "$prefix/lib/librwedge.a" -lm -o "$program"
+    gfortran $strict "$@" "$place/$program.f90" rwedge.o "$prefix/lib/librwedge.a" -lm -o "$program"
 }
-objects=''
 
 # shellcheck disable=SC2086
 gfortran $strict -O2 -fopenmp -c "$prefix/include/rwedge.f90"
@@ -49,17 +48,13 @@ sed '$d; s/E\([-+]\)/e\1/' example.txt | diff - "$top/tests/data/example_frettin
 echo "the example prints what it does in C; $(tail -n 1 example.txt)"
 
 # where equality is asserted, it is meant
-cc -O2 -c -I"$prefix/include" "$here/support.c" -o support.o
-objects=support.o
-fortran test_module -O2 -Wno-compare-reals -Wl,--wrap=rwedge_contact_create,--wrap=rwedge_contact_copy \
-    -Wl,--wrap=rwedge_contact_destroy,--wrap=rwedge_series_create,--wrap=rwedge_series_destroy
-objects=''
+# shellcheck disable=SC2086
+gfortran $strict -g -O1 -fopenmp -fsanitize=address -c "$prefix/include/rwedge.f90"
+fortran test_module -g -O1 -fopenmp -fsanitize=address -Wno-compare-reals
 ./test_module
+ASAN_OPTIONS=detect_leaks=0 ./test_module threads
 if ./test_module stop 2>stopped.txt; then
     fail "an error without stat does not end the program"
 fi
 grep -q '^rwedge_stress(alpha, f, c, x, y): an argument is outside its domain: ' stopped.txt ||
     fail "it does not say why it ends"
-
-fortran copies -O2 -fopenmp -Wno-compare-reals
-./copies

@@ -31,6 +31,11 @@ ROLES = (
 )
 RETURNS = ("double", "int32_t", "size_t", "const char *", "void")
 SECTION = re.compile(r"/\* ---- (.*?) -+ \*/")
+TOKEN = re.compile(r"""
+    (?P<section> /\* \ ----\ [^\n]* \n) | (?P<comment> /\* .*? \*/ \n) | (?P<blank> \n) |
+    (?P<declaration> RWEDGE_API [^\n;]* (?: \n\ [^\n;]* )* ; \n) | (?P<numbers> enum\ \{ .*? \n\}; \n) |
+    (?P<object> typedef\ struct\ (rwedge_\w+)\ \7; \n) | (?P<other> \#(?! \ *define\ +\w+\( )[^\n]* \n | extern\ "C"\ \{\n | \}\n)
+    """, re.X | re.S)
 EQUATION = re.compile(r"\s{2,}((?:Eqs?\.|Sec\.|Figs?\.|new\b|[A-Za-z][A-Za-z ,]*? \(\d{4}\)).*)$")
 ARGUMENT = re.compile(r"  (\w+(?:, \w+)*)  +(\S.*)")
 FURTHER = re.compile(r" {4,}(\S.*)")
@@ -245,7 +250,7 @@ class Reader:
     """Reads the header from top to bottom."""
 
     def __init__(self, path: Path) -> None:
-        self.path, self.lines = path, path.read_text(encoding="ascii").split("\n")
+        self.path, self.text = path, path.read_text(encoding="ascii")
         self.interface = Interface([], {}, {}, [])
         self.section = ""
         self.shared: dict[bool, dict[str, tuple[str, set[str]]]] = {False: {}, True: {}}
@@ -258,37 +263,30 @@ class Reader:
         raise Refused(f"{self.path}:{line}: {what}")
 
     def read(self) -> Interface:
-        i = 0
-        while i < len(self.lines):
-            line, first = self.lines[i], i + 1
-            if match := SECTION.fullmatch(line):
-                self.begin_section(match[1])
-            elif line.startswith("/*"):
-                while "*/" not in self.lines[i]:
-                    i += 1
-                    if i == len(self.lines):
-                        self.refuse(first, "a comment without an end")
-                self.take_comment([re.sub(r"^(/\*| \*) ?|\s*\*/$", "", x) for x in self.lines[first - 1:i + 1]], first)
-            elif line.startswith("RWEDGE_API"):
-                while ";" not in self.lines[i]:
-                    i += 1
-                    if i == len(self.lines) or not self.lines[i].startswith(" "):
-                        self.refuse(first, "a declaration without an end")
-                self.take_declaration(" ".join(" ".join(self.lines[first - 1:i + 1]).split()), first)
-            elif line == "enum {":
-                i = self.take_numbers(i + 1)
-            elif not line:
-                self.leave_alone()
-            elif re.match(r"# *define +\w+\(", line):
-                self.refuse(first, f"a macro with arguments: {line}")
-            elif not re.match(r"#|extern \"C\" \{$|\}$|typedef struct (rwedge_\w+) \1;$", line):
-                self.refuse(first, f"neither a comment nor a declaration of the conventions: {line}")
-            if match := re.match(r"typedef struct rwedge_(\w+)", line):
-                self.interface.objects[match[1]] = [*self.alone, self.comment]
-                self.alone = self.comment = []
-            i += 1
+        at = 0
+        while at < len(self.text):
+            token, line = TOKEN.match(self.text, at), self.text.count("\n", 0, at) + 1
+            if not token:
+                self.refuse(line, f"neither a comment nor a declaration of the conventions: {self.text[at:].partition(chr(10))[0]}")
+            self.take(token.lastgroup, token[0], line)
+            at = token.end()
         self.give_sizes()
         return self.interface
+
+    def take(self, kind: str, text: str, line: int) -> None:
+        if kind == "section":
+            self.begin_section(SECTION.match(text)[1])
+        elif kind == "comment":
+            self.take_comment([re.sub(r"^(/\*| \*) ?|\s*\*/$", "", x) for x in text.splitlines()], line)
+        elif kind == "declaration":
+            self.take_declaration(" ".join(text.split()), line)
+        elif kind == "numbers":
+            self.take_numbers(text.splitlines()[1:-1], line)
+        elif kind == "object":
+            self.interface.objects[text.split()[2].removeprefix("rwedge_")] = [*self.alone, self.comment]
+            self.alone = self.comment = []
+        elif kind == "blank":
+            self.leave_alone()
 
     def give_sizes(self) -> None:
         """The first page's domain of whatever has a size: all numbers but those that it names."""
@@ -323,15 +321,13 @@ class Reader:
                 self.refuse(first, 'a second list of arguments must say for what it holds: "From here to the ..."')
             self.shared[self.dimensional] = self.listed(lines)[0]
 
-    def take_numbers(self, i: int) -> int:
-        found = self.interface.statuses if self.section == "Status" else self.interface.bits
-        while not self.lines[i].startswith("}"):
-            match = re.match(r"    (RWEDGE_[A-Z0-9_]+) = (\d+)(?:,|$| )", self.lines[i])
+    def take_numbers(self, lines: list[str], first: int) -> None:
+        numbers = self.interface.statuses if self.section == "Status" else self.interface.bits
+        for i, line in enumerate(lines, first + 1):
+            match = re.match(r"    (RWEDGE_[A-Z0-9_]+) = (\d+)(?:,|$| )", line)
             if not match:
-                self.refuse(i + 1, f"not a name with its value: {self.lines[i].strip()}")
-            found[match[1]] = int(match[2])
-            i += 1
-        return i
+                self.refuse(i, f"not a name with its value: {line.strip()}")
+            numbers[match[1]] = int(match[2])
 
     @staticmethod
     def listed(lines: list[str]) -> tuple[dict[str, tuple[str, set[str]]], list[str]]:

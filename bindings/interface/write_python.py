@@ -15,6 +15,7 @@ import textwrap
 from header import SENTENCE, Domain, Function, Interface, Parameter
 
 IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
+    (r"Unless RWEDGE_OK, the contact", "After an error the contact"), (r",? ?RWEDGE_ENOMEM", ""), (r"Free with rwedge_\w+_destroy\(\)\.", ""),
     (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?never NULL", ""), (r"Static text\.| ?Nothing is written unless every\s+point is in the domain\.", ""), (r"\bat n points\b", "at points"),
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
     (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
@@ -26,6 +27,14 @@ BY_HAND = {"contact_create", "contact_create_flat", "contact_create_profile", "c
            "series_destroy", "series_coefficient", "series_potential", "stresses", "elastic_limits", "version", "strerror",
            # generalized ufuncs take any number of points
            "smith_watson_topper_field", "fatemi_socie_field"}
+# Of these the methods that have the header's text, with what Python adds to it.
+ALL_OR_NONE = "Of arrays, one load after the other: all of them, or none where one is refused."
+TOLERANCE = "``tolerance``, of q over f times the peak pressure, is as ``Contact`` has it."
+ADDED = {"contact_load": ALL_OR_NONE, "contact_apply": ALL_OR_NONE + " What has no closed form is computed, and ``error`` tells how exactly, "
+         "unless the contact's ``tolerance`` is 0.", "contact_create_flat": TOLERANCE, "contact_create_profile": TOLERANCE,
+         "contact_yield_factor": "", "contact_state": "``Contact.restore(state)`` goes on to the same bits.", "contact_restore": "",
+         "series_fit": "x and p are of one dimension and the same length. At least terms samples, samples times terms <= 2^27, samples times terms^2 <= 2^33 (half a minute).",
+         "series_potential": "The result is complex."}
 
 
 def one_line(text: str) -> str:
@@ -118,7 +127,7 @@ def raised(f: Function) -> list[str]:
     """The section on exceptions, of what is not a formula."""
     causes: dict[str, list[str]] = {}
     general = {"RWEDGE_EDOMAIN": "outside the domain", "RWEDGE_ERANGE": "where a size is out of range", "RWEDGE_ESLIDING": "where |Q| > f P",
-               "RWEDGE_EPATH": "where there is no closed form", "RWEDGE_EABSENT": ""}
+               "RWEDGE_EPATH": "where there is no closed form", "RWEDGE_EABSENT": "", "RWEDGE_ERANK": ""}
     for status in f.errors if f.result == "status" else []:
         if status in general:
             why = f.reasons.get(status) or general[status]
@@ -154,7 +163,7 @@ def docstring(f: Function, equation: str) -> str:
         lines += ["Returns", "-------", f"{', '.join(outputs) or f.method} : {returned(f)}"]
     lines += [] if is_formula(f) else raised(f)
     end = [*(refused(f) if is_formula(f) else []), *[CYCLES] * is_gufunc(f), units(f)]
-    notes = one_line(" ".join([*rest, *(s for paragraph in general for s in sentences(paragraph)), *end]))
+    notes = one_line(" ".join([ADDED.get(f.name, ""), *rest, *(s for paragraph in general for s in sentences(paragraph)), *end]))
     text = "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
     return re.sub(r"\|([^|\n]+)\|", r"abs(\1)", text)  # |Q| is a substitution to what reads reStructuredText
 
@@ -276,6 +285,13 @@ __all__: list[str] = {names}
 
 
 class _Object:
+    def __init_subclass__(cls) -> None:
+        """A method without a text has that of the method it stands for."""
+        for name, member in vars(cls).items():
+            method = getattr(member, "__func__", member)
+            if callable(method) and not method.__doc__:
+                method.__doc__ = getattr(getattr(super(cls, cls), name, None), "__doc__", None)
+
     def _call(self, name: str, *arguments: Any) -> Any:
         raise NotImplementedError
 
@@ -312,6 +328,15 @@ def definition(f: Function, margin: str) -> str:
     return "\n".join(margin + x if x else x for x in lines)
 
 
+def inherited(f: Function) -> str:
+    """The text of a method that the class defines itself: there it has none."""
+    kind = ["@classmethod"] if f.of("created") else []
+    doc = textwrap.indent(f'"""{docstring(f, f.equation or "new").split(chr(10), 2)[2]}\n"""', "    ").split("\n")
+    lines = [*kind, f"def {f.method.removeprefix('create_')}({'cls' if kind else 'self'}, *given: Any, **named: Any) -> Any:", *doc,
+             "    raise NotImplementedError", ""]
+    return textwrap.indent("\n".join(lines), "    ")
+
+
 def made_py(interface: Interface) -> str:
     made = [f for f in interface.functions if is_general(f)]
     functions = [f"_{f.name} = function({f.name!r})" for f in made if is_reading(f)]
@@ -320,6 +345,7 @@ def made_py(interface: Interface) -> str:
     text += "\n".join(definition(f, "") + "\n" for f in made if not f.family)
     for family in ("contact", "series"):
         methods = [definition(f, "    ") for f in made if f.family == family]
+        methods += [inherited(interface[name]) for name in ADDED if interface[name].family == family]
         text += f"\nclass {family.title()}Methods(_Object):\n" + ("\n".join(methods) or "    pass\n") + "\n"
     return text
 

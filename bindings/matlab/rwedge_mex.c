@@ -7,7 +7,7 @@
  * A function of numbers is taken over the elements of its arguments: arrays of one size, or of
  * size 1 in a dimension, which go with all along it. So is one of points. Other functions of
  * arrays take them whole. mexErrMsgIdAndTxt() does not return; nothing that must be freed is held
- * where it is called, but for the copy that fail() frees. */
+ * where it is called, but for what fail() frees. */
 #include "entries.h"
 #include "rwedge.h"
 
@@ -22,13 +22,17 @@
 
 /* ---- Errors ---------------------------------------------------------------------------------- */
 
-/* A copy of a contact that goes through several loads, all or none. */
+/* What a failure frees: a copy of a contact that goes through several loads, all or none; and a
+ * place for an object that is being made. */
 static rwedge_contact *trial;
+static void *unused;
 
-static void end_trial(void)
+static void free_all(void)
 {
     rwedge_contact_destroy(trial);
     trial = NULL;
+    free(unused);
+    unused = NULL;
 }
 
 static void fail(const char *reason, const char *format, ...)
@@ -39,7 +43,7 @@ static void fail(const char *reason, const char *format, ...)
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     snprintf(id, sizeof id, "rwedge:%s", reason);
-    end_trial();
+    free_all();
     mexErrMsgIdAndTxt(id, "%s", text);
 }
 
@@ -141,97 +145,54 @@ static void fail_with(int32_t status, const entry *call, const void *object,
     fail(reason_of(status), "%s", m.text);
 }
 
-/* ---- Handles: pairs of numbers that are never used twice ------------------------------------- */
+/* ---- Handles: two numbers that a class holds, and forgets when it is deleted --------------- */
 
-typedef enum { NOTHING, CONTACT, SERIES } kind;
-
+/* Several loads make another object of a contact: so there is a place between. */
 typedef struct {
-    kind family;
     void *object;
-    double number[2]; /* which copy of this file, and which of its objects */
-} handle;
+} place;
 
-static handle *handles;
-static size_t handle_count, alive;
-static double last_number;
+static double alive;
 
-/* When and where this copy of the file was loaded: after build_rwedge there may be two, that of
- * the old objects and the new. */
-static double this_copy(void)
+/* The first number: when and where this copy of the file was loaded, as after build_rwedge there
+ * may be two, that of the old objects and the new; below 0 for a series. */
+static double owner_of(const char *family)
 {
     static double number;
     if (number == 0)
         number = ldexp((double)time(NULL), 20) + (double)((uintptr_t)&number >> 12 & 0xfffff);
-    return number;
+    return strcmp(family, "contact") == 0 ? number : -number;
 }
 
-static void destroy(handle *h)
+static place *find(const char *family, const mxArray *handle)
 {
-    if (h->family == CONTACT)
-        rwedge_contact_destroy(h->object);
-    else
-        rwedge_series_destroy(h->object);
-    h->family = NOTHING;
-    if (--alive == 0)
-        mexUnlock();
-}
-
-static void destroy_all(void)
-{
-    for (size_t i = 0; i < handle_count; i++)
-        if (handles[i].family != NOTHING)
-            destroy(&handles[i]);
-    free(handles);
-    handles = NULL;
-    handle_count = 0;
-}
-
-/* A slot that is free, or NULL where there is no memory for more. Asked for before an object is
- * made, so that none is lost. */
-static handle *free_slot(void)
-{
-    for (size_t i = 0; i < handle_count; i++)
-        if (handles[i].family == NOTHING)
-            return &handles[i];
-    const size_t more = 2 * handle_count + 8;
-    handle *larger = realloc(handles, more * sizeof *larger);
-    if (!larger)
+    if (!mxIsDouble(handle) || mxIsComplex(handle) || mxGetNumberOfElements(handle) != 2)
         return NULL;
-    handles = larger;
-    for (size_t i = handle_count; i < more; i++)
-        handles[i].family = NOTHING;
-    larger = &handles[handle_count];
-    handle_count = more;
-    return larger;
+    const double *number = mxGetPr(handle);
+    return number[0] == owner_of(family) ? (place *)(uintptr_t)number[1] : NULL;
 }
 
 /* The library stays in memory while there are objects of its own: "clear all" must not take it
  * from them. */
-static mxArray *keep(handle *slot, kind family, void *object)
+static mxArray *keep(const char *family, place *held)
 {
-    *slot = (handle){family, object, {this_copy(), ++last_number}};
     if (alive++ == 0)
         mexLock();
-    mxArray *number = mxCreateDoubleMatrix(1, 2, mxREAL);
-    memcpy(mxGetPr(number), slot->number, sizeof slot->number);
-    return number;
+    mxArray *handle = mxCreateDoubleMatrix(1, 2, mxREAL);
+    mxGetPr(handle)[0] = owner_of(family);
+    mxGetPr(handle)[1] = (double)(uintptr_t)held;
+    return handle;
 }
 
-static handle *find(kind family, const mxArray *number)
+static void destroy(const char *family, place *held)
 {
-    if (!mxIsDouble(number) || mxIsComplex(number) || mxGetNumberOfElements(number) != 2)
-        return NULL;
-    for (size_t i = 0; i < handle_count; i++)
-        if (handles[i].family == family &&
-            memcmp(handles[i].number, mxGetPr(number), sizeof handles[i].number) == 0)
-            return &handles[i];
-    return NULL;
-}
-
-static void fail_without(const char *function, kind family)
-{
-    fail("handle", "rwedge_%s: there is no such %s (any more)", function,
-         family == CONTACT ? "contact" : "series");
+    if (strcmp(family, "contact") == 0)
+        rwedge_contact_destroy(held->object);
+    else
+        rwedge_series_destroy(held->object);
+    free(held);
+    if (--alive == 0)
+        mexUnlock();
 }
 
 /* ---- Arrays ---------------------------------------------------------------------------------- */
@@ -410,7 +371,7 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
 }
 
 /* Several loads go to a copy, which takes the contact's place once none is refused. */
-static void map_loads(const entry *call, handle *contact, const mxArray *const arguments[])
+static void map_loads(const entry *call, place *contact, const mxArray *const arguments[])
 {
     bool several = false;
     for (int j = 0; j < call->arguments; j++)
@@ -512,38 +473,25 @@ static bool is_of_whole_arrays(const entry *call)
     return call->makes_object || (call->sizes > 0 && !call->pointwise);
 }
 
-static kind kind_of(const entry *call)
-{
-    return strcmp(call->family, "contact") == 0 ? CONTACT : SERIES;
-}
-
 /* ---- Calls by name --------------------------------------------------------------------------- */
 
-/* What entries.h does not have, and how many arguments it takes. */
-static const struct {
-    const char *name;
-    int arguments;
-} commands[] = {
-    {"contact_destroy", 1}, {"series_destroy", 1}, {"is_contact", 1}, {"version", 0}, {"alive", 0},
-};
-
-/* Nothing is freed where nothing is: a destructor must not fail. How many objects are alive is for
- * the tests. */
-static mxArray *run_command(const char *name, const mxArray *argument)
+/* What entries.h does not have. Nothing is freed where nothing is: a destructor must not fail. How
+ * many objects are alive is for the tests. */
+static mxArray *run_command(const char *name, int count, const mxArray *const arguments[])
 {
+    const char *family = name[0] == 's' ? "series" : "contact";
+    const bool frees = strcmp(name, "contact_destroy") == 0 || strcmp(name, "series_destroy") == 0;
     if (strcmp(name, "version") == 0)
         return mxCreateString(rwedge_version());
     if (strcmp(name, "alive") == 0)
-        return mxCreateDoubleScalar((double)alive);
-    handle *held = find(name[0] == 's' ? SERIES : CONTACT, argument);
-    if (strcmp(name, "is_contact") == 0)
-        return mxCreateDoubleScalar(held ? 1 : 0);
-    if (held)
-        destroy(held);
-    return NULL;
+        return mxCreateDoubleScalar(alive);
+    if (count != 1 || !(frees || strcmp(name, "is_contact") == 0))
+        fail("arguments", "rwedge_%s: no such function", name);
+    place *held = find(family, arguments[0]);
+    if (frees && held)
+        destroy(family, held);
+    return frees ? NULL : mxCreateDoubleScalar(held ? 1 : 0);
 }
-
-#define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
 static void need(const char *name, int arguments, int count)
 {
@@ -567,35 +515,41 @@ static mxArray *call_text(const entry *call, const void *object, const mxArray *
     return mxCreateString(call->text(object, v));
 }
 
-/* A function that makes an object gives its number, and nothing else. */
 /* The results of a call; *made is the object that it makes. */
-static void answer(const entry *call, handle *h, const mxArray *const prhs[], mxArray *results[],
+static void answer(const entry *call, place *held, const mxArray *const prhs[], mxArray *results[],
                    void **made)
 {
-    void *object = h ? h->object : NULL;
     if (call->text)
-        results[0] = call_text(call, object, prhs);
+        results[0] = call_text(call, held ? held->object : NULL, prhs);
     else if (is_of_whole_arrays(call))
-        whole(call, object, prhs, results, made);
+        whole(call, held ? held->object : NULL, prhs, results, made);
     else if (call->changes_object)
-        map_loads(call, h, prhs);
+        map_loads(call, held, prhs);
     else
-        map(call, object, prhs, results);
+        map(call, held ? held->object : NULL, prhs, results);
+}
+
+/* A function that makes an object gives its handle, and nothing else. */
+static void make(const entry *call, place *from, const mxArray *const prhs[], mxArray *results[])
+{
+    place *held = malloc(sizeof *held);
+    if (!held)
+        fail_with(RWEDGE_ENOMEM, call, NULL, NULL, NULL, NULL, -1);
+    unused = held;
+    answer(call, from, prhs, results, &held->object);
+    unused = NULL;
+    results[0] = keep(call->family, held);
 }
 
 static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
                        const mxArray *const prhs[])
 {
     mxArray *results[ENTRY_RESULTS];
-    void *made = NULL;
-    handle *h = NULL,
-           *slot = call->makes_object ? free_slot() : NULL; /* before find(): it may move them */
-    if (call->makes_object && !slot)
-        fail_with(RWEDGE_ENOMEM, call, NULL, NULL, NULL, NULL, -1);
+    place *held = NULL;
     if (call->takes_object) {
-        h = nrhs > 0 ? find(kind_of(call), prhs[0]) : NULL;
-        if (!h)
-            fail_without(call->name, kind_of(call));
+        held = nrhs > 0 ? find(call->family, prhs[0]) : NULL;
+        if (!held)
+            fail("handle", "rwedge_%s: there is no such %s (any more)", call->name, call->family);
         nrhs--;
         prhs++;
     }
@@ -604,9 +558,10 @@ static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
     if (nlhs > count)
         fail("arguments", "rwedge_%s gives %d result%s, not %d", call->name, count,
              count == 1 ? "" : "s", nlhs);
-    answer(call, h, prhs, results, &made);
     if (call->makes_object)
-        results[0] = keep(slot, kind_of(call), made);
+        make(call, held, prhs, results);
+    else
+        answer(call, held, prhs, results, NULL);
     for (int j = 0; j < count; j++)
         if (j == 0 || j < nlhs)
             plhs[j] = results[j];
@@ -617,7 +572,6 @@ static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
 void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[])
 {
     char name[40];
-    mexAtExit(destroy_all);
     if (nrhs < 1 || mxGetString(prhs[0], name, sizeof name) != 0)
         fail("arguments", "rwedge_mex('function', arguments...): see the functions rwedge_*");
     const entry *call = entry_named(name);
@@ -625,13 +579,7 @@ void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[])
         call_entry(call, nlhs, plhs, nrhs - 1, prhs + 1);
         return;
     }
-    for (size_t i = 0; i < COUNT(commands); i++)
-        if (strcmp(name, commands[i].name) == 0) {
-            need(name, commands[i].arguments, nrhs - 1);
-            mxArray *result = run_command(name, nrhs > 1 ? prhs[1] : NULL);
-            if (result)
-                plhs[0] = result;
-            return;
-        }
-    fail("arguments", "rwedge_%s: no such function", name);
+    mxArray *result = run_command(name, nrhs - 1, (const mxArray *const *)prhs + 1);
+    if (result)
+        plhs[0] = result;
 }

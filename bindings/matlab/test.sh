@@ -27,12 +27,11 @@ octave()
     octave-cli --no-init-file --no-history --path "$prefix/share/rwedge/matlab" --path "$PWD/rwedge" "$@"
 }
 
-mkdir "a place"
-
 # as installed, and as a program of the C Matrix API: nothing but what MATLAB has too is called
-mkdir installed
-ln -s "$prefix/include" "$prefix/lib" "$prefix/share" installed/
-octave-cli --no-init-file --no-history --path installed/share/rwedge/matlab --eval 'build_rwedge();' >/dev/null
+mkdir -p "in stalled/lib/x86_64-linux-gnu" # where Debian has it
+ln -s "$prefix/include" "$prefix/share" "in stalled/"
+ln -s "$prefix/lib/librwedge.a" "in stalled/lib/x86_64-linux-gnu"
+octave-cli --no-init-file --no-history --path "in stalled/share/rwedge/matlab" --eval 'build_rwedge();' >/dev/null
 # a library that lacks something is told when it is built, not when it is used
 mkdir -p lacking/lib
 ln -s "$prefix/include" lacking/
@@ -60,38 +59,14 @@ diff -r rwedge before || fail "a build that fails changes what was there"
 for left in refused refused-* before-* rwedge-*; do
     [ ! -e "$left" ] || fail "a build leaves $left behind"
 done
-# the library may be in other folders than lib
-mkdir -p elsewhere/lib/x86_64-linux-gnu
-ln -s "$prefix/include" elsewhere/
-ln -s "$prefix/lib/librwedge.a" elsewhere/lib/x86_64-linux-gnu
-octave --eval "build_rwedge('elsewhere', 'a place/found');" >/dev/null
-[ "$(ls "a place/found")" = "$(ls rwedge)" ] || fail "a library in lib/x86_64-linux-gnu is not found"
 cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsyntax-only -I"$prefix/include" \
     -I"$made/c" \
     -isystem "$(mkoctfile -p OCTINCLUDEDIR)" "$here/rwedge_mex.c"
 nm -D --undefined-only rwedge/rwedge_mex.mex | sed -n 's/.* \(me*x[A-Z][A-Za-z]*\)\(@.*\)*$/\1/p' | sort -u >called.txt
-cat >known.txt <<'END'
-mexAtExit
-mexCallMATLAB
-mexErrMsgIdAndTxt
-mexLock
-mexUnlock
-mxCreateDoubleMatrix
-mxCreateDoubleScalar
-mxCreateNumericArray
-mxCreateString
-mxDestroyArray
-mxGetClassName
-mxGetDimensions
-mxGetNumberOfDimensions
-mxGetNumberOfElements
-mxGetPr
-mxGetString
-mxIsComplex
-mxIsDouble
-mxIsLogical
-mxIsNumeric
-mxIsSparse
+tr ' ' '\n' >known.txt <<'END'
+mexCallMATLAB mexErrMsgIdAndTxt mexLock mexUnlock mxCreateDoubleMatrix mxCreateDoubleScalar mxCreateNumericArray mxCreateString
+mxDestroyArray mxGetClassName mxGetDimensions mxGetNumberOfDimensions mxGetNumberOfElements mxGetPr mxGetString mxIsComplex
+mxIsDouble mxIsLogical mxIsNumeric mxIsSparse
 END
 diff called.txt known.txt || fail "< called, > known to be in MATLAB's C Matrix API"
 
@@ -105,4 +80,4 @@ swt=$(sed -n 's/^Smith-Watson-Topper \(.*\) MPa$/\1/p' "$top/tests/data/example_
 grep -q "^Smith-Watson-Topper: at most $swt MPa, at x = -1.0000 b, plane 90.0 degrees" example.txt ||
     fail "the example's Smith-Watson-Topper is not the $swt of tests/data/example_fretting.txt"
 
-RWEDGE_ENTRIES=$made/c/entries.h octave "$here/test_rwedge.m"
+octave "$here/test_rwedge.m"

@@ -267,29 +267,77 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
     return true;
 }
 
-/* ---- The traction that sticks ---- */
+/* ---- Between the fronts ---- */
 
-bool rw_fronts_prepare_stick(rw_fronts *f, const rw_zones *zones, const rw_layers *layers)
+void rw_fronts_prepare(rw_fronts *f)
 {
-    if (!rw_fronts_collect(f, zones, layers, f->finest))
-        return false;
     for (size_t i = 0; i < f->count; i++)
         f->change[i] *= f->step[i] / f->X[i] / RW_PI;
-    return true;
 }
 
-double rw_fronts_stick_traction(const rw_fronts *f, const rw_zones *zones, double x)
+/* (1/pi) int [dt/X - level pi] ds/(s - x) over the points from one to another. They come in pairs;
+ * divisions are done two at a time. */
+static double poles(const rw_fronts *f, size_t from, size_t to, double level, double x)
 {
-    const rw_stuck s = rw_stuck_of(f, zones);
-    int after = 0; /* zones that stick beyond this one */
-    for (int k = 0; k < s.count; k++)
-        after += x < s.end[2 * k];
-    double sum[2] = {0, 0}; /* the points come in pairs; divisions are done two at a time */
-    for (size_t i = 0; i + 1 < f->count; i += 2)
+    double sum[2] = {0, 0};
+    for (size_t i = from; i + 1 < to; i += 2)
         for (size_t k = 0; k < 2; k++) {
             const double d = f->x[i + k] - x;
-            sum[k] += f->change[i + k] / (d == 0 ? HUGE_VAL : d);
+            sum[k] += (f->change[i + k] - level * f->step[i + k]) / (d == 0 ? HUGE_VAL : d);
         }
-    return rw_base_traction(f->problem, &f->layers, x) +
-           (sum[0] + sum[1]) * fabs(rw_X_at(&s, x)) * (after % 2 ? -1 : 1);
+    return sum[0] + sum[1];
+}
+
+double rw_fronts_transform(const rw_fronts *f, double x)
+{
+    return poles(f, 0, f->count, 0, x);
+}
+
+void rw_fronts_stick_traction(const rw_fronts *f, const rw_stuck *s, size_t n, const double x[],
+                              double t[])
+{
+    rw_base_traction(f->problem, &f->layers, n, x, t);
+    for (size_t i = 0; i < n; i++) {
+        int after = 0; /* zones that stick beyond this one */
+        for (int k = 0; k < s->count; k++)
+            after += x[i] < s->end[2 * k];
+        t[i] += rw_fronts_transform(f, x[i]) * fabs(rw_X_at(s, x[i])) * (after % 2 ? -1 : 1);
+    }
+}
+
+/* The segments around x that follow one another without a gap; without points where there is
+ * none. */
+static rw_segment around(const rw_fronts *f, double x)
+{
+    rw_segment all = {.from = x, .to = x};
+    for (int i = 0;
+         i < f->segments && !(all.count > 0 && all.to > x && all.to < f->segment[i].from); i++) {
+        const rw_segment s = f->segment[i];
+        if (all.count == 0 || s.from > all.to)
+            all = s;
+        else {
+            all.to = s.to;
+            all.count += s.count;
+        }
+    }
+    if (!(all.from < x && x < all.to))
+        all.count = 0;
+    return all;
+}
+
+void rw_fronts_slope(const rw_fronts *f, const rw_stuck *s, int label, size_t n, const double x[],
+                     double slope[])
+{
+    double F[RW_TERMS], base[RW_TERMS];
+    rw_friction_after(f->problem, n, x, F);
+    rw_base_traction(f->problem, &f->layers, n, x, base);
+    for (size_t i = 0; i < n; i++) {
+        const rw_segment here = around(f, x[i]);
+        const size_t end = here.first + here.count;
+        const double X = rw_X_at(s, x[i]);
+        const double level = here.count > 0 ? (label * F[i] - base[i]) / X / RW_PI : 0;
+        const double rest = level != 0 ? level * log((here.to - x[i]) / (x[i] - here.from)) : 0;
+        slope[i] = X * (rest + poles(f, 0, here.first, 0, x[i]) +
+                        poles(f, here.first, end, level, x[i]) + poles(f, end, f->count, 0, x[i]));
+    }
 }

@@ -33,7 +33,8 @@ typedef struct {
     int order;          /* points of a panel */
     int coarse, finest; /* panels at a front: for integrals over all slip zones, and for the
                            traction next to the front */
-    double node[RW_TERMS], weight[RW_TERMS];
+    double node[RW_TERMS], weight[RW_TERMS]; /* for 0 to 1 */
+    double integral[RW_TERMS + 1][RW_TERMS]; /* weights from 0 to each node, and to 1 */
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;
     rw_layers layers; /* for which the changes hold */
@@ -58,6 +59,10 @@ double rw_X_at(const rw_stuck *stuck, double x);
  * front. */
 bool rw_fronts_collect(rw_fronts *fronts, const rw_zones *zones, const rw_layers *layers,
                        int panels);
+
+/* All places between two others where dt is not smooth, in order, and these two. */
+enum { RW_MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 6 };
+int rw_breaks_between(const rw_problem *p, double from, double to, double at[]);
 
 /* Forgets the quadrature of the last problem. */
 void rw_fronts_forget(rw_fronts *fronts);
@@ -93,8 +98,17 @@ bool rw_fronts_relax(rw_fronts *fronts);
 /* The zones and layers for the present y. */
 rw_layers rw_fronts_zones(const rw_fronts *fronts, rw_zones *zones);
 
-/* The traction at a place that sticks; the first function prepares the second. */
-bool rw_fronts_prepare_stick(rw_fronts *fronts, const rw_zones *zones, const rw_layers *layers);
-double rw_fronts_stick_traction(const rw_fronts *fronts, const rw_zones *zones, double x);
+/* Prepares the following functions, after which the changes at the points are no longer dt. */
+void rw_fronts_prepare(rw_fronts *fronts);
+
+/* (1/pi) int_slip [dt/X] ds/(s - x), where dt is 0 at x. */
+double rw_fronts_transform(const rw_fronts *fronts, double x);
+
+/* At n <= RW_TERMS places of one zone: the traction after the step where it sticks, and w' less the
+ * part of the layers where it slips, for p = 0. */
+void rw_fronts_stick_traction(const rw_fronts *fronts, const rw_stuck *stuck, size_t n,
+                              const double x[], double t[]);
+void rw_fronts_slope(const rw_fronts *fronts, const rw_stuck *stuck, int label, size_t n,
+                     const double x[], double slope[]);
 
 #endif

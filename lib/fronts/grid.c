@@ -100,18 +100,21 @@ static void release_where_nothing_sticks(rw_grid *g)
 
 static double prepare(rw_grid *g, const rw_problem *p, const rw_layers *layers, double stretch)
 {
-    double scale = 0;
+    double scale = 0, *F = g->upper, *t = g->lower;
     g->middle = rw_patch_middle(p->both);
     g->half = rw_patch_half_width(p->both);
+    for (int i = 0; i < g->n; i++)
+        g->x[i] = g->middle - g->half * cos(angle_of(g, i));
+    rw_friction_after(p, (size_t)g->n, g->x, F);
+    for (int i = 0; i < g->n; i += RW_TERMS)
+        rw_base_traction(p, layers, RW_TERMS, g->x + i, t + i);
     for (int i = 0; i < g->n; i++) {
-        const double x = g->middle - g->half * cos(angle_of(g, i));
-        const double stretching = g->half * sin(angle_of(g, i));
-        const double F = rw_friction_after(p, x), t = rw_base_traction(p, layers, x);
-        g->x[i] = x;
-        g->upper[i] = (F - t) * stretching;
-        g->lower[i] = (-F - t) * stretching;
+        const double x = g->x[i], stretching = g->half * sin(angle_of(g, i));
+        const double friction = F[i], base = t[i];
+        g->upper[i] = (friction - base) * stretching;
+        g->lower[i] = (-friction - base) * stretching;
         g->strain[i] = stretch * (x - p->middle);
-        g->label[i] = F > 0 ? old_label(p, x) : RW_GONE;
+        g->label[i] = friction > 0 ? old_label(p, x) : RW_GONE;
         scale = fmax(scale, fmax(fabs(g->upper[i]), fabs(g->lower[i])));
     }
     release_where_nothing_sticks(g);
@@ -235,15 +238,28 @@ bool rw_grid_zones(const rw_grid *g, const rw_problem *p, rw_zones *zones)
     return zones->count > 0;
 }
 
-/* Linear in the angle. */
-double rw_grid_change(const rw_grid *g, double x)
+/* Linear in the angle between two places, of which it returns the first. */
+static int place_of(const rw_grid *g, double x, double *part)
 {
     const double cosine = fmax(-1, fmin(1, (g->middle - x) / g->half));
     const double place = acos(cosine) * g->n / RW_PI - 0.5;
     const int i = (int)fmax(0, fmin(g->n - 2, floor(place)));
-    const double part = fmax(0, fmin(1, place - i));
-    double density[2];
+    *part = fmax(0, fmin(1, place - i));
+    return i;
+}
+
+double rw_grid_change(const rw_grid *g, double x)
+{
+    double density[2], part;
+    const int i = place_of(g, x, &part);
     for (int k = 0; k < 2; k++)
         density[k] = g->change[i + k] / (g->half * sin(angle_of(g, i + k)));
     return density[0] + part * (density[1] - density[0]);
+}
+
+double rw_grid_slip(const rw_grid *g, double x)
+{
+    double part;
+    const int i = place_of(g, x, &part);
+    return g->move[i] + part * (g->move[i + 1] - g->move[i]);
 }

@@ -19,6 +19,7 @@ typedef struct {
 
 enum { RW_GONE = 9 };
 
+/* n is a multiple of RW_TERMS. */
 bool rw_grid_create(rw_grid *grid, int n);
 void rw_grid_destroy(rw_grid *grid);
 
@@ -28,7 +29,8 @@ bool rw_grid_solve(rw_grid *grid, const rw_problem *problem, const rw_layers *la
 /* The zones of the contact by the labels of the places. false where they are too many. */
 bool rw_grid_zones(const rw_grid *grid, const rw_problem *problem, rw_zones *zones);
 
-/* dt at any place, interpolated. */
+/* dt and slip at any place, interpolated. */
 double rw_grid_change(const rw_grid *grid, double x);
+double rw_grid_slip(const rw_grid *grid, double x);
 
 #endif

@@ -2,6 +2,7 @@
 #include "fronts/problem.h"
 
 #include "base/domain.h"
+#include "potential/pad_potential.h"
 
 #include <string.h>
 
@@ -21,14 +22,18 @@ static double rate_of_friction(const rw_problem *p, double x)
            sqrt((x - p->to.left) * (p->to.right - x));
 }
 
-double rw_friction_after(const rw_problem *p, double x)
+void rw_friction_after(const rw_problem *p, size_t n, const double x[], double F[])
 {
-    return p->is_rate ? rate_of_friction(p, x) : rw_traction_at(&p->after->traction, x);
+    if (!p->is_rate)
+        rw_traction_values(&p->after->traction, n, x, F);
+    for (size_t i = 0; i < n && p->is_rate; i++)
+        F[i] = rate_of_friction(p, x[i]);
 }
 
-double rw_friction_before(const rw_problem *p, double x)
+void rw_friction_before(const rw_problem *p, size_t n, const double x[], double F[])
 {
-    return p->is_rate ? 0 : rw_traction_at(&p->before->traction, x);
+    static const rw_traction NONE = {NULL, 0, 0};
+    rw_traction_values(p->is_rate ? &NONE : &p->before->traction, n, x, F);
 }
 
 static double power_friction(const rw_problem *p, rw_patch patch, int k, double x)
@@ -39,12 +44,36 @@ static double power_friction(const rw_problem *p, rw_patch patch, int k, double 
            rw_power_pressure((rw_power_scale){p->middle, p->half}, patch, k, x);
 }
 
-void rw_layers_at(const rw_problem *p, int count, double x, double friction, double change[])
+void rw_layer_values(const rw_problem *p, int k, size_t n, const double x[], const double F[],
+                     double change[])
 {
-    if (count > 0)
-        change[0] = friction - rw_friction_before(p, x);
-    for (int k = 1; k < count; k++)
-        change[k] = power_friction(p, p->to, k, x) - power_friction(p, p->from, k, x);
+    if (k == 0)
+        rw_friction_before(p, n, x, change);
+    for (size_t i = 0; i < n; i++)
+        change[i] = k == 0
+                        ? F[i] - change[i]
+                        : power_friction(p, p->to, k, x[i]) - power_friction(p, p->from, k, x[i]);
+}
+
+/* The surface outside of a patch, relative to the profile of the layer there. */
+static double power_slope(const rw_problem *p, rw_patch patch, int k, double x)
+{
+    if (x >= patch.left && x <= patch.right)
+        return 0;
+    return copysign(p->f, x - patch.left) * sqrt((x - patch.left) * (x - patch.right)) /
+           rw_patch_half_width(patch) *
+           rw_power_pressure((rw_power_scale){p->middle, p->half}, patch, k, x);
+}
+
+double rw_layer_slope(const rw_problem *p, int k, double x)
+{
+    const double depth = 0;
+    rw_fields before, after;
+    if (k > 0)
+        return power_slope(p, p->to, k, x) - power_slope(p, p->from, k, x);
+    rw_pad_fields(&p->frame->arcs, p->from, 1, &x, &depth, &before);
+    rw_pad_fields(&p->frame->arcs, p->to, 1, &x, &depth, &after);
+    return p->f * (before.G_re[0] - after.G_re[0] - p->tilt[0]);
 }
 
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch)
@@ -57,14 +86,18 @@ void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shea
     }
 }
 
-double rw_base_traction(const rw_problem *p, const rw_layers *layers, double x)
+void rw_base_traction(const rw_problem *p, const rw_layers *layers, size_t n, const double x[],
+                      double t[])
 {
-    double t = rw_traction_at(&p->old->traction, x), change[RW_LAYERS];
+    double F[RW_TERMS], change[RW_TERMS];
+    rw_traction_values(&p->old->traction, n, x, t);
     if (layers->count > 0)
-        rw_layers_at(p, layers->count, x, rw_friction_after(p, x), change);
-    for (int k = 0; k < layers->count; k++)
-        t += layers->weight[k] * change[k];
-    return t;
+        rw_friction_after(p, n, x, F);
+    for (int k = 0; k < layers->count; k++) {
+        rw_layer_values(p, k, n, x, F, change);
+        for (size_t i = 0; i < n; i++)
+            t[i] += layers->weight[k] * change[i];
+    }
 }
 
 double rw_angle_of(const rw_problem *p, double x)

@@ -64,19 +64,24 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
                      const rw_friction *after, const rw_shear_state *old, double shear,
                      double stretch);
 
-/* The limit of friction F = f |p| after the step, and before it. */
-double rw_friction_after(const rw_problem *p, double x);
-double rw_friction_before(const rw_problem *p, double x);
+/* At n places: the limit of friction F = f |p| after the step, and before it. */
+void rw_friction_after(const rw_problem *p, size_t n, const double x[], double F[]);
+void rw_friction_before(const rw_problem *p, size_t n, const double x[], double F[]);
 
-/* The change of traction by each of the first `count` layers at x, per weight; `friction` is F
- * after the step there, which the caller has already. */
-void rw_layers_at(const rw_problem *p, int count, double x, double friction, double change[]);
+/* At n <= RW_TERMS places: the change of traction by layer k, per weight; F is the friction after
+ * the step there. */
+void rw_layer_values(const rw_problem *p, int k, size_t n, const double x[], const double F[],
+                     double change[]);
+
+/* w' of layer k per weight, besides that of what sticks: 0 but where an edge passes. */
+double rw_layer_slope(const rw_problem *p, int k, double x);
 
 /* The changes of shear load and stretch, less those that the layers make. */
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch);
 
-/* The old traction plus the layers at x. */
-double rw_base_traction(const rw_problem *p, const rw_layers *layers, double x);
+/* At n <= RW_TERMS places: the old traction plus the layers. */
+void rw_base_traction(const rw_problem *p, const rw_layers *layers, size_t n, const double x[],
+                      double t[]);
 
 /* The problem of the rates: a contact whose loads change at these rates, at one moment. */
 void rw_problem_init_rates(rw_problem *p, const rw_frame *frame, rw_patch contact, double load,

@@ -33,6 +33,41 @@ static bool reserve(rw_fronts *f, size_t capacity)
     return true;
 }
 
+/* The weights of integrals from 0 to the nodes u of Gauss, and to 1. */
+static void set_integrals(rw_fronts *f, const double u[])
+{
+    enum { MOST = RW_TERMS + 1 };
+    const int n = f->order;
+    double P[MOST][MOST]; /* Legendre's polynomials: [k][node] */
+    for (int i = 0; i <= n; i++) {
+        const double v = i < n ? 2 * u[i] - 1 : 1;
+        P[0][i] = 1;
+        P[1][i] = v;
+        for (int k = 1; k < n; k++)
+            P[k + 1][i] = ((2 * k + 1) * v * P[k][i] - k * P[k - 1][i]) / (k + 1);
+    }
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j < n; j++) {
+            double share = (P[1][i] + 1) / 2;
+            for (int k = 1; k < n; k++)
+                share += P[k][j] * (P[k + 1][i] - P[k - 1][i]) / 2;
+            f->integral[i][j] = share * f->weight[j];
+        }
+}
+
+/* Gauss's rule in the angle: for functions like square roots at both ends. */
+static void set_rule(rw_fronts *f)
+{
+    double u[RW_TERMS];
+    rw_gauss(f->order, u, f->weight);
+    for (int i = 0; i < f->order; i++) {
+        const double angle = RW_PI * u[i], half = sin(angle / 2);
+        f->weight[i] *= RW_HALF_PI * sin(angle);
+        f->node[i] = half * half;
+    }
+    set_integrals(f, u);
+}
+
 bool rw_fronts_create(rw_fronts *f, double tolerance)
 {
     const double digits = -log10(tolerance);
@@ -40,12 +75,7 @@ bool rw_fronts_create(rw_fronts *f, double tolerance)
     *f = (rw_fronts){.order = is_fine ? RW_TERMS : FEW_TERMS,
                      .coarse = is_fine ? 1 : 0,
                      .finest = (int)(digits + 2.5)};
-    rw_gauss(f->order, f->node, f->weight);
-    for (int i = 0; i < f->order; i++) { /* for a function like square roots at both ends */
-        const double angle = RW_PI * f->node[i], half = sin(angle / 2);
-        f->weight[i] *= RW_HALF_PI * sin(angle);
-        f->node[i] = half * half;
-    }
+    set_rule(f);
     return reserve(f, 2048);
 }
 
@@ -89,24 +119,6 @@ static double nearest_end(const rw_stuck *s, double x)
     return nearest;
 }
 
-/* Adds a point with its weight: the change dt there without the layers, and the change by each
- * layer. */
-static bool put(rw_fronts *f, int label, double x, double step)
-{
-    const rw_problem *p = f->problem;
-    double layer[RW_LAYERS];
-    if (f->count == f->capacity && !reserve(f, 2 * f->capacity))
-        return false;
-    const double friction = label == 0 && f->layers.count == 0 ? 0 : rw_friction_after(p, x);
-    rw_layers_at(p, f->layers.count, x, friction, layer);
-    for (int k = 0; k < f->layers.count; k++)
-        f->layer[(size_t)k * f->capacity + f->count] = layer[k];
-    f->x[f->count] = x;
-    f->step[f->count] = step;
-    f->known[f->count++] = label * friction - rw_traction_at(&p->old->traction, x);
-    return true;
-}
-
 static void add_layers(rw_fronts *f)
 {
     memcpy(f->change, f->known, f->count * sizeof *f->change);
@@ -115,15 +127,29 @@ static void add_layers(rw_fronts *f)
             f->change[i] -= f->layers.weight[k] * f->layer[(size_t)k * f->capacity + i];
 }
 
-/* A panel at the distances from `near` to `far` of an end, which is left or right. */
+/* A panel at the distances from `near` to `far` of an end, which is left or right: points with
+ * their weights, the change dt there without the layers, and the change by each layer. */
 static bool put_panel(rw_fronts *f, const rw_segment *s, int side, double near, double far)
 {
-    for (int i = 0; i < f->order; i++) {
+    const rw_problem *p = f->problem;
+    const size_t n = (size_t)f->order;
+    if (f->count + n > f->capacity && !reserve(f, 2 * f->capacity))
+        return false;
+    double *x = f->x + f->count, *known = f->known + f->count, old[RW_TERMS];
+    for (size_t i = 0; i < n; i++) {
         const double distance = near + (far - near) * f->node[i];
-        const double x = side == 0 ? s->from + distance : s->to - distance;
-        if (!put(f, s->label, x, (far - near) * f->weight[i]))
-            return false;
+        x[i] = side == 0 ? s->from + distance : s->to - distance;
+        f->step[f->count + i] = (far - near) * f->weight[i];
+        known[i] = 0;
     }
+    if (s->label != 0 || f->layers.count > 0)
+        rw_friction_after(p, n, x, known);
+    for (int k = 0; k < f->layers.count; k++)
+        rw_layer_values(p, k, n, x, known, f->layer + (size_t)k * f->capacity + f->count);
+    rw_traction_values(&p->old->traction, n, x, old);
+    for (size_t i = 0; i < n; i++)
+        known[i] = s->label * known[i] - old[i];
+    f->count += n;
     return true;
 }
 
@@ -209,8 +235,7 @@ static bool is_spent(const rw_fronts *f, int label, double from, double to)
     return false;
 }
 
-/* All places between two others where dt is not smooth. */
-static int breaks_of(const rw_problem *p, double from, double to, double at[])
+int rw_breaks_between(const rw_problem *p, double from, double to, double at[])
 {
     const double other[] = {p->to.left, p->to.right, p->from.left, p->from.right};
     int n = 1 + rw_bends_between(p->frame, from, to, at + 1);
@@ -228,8 +253,8 @@ static int breaks_of(const rw_problem *p, double from, double to, double at[])
 
 static bool add_zone(rw_fronts *f, const rw_stuck *sticks, rw_zone zone, int finest)
 {
-    double at[RW_MOST_KINKS + RW_MOST_BENDS + 6];
-    const int n = breaks_of(f->problem, zone.left, zone.right, at);
+    double at[RW_MOST_BREAKS];
+    const int n = rw_breaks_between(f->problem, zone.left, zone.right, at);
     for (int i = 0; i + 1 < n; i++)
         if (at[i + 1] > at[i] && !is_spent(f, zone.label, at[i], at[i + 1]) &&
             !add_segment(f, sticks, at[i], at[i + 1], zone.label, finest))

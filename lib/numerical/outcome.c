@@ -5,8 +5,8 @@
 #include "base/sort.h"
 #include "traction/transform.h"
 
-/* Points between neighbouring breaks, for Coulomb's condition and for slip. */
-enum { CHECKS = 24, SLIPS = 8 };
+/* Points between neighbouring breaks, for Coulomb's condition. */
+enum { CHECKS = 24 };
 
 /* Kinks, bends and the edges. */
 enum { MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 2 };
@@ -27,8 +27,9 @@ void rw_shear_state_destroy(rw_shear_state *state)
 typedef struct {
     const rw_problem *problem;
     const rw_zones *zones;
-    const rw_fronts *fronts; /* NULL: by the grid */
-    const rw_grid *grid;
+    rw_stuck stuck;
+    const rw_fronts *fronts;
+    const rw_grid *grid;     /* NULL: by the fronts */
     const rw_layers *layers; /* of the grid */
 } after;
 
@@ -40,17 +41,22 @@ static int label_at(const rw_zones *zones, double x)
     return zones->zone[i].label;
 }
 
-static double traction_after(double x, const void *context)
+/* The places are of one zone: its ends are breaks. */
+static void traction_after(const double x[], const void *context, double t[])
 {
     const after *n = context;
-    const int label = label_at(n->zones, x);
-    if (label != 0)
-        return label * rw_friction_after(n->problem, x);
-    if (n->fronts)
-        return rw_fronts_stick_traction(n->fronts, n->zones, x);
-    const double F = rw_friction_after(n->problem, x);
-    const double t = rw_base_traction(n->problem, n->layers, x) + rw_grid_change(n->grid, x);
-    return fmax(-F, fmin(F, t));
+    const int label = label_at(n->zones, x[RW_TERMS / 2]);
+    double F[RW_TERMS];
+    if (label == 0 && !n->grid) {
+        rw_fronts_stick_traction(n->fronts, &n->stuck, RW_TERMS, x, t);
+        return;
+    }
+    rw_friction_after(n->problem, RW_TERMS, x, F);
+    if (label == 0)
+        rw_base_traction(n->problem, n->layers, RW_TERMS, x, t);
+    for (int i = 0; i < RW_TERMS; i++)
+        t[i] = label != 0 ? label * F[i]
+                          : fmax(-F[i], fmin(F[i], t[i] + rw_grid_change(n->grid, x[i])));
 }
 
 static bool sticks_at(const rw_zones *zones, double x, double slack)
@@ -93,9 +99,9 @@ static bool is_front(const rw_zones *zones, double x)
     return false;
 }
 
-static double traction_of(double x, const void *context)
+static void traction_of(const double x[], const void *context, double t[])
 {
-    return rw_traction_at(context, x);
+    rw_traction_values(context, RW_TERMS, x, t);
 }
 
 /* Two elements are enough. */
@@ -103,7 +109,8 @@ static bool is_smooth(const rw_traction *t, double from, double to, double toler
 {
     rw_traction fit = {0};
     const double at[2] = {from, to};
-    const bool is_fit = rw_traction_fit(&fit, traction_of, t, 2, at, tolerance) && fit.count == 2;
+    const bool is_fit =
+        rw_traction_fit_values(&fit, traction_of, t, 2, at, tolerance) && fit.count == 2;
     rw_traction_destroy(&fit);
     return is_fit;
 }
@@ -156,68 +163,28 @@ static void add_slip(rw_outcome *o, int label, double left, double right)
 /* Notes where the traction of a zone that sticks exceeds friction, between two breaks. */
 static void check_friction(const rw_problem *p, rw_outcome *o, double from, double to)
 {
-    double begun = NAN, before = from;
+    double begun = NAN, before = from, x[CHECKS], t[CHECKS], F[CHECKS];
     int label = 0;
     for (int i = 0; i < CHECKS; i++) {
-        const double half = sin(RW_HALF_PI * (i + 0.5) / CHECKS),
-                     x = from + (to - from) * half * half;
-        const double t = rw_traction_at(&o->state.traction, x);
-        const double excess = (fabs(t) - rw_friction_after(p, x)) / p->scale;
+        const double half = sin(RW_HALF_PI * (i + 0.5) / CHECKS);
+        x[i] = from + (to - from) * half * half;
+    }
+    rw_traction_values(&o->state.traction, CHECKS, x, t);
+    rw_friction_after(p, CHECKS, x, F);
+    for (int i = 0; i < CHECKS; i++) {
+        const double excess = (fabs(t[i]) - F[i]) / p->scale;
         o->violation = fmax(o->violation, excess);
         if (excess > p->allowed && isnan(begun)) {
             begun = before;
-            label = t > 0 ? 1 : -1;
+            label = t[i] > 0 ? 1 : -1;
         } else if (!(excess > p->allowed) && !isnan(begun)) {
-            add_slip(o, label, begun, x);
+            add_slip(o, label, begun, x[i]);
             begun = NAN;
         }
-        before = x;
+        before = x[i];
     }
     if (!isnan(begun))
         add_slip(o, label, begun, to);
-}
-
-/* dw, up to the constant. */
-static double change_of_displacement(const rw_problem *p, const rw_outcome *o, double x)
-{
-    return rw_traction_displacement(&o->state.traction, x) -
-           rw_traction_displacement(&p->old->traction, x) + p->stretch * x;
-}
-
-/* The displacement of places that a growing contact takes in as it slips: they move by less than
- * dw, because they touch later. It is that of f times the added pressure. */
-typedef struct {
-    rw_traction layer;
-    double constant;
-} attached;
-
-static double layer_at(double x, const void *context)
-{
-    const rw_problem *p = context;
-    return rw_friction_after(p, x) - rw_friction_before(p, x);
-}
-
-static double attached_displacement(const rw_problem *p, const attached *a, double x)
-{
-    return rw_traction_displacement(&a->layer, x) - p->f * p->tilt[0] * (x - p->middle) -
-           a->constant;
-}
-
-static bool attach(const rw_problem *p, attached *a, double origin)
-{
-    double all[4 + RW_MOST_BENDS] = {p->from.left, p->to.left, p->from.right, p->to.right},
-                   at[4 + RW_MOST_BENDS];
-    const int count = 4 + rw_bends_between(p->frame, p->both.left, p->both.right, all + 4);
-    int n = 0;
-    rw_sort(all, (size_t)count);
-    for (int i = 0; i < count; i++)
-        if (n == 0 || all[i] > at[n - 1])
-            at[n++] = all[i];
-    *a = (attached){{0}, 0};
-    if (!rw_traction_fit(&a->layer, layer_at, p, (size_t)n, at, FIT * p->tolerance))
-        return false;
-    a->constant = attached_displacement(p, a, origin);
-    return true;
 }
 
 /* A place that sticks and was in contact before: its dw is the constant of all that sticks. */
@@ -235,92 +202,121 @@ static bool anchor(const rw_problem *p, const rw_zones *zones, double *x)
     return widest > 0;
 }
 
+static bool find_move(const rw_problem *p, rw_outcome *o)
+{
+    double x = p->middle;
+    if (!anchor(p, &o->state.zones, &x))
+        return false;
+    o->move = rw_traction_displacement(&o->state.traction, x) -
+              rw_traction_displacement(&p->old->traction, x) + p->stretch * x;
+    return true;
+}
+
+/* ---- Slip ---- */
+
+/* The way through the parts of a slip zone, from where it sticks outwards. */
 typedef struct {
-    const rw_problem *problem;
+    const after *after;
     rw_outcome *outcome;
-    const attached *attached; /* NULL where the edge does not grow */
-    int label;                /* 0: the contact has left it */
-    double node[SLIPS], weight[SLIPS];
+    int label;   /* 0: the contact has left it */
+    double slip; /* at the end of the last part */
 } slipping;
+
+static bool touches(rw_patch contact, double x)
+{
+    return x >= contact.left && x <= contact.right;
+}
+
+/* Places that a growing contact takes in as it slips move by less than dw, because they touch
+ * later: by less than under friction that grows as a layer. */
+static double slope_of_layers(const slipping *s, double x)
+{
+    const rw_problem *p = s->after->problem;
+    const rw_layers *layers = &s->after->fronts->layers;
+    double sum = 0;
+    for (int k = 0; k < layers->count; k++)
+        sum += layers->weight[k] * rw_layer_slope(p, k, x);
+    return sum - (touches(p->from, x) ? 0 : s->label * rw_layer_slope(p, 0, x));
+}
+
+/* The slip at the nodes between two places. */
+static void add_slip_between(slipping *s, double from, double to, const double x[], double slip[])
+{
+    const after *n = s->after;
+    const rw_fronts *f = n->fronts;
+    const bool is_passed = !touches(n->problem->from, x[0]) || !touches(n->problem->to, x[0]);
+    double slope[RW_TERMS];
+    for (int i = 0; i < f->order && n->grid; i++)
+        slip[i] = rw_grid_slip(n->grid, x[i]);
+    if (n->grid)
+        return;
+    rw_fronts_slope(f, &n->stuck, s->label, (size_t)f->order, x, slope);
+    for (int i = 0; i < f->order && is_passed; i++)
+        slope[i] += slope_of_layers(s, x[i]);
+    for (int i = 0; i <= f->order; i++) {
+        slip[i] = s->slip;
+        for (int j = 0; j < f->order; j++)
+            slip[i] += (to - from) * f->integral[i][j] * slope[j];
+    }
+    s->slip = slip[f->order];
+}
 
 static void check_slip_part(slipping *s, double from, double to)
 {
-    const rw_problem *p = s->problem;
+    const rw_problem *p = s->after->problem;
+    const rw_fronts *f = s->after->fronts;
     /* what is wrong on both sides of a break is one part; but an edge that does not grow slips */
     const double least = p->grows[0] ? -HUGE_VAL : p->to.left;
     const double most = p->grows[1] ? HUGE_VAL : p->to.right;
     double begun = NAN, last = from;
-    for (int i = 0; i < SLIPS; i++) {
-        const double half = sin(RW_HALF_PI * s->node[i]), x = from + (to - from) * half * half;
-        const double step = s->weight[i] * RW_HALF_PI * (to - from) * sin(RW_PI * s->node[i]);
-        double slip = change_of_displacement(p, s->outcome, x) - s->outcome->move;
-        const double now = rw_friction_after(p, x);
-        const double before = p->is_still ? now : rw_friction_before(p, x);
-        if (s->attached)
-            slip -= s->label * attached_displacement(p, s->attached, x);
+    double x[RW_TERMS], now[RW_TERMS], before[RW_TERMS], slip[RW_TERMS + 1];
+    for (int i = 0; i < f->order; i++)
+        x[i] = from + (to - from) * f->node[i];
+    add_slip_between(s, from, to, x, slip);
+    rw_friction_after(p, (size_t)f->order, x, now);
+    rw_friction_before(p, (size_t)f->order, x, before);
+    for (int i = 0; i < f->order; i++) {
+        const double step = fabs(to - from) * f->weight[i];
         if (s->label == 0) {
-            s->outcome->energy += fabs(slip) * before / 2 * step;
+            s->outcome->energy += fabs(slip[i]) * before[i] / 2 * step;
             continue;
         }
-        s->outcome->energy -= s->label * slip * (before + now) / 2 * step;
-        const double excess = s->label * slip / (p->scale * p->half);
+        s->outcome->energy -= s->label * slip[i] * (before[i] + now[i]) / 2 * step;
+        const double excess = s->label * slip[i] / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
-            begun = !isnan(begun) ? begun : i == 0 && from > least ? from : x;
-            last = i + 1 == SLIPS && to < most ? to : x;
+            begun = !isnan(begun) ? begun : i == 0 && from > least && from < most ? from : x[i];
+            last = i + 1 == f->order && to > least && to < most ? to : x[i];
         }
     }
     if (!isnan(begun))
-        add_wrong(s->outcome, 0, begun, last);
+        add_wrong(s->outcome, 0, fmin(begun, last), fmax(begun, last));
 }
 
-/* The slip and its work between two breaks, in parts between the old kinks and edges there. */
-static void check_slip(slipping *s, double from, double to)
+/* The slip and its work in a zone, and where the contact has left places beyond. */
+static void check_slip(slipping *s, int zone)
 {
-    const rw_problem *p = s->problem;
-    double begun = from;
-    for (int i = -1; i <= p->old->kinks; i++) {
-        const double at = i < 0               ? p->from.left
-                          : i < p->old->kinks ? p->old->kink[i]
-                                              : p->from.right;
-        if (at > begun && at < to) {
-            check_slip_part(s, begun, at);
-            begun = at;
-        }
+    const rw_problem *p = s->after->problem;
+    const rw_zones *zones = s->after->zones;
+    const rw_zone z = zones->zone[zone];
+    double at[RW_MOST_BREAKS];
+    const bool is_leftmost = zone == 0;
+    const int n = rw_breaks_between(p, is_leftmost ? p->both.left : z.left,
+                                    zone + 1 == zones->count ? p->both.right : z.right, at);
+    s->slip = 0;
+    for (int i = 0; i + 1 < n; i++) {
+        const double *part = at + (is_leftmost ? n - 2 - i : i);
+        s->label = touches(p->to, part[0] / 2 + part[1] / 2) ? z.label : 0;
+        if (part[1] > part[0] && (z.label != 0 || s->label != z.label))
+            check_slip_part(s, part[is_leftmost], part[!is_leftmost]);
     }
-    check_slip_part(s, begun, to);
 }
 
-static bool check(const rw_problem *p, rw_outcome *o, int breaks, const double at[])
+static void check_slips(const after *n, rw_outcome *o)
 {
-    double origin = p->middle;
-    if (!anchor(p, &o->state.zones, &origin))
-        return false;
-    o->move = change_of_displacement(p, o, origin);
-    attached growth = {{0}, 0};
-    const bool grows = p->grows[0] || p->grows[1];
-    if (grows && !attach(p, &growth, origin))
-        return false;
-    slipping s = {.problem = p, .outcome = o};
-    rw_gauss(SLIPS, s.node, s.weight);
-    for (int i = 0; i + 1 < breaks; i++) {
-        s.label = label_at(&o->state.zones, at[i] / 2 + at[i + 1] / 2);
-        const bool at_left = at[i + 1] <= o->state.zones.zone[0].right;
-        const bool at_right = at[i] >= o->state.zones.zone[o->state.zones.count - 1].left;
-        s.attached = (at_left && p->grows[0]) || (at_right && p->grows[1]) ? &growth : NULL;
-        if (s.label == 0)
-            check_friction(p, o, at[i], at[i + 1]);
-        else
-            check_slip(&s, at[i], at[i + 1]);
-    }
-    s.label = 0;
-    s.attached = NULL;
-    if (p->both.left < p->to.left)
-        check_slip(&s, p->both.left, p->to.left);
-    if (p->both.right > p->to.right)
-        check_slip(&s, p->to.right, p->both.right);
-    rw_traction_destroy(&growth.layer);
-    return true;
+    slipping s = {.after = n, .outcome = o};
+    for (int i = 0; i < n->zones->count; i++)
+        check_slip(&s, i);
 }
 
 static bool is_finite(const rw_outcome *o)
@@ -354,39 +350,53 @@ static bool complete(const after *n, rw_outcome *o)
     double at[MOST_BREAKS];
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
-    if (rw_traction_fit(&o->state.traction, traction_after, n, (size_t)breaks, at,
-                        FIT * p->tolerance)) {
+    if (rw_traction_fit_values(&o->state.traction, traction_after, n, (size_t)breaks, at,
+                               FIT * p->tolerance)) {
         balance(p, &o->state);
-        if (check(p, o, breaks, at) && is_finite(o))
+        for (int i = 0; i + 1 < breaks; i++)
+            if (label_at(n->zones, at[i] / 2 + at[i + 1] / 2) == 0)
+                check_friction(p, o, at[i], at[i + 1]);
+        check_slips(n, o);
+        if (find_move(p, o) && is_finite(o))
             return true;
     }
     rw_shear_state_destroy(&o->state);
     return false;
 }
 
-bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
+/* The zones of fronts, with the quadrature for what is between them. */
+static bool prepare(rw_fronts *f, rw_outcome *o, after *n)
 {
     *o = (rw_outcome){.violation = 0};
     const rw_layers layers = rw_fronts_zones(f, &o->state.zones);
-    if (!rw_fronts_prepare_stick(f, &o->state.zones, &layers))
+    if (!rw_fronts_collect(f, &o->state.zones, &layers, f->finest))
         return false;
-    const after n = {f->problem, &o->state.zones, f, NULL, NULL};
-    return complete(&n, o);
+    rw_fronts_prepare(f);
+    *n = (after){f->problem, &o->state.zones, rw_stuck_of(f, &o->state.zones), f, NULL, NULL};
+    return true;
 }
 
-bool rw_outcome_of_grid(const rw_grid *g, const rw_problem *p, const rw_layers *layers,
-                        rw_outcome *o)
+bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
+{
+    after n;
+    return prepare(f, o, &n) && complete(&n, o);
+}
+
+bool rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
+{
+    after n;
+    if (!prepare(f, o, &n))
+        return false;
+    check_slips(&n, o);
+    return true;
+}
+
+bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *p,
+                        const rw_layers *layers, rw_outcome *o)
 {
     *o = (rw_outcome){.violation = 0};
     if (!rw_grid_zones(g, p, &o->state.zones))
         return false;
-    const after n = {p, &o->state.zones, NULL, g, layers};
+    const after n = {p, &o->state.zones, {.count = 0}, f, g, layers};
     return complete(&n, o);
-}
-
-bool rw_outcome_of_state(const rw_problem *p, const rw_shear_state *state, rw_outcome *o)
-{
-    double at[MOST_BREAKS];
-    *o = (rw_outcome){.state = *state};
-    return check(p, o, breaks_of(p, state, at), at);
 }

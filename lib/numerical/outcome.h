@@ -25,12 +25,10 @@ void rw_shear_state_smooth(rw_shear_state *state, rw_patch contact, double toler
 /* The outcome of exact fronts, and that of the grid. false where memory is short, or a number is
  * not finite. */
 bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);
-bool rw_outcome_of_grid(const rw_grid *grid, const rw_problem *problem, const rw_layers *layers,
-                        rw_outcome *outcome);
+bool rw_outcome_of_grid(const rw_fronts *fronts, const rw_grid *grid, const rw_problem *problem,
+                        const rw_layers *layers, rw_outcome *outcome);
 
-/* The outcome of a step to a state that is known; the caller keeps the state. false where memory is
- * short. */
-bool rw_outcome_of_state(const rw_problem *problem, const rw_shear_state *state,
-                         rw_outcome *outcome);
+/* Of fronts that are known to be right: slip and energy alone. */
+bool rw_outcome_of_slip(rw_fronts *fronts, rw_outcome *outcome);
 
 #endif

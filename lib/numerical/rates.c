@@ -21,21 +21,22 @@ static bool solve(rw_fronts *f, const rw_problem *problem, const rw_zones *zones
     f->problem = problem;
     rw_fronts_forget(f);
     *r = (rates){.sign = sign, .stuck = rw_stuck_of(f, zones)};
-    return r->stuck.count > 0 && r->stuck.count <= RW_MOST_STICK &&
-           rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, f->coarse) &&
-           rw_fronts_polynomial(f, &r->stuck, r->front, r->p);
+    const bool is_done = r->stuck.count > 0 && r->stuck.count <= RW_MOST_STICK &&
+                         rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, f->coarse) &&
+                         rw_fronts_polynomial(f, &r->stuck, r->front, r->p);
+    if (is_done)
+        rw_fronts_prepare(f);
+    return is_done;
 }
 
 /* w' where it slips with this sign. */
 static double slope_at(const rw_fronts *f, const rates *r, double x)
 {
     const double at = (x - r->stuck.middle) / r->stuck.half, X = rw_X_at(&r->stuck, x);
-    double value = 0, sum = 0;
+    double value = 0;
     for (int i = 2 * r->stuck.count - 1; i >= 0; i--)
         value = value * at + r->p[i];
-    for (size_t i = 0; i < f->count; i++)
-        sum += f->step[i] * f->change[i] / f->X[i] / (f->x[i] - x);
-    return value / X + X * sum / RW_PI;
+    return value / X + X * rw_fronts_transform(f, x);
 }
 
 /* The largest slip with the sign of the traction, from the front on; `way` -1: against it. */

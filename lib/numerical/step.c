@@ -259,7 +259,8 @@ static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool c
             keep_better(best, &is_known, &outcome);
         if (is_known && best->violation <= p->allowed)
             return true;
-        if (coarse && trial + 1 == RW_TRIALS && rw_outcome_of_grid(grid, p, &layers, &outcome)) {
+        if (coarse && trial + 1 == RW_TRIALS &&
+            rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome)) {
             outcome.violation = fmax(outcome.violation, 0.3 / n);
             keep_better(best, &is_known, &outcome);
         }
@@ -431,10 +432,12 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
     rw_outcome outcome;
     if (!set_problem(w, from, there->at, there->contact, &p))
         return false;
-    const bool goes_on = p.is_still && fmax(from->haste, there->haste) <= p.allowed &&
-                         is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) &&
-                         rw_outcome_of_state(&p, &there->shear, &outcome) &&
-                         outcome.violation <= p.allowed;
+    rw_fronts_forget(&w->fronts);
+    const bool goes_on =
+        p.is_still && fmax(from->haste, there->haste) <= p.allowed &&
+        is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) &&
+        rw_fronts_begin(&w->fronts, &p, &there->shear.zones, (double[2]){NAN, NAN}) &&
+        rw_outcome_of_slip(&w->fronts, &outcome) && outcome.violation <= p.allowed;
     if (goes_on) {
         there->energy = from->energy + outcome.energy;
         there->error = fmax(from->error, fmax(there->error, outcome.violation));

@@ -289,10 +289,29 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
 
 static const double RISE[RW_TERMS] = {SIXTEEN(RISE_OF)}, FALL[RW_TERMS] = {SIXTEEN(FALL_OF)};
 
-double rw_traction_at(const rw_traction *t, double x)
+/* Of an element at a block of places, by Clenshaw's recurrence. */
+enum { BLOCK = 4 };
+
+static void read_block(const rw_element *e, const double x[], double value[])
 {
-    if (t->count == 0 || !(x >= t->elements[0].low))
-        return 0;
+    double v[BLOCK], b1[BLOCK] = {0}, b2[BLOCK] = {0};
+    for (int i = 0; i < BLOCK; i++) {
+        const double squared = (x[i] - e->end) / e->scale, u = squared > 0 ? sqrt(squared) : 0;
+        v[i] = (2 * u - e->first - e->last) / (e->last - e->first);
+    }
+    for (int k = e->terms - 1; k >= 0; k--)
+        for (int i = 0; i < BLOCK; i++) {
+            const double b0 = e->coefficient[k] + RISE[k] * v[i] * b1[i] - FALL[k] * b2[i];
+            b2[i] = b1[i];
+            b1[i] = b0;
+        }
+    for (int i = 0; i < BLOCK; i++)
+        value[i] = b1[i];
+}
+
+/* The element at x; NULL where there is none. */
+static const rw_element *element_at(const rw_traction *t, double x)
+{
     size_t low = 0, high = t->count;
     while (low + 1 < high) {
         const size_t middle = low + (high - low) / 2;
@@ -301,18 +320,32 @@ double rw_traction_at(const rw_traction *t, double x)
         else
             high = middle;
     }
-    const rw_element *e = &t->elements[low];
-    if (x > e->high)
-        return 0;
-    const double u = sqrt(fmax(0, (x - e->end) / e->scale));
-    const double v = (2 * u - e->first - e->last) / (e->last - e->first);
-    double b1 = 0, b2 = 0; /* Clenshaw */
-    for (int k = e->terms - 1; k >= 0; k--) {
-        const double b0 = e->coefficient[k] + RISE[k] * v * b1 - FALL[k] * b2;
-        b2 = b1;
-        b1 = b0;
+    const rw_element *e = t->elements + low;
+    return t->count > 0 && x >= e->low && x <= e->high ? e : NULL;
+}
+
+void rw_traction_values(const rw_traction *t, size_t n, const double x[], double value[])
+{
+    for (size_t i = 0; i < n;) {
+        const rw_element *e = element_at(t, x[i]);
+        double place[BLOCK], there[BLOCK] = {0};
+        size_t count = 0;
+        do
+            place[count++] = x[i++];
+        while (e && count < BLOCK && i < n && x[i] >= e->low && x[i] <= e->high);
+        for (size_t k = count; k < BLOCK; k++)
+            place[k] = place[0];
+        if (e)
+            read_block(e, place, there);
+        memcpy(value + i - count, there, count * sizeof *value);
     }
-    return b1;
+}
+
+double rw_traction_at(const rw_traction *t, double x)
+{
+    double value;
+    rw_traction_values(t, 1, &x, &value);
+    return value;
 }
 
 double rw_traction_total(const rw_traction *t)

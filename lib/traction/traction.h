@@ -55,7 +55,9 @@ bool rw_traction_append(rw_traction *traction, const rw_element *element);
 /* Adds a constant to the traction between two places, which are ends of elements. */
 void rw_traction_shift(rw_traction *traction, double from, double to, double by);
 
-/* The traction at x, 0 outside of its elements. */
+/* The traction at places, 0 outside of its elements; neighbours in a row of the same element are
+ * read together. */
+void rw_traction_values(const rw_traction *traction, size_t n, const double x[], double value[]);
 double rw_traction_at(const rw_traction *traction, double x);
 
 /* Its integral. */

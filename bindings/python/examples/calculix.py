@@ -16,10 +16,6 @@ import tempfile
 import time
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import shown
 
@@ -216,7 +212,7 @@ def main():
 
 def draw(picture, mesh, tractions, stresses, contact):
     """Lines are the closed form, circles the finest mesh: tractions, and stresses down the axis."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
+    figure, (left, right) = shown.plt.subplots(1, 2, figsize=(9, 4))
     x, middle = mesh.x[:, 0], mesh.x.shape[0] // 2
     pressure, shear = plot.tractions(contact, ax=left, units=("mm", "MPa"))
     for line, values in ((pressure, -tractions[0]), (shear, -tractions[1] / F)):
@@ -230,7 +226,6 @@ def draw(picture, mesh, tractions, stresses, contact):
         right.plot(y[below], values[middle][below], "o", color=plot.VERMILLION, fillstyle="none", markersize=4)
         right.annotate(name, (where * B, np.interp(where * B, fine, exact)), textcoords="offset points", xytext=beside)
     right.set(xlabel="depth $y$ at $x = 0$ / mm", ylabel="stress / MPa")
-    right.spines[["top", "right"]].set_visible(False)
     left.set_title("lines: closed form; circles: CalculiX", fontsize="medium")
     size = max(len(x), np.count_nonzero(below))
 

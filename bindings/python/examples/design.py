@@ -13,10 +13,6 @@ from pathlib import Path
 
 import dask
 import dask.array as da
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import shown
 import zarr
@@ -60,12 +56,7 @@ def differs(store, rows, columns):
 
 def smallest_radius(f):
     """The radius at which the safety is 2: it grows with the radius."""
-    low, high = np.full(f.shape, 1e-3), np.full(f.shape, 1e6)
-    for _ in range(60):
-        R = np.sqrt(low * high)
-        enough = safety(R, f) >= SAFETY
-        low, high = np.where(enough, low, R), np.where(enough, R, high)
-    return high
+    return shown.bisected(1e-3, 1e6, lambda R: safety(R, f) < SAFETY)
 
 
 def workers(count):
@@ -99,17 +90,16 @@ def main():
     for at in (0, 15, 30):
         print(f"friction up to {f[at]:.1f}: R of at least {R[:at + 1].max():.1f} mm")
 
-    figure, ax = plt.subplots(figsize=(5.5, 4), layout="constrained")
+    figure, ax = shown.plt.subplots(figsize=(5.5, 4))
     rows, columns = axes(given.rows, given.columns)
     some = (slice(None, None, -(-given.rows // 200)), slice(None, None, -(-given.columns // 200)))
     lines = ax.contour(columns[some[1]], rows[some[0]], zarr.open_array(store, mode="r")[some], [0.1, 0.5, 1, 4, 8, 16, 64],
                        colors=plot.BLACK, linewidths=plot.THIN)
     ax.clabel(lines, fontsize="small")
-    ax.plot(f, R, color=plot.VERMILLION, linewidth=plot.WIDTH, label=f"safety {SAFETY}")
+    ax.plot(f, R, color=plot.VERMILLION, label=f"safety {SAFETY}")
     ax.set(yscale="log", ylim=RADII, xlim=FRICTIONS, xlabel="friction $f$", ylabel="radius $R$ / mm",
            title=f"yield load over $P$ = {P:g} N/mm")
-    ax.spines[["top", "right"]].set_visible(False)
-    ax.legend(frameon=False, loc="upper left")
+    ax.legend(loc="upper left")
     shown.save(figure, given.picture, f=f, smallest_R_mm=R)
     return int(wrong > 0)
 

@@ -10,10 +10,6 @@ Units are N and mm, so that stresses are MPa and forces are per mm of thickness.
 """
 import math
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import shown
 
@@ -41,13 +37,14 @@ def stress_intensities(contact):
 def pad(R, K_N):
     """A cylinder of radius R, pressed until it has K_N. That grows with P as long as only the rounding touches."""
     a = rwedge.rounding(THETA, R)
-    low, high = 1e-3, rwedge.normal_load(THETA, a, A, a)
-    while high / low > 1 + 1e-14:
-        P = math.sqrt(low * high)
+
+    def pressed(P):
         contact = rwedge.Contact(THETA, a, A, F)
         contact.load(P)
-        low, high = (P, high) if stress_intensities(contact)[0] < K_N else (low, P)
-    return contact
+        return contact
+
+    P = shown.bisected(1e-3, rwedge.normal_load(THETA, a, A, a), lambda P: stress_intensities(pressed(P))[0] < K_N)
+    return pressed(P)
 
 
 def shear_for(contact, K_T):
@@ -83,30 +80,26 @@ def main():
     edges = {"dovetail": at_the_edge(joint, Q, r), "pad": at_the_edge(small, Q_small, r)}
 
     print(f"K_N = {K_N:.1f} MPa/mm^0.5, K_T = {K_T:.3f} MPa mm^0.5, slip over {2 * abs(K_T) / (F * K_N):.5f} mm")
-    print(f"{'':32}{'dovetail':>12}{'pad':>12}")
     peaks = {"dovetail": joint, "pad": small}
-    rows = {"radius, mm": lambda name: peaks[name].a / THETA, "P, N/mm": lambda name: peaks[name].P,
-            "Q, N/mm": lambda name: abs(peaks[name].Q), "half-width, mm": lambda name: peaks[name].half_width,
-            "slip at the trailing edge, mm": lambda name: edges[name]["slips"],
-            "worst Smith-Watson-Topper, MPa": lambda name: edges[name]["swt"].max()}
-    for title, of in rows.items():
-        print(f"{title:32}{of('dovetail'):12.5g}{of('pad'):12.5g}")
+    shown.table(peaks, {
+        "radius, mm": lambda name: peaks[name].a / THETA, "P, N/mm": lambda name: peaks[name].P,
+        "Q, N/mm": lambda name: abs(peaks[name].Q), "half-width, mm": lambda name: peaks[name].half_width,
+        "slip at the trailing edge, mm": lambda name: edges[name]["slips"],
+        "worst Smith-Watson-Topper, MPa": lambda name: edges[name]["swt"].max()})
     ratio = edges["pad"]["swt"].max() / edges["dovetail"]["swt"].max()
     print(f"the pad tests the dovetail's edge to {100 * abs(ratio - 1):.1f} %")
 
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
+    figure, (left, right) = shown.plt.subplots(1, 2, figsize=(9, 4))
     for number, (name, edge) in enumerate(edges.items()):
-        style = {"color": plot.COLOURS[number], "linestyle": plot.DASHES[number], "linewidth": plot.WIDTH}
-        left.plot(r, edge["p"], **{**style, "linewidth": plot.THIN})
+        style = shown.style(number)
+        left.plot(r, edge["p"], linewidth=plot.THIN, **style)
         left.plot(r, edge["q"] / F, label=f"{name}, $b$ = {peaks[name].half_width:.2f} mm", **style)
         right.plot(edge["x"], edge["swt"], label=name, **style)
     left.plot(r, K_N * np.sqrt(r), color=plot.VERMILLION, linestyle=(0, (1, 2)), linewidth=1, label=r"$K_N\sqrt{r}$")
     left.set(xlim=(0, 0.12), ylim=(0, 1.1 * K_N * math.sqrt(0.12)), xlabel="distance from the trailing edge $r$ / mm",
              ylabel="$-p$ (thin), $-q/f$ / MPa")
     right.set(xlim=(-0.12, 0.12), xlabel="place beside the trailing edge / mm", ylabel="Smith–Watson–Topper / MPa")
-    for ax in (left, right):
-        ax.spines[["top", "right"]].set_visible(False)
-    left.legend(frameon=False)
+    left.legend()
     shown.save(figure, picture, r_mm=r, **{f"{quantity}_{name}_MPa": edge[quantity] for name, edge in edges.items()
                                                      for quantity in ("p", "q")},
                **{f"swt_{name}_{side}_MPa": edge["swt"][len(r) + 1:] if side == "inside" else edge["swt"][len(r) - 1::-1]

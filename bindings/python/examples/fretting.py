@@ -7,10 +7,6 @@ Units are N and mm, so that stresses are MPa and forces are per mm of thickness.
 """
 import math
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import shown
 
@@ -88,32 +84,22 @@ def main():
     print(f"  dissipated per cycle {1000 * (contact.dissipated_energy - before):.3f} µJ per mm of thickness")
     print(f"  Smith-Watson-Topper {value[worst]:.4f} MPa at x = {x[worst] / b:.4f} b, plane {math.degrees(angle[worst]):.1f} degrees")
 
-    inside = x[abs(x) <= b]
-    slip = {}
-    for name, sign in (("right", 1), ("left", -1)):
-        contact.apply(P, 0, sign * Q, sign * sigma)
-        slip[name] = contact.slip(inside) * 1000
-    figure, (top, middle, bottom) = plt.subplots(3, sharex=True, figsize=(5.5, 7.5), layout="constrained")
-    for sign, word in ((1, "right"), (-1, "left")):
+    figure, (top, middle, bottom) = shown.plt.subplots(3, sharex=True, figsize=(5.5, 7.5))
+    touching, slips = abs(x) <= b, {}
+    for number, (sign, word) in enumerate(((1, "right"), (-1, "left"))):
         contact.apply(P, 0, sign * Q, sign * sigma)
         plot.tractions(contact, ax=top, units=("mm", "MPa"), label=f"$Q$, $\\sigma$ to the {word}")
+        slips[word] = np.full(x.shape, math.nan)
+        slips[word][touching] = 1000 * contact.slip(x[touching])
+        middle.plot(x, slips[word], **shown.style(number))
     top.set_xlabel("")
-    top.legend(frameon=False)
-    for number, (word, values) in enumerate(slip.items()):
-        middle.plot(inside, values, color=plot.COLOURS[number], linestyle=plot.DASHES[number], linewidth=plot.WIDTH)
+    top.legend()
     middle.set_ylabel("slip / µm")
-    bottom.plot(x, value, color=plot.BLACK, linewidth=plot.WIDTH)
+    bottom.plot(x, value, color=plot.BLACK)
     bottom.plot(x[worst], value[worst], "o", color=plot.VERMILLION, fillstyle="none")
     bottom.annotate(f"{value[worst]:.3f} MPa, plane {math.degrees(angle[worst]):.0f}°", (x[worst], value[worst]),
                     textcoords="offset points", xytext=(10, -4))
-    bottom.set_ylabel("Smith–Watson–Topper / MPa")
-    bottom.set_xlabel("$x$ / mm")
-    for ax in (middle, bottom):
-        ax.spines[["top", "right"]].set_visible(False)
-    outside = np.full(x.shape, math.nan)
-    slips = {word: outside.copy() for word in slip}
-    for word, values in slip.items():
-        slips[word][abs(x) <= b] = values
+    bottom.set(xlabel="$x$ / mm", ylabel="Smith–Watson–Topper / MPa")
     shown.save(figure, picture, x_mm=x, swt_MPa=value, angle_rad=angle, slip_right_um=slips["right"],
                slip_left_um=slips["left"])
 

@@ -8,15 +8,11 @@ pad carries P with friction f and yields at 2 P at the earliest. Of all that are
 at its trailing edge? The answer is checked by a root that uses no derivative.
 """
 import jax
-import matplotlib
 import numpy as np
 import shown
 from scipy.optimize import brentq, minimize
 
 import rwedge
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 
 jax.config.update("jax_enable_x64", True)
 
@@ -85,7 +81,7 @@ def main():
     print(f"off the root by {abs(alpha - expected):.0e} after {pad.nfev} calls; without derivatives {without.nfev}")
 
     f = np.linspace(0.002, 0.6, 300)
-    figure, axes = plt.subplots(figsize=(7, 4.2), layout="constrained")
+    figure, axes = shown.plt.subplots(figsize=(7, 4.2))
     columns = {"f": f}
     for ratio in (0.1, 0.25, 0.5, 1.0):
         columns[f"a_over_b_{ratio}"] = slope = rwedge.elastic_limit_gradient(ratio, f, NU)[1]

@@ -10,10 +10,6 @@ Units are N and mm, so that stresses are MPa and forces are per mm of thickness.
 """
 import math
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import shown
 
@@ -33,12 +29,7 @@ def pressed(contact):
 
 def flat_pad(K_N):
     """Its edges have the radius that gives K_N at the left edge: a larger radius gives less."""
-    low, high = 0.1, 1e3
-    while high / low > 1 + 1e-14:
-        radius = math.sqrt(low * high)
-        K = pressed(rwedge.Contact.flat(FLAT, radius, A, F)).edge_asymptotes[0]
-        low, high = (radius, high) if K > K_N else (low, radius)
-    return radius
+    return shown.bisected(0.1, 1e3, lambda R: pressed(rwedge.Contact.flat(FLAT, R, A, F)).edge_asymptotes[0] > K_N)
 
 
 def after_a_cycle(contact, x):
@@ -69,35 +60,31 @@ def main():
     found = {name: after_a_cycle(contact, x[name]) for name, contact in pads.items()}
 
     print(f"P = {P} N/mm, M = {M} N, Q = {Q} N/mm and sigma = {SIGMA} MPa to and fro; K_N = {K_N:.1f} MPa/mm^0.5")
-    print(f"{'':32}{'cylinder':>12}{'flat pad':>12}")
-    rows = {"flat, mm": lambda name: {"cylinder": 0, "flat pad": 2 * FLAT}[name],
-            "radius, mm": lambda name: {"cylinder": R, "flat pad": radius}[name],
-            "contact, mm": lambda name: 2 * pads[name].half_width, "K_N, MPa/mm^0.5": lambda name: pads[name].edge_asymptotes[0],
-            "K_T, MPa mm^0.5": lambda name: pads[name].edge_asymptotes[2], "largest pressure, MPa": lambda name: found[name]["p"].max(),
-            "sticks over, mm": lambda name: np.diff(pads[name].stick_zone)[0],
-            "worst Smith-Watson-Topper, MPa": lambda name: found[name]["swt"].max(),
-            "at x, mm": lambda name: x[name][found[name]["swt"].argmax()]}
-    for title, of in rows.items():
-        print(f"{title:32}{of('cylinder'):12.5g}{of('flat pad'):12.5g}")
+    shown.table(pads, {
+        "flat, mm": lambda name: {"cylinder": 0, "flat pad": 2 * FLAT}[name],
+        "radius, mm": lambda name: {"cylinder": R, "flat pad": radius}[name],
+        "contact, mm": lambda name: 2 * pads[name].half_width, "K_N, MPa/mm^0.5": lambda name: pads[name].edge_asymptotes[0],
+        "K_T, MPa mm^0.5": lambda name: pads[name].edge_asymptotes[2], "largest pressure, MPa": lambda name: found[name]["p"].max(),
+        "sticks over, mm": lambda name: np.diff(pads[name].stick_zone)[0],
+        "worst Smith-Watson-Topper, MPa": lambda name: found[name]["swt"].max(),
+        "at x, mm": lambda name: x[name][found[name]["swt"].argmax()]})
     ratio = found["flat pad"]["swt"].max() / found["cylinder"]["swt"].max()
     print(f"the flat pad has {ratio:.2f} times the cylinder's worst parameter")
 
-    figure, (top, bottom) = plt.subplots(2, sharex=True, figsize=(5.5, 6), layout="constrained")
+    figure, (top, bottom) = shown.plt.subplots(2, sharex=True, figsize=(5.5, 6))
     for number, (name, value) in enumerate(found.items()):
-        style = {"color": plot.COLOURS[number], "linestyle": plot.DASHES[number], "linewidth": plot.WIDTH}
-        top.plot(x[name], value["p"], **{**style, "linewidth": plot.THIN})
+        style = shown.style(number)
+        top.plot(x[name], value["p"], linewidth=plot.THIN, **style)
         top.plot(x[name], value["q"] / F, label=name, **style)
         bottom.plot(x[name], value["swt"], **style)
         worst = value["swt"].argmax()
-        bottom.plot(x[name][worst], value["swt"][worst], "o", color=plot.COLOURS[number], fillstyle="none")
+        bottom.plot(x[name][worst], value["swt"][worst], "o", color=style["color"], fillstyle="none")
         aside = -8 if number else 8
         bottom.annotate(f"{value['swt'][worst]:.3f} MPa", (x[name][worst], value["swt"][worst]), textcoords="offset points",
                         xytext=(aside, -4), ha="right" if number else "left")
     top.set_ylabel("$-p$ (thin), $-q/f$ / MPa")
     bottom.set(xlabel="$x$ / mm", ylabel="Smith–Watson–Topper / MPa")
-    for ax in (top, bottom):
-        ax.spines[["top", "right"]].set_visible(False)
-    top.legend(frameon=False)
+    top.legend()
     shown.save(figure, picture, **{f"{quantity}_{name.replace(' ', '_')}": column for name, value in found.items()
                                    for quantity, column in {"x_mm": x[name], **value}.items()})
 

@@ -7,10 +7,6 @@ in phase. Units are N and mm, so that stresses are MPa and forces are per mm of 
 """
 import math
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import shown
 
@@ -76,10 +72,10 @@ def main():
     exact = error == 0
     print(f"the log: {exact.sum()} of {exact.size} loads exact, the others to {error.max():.0e} of f p0 at most")
 
-    figure, (top, middle, bottom) = plt.subplots(3, figsize=(5.5, 7.5), layout="constrained")
+    figure, (top, middle, bottom) = shown.plt.subplots(3, figsize=(5.5, 7.5))
     for edge, name in enumerate(("left edge", "right edge")):
-        top.plot(LAGS, worst[:, edge], color=plot.COLOURS[edge], linestyle=plot.DASHES[edge], linewidth=plot.WIDTH, label=name)
-    top.legend(frameon=False)
+        top.plot(LAGS, worst[:, edge], label=name, **shown.style(edge))
+    top.legend()
     top.set(xlabel="tension behind $Q$ / degrees", ylabel="Smith–Watson–Topper / MPa", ylim=(0, None), xticks=LAGS)
     number = np.arange(1, exact.size + 1)
     for ax, values, name in ((middle, log[0], "$Q$ / (N/mm)"), (bottom, stress, "$\\sigma_{xx}$ at $x = -b$ / MPa")):
@@ -87,10 +83,8 @@ def main():
         ax.plot(number[exact], values[exact], "o", color=plot.BLUE, markersize=4, label="exact")
         ax.plot(number[~exact], values[~exact], "o", color=plot.VERMILLION, fillstyle="none", markersize=4, label="computed")
         ax.set_ylabel(name)
-    middle.legend(frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1))
+    middle.legend(ncols=2, loc="lower left", bbox_to_anchor=(0, 1))
     bottom.set_xlabel("load of the log")
-    for ax in (top, middle, bottom):
-        ax.spines[["top", "right"]].set_visible(False)
     shown.save(figure, picture, load=number, Q_N_per_mm=log[0], sigma_MPa=log[1], sxx_MPa=stress, error=error)
 
 

@@ -10,10 +10,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import shown
 
@@ -84,13 +80,12 @@ def main():
     differ = (np.concatenate([before[0], stick_after]) != stick) | (np.concatenate([before[1], energy_after]) != energy)
     print(f"{np.count_nonzero(differ)} of {len(loads)} results differ, {np.count_nonzero(state != whole.state())} numbers of the state")
 
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
+    figure, (left, right) = shown.plt.subplots(1, 2, figsize=(9, 4))
     steps = np.arange(1, len(loads) + 1)
     for part, colour, name in ((slice(0, stop), plot.BLACK, "first process"), (slice(stop, None), plot.VERMILLION, "restarted")):
-        left.plot(steps[part], stick[part] / whole.half_width, ".-", color=colour, linewidth=plot.WIDTH, label=name)
+        left.plot(steps[part], stick[part] / whole.half_width, ".-", color=colour, label=name)
     left.set(xlabel="load", ylabel="stick zone $c/b$")
-    left.legend(frameon=False)
-    left.spines[["top", "right"]].set_visible(False)
+    left.legend()
     plot.loop(new_pad(), [*TURNS[:5], loads[stop - 1]], ax=right, color=plot.BLACK, linestyle="solid")
     plot.loop(first, TURNS[5:], ax=right, color=plot.VERMILLION, linestyle="solid")
     shown.save(figure, picture, load=steps, Q_N_per_mm=loads, stick_half_width_mm=stick, energy_N=energy)

@@ -8,15 +8,10 @@ stresses are MPa and forces are per mm of thickness.
 """
 import math
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import shown
 
 import rwedge
-from rwedge import plot
 
 STEEL = {"E": 206.8e3, "nu": 0.3, "sf": 2275, "b": -0.08, "ef": 0.25, "c": -0.68}
 F, THETA = 0.5, 0.02
@@ -63,13 +58,11 @@ def main():
     still, shaken = (result.value.max() for result in found.values())
     print(f"the vibration does {100 * (1 - still / shaken):.0f} % of the damage")
 
-    figure, ax = plt.subplots(figsize=(6, 4), layout="constrained")
+    figure, ax = shown.plt.subplots(figsize=(6, 4))
     for number, (name, result) in enumerate(found.items()):
-        ax.semilogy(x / b, np.maximum(result.value, 1e-30), label=name, color=plot.COLOURS[number],
-                    linestyle=plot.DASHES[number], linewidth=plot.WIDTH)
+        ax.semilogy(x / b, np.maximum(result.value, 1e-30), label=name, **shown.style(number))
     ax.set(xlabel="$x/b$", ylabel="damage of a flight (Smith–Watson–Topper, Miner)", ylim=(1e-3 * still, 3 * shaken))
-    ax.spines[["top", "right"]].set_visible(False)
-    ax.legend(frameon=False)
+    ax.legend()
     shown.save(figure, picture, x_mm=x, **{f"damage_{name.replace(' ', '_')}": result.value for name, result in found.items()},
                **{f"cycles_{name.replace(' ', '_')}": result.cycles for name, result in found.items()})
 

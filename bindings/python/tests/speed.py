@@ -1,32 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints what a call costs: the ufuncs over arrays beside C's own loop over the same function of the same library, in one
-process and alternating; and single calls.     speed.py [POINTS]
-
-needs cc. CPU time, the fastest of some runs.
-"""
+"""Prints what a call costs: formulas over arrays, some of them beside the library's own function of arrays, in one process and in
+turns; a case study; and single calls.     speed.py [POINTS]     CPU time, the fastest of some runs."""
 import ctypes
-import subprocess
 import sys
-import tempfile
 import time
 import timeit
-from pathlib import Path
 
 import numpy as np
 
 import rwedge
-from rwedge._library import function, library
+from rwedge._library import function
 
-ARGUMENTS = {  # ranges of the arguments
-    "load": [(1e-3, 2)], "pressure": [(1e-3, 2), (-1, 1)], "elastic_limit": [(1e-3, 1), (0, 0.8), (0.3, 0.3)]}
+GENERATOR = np.random.default_rng(1)
+IN_C = {"elastic_limit": "elastic_limits", "stress": "stresses"}  # with the same loop, in C
 
 
-def c_loops():
-    """The library of loop.c."""
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(["cc", "-O2", "-shared", "-fPIC", "-o", f"{folder}/loop.so", Path(__file__).with_name("loop.c")],
-                       check=True)
-        return ctypes.CDLL(f"{folder}/loop.so")
+def arguments(name, points):
+    """The numbers that all points share come first or last."""
+    alpha, f, x, y = (GENERATOR.uniform(*limits, points) for limits in ((1e-3, 1), (0, 0.8), (-1, 1), (0.01, 1)))
+    return {"load": (alpha,), "pressure": (alpha, x), "elastic_limit": (alpha, f, 0.3), "stress": (0.25, 0.3, 0.5, x, y)}[name]
 
 
 def cpu_time(call):
@@ -35,23 +27,17 @@ def cpu_time(call):
     return time.process_time() - start
 
 
-def ratio(loops, name, points, runs):
-    """Time of a ufunc over that of C's loop, and its time per point in ns."""
-    generator = np.random.default_rng(1)
-    arrays = [generator.uniform(*limits, points) for limits in ARGUMENTS[name]]
-    by_ufunc, by_c = np.empty(points), np.empty(points)
-    formula = ctypes.cast(getattr(library, "rwedge_" + name), ctypes.c_void_p)
-    pointers = [ctypes.c_void_p(array.ctypes.data) for array in (*arrays, by_c)]
-    loop = getattr(loops, f"loop_{len(arrays)}")
-    times = [(cpu_time(lambda: getattr(rwedge, name)(*arrays, out=by_ufunc)),
-              cpu_time(lambda: loop(formula, ctypes.c_size_t(points), *pointers))) for _ in range(runs)]
+def ratio(name, points, runs=9):
+    """Time of a ufunc over that of C's own loop."""
+    given, count = arguments(name, points), ctypes.c_size_t(points)
+    by_ufunc, by_c = np.empty((2, 3 if name == "stress" else 1, points))
+    passed = [value.ctypes.data if np.ndim(value) else value for value in (*given, *by_c)]
+    first = next(i for i, value in enumerate(given) if np.ndim(value))
+    times = [(cpu_time(lambda: getattr(rwedge, name).ufunc(*given, out=tuple(by_ufunc))),
+              cpu_time(lambda: function(IN_C[name])(*passed[:first], count, *passed[first:]))) for _ in range(runs)]
     assert (by_ufunc == by_c).all()
     ufunc, c = (min(column) for column in zip(*times))
-    return ufunc / c, 1e9 * ufunc / points
-
-
-def microseconds(call):
-    return min(timeit.repeat(call, number=20_000, repeat=5)) / 20_000 * 1e6
+    return ufunc / c
 
 
 def case_study():
@@ -65,10 +51,11 @@ def case_study():
 
 
 def main(points=1_000_000):
-    loops = c_loops()
-    for name in ARGUMENTS:
-        over_c, each = ratio(loops, name, points, 3 if name == "elastic_limit" else 9)
-        print(f"{name} over {points} points: {each:.1f} ns each, {over_c:.3f} of C's loop")
+    for name in ("load", "pressure", "elastic_limit", "stress"):
+        given = arguments(name, points)
+        each = 1e9 / points * min(cpu_time(lambda: getattr(rwedge, name)(*given)) for _ in range(3))
+        beside = f", {ratio(name, points, 3):.3f} of C's loop" if name in IN_C else ""
+        print(f"{name} over {points} points: {each:.1f} ns each{beside}")
     print("48 loads at 20000 points: stresses {:.3f} s, Smith-Watson-Topper {:.3f} s".format(*case_study()))
     load, contact = function("load"), rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
     contact.load(2000, 300)
@@ -77,7 +64,7 @@ def main(points=1_000_000):
              "contact.load(2000, 300)": lambda: contact.load(2000, 300), "contact.copy()": contact.copy,
              "contact.tractions(0.1)": lambda: contact.tractions(0.1)}
     for name, call in calls.items():
-        print(f"{name}: {microseconds(call):.2f} us")
+        print(f"{name}: {min(timeit.repeat(call, number=20_000, repeat=5)) / 20_000 * 1e6:.2f} us")
 
 
 if __name__ == "__main__":

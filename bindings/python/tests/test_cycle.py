@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Stresses through many loads in one call, the forms that other packages take, and the parameters of a cycle."""
 import pickle
-import re
 import sys
 
 import numpy as np
@@ -82,11 +81,10 @@ def test_bad_input_says_where(pad, loads, x, y, message):
 
 @pytest.mark.parametrize("loads, message", [
     ((-1, 0, 0, 0), "P = -1.0, .* (P: 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; "),
-    ((2000, 0, 1300, 0), "Q = 1300.0, .*the tangential force exceeds .*Q: .*|Q| <= f P; "),
     ((0, 5, 0, 0), "M = 5.0, .*M: .*, 0 where P is 0; "),
 ])
 def test_a_refused_load_is_named_with_what_is_allowed_and_no_more(pad, loads, message):
-    with pytest.raises(rwedge.Error, match=message.replace("(", r"\(").replace("|", r"\|")) as caught:
+    with pytest.raises(rwedge.Error, match=message.replace("(", r"\(")) as caught:
         pad.apply(*loads)
     assert len(str(caught.value)) < 400
 
@@ -97,16 +95,6 @@ def test_loads_that_cannot_begin_together_say_what_comes_first():
         apart.cycle({"P": 2000, "Q": [300, -300], "sigma": [50, -50]}, 0, 1)
     apart.apply(2000, 0, 0, 0)
     apart.cycle({"P": 2000, "Q": [300, -300], "sigma": [50, -50]}, 0, 1)
-
-
-def test_what_has_no_closed_form_says_why(pad):
-    loads = rwedge.Loads(2000.0, 0.0, 100.0, 500.0)
-    assert pad.obstacle(*loads) == ""  # it is computed
-    pad.allow_error(0)
-    why = pad.obstacle(*loads)
-    assert why
-    with pytest.raises(rwedge.Error, match=re.escape(why)):
-        pad.apply(*loads)
 
 
 def test_nan_among_the_points_gives_nan(pad):
@@ -178,15 +166,6 @@ def test_parameters_outside_their_domain_are_nan():
         rwedge.fatemi_socie([1e61], [0.0], [0.0], E, NU, 0)
 
 
-def test_dask_takes_the_parameters_as_they_are(pad):
-    da = pytest.importorskip("dask.array")
-    cycle = pad.cycle({"Q": Q}, X, Y)
-    lazy = [da.from_array(np.moveaxis(component, 0, -1), chunks=(2, 1, -1)) for component in cycle]
-    value, angle = rwedge.smith_watson_topper(*lazy, E, NU)
-    assert isinstance(value, da.Array)
-    assert (np.stack([value.compute(), angle.compute()]) == rwedge.smith_watson_topper(*cycle, E, NU, axis=0)).all()
-
-
 def test_columns_that_are_no_loads_are_left_alone(pad):
     others = {name: [7.0] for name in ("t", "Time", "quality", "P_yield", "Q_over_fP", "sigma_max", "sxx")}
     pad.cycle({"P": [2000], "Q": [100], **others}, 0, 1)
@@ -209,23 +188,10 @@ def test_criteria_by_a_material_are_those_of_the_functions(pad, plane_stress):
         assert np.array_equal(np.array(getattr(cycle, name)(METAL, plane_stress)), np.array(results))
 
 
-def test_damage_of_one_cycle_is_one_over_its_life(pad):
-    cycle = pad.cycle({"Q": [900, -900]}, X, 0)
-    parameter = cycle.smith_watson_topper(METAL).value
-    life = rwedge.smith_watson_topper_life(parameter, E, *(METAL[name] for name in ("sf", "b", "ef", "c")), 0)
-    np.testing.assert_allclose(cycle.life(METAL), life, rtol=1e-9)
-    assert set(cycle.damage(METAL).cycles.ravel()) <= {0, 1} and np.isinf(cycle.life({**METAL, "swt_limit": 1e9})).all()
-    assert (cycle.damage(METAL, "fatemi-socie").value > 0).any()
-
-
 def test_a_constant_that_the_material_lacks_is_named(pad):
     cycle = pad.cycle({"Q": Q}, X, 0)
     with pytest.raises(rwedge.Error, match="the material has no sf"):
         cycle.damage({"E": E, "nu": NU})
+    assert set(cycle.damage(METAL).cycles.ravel()) <= {0, 1} and np.isinf(cycle.life({**METAL, "swt_limit": 1e9})).all()
     with pytest.raises(rwedge.Error, match="must be one of swt, fatemi-socie"):
         cycle.damage(METAL, "findley")
-
-
-def test_rainflow_has_the_example_of_the_standard():
-    range_, mean, count = rwedge.rainflow([-2, 1, -3, 5, -1, 3, -4, 4, -2], 0)
-    assert sorted(zip(range_[count > 0], count[count > 0])) == [(3, 0.5), (4, 0.5), (4, 1), (6, 0.5), (8, 0.5), (8, 0.5), (9, 0.5)]

@@ -14,7 +14,6 @@ def test_xarray_dimensions_make_a_grid(contact):
     for found, plain in zip(contact.stresses(x, y), contact.stresses(X[:, None], Y)):
         assert found.dims == ("x", "y") and (found.values == plain).all() and (found.x == X).all()
     assert contact.slip(x).dims == ("x",) and contact.tractions(x)[1].dims == ("x",)
-    assert rwedge.stresses(0.25, 0.3, 0.2, x, y)[0].shape == (3, 3)
     assert rwedge.Series(0.25, 20).stress(0.3, abs(y), x + 1)[2].dims == ("y", "x")
     with pytest.raises(rwedge.Error, match=r"x\[0, 2\] = .*, y\[0, 2\] = -1.0"):
         contact.stresses(x, xarray.DataArray([0.1, 0.2, -1.0], dims="y"))
@@ -30,14 +29,6 @@ def test_pandas_rows_meet_by_their_index(contact):
     assert missing.isna().tolist() == [True, False, True]
     with pytest.raises(rwedge.Error, match=r"y\[1\] = -1.0"):
         contact.stresses(x, pandas.Series([1.0, -1.0, 1.0], index=list("abc")))
-
-
-def test_samples_of_a_fit_meet_by_their_index():
-    pandas = pytest.importorskip("pandas")
-    x = np.cos(np.linspace(0, np.pi, 40)[1:-1])
-    p = -np.sqrt(1 - x**2)
-    samples = pandas.Series(x), pandas.Series(p)
-    assert (rwedge.Series.fit(samples[0], samples[1][::-1], 3).coefficients == rwedge.Series.fit(x, p, 3).coefficients).all()
 
 
 def test_arrays_that_belong_together_as_a_whole_refuse_labels(contact):
@@ -79,9 +70,3 @@ class Quantity:
 def test_quantities_with_a_unit_are_refused(contact, call):
     with pytest.raises(TypeError, match="has a unit, which would be lost"):
         call(contact, Quantity())
-
-
-def test_what_has_no_labels_is_paired_by_place(contact):
-    plain = contact.stresses(X, Y)[0]
-    for kind in (list, tuple, np.ma.array):
-        assert (contact.stresses(kind(X), kind(Y))[0] == plain).all()

@@ -16,35 +16,23 @@ def texts_of(call):
     return [str(w.message) for w in caught]
 
 
-def test_the_function_and_its_texts():
-    assert rwedge.validity(0.2, math.nan, 0.1, 0.3, math.nan, 2.0) == 3
-    assert rwedge.validity_text(1) == "theta is above 0.1 rad: the wedge is hardly a half-plane"
-    assert rwedge.validity_text(3) == ""
-    assert rwedge.validity(*[math.nan] * 6) == 0
+def pad(a=1, A=1e-5, f=0.6, P=(), **more):
+    contact = rwedge.Contact(0.01, a, A, f, **more)
+    contact.load(P or 0)
+    return contact
 
 
-def test_a_large_angle_and_dissimilar_bodies():
-    assert texts_of(lambda: rwedge.Contact(0.1, 1, 1e-5, 0.3, beta=0)) == []
-    assert texts_of(lambda: rwedge.Contact(1.15, 1, 1e-5, 0.3)) == [rwedge.validity_text(1)]
-    beta = rwedge.dundurs_beta(2.1e5, 0.3, 7e4, 0.33)
-    assert texts_of(lambda: rwedge.Contact(0.01, 1, 1e-5, 0.3, beta)) == [rwedge.validity_text(2)]
-    assert texts_of(lambda: rwedge.Contact(0.01, 1, 1e-5, 0, beta)) == []
+BETA, MIXED = rwedge.dundurs_beta(2.1e5, 0.3, 7e4, 0.33), rwedge.compliance(210, 0.3, 210, 0.3)  # GPa beside N/mm
 
 
-def test_units_that_look_mixed():
-    contact = rwedge.Contact(0.01, 1, rwedge.compliance(210, 0.3, 210, 0.3), 0.6)  # GPa beside N/mm
-    assert texts_of(lambda: contact.load(500)) == [rwedge.validity_text(8)]
-    sharp = rwedge.Contact(0.01, 0, 1e-5, 0.6)
-    for loads in ([500], [200, 500]):
-        assert texts_of(lambda loads=loads: contact.load(loads)) == [rwedge.validity_text(8)] * len(loads)
-    assert texts_of(lambda: sharp.load(500)) == texts_of(lambda: sharp.load(0)) == []
-
-
-def test_yield():
-    contact = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.3)
-    contact.load(2000)
-    assert texts_of(lambda: contact.yield_factor(0.3, 1e4)) == []
-    assert texts_of(lambda: contact.yield_factor(0.3, 10)) == [rwedge.validity_text(4)]
+@pytest.mark.parametrize("call, doubts", [
+    (lambda: rwedge.Contact(0.1, 1, 1e-5, 0.3, beta=0), []), (lambda: rwedge.Contact(1.15, 1, 1e-5, 0.3), [1]),
+    (lambda: pad(beta=BETA), [2]), (lambda: pad(f=0, beta=BETA), []),
+    (lambda: pad(A=MIXED, P=500), [8]), (lambda: pad(A=MIXED, P=[200, 500]), [8, 8]), (lambda: pad(0, P=500), []),
+    (lambda: pad(0.5, 1.8e-5, P=2000).yield_factor(0.3, 1e4), []), (lambda: pad(0.5, 1.8e-5, P=2000).yield_factor(0.3, 10), [4]),
+])
+def test_what_is_doubtful(call, doubts):
+    assert texts_of(call) == list(map(rwedge.validity_text, doubts))
 
 
 def test_as_an_error_it_leaves_the_contact_as_it_was():

@@ -26,7 +26,7 @@ from ._types import Numbers
 from ._ufuncs import Points
 from ._validity import warn
 
-_create, _copy, _destroy = (function("contact_" + name) for name in ("create", "copy", "destroy"))
+_copy, _destroy = function("contact_copy"), function("contact_destroy")
 _load, _apply, _obstacle = (function("contact_" + name) for name in ("load", "apply", "obstacle"))
 _stress_history = function("contact_stress_history")
 _loads = function("contact_loads")
@@ -44,6 +44,28 @@ class YieldFactor(NamedTuple):
     factor: float
     x: float
     y: float
+
+
+class _Pad(NamedTuple):
+    """What a contact is, and the class's method that makes such a one, with its arguments."""
+
+    theta: float
+    a: float
+    A: float
+    f: float
+    kind: str = ""
+    other: dict[str, float] | None = None  # in place of theta and a
+
+
+def _pad_of(state: NDArray[Any]) -> _Pad:
+    """By its size and its arcs, from left to right, each with its part of the curvature."""
+    wedge, reach, arcs = _Pad(*state[2:6].tolist()), state[17], int(state[19])
+    if reach == arcs == 0:
+        return wedge
+    left, right = state[20:23].tolist(), state[23:26].tolist()
+    if arcs == 2 and wedge.theta == 1 and left == [-right[1], -right[0], right[2]]:
+        return wedge._replace(kind=".flat", other={"a": right[0], "R": wedge.a})
+    return wedge._replace(kind=".profile") if arcs else wedge._replace(kind=".cylinder", other={"R": wedge.a})
 
 
 class _Forks:
@@ -137,12 +159,7 @@ class Contact(ContactMethods, Handle):
 
     def __init__(self, theta: SupportsFloat, a: SupportsFloat, A: SupportsFloat, f: SupportsFloat,
                  beta: SupportsFloat = math.nan, tolerance: SupportsFloat = 1e-4) -> None:
-        self._is_wedge = True
-        self._parameters = {"theta": real("theta", theta), "a": real("a", a), "A": real("A", A), "f": real("f", f)}
-        handle = ctypes.c_void_p()
-        check("contact_create", _create(*self._parameters.values(), ctypes.byref(handle)), self._parameters)
-        self._begin(handle)
-        self.allow_error(tolerance)
+        self._make("contact_create", tolerance, theta=theta, a=a, A=A, f=f)
         warn(theta=self.theta, f=self.f, beta=real("beta", beta))
 
     @classmethod
@@ -153,48 +170,11 @@ class Contact(ContactMethods, Handle):
     @classmethod
     def flat(cls: type[Self], a: SupportsFloat, R: SupportsFloat, A: SupportsFloat, f: SupportsFloat,
              tolerance: SupportsFloat = 1e-4) -> Self:
-        """A contact of a flat pad with rounded edges.
-
-        Parameters
-        ----------
-        a : float
-            half-width of the flat, length, finite, >= 0
-        R : float
-            radius of the edges, length, finite, > 0
-        A : float
-            composite compliance, 1/stress, finite, > 0
-        f : float
-            coefficient of friction, 0 <= f <= 1e6
-        tolerance : float, optional
-            of q over f times the peak pressure, as ``Contact`` has it
-
-        Its ``theta`` is 1, and ``a`` is R: the slope changes by 1 over R. A load that brings the contact beyond a + R is
-        refused. Source: new.
-        """
-        numbers = {"a": real("a", a), "R": real("R", R), "A": real("A", A), "f": real("f", f)}
-        return cls._made("contact_create_flat", tolerance, numbers)
+        return cls.__new__(cls)._make("contact_create_flat", tolerance, a=a, R=R, A=A, f=f)
 
     @classmethod
     def profile(cls: type[Self], x: Numbers, slope: Numbers, A: SupportsFloat, f: SupportsFloat,
                 tolerance: SupportsFloat = 1e-4) -> Self:
-        """A contact of any convex profile, by its slopes: linear between the places, constant beyond.
-
-        Parameters
-        ----------
-        x : array_like
-            length, finite: 2 to 1000 places, from left to right; equal places are a kink
-        slope : array_like
-            the slope at each, abs(slope) < pi/2; none is less than the one before
-        A : float
-            composite compliance, 1/stress, finite, > 0
-        f : float
-            coefficient of friction, 0 <= f <= 1e6
-        tolerance : float, optional
-            of q over f times the peak pressure, as ``Contact`` has it
-
-        Its ``theta`` is half of the angle between the outermost slopes, and ``a`` the length over which the slope changes by
-        that where it is curved most. Source: new.
-        """
         places, slopes = (np.ascontiguousarray(np.asarray(column).astype(float, casting="safe")).ravel() for column in (x, slope))
         if places.size != slopes.size:
             raise Error(f"x has {places.size} places, and slope {slopes.size}", EDOMAIN)
@@ -203,29 +183,17 @@ class Contact(ContactMethods, Handle):
         for i in range(1, places.size):
             if not (places[i] >= places[i - 1] and slopes[i] >= slopes[i - 1]):
                 raise Error(f"x[{i}] = {places[i]}, slope[{i}] = {slopes[i]}: a place or a slope is less than the one before", EDOMAIN)
-        numbers = {"A": real("A", A), "f": real("f", f)}
-        return cls._made("contact_create_profile", tolerance, numbers, places.size, places.ctypes.data, slopes.ctypes.data)
+        arrays = places.size, places.ctypes.data, slopes.ctypes.data
+        return cls.__new__(cls)._make("contact_create_profile", tolerance, *arrays, A=A, f=f)
 
-    @classmethod
-    def _made(cls: type[Self], name: str, tolerance: SupportsFloat, numbers: dict[str, float], *arrays: Any) -> Self:
-        """A contact by the library's function of that name, which takes the arrays first."""
-        handle = ctypes.c_void_p()
-        check(name, function(name)(*arrays, *numbers.values(), ctypes.byref(handle)), numbers)
-        contact = cls._of_handle(handle)
-        contact.allow_error(tolerance)
-        return contact
-
-    @classmethod
-    def _of_handle(cls: type[Self], handle: ctypes.c_void_p) -> Self:
-        """The parameters of the contact, from its state."""
-        size = _state_size(handle)
-        numbers = np.empty(size)
-        check("contact_state", _state(handle, size, numbers.ctypes.data))
-        contact = cls.__new__(cls)
-        contact._parameters = dict(zip(("theta", "a", "A", "f"), numbers[2:6].tolist()))
-        contact._is_wedge = numbers[16 + 1] == 0 == numbers[16 + 3]
-        contact._begin(handle)
-        return contact
+    def _make(self: Self, name: str, tolerance: SupportsFloat, *arrays: Any, **numbers: SupportsFloat) -> Self:
+        """Takes an object by the library's function of that name, which has the arrays first."""
+        values, handle = {key: real(key, value) for key, value in numbers.items()}, ctypes.c_void_p()
+        check(name, function(name)(*arrays, *values.values(), ctypes.byref(handle)), values)
+        self._begin(handle)
+        self._pad = _pad_of(self.state()) if name != "contact_create" else _Pad(**values)
+        self.allow_error(tolerance)
+        return self
 
     def _begin(self, handle: ctypes.c_void_p) -> None:
         self._lock = threading.RLock()
@@ -267,30 +235,12 @@ class Contact(ContactMethods, Handle):
         return twin
 
     def __repr__(self) -> str:
-        parameters = ", ".join(f"{name}={value}" for name, value in self._parameters.items())
-        return f"<rwedge.Contact {parameters}, at P={self.P}, Q={self.Q}>"
+        pad = self._pad
+        shown = {**(pad.other or {"theta": pad.theta, "a": pad.a}), "A": pad.A, "f": pad.f}
+        parameters = ", ".join(f"{name}={value}" for name, value in shown.items())
+        return f"<rwedge.Contact{pad.kind} {parameters}, at P={self.P}, Q={self.Q}>"
 
     def load(self, P: Numbers, Q: Numbers = 0.0) -> None:
-        """The next point of the history, reached in a straight line of the (P, Q) plane from the last one; M and sigma stay
-        as they are (``apply``). Of arrays, one load after the other: all of them, or none where one is refused.
-
-        Parameters
-        ----------
-        P : float or array_like
-            force/length, finite, >= 0; 0 separates the bodies (Q must then be 0 too), and all but the dissipated energy
-            is forgotten
-        Q : float or array_like
-            force/length, abs(Q) <= f P; equality is full sliding
-
-        Raises
-        ------
-        SlidingError
-            (a ValueError) where abs(Q) > f P: no equilibrium
-        ValueError
-            outside the domain, or where P is too large or too small, also against the last P: go there in two loads
-
-        The contact is then as before. Source: Sec. 3.2; new.
-        """
         if np.ndim(P) or np.ndim(Q):  # type: ignore[arg-type]
             return self._load_all({"P": P, "Q": Q})
         P, Q = real("P", P), real("Q", Q)  # type: ignore[arg-type]
@@ -299,34 +249,6 @@ class Contact(ContactMethods, Handle):
             check("contact_load", _load(self._address, P, Q), {"P": P, "Q": Q})
 
     def apply(self, P: Numbers, M: Numbers, Q: Numbers, sigma: Numbers) -> None:
-        """The next point of the history with a moment and a bulk tension, reached in a straight line in all four loads. Of arrays,
-        one load after the other: all of them, or none where one is refused.
-
-        Parameters
-        ----------
-        P : float or array_like
-            force/length, 0, or at least 1e-8 of the last P
-        M : float or array_like
-            moment about x = 0, a force, finite; positive presses the right side; 0 where P is 0
-        Q : float or array_like
-            force/length, abs(Q) <= f P
-        sigma : float or array_like
-            bulk tension of the half-plane, stress, finite: added to its sxx. Where P is 0 it only adds: apply it before P to
-            have it without slip
-
-        Raises
-        ------
-        SlidingError
-            (a ValueError) where abs(Q) > f P: no equilibrium
-        ValueError
-            outside the domain
-        PathError
-            (a ValueError) where there is no closed form and the contact's ``tolerance`` is 0: the message says why
-            (``obstacle``)
-
-        The contact is then as before. Exact without moment and under one sigma, and in the cases of the library's
-        lib/README.md, "Moment and bulk tension"; else computed, and ``error`` tells how exactly. Source: new.
-        """
         if any(map(np.ndim, (P, M, Q, sigma))):  # type: ignore[arg-type]
             return self._load_all({"P": P, "M": M, "Q": Q, "sigma": sigma})
         loads = Loads(*map(real, Loads._fields, (P, M, Q, sigma)))  # type: ignore[arg-type]
@@ -335,7 +257,7 @@ class Contact(ContactMethods, Handle):
             self._check_loads(self._address, loads)
 
     def _alpha(self, P: float) -> float:
-        if not self._is_wedge:
+        if self._pad.kind:
             return math.nan
         b = _formula_half_width(self.theta, self.a, self.A, P)
         return self.a / b if b > 0 else math.nan
@@ -441,8 +363,6 @@ class Contact(ContactMethods, Handle):
         return Cycle(Loads(*history), x, y, np.moveaxis(stress.reshape(shape), 0, -1), labels)  # type: ignore[arg-type]
 
     def state(self) -> NDArray[np.float64]:
-        """The contact as n = ``state_size`` numbers, for restarts and for other processes: ``Contact.restore(state)`` goes on
-        to the same bits. The numbers have no other use. Source: new."""
         with self._lock:
             numbers = np.empty(_state_size(self._address))
             check("contact_state", _state(self._address, numbers.size, numbers.ctypes.data))
@@ -450,25 +370,19 @@ class Contact(ContactMethods, Handle):
 
     @classmethod
     def restore(cls: type[Self], state: Numbers) -> Self:
-        """The contact of the numbers that ``state()`` gave.
-
-        Raises
-        ------
-        ValueError
-            where they are not those of a contact
-
-        Source: new.
-        """
         numbers = np.ascontiguousarray(np.asarray(state).astype(float, casting="safe")).ravel()
-        contact, handle = cls.__new__(cls), ctypes.c_void_p()
+        handle = ctypes.c_void_p()
         status = _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle))
         if status == EDOMAIN:
             raise Error(f"state, of {numbers.size} numbers: they are not those that Contact.state() gives", status)
         check("contact_restore", status)
-        return cls._of_handle(handle)
+        contact = cls.__new__(cls)
+        contact._begin(handle)
+        contact._pad = _pad_of(numbers)
+        return contact
 
     def __reduce__(self) -> tuple[Any, ...]:
-        own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_parameters", "_is_wedge")}
+        own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_pad")}
         return type(self).restore, (self.state(),), (own, self._slots())
 
     @property
@@ -501,22 +415,22 @@ class Contact(ContactMethods, Handle):
     @property
     def theta(self) -> float:
         """Angle between flank and surface, rad."""
-        return self._parameters["theta"]
+        return self._pad.theta
 
     @property
     def a(self) -> float:
         """Half-width of the rounding, length."""
-        return self._parameters["a"]
+        return self._pad.a
 
     @property
     def A(self) -> float:
         """Composite compliance, 1/stress."""
-        return self._parameters["A"]
+        return self._pad.A
 
     @property
     def f(self) -> float:
         """Coefficient of friction."""
-        return self._parameters["f"]
+        return self._pad.f
 
     @property
     def P(self) -> float:
@@ -539,24 +453,6 @@ class Contact(ContactMethods, Handle):
         return self.loads.sigma
 
     def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:
-        """How far the present state is from first yield (von Mises, plane strain): k over the maximum of sqrt(J2) over the
-        half-plane, and where (x, y) that is, length. Above 1 all is elastic; 0 where the stress is infinite, at the apex of
-        the sharp wedge. It takes about a millisecond for a first load, and more after a long history.
-
-        Parameters
-        ----------
-        nu : float
-            Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-        k : float
-            yield stress in pure shear, stress, finite, > 0
-
-        Raises
-        ------
-        ValueError
-            outside the domain; when unloaded, as there is no stress
-
-        Loads scaled by the factor would not yield it exactly, as the contact grows: see ``yield_load``.
-        """
         nu, k = real("nu", nu), real("k", k)
         factor, x, y = ctypes.c_double(), ctypes.c_double(), ctypes.c_double()
         with self._lock:

@@ -60,23 +60,6 @@ class Series(SeriesMethods, Handle):
 
     @classmethod
     def fit(cls, x: Numbers, p: Numbers, terms: SupportsIndex) -> Series:
-        """Least-squares fit to samples of any pressure that vanishes at x = +-1, even or not.
-
-        Parameters
-        ----------
-        x, p : array_like, of one dimension and the same length
-            where and what, abs(x) < 1, finite, at least terms of them, samples times terms <= 2^27, samples times terms^2 <=
-            2^33 (half a minute); samples near Chebyshev's points (x = cos t, t equally spaced) fit best
-        terms : int
-            >= 1
-
-        Raises
-        ------
-        ValueError
-            outside the domain, or where the samples do not determine that many coefficients
-
-        Source: Sec. 4 of the paper.
-        """
         terms = integer("terms", terms)
         places, pressures = map(_samples, aligned((x, p))[0])
         if places.ndim != 1 or places.shape != pressures.shape:
@@ -114,21 +97,5 @@ class Series(SeriesMethods, Handle):
         return _coefficient(self._address, np.arange(self.terms))
 
     def potential(self, f: Numbers, x: Numbers, y: Numbers) -> NDArray[Any]:
-        """Muskhelishvili's potential Phi for q = f p, complex, in the broadcast shape of the arguments.
-
-        Parameters
-        ----------
-        f : array_like
-            coefficient of friction, 0 <= f <= 1e6
-        x, y : array_like
-            a point, in b, finite, y >= 0; NaN gives NaN
-
-        Raises
-        ------
-        ValueError
-            outside the domain
-
-        Source: Eq. (30), (34), E2, E3.
-        """
         real_part, imaginary_part = _potential(self._address, f, x, y)
         return real_part + 1j * imaginary_part

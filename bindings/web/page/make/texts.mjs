@@ -35,6 +35,7 @@ const inPage = [
     "d3-time",
     "d3-time-format",
     "internmap",
+    "lit-html",
 ];
 
 function licences(modules, folder) {

@@ -18,14 +18,11 @@
 static void write_input_words(void)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
-        char name[INPUT_NAME_SIZE];
-        records_add("input");
-        records_text(input_column(i, name));
-        records_text(input_kinds[i].option);
-        records_text(input_kinds[i].unit);
-        records_text(input_kinds[i].meaning);
+        char name[INPUT_NAME_SIZE], other_name[INPUT_NAME_SIZE];
         const int other = input_alternative(i);
-        records_text(other > i ? input_column(other, name) : "");
+        records_add("input", "ttttt", input_column(i, name), input_kinds[i].option,
+                    input_kinds[i].unit, input_kinds[i].meaning,
+                    other > i ? input_column(other, other_name) : "");
     }
 }
 
@@ -33,18 +30,12 @@ EXPORTED const char *page_words(void)
 {
     records_begin();
     write_input_words();
-    for (int i = 0; i < RESULT_COUNT; i++) {
-        records_add("result");
-        records_text(result_kinds[i].name);
-        records_text(result_kinds[i].unit);
-        records_text(result_kinds[i].meaning);
-    }
-    for (int i = 0; i < COLUMN_COUNT; i++) {
-        records_add("measure");
-        records_text(measure_kinds[i].column);
-        records_text(measure_kinds[i].unit);
-        records_text(measure_kinds[i].meaning);
-    }
+    for (int i = 0; i < RESULT_COUNT; i++)
+        records_add("result", "ttt", result_kinds[i].name, result_kinds[i].unit,
+                    result_kinds[i].meaning);
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        records_add("measure", "ttt", measure_kinds[i].column, measure_kinds[i].unit,
+                    measure_kinds[i].meaning);
     return records_end();
 }
 
@@ -77,18 +68,12 @@ static void keep(rwedge_contact *contact)
 static void refuse(int input, const char *complaint)
 {
     char name[INPUT_NAME_SIZE];
-    records_add("refused");
-    records_text(input < INPUT_COUNT ? input_column(input, name) : "");
-    records_text(complaint);
+    records_add("refused", "tt", input < INPUT_COUNT ? input_column(input, name) : "", complaint);
 }
 
 static void write_verdict(verdict result)
 {
-    records_add("verdict");
-    records_text(result.colour);
-    records_text(result.text);
-    records_text(result.strength);
-    records_number(result.factor);
+    records_add("verdict", "tttn", result.colour, result.text, result.strength, result.factor);
 }
 
 /* The numbers of all inputs that are given, and a refusal of each that is none. */
@@ -104,9 +89,7 @@ static bool write_inputs(const input_texts *texts)
             list_add(all, sizeof all, "; ", "%s", complaint);
             continue;
         }
-        records_add("input");
-        records_text(input_column(i, name));
-        records_number(value);
+        records_add("input", "tn", input_column(i, name), value);
     }
     if (all[0] != '\0')
         write_verdict(verdict_of_fault(RWEDGE_OK, all));
@@ -116,38 +99,23 @@ static bool write_inputs(const input_texts *texts)
 /* The slopes of a profile, for its drawing; its sharp edges have an infinite pressure. */
 static void write_profile(const pad *shape)
 {
-    for (size_t i = 0; shape->places != NULL && i < shape->places->count; i++) {
-        records_add("place");
-        records_number(shape->places->x[i]);
-        records_number(shape->places->slope[i]);
-    }
-    records_add("remark");
-    records_text(field_remark());
+    for (size_t i = 0; shape->places != NULL && i < shape->places->count; i++)
+        records_add("place", "nn", shape->places->x[i], shape->places->slope[i]);
+    records_add("remark", "t", field_remark());
 }
 
 static void write_setup(const contact_case *setup)
 {
-    const struct {
-        const char *name;
-        double value;
-    } numbers[] = {{"E1", setup->E1},
-                   {"nu1", setup->nu1},
-                   {"theta", setup->shape.theta},
-                   {"a", setup->shape.a},
-                   {"P", setup->P},
-                   {"M", setup->M},
-                   {"Q", setup->Q},
-                   {"sigma", setup->sigma},
-                   {"f", setup->f},
-                   {"k", setup->k},
-                   {"A", setup->A},
-                   {"radius", setup->shape.radius},
-                   {"flat", setup->shape.flat}};
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        records_add("case");
-        records_text(numbers[i].name);
-        records_number(numbers[i].value);
-    }
+    records_add("case", "tn", "nu1", setup->nu1);
+    records_add("case", "tn", "theta", setup->shape.theta);
+    records_add("case", "tn", "a", setup->shape.a);
+    records_add("case", "tn", "radius", setup->shape.radius);
+    records_add("case", "tn", "flat", setup->shape.flat);
+    records_add("case", "tn", "M", setup->M);
+    records_add("case", "tn", "Q", setup->Q);
+    records_add("case", "tn", "sigma", setup->sigma);
+    records_add("case", "tn", "f", setup->f);
+    records_add("case", "tn", "k", setup->k);
     write_profile(&setup->shape);
 }
 
@@ -183,11 +151,7 @@ static void write_hardest(const contact_case *setup, results *answer)
     answer->hardest_y = y;
     if (!(factor > 0)) /* infinite at a sharp apex */
         return;
-    records_add("hardest");
-    records_number(factor);
-    records_number(x);
-    records_number(y);
-    records_number(1.7320508075688772 * k / factor);
+    records_add("hardest", "nnnn", factor, x, y, 1.7320508075688772 * k / factor);
 }
 
 static void write_results(const contact_case *setup, verdict_style style)
@@ -205,12 +169,10 @@ static void write_results(const contact_case *setup, verdict_style style)
     write_hardest(setup, &answer);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const cell *value = &answer.value[i];
-        records_add(value->text != NULL ? "text" : "number");
-        records_text(result_kinds[i].name);
         if (value->text != NULL)
-            records_text(value->text);
+            records_add("text", "tt", result_kinds[i].name, value->text);
         else
-            records_number(value->number);
+            records_add("number", "tn", result_kinds[i].name, value->number);
     }
     write_verdict(verdict_of(&answer, style));
 }

@@ -46,20 +46,17 @@ static bool begin(const csv_row *first, char *lines, char decimal_sign, case_tab
 
 static void write_head(const case_table *table)
 {
-    records_add("columns");
+    records_add("columns", "");
     for (size_t i = 0; i < table->names.count; i++)
         records_text(table->names.name[i]);
-    records_add("results");
+    records_add("results", "");
     for (int i = 0; i < RESULT_COUNT; i++)
         if (table->shown[i])
             records_text(result_kinds[i].name);
     for (int i = 0; i < INPUT_COUNT; i++) {
         char name[INPUT_NAME_SIZE];
-        if (!input_is_given(&table->constants, i))
-            continue;
-        records_add("constant");
-        records_text(input_column(i, name));
-        records_text(table->constants.text[i]);
+        if (input_is_given(&table->constants, i))
+            records_add("constant", "tt", input_column(i, name), table->constants.text[i]);
     }
 }
 
@@ -69,9 +66,8 @@ static void write_row(const case_table *table, const csv_row *row)
     char complaint[COMPLAINT_SIZE] = "misplaced quotes";
     const bool solved =
         !row->malformed && case_table_solve(table, row->cell, row->count, &answer, complaint);
-    records_add("row");
-    records_text(solved ? verdict_of(&answer, (verdict_style){'.', ""}).colour : "red");
-    records_text(solved ? "" : complaint);
+    records_add("row", "tt", solved ? verdict_of(&answer, (verdict_style){'.', ""}).colour : "red",
+                solved ? "" : complaint);
     for (size_t i = 0; i < table->names.count; i++)
         records_text(i < row->count ? row->cell[i] : "");
     for (int i = 0; i < RESULT_COUNT && solved; i++) {
@@ -97,8 +93,7 @@ static bool write_rows(csv_input *in, const case_table *table, const char **prob
         csv_row_free(&row);
     }
     header_write_unused(&table->names, is_unused, unused, sizeof unused);
-    records_add("unused");
-    records_text(unused);
+    records_add("unused", "t", unused);
     return (*problem)[0] == '\0';
 }
 

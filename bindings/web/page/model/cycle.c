@@ -210,8 +210,7 @@ static void write_numbers(const double *numbers, size_t count, size_t distance)
 
 static void write_column(int column)
 {
-    records_add("measured");
-    records_text(measure_kinds[column].column);
+    records_add("measured", "t", measure_kinds[column].column);
     write_numbers(&asked.at->value[column], asked.n, COLUMN_COUNT);
 }
 
@@ -220,17 +219,15 @@ static void write_worst(int column)
     find_worst(column);
     if (isnan(asked.worst_x[column]))
         return;
-    records_add("worst");
-    records_text(measure_kinds[column].column);
-    records_number(asked.worst_x[column]);
-    records_number(asked.worst[column]);
+    records_add("worst", "tnn", measure_kinds[column].column, asked.worst_x[column],
+                asked.worst[column]);
 }
 
 /* The usual measures, and the chosen criterion behind the other ones. */
 static void write_measures(void)
 {
     const bool is_usual = asked.column < MEASURE_COUNT;
-    records_add("places");
+    records_add("places", "");
     write_numbers(asked.x, asked.n, 1);
     for (int i = 0; i < MEASURE_COUNT; i++) {
         write_column(i);
@@ -258,11 +255,8 @@ static double life_at(double value, double limit)
 
 static void write_constant(int constant)
 {
-    if (constant == MATERIAL_COUNT)
-        return;
-    records_add("constant");
-    records_text(material_names[constant]);
-    records_number(asked.constants.value[constant]);
+    if (constant != MATERIAL_COUNT)
+        records_add("constant", "tn", material_names[constant], asked.constants.value[constant]);
 }
 
 /* What the chosen criterion comes to where it is worst, and its constants. */
@@ -270,10 +264,7 @@ static void write_verdict(void)
 {
     const double limit = material_allowable(&asked.constants, asked.criterion);
     const double value = asked.worst[asked.column];
-    records_add("judged");
-    records_number(limit);
-    records_number(value > 0 ? limit / value : NAN);
-    records_number(life_at(value, limit));
+    records_add("judged", "nnn", limit, value > 0 ? limit / value : NAN, life_at(value, limit));
     write_constant(criterion_kinds[asked.criterion].constant);
     if (asked.criterion == CRITERION_MCDIARMID)
         write_constant(MATERIAL_SU);
@@ -284,9 +275,7 @@ static void write_loop(void)
     asked.loop = loop_of(&asked.last, asked.worst_x[MEASURE_ENERGY_PER_AREA]);
     if (asked.loop.count == 0)
         return;
-    records_add("loop");
-    records_text(asked.loop.is_whole ? "whole" : "");
-    records_number(asked.loop.place);
+    records_add("loop", "tn", asked.loop.is_whole ? "whole" : "", asked.loop.place);
     write_numbers(asked.loop.x, asked.loop.count, 1);
     write_numbers(asked.loop.y, asked.loop.count, 1);
 }
@@ -304,9 +293,7 @@ static void write_answer(void)
         records_refuse("", complaint);
     } else {
         load_list_write(&asked.loads);
-        records_add("known");
-        records_number(asked.last.slip_known);
-        records_number(asked.error);
+        records_add("known", "nn", (double)asked.last.slip_known, asked.error);
         write_measures();
         write_verdict();
         write_loop();

@@ -19,8 +19,6 @@ EXPORTED const char *page_find(char *lines, const char *name, double safety)
         return records_end();
     }
     records_begin();
-    records_add("input");
-    records_text(name);
-    records_number(value);
+    records_add("input", "tn", name, value);
     return records_end();
 }

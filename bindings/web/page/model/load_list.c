@@ -27,14 +27,9 @@ void load_list_write(const load_list *loads)
 {
     for (size_t i = 0; i < loads->count; i++) {
         const load to = loads->load[i].to;
-        records_add("load");
-        records_number(to.P);
-        records_number(to.M);
-        records_number(to.Q);
-        records_number(to.sigma);
+        records_add("load", "nnnn", to.P, to.M, to.Q, to.sigma);
     }
-    records_add("unused");
-    records_text(loads->unused);
+    records_add("unused", "t", loads->unused);
 }
 
 /* The names of a table without: P and Q, or all four; NULL for another number of columns. */

@@ -4,6 +4,7 @@
 #include "number/number.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,13 +34,6 @@ void records_begin(void)
     used = 0;
 }
 
-void records_add(const char *kind)
-{
-    if (used > 0)
-        append(BETWEEN_RECORDS);
-    append(kind);
-}
-
 void records_text(const char *text)
 {
     append(BETWEEN_FIELDS);
@@ -56,12 +50,25 @@ void records_number(double number)
     records_text(text);
 }
 
+void records_add(const char *kind, const char *form, ...)
+{
+    va_list fields;
+    va_start(fields, form);
+    if (used > 0)
+        append(BETWEEN_RECORDS);
+    append(kind);
+    for (; *form != '\0'; form++)
+        if (*form == 't')
+            records_text(va_arg(fields, const char *));
+        else
+            records_number(va_arg(fields, double));
+    va_end(fields);
+}
+
 void records_refuse(const char *input, const char *why)
 {
     records_begin();
-    records_add("refused");
-    records_text(input);
-    records_text(why);
+    records_add("refused", "tt", input, why);
 }
 
 const char *records_end(void)

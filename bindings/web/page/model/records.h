@@ -9,8 +9,10 @@
 /* Begins anew: the text before is lost. */
 void records_begin(void);
 
-/* A record begins with its kind; fields follow. */
-void records_add(const char *kind);
+/* A record: its kind, and a field for each letter of the form, t a text, n a double. */
+void records_add(const char *kind, const char *form, ...);
+
+/* More fields of the last record. */
 void records_text(const char *text);
 void records_number(double number); /* empty where it is not a number; inf is one */
 

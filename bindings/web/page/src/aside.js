@@ -21,11 +21,10 @@ export function serve() {
 /** The script of the page, as it stands in it. */
 const script = globalThis.document?.currentScript?.textContent;
 
-/** Questions of one kind. The last one is answered. */
+/** Questions of one kind, of which the last is answered. answered() follows each answer. */
 export class Aside {
-    constructor(task) {
-        this.task = task;
-        this.busy = false;
+    constructor(task, answered) {
+        Object.assign(this, { task, answered, busy: false });
     }
 
     start() {
@@ -34,10 +33,14 @@ export class Aside {
         URL.revokeObjectURL(address);
     }
 
-    /** then(answer) follows, unless another question does. The same question is not asked again. */
-    ask(values, then) {
+    /** The answer; while it is worked on, busy is true, and it is that of the question before. The same question is not asked again. */
+    ask(values) {
         const question = JSON.stringify(values);
-        if (question === this.question) return this.busy ? undefined : then(this.answer);
+        if (question !== this.question) this.begin(question, values);
+        return this.answer;
+    }
+
+    begin(question, values) {
         if (this.busy) {
             this.worker.terminate();
             this.worker = null;
@@ -46,7 +49,7 @@ export class Aside {
         Object.assign(this, { question, busy: true });
         const take = (answer) => {
             Object.assign(this, { answer, busy: false });
-            then(answer);
+            this.answered();
         };
         this.worker.onmessage = ({ data }) => take(data);
         this.worker.onerror = () => take(answerTo(this.task, values)); // a browser without such workers waits

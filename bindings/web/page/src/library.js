@@ -1,38 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The library as WebAssembly, with the model of the tool; and its statuses as values where they are no mistake.
+// The library as WebAssembly, with the model of the tool.
 import * as rwedge from "rwedge";
 import { adopt, library } from "rwedge-runtime";
 
 export { rwedge };
-export const { Contact, statuses } = rwedge;
 
-/** The number of the status that an error of the library has. Any other error is a mistake of the page. */
-function statusOf(error) {
-    if (error instanceof rwedge.RwedgeError) return statuses[error.status];
-    throw error;
+/** What an action gives; null where the library refuses. Any other error is a mistake of the page. */
+export function orNull(action) {
+    try {
+        return action();
+    } catch (error) {
+        if (error instanceof rwedge.RwedgeError) return null;
+        throw error;
+    }
 }
-
-export const status = {
-    /** What an action ends with. */
-    of(action) {
-        try {
-            action();
-            return statuses.RWEDGE_OK;
-        } catch (error) {
-            return statusOf(error);
-        }
-    },
-
-    /** What an action gives; null where the library refuses. */
-    orNull(action) {
-        try {
-            return action();
-        } catch (error) {
-            statusOf(error);
-            return null;
-        }
-    },
-};
 
 // ---- The model: ../model/*.c ----
 
@@ -83,4 +64,4 @@ export function numbersAt(...fields) {
 export const numberOf = (text) => call("page_number", [text]);
 
 /** The contact of the last answer, under its loads. */
-export const answeredContact = () => adopt(Object.create(Contact.prototype), "contact", library.page_contact());
+export const answeredContact = () => adopt(Object.create(rwedge.Contact.prototype), "contact", library.page_contact());

@@ -3,11 +3,11 @@
 import { shown, writeNumber } from "./number.js";
 import { textsOfPad } from "./pads.js";
 import { solveHolding } from "./solution.js";
-import { unitsOf } from "./units.js";
+import { unitSystems } from "./units.js";
 
 export function makeModel(state) {
     Object.assign(shown, { sign: state.sign, name: state.name });
-    const unit = unitsOf(state.units),
+    const { unit } = unitSystems[state.units],
         texts = textsOfPad(state.texts, state.pad);
     return {
         ...solveHolding(texts, state.sign, unit.length),
@@ -15,7 +15,8 @@ export function makeModel(state) {
         pad: state.pad,
         unit,
         sign: state.sign,
-        write: (value) => (typeof value === "number" ? writeNumber(value, state.digits, state.sign) : (value ?? "")),
+        write: (value) =>
+            typeof value === "number" ? writeNumber(value, Number(state.digits), state.sign) : (value ?? ""),
     };
 }
 

@@ -4,7 +4,8 @@ import { answeredContact, ask } from "./library.js";
 import { withPoint } from "./number.js";
 import { rowsOfProfile } from "./pads.js";
 
-export const number = (text) => (text === "" ? NaN : text === "inf" ? Infinity : text === "-inf" ? -Infinity : Number(text));
+export const number = (text) =>
+    text === "" ? NaN : text === "inf" ? Infinity : text === "-inf" ? -Infinity : Number(text);
 
 const takers = {
     refused: (answer, input, text) => answer.faults.push({ input, text }),
@@ -39,15 +40,7 @@ export function linesOf({ hull, ...texts }, sign) {
  * numbers of the case, where it is one, and the places of a profile.
  */
 export function taken(records) {
-    const answer = {
-        inputs: {},
-        faults: [],
-        setup: null,
-        hardest: null,
-        results: null,
-        verdict: null,
-        remark: "",
-    };
+    const answer = { inputs: {}, faults: [], setup: null, hardest: null, results: null, verdict: null, remark: "" };
     for (const [kind, ...fields] of records) takers[kind](answer, ...fields);
     return answer;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where stresses are looked at, and what of them: places across the contact, a grid below it, one number or all of a place.
-import { rwedge, status } from "./library.js";
+import { orNull, rwedge } from "./library.js";
 
 /** One number of the stresses on a grid. The largest principal stress is written out: the library has it for one point at a time. */
 export const measures = {
@@ -59,7 +59,7 @@ export function fieldOf({ contact, setup }, grid, measure) {
 
 /** All numbers of one place; null where there are none. */
 export function valuesAt({ contact, setup }, place) {
-    const s = status.orNull(() => contact.stresses(place.x, place.y));
+    const s = orNull(() => contact.stresses(place.x, place.y));
     if (!s) return null;
     const { s1, s2, angle } = rwedge.principal_stresses(s.sxx, s.syy, s.txy);
     return {

@@ -15,17 +15,11 @@ const made = (length, force, stress) => ({
     "force*stress/length": `${force}/${length}\u00b7${stress}`,
 });
 
-/** Those of a name, or the usual ones. */
-export const unitsOf = (name) => (Object.hasOwn(unitSystems, name) ? unitSystems[name] : unitSystems.mm).unit;
-
 export const unitSystems = {
     mm: { name: "mm, N, MPa", unit: made("mm", "N", "MPa") },
     m: { name: "m, N, Pa", unit: made("m", "N", "Pa") },
     in: { name: "in, lbf, psi", unit: made("in", "lbf", "psi") },
-    any: {
-        name: "any consistent units",
-        unit: { ...made("length", "force", "stress"), force: "force", "1/stress": "1/stress" },
-    },
+    any: { name: "any consistent units", unit: made("length", "force", "stress") },
 };
 
 /** In metres and newtons. */

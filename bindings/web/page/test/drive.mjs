@@ -82,7 +82,9 @@ export const savedBy = (page, selector) =>
     page.evaluate(async (button) => {
         let blob;
         URL.createObjectURL = (saved) => ((blob = saved), "#");
-        HTMLAnchorElement.prototype.click = () => {};
+        HTMLAnchorElement.prototype.click = function () {
+            window.savedAs = this.download;
+        };
         document.querySelector(button).click();
         return blob.text();
     }, selector);

@@ -13,6 +13,7 @@ import { fieldOf, gridOf, measures, valuesAt } from "../src/stresses.js";
 import { solveRows } from "../src/tables.js";
 import { conversion } from "../src/units.js";
 import { inputs } from "../src/words.js";
+import { chance, randomCase } from "./random_cases.mjs";
 
 const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3" };
 const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
@@ -97,6 +98,19 @@ test("an empty cell, too few cells and misplaced quotes cost their row alone", (
         rows.map(({ error }) => error),
         ["Q: the cell is empty", "2 cells in this row, 3 in the header", "misplaced quotes", ""],
     );
+});
+
+test("forty cases by chance have the tool's results", () => {
+    const next = chance(20261122);
+    for (let i = 0; i < 40; i++) {
+        const texts = randomCase(next, i),
+            told = JSON.parse(run(["solve", ...optionsOf(texts), "--yield-factor", "--format", "json"]).stdout);
+        const { results } = solveHolding(texts, ".");
+        for (const { quantity, value } of told.filter(({ value }) => typeof value === "number"))
+            assertNear(results[quantity], value, 2e-13, `case ${i}, ${JSON.stringify(texts)}: ${quantity}`);
+        assert.equal(results.warnings ?? "", told.find(({ quantity }) => quantity === "warnings").value ?? "");
+        assert.ok(told.length > 12);
+    }
 });
 
 test("twenty thousand digits are refused at once", () => {
@@ -318,7 +332,10 @@ test("a criterion comes to what the tool says: the worst value, the safety again
         const chosen = { name, isPlaneStress: plane.length > 0, material },
             { worst, safety, life } = cycleOf(usual, loads, ".", "3", chosen);
         assertNear(worst[name].value, told.value, 1e-9, name);
-        for (const [value, expected] of [[safety, told.safety], [life, told.life]])
+        for (const [value, expected] of [
+            [safety, told.safety],
+            [life, told.life],
+        ])
             if (typeof expected === "number") assertNear(value, expected, 1e-8, name);
             else assert.ok(Number.isNaN(value), `${name}: ${value}`);
     }

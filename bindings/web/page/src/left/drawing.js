@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drawing of the contact: the pad as it touches and as it was, its loads, the stick zone; the pressure apart. Heights are stretched.
-import { escaped } from "../elements.js";
+import { escaped } from "../parts.js";
 import { heightOf, pads } from "../pads.js";
 import { placesAcross } from "../stresses.js";
 
 const box = { width: 640, height: 372, middle: 320, surface: 150, up: 88, down: 56, floor: 258, base: 362, high: 62 };
+
+/** To a tenth of a pixel. */
+const tenth = (number) => Math.round(10 * number) / 10;
+const path = (style, d) => `<path class="${style}" d="${d}"/>`;
+const mark = (x, y, text, anchor = "start") =>
+    `<text class="mark" x="${tenth(x)}" y="${tenth(y)}" text-anchor="${anchor}">${text}</text>`;
+const point = (x, y, radius) => `<circle class="point" cx="${x}" cy="${tenth(y)}" r="${radius}"/>`;
 
 /** Its heights over the surface where it is pressed on between two edges, and as it was, which reaches below. */
 function profilesOf(shape) {
@@ -16,96 +23,98 @@ function profilesOf(shape) {
     };
 }
 
-function arrow(x1, y1, x2, y2, text, anchor = "middle") {
-    const length = Math.hypot(x2 - x1, y2 - y1),
-        [u, v] = [(x2 - x1) / length, (y2 - y1) / length];
-    const [x, y] = [x2 - 9 * u, y2 - 9 * v];
-    const [textX, textY] = v !== 0 ? [x1 + 8, y1 + 12] : [(x1 + x2) / 2, y1 - 8];
+/** Along x, with its text above the middle. */
+function arrow(from, to, y, text) {
+    const head = to - 9 * Math.sign(to - from);
     return (
-        `<path class="arrow" d="M${x1},${y1}L${x},${y}M${x2},${y2}L${x - 5 * v},${y + 5 * u}L${x + 5 * v},${y - 5 * u}Z"/>` +
-        `<text class="mark" x="${textX}" y="${textY}" text-anchor="${v !== 0 ? "start" : anchor}">${text}</text>`
+        path("arrow", `M${from},${y}L${head},${y}M${to},${y}L${head},${y - 5}L${head},${y + 5}Z`) +
+        mark((from + to) / 2, y - 8, text, "middle")
     );
 }
 
+function momentText(M) {
+    const side = Math.sign(M),
+        [from, to] = [box.middle - 34 * side, box.middle + 34 * side];
+    return (
+        path("arc", `M${from},88A36,26 0 0 ${M > 0 ? 1 : 0} ${to},88`) +
+        path("arrow", `M${to},98l-5,-12h10Z`) +
+        mark(box.middle + 46, 76, "M")
+    );
+}
+
+function tensionText(sigma) {
+    const ends = sigma > 0 ? [594, 636] : [636, 594],
+        mirrored = ends.map((x) => box.width - x);
+    return [ends, mirrored].map(([from, to]) => arrow(from, to, box.surface + 50, "\u03c3")).join("");
+}
+
 function loads({ M, Q, sigma }) {
-    const parts = [arrow(box.middle, 4, box.middle, 44, "P")];
-    if (Q)
-        parts.push(
-            Q > 0
-                ? arrow(box.middle - 78, 54, box.middle - 22, 54, "Q")
-                : arrow(box.middle + 78, 54, box.middle + 22, 54, "Q"),
-        );
-    if (M) {
-        const [from, to] = M > 0 ? [-1, 1] : [1, -1],
-            c = box.middle;
-        parts.push(
-            `<path class="arc" d="M${c + 34 * from},88A36,26 0 0 ${M > 0 ? 1 : 0} ${c + 34 * to},88"/>`,
-            `<path class="arrow" d="M${c + 34 * to},98l-5,-12h10Z"/><text class="mark" x="${c + 46}" y="76">M</text>`,
-        );
-    }
-    if (sigma) {
-        const y = box.surface + 50,
-            out = sigma > 0;
-        parts.push(
-            arrow(out ? 594 : 636, y, out ? 636 : 594, y, "\u03c3"),
-            arrow(out ? 46 : 4, y, out ? 4 : 46, y, "\u03c3"),
-        );
-    }
-    return parts.join("");
+    const c = box.middle,
+        toward = Math.sign(Q);
+    return [
+        path("arrow", `M${c},4L${c},35M${c},44L${c - 5},35L${c + 5},35Z`) + mark(c + 8, 16, "P"),
+        Q && arrow(c - 78 * toward, c - 22 * toward, 54, "Q"),
+        M && momentText(M),
+        sigma && tensionText(sigma),
+    ]
+        .filter(Boolean)
+        .join("");
 }
 
 const size = (from, to, y, text) =>
-    `<path class="sizes" d="M${from},${y - 4}v8M${to},${y - 4}v8M${from},${y}H${to}"/><text class="mark" x="${(from + to) / 2}" y="${y - 5}" text-anchor="middle">${text}</text>`;
+    path("sizes", `M${from},${y - 4}v8M${to},${y - 4}v8M${from},${y}H${to}`) +
+    mark((from + to) / 2, y - 5, text, "middle");
 
 /** Apart from the bodies, over a line of its own. */
 function pressureText({ pressure, left, right }, toX) {
     if (pressure.length === 0) return "";
-    const [l, r] = [toX(left), toX(right)].map((v) => v.toFixed(1));
-    const over = pressure.map(([x, p]) => `${toX(x).toFixed(1)},${(box.base - box.high * p).toFixed(1)}`);
+    const [l, r] = [toX(left), toX(right)];
+    const over = pressure.map(([x, p]) => `${toX(x)},${tenth(box.base - box.high * p)}`);
     return (
-        `<path class="dashed" d="M${l},${box.surface}V${box.base}M${r},${box.surface}V${box.base}"/>` +
-        `<path class="pressure" d="M${l},${box.base}L${over.join("L")}L${r},${box.base}Z"/>` +
-        `<path class="sizes" d="M20,${box.base}H620"/><text class="mark" x="20" y="${box.base - 8}">pressure</text>`
+        path("dashed", `M${l},${box.surface}V${box.base}M${r},${box.surface}V${box.base}`) +
+        path("pressure", `M${l},${box.base}L${over.join("L")}L${r},${box.base}Z`) +
+        path("sizes", `M20,${box.base}H620`) +
+        mark(20, box.base - 8, "pressure")
     );
 }
 
 /** The angle between surface and flank, at the right. */
 function angleText(toX, toY, reach, pressed) {
     const x = 0.94 * reach,
-        [u, top] = [toX(x), toY(pressed(x))];
+        [u, top] = [toX(x), toY(pressed(x))],
+        middle = tenth((box.surface + top) / 2);
     return (
-        `<path class="sizes" d="M${u.toFixed(1)},${box.surface}Q${(u + 6).toFixed(1)},${((box.surface + top) / 2).toFixed(1)} ${u.toFixed(1)},${top.toFixed(1)}"/>` +
-        `<text class="mark" x="${(u - 16).toFixed(1)}" y="${((box.surface + top) / 2 + 8).toFixed(1)}">\u03b8</text>`
+        path("sizes", `M${u},${box.surface}Q${tenth(u + 6)},${middle} ${u},${top}`) + mark(u - 16, middle + 8, "\u03b8")
     );
 }
 
 /** The tip as it was, before it was pressed on, and its radius. */
 function tipText({ pad, a, flat, left, right }, toX, toY, free) {
     const points = Array.from({ length: 81 }, (_, i) => left + ((right - left) * i) / 80);
-    const path = points.map((x) => `${toX(x).toFixed(1)},${toY(free(x)).toFixed(1)}`).join("L");
+    const tip = path("dashed", `M${points.map((x) => `${toX(x)},${toY(free(x))}`).join("L")}`);
+    if (!(a > 0 || pad === "flat")) return tip;
     const x = pad === "flat" ? (flat + Math.max(flat, right)) / 2 : Math.min(0.6 * a, 0.6 * right),
         [u, v] = [toX(x), toY(free(x))];
-    const radius = `<path class="sizes" d="M${u.toFixed(1)},${v.toFixed(1)}L${(u + 34).toFixed(1)},${(v + 26).toFixed(1)}"/><text class="mark" x="${(u + 38).toFixed(1)}" y="${(v + 36).toFixed(1)}">R</text>`;
-    return `<path class="dashed" d="M${path}"/>${a > 0 || pad === "flat" ? radius : ""}`;
+    return tip + path("sizes", `M${u},${v}l34,26`) + mark(u + 38, v + 36, "R");
 }
 
 function stickText({ stickLeft, stickRight }, toX) {
     if (!(stickRight > stickLeft)) return "";
     const [from, to] = [toX(stickLeft), toX(stickRight)];
-    return (
-        `<path class="stuck" d="M${from.toFixed(1)},${box.surface}H${to.toFixed(1)}"/>` +
-        `<text class="mark" x="${(from + to) / 2}" y="${box.surface + 16}" text-anchor="middle">sticks</text>`
-    );
+    return path("stuck", `M${from},${box.surface}H${to}`) + mark((from + to) / 2, box.surface + 16, "sticks", "middle");
 }
 
 /** Where the stress is largest; depths are half as large as widths. */
-function hardestText({ hardest, reach }, toX) {
+function hardestText(hardest, reach, toX) {
     const [u, v] = hardest ? [toX(hardest.x), box.surface + (150 * hardest.y) / reach] : [NaN, NaN];
     if (!(v < box.floor - 8)) return "";
-    return (
-        `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="4"/>` +
-        `<text class="mark" x="${(u - 8).toFixed(1)}" y="${(v + (v < box.surface + 12 ? 18 : 4)).toFixed(1)}" text-anchor="end">yields first</text>`
-    );
+    return point(u, v, 4) + mark(u - 8, v + (v < box.surface + 12 ? 18 : 4), "yields first", "end");
+}
+
+/** The worst place of a cycle on the surface; nothing where it is undefined. */
+function worstText(x, toX) {
+    const u = toX(x);
+    return u > 0 && u < box.width ? point(u, box.surface, 5) + mark(u, box.surface - 10, "worst", "middle") : "";
 }
 
 /** Half of what is marked as a: the rounding of a wedge, the flat. */
@@ -118,44 +127,41 @@ function placed(shape) {
         { pressed, free } = profilesOf(shape);
     const most = Math.max(pressed(reach), pressed(-reach)),
         scale = Math.min(box.up / most, box.down / (-free(0) || most));
-    return { reach, pressed, free, toX: (x) => box.middle + (x / reach) * 300, toY: (h) => box.surface - scale * h };
+    const toX = (x) => tenth(box.middle + (x / reach) * 300),
+        toY = (h) => tenth(box.surface - scale * h);
+    return { reach, pressed, free, toX, toY };
 }
 
-/** shape: { pad, height, a, flat, left, right, tilt, stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma }. */
+/** shape: { pad, height, a, flat, left, right, tilt, stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma, hardest, worst }. */
 function drawingText(shape) {
     const { reach, pressed, free, toX, toY } = placed(shape);
     const outline = Array.from({ length: 121 }, (_, i) => reach * (i / 60 - 1)).map(
-        (x) => `${toX(x).toFixed(1)},${toY(pressed(x)).toFixed(1)}`,
+        (x) => `${toX(x)},${toY(pressed(x))}`,
     );
     const { title: name } = pads[shape.pad],
         marked = markedOf(shape);
     const title = `Body 2, a ${name}, on a half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
-    const middle = (shape.left + shape.right) / 2;
+    const parts = [
+        `<rect class="solid2" x="0" y="${box.surface}" width="${box.width}" height="${box.floor - box.surface}"/>`,
+        path("solid", `M20,30L${outline.join("L")}L620,30Z`),
+        path("surface", `M0,${box.surface}H${box.width}`),
+        tipText(shape, toX, toY, free),
+        pressureText(shape, toX),
+        stickText(shape, toX),
+        marked > 0 ? size(toX(0), toX(Math.min(marked, reach)), box.surface - 14, "a") : "",
+        size(toX((shape.left + shape.right) / 2), toX(shape.right), box.floor + 20, "b"),
+        shape.pad === "wedge" ? angleText(toX, toY, reach, pressed) : "",
+        hardestText(shape.hardest, reach, toX),
+        loads(shape),
+        mark(34, 52, `${name.replace(", pasted", "")}, body 2`),
+        mark(16, box.floor - 10, "half-plane, body 1"),
+        mark(624, box.floor - 10, "not to scale", "end"),
+        `<g class="worst">${worstText(shape.worst, toX)}</g>`,
+    ];
     return (
-        `<svg class="plot" data-reach="${reach}" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
-        `<rect class="solid2" x="0" y="${box.surface}" width="${box.width}" height="${box.floor - box.surface}"/>` +
-        `<path class="solid" d="M20,30L${outline.join("L")}L620,30Z"/>` +
-        `<path class="surface" d="M0,${box.surface}H${box.width}"/>` +
-        tipText(shape, toX, toY, free) +
-        pressureText(shape, toX) +
-        stickText(shape, toX) +
-        (marked > 0 ? size(toX(0), toX(Math.min(marked, reach)), box.surface - 14, "a") : "") +
-        size(toX(middle), toX(shape.right), box.floor + 20, "b") +
-        (shape.pad === "wedge" ? angleText(toX, toY, reach, pressed) : "") +
-        hardestText({ ...shape, reach }, toX) +
-        loads(shape) +
-        `<text class="mark" x="34" y="52">${escaped(name.replace(", pasted", ""))}, body 2</text><text class="mark" x="16" y="${box.floor - 10}">half-plane, body 1</text>` +
-        `<text class="mark" x="624" y="${box.floor - 10}" text-anchor="end">not to scale</text><g class="worst"></g></svg>`
+        `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
+        `${parts.join("")}</svg>`
     );
-}
-
-/** Marks the worst place of a cycle on the surface; none where x is undefined. */
-export function markWorst(svg, x) {
-    const u = box.middle + (x / Number(svg.dataset.reach)) * 300;
-    svg.querySelector(".worst").innerHTML =
-        u > 0 && u < box.width
-            ? `<circle class="point" cx="${u.toFixed(1)}" cy="${box.surface}" r="5"/><text class="mark" x="${u.toFixed(1)}" y="${box.surface - 10}" text-anchor="middle">worst</text>`
-            : "";
 }
 
 const schematic = { a: 0.4, radius: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 0, sigma: 0 };
@@ -166,8 +172,8 @@ const shapes = {
     profile: { theta: 1, a: 1 },
 };
 
-/** The drawing of a case; one of no particular contact where there are no results. */
-export function drawingOf({ pad, setup, contact, results, hardest }) {
+/** The drawing of a case, with the worst place of its cycle, if there is one; a drawing of no particular contact where there are no results. */
+export function drawingOf({ pad, setup, contact, results, hardest }, worst) {
     if (!results) {
         const shape = { ...schematic, pad, ...shapes[pad] };
         return drawingText({ ...shape, height: heightOf({ ...shape, places: [] }) });
@@ -178,6 +184,7 @@ export function drawingOf({ pad, setup, contact, results, hardest }) {
     return drawingText({
         ...setup,
         pad,
+        worst,
         hardest: Number.isNaN(setup.k) ? null : hardest,
         height: heightOf(setup),
         left: results.left,

@@ -1,46 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "R for a safety of 2": the input that gives it, and a button that takes it into the form.
-import { element } from "../elements.js";
+import { html } from "lit-html";
 import { readNumber, writeNumber } from "../number.js";
+import { options, remembered } from "../parts.js";
 import { findInput } from "../solution.js";
+import { set } from "../state.js";
 import { inputs } from "../words.js";
+import { put } from "./form.js";
 
 const names = { radius: "Radius R", a: "Half-width of rounding a", P: "Load P", f: "Friction f" };
+const wanted = { name: "radius", safety: "2" };
 
-/** A part of the page, and show(model). take(name, text) puts the number into the form. */
-export function makeFinder(take) {
-    const input = element("select", { id: "find-input", "aria-label": "What is looked for" });
-    input.append(...Object.entries(names).map(([value, text]) => element("option", { value }, text)));
-    const safety = element("input", { id: "find-safety", type: "text", value: "2", size: 5, "aria-label": "Safety" });
-    const answer = element("output", { id: "find-answer" });
-    const use = element("button", { type: "button", hidden: true }, "Take it");
-    let model, solution;
-    const show = (present) => {
-        model = present;
-        const wanted = readNumber(safety.value, model.sign);
-        solution =
-            wanted > 0
-                ? findInput(model.texts, model.sign, input.value, wanted)
-                : { complaint: "the safety must be above 0" };
-        const unit = model.unit[inputs[input.value].unit];
-        answer.textContent = solution.complaint ?? `${model.write(solution.value)} ${unit}`;
-        use.hidden = Boolean(solution.complaint);
+const find = remembered(({ texts, sign }, name, safety) => {
+    const value = readNumber(safety, sign);
+    return value > 0 ? findInput(texts, sign, name, value) : { complaint: "the safety must be above 0" };
+});
+
+const taker =
+    (part) =>
+    ({ target }) => {
+        wanted[part] = target.value;
+        set({});
     };
-    for (const [part, kind] of [
-        [input, "change"],
-        [safety, "input"],
-    ])
-        part.addEventListener(kind, () => show(model));
-    use.addEventListener("click", () => take(input.value, writeNumber(solution.value, 15, model.sign)));
-    const line = element(
-        "p",
-        { class: "tools" },
-        input,
-        " for a safety, in full sliding, of ",
-        safety,
-        ": ",
-        answer,
-        use,
-    );
-    return { box: element("fieldset", { class: "find" }, element("legend", {}, "Find an input"), line), show };
+
+export function finder(model) {
+    const { name, safety } = wanted,
+        { complaint, value } = find(model, name, safety);
+    const use = () => put(name, writeNumber(value, 15, model.sign));
+    return html`<fieldset class="find"><legend>Find an input</legend>
+        <p class="tools"><select id="find-input" aria-label="What is looked for" @change=${taker("name")}>${options(names, name)}</select>
+            for a safety, in full sliding, of
+            <input id="find-safety" type="text" value="2" size="5" aria-label="Safety" @input=${taker("safety")}>:
+            <output id="find-answer">${complaint ?? `${model.write(value)} ${model.unit[inputs[name].unit]}`}</output>
+            <button type="button" ?hidden=${Boolean(complaint)} @click=${use}>Take it</button></p></fieldset>`;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The inputs of the case: fields with units, complaints and sliders.
-import { element } from "../elements.js";
+import { html, nothing } from "lit-html";
+import { live } from "lit-html/directives/live.js";
 import { rwedge } from "../library.js";
 import { writeNumber } from "../number.js";
 import { ofShapes, pads } from "../pads.js";
+import { options } from "../parts.js";
+import { set, state } from "../state.js";
 import { alternatives, inputs } from "../words.js";
-import { PadChoice } from "./pad_choice.js";
+import { padChoice } from "./pad_choice.js";
 import { slider } from "./slider.js";
 
 const groups = [
@@ -33,7 +36,11 @@ const labels = {
     k: "Yield stress in shear k",
     yield_stress: "Yield stress in tension Y",
 };
-const choiceTexts = { theta: "rad", theta_deg: "deg", a: "a", radius: "R", k: "k", yield_stress: "Y" };
+const choices = {
+    theta: { theta: "rad", theta_deg: "deg" },
+    a: { a: "a", radius: "R" },
+    k: { k: "k", yield_stress: "Y" },
+};
 const hints = { E2: "as body 1", nu2: "as body 1", Q: "0", M: "0", sigma: "0", k: "none", yield_stress: "none" };
 
 /** The same input the other way: radians or degrees, a or radius, k or Y. */
@@ -50,113 +57,71 @@ function converted(from, numbers) {
     }[from];
 }
 
-/** One field. It reads and writes texts; change() is called after each change. */
-class Field {
-    constructor(name, state, change) {
-        this.ways = alternatives[name] ? [name, alternatives[name]] : [name];
-        this.state = state;
-        this.change = change;
-        const id = `in-${name}`;
-        this.input = element(name === "profile" ? "textarea" : "input", {
-            id,
-            type: "text",
-            rows: 6,
-            inputmode: "text",
-            autocomplete: "off",
-            spellcheck: "false",
-            size: 10,
-            "aria-describedby": `${id}-note`,
-        });
-        this.label = element("label", { for: id });
-        this.unit = element("span", { class: "unit" });
-        this.note = element("p", { id: `${id}-note`, class: "note", "aria-live": "polite" });
-        this.input.addEventListener("input", () => this.type(this.input.value));
-        this.slider = slider(name, (text) => this.type(text));
-        const row = element(
-            "div",
-            { class: "row" },
-            this.input,
-            this.ways.length > 1 ? this.chooser(name) : "",
-            this.unit,
-        );
-        this.box = element("div", { class: "field" }, this.label, row, this.slider?.box ?? "", this.note);
-    }
+const waysOf = (field) => (alternatives[field] ? [field, alternatives[field]] : [field]);
 
-    /** The ways that the pad has. */
-    get open() {
-        const { names } = pads[this.state.pad];
-        return this.ways.filter((way) => !ofShapes.has(way) || names.includes(way));
-    }
+/** Those that the pad has. */
+const openWays = (field) => waysOf(field).filter((way) => !ofShapes.has(way) || pads[state.pad].names.includes(way));
 
-    get name() {
-        const open = this.open;
-        return open.find((way) => this.state.way[way]) ?? open[0] ?? this.ways[0];
-    }
-
-    type(text) {
-        for (const way of this.ways) delete this.state.texts[way];
-        if (text.trim() !== "") this.state.texts[this.name] = text;
-        this.change();
-    }
-
-    /** The text of one of its ways, which is chosen. */
-    put(way, text) {
-        for (const each of this.ways) this.state.way[each] = each === way;
-        this.type(text);
-    }
-
-    chooser(name) {
-        this.choice = element(
-            "select",
-            { "aria-label": `${labels[name]}, given as` },
-            ...this.ways.map((way) => element("option", { value: way }, choiceTexts[way])),
-        );
-        this.choice.addEventListener("change", () => this.choose(this.choice.value));
-        return this.choice;
-    }
-
-    /** To 15 digits; what is no number stays as it is. */
-    choose(way) {
-        const from = this.name,
-            other = from in this.numbers ? converted(from, this.numbers) : NaN,
-            text = Number.isFinite(other) ? writeNumber(other, 15, this.state.sign) : (this.state.texts[from] ?? "");
-        this.put(way, text);
-    }
-
-    show(model) {
-        this.numbers = model.inputs;
-        this.box.hidden = this.open.length === 0;
-        if (this.choice) this.choice.hidden = this.open.length < 2;
-        const text = this.state.texts[this.name] ?? "";
-        if (this.input.value.trim() !== text.trim()) this.input.value = text;
-        this.label.textContent = labels[this.name];
-        this.label.title = inputs[this.name].meaning;
-        const isHalf =
-            this.name === "nu2" ? Number.isFinite(model.inputs.E2) : this.name === "E2" && "nu2" in model.inputs;
-        this.input.placeholder = isHalf ? "needed too" : (hints[this.name] ?? "");
-        if (this.choice) this.choice.value = this.name;
-        this.unit.textContent =
-            this.choice && inputs[this.name].unit.match(/rad|deg/) ? "" : model.unit[inputs[this.name].unit];
-        const wrong = model.faults.filter((fault) => this.ways.includes(fault.input));
-        this.input.setAttribute("aria-invalid", wrong.length > 0);
-        this.note.className = wrong.length > 0 ? "note bad" : "note";
-        this.note.textContent =
-            wrong.map((fault) => fault.text).join("; ") || (this.name === "profile" ? model.remark : "");
-        this.slider?.show(this.name, model);
-    }
+/** Of the way that is chosen. */
+function nameOf(field) {
+    const open = openWays(field);
+    return open.find((way) => state.way[way]) ?? open[0] ?? field;
 }
 
-/** The form, take(name, text) for one of its fields, and show(model). */
-export function makeForm(state, change) {
-    const box = element("div", { class: "groups" });
-    const fields = [];
-    const choice = new PadChoice(state, change);
-    for (const { title, names } of groups) {
-        const made = names.map((name) => new Field(name, state, change));
-        fields.push(...made);
-        const boxes = [...(title === "Pad" ? [choice.box] : []), ...made.map((field) => field.box)];
-        box.append(element("fieldset", {}, element("legend", {}, title), ...boxes));
-    }
-    const take = (name, text) => fields.find((field) => field.ways.includes(name)).put(name, text);
-    return { box, take, show: (model) => [choice, ...fields].forEach((part) => part.show(model)) };
+function type(field, text) {
+    const texts = { ...state.texts };
+    for (const way of waysOf(field)) delete texts[way];
+    if (text.trim() !== "") texts[nameOf(field)] = text;
+    set({ texts });
 }
+
+/** The text of one of the ways, which is chosen. */
+export function put(way, text) {
+    const field = Object.keys(alternatives).find((name) => alternatives[name] === way) ?? way;
+    for (const each of waysOf(field)) state.way[each] = each === way;
+    type(field, text);
+}
+
+/** To 15 digits; what is no number stays as it is. */
+function choose(way, from, { inputs: numbers, sign }) {
+    const other = from in numbers ? converted(from, numbers) : NaN;
+    put(way, Number.isFinite(other) ? writeNumber(other, 15, sign) : (state.texts[from] ?? ""));
+}
+
+function chooser(field, name, model) {
+    if (!choices[field]) return nothing;
+    return html`<select aria-label="${labels[field]}, given as" ?hidden=${openWays(field).length < 2}
+        @change=${({ target }) => choose(target.value, name, model)}>${options(choices[field], name)}</select>`;
+}
+
+function entry(field, text, isWrong, hint) {
+    const id = `in-${field}`,
+        input = ({ target }) => type(field, target.value);
+    return field === "profile"
+        ? html`<textarea id=${id} rows="6" autocomplete="off" spellcheck="false" aria-describedby="${id}-note"
+              aria-invalid=${isWrong} .value=${live(text)} @input=${input}></textarea>`
+        : html`<input id=${id} type="text" autocomplete="off" spellcheck="false" size="10" aria-describedby="${id}-note"
+              aria-invalid=${isWrong} placeholder=${hint} .value=${live(text)} @input=${input}>`;
+}
+
+/** E2 and nu2 are given both or not at all. */
+const isHalf = (name, { E2, nu2 }) => (name === "nu2" ? Number.isFinite(E2) : name === "E2" && nu2 !== undefined);
+
+function fieldPart(field, model) {
+    const name = nameOf(field),
+        unit = field === "theta" ? "" : model.unit[inputs[name].unit];
+    const wrong = model.faults.filter((fault) => waysOf(field).includes(fault.input)).map((fault) => fault.text);
+    const hint = isHalf(name, model.inputs) ? "needed too" : (hints[name] ?? "");
+    return html`<div class="field" ?hidden=${openWays(field).length === 0}>
+        <label for="in-${field}" title=${inputs[name].meaning}>${labels[name]}</label>
+        <div class="row">${entry(field, state.texts[name] ?? "", wrong.length > 0, hint)}${chooser(field, name, model)}
+            <span class="unit">${unit}</span></div>
+        ${slider(field, name, model, (text) => type(field, text))}
+        <p id="in-${field}-note" class="note ${wrong.length > 0 ? "bad" : ""}" aria-live="polite"
+            >${wrong.join("; ") || (name === "profile" ? model.remark : "")}</p></div>`;
+}
+
+const group = ({ title, names }, model) => html`<fieldset><legend>${title}</legend>
+    ${title === "Pad" ? padChoice(model) : nothing} ${names.map((name) => fieldPart(name, model))}</fieldset>`;
+
+export const form = (model) => html`<div class="groups">${groups.map((each) => group(each, model))}</div>`;

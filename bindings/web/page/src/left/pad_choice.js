@@ -1,64 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The choice of the pad.
-import { element } from "../elements.js";
+// The choice of the pad; a pad without sizes begins with those of the one before.
+import { html } from "lit-html";
+import { live } from "lit-html/directives/live.js";
 import { writeNumber } from "../number.js";
 import { beginning, pads } from "../pads.js";
+import { options } from "../parts.js";
+import { set, state } from "../state.js";
 import { alternatives } from "../words.js";
 
-/** Which pad it is; a pad without sizes begins with those of the one before. */
-export class PadChoice {
-    constructor(state, change) {
-        this.state = state;
-        this.change = change;
-        const options = Object.entries(pads).map(([value, { title }]) => element("option", { value }, title));
-        this.select = element("select", { id: "pad" }, ...options);
-        this.select.addEventListener("change", () => this.choose(this.select.value));
-        this.hull = element("input", { id: "hull", type: "checkbox" });
-        this.hull.addEventListener("change", () => this.takeHull());
-        this.ofHull = element(
-            "p",
-            { class: "tools" },
-            this.hull,
-            element("label", { for: "hull" }, "take the convex hull"),
-        );
-        this.box = element(
-            "div",
-            { class: "field" },
-            element("label", { for: "pad" }, "Shape"),
-            this.select,
-            this.ofHull,
-        );
-    }
-
-    choose(pad) {
-        const { state, model } = this,
-            write = (value) => writeNumber(value, 4, state.sign),
-            start = beginning(pad, model.setup?.radius, model.results?.b, write);
-        state.pad = pad;
-        if ("radius" in start && "a" in state.texts && pad !== "wedge") delete state.texts.a;
-        if (pad !== "wedge") state.way.radius = true;
-        for (const [name, text] of Object.entries(start)) if (!this.has(name)) state.texts[name] = text;
-        this.change();
-    }
-
-    /** An input, or its other way. */
-    has(name) {
-        return [
-            name,
-            alternatives[name] ?? Object.keys(alternatives).find((other) => alternatives[other] === name),
-        ].some((way) => way in this.state.texts && pads[this.state.pad].names.includes(way));
-    }
-
-    takeHull() {
-        if (this.hull.checked) this.state.texts.hull = "yes";
-        else delete this.state.texts.hull;
-        this.change();
-    }
-
-    show(model) {
-        this.model = model;
-        this.select.value = this.state.pad;
-        this.ofHull.hidden = this.state.pad !== "profile";
-        this.hull.checked = "hull" in this.state.texts;
-    }
+/** Whether the pad has an input, or its other way. */
+function has(pad, name) {
+    const other = alternatives[name] ?? Object.keys(alternatives).find((each) => alternatives[each] === name);
+    return [name, other].some((way) => way in state.texts && pads[pad].names.includes(way));
 }
+
+function choose(pad, { setup, results }) {
+    const { texts, way, sign } = state,
+        start = beginning(pad, setup?.radius, results?.b, (value) => writeNumber(value, 4, sign));
+    if ("radius" in start && pad !== "wedge") delete texts.a;
+    if (pad !== "wedge") way.radius = true;
+    for (const [name, text] of Object.entries(start)) if (!has(pad, name)) texts[name] = text;
+    set({ pad });
+}
+
+function takeHull({ target }) {
+    const { hull, ...texts } = state.texts;
+    set({ texts: target.checked ? { ...texts, hull: "yes" } : texts });
+}
+
+const titles = Object.fromEntries(Object.entries(pads).map(([pad, { title }]) => [pad, title]));
+
+export const padChoice = (model) => html`<div class="field"><label for="pad">Shape</label>
+    <select id="pad" @change=${({ target }) => choose(target.value, model)}>${options(titles, state.pad)}</select>
+    <p class="tools" ?hidden=${state.pad !== "profile"}>
+        <input id="hull" type="checkbox" .checked=${live("hull" in state.texts)} @change=${takeHull}>
+        <label for="hull">take the convex hull</label></p></div>`;

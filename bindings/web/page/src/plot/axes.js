@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Axes of a plot: scales, ticks, grid and labels, as SVG text.
 import { scaleLinear } from "d3-scale";
-import { escaped } from "../elements.js";
+import { escaped } from "../parts.js";
 import { shortNumber } from "../number.js";
 
 /** On a narrow screen fewer units across make letters larger. */

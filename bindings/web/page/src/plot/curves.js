@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves over an axis, as the text of an SVG.
+import { extent as extentOf, minIndex } from "d3-array";
 import { line } from "d3-shape";
-import { escaped } from "../elements.js";
+import { escaped } from "../parts.js";
 import { axes, frame, narrow, roomy, scales } from "./axes.js";
 
-const extent = (numbers) => {
-    let lo = Infinity,
-        hi = -Infinity;
-    for (const v of numbers) if (Number.isFinite(v)) ((lo = Math.min(lo, v)), (hi = Math.max(hi, v)));
-    return [lo, hi];
-};
+/** Of the numbers that are finite. */
+const extent = (numbers) => extentOf(numbers, (v) => (Number.isFinite(v) ? v : NaN));
 
 /** In one line above the frame: it covers no curve. */
 function legend(curves, box) {
@@ -61,13 +58,7 @@ const isAlongX = ({ x }) => x.every((v, i) => i === 0 || v >= x[i - 1]);
 /** The place of a curve next to a point of the view box. */
 function nearest(curve, scale, u, v) {
     const along = isAlongX(curve);
-    let best = Infinity,
-        at = 0;
-    for (let i = 0; i < curve.x.length; i++) {
-        const far = Math.hypot(scale.x(curve.x[i]) - u, along ? 0 : scale.y(curve.y[i]) - v);
-        if (far < best) [best, at] = [far, i];
-    }
-    return at;
+    return minIndex(curve.x, (x, i) => Math.hypot(scale.x(x) - u, along ? 0 : scale.y(curve.y[i]) - v));
 }
 
 /** What the curves are at a point of the view box: [{ name, x, y }]; nothing outside the frame. */

@@ -2,8 +2,8 @@
 // Contours of a field on a grid, as the text of an SVG: bands of colour, and what they mean.
 import { shortNumber } from "../number.js";
 import { contours } from "d3-contour";
-import { ticks } from "d3-array";
-import { escaped } from "../elements.js";
+import { extent, ticks } from "d3-array";
+import { escaped } from "../parts.js";
 import { axes, narrow, scales } from "./axes.js";
 import { colourOf } from "./colours.js";
 
@@ -12,18 +12,14 @@ const frames = [
     { width: 420, height: 290, left: 58, right: 74, top: 14, bottom: 46 },
 ];
 const fieldFrame = () => frames[narrow.matches ? 1 : 0];
+export const viewBox = () => `0 0 ${fieldFrame().width} ${fieldFrame().height}`;
 const LEVELS = 10;
 
 /** A few of the highest and lowest values may be far from the rest, as near a sharp apex: they set no level. */
 function range(values) {
     const some = Float64Array.from({ length: 1500 }, (_, i) => values[Math.floor((i * values.length) / 1500)]).sort();
-    let lowest = Infinity,
-        highest = -Infinity;
-    for (let i = 0; i < values.length; i++) {
-        if (values[i] < lowest) lowest = values[i];
-        if (values[i] > highest) highest = values[i];
-    }
-    const inner = some[1480] - some[20];
+    const [lowest, highest] = extent(values),
+        inner = some[1480] - some[20];
     return [Math.max(lowest, some[20] - inner), Math.min(highest, some[1480] + inner)];
 }
 
@@ -85,21 +81,19 @@ function barText({ from, to, style, name }, scale, box) {
  * grid: values, nx * ny numbers, row by row from the surface down, at x from x0 to x1 and y from 0 to depth.
  * points: [{ x, y, name }]; surface: [{ from, to, style, name }] above the frame.
  */
-export function fieldText(grid, { title, xLabel, yLabel, unit, points = [], surface = [] }) {
+export function fieldText(grid, { xLabel, yLabel, unit, points, surface }) {
     const box = fieldFrame(),
         scale = scales([grid.x0, grid.x1], [0, grid.depth], box, true);
     const bands = bandsOf(grid.values);
     const [width, height] = [box.width - box.left - box.right, box.height - box.top - box.bottom];
     const frame = `x="${box.left}" y="${box.top}" width="${width}" height="${height}"`;
     return (
-        `<svg class="plot field" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
         `<clipPath id="inside"><rect ${frame}/></clipPath>` +
         `<g clip-path="url(#inside)"><rect ${frame} fill="${bands.colours[0]}"/>${bandTexts(bands, grid, scale).join("")}</g>` +
         axes(scale, xLabel, yLabel, box).replaceAll('class="grid"', 'class="none"') +
         surface.map((bar) => barText(bar, scale, box)).join("") +
         key(bands.levels, bands.colours, box, unit) +
-        points.map((point) => pointText(point, scale)).join("") +
-        `<g class="probe"></g></svg>`
+        points.map((point) => pointText(point, scale)).join("")
     );
 }
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A plot of curves on the page: it is saved, it tells the values under the pointer, and its curves can be pinned beside the next case.
-import { element } from "../elements.js";
+import { html } from "lit-html";
+import { live } from "lit-html/directives/live.js";
 import { shown, writeNumber } from "../number.js";
+import { set } from "../state.js";
 import { curvesText, valuesUnder } from "./curves.js";
-import { savedPlot } from "./save.js";
+import { saveButtons } from "./save.js";
 
 /** A point of the pointer in the units of the view box. */
-export function inViewBox(svg, event) {
-    const rect = svg.getBoundingClientRect();
-    const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
-    return [((event.clientX - rect.left) / rect.width) * width, ((event.clientY - rect.top) / rect.height) * height];
+export function inViewBox(svg, { clientX, clientY }) {
+    const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(svg.getScreenCTM().inverse());
+    return [x, y];
 }
 
 function valuesText(values) {
@@ -19,29 +20,25 @@ function valuesText(values) {
     return `${places.size === 1 ? `at ${[...places][0]}: ` : ""}${each.join("; ")}`;
 }
 
-/** Its parts, and draw(spec): what curvesText() takes, or a text that says why there is none. */
-export function curvePlot(name, table) {
-    const saved = savedPlot(name, table),
-        values = element("p", { class: "note under-pointer" });
-    let spec = null,
-        pinned = [];
-    const redraw = () => saved.draw(spec ? curvesText({ ...spec, pinned }) : "");
-    const pin = element("button", { type: "button", "aria-pressed": "false" }, "Pin these curves");
-    pin.addEventListener("click", () => {
-        pinned = pinned.length > 0 ? [] : spec.curves;
-        pin.setAttribute("aria-pressed", pinned.length > 0);
-        redraw();
-    });
-    saved.buttons.append(" ", pin);
-    saved.plot.addEventListener("pointermove", (event) => {
-        const svg = saved.plot.querySelector("svg");
-        if (spec && svg) values.textContent = valuesText(valuesUnder(spec, ...inViewBox(svg, event)));
-    });
-    const draw = (wanted) => {
-        spec = typeof wanted === "string" ? null : wanted;
-        if (spec) redraw();
-        else saved.draw(wanted);
-        values.textContent = spec ? "Point at the curves to read them." : "";
+export const noResults = "No results: the status says why.";
+
+const pins = {}; // curves of another case, by the name of their plot
+
+/** spec: what curvesText() takes, or a text that says why there is none; table() for its file. */
+export function curvePlot(name, spec, table) {
+    const isDrawn = typeof spec !== "string",
+        pinned = pins[name] ?? [];
+    const tell = (event) => {
+        const { firstElementChild: svg, nextElementSibling: values } = event.currentTarget;
+        if (isDrawn) values.textContent = valuesText(valuesUnder(spec, ...inViewBox(svg, event)));
     };
-    return { plot: saved.plot, parts: [saved.plot, values, saved.buttons], draw };
+    const pin = () => {
+        pins[name] = pinned.length > 0 ? [] : spec.curves;
+        set({});
+    };
+    const button = html`<button type="button" aria-pressed=${pinned.length > 0} @click=${pin}>Pin these curves</button>`;
+    return html`
+        <div id="plot-${name}" .innerHTML=${isDrawn ? curvesText({ ...spec, pinned }) : spec && `<p>${spec}</p>`} @pointermove=${tell}></div>
+        <p class="note under-pointer" .textContent=${live(isDrawn ? "Point at the curves to read them." : "")}></p>
+        ${saveButtons(name, table, isDrawn, button)}`;
 }

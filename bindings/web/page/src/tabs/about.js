@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab About: the theory in a page, accuracy, errata, licences, how to cite. The texts are those of the READMEs.
-import { element, escaped } from "../elements.js";
+import { html } from "lit-html";
+import { escaped } from "../parts.js";
 import { rwedge } from "../library.js";
 import { unitsRemark } from "../units.js";
 import { texts } from "texts";
@@ -9,7 +10,7 @@ const licences = texts.licences
     .map(({ name, text }) => `<h3>${escaped(name)}</h3><pre>${escaped(text)}</pre>`)
     .join("");
 
-const html = () => `
+const text = () => `
 <h2>What this is</h2>
 <p>A wedge with a rounded apex, a cylinder, a flat pad with rounded edges or any convex profile is pressed onto an elastically similar half-plane: contact law, pressure, partial slip, stresses, first yield, cycles of loads. The library
 <b>rwedge ${escaped(rwedge.version())}</b> is inside this file and computes every number here. The file asks for nothing from a network, and its security policy forbids it to.</p>
@@ -26,10 +27,4 @@ other histories are in the tab Cycle.</p>
 <details><summary>Licences of these packages</summary>${licences}</details>
 <details><summary>GNU General Public License, version 3</summary><pre>${escaped(texts.licence)}</pre></details>`;
 
-export function makeAbout() {
-    const panel = element("div", { class: "about" });
-    const show = () => {
-        if (panel.childElementCount === 0) panel.innerHTML = html();
-    };
-    return { panel, show };
-}
+export const about = () => html`<div class="about" .innerHTML=${text()}></div>`;

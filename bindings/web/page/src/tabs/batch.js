@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Batch: rows pasted from a spreadsheet, and rows to paste back.
-import { copyButton, download, element, escaped } from "../elements.js";
+import { html, nothing } from "lit-html";
+import { live } from "lit-html/directives/live.js";
 import { Aside } from "../aside.js";
+import { copyButton, download } from "../parts.js";
+import { set, setter, state } from "../state.js";
 
 const SHOWN = 100; // rows that are drawn; all are copied
 const example =
@@ -36,19 +39,16 @@ function csvOf(lines, sign) {
 function tableOf({ columns, results, rows }, write) {
     const [safety, warnings] = ["safety", "warnings"].map((name) => results.indexOf(name)),
         others = results.map((_, i) => i).filter((i) => i !== safety && i !== warnings);
-    const head = [columns[0], "safety", "warnings", ...columns.slice(1), ...others.map((i) => results[i])]
-        .map((name) => `<th scope="col">${escaped(name)}</th>`)
-        .join("");
+    const head = [columns[0], "safety", "warnings", ...columns.slice(1), ...others.map((i) => results[i])];
     const shown = (text = "") => (isNumber(text) ? write(Number(text)) : text);
-    const body = rows.slice(0, SHOWN).map(({ colour, error, cells, values }) => {
-        const remark = `<td class="remark">${escaped(error || (values[warnings] ?? ""))}</td>`,
-            rest = [...cells.slice(1), ...others.map((i) => shown(values[i]))];
-        const [first, factor, ...more] = [cells[0], shown(values[safety]), ...rest].map(
-            (cell) => `<td>${escaped(cell)}</td>`,
-        );
-        return `<tr class="${colour}">${first}${factor}${remark}${more.join("")}</tr>`;
-    });
-    return `<table class="numbers rows"><caption class="hidden">Solved rows</caption><thead><tr>${head}</tr></thead><tbody>${body.join("")}</tbody></table>`;
+    const line = ({ colour, error, cells, values }) => {
+        const rest = [...cells.slice(1), ...others.map((i) => shown(values[i]))];
+        return html`<tr class=${colour}><td>${cells[0]}</td><td>${shown(values[safety])}</td>
+            <td class="remark">${error || (values[warnings] ?? "")}</td>${rest.map((cell) => html`<td>${cell}</td>`)}</tr>`;
+    };
+    return html`<table class="numbers rows"><caption class="hidden">Solved rows</caption>
+        <thead><tr>${head.map((name) => html`<th scope="col">${name}</th>`)}</tr></thead>
+        <tbody>${rows.slice(0, SHOWN).map(line)}</tbody></table>`;
 }
 
 /** Why the first rows that have no answer have none. */
@@ -74,73 +74,22 @@ function remarkOf(solved) {
         .join(" ");
 }
 
-/** Where rows are pasted, with a label and an example; the parts in their order. */
-function pasteArea() {
-    const pasted = element("textarea", {
-        id: "batch",
-        rows: 8,
-        wrap: "off",
-        spellcheck: "false",
-        "aria-describedby": "batch-note",
-        placeholder: example,
-    });
-    const title =
-        "Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does";
-    const tryExample = () => {
-        pasted.value = example;
-        pasted.dispatchEvent(new Event("input"));
-    };
-    const line = element(
-        "p",
-        { class: "tools" },
-        element("button", { type: "button", onclick: tryExample }, "Try an example"),
-        element("span", {}, "What the rows lack is taken from the case of the form."),
-    );
-    return { pasted, parts: [element("label", { for: "batch" }, title), pasted, line] };
-}
+const save = (solved, sign) => download("solved.csv", csvOf(linesOf(solved, sign), sign), "text/csv");
 
-/** What is done with the solved rows: lines() are all of them. */
-function saveTools(lines, sign) {
-    const save = () => download("solved.csv", new Blob([csvOf(lines(), sign())], { type: "text/csv" }));
-    return element(
-        "p",
-        { class: "tools" },
-        copyButton("Copy the solved rows", () => asText(lines())),
-        element("button", { type: "button", onclick: save }, "Save as CSV"),
-    );
-}
+const aside = new Aside("rows", () => set({}));
 
-export function makeBatch(state, changed) {
-    const { pasted, parts } = pasteArea();
-    const note = element("p", { id: "batch-note", class: "note", "aria-live": "polite" });
-    const numbers = element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "Solved rows" });
-    const aside = new Aside("rows");
-    let solved = null,
-        model;
-    const tools = saveTools(
-        () => linesOf(solved, state.sign),
-        () => state.sign,
-    );
-    const panel = element("div", {}, ...parts, note, tools, numbers);
-    const draw = (answer) => {
-        solved = answer;
-        panel.removeAttribute("aria-busy");
-        const bad = solved.complaint !== undefined;
-        note.textContent = remarkOf(solved);
-        note.className = bad ? "note bad" : "note";
-        tools.hidden = numbers.hidden = bad;
-        numbers.innerHTML = bad ? "" : tableOf(solved, model.write);
-    };
-    const show = (present) => {
-        model = present;
-        if (document.activeElement !== pasted) pasted.value = state.batch;
-        panel.setAttribute("aria-busy", "true");
-        aside.ask([state.batch, model.texts, state.sign], draw);
-    };
-    pasted.addEventListener("input", () => {
-        state.batch = pasted.value;
-        show(model);
-        changed();
-    });
-    return { panel, show };
+export function batch({ texts, sign, write }) {
+    const solved = aside.ask([state.batch, texts, sign]) ?? { complaint: "" },
+        isBad = solved.complaint !== undefined;
+    return html`<div aria-busy=${aside.busy || nothing}>
+        <label for="batch">Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does</label>
+        <textarea id="batch" rows="8" wrap="off" spellcheck="false" aria-describedby="batch-note" placeholder=${example}
+            .value=${live(state.batch)} @input=${setter("batch")}></textarea>
+        <p class="tools"><button type="button" @click=${() => set({ batch: example })}>Try an example</button>
+            <span>What the rows lack is taken from the case of the form.</span></p>
+        <p id="batch-note" class="note ${isBad ? "bad" : ""}" aria-live="polite">${remarkOf(solved)}</p>
+        <p class="tools" ?hidden=${isBad}>${copyButton("Copy the solved rows", () => asText(linesOf(solved, sign)))}
+            <button type="button" @click=${() => save(solved, sign)}>Save as CSV</button></p>
+        <div class="wide" tabindex="0" role="region" aria-label="Solved rows" ?hidden=${isBad}
+            >${isBad ? nothing : tableOf(solved, write)}</div></div>`;
 }

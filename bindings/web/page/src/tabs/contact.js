@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Contact: pressure and shear along the surface, the stick zone, and all results.
-import { element } from "../elements.js";
+import { html } from "lit-html";
+import { remembered } from "../parts.js";
 import { isOffCentre, safetyOnStrength } from "../solution.js";
 import { groups, ofEdges, symbols } from "./symbols.js";
 import { resultKinds } from "../words.js";
 import { curvesTable } from "../plot/curves.js";
-import { curvePlot } from "../plot/live.js";
+import { curvePlot, noResults } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { placesAcross } from "../stresses.js";
-import { noResults, tableText } from "./table.js";
+import { table } from "./table.js";
 
 const minus = (numbers) => numbers.map((v) => -v + 0);
 
@@ -66,30 +67,24 @@ function resultRows(model) {
 }
 
 /** The results of a group as people write them; the rows of all quantities have the tool's names. */
-function groupText(model, { title, names }) {
+function groupPart(model, { title, names }) {
     const shown = names.filter((name) => isOffCentre(model.setup) || !ofEdges.includes(name));
     const rows = shown.map((name) => {
         const { unit, meaning } = resultKinds.find((kind) => kind.name === name);
         return { symbol: symbols[name], value: model.write(model.results[name]), unit: model.unit[unit], meaning };
     });
-    return rows.some((row) => row.value !== "") ? `<h2>${title}</h2>${tableText(title, rows)}` : "";
+    return rows.some(({ value }) => value !== "") ? html`<h2>${title}</h2>${table(title, rows)}` : "";
 }
 
-export function makeContact() {
-    let curves, unit;
-    const plot = curvePlot("tractions", () =>
-        curvesTable("x", curves, [unit.length, ...curves.map(() => unit.stress)]),
-    );
-    const colours = "Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.";
-    const few = element("div", { class: "wide few" }),
-        numbers = element("div", { class: "wide" }),
-        all = element("details", {}, element("summary", {}, "All quantities, by the tool\u2019s names"), numbers);
-    const show = (model) => {
-        unit = model.unit;
-        curves = model.results && tractions(model);
-        plot.draw(curves ? plotOf(model, curves) : noResults);
-        few.innerHTML = curves ? groups.map((group) => groupText(model, group)).join("") : "";
-        numbers.innerHTML = curves ? tableText("All quantities", resultRows(model)) : "";
-    };
-    return { panel: element("div", {}, ...plot.parts, element("p", { class: "note" }, colours), few, all), show };
+const tractionsOf = remembered(tractions);
+
+export function contact(model) {
+    const { results, unit } = model,
+        curves = results && tractionsOf(model);
+    const columns = () => curvesTable("x", curves, [unit.length, ...curves.map(() => unit.stress)]);
+    return html`${curvePlot("tractions", curves ? plotOf(model, curves) : noResults, columns)}
+        <p class="note">Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.</p>
+        <div class="wide few">${curves && groups.map((group) => groupPart(model, group))}</div>
+        <details><summary>All quantities, by the tool\u2019s names</summary>
+            <div class="wide">${curves && table("All quantities", resultRows(model))}</div></details>`;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Strength: the elastic limit over friction for this a/b, its two branches, the present point, both safeties.
-import { element } from "../elements.js";
-import { rwedge, status } from "../library.js";
+import { html } from "lit-html";
+import { orNull, rwedge } from "../library.js";
+import { remembered } from "../parts.js";
 import { isOffCentre, safetyOnStrength } from "../solution.js";
 import { curvesTable } from "../plot/curves.js";
-import { curvePlot } from "../plot/live.js";
-import { noResults, tableText } from "./table.js";
+import { curvePlot, noResults } from "../plot/live.js";
+import { table } from "./table.js";
 
 const COUNT = 101;
 
@@ -15,7 +16,7 @@ const frictions = (f) => Float64Array.from({ length: COUNT }, (_, i) => (Math.ma
 function branches({ setup, results }) {
     const alpha = results.a_over_b,
         f = frictions(setup.f);
-    const each = (branch) => f.map((v) => status.orNull(() => branch(alpha, v, setup.nu1))?.limit ?? NaN);
+    const each = (branch) => f.map((v) => orNull(() => branch(alpha, v, setup.nu1))?.limit ?? NaN);
     return [
         {
             name: "elastic limit",
@@ -74,15 +75,15 @@ const shownRows = {
 
 const ofWedge = "The limits over friction are drawn for a wedge alone; the numbers below hold for this pad.";
 
-/** Why nothing is drawn, as HTML; empty where it is. */
+/** Why nothing is drawn; empty where it is. */
 function reasonFor({ pad, results }) {
     if (!results) return noResults;
-    if (pad !== "wedge") return `<p>${ofWedge}</p>`;
-    if (results.a_over_b === 0) return "<p>A sharp wedge yields under any load: its elastic limit is 0.</p>";
-    return results.a_over_b < 1e-14 ? "<p>a/b must be 0 or at least 1e-14 here.</p>" : "";
+    if (pad !== "wedge") return ofWedge;
+    if (results.a_over_b === 0) return "A sharp wedge yields under any load: its elastic limit is 0.";
+    return results.a_over_b < 1e-14 ? "a/b must be 0 or at least 1e-14 here." : "";
 }
 
-function numbersText({ results, unit, write }) {
+function numbers({ results, unit, write }) {
     const values = { ...results, safety_strength: safetyOnStrength(results) };
     const units = { P_yield: unit["force/length"], yield_x: unit.length, yield_y: unit.length };
     const rows = Object.entries(shownRows).map(([name, meaning]) => ({
@@ -91,27 +92,17 @@ function numbersText({ results, unit, write }) {
         value: write(values[name]),
         unit: units[name],
     }));
-    return tableText("Strength", rows);
+    return table("Strength", rows);
 }
 
 const offCentreRemark =
     "Moment and bulk tension are not in these limits: they are those of full sliding under P alone. The yield factor has them.";
+const branchesOf = remembered(branches);
 
-export function makeStrength() {
-    let curves;
-    const plot = curvePlot("elastic-limit", () => curvesTable("f", curves));
-    const remark = element("p", { class: "note" });
-    const numbers = element("div", { class: "wide" });
-    const show = (model) => {
-        const reason = reasonFor(model);
-        remark.textContent = "";
-        numbers.innerHTML = model.results && model.pad !== "wedge" ? numbersText(model) : "";
-        plot.draw(reason);
-        if (reason) return;
-        curves = branches(model);
-        plot.draw(plotOf(model, curves));
-        if (isOffCentre(model.setup)) remark.textContent = offCentreRemark;
-        numbers.innerHTML = numbersText(model);
-    };
-    return { panel: element("div", {}, ...plot.parts, remark, numbers), show };
+export function strength(model) {
+    const reason = reasonFor(model),
+        curves = !reason && branchesOf(model);
+    return html`${curvePlot("elastic-limit", reason || plotOf(model, curves), () => curvesTable("f", curves))}
+        <p class="note">${!reason && isOffCentre(model.setup) ? offCentreRemark : ""}</p>
+        <div class="wide">${!reason || (model.results && model.pad !== "wedge") ? numbers(model) : ""}</div>`;
 }

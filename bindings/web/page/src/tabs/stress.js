@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Stress: contours below the surface, the values at a place, and where the material yields first under these loads.
-import { element } from "../elements.js";
-import { fieldText } from "../plot/field.js";
-import { savedPlot } from "../plot/save.js";
+import { html } from "lit-html";
+import { narrow } from "../plot/axes.js";
+import { fieldText, viewBox } from "../plot/field.js";
+import { noResults } from "../plot/live.js";
+import { saveButtons } from "../plot/save.js";
+import { options, remembered } from "../parts.js";
+import { setter, state } from "../state.js";
 import { fieldOf, gridOf, measures } from "../stresses.js";
 import { withUnit } from "../model.js";
 import { isMoving } from "../left/slider.js";
-import { Probe } from "./probe.js";
-import { noResults } from "./table.js";
+import { crossOf, follow, probe } from "./probe.js";
 
 /** Where the von Mises stress is largest, in words; nothing where it is infinite. */
 function hardestText({ hardest, setup, unit, write }) {
@@ -25,20 +28,21 @@ function surfaceOf({ left, right, stick_left: from, stick_right: to }) {
     return from !== null && to > from ? [contact, { from, to, style: "curve three", name: "sticks" }] : [contact];
 }
 
-function plotOf(model, grid, field, measure) {
+function plotOf(model, { grid, field }) {
     const { hardest, unit } = model;
-    const values = { ...grid, values: field.values };
-    return fieldText(values, {
-        title: `${measures[measure].name} below the surface`,
-        xLabel: withUnit("x", unit.length),
-        yLabel: withUnit("depth y", unit.length),
-        unit: unit.stress,
-        points: hardest ? [{ x: hardest.x, y: hardest.y, name: hardestText(model) }] : [],
-        surface: surfaceOf(model.results),
-    });
+    return fieldText(
+        { ...grid, values: field.values },
+        {
+            xLabel: withUnit("x", unit.length),
+            yLabel: withUnit("depth y", unit.length),
+            unit: unit.stress,
+            points: hardest ? [{ x: hardest.x, y: hardest.y, name: hardestText(model) }] : [],
+            surface: surfaceOf(model.results),
+        },
+    );
 }
 
-function tableOf(unit, grid, field, measure) {
+function tableOf({ unit }, { grid, field }, measure) {
     const columns = [grid.x, grid.y, field.sxx, field.syy, field.txy, field.values];
     return {
         names: ["x", "y", "sxx", "syy", "txy", measure],
@@ -47,33 +51,29 @@ function tableOf(unit, grid, field, measure) {
     };
 }
 
-function chooser() {
-    const options = Object.entries(measures).map(([key, { name }]) => element("option", { value: key }, name));
-    return element("select", { id: "measure" }, ...options);
-}
+const seenOf = remembered((model, measure, isFine) => {
+    const grid = gridOf(model.results, !isFine),
+        field = fieldOf(model, grid, measure);
+    return { grid, field };
+});
+const textOf = remembered(plotOf);
 
-export function makeStress(state, changed) {
-    let model, grid, field;
-    const plot = savedPlot("stress", () => tableOf(model.unit, grid, field, state.measure));
-    const yields = element("p");
-    const choice = chooser();
-    const probe = new Probe(state, changed, plot.plot);
-    const show = (present) => {
-        model = present;
-        choice.value = state.measure;
-        yields.textContent = model.results ? hardestText(model) : "";
-        if (model.results) {
-            grid = gridOf(model.results, isMoving());
-            field = fieldOf(model, grid, state.measure);
-        }
-        plot.draw(model.results ? plotOf(model, grid, field, state.measure) : noResults);
-        probe.show(model, grid);
-    };
-    choice.addEventListener("change", () => {
-        state.measure = choice.value;
-        show(model);
-        changed();
-    });
-    const choose = element("p", { class: "tools" }, element("label", { for: "measure" }, "Contours of"), choice);
-    return { panel: element("div", {}, choose, ...plot.parts, yields, probe.box), show };
+const titles = Object.fromEntries(Object.entries(measures).map(([key, { name }]) => [key, name]));
+
+export function stress(model) {
+    const { measure } = state,
+        seen = model.results && seenOf(model, measure, !isMoving()),
+        title = `${titles[measure]} below the surface`;
+    const point = (event) => follow(event, seen.grid);
+    const plot =
+        seen &&
+        html`<svg class="plot field" viewBox=${viewBox()} role="img" aria-label=${title} @pointermove=${point} @pointerdown=${point}
+            ><title .textContent=${title}></title><g .innerHTML=${textOf(model, seen, narrow.matches)}></g>
+            <g class="probe" .innerHTML=${crossOf(model, seen.grid)}></g></svg>`;
+    return html`<p class="tools"><label for="measure">Contours of</label>
+            <select id="measure" @change=${setter("measure")}>${options(titles, measure)}</select></p>
+        <div id="plot-stress">${plot ?? html`<p>${noResults}</p>`}</div>
+        ${saveButtons("stress", () => tableOf(model, seen, measure), Boolean(seen))}
+        <p>${seen && hardestText(model)}</p>
+        ${probe(model)}`;
 }

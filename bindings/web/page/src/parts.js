@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small parts of the page, and what the browser does with texts: downloads, the clipboard.
+import { html } from "lit-html";
+import { live } from "lit-html/directives/live.js";
+
+/** The options of a choice: titles by value. */
+export const options = (titles, chosen) =>
+    Object.entries(titles).map(
+        ([value, title]) => html`<option value=${value} .selected=${live(value === chosen)}>${title}</option>`,
+    );
+
+export const escaped = (text) =>
+    String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
+
+/** f, which computes anew where an argument is another than at the call before. */
+export function remembered(f) {
+    let before = [NaN],
+        value;
+    return (...values) => {
+        if (values.some((each, i) => each !== before[i])) [value, before] = [f(...values), values];
+        return value;
+    };
+}
+
+/** Hands a file to the browser's downloads. */
+export function download(name, content, type) {
+    const href = URL.createObjectURL(new Blob([content], { type }));
+    Object.assign(document.createElement("a"), { href, download: name }).click();
+    setTimeout(() => URL.revokeObjectURL(href), 10000);
+}
+
+/** A button that copies a text, and says so for a while. */
+export function copyButton(label, text, done = () => "Copied") {
+    const click = async ({ target }) => {
+        target.textContent = (await copy(text())) ? done() : "Select the text and copy it";
+        setTimeout(() => (target.textContent = label), 2000);
+    };
+    return html`<button type="button" @click=${click} .textContent=${label}></button>`;
+}
+
+/** A page that was opened as a file may not have the clipboard of today: then the older way is taken. */
+async function copy(text) {
+    try {
+        await navigator.clipboard.writeText(text);
+        return true;
+    } catch {
+        const area = document.createElement("textarea");
+        area.value = text;
+        document.body.append(area);
+        area.select();
+        const copied = document.execCommand("copy");
+        area.remove();
+        return copied;
+    }
+}

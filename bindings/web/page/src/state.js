@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state of the page: texts, as they are typed, and choices. It is the part of the address behind #: a case can be sent as a link.
+import { readNumber, writeNumber } from "./number.js";
+import { padOf, pads } from "./pads.js";
+import { measures } from "./stresses.js";
+import { conversion, unitSystems } from "./units.js";
+import { criteria, inputNames, inputs } from "./words.js";
+
+/** Two steel bodies, as in the workbook. */
+const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
+const settings = {
+    name: "",
+    pad: "",
+    units: "mm",
+    digits: "4",
+    sign: ".",
+    tab: "contact",
+    measure: "von_mises",
+    probe_x: "0",
+    probe_y: "0.05",
+    loads: "",
+    cycles: "3",
+    criterion: "swt",
+    plane: "",
+    material: "",
+    batch: "",
+};
+export const tabs = {
+    contact: "Contact",
+    stress: "Stress",
+    strength: "Strength",
+    cycle: "Cycle",
+    batch: "Batch",
+    about: "About",
+};
+export const signs = { ".": "point", ",": "comma" };
+export const digits = { 4: "4", 6: "6", 10: "10", 14: "14" };
+/** What a setting may be; another word is the usual one. */
+const allowed = { units: unitSystems, digits, sign: signs, tab: tabs, measure: measures, criterion: criteria };
+const LONGEST = 20000; // characters of an address that every browser takes
+
+/** texts: of the inputs, by name; way: which of the ways to give an input is chosen. */
+export const state = { texts: {}, way: {} };
+
+let draw;
+/** What is done after each change. */
+export const drawWith = (f) => (draw = f);
+
+export function set(changes) {
+    Object.assign(state, changes);
+    draw();
+}
+
+/** For an input or a choice of the page: what is typed becomes this part of the state. */
+export const setter =
+    (name) =>
+    ({ target }) =>
+        set({ [name]: target.value });
+
+/** All of it anew. */
+export function take(texts) {
+    const filled = [...inputNames, "hull"].filter((name) => (texts[name] ?? "") !== "");
+    state.texts = inputNames.some((name) => name in texts)
+        ? Object.fromEntries(filled.map((name) => [name, texts[name]]))
+        : { ...example };
+    state.way = Object.fromEntries(
+        ["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]),
+    );
+    for (const [name, usual] of Object.entries(settings)) {
+        const text = texts[name] ?? usual;
+        state[name] = !allowed[name] || Object.hasOwn(allowed[name], text) ? text : usual;
+    }
+    if (!Object.hasOwn(pads, state.pad)) state.pad = padOf(state.texts);
+    if (state.sign === ",") rewriteNumbers();
+    draw();
+}
+
+/** The places that are looked at are numbers too. */
+const places = ["probe_x", "probe_y"];
+
+function rewriteNumbers() {
+    const [from, to] = state.sign === "," ? [".", ","] : [",", "."];
+    const rewritten = (text) => (text.split(from).length === 2 && !text.includes(to) ? text.replace(from, to) : text);
+    for (const [name, text] of Object.entries(state.texts)) if (name !== "profile") state.texts[name] = rewritten(text);
+    for (const name of places) state[name] = rewritten(state[name]);
+}
+
+/** What is typed has the chosen decimal sign too. */
+export function setSign(sign) {
+    state.sign = sign;
+    rewriteNumbers();
+    draw();
+}
+
+/** Where it converts, the numbers of the form and the place that is looked at; pasted tables stay. */
+export function setUnits(units, converts) {
+    const converted = (text, dimension) => {
+        const factor = converts ? conversion(state.units, units, dimension) : 1,
+            value = readNumber(text, state.sign);
+        return factor === 1 || Number.isNaN(value) ? text : writeNumber(value * factor, 12, state.sign);
+    };
+    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = converted(text, inputs[name]?.unit);
+    for (const name of places) state[name] = converted(state[name], "length");
+    set({ units });
+}
+
+/** What is empty is left out. */
+const asAddress = (texts) =>
+    "#" + new URLSearchParams(Object.entries(texts).filter(([, text]) => text !== undefined && text !== ""));
+
+export const readAddress = (text) => Object.fromEntries(new URLSearchParams(text.replace(/^#/, "")));
+
+export function wholeAddress() {
+    const changed = Object.keys(settings).filter((name) => state[name] !== settings[name]);
+    return asAddress({ ...state.texts, ...Object.fromEntries(changed.map((name) => [name, state[name]])) });
+}
+
+/** What is pasted may be too long for a link. */
+export const isTooLong = () => wholeAddress().length > LONGEST;
+export const address = () => (isTooLong() ? asAddress({ ...state.texts, tab: state.tab }) : wholeAddress());

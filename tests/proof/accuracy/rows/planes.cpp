@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Criteria over all planes, of cycles between two opposite loads, where they have closed forms in
- * the principal stresses s1, s2 and szz. */
+/* Criteria of cycles between two opposite loads, where they have closed forms in the principal
+ * stresses s1, s2 and szz. Cycles of more loads are scanned in tests/lib/measures/. */
 #include <float.h>
 #include <math.h>
 
@@ -40,14 +40,15 @@ bool draw_cycle(probe *call, cycle *c)
     return are_apart(s, nu);
 }
 
-/* The parameter of a cycle, whose last arguments these are; r: its value and its plane. */
-std::function<bool(probe *)> of_cycle(const std::vector<drawn> &others,
-                                      int32_t (*parameter)(const cycle &c, const double *v,
-                                                           double *r))
+/* The parameter of a cycle, whose last arguments these are; r: its value and its plane. `any`: of
+ * principal stresses that are nearly equal too. */
+std::function<bool(probe *)>
+of_cycle(const std::vector<drawn> &others,
+         int32_t (*parameter)(const cycle &c, const double *v, double *r), bool any = false)
 {
     return [=](probe *call) {
         cycle c;
-        if (!draw_cycle(call, &c))
+        if (!draw_cycle(call, &c) && !any)
             return false;
         for (const drawn &a : others)
             argument(call, a.name, a.value(call));
@@ -110,7 +111,7 @@ ball judge_findley(const probe &call)
     return error_over(call.result[0], k * at.mean + sqrt(1 + sqr(k)) * at.half, (1 + k) * at.s);
 }
 
-/* (1+c.nu)/E (s1-s3) */
+/* (1+nu)/E (s1-s3) */
 ball judge_fatemi_socie(const probe &call)
 {
     const outermost at = outermost_of(call);
@@ -170,18 +171,6 @@ ball judge_mcdiarmid(const probe &call)
 
 /* ---- Crossland, Dang Van ---- */
 
-template <bool is_dang_van> bool draw_sphere(probe *call)
-{
-    cycle c;
-    double value;
-    draw_cycle(call, &c);
-    const double alpha = argument(call, "alpha", chance(call, 0.1) ? 0 : between(call, 0, 1));
-    return gives_if(call,
-                    (is_dang_van ? rwedge_dang_van : rwedge_crossland)(LOADS, c.sxx, c.syy, c.txy,
-                                                                       c.nu, alpha, &value),
-                    value);
-}
-
 /* The sphere's centre is 0. Its radius is sqrt(J2) of either load. */
 template <bool is_dang_van> ball judge_sphere(const probe &call)
 {
@@ -195,19 +184,86 @@ template <bool is_dang_van> ball judge_sphere(const probe &call)
                       (1 + alpha) * at.s);
 }
 
+/* ---- The planes that contain z ---- */
+
+/* The stress across a plane at the angle phi from the principal one is mean + R cos(phi), the shear
+ * R sin(phi); and both at the plane that the library names, with the strain but for (1+nu)/E. */
+struct on_z {
+    ball mean, R, normal, shear, strain;
+
+    explicit on_z(const probe &call)
+    {
+        const ball sxx = call.value[0], syy = call.value[1], txy = call.value[2];
+        const ball s = (sxx + syy) / 2, d = (syy - sxx) / 2;
+        const direction plane = direction_of(2 * ball(call.result[1]));
+        const ball beside = d * plane.cosine + txy * plane.sine;
+        mean = abs(s);
+        R = sqrt(sqr(d) + sqr(txy));
+        normal = abs(s + beside);
+        shear = abs(txy * plane.cosine - d * plane.sine);
+        strain = abs((1 - 2 * ball(call.value[3])) * s + beside);
+    }
+};
+
+/* How far the value is from the largest of all planes, and the named plane's from it. */
+ball error_on_z(const probe &call, const ball &largest, const ball &named, const ball &unit)
+{
+    return max(error_over(call.result[0], largest * per_modulus(call), unit * per_modulus(call)),
+               abs((named - largest) / unit));
+}
+
+/* Stress and strain are largest in magnitude across the same principal plane. */
+ball judge_swt_on_z(const probe &call)
+{
+    const on_z at(call);
+    const ball s = at.mean + at.R, strain = s - 2 * ball(call.value[3]) * at.mean;
+    return error_on_z(call, s * strain, at.normal * at.strain, sqr(s));
+}
+
+/* 2 R sin(phi) (A + B cos(phi)), A = 1 + k mean, B = k R: where A cos(phi) + B cos(2 phi) = 0. */
+ball judge_fatemi_socie_on_z(const probe &call)
+{
+    const on_z at(call);
+    const ball k = call.value[5], s = at.mean + at.R, A = 1 + k * at.mean, B = k * at.R;
+    const ball cosine = 2 * B / (A + sqrt(sqr(A) + 8 * sqr(B)));
+    const ball largest = 2 * at.R * sqrt(1 - sqr(cosine)) * (A + B * cosine);
+    return error_on_z(call, largest, 2 * at.shear * (1 + k * at.normal), s * (1 + k * s));
+}
+
 #define OPPOSITE "two opposite loads, principal stresses apart by 1e-3"
 
 } // namespace
 
 const row PLANE_ROWS[] = {
-    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+c.nu)/E", 1e-14, "1e-14", 0.1,
+    {"smith_watson_topper", "two opposite loads", "of s^2 (1+nu)/E", 1e-14, "1e-14", 1,
+     of_cycle(
+         {{"E", some_E}},
+         [](const cycle &c, const double *v, double *r) {
+             return rwedge_smith_watson_topper(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, r, r + 1);
+         },
+         true),
+     judge_swt_on_z},
+    {"fatemi_socie", "two opposite loads; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 1,
+     of_cycle(
+         {{"E", some_E},
+          {"k_over_sy",
+           [](probe *call) {
+               const double k = log_between(call, 1e-3, 1e3) / fabs(call->value[0]);
+               return chance(call, 0.1) ? 0 : k;
+           }}},
+         [](const cycle &c, const double *v, double *r) {
+             return rwedge_fatemi_socie(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, v[5], r, r + 1);
+         },
+         true),
+     judge_fatemi_socie_on_z},
+    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
      of_cycle({{"E", some_E}},
               [](const cycle &c, const double *v, double *r) {
                   return rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu,
                                                            0, r, r + 1, r + 2);
               }),
      judge_smith_watson_topper},
-    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+c.nu)/E", 1e-14, "1e-14", 0.1,
+    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
      of_cycle({{"E", some_E}},
               [](const cycle &c, const double *v, double *r) {
                   return rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, 0, 0, r,
@@ -236,9 +292,21 @@ const row PLANE_ROWS[] = {
                                           r + 2);
               }),
      judge_mcdiarmid},
-    {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<false>,
+    {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1,
+     of_cycle(
+         {{"alpha", some_part}},
+         [](const cycle &c, const double *v, double *r) {
+             return rwedge_crossland(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r);
+         },
+         true),
      judge_sphere<false>},
-    {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<true>,
+    {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1,
+     of_cycle(
+         {{"alpha", some_part}},
+         [](const cycle &c, const double *v, double *r) {
+             return rwedge_dang_van(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r);
+         },
+         true),
      judge_sphere<true>},
     {},
 };

@@ -212,8 +212,8 @@ ball flatness(const profile_patch &one, const profile_patch &other)
 }
 
 /* The largest error of a component: of the pressure, of the shear traction f (G - G of what
- * sticks), with a tension. A stress counts as the larger of itself and max(1, f)/(1+|z|), z from the
- * middle of the contact in half-widths, over 1 - |delta|; and the tension counts. */
+ * sticks), with a tension. A stress counts as the larger of itself and max(1, f)/(1+|z|), z from
+ * the middle of the contact in half-widths, over 1 - |delta|; and the tension counts. */
 ball judge_stresses(const probe &call)
 {
     const double *v = call.value, *r = call.result;

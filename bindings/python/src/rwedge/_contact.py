@@ -246,10 +246,9 @@ class Contact(ContactMethods, Handle):
             self._check_loads(self._address, loads)
 
     def _alpha(self, P: float) -> float:
-        if self._pad.kind:
-            return math.nan
-        b = _formula_half_width(self.theta, self.a, self.A, P)
-        return self.a / b if b > 0 else math.nan
+        theta, a, A, _, kind, _ = self._pad
+        b = 0 if kind else _formula_half_width(theta, a, A, P)
+        return a / b if b > 0 else math.nan
 
     def _check_loads(self, address: Any, loads: Loads, place: str = "") -> None:
         """Loads the contact, this one or a copy, or raises an error that says which load is refused, and why."""

@@ -89,8 +89,9 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t la
                           const double x[], const double y[], rw_contact_fields *fields)
 {
     const size_t end = contact->memory.count - 1; /* its patch is the contact */
-    rw_clear_fields(n, &fields->normal);
     rw_clear_fields(n, &fields->tangential);
+    if (end == 0)
+        rw_clear_fields(n, &fields->normal);
     for (size_t j = first; j < last && j < end; j++) {
         rw_fields of_patch;
         if (rw_patch_weight(&contact->memory, j) != 0)

@@ -204,21 +204,34 @@ static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
            (contact->was_off_centre || !rw_memory_is_plain(&contact->memory, step->to));
 }
 
+/* What has been in contact since the first slip. */
+static rw_patch settled_part(const rwedge_contact *contact)
+{
+    const rw_slip_origins *origins = &contact->origins;
+    const rw_corner *end = rw_memory_end(&contact->memory);
+    if (contact->was_off_centre)
+        return contact->numerical || origins->count > 0 ? contact->settled : end->patch;
+    const double load =
+        origins->count > 0 ? fmin(origins->all[0].end, origins->all[0].from_load) : end->load;
+    return load == end->load ? end->patch : rw_patch_under_tilt(&contact->geometry, load, 0);
+}
+
 /* Off the centre the slip is known while one origin (slip_origin.h) serves all points that slipped:
  * they were in contact before the first slip, and no later point slips. */
 static bool keeps_origin(const rwedge_contact *contact, const rw_step *step, int slip)
 {
     const rw_slip_origins *origins = &contact->origins;
     const rw_patch from = rw_memory_end(&contact->memory)->patch;
-    if (!contact->is_origin_known || origins->count > 1)
+    if (!contact->is_origin_known || origins->count > 1 ||
+        (origins->count > 0 && origins->all[0].to_load > origins->all[0].from_load))
         return false;
     if (slip == 0)
         return true;
     if (origins->count == 0)
         return rw_patch_is_nested(step->patch, from, step->to.tilt);
-    return origins->all[0].to_load <= origins->all[0].from_load &&
-           rw_patch_is_nested(from, contact->settled, step->to.tilt) &&
-           rw_patch_is_nested(step->patch, contact->settled, step->to.tilt);
+    const rw_patch settled = settled_part(contact);
+    return rw_patch_is_nested(from, settled, step->to.tilt) &&
+           rw_patch_is_nested(step->patch, settled, step->to.tilt);
 }
 
 /* The part of a patch inside of another. */
@@ -248,9 +261,7 @@ static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
 {
     const bool off_centre = is_off_centre(contact, step), is_separated = step->to.load == 0;
     const bool keeps = keeps_origin(contact, step, departure->slip) && !slides(departure);
-    const rw_patch settled = contact->was_off_centre && contact->origins.count > 0
-                                 ? contact->settled
-                                 : rw_memory_end(&contact->memory)->patch;
+    const rw_patch settled = settled_part(contact);
     const double share = share_of(contact, step, departure);
     if (isgreater(contact->energy + share, RW_LARGEST))
         return RWEDGE_ERANGE;
@@ -275,6 +286,7 @@ static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_ste
     double share;
     const bool touches = contact->memory.count == 1;
     const double before = contact->loads.sigma;
+    const rw_patch settled = touches ? step->patch : settled_part(contact);
     const int32_t status = rw_numerical_go(contact, step, &share);
     if (status != RWEDGE_OK)
         return status;
@@ -283,6 +295,7 @@ static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_ste
     contact->loads = to;
     contact->slid_from = 0;
     contact->was_off_centre = true;
+    contact->settled = common_part(settled, step->patch);
     contact->is_origin_known = contact->numerical->has_origin;
     add_energy(contact, share);
     return RWEDGE_OK;

@@ -63,11 +63,17 @@ static double numerical_sum(const rwedge_contact *contact, double b, double x)
 }
 
 /* In contact since before the first slip: a place that came later was not where it would have been
- * without shear. */
+ * without shear. The innermost patch of the memory was in contact before. NaN where all places of
+ * then have left the contact. */
 static double lasting_place(const rwedge_contact *contact)
 {
-    const bool has_slipped = contact->was_off_centre && contact->origins.count > 0;
-    return rw_patch_middle(has_slipped ? contact->settled : rw_memory_end(&contact->memory)->patch);
+    const bool has_slipped =
+        contact->was_off_centre && (contact->numerical || contact->origins.count > 0);
+    const rw_patch inner = contact->memory.corners[1].patch,
+                   patch = has_slipped ? contact->settled : rw_memory_end(&contact->memory)->patch;
+    if (patch.left > patch.right)
+        return NAN;
+    return fmin(fmax(rw_patch_middle(patch), inner.left), inner.right);
 }
 
 /* The edges of the patches, which are nested, are kinks of q. */

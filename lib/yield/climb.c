@@ -2,6 +2,7 @@
 #include "yield/climb.h"
 
 #include "base/domain.h"
+#include "base/select.h"
 #include "stress/stress.h"
 
 #include <float.h>
@@ -9,8 +10,9 @@
 enum { LINE = 7, CLIMB_MAX = 60 };
 
 /* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r. It
- * starts with FIRST. It ends at ROUGH when only the top must be told from others, and at LAST. */
-static const double FIRST_SPAN = 0.4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7;
+ * starts with FIRST, and with LATER where it goes on from a top. It ends at ROUGH when only the top
+ * must be told from others, and at LAST. */
+static const double FIRST_SPAN = 0.4, LATER_SPAN = 1e-4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7;
 
 /* The relative rise of J2 that counts as none. */
 static const double NO_GAIN = 4 * DBL_EPSILON;
@@ -31,7 +33,7 @@ void rw_J2_from(rw_highest *s, const rw_contact_fields *fields, int side, int n,
     for (int i = 0; i < n; i++) {
         J2[i] = J2_of(s, rw_field_in(&fields->normal, i),
                       rw_field_multiple(f, rw_field_in(&fields->tangential, i)));
-        s->known = fmax(s->known, J2[i]);
+        s->known = rw_larger(s->known, J2[i]);
     }
 }
 
@@ -64,9 +66,10 @@ static void evaluate_places(climb *c, int n, const rw_polar at[], double J2[])
     double x[LINE], y[LINE];
     for (int i = 0; i < n; i++) {
         const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius))),
-                     angle = at[i].angle;
-        x[i] = c->centre + r * (angle <= 0 ? 1 : angle >= RW_PI ? -1 : cos(angle));
-        y[i] = angle <= 0 || angle >= RW_PI ? 0 : r * sin(angle);
+                     angle = at[i].angle, cosine = cos(angle), sine = sin(angle);
+        const bool is_below = angle > 0 && angle < RW_PI;
+        x[i] = c->centre + r * (is_below ? cosine : angle <= 0 ? 1 : -1);
+        y[i] = is_below ? r * sine : 0;
         y[i] = rw_off_apex(c->s->contact, x[i], y[i], r);
     }
     evaluate(c->s, n, x, y, J2);
@@ -75,11 +78,12 @@ static void evaluate_places(climb *c, int n, const rw_polar at[], double J2[])
 /* Moves to the highest place along a line, both ways. While the highest of its points is at an end,
  * the span is doubled. Then it is narrowed to the points beside the highest. Nothing is higher
  * beyond the limits of angle and radius. */
-static void climb_along(climb *c, double to_angle, double to_log_radius, double last_span)
+static void climb_along(climb *c, double to_angle, double to_log_radius, double span,
+                        double last_span)
 {
     const double length = hypot(to_angle, to_log_radius);
     bool is_found = false; /* between two points of the line */
-    for (double span = FIRST_SPAN; length > 0 && span > last_span;) {
+    while (length > 0 && span > last_span) {
         rw_polar at[LINE];
         double J2[LINE];
         for (int i = 0; i < LINE; i++) {
@@ -106,15 +110,18 @@ static void climb_along(climb *c, double to_angle, double to_log_radius, double 
  * narrow roundings, where J2 is flat to 1e-9. */
 static void climb_to(climb *c, double last_span)
 {
+    double span = FIRST_SPAN;
     for (int i = 0; i < CLIMB_MAX; i++) { /* a few are enough, but on a plateau */
         const double before = c->J2;
-        climb_along(c, 1, 0, last_span);
+        climb_along(c, 1, 0, span, last_span);
         const rw_polar one = c->top;
-        climb_along(c, 0, 1, last_span);
-        climb_along(c, 1, 0, last_span);
-        climb_along(c, c->top.angle - one.angle, c->top.log_radius - one.log_radius, last_span);
+        climb_along(c, 0, 1, span, last_span);
+        climb_along(c, 1, 0, span, last_span);
+        climb_along(c, c->top.angle - one.angle, c->top.log_radius - one.log_radius, span,
+                    last_span);
         if (c->J2 - before <= NO_GAIN * before || last_span >= ROUGH_SPAN)
             return;
+        span = LATER_SPAN;
     }
 }
 

@@ -48,9 +48,9 @@ typedef struct {
 /* ---- Where to climb ---- */
 
 /* Whether the climb from a foot cannot end above the highest J2 known. */
-static bool is_low(const search *s, const rw_foot *from)
+static bool is_low(const search *s, double J2, double hidden)
 {
-    return from->J2 + from->hidden < (1 - GRID_ERROR) * s->highest.known;
+    return J2 + hidden < (1 - GRID_ERROR) * s->highest.known;
 }
 
 /* The highest first, as long as what the grid may hide can make one the highest. */
@@ -63,14 +63,14 @@ static void climb_all(search *s)
                 best = i;
         const rw_foot from = s->feet[best];
         s->feet[best] = s->feet[--s->count];
-        if (!is_low(s, &from))
+        if (!is_low(s, from.J2, from.hidden))
             rw_climb(&s->highest, &from);
     }
 }
 
 static void note(search *s, const rw_foot *from)
 {
-    if (is_low(s, from))
+    if (is_low(s, from->J2, from->hidden))
         return;
     if (s->count == FEET)
         climb_all(s);
@@ -147,10 +147,10 @@ static void note_feet(search *s, const polar_grid *grid, int side)
     const double *J2 = grid->J2[side];
     for (int i = 0; i < grid->rows; i++)
         for (int j = 0; j < ANGLES; j++) {
-            double lowest;
-            if (!is_maximum(J2, grid->rows, i, j, &lowest))
-                continue;
             const double here = J2[i * ANGLES + j];
+            double lowest;
+            if (is_low(s, here, here) || !is_maximum(J2, grid->rows, i, j, &lowest))
+                continue;
             const int angle = side ? ANGLES - 1 - j : j;
             const rw_foot top = {side ? -grid->centre : grid->centre,
                                  0.1 * grid->floor,

@@ -461,18 +461,23 @@ CLAIM(the_displacement_of_a_sharp_wedge_is_a_closed_form)
                  F / PI * 2 * THETA * (b - c - c * log(b / c)), 1e-13);
 }
 
-/* The shear stays on a small patch beside the middle of what touches in the end: the displacement
- * was counted from there. */
+/* The shear stays on a small patch beside the middle of what touches in the end, be it in closed
+ * form or, after a tension, computed: the displacement was counted from that middle. */
 CLAIM(a_contact_that_grows_without_slip_displaces_nothing)
 {
-    for (int side = -1; side <= 1; side += 2) {
+    static const double arm[] = {0.3, -0.3, 0.3, -0.3, 0}, tension[] = {0, 0, 0.06, 0.06, 0};
+    for (int k = 0; k < 5; k++) {
         rwedge_contact *contact = create(0.4, F);
-        apply(contact, 0.01, side * 0.003, 0, 0);
-        apply(contact, 0.01, side * 0.003, 0.003, 0);
+        const double M = 0.01 * arm[k], sigma = tension[k], side = arm[k] < 0 ? -1 : 1;
+        assert_ok(rwedge_contact_allow_error(contact, 1e-4));
+        apply(contact, 0.01, M, 0, 0);
+        apply(contact, 0.01, M, 0.003, sigma / 3);
+        apply(contact, 0.01, M, 0.0025, sigma);
+        assert_true((rwedge_contact_error(contact) > 0) == (sigma > 0));
         const double before = rwedge_contact_displacement(contact, 1);
-        apply(contact, 1, side * 0.35, 0.003, 0);
-        apply(contact, 2, side * 0.1, 0.003, 0);
-        assert_true(rwedge_contact_error(contact) == 0);
+        apply(contact, M == 0 ? 1 : 0.02, 2 * M, 0.0025, sigma);
+        apply(contact, 1, side * 0.35, 0.0025, sigma);
+        apply(contact, 2, side * 0.1, 0.0025, sigma);
         assert_close(rwedge_contact_displacement(contact, 1), before, 1e-4);
     }
 }

@@ -315,6 +315,34 @@ CLAIM(slip_has_one_origin_or_none)
     assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
 }
 
+/* A moment without slip changes no slip: that of places that came into contact after the first slip
+ * was counted from before it. */
+CLAIM(places_that_came_after_the_first_slip_have_none)
+{
+    rwedge_contact *contact = create(0.4, F);
+    apply(contact, 0.01, 0, 0, 0);
+    apply(contact, 0.01, 0, 0.003, 0);
+    apply(contact, 1, 0, 0.003, 0);
+    apply(contact, 1, 0.35, 0.003, 0);
+    assert_within(slip(contact, 0.4), 0, 0);
+}
+
+/* A tension that follows slip about the centre leaves it known: as after one that was always there,
+ * as small as rounding. */
+CLAIM(slip_about_the_centre_goes_on_off_the_centre)
+{
+    rwedge_contact *centred = create(0.4, F), *tense = create(0.4, F);
+    static const double Q[] = {0.3, 0.4, -0.3}, sigma[] = {0, 0.01, -0.01};
+    load(centred, 1, 0);
+    load(tense, 1, 0);
+    for (int i = 0; i < 3; i++) {
+        apply(centred, 1, 0, Q[i], sigma[i]);
+        apply(tense, 1, 0, Q[i], i == 0 ? 1e-11 : sigma[i]);
+        for (double x = -2.2; x < 2.3; x += 0.4)
+            assert_within(slip(centred, x), slip(tense, x), 1e-9 * F * THETA);
+    }
+}
+
 /* Where the contact falls with moment and tension, the energy has no single integral; where rings
  * come into contact that slip at once, neither has the slip an origin. */
 CLAIM(energy_and_slip_say_where_they_are_not_known)

@@ -103,35 +103,56 @@ static bool go_along(rw_fronts *f, const double d[], double r[], double *size)
 }
 
 /* The step of Newton's method from the residual r. */
-static bool find_step(rw_fronts *f, const double r[], double d[])
+static bool find_step(const rw_fronts *f, const double J[], const double r[], double d[])
 {
     const int n = f->unknowns;
-    double J[RW_MOST_FRONTS * RW_MOST_FRONTS];
-    if (!jacobian(f, r, J))
-        return false;
+    double A[RW_MOST_FRONTS * RW_MOST_FRONTS];
+    memcpy(A, J, sizeof A);
     for (int i = 0; i < n; i++)
         d[i] = -r[i];
-    if (!rw_solve((size_t)n, J, d))
+    if (!rw_solve((size_t)n, A, d))
         return false;
     stop_at_kinks(f, d);
     return true;
 }
 
+/* Broyden's update: the Jacobian after a move that changed the residual. */
+static void update(int n, const double move[], const double change[], double J[])
+{
+    double square = 0;
+    for (int i = 0; i < n; i++)
+        square += move[i] * move[i];
+    for (int i = 0; i < n; i++) {
+        double rest = change[i];
+        for (int j = 0; j < n; j++)
+            rest -= J[i * n + j] * move[j];
+        for (int j = 0; j < n; j++)
+            J[i * n + j] += rest * move[j] / square;
+    }
+}
+
+/* A step that leaves more than this of the residual asks for a new Jacobian. */
+static const double POOR = 0.1;
+
 bool rw_fronts_newton(rw_fronts *f, double nothing)
 {
     const int n = f->unknowns;
-    double r[RW_MOST_FRONTS], d[RW_MOST_FRONTS];
+    double r[RW_MOST_FRONTS], d[RW_MOST_FRONTS], J[RW_MOST_FRONTS * RW_MOST_FRONTS];
     if (!rw_fronts_residual(f, r))
         return false;
     int worse = 0;
+    double before = 0, size = largest(n, r);
     for (int turn = 0; turn < 40; turn++) {
-        const double before = largest(n, r);
-        if (before < nothing)
+        if (size < nothing)
             return true;
-        if (!find_step(f, r, d))
+        if (!(size < POOR * before) && !jacobian(f, r, J))
             return false;
-        double size, kept[RW_MOST_FRONTS];
+        before = size;
+        if (!find_step(f, J, r, d))
+            return false;
+        double move[RW_MOST_FRONTS], change[RW_MOST_FRONTS], kept[RW_MOST_FRONTS];
         memcpy(kept, f->y, sizeof kept);
+        memcpy(change, r, sizeof change);
         if (!go_along(f, d, r, &size))
             return false;
         if (size >= before) {
@@ -145,6 +166,11 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
         for (int i = 0; i < f->fronts; i++)
             if (room(f, i) < 1e-9)
                 return false;
+        for (int i = 0; i < n; i++) {
+            move[i] = f->y[i] - kept[i];
+            change[i] = r[i] - change[i];
+        }
+        update(n, move, change, J);
     }
     return false;
 }

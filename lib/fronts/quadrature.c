@@ -175,17 +175,40 @@ static bool put_segment(rw_fronts *f, rw_segment *s)
     return true;
 }
 
-/* Where no front is near: the change is like a root at edges of the contact, old and new. */
+/* Where no front is near: dt is like a root at edges of the contact, old and new, and at kinks
+ * beyond. */
 enum { AWAY = 2 };
 
-/* Towards an end of a segment, by how far from there the next front is. */
-static int panels_towards(double front, double length, int finest)
+/* How far beyond an end of a segment the next place is where dt is not smooth. */
+static double next_break(const rw_problem *p, double end, int way)
 {
+    const double edge[] = {p->to.left, p->to.right, p->from.left, p->from.right};
+    double next = HUGE_VAL;
+    for (int i = 0; i < 4; i++)
+        if (way * (edge[i] - end) > 0)
+            next = fmin(next, fabs(edge[i] - end));
+    for (int i = 0; i < p->old->kinks; i++)
+        if (way * (p->old->kink[i] - end) > 0)
+            next = fmin(next, fabs(p->old->kink[i] - end));
+    return next;
+}
+
+/* Panels that shrink to a distance. */
+static double shrinking(double distance, double length)
+{
+    return ceil(log(distance / length) / log(RATIO));
+}
+
+/* Towards an end of a segment, by how far from there the next front is, or another break. */
+static int panels_towards(const rw_problem *p, const rw_stuck *s, double end, int way,
+                          double length, int finest)
+{
+    const double front = nearest_end(s, end), other = next_break(p, end, way);
     if (front == 0)
         return finest;
-    return front < length
-               ? (int)fmin(MOST_PANELS, fmax(2, 1 + ceil(log(front / length) / log(RATIO))))
-               : AWAY;
+    if (front < length)
+        return (int)fmin(MOST_PANELS, fmax(2, 1 + shrinking(front, length)));
+    return other < length ? (int)fmin(AWAY, shrinking(other, length)) : 0;
 }
 
 static bool is_as_before(const rw_segment *s, const rw_segment *before, size_t first)
@@ -206,8 +229,8 @@ static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, doubl
     *s = (rw_segment){.from = from,
                       .to = to,
                       .label = label,
-                      .panels = {panels_towards(nearest_end(sticks, from), to - from, finest),
-                                 panels_towards(nearest_end(sticks, to), to - from, finest)}};
+                      .panels = {panels_towards(f->problem, sticks, from, -1, to - from, finest),
+                                 panels_towards(f->problem, sticks, to, 1, to - from, finest)}};
     if (is_as_before(s, &before, f->count)) {
         *s = before;
         f->count += s->count;

@@ -154,14 +154,19 @@ static double origin_between(const rw_stance *from, const rw_stance *to, double 
     return -(1 - part) * displacement(from, x) - part * displacement(to, x);
 }
 
-/* A place that comes into contact has slip 0 then. */
-static double origin_after(double x, const void *context)
+/* A place that comes into contact has slip 0 then. The places are all of one part: edges are
+ * breaks. */
+static void origin_after(const double x[], const void *context, double origin[])
 {
     const growth *g = context;
     const rw_stance *old = &g->numerical->now;
-    return touches(old, x)       ? rw_traction_at(&g->numerical->origin, x)
-           : touches(g->half, x) ? origin_between(old, g->half, x)
-                                 : origin_between(g->half, g->now, x);
+    if (touches(old, x[RW_TERMS / 2])) {
+        rw_traction_values(&g->numerical->origin, RW_TERMS, x, origin);
+        return;
+    }
+    for (int i = 0; i < RW_TERMS; i++)
+        origin[i] = touches(g->half, x[i]) ? origin_between(old, g->half, x[i])
+                                           : origin_between(g->half, g->now, x[i]);
 }
 
 static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance *half,
@@ -182,7 +187,7 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
     for (size_t i = 0; i < 6; i++)
         if (count == 0 || all[i] > at[count - 1])
             at[count++] = all[i];
-    if (!rw_traction_fit(&origin, origin_after, &g, count, at, slip_tolerance(frame, now))) {
+    if (!rw_traction_fit_values(&origin, origin_after, &g, count, at, slip_tolerance(frame, now))) {
         rw_traction_destroy(&origin);
         return false;
     }

@@ -99,29 +99,14 @@ static bool is_front(const rw_zones *zones, double x)
     return false;
 }
 
-static void traction_of(const double x[], const void *context, double t[])
-{
-    rw_traction_values(context, RW_TERMS, x, t);
-}
-
-/* Two elements are enough. */
-static bool is_smooth(const rw_traction *t, double from, double to, double tolerance)
-{
-    rw_traction fit = {0};
-    const double at[2] = {from, to};
-    const bool is_fit =
-        rw_traction_fit_values(&fit, traction_of, t, 2, at, tolerance) && fit.count == 2;
-    rw_traction_destroy(&fit);
-    return is_fit;
-}
-
 void rw_shear_state_smooth(rw_shear_state *s, rw_patch contact, double tolerance)
 {
     int kept = 0;
     for (int i = 0; i < s->kinks; i++) {
         const double from = kept > 0 ? s->kink[kept - 1] : contact.left;
         const double to = i + 1 < s->kinks ? s->kink[i + 1] : contact.right;
-        if (is_front(&s->zones, s->kink[i]) || !is_smooth(&s->traction, from, to, FIT * tolerance))
+        if (is_front(&s->zones, s->kink[i]) ||
+            !rw_traction_is_smooth(&s->traction, from, to, FIT * tolerance))
             s->kink[kept++] = s->kink[i];
     }
     s->kinks = kept;

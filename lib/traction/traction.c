@@ -356,3 +356,22 @@ double rw_traction_total(const rw_traction *t)
             sum += t->elements[i].load[k];
     return sum;
 }
+
+static void values_of(const double x[], const void *context, double value[])
+{
+    rw_traction_values(context, RW_TERMS, x, value);
+}
+
+bool rw_traction_is_smooth(const rw_traction *t, double from, double to, double tolerance)
+{
+    const double half = to / 2 - from / 2;
+    fit how = {.f = values_of, .context = t, .tolerance = tolerance};
+    rw_element first = {.end = from, .scale = half, .last = 1},
+               last = {.end = to, .scale = -half, .last = 1};
+    make_rule(&how.rule);
+    expand(&how, &first);
+    if (!is_fine(&how, &first))
+        return false;
+    expand(&how, &last);
+    return is_fine(&how, &last);
+}

@@ -60,6 +60,9 @@ void rw_traction_shift(rw_traction *traction, double from, double to, double by)
 void rw_traction_values(const rw_traction *traction, size_t n, const double x[], double value[]);
 double rw_traction_at(const rw_traction *traction, double x);
 
+/* Whether one element from each of two places fits all between them to the tolerance. */
+bool rw_traction_is_smooth(const rw_traction *traction, double from, double to, double tolerance);
+
 /* Its integral. */
 double rw_traction_total(const rw_traction *traction);
 

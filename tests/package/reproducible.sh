@@ -14,7 +14,7 @@ cd "$source"
 
 # Bit for bit: a program that prints the bits of results of every function.
 printer='-Iinclude -Ilib -Itests/embedding/calls tests/embedding/calls/calls.c tests/embedding/calls/draw.c tests/embedding/calls/edges.c
-    tests/embedding/calls/sequences.c tests/package/print_bits.c'
+    tests/package/print_bits.c'
 # print_bits_of NAME COMMAND... - compiles the program, and leaves the bits, or nothing where they could not be had
 print_bits_of()
 {

@@ -2,7 +2,6 @@
 /* What friction dissipates, and what a contact remembers. */
 #include "histories.h"
 
-
 /* The energy does not fall, not even by the last bit, which the carry of the summation once took
  * back. */
 CLAIM(energy_never_falls)

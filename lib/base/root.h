@@ -11,9 +11,9 @@ typedef double (*rw_function)(double x, const void *context);
  * finite. */
 double rw_root(rw_function f, const void *context, double lo, double hi, double nearest);
 
-/* The integral of f over [lo, hi] by Gauss and Legendre with 16 points. It is exact for polynomials of degree 31. It is
- * exact to the last bits if the nearest singularity of f is at least half the length of the
- * interval away from it. */
+/* The integral of f over [lo, hi] by Gauss and Legendre with 16 points. It is exact for polynomials
+ * of degree 31. It is exact to the last bits if the nearest singularity of f is at least half the
+ * length of the interval away from it. */
 double rw_integral(rw_function f, const void *context, double lo, double hi);
 
 #endif

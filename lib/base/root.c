@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Brent's method of GSL, which no other file sees. GSL reports errors to one handler of the whole
- * process. By default the handler aborts; only the host may set it. So no call of GSL may fail here.
- * The bracket is checked before GSL sees it. The solver is on the stack, because GSL's allocator may
- * call the handler too. */
+ * process. By default the handler aborts; only the host may set it. So no call of GSL may fail
+ * here. The bracket is checked before GSL sees it. The solver is on the stack, because GSL's
+ * allocator may call the handler too. */
 #include "base/root.h"
 
 #include "base/always.h"

@@ -24,8 +24,8 @@ export const noResults = "No results: the status says why.";
 
 const pins = {}; // curves of another case, by the name of their plot
 
-/** spec: what curvesText() takes, or a text that says why there is none; table() for its file. */
-export function curvePlot(name, spec, table) {
+/** spec: what curvesText() takes, or a text that says why there is none; columns() for its file. */
+export function curvePlot(name, spec, columns) {
     const isDrawn = typeof spec !== "string",
         pinned = pins[name] ?? [];
     const tell = (event) => {
@@ -40,5 +40,5 @@ export function curvePlot(name, spec, table) {
     return html`
         <div id="plot-${name}" .innerHTML=${isDrawn ? curvesText({ ...spec, pinned }) : spec && `<p>${spec}</p>`} @pointermove=${tell}></div>
         <p class="note under-pointer" .textContent=${live(isDrawn ? "Point at the curves to read them." : "")}></p>
-        ${saveButtons(name, table, isDrawn, button)}`;
+        ${saveButtons(name, columns, isDrawn, button)}`;
 }

@@ -3,7 +3,7 @@
 import { html } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { shown, writeNumber } from "../number.js";
-import { set } from "../state.js";
+import { redraw } from "../state.js";
 import { curvesText, valuesUnder } from "./curves.js";
 import { saveButtons } from "./save.js";
 
@@ -34,7 +34,7 @@ export function curvePlot(name, spec, columns) {
     };
     const pin = () => {
         pins[name] = pinned.length > 0 ? [] : spec.curves;
-        set({});
+        redraw();
     };
     const button = html`<button type="button" aria-pressed=${pinned.length > 0} @click=${pin}>Pin these curves</button>`;
     return html`

@@ -9,7 +9,7 @@ import { roomy } from "../plot/axes.js";
 import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { writeNumber } from "../number.js";
-import { set, setter, state } from "../state.js";
+import { redraw, set, setter, state } from "../state.js";
 import { bar } from "../verdict.js";
 import { criteria, measures } from "../words.js";
 import { table } from "./table.js";
@@ -140,7 +140,7 @@ function answers(answer, model) {
         ${plot("loop", loopOf, () => loopColumns(answer))}`;
 }
 
-export const aside = new Aside("cycle", () => set({}));
+export const aside = new Aside("cycle", redraw);
 
 /** On the surface, where the tab is seen and there is one. */
 export const worstPlace = () =>

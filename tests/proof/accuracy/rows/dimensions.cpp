@@ -66,8 +66,8 @@ ball judge_normal_load(const probe &call)
 
 /* ---- The load at first yield ---- */
 
-/* max sqrt(J2) over A k/theta, less 1; result[2], result[3] is where it yields. For Hertz the peak is
- * that of alpha = 1 over alpha. */
+/* max sqrt(J2) over A k/theta, less 1; result[2], result[3] is where it yields. For Hertz the peak
+ * is that of alpha = 1 over alpha. */
 bool excess_of_peak(const probe &call, const ball &alpha, ball *excess)
 {
     const double *v = call.value, *r = call.result;

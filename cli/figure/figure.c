@@ -136,7 +136,10 @@ static const figure *choose_figure(const arguments *line)
     if (i == FIGURE_COUNT)
         usage_error("%s: unknown figure; allowed: %s", line->operand[0], allowed);
     if (line->operand[1] != NULL)
-        usage_error("%s: unexpected; allowed: one figure, and options", line->operand[1]);
+        usage_error("%s: unexpected; allowed: one figure, and options%s", line->operand[1],
+                    figures[i]->has_history || figures[i] == &figure_loop
+                        ? "; --history gives a file of loads"
+                        : "");
     return figures[i];
 }
 

@@ -29,22 +29,9 @@ static const table_variable stick_width = {
 static const table_variable tension = {
     "sigma-over-max", "sigma_over_max", "the bulk tension", -1, 1, "a number from -1 to 1", ""};
 
-#define BODY(option, input) VALUE(option, OPTION_INPUT + (input))
-
 /* Those of "rwedge history" but for friction and Poisson's ratio, which figures have anyway. */
 static struct poptOption history_figure_option_table[] = {
-    {BODY("E1", INPUT_E1), "Young's modulus of body 1", "STRESS"},
-    {BODY("E2", INPUT_E2), "Young's modulus of body 2 (default: as body 1)", "STRESS"},
-    {BODY("nu2", INPUT_NU2), "Poisson's ratio of body 2 (default: as body 1)", "NUMBER"},
-    {BODY("theta", INPUT_THETA), "Angle between flank and surface, in radians", "ANGLE"},
-    {BODY("theta-deg", INPUT_THETA_DEG), "The same in degrees", "ANGLE"},
-    {BODY("a", INPUT_A), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"},
-    {BODY("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta; alone, of a cylinder",
-     "LENGTH"},
-    {BODY("flat", INPUT_FLAT), "Half-width of the flat of a flat pad, whose edges have the radius",
-     "LENGTH"},
-    {BODY("profile", INPUT_PROFILE),
-     "Any convex pad: a CSV file with the columns x, and slope or height", "FILE"},
+    {INCLUDED(shape_option_table), NULL, NULL},
     {HULL_OPTION},
     {INCLUDED(history_option_table), NULL, NULL},
     {VALUE("at", OPTION_AT), "The point of figure history", "x,y"},

@@ -141,16 +141,15 @@ static const char *draw_history(const figure_case *inputs, const dataset *rows, 
     return NULL;
 }
 
-static const char *const history_columns[] = {"load", "x", "y", "sxx", "syy", "szz", "txy", NULL};
-
-const figure figure_history = {.name = "history",
-                               .summary = "stresses at a point, --at, in the last cycle of loads",
-                               .has_history = true,
-                               .needs_point = true,
-                               .cycles = 1,
-                               .column = history_columns,
-                               .compute = compute_history,
-                               .draw = draw_history};
+const figure figure_history = {
+    .name = "history",
+    .summary = "stresses at a point, --at, in the last cycle of loads",
+    .has_history = true,
+    .needs_point = true,
+    .cycles = 1,
+    .column = (const char *const[]){"load", "x", "y", "sxx", "syy", "szz", "txy", NULL},
+    .compute = compute_history,
+    .draw = draw_history};
 
 /* ---- The loop of Q over the displacement ---- */
 
@@ -186,16 +185,14 @@ static const char *draw_any_loop(const figure_case *inputs, const dataset *rows,
     return NULL;
 }
 
-static const char *const any_loop_columns[] = {"load",         "P",      "M", "Q", "sigma",
-                                               "displacement", "energy", NULL};
-
-const figure figure_any_loop = {.name = "loop",
-                                .summary = "Q over the displacement by slip",
-                                .has_history = true,
-                                .cycles = 1,
-                                .column = any_loop_columns,
-                                .compute = compute_any_loop,
-                                .draw = draw_any_loop};
+const figure figure_any_loop = {
+    .name = "loop",
+    .summary = "Q over the displacement by slip",
+    .has_history = true,
+    .cycles = 1,
+    .column = (const char *const[]){"load", "P", "M", "Q", "sigma", "displacement", "energy", NULL},
+    .compute = compute_any_loop,
+    .draw = draw_any_loop};
 
 /* ---- Smith, Watson and Topper's parameter along the surface ---- */
 
@@ -261,14 +258,13 @@ static const char *draw_fretting(const figure_case *inputs, const dataset *rows,
     return NULL;
 }
 
-static const char *const fretting_columns[] = {
-    "x", "swt", "swt_angle", "slip_range", "ruiz_f1", "ruiz_f2", "energy_per_area", NULL};
-
 const figure figure_fretting = {.name = "fretting",
                                 .summary = "Smith-Watson-Topper along the surface, last cycle",
                                 .has_history = true,
                                 .cycles = 3,
-                                .column = fretting_columns,
+                                .column = (const char *const[]){"x", "swt", "swt_angle",
+                                                                "slip_range", "ruiz_f1", "ruiz_f2",
+                                                                "energy_per_area", NULL},
                                 .compute = compute_fretting,
                                 .draw = draw_fretting};
 
@@ -388,12 +384,10 @@ static const char *draw_measure(const figure_case *inputs, const dataset *rows, 
     return NULL;
 }
 
-static const char *const measure_columns[] = {"x", "y", "value", NULL};
-
 const figure figure_measure = {.name = "measure",
                                .summary = "any column of fretting, by --measure and --over",
                                .has_history = true,
                                .cycles = 3,
-                               .column = measure_columns,
+                               .column = (const char *const[]){"x", "y", "value", NULL},
                                .compute = compute_measure,
                                .draw = draw_measure};

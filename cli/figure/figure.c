@@ -173,7 +173,7 @@ static void read_case(const arguments *line, const figure *chosen, figure_case *
 typedef struct {
     const figure *chosen;
     figure_case inputs;
-    const picture_format *format; /* NULL for the numbers */
+    const char *format; /* of the picture; NULL for the numbers */
     bool no_title;
     contact_history history;
     places at;
@@ -312,15 +312,7 @@ static void read_history(const arguments *line, char decimal_sign, work *to_do)
         read_measure_and_place(&bodies, to_do);
 }
 
-static const picture_format *format_named(const char *name)
-{
-    for (int i = 0; i < PICTURE_FORMATS; i++)
-        if (strcmp(name, picture_formats[i].name) == 0)
-            return &picture_formats[i];
-    return NULL;
-}
-
-static const picture_format *read_picture_format(const arguments *line, output_options *how)
+static const char *read_picture_format(const arguments *line, output_options *how)
 {
     static const char *const formats[] = {"svg", "png", "pdf", NULL};
     if (line->value[OPTION_DIGITS] != NULL)
@@ -329,7 +321,7 @@ static const picture_format *read_picture_format(const arguments *line, output_o
     if (line->value[OPTION_DECIMAL_COMMA] != NULL)
         usage_error("--decimal-comma: not for a picture; allowed with: --data");
     output_options_read_of(line, formats, "; with --data: csv, tsv, json, xlsx", how);
-    return format_named(how->format_name);
+    return how->format_name;
 }
 
 /* ---- What is written ---- */

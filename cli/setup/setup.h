@@ -34,8 +34,8 @@ enum {
     "hull", '\0', POPT_ARG_NONE, NULL, OPTION_HULL,                                                \
         "Take the convex hull of the heights of a profile", NULL
 
-/* Tables to include: the contact and its loads; its strength; bodies and shape but for nu1; how loads
- * without a closed form are taken. Only the last is filled before input_options_prepare(). */
+/* Tables to include: the contact and its loads; its strength; bodies and shape but for nu1; how
+ * loads without a closed form are taken. Only the last is filled before input_options_prepare(). */
 extern struct poptOption input_option_table[], strength_option_table[], shape_option_table[],
     exactness_option_table[];
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from header import read
 
 TOP = Path(__file__).resolve().parents[2]
-PLACES = {  # what a function needs there, and which files may have it
+PLACES = {  # of which a function needs the second, or where its error cannot be measured the first; and which files may have it
     "a claim": "tests/lib/*/*.c tests/proof/*.c tests/embedding/test_*.c",
     "a row of accuracy": "tests/proof/accuracy/rows/*.cpp",
 }
@@ -44,13 +44,11 @@ def not_in_the_table():
 
 def main():
     lacking = not_in_the_table()
-    found = {what: texts(patterns) for what, patterns in PLACES.items()}
+    written = {place: texts(patterns) for place, patterns in PLACES.items()}
     for f in read(TOP / "include/rwedge.h").functions:
-        for what, text in found.items():
-            if what == "a row of accuracy" and (f.name in WITHOUT_ACCURACY or f.name.endswith("_field")):
-                continue
-            if not re.search(rf'\brwedge_{f.name}\b|{{"{f.name}"', text):
-                lacking.append(f"rwedge_{f.name}() lacks {what} ({PLACES[what]})")
+        place = "a claim" if f.name in WITHOUT_ACCURACY or f.name.endswith("_field") else "a row of accuracy"
+        if not re.search(rf'\brwedge_{f.name}\b|{{"{f.name}"', written[place]):
+            lacking.append(f"rwedge_{f.name}() lacks {place} ({PLACES[place]})")
     for text in lacking:
         print(f"FAILED: {text}: see bindings/interface/README.md, How to add a function")
     sys.exit(bool(lacking))

@@ -331,8 +331,10 @@ static const rw_element *element_at(const rw_traction *t, double x)
         else
             high = middle;
     }
+    if (t->count == 0)
+        return NULL;
     const rw_element *e = t->elements + low;
-    return t->count > 0 && x >= e->low && x <= e->high ? e : NULL;
+    return x >= e->low && x <= e->high ? e : NULL;
 }
 
 void rw_traction_values(const rw_traction *t, size_t n, const double x[], double value[])

@@ -48,6 +48,21 @@ static size_t pass_count(tape *t, size_t count, size_t limit)
     return (size_t)value;
 }
 
+/* What is only read stays unwritten: other threads may read it too. */
+static void pass_int(tape *t, int *number, size_t limit)
+{
+    const size_t count = pass_count(t, (size_t)*number, limit);
+    if (t->in)
+        *number = (int)count;
+}
+
+static void pass_flag(tape *t, bool *flag)
+{
+    const bool is_set = pass_count(t, *flag, 1) == 1;
+    if (t->in)
+        *flag = is_set;
+}
+
 static void pass_finite(tape *t, double *number)
 {
     pass(t, number);
@@ -86,8 +101,9 @@ static void pass_path(tape *t, rw_memory *memory)
 {
     const size_t limit = t->in ? t->size / CORNER : memory->count;
     const size_t count = pass_count(t, memory->count, limit);
-    memory->shared = pass_count(t, memory->shared, count);
+    const size_t shared = pass_count(t, memory->shared, count);
     if (t->in) {
+        memory->shared = shared;
         t->is_sound = t->is_sound && count > 0;
         if (t->is_sound && !rw_memory_reserve(memory, count))
             t->is_short = true;
@@ -103,9 +119,12 @@ static void pass_origin(tape *t, rw_slip_origin *o, size_t *shared, size_t most_
 {
     double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
     pass_all(t, sizeof numbers / sizeof *numbers, numbers);
-    *shared = pass_count(t, *shared, most_shared);
-    o->corners =
-        *shared + pass_count(t, o->corners - *shared, t->in ? t->size / CORNER : o->corners);
+    const size_t common = pass_count(t, *shared, most_shared);
+    const size_t own = pass_count(t, o->corners - common, t->in ? t->size / CORNER : o->corners);
+    if (t->in) {
+        *shared = common;
+        o->corners = common + own;
+    }
 }
 
 static void write_origin(tape *t, const rw_slip_origins *origins, size_t i)
@@ -185,11 +204,14 @@ static void pass_elements(tape *t, rw_traction *traction)
 
 static void pass_zones(tape *t, rw_zones *z)
 {
-    z->count = (int)pass_count(t, (size_t)z->count, RW_MOST_ZONES);
+    pass_int(t, &z->count, RW_MOST_ZONES);
     for (int i = 0; i < z->count; i++) {
         double *const ends[] = {&z->zone[i].left, &z->zone[i].right};
         pass_all(t, 2, ends);
-        z->zone[i].label = (int)pass_count(t, (size_t)(z->zone[i].label + 1), 2) - 1;
+        int label = z->zone[i].label + 1;
+        pass_int(t, &label, 2);
+        if (t->in)
+            z->zone[i].label = label - 1;
         if (!(z->zone[i].left < z->zone[i].right) ||
             (i > 0 && z->zone[i].left != z->zone[i - 1].right))
             t->is_sound = false;
@@ -220,13 +242,13 @@ static void pass_shear(tape *t, rw_numerical **shear)
                               &s->unslipped.left, &s->unslipped.right};
     pass_all(t, sizeof finite / sizeof *finite, finite);
     pass_zones(t, &s->shear.zones);
-    s->shear.kinks = (int)pass_count(t, (size_t)s->shear.kinks, RW_MOST_KINKS);
+    pass_int(t, &s->shear.kinks, RW_MOST_KINKS);
     for (int i = 0; i < s->shear.kinks; i++) {
         pass_finite(t, &s->shear.kink[i]);
     }
     pass_elements(t, &s->shear.traction);
-    n->has_origin = pass_count(t, n->has_origin, 1) == 1;
-    s->is_still = pass_count(t, s->is_still, 1) == 1;
+    pass_flag(t, &n->has_origin);
+    pass_flag(t, &s->is_still);
     pass_elements(t, &n->origin);
     pass_errors(t, n);
 }
@@ -307,13 +329,14 @@ static void pass_contact(tape *t, rwedge_contact *c)
         pass_pad(t, &c->geometry);
     if (t->in && !(rw_is_geometry(t->geometry) && rw_is_positive(rw_unit_stress(t->geometry))))
         t->is_sound = false;
-    c->was_off_centre = pass_count(t, c->was_off_centre, 1) == 1;
-    c->is_origin_known = pass_count(t, c->is_origin_known, 1) == 1;
+    pass_flag(t, &c->was_off_centre);
+    pass_flag(t, &c->is_origin_known);
     pass_path(t, &c->memory);
     pass_origins(t, &c->origins);
-    c->tolerance = t->version > 2 ? c->tolerance : 0;
     if (t->version > 2)
         pass_numerical(t, c);
+    else
+        c->tolerance = 0;
 }
 
 /* A number of 52 bits. */

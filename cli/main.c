@@ -15,8 +15,8 @@ enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
 static const struct poptOption options[] = {
     {HELP_OPTION},
-    {"completion", '\0', POPT_ARG_STRING, NULL, OPTION_COMPLETION,
-     "Print the completion of a shell, and end", "bash|zsh|fish"},
+    {VALUE("completion", OPTION_COMPLETION), "Print the completion of a shell, and end",
+     "bash|zsh|fish"},
     {"version", 'V', POPT_ARG_NONE, NULL, OPTION_VERSION, "Show the version, and end", NULL},
     POPT_TABLEEND,
 };

@@ -38,7 +38,7 @@ done
 
 require_build_tools
 require library:cmocka=libcmocka-dev command:c++=g++
-wish command:strace=strace command:script=bsdutils command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils \
+wish command:script=bsdutils command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils \
     command:zsh=zsh command:fish=fish command:mandoc=mandoc header:xlsxwriter.h=libxlsxwriter-dev \
     file:/usr/share/i18n/locales/de_DE=locales command:python3=python3 python:ensurepip=python3-venv \
     command:soffice=libreoffice-calc-nogui,python3-uno
@@ -177,7 +177,7 @@ fi
 
 # Good reasons to skip: the processor lacks something, this machine does not allow it, or its distribution has no package of it.
 beyond_us='long double has no more digits than double|this processor has no|this machine cannot trap|not a release build, or one under a sanitizer'
-beyond_us="$beyond_us|the sources of .* cannot be fetched|does not let strace trace|cannot be tried here|404  *Not Found|another gnuplot drew it|another clang compiled"
+beyond_us="$beyond_us|the sources of .* cannot be fetched|cannot be tried here|404  *Not Found|another gnuplot drew it|another clang compiled"
 for need in $not_in_distribution; do
     beyond_us="$beyond_us|$(basename "${need#*:}")"
 done

@@ -23,8 +23,7 @@ PASSED = {
 }
 RETURNED = {"double": "Double", "int32_t": "Long", "size_t": "LongPtr", "const char *": "LongPtr", "void": None}
 
-DECLARATION = (r'Private Declare PtrSafe (Function|Sub) (c_\w+) Lib "rwedge\.dll" Alias "(\w+)" '
-               r"\((.*)\)(?: As (\w+))?")
+DECLARATION = re.compile(r'Private Declare PtrSafe (Function|Sub) c_(\w+) Lib "rwedge\.dll" Alias "rwedge_(\w+)" \((.*)\)(?: As (\w+))?')
 
 problems = []
 
@@ -37,47 +36,36 @@ def expect(truth, problem):
 def prototypes(text):
     """name: (type of the result, passed arguments), of the C compiler."""
     found = {}
-    for returned, name, arguments in re.findall(r"extern (.*?) ?\b(rwedge_\w+) \((.*)\);", text):
+    for returned, name, arguments in re.findall(r"extern (.*?) ?\brwedge_(\w+) \((.*)\);", text):
         types = [re.sub(r"rwedge_\w+", "struct", a) for a in arguments.split(", ") if a != "void"]
         found[name] = (RETURNED[returned], [PASSED[t] for t in types])
     return found
 
 
-def parameters(text):
-    """(ByVal or ByRef and type, name) of each parameter of Basic."""
-    return [(f"{m[1]} {m[3]}", m[2]) for m in re.finditer(r"(ByVal|ByRef) (\w+)(?:\(\))? As (\w+)", text)]
-
-
-def check_declarations(module, interface, declared_in_c, exported):
-    """name in Basic: the names of its arguments."""
-    declared = {}
+def check_declarations(module, interface, in_c):
+    """The names of the functions that are declared, as C has them, with the header's names for their arguments."""
+    declared = set()
     for line in re.findall(r"^.*\bDeclare\b.*$", module, re.M):
-        match = re.fullmatch(DECLARATION, line)
-        if not match:
-            expect(re.match(r'Private Declare PtrSafe (Function|Sub) \w+ Lib "kernel32" ', line), f"not understood: {line}")
+        if re.match(r'Private Declare PtrSafe (Function|Sub) \w+ Lib "kernel32" ', line):
             continue
-        what, name, alias, arguments, returned = match.groups()
-        passed = parameters(arguments)
-        expect(name == alias.replace("rwedge_", "c_", 1), f"{name} is {alias}")
-        expect(alias in exported, f"{alias}: not in the DLL")
-        expect(alias in declared_in_c, f"{alias}: not in the header")
-        wanted = declared_in_c.get(alias, (None, []))
-        expect((returned, [p for p, _ in passed]) == wanted, f"{alias}: {returned} {passed}, but C has {wanted}")
-        expect((what == "Sub") == (returned is None), f"{alias}: {what} with result {returned}")
-        expect(arguments.count(" As ") == len(passed), f"{alias}: {arguments}: not understood")
-        declared[name] = [n for _, n in passed]
-        names = [name_of(p) for p in interface[alias[7:]].parameters] if alias[7:] in interface else []
-        expect(declared[name] == names, f"{alias}: {declared[name]}, but the header has {names}")
-    missing = {n.replace("rwedge_", "") for n in declared_in_c} - {n.replace("c_", "", 1) for n in declared}
-    meant = {f.name for f in interface.functions if not is_declared(f)}
-    expect(missing == meant, f"not declared: {missing - meant}; declared, though it is not meant: {meant - missing}")
+        kind, name, alias, arguments, returned = (match := DECLARATION.fullmatch(line)) and match.groups() or [""] * 5
+        passed = re.findall(r"(ByVal|ByRef) (\w+)(?:\(\))? As (\w+)", arguments)
+        expect(name == alias and name in in_c, f"not understood, or not in the header: {line}")
+        signature = returned, [f"{how} {what}" for how, _, what in passed]
+        expect(signature == in_c.get(alias), f"{alias}: {signature}, but C has {in_c.get(alias)}")
+        expect((kind == "Sub") == (returned is None) and arguments.count(" As ") == len(passed), f"not understood: {line}")
+        names = [name_of(p) for p in interface[alias].parameters] if alias in interface else []
+        expect([n for _, n, _ in passed] == names, f"{alias}: {passed}, but the header has {names}")
+        declared.add(name)
+    meant = {f.name for f in interface.functions if is_declared(f)}
+    expect(declared == meant, f"declared or meant to be, but not both: {declared ^ meant}")
     return declared
 
 
 def check_code(module, declared):
     """Every declaration is called, and no two names of a procedure differ by case alone. What the calls pass is shown by test/cells.bas."""
     code = re.sub(r"(?m)^ *'.*$|^.*\bDeclare\b.*$|^Attribute.*$", "", module)
-    called = set(re.findall(r"\bc_\w+", code))
+    called = set(re.findall(r"\bc_(\w+)", code))
     expect(called == declared, f"declared but never called: {declared - called}, called but not declared: {called - declared}")
     for name, body in re.findall(r"^(?:Public|Private) (?:Function|Sub) (\w+)(.*?)^End (?:Function|Sub)", code, re.S | re.M):
         names = re.findall(r"\b(\w+)(?:\(\))? As ", body)
@@ -89,17 +77,15 @@ def check_code(module, declared):
 
 def main():
     raw = open(sys.argv[1], "rb").read()
-    interface = read(sys.argv[2])
-    declared_in_c = prototypes(open(sys.argv[3], encoding="ascii").read())
-    export_table = open(sys.argv[4], encoding="ascii").read().split("[Ordinal/Name Pointer] Table")[1].split("\n\n")[0]
-    exported = set(re.findall(r"\[ *\d+\] (\w+)$", export_table, re.M))
+    in_c = prototypes(open(sys.argv[3], encoding="ascii").read())
+    table = open(sys.argv[4], encoding="ascii").read().split("[Ordinal/Name Pointer] Table")[1].split("\n\n")[0]
+    exported = set(re.findall(r"\[ *\d+\] rwedge_(\w+)$", table, re.M))
     expect(raw.count(b"\r\n") == raw.count(b"\n") == raw.count(b"\r"), "lines do not end as Basic's editor wants: CR, LF")
-    expect(raw.isascii(), "not ASCII")
-    expect(max(map(len, raw.split(b"\r\n"))) < 1000, "a line longer than Basic's editor takes")
-    expect(exported == set(declared_in_c), f"the DLL and the header differ in {exported ^ set(declared_in_c)}")
+    expect(raw.isascii() and max(map(len, raw.split(b"\r\n"))) < 1000, "not ASCII, or a line longer than Basic's editor takes")
+    expect(exported == set(in_c), f"the DLL and the header differ in {exported ^ set(in_c)}")
     module = re.sub(r" _\n\s*", "", raw.decode("ascii", "replace").replace("\r\n", "\n"))
-    declared = check_declarations(module, interface, declared_in_c, exported)
-    check_code(module, set(declared))
+    declared = check_declarations(module, read(sys.argv[2]), in_c)
+    check_code(module, declared)
     for problem in problems:
         print(f"{sys.argv[1]}: {problem}")
     if not problems:

@@ -49,7 +49,7 @@ fi
 
 sh "$source/../../tests/answers/answers.sh" "$build"
 SKBUILD_BUILD_DIR=$folder/package "$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index \
-    --force-reinstall "$source"
+    --force-reinstall --config-settings=cmake.define.RWEDGE_INSTALLED="$build/private/prefix" "$source"
 
 # pytest_of TESTS...
 pytest_of()

@@ -69,4 +69,4 @@ without_fits answers.csv >answers-same.csv
 ./answer-same <"$answers/calls.csv" >expected-same.csv
 without_fits expected-same.csv | cmp - answers-same.csv || fail "other bits than in C, with the same libm"
 echo "$(wc -l <answers-same.csv) calls: the same bits as in C with the same libm"
-sh "$here/speed.sh" "$build"
+node installed/speed.mjs "$build/tests/speed/bench"

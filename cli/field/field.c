@@ -4,15 +4,102 @@
 
 #include <math.h>
 
+/* ---- The grid ---- */
+
+typedef struct {
+    loaded_contact loaded;
+    range x, y;
+} grid;
+
+static int64_t grid_size(const grid *points)
+{
+    /* the product may not fit an integer */
+    const double size = (double)points->x.count * (double)points->y.count;
+    return size < 9e18 ? (int64_t)size : INT64_MAX;
+}
+
+/* The stress at the point (x, y); NAN where it is infinite. */
+static tensor stress(const grid *points, double x, double y)
+{
+    const double at_x = x * points->loaded.length_unit, at_y = y * points->loaded.length_unit;
+    double sxx, syy, txy;
+    if (loaded_contact_is_kink(&points->loaded, at_x, at_y))
+        return tensor_unknown();
+    const int32_t status =
+        rwedge_contact_stresses(points->loaded.contact, 1, &at_x, &at_y, &sxx, &syy, &txy);
+    if (status != RWEDGE_OK)
+        failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
+    return tensor_of(sxx, syy, txy, points->loaded.nu);
+}
+
+static void write_point(const grid *points, records *rows, double x, double y)
+{
+    const tensor point = stress(points, x, y);
+    records_value(rows, cell_number(x));
+    records_value(rows, cell_number(y));
+    for (int i = 0; i < TENSOR_COUNT; i++)
+        records_value(rows, cell_number(point.value[i]));
+    records_end_row(rows);
+    progress_step();
+}
+
+/* A row for every point, x fastest. */
+static void write_rows(void *of_grid, records *rows)
+{
+    const grid *points = of_grid;
+    progress_start(rows->show_progress, grid_size(points), "points");
+    records_name(rows, "x");
+    records_name(rows, "y");
+    records_columns(rows, tensor_kinds, TENSOR_COUNT);
+    records_end_header(rows);
+    for (int64_t j = 0; j < points->y.count; j++)
+        for (int64_t i = 0; i < points->x.count && records_go_on(rows); i++)
+            write_point(points, rows, range_value(&points->x, i), range_value(&points->y, j));
+}
+
+/* ---- For ParaView ---- */
+
+static double column_x(const void *of_grid, int64_t column)
+{
+    return range_value(&((const grid *)of_grid)->x, column);
+}
+
+static double row_y(const void *of_grid, int64_t row)
+{
+    return range_value(&((const grid *)of_grid)->y, row);
+}
+
+static void stress_at(const void *of_grid, int64_t column, int64_t row, double value[])
+{
+    *(tensor *)value = stress(of_grid, column_x(of_grid, column), row_y(of_grid, row));
+}
+
+static void write_vtk(void *of_grid, records *rows)
+{
+    const grid *points = of_grid;
+    vtk_points file = {.title = "rwedge field: y is the depth below the surface",
+                       .is_grid = true,
+                       .columns = points->x.count,
+                       .rows = points->y.count,
+                       .x = column_x,
+                       .y = row_y,
+                       .numbers = stress_at,
+                       .source = points};
+    vtk_of_stresses(&file);
+    vtk_write(&file, rows);
+}
+
+/* ---- The command ---- */
+
 enum { OPTION_X = OPTION_AFTER_LOADED, OPTION_Y };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loaded_contact_option_table, 0, NULL, NULL},
-    {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X,
-     "Columns of the grid (default: 81 within 2 b of the contact's middle)", "RANGE"},
-    {"y", '\0', POPT_ARG_STRING, NULL, OPTION_Y,
-     "Its rows, depths below the surface (default: 41 from 0 to 2 b)", "RANGE"},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, grid_output_option_table, 0, "Common options:", NULL},
+    {INCLUDED(loaded_contact_option_table), NULL, NULL},
+    {VALUE("x", OPTION_X), "Columns of the grid (default: 81 within 2 b of the contact's middle)",
+     "RANGE"},
+    {VALUE("y", OPTION_Y), "Its rows, depths below the surface (default: 41 from 0 to 2 b)",
+     "RANGE"},
+    {INCLUDED(grid_output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -24,8 +111,7 @@ static void describe(FILE *stream)
         "  x, y           the point, y the depth; in ParaView the half-plane is above\n"
         "  sxx, syy, txy  stresses in body 1, tension positive\n",
         stream);
-    for (int i = TENSOR_TXY + 1; i < TENSOR_COUNT; i++)
-        fprintf(stream, "  %-14s %s\n", tensor_kinds[i].column, tensor_kinds[i].meaning);
+    columns_describe(tensor_kinds + TENSOR_TXY + 1, TENSOR_COUNT - TENSOR_TXY - 1, 14, stream);
     loaded_contact_describe(stream);
 }
 
@@ -36,12 +122,10 @@ static void read_axis(const char *name, const char *text, double from, double to
     if (text == NULL && from == to)
         usage_error("--%s: missing; after the last load there is no contact to lay a grid around",
                     name);
-    *values = text == NULL ? range_between(from, to, count) : (range){0};
-    const char *complaint = text != NULL ? range_read(text, values) : NULL;
-    if (complaint != NULL)
-        usage_error("--%s %s: %s", name, text, complaint);
     if (text != NULL)
-        range_say_two_values(name, text);
+        range_option(name, text, values);
+    else
+        *values = range_between(from, to, count);
 }
 
 static bool ascends(const range *values)
@@ -83,7 +167,7 @@ static int field(const arguments *line)
     read_axis("x", line->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);
     read_axis("y", line->value[OPTION_Y], 0, 2 * b, 41, &points.y);
     check_grid(line, &points, vtk);
-    output_options_write(&how, vtk ? grid_write_vtk : grid_write_rows, &points);
+    output_options_write(&how, vtk ? write_vtk : write_rows, &points);
     return STATUS_DONE;
 }
 

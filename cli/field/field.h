@@ -7,42 +7,25 @@
 
 /* ---- vtk ---- Stresses, or other numbers, at points as a file for ParaView. */
 
-/* So many numbers of a point, with their names. */
-typedef struct {
-    int count;
-    const char *(*name)(const void *source, int number);
-    double (*value)(const void *source, int64_t column, int64_t row, int number);
-} vtk_numbers;
-
-/* Points, row by row: those of a grid, or of a single row, wherever each is. */
+/* Points, row by row: those of a grid, or of a single row, wherever each is; and so many numbers of
+ * each, with their names. */
 typedef struct {
     const char *title;
-    bool is_grid;
+    bool is_grid, has_tensor; /* of stresses, whose numbers are those of a tensor */
     int64_t columns, rows;
+    int count;
+    const char *names[TENSOR_COUNT + 32];
     double (*x)(const void *source, int64_t column);
     double (*y)(const void *source, int64_t row); /* of a grid; else of the point in that column */
-    tensor (*stress)(const void *source, int64_t column, int64_t row);
-    const vtk_numbers *numbers; /* in place of the stresses; NULL for none */
+    void (*numbers)(const void *source, int64_t column, int64_t row, double value[]);
     const void *source;
 } vtk_points;
 
-/* A rows_writer of output_options.h: legacy VTK, ASCII. The records say only where it goes, and
- * with how many digits. */
+/* The numbers of the points are stresses. */
+void vtk_of_stresses(vtk_points *points);
+
+/* A rows_writer: legacy VTK, ASCII. The records say only where it goes, and with how many
+ * digits. */
 void vtk_write(void *of_points, records *rows);
-
-/* ---- grid ---- Stresses on a grid below the surface, as rows. */
-
-typedef struct {
-    loaded_contact loaded;
-    range x, y;
-} grid;
-
-int64_t grid_size(const grid *points);
-
-/* A row for every point, x fastest. */
-void grid_write_rows(void *of_grid, records *rows);
-
-/* The same as a file for ParaView. */
-void grid_write_vtk(void *of_grid, records *rows);
 
 #endif

@@ -7,18 +7,16 @@
 enum { OPTION_X = OPTION_AFTER_LOADED, OPTION_POINTS };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loaded_contact_option_table, 0, NULL, NULL},
-    {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X, "Where on the surface", "RANGE"},
-    {"points", '\0', POPT_ARG_STRING, NULL, OPTION_POINTS,
+    {INCLUDED(loaded_contact_option_table), NULL, NULL},
+    {VALUE("x", OPTION_X), "Where on the surface", "RANGE"},
+    {VALUE("points", OPTION_POINTS),
      "Or how many points from edge to edge, dense at the edges (default 201)", "N"},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
+    {INCLUDED(output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
 };
 
 enum { X, P, Q, ZONE, SXX, SLIP, COLUMN_COUNT };
-static const struct {
-    const char *name, *meaning;
-} columns[COLUMN_COUNT] = {
+static const column_kind columns[COLUMN_COUNT] = {
     [X] = {"x", "along the surface"},
     [P] = {"p", "pressure, negative in compression"},
     [Q] = {"q", "shear traction, txy at the surface; q = f p where it slips under Q > 0"},
@@ -30,8 +28,7 @@ static const struct {
 static void describe(FILE *stream)
 {
     fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns:\n", stream);
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        fprintf(stream, "  %-5s %s\n", columns[i].name, columns[i].meaning);
+    columns_describe(columns, COLUMN_COUNT, 5, stream);
     loaded_contact_describe(stream);
 }
 
@@ -115,8 +112,7 @@ static void write_profile(void *of_plan, records *rows)
     const plan *job = of_plan;
     const int64_t count = job->points > 0 ? job->points : job->x.count;
     progress_start(rows->show_progress, count, "rows");
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        records_name(rows, columns[i].name);
+    records_columns(rows, columns, COLUMN_COUNT);
     records_end_header(rows);
     for (int64_t i = 0; i < count && records_go_on(rows); i++)
         write_row(job, rows, x_of(job, i));
@@ -127,11 +123,8 @@ static void read_points(const arguments *line, plan *job)
     const char *x = line->value[OPTION_X], *points = line->value[OPTION_POINTS];
     if (x != NULL && points != NULL)
         usage_error("--points %s: given together with --x; allowed: one of the two", points);
-    const char *complaint = x != NULL ? range_read(x, &job->x) : NULL;
-    if (complaint != NULL)
-        usage_error("--x %s: %s", x, complaint);
     if (x != NULL)
-        range_say_two_values("x", x);
+        range_option("x", x, &job->x);
     job->points = x != NULL ? 0 : 201;
     if (points != NULL && !number_read_whole(points, 2, 1000000000, &job->points))
         usage_error("--points %s: must be a whole number from 2 to 1000000000", points);

@@ -59,64 +59,59 @@ static void put_points(records *rows, const vtk_points *points)
     }
 }
 
+enum { NUMBERS_MOST = sizeof((vtk_points *)0)->names / sizeof(char *) };
+
 /* A number at every point, under its name. */
-static void put_numbers(records *rows, const vtk_points *points, const void *source,
-                        const vtk_numbers *numbers)
+static void put_numbers(records *rows, const vtk_points *points)
 {
     char line[120];
-    for (int n = 0; n < numbers->count; n++) {
+    double value[NUMBERS_MOST];
+    for (int n = 0; n < points->count; n++) {
         snprintf(line, sizeof line, "SCALARS %s double 1\nLOOKUP_TABLE default\n",
-                 numbers->name(source, n));
+                 points->names[n]);
         output_text(rows->out, line);
         for (int64_t j = 0; j < points->rows; j++)
             for (int64_t i = 0; i < points->columns && records_go_on(rows); i++) {
-                put_number(rows, numbers->value(source, i, j, n), i == points->columns - 1);
+                points->numbers(points->source, i, j, value);
+                put_number(rows, value[n], i == points->columns - 1);
                 progress_step();
             }
     }
 }
 
-/* ---- Stresses ---- */
-
-static const char *stress_name(const void *of_points, int n)
-{
-    (void)of_points;
-    return tensor_kinds[n].column;
-}
-
-static double stress_value(const void *of_points, int64_t column, int64_t row, int n)
-{
-    const vtk_points *points = of_points;
-    return points->stress(points->source, column, row).value[n];
-}
-
 /* Three rows of three. */
-static void put_tensor(records *rows, tensor at)
+static void put_tensor(records *rows, const double v[])
 {
-    const double sxx = at.value[TENSOR_SXX], syy = at.value[TENSOR_SYY], szz = at.value[TENSOR_SZZ],
-                 txy = at.value[TENSOR_TXY];
-    const double component[9] = {sxx, txy, 0, txy, syy, 0, 0, 0, szz};
+    const double component[9] = {
+        v[TENSOR_SXX], v[TENSOR_TXY], 0, v[TENSOR_TXY], v[TENSOR_SYY], 0, 0, 0, v[TENSOR_SZZ]};
     for (int i = 0; i < 9; i++)
         put_number(rows, component[i], i % 3 == 2);
+    progress_step();
 }
 
-static void put_stresses(records *rows, const vtk_points *points)
+static void put_tensors(records *rows, const vtk_points *points)
 {
-    const vtk_numbers numbers = {TENSOR_COUNT, stress_name, stress_value};
-    put_numbers(rows, points, points, &numbers);
+    double value[NUMBERS_MOST];
     output_text(rows->out, "TENSORS stress double\n");
     for (int64_t j = 0; j < points->rows; j++)
         for (int64_t i = 0; i < points->columns && records_go_on(rows); i++) {
-            put_tensor(rows, points->stress(points->source, i, j));
-            progress_step();
+            points->numbers(points->source, i, j, value);
+            put_tensor(rows, value);
         }
+}
+
+void vtk_of_stresses(vtk_points *points)
+{
+    points->has_tensor = true;
+    for (points->count = 0; points->count < TENSOR_COUNT; points->count++)
+        points->names[points->count] = tensor_kinds[points->count].name;
 }
 
 void vtk_write(void *of_points, records *rows)
 {
     const vtk_points *points = of_points;
     char line[80];
-    const int quantities = points->numbers != NULL ? points->numbers->count : TENSOR_COUNT + 1;
+    const int quantities = points->count + points->has_tensor;
     progress_start(rows->show_progress, quantities * points->columns * points->rows, "values");
     output_text(rows->out, "# vtk DataFile Version 3.0\n");
     output_text(rows->out, points->title);
@@ -127,8 +122,7 @@ void vtk_write(void *of_points, records *rows)
         put_points(rows, points);
     snprintf(line, sizeof line, "POINT_DATA %" PRId64 "\n", points->columns * points->rows);
     output_text(rows->out, line);
-    if (points->numbers != NULL)
-        put_numbers(rows, points, points->source, points->numbers);
-    else
-        put_stresses(rows, points);
+    put_numbers(rows, points);
+    if (points->has_tensor)
+        put_tensors(rows, points);
 }

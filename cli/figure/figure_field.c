@@ -174,14 +174,12 @@ static void write_title(const figure_case *inputs, drawing *on)
 static void write_caption(const figure_case *inputs, double step, bool has_yield, double top,
                           drawing *on)
 {
-    char value[NUMBER_SIZE], lines[NUMBER_SIZE];
     const char *zones = stick_width(inputs) > 0            ? ", black: stick"
                         : case_value(inputs, FRICTION) > 0 ? ", sliding"
                                                            : "";
-    number_write(top, 3, '.', value);
-    number_write(step, 3, '.', lines);
-    snprintf(on->caption, sizeof on->caption, "bar: contact%s; lines: every %s%s%s", zones, lines,
-             has_yield ? ";\ncircle: first yield, " : "", has_yield ? value : "");
+    snprintf(on->caption, sizeof on->caption, "bar: contact%s; lines: every %.3g", zones, step);
+    if (has_yield)
+        list_add(on->caption, sizeof on->caption, ";\n", "circle: first yield, %.3g", top);
 }
 
 static const char *draw_field(const figure_case *inputs, const dataset *rows, drawing *on)

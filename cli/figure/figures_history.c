@@ -339,13 +339,10 @@ static void draw_measure_field(const dataset *rows, double top, drawing *on)
 {
     const double *first = rows->row[0].number, *last = rows->row[rows->count - 1].number;
     const double step = step_of_levels(top), width = last[0] - first[0];
-    char lines[NUMBER_SIZE];
     on->x = (axis){"*x*", first[0], last[0], tic_along_x(width), 0};
     on->y = (axis){"*y*", last[1], 0, tic_along_x(last[1]), 0};
     on->field = (contours){rows, COLUMNS, 0, 1, 2, step, top};
-    number_write(step, 3, '.', lines);
-    const size_t used = strlen(on->caption);
-    snprintf(on->caption + used, sizeof on->caption - used, ";\nlines: every %s", lines);
+    list_add(on->caption, sizeof on->caption, ";\n", "lines: every %.3g", step);
 }
 
 /* A column in words: "_" would begin a subscript. */

@@ -100,11 +100,9 @@ static void draw_jump(const dataset *rows, drawing *on)
     jump->second_axis = true;
     jump->colour = VERMILLION;
     jump->dash = 2;
-    char at[NUMBER_SIZE];
     const bool left = alpha < 0.5;
-    number_write(alpha, 4, '.', at);
-    label *note =
-        drawing_label(on, left ? fmax(alpha + 0.03, 0.08) : alpha - 0.03, 0.07, "jump at %s", at);
+    label *note = drawing_label(on, left ? fmax(alpha + 0.03, 0.08) : alpha - 0.03, 0.07,
+                                "jump at %.4g", alpha);
     note->second_axis = true;
     note->colour = VERMILLION;
     note->align = left ? ALIGN_LEFT : ALIGN_RIGHT;

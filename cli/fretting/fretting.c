@@ -2,7 +2,10 @@
 /* "rwedge fretting". */
 #include "fretting.h"
 
+#include "field/field.h"
+
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -14,26 +17,24 @@ enum {
 };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, criteria_option_table, 0, "Criteria:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, history_option_table, 0, "Its loads:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, place_option_table, 0,
-     "Places, by default along the surface from side to side:", NULL},
-    {"worst", '\0', POPT_ARG_STRING, NULL, OPTION_WORST,
-     "Write the worst place of each measure to FILE too", "FILE"},
-    {"at-worst", '\0', POPT_ARG_NONE, NULL, OPTION_AT_WORST,
+    {INCLUDED(input_option_table), "The contact:", NULL},
+    {INCLUDED(strength_option_table), "Its strength:", NULL},
+    {INCLUDED(criteria_option_table), "Criteria:", NULL},
+    {INCLUDED(history_option_table), "Its loads:", NULL},
+    {INCLUDED(place_option_table), "Places, by default along the surface from side to side:", NULL},
+    {VALUE("worst", OPTION_WORST), "Write the worst place of each measure to FILE too", "FILE"},
+    {FLAG("at-worst", OPTION_AT_WORST),
      "Write a verdict for each criterion at its worst place, in place of the rows", NULL},
-    {"length", '\0', POPT_ARG_STRING, NULL, OPTION_LENGTH,
+    {VALUE("length", OPTION_LENGTH),
      "Verdicts by the theory of critical distances (default: that of the material, with --method)",
      "NUMBER"},
-    {"method", '\0', POPT_ARG_STRING, NULL, OPTION_METHOD,
+    {VALUE("method", OPTION_METHOD),
      "At half the length below the surface, or the mean over twice of it (default point)",
      "point|line"},
-    {"angle", '\0', POPT_ARG_STRING, NULL, OPTION_ANGLE,
+    {VALUE("angle", OPTION_ANGLE),
      "Of that way, from the surface's normal towards +x, -85 to 85 deg (default 0)", "NUMBER"},
     {THREADS_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, grid_output_option_table, 0, "Common options:", NULL},
+    {INCLUDED(grid_output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -145,6 +146,71 @@ static void write_rows(void *of_plan, records *rows)
             write_row(&job->last.asked, &job->all.place[i], rows);
 }
 
+/* ---- For ParaView ---- */
+
+/* The places that are written, and the columns. Of lines the same are written of each. */
+typedef struct {
+    const measured *all;
+    size_t *shown, count, line;
+    int column[COLUMN_COUNT], columns;
+} source;
+
+static const measured_place *place_at(const source *written, int64_t column, int64_t row)
+{
+    return &written->all->place[(size_t)row * written->line + written->shown[column]];
+}
+
+static double x_of(const void *written, int64_t column)
+{
+    return place_at(written, column, 0)->x;
+}
+
+/* The depth of a row of a grid, or of a point. */
+static double y_of_row(const void *written, int64_t row)
+{
+    return place_at(written, 0, row)->y;
+}
+
+static double y_of_point(const void *written, int64_t point)
+{
+    return place_at(written, point, 0)->y;
+}
+
+static void numbers_of(const void *of_source, int64_t column, int64_t row, double value[])
+{
+    const source *written = of_source;
+    for (int i = 0; i < written->columns; i++)
+        value[i] = place_at(written, column, row)->at.value[written->column[i]];
+}
+
+static void write_vtk(void *of_plan, records *rows)
+{
+    const plan *job = of_plan;
+    const measured *all = &job->all;
+    const bool is_grid = all->line > 0;
+    source s = {.all = all, .line = is_grid ? all->line : all->count};
+    vtk_points points = {.title = "rwedge fretting: y is the depth below the surface",
+                         .is_grid = is_grid,
+                         .x = x_of,
+                         .y = is_grid ? y_of_row : y_of_point,
+                         .numbers = numbers_of,
+                         .source = &s};
+    s.shown = memory_zeroed(s.line, sizeof *s.shown);
+    for (size_t i = 0; i < s.line; i++)
+        if (all->place[i].is_shown)
+            s.shown[s.count++] = i;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        if (column_is_wanted(&job->last.asked, i)) {
+            points.names[s.columns] = measure_kinds[i].column;
+            s.column[s.columns++] = i;
+        }
+    points.count = s.columns;
+    points.columns = (int64_t)s.count;
+    points.rows = is_grid ? (int64_t)(all->count / s.line) : 1;
+    vtk_write(&points, rows);
+    free(s.shown);
+}
+
 /* ---- The command ---- */
 
 static distance read_distance(const arguments *line, const material *constants)
@@ -232,7 +298,7 @@ static void write_output(const arguments *line, const output_options *how, plan 
     if (line->value[OPTION_AT_WORST] != NULL)
         output_options_write(how, worst_write_rows, &verdicts);
     else if (is_for_paraview(how))
-        output_options_write(how, paraview_write, &(measured_columns){&job->all, &job->last.asked});
+        output_options_write(how, write_vtk, job);
     else
         output_options_write(how, write_rows, job);
 }

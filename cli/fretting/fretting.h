@@ -5,7 +5,7 @@
 #include "history/history.h"
 #include "model/cycle/cycle.h"
 
-/* ---- history_cycle ---- The last cycle of a history of loads that a command was given. */
+/* ---- surface ---- The last cycle of a history of loads that a command was given. */
 
 /* Goes through the history. Where doubts is not NULL it has those of the states after its loads. */
 void history_cycle(const contact_history *history, const criteria *asked, last_cycle *cycle,
@@ -61,8 +61,6 @@ void criteria_read(arguments *line, const material *constants, criteria *all);
 /* When the contact is read: Fatemi and Socie's constant; then those of damage. */
 void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all);
 
-/* ---- material_file ---- A file of a material's constants, by name. */
-
 /* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants
  * stand for options that are not given. What is wrong ends the command. */
 void material_read(const char *path, arguments *line, material *all);
@@ -100,15 +98,5 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
 
 /* A row for each: a rows_writer of a worst_table. The life is "inf" for a run-out. */
 void worst_write_rows(void *of_worst, records *rows);
-
-/* ---- paraview ---- The columns of "rwedge fretting" as a file for ParaView. */
-
-typedef struct {
-    const measured *all;
-    const criteria *asked;
-} measured_columns;
-
-/* A rows_writer of a measured_columns: a grid of lines along x, else points. */
-void paraview_write(void *of_columns, records *rows);
 
 #endif

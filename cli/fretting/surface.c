@@ -4,18 +4,58 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* ---- The last cycle ---- */
+
+static void note(const contact_case *setup, const rwedge_contact *contact, doubts *all)
+{
+    if (all != NULL)
+        doubts_add(all, doubts_of_state(setup, contact));
+}
+
+/* Loads before the first cycle that the contact may yield under. */
+static void note_before(const contact_history *history, doubts *all)
+{
+    char complaint[COMPLAINT_SIZE];
+    rwedge_contact *contact;
+    if (case_contact(&history->setup, &contact) != RWEDGE_OK)
+        return;
+    for (size_t i = 0; i < history->before.count; i++)
+        if (load_history_apply(&history->before, i, history->setup.f, contact, complaint))
+            note(&history->setup, contact, all);
+    rwedge_contact_destroy(contact);
+}
+
+void history_cycle(const contact_history *history, const criteria *asked, last_cycle *cycle,
+                   doubts *all)
+{
+    const size_t steps = history->steps, rows = history->loads.count;
+    const size_t first = steps > rows ? steps - rows : 0;
+    note_before(history, all);
+    rwedge_contact *contact = contact_history_begin(history);
+    for (size_t step = 0; step < steps; step++) {
+        if (step == first)
+            last_cycle_begin(&history->setup, asked, contact, steps - first, cycle);
+        contact_history_go_on(history, step, contact);
+        if (step < first)
+            continue;
+        last_cycle_add(contact, cycle);
+        note(&history->setup, contact, all);
+    }
+    rwedge_contact_destroy(contact);
+    last_cycle_end(cycle);
+}
+
+/* ---- Its places ---- */
+
 enum { PLACES_MAX = 1000000 };
 
 /* The places of --x. */
 static stops stops_of_range(const char *text, const last_cycle *cycle)
 {
-    range x = {0};
-    const char *complaint = range_read(text, &x);
-    if (complaint == NULL && x.count > PLACES_MAX)
-        complaint = "must not have more than 1000000 values";
-    if (complaint != NULL)
-        usage_error("--x %s: %s", text, complaint);
-    range_say_two_values("x", text);
+    range x;
+    range_option("x", text, &x);
+    if (x.count > PLACES_MAX)
+        usage_error("--x %s: must not have more than %d values", text, PLACES_MAX);
     double *value = memory_zeroed((size_t)x.count, sizeof *value);
     for (int64_t i = 0; i < x.count; i++)
         value[i] = range_value(&x, i);

@@ -124,14 +124,12 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
     text[0] = '\0';
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const worst_row *row = &worst->row[i];
-        char value[NUMBER_SIZE], x[NUMBER_SIZE], y[NUMBER_SIZE];
         if (isnan(row->value))
             continue;
-        number_write(row->value, 6, '.', value);
-        number_write(row->x, 6, '.', x);
-        number_write(row->y, 6, '.', y);
-        list_add(text, size, "; ", "%s %s at x = %s%s%s", measure_kinds[i].column, value, x,
-                 is_deep ? ", y = " : "", is_deep ? y : "");
+        list_add(text, size, "; ", "%s %.6g at x = %.6g", measure_kinds[i].column, row->value,
+                 row->x + 0);
+        if (is_deep)
+            list_add(text, size, "", ", y = %.6g", row->y + 0);
         if (!isnan(row->cycles))
             list_add(text, size, "", " (%.0f cycle%s)", row->cycles, row->cycles == 1 ? "" : "s");
     }

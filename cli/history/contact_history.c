@@ -5,10 +5,10 @@
 #include <math.h>
 
 struct poptOption history_option_table[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
-    {"cycles", '\0', POPT_ARG_STRING, NULL, OPTION_CYCLES,
+    {INCLUDED(load_option_table), NULL, NULL},
+    {VALUE("cycles", OPTION_CYCLES),
      "Go through the loads N times, one after the other (default: see below)", "N"},
-    {"until", '\0', POPT_ARG_NONE, NULL, OPTION_UNTIL,
+    {FLAG("until", OPTION_UNTIL),
      "Where a load cannot be applied, go as far as the loads before it", NULL},
     POPT_TABLEEND,
 };

@@ -5,20 +5,162 @@
 #include <math.h>
 #include <string.h>
 
+/* ---- What a contact is after a load ---- */
+
+enum {
+    AFTER_LOAD,
+    AFTER_P,
+    AFTER_M,
+    AFTER_Q,
+    AFTER_SIGMA,
+    AFTER_LEFT,
+    AFTER_RIGHT,
+    AFTER_STICK_LEFT,
+    AFTER_STICK_RIGHT,
+    AFTER_TILT,
+    AFTER_PEAK_PRESSURE,
+    AFTER_TENSION_LEFT,
+    AFTER_TENSION_RIGHT,
+    AFTER_LARGEST_SLIP,
+    AFTER_ENERGY,
+    AFTER_YIELD_FACTOR,
+    AFTER_YIELD_X,
+    AFTER_YIELD_Y,
+    AFTER_WARNINGS,
+    AFTER_ERROR,
+    AFTER_COUNT
+};
+
+static const column_kind columns[AFTER_COUNT] = {
+    [AFTER_LOAD] = {"load", "its number, from 1"},
+    [AFTER_P] = {"P", "normal force"},
+    [AFTER_M] = {"M", "moment"},
+    [AFTER_Q] = {"Q", "tangential force"},
+    [AFTER_SIGMA] = {"sigma", "bulk tension"},
+    [AFTER_LEFT] = {"left", "left edge of the contact; empty when separated"},
+    [AFTER_RIGHT] = {"right", "right edge of the contact"},
+    [AFTER_STICK_LEFT] = {"stick_left", "left edge of the stick zone; empty in full sliding"},
+    [AFTER_STICK_RIGHT] = {"stick_right", "right edge of the stick zone"},
+    [AFTER_TILT] = {"tilt", "angle by which the moment tilts body 2, in radians"},
+    [AFTER_PEAK_PRESSURE] = {"peak_pressure", "largest pressure; empty where it is infinite"},
+    [AFTER_TENSION_LEFT] = {"tension_left", "sxx at the left edge of the contact"},
+    [AFTER_TENSION_RIGHT] = {"tension_right", "sxx at its right edge"},
+    [AFTER_LARGEST_SLIP] = {"largest_slip", "largest magnitude of slip since the bodies touched"},
+    [AFTER_ENERGY] = {"energy", "dissipated by friction so far, per unit thickness"},
+    [AFTER_YIELD_FACTOR] = {"yield_factor", "k over the largest sqrt(J2); needs a yield stress"},
+    [AFTER_YIELD_X] = {"yield_x", "where that is"},
+    [AFTER_YIELD_Y] = {"yield_y", "and how deep"},
+    [AFTER_WARNINGS] = {"warnings", "what makes these numbers doubtful"},
+    [AFTER_ERROR] = {"error", "estimated, of q over f p0, where it is computed; 0 is exact"},
+};
+
+/* The row of a load. */
+typedef struct {
+    cell value[AFTER_COUNT];
+    char warnings[512]; /* the text of their cell */
+    doubts doubts;
+} after_load;
+
+/* A contact and its edges. */
+typedef struct {
+    const rwedge_contact *contact;
+    double left, right;
+} touching;
+
+static double slip_size_at(const void *contact, double x)
+{
+    double slip;
+    return rwedge_contact_slip(contact, 1, &x, &slip) == RWEDGE_OK ? fabs(slip) : NAN;
+}
+
+static int32_t edges(const contact_case *setup, const touching *at, cell row[])
+{
+    const double edge[2] = {at->left, at->right}, surface[2] = {0, 0};
+    double sxx[2], syy[2], txy[2], left, right;
+    row[AFTER_LEFT] = cell_number(at->left);
+    row[AFTER_RIGHT] = cell_number(at->right);
+    row[AFTER_TILT] = cell_number(rwedge_contact_tilt(at->contact));
+    row[AFTER_PEAK_PRESSURE] = cell_number(peak_pressure(setup, at->contact));
+    row[AFTER_LARGEST_SLIP] =
+        cell_number(peak_over(at->left, at->right, slip_size_at, at->contact));
+    if (rwedge_contact_stick_zone(at->contact, &left, &right) == RWEDGE_OK) {
+        row[AFTER_STICK_LEFT] = cell_number(left);
+        row[AFTER_STICK_RIGHT] = cell_number(right);
+    }
+    const int32_t status = rwedge_contact_stresses(at->contact, 2, edge, surface, sxx, syy, txy);
+    if (status == RWEDGE_OK) {
+        row[AFTER_TENSION_LEFT] = cell_number(sxx[0]);
+        row[AFTER_TENSION_RIGHT] = cell_number(sxx[1]);
+    }
+    return status;
+}
+
+static int32_t strength(const contact_case *setup, const rwedge_contact *contact, double *factor,
+                        cell row[])
+{
+    double x, y;
+    if (isnan(setup->k))
+        return RWEDGE_OK;
+    const int32_t status =
+        rwedge_contact_yield_factor(contact, setup->nu1, setup->k, factor, &x, &y);
+    if (status == RWEDGE_OK) {
+        row[AFTER_YIELD_FACTOR] = cell_number(*factor);
+        row[AFTER_YIELD_X] = cell_number(x);
+        row[AFTER_YIELD_Y] = cell_number(y);
+    }
+    return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
+}
+
+static void loads(const rwedge_contact *contact, size_t number, cell row[])
+{
+    load now;
+    rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
+    row[AFTER_LOAD] = cell_number((double)number);
+    row[AFTER_P] = cell_number(now.P);
+    row[AFTER_M] = cell_number(now.M);
+    row[AFTER_Q] = cell_number(now.Q);
+    row[AFTER_SIGMA] = cell_number(now.sigma);
+    row[AFTER_ENERGY] = cell_number(rwedge_contact_dissipated_energy(contact));
+}
+
+static void compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
+                    after_load *row)
+{
+    double factor = NAN;
+    touching at = {.contact = contact};
+    int32_t status = RWEDGE_OK;
+    for (int i = 0; i < AFTER_COUNT; i++)
+        row->value[i] = cell_empty();
+    loads(contact, number, row->value);
+    if (rwedge_contact_edges(contact, &at.left, &at.right) == RWEDGE_OK) {
+        status = edges(setup, &at, row->value);
+        if (status == RWEDGE_OK)
+            status = strength(setup, contact, &factor, row->value);
+    }
+    if (status != RWEDGE_OK)
+        failure("load %zu: %s", number, rwedge_strerror(status));
+    row->doubts = doubts_of_factor(setup, contact, factor);
+    row->warnings[0] = '\0';
+    doubts_write(row->doubts, row->warnings, sizeof row->warnings);
+    row->value[AFTER_WARNINGS] = cell_text(row->warnings);
+    row->value[AFTER_ERROR] = cell_number(row->doubts.error);
+}
+
+/* ---- The command ---- */
+
 static struct poptOption history_output_option_table[] = {
     {FORMAT_OPTION("csv|tsv|json|xlsx|series")},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
+    {INCLUDED(other_output_option_table), NULL, NULL},
     POPT_TABLEEND,
 };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, history_option_table, 0, "Its loads:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, place_option_table, 0,
-     "Stresses at points in place of a row for each load:", NULL},
+    {INCLUDED(input_option_table), "The contact:", NULL},
+    {INCLUDED(strength_option_table), "Its strength:", NULL},
+    {INCLUDED(history_option_table), "Its loads:", NULL},
+    {INCLUDED(place_option_table), "Stresses at points in place of a row for each load:", NULL},
     {NO_FORMULAS_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, history_output_option_table, 0, "Common options:", NULL},
+    {INCLUDED(history_output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -30,8 +172,7 @@ static void describe(FILE *stream)
           "are applied once, before it. Any consistent units.\n"
           "\nResults, a row for each load:\n",
           stream);
-    for (int i = 0; i < AFTER_COUNT; i++)
-        fprintf(stream, "  %-13s %s\n", after_load_kinds[i].column, after_load_kinds[i].meaning);
+    columns_describe(columns, AFTER_COUNT, 13, stream);
     fputs("\nWith points, a row for each load and point: load, x, y (the depth), sxx, syy,\n"
           "szz, txy, s1, s2, von_mises, tau_max. With -o NAME.vtk.series a file for each\n"
           "load, for ParaView: NAME_0001.vtk and so on, or NAME_b0001.vtk where the series\n"
@@ -52,7 +193,7 @@ typedef struct {
 static void write_load(plan *job, size_t step, const rwedge_contact *contact, records *rows)
 {
     after_load row;
-    after_load_compute(&job->history.setup, contact, step + 1, &row);
+    compute(&job->history.setup, contact, step + 1, &row);
     load_history_write_unused(&job->history.loads, contact_history_row(&job->history, step),
                               row.warnings, sizeof row.warnings);
     doubts_add(&job->doubts, row.doubts);
@@ -69,8 +210,7 @@ static void write_loads(plan *job, records *rows)
 {
     rwedge_contact *contact = contact_history_begin(&job->history);
     passed_names(&job->history.loads, rows);
-    for (int i = 0; i < AFTER_COUNT; i++)
-        records_name(rows, after_load_kinds[i].column);
+    records_columns(rows, columns, AFTER_COUNT);
     records_end_header(rows);
     for (size_t step = 0; step < job->history.steps && records_go_on(rows); step++) {
         contact_history_go_on(&job->history, step, contact);
@@ -108,13 +248,9 @@ static void check_series(const plan *job, const output_options *how)
 
 static void check_names(const plan *job)
 {
-    const char *names[AFTER_COUNT];
-    for (int i = 0; i < AFTER_COUNT; i++)
-        names[i] = after_load_kinds[i].column;
-    if (job->at.count > 0)
-        passed_check(&job->history.loads, point_columns, POINT_COLUMNS);
-    else
-        passed_check(&job->history.loads, names, AFTER_COUNT);
+    const bool has_points = job->at.count > 0;
+    for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
+        passed_check(&job->history.loads, has_points ? point_columns[i] : columns[i].name);
 }
 
 static void read_plan(const arguments *line, plan *job, output_options *how)

@@ -77,48 +77,6 @@ void places_spare_files(const arguments *line, const output_options *how);
 /* Reads --depth alone: 0 by default. Free the range. */
 void places_read_depth(const arguments *line, range *depth);
 
-/* ---- after_load ---- What a contact is after a load: the row that "rwedge history" writes of it.
- * */
-
-enum {
-    AFTER_LOAD,
-    AFTER_P,
-    AFTER_M,
-    AFTER_Q,
-    AFTER_SIGMA,
-    AFTER_LEFT,
-    AFTER_RIGHT,
-    AFTER_STICK_LEFT,
-    AFTER_STICK_RIGHT,
-    AFTER_TILT,
-    AFTER_PEAK_PRESSURE,
-    AFTER_TENSION_LEFT,
-    AFTER_TENSION_RIGHT,
-    AFTER_LARGEST_SLIP,
-    AFTER_ENERGY,
-    AFTER_YIELD_FACTOR,
-    AFTER_YIELD_X,
-    AFTER_YIELD_Y,
-    AFTER_WARNINGS,
-    AFTER_ERROR,
-    AFTER_COUNT
-};
-
-typedef struct {
-    const char *column, *meaning;
-} after_load_kind;
-extern const after_load_kind after_load_kinds[AFTER_COUNT];
-
-typedef struct {
-    cell value[AFTER_COUNT];
-    char warnings[512]; /* the text of their cell */
-    doubts doubts;
-} after_load;
-
-/* Of the load with that number. */
-void after_load_compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
-                        after_load *row);
-
 /* ---- point_rows ---- The stresses at points after each load, as rows. */
 
 /* The columns of the result, but for those of the file that pass through in front. */
@@ -140,8 +98,8 @@ tensor point_stress(const point_rows *points, const rwedge_contact *contact, siz
 void passed_names(const load_history *loads, records *rows);
 void passed_cells(const load_history *loads, size_t row, records *rows);
 
-/* Refuses a column that has the name of a result. */
-void passed_check(const load_history *loads, const char *const columns[], size_t count);
+/* Refuses a column that has the name of this result. */
+void passed_check(const load_history *loads, const char *result);
 
 /* ---- series ---- The stresses at points after each load as files for ParaView: one for each load,
  * and one that names them all. */

@@ -6,12 +6,11 @@
 #include <string.h>
 
 struct poptOption place_option_table[] = {
-    {"at", '\0', POPT_ARG_STRING, NULL, OPTION_AT, "At these points, y the depth", "x,y;x,y"},
-    {"points", '\0', POPT_ARG_STRING, NULL, OPTION_POINTS,
-     "At the points of a CSV file with the columns x and y", "FILE"},
-    {"x", '\0', POPT_ARG_STRING, NULL, OPTION_X, "Or on a grid, with these x", "RANGE"},
-    {"depth", '\0', POPT_ARG_STRING, NULL, OPTION_DEPTH,
-     "And these depths below the surface (default 0)", "RANGE"},
+    {VALUE("at", OPTION_AT), "At these points, y the depth", "x,y;x,y"},
+    {VALUE("points", OPTION_POINTS), "At the points of a CSV file with the columns x and y",
+     "FILE"},
+    {VALUE("x", OPTION_X), "Or on a grid, with these x", "RANGE"},
+    {VALUE("depth", OPTION_DEPTH), "And these depths below the surface (default 0)", "RANGE"},
     OTHER_NAME("y", OPTION_DEPTH),
     POPT_TABLEEND,
 };
@@ -102,13 +101,9 @@ void places_read_depth(const arguments *line, range *depth)
 {
     const char *text = line->value[OPTION_DEPTH];
     double outside;
-    const char *complaint = range_read(text != NULL ? text : "0", depth);
-    if (complaint == NULL && !range_within(depth, 0, 1e60, &outside))
-        complaint = "depths must not be below 0";
-    if (complaint != NULL)
-        usage_error("--depth %s: %s", text, complaint);
-    if (text != NULL)
-        range_say_two_values("depth", text);
+    range_option("depth", text != NULL ? text : "0", depth);
+    if (!range_within(depth, 0, 1e60, &outside))
+        usage_error("--depth %s: depths must not be below 0", text);
 }
 
 static void fill_grid(const char *text, const range *x, const range *y, places *to)
@@ -126,11 +121,8 @@ static void read_grid(const arguments *line, places *to)
 {
     const char *text = line->value[OPTION_X];
     range x, y;
-    const char *complaint = range_read(text, &x);
-    if (complaint != NULL)
-        usage_error("--x %s: %s", text, complaint);
     places_read_depth(line, &y);
-    range_say_two_values("x", text);
+    range_option("x", text, &x);
     fill_grid(text, &x, &y, to);
     range_free(&x);
     range_free(&y);

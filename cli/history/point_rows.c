@@ -8,18 +8,14 @@ const char *const point_columns[POINT_COLUMNS] = {"load", "x",  "y",  "sxx",    
 
 /* ---- Columns that pass through ---- */
 
-void passed_check(const load_history *loads, const char *const columns[], size_t count)
+void passed_check(const load_history *loads, const char *result)
 {
-    for (size_t i = 0; i < count; i++) {
-        bool is_load = false;
-        for (int n = INPUT_P; n <= INPUT_SIGMA; n++) {
-            char name[INPUT_NAME_SIZE];
-            is_load = is_load || strcmp(columns[i], input_column(n, name)) == 0;
-        }
-        if (!is_load && header_has(&loads->names, columns[i]))
-            failure("%s: column %s: a result has that name; allowed: any other", loads->name,
-                    columns[i]);
-    }
+    char name[INPUT_NAME_SIZE];
+    for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
+        if (strcmp(result, input_column(i, name)) == 0)
+            return;
+    if (header_has(&loads->names, result))
+        failure("%s: column %s: a result has that name; allowed: any other", loads->name, result);
 }
 
 void passed_names(const load_history *loads, records *rows)

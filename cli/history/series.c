@@ -28,11 +28,11 @@ static double point_y(const void *of_moment, int64_t row)
     return at->y[at->columns > 0 ? (size_t)row * at->columns : (size_t)row];
 }
 
-static tensor stress_at(const void *of_moment, int64_t column, int64_t row)
+static void stress_at(const void *of_moment, int64_t column, int64_t row, double value[])
 {
     const moment *now = of_moment;
-    const places *points = now->points->at;
-    return point_stress(now->points, now->contact, (size_t)row * points->columns + (size_t)column);
+    const size_t i = (size_t)row * now->points->at->columns + (size_t)column;
+    *(tensor *)value = point_stress(now->points, now->contact, i);
 }
 
 static void write_moment(const moment *now, size_t step, const char *path,
@@ -48,8 +48,9 @@ static void write_moment(const moment *now, size_t step, const char *path,
                          .rows = (int64_t)(at->columns > 0 ? at->rows : 1),
                          .x = point_x,
                          .y = point_y,
-                         .stress = stress_at,
+                         .numbers = stress_at,
                          .source = now};
+    vtk_of_stresses(&points);
     output_options frame = *how;
     frame.path = path;
     output_options_write(&frame, vtk_write, &points);

@@ -1,33 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The only file that knows libcsv. Callers ask for one row after the other, but libcsv's parser
- * calls back for whatever it is given. So it is given a row at a time: the lines up to one at whose
- * end no quote is open. */
+/* The only file that knows libcsv. Callers ask for one row after the other, but libcsv calls back
+ * for whatever it is given. So it is given a line at a time, until one ends a row. */
 #include "input.h"
 
+#include "text/text.h"
+
 #include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include <csv.h>
 
-enum { BLOCK = 1 << 16, PROBLEM = 600 };
+enum { BLOCK = 1 << 16 };
 
-struct csv_input {
-    text_input *source;
+struct csv_source {
+    text_input *text;
     struct csv_parser parser;
     char block[BLOCK];
     size_t begin, end; /* what of the block has not been parsed */
-    bool at_start, at_end, too_many, after_return;
-    int64_t line, first_line; /* of the byte that comes next; of the row */
-    char *row;                /* as it stands in the file */
+    bool at_start, after_return;
+    bool has_ended, is_broken, too_many; /* of the row; broken by misplaced quotes */
+    int64_t next_line;
+    char *row; /* as it stands in the file */
     size_t length, row_room;
-    char *text; /* the cells of the row, each with its 0 */
+    char *cells; /* of the row, each with its 0 */
     size_t used, room;
     size_t begins[CSV_ROW_CELLS]; /* where each starts */
     const char *cell[CSV_ROW_CELLS];
-    size_t count;
-    char problem[PROBLEM]; /* why it cannot be read on */
 };
 
 /* ---- What libcsv calls ---- */
@@ -47,28 +49,40 @@ static void make_room(char **text, size_t *room, size_t used, size_t more)
     *room = 2 * (used + more);
 }
 
-static void take_cell(void *bytes, size_t length, void *data)
+static void take_cell(void *bytes, size_t length, void *of_input)
 {
-    csv_input *in = data;
-    if (in->count == CSV_ROW_CELLS) {
-        in->too_many = true;
+    csv_input *in = of_input;
+    struct csv_source *from = in->source;
+    from->too_many = in->count == CSV_ROW_CELLS;
+    if (from->too_many)
         return;
-    }
-    make_room(&in->text, &in->room, in->used, length + 1);
-    in->begins[in->count++] = in->used;
+    make_room(&from->cells, &from->room, from->used, length + 1);
+    from->begins[in->count++] = from->used;
     if (length > 0)
-        memcpy(in->text + in->used, bytes, length);
-    in->text[in->used + length] = '\0';
-    in->used += length + 1;
+        memcpy(from->cells + from->used, bytes, length);
+    from->cells[from->used + length] = '\0';
+    from->used += length + 1;
+}
+
+static void take_end(int end, void *of_input)
+{
+    (void)end;
+    ((csv_input *)of_input)->source->has_ended = true;
 }
 
 /* ---- Opening and reading ---- */
 
-static void start_parser(csv_input *in, char separator)
+static void separate_by(csv_input *in, char separator)
 {
-    csv_init(&in->parser, CSV_STRICT | CSV_STRICT_FINI);
-    csv_set_delim(&in->parser, (unsigned char)separator);
-    csv_set_space_func(&in->parser, is_space);
+    in->separator = separator;
+    csv_set_delim(&in->source->parser, (unsigned char)separator);
+}
+
+static void start_parser(csv_input *in)
+{
+    csv_init(&in->source->parser, CSV_STRICT);
+    csv_set_space_func(&in->source->parser, is_space);
+    separate_by(in, in->separator);
 }
 
 /* The ending of a file whose columns are separated by tabs. */
@@ -81,26 +95,38 @@ static bool is_tsv(const char *path)
 csv_input *csv_input_try(const char *path, char separator, const char *encoding)
 {
     csv_input *in = memory_zeroed(1, sizeof *in);
-    in->source = text_input_open(path, encoding);
-    in->at_start = true;
-    in->line = 1;
-    start_parser(in, is_tsv(path) ? '\t' : separator);
-    snprintf(in->problem, PROBLEM, "%s", text_input_problem(in->source));
+    in->source = memory_zeroed(1, sizeof *in->source);
+    in->source->text = text_input_open(path, encoding);
+    in->source->at_start = true;
+    in->source->next_line = 1;
+    in->cell = in->source->cell;
+    in->name = in->source->text->name;
+    in->separator = is_tsv(path) ? '\t' : separator;
+    start_parser(in);
+    strcpy(in->problem, in->source->text->problem);
     return in;
 }
 
 csv_input *csv_input_open(const char *path, char separator, const char *encoding)
 {
     csv_input *in = csv_input_try(path, separator, encoding);
-    if (in->problem[0] != '\0')
-        csv_input_fail(in);
+    csv_input_check(in);
     return in;
 }
 
-static csv_event stop(csv_input *in, int64_t line, const char *why)
+bool csv_input_stop(csv_input *in, const char *format, ...)
 {
-    const char *name = csv_input_name(in);
-    snprintf(in->problem, PROBLEM, "%.400s: line %" PRId64 ": %s", name, line, why);
+    va_list values;
+    const int used = snprintf(in->problem, sizeof in->problem, "%.300s: ", in->name);
+    va_start(values, format);
+    vsnprintf(in->problem + used, sizeof in->problem - (size_t)used, format, values);
+    va_end(values);
+    return false;
+}
+
+static csv_event stop(csv_input *in, const char *why)
+{
+    csv_input_stop(in, "line %" PRId64 ": %s", in->line, why);
     return CSV_FAILED;
 }
 
@@ -122,7 +148,7 @@ static size_t line_length(const char *bytes, size_t count)
 static bool has_tabs_only(const char *bytes, size_t count, char separator)
 {
     bool quoted = false, tabs = false;
-    for (size_t i = 0; i < count && (quoted || strchr("\r\n", bytes[i]) == NULL); i++) {
+    for (size_t i = 0; i < count && (quoted || !ends_line(bytes[i])); i++) {
         quoted = quoted != (bytes[i] == '"');
         tabs = tabs || (!quoted && bytes[i] == '\t');
         if (!quoted && bytes[i] == separator)
@@ -135,26 +161,28 @@ static bool has_tabs_only(const char *bytes, size_t count, char separator)
 static void find_separator(csv_input *in)
 {
     static const char says[] = "sep=";
-    const char *line = in->block;
-    const size_t length = line_length(line, in->end), before = sizeof says - 1;
-    in->at_start = false;
+    struct csv_source *from = in->source;
+    const char *line = from->block;
+    const size_t length = line_length(line, from->end), before = sizeof says - 1;
+    from->at_start = false;
     if (length > before + 1 && strncasecmp(line, says, before) == 0 &&
         strchr(",;\t|", line[before]) != NULL && strchr("\r\n", line[before + 1]) != NULL) {
-        csv_set_delim(&in->parser, (unsigned char)line[before]);
-        in->begin = before + 1; /* a blank line is left */
-    } else if (has_tabs_only(line, in->end, (char)csv_get_delim(&in->parser)))
-        csv_set_delim(&in->parser, '\t');
+        separate_by(in, line[before]);
+        from->begin = before + 1; /* a blank line is left */
+    } else if (has_tabs_only(line, from->end, in->separator))
+        separate_by(in, '\t');
 }
 
 static bool fill(csv_input *in)
 {
-    in->begin = 0;
-    if (!text_input_read(in->source, in->block, BLOCK, &in->end)) {
-        snprintf(in->problem, PROBLEM, "%s", text_input_problem(in->source));
+    struct csv_source *from = in->source;
+    from->begin = 0;
+    if (!text_input_read(from->text, from->block, BLOCK, &from->end)) {
+        strcpy(in->problem, from->text->problem);
         return false;
     }
-    in->at_end = in->end == 0;
-    if (in->at_start)
+    in->has_mark = from->text->has_mark;
+    if (from->at_start)
         find_separator(in);
     return true;
 }
@@ -164,57 +192,60 @@ static bool fill(csv_input *in)
 /* A quote that is closed nowhere, or where it cannot be: no one knows which rows it has taken. */
 static csv_event not_closed(csv_input *in)
 {
-    return stop(in, in->first_line, "a quote that is not closed");
+    return stop(in, "a quote that is not closed");
 }
 
-/* Where the next byte stands. */
-typedef enum { CELL_BEGINS, CELL_PLAIN, CELL_QUOTED, CELL_AFTER_QUOTE } position;
-
-static position after_byte(position at, char byte, char separator)
+/* After misplaced quotes the rest of the line is left out. A blank line is a row, of no cells. */
+static void parse(csv_input *in, const char *bytes, size_t count)
 {
-    if (at == CELL_QUOTED)
-        return byte == '"' ? CELL_AFTER_QUOTE : CELL_QUOTED;
-    if (byte == separator || ends_line(byte))
-        return CELL_BEGINS;
-    return byte == '"' && at != CELL_PLAIN ? CELL_QUOTED : CELL_PLAIN;
+    struct csv_source *from = in->source;
+    const bool is_end = ends_line(bytes[count - 1]);
+    from->is_broken =
+        from->is_broken || csv_parse(&from->parser, bytes, count, take_cell, take_end, in) != count;
+    if (from->is_broken && csv_error(&from->parser) == CSV_ENOMEM) /* no fault of the row */
+        failure("out of memory");
+    from->has_ended = from->has_ended || (is_end && (from->is_broken || from->length == 1));
 }
 
-/* How many bytes of the block belong to the row: up to its end, or all. */
-static size_t row_bytes(csv_input *in, position *at, bool *ends)
+/* A line of the row, or what the block has of it. */
+static void take_line(csv_input *in)
 {
-    const char separator = csv_input_separator(in);
-    size_t i = in->begin;
-    for (*ends = false; i < in->end && !*ends; i++) {
-        const char byte = in->block[i];
-        const bool is_end = ends_line(byte), same_end = in->after_return && byte == '\n';
-        *at = after_byte(*at, byte, separator);
-        *ends = is_end && *at == CELL_BEGINS;
-        in->line += is_end && !same_end;
-        in->after_return = byte == '\r';
-    }
-    return i - in->begin;
+    struct csv_source *from = in->source;
+    const char *bytes = from->block + from->begin;
+    const size_t count = line_length(bytes, from->end - from->begin);
+    const bool is_end = ends_line(bytes[count - 1]);
+    const bool same_end = from->after_return && bytes[0] == '\n';
+    make_room(&from->row, &from->row_room, from->length, count + 1);
+    memcpy(from->row + from->length, bytes, count);
+    from->length += count;
+    from->begin += count;
+    from->next_line += is_end && !same_end;
+    from->after_return = bytes[count - 1] == '\r';
+    parse(in, bytes, count);
 }
 
 /* The lines of a row; an empty one where there is a blank line. The last may lack its end. */
 static csv_event read_lines(csv_input *in)
 {
-    position at = CELL_BEGINS;
-    in->length = 0;
-    in->first_line = in->line;
-    for (bool ends = false; !ends;) {
-        if (in->begin == in->end && !in->at_end && !fill(in))
+    struct csv_source *from = in->source;
+    in->line = from->next_line;
+    in->count = from->length = from->used = 0;
+    from->has_ended = from->is_broken = from->too_many = false;
+    while (!from->has_ended) {
+        if (from->begin == from->end && !fill(in))
             return CSV_FAILED;
-        if (in->begin == in->end)
-            return at == CELL_QUOTED ? not_closed(in) : in->length > 0 ? CSV_ROW : CSV_END;
-        const size_t count = row_bytes(in, &at, &ends);
-        if (in->length + count > CSV_ROW_BYTES)
-            return at == CELL_QUOTED && in->line > in->first_line
-                       ? not_closed(in)
-                       : stop(in, in->first_line, "a line of more than 1 MiB; allowed: CSV");
-        make_room(&in->row, &in->row_room, in->length, count + 1); /* and for what may end it */
-        memcpy(in->row + in->length, in->block + in->begin, count);
-        in->length += count;
-        in->begin += count;
+        if (from->end > 0)
+            take_line(in);
+        else if (from->length == 0)
+            return CSV_END;
+        else {
+            parse(in, "\n", 1);
+            if (!from->has_ended)
+                return not_closed(in);
+        }
+        if (from->length > CSV_ROW_BYTES)
+            return from->next_line > in->line ? not_closed(in)
+                                              : stop(in, "a line of more than 1 MiB; allowed: CSV");
     }
     return CSV_ROW;
 }
@@ -222,27 +253,25 @@ static csv_event read_lines(csv_input *in)
 /* What the parser still holds of a row with misplaced quotes is thrown away. */
 static csv_event refuse(csv_input *in)
 {
-    const char separator = csv_input_separator(in);
-    if (csv_error(&in->parser) == CSV_ENOMEM) /* no fault of the row */
-        failure("out of memory");
-    csv_free(&in->parser);
-    start_parser(in, separator);
-    return csv_input_spans_lines(in) ? not_closed(in) : CSV_MALFORMED;
+    csv_free(&in->source->parser);
+    start_parser(in);
+    if (csv_input_spans_lines(in))
+        return not_closed(in);
+    return in->takes_malformed ? CSV_MALFORMED : stop(in, "misplaced quotes");
 }
 
 static csv_event next_row(csv_input *in)
 {
+    struct csv_source *from = in->source;
     csv_event event = read_lines(in);
     if (event != CSV_ROW)
         return event;
-    in->count = in->used = 0;
-    in->row[in->length] = '\n';
-    if (csv_parse(&in->parser, in->row, in->length + 1, take_cell, NULL, in) != in->length + 1)
+    if (from->is_broken)
         event = refuse(in);
-    if (in->too_many)
-        return stop(in, in->first_line, "more than 1000 cells in a row");
+    if (from->too_many)
+        return stop(in, "more than 1000 cells in a row");
     for (size_t i = 0; i < in->count; i++)
-        in->cell[i] = in->text + in->begins[i];
+        from->cell[i] = from->cells + from->begins[i];
     return event;
 }
 
@@ -256,13 +285,22 @@ static bool is_blank(const csv_input *in)
 
 csv_event csv_input_next(csv_input *in)
 {
-    csv_event event;
-    if (in->problem[0] != '\0')
-        return CSV_FAILED;
-    do
-        event = next_row(in);
-    while (event == CSV_ROW && is_blank(in));
+    csv_event event = CSV_FAILED;
+    if (in->problem[0] == '\0')
+        do
+            event = next_row(in);
+        while (event == CSV_ROW && is_blank(in));
     return event;
+}
+
+void csv_input_header(csv_input *in, csv_row *row)
+{
+    const csv_event event = csv_input_next(in);
+    if (event == CSV_END || event == CSV_MALFORMED)
+        csv_input_stop(in, "%s; needed: a header row with the names of the columns",
+                       event == CSV_END ? "empty" : "misplaced quotes in the first row");
+    if (event == CSV_ROW)
+        csv_row_keep(in, false, row);
 }
 
 bool csv_input_spans_lines(csv_input *in)
@@ -270,69 +308,64 @@ bool csv_input_spans_lines(csv_input *in)
     return strpbrk(csv_input_row(in), "\r\n") != NULL;
 }
 
-csv_event csv_input_stop(csv_input *in, const char *why)
-{
-    return stop(in, in->first_line, why);
-}
-
-void csv_input_fail(const csv_input *in)
+void csv_input_check(const csv_input *in)
 {
     if (in->problem[0] != '\0')
         failure("%s", in->problem);
-    failure("%s: line %" PRId64 ": misplaced quotes", csv_input_name(in), in->first_line);
-}
-
-const char *csv_input_problem(const csv_input *in)
-{
-    return in->problem;
-}
-
-size_t csv_input_count(const csv_input *in)
-{
-    return in->count;
-}
-
-const char *const *csv_input_cells(const csv_input *in)
-{
-    return in->cell;
 }
 
 const char *csv_input_row(csv_input *in)
 {
-    size_t length = in->length;
-    if (in->row == NULL)
+    size_t length = in->source->length;
+    char *row = in->source->row;
+    if (row == NULL)
         return "";
-    while (length > 0 && strchr("\r\n", in->row[length - 1]) != NULL)
+    while (length > 0 && ends_line(row[length - 1]))
         length--;
-    in->row[length] = '\0';
-    return in->row;
-}
-
-int64_t csv_input_line(const csv_input *in)
-{
-    return in->first_line;
-}
-
-const char *csv_input_name(const csv_input *in)
-{
-    return text_input_name(in->source);
-}
-
-char csv_input_separator(csv_input *in)
-{
-    return (char)csv_get_delim(&in->parser);
-}
-
-bool csv_input_has_mark(const csv_input *in)
-{
-    return text_input_has_mark(in->source);
+    row[length] = '\0';
+    return row;
 }
 
 void csv_input_close(csv_input *in)
 {
-    csv_free(&in->parser);
-    text_input_close(in->source);
-    free(in->row);
-    free(in->text);
+    csv_free(&in->source->parser);
+    text_input_close(in->source->text);
+    free(in->source->row);
+    free(in->source->cells);
+    free(in->source);
     free(in);
+}
+
+/* ---- A row that stays ---- */
+
+static const char *put(char **to, const char *text)
+{
+    const size_t length = strlen(text) + 1;
+    const char *start = memcpy(*to, text, length);
+    *to += length;
+    return start;
+}
+
+/* One piece of memory: the places of the cells, and their texts behind them. */
+void csv_row_keep(csv_input *in, bool malformed, csv_row *row)
+{
+    const char *whole = csv_input_row(in);
+    size_t bytes = (in->count + 1) * sizeof *row->cell + strlen(whole) + 1;
+    for (size_t i = 0; i < in->count; i++)
+        bytes += strlen(in->cell[i]) + 1;
+    *row = (csv_row){.malformed = malformed,
+                     .line = in->line,
+                     .count = in->count,
+                     .cell = memory_resized(NULL, bytes),
+                     .bytes = bytes};
+    char *to = (char *)(row->cell + in->count + 1);
+    for (size_t i = 0; i < in->count; i++)
+        row->cell[i] = put(&to, in->cell[i]);
+    row->whole = put(&to, whole);
+}
+
+void csv_row_free(csv_row *row)
+{
+    free(row->cell);
+    row->cell = NULL;
 }

@@ -12,7 +12,11 @@
 /* ---- text_input ---- A file of text, read as UTF-8 whatever its encoding. What is no text is
  * refused here, so that every format can write what was read. */
 
-typedef struct text_input text_input;
+typedef struct {
+    const char *name;  /* as messages call it */
+    bool has_mark;     /* it begins with the mark of Unicode; known once it has been read from */
+    char problem[600]; /* why it cannot be opened, or read on; "" as long as it can */
+} text_input;
 
 /* Refuses an encoding that iconv does not know, by the name of --encoding. */
 void text_input_check(const char *encoding);
@@ -21,20 +25,10 @@ void text_input_check(const char *encoding);
  * UTF-8, or UTF-16 where the file begins with its mark. */
 text_input *text_input_open(const char *path, const char *encoding);
 
-/* Why it cannot be opened, or read on; an empty text as long as it can. */
-const char *text_input_problem(const text_input *in);
-
 /* Reads whole characters into room for at least 4 bytes; *count is 0 at the end. False, with the
  * problem, where it cannot be read, or has what is no text: the problem names the file, the line
  * and the column, which is the number of the character in the line. */
 bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count);
-
-/* Whether it began with the mark that some programs put before Unicode; to be asked once it has
- * been read from. */
-bool text_input_has_mark(const text_input *in);
-
-/* As messages call it. */
-const char *text_input_name(const text_input *in);
 
 void text_input_close(text_input *in);
 
@@ -44,14 +38,35 @@ void text_input_close(text_input *in);
 /* A longer row, or one with more cells, does not belong to a table for this tool. */
 enum { CSV_ROW_BYTES = 1 << 20, CSV_ROW_CELLS = 1000 };
 
-typedef struct csv_input csv_input;
+typedef struct {
+    const char *name; /* of the file, in messages */
+    char separator;   /* of the cells: a comma, a semicolon, a tab, or what the file names */
+    bool has_mark;    /* whether it begins with the mark of Unicode */
+    bool takes_malformed;
+    int64_t line; /* of the row that was read last: on which it starts, from 1, and its cells */
+    size_t count;
+    const char *const *cell; /* they live until the next row is read */
+    char problem[600];       /* why it cannot be read on, with the name and the line; or "" */
+    struct csv_source *source;
+} csv_input;
 
 typedef enum {
     CSV_ROW,
-    CSV_MALFORMED, /* quotes are misplaced: the cells before that; the next line starts afresh */
+    CSV_MALFORMED, /* quotes are misplaced: the cells before that; the next line starts afresh. A
+                      problem where no such row is taken */
     CSV_END,
     CSV_FAILED /* it cannot be read on: see the problem */
 } csv_event;
+
+/* A row that stays while others are read. */
+typedef struct {
+    bool malformed;
+    int64_t line; /* of the file, on which it starts */
+    size_t count;
+    const char **cell;
+    const char *whole; /* as it stands in the file */
+    size_t bytes;      /* that it takes */
+} csv_row;
 
 /* Opens a file, or standard input where path is "-". Tabs separate where the name ends in .tsv, or
  * where the first line has tabs but no separator; another separator where the first line names it,
@@ -68,31 +83,17 @@ csv_event csv_input_next(csv_input *in);
 /* Whether the row has a quote over several lines. */
 bool csv_input_spans_lines(csv_input *in);
 
-/* Ends the file at this row, for the reason. */
-csv_event csv_input_stop(csv_input *in, const char *why);
+/* Reads the first row, which is kept; otherwise there is a problem. */
+void csv_input_header(csv_input *in, csv_row *row);
 
-/* Why it cannot be read on, with the name and the line. */
-const char *csv_input_problem(const csv_input *in);
+/* Ends the file with a problem, made as by printf, after its name. False. */
+bool csv_input_stop(csv_input *in, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/* Ends the command with this problem, or because the row that was read last is malformed. */
-NO_RETURN void csv_input_fail(const csv_input *in);
-
-/* The row that was read: its cells live until the next is. */
-size_t csv_input_count(const csv_input *in);
-const char *const *csv_input_cells(const csv_input *in);
+/* Ends the command where there is a problem. */
+void csv_input_check(const csv_input *in);
 
 /* The whole row as it stands in the file, quotes and all. */
 const char *csv_input_row(csv_input *in);
-
-/* The line of the file on which it starts, from 1, and the file's name in messages. */
-int64_t csv_input_line(const csv_input *in);
-const char *csv_input_name(const csv_input *in);
-
-/* What stands between the cells: a comma, a semicolon, a tab, or what the file names. */
-char csv_input_separator(csv_input *in);
-
-/* Whether the file begins with the mark of Unicode. */
-bool csv_input_has_mark(const csv_input *in);
 
 /* The option that names the encoding, for a command's own table. It is checked by
  * text_input_check(). */
@@ -102,29 +103,9 @@ bool csv_input_has_mark(const csv_input *in);
 
 void csv_input_close(csv_input *in);
 
-/* ---- csv_row ---- A row of a CSV file that stays while others are read. */
-
-typedef struct {
-    bool malformed;
-    int64_t line; /* of the file, on which it starts */
-    size_t count;
-    const char **cell;
-    const char *whole; /* as it stands in the file */
-    size_t bytes;      /* that it takes */
-} csv_row;
-
 /* Keeps the row that was read last. */
 void csv_row_keep(csv_input *in, bool malformed, csv_row *row);
 void csv_row_free(csv_row *row);
-
-/* ---- table_header ---- The header of a table that a file has. */
-
-/* Reads the first row, which is kept. Ends the command where there is none. */
-void table_header_read(csv_input *in, csv_row *row);
-
-/* Says which columns have numbers that nothing uses. */
-void table_header_say_unused(const header *names, const bool unused[HEADER_COLUMNS],
-                             const char *file);
 
 /* ---- pairs ---- A CSV file of which two columns are numbers: points, or a profile. */
 

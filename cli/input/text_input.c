@@ -15,34 +15,30 @@
 
 #include <iconv.h>
 
-enum { BLOCK = 1 << 16, PROBLEM = 600 };
+enum { BLOCK = 1 << 16 };
 
-struct text_input {
-    const char *name, *encoding; /* NULL for UTF-8 */
+/* What callers see comes first. */
+typedef struct {
+    text_input seen;
+    const char *encoding; /* NULL for UTF-8 */
     int file;
     iconv_t converter; /* from UTF-8 too: it knows what is none */
-    bool has_converter, started, at_end, has_mark;
+    bool has_converter, started, at_end;
     char block[BLOCK];    /* as it is in the file */
     size_t begin, end;    /* what of the block has not been converted */
     int64_t line, column; /* of the character that comes next, from 1 */
     bool after_return;
-    char problem[PROBLEM]; /* why it cannot be read on */
-};
+} source;
 
-static bool stop(text_input *in, const char *format, ...) PRINTF_LIKE(2, 3);
+static bool stop(source *in, const char *format, ...) PRINTF_LIKE(2, 3);
 
-static bool stop(text_input *in, const char *format, ...)
+static bool stop(source *in, const char *format, ...)
 {
     va_list values;
     va_start(values, format);
-    vsnprintf(in->problem, PROBLEM, format, values);
+    vsnprintf(in->seen.problem, sizeof in->seen.problem, format, values);
     va_end(values);
     return false;
-}
-
-const char *text_input_problem(const text_input *in)
-{
-    return in->problem;
 }
 
 /* ---- Opening ---- */
@@ -58,29 +54,31 @@ void text_input_check(const char *encoding)
         iconv_close(converter);
 }
 
-static bool start_converter(text_input *in, const char *encoding)
+static bool start_converter(source *in, const char *encoding)
 {
     in->converter = iconv_open("UTF-8", encoding);
     in->has_converter = in->converter != (iconv_t)-1;
-    return in->has_converter || stop(in, "%s: reading %s: %s", in->name, encoding, strerror(errno));
+    return in->has_converter ||
+           stop(in, "%s: reading %s: %s", in->seen.name, encoding, strerror(errno));
 }
 
 text_input *text_input_open(const char *path, const char *encoding)
 {
     const bool standard = strcmp(path, "-") == 0;
-    text_input *in = memory_zeroed(1, sizeof *in);
-    *in = (text_input){
-        .name = standard ? "standard input" : path, .encoding = encoding, .line = 1, .column = 1};
+    source *in = memory_zeroed(1, sizeof *in);
+    in->seen.name = standard ? "standard input" : path;
+    in->encoding = encoding;
+    in->line = in->column = 1;
     in->file = standard ? STDIN_FILENO : file_to_read(path);
     if (in->file < 0)
         stop(in, "%s: %s", path, file_problem(errno));
-    return in;
+    return &in->seen;
 }
 
 /* ---- Bytes ---- */
 
 /* Fills the block, unless the file ends before. */
-static bool fill(text_input *in)
+static bool fill(source *in)
 {
     memmove(in->block, in->block + in->begin, in->end - in->begin);
     in->end -= in->begin;
@@ -88,30 +86,30 @@ static bool fill(text_input *in)
     while (!in->at_end && in->end < BLOCK) {
         const ssize_t got = read(in->file, in->block + in->end, (unsigned)(BLOCK - in->end));
         if (got < 0 && errno != EINTR)
-            return stop(in, "%s: %s", in->name, file_problem(errno));
+            return stop(in, "%s: %s", in->seen.name, file_problem(errno));
         in->at_end = got == 0;
         in->end += got > 0 ? (size_t)got : 0;
     }
     return true;
 }
 
-static bool begins_with(const text_input *in, const char *mark, size_t length)
+static bool begins_with(const source *in, const char *mark, size_t length)
 {
     return in->end >= length && memcmp(in->block, mark, length) == 0;
 }
 
 /* The marks of UTF-8 and UTF-16 say more than nothing, and may contradict what was said. For iconv
  * a mark is a character where the encoding says the order of the bytes. */
-static bool take_mark(text_input *in)
+static bool take_mark(source *in)
 {
     static const char utf8[] = "\xef\xbb\xbf", little[] = "\xff\xfe", big[] = "\xfe\xff";
     const bool is_utf8 = begins_with(in, utf8, 3),
                is_utf16 = begins_with(in, little, 2) || begins_with(in, big, 2);
     in->started = true;
-    in->has_mark = is_utf8 || is_utf16;
+    in->seen.has_mark = is_utf8 || is_utf16;
     if (is_utf8 && in->encoding != NULL && strcasecmp(in->encoding, "utf-8") != 0)
         return stop(in, "--encoding %s: %s begins with the mark of UTF-8; allowed: utf-8",
-                    in->encoding, in->name);
+                    in->encoding, in->seen.name);
     if (is_utf16 && in->encoding == NULL)
         in->encoding = "utf-16";
     if (is_utf8)
@@ -123,13 +121,13 @@ static bool take_mark(text_input *in)
 
 /* ---- Characters ---- */
 
-static bool stop_here(text_input *in, const char *why)
+static bool stop_here(source *in, const char *why)
 {
-    return stop(in, "%s: line %" PRId64 ", column %" PRId64 ": %s", in->name, in->line, in->column,
-                why);
+    return stop(in, "%s: line %" PRId64 ", column %" PRId64 ": %s", in->seen.name, in->line,
+                in->column, why);
 }
 
-static bool refuse_byte(text_input *in, char byte)
+static bool refuse_byte(source *in, char byte)
 {
     char why[200];
     if (in->encoding != NULL)
@@ -143,7 +141,7 @@ static bool refuse_byte(text_input *in, char byte)
     return stop_here(in, why);
 }
 
-static bool refuse_character(text_input *in, uint32_t code)
+static bool refuse_character(source *in, uint32_t code)
 {
     char why[120];
     snprintf(why, sizeof why,
@@ -153,7 +151,7 @@ static bool refuse_character(text_input *in, uint32_t code)
 }
 
 /* Lines end with a return, a line feed, or both. */
-static void advance(text_input *in, uint32_t code)
+static void advance(source *in, uint32_t code)
 {
     const bool same_end = in->after_return && code == '\n';
     if (code == '\r' || (code == '\n' && !same_end))
@@ -163,7 +161,7 @@ static void advance(text_input *in, uint32_t code)
 }
 
 /* Looks at every character. */
-static bool check(text_input *in, const char *bytes, size_t count)
+static bool check(source *in, const char *bytes, size_t count)
 {
     uint32_t code;
     for (size_t i = 0, length; i < count; i += length) {
@@ -180,7 +178,7 @@ static bool check(text_input *in, const char *bytes, size_t count)
 
 /* Converts what has room, and returns its bytes. errno is EILSEQ where a character does not exist
  * in the encoding, or is cut by the end of the file; else 0. */
-static size_t convert(text_input *in, char *bytes, size_t room)
+static size_t convert(source *in, char *bytes, size_t room)
 {
     char *from = in->block + in->begin, *to = bytes;
     size_t left = in->end - in->begin, free_room = room;
@@ -193,8 +191,9 @@ static size_t convert(text_input *in, char *bytes, size_t room)
     return room - free_room;
 }
 
-bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count)
+bool text_input_read(text_input *seen, char *bytes, size_t room, size_t *count)
 {
+    source *in = (source *)seen;
     do {
         if (!fill(in) || (!in->started && !take_mark(in)))
             return false;
@@ -208,18 +207,9 @@ bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count)
     return true;
 }
 
-bool text_input_has_mark(const text_input *in)
+void text_input_close(text_input *seen)
 {
-    return in->has_mark;
-}
-
-const char *text_input_name(const text_input *in)
-{
-    return in->name;
-}
-
-void text_input_close(text_input *in)
-{
+    source *in = (source *)seen;
     if (in->has_converter)
         iconv_close(in->converter);
     if (in->file > STDERR_FILENO)

@@ -30,10 +30,9 @@ static bool excluded(const input_texts *texts, int input, int alternative,
                      char complaint[COMPLAINT_SIZE])
 {
     char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
-    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: given together with %s; allowed: one of the two",
-             input_name(texts, alternative, second), texts->text[alternative],
-             input_name(texts, input, first));
-    return false;
+    return complain(complaint, "%s %.60s: given together with %s; allowed: one of the two",
+                    input_name(texts, alternative, second), texts->text[alternative],
+                    input_name(texts, input, first));
 }
 
 /* A radius is that of a cylinder where no angle is given. */
@@ -88,10 +87,9 @@ static bool second_body_is_whole(const input_texts *texts, char complaint[COMPLA
     if (E2 && isinf(value)) /* a rigid body has no Poisson's ratio */
         return true;
     const int there = E2 ? INPUT_E2 : INPUT_NU2, absent = E2 ? INPUT_NU2 : INPUT_E2;
-    snprintf(complaint, COMPLAINT_SIZE,
-             "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
-             input_name(texts, there, name), texts->text[there], input_name(texts, absent, other));
-    return false;
+    return complain(
+        complaint, "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
+        input_name(texts, there, name), texts->text[there], input_name(texts, absent, other));
 }
 
 bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE])
@@ -208,10 +206,10 @@ static bool has_equilibrium(const input_texts *texts, const contact_case *setup,
     if (fault.input == INPUT_COUNT)
         return true;
     char name[INPUT_NAME_SIZE];
-    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s%s", input_name(texts, fault.input, name),
-             texts->text[fault.input], fault.why,
-             fault.input != INPUT_Q || input_is_given(texts, INPUT_F) ? "" : "; f is missing");
-    return false;
+    return complain(complaint, "%s %.60s: %s%s", input_name(texts, fault.input, name),
+                    texts->text[fault.input], fault.why,
+                    fault.input != INPUT_Q || input_is_given(texts, INPUT_F) ? ""
+                                                                             : "; f is missing");
 }
 
 /* Only the tip of a wedge may be sharp. */
@@ -220,10 +218,9 @@ static bool has_radius(const input_texts *texts, const pad *shape, char complain
     char name[INPUT_NAME_SIZE];
     if (shape->kind == PAD_WEDGE || shape->radius != 0)
         return true;
-    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: the radius must be a number above 0%s",
-             input_name(texts, INPUT_RADIUS, name), texts->text[INPUT_RADIUS],
-             shape->kind == PAD_CYLINDER ? ", or an angle is missing" : "");
-    return false;
+    return complain(complaint, "%s %.60s: the radius must be a number above 0%s",
+                    input_name(texts, INPUT_RADIUS, name), texts->text[INPUT_RADIUS],
+                    shape->kind == PAD_CYLINDER ? ", or an angle is missing" : "");
 }
 
 static bool is_in_range(const contact_case *setup)
@@ -251,10 +248,9 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
     if (!has_radius(texts, &setup->shape, complaint))
         return false;
     if (!is_in_range(setup)) {
-        snprintf(
-            complaint, COMPLAINT_SIZE,
+        return complain(
+            complaint,
             "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60");
-        return false;
     }
     return has_equilibrium(texts, setup, complaint);
 }

@@ -71,11 +71,10 @@ static bool next_bit(int32_t *left, char text[DOUBT_SIZE])
 
 bool doubts_next(doubts *left, char text[DOUBT_SIZE])
 {
-    char error[NUMBER_SIZE];
     if (left->bits != 0)
         return next_bit(&left->bits, text);
-    number_write(left->error, 1, '.', error);
-    snprintf(text, DOUBT_SIZE, "computed numerically: tractions to about %s of f p0", error);
+    snprintf(text, DOUBT_SIZE, "computed numerically: tractions to about %.1g of f p0",
+             left->error);
     const bool is_computed = left->error > 0;
     left->error = 0;
     return is_computed;

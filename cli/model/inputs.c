@@ -5,6 +5,7 @@
 #include "number/number.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -54,6 +55,15 @@ const input_kind input_kinds[INPUT_COUNT] = {
 };
 
 const double usual_tolerance = 1e-4;
+
+bool complain(char complaint[COMPLAINT_SIZE], const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    vsnprintf(complaint, COMPLAINT_SIZE, format, values);
+    va_end(values);
+    return false;
+}
 
 const char *input_column(int input, char name[INPUT_NAME_SIZE])
 {
@@ -139,10 +149,9 @@ bool input_read(const input_texts *texts, int input, double *value, char complai
               : number_read_cell(text, decimal_sign, value) && is_in(*value, kind)) {
         if (rigid || has_possible_size(input, *value))
             return true;
-        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
-                 input_name(texts, input, name), text, kind->subject,
-                 is_in(0, kind) ? ", or 0" : "");
-        return false;
+        return complain(complaint, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
+                        input_name(texts, input, name), text, kind->subject,
+                        is_in(0, kind) ? ", or 0" : "");
     }
     const char *shown = text[strspn(text, " \t")] != '\0' ? text : "''";
     snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s", input_name(texts, input, name),

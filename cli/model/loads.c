@@ -52,7 +52,6 @@ static double largest_moment(load to, const rwedge_contact *contact)
 
 static load_fault domain_fault(load to, const rwedge_contact *contact)
 {
-    char limit[NUMBER_SIZE];
     load_fault fault = {.input = INPUT_COUNT};
     load level = to;
     level.M = 0;
@@ -64,11 +63,10 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
     else if (is_in_domain(level, contact)) {
         fault.input = INPUT_M;
         const double most = largest_moment(to, contact);
-        number_write(most, 6, '.', limit);
         snprintf(fault.why, sizeof fault.why,
-                 most > 0 ? "must be below %s in magnitude: more lays a flank on the surface"
-                          : "must be %s: any other lays a flank on the surface",
-                 limit);
+                 most > 0 ? "must be below %.6g in magnitude: more lays a flank on the surface"
+                          : "must be %.6g: any other lays a flank on the surface",
+                 most);
     } else
         snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(RWEDGE_EDOMAIN));
     return fault;
@@ -93,11 +91,8 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
     snprintf(fault.why, sizeof fault.why, "no closed form: %s",
              rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);
-    if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most) {
-        char limit[NUMBER_SIZE];
-        number_write(most, 6, '.', limit);
-        list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %s with this Q", limit);
-    }
+    if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most)
+        list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %.6g with this Q", most);
     if (is_computable(to, contact))
         list_add(fault.why, sizeof fault.why, "; ", "without --exact it is computed");
     return fault;
@@ -106,20 +101,18 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
 static load_fault fault_of(int32_t status, load to, double f, const rwedge_contact *contact)
 {
     load_fault fault = {.input = INPUT_Q};
-    char limit[NUMBER_SIZE];
     if (status == RWEDGE_EDOMAIN)
         return domain_fault(to, contact);
     if (status == RWEDGE_EPATH)
         return path_fault(to, contact);
-    if (status == RWEDGE_ESLIDING) {
-        number_write(f * to.P, 6, '.', limit);
-        snprintf(fault.why, sizeof fault.why, "must not exceed f P = %s: there is no equilibrium",
-                 limit);
-        return fault;
+    if (status == RWEDGE_ESLIDING)
+        snprintf(fault.why, sizeof fault.why, "must not exceed f P = %.6g: there is no equilibrium",
+                 f * to.P);
+    else {
+        fault.input = INPUT_COUNT;
+        snprintf(fault.why, sizeof fault.why, "%s%s", rwedge_strerror(status),
+                 status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
     }
-    fault.input = INPUT_COUNT;
-    snprintf(fault.why, sizeof fault.why, "%s%s", rwedge_strerror(status),
-             status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
     return fault;
 }
 
@@ -140,11 +133,7 @@ bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint
     const double part[INPUT_COUNT] = {
         [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
     if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
-        snprintf(complaint, COMPLAINT_SIZE, "%s", fault.why);
-    else {
-        number_write(part[fault.input], NUMBER_DIGITS, '.', value);
-        snprintf(complaint, COMPLAINT_SIZE, "%s %s: %s", input_column(fault.input, name), value,
-                 fault.why);
-    }
-    return false;
+        return complain(complaint, "%s", fault.why);
+    number_write(part[fault.input], NUMBER_DIGITS, '.', value);
+    return complain(complaint, "%s %s: %s", input_column(fault.input, name), value, fault.why);
 }

@@ -2,7 +2,9 @@
 #ifndef CLI_MODEL_H
 #define CLI_MODEL_H
 
+#include "number/number.h"
 #include "pad/pad.h"
+#include "text/text.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -63,6 +65,9 @@ extern const double usual_tolerance;
 
 /* What is wrong with the inputs: the line of a message, or the error of a row. */
 enum { COMPLAINT_SIZE = 400, INPUT_NAME_SIZE = 16 };
+
+/* Writes it as by printf; false. */
+bool complain(char complaint[COMPLAINT_SIZE], const char *format, ...) PRINTF_LIKE(2, 3);
 
 /* The name of its column, "theta_deg". */
 const char *input_column(int input, char name[INPUT_NAME_SIZE]);
@@ -198,11 +203,8 @@ enum {
     TENSOR_COUNT
 };
 
-/* Of the columns; the first three need no words. */
-typedef struct {
-    const char *column, *meaning;
-} tensor_kind;
-extern const tensor_kind tensor_kinds[TENSOR_COUNT];
+/* The columns; the first three need no words. */
+extern const column_kind tensor_kinds[TENSOR_COUNT];
 
 typedef struct {
     double value[TENSOR_COUNT];

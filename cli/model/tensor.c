@@ -5,10 +5,10 @@
 
 #include <math.h>
 
-const tensor_kind tensor_kinds[TENSOR_COUNT] = {
-    [TENSOR_SXX] = {"sxx", NULL},
-    [TENSOR_SYY] = {"syy", NULL},
-    [TENSOR_TXY] = {"txy", NULL},
+const column_kind tensor_kinds[TENSOR_COUNT] = {
+    [TENSOR_SXX] = {"sxx", NULL, NULL},
+    [TENSOR_SYY] = {"syy", NULL, NULL},
+    [TENSOR_TXY] = {"txy", NULL, NULL},
     [TENSOR_VON_MISES] = {"von_mises", "equivalent stress, plane strain: szz = nu1 (sxx + syy)"},
     [TENSOR_S1] = {"s1", "larger principal stress in the plane"},
     [TENSOR_SZZ] = {"szz", "stress across the plane"},

@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include "text/text.h"
+#include "system/system.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -150,4 +151,15 @@ void arguments_no_operand(const arguments *line)
 {
     if (line->operand != NULL && line->operand[0] != NULL)
         usage_error("%s: unexpected; allowed: options only", line->operand[0]);
+}
+
+/* ---- --threads ---- */
+
+int threads_read(const arguments *line)
+{
+    const char *text = line->value[OPTION_THREADS];
+    int64_t number = processors() < AHEAD_THREADS_MAX ? processors() : AHEAD_THREADS_MAX;
+    if (text != NULL && !number_read_whole(text, 1, AHEAD_THREADS_MAX, &number))
+        usage_error("--threads %s: must be a whole number from 1 to %d", text, AHEAD_THREADS_MAX);
+    return (int)number;
 }

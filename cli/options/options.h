@@ -49,6 +49,12 @@ bool arguments_read(arguments *line, const syntax *grammar, int argc, const char
 /* Refuses a word that is no option. */
 void arguments_no_operand(const arguments *line);
 
+/* Entries of a table begin so: an option with a value, one without, the options of another table.
+ * What they mean, and NULL or the value's name, follow. */
+#define VALUE(name, number) name, '\0', POPT_ARG_STRING, NULL, number
+#define FLAG(name, number) name, '\0', POPT_ARG_NONE, NULL, number
+#define INCLUDED(table) NULL, '\0', POPT_ARG_INCLUDE_TABLE, table, 0
+
 /* Another name of an option, which the help and the shells do not list. */
 #define OTHER_NAME(name, number)                                                                   \
     {                                                                                              \
@@ -95,13 +101,14 @@ typedef struct {
 
 extern const table_variable variables[VARIABLE_COUNT];
 
+/* Reads the values of an option. Free the range. */
+void range_option(const char *option, const char *text, range *values);
+
 /* Reads an option's text, or the usual range where it is NULL. Free the range. */
 void variable_read(const table_variable *variable, const char *text, range *values);
 
 /* The same for one number. */
 double variable_read_one(const table_variable *variable, const char *text);
-
-/* ---- threads ---- The option --threads, whatever the command. */
 
 /* An entry of a table. */
 #define THREADS_OPTION                                                                             \

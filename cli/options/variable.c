@@ -26,6 +26,14 @@ static void refuse_value(const table_variable *variable, const char *text, doubl
                 strchr(text, ',') != NULL ? " (a comma separates the numbers of a list)" : "");
 }
 
+void range_option(const char *option, const char *text, range *values)
+{
+    const char *complaint = range_read(text, values);
+    if (complaint != NULL)
+        usage_error("--%s %s: %s", option, text, complaint);
+    range_say_two_values(option, text);
+}
+
 static void read_values(const table_variable *variable, const char *text, range *values)
 {
     const char *complaint = range_read(text, values);

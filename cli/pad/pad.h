@@ -7,7 +7,7 @@
 
 #include <rwedge.h>
 
-/* ---- pad_profile ---- The profile of a pad by its slopes at places, linear between them. */
+/* ---- pad ---- The profile of a pad by its slopes at places, linear between them. */
 
 enum { PROFILE_PLACES = 1000 };
 

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* ---- dataset ---- The numbers behind a figure: rows in memory, in groups of one curve each. What
+/* ---- drawing ---- The numbers behind a figure: rows in memory, in groups of one curve each. What
  * is drawn and what --data writes are the same rows. */
 
 enum { DATA_COLUMNS_MAX = 8 };

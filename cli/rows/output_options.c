@@ -9,20 +9,20 @@
 
 struct poptOption output_option_table[] = {
     {FORMAT_OPTION("csv|tsv|json|xlsx")},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
+    {INCLUDED(other_output_option_table), NULL, NULL},
     POPT_TABLEEND,
 };
 
 struct poptOption grid_output_option_table[] = {
     {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, other_output_option_table, 0, NULL, NULL},
+    {INCLUDED(other_output_option_table), NULL, NULL},
     POPT_TABLEEND,
 };
 
 struct poptOption other_output_option_table[] = {
-    {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
+    {VALUE("digits", OPTION_DIGITS),
      "Significant digits, 1 to 17 (default 17: numbers read back to the same bits)", "N"},
-    {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
+    {FLAG("decimal-comma", OPTION_DECIMAL_COMMA),
      "In files 1,5 for 1.5, with ';' between the columns of csv", NULL},
     {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
      "Write to FILE, whole or not at all; its ending is the format (default: standard output)",

@@ -28,6 +28,18 @@ void records_header(records *rows, size_t count, const char *const names[])
     records_end_header(rows);
 }
 
+void records_columns(records *rows, const column_kind kinds[], int count)
+{
+    for (int i = 0; i < count; i++)
+        records_name(rows, kinds[i].name);
+}
+
+void columns_describe(const column_kind kinds[], int count, int width, FILE *stream)
+{
+    for (int i = 0; i < count; i++)
+        fprintf(stream, "  %-*s %s\n", width, kinds[i].name, kinds[i].meaning);
+}
+
 void records_value(records *rows, cell value)
 {
     rows->format->value(rows, value);

@@ -14,9 +14,9 @@ struct poptOption strength_option_table[INPUT_COUNT - CONTACT_INPUTS + 1] = {
 };
 
 struct poptOption exactness_option_table[] = {
-    {"exact", '\0', POPT_ARG_NONE, NULL, OPTION_EXACT,
+    {FLAG("exact", OPTION_EXACT),
      "Refuse loads that have no closed form, which are computed otherwise", NULL},
-    {"tolerance", '\0', POPT_ARG_STRING, NULL, OPTION_TOLERANCE,
+    {VALUE("tolerance", OPTION_TOLERANCE),
      "How exactly these are computed: error of q over f p0, 1e-6 to 1e-2 (default 1e-4)", "NUMBER"},
     POPT_TABLEEND,
 };

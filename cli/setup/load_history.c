@@ -6,13 +6,13 @@
 #include <string.h>
 
 struct poptOption load_option_table[] = {
-    {"load", '\0', POPT_ARG_STRING, NULL, OPTION_LOAD,
+    {VALUE("load", OPTION_LOAD),
      "The next load of a history instead of --P and --Q, or P,M,Q,sigma; repeat it", "P,Q"},
-    {"history", '\0', POPT_ARG_STRING, NULL, OPTION_HISTORY,
+    {VALUE("history", OPTION_HISTORY),
      "A history from a CSV file with the columns P, Q, perhaps M, sigma; - is standard input",
      "FILE"},
     {ENCODING_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, exactness_option_table, 0, NULL, NULL},
+    {INCLUDED(exactness_option_table), NULL, NULL},
     POPT_TABLEEND,
 };
 
@@ -129,35 +129,34 @@ static void take_row(csv_input *in, char decimal_sign, load_history *loads)
     load to;
     csv_row row;
     char complaint[COMPLAINT_SIZE];
-    if (!load_row_read(&loads->names, csv_input_cells(in), csv_input_count(in),
-                       csv_input_separator(in), decimal_sign, &to, complaint))
-        failure("%s: line %" PRId64 ": %s", csv_input_name(in), csv_input_line(in), complaint);
-    header_note_unused(&loads->names, csv_input_cells(in), loads->unused);
+    if (!load_row_read(&loads->names, in->cell, in->count, in->separator, decimal_sign, &to,
+                       complaint))
+        failure("%s: line %" PRId64 ": %s", in->name, in->line, complaint);
+    header_note_unused(&loads->names, in->cell, loads->unused);
     csv_row_keep(in, false, &row);
     add(loads, to, row);
 }
 
 static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
 {
-    csv_event event;
     char complaint[COMPLAINT_SIZE];
-    table_header_read(in, &loads->first);
+    csv_input_header(in, &loads->first);
+    csv_input_check(in);
     if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, complaint))
-        failure("%s: %s", csv_input_name(in), complaint);
-    while ((event = csv_input_next(in)) == CSV_ROW)
+        failure("%s: %s", in->name, complaint);
+    while (csv_input_next(in) == CSV_ROW)
         take_row(in, decimal_sign, loads);
-    if (event != CSV_END)
-        csv_input_fail(in);
+    csv_input_check(in);
     if (loads->count == 0)
-        failure("%s: no loads; needed: rows of P and Q", csv_input_name(in));
+        failure("%s: no loads; needed: rows of P and Q", in->name);
 }
 
 static void read_file(const history_source *from, char decimal_sign, load_history *loads)
 {
     csv_input *in = csv_input_open(from->file, decimal_sign == ',' ? ';' : ',', from->encoding);
     read_rows(in, decimal_sign, loads);
-    loads->name = csv_input_name(in);
-    loads->has_mark = csv_input_has_mark(in);
+    loads->name = in->name;
+    loads->has_mark = in->has_mark;
     csv_input_close(in);
 }
 
@@ -184,7 +183,7 @@ void load_history_write_unused(const load_history *loads, size_t row, char *text
 void load_history_say_unused(const load_history *loads)
 {
     if (loads->name != NULL)
-        table_header_say_unused(&loads->names, loads->unused, loads->name);
+        unused_say(&loads->names, loads->unused, loads->name);
 }
 
 /* ---- Applied ---- */

@@ -2,22 +2,20 @@
 #include "setup.h"
 
 static struct poptOption loads_option_table[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, NULL, NULL},
-    {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_A_OVER_B,
+    {INCLUDED(load_option_table), NULL, NULL},
+    {VALUE("a-over-b", OPTION_A_OVER_B),
      "Natural units instead of bodies and loads: rounding over contact", "NUMBER"},
-    {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_Q_OVER_FP,
+    {VALUE("q-over-fp", OPTION_Q_OVER_FP),
      "With --a-over-b: tangential force over its sliding value, 0 to 1 (default 0)", "NUMBER"},
-    {"c-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_C_OVER_B,
+    {VALUE("c-over-b", OPTION_C_OVER_B),
      "With --a-over-b: or the stick zone over the contact, 0 to 1", "NUMBER"},
     POPT_TABLEEND,
 };
 
 struct poptOption loaded_contact_option_table[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0,
-     "Its strength, to be warned of yield:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, loads_option_table, 0,
-     "Its loads, or natural units:", NULL},
+    {INCLUDED(input_option_table), "The contact:", NULL},
+    {INCLUDED(strength_option_table), "Its strength, to be warned of yield:", NULL},
+    {INCLUDED(loads_option_table), "Its loads, or natural units:", NULL},
     POPT_TABLEEND,
 };
 

@@ -13,3 +13,11 @@ void notice_if_any(const char *text)
     if (text[0] != '\0')
         notice("%s", text);
 }
+
+void unused_say(const header *names, const bool unused[HEADER_COLUMNS], const char *file)
+{
+    char text[600] = "";
+    header_write_unused(names, unused, text, sizeof text);
+    if (text[0] != '\0')
+        notice("%s: %s", file, text);
+}

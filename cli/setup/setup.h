@@ -13,6 +13,9 @@ void doubts_say(doubts all, const char *where);
 /* A line, unless it is "". */
 void notice_if_any(const char *text);
 
+/* Which columns of a file have numbers that nothing uses. */
+void unused_say(const header *names, const bool unused[HEADER_COLUMNS], const char *file);
+
 /* ---- input_options ---- The inputs of a contact as options of a command. */
 
 /* The numbers of their options; those of a command that has them start after the last. */

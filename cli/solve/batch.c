@@ -37,13 +37,13 @@ static void check_constants(const run *r)
         char name[INPUT_NAME_SIZE];
         if (constants->text[i] != NULL && header_has_input(&r->table.names, i))
             usage_error("%s %s: %s has a column for it; allowed: one of the two",
-                        input_name(constants, i, name), constants->text[i], csv_input_name(r->in));
+                        input_name(constants, i, name), constants->text[i], r->in->name);
     }
 }
 
 static void write_header(run *r)
 {
-    r->rows->mark = csv_input_has_mark(r->in);
+    r->rows->mark = r->in->has_mark;
     records_describe(r->rows, result_kinds, RESULT_COUNT);
     for (size_t i = 0; i < r->table.names.count; i++)
         records_name(r->rows, r->table.names.name[i]);
@@ -137,10 +137,12 @@ static void write_broken_end(run *r)
 static csv_event next_row(const run *r)
 {
     const csv_event event = csv_input_next(r->in);
-    const bool misfit = event == CSV_ROW && csv_input_count(r->in) != r->table.names.count;
-    return misfit && csv_input_spans_lines(r->in)
-               ? csv_input_stop(r->in, "a quote over several lines, and too few or too many cells")
-               : event;
+    if (event != CSV_ROW || r->in->count == r->table.names.count || !csv_input_spans_lines(r->in))
+        return event;
+    csv_input_stop(r->in,
+                   "line %" PRId64 ": a quote over several lines, and too few or too many cells",
+                   r->in->line);
+    return CSV_FAILED;
 }
 
 static void release_held(run *r)
@@ -205,23 +207,23 @@ static void write_rows(void *of_run, records *rows)
     write_broken_end(r);
     records_end(r->rows);
     progress_erase();
-    csv_input_fail(r->in);
+    csv_input_check(r->in);
 }
 
 static void say_doubts(const run *r)
 {
     char where[300];
-    snprintf(where, sizeof where, "%.250s, in some rows: ", csv_input_name(r->in));
+    snprintf(where, sizeof where, "%.250s, in some rows: ", r->in->name);
     doubts_say(r->doubts, where);
 }
 
 static int write_output(run *r)
 {
     output_options_write(r->how, write_rows, r);
-    table_header_say_unused(&r->table.names, r->unused, csv_input_name(r->in));
+    unused_say(&r->table.names, r->unused, r->in->name);
     if (r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
-               csv_input_name(r->in), r->failed, r->count);
+               r->in->name, r->failed, r->count);
     say_doubts(r);
     return r->failed > 0 && r->failed == r->count ? STATUS_FAILED : STATUS_DONE;
 }
@@ -232,17 +234,19 @@ static void read_header(run *r)
     char complaint[COMPLAINT_SIZE];
     for (int i = 0; i < INPUT_COUNT; i++)
         wanted[i] = true;
-    table_header_read(r->in, &r->first);
+    r->in->takes_malformed = true;
+    csv_input_header(r->in, &r->first);
+    csv_input_check(r->in);
     if (!header_find(r->first.cell, r->first.count, wanted, &r->table.constants, &r->table.names,
                      complaint))
-        failure("%s: %s", csv_input_name(r->in), complaint);
+        failure("%s: %s", r->in->name, complaint);
     check_constants(r);
     if (r->many->takes_hull && r->table.constants.text[INPUT_PROFILE] == NULL &&
         !header_has_input(&r->table.names, INPUT_PROFILE))
         usage_error("--hull: needs --profile, or a column profile");
-    r->table.separator = csv_input_separator(r->in);
+    r->table.separator = r->in->separator;
     if (!case_table_begin(&r->table, complaint))
-        failure("%s: %s", csv_input_name(r->in), complaint);
+        failure("%s: %s", r->in->name, complaint);
 }
 
 int batch_run(const batch *many, const output_options *how)

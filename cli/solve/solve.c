@@ -16,24 +16,23 @@ enum {
 };
 
 static const struct poptOption options[] = {
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, input_option_table, 0, "The contact:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, strength_option_table, 0, "Its strength:", NULL},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, load_option_table, 0, "Loads that lead to it:", NULL},
+    {INCLUDED(input_option_table), "The contact:", NULL},
+    {INCLUDED(strength_option_table), "Its strength:", NULL},
+    {INCLUDED(load_option_table), "Loads that lead to it:", NULL},
     {"input", 'i', POPT_ARG_STRING, NULL, OPTION_INPUT_FILE,
      "Solve every row of a CSV file; - is standard input", "FILE"},
-    {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
+    {VALUE("layout", OPTION_LAYOUT),
      "One contact as a list of quantities, or as a row (default list)", "list|row"},
-    {"yield-factor", '\0', POPT_ARG_NONE, NULL, OPTION_YIELD_FACTOR,
+    {FLAG("yield-factor", OPTION_YIELD_FACTOR),
      "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
-    {"verdict", '\0', POPT_ARG_NONE, NULL, OPTION_VERDICT,
+    {FLAG("verdict", OPTION_VERDICT),
      "Say on standard error what the results come to, of one contact; takes longer", NULL},
-    {"for", '\0', POPT_ARG_STRING, NULL, OPTION_FOR,
+    {VALUE("for", OPTION_FOR),
      "Find this input, which is not given, so that the contact has the safety", "radius|a|P|f"},
-    {"safety", '\0', POPT_ARG_STRING, NULL, OPTION_SAFETY, "P_yield/P, in full sliding, for --for",
-     "NUMBER"},
+    {VALUE("safety", OPTION_SAFETY), "P_yield/P, in full sliding, for --for", "NUMBER"},
     {NO_FORMULAS_OPTION},
     {THREADS_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
+    {INCLUDED(output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -44,8 +43,7 @@ static void describe_results(FILE *stream)
           "options stand for columns that it lacks, other columns pass through, and a row\n"
           "that cannot be solved says why in the column error.\n\nResults:\n",
           stream);
-    for (int i = 0; i < RESULT_COUNT; i++)
-        fprintf(stream, "  %-20s %s\n", result_kinds[i].name, result_kinds[i].meaning);
+    columns_describe(result_kinds, RESULT_COUNT, 20, stream);
     fputs("\nQ < f P and sigma are taken to have grown together from 0 under constant P and M;\n"
           "with --load or --history, results are those after the last load. left to tilt\n"
           "come with these, --M or --sigma. What holds only without M and sigma is empty.\n",

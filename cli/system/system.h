@@ -84,8 +84,8 @@ int program_run(const char *const words[], const char *const variables[], FILE *
 
 /* ---- target ---- The file that a result replaces, and the unfinished file beside it. */
 
-/* Where path leads when symbolic links at its end are followed, also to a file that is not there
- * yet: the link stays, what it points to is replaced. Free it. NULL with errno. */
+/* Where path leads when symbolic links are followed: the link stays, what it points to is replaced.
+ * Free it. NULL with errno. */
 char *target_of_links(const char *path);
 
 /* Whether an input and an output are one file, by whatever names; "-" is a standard stream. */
@@ -102,8 +102,8 @@ int target_sync(int descriptor);
 /* Removes the unfinished file. */
 void target_remove(const char *unfinished);
 
-/* The unfinished file, closed, takes the place of the target, also on the disk. 0, or errno; it is
- * removed where it cannot. */
+/* The unfinished file, closed, takes the place of the target. 0, or errno; it is removed where it
+ * cannot. */
 int target_replace(const char *target, const char *unfinished);
 
 /* ---- signals ---- A user who ends the program, by Ctrl-C, kill or a closed terminal: the

@@ -18,27 +18,25 @@ enum {
 };
 
 static const struct poptOption options[] = {
-    {"a-over-b", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + A_OVER_B,
+    {VALUE("a-over-b", OPTION_VARIABLE + A_OVER_B),
      "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact",
      "RANGE"},
-    {"pad", '\0', POPT_ARG_STRING, NULL, OPTION_PAD,
+    {VALUE("pad", OPTION_PAD),
      "Of a flat pad, whose a is half of the flat; elastic-limit and contact-law (default wedge)",
      "wedge|flat"},
-    {"friction", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + FRICTION,
-     "Coefficient of friction, or --f", "RANGE"},
-    {"nu", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + NU,
-     "Poisson's ratio of the half-plane, 0 to 0.5, or --nu1", "RANGE"},
+    {VALUE("friction", OPTION_VARIABLE + FRICTION), "Coefficient of friction, or --f", "RANGE"},
+    {VALUE("nu", OPTION_VARIABLE + NU), "Poisson's ratio of the half-plane, 0 to 0.5, or --nu1",
+     "RANGE"},
     OTHER_NAME("f", OPTION_VARIABLE + FRICTION),
     OTHER_NAME("nu1", OPTION_VARIABLE + NU),
-    {"q-over-fp", '\0', POPT_ARG_STRING, NULL, OPTION_VARIABLE + Q_OVER_FP,
+    {VALUE("q-over-fp", OPTION_VARIABLE + Q_OVER_FP),
      "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
-    {"layout", '\0', POPT_ARG_STRING, NULL, OPTION_LAYOUT,
+    {VALUE("layout", OPTION_LAYOUT),
      "A row for each combination, or a/b down and the second variable across (default long)",
      "long|grid"},
-    {"quantity", '\0', POPT_ARG_STRING, NULL, OPTION_QUANTITY, "The column that a grid shows",
-     "COLUMN"},
+    {VALUE("quantity", OPTION_QUANTITY), "The column that a grid shows", "COLUMN"},
     {THREADS_OPTION},
-    {NULL, '\0', POPT_ARG_INCLUDE_TABLE, output_option_table, 0, "Common options:", NULL},
+    {INCLUDED(output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -127,33 +125,6 @@ static void read_variables(const arguments *line, plan *job)
     }
 }
 
-/* The smallest value above 0; HUGE_VAL where there is none. A range ascends or descends: it is one
- * of the two at either end. */
-static double smallest_tip(const range *tips)
-{
-    double smallest = HUGE_VAL;
-    for (int64_t i = 0; i < tips->count; i++) {
-        if (tips->items == NULL && i == 2 && tips->count > 4)
-            i = tips->count - 2;
-        const double tip = range_value(tips, i);
-        if (tip > 0 && tip < smallest)
-            smallest = tip;
-    }
-    return smallest;
-}
-
-/* The strength, whose tables are those with Poisson's ratio, is not known for the smallest tips. */
-static void check_tips(const arguments *line, const plan *job)
-{
-    if (!table_depends_on(job->table, NU) || job->table->ratio != NULL)
-        return;
-    const double tip = smallest_tip(&job->axis[A_OVER_B]);
-    if (tip < 1 && isnan(rwedge_elastic_limit(tip, 0, 0)))
-        usage_error(
-            "--a-over-b %s: %s has no tip between 0 and 1e-14; allowed: 0, and from 1e-14 on",
-            line->value[OPTION_VARIABLE + A_OVER_B], job->table->name);
-}
-
 /* The variable with the most values is the one to name. */
 static void check_size(const arguments *line, const plan *job)
 {
@@ -217,7 +188,6 @@ static int write_table(const arguments *line)
     choose_table(line, &job);
     choose_pad(line, &job);
     read_variables(line, &job);
-    check_tips(line, &job);
     read_layout(line, &job);
     read_quantity(line, &job);
     job.threads = threads_read(line);

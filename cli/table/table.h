@@ -42,14 +42,8 @@ const table_variable *table_variable_of(const table *chosen, int variable);
 
 bool table_depends_on(const table *chosen, int variable);
 
-/* ---- flat_pad ---- Tables of a flat pad with rounded edges: a is half the width of the flat. */
-
-/* In place of a/b of a wedge. */
+/* In place of a/b of a wedge: that of a flat pad, whose a is half the width of the flat. */
 extern const table_variable flat_over_b;
-
-/* Rows, as those of tables. */
-int32_t flat_elastic_limit(const double value[], cell row[]);
-int32_t flat_contact_law(const double value[], cell row[]);
 
 /* ---- layout ---- A table as rows: long, a row for every combination of the variables; or as a
  * grid, a/b down, a second variable across. */

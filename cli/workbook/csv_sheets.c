@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* A sheet's name has up to 31 letters, and none of these. */
 enum { NAME_BYTES = 31, NAME_SIZE };
@@ -23,37 +24,16 @@ static bool fits_in_name(uint32_t code)
            (code > 0x7f || strchr(not_in_names, (int)code) == NULL);
 }
 
-/* Small letters of European alphabets, by their codes. */
-static uint32_t small_letter(uint32_t code)
-{
-    const bool has_small = (code >= 'A' && code <= 'Z') || (code >= 0xc0 && code <= 0xde) ||
-                           (code >= 0x391 && code <= 0x3a9) || (code >= 0x410 && code <= 0x42f);
-    return has_small ? code + 32 : code;
-}
-
-/* Spreadsheets do not tell capitals from small letters in names. */
-static bool is_same_name(const char *a, const char *b)
-{
-    while (*a != '\0' && *b != '\0') {
-        uint32_t first, second;
-        const size_t length = utf8_length(a, strlen(a), &first);
-        b += utf8_length(b, strlen(b), &second);
-        a += length;
-        if (small_letter(first) != small_letter(second))
-            return false;
-    }
-    return *a == *b;
-}
-
-/* The workbook has sheets of its own, and Excel keeps one name for itself. */
+/* The workbook has sheets of its own, and Excel keeps one name for itself. Spreadsheets do not tell
+ * capitals from small letters. */
 static bool is_taken(const char *name, const char *const names[], int count)
 {
     static const char *const kept[] = {"Columns", "About", "History"};
     for (int i = 0; i < (int)(sizeof kept / sizeof kept[0]); i++)
-        if (is_same_name(name, kept[i]))
+        if (strcasecmp(name, kept[i]) == 0)
             return true;
     for (int i = 0; i < count; i++)
-        if (is_same_name(name, names[i]))
+        if (strcasecmp(name, names[i]) == 0)
             return true;
     return false;
 }
@@ -91,58 +71,57 @@ typedef struct {
 
 static void refuse(const sheet *from, const char *complaint)
 {
-    failure("%s: line %" PRId64 ": %s", csv_input_name(from->in), csv_input_line(from->in),
-            complaint);
+    failure("%s: line %" PRId64 ": %s", from->in->name, from->in->line, complaint);
 }
 
-/* A text of digits around a comma is a number that nobody meant as a text, unless commas separate
- * the cells. */
+/* A number with the other decimal sign is hardly meant as a text, unless commas separate the
+ * cells. */
 static cell cell_of(const sheet *from, const char *text)
 {
     double number;
     if (number_survives(text, from->decimal_sign, &number))
         return cell_number(number);
+    const bool comma = from->decimal_sign == ',';
     char complaint[100];
-    snprintf(complaint, sizeof complaint, "%.40s: a decimal comma; --decimal-comma reads it", text);
-    if (from->decimal_sign == '.' && csv_input_separator(from->in) != ',' &&
-        number_survives(text, ',', &number))
+    snprintf(complaint, sizeof complaint, "%.40s: a decimal %s", text,
+             comma ? "point; without --decimal-comma it is a number"
+                   : "comma; --decimal-comma reads it");
+    if ((comma || from->in->separator != ',') && number_survives(text, comma ? '.' : ',', &number))
         refuse(from, complaint);
     return cell_text(text);
 }
 
 static void write_header(sheet *from, records *rows)
 {
-    const char *const *cells = csv_input_cells(from->in);
-    from->columns = csv_input_count(from->in);
+    const char *const *cells = from->in->cell;
+    from->columns = from->in->count;
     const char *hint = header_separator_hint(cells, from->columns);
     if (hint[0] != '\0')
-        failure("%s: one column%s", csv_input_name(from->in), hint);
+        failure("%s: one column%s", from->in->name, hint);
     records_header(rows, from->columns, cells);
 }
 
 static void write_row(const sheet *from, records *rows)
 {
     char complaint[COMPLAINT_SIZE];
-    const size_t count = csv_input_count(from->in);
-    if (!header_fits(from->columns, count, csv_input_separator(from->in), complaint))
+    const size_t count = from->in->count;
+    if (!header_fits(from->columns, count, from->in->separator, complaint))
         refuse(from, complaint);
     for (size_t i = 0; i < count; i++)
-        records_value(rows, cell_of(from, csv_input_cells(from->in)[i]));
+        records_value(rows, cell_of(from, from->in->cell[i]));
     records_end_row(rows);
 }
 
 static void write_rows(sheet *from, records *rows)
 {
-    csv_event event = CSV_END;
-    while (records_go_on(rows) && (event = csv_input_next(from->in)) == CSV_ROW)
+    while (records_go_on(rows) && csv_input_next(from->in) == CSV_ROW)
         if (from->columns == 0)
             write_header(from, rows);
         else
             write_row(from, rows);
-    if (event == CSV_MALFORMED || event == CSV_FAILED)
-        csv_input_fail(from->in);
+    csv_input_check(from->in);
     if (from->columns == 0)
-        failure("%s: no rows", csv_input_name(from->in));
+        failure("%s: no rows", from->in->name);
 }
 
 static void write_file(const char *path, char decimal_sign, records *rows)

@@ -1,10 +1,168 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "workbook.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+/* ---- Templates ---- */
+
+enum { ARGUMENTS = 4 };
+
+/* What a name, function or number becomes: writes it, and returns its end. */
+typedef char *word_writer(char *end, const char *word, size_t length, const void *about);
+
+typedef struct {
+    const char *text;
+    size_t length;
+} argument;
+
+/* The length of the name, function or number that a text begins with; 0 for another character. */
+static size_t word_length(const char *text)
+{
+    size_t length = 0;
+    while (isalnum((unsigned char)text[length]) || text[length] == '_')
+        length++;
+    return length;
+}
+
+/* The comma or parenthesis that ends an argument, outside of inner ones and of quotes. */
+static const char *end_of(const char *from)
+{
+    bool quoted = false;
+    for (int depth = 0; quoted || depth > 0 || (*from != ',' && *from != ')'); from++) {
+        quoted = quoted != (*from == '"');
+        if (!quoted)
+            depth += (*from == '(') - (*from == ')');
+    }
+    return from;
+}
+
+/* Returns the end of the call. */
+static const char *read_arguments(const char *from, argument values[ARGUMENTS])
+{
+    for (int i = 0; i < ARGUMENTS; i++) {
+        const char *end = end_of(from);
+        values[i] = (argument){from, (size_t)(end - from)};
+        from = end + 1;
+        if (*end == ')')
+            break;
+    }
+    return from;
+}
+
+/* The argument, with another text in place of each #, unless that is NULL. */
+static char *put_argument(char *end, argument from, const char *instead, size_t length)
+{
+    for (size_t i = 0; i < from.length; i++)
+        if (from.text[i] == '#' && instead != NULL)
+            end = (char *)memcpy(end, instead, length) + length;
+        else
+            *end++ = from.text[i];
+    return end;
+}
+
+static void fill(const char *from, const argument values[ARGUMENTS], char *end)
+{
+    while (*from != '\0') {
+        if (*from != '$') {
+            *end++ = *from++;
+            continue;
+        }
+        const argument next = values[from[1] - '1'];
+        from += 2;
+        const char *instead = *from == '{' ? from + 1 : NULL;
+        const size_t length = instead != NULL ? strcspn(instead, "}") : 0;
+        end = put_argument(end, next, instead, length);
+        from += instead != NULL ? length + 2 : 0;
+    }
+    *end = '\0';
+}
+
+/* The formula of the texts about wrong inputs, as parts of a list. */
+static void fill_checks(char *end)
+{
+    for (int i = 0; i < INPUT_CELLS; i++) {
+        const char *name = case_cells[i].column;
+        end += sprintf(end, "&IF(rw_%s=\"\",\"", name);
+        if (input_rules[i].is_needed)
+            end += sprintf(end, "; %s is missing", name);
+        end += sprintf(end, "\",IF(%s,\"; %s must be %s\",\"\"))", input_rules[i].wrong, name,
+                       input_rules[i].must);
+    }
+}
+
+/* NULL for a name that is not called, or that is none of a template. */
+static const formula_template *find_template(const char *name, size_t length)
+{
+    const formula_template *each = formula_templates;
+    if (name[length] != '(')
+        return NULL;
+    while (each->name != NULL &&
+           (strlen(each->name) != length || strncmp(each->name, name, length) != 0))
+        each++;
+    return each->name != NULL ? each : NULL;
+}
+
+/* How words outside of quotes are written. */
+typedef struct {
+    word_writer *write;
+    const void *about;
+} writer;
+
+/* Returns the end. */
+static char *expand(const char *from, const writer *words, char *end)
+{
+    bool quoted = false;
+    while (*from != '\0') {
+        const size_t length = quoted ? 0 : word_length(from);
+        const formula_template *called = length > 0 ? find_template(from, length) : NULL;
+        if (called != NULL) {
+            argument values[ARGUMENTS] = {{NULL, 0}};
+            char text[FORMULA_SIZE];
+            from = read_arguments(from + length + 1, values);
+            if (called->text != NULL)
+                fill(called->text, values, text);
+            else
+                fill_checks(text);
+            end = expand(text, words, end);
+        } else if (length > 0) {
+            end = words->write(end, from, length, words->about);
+            from += length;
+        } else {
+            quoted = quoted != (*from == '"');
+            *end++ = *from++;
+        }
+    }
+    *end = '\0';
+    return end;
+}
+
+/* As it is. */
+static char *word_copy(char *end, const char *word, size_t length, const void *about)
+{
+    (void)about;
+    return (char *)memcpy(end, word, length) + length;
+}
+
+/* A copy that stays. */
+static const char *text_copy(const char *text)
+{
+    const size_t size = strlen(text) + 1;
+    return memcpy(memory_zeroed(size, 1), text, size);
+}
+
+/* The formula with "=" in front, and what each call stands for. */
+static const char *template_expand(const char *formula, word_writer *write, const void *about)
+{
+    static char room[FORMULA_SIZE] = "=";
+    expand(formula, &(writer){write, about}, room + 1);
+    return text_copy(room);
+}
+
+/* ---- Formulas ---- */
 
 const char *compose(const char *format, ...)
 {

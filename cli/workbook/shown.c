@@ -44,26 +44,18 @@ static double result_of(const results *answer, const char *column)
     return NAN;
 }
 
-/* As many digits as the formulas have. */
-static const char *rounded_text(double value, char text[NUMBER_SIZE])
-{
-    number_write(value, 4, '.', text);
-    return text;
-}
-
 /* The table has the place to two digits. */
 static void write_sentences(results *answer, case_values *shown)
 {
-    char b[NUMBER_SIZE], p0[NUMBER_SIZE], c_over_b[NUMBER_SIZE];
     for (int i = RESULT_YIELD_X; i <= RESULT_YIELD_Y; i++)
         answer->value[i].number = number_rounded(answer->value[i].number, 2);
     const verdict all = verdict_of(answer, (verdict_style){'.', "mm"});
     snprintf(shown->strength, sizeof shown->strength, "%s", all.strength);
-    snprintf(shown->figures, sizeof shown->figures,
-             "b = %s mm, half-width of the contact;  p0 = %s MPa, peak pressure;  c/b = %s of the "
-             "contact sticks",
-             rounded_text(shown->number[CELL_B], b), rounded_text(shown->number[CELL_P0], p0),
-             rounded_text(shown->number[CELL_C_OVER_B], c_over_b));
+    snprintf(
+        shown->figures, sizeof shown->figures,
+        "b = %.4g mm, half-width of the contact;  p0 = %.4g MPa, peak pressure;  c/b = %.4g of "
+        "the contact sticks",
+        shown->number[CELL_B], shown->number[CELL_P0], shown->number[CELL_C_OVER_B]);
 }
 
 void shown_nothing(case_values *shown)

@@ -7,9 +7,8 @@
 static const struct poptOption options[] = {
     {"output", 'o', POPT_ARG_STRING, NULL, OPTION_OUTPUT,
      "Write to FILE, whole or not at all; - is standard output", "FILE"},
-    {"digits", '\0', POPT_ARG_STRING, NULL, OPTION_DIGITS,
-     "Significant digits of the numbers of a CSV file", "N"},
-    {"decimal-comma", '\0', POPT_ARG_NONE, NULL, OPTION_DECIMAL_COMMA,
+    {VALUE("digits", OPTION_DIGITS), "Significant digits of the numbers of a CSV file", "N"},
+    {FLAG("decimal-comma", OPTION_DECIMAL_COMMA),
      "The CSV files have 1,5 for 1.5, and ';' between the columns", NULL},
     {HELP_OPTION},
     POPT_TABLEEND,

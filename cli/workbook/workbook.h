@@ -128,22 +128,9 @@ extern const input_rule input_rules[INPUT_CELLS];
  * rwt_i of f, for its a/b and nu1. */
 extern const char limit_at_tip[], limit_at_friction[];
 
-/* ---- template ---- Formulas as they are written in the table of cells, with calls of templates.
- * */
+/* ---- formula ---- Cells with a formula, in which calls of templates are expanded. */
 
 enum { FORMULA_SIZE = 5000 };
-
-/* What a name, function or number becomes: writes it, and returns its end. */
-typedef char *word_writer(char *end, const char *word, size_t length, const void *about);
-word_writer word_copy; /* as it is */
-
-/* The formula with "=" in front, and what each call stands for. */
-const char *template_expand(const char *formula, word_writer *write, const void *about);
-
-/* A copy that stays. */
-const char *text_copy(const char *text);
-
-/* ---- formula ---- Cells with a formula. */
 
 /* Formulas and texts stay as long as the command. One that is put together: */
 const char *compose(const char *format, ...) PRINTF_LIKE(1, 2);
@@ -204,10 +191,7 @@ void sheet_elastic_limit(xlsx *book);
 void sheet_max_tension(xlsx *book);
 void sheet_contact_law(xlsx *book);
 void sheet_critical_friction(xlsx *book);
-
-/* ---- look_up ---- The sheet that shows how to interpolate a table. */
-
-void sheet_look_up(xlsx *book);
+void sheet_look_up(xlsx *book); /* how to interpolate a table */
 
 /* ---- working ---- The hidden sheet: the calculator's working cells in a row, the table of yield,
  * what the charts draw. */
@@ -288,10 +272,6 @@ void sheet_calculator(xlsx *book, case_values *values);
 enum { BATCH_ROWS = 200 };
 
 void sheet_batch(xlsx *book);
-
-/* ---- about ---- The sheet "About". */
-
-void sheet_about(xlsx *book);
 
 /* ---- book ---- The workbook as a file. */
 

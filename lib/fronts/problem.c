@@ -125,7 +125,8 @@ static void note_ratios(rw_problem *p, int after)
         const double friction = rw_exact_friction(p->frame, patch, x);
         p->ratio[0][side][after] = 1;
         for (int k = 1; k < RW_LAYERS; k++)
-            p->ratio[k][side][after] = power_friction(p, patch, k, x) / friction;
+            p->ratio[k][side][after] =
+                friction > 0 ? power_friction(p, patch, k, x) / friction : HUGE_VAL;
     }
 }
 

@@ -100,7 +100,7 @@ double rw_rates_wrong(rw_fronts *f, const rw_problem *p, const rw_zones *zones,
                 most = fmax(most, largest_slip(f, &r, zones->zone[i], 1));
         for (int side = 0; side < 2 && sign == first; side++) {
             const double D = ratio_at(p, zones, &r, side);
-            if (fabs(D) > 1 && sticks_at_edge(after, side))
+            if (isgreater(fabs(D), 1) && sticks_at_edge(after, side))
                 most = fmax(most, (fabs(D) - 1) * p->f * fabs(p->load[0]) / (RW_PI * p->half));
         }
         if (sign == 0)

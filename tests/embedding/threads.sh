@@ -14,10 +14,11 @@ done
 
 cmake -S . -B "$build" -DCMAKE_C_COMPILER=$compiler -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS='-O1 -g -fsanitize=thread' \
     -DRWEDGE_BUILD_CLI=ON -DRWEDGE_INSTALL=OFF >"$build/log" 2>&1 &&
-    cmake --build "$build" --target test_threads test_cli_ahead >>"$build/log" 2>&1 || { cat "$build/log"; exit 1; }
-for program in "embedding/test_threads 4" cli/test_cli_ahead; do
-    if ! TSAN_OPTIONS=halt_on_error=1 "$build"/tests/$program >"$build/log" 2>&1; then
-        cat "$build/log"
+    cmake --build "$build" --target test_threads rwedge_cli >>"$build/log" 2>&1 || { cat "$build/log"; exit 1; }
+for program in "tests/embedding/test_threads 4" "cli/rwedge table elastic-limit --a-over-b 0:1.2:0.01 --threads 8" \
+    "cli/rwedge fretting --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --load 100,0 --load 100,20 --threads 8"; do
+    if ! TSAN_OPTIONS=halt_on_error=1 "$build"/$program >"$build/log" 2>&1; then
+        tail -n 40 "$build/log"
         echo "FAILED: $program under the thread sanitizer of $compiler"
         exit 1
     fi

@@ -27,7 +27,7 @@ DRAWN = {  # what each must print
     "gradients": r"^10000 gradients under vmap: 0 of 30000 numbers differ [^$]*, b 0\.2500 mm: [^$]*off the root by [1-9]e-(1\d|0[89]) ",
     "restart": r"\n0 of 72 results differ, 0 numbers of the state\n",
 }
-FETCHED = {"design", "gradients"}  # test.sh fetches zarr, jax and scipy for the long run
+LONG = {"design", "gradients", "dovetail", "pads", "phase"}  # for the first two test.sh fetches zarr, jax and scipy then
 OPTIONS = {"design": "--rows 60 --columns 41 --workers 0 --check 1"}
 
 
@@ -48,7 +48,7 @@ def drawn(tmp_path, monkeypatch, capsys):
     return draw
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.long) if name in FETCHED else name for name in DRAWN])
+@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.long) if name in LONG else name for name in DRAWN])
 def test_an_example_prints_its_results_and_draws(drawn, name):
     if name == "gradients":
         pytest.importorskip("jax")

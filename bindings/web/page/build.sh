@@ -25,5 +25,5 @@ cli=$top/cli
 # shellcheck disable=SC2046
 sh "$here/../link.sh" ../page/page.wasm -D_XOPEN_SOURCE=700 -I"$top/include" -I"$cli" -Isources/libcsv \
     "$here"/model/*.c "$cli"/model/*.c "$cli"/model/*/*.c "$cli"/pad/*.c "$cli"/input/pairs.c "$cli"/input/profiles.c "$cli"/text/list.c "$cli"/text/memory.c "$cli"/number/number.c "$cli"/text/utf8.c \
-    "$cli"/input/csv_input.c "$cli"/input/csv_row.c sources/libcsv/libcsv.c $(printf -- '-Wl,--export=%s ' $exports)
+    "$cli"/input/csv_input.c sources/libcsv/libcsv.c $(printf -- '-Wl,--export=%s ' $exports)
 node "$here/make/page.mjs" "$folder" "$output" "$(clang --version | head -n 1)"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Processor time of calls of the package, in ns a point or call: what speed.c does.
+// Times of the package beside those of the library in C, in one run: speed.mjs BENCH, which is tests/speed/bench. Fails where
+// an array takes more than four times as long: WebAssembly has vectors of two numbers, a processor of up to eight.
+import { spawnSync } from "node:child_process";
 import * as rwedge from "rwedge";
 
-const POINTS = 20000, CALLS = 1000, TRIALS = 15;
+const [bench] = process.argv.slice(2), POINTS = 20000, CALLS = 1000, TRIALS = 15, MOST = 4;
 const x = Float64Array.from({ length: POINTS }, (_, i) => -2 + 4 * i / POINTS);
 const y = Float64Array.from({ length: POINTS }, (_, i) => 0.01 + 2 * ((i * 7919) % POINTS) / POINTS);
 const friction = Float64Array.from({ length: CALLS }, (_, i) => 0.1 + 1e-4 * i), near = x.map((place) => place / 3);
@@ -10,19 +12,34 @@ const contact = new rwedge.Contact(0.01, 0.5, 1.8e-5, 0.3);
 contact.load(1000, 0);
 contact.load(1000, 200);
 
-function report(what, run, count) {
-    let best = Infinity;
-    for (let trial = 0; trial < TRIALS; trial++) {
+/** By the names of bench: what does the same, and how many points or calls that is. */
+const works = {
+    "stress in an array, full sliding": [() => rwedge.stresses(0.3, 0.4, 0, x, y), POINTS],
+    "stress in an array, partial slip": [() => rwedge.stresses(0.3, 0.4, 0.4, x, y), POINTS],
+    "stress in an array, of a contact": [() => contact.stresses(x, y), POINTS],
+    "elastic limit, in an array": [() => rwedge.elastic_limit(0.25, friction, 0.3), CALLS],
+    "pressure": [() => rwedge.pressure(0.25, near), POINTS],
+};
+
+/** The shortest processor time, in ns. */
+function timeOf([run, count]) {
+    const times = Array.from({ length: TRIALS }, () => {
         const began = process.cpuUsage();
         run();
         const { user, system } = process.cpuUsage(began);
-        best = Math.min(best, 1e3 * (user + system));
-    }
-    console.log(`${what}: ${(best / count).toFixed(2)}`);
+        return 1e3 * (user + system) / count;
+    });
+    return Math.min(...times);
 }
 
-report("stresses in an array, full sliding", () => rwedge.stresses(0.25, 0.3, 0, x, y), POINTS);
-report("stresses in an array, partial slip", () => rwedge.stresses(0.25, 0.3, 0.5, x, y), POINTS);
-report("stresses of a contact in an array", () => contact.stresses(x, y), POINTS);
-report("elastic limit", () => rwedge.elastic_limit(0.25, friction, 0.3), CALLS);
-report("pressure at many points", () => rwedge.pressure(0.25, near), POINTS);
+const inC = (name) => Number(spawnSync(bench, [name], { encoding: "utf8" }).stdout.split(name)[1].trim().split(/\s/)[0]);
+
+console.log("ns a point or call                            C  JavaScript");
+for (const [name, work] of Object.entries(works)) {
+    const [here, there] = [timeOf(work), inC(name)];
+    console.log(name.padEnd(36), there.toFixed(1).padStart(10), here.toFixed(1).padStart(11));
+    if (!(here < MOST * there) && name.includes("array")) {
+        console.log(`FAILED: more than ${MOST} times as long`);
+        process.exitCode = 1;
+    }
+}

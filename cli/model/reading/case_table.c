@@ -42,9 +42,7 @@ static bool is_free(const case_table *table, const char *name, char complaint[CO
 {
     if (!header_has(&table->names, name))
         return true;
-    snprintf(complaint, COMPLAINT_SIZE, "column %s: a result has that name; allowed: any other",
-             name);
-    return false;
+    return complain(complaint, "column %s: a result has that name; allowed: any other", name);
 }
 
 /* A result that the table has as an input is not repeated; another column of its name would be
@@ -90,8 +88,7 @@ static bool has_no_gap(const case_table *table, const input_texts *texts,
             (i == INPUT_NU2 && is_rigid(texts)))
             continue;
         char name[INPUT_NAME_SIZE];
-        snprintf(complaint, COMPLAINT_SIZE, "%s: the cell is empty", input_column(i, name));
-        return false;
+        return complain(complaint, "%s: the cell is empty", input_column(i, name));
     }
     return true;
 }

@@ -37,8 +37,7 @@ static bool find_input(int input, header *names, char complaint[COMPLAINT_SIZE])
         if (strcmp(names->name[i], column) != 0)
             continue;
         if (header_has_input(names, input)) {
-            snprintf(complaint, COMPLAINT_SIZE, "column %s: there twice; allowed: once", column);
-            return false;
+            return complain(complaint, "column %s: there twice; allowed: once", column);
         }
         names->column[input] = i;
     }
@@ -50,49 +49,22 @@ static bool find_input(int input, header *names, char complaint[COMPLAINT_SIZE])
 /* Other usual names of inputs. Where the input is given by its own name too, they are columns like
  * any other. */
 static const struct {
-    const char *name;
     int input;
+    const char *names; /* separated by blanks */
 } synonyms[] = {
-    {"mu", INPUT_F},
-    {"\xce\xbc", INPUT_F}, /* the Greek letter */
-    {"\xc2\xb5", INPUT_F}, /* the sign for micro, which keyboards have */
-    {"friction", INPUT_F},
-    {"friction_coefficient", INPUT_F},
-    {"coefficient_of_friction", INPUT_F},
-    {"cof", INPUT_F},
-    {"tangential_force", INPUT_Q},
-    {"tangential_load", INPUT_Q},
-    {"shear_force", INPUT_Q},
-    {"shear_load", INPUT_Q},
-    {"moment", INPUT_M},
-    {"bulk_tension", INPUT_SIGMA},
-    {"bulk_stress", INPUT_SIGMA},
-    {"\xcf\x83", INPUT_SIGMA},
-    {"load", INPUT_P},
-    {"force", INPUT_P},
-    {"normal_force", INPUT_P},
-    {"normal_load", INPUT_P},
-    {"sigma_y", INPUT_YIELD_STRESS},
-    {"\xcf\x83y", INPUT_YIELD_STRESS}, /* sigma */
-    {"Sy", INPUT_YIELD_STRESS},
-    {"Re", INPUT_YIELD_STRESS},
-    {"ReH", INPUT_YIELD_STRESS},
-    {"Rp0.2", INPUT_YIELD_STRESS},
-    {"yield", INPUT_YIELD_STRESS},
-    {"yield_strength", INPUT_YIELD_STRESS},
-    {"tau_y", INPUT_K},
-    {"\xcf\x84y", INPUT_K}, /* tau */
-    {"E", INPUT_E1},
-    {"youngs_modulus", INPUT_E1},
-    {"nu", INPUT_NU1},
-    {"\xce\xbd", INPUT_NU1},
-    {"\xce\xbd\x31", INPUT_NU1},
-    {"\xce\xbd\x32", INPUT_NU2},
-    {"poissons_ratio", INPUT_NU1},
-    {"poisson", INPUT_NU1},
-    {"\xce\xb8", INPUT_THETA},
-    {"angle", INPUT_THETA},
-    {"R", INPUT_RADIUS},
+    /* the Greek letter, and the sign for micro, which keyboards have */
+    {INPUT_F, "mu \xce\xbc \xc2\xb5 friction friction_coefficient coefficient_of_friction cof"},
+    {INPUT_Q, "tangential_force tangential_load shear_force shear_load"},
+    {INPUT_M, "moment"},
+    {INPUT_SIGMA, "bulk_tension bulk_stress \xcf\x83"},
+    {INPUT_P, "load force normal_force normal_load"},
+    {INPUT_YIELD_STRESS, "sigma_y \xcf\x83y Sy Re ReH Rp0.2 yield yield_strength"},
+    {INPUT_K, "tau_y \xcf\x84y"},
+    {INPUT_E1, "E youngs_modulus"},
+    {INPUT_NU1, "nu \xce\xbd \xce\xbd\x31 poissons_ratio poisson"},
+    {INPUT_NU2, "\xce\xbd\x32"},
+    {INPUT_THETA, "\xce\xb8 angle"},
+    {INPUT_RADIUS, "R"},
 };
 
 /* Where inputs come from that may stand for a column. */
@@ -131,11 +103,24 @@ static int slip_for(const sources *from, const char *name, size_t length)
     return INPUT_COUNT;
 }
 
+/* Whether one of the names, separated by blanks, is like this one. */
+static bool is_among(const char *names, const char *name, size_t length)
+{
+    for (size_t own; *names != '\0'; names += own + (names[own] == ' ')) {
+        char one_name[COLUMN_NAME_SIZE];
+        own = strcspn(names, " ");
+        snprintf(one_name, sizeof one_name, "%.*s", (int)own, names);
+        if (column_name_is_like(name, length, one_name))
+            return true;
+    }
+    return false;
+}
+
 static int synonym_for(const sources *from, const char *name, size_t length)
 {
     for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
         if (from->wanted[synonyms[i].input] && !is_given_somehow(from, synonyms[i].input) &&
-            column_name_is_like(name, length, synonyms[i].name))
+            is_among(synonyms[i].names, name, length))
             return synonyms[i].input;
     return INPUT_COUNT;
 }
@@ -155,11 +140,10 @@ static bool check_other(const sources *from, const char *name, char complaint[CO
         meant = synonym_for(from, plain, stem);
     if (meant == INPUT_COUNT)
         return true;
-    snprintf(complaint, COMPLAINT_SIZE, "column '%.60s': allowed: %s%s%s", name,
-             input_column(meant, allowed),
-             has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
-             slip ? "" : ", or another name if it is something else");
-    return false;
+    return complain(complaint, "column '%.60s': allowed: %s%s%s", name,
+                    input_column(meant, allowed),
+                    has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
+                    slip ? "" : ", or another name if it is something else");
 }
 
 /* A column that says which row it is, not what is computed. A capital T may be a force. */
@@ -235,12 +219,11 @@ bool header_fits(size_t columns, size_t cells, char separator, char complaint[CO
 {
     if (cells == columns)
         return true;
-    snprintf(complaint, COMPLAINT_SIZE, "%zu cells in this row, %zu in the header%s", cells,
-             columns,
-             cells > columns && separator == ','
-                 ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
-                 : "");
-    return false;
+    return complain(
+        complaint, "%zu cells in this row, %zu in the header%s", cells, columns,
+        cells > columns && separator == ','
+            ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
+            : "");
 }
 
 const char *header_separator_hint(const char *const name[], size_t count)
@@ -255,4 +238,47 @@ const char *header_separator_hint(const char *const name[], size_t count)
     return strchr(name[0], '\t') != NULL
                ? "; the columns seem to be separated by tabs; allowed: commas"
                : "";
+}
+
+/* ---- A row that is a load ---- */
+
+bool load_header_find(const char *const name[], size_t count, header *names,
+                      char complaint[COMPLAINT_SIZE])
+{
+    static const bool wanted[INPUT_COUNT] = {
+        [INPUT_P] = true, [INPUT_M] = true, [INPUT_Q] = true, [INPUT_SIGMA] = true};
+    if (!header_find(name, count, wanted, NULL, names, complaint))
+        return false;
+    if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
+        return true;
+    return complain(complaint, "column %s: missing; a history needs P and Q%s",
+                    header_has_input(names, INPUT_P) ? "Q" : "P",
+                    header_separator_hint(name, count));
+}
+
+static bool read_cell(const char *text, int input, char decimal_sign, double *value,
+                      char complaint[COMPLAINT_SIZE])
+{
+    char name[INPUT_NAME_SIZE];
+    if (number_read_cell(text, decimal_sign, value))
+        return true;
+    if (text[strspn(text, " \t")] == '\0')
+        return complain(complaint, "%s: the cell is empty", input_column(input, name));
+    return complain(complaint, "%s %.60s: must be a number, with a decimal %s",
+                    input_column(input, name), text, decimal_sign == ',' ? "comma" : "point");
+}
+
+/* Moment and tension are 0 where they have no column. */
+bool load_row_read(const header *names, const char *const cells[], size_t count, char separator,
+                   char decimal_sign, load *to, char complaint[COMPLAINT_SIZE])
+{
+    double value[INPUT_COUNT] = {0};
+    if (!header_fits(names->count, count, separator, complaint))
+        return false;
+    for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
+        if (header_has_input(names, i) &&
+            !read_cell(cells[names->column[i]], i, decimal_sign, &value[i], complaint))
+            return false;
+    *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
+    return true;
 }

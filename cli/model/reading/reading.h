@@ -66,8 +66,6 @@ void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS],
  * separator may be why it has one only; or nothing. */
 const char *header_separator_hint(const char *const name[], size_t count);
 
-/* ---- load_row ---- A load from the cells of a row. */
-
 /* Finds the columns of a load: P and Q, and M and sigma, which may lack. False, with the
  * complaint. */
 bool load_header_find(const char *const name[], size_t count, header *names,

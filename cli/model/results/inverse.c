@@ -18,8 +18,7 @@ int inverse_input(const char *name)
 
 static bool refuse(const char *why, char complaint[COMPLAINT_SIZE])
 {
-    snprintf(complaint, COMPLAINT_SIZE, "no solution: %s", why);
-    return false;
+    return complain(complaint, "no solution: %s", why);
 }
 
 static double yield_load(const contact_case *setup, double f)
@@ -49,16 +48,14 @@ static bool find_friction(const contact_case *setup, double safety, double *valu
                           char complaint[COMPLAINT_SIZE])
 {
     const double most = yield_load(setup, 0), least = yield_load(setup, FRICTION_MOST);
-    char why[120], text[NUMBER_SIZE];
     if (most >= safety * setup->P && least <= safety * setup->P) {
         *value = bisect(setup, safety * setup->P);
         return true;
     }
     const bool is_weak = most < safety * setup->P;
-    number_write((is_weak ? most : least) / setup->P, 4, '.', text);
-    snprintf(why, sizeof why, "%s friction the safety is %s",
-             is_weak ? "even without" : "even with the most", text);
-    return refuse(why, complaint);
+    return complain(complaint, "no solution: %s friction the safety is %.4g",
+                    is_weak ? "even without" : "even with the most",
+                    (is_weak ? most : least) / setup->P);
 }
 
 /* ---- Sizes and load ---- */

@@ -66,13 +66,6 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
 /* Adds to the warnings. */
 void results_warn(results *answer, const char *warning);
 
-/* ---- present_state ---- The results under a moment or a bulk tension, or after a history, from a
- * contact in that state. */
-
-/* Corrects the results that were computed without moment and tension; those that do not hold become
- * empty. Returns the library's status, and rwedge_contact_error() in *error. */
-int32_t results_of_state(const contact_case *setup, cell row[], double *error);
-
 /* ---- sliding ---- The strength of a pad in full sliding where it has no formulas: from its
  * contact. */
 

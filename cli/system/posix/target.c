@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,31 +22,11 @@ static char *in_folder_of(const char *path, const char *name)
     return joined;
 }
 
-/* What the link at path says, from the point of view of this process; NULL with errno, EINVAL
- * where it is no link. */
-static char *one_link(const char *path)
-{
-    char says[PATH_MAX];
-    const ssize_t length = readlink(path, says, sizeof says - 1);
-    if (length < 0)
-        return NULL;
-    says[length] = '\0';
-    return says[0] == '/' ? strdup(says) : in_folder_of(path, says);
-}
-
-/* realpath() does not know a file that is not there yet: a link to one is followed by hand. */
+/* A link to a file that is not there is replaced itself. */
 char *target_of_links(const char *path)
 {
-    char *next = one_link(path);
-    if (next == NULL)
-        return errno == EINVAL || errno == ENOENT ? strdup(path) : NULL;
     char *target = realpath(path, NULL);
-    if (target == NULL && errno == ENOENT)
-        target = target_of_links(next);
-    const int reason = errno;
-    free(next);
-    errno = reason;
-    return target;
+    return target == NULL && errno == ENOENT ? strdup(path) : target;
 }
 
 static bool look_at(const char *path, int standard_stream, struct stat *file)
@@ -109,22 +88,6 @@ int target_open_beside(const char *target, char **unfinished)
     return descriptor;
 }
 
-/* A folder that cannot be opened or synced, for lack of permission or on a file system without
- * it, is no failure. */
-static int sync_folder(const char *target)
-{
-    char *folder = in_folder_of(target, ".");
-    if (folder == NULL)
-        return ENOMEM;
-    const int descriptor = open(folder, O_RDONLY | O_CLOEXEC);
-    free(folder);
-    if (descriptor < 0)
-        return 0;
-    const int reason = fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
-    close(descriptor);
-    return reason;
-}
-
 void target_remove(const char *unfinished)
 {
     unlink(unfinished);
@@ -133,7 +96,7 @@ void target_remove(const char *unfinished)
 int target_replace(const char *target, const char *unfinished)
 {
     if (rename(unfinished, target) == 0)
-        return sync_folder(target);
+        return 0;
     const int reason = errno;
     target_remove(unfinished);
     return reason;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "parts.h"
+#include "calls.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define BIT(status) (1u << (status))
@@ -11,33 +12,62 @@ int array_size = 3;
 const entry_argument which_object = {
     .name = "object", .low = INT32_MIN, .high = INT32_MAX, .finite = 1, .whole = 1};
 
-/* ---- Objects: nothing yet, simple, with a history ---- */
+void (*on_call)(bool begins);
 
-static rwedge_contact *contact_of_loads(size_t count, const double loads[][2])
+/* ---- Objects ---- */
+
+/* A contact before its loads, and after some. */
+static const struct {
+    double theta, a, A, f;
+    double load[4][4]; /* P, M, Q, sigma, to the first P that is 0 */
+} contact_cases[OBJECTS] = {
+    {0.5, 0.3, 1, 0.5, {{0}}},
+    {0.5, 0.3, 1, 0.5, {{4, 0, 0, 0}}},
+    {0.5, 0.3, 1, 0.5, {{4, 0, 0, 0}, {4, 0, 1.4, 0}, {6, 0, -1, 0}, {5, 0, -0.7, 0}}},
+    {0.5, 0, 1, 0.5, {{4, 0, 0, 0}, {4, 0, 1, 0}}},
+    {0.5, 3e-60, 1.5, 0.5, {{2, 0, 0, 0}}},
+    {1e-30, 1e-9, 1e-40, 1e-5, {{1e3, 0, 0, 0}, {1e3, 0, 1e-3, 0}}},
+    {0.5, 0.3, 1, 0.5, {{4, 0.2, 0, 0}, {4, 0.2, 1, 0.01}, {4.5, 0.3, 0.5, 0.01}}},
+    {0.5, 0.3, 1, 0.5, {{4, 0, 0, 0}, {4, 0, 0.5, 2}}},
+};
+
+static rwedge_contact *contact_of_case(int i)
 {
     rwedge_contact *contact = NULL;
-    if (rwedge_contact_create(0.5, 0.3, 1, 0.5, &contact) != RWEDGE_OK)
-        return NULL;
-    for (size_t i = 0; i < count; i++)
-        rwedge_contact_load(contact, loads[i][0], loads[i][1]);
+    rwedge_contact_create(contact_cases[i].theta, contact_cases[i].a, contact_cases[i].A,
+                          contact_cases[i].f, &contact);
+    if (i == COMPUTED)
+        rwedge_contact_allow_error(contact, 1e-2);
+    for (int k = 0; k < 4 && contact_cases[i].load[k][0] > 0; k++) {
+        const double *to = contact_cases[i].load[k];
+        if (rwedge_contact_apply(contact, to[0], to[1], to[2], to[3]) != RWEDGE_OK)
+            abort();
+    }
     return contact;
+}
+
+static rwedge_series *series_of_case(int i)
+{
+    static const struct {
+        double alpha;
+        int32_t terms;
+    } cases[] = {{0.3, 1}, {0, 7}, {0.3, 60}};
+    rwedge_series *series = NULL;
+    rwedge_series_create(cases[i % 3].alpha, cases[i % 3].terms, &series);
+    return series;
 }
 
 /* They live as long as the program. */
 static void *object_of(const entry *e, double number)
 {
-    static const double loads[][2] = {{4, 0}, {4, 1.4}, {6, -1}, {5, -0.7}};
     static rwedge_contact *contacts[OBJECTS];
     static rwedge_series *series[OBJECTS];
     const int i = (int)fabs(fmod(number, OBJECTS));
-    if (contacts[0] == NULL) {
-        contacts[0] = contact_of_loads(0, loads);
-        contacts[1] = contact_of_loads(1, loads);
-        contacts[2] = contact_of_loads(4, loads);
-        rwedge_series_create(0.3, 1, &series[0]);
-        rwedge_series_create(0, 7, &series[1]);
-        rwedge_series_create(0.3, 60, &series[2]);
-    }
+    if (contacts[0] == NULL)
+        for (int k = OBJECTS - 1; k >= 0; k--) {
+            series[k] = series_of_case(k);
+            contacts[k] = contact_of_case(k);
+        }
     return strcmp(e->family, "contact") == 0 ? (void *)contacts[i] : (void *)series[i];
 }
 
@@ -73,7 +103,7 @@ static void tell_sizes(const entry *e, places *p)
             if (strcmp(entries[i].name, e->size[j].teller) == 0) {
                 double told, *const result[] = {&told};
                 entries[i].call(p->object, NULL, NULL, result, NULL);
-                p->n[j] = (size_t)told;
+                p->n[j] = told < CALL_OUTPUTS ? (size_t)told : 0;
             }
     }
 }
@@ -127,25 +157,71 @@ static void keep_short(const entry *e, double v[])
     }
 }
 
+/* The numbers of a contact. */
+typedef struct {
+    size_t count;
+    double *number;
+} snapshot;
+
+static snapshot snapshot_of(const rwedge_contact *contact)
+{
+    const size_t n = rwedge_contact_state_size(contact);
+    snapshot s = {n, calloc(n + 1, sizeof(double))};
+    if (s.number == NULL || (n > 0 && rwedge_contact_state(contact, n, s.number) != RWEDGE_OK))
+        abort();
+    return s;
+}
+
+static bool is_changed(const rwedge_contact *contact, const snapshot *before)
+{
+    const snapshot now = snapshot_of(contact);
+    const bool is_same = now.count == before->count &&
+                         memcmp(now.number, before->number, now.count * sizeof(double)) == 0;
+    free(now.number);
+    return !is_same;
+}
+
+static void tell(bool begins)
+{
+    if (on_call != NULL)
+        on_call(begins);
+}
+
+/* The status of a call that changes a copy of its object; whether it has changed that. */
+static int32_t call_with_copy(const entry *e, places *p, double out[], bool *changed)
+{
+    const snapshot before = snapshot_of(p->object);
+    rwedge_contact *copy = NULL;
+    tell(true);
+    int32_t status = rwedge_contact_copy(p->object, &copy);
+    p->object = copy;
+    if (status == RWEDGE_OK)
+        status = call_at(e, p, out);
+    tell(false);
+    *changed = copy != NULL && is_changed(copy, &before);
+    tell(true);
+    rwedge_contact_destroy(copy);
+    tell(false);
+    free(before.number);
+    return status;
+}
+
 /* What is changed is a copy, what is made is freed. */
-static int32_t make(const public_call *call, const double given[], double out[])
+static int32_t make(const public_call *call, const double given[], double out[], bool *changed)
 {
     const entry *e = call->entry;
-    if (e == NULL)
-        return call->make(given, out);
     double v[CALL_ARGUMENTS];
     memcpy(v, given, (size_t)call->arguments * sizeof(double));
     keep_short(e, v);
     places p;
     take_places(e, v, out, &p);
-    rwedge_contact *copy = NULL;
-    if (e->changes_object) {
-        rwedge_contact_copy(p.object, &copy);
-        p.object = copy;
-    }
+    *changed = false;
+    if (e->changes_object)
+        return call_with_copy(e, &p, out, changed);
+    tell(true);
     const int32_t status = call_at(e, &p, out);
-    rwedge_contact_destroy(copy);
     free_object(e, p.made);
+    tell(false);
     return status;
 }
 
@@ -162,47 +238,29 @@ static public_call call_of_entry(const entry *e)
     call.gives_anything = e->sizes > 0 && e->size[0].teller != NULL;
     call.may_be_infinite = e->may_be_infinite;
     call.also_allowed = e->errors & ~(BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENULL) | BIT(RWEDGE_ENOMEM));
+    if (e->errors & BIT(RWEDGE_EPATH)) /* or it is computed */
+        call.also_allowed |= BIT(RWEDGE_ENOCONV);
     if (e->refuses_more)
         call.also_allowed |= BIT(RWEDGE_EDOMAIN);
     return call;
 }
 
-static public_call call_of_sequence(const sequence *s)
-{
-    public_call call = {
-        .name = s->name, .outputs = s->outputs, .also_allowed = s->allowed, .make = s->make};
-    for (const char *kind = s->kinds; *kind != '\0'; kind++)
-        call.argument[call.arguments++] = argument_of_letter(*kind);
-    return call;
-}
-
 const public_call *public_calls(size_t *count)
 {
-    enum { SEQUENCES = 32 };
-    static public_call calls[SEQUENCES + ENTRY_COUNT];
-    static size_t made;
-    if (made == 0) {
-        for (int i = 0; i < ENTRY_COUNT; i++)
-            calls[made++] = call_of_entry(&entries[i]);
-        for (const sequence *s = sequences;
-             s->name != NULL && made < sizeof calls / sizeof calls[0]; s++)
-            calls[made++] = call_of_sequence(s);
-    }
-    *count = made;
+    static public_call calls[ENTRY_COUNT];
+    if (calls[0].name == NULL)
+        for (int i = ENTRY_COUNT - 1; i >= 0; i--)
+            calls[i] = call_of_entry(&entries[i]);
+    *count = ENTRY_COUNT;
     return calls;
 }
 
 /* ---- The rules for errors ---- */
 
-bool is_sound(const entry_argument *a, double v)
-{
-    return entry_allows(a, v);
-}
-
 static bool are_in_their_domains(const public_call *call, const double v[])
 {
     for (int i = 0; i < call->arguments; i++)
-        if (!may_be_anything(call->argument[i]) && !entry_allows(call->argument[i], v[i]))
+        if (call->argument[i] != &which_object && !entry_allows(call->argument[i], v[i]))
             return false;
     return true;
 }
@@ -213,12 +271,15 @@ const char *complaint_of(const public_call *call, const double v[], double out[]
 {
     for (int i = 0; i < CALL_OUTPUTS; i++)
         out[i] = MARK;
-    *status = make(call, v, out);
+    bool changed;
+    *status = make(call, v, out, &changed);
     const bool valid = are_in_their_domains(call, v);
     if (valid && *status != RWEDGE_OK && (call->also_allowed & BIT(*status)) == 0)
         return "an error, though all arguments are in the domain";
     if (!valid && *status == RWEDGE_OK)
         return "a result, though an argument is outside the domain";
+    if (changed && *status != RWEDGE_OK)
+        return "a call that was refused, and changed its object";
     for (int i = 0; i < CALL_OUTPUTS; i++) {
         const bool wanted = *status == RWEDGE_OK && (call->gives_anything || i < call->outputs);
         if (wanted && !call->gives_anything && !isfinite(out[i]) &&
@@ -244,7 +305,7 @@ const char *complaint_about_null(const public_call *call, const double v[])
     const entry *e = call->entry;
     double out[CALL_OUTPUTS];
     int32_t status;
-    if (e == NULL || complaint_of(call, v, out, &status) != NULL || status != RWEDGE_OK)
+    if (complaint_of(call, v, out, &status) != NULL || status != RWEDGE_OK)
         return NULL;
     places all, p;
     take_places(e, v, out, &all);

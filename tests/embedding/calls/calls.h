@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every public function as a call of doubles, for tests that try them all with whatever arguments.
- * The functions and the domains are those of bindings/interface's entries.h; beside them are some
- * sequences of calls. */
+ * The functions and the domains are those of bindings/interface's entries.h. */
 #ifndef CALLS_H
 #define CALLS_H
 
@@ -24,29 +23,35 @@ typedef struct {
     uint32_t also_allowed; /* statuses, as bits, that arguments in the domain may have too */
     bool may_be_infinite;
     bool gives_anything; /* numbers that say nothing by themselves */
-
-    const entry *entry; /* NULL, or the function; else it is a sequence: */
-    int32_t (*make)(const double v[], double out[]);
+    const entry *entry;
 } public_call;
+
+/* Of each family, which its functions are called with. The last contact is computed. */
+enum { OBJECTS = 8, COMPUTED = OBJECTS - 1 };
+
+/* The number in front of the arguments of a function that takes an object. */
+extern const entry_argument which_object;
+
+/* NULL, or what is told when the library begins to be called, and when it has returned. */
+extern void (*on_call)(bool begins);
 
 /* All calls. */
 const public_call *public_calls(size_t *count);
 
-/* Whether an argument is in its domain by itself. */
-bool is_sound(const entry_argument *a, double v);
-
 /* Arguments in the domain, mostly of the order of 1; the same on every machine. */
 void draw_inside(const public_call *call, uint64_t *state, double v[]);
+double draw_number(const entry_argument *a, uint64_t *state); /* one of them */
 
-/* What is wrong with a call's answer, by the header's rules for errors: NULL if nothing. Calls
- * it. */
+/* What is wrong with a call's answer, by the header's rules for errors: NULL if nothing. Calls it.
+ * A call that is refused changes neither its outputs nor its object. */
 const char *complaint_of(const public_call *call, const double v[], double out[], int32_t *status);
 
 /* What is wrong with the answers to calls in which one pointer is NULL: NULL if nothing. v are
  * arguments of the domain. */
 const char *complaint_about_null(const public_call *call, const double v[]);
 
-/* The number of edges of an argument's domain, on both sides of it, and the i-th of them. */
+/* The number of edges of an argument's domain, on both sides of it, and the i-th of them. The
+ * computed contact is not among the objects, as it takes its time. */
 size_t edge_count(const entry_argument *a);
 double edge(const entry_argument *a, size_t i);
 

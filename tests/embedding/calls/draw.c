@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "parts.h"
+#include "calls.h"
 
 #include <math.h>
 #include <string.h>
@@ -38,10 +38,12 @@ static double fraction(uint64_t *state)
 }
 
 /* Without narrow bounds it is 0 at times, mostly of the order of 1, and at times far smaller. */
-static double number(const entry_argument *a, uint64_t *state)
+double draw_number(const entry_argument *a, uint64_t *state)
 {
     enum { NARROW = 2, MOST_WHOLE = 60 };
     const double u = fraction(state), kind = fraction(state), side = fraction(state);
+    if (a == &which_object)
+        return floor(OBJECTS * u);
     if (a->whole)
         return fmax(a->low, -1) + floor(u * fmin(a->high, MOST_WHOLE));
     if (a->high - a->low <= NARROW)
@@ -66,15 +68,13 @@ static void sort_profile(const public_call *call, double v[])
 
 void draw_inside(const public_call *call, uint64_t *state, double v[])
 {
-    const double *hint = call->entry != NULL ? hint_of(call->name) : NULL;
+    const double *hint = hint_of(call->name);
     for (int i = 0; i < call->arguments; i++) {
         const entry_argument *a = call->argument[i];
-        if (a == &which_object)
-            v[i] = floor(OBJECTS * fraction(state));
-        else if (hint != NULL && !isnan(hint[a - call->entry->argument]))
-            v[i] = hint[a - call->entry->argument];
-        else
-            v[i] = number(a, state);
+        const bool is_given = hint != NULL && a != &which_object;
+        v[i] = is_given ? hint[a - call->entry->argument] : NAN;
+        if (isnan(v[i]))
+            v[i] = draw_number(a, state);
     }
     sort_profile(call, v);
 }

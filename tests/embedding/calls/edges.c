@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "parts.h"
+#include "calls.h"
 
 #include <float.h>
 #include <math.h>
-#include <stdint.h>
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
@@ -41,29 +40,12 @@ static const double anything[] = {
 static const double numbers[] = {0,     1,       2,          3,         7,  50,       1001,
                                  65535, 1 << 20, 1073741823, INT32_MAX, -1, INT32_MIN};
 
-static const double *edges(const entry_argument *a, size_t *count)
-{
-    if (a == &which_object) {
-        *count = OBJECTS;
-        return numbers;
-    }
-    if (a->whole) {
-        *count = COUNT(numbers);
-        return numbers;
-    }
-    *count = COUNT(anything);
-    return anything;
-}
-
 size_t edge_count(const entry_argument *a)
 {
-    size_t count;
-    edges(a, &count);
-    return count;
+    return a == &which_object ? COMPUTED : a->whole ? COUNT(numbers) : COUNT(anything);
 }
 
 double edge(const entry_argument *a, size_t i)
 {
-    size_t count;
-    return edges(a, &count)[i];
+    return a == &which_object ? (double)i : a->whole ? numbers[i] : anything[i];
 }

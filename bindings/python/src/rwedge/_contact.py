@@ -2,7 +2,6 @@
 """A contact with a load history."""
 from __future__ import annotations
 
-import copy
 import copyreg
 import ctypes
 import math
@@ -180,9 +179,10 @@ class Contact(ContactMethods, Handle):
             raise Error(f"x has {places.size} places, and slope {slopes.size}", EDOMAIN)
         if not 2 <= places.size <= 1000 or slopes[0] == slopes[-1]:
             raise Error(f"{places.size} places, slopes from {slopes[:1]} to {slopes[-1:]}: 2 to 1000 places, not all of one slope", EDOMAIN)
-        for i in range(1, places.size):
-            if not (places[i] >= places[i - 1] and slopes[i] >= slopes[i - 1]):
-                raise Error(f"x[{i}] = {places[i]}, slope[{i}] = {slopes[i]}: a place or a slope is less than the one before", EDOMAIN)
+        grows = (np.diff(places) >= 0) & (np.diff(slopes) >= 0)
+        if not grows.all():
+            i = int(np.argmin(grows)) + 1
+            raise Error(f"x[{i}] = {places[i]}, slope[{i}] = {slopes[i]}: a place or a slope is less than the one before", EDOMAIN)
         arrays = places.size, places.ctypes.data, slopes.ctypes.data
         return cls.__new__(cls)._make("contact_create_profile", tolerance, *arrays, A=A, f=f)
 
@@ -221,18 +221,7 @@ class Contact(ContactMethods, Handle):
         names: list[str] = getattr(copyreg, "_slotnames")(type(self))  # which copy and pickle ask, too
         return {name: getattr(self, name) for name in names if hasattr(self, name)}
 
-    def __copy__(self: Self) -> Self:
-        return self.copy()
-
-    def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
-        twin = self.copy()
-        memo[id(self)] = twin
-        for name, value in twin.__dict__.items():
-            if name not in ("_cell", "_lock"):
-                twin.__dict__[name] = copy.deepcopy(value, memo)
-        for name, value in twin._slots().items():
-            setattr(twin, name, copy.deepcopy(value, memo))
-        return twin
+    __copy__ = copy  # deepcopy and pickle go by __reduce__
 
     def __repr__(self) -> str:
         pad = self._pad
@@ -257,10 +246,9 @@ class Contact(ContactMethods, Handle):
             self._check_loads(self._address, loads)
 
     def _alpha(self, P: float) -> float:
-        if self._pad.kind:
-            return math.nan
-        b = _formula_half_width(self.theta, self.a, self.A, P)
-        return self.a / b if b > 0 else math.nan
+        theta, a, A, _, kind, _ = self._pad
+        b = 0 if kind else _formula_half_width(theta, a, A, P)
+        return a / b if b > 0 else math.nan
 
     def _check_loads(self, address: Any, loads: Loads, place: str = "") -> None:
         """Loads the contact, this one or a copy, or raises an error that says which load is refused, and why."""

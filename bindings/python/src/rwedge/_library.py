@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 import importlib.util
 import math
 import operator
@@ -17,7 +18,6 @@ TYPES = {"double": ctypes.c_double, "int32_t": ctypes.c_int32, "size_t": ctypes.
          "void": None}  # all others are pointers
 OK, EDOMAIN, ENULL, ERANGE, ENOMEM, ESLIDING, EABSENT, EPATH = 0, 1, 2, 3, 5, 6, 8, 9
 INT32_MAX = 2**31 - 1
-
 
 
 def _path() -> str:
@@ -112,6 +112,7 @@ class PathError(Error):
 ERRORS = {ESLIDING: SlidingError, EABSENT: AbsentError, EPATH: PathError}
 
 
+@functools.cache
 def function(name: str) -> Any:
     """The library's rwedge_name(), with its types."""
     found = getattr(library, "rwedge_" + name)

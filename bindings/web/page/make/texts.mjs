@@ -22,24 +22,15 @@ function withFormulas(text, temml) {
     return text.replace(/\$([^$\n]+)\$/g, (_, tex) => mathML(tex).replaceAll("|", "&#124;"));
 }
 
-/** The packages that are in the bundle, and their licences. */
-const inPage = [
-    "d3-array",
-    "d3-contour",
-    "d3-format",
-    "d3-interpolate",
-    "d3-color",
-    "d3-path",
-    "d3-scale",
-    "d3-shape",
-    "d3-time",
-    "d3-time-format",
-    "internmap",
-    "lit-html",
-];
+/** The packages that are in the bundle: of those that were fetched the ones that are no tool. */
+function namesOfPackages(modules) {
+    const { packages } = JSON.parse(readFileSync(`${modules}/../package-lock.json`, "utf8"));
+    const paths = Object.keys(packages).filter((path) => /^node_modules\/[^@]/.test(path) && !packages[path].dev);
+    return paths.map((path) => path.replace("node_modules/", ""));
+}
 
 function licences(modules, folder) {
-    const ofPackages = inPage.map((name) => {
+    const ofPackages = namesOfPackages(modules).map((name) => {
         const { version, license } = JSON.parse(readFileSync(`${modules}/${name}/package.json`, "utf8"));
         return {
             name: `${name} ${version} (${license})`,

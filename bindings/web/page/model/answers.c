@@ -1,17 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the page asks about one contact: the words of the model, and the answer to a case. */
-#include "answers.h"
+/* What the page asks about one contact: the words of the model, the answer to a case, and the input
+ * that gives a safety. */
+#include "page.h"
 
-#include "field_texts.h"
-#include "records.h"
-
-#include "model/cycle/cycle.h"
 #include "model/results/results.h"
-
-#include "text/text.h"
 #include "number/number.h"
-
-#include <rwedge.h>
 
 /* ---- Words ---- */
 
@@ -212,4 +205,22 @@ bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, loa
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         texts.text[i] = NULL;
     return write_case(&texts, CASE_OF_HISTORY, setup);
+}
+
+/* Of the case of the form, whose own text of that input does not count: the number that gives the
+ * safety, or why there is none. */
+EXPORTED const char *page_find(char *lines, const char *name, double safety)
+{
+    const input_texts texts = field_texts(lines);
+    const int input = inverse_input(name);
+    contact_case setup;
+    double value;
+    char complaint[COMPLAINT_SIZE];
+    if (!inverse_find(&texts, input, safety, &setup, &value, complaint)) {
+        records_refuse("", complaint);
+        return records_end();
+    }
+    records_begin();
+    records_add("input", "tn", name, value);
+    return records_end();
 }

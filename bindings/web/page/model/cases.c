@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the page asks about a pasted table of cases, a row each. */
-#include "field_texts.h"
-#include "pasted.h"
-#include "records.h"
+#include "page.h"
 
-#include "model/reading/reading.h"
 #include "model/results/results.h"
 
 /* The form gives what the columns do not, not even the other way, the radius for a, or another

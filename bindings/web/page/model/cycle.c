@@ -1,14 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the page asks about a history of loads: what its last cycle does along the surface, where
  * that is worst, and the loop. */
-#include "answers.h"
-#include "load_list.h"
-#include "loop.h"
-#include "records.h"
+#include "page.h"
 
-#include "model/cycle/cycle.h"
 #include "number/number.h"
-#include "text/text.h"
 
 #include <math.h>
 #include <stdio.h>

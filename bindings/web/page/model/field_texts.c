@@ -1,11 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "field_texts.h"
+#include "page.h"
 
-#include "pasted.h"
-
-#include "input/input.h"
-
-#include <stddef.h>
 #include <string.h>
 
 static const char *remark = ""; /* on the profile */

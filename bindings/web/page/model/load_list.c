@@ -1,12 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "load_list.h"
+#include "page.h"
 
-#include "pasted.h"
-#include "records.h"
-
-#include "model/reading/reading.h"
 #include "number/number.h"
-#include "text/text.h"
 
 #include <inttypes.h>
 #include <stdio.h>

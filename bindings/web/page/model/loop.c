@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "loop.h"
-
-#include "text/text.h"
+#include "page.h"
 
 #include <math.h>
 

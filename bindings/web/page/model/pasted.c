@@ -1,55 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tool's reader of rows asks for a file of text: here it is a text in memory. */
-#include "pasted.h"
-
-#include "input/input.h"
-#include "text/text.h"
+#include "page.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-struct text_input {
-    const char *text;
-};
-
-static const char *pasted; /* the text that is opened next */
+static const char *pasted; /* what has not been read of the text */
 static const char MARK[] = "\xef\xbb\xbf";
 
 text_input *text_input_open(const char *path, const char *encoding)
 {
     (void)path, (void)encoding;
-    text_input *in = malloc(sizeof *in);
+    text_input *in = calloc(1, sizeof *in);
     if (in != NULL)
-        in->text = pasted;
+        in->name = "the rows";
     return in;
 }
 
 bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count)
 {
-    *count = strlen(in->text);
+    (void)in;
+    *count = strlen(pasted);
     if (*count > room)
         *count = room;
-    memcpy(bytes, in->text, *count);
-    in->text += *count;
+    memcpy(bytes, pasted, *count);
+    pasted += *count;
     return true;
-}
-
-const char *text_input_problem(const text_input *in)
-{
-    (void)in;
-    return "";
-}
-
-bool text_input_has_mark(const text_input *in)
-{
-    (void)in;
-    return false;
-}
-
-const char *text_input_name(const text_input *in)
-{
-    (void)in;
-    return "the rows";
 }
 
 void text_input_close(text_input *in)
@@ -78,7 +54,9 @@ csv_input *pasted_open(const char *text)
                            : memchr(text, ';', line) != NULL ? ';'
                                                              : ',';
     pasted = text;
-    return csv_input_open("", separator, NULL);
+    csv_input *in = csv_input_open("", separator, NULL);
+    in->takes_malformed = true;
+    return in;
 }
 
 bool pasted_next(csv_input *in, csv_row *row, const char **problem)
@@ -86,7 +64,7 @@ bool pasted_next(csv_input *in, csv_row *row, const char **problem)
     *problem = "";
     const csv_event event = csv_input_next(in);
     if (event == CSV_FAILED)
-        *problem = csv_input_problem(in);
+        *problem = in->problem;
     if (event != CSV_ROW && event != CSV_MALFORMED)
         return false;
     csv_row_keep(in, event == CSV_MALFORMED, row);

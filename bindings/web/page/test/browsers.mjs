@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page in the browsers of this machine: node browsers.mjs PAGE TOOL AXE [PYTHON [BROWSER [CLAIM ...]]]
 import * as claims from "./claims.mjs";
-import { browsers, openBrowser, programOf } from "./drive.mjs";
+import { browsers, openBrowser, openPage, programOf, reopen } from "./drive.mjs";
 
 const [file, tool, axe, python, only, ...wanted] = process.argv.slice(2);
 const last = "nothing_is_said_and_nothing_asked_for"; // of all the others
@@ -15,15 +15,19 @@ for (const [name, about] of Object.entries(browsers).filter(([name]) => !only ||
     }
     const session = await openBrowser(about);
     for (const claim of order.filter((name) => wanted.length === 0 || wanted.includes(name))) {
-        const began = Date.now();
+        const began = Date.now(),
+            page = await openPage(session),
+            show = (...state) => reopen(page, file, ...state);
         try {
-            const said = await claims[claim]({ session, file, tool, axe, python, dark: name === "chromium" });
+            await show();
+            const said = await claims[claim]({ page, show, session, tool, axe, python, dark: name === "chromium" });
             console.log(`ok: ${name}: ${claim}${said ? `: ${said}` : ""} (${Date.now() - began} ms)`);
         } catch (error) {
             failed++;
             console.log(`FAILED: ${name}: ${claim}: ${error.message.slice(0, 1500)}`);
         }
         tried++;
+        await page.close();
     }
     await session.browser.close();
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page promises, in one browser: each claim throws with what it found.
+// What the page promises, in one browser: each claim throws with what it found. It has a page; show() shows it with a case.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
-import { asAddress, chance } from "./random_cases.mjs";
-import { enter, openPage, openTab, pause, reopen, savedBy, settled, shownNumbers, statusOf } from "./drive.mjs";
+import { chance } from "./random_cases.mjs";
+import { enter, openTab, pause, savedBy, settled, shownNumbers, statusOf } from "./drive.mjs";
 
 const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const tabs = ["contact", "stress", "strength", "cycle", "batch", "about"];
@@ -48,9 +48,8 @@ const solvedBy = (tool, texts, digits, ...more) =>
     run(tool, ["solve", ...optionsOf(texts), "--format", "json", "--digits", String(digits), ...more]);
 
 /** Sizes as far as they are allowed: an answer or a reason, and no error of the page (the claim about what is said would fail). */
-export async function extreme_cases_have_an_answer_or_a_reason({ session, file }) {
-    const page = await openPage(session, file),
-        next = chance(99),
+export async function extreme_cases_have_an_answer_or_a_reason({ page }) {
+    const next = chance(99),
         size = () => (10 ** (120 * next() - 60)).toPrecision(3);
     let answered = 0;
     for (let i = 0; i < 20; i++) {
@@ -74,14 +73,12 @@ export async function extreme_cases_have_an_answer_or_a_reason({ session, file }
             if (!/red/.test(colour) && (await textOf(page, `${seen} [role="alert"]`)) === "") answered++;
         }
     }
-    await page.close();
     assert.ok(answered > 10, `only ${answered} of 80 are answered`);
     return `${answered} of 80 answered`;
 }
 
 /** One case typed key by key. */
-export async function a_case_is_typed_by_keyboard({ session, file, tool }) {
-    const page = await openPage(session, file);
+export async function a_case_is_typed_by_keyboard({ page, tool }) {
     await page.focus("#in-P");
     await page.keyboard.press("End");
     for (let i = 0; i < 3; i++) await page.keyboard.press("Backspace");
@@ -98,18 +95,16 @@ export async function a_case_is_typed_by_keyboard({ session, file, tool }) {
     }
     for (const id of ["in-P", "in-Q", "in-theta", "in-E1", "tab-stress"])
         assert.ok(order.includes(id), `Tab does not reach ${id}: ${order}`);
-    await page.close();
 }
 
 /** Of each way to give an input one, beside its field and in the status; test/model_claims.js has the words for all. */
 const bad = { E1: "-1", nu2: "-0.1", theta_deg: "90", radius: "x", Q: "20 N" };
 
-export async function each_bad_input_is_named({ session, file }) {
-    const page = await openPage(session, file);
+export async function each_bad_input_is_named({ page, show }) {
     for (const [name, text] of Object.entries(bad)) {
         const texts = { ...usual, E2: "70000", nu2: "0.3", [name]: "5" };
         delete texts[{ theta_deg: "theta", radius: "a" }[name]];
-        await reopen(page, file, asAddress(texts));
+        await show(texts);
         await enter(page, { [idOf(name)]: text });
         const [colour, status] = await statusOf(page);
         const note = await textOf(page, `#${idOf(name)}-note`);
@@ -117,10 +112,9 @@ export async function each_bad_input_is_named({ session, file }) {
         assert.ok(note.startsWith(`${name} ${text}: `) && status === `CHECK THE INPUTS: ${note}`, `${status}; ${note}`);
         assert.equal(await page.$eval(`#${idOf(name)}`, (part) => part.getAttribute("aria-invalid")), "true");
     }
-    await page.close();
 }
 
-export async function a_thousand_pasted_rows_are_solved({ session, file, tool }) {
+export async function a_thousand_pasted_rows_are_solved({ page, show, tool }) {
     const names = ["case", "E1", "nu1", "theta", "a", "P", "Q", "f", "k"],
         next = chance(7);
     const row = (i) => {
@@ -136,8 +130,8 @@ export async function a_thousand_pasted_rows_are_solved({ session, file, tool })
             .split("\n")
             .map((line) => line.split(","));
     const told = cellsOf(run(tool, ["solve", "--input", "-", "--format", "csv"], `${inTable(rows, ",")}\n`).stdout);
-    const page = await openPage(session, file, "#E1=1&tab=batch"),
-        began = Date.now();
+    await show({ E1: "1" }, { tab: "batch" });
+    const began = Date.now();
     await enter(page, { batch: inTable(rows) });
     await settled(page);
     const took = Date.now() - began,
@@ -150,34 +144,28 @@ export async function a_thousand_pasted_rows_are_solved({ session, file, tool })
             if (cell !== expected) assertNear(cell, Number(expected), 1e-11, `row ${cells[0]}, ${told[0][k]}`);
         });
     assert.equal(solved.length, 980);
-    await page.close();
     return `${took} ms`;
 }
 
-export async function an_address_brings_the_state_back({ session, file }) {
-    const first = await openPage(session, file);
-    await enter(first, {
-        "in-P": "123,5",
-        "in-M": "2",
-        "in-sigma": "7",
-        "set-units": "in",
-        "set-digits": "14",
-        "set-sign": ",",
-    });
-    await openTab(first, "stress");
-    await enter(first, { measure: "tau_max", "probe-x": "0,01", "probe-y": "0,02" });
+export async function an_address_brings_the_state_back({ page, show }) {
+    const numbers = { "in-P": "123,5", "in-M": "2", "in-sigma": "7" };
+    const seenNow = () =>
+        page.evaluate(
+            (panel) => ({
+                inputs: [...document.querySelectorAll("input[type=text], select")].map((e) => [e.id, e.value]),
+                text: document.querySelector("main").innerText,
+                plot: document.querySelector(`${panel} svg`).outerHTML,
+            }),
+            seen,
+        );
+    await enter(page, { ...numbers, "set-units": "in", "set-digits": "14", "set-sign": "," });
+    await openTab(page, "stress");
+    await enter(page, { measure: "tau_max", "probe-x": "0,01", "probe-y": "0,02" });
     await pause(600);
-    const hash = await first.evaluate(() => location.hash),
-        second = await openPage(session, file, hash);
-    const shownBy = (page) =>
-        page.evaluate(() => ({
-            inputs: [...document.querySelectorAll("input[type=text], select")].map((e) => [e.id, e.value]),
-            text: document.querySelector("main").innerText,
-            plot: document.querySelector('[role="tabpanel"]:not([hidden]) svg').outerHTML,
-        }));
-    assert.deepEqual(await shownBy(second), await shownBy(first));
-    await first.close();
-    await second.close();
+    const before = await seenNow(),
+        hash = await page.evaluate(() => location.hash.slice(1));
+    await show(Object.fromEntries(new URLSearchParams(hash)));
+    assert.deepEqual(await seenNow(), before);
 }
 
 /** 80 frames of a drag, sorted, in milliseconds; the field is drawn with all its detail at the end. */
@@ -198,16 +186,15 @@ const dragged = (page) =>
     });
 
 /** On each tab. Frames are judged where the machine has time. */
-export async function a_slider_redraws_at_once({ session, file }) {
+export async function a_slider_redraws_at_once({ page, show }) {
     const busy = loadavg()[0] > 1.5 * cpus().length,
         told = [];
     for (const tab of ["contact", "stress", "strength", "cycle"]) {
-        const page = await openPage(session, file, asAddress(usual, { tab }), 1366);
+        await show(usual, { tab });
         await settled(page);
         const times = await dragged(page);
         assert.ok(busy || times[76] < 50, `${tab}: of 100 frames 5 take ${times[76]} ms or more, the allowed are 50`);
         told.push(`${tab} ${times[76]}`);
-        await page.close();
     }
     return `${busy ? "not judged, this machine is busy: " : ""}95 of 100 frames take, in ms: ${told.join(", ")}`;
 }
@@ -230,10 +217,9 @@ const beginnings = {
     "text/csv": /^\w+( \[[^\]]+\])?(,\w+( \[[^\]]+\])?)+\n(.*\n){20}/,
 };
 
-export async function plots_are_saved({ session, file }) {
-    const page = await openPage(session, file);
+export async function plots_are_saved({ page, show }) {
     for (const tab of ["contact", "stress", "strength", "cycle"]) {
-        await reopen(page, file, asAddress(usual, { tab }));
+        await show(usual, { tab });
         await settled(page);
         const files = await savedFiles(page),
             plots = tab === "cycle" ? 3 : 1;
@@ -247,14 +233,11 @@ export async function plots_are_saved({ session, file }) {
                 );
         }
     }
-    await page.close();
 }
 
-export async function a_case_goes_out_as_a_command_and_as_python({ session, file, tool, python }) {
-    const page = await openPage(session, file, asAddress(usual));
+export async function a_case_goes_out_as_a_command_and_as_python({ page, tool, python }) {
     const [command, program] = [await textOf(page, "#as-command"), await textOf(page, "#as-python")];
     const shown = await shownNumbers(page);
-    await page.close();
     const again = run("sh", ["-c", `${command.replace(/^rwedge/, `'${tool}'`)} --format json --digits 4`]);
     assertSame(shown, again.numbers(), 4, command);
     if (!python) return "Python: not tried, its package is not built";
@@ -269,16 +252,15 @@ export async function a_case_goes_out_as_a_command_and_as_python({ session, file
     return `Python: ${Object.keys(lines).length} numbers`;
 }
 
-export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
+export async function a_cycle_is_that_of_the_tool({ page, show, tool }) {
     const cycles = [
         "P\tQ\n190\t20\n190\t-20",
         "P,Q\n190,30\n120,-10\n190,5\n",
         "P,Q\n100,10\n150,20\n60,-10\n",
         "P\tM\tQ\tsigma\n190\t2\t0\t0\n190\t2\t20\t0\n190\t2\t-20\t0",
     ];
-    const page = await openPage(session, file);
     for (const loads of cycles) {
-        await reopen(page, file, asAddress(usual, { tab: "cycle", digits: "6" }));
+        await show(usual, { tab: "cycle", digits: "6" });
         await enter(page, { loads });
         const { P, Q, ...rest } = usual;
         const told = run(tool, ["fretting", "-", ...optionsOf(rest)], loads.replaceAll("\t", ","));
@@ -299,7 +281,6 @@ export async function a_cycle_is_that_of_the_tool({ session, file, tool }) {
     await enter(page, { material: "sigma_f,1" });
     await settled(page);
     assert.match(await textOf(page, "#loads-note"), /sigma_f: no constant that is known/);
-    await page.close();
 }
 
 const ofPads = { E1: "210000", nu1: "0.3", P: "300", Q: "40", f: "0.3", k: "400" };
@@ -311,9 +292,9 @@ const shapes = {
     profile: { profile: rowsOf(parabola, "x,height") },
 };
 
-async function assertPad(page, { file, tool, python }, pad, shape, inFile, folder) {
+async function assertPad({ page, show, tool, python }, pad, shape, inFile, folder) {
     const told = solvedBy(tool, { ...ofPads, ...inFile }, 17, "--yield-factor");
-    await reopen(page, file, asAddress({ ...ofPads, ...shape }, { digits: "14" }));
+    await show({ ...ofPads, ...shape }, { digits: "14" });
     assert.equal(await page.$eval("#pad", (select) => select.value), pad);
     assertSame(await shownNumbers(page), told.numbers(), 14, pad);
     const drawn = await textOf(page, ".drawing svg");
@@ -326,13 +307,12 @@ async function assertPad(page, { file, tool, python }, pad, shape, inFile, folde
 }
 
 /** A pad that is chosen, with its own inputs: results, all tabs, the command, the drawing. */
-export async function each_pad_answers_as_the_tool({ session, file, tool, python }) {
-    const page = await openPage(session, file),
-        folder = mkdtempSync(`${tmpdir()}/rwedge-page-`);
+export async function each_pad_answers_as_the_tool({ page, show, tool, python }) {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`);
     writeFileSync(`${folder}/profile.csv`, shapes.profile.profile);
     for (const [pad, shape] of Object.entries(shapes)) {
         const inFile = pad === "profile" ? { profile: `${folder}/profile.csv` } : shape;
-        await assertPad(page, { file, tool, python }, pad, shape, inFile, folder);
+        await assertPad({ page, show, tool, python }, pad, shape, inFile, folder);
         for (const tab of ["stress", "strength"]) {
             await openTab(page, tab);
             assert.equal(await textOf(page, `${seen} [role="alert"]`), "", `${pad}, ${tab}`);
@@ -340,18 +320,16 @@ export async function each_pad_answers_as_the_tool({ session, file, tool, python
         const loads = "P,Q\n300,40\n300,-40",
             { P, Q, ...rest } = { ...ofPads, ...inFile };
         const cycle = run(tool, ["fretting", "-", ...optionsOf(rest)], loads);
-        await reopen(page, file, asAddress({ ...ofPads, ...shape }, { tab: "cycle", loads }));
+        await show({ ...ofPads, ...shape }, { tab: "cycle", loads });
         const { swt } = await shownNumbers(page);
         const told = Number(Number(cycle.stderr.match(/swt (\S+) at/)[1]).toPrecision(4));
         assert.equal(Number(swt), told, `${pad}: swt`);
     }
     rmSync(folder, { recursive: true });
-    await page.close();
 }
 
 /** Changing the pad keeps its sizes; a profile that is not convex is refused with the place, and its hull is taken where asked for. */
-export async function a_pad_begins_with_the_sizes_of_the_one_before({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual));
+export async function a_pad_begins_with_the_sizes_of_the_one_before({ page }) {
     for (const pad of ["flat", "cylinder", "profile", "wedge"]) {
         await enter(page, { pad });
         const [colour, status] = await statusOf(page);
@@ -366,12 +344,11 @@ export async function a_pad_begins_with_the_sizes_of_the_one_before({ session, f
     await page.click("#hull");
     assert.ok(!/CHECK/.test((await statusOf(page))[1]), (await statusOf(page))[1]);
     assert.match(await textOf(page, "#in-profile-note"), /hull/);
-    await page.close();
 }
 
 /** 120 loads, each with another P, at each of several keystrokes: the page answers at once, and the last question is answered. */
-export async function long_work_freezes_nothing({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual, { tab: "cycle" }));
+export async function long_work_freezes_nothing({ page, show }) {
+    await show(usual, { tab: "cycle" });
     const rows = Array.from({ length: 120 }, (_, i) => `${100 + ((i * 37) % 90)}\t${((i * 53) % 30) - 15}`);
     const longest = await page.evaluate(
         async (text) => {
@@ -395,23 +372,21 @@ export async function long_work_freezes_nothing({ session, file }) {
     const took = Date.now() - began;
     assert.ok(longest < 1000 && took < 5000, `a keystroke takes ${longest} ms, the last answer ${took} ms`);
     assert.ok(Number(swt) > 0);
-    await page.close();
     return `a keystroke ${longest.toFixed(0)} ms, the last answer ${took} ms`;
 }
 
 /** Words of an address that every object knows are no units, tabs or measures. */
-export async function an_address_with_foreign_words_is_shown({ session, file }) {
+export async function an_address_with_foreign_words_is_shown({ page, show }) {
     for (const more of [{ units: "constructor" }, { tab: "__proto__" }, { tab: "stress", measure: "toString" }]) {
-        const page = await openPage(session, file, asAddress(usual, more));
+        await show(usual, more);
         assert.equal((await statusOf(page))[1], "OK", JSON.stringify(more));
         assert.equal((await page.$$(seen)).length, 1);
-        await page.close();
     }
 }
 
 /** Rows that are too long for an address: it is said, and a file keeps them. */
-export async function rows_that_no_link_takes_are_told_and_saved({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual, { tab: "batch" }));
+export async function rows_that_no_link_takes_are_told_and_saved({ page, show }) {
+    await show(usual, { tab: "batch" });
     const said = () => page.$eval("#too-long", (part) => (part.hidden ? "" : part.textContent));
     assert.equal(await said(), "");
     const rows = Array.from({ length: 3000 }, (_, i) => `${100 + i / 100}\t0.${i}`).join("\n");
@@ -433,12 +408,10 @@ export async function rows_that_no_link_takes_are_told_and_saved({ session, file
     }, transfer);
     await pause(300);
     assert.equal((await page.$eval("#batch", (area) => area.value)).split("\n").length, 3001);
-    await page.close();
 }
 
 /** Wrong inputs: the last picture stays, greyed. */
-export async function a_wrong_input_keeps_the_last_picture({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual));
+export async function a_wrong_input_keeps_the_last_picture({ page }) {
     const drawnNow = () => page.$eval("#panel-contact svg", (svg) => [svg.outerHTML, Boolean(svg.closest(".old"))]);
     const [drawn, greyed] = await drawnNow();
     await enter(page, { "in-P": "x" });
@@ -448,53 +421,44 @@ export async function a_wrong_input_keeps_the_last_picture({ session, file }) {
     await enter(page, { "in-P": "190" });
     await openTab(page, "contact");
     assert.deepEqual(await drawnNow(), [drawn, false]);
-    await page.close();
 }
 
 /** A long text makes no tall rows: theta = 0.5 has warnings. */
-export async function long_warnings_wrap_under_the_table({ session, file }) {
-    const page = await openPage(session, file, asAddress({ ...usual, theta: "0.5", E1: "210" }), 1366);
+export async function long_warnings_wrap_under_the_table({ page, show }) {
+    await page.setViewport({ width: 1366, height: 900 });
+    await show({ ...usual, theta: "0.5", E1: "210" });
     const height = await page.evaluate(() => document.documentElement.scrollHeight);
     assert.ok(height < 2500, `${height} pixels`);
-    await page.close();
 }
 
 /** With a decimal comma: ticks, what is typed, the saved tables. */
-export async function one_decimal_sign_is_everywhere({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual));
+export async function one_decimal_sign_is_everywhere({ page }) {
     await enter(page, { "set-sign": "," });
     assert.equal(await page.$eval("#in-theta", (input) => input.value), "0,01");
     const ticks = await page.$$eval("#panel-contact .tick", (texts) => texts.map((text) => text.textContent));
     assert.ok(ticks.some((text) => text.includes(",")) && !ticks.some((text) => text.includes(".")), ticks.join(" "));
     const lines = (await savedBy(page, '#panel-contact .save button[aria-label$="CSV"]')).split("\n");
     assert.match(lines[5], /^-\d,\d+;\d+,\d+;/);
-    await page.close();
 }
 
-export async function a_telephone_shows_meanings({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual, { tab: "cycle" }), 360);
-    await settled(page);
-    const heights = await page.$$eval("#panel-cycle .meaning", (cells) => cells.map((cell) => cell.offsetHeight));
-    assert.ok(heights.length >= 5 && heights.every((height) => height > 5), heights.join());
-    await page.close();
-}
-
-export async function no_page_is_wider_than_a_telephone({ session, file }) {
-    const page = await openPage(session, file, "", 360);
+export async function a_telephone_shows_all_in_its_width({ page, show }) {
+    await page.setViewport({ width: 360, height: 900 });
     for (const tab of tabs) {
-        await reopen(page, file, asAddress(usual, { tab, batch: "case\tP\none\t190" }));
+        await show(usual, { tab, batch: "case\tP\none\t190" });
+        await settled(page);
         assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 360, tab);
+        if (tab !== "cycle") continue;
+        const heights = await page.$$eval("#panel-cycle .meaning", (cells) => cells.map((cell) => cell.offsetHeight));
+        assert.ok(heights.length >= 5 && heights.every((height) => height > 5), heights.join());
     }
-    await page.close();
 }
 
 /** Nothing serious by axe-core, in light and in dark. */
-export async function nothing_serious_stands_in_the_way({ session, file, axe, dark }) {
+export async function nothing_serious_stands_in_the_way({ page, show, axe, dark }) {
     const source = readFileSync(axe, "utf8");
-    const page = await openPage(session, file);
     for (const tab of tabs)
         for (const scheme of dark ? ["light", "dark"] : ["light"]) {
-            await reopen(page, file, asAddress(usual, { tab, batch: "case\tP\none\t190\ntwo\t50\nthree\t900" }));
+            await show(usual, { tab, batch: "case\tP\none\t190\ntwo\t50\nthree\t900" });
             if (dark) await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
             await page.evaluate(source);
             const violations = await page.evaluate(async () =>
@@ -504,12 +468,10 @@ export async function nothing_serious_stands_in_the_way({ session, file, axe, da
             );
             assert.deepEqual(violations, [], `${tab}, ${scheme}`);
         }
-    await page.close();
 }
 
 /** Values under the pointer, curves that stay beside the next case, units that convert, the name in files, one sheet of paper. */
-export async function a_plot_is_read_pinned_and_saved_by_name({ session, file, tool }) {
-    const page = await openPage(session, file, asAddress(usual));
+export async function a_plot_is_read_pinned_and_saved_by_name({ page, tool }) {
     const middle = await page.$eval("#panel-contact .frame", (frame) => {
         frame.scrollIntoView();
         const { left, top, width, height } = frame.getBoundingClientRect();
@@ -533,18 +495,16 @@ export async function a_plot_is_read_pinned_and_saved_by_name({ session, file, t
     await enter(page, { "set-units": "in" });
     assert.equal((await shownNumbers(page)).safety, safety);
     assertNear(await page.$eval("#in-a", (input) => input.value), 0.05 / 25.4, 1e-6, "a in inches");
-    await page.close();
 }
 
 /** What gives a safety is taken into the form. */
-export async function a_safety_is_asked_for({ session, file }) {
-    const page = await openPage(session, file, asAddress(usual, { digits: "10" }));
+export async function a_safety_is_asked_for({ page, show }) {
+    await show(usual, { digits: "10" });
     for (const name of ["radius", "P", "f"]) {
         await enter(page, { "find-input": name, "find-safety": "1.5" });
         await page.click(".find button");
         assertNear((await shownNumbers(page)).safety, 1.5, 1e-8, name);
     }
-    await page.close();
 }
 
 /** What was said and asked for in all the others: axe-core's own letters are data, and ask no one. */

@@ -32,21 +32,20 @@ export async function openBrowser(about) {
     return { browser, said: [], asked: [] };
 }
 
-/** The page at a file with a state, of so many pixels. */
-export async function openPage({ browser, said, asked }, file, hash = "", width = 1300) {
+/** A page, empty as yet. */
+export async function openPage({ browser, said, asked }) {
     const page = await browser.newPage();
     page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
     page.on("pageerror", (error) => said.push(`error: ${error.message}`));
     page.on("request", (request) => asked.push(request.url()));
-    await page.setViewport({ width, height: 900 });
-    await reopen(page, file, hash);
+    await page.setViewport({ width: 1300, height: 900 });
     return page;
 }
 
-/** The same page with another state, loaded anew. */
-export async function reopen(page, file, hash) {
+/** Loads the file anew, with a case and more of its state. */
+export async function reopen(page, file, texts = {}, more = {}) {
     await page.goto("about:blank");
-    await page.goto(`file://${file}${hash}`);
+    await page.goto(`file://${file}#${new URLSearchParams({ ...texts, ...more })}`);
     await page.waitForSelector("#status");
 }
 

@@ -31,11 +31,10 @@ function run(args, input) {
 
 /** What the tool says of a row of these texts. */
 function toolError(texts) {
-    const table = Object.values({ names: Object.keys(texts), row: Object.values(texts) }).map((cells) =>
-        cells.join("\t"),
-    );
-    const [names, row] = run(["solve", "--input", "-", "--format", "tsv"], `${table.join("\n")}\n`).stdout.split("\n");
-    return row?.split("\t")[names.split("\t").indexOf("error")];
+    const rows = [Object.keys(texts), Object.values(texts)].map((cells) => cells.join("\t"));
+    const told = run(["solve", "--input", "-", "--format", "tsv"], `${rows.join("\n")}\n`).stdout.split("\n");
+    const [names, cells] = told.map((line) => line.split("\t"));
+    return cells[names.indexOf("error")];
 }
 
 test("a thousands comma in pasted rows is refused, not read as a decimal comma", () => {
@@ -58,16 +57,10 @@ test("a thousands comma in a field is refused, a decimal comma is read", () => {
 });
 
 test("the decimal comma is read in pasted rows where it is chosen", () => {
-    const { rows } = solveRows("P;Q\n300,5;40,25\n", { ...bodies, yield_stress: "900" }, ",");
-    const told = run([
-        "solve",
-        ...optionsOf({ ...bodies, yield_stress: "900", P: "300.5", Q: "40.25" }),
-        "--layout",
-        "row",
-    ]).stdout;
-    const [names, values] = told.split("\n").map((line) => line.split(","));
-    const { results } = solveRows("P;Q\n300,5;40,25\n", { ...bodies, yield_stress: "900" }, ",");
-    assertNear(rows[0].values[results.indexOf("safety")], Number(values[names.indexOf("safety")]), 1e-12, "safety");
+    const texts = { ...bodies, yield_stress: "900" },
+        told = solveRows("P\tQ\n300.5\t40.25\n", texts, ".");
+    assert.deepEqual(solveRows("P;Q\n300,5;40,25\n", texts, ",").rows[0].values, told.rows[0].values);
+    assert.ok(Number(told.rows[0].values[told.results.indexOf("safety")]) > 1);
 });
 
 test("surplus cells in the loads of a cycle are refused as by the tool", () => {
@@ -301,12 +294,9 @@ test("a cycle without a table is that of the tool after P and M", () => {
         const { M = "0", sigma = "0", ...bodiesAlone } = rest;
         const table = `P,M,Q,sigma\n${P},${M},${Q},${sigma}\n${P},${M},-${Q},-${sigma}\n`;
         const told = run(["fretting", "-", "--load", `${P},${M},0,0`, ...optionsOf(bodiesAlone)], table);
-        const worst = Object.fromEntries(
-            [...told.stderr.matchAll(/(\w+) (\S+) at x = ([^;\s]+)/g)].map((m) => [m[1], m]),
-        );
         const answer = cycleOf({ ...usual, ...texts }, "", ".", "3", swt);
         assert.equal(answer.complaint, undefined);
-        assertNear(answer.worst.swt.value, Number(worst.swt[2]), 5e-6, told.stderr);
+        assertNear(answer.worst.swt.value, Number(told.stderr.match(/swt (\S+) at/)[1]), 5e-6, told.stderr);
     }
     assert.match(cycleOf({ ...usual, Q: "0" }, "", ".", "3", swt).complaint, /both are 0$/);
 });

@@ -32,5 +32,3 @@ export function randomCase(next, i) {
     else texts.yield_stress = String(between(250, 1500));
     return texts;
 }
-
-export const asAddress = (texts, more = {}) => "#" + new URLSearchParams({ ...texts, ...more }).toString();

@@ -3,6 +3,7 @@
 import { shortNumber } from "../number.js";
 import { contours } from "d3-contour";
 import { extent, ticks } from "d3-array";
+import { line } from "d3-shape";
 import { escaped } from "../parts.js";
 import { axes, narrow, scales } from "./axes.js";
 import { colourOf } from "./colours.js";
@@ -13,6 +14,7 @@ const frames = [
 ];
 const fieldFrame = () => frames[narrow.matches ? 1 : 0];
 export const viewBox = () => `0 0 ${fieldFrame().width} ${fieldFrame().height}`;
+const scalesOf = ({ x0, x1, depth }) => scales([x0, x1], [0, depth], fieldFrame(), true);
 const LEVELS = 10;
 
 /** A few of the highest and lowest values may be far from the rest, as near a sharp apex: they set no level. */
@@ -21,18 +23,6 @@ function range(values) {
     const [lowest, highest] = extent(values),
         inner = some[1480] - some[20];
     return [Math.max(lowest, some[20] - inner), Math.min(highest, some[1480] + inner)];
-}
-
-/** Grid coordinates of d3-contour count half a cell more than ours; a digit is a tenth of a pixel. */
-function pathOf(polygons, toX, toY) {
-    let text = "";
-    for (const polygon of polygons)
-        for (const ring of polygon) {
-            for (let i = 0; i < ring.length - 1; i++)
-                text += `${i === 0 ? "M" : "L"}${Math.round(10 * toX(ring[i][0])) / 10},${Math.round(10 * toY(ring[i][1])) / 10}`;
-            text += "Z";
-        }
-    return text;
 }
 
 function key(levels, colours, box, unit) {
@@ -56,12 +46,19 @@ function bandsOf(values) {
     return { levels, colours: levels.map((level, i) => colourOf(((i === 0 ? lo : level) + ends[i]) / 2, lo, hi)) };
 }
 
-/** The bands but the lowest, one upon the other. */
+/** The bands but the lowest, one upon the other. Grid coordinates of d3-contour count half a cell more than ours. */
 function bandTexts({ levels, colours }, { values, nx, ny, x0, x1, depth }, scale) {
-    const toX = (i) => scale.x(x0 + ((i - 0.5) / (nx - 1)) * (x1 - x0)),
-        toY = (j) => scale.y(((j - 0.5) / (ny - 1)) * depth);
+    const ring = line()
+        .x(([i]) => scale.x(x0 + ((i - 0.5) / (nx - 1)) * (x1 - x0)))
+        .y(([, j]) => scale.y(((j - 0.5) / (ny - 1)) * depth))
+        .digits(1);
     const find = contours().size([nx, ny]).smooth(true);
-    const path = (level) => pathOf(find.contour(values, level).coordinates, toX, toY);
+    const path = (level) =>
+        find
+            .contour(values, level)
+            .coordinates.flat()
+            .map((points) => `${ring(points)}Z`)
+            .join("");
     return levels.slice(1).map((level, i) => `<path class="level" fill="${colours[i + 1]}" d="${path(level)}"/>`);
 }
 
@@ -83,7 +80,7 @@ function barText({ from, to, style, name }, scale, box) {
  */
 export function fieldText(grid, { xLabel, yLabel, unit, points, surface }) {
     const box = fieldFrame(),
-        scale = scales([grid.x0, grid.x1], [0, grid.depth], box, true);
+        scale = scalesOf(grid);
     const bands = bandsOf(grid.values);
     const [width, height] = [box.width - box.left - box.right, box.height - box.top - box.bottom];
     const frame = `x="${box.left}" y="${box.top}" width="${width}" height="${height}"`;
@@ -98,16 +95,17 @@ export function fieldText(grid, { xLabel, yLabel, unit, points, surface }) {
 }
 
 /** The place under a point of the plot, given in the units of its view box; null outside. */
-export function placeAt(u, v, { x0, x1, depth }) {
-    const scale = scales([x0, x1], [0, depth], fieldFrame(), true);
-    const x = scale.x.invert(u),
+export function placeAt(u, v, grid) {
+    const { x0, x1, depth } = grid,
+        scale = scalesOf(grid),
+        x = scale.x.invert(u),
         y = scale.y.invert(v);
     return x >= x0 && x <= x1 && y >= 0 && y <= depth ? { x, y } : null;
 }
 
-export function probeText(place, { x0, x1, depth }) {
-    const scale = scales([x0, x1], [0, depth], fieldFrame(), true);
-    const [u, v] = [scale.x(place.x).toFixed(1), scale.y(place.y).toFixed(1)];
+export function probeText(place, grid) {
+    const scale = scalesOf(grid),
+        [u, v] = [scale.x(place.x).toFixed(1), scale.y(place.y).toFixed(1)];
     const cross = `d="M${u - 9},${v}H${+u + 9}M${u},${v - 9}V${+v + 9}"`;
     return `<path class="halo" ${cross}/><path class="cross" ${cross}/>`;
 }

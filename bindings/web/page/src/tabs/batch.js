@@ -76,13 +76,12 @@ function remarkOf(solved) {
 
 const save = (solved, sign) => download("solved.csv", csvOf(linesOf(solved, sign), sign), "text/csv");
 
-const aside = new Aside("rows", () => set({}));
+export const aside = new Aside("rows", () => set({}));
 
 export function batch({ texts, sign, write }) {
     const solved = aside.ask([state.batch, texts, sign]) ?? { complaint: "" },
         isBad = solved.complaint !== undefined;
-    return html`<div aria-busy=${aside.busy || nothing}>
-        <label for="batch">Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does</label>
+    return html`<label for="batch">Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does</label>
         <textarea id="batch" rows="8" wrap="off" spellcheck="false" aria-describedby="batch-note" placeholder=${example}
             .value=${live(state.batch)} @input=${setter("batch")}></textarea>
         <p class="tools"><button type="button" @click=${() => set({ batch: example })}>Try an example</button>
@@ -91,5 +90,5 @@ export function batch({ texts, sign, write }) {
         <p class="tools" ?hidden=${isBad}>${copyButton("Copy the solved rows", () => asText(linesOf(solved, sign)))}
             <button type="button" @click=${() => save(solved, sign)}>Save as CSV</button></p>
         <div class="wide" tabindex="0" role="region" aria-label="Solved rows" ?hidden=${isBad}
-            >${isBad ? nothing : tableOf(solved, write)}</div></div>`;
+            >${isBad ? nothing : tableOf(solved, write)}</div>`;
 }

@@ -146,7 +146,7 @@ function answers(answer, model) {
         ${plot("loop", loopOf, () => loopTable(answer))}`;
 }
 
-const aside = new Aside("cycle", () => set({}));
+export const aside = new Aside("cycle", () => set({}));
 
 /** On the surface, where the tab is seen and there is one. */
 export const worstPlace = () =>
@@ -162,10 +162,10 @@ export function cycle(model) {
         { name, isPlaneStress: plane === "stress", material },
     ]) ?? { complaint: "" };
     const command = answer.complaint === undefined ? asFretting(model, answer, cycles.trim(), loads.trim() !== "") : "";
-    return html`<div aria-busy=${aside.busy || nothing}>${entries()}
+    return html`${entries()}
         <p id="loads-note" class="note ${answer.complaint ? "bad" : ""}" aria-live="polite">${remarkOf(answer)}</p>
         <h2>Worst places</h2>
         ${answers(answer, model)}
         <details><summary>This cycle as a command</summary>${copyButton("Copy the command", () => command)}
-            <pre id="as-fretting" tabindex="0">${command}</pre></details></div>`;
+            <pre id="as-fretting" tabindex="0">${command}</pre></details>`;
 }

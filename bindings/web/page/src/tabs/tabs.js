@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tabs: one is seen at a time, and only that one is computed.
-import { html } from "lit-html";
+import { html, nothing } from "lit-html";
 import { set, state, tabs } from "../state.js";
 import { about } from "./about.js";
-import { batch } from "./batch.js";
+import { batch, aside as rows } from "./batch.js";
 import { contact } from "./contact.js";
-import { cycle } from "./cycle.js";
+import { cycle, aside as history } from "./cycle.js";
 import { strength } from "./strength.js";
 import { stress } from "./stress.js";
 
 const views = { contact, stress, strength, cycle, batch, about };
+/** What computes for a tab in the background, also while another is seen. */
+const asides = { cycle: history, batch: rows };
 const names = Object.keys(tabs);
 
 /** By name, as they were drawn last: { content, whole: of a case with results, old }. */
@@ -51,7 +53,8 @@ export function tabPanels(model) {
     return names.map(
         (
             name,
-        ) => html`<div role="tabpanel" id="panel-${name}" aria-labelledby="tab-${name}" ?hidden=${name !== state.tab}>
+        ) => html`<div role="tabpanel" id="panel-${name}" aria-labelledby="tab-${name}"
+            aria-busy=${asides[name]?.busy || nothing} ?hidden=${name !== state.tab}>
             <p class="note bad" role="alert">${drawn[name].fault}</p>
             <div class=${drawn[name].old ? "old" : ""}>${drawn[name].content}</div></div>`,
     );

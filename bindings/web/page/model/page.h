@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef PAGE_H
+#define PAGE_H
+
+#include "input/input.h"
+#include "model/cycle/cycle.h"
+#include "model/model.h"
+
+#include <stddef.h>
+
+/* What JavaScript calls. */
+#define EXPORTED
+
+/* ---- records ---- Texts and numbers, as one text that JavaScript takes apart. */
+
+/* Begins anew: the text before is lost. */
+void records_begin(void);
+
+/* A record: its kind, and a field for each letter of the form, t a text, n a double. */
+void records_add(const char *kind, const char *form, ...);
+
+/* More fields of the last record. */
+void records_text(const char *text);
+void records_number(double number); /* empty where it is not a number; inf is one */
+
+/* In place of all that was added: what is wrong, and with what; or "". */
+void records_refuse(const char *input, const char *why);
+
+/* The whole; an empty text without memory. */
+const char *records_end(void);
+
+/* ---- field_texts ---- The texts of the form, as JavaScript hands them over. */
+
+/* From "name=text" of each input, a line each; it takes the lines apart in place. The text of
+ * "profile" has its rows, that of "hull" the same for their convex hull. */
+input_texts field_texts(char *lines);
+
+/* What is to be known of the profile of the last texts; or "". */
+const char *field_remark(void);
+
+/* ---- answers ---- About the case of the form, as records. */
+
+/* Reads the case without its loads, which are given apart, and Poisson's ratio of body 1. In plane
+ * stress the contact is one of Poisson's ratio 0. False where it is refused: the records say
+ * why. */
+bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form,
+                     double *nu);
+
+/* ---- pasted ---- Rows that were pasted, read as the tool reads a file. */
+
+/* Cells stand between tabs as a spreadsheet gives them, or between ; or , as a file has them. The
+ * text must outlive the input. */
+csv_input *pasted_open(const char *text);
+
+/* What a file that is opened next has in it, whatever its name. */
+void pasted_offer(const char *text);
+
+/* The next row, kept: with its fault in place of cells where its quotes are misplaced. False at the
+ * end; problem says why where that is before the text's. */
+bool pasted_next(csv_input *in, csv_row *row, const char **problem);
+
+/* ---- load_list ---- Loads one after the other, pasted as a table. */
+
+typedef struct {
+    load to;
+    int line; /* of the pasted text; 0 where the form gives it */
+} listed_load;
+
+typedef struct {
+    listed_load *load;
+    size_t count;
+    char unused[COMPLAINT_SIZE]; /* columns with numbers */
+} load_list;
+
+void load_list_add(load_list *loads, load to, int line);
+
+/* False, with the complaint, where a row is no load. */
+bool load_list_read(const char *text, char decimal_sign, load_list *loads,
+                    char complaint[COMPLAINT_SIZE]);
+
+/* Adds records of the loads, and of the columns that are not used. */
+void load_list_write(const load_list *loads);
+
+void load_list_free(load_list *loads);
+
+/* ---- loop ---- Of the last cycle: of the whole contact where P is constant and there is no moment
+ * or tension, else of one place. */
+
+/* Tangential load over displacement by slip, which encloses the energy of the cycle; or the shear
+ * traction of a place over its slip, as long as it touches. */
+typedef struct {
+    bool is_whole;
+    double place;  /* NAN where there is none */
+    double *x, *y; /* freed by free(x) */
+    size_t count;  /* 0 where no slip is known */
+} loop;
+
+/* At the place, NAN for none, where it is not of the whole. */
+loop loop_of(const last_cycle *cycle, double place);
+
+#endif

@@ -19,8 +19,8 @@ bool start(int *count, const char ***words);
 /* How many threads the machine can run at a time, at least 1. */
 long processors(void);
 
-/* ---- files ---- Files by their names, which are UTF-8 where the system has characters in names.
- * */
+/* ---- files ---- Files by their names, which are UTF-8 where the system has characters in
+ * names. */
 
 typedef enum {
     FILE_REGULAR,

@@ -151,10 +151,24 @@ CLAIM(separation_forgets_all_but_the_energy)
     assert_int_equal(rwedge_contact_memory(contact), 1);
 }
 
+/* ---- Reference values; the promise of the header is a column of theirs ---- */
+
+CLAIM(energies_of_histories_are_the_reference_values)
+{
+    reference rows = reference_open("energy_of_histories.csv");
+    while (reference_next(&rows)) {
+        const double *c = rows.cell, *loads = c + 7;
+        rwedge_contact *contact = create_wedge(c[0], c[2], c[1], c[3]);
+        for (int i = 0; i < c[6]; i++)
+            load(contact, loads[2 * i], loads[2 * i + 1]);
+        assert_within(rwedge_contact_dissipated_energy(contact), c[4], c[5]);
+    }
+}
+
 /* ---- Off the centre ---- */
 
 /* Where 1 - Q/(fP) fell below 1e-6, the narrow front lost the panels next to it: errors up to 5 %.
- * The promise of the header is in the last column. */
+ */
 CLAIM(energies_off_the_centre_are_the_reference_values)
 {
     reference rows = reference_open("energy_off_centre.csv");

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-! A fretting test as in tests/repository/example_fretting.c (N, mm), driven as by a finite-element code: time goes on in increments, in
+! A fretting test as in lib/README.md (N, mm), driven as by a finite-element code: time goes on in increments, in
 ! each the solver tries tangential loads until it is content, and only the last trial becomes history.
 
 ! The pad, as a user subroutine of the solver sees it: what was accepted, and what is being tried.

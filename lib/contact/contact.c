@@ -70,7 +70,7 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     *copied = *contact;
     copied->memory = (rw_memory){0};
     copied->origins = (rw_slip_origins){0};
-    copied->numerical = NULL;
+    copied->numerical = copied->start = NULL;
     copied->exact = NULL;
     copied->kept = NULL;
     if (contact->geometry.pad)

@@ -56,6 +56,8 @@ struct rwedge_contact {
     rw_slip_origins origins;
     double tolerance;        /* of loads without a closed form; 0: they are refused */
     rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
+    rw_numerical *start;     /* then: as it was where the straight line of the last loads began */
+    double strayed;          /* how far the loads since were off that line: numerical.c */
     rwedge_contact *exact;   /* then: as it was in closed form last; NULL: without contact */
     void *kept; /* by a room above until the next load; NULL for nothing; no copy has it */
     void (*destroy_kept)(void *kept);

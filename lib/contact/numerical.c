@@ -239,10 +239,15 @@ static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_course 
     return result;
 }
 
+static rw_course course_to(const rwedge_contact *c, const rw_step *step)
+{
+    return course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
+}
+
 /* Whether the contact stays: its edges do. */
 static rw_course destination(const rwedge_contact *c, const rw_step *step, const rw_numerical *n)
 {
-    rw_course to = course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
+    rw_course to = course_to(c, step);
     if (step->patch.left == n->now.contact.left && step->patch.right == n->now.contact.right) {
         to.P = n->now.at.P;
         to.M = n->now.at.M;
@@ -269,18 +274,81 @@ static void discard(rw_numerical *n)
     free(n);
 }
 
-/* The computed shear before the step; NULL where memory is short. */
-static rw_numerical *start(const rwedge_contact *c, const rw_step *step)
+static rw_numerical *copy_of(const rw_numerical *n)
 {
+    rw_numerical *copy = malloc(sizeof *copy);
+    if (copy && rw_numerical_copy(n, copy))
+        return copy;
+    free(copy);
+    return NULL;
+}
+
+/* The computed shear before the step; NULL where memory is short. */
+static rw_numerical *before_step(const rwedge_contact *c, const rw_step *step)
+{
+    if (c->numerical)
+        return copy_of(c->numerical);
     rw_numerical *n = malloc(sizeof *n);
-    if (n &&
-        (c->numerical ? rw_numerical_copy(c->numerical, n)
-         : c->memory.count == 1
-             ? touch(c, course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch), n)
-             : begin(c, n)))
+    if (n && (c->memory.count == 1 ? touch(c, course_to(c, step), n) : begin(c, n)))
         return n;
     free(n);
     return NULL;
+}
+
+/* A step from the state `from`. Unless RWEDGE_OK, there is no next state. */
+static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_numerical *from,
+                     rw_numerical **next)
+{
+    const rw_frame frame = frame_of(c);
+    *next = copy_of(from);
+    if (!*next)
+        return RWEDGE_ENOMEM;
+    const int32_t status = status_of(advance(*next, &frame, destination(c, step, from)));
+    if (status != RWEDGE_OK) {
+        discard(*next);
+        *next = NULL;
+    }
+    return status;
+}
+
+/* ---- Straight lines ---- */
+
+/* A load that continues a straight line is computed as one step from the start of the line. So
+ * answers do not depend on how a caller cuts the line, and errors of many small steps do not add
+ * up. All in all the loads may be off the line by this part of the tolerance. */
+static const double STRAY = 0.1;
+
+enum { COURSES = 4 };
+
+/* The changes of the loads, each as a traction. */
+static void changes(const rw_numerical *n, double f, rw_course to, double change[])
+{
+    const rw_course from = n->now.at;
+    const double half = rw_patch_half_width(n->now.contact);
+    change[0] = f * (to.P - from.P) / half;
+    change[1] = f * (to.M - from.M) / (half * half);
+    change[2] = (to.shear - from.shear) / half;
+    change[3] = to.stretch - from.stretch;
+}
+
+/* How far the loads so far are off the line from its start to the next load, over friction: at most
+ * the last load, and those before it off the line to the last. */
+static double stray(const rwedge_contact *c, const rw_step *step)
+{
+    if (!c->start)
+        return HUGE_VAL;
+    const rw_frame frame = frame_of(c);
+    double last[COURSES], next[COURSES], product = 0, square = 0, apart = 0;
+    changes(c->start, c->f, c->numerical->now.at, last);
+    changes(c->start, c->f, destination(c, step, c->start), next);
+    for (int i = 0; i < COURSES; i++) {
+        product += last[i] * next[i];
+        square += next[i] * next[i];
+    }
+    const double part = square > 0 ? fmax(0, fmin(1, product / square)) : 0;
+    for (int i = 0; i < COURSES; i++)
+        apart += fabs(last[i] - part * next[i]);
+    return c->strayed + apart / rw_peak_friction(&frame, c->numerical->now.contact);
 }
 
 /* Keeps a copy of the contact in its last closed form. */
@@ -289,25 +357,39 @@ static bool keep_exact(rwedge_contact *c)
     return c->numerical || c->memory.count == 1 || rwedge_contact_copy(c, &c->exact) == RWEDGE_OK;
 }
 
+/* The start of a line, its last state and how far loads strayed from it. */
+static void take(rwedge_contact *c, rw_numerical *start, rw_numerical *next, double strayed)
+{
+    if (start != c->start)
+        discard(c->start);
+    discard(c->numerical);
+    c->start = start;
+    c->numerical = next;
+    c->strayed = strayed;
+    rw_numerical_add_error(next, strayed);
+}
+
 int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
 {
-    const rw_frame frame = frame_of(c);
-    rw_numerical *next = start(c, step);
-    if (!next || !rw_memory_reserve(&c->memory, 2)) {
-        discard(next);
-        return RWEDGE_ENOMEM;
+    rw_numerical *start = c->start, *next = NULL;
+    double strayed = stray(c, step);
+    int32_t status = strayed <= STRAY * c->tolerance ? reach(c, step, start, &next) : RWEDGE_ENOCONV;
+    if (status == RWEDGE_ENOCONV) {
+        strayed = 0;
+        start = before_step(c, step);
+        status = start ? reach(c, step, start, &next) : RWEDGE_ENOMEM;
     }
-    const double before = next->now.energy;
-    int32_t status = status_of(advance(next, &frame, destination(c, step, next)));
-    if (status == RWEDGE_OK && !keep_exact(c))
+    if (status == RWEDGE_OK && !(rw_memory_reserve(&c->memory, 2) && keep_exact(c)))
         status = RWEDGE_ENOMEM;
     if (status != RWEDGE_OK) {
+        if (start != c->start)
+            discard(start);
         discard(next);
         return status;
     }
+    const double before = c->numerical ? c->numerical->now.energy : start->now.energy;
     *energy = c->geometry.theta * rw_unit_stress(&c->geometry) * (next->now.energy - before);
-    discard(c->numerical);
-    c->numerical = next;
+    take(c, start, next, strayed);
     forget_shear(c, step);
     return RWEDGE_OK;
 }
@@ -357,21 +439,20 @@ bool rw_numerical_take_over(rwedge_contact *c, const rwedge_contact *other)
 {
     if (!other->numerical)
         return true;
-    rw_numerical *copy = malloc(sizeof *copy);
-    if (!copy || !rw_numerical_copy(other->numerical, copy)) {
-        free(copy);
-        return false;
-    }
-    c->numerical = copy;
-    return !other->exact || rwedge_contact_copy(other->exact, &c->exact) == RWEDGE_OK;
+    c->numerical = copy_of(other->numerical);
+    c->start = copy_of(other->start);
+    c->strayed = other->strayed;
+    return c->numerical && c->start &&
+           (!other->exact || rwedge_contact_copy(other->exact, &c->exact) == RWEDGE_OK);
 }
 
 void rw_numerical_end(rwedge_contact *c)
 {
     rwedge_contact_destroy(c->exact);
     discard(c->numerical);
+    discard(c->start);
     c->exact = NULL;
-    c->numerical = NULL;
+    c->numerical = c->start = NULL;
 }
 
 /* ---- Functions of the header ---- */

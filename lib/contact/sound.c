@@ -81,6 +81,14 @@ static bool is_share_sound(const rwedge_contact *c)
     return rw_memory_common(&c->memory, &last) >= c->memory.shared;
 }
 
+static bool is_numerical_sound(const rw_numerical *n)
+{
+    const rw_stance *s = &n->now;
+    const rw_zones *z = &s->shear.zones;
+    return s->at.P > 0 && z->zone[0].left == s->contact.left &&
+           z->zone[z->count - 1].right == s->contact.right;
+}
+
 static bool is_shear_sound(const rwedge_contact *c)
 {
     if (!(c->tolerance == 0 ||
@@ -88,13 +96,11 @@ static bool is_shear_sound(const rwedge_contact *c)
         return false;
     if (!c->numerical)
         return true;
-    const rw_stance *s = &c->numerical->now;
-    const rw_patch contact = rw_memory_end(&c->memory)->patch;
-    const rw_zones *z = &s->shear.zones;
+    const rw_patch contact = rw_memory_end(&c->memory)->patch, now = c->numerical->now.contact;
     return c->f > 0 && fabs(c->loads.Q) <= c->f * c->loads.P * (1 + LOOSE) &&
            c->memory.count == 2 && c->memory.corners[1].ratio == 0 &&
-           s->contact.left == contact.left && s->contact.right == contact.right && s->at.P > 0 &&
-           z->zone[0].left == contact.left && z->zone[z->count - 1].right == contact.right;
+           now.left == contact.left && now.right == contact.right && c->strayed >= 0 &&
+           is_numerical_sound(c->numerical) && is_numerical_sound(c->start);
 }
 
 bool rw_is_contact_sound(const rwedge_contact *c)

@@ -205,8 +205,14 @@ static void pass_errors(tape *t, rw_numerical *n)
     }
 }
 
-static void pass_shear(tape *t, rw_numerical *n)
+static void pass_shear(tape *t, rw_numerical **shear)
 {
+    if (t->in)
+        *shear = calloc(1, sizeof **shear);
+    t->is_short = !*shear;
+    if (t->is_short)
+        return;
+    rw_numerical *n = *shear;
     rw_stance *s = &n->now;
     double *const finite[] = {&s->at.P,           &s->at.M,           &s->at.shear,
                               &s->at.stretch,     &s->contact.left,   &s->contact.right,
@@ -247,12 +253,11 @@ static void pass_numerical(tape *t, rwedge_contact *c)
     const bool has_shear = pass_count(t, c->numerical != NULL, t->is_inner ? 0 : 1) == 1;
     if (!has_shear || !t->is_sound || t->is_short)
         return;
-    if (t->in)
-        c->numerical = calloc(1, sizeof *c->numerical);
-    t->is_short = !c->numerical;
-    if (t->is_short)
+    pass_finite(t, &c->strayed);
+    pass_shear(t, &c->numerical);
+    if (!t->is_sound || t->is_short)
         return;
-    pass_shear(t, c->numerical);
+    pass_shear(t, &c->start);
     pass_exact(t, c);
 }
 

@@ -107,6 +107,13 @@ static bool sticks_at(const rw_zones *zones, double x)
     return zones->zone[i].label == 0;
 }
 
+void rw_numerical_add_error(rw_numerical *n, double error)
+{
+    for (int i = 0; i < RW_PLACES; i++)
+        if (sticks_at(&n->now.shear.zones, rw_place(n->now.contact, i)))
+            n->error[i] = hypot(n->error[i], error);
+}
+
 static double error_at(const rw_numerical *n, double x)
 {
     const rw_patch contact = n->now.contact;

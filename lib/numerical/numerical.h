@@ -38,6 +38,9 @@ double rw_numerical_error(const rw_numerical *numerical);
 /* Multiplies the errors, where the peak pressure that they are measured by has changed. */
 void rw_numerical_rescale(rw_numerical *numerical, double factor);
 
+/* Adds an error where it sticks, independent of those so far. */
+void rw_numerical_add_error(rw_numerical *numerical, double error);
+
 /* The slip of a place in contact, over theta. */
 double rw_numerical_slip(const rw_numerical *numerical, double x);
 

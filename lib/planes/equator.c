@@ -310,8 +310,8 @@ bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severit
 }
 
 /* With u the square of sin(beta), the amplitude is at most (1-u) r + u beyond, the peak at most
- * (1-u) p + u z, and r p at most the value. What is left of the product is u (1-u) (r z + p beyond)
- * + u^2 z beyond. */
+ * (1-u) p + u z, and r p at most the value. Plane stress has no stress z across the plane, plane
+ * strain no strain `beyond`. So what is left of the product is u (1-u) (r z + p beyond). */
 bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value)
 {
     double r = 0, p = 0, z = 0, top = -DBL_MAX, bottom = DBL_MAX;
@@ -323,5 +323,5 @@ bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value)
         top = rw_larger(top, load->level), bottom = rw_smaller(bottom, load->level);
     }
     const double beyond = (top - bottom) / 2;
-    return r * z + p * beyond <= 2 * value && z * beyond <= value;
+    return r * z + p * beyond <= 2 * value;
 }

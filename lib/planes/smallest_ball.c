@@ -137,13 +137,14 @@ static bool grow(rw_ball *ball, double slack, const rw_point points[], size_t mo
     index[ball->count] = more;
     const int others = ball->count;
     rw_ball candidate;
-    for (unsigned choice = 1; choice < 1u << others; choice++) {
+    const unsigned choices = (1u << others) - (others == RW_SUPPORT); /* not all, and one more */
+    for (unsigned choice = 1; choice < choices; choice++) {
         size_t support[CANDIDATES] = {more};
         int count = 1;
         for (int i = 0; i < others; i++)
             if (choice >> i & 1)
                 support[count++] = index[i];
-        if (count <= RW_SUPPORT && ball_through(points, count, support, &candidate) &&
+        if (ball_through(points, count, support, &candidate) &&
             holds(&candidate, slack, points, others + 1, index)) {
             const bool is_larger = candidate.radius > ball->radius;
             *ball = is_larger ? candidate : *ball;

@@ -209,12 +209,21 @@ static void expand(const fit *how, rw_element *e)
     }
 }
 
-static bool is_fine(const fit *how, const rw_element *e)
+/* Where the function is a fit itself, it jumps a little between its elements: up to so many times
+ * the tolerance, what is no smaller in a part than in the whole is such noise. */
+static const double NOISE = 30;
+
+/* The last coefficients, by size. */
+static double rest_of(const rw_element *e)
 {
     const double *c = e->coefficient;
-    const double last =
-        fmax(fabs(c[RW_TERMS - 1]), fmax(fabs(c[RW_TERMS - 2]), fabs(c[RW_TERMS - 3])));
-    return !(last > how->tolerance);
+    return fmax(fabs(c[RW_TERMS - 1]), fmax(fabs(c[RW_TERMS - 2]), fabs(c[RW_TERMS - 3])));
+}
+
+/* `whole` is the rest of the element that it is a part of. */
+static bool is_fine(const fit *how, double rest, double whole)
+{
+    return !(rest > how->tolerance) || (rest < NOISE * how->tolerance && rest > whole / 2);
 }
 
 /* Without the last terms that are lost in the tolerance. */
@@ -224,23 +233,25 @@ static void shorten(const fit *how, rw_element *e)
         e->coefficient[k] = 0;
 }
 
-/* Fits a part, in halves where one element is not enough, in the order of x. Next to the end, where
- * x is quadratic in u, the first part is a third. */
-static bool fit_part(fit *how, double end, double scale, double first, double last, int depth)
+/* Fits a part of what has the rest `whole`, in halves where one element is not enough, in the order
+ * of x. Next to the end, where x is quadratic in u, the first part is a third. */
+static bool fit_part(fit *how, double end, double scale, double first, double last, int depth,
+                     double whole)
 {
     rw_element e = {.end = end, .scale = scale, .first = first, .last = last};
     expand(how, &e);
+    const double rest = rest_of(&e);
     if (depth == 0 || fabs(scale) * (last * last - first * first) < how->shortest ||
-        is_fine(how, &e)) {
+        is_fine(how, rest, whole)) {
         shorten(how, &e);
         return append(how->traction, &e, &how->rule);
     }
     const double middle = first == 0 ? last / 3 : (first + last) / 2;
     if (scale > 0)
-        return fit_part(how, end, scale, first, middle, depth - 1) &&
-               fit_part(how, end, scale, middle, last, depth - 1);
-    return fit_part(how, end, scale, middle, last, depth - 1) &&
-           fit_part(how, end, scale, first, middle, depth - 1);
+        return fit_part(how, end, scale, first, middle, depth - 1, rest) &&
+               fit_part(how, end, scale, middle, last, depth - 1, rest);
+    return fit_part(how, end, scale, middle, last, depth - 1, rest) &&
+           fit_part(how, end, scale, first, middle, depth - 1, rest);
 }
 
 bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, size_t breaks,
@@ -253,8 +264,8 @@ bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, si
     for (size_t i = 0; i + 1 < breaks; i++) {
         const double middle = at[i] / 2 + at[i + 1] / 2;
         if (middle > at[i] && middle < at[i + 1] &&
-            (!fit_part(&how, at[i], middle - at[i], 0, 1, DEPTH) ||
-             !fit_part(&how, at[i + 1], middle - at[i + 1], 0, 1, DEPTH)))
+            (!fit_part(&how, at[i], middle - at[i], 0, 1, DEPTH, HUGE_VAL) ||
+             !fit_part(&how, at[i + 1], middle - at[i + 1], 0, 1, DEPTH, HUGE_VAL)))
             return false;
     }
     return true;
@@ -370,8 +381,8 @@ bool rw_traction_is_smooth(const rw_traction *t, double from, double to, double 
                last = {.end = to, .scale = -half, .last = 1};
     make_rule(&how.rule);
     expand(&how, &first);
-    if (!is_fine(&how, &first))
+    if (!is_fine(&how, rest_of(&first), HUGE_VAL))
         return false;
     expand(&how, &last);
-    return is_fine(&how, &last);
+    return is_fine(&how, rest_of(&last), HUGE_VAL);
 }

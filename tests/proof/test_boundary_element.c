@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { LEVELS = 3, COARSEST = 50, LEGS = 8, HISTORIES = 4 };
+enum { LEVELS = 3, COARSEST = 50, LEGS = 8, HISTORIES = 3 };
 
 /* How the legs of a history go. */
 typedef enum { CENTRED, IN_PHASE, SLIP_ONLY, RISING, FALLING, ROCKING, ANYTHING, ALL, KINDS } path;

@@ -17,13 +17,6 @@ static rwedge_contact *profile(size_t n, const double x[], const double slope[])
     return allowing(owned(contact), 1e-4);
 }
 
-static rwedge_contact *flat(double a)
-{
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create_flat(a, 10, A, F, &contact));
-    return allowing(owned(contact), 1e-4);
-}
-
 static void lag(rwedge_contact *contact)
 {
     const double loads[][4] = {
@@ -85,59 +78,4 @@ CLAIM(a_mirrored_pad_has_the_mirror_image)
     const double limit = 2e-4 * F * fabs(pressure(one, 0.1));
     for (int i = -9; i <= 9; i++)
         assert_within(shear(one, i / 10.0), -shear(other, -i / 10.0), limit);
-}
-
-/* Many arcs of one circle are one arc. */
-CLAIM(a_sampled_circle_is_computed_as_a_cylinder)
-{
-    enum { PLACES = 13 };
-    double x[PLACES], slope[PLACES];
-    for (int i = 0; i < PLACES; i++) {
-        x[i] = 4.0 * (2 * i - PLACES + 1) / (PLACES - 1);
-        slope[i] = x[i] / 10;
-    }
-    rwedge_contact *cylinder = flat(0), *other = profile(PLACES, x, slope);
-    lag(cylinder);
-    lag(other);
-    assert_same(cylinder, other, 1e-7);
-}
-
-CLAIM(a_flat_pad_is_copied_and_restored)
-{
-    rwedge_contact *contact = flat(0.7);
-    lag(contact);
-    rwedge_contact *copy = copy_of(contact), *twin = restored(state_of(contact));
-    apply(contact, 0.5, 0.01, -0.03, 0.04);
-    apply(copy, 0.5, 0.01, -0.03, 0.04);
-    apply(twin, 0.5, 0.01, -0.03, 0.04);
-    assert_state(copy, state_of(contact));
-    assert_state(twin, state_of(contact));
-}
-
-CLAIM(a_flat_pad_ends_it_by_sliding_and_separation)
-{
-    rwedge_contact *contact = flat(0.7);
-    lag(contact);
-    apply(contact, 0.5, 0, F * 0.5, 0.02);
-    assert_true(rwedge_contact_error(contact) == 0);
-    assert_close(shear(contact, 0.3), -F * fabs(pressure(contact, 0.3)), 1e-14);
-    contact = flat(0.7);
-    lag(contact);
-    const double before = rwedge_contact_dissipated_energy(contact);
-    apply(contact, 0, 0, 0, 0);
-    assert_true(rwedge_contact_error(contact) == 0);
-    assert_true(rwedge_contact_dissipated_energy(contact) > before);
-}
-
-/* The contact is as wide as the flat from the first. */
-CLAIM(a_flat_pad_is_touched_under_shear_and_tension)
-{
-    rwedge_contact *whole = flat(0.7), *parts = flat(0.7);
-    apply(whole, 0.5, 0.02, 0.1, 0.05);
-    assert_true(rwedge_contact_error(whole) > 0 && rwedge_contact_error(whole) < 1e-3);
-    for (int i = 1; i <= 10; i++)
-        apply(parts, 0.05 * i, 0.002 * i, 0.01 * i, 0.005 * i);
-    const double limit = 1e-3 * F * fabs(pressure(whole, 1));
-    for (int i = -9; i <= 9; i++)
-        assert_within(shear(whole, i / 5.0), shear(parts, i / 5.0), limit);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts with a load history: classical results, equilibrium, Coulomb's law, stresses. */
 #include "histories.h"
-#include "quadrature.h"
 
 #include <float.h>
 
@@ -47,86 +46,7 @@ CLAIM(hertz_loading_unloading_reloading_is_mindlin)
                       1e-14 * p0);
 }
 
-/* On the surface sxx = p - 2 Re G_T, and the slip's gradient is -A Re G_T. */
-static double half_tension(double x, const void *contact)
-{
-    const double y = 0;
-    double s[3];
-    assert_ok(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]));
-    return A / 2 * (s[0] - s[1]);
-}
-
-CLAIM(slip_is_the_surface_strain_integrated)
-{
-    static const double ROUNDINGS[] = {0, 1e-5, 0.1, 0.35, 0.6};
-    for (size_t i = 0; i < sizeof ROUNDINGS / sizeof *ROUNDINGS; i++) {
-        const double f = 0.4, P = 0.2;
-        rwedge_contact *contact = create(ROUNDINGS[i], f);
-        /* from here P is constant, and the slip that of the present traction alone */
-        load(contact, P, 0);
-        static const double RATIOS[] = {0.8, -0.5, 0.3, 0.1, 1};
-        for (int step = 0; step < 5; step++) {
-            load(contact, P, RATIOS[step] * f * P);
-            double points[POINTS_MAX], sum = 0;
-            const size_t n = breakpoints(contact, points);
-            for (size_t piece = 0; piece < n; piece++) {
-                const double halves[] = {points[piece], (points[piece] + points[piece + 1]) / 2,
-                                         points[piece + 1]};
-                for (int half = 0; half < 2; half++) {
-                    sum += integral(half_tension, contact, 1, &halves[half]);
-                    assert_within(slip(contact, halves[half + 1]), sum, 1e-13 * f * THETA);
-                }
-            }
-        }
-    }
-}
-
 /* ---- Equilibrium and Coulomb's law ---- */
-
-static double pressure_at(double x, const void *contact)
-{
-    return pressure(contact, x);
-}
-
-static double shear_at(double x, const void *contact)
-{
-    return shear(contact, x);
-}
-
-CLAIM(tractions_add_up_to_the_load_after_every_step)
-{
-    for (int number = 1; number <= 24; number++) {
-        random_history h;
-        rwedge_contact *contact = begin(&h, number);
-        for (int step = 0; step < 12; step++) {
-            go_on(&h, contact);
-            double points[POINTS_MAX];
-            const size_t n = breakpoints(contact, points);
-            assert_close(-2 * integral(pressure_at, contact, n, points), h.P, 1e-11);
-            assert_within(-2 * integral(shear_at, contact, n, points), h.Q, 1e-11 * h.f * h.P);
-        }
-    }
-}
-
-CLAIM(friction_is_nowhere_exceeded)
-{
-    for (int number = 1; number <= 60; number++) {
-        random_history h;
-        rwedge_contact *contact = begin(&h, number);
-        for (int step = 0; step < 12; step++) {
-            go_on(&h, contact);
-            const double b = rwedge_contact_half_width(contact),
-                         c = rwedge_contact_stick_half_width(contact);
-            for (int i = 0; i < 50; i++) {
-                const double x = b * (i + 0.5) / 50, p = pressure(contact, x),
-                             q = shear(contact, x);
-                assert_true(fabs(q) <= h.f * fabs(p) + 1e-14 * THETA / A);
-                if (x > c)
-                    assert_close(fabs(q), h.f * fabs(p), 1e-13);
-            }
-        }
-    }
-}
 
 CLAIM(what_slips_is_at_the_limit_and_slips_with_the_traction)
 {

@@ -76,19 +76,6 @@ CLAIM(equality_is_full_sliding_to_rounding)
     }
 }
 
-/* A caller who interpolates along the line of full sliding rounds like the larger load. */
-CLAIM(an_interpolated_load_may_slide)
-{
-    const double f = 0.3, from = 0.7, to = 0.003;
-    rwedge_contact *contact = create(0.1, f);
-    for (int i = 1; i < 1000; i++) {
-        const double t = i / 1000.0;
-        load(contact, from, f * from);
-        load(contact, from + t * (to - from), f * from + t * (f * to - f * from));
-        assert_true(rwedge_contact_stick_half_width(contact) == 0);
-    }
-}
-
 /* In many steps all are rounded like the first: once refused, or a ring of rounding stuck. */
 CLAIM(a_ramp_between_two_sliding_loads_slides)
 {
@@ -163,52 +150,4 @@ CLAIM(points_without_an_answer_write_nothing)
     x[1] *= -1;
     assert_int_equal(rwedge_contact_slip(contact, 2, x, s[0]), RWEDGE_EDOMAIN);
     assert_true(s[0][0] == 7 && s[0][1] == 7 && s[1][0] == 7 && s[2][0] == 7);
-}
-
-CLAIM(outputs_may_be_the_inputs)
-{
-    rwedge_contact *contact = create(0.1, 0.5);
-    load(contact, 0.2, 0.05);
-    double x[70], y[70], sxx[70], syy[70], txy[70];
-    for (int i = 0; i < 70; i++) {
-        x[i] = 0.01 * i - 0.3;
-        y[i] = 0.005 * i;
-    }
-    assert_ok(rwedge_contact_stresses(contact, 70, x, y, sxx, syy, txy));
-    assert_ok(rwedge_contact_stresses(contact, 70, x, y, y, x, txy));
-    assert_memory_equal(x, syy, sizeof x);
-    assert_memory_equal(y, sxx, sizeof y);
-}
-
-/* Scales far from 1, where a careless intermediate result would over- or underflow. */
-CLAIM(results_scale_with_the_units)
-{
-    for (int length = -60; length <= 60; length += 15)
-        for (int stress = -40; stress <= 40; stress += 20) {
-            const double L = ldexp(1, length), S = ldexp(1, stress);
-            rwedge_contact *unit = create(0.1, 0.5);
-            rwedge_contact *scaled = create_wedge(THETA, 0.1 * L, A / S, 0.5);
-            for (int i = 0; i < 3; i++) {
-                const double Q = i == 0 ? 0 : i == 1 ? 0.05 : -0.02;
-                load(unit, 0.2, Q);
-                load(scaled, 0.2 * S * L, Q * S * L);
-            }
-            assert_close(rwedge_contact_half_width(scaled), L * rwedge_contact_half_width(unit),
-                         1e-14);
-            assert_close(shear(scaled, 0.3 * L), S * shear(unit, 0.3), 1e-13);
-            assert_close(slip(scaled, 0.3 * L), L * slip(unit, 0.3), 1e-13);
-            assert_close(rwedge_contact_dissipated_energy(scaled),
-                         S * L * L * rwedge_contact_dissipated_energy(unit), 1e-13);
-            for (int i = 0; i < 20; i++) {
-                const double x = 0.1 * (i - 9.3), y = 0.01 * i * i, x_scaled = L * x,
-                             y_scaled = L * y;
-                double s[3], expected[3];
-                assert_ok(rwedge_contact_stresses(unit, 1, &x, &y, &expected[0], &expected[1],
-                                                  &expected[2]));
-                assert_ok(
-                    rwedge_contact_stresses(scaled, 1, &x_scaled, &y_scaled, &s[0], &s[1], &s[2]));
-                for (int j = 0; j < 3; j++)
-                    assert_within(s[j] / S, expected[j], 1e-14);
-            }
-        }
 }

@@ -88,3 +88,54 @@ CLAIM(a_slip_zone_has_points_at_both_ends)
         0.395, 1e-4, 1e-3, 2, {{0.85, 0.0137, 0, 0}, {0.909, 0.0555, 0.2415, 0.558}}};
     follow_hard(&h);
 }
+
+/* ---- Loads that are cut into many ---- */
+
+/* Loads P, Q, sigma on a flat pad, as measured: P has 1 % of noise. */
+static const double NOISY[][3] = {
+    {300.123, 0.232433, -19.4075}, {301.058, 15.3845, -9.63905}, {304.686, 28.4627, 0.139888},
+    {297.884, 40.681, 9.95849},    {300.664, 50.8692, 19.6172}};
+
+/* Each load in equal parts. */
+static rwedge_contact *follow_noisy(double tolerance, int parts)
+{
+    rwedge_contact *pad;
+    assert_ok(rwedge_contact_create_flat(1, 5, 4 * 0.91 / 210000, 0.5, &pad));
+    assert_ok(rwedge_contact_allow_error(owned(pad), tolerance));
+    apply(pad, NOISY[0][0], 0, 0, 0);
+    apply(pad, NOISY[0][0], 0, NOISY[0][1], NOISY[0][2]);
+    for (size_t i = 1; i < sizeof NOISY / sizeof *NOISY; i++)
+        for (int k = 1; k <= parts; k++) {
+            double to[3];
+            for (int j = 0; j < 3; j++)
+                to[j] = NOISY[i - 1][j] + (NOISY[i][j] - NOISY[i - 1][j]) * k / parts;
+            apply(pad, to[0], 0, to[1], to[2]);
+        }
+    return pad;
+}
+
+/* Each part left its own errors: cut in 8, slip and energy differed by the tolerance here; cut in
+ * 32, by a third after one period; cut in 100, the state grew so much that it took minutes. */
+static void its_parts_do_not_matter(double tolerance, const int parts[], int count)
+{
+    const rwedge_contact *whole = follow_noisy(tolerance, 1);
+    const double energy = rwedge_contact_dissipated_energy(whole);
+    const double largest = slip(whole, -1.0515), scale = -0.5 * pressure(whole, 1);
+    for (int i = 0; i < count; i++) {
+        const rwedge_contact *cut = follow_noisy(tolerance, parts[i]);
+        assert_within(slip(cut, -1.0515), largest, 0.1 * tolerance * fabs(largest));
+        assert_within(rwedge_contact_dissipated_energy(cut), energy, 0.1 * tolerance * energy);
+        for (int k = -9; k < 10; k++)
+            assert_within(shear(cut, 0.1 * k), shear(whole, 0.1 * k), 0.1 * tolerance * scale);
+        assert_within((double)rwedge_contact_state_size(cut),
+                      (double)rwedge_contact_state_size(whole), 100);
+        assert_within(rwedge_contact_error(cut), 0, 1.2 * rwedge_contact_error(whole));
+    }
+}
+
+CLAIM(answers_do_not_depend_on_how_a_straight_line_is_cut)
+{
+    its_parts_do_not_matter(1e-3, (const int[]){8, 100}, 2);
+    its_parts_do_not_matter(1e-4, (const int[]){8, 32}, 2);
+    its_parts_do_not_matter(1e-6, (const int[]){8}, 1);
+}

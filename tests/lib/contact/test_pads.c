@@ -25,19 +25,6 @@ static double flat_load(double a, double b)
     return b * b / (A * R) * (acos(alpha) - alpha * sqrt(1 - alpha * alpha));
 }
 
-CLAIM(a_cylinder_is_hertz)
-{
-    rwedge_contact *contact = flat(0);
-    apply(contact, 2, 0, 0, 0);
-    const double b = sqrt(2 * A * R * 2 / PI);
-    assert_close(edges_of(contact).right, b, 1e-15);
-    assert_close(edges_of(contact).left, -b, 1e-15);
-    assert_close(pressure(contact, 0.6 * b), -2 * 2 / (PI * b) * 0.8, 1e-15);
-    apply(contact, 2, 1, 0, 0); /* the patch moves by M/P, the tilt is that over R */
-    assert_close(edges_of(contact).right, 0.5 + b, 1e-15);
-    assert_close(rwedge_contact_tilt(contact), 0.5 / R, 1e-14);
-}
-
 CLAIM(a_flat_pad_has_its_edge_tension)
 {
     const double known[][2] = {{0.5, 1.6282}, {0.9, 3.4057}, {0.99, 10.6226}};
@@ -49,47 +36,6 @@ CLAIM(a_flat_pad_has_its_edge_tension)
         assert_close(stress_at(contact, edges_of(contact).left, 0).xx / (F * P), known[i][1], 2e-5);
         const double exact = 2 * (1 - a) / (acos(a) - a * sqrt(1 - a * a));
         assert_close(stress_at(contact, edges_of(contact).left, 0).xx / (F * P), exact, 1e-12);
-    }
-}
-
-/* The other route loses the digits that the two have in common. */
-CLAIM(a_flat_pad_is_hertz_less_a_rounded_wedge)
-{
-    const double alphas[] = {0.01, 0.3, 0.9, 0.99};
-    for (int i = 0; i < 4; i++) {
-        const double a = alphas[i], P = flat_load(a, 1);
-        rwedge_contact *contact = flat(a);
-        apply(contact, P, 0, F * P, 0);
-        for (int k = 0; k < 40; k++) {
-            const double x = -1.93 + 0.1 * k, y = k % 3 * 0.04;
-            double h[3], w[3];
-            assert_ok(rwedge_stress(1, F, 0, x, y, &h[0], &h[1], &h[2]));
-            assert_ok(rwedge_stress(a, F, 0, x, y, &w[0], &w[1], &w[2]));
-            const stresses s = stress_at(contact, x, y);
-            const double norm = fabs(h[0]) + fabs(h[1]) + fabs(h[2]);
-            assert_within(s.xx * A * R, h[0] - a * w[0], 2e-14 * norm);
-            assert_within(s.yy * A * R, h[1] - a * w[1], 2e-14 * norm);
-            assert_within(s.xy * A * R, h[2] - a * w[2], 2e-14 * norm);
-        }
-    }
-}
-
-/* The load that belongs to a distance beyond the corners, as its series: s^2 (psi - sin psi cos
- * psi) = s^2 (2/3) psi^3 (1 - psi^2/5 + ...), cos psi = a/s. */
-CLAIM(the_edges_of_a_flat_are_known_from_its_corners)
-{
-    for (double d = 1e-12; d < 2e-5; d *= 10) {
-        rwedge_contact *contact = flat(2);
-        const double s = 2 + d, sine2 = d / s * (2 + s) / s;
-        const double psi = sqrt(sine2) * (1 + sine2 / 6 + 3 * sine2 * sine2 / 40);
-        const double psi2 = psi * psi;
-        const double P =
-            s * s / (A * R) * 2 / 3 * psi * psi2 * (1 - psi2 / 5 + 2 * psi2 * psi2 / 105);
-        double left, right;
-        apply(contact, P, 0, 0, 0);
-        assert_ok(rwedge_contact_beyond_flat(contact, &left, &right));
-        assert_close(right, d, 1e-14);
-        assert_true(left == right);
     }
 }
 
@@ -215,20 +161,6 @@ CLAIM(a_profile_slips_as_its_wedge)
     }
 }
 
-CLAIM(a_centred_pad_dissipates_as_its_wedge)
-{
-    const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
-    const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
-    const double Q[] = {0, 0.04, -0.03, 0.05, 0.02, -0.05};
-    rwedge_contact *wedge = create(a, F), *pad = profile(4, x, slope);
-    for (int i = 0; i < 6; i++) {
-        load(wedge, 0.2, Q[i]);
-        load(pad, 0.2, Q[i]);
-        assert_close(rwedge_contact_dissipated_energy(pad), rwedge_contact_dissipated_energy(wedge),
-                     1e-11);
-    }
-}
-
 /* P and Q change together, up and down, to full sliding and to separation. */
 CLAIM(a_symmetric_pad_dissipates_as_its_wedge_while_P_changes)
 {
@@ -278,52 +210,6 @@ CLAIM(the_sharp_wedge_is_a_kink)
     }
     double s[3];
     assert_int_equal(rwedge_contact_stresses(pad, 1, x, &y, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
-}
-
-/* The slope of a circle of radius 1 at |x| < b, b = 0.4: P A = b^2 int cos(phi)^2 g'(b sin phi), g'
- * = (1 - x^2)^(-3/2); the sampled slope has another load for the same contact, by 1/n^2. */
-static double sampled_error(int n)
-{
-    double x[101], slope[101], expected = 0, left, right;
-    for (int i = 0; i <= n; i++) {
-        x[i] = -0.6 + 1.2 * i / n;
-        slope[i] = x[i] / sqrt(1 - x[i] * x[i]);
-    }
-    for (int i = 0; i < 400; i++) {
-        const double phi = PI * (i + 0.5) / 400 - PI / 2, t = 0.4 * sin(phi);
-        expected += 0.16 * cos(phi) * cos(phi) * pow(1 - t * t, -1.5) * PI / 400;
-    }
-    rwedge_contact *contact = profile((size_t)n + 1, x, slope);
-    apply(contact, expected / A, 0, 0, 0);
-    assert_ok(rwedge_contact_edges(contact, &left, &right));
-    return right / 0.4 - 1;
-}
-
-CLAIM(a_sampled_circle_converges_with_the_square_of_the_places)
-{
-    assert_within(sampled_error(100), 0, 1e-4);
-    assert_close(sampled_error(24) / sampled_error(96), 16, 0.15);
-}
-
-CLAIM(a_sampled_cylinder_is_hertz)
-{
-    double x[101], slope[101];
-    for (int i = 0; i <= 100; i++) {
-        x[i] = -2 + 0.04 * i;
-        slope[i] = x[i] / R;
-    }
-    rwedge_contact *pad = profile(101, x, slope), *cylinder = flat(0);
-    for (int i = 0; i < COUNT; i++) {
-        apply(pad, STEPS[i][0], STEPS[i][1], STEPS[i][2], STEPS[i][3] / 100);
-        apply(cylinder, STEPS[i][0], STEPS[i][1], STEPS[i][2], STEPS[i][3] / 100);
-        assert_within(edges_of(pad).left, edges_of(cylinder).left, 1e-13);
-        assert_within(edges_of(pad).right, edges_of(cylinder).right, 1e-13);
-        assert_within(stick_zone_of(pad).right, stick_zone_of(cylinder).right, 1e-12);
-        for (double at = -1.93; at < 2; at += 0.31) {
-            const stresses s = stress_at(pad, at, 0.1), t = stress_at(cylinder, at, 0.1);
-            assert_within(apart(s, t), 0, 1e-13);
-        }
-    }
 }
 
 static const double WORN_X[] = {-1, -0.4, 0.1, 0.5, 0.8};

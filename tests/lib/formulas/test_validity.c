@@ -1,92 +1,54 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Each doubt by itself, at its threshold; the thresholds are those of the header. */
+/* What a contact is doubted for; the thresholds are those of the header. */
 #include "claims.h"
 #include "rwedge.h"
 
 #include <fenv.h>
-#include <string.h>
 
-static int32_t of_angle(double theta)
+/* Arguments that are not known are not doubted, and raise nothing. */
+CLAIM(each_doubt_begins_at_its_threshold)
 {
-    return rwedge_validity(theta, NAN, NAN, NAN, NAN, NAN);
-}
-
-static int32_t of_rounding(double alpha)
-{
-    return rwedge_validity(NAN, alpha, NAN, NAN, NAN, NAN);
-}
-
-static int32_t of_bodies(double beta, double f)
-{
-    return rwedge_validity(NAN, NAN, beta, f, NAN, NAN);
-}
-
-static int32_t of_strength(double k_over_E)
-{
-    return rwedge_validity(NAN, NAN, NAN, NAN, k_over_E, NAN);
-}
-
-static int32_t of_safety(double safety)
-{
-    return rwedge_validity(NAN, NAN, NAN, NAN, NAN, safety);
-}
-
-CLAIM(a_sound_contact_has_no_doubts)
-{
-    assert_ok(rwedge_validity(0.01, 0.5, 0, 0.3, 2e-3, 1.5));
-    assert_ok(rwedge_validity(0.01, 0, 0.2, 0, 2e-3, HUGE_VAL)); /* sharp; frictionless */
-}
-
-CLAIM(an_angle_above_a_tenth_is_doubted)
-{
-    assert_int_equal(of_angle(0.1), 0);
-    assert_int_equal(of_angle(nextafter(0.1, 1)), RWEDGE_DOUBT_ANGLE);
-}
-
-CLAIM(dissimilar_bodies_are_doubted_with_friction)
-{
-    assert_int_equal(of_bodies(0.1, 0), 0);
-    assert_int_equal(of_bodies(0, 0.3), 0);
-    assert_int_equal(of_bodies(rwedge_dundurs_beta(2.1e5, 0.3, 2.1e5, 0.3), 0.3), 0);
-    assert_int_equal(of_bodies(rwedge_dundurs_beta(2.1e5, 0.3, 7e4, 0.33), 0.3),
-                     RWEDGE_DOUBT_COUPLING);
-    assert_int_equal(of_bodies(-0.1, 1e-9), RWEDGE_DOUBT_COUPLING);
-}
-
-CLAIM(a_load_above_yield_is_doubted)
-{
-    assert_int_equal(of_safety(1), 0);
-    assert_int_equal(of_safety(nextafter(1, 0)), RWEDGE_DOUBT_YIELD);
-    assert_int_equal(of_safety(0), RWEDGE_DOUBT_YIELD); /* the sharp wedge */
-}
-
-/* Steel in GPa beside a load in N/mm: a/b = 0.0046 in place of 4.6. */
-CLAIM(mixed_units_are_doubted)
-{
-    assert_int_equal(of_rounding(0.01), 0);
-    assert_int_equal(of_rounding(1e4), 0);
-    assert_int_equal(of_rounding(nextafter(0.01, 0)), RWEDGE_DOUBT_ROUNDING);
-    assert_int_equal(of_rounding(nextafter(1e4, 1e5)), RWEDGE_DOUBT_ROUNDING);
-    assert_int_equal(of_rounding(0), 0);
-    const double A = rwedge_compliance(210, 0.3, 210, 0.3);
-    assert_int_equal(of_rounding(1 / rwedge_half_width(0.01, 1, A, 500)), RWEDGE_DOUBT_ROUNDING);
-    assert_int_equal(of_rounding(1 / rwedge_half_width(0.01, 1, A / 1000, 500)), 0);
-    assert_int_equal(of_strength(1e-5), 0);
-    assert_int_equal(of_strength(0.1), 0);
-    assert_int_equal(of_strength(nextafter(1e-5, 0)), RWEDGE_DOUBT_STRENGTH);
-    assert_int_equal(of_strength(nextafter(0.1, 1)), RWEDGE_DOUBT_STRENGTH);
-    assert_int_equal(of_strength(0), 0);
-}
-
-CLAIM(doubts_add_up)
-{
-    assert_int_equal(rwedge_validity(1.15, 1e-3, 0.1, 0.6, 1, 0.5), 1 + 2 + 4 + 8 + 16);
-}
-
-CLAIM(what_is_not_known_is_not_doubted_and_raises_nothing)
-{
+    const double same = rwedge_dundurs_beta(2.1e5, 0.3, 2.1e5, 0.3),
+                 other = rwedge_dundurs_beta(2.1e5, 0.3, 7e4, 0.33);
+    /* steel in GPa beside a load in N/mm: a/b = 0.0046 in place of 4.6 */
+    const double wrong = 1 / rwedge_half_width(0.01, 1, rwedge_compliance(210, 0.3, 210, 0.3), 500),
+                 right =
+                     1 / rwedge_half_width(0.01, 1, rwedge_compliance(21e4, 0.3, 21e4, 0.3), 500);
+    const struct {
+        double v[6]; /* theta, a/b, beta, f, k/E, safety */
+        int32_t doubt;
+    } cases[] = {
+        {{0.01, 0.5, 0, 0.3, 2e-3, 1.5}, 0},
+        {{0.01, 0, 0.2, 0, 2e-3, HUGE_VAL}, 0}, /* sharp; without friction */
+        {{NAN, NAN, NAN, NAN, NAN, NAN}, 0},
+        {{0.1, NAN, NAN, NAN, NAN, NAN}, 0},
+        {{nextafter(0.1, 1), NAN, NAN, NAN, NAN, NAN}, RWEDGE_DOUBT_ANGLE},
+        {{NAN, NAN, 0.1, 0, NAN, NAN}, 0},
+        {{NAN, NAN, same, 0.3, NAN, NAN}, 0},
+        {{NAN, NAN, other, 0.3, NAN, NAN}, RWEDGE_DOUBT_COUPLING},
+        {{NAN, NAN, -0.1, 1e-9, NAN, NAN}, RWEDGE_DOUBT_COUPLING},
+        {{NAN, NAN, NAN, NAN, NAN, 1}, 0},
+        {{NAN, NAN, NAN, NAN, NAN, nextafter(1, 0)}, RWEDGE_DOUBT_YIELD},
+        {{NAN, NAN, NAN, NAN, NAN, 0}, RWEDGE_DOUBT_YIELD}, /* the sharp wedge */
+        {{NAN, 0.01, NAN, NAN, NAN, NAN}, 0},
+        {{NAN, 1e4, NAN, NAN, NAN, NAN}, 0},
+        {{NAN, nextafter(0.01, 0), NAN, NAN, NAN, NAN}, RWEDGE_DOUBT_ROUNDING},
+        {{NAN, nextafter(1e4, 1e5), NAN, NAN, NAN, NAN}, RWEDGE_DOUBT_ROUNDING},
+        {{NAN, 0, NAN, NAN, NAN, NAN}, 0},
+        {{NAN, wrong, NAN, NAN, NAN, NAN}, RWEDGE_DOUBT_ROUNDING},
+        {{NAN, right, NAN, NAN, NAN, NAN}, 0},
+        {{NAN, NAN, NAN, NAN, 1e-5, NAN}, 0},
+        {{NAN, NAN, NAN, NAN, 0.1, NAN}, 0},
+        {{NAN, NAN, NAN, NAN, nextafter(1e-5, 0), NAN}, RWEDGE_DOUBT_STRENGTH},
+        {{NAN, NAN, NAN, NAN, nextafter(0.1, 1), NAN}, RWEDGE_DOUBT_STRENGTH},
+        {{NAN, NAN, NAN, NAN, 0, NAN}, 0},
+        {{1.15, 1e-3, 0.1, 0.6, 1, 0.5}, 1 + 2 + 4 + 8 + 16}, /* they add up */
+    };
     feclearexcept(FE_ALL_EXCEPT);
-    assert_ok(rwedge_validity(NAN, NAN, NAN, NAN, NAN, NAN));
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double *v = cases[i].v;
+        assert_int_equal(rwedge_validity(v[0], v[1], v[2], v[3], v[4], v[5]), cases[i].doubt);
+    }
     assert_int_equal(fetestexcept(FE_INVALID), 0);
 }
 

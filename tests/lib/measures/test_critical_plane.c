@@ -3,8 +3,6 @@
 #include "claims.h"
 #include "rwedge.h"
 
-#include <float.h>
-
 static double some_stress(uint64_t *seed)
 {
     return 2 * random_fraction(seed) - 1;
@@ -180,54 +178,6 @@ static cycle alternating(double sxx, double syy, double txy)
     return c;
 }
 
-/* Tension and compression s: the plane across it, whose strain is s (1-nu^2)/E in plane strain. */
-CLAIM(uniaxial_cycle)
-{
-    cycle c = alternating(250, 0, 0);
-    double angle;
-    assert_close(parameter_of(&c, SMITH_WATSON_TOPPER, &angle), 250 * 250 * 0.91 / 210e3, 1e-14);
-    assert_close(angle, PI / 2, 1e-14);
-    /* k = 0: the largest shear strain, on the planes at 45 degrees */
-    assert_close(parameter_of(&c, FATEMI_SOCIE, &angle), 1.3 * 250 / 210e3, 1e-14);
-    assert_close(fabs(angle), PI / 4, 1e-14);
-    /* else sin(u) (1 + (K/2)(1 + cos(u))), K = k s/sy = 1, u twice the angle from the x axis */
-    c.k = 1 / 250.0;
-    const double cosine = (sqrt(4.25) - 1.5) / 2;
-    assert_close(parameter_of(&c, FATEMI_SOCIE, &angle),
-                 1.3 * 250 / 210e3 * sqrt(1 - cosine * cosine) * (1.5 + cosine / 2), 1e-14);
-    assert_close(fabs(angle), PI / 2 - acos(cosine) / 2, 1e-14);
-}
-
-/* Pure torsion t: SWT on the planes of s1 = t; Fatemi-Socie between those and the planes of t,
- * where cos(u) (1 + K sin(u)) is largest: sin(u) = 1/2 for K = k t/sy = 1. */
-CLAIM(torsion_cycle)
-{
-    cycle c = alternating(0, 0, 160);
-    c.k = 1 / 160.0;
-    double angle;
-    assert_close(parameter_of(&c, SMITH_WATSON_TOPPER, &angle), 160 * 160 * 1.3 / 210e3, 1e-14);
-    assert_close(fabs(angle), PI / 4, 1e-14);
-    assert_close(parameter_of(&c, FATEMI_SOCIE, &angle), 2 * 1.3 * 160 / 210e3 * sqrt(0.75) * 1.5,
-                 1e-14);
-    assert_close(fmin(fabs(angle), PI / 2 - fabs(angle)), PI / 12, 1e-14);
-}
-
-/* Tension s and torsion s/2, 90 degrees out of phase: for k = 0 every plane is as bad as the worst
- * in tension alone, (1+nu) s/E; Smith, Watson and Topper's plane is that of tension alone. */
-CLAIM(out_of_phase_cycle)
-{
-    enum { N = 48 };
-    cycle c = {.n = N, .E = 210e3, .nu = 0.3};
-    for (size_t i = 0; i < N; i++) {
-        const double t = 2 * PI * (double)i / N;
-        c.sxx[i] = 250 * cos(t), c.txy[i] = 125 * sin(t);
-    }
-    double angle;
-    assert_close(parameter_of(&c, FATEMI_SOCIE, &angle), 1.3 * 250 / 210e3, 1e-14);
-    assert_close(parameter_of(&c, SMITH_WATSON_TOPPER, &angle), 250 * 250 * 0.91 / 210e3, 1e-14);
-    assert_close(angle, PI / 2, 1e-14);
-}
-
 /* At the worst plane the second and third derivatives are 0 too: the product is (1 + c) (3 - c)/10,
  * c the cosine of twice the angle from it. The value is as good as ever; many planes have it, but
  * for rounding. */
@@ -277,50 +227,6 @@ CLAIM(harmless_cycles_have_none)
     c = (cycle){.n = 3, .E = 1};
     assert_within(parameter_of(&c, SMITH_WATSON_TOPPER, &angle), 0, 0);
     assert_within(parameter_of(&c, FATEMI_SOCIE, &angle), 0, 0);
-}
-
-/* In another unit, in another order and gone through twice. */
-CLAIM(units_and_order_do_not_matter)
-{
-    static cycle c, other;
-    uint64_t seed = 5;
-    for (int i = 0; i < 50; i++)
-        for (parameter which = SMITH_WATSON_TOPPER; which <= FATEMI_SOCIE; which++) {
-            draw_cycle(&c, (path)(i % KINDS), 48, &seed);
-            const double scale = i % 3 == 0 ? 1e56 : i % 3 == 1 ? 1e-56 : 70;
-            other = c;
-            other.n = 96;
-            for (size_t j = 0; j < 96; j++) {
-                const size_t from = (5 * j + 11) % 48;
-                other.sxx[j] = scale * c.sxx[from];
-                other.syy[j] = scale * c.syy[from];
-                other.txy[j] = scale * c.txy[from];
-            }
-            other.E = scale * c.E;
-            other.k = c.k / scale;
-            double angle;
-            const double value = parameter_of(&c, which, &angle);
-            assert_within(parameter_of(&other, which, &angle),
-                          value * (which == SMITH_WATSON_TOPPER ? scale : 1),
-                          2e-14 * unit_of(&other, which));
-        }
-}
-
-/* Smaller stresses than the header speaks of: an end, and nothing but numbers. */
-CLAIM(vanishing_stresses_come_to_an_end)
-{
-    static cycle c;
-    uint64_t seed = 6;
-    for (double scale = 1e-60; scale > 0; scale *= 1e-7) {
-        draw_cycle(&c, ELLIPSE, 48, &seed);
-        for (size_t i = 0; i < c.n; i++)
-            c.sxx[i] *= scale, c.syy[i] *= scale, c.txy[i] *= scale;
-        double angle;
-        const double swt = parameter_of(&c, SMITH_WATSON_TOPPER, &angle);
-        assert_true(swt >= 0 && swt <= 20 * scale * scale);
-        const double strain = parameter_of(&c, FATEMI_SOCIE, &angle);
-        assert_true(strain >= 0 && strain <= 20 * scale);
-    }
 }
 
 CLAIM(a_field_is_its_points)

@@ -3,7 +3,6 @@
 #include "claims.h"
 #include "rwedge.h"
 
-#include <float.h>
 #include <string.h>
 
 enum { LOADS_MAX = 60 };
@@ -207,113 +206,9 @@ CLAIM(a_static_stress_across_a_plane_without_strain_hides_no_worse_one)
 
 /* ---- Closed forms ---- */
 
-/* Principal stresses of a proportional cycle between -1 and 1 times a tensor. */
-static void principal(const cycle *c, double s[3])
-{
-    double angle;
-    rwedge_principal_stresses(c->sxx[0], c->syy[0], c->txy[0], &s[0], &s[1], &angle);
-    s[2] = c->nu * (c->sxx[0] + c->syy[0]);
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2 - i; j++)
-            if (s[j] < s[j + 1]) {
-                const double swap = s[j];
-                s[j] = s[j + 1], s[j + 1] = swap;
-            }
-}
-
-/* To rounding; where a whole curve of planes is nearly as bad, to what the header says. */
-static void assert_found(double actual, double expected, int *rough)
-{
-    assert_close(actual, expected, 1e-7);
-    *rough += fabs(actual - expected) > 2e-14 * expected;
-}
-
-/* Findley's parameter of a fully reversed proportional cycle, with b and c half of the sum and of
- * the difference of the outermost principal stresses: k b + c sqrt(1 + k^2), for either sign of
- * the load. */
-CLAIM(findley_of_a_proportional_cycle_is_the_closed_form)
-{
-    uint64_t seed = 11;
-    int rough = 0;
-    for (int i = 0; i < 2000; i++) {
-        cycle c = {.n = 2, .nu = 0.5 * random_fraction(&seed), .k = random_fraction(&seed)};
-        c.sxx[0] = some_stress(&seed), c.syy[0] = some_stress(&seed), c.txy[0] = some_stress(&seed);
-        c.sxx[1] = -c.sxx[0], c.syy[1] = -c.syy[0], c.txy[1] = -c.txy[0];
-        double s[3];
-        principal(&c, s);
-        const double b = fabs(s[0] + s[2]) / 2, half = (s[0] - s[2]) / 2;
-        assert_found(worst_of(&c, FINDLEY).value, c.k * b + half * sqrt(1 + c.k * c.k), &rough);
-    }
-    assert_true(rough < 3);
-}
-
-/* Without a share of the normal stress Fatemi and Socie's parameter is the largest shear strain,
- * between the outermost principal stresses, wherever szz is. */
-CLAIM(the_shear_is_that_between_the_outermost_principal_stresses)
-{
-    uint64_t seed = 12;
-    int away = 0, rough = 0;
-    for (int i = 0; i < 2000; i++) {
-        cycle c = {.n = 2, .E = 1, .nu = 0.5 * random_fraction(&seed)};
-        c.sxx[0] = some_stress(&seed), c.syy[0] = some_stress(&seed), c.txy[0] = some_stress(&seed);
-        double s[3];
-        principal(&c, s);
-        const worst w = worst_of(&c, FATEMI_SOCIE);
-        assert_found(w.value, (1 + c.nu) / c.E * (s[0] - s[2]) / 2, &rough);
-        away += w.out_of_plane > 0.1;
-    }
-    assert_true(away > 100 && rough < 3);
-}
-
-/* Two loads of a contact, P and Q in phase, at x = -0.45 b. */
-CLAIM(in_phase_loads_are_worse_off_the_planes_that_contain_z)
-{
-    rwedge_contact *contact;
-    const double nu = 0.3, E = 210e3, A = rwedge_compliance(E, nu, E, nu), theta = 0.1;
-    assert_ok(rwedge_contact_create(theta, 10 * theta, A, 0.6, &contact));
-    const double P[2] = {2000, 400}, Q[2] = {600, 120}, zero[2] = {0, 0};
-    double x, y = 0, sxx[2], syy[2], txy[2], old, angle;
-    assert_ok(rwedge_contact_load(contact, P[0], Q[0]));
-    x = -0.45 * rwedge_contact_half_width(contact);
-    assert_ok(
-        rwedge_contact_stress_history(contact, 2, P, zero, Q, zero, 1, &x, &y, sxx, syy, txy));
-    rwedge_contact_destroy(contact);
-    cycle c = {.n = 2, .E = E, .nu = nu, .k = 1.0 / 500};
-    for (int i = 0; i < 2; i++)
-        c.sxx[i] = sxx[i], c.syy[i] = syy[i], c.txy[i] = txy[i];
-    rwedge_fatemi_socie(2, sxx, syy, txy, E, nu, c.k, &old, &angle);
-    const worst w = worst_of(&c, FATEMI_SOCIE);
-    assert_true(w.value >= old);
-    assert_true(scanned(&c, FATEMI_SOCIE) <= w.value * (1 + 1e-14));
-}
-
 /* ---- Susmel, McDiarmid ---- */
 
 static const double TENSION[2] = {100, -100}, NOTHING[2] = {0, 0};
-
-CLAIM(uniaxial_and_torsion_have_the_ratios_1_and_0)
-{
-    double value, angle, out;
-    assert_ok(rwedge_modified_wohler(2, TENSION, NOTHING, NOTHING, 0, 7, &value, &angle, &out));
-    assert_close(value, 50 + 7, 1e-6);
-    assert_ok(rwedge_modified_wohler(2, NOTHING, NOTHING, TENSION, 0, 7, &value, &angle, &out));
-    assert_close(value, 100, 1e-6);
-    assert_ok(rwedge_mcdiarmid(2, TENSION, NOTHING, NOTHING, 0, 80, 500, &value, &angle, &out));
-    assert_close(value, 50.0 / 80 + 50.0 / 1000, 1e-6);
-    assert_ok(rwedge_mcdiarmid(2, NOTHING, NOTHING, TENSION, 0, 80, 500, &value, &angle, &out));
-    assert_close(value, 100.0 / 80, 1e-6);
-}
-
-/* Of the two planes of the same shear amplitude the one in tension. */
-CLAIM(of_equal_amplitudes_the_larger_normal_stress_decides)
-{
-    const double sxx[2] = {30, 30}, syy[2] = {-50, -50}, txy[2] = {40, -40};
-    double value, angle, out;
-    assert_ok(rwedge_modified_wohler(2, sxx, syy, txy, 0.3, 10, &value, &angle, &out));
-    assert_close(value, 40 + 10 * 30 / 40.0, 1e-6);
-    assert_within(fabs(angle), PI / 2, 1e-6);
-    assert_within(out, 0, 1e-6);
-}
 
 /* ---- Crossland, Dang Van ---- */
 
@@ -486,17 +381,6 @@ CLAIM(a_cycle_has_loads)
                                           &value, &angle, &out),
                      RWEDGE_ERANGE);
     assert_true(value == 5 && angle == 6 && out == 7);
-}
-
-/* Uniaxial, fully reversed: sqrt(E ea (sm + sa)) is the parameter as a stress. */
-CLAIM(uniaxial_smith_watson_topper_is_the_textbook_value)
-{
-    const double sxx[2] = {300, -280}, E = 162000;
-    double value, angle, out;
-    assert_ok(rwedge_smith_watson_topper_planes(2, sxx, NOTHING, NOTHING, E, 0.3, 1, &value, &angle,
-                                                &out));
-    assert_close(value, 300 * (290 / E), 1e-14);
-    assert_within(fabs(angle), PI / 2, 1e-7);
 }
 
 /* As the functions that are named, to the bit. */

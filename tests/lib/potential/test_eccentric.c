@@ -4,26 +4,6 @@
 #include "quadrature.h"
 #include "potential/eccentric.h"
 
-/* 150 patches and points: sharp, with both ends of the rounding inside, with one, with none; next
- * to the edges, to the ends and far away. */
-CLAIM(agrees_with_60_digits)
-{
-    reference rows = reference_open("off_centre.csv");
-    while (reference_next(&rows)) {
-        const double *c = rows.cell, half = (c[2] - c[1]) / 2;
-        rw_eccentric potential;
-        rw_eccentric_init(&potential, c[0], (rw_patch){c[1], c[2]});
-        const rw_field is = rw_eccentric_at(&potential, c[3], c[4]);
-        const double z = hypot(c[3] - (c[1] + c[2]) / 2, c[4]) / half;
-        const double scale = fmax(hypot(c[5], c[6]), 1 / (1 + z)) / (1 - fabs(c[11]));
-        assert_within(is.G_re, c[5], 2e-15 * scale);
-        assert_within(is.G_im, c[6], 2e-15 * scale);
-        assert_within(is.H_re, c[7], 2e-15 * scale);
-        assert_within(is.H_im, c[8], 2e-15 * scale);
-    }
-    assert_int_equal(rows.row, 150);
-}
-
 static const struct {
     double a;
     rw_patch patch;
@@ -99,22 +79,5 @@ CLAIM(a_centred_patch_has_the_bits_of_the_contact)
         const rw_field one = rw_eccentric_at(&patch, x, 0.4),
                        other = rw_potential_at(&contact, x, 0.4);
         assert_memory_equal(&one, &other, sizeof one);
-    }
-}
-
-/* P/(pi z), the field of a force. */
-CLAIM(far_away_it_is_that_of_a_force)
-{
-    for (int i = 0; i < COUNT; i++) {
-        rw_eccentric p;
-        rw_eccentric_init(&p, CASES[i].a, CASES[i].patch);
-        const double P = rw_patch_pressing(CASES[i].a, CASES[i].patch).load;
-        static const double points[][2] = {{1e12, 0}, {-1e12, 2e11}, {0, 1e13}};
-        for (int k = 0; k < 3; k++) {
-            const double x = points[k][0], y = points[k][1], r2 = x * x + y * y;
-            const rw_field is = rw_eccentric_at(&p, x, y);
-            assert_within(is.G_re, P / PI * x / r2, 1e-10 * P / sqrt(r2));
-            assert_within(is.G_im, -P / PI * y / r2, 1e-10 * P / sqrt(r2));
-        }
     }
 }

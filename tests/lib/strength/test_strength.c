@@ -4,51 +4,6 @@
 
 #include <string.h>
 
-/* sqrt(J2) from the stresses, plane strain: not the route by which the maximum was found. */
-static double von_mises(double alpha, double f, double nu, double x, double y)
-{
-    double sxx, syy, txy;
-    assert_ok(rwedge_stress(alpha, f, 0, x, y, &sxx, &syy, &txy));
-    const double szz = nu * (sxx + syy), a = sxx - syy, b = syy - szz, c = szz - sxx;
-    return sqrt((a * a + b * b + c * c) / 6 + txy * txy);
-}
-
-CLAIM(elastic_limit_matches_reference)
-{
-    reference table = reference_open("elastic_limit.csv");
-    while (reference_next(&table)) {
-        const double alpha = table.cell[0], f = table.cell[1], nu = table.cell[2];
-        double limit, x, y;
-        assert_ok(rwedge_yield_point(alpha, f, nu, &limit, &x, &y));
-        assert_close(limit, table.cell[3], 1e-12);
-        assert_close(rwedge_elastic_limit(alpha, f, nu), limit, 0);
-        assert_int_equal(y == 0, strcmp(table.last, "surface") == 0);
-        assert_close(rwedge_load(alpha) / von_mises(alpha, f, nu, x, y), limit, 1e-12);
-    }
-    assert_int_equal(table.row, 160);
-}
-
-CLAIM(paper_grid_matches_reference)
-{
-    reference table = reference_open("paper_grid.csv");
-    while (reference_next(&table)) {
-        double limit, x, y;
-        assert_ok(rwedge_yield_point(table.cell[0], table.cell[1], 0.3, &limit, &x, &y));
-        assert_close(limit, table.cell[2], 1e-12);
-        assert_within(x, table.cell[3], 1e-11);
-        assert_within(y, table.cell[4], 1e-11);
-    }
-    assert_int_equal(table.row, 170);
-}
-
-CLAIM(critical_friction_matches_reference)
-{
-    reference table = reference_open("critical_friction.csv");
-    while (reference_next(&table))
-        assert_close(rwedge_critical_friction(table.cell[0], table.cell[1]), table.cell[2], 1e-13);
-    assert_int_equal(table.row, 24);
-}
-
 /* At f = 0 the surface takes over at a finite tip, a jump that the paper does not show. */
 CLAIM(small_tips_yield_at_the_surface_without_friction)
 {
@@ -159,16 +114,6 @@ CLAIM(incompressible_surface_is_safe_without_friction)
     assert_int_equal(rwedge_surface_yield(0.3, 0, 0.5, &limit, &x), RWEDGE_EABSENT);
 }
 
-CLAIM(max_tension_matches_reference)
-{
-    reference table = reference_open("contact_law.csv");
-    while (reference_next(&table))
-        assert_close(rwedge_max_tension(table.cell[0]), table.cell[4], 1e-14);
-    assert_nan(rwedge_max_tension(NAN));
-    assert_nan(rwedge_max_tension(-1));
-    assert_nan(rwedge_max_tension(HUGE_VAL));
-}
-
 /* Nowhere in the half-plane is s1 above sxx at the trailing edge. */
 CLAIM(max_tension_is_the_largest)
 {
@@ -196,31 +141,6 @@ CLAIM(the_maximum_may_be_at_the_end_of_the_rounding)
             assert_close(limit, PI / 2 / sqrt(J2), 1e-7);
             assert_close(x, f / sqrt(1 + f * f), 1e-7);
         }
-}
-
-CLAIM(max_tension_derivative_matches_reference)
-{
-    reference table = reference_open("contact_law_derivatives.csv");
-    while (reference_next(&table))
-        assert_close(rwedge_max_tension_derivative(table.cell[0]), table.cell[2], 1e-14);
-    assert_close(rwedge_max_tension_derivative(0), 0, 0);
-    assert_close(rwedge_max_tension_derivative(nextafter(1, 0)), 4 / PI, 1e-7);
-    assert_close(rwedge_max_tension_derivative(1), 0, 0);
-    assert_nan(rwedge_max_tension_derivative(-1));
-}
-
-CLAIM(elastic_limit_gradient_is_the_difference_quotient)
-{
-    reference table = reference_open("limit_gradient.csv");
-    while (reference_next(&table)) {
-        const double *v = table.cell;
-        double d[4];
-        assert_ok(rwedge_elastic_limit_gradient(v[0], v[1], v[2], &d[0], &d[1], &d[2], &d[3]));
-        for (int i = 0; i < 3; i++)
-            assert_close(d[i], v[3 + i], 1e-11);
-        assert_true(d[3] == (v[6] == 0));
-    }
-    assert_int_equal(table.row, 55);
 }
 
 CLAIM(the_gradient_jumps_at_the_critical_friction)

@@ -2,20 +2,6 @@
 #include "claims.h"
 #include "rwedge.h"
 
-CLAIM(coefficients_match_reference)
-{
-    reference table = reference_open("coefficients.csv");
-    while (reference_next(&table))
-        assert_close(rwedge_coefficient(table.cell[0], (int32_t)table.cell[1]), table.cell[2],
-                     1e-14);
-    assert_int_equal(table.row, 300);
-}
-
-typedef struct {
-    double alpha;
-    int n;
-} projection;
-
 static rwedge_series *analytic(double alpha, int32_t terms)
 {
     rwedge_series *series = NULL;

@@ -20,54 +20,6 @@ static void stress(double alpha, double f, double c, double x, double y, double 
     assert_ok(rwedge_stress(alpha, f, c, x, y, &s[0], &s[1], &s[2]));
 }
 
-CLAIM(sliding_stresses_match_reference)
-{
-    reference table = reference_open("stress_sliding.csv");
-    while (reference_next(&table)) {
-        const double *v = table.cell;
-        double s[3];
-        stress(v[0], v[1], 0, v[2], v[3], s);
-        assert_within(relative_error(s, &v[4], v[2], v[3]), 0, 1e-13);
-    }
-    assert_int_equal(table.row, 600);
-}
-
-CLAIM(partial_slip_stresses_match_reference)
-{
-    reference table = reference_open("stress_partial_slip.csv");
-    while (reference_next(&table)) {
-        const double *v = table.cell;
-        double s[3];
-        stress(v[0], v[1], v[2], v[3], v[4], s);
-        assert_within(relative_error(s, &v[6], v[3], v[4]), 0, 1e-13);
-    }
-    assert_int_equal(table.row, 600);
-}
-
-/* Points next to the edge of a stick zone that ends next to the corner x = a. A coordinate
- * divided by c lost the distance to the edge there, and with it half of the digits. Values from
- * ball arithmetic with 600 bits. */
-CLAIM(stick_edges_keep_their_digits)
-{
-    static const double cases[][8] = {
-        /* alpha, f, c, x, y, sxx, syy, txy */
-        {0.469067885573485, 1.0062261138521063, 0.4690678855862623, 0.46906788557350104,
-         2.837767323274999e-14, -1.0671389332130914, -1.0671389002046025, -1.0737756144907830},
-        {0.999999999029367, 1.2081250743995966, 0.9999999990220022, 0.999999999149257,
-         2.7844330093869515e-11, -7.7817234072758381e-5, -4.1834016533245682e-5,
-         -4.6359747807493800e-5},
-        {0.9999996299575209, 1.9677218165559982, 0.9999996299574303, 0.9999996299574908,
-         1.4537391473804766e-14, -0.00086143477351121438, -0.00086003709971822665,
-         -0.0016921703089923644},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const double *v = cases[i];
-        double s[3];
-        stress(v[0], v[1], v[2], v[3], v[4], s);
-        assert_within(relative_error(s, &v[5], v[3], v[4]), 0, 1e-13);
-    }
-}
-
 CLAIM(stresses_are_flamant_integrated)
 {
     uint64_t seed = 3;
@@ -94,32 +46,6 @@ CLAIM(surface_is_free_outside)
     }
 }
 
-typedef struct {
-    double alpha, f, c, y;
-    int component;
-} level;
-
-static double stress_on_level(double x, const void *context)
-{
-    const level *l = context;
-    double s[3];
-    stress(l->alpha, l->f, l->c, x, l->y, s);
-    return s[l->component];
-}
-
-/* What crosses any level below the contact is P and Q. */
-CLAIM(levels_carry_the_forces)
-{
-    for (double y = 0.5; y < 4; y += 0.7) {
-        level l = {.alpha = 0.3, .f = 0.6, .c = 0.4, .y = y, .component = 1};
-        const double P = rwedge_load(0.3);
-        assert_close(integral_over_line(stress_on_level, &l), -P, 1e-9);
-        l.component = 2;
-        assert_close(integral_over_line(stress_on_level, &l),
-                     -0.6 * rwedge_shear_ratio(0.3, 0.4) * P, 1e-9);
-    }
-}
-
 /* ---- Derivatives ---- */
 
 /* How far three components are from the reference, over the larger of its norm and that scale. */
@@ -143,20 +69,6 @@ static int32_t sensitivity(const double v[5], double d[9])
 {
     return rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3],
                                      &d[4], &d[5], &d[6], &d[7], &d[8]);
-}
-
-CLAIM(derivatives_are_difference_quotients)
-{
-    reference table = reference_open("stress_gradient.csv");
-    while (reference_next(&table)) {
-        const double *v = table.cell, far = 1 + hypot(v[3], v[4]);
-        double d[15];
-        assert_ok(gradient(v, d));
-        assert_ok(sensitivity(v, d + 6));
-        for (int i = 0; i < 15; i += 3)
-            assert_within(distance(&d[i], &v[5 + i], 1 / far / (i < 6 ? far : 1)), 0, 1e-13);
-    }
-    assert_int_equal(table.row, 67);
 }
 
 CLAIM(derivatives_end_at_the_edges)

@@ -52,26 +52,6 @@ CLAIM(in_sliding_no_ridge_is_too_flat)
     }
 }
 
-/* The maximum is b/f^2 away from the edge, in Hertz' contact above all. A search around the centre
- * sees it, but does not resolve it. */
-CLAIM(strong_friction_yields_next_to_the_edge)
-{
-    static const double ALPHAS[] = {1.6, 1.9, 2, 3.9, 4.4, 9},
-                        FRICTIONS[] = {80, 110, 125, 155, 165, 255, 270, 305, 560};
-    for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
-        for (size_t j = 0; j < sizeof FRICTIONS / sizeof *FRICTIONS; j++)
-            for (double nu = 0.02; nu < 0.5; nu += 0.02) {
-                const double f = FRICTIONS[j], b = 0.7,
-                             P = rwedge_normal_load(THETA, ALPHAS[i] * b, A, b);
-                rwedge_contact *contact = create(ALPHAS[i] * b, f);
-                load(contact, P, f * P);
-                double x;
-                const double expected = rwedge_elastic_limit(ALPHAS[i], f, nu) * b / P;
-                assert_close(yield_factor(contact, nu, 1, &x, NULL), expected, 1e-13);
-                assert_true(fabs(x) > (1 - 10 / (f * f)) * b && fabs(x) < b);
-            }
-}
-
 /* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
 CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 {
@@ -117,6 +97,18 @@ CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
     load(contact, 0.2, 0.1);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) == 0);
+}
+
+/* Of two kinks of a profile one touches; what sticks there is finite where shape alone yields. */
+CLAIM(a_kink_beside_the_contact_makes_no_infinite_stress)
+{
+    const double x[] = {0, 0, 1, 1}, slope[] = {-0.1, 0.05, 0.05, 0.1};
+    rwedge_contact *contact;
+    assert_ok(rwedge_contact_create_profile(4, x, slope, A, 0.5, &contact));
+    load(owned(contact), 0.01, 0);
+    assert_true(rwedge_contact_half_width(contact) < 1);
+    assert_true(yield_factor(contact, 0.3, 1, NULL, NULL) == 0);
+    assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
 }
 
 /* A place of the search's grid around another mark is the apex itself, to the last bit. */

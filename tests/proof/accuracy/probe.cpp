@@ -218,6 +218,19 @@ ball relative_error(double result, const ball &exact)
     return error_over(result, exact, exact);
 }
 
+std::function<ball(const probe &)> relative_to(ball (*exact)(const double *v))
+{
+    return [=](const probe &call) { return relative_error(call.result[0], exact(call.value)); };
+}
+
+std::function<ball(const probe &)> over(ball (*scale)(const double *v),
+                                        ball (*exact)(const double *v))
+{
+    return [=](const probe &call) {
+        return error_over(call.result[0], exact(call.value), scale(call.value));
+    };
+}
+
 static bool is_told(const ball &error)
 {
     return is_finite(error) && radius(error) <= NEGLIGIBLE * fmax(DBL_EPSILON, fabs(middle(error)));

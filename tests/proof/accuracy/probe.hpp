@@ -8,6 +8,11 @@
 
 #include <stdint.h>
 
+#include <array>
+#include <functional>
+#include <utility>
+#include <vector>
+
 #include "references/field.hpp"
 
 enum { ARGUMENTS_MAX = 12, RESULTS_MAX = 9, LOADS_MAX = 12 };
@@ -31,8 +36,8 @@ struct row {
     const char *promise; /* as the header says it; in parentheses where it says nothing */
     double part;         /* of the calls asked for; below 1 where a call is costly */
     /* false: outside the domain, or rightly without a result; draw again */
-    bool (*draw)(probe *call);
-    ball (*judge)(const probe &call); /* not negative */
+    std::function<bool(probe *call)> draw;
+    std::function<ball(const probe &call)> judge; /* not negative */
 };
 
 /* The error of the call number `index` of a row; HUGE_VAL where no number of bits could tell it. */
@@ -79,5 +84,38 @@ ball error_over(const double result[3], const tensor &exact, const ball &scale);
 
 /* The relative error; 0 where both are 0. */
 ball relative_error(double result, const ball &exact);
+
+/* ---- Rows of functions of numbers ---- */
+
+/* An argument; it may depend on those before it, in call->value. */
+struct drawn {
+    const char *name;
+    double (*value)(probe *call);
+};
+
+template <typename... Numbers, size_t... i>
+double applied(double (*f)(Numbers...), const double *v, std::index_sequence<i...>)
+{
+    return f((Numbers)v[i]...);
+}
+
+/* The value of f; other arguments are drawn where these are outside of its domain. */
+template <typename... Numbers>
+std::function<bool(probe *)> calling(
+    double (*f)(Numbers...), const std::array<drawn, sizeof...(Numbers)> &arguments,
+    bool (*is_inside)(const double *v) = [](const double *) { return true; })
+{
+    return [=](probe *call) {
+        for (const drawn &a : arguments)
+            argument(call, a.name, a.value(call));
+        gives(call, applied(f, call->value, std::index_sequence_for<Numbers...>()));
+        return is_inside(call->value);
+    };
+}
+
+/* The error of that value, relative to what is exact of these arguments, or over a scale. */
+std::function<ball(const probe &)> relative_to(ball (*exact)(const double *v));
+std::function<ball(const probe &)> over(ball (*scale)(const double *v),
+                                        ball (*exact)(const double *v));
 
 #endif

@@ -30,30 +30,6 @@ double some_geometry(probe *call, double v[3])
     return chance(call, 0.3) ? near(call, 1.5707963267948966) : log_between(call, 1e-10, 1e20);
 }
 
-bool draw_radius(probe *call)
-{
-    const double theta = argument(call, "theta", some_angle(call)),
-                 a = argument(call, "a", some_unit(call));
-    return gives(call, rwedge_radius(theta, a));
-}
-
-ball judge_radius(const probe &call)
-{
-    return relative_error(call.result[0], ball(call.value[1]) / call.value[0]);
-}
-
-bool draw_rounding(probe *call)
-{
-    const double theta = argument(call, "theta", some_angle(call)),
-                 R = argument(call, "R", some_unit(call));
-    return gives(call, rwedge_rounding(theta, R));
-}
-
-ball judge_rounding(const probe &call)
-{
-    return relative_error(call.result[0], ball(call.value[1]) * call.value[0]);
-}
-
 bool draw_half_width(probe *call)
 {
     double v[3];
@@ -210,8 +186,11 @@ ball judge_yield_load(const probe &call)
 
 const row DESIGN_ROWS[] = {
     {"radius", "theta 1e-9 to pi/2; a 1e-15 to 1e15", "relative", DBL_EPSILON, "(1 eps)", 1,
-     draw_radius, judge_radius},
-    {"rounding", "the same", "relative", DBL_EPSILON, "(1 eps)", 1, draw_rounding, judge_rounding},
+     calling(rwedge_radius, {{{"theta", some_angle}, {"a", some_unit}}}),
+     relative_to([](const double *v) { return ball(v[1]) / v[0]; })},
+    {"rounding", "the same", "relative", DBL_EPSILON, "(1 eps)", 1,
+     calling(rwedge_rounding, {{{"theta", some_angle}, {"R", some_unit}}}),
+     relative_to([](const double *v) { return ball(v[1]) * v[0]; })},
     {"half_width", UNITS, "relative", 1e-14, "1e-14", 1, draw_half_width, judge_half_width},
     {"normal_load", UNITS, "relative", 1e-14, "1e-14", 1, draw_normal_load, judge_normal_load},
     {"yield_load", "of tips 1e-13 to 100; f, nu as above", "relative, over max(1, 1e-4 dlnP/dlnk)",

@@ -17,6 +17,7 @@
  * library found: its rows judge them. */
 #include <initializer_list>
 #include <math.h>
+#include <vector>
 
 #ifdef BALLS_IN_FLINT
 #include <flint/acb_calc.h>
@@ -24,18 +25,29 @@
 #include <acb_calc.h>
 #endif
 
-#include "rows/breakpoints.hpp"
 #include "rows/eccentric.hpp"
 #include "rows/rows.hpp"
 
+namespace
+{
+
+/* A breakpoint inside: its jump, psi and phi. */
+struct breakpoint {
+    ball k, psi, cosine, sine, constant; /* (cos phi - psi sin phi)/pi */
+};
+
+struct profile_patch {
+    ball middle, half, a, tilt;
+    ball rate; /* of the slope, left of the first end inside: k_left */
+    std::vector<breakpoint> ends;
+};
+
+/* Of a place over the half-width, from the middle. */
 breakpoint breakpoint_at(const ball &place, const ball &k)
 {
     const ball phi = asin(place), psi = pi() / 2 - phi, cosine = cos(phi);
     return {k, psi, cosine, place, (cosine - psi * place) / pi()};
 }
-
-namespace
-{
 
 profile_patch patch_of(const ball &a, const ball_edges &e)
 {
@@ -92,8 +104,7 @@ term term_of(const breakpoint &end, const place &at)
             times_own_logarithm(A, ln_A) * times_i(B / at.q) / 2 - (at.sine - end.sine) * rest};
 }
 
-} // namespace
-
+/* G, y G'. */
 complex_ball potential_at(const profile_patch &p, const complex_ball &z)
 {
     const place at = place_of(p, z);
@@ -114,53 +125,6 @@ complex_ball depth_slope_at(const profile_patch &p, const complex_ball &z)
             end.k * i_over_pi(term_of(end, at).L + (end.psi * at.sine + end.cosine) / at.cosine);
     return im(z) * slope;
 }
-
-double place_among(probe *call, const std::vector<double> &places)
-{
-    const double *r = call->result, width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
-    std::vector<double> marks(r, r + FOUND);
-    marks.insert(marks.end(), places.begin(), places.end());
-    if (chance(call, 0.3))
-        return r[WHOLE_LEFT] + width * (3 * uniform(call) - 1);
-    const size_t which = (size_t)((double)marks.size() * uniform(call));
-    return marks[which] + either_sign(call, width * log_between(call, 1e-14, 1));
-}
-
-void find_stresses(probe *call, rwedge_contact *contact, double x)
-{
-    double *r = call->result;
-    const double width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
-    const double y =
-        argument(call, "y", chance(call, 0.3) ? 0 : width * log_between(call, 1e-14, 10));
-    if (rwedge_contact_stresses(contact, 1, &x, &y, r + FOUND, r + FOUND + 1, r + FOUND + 2) !=
-        RWEDGE_OK)
-        r[FOUND] = NAN;
-    rwedge_contact_destroy(contact);
-}
-
-ball stress_error(const probe &call, const stress_case &of)
-{
-    const double *r = call.result;
-    const complex_ball z(of.x, of.y), G = potential_at(of.whole, z),
-                                      H = depth_slope_at(of.whole, z);
-    const complex_ball T = of.f * (G - potential_at(of.stick, z)),
-                       K = of.f * (H - depth_slope_at(of.stick, z));
-    const ball mean = im(G) - re(T), difference = re(T) - im(K) - re(H);
-    const ball stress[] = {mean - difference, mean + difference, im(T) + re(K) - im(H)};
-    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
-    const double far = 1 + hypot(of.x - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, of.y) / b;
-    const ball most = max(max(abs(stress[0]), abs(stress[1])), abs(stress[2]));
-    const ball scale = max(most, of.least / far) / of.flat * of.unit + abs(of.tension);
-    ball worst = 0;
-    for (int i = 0; i < 3; i++)
-        worst =
-            max(worst, error_over(r[FOUND + i],
-                                  stress[i] * of.unit + (i == 0 ? of.tension : ball(0)), scale));
-    return worst;
-}
-
-namespace
-{
 
 /* int G dz, but for a constant of the patch. */
 complex_ball primitive(const profile_patch &p, const complex_ball &z)
@@ -198,11 +162,19 @@ complex_ball height_at(const profile_patch &p, const complex_ball &z, face on)
 
 /* ---- Rows ---- */
 
+/* What a call finds first: the edges of the stick zone and of the contact. */
+enum { STICK_LEFT, STICK_RIGHT, WHOLE_LEFT, WHOLE_RIGHT, FOUND };
 enum { X_AT = TENSION + 1, Y_AT };
+
+/* Next to an edge or an end of the rounding, or anywhere. */
 double some_x(probe *call)
 {
-    const double a = call->value[ROUNDING];
-    return place_among(call, {-a, a});
+    const double *r = call->result, width = r[WHOLE_RIGHT] - r[WHOLE_LEFT];
+    const double a = call->value[ROUNDING], marks[] = {r[0], r[1], r[2], r[3], -a, a};
+    if (chance(call, 0.3))
+        return r[WHOLE_LEFT] + width * (3 * uniform(call) - 1);
+    const int which = (int)(6 * uniform(call));
+    return marks[which] + either_sign(call, width * log_between(call, 1e-14, 1));
 }
 
 bool draw_slipping_rounded(probe *call, rwedge_contact **contact)
@@ -222,8 +194,14 @@ bool draw_stresses(probe *call)
     rwedge_contact *contact;
     if (!draw_slipping_rounded(call, &contact))
         return false;
-    const double x = argument(call, "x", some_x(call));
-    find_stresses(call, contact, x);
+    double *r = call->result;
+    const double width = r[WHOLE_RIGHT] - r[WHOLE_LEFT], x = argument(call, "x", some_x(call));
+    const double y =
+        argument(call, "y", chance(call, 0.3) ? 0 : width * log_between(call, 1e-14, 10));
+    if (rwedge_contact_stresses(contact, 1, &x, &y, r + FOUND, r + FOUND + 1, r + FOUND + 2) !=
+        RWEDGE_OK)
+        r[FOUND] = NAN;
+    rwedge_contact_destroy(contact);
     return true;
 }
 
@@ -233,16 +211,26 @@ ball flatness(const profile_patch &one, const profile_patch &other)
     return 1 - max(abs(one.tilt), abs(other.tilt));
 }
 
-/* Also over |sigma|. */
+/* The largest error of a component: of the pressure, of the shear traction f (G - G of what
+ * sticks), with a tension. A stress counts as the larger of itself and max(1, f)/(1+|z|), z from
+ * the middle of the contact in half-widths, over 1 - |delta|; and the tension counts. */
 ball judge_stresses(const probe &call)
 {
     const double *v = call.value, *r = call.result;
     const profile_patch whole = patch_found(v, r + WHOLE_LEFT),
                         stick = patch_found(v, r + STICK_LEFT);
-    return stress_error(call,
-                        {whole, stick, v[X_AT], v[Y_AT], v[SHEAR] < 0 ? -v[FRICTION] : v[FRICTION],
-                         ball(v[THETA]) / v[COMPLIANCE], v[TENSION], fmax(1, v[FRICTION]),
-                         flatness(whole, stick)});
+    const ball f = v[SHEAR] < 0 ? -v[FRICTION] : v[FRICTION], unit = ball(v[THETA]) / v[COMPLIANCE];
+    const complex_ball z(v[X_AT], v[Y_AT]), G = potential_at(whole, z),
+                                            H = depth_slope_at(whole, z);
+    const complex_ball T = f * (G - potential_at(stick, z)), K = f * (H - depth_slope_at(stick, z));
+    const ball mean = im(G) - re(T), difference = re(T) - im(K) - re(H);
+    const tensor s = {mean - difference, mean + difference, im(T) + re(K) - im(H)};
+    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
+    const double far = 1 + hypot(v[X_AT] - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, v[Y_AT]) / b;
+    const ball most = max(max(abs(s.xx), abs(s.yy)), abs(s.xy));
+    const ball scale = max(most, fmax(1, v[FRICTION]) / far) / flatness(whole, stick) * unit;
+    return error_over(r + FOUND, {s.xx * unit + v[TENSION], s.yy * unit, s.xy * unit},
+                      scale + fabs(v[TENSION]));
 }
 
 bool draw_slip(probe *call)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Materials, contact law, pressure, coefficients of the series. */
+/* Materials, contact law, pressure, coefficients of the series, partial slip, maximum tension. */
 #include <float.h>
 #include <math.h>
 
@@ -9,7 +9,7 @@
 namespace
 {
 
-static const double EPSILON = DBL_EPSILON;
+const double EPSILON = DBL_EPSILON;
 
 /* ---- Materials ---- */
 
@@ -29,20 +29,18 @@ double some_ratio(probe *call)
                         : 0.5 * (int)(between(call, 0, 2));
 }
 
-void some_bodies(probe *call, double v[4])
+/* Of two bodies, often alike; all that is drawn has an A in its domain. */
+std::function<bool(probe *)> of_bodies(double (*f)(double, double, double, double))
 {
-    const double same = uniform(call);
-    v[0] = argument(call, "E1", some_modulus(call));
-    v[1] = argument(call, "nu1", some_ratio(call));
-    v[2] =
+    return [=](probe *call) {
+        const double same = uniform(call), *v = call->value;
+        argument(call, "E1", some_modulus(call));
+        argument(call, "nu1", some_ratio(call));
         argument(call, "E2", same < 0.2 && isfinite(v[0]) ? near(call, v[0]) : some_modulus(call));
-    v[3] = argument(call, "nu2", same < 0.1 ? v[1] : some_ratio(call));
-}
-
-/* The domain of both functions; all that is drawn has an A in its domain. */
-bool is_compliant(const double v[4])
-{
-    return v[0] > 0 && v[2] > 0 && v[1] > -1 && v[3] > -1 && !(isinf(v[0]) && isinf(v[2]));
+        argument(call, "nu2", same < 0.1 ? v[1] : some_ratio(call));
+        gives(call, f(v[0], v[1], v[2], v[3]));
+        return v[1] > -1 && v[3] > -1 && !(isinf(v[0]) && isinf(v[2]));
+    };
 }
 
 /* 2(1-nu^2)/E. */
@@ -51,93 +49,45 @@ ball share(double E, double nu)
     return isinf(E) ? 0 : 2 * (1 - sqr(nu)) / E;
 }
 
-bool draw_compliance(probe *call)
-{
-    double v[4];
-    some_bodies(call, v);
-    call->result[0] = rwedge_compliance(v[0], v[1], v[2], v[3]);
-    return is_compliant(v);
-}
-
-ball judge_compliance(const probe &call)
-{
-    const double *v = call.value;
-    return relative_error(call.result[0], share(v[0], v[1]) + share(v[2], v[3]));
-}
-
-bool draw_beta(probe *call)
-{
-    double v[4];
-    some_bodies(call, v);
-    call->result[0] = rwedge_dundurs_beta(v[0], v[1], v[2], v[3]);
-    return is_compliant(v);
-}
-
-/* beta = (l2 s2 - l1 s1)/(s1 + s2), l = (1-2nu)/(2(1-nu)), as Dundurs' own form with the moduli
- * mu = E/(2(1+nu)) and kappa = 3 - 4 nu: mu (kappa -+ 1) of the other body, times 1/(mu1 mu2). */
-ball judge_beta(const probe &call)
+/* (l2 s2 - l1 s1)/(s1 + s2), l = (1-2nu)/(2(1-nu)), as Dundurs' own form with the moduli mu =
+ * E/(2(1+nu)) and kappa = 3 - 4 nu: mu (kappa -+ 1) of the other body, times 1/(mu1 mu2). */
+ball beta(const double *v)
 {
     ball above, below;
     for (int body = 0; body < 2; body++) {
-        const double E = call.value[2 * body], nu = call.value[2 * body + 1];
+        const double E = v[2 * body], nu = v[2 * body + 1];
         if (isinf(E))
             continue;
         const ball per_mu = 2 * (1 + ball(nu)) / E, kappa = 3 - 4 * ball(nu);
         above += (body == 0 ? -1 : 1) * per_mu * (kappa - 1);
         below += per_mu * (kappa + 1);
     }
-    return error_over(call.result[0], above / below, 1);
+    return above / below;
 }
 
-bool draw_load(probe *call)
-{
-    return gives(call, rwedge_load(argument(call, "alpha", some_alpha(call))));
-}
-
-ball judge_load(const probe &call)
-{
-    return relative_error(call.result[0], force(call.value[0], 1));
-}
-
-bool draw_load_derivative(probe *call)
-{
-    return gives(call, rwedge_load_derivative(argument(call, "alpha", some_alpha(call))));
-}
+/* ---- Contact law ---- */
 
 /* alpha^2 d/dalpha of the load is alpha c0 - phi0. */
-ball load_slope(double alpha)
+ball load_slope(const double *v)
 {
-    const angle phi = angle_of(alpha, 1);
-    return alpha > 0 ? (alpha * phi.c0 - phi.phi0) / sqr(ball(alpha)) : 0;
+    const angle phi = angle_of(*v, 1);
+    return *v > 0 ? (*v * phi.c0 - phi.phi0) / sqr(ball(*v)) : 0;
 }
 
-ball judge_load_derivative(const probe &call)
+ball tension_slope(const double *v)
 {
-    return relative_error(call.result[0], load_slope(call.value[0]));
+    return *v < 1 ? -2 * load_slope(v) / sqr(force(*v, 1)) : 0;
 }
 
-bool draw_tension_derivative(probe *call)
-{
-    return gives(call, rwedge_max_tension_derivative(argument(call, "alpha", some_alpha(call))));
-}
-
-ball judge_tension_derivative(const probe &call)
-{
-    const double alpha = call.value[0];
-    return relative_error(call.result[0],
-                          alpha < 1 ? -2 * load_slope(alpha) / sqr(force(alpha, 1)) : 0);
-}
-
-bool draw_a_over_b(probe *call)
+double some_load(probe *call)
 {
     const double hertz = 1.5707963267948966, kind = uniform(call);
-    const double load = kind < 0.3    ? near(call, hertz)
-                        : kind < 0.6  ? hertz * log_between(call, 1, 100)
-                        : kind < 0.8  ? log_between(call, 1, 1e17)
-                        : kind < 0.9  ? log_between(call, 1e-10, hertz)
-                        : kind < 0.95 ? near(call, 2e8)
-                                      : log_between(call, 1e-119, 1e60);
-    return gives(call, rwedge_a_over_b(argument(call, "AP_over_theta_a", load)));
+    return kind < 0.3    ? near(call, hertz)
+           : kind < 0.6  ? hertz * log_between(call, 1, 100)
+           : kind < 0.8  ? log_between(call, 1, 1e17)
+           : kind < 0.9  ? log_between(call, 1e-10, hertz)
+           : kind < 0.95 ? near(call, 2e8)
+                         : log_between(call, 1e-119, 1e60);
 }
 
 /* b/a, the half-width for a = 1, is what is enclosed. */
@@ -148,59 +98,33 @@ ball judge_a_over_b(const probe &call)
 
 /* ---- Pressure ---- */
 
-bool draw_pressure(probe *call)
+bool is_no_apex(const double *v)
 {
-    const double alpha = argument(call, "alpha", some_alpha(call)),
-                 x = argument(call, "x", some_place(call, alpha, 1));
-    call->result[0] = rwedge_pressure(alpha, x);
-    return alpha > 0 || x != 0;
-}
-
-ball judge_pressure(const probe &call)
-{
-    return relative_error(call.result[0], pressure(call.value[0], 1, call.value[1]));
-}
-
-bool draw_peak(probe *call)
-{
-    return gives(call, rwedge_peak_pressure(argument(call, "alpha", some_rounded_alpha(call))));
+    return v[0] > 0 || v[1] != 0;
 }
 
 /* Eq. (10): (2/pi) [phi0/alpha - ln tan(phi0/2)]. */
-ball judge_peak(const probe &call)
+ball peak(const double *v)
 {
-    const double alpha = call.value[0];
-    const ball phi0 = angle_of(alpha, 1).phi0;
-    const ball corner = alpha < 1 ? log(tan(phi0 / 2)) : 0;
-    return relative_error(call.result[0], 2 / pi() * (phi0 / alpha - corner));
-}
-
-bool draw_transition(probe *call)
-{
-    return gives(call,
-                 rwedge_transition_pressure(argument(call, "alpha", some_rounded_alpha(call))));
+    const ball phi0 = angle_of(*v, 1).phi0;
+    return 2 / pi() * (phi0 / *v - (*v < 1 ? log(tan(phi0 / 2)) : ball(0)));
 }
 
 /* Eq. (9): (1/pi) [2 phi0 cot(phi0) - ln(tan(phi0) sin(2 phi0)/2)]. */
-ball judge_transition(const probe &call)
+ball transition(const double *v)
 {
-    if (call.value[0] >= 1)
-        return relative_error(call.result[0], 0);
-    const ball phi0 = angle_of(call.value[0], 1).phi0;
-    return relative_error(call.result[0],
-                          (2 * phi0 / tan(phi0) - log(tan(phi0) * sin(2 * phi0) / 2)) / pi());
+    const ball phi0 = angle_of(*v, 1).phi0;
+    return *v < 1 ? (2 * phi0 / tan(phi0) - log(tan(phi0) * sin(2 * phi0) / 2)) / pi() : ball(0);
 }
 
 /* ---- Coefficients ---- */
 
 /* pi b_n m (m^2-1)/4 = (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)], and its derivative by
- * phi0. */
+ * phi0, but for the sign. */
 struct bracket {
     ball value, slope;
 };
 
-/* pi b_n m (m^2-1)/4 = (-1)^n [m sin(m phi0) cot(phi0) - cos(m phi0)], and its derivative by
- * phi0, but for the sign. */
 bracket bracket_of(const ball &phi0, double m)
 {
     const ball sine = sin(m * phi0), cosine = cos(m * phi0), cot = 1 / tan(phi0);
@@ -219,13 +143,9 @@ ball scale_of(const bracket &b, const ball &phi0, double m)
     return abs(b.value);
 }
 
-bool draw_coefficient(probe *call)
+double some_number(probe *call)
 {
-    const double alpha = argument(call, "alpha", some_alpha(call));
-    const double kind = uniform(call);
-    const double n = argument(
-        call, "n", floor(kind < 0.4 ? between(call, 0, 20) : log_between(call, 1, 2147483647.0)));
-    return gives(call, rwedge_coefficient(alpha, (int32_t)n));
+    return floor(uniform(call) < 0.4 ? between(call, 0, 20) : log_between(call, 1, 2147483647.0));
 }
 
 ball judge_coefficient(const probe &call)
@@ -243,27 +163,80 @@ ball judge_coefficient(const probe &call)
     return error_over(call.result[0], sign * factor * b.value, factor * scale_of(b, phi0, m));
 }
 
+/* ---- Partial slip ---- */
+
+double some_c(probe *call)
+{
+    return some_fraction(call, fmin(call->value[0], 1));
+}
+
+/* The half-width under the load F(1)(1-Q/(fP)), Eq. (25). */
+ball judge_stick_width(const probe &call)
+{
+    const ball sticking = 1 - ball(call.value[1]), a = call.value[0];
+    const ball c = is_zero(sticking) ? 0 : half_width(a, force(a, 1) * sticking, call.result[0]);
+    return relative_error(call.result[0], c);
+}
+
+/* 1 - F(c)/F(1). */
+ball shear_ratio(const double *v)
+{
+    return v[1] == 1 ? 0 : v[1] == 0 ? 1 : 1 - force(v[0], v[1]) / force(v[0], 1);
+}
+
+/* p(x; 1) - p(x; c), Eq. (23), (26), (27). */
+ball shear(const double *v)
+{
+    return pressure(v[0], 1, v[2]) - (v[1] > 0 ? pressure(v[0], v[1], v[2]) : 0);
+}
+
 #define ALPHA "0, 1e-60 to 1e60; dense at 1"
+
+const drawn alpha = {"alpha", some_alpha}, tip = {"alpha", some_rounded_alpha}, c = {"c", some_c};
 
 } // namespace
 
 const row LAW_ROWS[] = {
     {"compliance", "E 1e-29 to 1e29, rigid; nu -1 to 0.5", "relative", 4 * EPSILON, "4 eps", 1,
-     draw_compliance, judge_compliance},
-    {"dundurs_beta", "the same", "absolute", 4 * EPSILON, "4 eps", 1, draw_beta, judge_beta},
-    {"load", ALPHA, "relative", 4 * EPSILON, "4 eps", 1, draw_load, judge_load},
-    {"load_derivative", ALPHA, "relative", 1e-14, "1e-14", 1, draw_load_derivative,
-     judge_load_derivative},
-    {"max_tension_derivative", ALPHA, "relative", 1e-14, "1e-14", 1, draw_tension_derivative,
-     judge_tension_derivative},
-    {"a_over_b", "1e-119 to 1e60; dense at pi/2, 2e8", "relative", 1e-14, "1e-14", 1, draw_a_over_b,
-     judge_a_over_b},
-    {"pressure", "alpha; x dense at 0, ±alpha, ±1", "relative", 1e-12, "1e-12", 1, draw_pressure,
-     judge_pressure},
-    {"peak_pressure", ALPHA, "relative", 1e-14, "1e-14", 1, draw_peak, judge_peak},
-    {"transition_pressure", ALPHA, "relative", 1e-14, "1e-14", 1, draw_transition,
-     judge_transition},
+     of_bodies(rwedge_compliance),
+     relative_to([](const double *v) { return share(v[0], v[1]) + share(v[2], v[3]); })},
+    {"dundurs_beta", "the same", "absolute", 4 * EPSILON, "4 eps", 1,
+     of_bodies(rwedge_dundurs_beta), over([](const double *) { return ball(1); }, beta)},
+    {"load", ALPHA, "relative", 4 * EPSILON, "4 eps", 1, calling(rwedge_load, {alpha}),
+     relative_to([](const double *v) { return force(*v, 1); })},
+    {"load_derivative", ALPHA, "relative", 1e-14, "1e-14", 1,
+     calling(rwedge_load_derivative, {alpha}), relative_to(load_slope)},
+    {"max_tension_derivative", ALPHA, "relative", 1e-14, "1e-14", 1,
+     calling(rwedge_max_tension_derivative, {alpha}), relative_to(tension_slope)},
+    {"a_over_b", "1e-119 to 1e60; dense at pi/2, 2e8", "relative", 1e-14, "1e-14", 1,
+     calling(rwedge_a_over_b, {{{"AP_over_theta_a", some_load}}}), judge_a_over_b},
+    {"pressure", "alpha; x dense at 0, ±alpha, ±1", "relative", 1e-12, "1e-12", 1,
+     calling(rwedge_pressure,
+             {{alpha, {"x", [](probe *call) { return some_place(call, call->value[0], 1); }}}},
+             is_no_apex),
+     relative_to([](const double *v) { return pressure(v[0], 1, v[1]); })},
+    {"peak_pressure", ALPHA, "relative", 1e-14, "1e-14", 1, calling(rwedge_peak_pressure, {tip}),
+     relative_to(peak)},
+    {"transition_pressure", ALPHA, "relative", 1e-14, "1e-14", 1,
+     calling(rwedge_transition_pressure, {tip}), relative_to(transition)},
     {"coefficient", "alpha; n 0 to 2^31-1", "relative; at zeros 1e-8 of values around", 1e-14,
-     "1e-14", 1, draw_coefficient, judge_coefficient},
+     "1e-14", 1, calling(rwedge_coefficient, {{alpha, {"n", some_number}}}), judge_coefficient},
+    {"stick_width", "alpha; Q/(fP) dense at 0, 1", "relative", 1e-14, "1e-14", 1,
+     calling(rwedge_stick_width,
+             {{alpha, {"Q_over_fP", [](probe *call) { return some_fraction(call, 0.5); }}}}),
+     judge_stick_width},
+    {"shear_ratio", "alpha; c dense at 0, alpha, 1", "relative", 1e-14, "1e-14", 1,
+     calling(rwedge_shear_ratio, {{alpha, c}}), relative_to(shear_ratio)},
+    {"shear", "alpha, c; x dense at 0, ±alpha, ±c, ±1", "of 1 + \\|A p/theta\\|", 1e-14, "1e-14", 1,
+     calling(
+         rwedge_shear,
+         {{alpha,
+           c,
+           {"x", [](probe *call) { return some_place(call, call->value[0], call->value[1]); }}}},
+         [](const double *v) { return v[0] > 0 || v[2] != 0; }),
+     over([](const double *v) { return 1 - pressure(v[0], 1, v[2]); }, shear)},
+    /* 2 f at the trailing edge over f load; for alpha >= 1 as for 1 */
+    {"max_tension", "alpha", "relative", 1e-14, "1e-14", 1, calling(rwedge_max_tension, {alpha}),
+     relative_to([](const double *v) { return 2 / force(fmin(*v, 1), 1); })},
     {},
 };

@@ -10,34 +10,22 @@ namespace
 
 enum { VALUE, MODULUS, STRENGTH, B, DUCTILITY, C };
 
-void draw_curve(probe *call, const char *const names[6], double strength, double modulus)
+/* Of a metal; its life may be told. */
+std::function<bool(probe *)>
+living(double (*life)(double, double, double, double, double, double, double),
+       const std::array<const char *, 6> &names, double strength, double modulus)
 {
-    argument(call, names[VALUE], log_between(call, 1e-4, 10));
-    argument(call, names[MODULUS], modulus * between(call, 0.5, 2));
-    argument(call, names[STRENGTH], strength * between(call, 0.5, 2));
-    argument(call, names[B], -between(call, 0.05, 0.2));
-    argument(call, names[DUCTILITY], between(call, 0.05, 2));
-    argument(call, names[C], -between(call, 0.4, 0.9));
-}
-
-bool draw_smith_watson_topper(probe *call)
-{
-    static const char *const NAMES[] = {"swt", "E", "sf", "b", "ef", "c"};
-    const double *v = call->value;
-    draw_curve(call, NAMES, 1000, 150e3);
-    call->result[0] = rwedge_smith_watson_topper_life(v[VALUE], v[MODULUS], v[STRENGTH], v[B],
-                                                      v[DUCTILITY], v[C], 0);
-    return isnan(call->result[0]) || (call->result[0] > 1e-20 && call->result[0] < 1e40);
-}
-
-bool draw_fatemi_socie(probe *call)
-{
-    static const char *const NAMES[] = {"fatemi_socie", "G", "tf", "b", "gf", "c"};
-    const double *v = call->value;
-    draw_curve(call, NAMES, 600, 60e3);
-    call->result[0] =
-        rwedge_fatemi_socie_life(v[VALUE], v[MODULUS], v[STRENGTH], v[B], v[DUCTILITY], v[C], 0);
-    return isnan(call->result[0]) || (call->result[0] > 1e-20 && call->result[0] < 1e40);
+    return [=](probe *call) {
+        const double *v = call->value, &n = call->result[0];
+        argument(call, names[VALUE], log_between(call, 1e-4, 10));
+        argument(call, names[MODULUS], modulus * between(call, 0.5, 2));
+        argument(call, names[STRENGTH], strength * between(call, 0.5, 2));
+        argument(call, names[B], -between(call, 0.05, 0.2));
+        argument(call, names[DUCTILITY], between(call, 0.05, 2));
+        argument(call, names[C], -between(call, 0.4, 0.9));
+        gives(call, life(v[VALUE], v[MODULUS], v[STRENGTH], v[B], v[DUCTILITY], v[C], 0));
+        return isnan(n) || (n > 1e-20 && n < 1e40);
+    };
 }
 
 /* How far the curve first (2N)^slope + second (2N)^other is from the value, over its slope at N:
@@ -63,19 +51,9 @@ ball judge_fatemi_socie(const probe &call)
     return error_of_life(call, tf / G, call.value[B], call.value[DUCTILITY], call.value[C]);
 }
 
-bool draw_distance(probe *call)
+double some_size(probe *call)
 {
-    const double dK_th = argument(call, "dK_th", log_between(call, 1e-60, 1e60));
-    call->result[0] =
-        rwedge_critical_distance(dK_th, argument(call, "ds0", log_between(call, 1e-60, 1e60)));
-    return true;
-}
-
-ball judge_distance(const probe &call)
-{
-    const ball ratio = ball(call.value[0]) / ball(call.value[1]);
-    const ball length = sqr(ratio) / pi();
-    return abs(ball(call.result[0]) / length - 1);
+    return log_between(call, 1e-60, 1e60);
 }
 
 } // namespace
@@ -83,11 +61,14 @@ ball judge_distance(const probe &call)
 #define METALS "constants of metals, no limit"
 
 const row LIFE_ROWS[] = {
-    {"smith_watson_topper_life", METALS, "relative", 1e-11, "1e-11", 1, draw_smith_watson_topper,
+    {"smith_watson_topper_life", METALS, "relative", 1e-11, "1e-11", 1,
+     living(rwedge_smith_watson_topper_life, {{"swt", "E", "sf", "b", "ef", "c"}}, 1000, 150e3),
      judge_smith_watson_topper},
-    {"fatemi_socie_life", METALS, "relative", 1e-11, "1e-11", 1, draw_fatemi_socie,
+    {"fatemi_socie_life", METALS, "relative", 1e-11, "1e-11", 1,
+     living(rwedge_fatemi_socie_life, {{"fatemi_socie", "G", "tf", "b", "gf", "c"}}, 600, 60e3),
      judge_fatemi_socie},
-    {"critical_distance", "1e-60 to 1e60", "relative", 4 * DBL_EPSILON, "4 eps", 1, draw_distance,
-     judge_distance},
+    {"critical_distance", "1e-60 to 1e60", "relative", 4 * DBL_EPSILON, "4 eps", 1,
+     calling(rwedge_critical_distance, {{{"dK_th", some_size}, {"ds0", some_size}}}),
+     relative_to([](const double *v) { return sqr(ball(v[0]) / v[1]) / pi(); })},
     {},
 };

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts of a flat pad with rounded edges, of a worn profile of 20 arcs and of an asymmetric one.
- * The edges: sums over the arcs, each of them a wedge's rounding, and Krawczyk's operator. The
- * stresses: sums over the breakpoints. */
-#include <algorithm>
-#include <math.h>
+/* Edges of contacts of a flat pad with rounded edges, of a worn profile of 20 arcs and of an
+ * asymmetric one: sums over the arcs, each of them a wedge's rounding, and Krawczyk's operator.
+ * tests/lib/contact/test_pads.c compares all else with the wedge's. */
+#include <vector>
 
-#include "rows/breakpoints.hpp"
 #include "rows/eccentric.hpp"
 
 namespace
@@ -13,7 +11,7 @@ namespace
 
 /* ---- Profiles ---- */
 
-enum { PAD_KIND, SEED, PAD_LOAD, PAD_MOMENT, PAD_FRICTION, PAD_SHEAR, PAD_X, PAD_Y };
+enum { PAD_KIND, SEED, PAD_LOAD, PAD_MOMENT };
 enum { FLAT, WORN, ASYMMETRIC, KINDS };
 
 /* In units of A = 1. */
@@ -133,14 +131,14 @@ bool some_pad(probe *call, int kinds)
     return P > 1e-30;
 }
 
-rwedge_contact *made(const double v[], double f)
+rwedge_contact *made(const double v[])
 {
     const profile p = profile_of(v);
     rwedge_contact *contact = NULL;
-    const int32_t status =
-        p.x.empty()
-            ? rwedge_contact_create_flat(p.a, p.R, 1, f, &contact)
-            : rwedge_contact_create_profile(p.x.size(), p.x.data(), p.slope.data(), 1, f, &contact);
+    const int32_t status = p.x.empty()
+                               ? rwedge_contact_create_flat(p.a, p.R, 1, 0.5, &contact)
+                               : rwedge_contact_create_profile(p.x.size(), p.x.data(),
+                                                               p.slope.data(), 1, 0.5, &contact);
     if (status == RWEDGE_OK &&
         rwedge_contact_apply(contact, v[PAD_LOAD], v[PAD_MOMENT], 0, 0) == RWEDGE_OK)
         return contact;
@@ -152,7 +150,7 @@ rwedge_contact *made(const double v[], double f)
 
 bool draw_edges(probe *call)
 {
-    rwedge_contact *contact = some_pad(call, KINDS) ? made(call->value, 0.5) : NULL;
+    rwedge_contact *contact = some_pad(call, KINDS) ? made(call->value) : NULL;
     if (!contact)
         return false;
     double *r = call->result;
@@ -165,7 +163,7 @@ bool draw_edges(probe *call)
 
 bool draw_beyond_flat(probe *call)
 {
-    rwedge_contact *contact = some_pad(call, 1) ? made(call->value, 0.5) : NULL;
+    rwedge_contact *contact = some_pad(call, 1) ? made(call->value) : NULL;
     double *r = call->result;
     if (!contact || rwedge_contact_edges(contact, &r[0], &r[1]) != RWEDGE_OK ||
         rwedge_contact_beyond_flat(contact, &r[2], &r[3]) != RWEDGE_OK)
@@ -180,18 +178,6 @@ ball_edges edges_near(const profile &p, const double v[], const double guess[2])
     const ball theta = angle_of(p);
     return patch_carrying([&](const ball_edges &e) { return carried_by(arcs, e); },
                           v[PAD_LOAD] / theta, v[PAD_MOMENT] / theta, guess);
-}
-
-/* 1 - |delta|. */
-ball flatness(const profile &p, const ball_edges &e)
-{
-    return 1 - abs(carried_by(arcs_of(p), e).tilt);
-}
-
-/* In place of theta: of a flat pad, its slope at the edge. */
-ball steepness(const profile &p, const ball_edges &e)
-{
-    return p.x.empty() ? (e.right - p.a) / p.R : angle_of(p);
 }
 
 /* What a flat magnifies: the root of 1 - a/b. */
@@ -222,67 +208,6 @@ ball judge_beyond_flat(const probe &call)
     return max(relative_error(r[2], -e.left - p.a), relative_error(r[3], e.right - p.a));
 }
 
-/* ---- Stresses after one step of Q ---- */
-
-bool draw_stresses(probe *call)
-{
-    if (!some_pad(call, KINDS))
-        return false;
-    const double *v = call->value, f = argument(call, "f", log_between(call, 0.01, 2));
-    const double Q = argument(call, "Q", either_sign(call, 0.9 * uniform(call) * f * v[PAD_LOAD]));
-    rwedge_contact *contact = made(v, f);
-    double *r = call->result;
-    const bool is_drawn =
-        contact && rwedge_contact_edges(contact, &r[2], &r[3]) == RWEDGE_OK &&
-        rwedge_contact_apply(contact, v[PAD_LOAD], v[PAD_MOMENT], Q, 0) == RWEDGE_OK &&
-        rwedge_contact_stick_zone(contact, &r[0], &r[1]) == RWEDGE_OK && r[0] < r[1];
-    if (!is_drawn) {
-        rwedge_contact_destroy(contact);
-        return false;
-    }
-    const profile p = profile_of(v);
-    const std::vector<double> corners = {-p.a, p.a};
-    const double x = argument(call, "x", place_among(call, p.x.empty() ? corners : p.x));
-    find_stresses(call, contact, x);
-    return true;
-}
-
-/* A jump of the curvature. */
-void add_jump(const ball &at, const ball &k, const ball_edges &e, profile_patch *to)
-{
-    if (at <= e.left)
-        to->rate += k;
-    else if (!(at >= e.right))
-        to->ends.push_back(breakpoint_at((at - to->middle) / to->half, k));
-}
-
-profile_patch patch_of(const profile &p, const ball_edges &e)
-{
-    profile_patch made = {(e.left + e.right) / 2, (e.right - e.left) / 2, 0, 0, 0, {}};
-    if (p.x.empty()) {
-        made.rate = ball(1) / p.R; /* from far on the left */
-        add_jump(-p.a, -ball(1) / p.R, e, &made);
-        add_jump(p.a, ball(1) / p.R, e, &made);
-    }
-    for (size_t i = 1; i < p.x.size(); i++) {
-        const ball k = (ball(p.slope[i]) - p.slope[i - 1]) / (ball(p.x[i]) - p.x[i - 1]);
-        add_jump(p.x[i - 1], k, e, &made);
-        add_jump(p.x[i], -k, e, &made);
-    }
-    return made;
-}
-
-ball judge_stresses(const probe &call)
-{
-    const double *v = call.value, *r = call.result;
-    const profile p = profile_of(v);
-    const ball_edges stuck = {r[STICK_LEFT], r[STICK_RIGHT]}, all = {r[WHOLE_LEFT], r[WHOLE_RIGHT]};
-    return stress_error(call, {patch_of(p, all), patch_of(p, stuck), v[PAD_X], v[PAD_Y],
-                               v[PAD_SHEAR] < 0 ? -v[PAD_FRICTION] : v[PAD_FRICTION], 1, 0,
-                               steepness(p, all) * fmax(1, v[PAD_FRICTION]),
-                               narrowness(p, all) * min(flatness(p, stuck), flatness(p, all))});
-}
-
 #define PADS "flat, a/b 0.01 to 1 - 1e-9; 20 worn arcs; 6 arcs, asymmetric"
 
 } // namespace
@@ -293,9 +218,5 @@ const row PAD_ROWS[] = {
      draw_edges, judge_edges},
     {"contact_beyond_flat", "flat, a/b 0.01 to 1 - 1e-9; P", "relative", 1e-14, "1e-14", 1,
      draw_beyond_flat, judge_beyond_flat},
-    {"contact_stresses, of pads", PADS "; points dense at edges and places",
-     "of max(norm, max(1, f)/(1+\\|z\\|)), over 1 - \\|delta\\| and the root of 1 - a/b; of the "
-     "edges found",
-     1e-13, "(1e-13)", 1, draw_stresses, judge_stresses},
     {},
 };

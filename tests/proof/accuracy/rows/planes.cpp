@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Criteria over all planes, of cycles between two opposite loads, where they have closed forms in
- * the principal stresses s1, s2 and szz. */
+/* Criteria of cycles between two opposite loads, where they have closed forms in the principal
+ * stresses s1, s2 and szz. Cycles of more loads are scanned in tests/lib/measures/. */
 #include <float.h>
 #include <math.h>
 
@@ -38,6 +38,31 @@ bool draw_cycle(probe *call, cycle *c)
     const double nu = argument(call, "nu", some_poisson(call));
     *c = {{s[0], -s[0]}, {s[1], -s[1]}, {s[2], -s[2]}, nu};
     return are_apart(s, nu);
+}
+
+/* The parameter of a cycle, whose last arguments these are; r: its value and its plane. `any`: of
+ * principal stresses that are nearly equal too. */
+std::function<bool(probe *)>
+of_cycle(const std::vector<drawn> &others,
+         int32_t (*parameter)(const cycle &c, const double *v, double *r), bool any = false)
+{
+    return [=](probe *call) {
+        cycle c;
+        if (!draw_cycle(call, &c) && !any)
+            return false;
+        for (const drawn &a : others)
+            argument(call, a.name, a.value(call));
+        return gives_if(call, parameter(c, call->value, call->result), call->result[0]);
+    };
+}
+
+double some_part(probe *call)
+{
+    return chance(call, 0.1) ? 0 : between(call, 0, 1);
+}
+double some_E(probe *call)
+{
+    return log_between(call, 1e-3, 1e6);
 }
 
 /* The largest principal stress of the load that was drawn, the one between, the smallest. */
@@ -78,17 +103,6 @@ ball per_modulus(const probe &call)
 
 /* ---- Findley, Fatemi and Socie ---- */
 
-bool draw_findley(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double k = argument(call, "k", chance(call, 0.1) ? 0 : between(call, 0, 1));
-    return gives_if(call, rwedge_findley(LOADS, c.sxx, c.syy, c.txy, c.nu, k, &value, &angle, &out),
-                    value);
-}
-
 /* k |s1+s3|/2 + sqrt(1+k^2) (s1-s3)/2 */
 ball judge_findley(const probe &call)
 {
@@ -97,20 +111,7 @@ ball judge_findley(const probe &call)
     return error_over(call.result[0], k * at.mean + sqrt(1 + sqr(k)) * at.half, (1 + k) * at.s);
 }
 
-bool draw_fatemi_socie(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
-    return gives_if(
-        call,
-        rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, E, c.nu, 0, 0, &value, &angle, &out),
-        value);
-}
-
-/* (1+c.nu)/E (s1-s3) */
+/* (1+nu)/E (s1-s3) */
 ball judge_fatemi_socie(const probe &call)
 {
     const outermost at = outermost_of(call);
@@ -118,19 +119,6 @@ ball judge_fatemi_socie(const probe &call)
 }
 
 /* ---- Smith, Watson and Topper ---- */
-
-bool draw_smith_watson_topper(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double E = argument(call, "E", log_between(call, 1e-3, 1e6));
-    return gives_if(call,
-                    rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, E, c.nu, 0,
-                                                      &value, &angle, &out),
-                    value);
-}
 
 struct weights {
     ball stress, strain;
@@ -165,18 +153,6 @@ ball judge_smith_watson_topper(const probe &call)
 
 /* ---- Susmel, McDiarmid ---- */
 
-bool draw_modified_wohler(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double kappa = argument(call, "kappa", fabs(c.sxx[0]) * between(call, 0, 1));
-    return gives_if(
-        call, rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, c.nu, kappa, &value, &angle, &out),
-        value);
-}
-
 /* (s1-s3)/2 + kappa |s1+s3|/(s1-s3), over the first and kappa */
 ball judge_modified_wohler(const probe &call)
 {
@@ -184,19 +160,6 @@ ball judge_modified_wohler(const probe &call)
     const double kappa = call.value[4];
     return error_over(call.result[0], at.half + kappa * at.mean / at.half,
                       at.s + kappa * at.s / at.half); /* s + kappa s/tau_a */
-}
-
-bool draw_mcdiarmid(probe *call)
-{
-    cycle c;
-    double value, angle, out;
-    if (!draw_cycle(call, &c))
-        return false;
-    const double t_A = argument(call, "t_A", 1e-50 + fabs(c.sxx[0]) * between(call, 0.1, 10)),
-                 su = argument(call, "su", t_A * between(call, 1, 10));
-    return gives_if(
-        call, rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, c.nu, t_A, su, &value, &angle, &out),
-        value);
 }
 
 ball judge_mcdiarmid(const probe &call)
@@ -207,18 +170,6 @@ ball judge_mcdiarmid(const probe &call)
 }
 
 /* ---- Crossland, Dang Van ---- */
-
-template <bool is_dang_van> bool draw_sphere(probe *call)
-{
-    cycle c;
-    double value;
-    draw_cycle(call, &c);
-    const double alpha = argument(call, "alpha", chance(call, 0.1) ? 0 : between(call, 0, 1));
-    return gives_if(call,
-                    (is_dang_van ? rwedge_dang_van : rwedge_crossland)(LOADS, c.sxx, c.syy, c.txy,
-                                                                       c.nu, alpha, &value),
-                    value);
-}
 
 /* The sphere's centre is 0. Its radius is sqrt(J2) of either load. */
 template <bool is_dang_van> ball judge_sphere(const probe &call)
@@ -233,23 +184,129 @@ template <bool is_dang_van> ball judge_sphere(const probe &call)
                       (1 + alpha) * at.s);
 }
 
+/* ---- The planes that contain z ---- */
+
+/* The stress across a plane at the angle phi from the principal one is mean + R cos(phi), the shear
+ * R sin(phi); and both at the plane that the library names, with the strain but for (1+nu)/E. */
+struct on_z {
+    ball mean, R, normal, shear, strain;
+
+    explicit on_z(const probe &call)
+    {
+        const ball sxx = call.value[0], syy = call.value[1], txy = call.value[2];
+        const ball s = (sxx + syy) / 2, d = (syy - sxx) / 2;
+        const direction plane = direction_of(2 * ball(call.result[1]));
+        const ball beside = d * plane.cosine + txy * plane.sine;
+        mean = abs(s);
+        R = sqrt(sqr(d) + sqr(txy));
+        normal = abs(s + beside);
+        shear = abs(txy * plane.cosine - d * plane.sine);
+        strain = abs((1 - 2 * ball(call.value[3])) * s + beside);
+    }
+};
+
+/* How far the value is from the largest of all planes, and the named plane's from it. */
+ball error_on_z(const probe &call, const ball &largest, const ball &named, const ball &unit)
+{
+    return max(error_over(call.result[0], largest * per_modulus(call), unit * per_modulus(call)),
+               abs((named - largest) / unit));
+}
+
+/* Stress and strain are largest in magnitude across the same principal plane. */
+ball judge_swt_on_z(const probe &call)
+{
+    const on_z at(call);
+    const ball s = at.mean + at.R, strain = s - 2 * ball(call.value[3]) * at.mean;
+    return error_on_z(call, s * strain, at.normal * at.strain, sqr(s));
+}
+
+/* 2 R sin(phi) (A + B cos(phi)), A = 1 + k mean, B = k R: where A cos(phi) + B cos(2 phi) = 0. */
+ball judge_fatemi_socie_on_z(const probe &call)
+{
+    const on_z at(call);
+    const ball k = call.value[5], s = at.mean + at.R, A = 1 + k * at.mean, B = k * at.R;
+    const ball cosine = 2 * B / (A + sqrt(sqr(A) + 8 * sqr(B)));
+    const ball largest = 2 * at.R * sqrt(1 - sqr(cosine)) * (A + B * cosine);
+    return error_on_z(call, largest, 2 * at.shear * (1 + k * at.normal), s * (1 + k * s));
+}
+
 #define OPPOSITE "two opposite loads, principal stresses apart by 1e-3"
 
 } // namespace
 
 const row PLANE_ROWS[] = {
-    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+c.nu)/E", 1e-14, "1e-14", 0.1,
-     draw_smith_watson_topper, judge_smith_watson_topper},
-    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+c.nu)/E", 1e-14, "1e-14", 0.1,
-     draw_fatemi_socie, judge_fatemi_socie},
-    {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1, draw_findley, judge_findley},
-    {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1, draw_modified_wohler,
+    {"smith_watson_topper", "two opposite loads", "of s^2 (1+nu)/E", 1e-14, "1e-14", 1,
+     of_cycle(
+         {{"E", some_E}},
+         [](const cycle &c, const double *v, double *r) {
+             return rwedge_smith_watson_topper(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, r, r + 1);
+         },
+         true),
+     judge_swt_on_z},
+    {"fatemi_socie", "two opposite loads; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 1,
+     of_cycle(
+         {{"E", some_E},
+          {"k_over_sy",
+           [](probe *call) {
+               const double k = log_between(call, 1e-3, 1e3) / fabs(call->value[0]);
+               return chance(call, 0.1) ? 0 : k;
+           }}},
+         [](const cycle &c, const double *v, double *r) {
+             return rwedge_fatemi_socie(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, v[5], r, r + 1);
+         },
+         true),
+     judge_fatemi_socie_on_z},
+    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
+     of_cycle({{"E", some_E}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu,
+                                                           0, r, r + 1, r + 2);
+              }),
+     judge_smith_watson_topper},
+    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
+     of_cycle({{"E", some_E}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, 0, 0, r,
+                                                    r + 1, r + 2);
+              }),
+     judge_fatemi_socie},
+    {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1,
+     of_cycle({{"k", some_part}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_findley(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r, r + 1, r + 2);
+              }),
+     judge_findley},
+    {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1,
+     of_cycle({{"kappa", [](probe *call) { return fabs(call->value[0]) * between(call, 0, 1); }}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r, r + 1,
+                                                r + 2);
+              }),
      judge_modified_wohler},
-    {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1, draw_mcdiarmid,
+    {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1,
+     of_cycle({{"t_A",
+                [](probe *call) { return 1e-50 + fabs(call->value[0]) * between(call, 0.1, 10); }},
+               {"su", [](probe *call) { return call->value[4] * between(call, 1, 10); }}},
+              [](const cycle &c, const double *v, double *r) {
+                  return rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], v[5], r, r + 1,
+                                          r + 2);
+              }),
      judge_mcdiarmid},
-    {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<false>,
+    {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1,
+     of_cycle(
+         {{"alpha", some_part}},
+         [](const cycle &c, const double *v, double *r) {
+             return rwedge_crossland(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r);
+         },
+         true),
      judge_sphere<false>},
-    {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1, draw_sphere<true>,
+    {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1,
+     of_cycle(
+         {{"alpha", some_part}},
+         [](const cycle &c, const double *v, double *r) {
+             return rwedge_dang_van(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r);
+         },
+         true),
      judge_sphere<true>},
     {},
 };

@@ -324,6 +324,15 @@ static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
     return widest;
 }
 
+/* What had not slipped before the step, with the places that come into contact beside it. */
+static rw_patch never_slipped(const rw_stance *from, const rw_problem *p)
+{
+    rw_patch patch = from->unslipped;
+    patch.left = patch.left == from->contact.left ? p->to.left : patch.left;
+    patch.right = patch.right == from->contact.right ? p->to.right : patch.right;
+    return patch;
+}
+
 static bool is_at_edge(const rw_zones *zones, int i)
 {
     return i == 0 || i + 1 == zones->count;
@@ -393,7 +402,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_c
                          .contact = p->to,
                          .at = to,
                          .is_still = from->is_still && p->is_still,
-                         .unslipped = stuck_part(from->unslipped, &outcome.state.zones),
+                         .unslipped = stuck_part(never_slipped(from, p), &outcome.state.zones),
                          .move = from->move + outcome.move,
                          .energy = from->energy + outcome.energy,
                          .error = outcome.violation};

@@ -32,22 +32,16 @@ BASH
     }
     touch "a file.csv" another.csv
     completes "$(paste -s -d ' ' commands) --help --completion --version" rwedge ""
-    completes "profile" rwedge pro
     completes "bash zsh fish" rwedge --completion ""
     completes "elastic-limit" rwedge table el
     completes "--yield-stress --yield-factor" rwedge solve --yi
-    completes "csv" rwedge solve --format c
     completes "csv tsv json xlsx vtk" rwedge field --format ""
     completes "csv tsv json xlsx" rwedge profile --format =
-    completes "pdf png" rwedge figure --format p
-    completes "grid" rwedge table --layout = g
     completes "list row" rwedge solve --layout ""
     called="bash completion of a name with a space"
     same "words" "a file.csv:another.csv" "$(bash complete.bash rwedge solve -i a | sort | paste -s -d : -)"
-    completes "another.csv" rwedge profile --history an
     completes "another.csv" rwedge table elastic-limit --output = an
     completes "" rwedge solve --E1 ""
-    completes "" rwedge solve x
     for command in $(cat commands); do
         called="bash completion of $command"
         same "options" "$(every_option "$command")" "$(bash complete.bash rwedge "$command" -- | sort)"
@@ -68,16 +62,6 @@ if command -v fish >/dev/null 2>&1; then
     for command in $(cat commands); do
         offers "$(every_option "$command" | paste -s -d ' ' -)" "rwedge $command --"
     done
-    # What is offered may only resemble what was typed; what a Tab inserts begins with it.
-    if command -v python3 >/dev/null 2>&1; then
-        for case in "rwedge pro=profile" "rwedge table ela=table elastic-limit" "rwedge table --la=table --layout" \
-            "rwedge field --format v=field --format vtk"; do
-            called="a Tab in fish after '${case%=*}'"
-            same "line" "${case##*=}" "$(TERM=xterm timeout 20 python3 "$here/fish_tab.py" ./rwedge.fish "${case%=*}" 2>&1)"
-        done
-    else
-        echo "SKIPPED: what a Tab inserts in fish, for lack of python3"
-    fi
 fi
 
 # zsh, on a terminal of its own: what a Tab inserts.

@@ -11,9 +11,7 @@ values() {
 # The decimals that were meant, not sums of rounded steps.
 values "0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 1" 0.1:1:0.1
 values "1 0.9 0.8 0.7 0.6 0.5 0.4 0.3 0.2 0.1 0" 1:0:-0.1
-values "0 0.35 0.7" 0:0.7:0.35
 values "1e-08 3e-08 5e-08" 1e-8:5e-8:2e-8
-values "1000 1500 2000" 1e3:2e3:5e2
 values "0.1 0.2 0.3" 0.10000000000000000000:0.3:.1
 values "0.1 0.2 0.3" +0.1:3.0e-1:1E-1
 
@@ -21,8 +19,6 @@ values "0.1 0.2 0.3" +0.1:3.0e-1:1E-1
 values "0 0.3 0.6 0.9" 0:1:0.3
 values "0 0.25 0.5 0.75 1" 0:1:0.25
 values "0.5" 0.5:0.5:0.1
-values "0.5" 0.5:0.5:-0.1
-values "0.5" 0.5:0.6:1
 values "0.5" 0.5:1:1e300
 
 # Steps with more digits than are exact: hit to rounding, and then STOP itself.
@@ -30,18 +26,10 @@ values "0 0.3333333333333333 0.6666666666666666 1" 0:1:0.33333333333333333333
 values "0.1 0.19090909090909092 0.2818181818181818" 0.1:0.281818181818181818:0.090909090909090909
 
 # Lists keep their order, and may repeat; -0 is 0.
-values "0.5" 0.5
 values "0.5 0.1 0.5" 0.5,0.1,0.5
 values "0" -0
 values "0 0.5" -0:0.5:0.5
 values "1e-60 1e+60" 1e-60,1e60
-
-# A thousand steps, each the double nearest to its decimal.
-run table max-tension --a-over-b 1 --friction 0:1:0.001
-same "number of values" 1001 "$(column f out | wc -l | tr -d ' ')"
-awk 'BEGIN { for (i = 0; i <= 1000; i++) printf "%.15g\n", i / 1000 }' >expected
-column f out >got
-same "values" "" "$(diff expected got)"
 
 # Nothing is kept: the first row of a thousand million comes at once, in little memory.
 called="rwedge table max-tension with 999,000,001 rows"
@@ -69,10 +57,8 @@ two() { # WORDS-BEFORE OPTION TEXT FIRST SECOND DECIMAL
     message_is "rwedge ${1%% *}: $2 $3: two values, $4 and $5; a decimal is written $6"
 }
 two "table max-tension --a-over-b 1" --friction 0,5 0 5 0.5
-two "table max-tension --a-over-b 1" --friction 0,05 0 05 0.05
 two "table max-tension --friction 1" --a-over-b 1,05 1 05 1.05
 two "profile --a-over-b 1" --x 0,5 0 5 0.5
-two "field --a-over-b 1 --y 1" --x 0,25 0 25 0.25
 two "field --a-over-b 1 --y 1" --x -0,5 -0 5 -0.5
 run figure 5 --data --a-over-b 0,5
 message_is "rwedge figure: --a-over-b 0,5: two values, 0 and 5; a decimal is written 0.5"

@@ -50,13 +50,9 @@ fails_with "ended with status 1: line 0: unknown or ambiguous terminal type; typ
     'echo >&2; echo "set terminal svg" >&2; echo "             ^" >&2
     echo "         line 0: unknown or ambiguous terminal type; type just '"'set terminal'"' for a list" >&2
     echo >&2; exit 1'
-fails_with "ended with status 3" 'cat >/dev/null; exit 3'
 fails_with "was ended by signal 9" 'kill -9 $$'
-fails_with "was ended by signal 15" 'kill -TERM $$'
-fails_with "gave no whole picture, but bytes: 8" 'echo garbage'
 fails_with "gave no whole picture, but bytes: 0" 'cat >/dev/null'
 fails_with "gave no whole picture, but bytes: 15: trouble" 'cat >/dev/null; printf "<?xml?><svg><g>"; echo trouble >&2'
-fails_with "gave no whole picture, but bytes: 12" 'cat >/dev/null; printf "<svg></svg> "'
 
 # One that fills its output before it reads a line of the script: neither waits for the other.
 cat >fake/gnuplot <<'FAKE'
@@ -86,11 +82,6 @@ output_is "<?xml?> C --default-settings /dev/stdin 0 UTC0</svg>"
 draw_with /nonexistent 4 -o none/f.svg
 status_is 1
 message_is "rwedge figure: none/f.svg: No such file or directory"
-if [ -c /dev/full ]; then
-    draw_with "$scratch/fake:/usr/bin:/bin" 6 -o /dev/full
-    status_is 1
-    message_is "rwedge figure: /dev/full: No space left on device"
-fi
 
 rm -r files
 if ! command -v gnuplot >/dev/null 2>&1; then
@@ -159,28 +150,14 @@ has "f = 0.6" "c/b = 0.5" "black: stick" "first yield"
 
 # The circle is at the largest stress of what is drawn, in partial slip too: no point of the grid is
 # higher than its three digits allow, and one comes near.
-for stick in 0.1 0.8; do
-    draws svg field --a-over-b 0.25 --friction 0.6 --c-over-b $stick
-    top=$(sed -n 's/.*first yield, \([0-9.]*\).*/\1/p' drawn.svg)
-    run figure field --a-over-b 0.25 --friction 0.6 --c-over-b $stick --data
-    peak=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /J2/) j = i }
-        NR > 1 && $j + 0 > top { top = $j + 0 } END { printf "%.6f", top }' out)
-    called="figure field --c-over-b $stick"
-    same "the circle's stress is the largest" "yes" \
-        "$(awk -v circle="$top" -v grid="$peak" 'BEGIN { print (grid > 0 && grid < circle * 1.006 && grid > circle * 0.99) ? "yes" : circle " against " grid }')"
-done
+draws svg field --a-over-b 0.25 --friction 0.6 --c-over-b 0.8
+top=$(sed -n 's/.*first yield, \([0-9.]*\).*/\1/p' drawn.svg)
+run figure field --a-over-b 0.25 --friction 0.6 --c-over-b 0.8 --data
+peak=$(column A_sqrt_J2_over_theta out | sort -g | tail -n 1)
+close_to "the circle's stress is the largest" "$peak" "$top" 1e-2
 draws svg loop --q-over-fp 0.9
 has "Q/(fP)" "W = 1.10"
 draws svg 4 --no-title
 same "title" 0 "$(grep -c 'Elastic limit' drawn.svg)"
-
-# Odd cases that are drawn all the same: the sharp wedge beside others, no slip, one curve.
-draws svg 4 --a-over-b 0,0.01,0.5
-draws svg 3 --nu 0.5
-draws svg 2 --a-over-b 0
-draws svg 7 --a-over-b 0 --c-over-b 0,0.1,1
-draws svg field --a-over-b 0.001 --friction 0.8 --nu 0.5
-draws svg field --a-over-b 3 --c-over-b 1
-draws svg loop --q-over-fp 1 --a-over-b 0
 
 finish

@@ -43,33 +43,18 @@ chmod 604 files/new.csv
 run $small -o files/new.csv
 same "permissions of a replaced file" "-rw----r--" "$(ls -l files/new.csv | cut -c 1-10)"
 
-# The other names of a file, hard links, keep the old content.
-echo old >files/one.csv
-ln files/one.csv two.csv
-does_quietly $small -o files/one.csv
-same "the other name" old "$(cat two.csv)"
-rm files/one.csv
-
 # A link stays, and what it leads to is replaced.
 mkdir elsewhere
 echo old >elsewhere/real.csv
 ln -s ../elsewhere/real.csv files/link.csv
-ln -s link.csv files/link_to_link.csv
-does $small -o files/link_to_link.csv
+does $small -o files/link.csv
 same "link" "../elsewhere/real.csv" "$(readlink files/link.csv)"
-same "file behind the links" "$text" "$(cat elsewhere/real.csv)"
+same "file behind the link" "$text" "$(cat elsewhere/real.csv)"
 ln -s loop.csv files/loop.csv
 cannot "files/loop.csv: Too many levels of symbolic links" $small -o files/loop.csv
-rm files/link.csv files/link_to_link.csv files/loop.csv
+rm files/link.csv files/loop.csv
 
 # A pipe or a device is written to, not replaced.
-mkfifo files/fifo
-cat files/fifo >through &
-does $small -o files/fifo
-wait $!
-same "through a fifo" "$text" "$(cat through)"
-same "fifo" p "$(ls -l files/fifo | cut -c 1)"
-rm files/fifo
 prints "" $small -o /dev/null
 prints "$text" $small -o /dev/stdout
 
@@ -110,11 +95,6 @@ status=$(cat status)
 status_is 1
 message_is "rwedge table: standard output: Broken pipe"
 same "first line" "a_over_b,f,b_sigma_over_P,b_sigma_over_fP" "$first"
-called="rwedge $small >&-"
-status=0
-"$rwedge" $small >&- 2>err || status=$?
-status_is 1
-message_is "rwedge table: standard output: Bad file descriptor"
 
 # With stderr closed, no message ends up in the file.
 called="rwedge $small -o files/new.csv 2>&-"
@@ -135,22 +115,22 @@ input_stays() { # how the message calls it
     same "the input" "" "$(cmp input.csv before.csv 2>&1)"
     same "no other file" "" "$(find . -name '.rwedge-*')"
 }
-for name in input.csv ./input.csv "$PWD/input.csv" symbolic.csv hard.csv; do
-    for input in "solve --input" "profile --history" "field --history"; do
-        run $input input.csv $contact -o "$name"
-        input_stays "$name"
-    done
-    run solve --input "$name" $contact -o input.csv
+for input in "solve --input" "profile --history" "field --history"; do
+    run $input input.csv $contact -o input.csv
     input_stays input.csv
-    called="rwedge solve --input - <$name -o input.csv"
-    status=0
-    "$rwedge" solve --input - $contact -o input.csv <"$name" >out 2>err || status=$?
-    input_stays input.csv
-    called="rwedge solve --input input.csv >>$name"
-    status=0
-    "$rwedge" solve --input input.csv $contact >>"$name" 2>err || status=$?
-    input_stays -
 done
+for name in "$PWD/input.csv" symbolic.csv hard.csv; do
+    run solve --input input.csv $contact -o "$name"
+    input_stays "$name"
+done
+called="rwedge solve --input - <input.csv -o input.csv"
+status=0
+"$rwedge" solve --input - $contact -o input.csv <input.csv >out 2>err || status=$?
+input_stays input.csv
+called="rwedge solve --input input.csv >>input.csv"
+status=0
+"$rwedge" solve --input input.csv $contact >>input.csv 2>err || status=$?
+input_stays -
 does solve --input input.csv $contact -o beside.csv
 
 # Protected files and folders; for root they are no obstacle, so another user is borrowed.
@@ -183,39 +163,14 @@ fi
 
 # As root: a file of another user and group. Whoever could not read it before cannot afterwards.
 if [ "$(id -u)" = 0 ] && setpriv --reuid=65534 --regid=65534 --clear-groups true 2>/dev/null; then
-    replaced() { # GROUPS OWNER MODE: what a file of 1234:2000 with the mode 664 becomes
-        rm -f open/theirs.csv
-        echo old >open/theirs.csv
-        chown 1234:2000 open/theirs.csv
-        chmod "$2" open/theirs.csv
-        called="rwedge $small -o open/theirs.csv, groups $1, mode $2"
-        status=0
-        setpriv --reuid=1235 --regid=1235 --groups "$1" "$rwedge" $small -o open/theirs.csv >out 2>err || status=$?
-        same "what it becomes" "$3" "$status $(stat -c '%u:%g %a' open/theirs.csv)"
-    }
-    replaced 2000 660 "0 1235:2000 660"
-    replaced 3000 666 "0 1235:1235 606"
-    replaced 3000 646 "0 1235:1235 604"
-    replaced 3000 660 "1 1234:2000 660"
-    message_is "rwedge table: open/theirs.csv: Permission denied"
-    # A link of another user in a folder for all is not followed where the system does not follow it.
-    if [ "$(cat /proc/sys/fs/protected_symlinks 2>/dev/null)" = 1 ]; then
-        mkdir sticky
-        chmod 1777 sticky
-        echo old >open/led.csv
-        chmod 666 open/led.csv
-        ln -s ../open/led.csv sticky/link.csv
-        ln -s ../open/not_yet.csv sticky/dangling.csv
-        chown -h 1234:1234 sticky/link.csv sticky/dangling.csv
-        for link in link dangling; do
-            called="rwedge $small -o sticky/$link.csv"
-            status=0
-            setpriv --reuid=1235 --regid=1235 --clear-groups "$rwedge" $small -o sticky/$link.csv >out 2>err || status=$?
-            status_is 1
-            message_is "rwedge table: sticky/$link.csv: Permission denied"
-        done
-        same "what they lead to" "old no" "$(cat open/led.csv) $([ -e open/not_yet.csv ] && echo yes || echo no)"
-    fi
+    rm -f open/theirs.csv
+    echo old >open/theirs.csv
+    chown 1234:2000 open/theirs.csv
+    chmod 646 open/theirs.csv
+    called="rwedge $small -o open/theirs.csv"
+    status=0
+    setpriv --reuid=1235 --regid=1235 --groups 3000 "$rwedge" $small -o open/theirs.csv >out 2>err || status=$?
+    same "what it becomes" "0 1235:1235 604" "$status $(stat -c '%u:%g %a' open/theirs.csv)"
 fi
 
 finish

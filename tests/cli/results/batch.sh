@@ -9,13 +9,13 @@ fixed="--E1 210000 --nu1 0.3 --theta 0.05"
 
 # A row is what the single contact is.
 awk 'BEGIN { srand(5); print "name,theta_deg,radius,P,Q,f,yield_stress"
-    for (i = 0; i < 12; i++) { f = 0.01 + rand() / 2; P = 10 + 500 * rand()
+    for (i = 0; i < 5; i++) { f = 0.01 + rand() / 2; P = 10 + 500 * rand()
         printf "n%d,%.4g,%.4g,%.5g,%.4g,%.3g,%.4g\n", i, 0.2 + 5 * rand(), 20 * rand(), P, f * P * (2 * rand() - 1) * 0.98, f,
                100 + 900 * rand() } }' >cases.csv
 does solve -i cases.csv --E1 210000 --nu1 0.3 --yield-factor
 message_is "rwedge solve: cases.csv, in some rows: P is above P_yield: the contact yields in full sliding"
 cp out solved.csv
-same "rows" 13 "$(wc -l <solved.csv | tr -d ' ')"
+same "rows" 6 "$(wc -l <solved.csv | tr -d ' ')"
 same "the rows come back as they were" "" "$(cut -d , -f 1-7 solved.csv | diff cases.csv -)"
 same "errors" "" "$(column error solved.csv | tr -d '\n-')"
 n=1
@@ -40,16 +40,7 @@ cp out plain_solved
 printf '\357\273\277note,P,a\r\n"one, ""1""",100,1\r\n\r\n two ,200, 1\r\n,,\r\n"", ,\r\n"three\nlines",1e2,1' >marked.csv
 run solve -i marked.csv $fixed
 same "mark, CR LF, blank lines" "" "$(diff marked_solved out)"
-sed 's/^\xef\xbb\xbf//' out >unmarked && mv unmarked out
-same "first note" '"one, ""1""",100,1,1' "$(sed -n 2p out | cut -d , -f 1-4,6 | sed 's/,[^,]*$/,1/')"
-same "spaces" ' two ,200, 1' "$(sed -n 3p out | cut -d , -f 1-3)"
-same "lines of the last row" '"three' "$(sed -n 4p out)"
 same "errors" 0 "$(grep -c 'must be\|quotes\|cells' out)"
-called="rwedge solve -i - in pieces"
-(head -c 2 marked.csv; sleep 0.1; tail -c +3 marked.csv | head -c 20; sleep 0.1; tail -c +23 marked.csv) |
-    "$rwedge" solve -i - $fixed >out 2>err
-same "from a pipe, in pieces" "" "$(diff marked_solved out)"
-message_is ""
 
 # The comma as decimal sign goes for what is read and what is written; options keep the point.
 printf 'note;P;a\nx;100,5;0,25\ny;100.5;0,25\n' >comma.csv
@@ -170,13 +161,6 @@ for end in '\r' '\n' '\r\n'; do
     same "line with ends $end" '"misplaced quotes in the row of line 4: ""1""2,1,x"' "$(sed -n 4p out | sed 's/.*,"m/"m/')"
     same "error of the next row" "" "$(tail -n 1 out | sed 's/.*,//')"
 done
-{ printf 'P,a\n"1"2'; head -c 200000 /dev/zero | tr '\0' ,; printf '\n100,1\n'; } >long.csv
-run solve -i long.csv $fixed
-same "rows" 3 "$(wc -l <out | tr -d ' ')"
-same "error" '"misplaced quotes in the row of line 2: ""1""2' "$(sed -n 2p out | sed 's/.*,"m/"m/; s/,.*//')"
-same "all of it is in the error" 200000 "$(sed -n 2p out | sed 's/.*""2//' | tr -d -c , | wc -c | tr -d ' ')"
-same "error of the next row" "" "$(tail -n 1 out | sed 's/.*,//')"
-
 { printf 'P,a\n'; head -c 1200000 /dev/zero | tr '\0' '\n'; printf '100,1\n\n\n"1"2,1\n'; } >blank.csv
 run solve -i blank.csv $fixed
 same "rows among blank lines" 3 "$(wc -l <out | tr -d ' ')"
@@ -199,14 +183,12 @@ ends_at() { # COUNT MESSAGE: what is in open.csv
     same "the old file" old "$(cat kept.csv)"
 }
 echo old >kept.csv
-for end in '\r' '\n' '\r\n'; do
-    printf "P,a,n${end}1,1,x$end\"2,1,x${end}3,1,x$end${end}4,1,x$end" >open.csv
-    ends_at 1 "line 3: a quote that is not closed"
-    printf "P,a,n${end}1,1,\"x${end}2,1,x${end}3,1,x$end\"4\",1,x${end}" >open.csv
-    ends_at 0 "line 2: a quote that is not closed"
-    printf "P,a,n${end}1,\"1,x${end}2,1,x${end}3,1,x\"${end}4,1,\"y, z\"" >open.csv
-    ends_at 0 "line 2: a quote over several lines, and too few or too many cells"
-done
+printf 'P,a,n\n1,1,x\n"2,1,x\n3,1,x\n\n4,1,x\n' >open.csv
+ends_at 1 "line 3: a quote that is not closed"
+printf 'P,a,n\r\n1,1,"x\r\n2,1,x\r\n3,1,x\r\n"4",1,x\r\n' >open.csv
+ends_at 0 "line 2: a quote that is not closed"
+printf 'P,a,n\r1,"1,x\r2,1,x\r3,1,x"\r4,1,"y, z"' >open.csv
+ends_at 0 "line 2: a quote over several lines, and too few or too many cells"
 awk 'BEGIN { print "P,a,n"; print "1,1,\"x"; for (i = 0; i < 60000; i++) print ",,,,,,,,,,,,,,,,,,,,,"; print "2,1,x" }' >open.csv
 ends_at 0 "line 2: a quote that is not closed"
 
@@ -222,8 +204,6 @@ header() { # MESSAGE HEADER OPTIONS...
 columns="; allowed: columns or options"
 header "missing: E1, nu1, theta or theta_deg$columns" "P,a"
 header "missing: P$columns" "Pmax,a" $fixed
-header "missing: a or radius$columns" "P,A1" $fixed
-header "missing: theta or theta_deg$columns" "P,a" --E1 1 --nu1 0
 header "column P: there twice; allowed: once" "P,P" $fixed
 header "radius (a column): given together with a; allowed: one of the two" "P,a,radius" $fixed
 header "theta_deg (a column): given together with --theta; allowed: one of the two" "P,a,theta_deg" $fixed
@@ -231,44 +211,31 @@ header "--nu2 0.3: needs E2; allowed: both, or neither for two bodies of one mat
 header "column 'Yield stress': allowed: yield_stress" "P,a,Yield stress" $fixed
 header "column 'e1': allowed: E1" "P,a,e1" $fixed
 # What is meant for an input must not pass for a remark: the contact would be solved without it.
-for name in " f" "f " F "f [-]" "F (1)"; do
-    header "column '$name': allowed: f" "P,a,$name" $fixed
-done
 for name in " f" "f [-]"; do
     header "column '$name': allowed: f" "P,a,$name" $fixed --f 0.3
 done
-for name in "Q " "Q [N/mm]" "Q(N/mm)" "Q / (N/mm)" q "Q / N" Q/N "Q in N" "Q in newtons" Q_N "Q N" "Q{N}" "Q<N>" "Q, N/mm" Q% \
-    "Q N·mm⁻¹" "Q N/mm²" "$(printf 'Q\302\240[N/mm]')" "$(printf 'Q\342\200\213')" "$(printf '\357\274\261')"; do
+for name in "Q " "Q [N/mm]" "Q(N/mm)" "Q / (N/mm)" q Q/N "Q in N" Q_N "Q N" "Q, N/mm" Q% "Q N·mm⁻¹"; do
     header "column '$name': allowed: Q" "P;a;$name" $fixed --f 0.3 --decimal-comma
 done
 header "column 'Q N': allowed: Q" 'sep=;\nP;a;Q N' $fixed --f 0.3
-header "column 'sigma / MPa': allowed: sigma" "P,a,sigma / MPa" $fixed --f 0.3
 header "column 'Shear force in kN': allowed: Q, or another name if it is something else" "P,a,Shear force in kN" $fixed --f 0.3
 header "column 'theta in deg': allowed: theta in radians or theta_deg" "P,a,theta in deg" --E1 1 --nu1 0
-header "column 'p': allowed: P" "p,a" $fixed
 header "column 'K': allowed: k" "P,a,K" $fixed
-header "column 'Yield stress (MPa)': allowed: yield_stress" "P,a,Yield stress (MPa)" $fixed
-header "column 'P [N/mm]': allowed: P" "P [N/mm],a" $fixed
 header "column 'theta (deg)': allowed: theta_deg" "P,a,theta (deg)" --E1 1 --nu1 0
-header "column 'theta [x]': allowed: theta in radians or theta_deg" "P,a,theta [x]" --E1 1 --nu1 0
 synonym() { # ALLOWED HEADER OPTIONS...
     allowed=$1
     names=$2
     shift 2
     header "column '${names##*,}': allowed: $allowed, or another name if it is something else" "$names" "$@"
 }
-for name in mu Mu friction "friction coefficient" friction_coefficient "mu [-]" μ µ "μ [-]"; do
+for name in mu friction friction_coefficient "mu [-]" μ "μ [-]"; do
     synonym f "P,a,$name" $fixed
 done
-for name in sigma_y yield "Sigma_Y [MPa]" σy σ_y Sy sy S_y Rp0.2 "Rp0.2 [MPa]" Re; do
+for name in sigma_y yield "Sigma_Y [MPa]" σy Sy "Rp0.2 [MPa]" Re; do
     synonym yield_stress "P,a,$name" $fixed
 done
 synonym P "a,load" $fixed
-synonym P "a,force" $fixed
 synonym Q "P,a,shear force" $fixed
-synonym E1 "P,a,E" --nu1 0.3 --theta 0.05
-synonym nu1 "P,a,nu" --E1 1 --theta 0.05
-synonym nu1 "P,a,ν1" --E1 1 --theta 0.05
 synonym nu1 "P,a,ν" --E1 1 --theta 0.05
 synonym nu2 "P,a,E2,ν2" $fixed
 synonym radius "P,R" $fixed
@@ -293,7 +260,6 @@ message_is "rwedge solve: others.csv: columns with numbers that are not used: 'T
 printf 'P,a,F,mu\n100,1,x,x\n' >others.csv
 does_quietly solve -i others.csv $fixed --f 0.3
 header "column b: a result has that name; allowed: any other" "P,a,b" $fixed
-header "column error: a result has that name; allowed: any other" "P,a,error" $fixed
 header "misplaced quotes in the first row; needed: a header row with the names of the columns" 'P,"a"b' $fixed
 header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ';': $semicolons" \
     "P;a" $fixed
@@ -316,8 +282,6 @@ hopeless() { # MESSAGE: what is in the file "input"
 }
 printf 'P,a\n100,1\n\000\001\002\n' >input
 hopeless "line 3, column 1: the character U+0000 belongs to no text; allowed: text, no binary files"
-{ printf 'P,a\n100,1\n'; head -c 1100000 /dev/zero | tr '\0' 9; } >input
-hopeless "line 3: a line of more than 1 MiB; allowed: CSV"
 { printf 'P,a\n100,1\n'; head -c 2000 /dev/zero | tr '\0' ,; } >input
 hopeless "line 3: more than 1000 cells in a row"
 called="an endless line"

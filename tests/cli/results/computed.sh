@@ -22,20 +22,6 @@ run history phase.csv $specimen
 same "closed forms" "" "$(cmp out exact 2>&1)"
 message_is ""
 
-# The tolerance is held: shear by a tenth of it and by a hundredth.
-shear() { # TOLERANCE
-    does profile $specimen --history lags.csv --tolerance "$1" --points 201
-    message_has "rwedge profile: computed numerically: tractions to about "
-    column q out | sed 's/^-$/0/' >"q_$1"
-}
-shear 1e-3
-shear 1e-6
-paste -d ' ' q_1e-6 q_1e-3 >both
-close_rows "1e-3 of f p0" 0 "$(awk 'BEGIN { print 1e-3 * 0.3 * 418.104 }')"
-run profile $specimen --history lags.csv --points 201
-column q out | paste -d ' ' q_1e-6 - >both
-close_rows "1e-4 where nothing is said" 0 "$(awk 'BEGIN { print 2e-4 * 0.3 * 418.104 }')"
-
 # Every command that goes through loads.
 for command in "solve --history lags.csv" "field --history lags.csv --x 0 --y 0" "fretting lags.csv --at 0,0 --cycles 1" "history lags.csv --at 0,0" \
     "figure history --history lags.csv --at 0,0 --data" "figure loop --history lags.csv --data" "solve --P 135.75 --Q 30 --sigma 300"; do
@@ -65,38 +51,5 @@ cannot "error.csv: column error: a result has that name; allowed: any other" \
 printf 'P,M,Q,sigma\n100,5,0,0\n120,6,20,40\n100,5,-15,-20\n' >moves.csv
 run history moves.csv $specimen --cycles 2
 same "energy of a cycle" "- 0" "$(column energy out | tail -n 1) $(grep -c nan err)"
-
-# Half of an answered step is answered, and its other half leads to the same.
-block="--E1 74100 --nu1 .33 --theta .1 --radius 178 --f .65"
-first="--load 488,0,0,0 --load 488,0,200,100 --load 488,0,0,0"
-does_quietly profile $block $first --load 488,0,250,60 --points 101
-column q out | sed 's/^-$/0/' >whole
-does profile $block $first --load 488,0,125,30 --load 488,0,250,60 --points 101
-column q out | sed 's/^-$/0/' | paste -d ' ' whole - >both
-close_rows "the same by halves" 0 "$(sort -g whole | awk 'NR == 1 { print -3e-4 * $1 }')"
-
-# Some programmes of tests/data/programmes.csv, as they are described there: half of a cycle in 12 loads. None is refused.
-programme() { # FAMILY VALUE
-    awk -v family="$1" -v value="$2" -v b="$b" 'BEGIN { srand(7); pi = 3.141592653589793; Q = 45
-        print "P,M,Q,sigma\n150,0,0,0"
-        for (i = 0; i < 12; i++) {
-            phase = 4 * pi * i / 48; w = sin(phase); P = 150; M = 0; q = Q * w; s = 50 * w
-            if (family == 1) s = 100 * sin(phase - value * pi / 180)
-            if (family == 2) s = value * 4 * Q / (pi * b) * w
-            if (family == 3) M = 3 * value * b * Q * w
-            if (family == 4) { P = 150 * (1 + value * sin(phase + 20 * value)); q = 0.8 * Q * w; s = 60 * sin(phase + 15 * value) }
-            if (family == 5) { P *= 1 + value * (rand() - 0.5) * 3; q += Q * value * (rand() - 0.5) * 3; s = 80 * (w + value * (rand() - 0.5) * 3) }
-            printf "%.9g,%.9g,%.9g,%.9g\n", P, M, q, s } }' >programme.csv
-}
-aluminium="--E1 72000 --nu1 0.33 --theta 0.01 --a 0.3 --f 0.6"
-run solve $aluminium --P 150
-b=$(value b)
-awk -F, 'NR > 1 && !(($1, $2) in seen) && ++n[$1] % 8 == 2 { print $1, $2; seen[$1, $2] }' "$data/programmes.csv" >some
-while read -r family value; do
-    programme "$family" "$value"
-    does history programme.csv $aluminium --tolerance 1e-3
-    same "rows of family $family, $value" 14 "$(wc -l <out | tr -d ' ')"
-done <some
-same "programmes" yes "$([ "$(wc -l <some)" -ge 10 ] && echo yes)"
 
 finish

@@ -14,9 +14,9 @@ against_reference() { # COLUMNS: alpha, f, c, x, y, sxx, syy, txy of the standar
         close_rows "stresses" 1e-7 0
     done
 }
-sed -n 2,6p "$data/stress_sliding.csv" | awk -F, -v OFS=, '{ print $1, $2, 0, $3, $4, $5, $6, $7 }' >points
+sed -n 2,4p "$data/stress_sliding.csv" | awk -F, -v OFS=, '{ print $1, $2, 0, $3, $4, $5, $6, $7 }' >points
 against_reference <points
-sed -n 2,6p "$data/stress_partial_slip.csv" | awk -F, -v OFS=, '{ print $1, $2, $3, $4, $5, $7, $8, $9 }' >points
+sed -n 2,4p "$data/stress_partial_slip.csv" | awk -F, -v OFS=, '{ print $1, $2, $3, $4, $5, $7, $8, $9 }' >points
 against_reference <points
 
 # von Mises' stress with szz = nu (sxx + syy), and the larger principal stress, from the tensor.
@@ -46,20 +46,14 @@ same "no point is above it" yes "$(awk "BEGIN { if ($largest <= $(value von_mise
 
 # The default grid has the middle, x = 0, and the mirror image of every point, to the last digit; of the sharp wedge the
 # apex is there, and empty.
-for P in 1 33.3 5000; do
-    for a in 0 0.1 1; do
-        shape="--E1 210000 --nu1 0.3 --theta 0.05 --a $a --f 0.3 --P $P"
-        run field $shape
-        same "rows" 3321 "$(column x out | wc -l | tr -d ' ')"
-        column x out | head -n 81 >x
-        same "the middle of 81" 0 "$(sed -n 41p x)"
-        same "mirror images" "" "$(sed 's/^-//' x | tail -n 41 >right; sed 's/^-//' x | head -n 41 | sed -n '1!G;h;$p' | diff - right)"
-        same "columns to the left" 40 "$(grep -c '^-' x)"
-        same "apex" "$([ $a = 0 ] && echo 0,0,,,,,,,,,)" "$(sed -n 42p out | grep ',,,,,,,,,$')"
-        run field $shape --format vtk
-        vtk_x=$(sed -n '/^X_COORDINATES/,/^Y_COORDINATES/p' out | sed '1d;$d' | tr -s ' ' '\n' | grep .)
-        same "in VTK" "$(cat x)" "$vtk_x"
-    done
+for a in 0 0.1; do
+    shape="--E1 210000 --nu1 0.3 --theta 0.05 --a $a --f 0.3 --P 33.3"
+    run field $shape
+    same "rows" 3321 "$(column x out | wc -l | tr -d ' ')"
+    column x out | head -n 81 >x
+    same "the middle of 81" 0 "$(sed -n 41p x)"
+    same "mirror images" "" "$(sed 's/^-//' x | tail -n 41 >right; sed 's/^-//' x | head -n 41 | sed -n '1!G;h;$p' | diff - right)"
+    same "apex" "$([ $a = 0 ] && echo 0,0,,,,,,,,,)" "$(sed -n 42p out | grep ',,,,,,,,,$')"
 done
 
 # Far below, P and Q act in a point (Flamant): syy = -2 P/(pi y) below it, sxx = -2 P x^2/(pi r^2) y/r^2.
@@ -117,15 +111,7 @@ same "VTK with an apex" "" "$(diff out rows | head -n 5)"
 same "nan" 12 "$(grep -c nan sharp.vtk)"
 head -c 900 sharp.vtk >cut.vtk
 same "the check of VTK can fail" "not VTK" "$(vtk_to_rows cut.vtk | cut -c 1-7 | tail -n 1)"
-if python3 -c 'import vtk' 2>/dev/null; then
-    same "points read by VTK" 15 "$(python3 -c '
-import vtk
-reader = vtk.vtkRectilinearGridReader(); reader.SetFileName("sharp.vtk"); reader.ReadAllScalarsOn(); reader.Update()
-print(reader.GetOutput().GetNumberOfPoints())')"
-fi
 refuses "--x 1,0: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,0 --format vtk
-refuses "--y 1:0:-0.1: must ascend; so the format vtk wants it" field --a-over-b 1 --y 1:0:-0.1 --format vtk
-refuses "--x 1,1: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,1 --format vtk
 refuses "--decimal-comma: not in VTK, whose numbers have a point; allowed with: csv, tsv" \
     field --a-over-b 1 --format vtk --decimal-comma
 refuses "--format xml: unknown format; allowed: csv, tsv, json, xlsx, vtk" field --a-over-b 1 --format xml

@@ -61,18 +61,6 @@ same "loads are counted" "1 2 3 4 5 6" "$(cells load)"
 awk -F, 'NR == 4 || NR == 5 { for (i = 2; i <= 14; i++) old[NR + 2, i] = $i } NR > 5 { for (i = 2; i <= 14; i++) print old[NR, i], $i }' out >both
 close_rows "the second cycle is the third" 1e-12 1e-15
 
-# The mirror image: M, Q and x change sign, sigma does not.
-printf 'P,M,Q,sigma\n100,5,0,0\n100,5,20,40\n100,5,-15,-20\n' >one.csv
-printf 'P,M,Q,sigma\n100,-5,0,0\n100,-5,-20,40\n100,-5,15,-20\n' >other.csv
-run history one.csv $specimen --k 300
-cp out one
-run history other.csv $specimen --k 300
-tail -n +2 one >first
-tail -n +2 out | paste -d , first - | awk -F, 'function pair(a, b) { printf "%.17g %.17g\n", a, b }
-    { n = NF / 2; pair(-$6, $(n + 7)); pair($8, -$(n + 9)); pair(-$10, $(n + 10))
-    pair($11, $(n + 11)); pair($12, $(n + 13)); pair($14, $(n + 14)); pair($15, $(n + 15)); pair($16, $(n + 16)); pair(1, 1 + 1e-3 * ($17 + $(n + 17))) }' >both
-close_rows "mirror image" 1e-9 1e-9
-
 # Stresses at points: those of field after the same loads, to the last digit; the file of points, and the grid.
 run field $specimen --history loads.csv --x -0.2,0.1 --y 0,0.05
 tail -n +2 out | cut -d , -f 3-10 >expected
@@ -119,19 +107,11 @@ message_has "; the results end before it"
 same "rows" 2 "$(wc -l <out | tr -d ' ')"
 fails "line 3: Q 31: must not exceed f P = 30: there is no equilibrium" 'P,Q\n100,0\n100,31\n'
 fails "line 2: P -100: must not be below 0, and Q must be 0 where P is" 'P,Q\n-100,0\n'
-fails "line 3: Q nan: must be a number, with a decimal point" 'P,Q\n100,0\n100,nan\n'
-fails "line 3: Q: the cell is empty" 'P,Q\n100,0\n100,\n'
-fails "column Q: missing; a history needs P and Q" 'P,M\n1,2\n'
-fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': $semicolons" 'P;Q\n100,5;0\n'
-fails "empty; needed: a header row with the names of the columns" ''
-fails "column 'sigma / MPa': allowed: sigma" 'P,Q,sigma / MPa\n1,0,0\n'
-fails "line 3: a quote that is not closed" 'P,Q\n1,0\n1,"0\n1,0\n'
 printf 'P,Q,T\n100,10,5\n100,-10,x\n' >unused.csv
 run history unused.csv $specimen
 message_is "rwedge history: unused.csv: columns with numbers that are not used: 'T'"
 same "in the warnings of the row that has one" "columns with numbers that are not used: 'T'|-" \
     "$(column warnings out | paste -s -d '|' -)"
-fails "no loads; needed: rows of P and Q" 'P,Q\n'
 fails "column left: a result has that name; allowed: any other" 'P,Q,left\n1,0,0\n'
 printf 'P;Q\n135,75;30\n135,75;-30\n' >comma.csv
 run history cycle.csv $specimen
@@ -157,49 +137,32 @@ same "no word of P_yield" "" "$(grep P_yield err)"
 # A second series takes other names: the old one is whole until it is replaced. Its files are removed then.
 printf 'P,Q\n135.75,0\n135.75,30\n' >two.csv
 run history two.csv $specimen --at 0,0 -o again.vtk.series
-cp again_0001.vtk first
 run history rest.csv $specimen --load 135.75,0 --at 0,0 -o again.vtk.series
 same "names of the second" "again_b0001.vtk again_b0002.vtk" "$(ls again*.vtk | paste -s -d ' ' -)"
 same "and in its list" 2 "$(grep -c '"again_b000[12].vtk"' again.vtk.series)"
 cp again_b0001.vtk first
 printf 'P,Q\n135.75,0\n135.75,30\n135.75,50\n' >refused.csv
-status=0
-"$rwedge" history refused.csv $specimen --at 0,0 -o again.vtk.series >out 2>err || status=$?
+run history refused.csv $specimen --at 0,0 -o again.vtk.series
 same "a series that fails leaves the old one" "1 again_b0001.vtk again_b0002.vtk" "$status $(ls again*.vtk | paste -s -d ' ' -)"
 same "its files too" "" "$(cmp first again_b0001.vtk 2>&1)"
-run history two.csv $specimen --at 0,0 -o 'a"b\c.series'
-same "a name with quotes" '{"name": "a\"b\\c_0001.vtk", "time": 1},' "$(sed -n 2p 'a"b\c.series')"
 printf 'x,y\n0,0\n' >own_0001.vtk
 refuses "--output own_0001.vtk: it is the input; allowed: another file" history two.csv $specimen --points own_0001.vtk -o own.series
 refuses "--P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
 refuses "missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
-refuses "--cycles 0: must be a whole number from 1 to 1000000" history loads.csv $specimen --cycles 0
 refuses "--at 1,-1: y is a depth, and must not be below 0" history loads.csv $specimen --at 1,-1
 refuses "--at 1;2: must be points x,y separated by semicolons" history loads.csv $specimen --at '1;2'
-refuses "--at 1,1: given together with --x; allowed: one of the two" history loads.csv $specimen --at 1,1 --x 0
 refuses "--depth 1: needs --x" history loads.csv $specimen --depth 1
 refuses "--output loads.csv: it is the input; allowed: another file" history loads.csv $specimen -o loads.csv
 printf 'x,z\n1,2\n' >bad.csv
 cannot "bad.csv: column y: missing; needed: x and y, the depth" history loads.csv $specimen --points bad.csv
-printf 'x,y\n1,-2\n' >bad.csv
-cannot "bad.csv: line 2: y is a depth, and must not be below 0" history loads.csv $specimen --points bad.csv
 # Nothing of a file of points is dropped or guessed.
 printf 'x,y,x\n1,2,3\n' >bad.csv
 cannot "bad.csv: column x: there twice; allowed: once" history loads.csv $specimen --points bad.csv
-printf 'x,y\n1,2\n1,2,5\n' >bad.csv
-cannot "bad.csv: line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" history loads.csv $specimen --points bad.csv
-printf 'x,y\n1,"2\n1,2\n' >bad.csv
-cannot "bad.csv: line 2: a quote that is not closed" history loads.csv $specimen --points bad.csv
 printf 'node,x,y,S11\n1,0,0,-5.3\n' >stress.csv
 run history loads.csv $specimen --points stress.csv
 message_is "rwedge history: stress.csv: columns with numbers that are not used: 'S11'"
 refuses "--output points.csv: it is the input; allowed: another file" \
     history loads.csv $specimen --points points.csv -o points.csv
-run history loads.csv $specimen --points points.csv
-mv out wanted
-printf 'Stra\337e,x,y\na,-0.2,0\nb,0.1,0\nc,-0.2,0.05\nd,0.1,0.05\n' >latin.csv
-run history loads.csv $specimen --points latin.csv --encoding windows-1252
-same "points in another encoding" "" "$(diff wanted out)"
 run history loads.csv $specimen --at '1,5;0,1;0,2'
 message_is "rwedge history: --at 1,5;0,1;0,2: two values, 0 and 1; a decimal is written 0.1"
 run history loads.csv $specimen --at '0,0;0,.1;0.5,0'
@@ -208,8 +171,5 @@ run history $specimen --load 135,02,0,0
 message_is "rwedge history: --load 135,02,0,0: P 135 and M 02; a decimal is written 135.02"
 run history $specimen --load 135,2,0,0 --load 135,0
 message_is ""
-run history loads.csv $specimen --x 0,5 --depth 0,5
-message_is "rwedge history: --depth 0,5: two values, 0 and 5; a decimal is written 0.5
-rwedge history: --x 0,5: two values, 0 and 5; a decimal is written 0.5"
 
 finish

@@ -43,14 +43,6 @@ close_rows "P_over_bk is that of its branch" 0 0
 same "rows where the other branch has the smaller limit" "" \
     "$(awk -F, 'NR > 1 && $8 != "" && $9 != "" && $4 != ($8 < $9 ? $8 : $9)' out)"
 
-# At the critical friction both branches yield at once.
-run table critical-friction --a-over-b 0.5 --nu 0.3
-f=$(column f_critical out)
-limit=$(column P_over_bk out)
-run table elastic-limit --a-over-b 0.5 --friction "$f"
-awk -F, -v limit="$limit" 'NR > 1 { print limit, $8; print limit, $9 }' out >both
-close_rows "both branches at the critical friction" 1e-10 0
-
 run table critical-friction --a-over-b "$(list a_over_b critical_friction.csv)" --nu 0.3
 awk -F, 'NR == FNR { f[$1, $2] = $3; next } ($1, $2) in f { print f[$1, $2], $3 }' "$data/critical_friction.csv" out >both
 close_rows "f_critical" 1e-8 1e-9

@@ -16,22 +16,18 @@ alike() {
 for last in 0.01 0.31 0.32 0.33 0.64; do
     alike elastic-limit --a-over-b 0.01:$last:0.01 --friction 0.1
 done
-alike elastic-limit --a-over-b 0:1.2:0.03 --friction 0:0.8:0.02 --nu 0.25,0.3
-alike elastic-limit --a-over-b 0:1.2:0.05 --friction 0:0.8:0.02 --layout grid
+alike elastic-limit --a-over-b 0:1.2:0.05 --friction 0:0.8:0.05 --layout grid
 alike elastic-limit --a-over-b 0.1:1:0.1 --friction 0:0.8:0.05 --format json --digits 6
-alike max-tension --a-over-b 0:2:0.001 --friction 0:1:0.1
 alike contact-law --a-over-b 0:1:0.0001
-alike critical-friction --a-over-b 0.1:1:0.1 --nu 0.25,0.3 --layout grid
-alike stick-zone --a-over-b 0:1:0.01 --q-over-fp 0:1:0.1 --layout grid
 
 # Files of contacts: bad rows, misplaced quotes and all; the rows come in their order.
-awk 'BEGIN { print "case,P,Q,note"; for (i = 1; i <= 2500; i++)
+awk 'BEGIN { print "case,P,Q,note"; for (i = 1; i <= 1500; i++)
     printf "%d,%.6g,%.6g,%s\n", i, 50 + i / 10, i % 17 == 0 ? 500 : i / 100, i % 101 == 0 ? "a\"b" : i % 103 == 0 ? "x,y" : "n" }' >cases.csv
 contact="--E1 210000 --nu1 0.3 --theta-deg 2 --radius 10 --f 0.3 --k 300"
 does solve -i cases.csv $contact --threads 1
 cp out expected
 cp err said
-same "rows" "$(seq 2500 | cksum)" "$(tail -n +2 out | cut -d , -f 1 | cksum)"
+same "rows" "$(seq 1500 | cksum)" "$(tail -n +2 out | cut -d , -f 1 | cksum)"
 for threads in 3 64; do
     run solve -i cases.csv $contact --threads $threads
     same "bytes" "" "$(cmp expected out 2>&1)"
@@ -39,26 +35,18 @@ for threads in 3 64; do
 done
 run solve -i - $contact --threads 2 <cases.csv
 same "bytes from standard input" "" "$(cmp expected out 2>&1)"
-head -n 300 cases.csv >few.csv
-run solve -i few.csv $contact --yield-factor --threads 1
-cp out expected
-run solve -i few.csv $contact --yield-factor
-same "bytes with the yield factor" "" "$(cmp expected out 2>&1)"
 refuses "--threads 0: must be a whole number from 1 to 256" solve -i cases.csv $contact --threads 0
 refuses "--threads 2: needs --input" solve $contact --P 1 --threads 2
-
-refuses "--threads 0: must be a whole number from 1 to 256" table contact-law --threads 0
 refuses "--threads 257: must be a whole number from 1 to 256" table contact-law --threads 257
-refuses "--threads two: must be a whole number from 1 to 256" table contact-law --threads two
 
 # Rows that nobody takes are not kept, and threads end with the table.
 called="rwedge table ... | head -n 1"
 "$rwedge" table elastic-limit --friction 0:0.8:0.0000001 --threads 8 2>err | head -n 1 >out
 same "the first row" "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface" "$(cat out)"
 
-# peak ROWS: the most memory in kB while so many rows are written.
-peak() {
-    "$rwedge" table stick-zone --a-over-b 0.5 --q-over-fp "0:1:$1" --threads 4 >rows &
+# The most memory in kB while 500,000 rows are written, which would take more if they were kept.
+if [ -r /proc/self/status ]; then
+    "$rwedge" table stick-zone --a-over-b 0.5 --q-over-fp 0:1:0.000002 --threads 4 >rows &
     process=$!
     most=0
     while now=$(sed -n 's/^VmHWM:[^0-9]*\([0-9]*\).*/\1/p' "/proc/$process/status" 2>/dev/null) && [ -n "$now" ]; do
@@ -66,14 +54,8 @@ peak() {
         sleep 0.02
     done
     wait "$process"
-    echo "$most"
-}
-if [ -r /proc/self/status ]; then
-    few=$(peak 0.00002)
-    many=$(peak 0.000002)
-    called="rwedge table stick-zone, 5 10^4 rows in $few kB, 5 10^5 in $many kB"
-    same "memory was seen" yes "$([ "$few" -gt 0 ] && echo yes)"
-    same "memory stays flat" yes "$([ "$many" -lt $((few + 4000)) ] && echo yes)"
+    called="rwedge table stick-zone, 5 10^5 rows in $most kB"
+    same "memory stays small" yes "$([ "$most" -gt 1000 ] && [ "$most" -lt 16000 ] && echo yes)"
 fi
 
 finish

@@ -225,7 +225,7 @@ bool rw_grid_solve(rw_grid *g, const rw_problem *p, const rw_layers *layers)
     double load, stretch;
     rw_beside_layers(p, layers, &load, &stretch);
     const double scale = prepare(g, p, layers, stretch);
-    for (int turn = 0; turn < TURNS; turn++) {
+    for (g->turns = 0; g->turns < TURNS; g->turns++) {
         if (!solve_stuck(g, load))
             return false;
         if (settle(g, scale))

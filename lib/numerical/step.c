@@ -252,8 +252,9 @@ static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool c
         }
         rw_zones zones;
         rw_outcome outcome;
-        w->effort += n * n * n / 250; /* as measured */
-        if (!rw_grid_solve(grid, p, &layers) || !rw_grid_zones(grid, p, &zones))
+        const bool is_solved = rw_grid_solve(grid, p, &layers);
+        w->effort += n * n * n / 250 + n * n * grid->turns / 50; /* as measured */
+        if (!is_solved || !rw_grid_zones(grid, p, &zones))
             continue;
         if (try_all(w, p, &zones, RW_PI / n, &outcome))
             keep_better(best, &is_known, &outcome);

@@ -40,7 +40,7 @@ What a person does now, in this order; what cannot be taken back comes last:
  1. fill in packages/who.json where it is empty; python3 packages/who.py --write; commit; this command again
  2. git tag -s $tag -m "rwedge $version"; push the branch and the tag
  3. a release of $tag at the place of the source, with every file of build/packages/, SHA256SUMS too; download one, compare
- 4. the archive that gives a DOI, from that release (.zenodo.json); the DOI into packages/who.json for the next version
+ 4. the archive that gives a DOI, from that release (Zenodo reads CITATION.cff); the DOI into packages/who.json for the next version
  5. python/: twine check, then to the test registry; install it there in an empty environment; then to PyPI
  6. npm publish --dry-run, then npm publish, of rwedge-$version-npm.tgz
  7. recipes/: each as a proposal to its collection (Conan, conda, vcpkg, Homebrew); the URL in them must answer

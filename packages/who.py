@@ -2,7 +2,7 @@
 """What only a person knows of who publishes this: who.json has it, once.
     who.py            says which of its fields are empty, and what stands there instead
     who.py FIELD      name, address, url or doi, or what stands there instead
-    who.py --write    brings CITATION.cff's authors, codemeta.json and .zenodo.json up to date
+    who.py --write    brings CITATION.cff's authors and codemeta.json up to date
     who.py --check    fails where they are not
 """
 import json
@@ -58,25 +58,11 @@ def codemeta(title, version, date):
     }
 
 
-def zenodo(title, version, date):
-    return {
-        "upload_type": "software",
-        "title": title,
-        "description": DESCRIPTION,
-        "version": version,
-        "publication_date": date,
-        "license": "GPL-3.0-or-later",
-        "creators": [{"name": who["name"]}],
-        "keywords": KEYWORDS,
-    }
-
-
 def papers():
     """Each file and its text, as the version, the date and who.json make it."""
     text = citation()
     facts = [re.search(rf'^{key}: "?(.*?)"?$', text, flags=re.M).group(1) for key in ("title", "version", "date-released")]
-    as_text = lambda data: json.dumps(data, indent=1) + "\n"
-    return {"CITATION.cff": text, "codemeta.json": as_text(codemeta(*facts)), ".zenodo.json": as_text(zenodo(*facts))}
+    return {"CITATION.cff": text, "codemeta.json": json.dumps(codemeta(*facts), indent=1) + "\n"}
 
 
 request = sys.argv[1:]

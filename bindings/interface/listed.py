@@ -9,12 +9,13 @@ from pathlib import Path
 from header import read
 
 TOP = Path(__file__).resolve().parents[2]
-PLACES = {  # what a function needs there, and which files may have it
+PLACES = {  # of which a function needs the second, or where its error cannot be measured the first; and which files may have it
     "a claim": "tests/lib/*/*.c tests/proof/*.c tests/embedding/test_*.c",
     "a row of accuracy": "tests/proof/accuracy/rows/*.cpp",
 }
 # Without a number whose error could be measured; those of a cycle are sums over a path, which tests/lib/cycle/ compares with
-# theory, with small steps and with the energy of the loop, as no reference in balls goes through a path of states. Cycles are
+# theory, with small steps and with the energy of the loop, as no reference in balls goes through a path of states. Energies have
+# reference values in tests/data/. Cycles are
 # counted, and damage has another plane in the last bits: tests/lib/measures/ compares them with other routes. Functions of many
 # points or loads, and all fields, have the bits of single calls, which tests/lib/ compares. No figure of a series is promised:
 # tests/lib/stress/test_series.c holds it against the closed form.
@@ -27,7 +28,7 @@ WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_create_fla
                     "contact_state_size", "contact_state", "contact_restore", "validity", "validity_text",
                     "rainflow", "smith_watson_topper_damage", "fatemi_socie_damage", "stresses", "elastic_limits",
                     "contact_stress_history", "contact_cycle_friction", "contact_cycle_worst", "contact_cycle_below", "contact_displacement",
-                    "contact_keep_cycle"}
+                    "contact_keep_cycle", "contact_dissipated_energy"}
 
 
 def texts(patterns):
@@ -44,13 +45,11 @@ def not_in_the_table():
 
 def main():
     lacking = not_in_the_table()
-    found = {what: texts(patterns) for what, patterns in PLACES.items()}
+    written = {place: texts(patterns) for place, patterns in PLACES.items()}
     for f in read(TOP / "include/rwedge.h").functions:
-        for what, text in found.items():
-            if what == "a row of accuracy" and (f.name in WITHOUT_ACCURACY or f.name.endswith("_field")):
-                continue
-            if not re.search(rf'\brwedge_{f.name}\b|{{"{f.name}"', text):
-                lacking.append(f"rwedge_{f.name}() lacks {what} ({PLACES[what]})")
+        place = "a claim" if f.name in WITHOUT_ACCURACY or f.name.endswith("_field") else "a row of accuracy"
+        if not re.search(rf'\brwedge_{f.name}\b|{{"{f.name}"', written[place]):
+            lacking.append(f"rwedge_{f.name}() lacks {place} ({PLACES[place]})")
     for text in lacking:
         print(f"FAILED: {text}: see bindings/interface/README.md, How to add a function")
     sys.exit(bool(lacking))

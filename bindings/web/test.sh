@@ -39,11 +39,6 @@ cp "$here"/test/*.mjs "$here"/test/*.ts installed
 cd installed
 node --expose-gc --test --test-reporter=tap test.mjs >../test.log 2>&1 || { cat ../test.log; fail "test.mjs"; }
 sed -n 's/^# pass/tests passed:/p' ../test.log
-# The statuses are those of the header.
-python3 -B "$top/bindings/interface/header.py" "$top/include/rwedge.h" |
-    python3 -c 'import json, sys; [print(*pair) for pair in json.load(sys.stdin)["statuses"].items()]' >statuses.txt
-echo 'import { statuses } from "rwedge"; for (const each of Object.entries(statuses)) console.log(...each);' >statuses.mjs
-node statuses.mjs | diff - statuses.txt || fail "the statuses are not those of rwedge.h"
 # The README's example prints what it shows.
 sed -n '/^```js$/,/^```$/p' "$here/README.md" | sed '/^```/d' >example.mjs
 sed -n '/^```text$/,/^```$/p' "$here/README.md" | sed '/^```/d' >expected.txt

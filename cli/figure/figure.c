@@ -29,22 +29,9 @@ static const table_variable stick_width = {
 static const table_variable tension = {
     "sigma-over-max", "sigma_over_max", "the bulk tension", -1, 1, "a number from -1 to 1", ""};
 
-#define BODY(option, input) VALUE(option, OPTION_INPUT + (input))
-
 /* Those of "rwedge history" but for friction and Poisson's ratio, which figures have anyway. */
 static struct poptOption history_figure_option_table[] = {
-    {BODY("E1", INPUT_E1), "Young's modulus of body 1", "STRESS"},
-    {BODY("E2", INPUT_E2), "Young's modulus of body 2 (default: as body 1)", "STRESS"},
-    {BODY("nu2", INPUT_NU2), "Poisson's ratio of body 2 (default: as body 1)", "NUMBER"},
-    {BODY("theta", INPUT_THETA), "Angle between flank and surface, in radians", "ANGLE"},
-    {BODY("theta-deg", INPUT_THETA_DEG), "The same in degrees", "ANGLE"},
-    {BODY("a", INPUT_A), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH"},
-    {BODY("radius", INPUT_RADIUS), "Radius of the rounding instead, a/theta; alone, of a cylinder",
-     "LENGTH"},
-    {BODY("flat", INPUT_FLAT), "Half-width of the flat of a flat pad, whose edges have the radius",
-     "LENGTH"},
-    {BODY("profile", INPUT_PROFILE),
-     "Any convex pad: a CSV file with the columns x, and slope or height", "FILE"},
+    {INCLUDED(shape_option_table), NULL, NULL},
     {HULL_OPTION},
     {INCLUDED(history_option_table), NULL, NULL},
     {VALUE("at", OPTION_AT), "The point of figure history", "x,y"},
@@ -136,7 +123,10 @@ static const figure *choose_figure(const arguments *line)
     if (i == FIGURE_COUNT)
         usage_error("%s: unknown figure; allowed: %s", line->operand[0], allowed);
     if (line->operand[1] != NULL)
-        usage_error("%s: unexpected; allowed: one figure, and options", line->operand[1]);
+        usage_error("%s: unexpected; allowed: one figure, and options%s", line->operand[1],
+                    figures[i]->has_history || figures[i] == &figure_loop
+                        ? "; --history gives a file of loads"
+                        : "");
     return figures[i];
 }
 
@@ -183,7 +173,7 @@ static void read_case(const arguments *line, const figure *chosen, figure_case *
 typedef struct {
     const figure *chosen;
     figure_case inputs;
-    const picture_format *format; /* NULL for the numbers */
+    const char *format; /* of the picture; NULL for the numbers */
     bool no_title;
     contact_history history;
     places at;
@@ -322,15 +312,7 @@ static void read_history(const arguments *line, char decimal_sign, work *to_do)
         read_measure_and_place(&bodies, to_do);
 }
 
-static const picture_format *format_named(const char *name)
-{
-    for (int i = 0; i < PICTURE_FORMATS; i++)
-        if (strcmp(name, picture_formats[i].name) == 0)
-            return &picture_formats[i];
-    return NULL;
-}
-
-static const picture_format *read_picture_format(const arguments *line, output_options *how)
+static const char *read_picture_format(const arguments *line, output_options *how)
 {
     static const char *const formats[] = {"svg", "png", "pdf", NULL};
     if (line->value[OPTION_DIGITS] != NULL)
@@ -339,7 +321,7 @@ static const picture_format *read_picture_format(const arguments *line, output_o
     if (line->value[OPTION_DECIMAL_COMMA] != NULL)
         usage_error("--decimal-comma: not for a picture; allowed with: --data");
     output_options_read_of(line, formats, "; with --data: csv, tsv, json, xlsx", how);
-    return format_named(how->format_name);
+    return how->format_name;
 }
 
 /* ---- What is written ---- */

@@ -40,7 +40,7 @@ double case_value(const figure_case *inputs, int variable);
 void case_check(const figure_case *inputs, int32_t status);
 
 /* A value as the name of its curve: with all digits where fewer do not tell the values apart. */
-void case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE]);
+const char *case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE]);
 
 typedef struct {
     const char *name, *summary;
@@ -67,7 +67,10 @@ double step_of_levels(double top);
  * neighbours apart. */
 void style_of_family(curve *line, int i);
 
-/* The curves of a family over the columns x and y, each named by the value of its variable. */
+/* The curve n of a family over the columns x and y, named by the value of its variable after some
+ * words; and all of them. */
+curve *draw_member(const figure_case *inputs, int variable, int n, const char *words,
+                   const dataset *rows, int x, int y, drawing *on);
 void draw_family(const figure_case *inputs, int variable, const dataset *rows, int x, int y,
                  drawing *on);
 

@@ -157,18 +157,15 @@ static void write_title(const figure_case *inputs, drawing *on)
     char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE], slip[NUMBER_SIZE] = "0";
     const bool by_force = inputs->value[Q_OVER_FP].count > 0;
     const int slips = by_force ? Q_OVER_FP : C_OVER_B;
-    case_text(inputs, A_OVER_B, 0, alpha);
-    case_text(inputs, FRICTION, 0, f);
-    case_text(inputs, NU, 0, nu);
     if (inputs->value[slips].count > 0)
         case_text(inputs, slips, 0, slip);
     const bool normal = case_value(inputs, FRICTION) == 0;
     snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s,\n%s%s%sν = %s",
-             alpha, f,
+             case_text(inputs, A_OVER_B, 0, alpha), case_text(inputs, FRICTION, 0, f),
              normal     ? ""
              : by_force ? "*Q*/(*fP*) = "
                         : "*c*/*b* = ",
-             normal ? "" : slip, normal ? "" : ", ", nu);
+             normal ? "" : slip, normal ? "" : ", ", case_text(inputs, NU, 0, nu));
 }
 
 static void write_caption(const figure_case *inputs, double step, bool has_yield, double top,
@@ -200,21 +197,15 @@ static const char *draw_field(const figure_case *inputs, const dataset *rows, dr
     return NULL;
 }
 
-static const char *const field_columns[] = {"x_over_b",
-                                            "y_over_b",
-                                            "A_sxx_over_theta",
-                                            "A_syy_over_theta",
-                                            "A_txy_over_theta",
-                                            "A_sqrt_J2_over_theta",
-                                            NULL};
-
-const figure figure_field = {.name = "field",
-                             .summary = "contours of von Mises stress below the contact",
-                             .use = {[A_OVER_B] = {"0.5", 1},
-                                     [FRICTION] = {"0.3", 1},
-                                     [NU] = {"0.3", 1},
-                                     [Q_OVER_FP] = {"", 1},
-                                     [C_OVER_B] = {"", 1}},
-                             .column = field_columns,
-                             .compute = compute_field,
-                             .draw = draw_field};
+const figure figure_field = {
+    .name = "field",
+    .summary = "contours of von Mises stress below the contact",
+    .use = {[A_OVER_B] = {"0.5", 1},
+            [FRICTION] = {"0.3", 1},
+            [NU] = {"0.3", 1},
+            [Q_OVER_FP] = {"", 1},
+            [C_OVER_B] = {"", 1}},
+    .column = (const char *const[]){"x_over_b", "y_over_b", "A_sxx_over_theta", "A_syy_over_theta",
+                                    "A_txy_over_theta", "A_sqrt_J2_over_theta", NULL},
+    .compute = compute_field,
+    .draw = draw_field};

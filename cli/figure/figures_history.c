@@ -141,16 +141,15 @@ static const char *draw_history(const figure_case *inputs, const dataset *rows, 
     return NULL;
 }
 
-static const char *const history_columns[] = {"load", "x", "y", "sxx", "syy", "szz", "txy", NULL};
-
-const figure figure_history = {.name = "history",
-                               .summary = "stresses at a point, --at, in the last cycle of loads",
-                               .has_history = true,
-                               .needs_point = true,
-                               .cycles = 1,
-                               .column = history_columns,
-                               .compute = compute_history,
-                               .draw = draw_history};
+const figure figure_history = {
+    .name = "history",
+    .summary = "stresses at a point, --at, in the last cycle of loads",
+    .has_history = true,
+    .needs_point = true,
+    .cycles = 1,
+    .column = (const char *const[]){"load", "x", "y", "sxx", "syy", "szz", "txy", NULL},
+    .compute = compute_history,
+    .draw = draw_history};
 
 /* ---- The loop of Q over the displacement ---- */
 
@@ -186,16 +185,14 @@ static const char *draw_any_loop(const figure_case *inputs, const dataset *rows,
     return NULL;
 }
 
-static const char *const any_loop_columns[] = {"load",         "P",      "M", "Q", "sigma",
-                                               "displacement", "energy", NULL};
-
-const figure figure_any_loop = {.name = "loop",
-                                .summary = "Q over the displacement by slip",
-                                .has_history = true,
-                                .cycles = 1,
-                                .column = any_loop_columns,
-                                .compute = compute_any_loop,
-                                .draw = draw_any_loop};
+const figure figure_any_loop = {
+    .name = "loop",
+    .summary = "Q over the displacement by slip",
+    .has_history = true,
+    .cycles = 1,
+    .column = (const char *const[]){"load", "P", "M", "Q", "sigma", "displacement", "energy", NULL},
+    .compute = compute_any_loop,
+    .draw = draw_any_loop};
 
 /* ---- Smith, Watson and Topper's parameter along the surface ---- */
 
@@ -261,14 +258,13 @@ static const char *draw_fretting(const figure_case *inputs, const dataset *rows,
     return NULL;
 }
 
-static const char *const fretting_columns[] = {
-    "x", "swt", "swt_angle", "slip_range", "ruiz_f1", "ruiz_f2", "energy_per_area", NULL};
-
 const figure figure_fretting = {.name = "fretting",
                                 .summary = "Smith-Watson-Topper along the surface, last cycle",
                                 .has_history = true,
                                 .cycles = 3,
-                                .column = fretting_columns,
+                                .column = (const char *const[]){"x", "swt", "swt_angle",
+                                                                "slip_range", "ruiz_f1", "ruiz_f2",
+                                                                "energy_per_area", NULL},
                                 .compute = compute_fretting,
                                 .draw = draw_fretting};
 
@@ -345,12 +341,14 @@ static void draw_measure_field(const dataset *rows, double top, drawing *on)
     list_add(on->caption, sizeof on->caption, ";\n", "lines: every %.3g", step);
 }
 
-/* A column in words: "_" would begin a subscript. */
-static void write_name(const figure_case *inputs, char name[DRAWING_TEXT])
+static void write_unit(const char *unit, char text[DRAWING_TEXT])
 {
-    snprintf(name, DRAWING_TEXT, "%s", measure_kinds[inputs->measure].column);
-    for (char *at = strchr(name, '_'); at != NULL; at = strchr(at, '_'))
-        *at = ' ';
+    const bool has_unit = strcmp(unit, "none") != 0;
+    snprintf(text, DRAWING_TEXT, "%s%s", has_unit ? "in units of " : "pure number",
+             has_unit ? unit : "");
+    char *star = strchr(text, '*'); /* would begin italics */
+    if (star != NULL)
+        *star = ' ';
 }
 
 static void draw_measure_curve(const figure_case *inputs, const dataset *rows, double top,
@@ -360,9 +358,8 @@ static void draw_measure_curve(const figure_case *inputs, const dataset *rows, d
     const double from = rows->row[0].number[along], to = rows->row[rows->count - 1].number[along];
     on->x = (axis){"", from, to, tic_along_x(to - from), 0};
     snprintf(on->x.text, sizeof on->x.text, "%s", along == 1 ? "*y*" : "*x*");
-    char name[DRAWING_TEXT];
-    write_name(inputs, name);
-    on->y = drawing_axis(1.05 * top, name);
+    on->y = drawing_axis(1.05 * top, "");
+    write_unit(measure_kinds[inputs->measure].unit, on->y.text);
     on->y.from = -1.05 * extreme(rows, 2, -1);
     on->height = 0.75;
     drawing_curve(on, rows, 0, along, 2)->width = 1.3;
@@ -376,7 +373,7 @@ static const char *draw_measure(const figure_case *inputs, const dataset *rows, 
         return "the measure is nowhere above 0";
     write_number(worst[0], 4, x);
     write_number(worst[1], 4, y);
-    write_name(inputs, on->title);
+    snprintf(on->title, sizeof on->title, "%s", measure_kinds[inputs->measure].title);
     snprintf(on->caption, sizeof on->caption, "%s: %.4g at%s*x* = %s, *y* = %s",
              inputs->over == OVER_FIELD ? "largest of the grid" : "worst", worst[2],
              inputs->over == OVER_FIELD ? "\n" : " ", x, y);
@@ -387,12 +384,10 @@ static const char *draw_measure(const figure_case *inputs, const dataset *rows, 
     return NULL;
 }
 
-static const char *const measure_columns[] = {"x", "y", "value", NULL};
-
 const figure figure_measure = {.name = "measure",
                                .summary = "any column of fretting, by --measure and --over",
                                .has_history = true,
                                .cycles = 3,
-                               .column = measure_columns,
+                               .column = (const char *const[]){"x", "y", "value", NULL},
                                .compute = compute_measure,
                                .draw = draw_measure};

@@ -58,8 +58,8 @@ static const char *draw_loop(const figure_case *inputs, const dataset *rows, dra
 {
     char text[NUMBER_SIZE];
     double reach = 0;
-    case_text(inputs, A_OVER_B, 0, text);
-    snprintf(on->title, sizeof on->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s", text);
+    snprintf(on->title, sizeof on->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s",
+             case_text(inputs, A_OVER_B, 0, text));
     for (size_t i = 0; i < rows->count; i++)
         reach = fmax(reach, rows->row[i].number[3]);
     if (reach == 0)
@@ -70,24 +70,20 @@ static const char *draw_loop(const figure_case *inputs, const dataset *rows, dra
     on->height = 0.85;
     snprintf(on->caption, sizeof on->caption, "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
     for (int n = 0; n < inputs->value[Q_OVER_FP].count; n++) {
-        curve *line = drawing_curve(on, rows, n, 3, 2);
-        style_of_family(line, n);
+        curve *line = draw_member(inputs, Q_OVER_FP, n, "", rows, 3, 2, on);
         line->width = 1.3;
-        case_text(inputs, Q_OVER_FP, n, text);
-        snprintf(line->legend, sizeof line->legend, "%s: *W* = %#.3g", text, energy_of_cycle(line));
+        list_add(line->legend, sizeof line->legend, ": ", "*W* = %#.3g", energy_of_cycle(line));
     }
     return NULL;
 }
-
-static const char *const loop_columns[] = {
-    "a_over_b", "amplitude_over_fP",          "Q_over_fP", "displacement_over_f_theta_b",
-    "c_over_b", "A_energy_over_f2_theta2_b2", NULL};
 
 const figure figure_loop = {
     .name = "loop",
     .summary = "hysteresis loops of a cycle of Q under constant P",
     .use = {[A_OVER_B] = {"0.25", 1}, [Q_OVER_FP] = {"0.5,0.7,0.9", FIGURE_CURVES_MAX}},
-    .column = loop_columns,
+    .column = (const char *const[]){"a_over_b", "amplitude_over_fP", "Q_over_fP",
+                                    "displacement_over_f_theta_b", "c_over_b",
+                                    "A_energy_over_f2_theta2_b2", NULL},
     .text_column = "part",
     .compute = compute_loop,
     .draw = draw_loop};
@@ -214,10 +210,9 @@ static const char *draw_eccentric(const figure_case *inputs, const dataset *rows
     const double top = extreme(rows, 1), bottom = extreme(rows, -1), step = 0.05 * (top + bottom);
     if (top == 0)
         return "without Q there is no shear traction";
-    case_text(inputs, A_OVER_B, 0, alpha);
-    case_text(inputs, Q_OVER_FP, 0, text);
     snprintf(on->title, sizeof on->title,
-             "Shear traction with bulk tension,\n*a*/*b* = %s, *Q*/(*fP*) = %s", alpha, text);
+             "Shear traction with bulk tension,\n*a*/*b* = %s, *Q*/(*fP*) = %s",
+             case_text(inputs, A_OVER_B, 0, alpha), case_text(inputs, Q_OVER_FP, 0, text));
     snprintf(on->caption, sizeof on->caption, "bars: stick zones; thin line: friction's limit");
     on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
     on->y = drawing_axis(1.05 * top, "−*qA*π/(*f*θ)");
@@ -225,24 +220,17 @@ static const char *draw_eccentric(const figure_case *inputs, const dataset *rows
     on->height = 0.9;
     draw_limit(case_value(inputs, A_OVER_B), on);
     for (int n = 0; n < dataset_curves(rows); n++) {
-        curve *line = drawing_curve(on, rows, n, X, SHEAR);
-        style_of_family(line, n);
-        line->width = 1.4;
-        case_text(inputs, SIGMA_OVER_MAX, n, text);
-        snprintf(line->legend, sizeof line->legend, "π*b*σ/(4*Q*) = %s", text);
+        draw_member(inputs, SIGMA_OVER_MAX, n, "π*b*σ/(4*Q*) = ", rows, X, SHEAR, on)->width = 1.4;
     }
     draw_stick_zones(rows, -bottom - step, step, on);
     return NULL;
 }
 
-static const char *const eccentric_columns[] = {
-    "sigma_over_max",    "x_over_b",           "minus_pi_A_q_over_f_theta",
-    "stick_left_over_b", "stick_right_over_b", NULL};
-
 const figure figure_eccentric = {
     .name = "eccentric",
     .summary = "shear tractions and stick zones where a bulk tension grows with Q",
     .use = {[A_OVER_B] = {"0.25", 1}, [Q_OVER_FP] = {"0.5", 1}, [SIGMA_OVER_MAX] = {"0,0.5,1", 6}},
-    .column = eccentric_columns,
+    .column = (const char *const[]){"sigma_over_max", "x_over_b", "minus_pi_A_q_over_f_theta",
+                                    "stick_left_over_b", "stick_right_over_b", NULL},
     .compute = compute_eccentric,
     .draw = draw_eccentric};

@@ -111,8 +111,8 @@ static void draw_jump(const dataset *rows, drawing *on)
 static const char *draw_normal(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char nu[NUMBER_SIZE];
-    case_text(inputs, NU, 0, nu);
-    snprintf(on->title, sizeof on->title, "Elastic limit under a normal load, ν = %s", nu);
+    snprintf(on->title, sizeof on->title, "Elastic limit under a normal load, ν = %s",
+             case_text(inputs, NU, 0, nu));
     const double top = ceil(normal_at(rows, 1, 2));
     on->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
     on->y = (axis){"*P*/(*bk*)", 0, top > 4 ? top : 5, 1, 0};
@@ -136,16 +136,14 @@ static const char *draw_normal(const figure_case *inputs, const dataset *rows, d
     return NULL;
 }
 
-static const char *const normal_columns[] = {"a_over_b", "nu", "P_over_bk", "y_over_b", NULL};
-
-const figure figure_normal = {.name = "3",
-                              .summary =
-                                  "elastic limit under a normal load, and depth of yield, over a/b",
-                              .use = {[NU] = {"0.3", 1}},
-                              .column = normal_columns,
-                              .text_column = "branch",
-                              .compute = compute_normal,
-                              .draw = draw_normal};
+const figure figure_normal = {
+    .name = "3",
+    .summary = "elastic limit under a normal load, and depth of yield, over a/b",
+    .use = {[NU] = {"0.3", 1}},
+    .column = (const char *const[]){"a_over_b", "nu", "P_over_bk", "y_over_b", NULL},
+    .text_column = "branch",
+    .compute = compute_normal,
+    .draw = draw_normal};
 
 /* ---- Fig. 4 ---- */
 
@@ -208,9 +206,8 @@ static const char *draw_sliding(const figure_case *inputs, const dataset *rows, 
 {
     char text[NUMBER_SIZE];
     double top = 0;
-    case_text(inputs, NU, 0, text);
     snprintf(on->title, sizeof on->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s",
-             text);
+             case_text(inputs, NU, 0, text));
     for (size_t i = 0; i < rows->count; i++)
         top = fmax(top, rows->row[i].number[3]);
     if (top == 0)
@@ -222,13 +219,11 @@ static const char *draw_sliding(const figure_case *inputs, const dataset *rows, 
     return NULL;
 }
 
-static const char *const sliding_columns[] = {"a_over_b", "f", "nu", "P_over_bk", NULL};
-
 const figure figure_sliding = {
     .name = "4",
     .summary = "elastic limit in full sliding over f",
     .use = {[A_OVER_B] = {"0.1:1:0.1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
-    .column = sliding_columns,
+    .column = (const char *const[]){"a_over_b", "f", "nu", "P_over_bk", NULL},
     .text_column = "branch",
     .compute = compute_sliding,
     .draw = draw_sliding};
@@ -260,11 +255,7 @@ static void compute_yield_point(const figure_case *inputs, dataset *rows)
 static void draw_path(const figure_case *inputs, const dataset *rows, int n, bool explain,
                       drawing *on)
 {
-    curve *line = drawing_curve(on, rows, n, 3, 4);
-    char text[NUMBER_SIZE];
-    style_of_family(line, n);
-    case_text(inputs, A_OVER_B, n, text);
-    snprintf(line->legend, sizeof line->legend, "%s", text);
+    const curve *line = draw_member(inputs, A_OVER_B, n, "", rows, 3, 4, on);
     curve *crosses = drawing_curve(on, rows, n, 3, 4);
     crosses->style = STYLE_CROSSES;
     crosses->colour = line->colour;
@@ -301,12 +292,12 @@ static void name_missing(const figure_case *inputs, const dataset *rows, drawing
     int missing = 0;
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++)
         if (dataset_curve(rows, n, &first) == 0) {
-            case_text(inputs, A_OVER_B, n, text);
             list_add(on->caption, sizeof on->caption,
                      missing == 0       ? ";\n"
                      : missing % 3 == 0 ? ",\n"
                                         : ", ",
-                     "%s%s", missing == 0 ? "always at the surface: *a*/*b* = " : "", text);
+                     "%s%s", missing == 0 ? "always at the surface: *a*/*b* = " : "",
+                     case_text(inputs, A_OVER_B, n, text));
             missing++;
         }
 }
@@ -316,8 +307,8 @@ static const char *draw_yield_point(const figure_case *inputs, const dataset *ro
     char text[NUMBER_SIZE];
     if (rows->count == 0)
         return "it yields at the surface, whatever f is";
-    case_text(inputs, NU, 0, text);
-    snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s", text);
+    snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s",
+             case_text(inputs, NU, 0, text));
     set_axes(rows, on);
     bool explain = true;
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
@@ -331,14 +322,11 @@ static const char *draw_yield_point(const figure_case *inputs, const dataset *ro
     return NULL;
 }
 
-static const char *const yield_point_columns[] = {"a_over_b", "f",        "nu",
-                                                  "x_over_b", "y_over_b", NULL};
-
 const figure figure_yield_point = {
     .name = "5",
     .summary = "path of the subsurface yield point with growing f",
     .use = {[A_OVER_B] = {"0.1:1:0.1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
-    .column = yield_point_columns,
+    .column = (const char *const[]){"a_over_b", "f", "nu", "x_over_b", "y_over_b", NULL},
     .text_column = "point",
     .compute = compute_yield_point,
     .draw = draw_yield_point};

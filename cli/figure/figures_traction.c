@@ -81,15 +81,13 @@ static const char *draw_pressure(const figure_case *inputs, const dataset *rows,
     return NULL;
 }
 
-static const char *const pressure_columns[] = {"a_over_b", "x_over_b", "minus_pi_A_p_over_theta",
-                                               NULL};
-
-const figure figure_pressure = {.name = "2",
-                                .summary = "contact pressure over x/b",
-                                .use = {[A_OVER_B] = {"0:1:0.1", FIGURE_CURVES_MAX}},
-                                .column = pressure_columns,
-                                .compute = compute_pressure,
-                                .draw = draw_pressure};
+const figure figure_pressure = {
+    .name = "2",
+    .summary = "contact pressure over x/b",
+    .use = {[A_OVER_B] = {"0:1:0.1", FIGURE_CURVES_MAX}},
+    .column = (const char *const[]){"a_over_b", "x_over_b", "minus_pi_A_p_over_theta", NULL},
+    .compute = compute_pressure,
+    .draw = draw_pressure};
 
 /* ---- Fig. 6 ---- */
 
@@ -116,11 +114,9 @@ static const char *draw_tension(const figure_case *inputs, const dataset *rows, 
     return NULL;
 }
 
-static const char *const tension_columns[] = {"a_over_b", "b_sigma_over_fP", NULL};
-
 const figure figure_tension = {.name = "6",
                                .summary = "maximum tension at the trailing edge over a/b",
-                               .column = tension_columns,
+                               .column = (const char *const[]){"a_over_b", "b_sigma_over_fP", NULL},
                                .compute = compute_tension,
                                .draw = draw_tension};
 
@@ -166,8 +162,8 @@ static double top_of_shear(const figure_case *inputs, const dataset *rows)
 static const char *draw_shear(const figure_case *inputs, const dataset *rows, drawing *on)
 {
     char text[NUMBER_SIZE];
-    case_text(inputs, A_OVER_B, 0, text);
-    snprintf(on->title, sizeof on->title, "Shear traction in partial slip, *a*/*b* = %s", text);
+    snprintf(on->title, sizeof on->title, "Shear traction in partial slip, *a*/*b* = %s",
+             case_text(inputs, A_OVER_B, 0, text));
     const double top = top_of_shear(inputs, rows);
     if (top == 0)
         return "without slip there is no shear traction";
@@ -175,11 +171,7 @@ static const char *draw_shear(const figure_case *inputs, const dataset *rows, dr
     on->y = drawing_axis(top, "−*qA*π/(*f*θ)");
     on->height = 0.8;
     for (int n = 0; n < dataset_curves(rows); n++) {
-        curve *line = drawing_curve(on, rows, n, 1, 2);
-        style_of_family(line, n);
-        line->width = 1.4;
-        case_text(inputs, C_OVER_B, n, text);
-        snprintf(line->legend, sizeof line->legend, "*c*/*b* = %s", text);
+        draw_member(inputs, C_OVER_B, n, "*c*/*b* = ", rows, 1, 2, on)->width = 1.4;
         if (range_value(&inputs->value[C_OVER_B], n) == 0)
             snprintf(on->caption, sizeof on->caption,
                      "*c*/*b* = 0 is full sliding: the pressure, −*pA*π/θ");
@@ -187,14 +179,11 @@ static const char *draw_shear(const figure_case *inputs, const dataset *rows, dr
     return NULL;
 }
 
-static const char *const shear_columns[] = {"c_over_b", "x_over_b", "minus_pi_A_q_over_f_theta",
-                                            NULL};
-
 const figure figure_shear = {
     .name = "7",
     .summary = "shear tractions in partial slip over x/b",
     .use =
         {[A_OVER_B] = {"0.25", 1}, [C_OVER_B] = {"0,0.16666666666666666,0.5", FIGURE_CURVES_MAX}},
-    .column = shear_columns,
+    .column = (const char *const[]){"c_over_b", "x_over_b", "minus_pi_A_q_over_f_theta", NULL},
     .compute = compute_shear,
     .draw = draw_shear};

@@ -29,11 +29,12 @@ static bool need_all_digits(const range *values)
     return false;
 }
 
-void case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE])
+const char *case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE])
 {
     const range *values = &inputs->value[variable];
     drawing_number(range_value(values, i), need_all_digits(values) ? NUMBER_DIGITS : DRAWING_DIGITS,
                    text);
+    return text;
 }
 
 void style_of_family(curve *line, int i)
@@ -44,16 +45,22 @@ void style_of_family(curve *line, int i)
     line->dash = i % 4; /* 4 and 5 have no common divisor: a pair comes again after 20 curves */
 }
 
+curve *draw_member(const figure_case *inputs, int variable, int n, const char *words,
+                   const dataset *rows, int x, int y, drawing *on)
+{
+    char text[NUMBER_SIZE];
+    curve *line = drawing_curve(on, rows, n, x, y);
+    style_of_family(line, n);
+    snprintf(line->legend, sizeof line->legend, "%s%s", words,
+             case_text(inputs, variable, n, text));
+    return line;
+}
+
 void draw_family(const figure_case *inputs, int variable, const dataset *rows, int x, int y,
                  drawing *on)
 {
-    for (int n = 0; n < dataset_curves(rows); n++) {
-        char text[NUMBER_SIZE];
-        curve *line = drawing_curve(on, rows, n, x, y);
-        style_of_family(line, n);
-        case_text(inputs, variable, n, text);
-        snprintf(line->legend, sizeof line->legend, "%s", text);
-    }
+    for (int n = 0; n < dataset_curves(rows); n++)
+        draw_member(inputs, variable, n, "", rows, x, y, on);
 }
 
 double step_of_levels(double top)

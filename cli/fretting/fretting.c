@@ -110,12 +110,11 @@ static void compute(const plan *job)
     const size_t size = batch_size(job);
     const int64_t batches = (int64_t)((job->all.count + size - 1) / size);
     ahead *work = ahead_start(job->threads, batches, sizeof(int32_t), compute_batch, job);
-    int32_t status = work == NULL ? RWEDGE_ENOMEM : RWEDGE_OK;
+    int32_t status = RWEDGE_OK;
     for (int64_t i = 0; i < batches && status == RWEDGE_OK; i++)
         status = *(const int32_t *)ahead_next(work);
     ahead_stop(work);
-    if (status != RWEDGE_OK)
-        failure("%s", rwedge_strerror(status));
+    status_check(status, "the places");
 }
 
 /* ---- Rows ---- */

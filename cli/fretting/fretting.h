@@ -51,7 +51,6 @@ enum {
 };
 #define OPTION_OF(constant) (OPTION_CONSTANTS + (constant)-MATERIAL_FS_K)
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
 extern struct poptOption criteria_option_table[];
 
 /* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs

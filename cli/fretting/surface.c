@@ -20,7 +20,7 @@ static void note_before(const contact_history *history, doubts *all)
     if (case_contact(&history->setup, &contact) != RWEDGE_OK)
         return;
     for (size_t i = 0; i < history->before.count; i++)
-        if (load_history_apply(&history->before, i, history->setup.f, contact, complaint))
+        if (loads_apply_next(history->before.load[i], history->setup.f, contact, complaint))
             note(&history->setup, contact, all);
     rwedge_contact_destroy(contact);
 }

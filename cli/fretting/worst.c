@@ -26,10 +26,8 @@ static void search_line(const last_cycle *last, const measured *all, int column,
         x[i] = all->place[first + i].x;
         value[i] = fmax(all->place[first + i].at.value[column], 0);
     }
-    const int32_t status =
-        last_cycle_worst(last, column, all->line, x, value, row->y, &row->x, &row->value);
-    if (status != RWEDGE_OK)
-        failure("%s", rwedge_strerror(status));
+    status_check(last_cycle_worst(last, column, all->line, x, value, row->y, &row->x, &row->value),
+                 "the worst place");
     free(x);
 }
 
@@ -87,14 +85,6 @@ static bool is_there(const measured *all, double x, double y)
     return false;
 }
 
-static void measure(const last_cycle *last, size_t n, const double x[], const double y[],
-                    measures at[])
-{
-    const int32_t status = last_cycle_measure(last, n, x, y, at);
-    if (status != RWEDGE_OK)
-        failure("%s", rwedge_strerror(status));
-}
-
 void worst_add_places(const worst_table *worst, measured *all)
 {
     double x[COLUMN_COUNT], y[COLUMN_COUNT];
@@ -111,7 +101,7 @@ void worst_add_places(const worst_table *worst, measured *all)
     }
     if (all->count == count)
         return;
-    measure(worst->last, all->count - count, x, y, at);
+    status_check(last_cycle_measure(worst->last, all->count - count, x, y, at), "the worst places");
     for (size_t i = count; i < all->count; i++)
         all->place[i].at = at[i - count];
     qsort(all->place, all->count, sizeof *all->place, in_order);
@@ -155,8 +145,7 @@ static measures measures_below(const last_cycle *cycle, const distance *below, d
     if (status == RWEDGE_OK)
         status = last_cycle_criteria(cycle, 1, stress, &at);
     free(stress);
-    if (status != RWEDGE_OK)
-        failure("--length: %s", rwedge_strerror(status));
+    status_check(status, "--length");
     return at;
 }
 
@@ -195,7 +184,7 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
     if (is_below)
         at = measures_below(worst->last, &worst->below, row->x);
     else
-        measure(worst->last, 1, &row->x, &row->y, &at);
+        status_check(last_cycle_measure(worst->last, 1, &row->x, &row->y, &at), "the worst place");
     const double value = part_of(&at, criterion, PART_VALUE),
                  allowable = material_allowable(constants, criterion);
     cells[4] = cell_number(is_below ? worst->below.length : NAN);

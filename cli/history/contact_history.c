@@ -66,9 +66,7 @@ load contact_history_load(const contact_history *history, size_t step)
 rwedge_contact *contact_history_begin(const contact_history *history)
 {
     rwedge_contact *contact;
-    const int32_t status = case_contact(&history->setup, &contact);
-    if (status != RWEDGE_OK)
-        failure("the contact: %s", rwedge_strerror(status));
+    status_check(case_contact(&history->setup, &contact), "the contact");
     load_history_apply_all(&history->before, history->setup.f, contact);
     return contact;
 }
@@ -90,11 +88,11 @@ static bool try_load(const contact_history *history, size_t step, bool until,
                      rwedge_contact *contact)
 {
     char complaint[COMPLAINT_SIZE];
-    if (load_history_apply(&history->loads, contact_history_row(history, step), history->setup.f,
-                           contact, complaint))
-        return true;
-    refuse(history, step, until, complaint);
-    return false;
+    const bool is_applied =
+        loads_apply_next(contact_history_load(history, step), history->setup.f, contact, complaint);
+    if (!is_applied)
+        refuse(history, step, until, complaint);
+    return is_applied;
 }
 
 void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact)

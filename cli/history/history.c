@@ -104,6 +104,7 @@ static int32_t strength(const contact_case *setup, const rwedge_contact *contact
     const int32_t status =
         rwedge_contact_yield_factor(contact, setup->nu1, setup->k, factor, &x, &y);
     if (status == RWEDGE_OK) {
+        yield_place_settle(&x, &y);
         row[AFTER_YIELD_FACTOR] = cell_number(*factor);
         row[AFTER_YIELD_X] = cell_number(x);
         row[AFTER_YIELD_Y] = cell_number(y);

@@ -57,7 +57,6 @@ enum {
     OPTION_AFTER_PLACES
 };
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE. */
 extern struct poptOption place_option_table[];
 
 typedef struct {

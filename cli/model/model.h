@@ -212,6 +212,10 @@ typedef struct {
 
 tensor tensor_of(double sxx, double syy, double txy, double nu);
 
+/* A place of first yield is found within rounding: what is rounding beside its other coordinate is
+ * 0, so that the middle and the surface are told as such. */
+void yield_place_settle(double *x, double *y);
+
 /* The tensor where the stress is infinite: all NAN. */
 tensor tensor_unknown(void);
 

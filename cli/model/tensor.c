@@ -41,6 +41,15 @@ tensor tensor_of(double sxx, double syy, double txy, double nu)
     return at_point;
 }
 
+void yield_place_settle(double *x, double *y)
+{
+    const double rounding = 1e-9;
+    if (fabs(*y) <= rounding * fabs(*x))
+        *y = 0;
+    else if (fabs(*x) <= rounding * *y)
+        *x = 0;
+}
+
 tensor tensor_unknown(void)
 {
     tensor at_point;

@@ -111,9 +111,23 @@ static void append(char **lines, char *value)
     free(value);
 }
 
+/* Whether a word is an option of these, with its dashes. */
+static bool is_option(const struct poptOption *options, const char *word)
+{
+    for (int i = 1; i < OPTION_LIMIT && strncmp(word, "--", 2) == 0; i++) {
+        const struct poptOption *option = find(options, i);
+        if (option != NULL && strcmp(option->longName, word + 2) == 0)
+            return true;
+    }
+    return false;
+}
+
 static void keep(arguments *line, const syntax *grammar, int number, char *value)
 {
     char **kept = &line->value[number];
+    if (value != NULL && is_option(grammar->options, value)) /* popt takes any word for a value */
+        usage_error("--%s: a value must follow, not the option %s",
+                    find(grammar->options, number)->longName, value);
     if (*kept == NULL)
         *kept = value != NULL ? value : memory_zeroed(1, 1);
     else if (value != NULL && number == grammar->repeated)

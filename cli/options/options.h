@@ -61,7 +61,6 @@ void arguments_no_operand(const arguments *line);
         name, '\0', POPT_ARG_STRING | POPT_ARGFLAG_DOC_HIDDEN, NULL, number, NULL, NULL            \
     }
 
-/* An entry of a table. */
 #define HELP_OPTION "help", 'h', POPT_ARG_NONE, NULL, OPTION_HELP, "Show this help, and end", NULL
 
 /* ---- command ---- What main() and the shells' completion know of a command. */
@@ -110,7 +109,6 @@ void variable_read(const table_variable *variable, const char *text, range *valu
 /* The same for one number. */
 double variable_read_one(const table_variable *variable, const char *text);
 
-/* An entry of a table. */
 #define THREADS_OPTION                                                                             \
     "threads", '\0', POPT_ARG_STRING, NULL, OPTION_THREADS,                                        \
         "Threads that compute; the rows are the same for any N (default: one for each processor)", \

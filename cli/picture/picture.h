@@ -121,30 +121,10 @@ double drawing_tic(double span);
 enum { DRAWING_DIGITS = 6 };
 void drawing_number(double value, int digits, char text[NUMBER_SIZE]);
 
-/* ---- gnuplot_script ---- A drawing in the language of gnuplot 5. */
-
-typedef struct {
-    const char *name; /* of the format, and of the file's extension */
-    /* what gnuplot is told, with the picture's height over its width as %g */
-    const char *terminal;
-    double width;              /* in the terminal's unit */
-    double line;               /* the height of a line of text over that */
-    const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
-    size_t begins_length, ends_length;
-    bool needs_spaces; /* its viewers have to be told to keep them */
-} picture_format;
-
-enum { PICTURE_FORMATS = 3 };
-extern const picture_format picture_formats[PICTURE_FORMATS];
-
-/* Writes the drawing in gnuplot's language. */
-void gnuplot_script(const drawing *plot, const picture_format *format, FILE *script);
-
 /* ---- gnuplot ---- gnuplot draws the pictures. It is looked for on PATH when one is drawn; nothing
- * else needs it. gnuplot.c runs it, gnuplot_script.c speaks its language, and no other file knows
- * of it. */
+ * else needs it, and no other file knows of it. */
 
-/* Has gnuplot draw the picture into the output. */
-void gnuplot_draw(const drawing *plot, const picture_format *format, output *out);
+/* Has gnuplot draw the picture, as svg, png or pdf, into the output. */
+void gnuplot_draw(const drawing *plot, const char *format, output *out);
 
 #endif

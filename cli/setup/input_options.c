@@ -13,6 +13,8 @@ struct poptOption strength_option_table[INPUT_COUNT - CONTACT_INPUTS + 1] = {
     [INPUT_COUNT - CONTACT_INPUTS] = POPT_TABLEEND,
 };
 
+struct poptOption shape_option_table[INPUT_P] = {[INPUT_P - 1] = POPT_TABLEEND};
+
 struct poptOption exactness_option_table[] = {
     {FLAG("exact", OPTION_EXACT),
      "Refuse loads that have no closed form, which are computed otherwise", NULL},
@@ -21,16 +23,25 @@ struct poptOption exactness_option_table[] = {
     POPT_TABLEEND,
 };
 
+static struct poptOption option_of(int input)
+{
+    return (struct poptOption){.longName = input_kinds[input].option,
+                               .argInfo = POPT_ARG_STRING,
+                               .val = OPTION_INPUT + input,
+                               .descrip = input_kinds[input].meaning,
+                               .argDescrip = input_kinds[input].argument};
+}
+
 void input_options_prepare(void)
 {
+    int shapes = 0;
     for (int i = 0; i < INPUT_COUNT; i++) {
-        struct poptOption *option = i < CONTACT_INPUTS ? &input_option_table[i]
-                                                       : &strength_option_table[i - CONTACT_INPUTS];
-        *option = (struct poptOption){.longName = input_kinds[i].option,
-                                      .argInfo = POPT_ARG_STRING,
-                                      .val = OPTION_INPUT + i,
-                                      .descrip = input_kinds[i].meaning,
-                                      .argDescrip = input_kinds[i].argument};
+        if (i < CONTACT_INPUTS)
+            input_option_table[i] = option_of(i);
+        else
+            strength_option_table[i - CONTACT_INPUTS] = option_of(i);
+        if (i < INPUT_P && i != INPUT_NU1)
+            shape_option_table[shapes++] = option_of(i);
     }
 }
 

@@ -188,12 +188,6 @@ void load_history_say_unused(const load_history *loads)
 
 /* ---- Applied ---- */
 
-bool load_history_apply(const load_history *loads, size_t row, double f, rwedge_contact *contact,
-                        char complaint[COMPLAINT_SIZE])
-{
-    return loads_apply_next(loads->load[row], f, contact, complaint);
-}
-
 const char *load_history_place(const load_history *loads, size_t row, char place[LOAD_PLACE_SIZE])
 {
     if (loads->name != NULL) {
@@ -222,7 +216,7 @@ void load_history_apply_all(const load_history *loads, double f, rwedge_contact 
 {
     char complaint[COMPLAINT_SIZE];
     for (size_t i = 0; i < loads->count; i++)
-        if (!load_history_apply(loads, i, f, contact, complaint))
+        if (!loads_apply_next(loads->load[i], f, contact, complaint))
             load_history_fail(loads, i, "", complaint);
 }
 

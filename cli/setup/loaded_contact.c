@@ -73,12 +73,6 @@ static double read_shear_ratio(const arguments *line, double alpha)
     return rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&c_over_b, c) : 1);
 }
 
-static void check_status(int32_t status, const char *subject)
-{
-    if (status != RWEDGE_OK)
-        failure("%s: %s", subject, rwedge_strerror(status));
-}
-
 /* b is the half-width that P has without a moment. */
 static load read_natural_load(const arguments *line, const input_texts *texts, double alpha,
                               double f)
@@ -126,7 +120,7 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
     loaded->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
     loaded->shape = pad_wedge(NATURAL_THETA, alpha);
     const load to = read_natural_load(line, texts, alpha, f);
-    check_status(pad_contact(&loaded->shape, NATURAL_A, f, &loaded->contact), "the contact");
+    status_check(pad_contact(&loaded->shape, NATURAL_A, f, &loaded->contact), "the contact");
     rwedge_contact_allow_error(loaded->contact, texts->tolerance);
     apply_natural(texts, f, to, loaded);
     measure_natural(to.M == 0, loaded);
@@ -154,11 +148,11 @@ static void read_dimensional(const arguments *line, char decimal_sign, const inp
     refuse_natural(line);
     if (!case_read(texts, has_history ? CASE_LOADS_APART : CASE_WITH_LOADS, &setup, complaint))
         usage_error("%s", complaint);
-    check_status(case_contact(&setup, &loaded->contact), "the contact");
+    status_check(case_contact(&setup, &loaded->contact), "the contact");
     if (has_history)
         history_source_apply(&from, decimal_sign, setup.f, loaded->contact);
     else
-        check_status(loads_apply_monotonic(case_load(&setup), loaded->contact),
+        status_check(loads_apply_monotonic(case_load(&setup), loaded->contact),
                      "the loads cannot be applied");
     loaded->nu = setup.nu1;
     loaded->shape = setup.shape;

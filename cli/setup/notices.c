@@ -14,6 +14,12 @@ void notice_if_any(const char *text)
         notice("%s", text);
 }
 
+void status_check(int32_t status, const char *subject)
+{
+    if (status != RWEDGE_OK)
+        failure("%s: %s", subject, rwedge_strerror(status));
+}
+
 void unused_say(const header *names, const bool unused[HEADER_COLUMNS], const char *file)
 {
     char text[600] = "";

@@ -13,6 +13,9 @@ void doubts_say(doubts all, const char *where);
 /* A line, unless it is "". */
 void notice_if_any(const char *text);
 
+/* Ends the command where the library has not answered about the subject. */
+void status_check(int32_t status, const char *subject);
+
 /* Which columns of a file have numbers that nothing uses. */
 void unused_say(const header *names, const bool unused[HEADER_COLUMNS], const char *file);
 
@@ -27,15 +30,14 @@ enum {
     OPTION_AFTER_INPUTS
 };
 
-/* An entry of a command's own table. */
 #define HULL_OPTION                                                                                \
     "hull", '\0', POPT_ARG_NONE, NULL, OPTION_HULL,                                                \
         "Take the convex hull of the heights of a profile", NULL
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact and its loads; its strength;
- * how loads without a closed form are taken. The first two are empty before the first call of
- * input_options_prepare(). */
-extern struct poptOption input_option_table[], strength_option_table[], exactness_option_table[];
+/* Tables to include: the contact and its loads; its strength; bodies and shape but for nu1; how
+ * loads without a closed form are taken. Only the last is filled before input_options_prepare(). */
+extern struct poptOption input_option_table[], strength_option_table[], shape_option_table[],
+    exactness_option_table[];
 
 /* Fills the tables with the words of the inputs. */
 void input_options_prepare(void);
@@ -89,10 +91,6 @@ void load_history_read(const history_source *from, char decimal_sign, load_histo
 /* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
 void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size);
 void load_history_say_unused(const load_history *loads);
-
-/* Applies one load. False, with the complaint, where the contact refuses it; it is as before. */
-bool load_history_apply(const load_history *loads, size_t row, double f, rwedge_contact *contact,
-                        char complaint[COMPLAINT_SIZE]);
 
 /* Applies them all, in order; the first refusal ends the command. */
 void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact);

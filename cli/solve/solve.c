@@ -146,9 +146,7 @@ static void solve_history(const input_texts *texts, const history_source *from, 
     history_source_check(from, texts);
     if (!case_read(texts, CASE_OF_HISTORY, &setup, complaint))
         usage_error("%s", complaint);
-    const int32_t status = case_contact(&setup, &contact);
-    if (status != RWEDGE_OK)
-        failure("the contact: %s", rwedge_strerror(status));
+    status_check(case_contact(&setup, &contact), "the contact");
     history_source_apply(from, how->decimal_sign, setup.f, contact);
     rwedge_contact_loads(contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
     if (!(setup.P > 0))

@@ -7,28 +7,19 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Read as the tool reads it. */
+/* Read as the tool reads it: the columns of Batch have the names of inputs. */
 static contact_case case_of(const double input[INPUT_CELLS])
 {
-    static const int inputs[INPUT_CELLS] = {[CELL_E1] = INPUT_E1,
-                                            [CELL_NU1] = INPUT_NU1,
-                                            [CELL_E2] = INPUT_E2,
-                                            [CELL_NU2] = INPUT_NU2,
-                                            [CELL_THETA] = INPUT_THETA,
-                                            [CELL_THETA_DEG] = INPUT_THETA_DEG,
-                                            [CELL_ROUNDING] = INPUT_A,
-                                            [CELL_RADIUS] = INPUT_RADIUS,
-                                            [CELL_LOAD] = INPUT_P,
-                                            [CELL_Q] = INPUT_Q,
-                                            [CELL_F] = INPUT_F,
-                                            [CELL_K] = INPUT_K,
-                                            [CELL_YIELD_STRESS] = INPUT_YIELD_STRESS};
     char number[INPUT_CELLS][NUMBER_SIZE], complaint[COMPLAINT_SIZE];
     input_texts texts = {.tolerance = 0};
     contact_case setup;
     for (int i = 0; i < INPUT_CELLS; i++) {
+        char name[INPUT_NAME_SIZE];
+        int k = 0;
+        while (strcmp(input_column(k, name), case_cells[i].column) != 0)
+            k++;
         number_write(input[i], NUMBER_DIGITS, '.', number[i]);
-        texts.text[inputs[i]] = isnan(input[i]) ? NULL : number[i];
+        texts.text[k] = isnan(input[i]) ? NULL : number[i];
     }
     if (!case_read(&texts, CASE_OF_SOLVE, &setup, complaint))
         failure("the workbook's example: %s", complaint);

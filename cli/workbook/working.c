@@ -197,24 +197,16 @@ static void write_bar(xlsx *book, const case_values *values)
 
 static void write_legend(xlsx *book)
 {
-    static const char *const legend[LEGEND_END] = {"P/(bk), f = 0, nu = 0.3",
-                                                   "its depth y/b",
-                                                   "P/(bk), your f and nu1",
-                                                   "your case",
-                                                   "your a/b, nu1",
-                                                   "b sigma/(fP)",
-                                                   "a/b = 1.0",
-                                                   "0.9",
-                                                   "0.8",
-                                                   "0.7",
-                                                   "0.6",
-                                                   "0.5",
-                                                   "0.4",
-                                                   "0.3",
-                                                   "0.2",
-                                                   "0.1"};
+    static const char *const legend[LEGEND_FAMILY] = {
+        [LEGEND_NORMAL] = "P/(bk), f = 0, nu = 0.3",   [LEGEND_DEPTH] = "its depth y/b",
+        [LEGEND_TIP_CURVE] = "P/(bk), your f and nu1", [LEGEND_CASE] = "your case",
+        [LEGEND_FRICTION_CURVE] = "your a/b, nu1",     [LEGEND_TENSION] = "b sigma/(fP)"};
     for (int i = 0; i < LEGEND_END; i++)
-        xlsx_text(book, CURVE_ROW + i, LEGEND_COLUMN, legend[i], XLSX_NOTE);
+        xlsx_text(book, CURVE_ROW + i, LEGEND_COLUMN,
+                  i < LEGEND_FAMILY ? legend[i]
+                                    : compose("%s%.1f", i == LEGEND_FAMILY ? "a/b = " : "",
+                                              (LEGEND_END - i) / 10.0),
+                  XLSX_NOTE);
 }
 
 void sheet_working(xlsx *book, const yield_table *table, const case_values *values)

@@ -3,7 +3,7 @@
 #ifndef RW_COMPLEX_H
 #define RW_COMPLEX_H
 
-#include "base/inline.h"
+#include "base/select.h"
 #include "base/logarithm.h"
 
 typedef struct {

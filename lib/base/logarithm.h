@@ -11,7 +11,6 @@
 #ifndef RW_LOGARITHM_H
 #define RW_LOGARITHM_H
 
-#include "base/inline.h"
 #include "base/select.h"
 
 #include <float.h>

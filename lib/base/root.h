@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Root-finding in one dimension: the only room that sees GSL. */
+/* Roots and integrals of functions of one variable. */
 #ifndef RW_ROOT_H
 #define RW_ROOT_H
 
@@ -10,5 +10,10 @@ typedef double (*rw_function)(double x, const void *context);
  * is larger (0 where no root is near 0). NaN where f(lo) and f(hi) are of one sign, or not
  * finite. */
 double rw_root(rw_function f, const void *context, double lo, double hi, double nearest);
+
+/* The integral of f over [lo, hi] by Gauss and Legendre with 16 points. It is exact for polynomials
+ * of degree 31. It is exact to the last bits if the nearest singularity of f is at least half the
+ * length of the interval away from it. */
+double rw_integral(rw_function f, const void *context, double lo, double hi);
 
 #endif

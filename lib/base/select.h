@@ -8,10 +8,16 @@
 #ifndef RW_SELECT_H
 #define RW_SELECT_H
 
-#include "base/inline.h"
-
 #include <stdint.h>
 #include <string.h>
+
+/* Functions that must become part of the loop around them. Otherwise the compiler makes no vector
+ * instructions of the loop. */
+#if defined(__GNUC__)
+#define RW_INLINE static inline __attribute__((always_inline))
+#else
+#define RW_INLINE static inline
+#endif
 
 RW_INLINE uint64_t rw_bits_of(double value)
 {

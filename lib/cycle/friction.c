@@ -4,7 +4,7 @@
  * last stay continues as the first one of the next cycle. Any other stay begins with the slip at
  * the end of the stay before it: so a place beside an edge slips as much as a place that the edge
  * does not pass. */
-#include "cycle/friction.h"
+#include "cycle/cycle.h"
 
 typedef struct {
     const rw_cycle *cycle;

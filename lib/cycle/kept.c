@@ -2,7 +2,7 @@
 /* The states of a cycle that a contact keeps until its next load, for calls with the same loads.
  * There is one list for stresses and one for slip, because a load that is cut into parts ends in
  * other bits. */
-#include "cycle/measures.h"
+#include "cycle/cycle.h"
 
 #include <stdlib.h>
 #include <string.h>

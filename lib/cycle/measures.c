@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cycle/measures.h"
-
-#include "cycle/friction.h"
+#include "cycle/cycle.h"
 
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cycle/states.h"
+#include "cycle/cycle.h"
 
 #include "base/sort.h"
 

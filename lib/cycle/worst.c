@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a measure of a cycle is largest on a line, also between the places at which it is known. */
-#include "cycle/friction.h"
-#include "cycle/measures.h"
+#include "cycle/cycle.h"
 
 #include <stdlib.h>
 

@@ -19,7 +19,7 @@
 
 #include "base/always.h"
 #include "base/domain.h"
-#include "base/integral.h"
+#include "base/root.h"
 #include "base/sort.h"
 #include "rwedge.h"
 

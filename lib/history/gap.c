@@ -13,8 +13,7 @@
 
 #include "base/domain.h"
 #include "formulas/patch.h"
-#include "potential/far_series.h"
-#include "base/integral.h"
+#include "base/root.h"
 
 #include <float.h>
 

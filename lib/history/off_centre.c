@@ -13,7 +13,7 @@
 #include "history/off_centre.h"
 
 #include "base/always.h"
-#include "base/integral.h"
+#include "base/root.h"
 #include "base/logarithm.h"
 #include "potential/eccentric.h"
 

@@ -25,8 +25,8 @@ static const double SMALLEST = 1e-9;
 /* Where a curve of planes has the same value no cell of it can be left out. After every PATIENCE
  * cells the difference that counts as noise grows by a factor; beyond LARGE_NOISE of the value it
  * grows after more cells. So the search ends. */
-enum { PATIENCE = 512, MORE_PATIENCE = 8192 };
-static const double IMPATIENCE = 8, LARGE_NOISE = 1e-5;
+enum { PATIENCE = 2048, MORE_PATIENCE = 8192 };
+static const double IMPATIENCE = 64, LARGE_NOISE = 1e-5;
 
 typedef struct {
     rw_direction psi, beta;
@@ -50,6 +50,7 @@ typedef struct {
     rw_plane_cycle *cycle;
     double noise;
     int cells;
+    bool is_begun; /* above the equator */
     rw_worst_plane best;
     rw_direction psi, beta;
 } search;
@@ -279,49 +280,7 @@ static void explore(search *w, const cell *a, size_t n)
     }
 }
 
-/* ---- The quarter of the sphere ---- */
-
-/* The first cells are an eighth of the equator wide and a quarter of a right angle high. Of beta
- * the cosine and sine of their centres, pi/16 and so on; the tangent of a quarter of their
- * height. */
-enum { ROWS = 4 };
-static const rw_direction ROW[ROWS] = {{0.98078528040323044, 0.19509032201612827},
-                                       {0.83146961230254524, 0.55557023301960222},
-                                       {0.55557023301960222, 0.83146961230254524},
-                                       {0.19509032201612827, 0.98078528040323044}};
-static const double HALF_HEIGHT = RW_PI / 16, TANGENT = 0.098491403357164255;
-
-/* Planes above an arc of the equator that may be worse. */
-static void explore_above(search *w, const rw_psi_arc *arc)
-{
-    for (int row = 0; row < ROWS; row++) {
-        const cell a = {.psi = arc->psi,
-                        .beta = ROW[row],
-                        .half_psi = arc->half,
-                        .half_beta = HALF_HEIGHT,
-                        .tangent_psi = arc->tangent,
-                        .tangent_beta = TANGENT};
-        explore(w, &a, w->cycle->loads);
-    }
-}
-
-/* How often an arc is halved to show that no plane above it is worse. */
-enum { DEPTH = 3 };
-
-static void explore_arc(search *w, const rw_psi_arc *arc, int depth)
-{
-    if (rw_equator_is_worst(w->cycle, w->severity, arc, w->cycle->loads, w->best.value + w->noise))
-        return;
-    if (depth == 0) {
-        explore_above(w, arc);
-        return;
-    }
-    const rw_psi_arc first = rw_half_of_arc(arc, false), second = rw_half_of_arc(arc, true);
-    explore_arc(w, &first, depth - 1);
-    explore_arc(w, &second, depth - 1);
-}
-
-/* ---- Along a curve of planes that are nearly equally bad ---- */
+/* ---- A climb from the worst plane so far ---- */
 
 /* Powell's method: the largest value along a line by golden sections, and the way of a round as the
  * next line. Steps are tangents of half the angles. */
@@ -329,7 +288,7 @@ typedef struct {
     double psi, beta;
 } step;
 
-enum { ROUNDS = 16, SECTIONS = 24 };
+enum { FIRST_ROUNDS = 4, ROUNDS = 16, SECTIONS = 24 };
 static const double FIRST_REACH = 0.3, SHRINK = 0.4, GOLDEN = 0.6180339887498949;
 
 static double value_at(search *w, const cell *from, const step *s, double t)
@@ -371,10 +330,10 @@ static step way_of(const cell *from, const cell *to)
                   (from->beta.cosine * to->beta.sine - from->beta.sine * to->beta.cosine) / 2};
 }
 
-static void climb(search *w)
+static void climb(search *w, int rounds)
 {
     double reach = FIRST_REACH;
-    for (int i = 0; i < ROUNDS; i++, reach *= SHRINK) {
+    for (int i = 0; i < rounds; i++, reach *= SHRINK) {
         const cell from = best_plane(w);
         const step across = {reach, 0}, up = {0, reach};
         climb_along(w, &across);
@@ -387,6 +346,62 @@ static void climb(search *w)
         way = (step){way.psi * reach / length, way.beta * reach / length};
         climb_along(w, &way);
     }
+}
+
+/* ---- The quarter of the sphere ---- */
+
+/* The first cells are an eighth of the equator wide and a quarter of a right angle high. Of beta
+ * the cosine and sine of their centres, pi/16 and so on; the tangent of a quarter of their
+ * height. */
+enum { ROWS = 4 };
+static const rw_direction ROW[ROWS] = {{0.98078528040323044, 0.19509032201612827},
+                                       {0.83146961230254524, 0.55557023301960222},
+                                       {0.55557023301960222, 0.83146961230254524},
+                                       {0.19509032201612827, 0.98078528040323044}};
+static const double HALF_HEIGHT = RW_PI / 16, TANGENT = 0.098491403357164255;
+
+/* A high value to begin with: a cell whose highest plane is at its side, beside a cell with higher
+ * ones, would otherwise be divided along this side to the end. */
+static void begin_exploring(search *w)
+{
+    for (int k = 0; k < RW_ARCS * ROWS; k++) {
+        const cell a = {.psi = rw_equator_arc(k / ROWS).psi, .beta = ROW[k % ROWS]};
+        value_at(w, &a, &(step){0, 0}, 0);
+    }
+    climb(w, FIRST_ROUNDS);
+    w->is_begun = true;
+}
+
+/* Planes above an arc of the equator that may be worse. */
+static void explore_above(search *w, const rw_psi_arc *arc)
+{
+    if (!w->is_begun)
+        begin_exploring(w);
+    for (int row = 0; row < ROWS; row++) {
+        const cell a = {.psi = arc->psi,
+                        .beta = ROW[row],
+                        .half_psi = arc->half,
+                        .half_beta = HALF_HEIGHT,
+                        .tangent_psi = arc->tangent,
+                        .tangent_beta = TANGENT};
+        explore(w, &a, w->cycle->loads);
+    }
+}
+
+/* How often an arc is halved to show that no plane above it is worse. */
+enum { DEPTH = 3 };
+
+static void explore_arc(search *w, const rw_psi_arc *arc, int depth)
+{
+    if (rw_equator_is_worst(w->cycle, w->severity, arc, w->cycle->loads, w->best.value + w->noise))
+        return;
+    if (depth == 0) {
+        explore_above(w, arc);
+        return;
+    }
+    const rw_psi_arc first = rw_half_of_arc(arc, false), second = rw_half_of_arc(arc, true);
+    explore_arc(w, &first, depth - 1);
+    explore_arc(w, &second, depth - 1);
 }
 
 /* ---- All ---- */
@@ -435,7 +450,7 @@ rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *sever
         explore_arc(&w, &arc, DEPTH);
     }
     if (w.noise > noise)
-        climb(&w);
+        climb(&w, ROUNDS);
     w.best.angle = rw_plane_angle(w.psi.cosine, w.psi.sine);
     /* 0 to pi/2: planes that are mirrored are equally bad */
     w.best.out_of_plane = rw_angle(fabs(w.beta.cosine), fabs(w.beta.sine));

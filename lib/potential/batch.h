@@ -3,7 +3,7 @@
 #ifndef RW_BATCH_H
 #define RW_BATCH_H
 
-#include "base/inline.h"
+#include "base/select.h"
 #include "potential/potential.h"
 
 /* The bits of rw_potential_at(), at count <= RW_BATCH points: several times faster. */

@@ -104,11 +104,6 @@ void rw_eccentric_init_arc(rw_eccentric *p, rw_arc arc, rw_patch patch)
     make_series(p);
 }
 
-void rw_eccentric_init(rw_eccentric *p, double a, rw_patch patch)
-{
-    rw_eccentric_init_arc(p, rw_rounding(a), patch);
-}
-
 /* ---- Far away ---- */
 
 /* The sums of far[n] R^n and of n far[n] R^n, by Horner. */

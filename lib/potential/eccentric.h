@@ -35,8 +35,6 @@ typedef struct {
     double far[RW_SERIES_TERMS]; /* of the series in R, from R^1 */
 } rw_eccentric;
 
-void rw_eccentric_init(rw_eccentric *potential, double a, rw_patch patch);
-
 /* The potential of an arc that is partly inside the patch. */
 void rw_eccentric_init_arc(rw_eccentric *potential, rw_arc arc, rw_patch patch);
 

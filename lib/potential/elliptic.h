@@ -4,7 +4,6 @@
 #ifndef RW_ELLIPTIC_H
 #define RW_ELLIPTIC_H
 
-#include "base/inline.h"
 #include "base/select.h"
 
 #include <float.h>

@@ -4,7 +4,7 @@
 #ifndef RW_LANES_H
 #define RW_LANES_H
 
-#include "base/inline.h"
+#include "base/select.h"
 #include "potential/batch.h"
 
 enum { RW_LANES = 8 }; /* a multiple of the numbers in a vector */

@@ -5,6 +5,8 @@
 #ifndef RW_POTENTIAL_H
 #define RW_POTENTIAL_H
 
+#include "base/domain.h"
+
 /* What depends on the contact alone, computed once for any number of points. */
 typedef struct {
     double half_width, a;   /* of the patch, and the rounding, in the unit of the points */
@@ -38,5 +40,19 @@ void rw_potential_init_patch(rw_potential *potential, double a, double c);
  * the sharp wedge. The result is finite. The error of each part is below
  * 8 epsilon max(|G|, 1/(1+|z|)). */
 rw_field rw_potential_at(const rw_potential *potential, double x, double y);
+
+/* ---- Far from the contact: G = sum b_n R^(2n+1), R = z - sqrt(z^2-1) ---- */
+
+/* b_0, A P/(theta b) times 2/pi. */
+static inline double rw_first_coefficient(const rw_potential *p)
+{
+    return p->alpha < 1 ? 2 / RW_PI * (p->phi0_over_alpha + p->c0) : 1 / p->alpha;
+}
+
+/* The coefficients b_n, as many as count where |R| is below 1/4. They come from exp(i m phi0) by
+ * repeated rotation. Their absolute error is small, which is enough for a sum. Those of
+ * rwedge_coefficient() have a small relative error. */
+enum { RW_FAR_TERMS = 16 };
+void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_FAR_TERMS]);
 
 #endif

@@ -15,7 +15,7 @@
  * case the surface governs. A step along the path counts only if every iterate had a negative
  * definite Hessian. So the path cannot change over to the saddle that the maximum meets at the
  * fold. */
-#include "strength/subsurface.h"
+#include "strength/maxima.h"
 
 #include "base/domain.h"
 #include "base/root.h"

@@ -10,7 +10,7 @@
  * It has only one root between. This is not proved here. The test yield_survey checks it
  * densely over all alpha, f and nu. At many of them tests/proof/certificate proves that the result
  * is the global maximum. */
-#include "strength/surface.h"
+#include "strength/maxima.h"
 
 #include "base/domain.h"
 #include "base/logarithm.h"

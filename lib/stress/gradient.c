@@ -12,10 +12,9 @@
 #include "stress/gradient.h"
 
 #include "base/complex.h"
-#include "base/integral.h"
+#include "base/root.h"
 #include "rwedge.h"
 #include "potential/closed_form.h"
-#include "potential/far_series.h"
 
 /* Two potentials of the right half. */
 typedef struct {

@@ -8,7 +8,7 @@
 
 #include "potential/batch.h"
 #include "base/domain.h"
-#include "base/inline.h"
+#include "base/select.h"
 #include "stress/gradient.h"
 #include "rwedge.h"
 

@@ -121,11 +121,12 @@ nm -D --defined-only "$(environment/bin/python -W ignore -c 'from rwedge._librar
 for mac in "$folder"/*-macosx*.whl; do
     [ -f "$mac" ] || continue # make.sh has said it
     unpacked "$mac"
-    python3 -B "$here/macho.py" there/rwedge/_rwedge.so >read
     from=$(basename "$mac" | sed 's/.*-macosx_\([0-9]*\)_\([0-9]*\)_.*/\1.\2/')
-    [ "$(grep -v '^offers' read | sort | tr '\n' ';')" = "from macOS $from;needs /usr/lib/libSystem.B.dylib;" ] ||
-        fail "$mac needs other libraries or another macOS"
-    sed -n 's/^offers //p' read | LC_ALL=C sort | cmp - wanted || fail "the library for macOS offers other functions than that for Linux"
+    llvm-objdump --macho --private-headers there/rwedge/_rwedge.so | grep -qE "^ *(minos|version) $from\$" || fail "$mac needs another macOS"
+    [ "$(llvm-objdump --macho --dylibs-used there/rwedge/_rwedge.so | sed -n 's/^\t\([^ ]*\) .*/\1/p' | tr '\n' ' ')" = \
+        "@rpath/_rwedge.so /usr/lib/libSystem.B.dylib " ] || fail "$mac needs other libraries"
+    llvm-nm --defined-only --extern-only --format=just-symbols there/rwedge/_rwedge.so | sed 's/^_//' | LC_ALL=C sort | cmp - wanted ||
+        fail "the library for macOS offers other functions than that for Linux"
     echo "not tested: $(basename "$mac"): nothing here runs it. It offers the functions of that for Linux, and needs macOS alone" |
         tee -a "$tested"
 done

@@ -7,9 +7,8 @@ in all, and its arguments. The number of a text is its length. The numbers of an
 array of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about.
 
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
-unnoticed; then come the arguments of the reference tables, and the ends of the domains.
+unnoticed; then come the ends of the domains.
 """
-import csv
 import math
 import sys
 from pathlib import Path
@@ -22,7 +21,6 @@ from header import read  # noqa: E402
 VARIANTS = 7  # calls of a function with numbers from the middle of their domains
 POINTS = 3  # the numbers of an array
 LOADS = 2  # the first size of a function of two: the loads
-EVERY = 7  # rows of a reference table
 
 # Values of an argument, by its name; those outside the domain of a function are left out. Arguments of other names have values
 # that are made of their domain.
@@ -88,16 +86,6 @@ OBJECTS = {
                 ((0, 0, 0, 1), (2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))],
     "series": [],
 }
-TABLES = (
-    ("contact_law", {"load": (0,), "a_over_b": "inverse", "peak_pressure": (0,), "transition_pressure": (0,), "max_tension": (0,)}),
-    ("pressure", {"pressure": (0, 1)}),
-    ("coefficients", {"coefficient": (0, 1)}),
-    ("stress_sliding", {"stress": (0, 1, None, 2, 3)}),
-    ("stress_partial_slip", {"stress": (0, 1, 2, 3, 4), "shear_ratio": (0, 2), "stick_width": (0, 5), "shear": (0, 2, 3)}),
-    ("elastic_limit", {"elastic_limit": (0, 1, 2), "yield_point": (0, 1, 2)}),
-    ("critical_friction", {"critical_friction": (0, 1)}),
-)
-
 interface = read(TOP / "include" / "rwedge.h")
 
 
@@ -221,20 +209,6 @@ def objects():
                     sample(f, 4)
 
 
-def reference_rows():
-    for table, functions in TABLES:
-        with open(TOP / "tests" / "data" / f"{table}.csv", encoding="ascii", newline="") as file:
-            rows = list(csv.reader(file))[1:]
-        for row in rows[EVERY - 2::EVERY]:
-            for name, columns in functions.items():
-                if columns == "inverse":
-                    given = [float(row[1]) / float(row[0])] if float(row[0]) else None
-                else:
-                    given = [0.0 if k is None else float(row[k]) for k in columns]
-                if given:
-                    call(interface[name], [int(v) if p.kind == "int32_t" else v for p, v in zip(interface[name].inputs, given)])
-
-
 def ends():
     """Of formulas: each argument in turn at the ends of its domain, and beyond."""
     for f in (f for f in interface.functions if f.result == "value" and not f.family):
@@ -252,7 +226,6 @@ def ends():
 def main():
     formulas()
     objects()
-    reference_rows()
     ends()
 
 

@@ -21,7 +21,6 @@ is "$tool --version" "$("$tool" --version | sed -n 's/^rwedge \([0-9.]*\).*/\1/p
 is CITATION.cff "$(sed -n 's/^version: //p' CITATION.cff)"
 is README.md "$(sed -n 's/^  version = {\(.*\)},/\1/p' README.md)"
 is codemeta.json "$(sed -n 's/^ "version": "\(.*\)",/\1/p' codemeta.json)"
-is .zenodo.json "$(sed -n 's/^ "version": "\(.*\)",/\1/p' .zenodo.json)"
 is CHANGELOG.md "$(sed -n "s/^## \($version\), .*/\1/p" CHANGELOG.md)"
 
 # Python's package reads the header, by the expression in pyproject.toml

@@ -15,18 +15,6 @@
 #include <string.h>
 #include <time.h>
 
-/* OPTIMISED_BUILD is 1 in a release build. */
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define IS_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define IS_SANITIZED 1
-#endif
-#endif
-#ifndef IS_SANITIZED
-#define IS_SANITIZED 0
-#endif
-
 enum { RUNS = 4, ATTEMPTS = 9, SKIPPED = 77 };
 
 /* The slow one takes at least so many times as long as the fast one. Where the library has vectors
@@ -96,8 +84,8 @@ static bool holds(int i)
 static int test(void)
 {
     int broken = 0;
-    if (!OPTIMISED_BUILD || IS_SANITIZED) {
-        printf("SKIPPED: this is not a release build, or one under a sanitizer\n");
+    if (!OPTIMISED_BUILD) { /* as CMake says */
+        printf("SKIPPED: this is not a release build\n");
         return SKIPPED;
     }
     for (int i = 0; i < RATIOS; i++)

@@ -132,19 +132,3 @@ void go_on(random_history *h, rwedge_contact *contact)
     h->Q = h->f * h->P * (kind < 0.1 ? 1 : kind < 0.2 ? -1 : 2 * random_fraction(&h->seed) - 1);
     load(contact, h->P, h->Q);
 }
-
-size_t breakpoints(const rwedge_contact *contact, double points[])
-{
-    const rw_memory *path = &contact->memory;
-    const double a = contact->geometry.a;
-    size_t n = 0;
-    points[n++] = 0;
-    for (size_t i = 1; i < path->count; i++) {
-        const double s = path->corners[i].patch.right;
-        if (points[n - 1] < a && a < s)
-            points[n++] = a;
-        points[n++] = s;
-        assert_true(n + 2 < POINTS_MAX);
-    }
-    return n - 1;
-}

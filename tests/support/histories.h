@@ -52,10 +52,4 @@ typedef struct {
 rwedge_contact *begin(random_history *h, int number);
 void go_on(random_history *h, rwedge_contact *contact);
 
-enum { POINTS_MAX = 200 };
-
-/* Ascending: 0, the ends of the patches, and a. Between them the tractions are smooth. Returns the
- * number of pieces. */
-size_t breakpoints(const rwedge_contact *contact, double points[]);
-
 #endif

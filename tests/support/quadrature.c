@@ -44,13 +44,6 @@ static int piece(gsl_function *f, const double *ends, gsl_integration_workspace 
     return gsl_integration_qags(f, ends[0], ends[1], 1e-15, 1e-13, INTERVALS, w, value, error);
 }
 
-static int line(gsl_function *f, const double *unused, gsl_integration_workspace *w, double *value,
-                double *error)
-{
-    (void)unused;
-    return gsl_integration_qagi(f, 1e-14, 1e-12, INTERVALS, w, value, error);
-}
-
 static int cauchy(gsl_function *f, const double *where, gsl_integration_workspace *w, double *value,
                   double *error)
 {
@@ -65,11 +58,6 @@ double integral(integrand f, const void *context, size_t n, const double points[
         if (points[i] < points[i + 1])
             sum += quietly(piece, f, context, &points[i]);
     return sum;
-}
-
-double integral_over_line(integrand f, const void *context)
-{
-    return quietly(line, f, context, NULL);
 }
 
 double principal_value(integrand f, const void *context, double a, double b, double x)

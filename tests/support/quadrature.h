@@ -12,9 +12,6 @@ typedef double (*integrand)(double t, const void *context);
  * To about 1e-13 relative. */
 double integral(integrand f, const void *context, size_t n, const double points[]);
 
-/* int f from -infinity to infinity, f smooth. */
-double integral_over_line(integrand f, const void *context);
-
 /* Cauchy principal value of int f(t)/(t-x) dt over [a, b], a < x < b. */
 double principal_value(integrand f, const void *context, double a, double b, double x);
 

@@ -101,7 +101,9 @@ test("a formula of numbers takes less than half a microsecond", () => {
 });
 
 test("a status has its number and its words", () => {
-    assert.equal(rwedge.strerror(rwedge.statuses.RWEDGE_OK), "success");
+    const words = Object.values(rwedge.statuses).map(rwedge.strerror);
+    assert.equal(words[0], "success");
+    assert.equal(new Set([...words, rwedge.strerror(-1)]).size, words.length + 1); // each has its own
     assert.throws(() => made().load(1000, 900), (error) => error.message.includes(rwedge.strerror(rwedge.statuses[error.status])));
     assert.throws(() => {
         rwedge.statuses.RWEDGE_OK = 1;

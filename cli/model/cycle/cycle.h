@@ -47,7 +47,8 @@ typedef struct {
     const char *column, *meaning, *unit;
     int criterion;
     measure_part part;
-    int32_t number; /* as the library calls the measure; -1 for none */
+    int32_t number;    /* as the library calls the measure; -1 for none */
+    const char *title; /* of a value, as a picture has it: *a* is italic, _c a subscript */
 } measure_kind;
 extern const measure_kind measure_kinds[COLUMN_COUNT];
 

@@ -192,6 +192,7 @@ static bool yield_place(const contact_case *setup, double P_yield, cell row[],
     const int32_t status = rwedge_yield_point(alpha, setup->f, setup->nu1, &limit, &x, &y);
     if (status != RWEDGE_OK)
         return not_computed("yield_x", rwedge_strerror(status), complaint);
+    yield_place_settle(&x, &y);
     row[RESULT_YIELD_X] = cell_number(setup->Q < 0 ? -x * b : x * b);
     row[RESULT_YIELD_Y] = cell_number(y * b);
     row[RESULT_YIELD_BRANCH] = cell_text(y > 0 ? "subsurface" : "surface");
@@ -251,6 +252,7 @@ static bool yield_factor(const contact_case *setup, results *answer, char compla
     rwedge_contact_destroy(contact);
     if (status != RWEDGE_OK)
         return not_computed("yield_factor", rwedge_strerror(status), complaint);
+    yield_place_settle(&answer->hardest_x, &answer->hardest_y);
     answer->value[RESULT_YIELD_FACTOR] = cell_number(factor);
     return true;
 }

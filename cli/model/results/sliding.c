@@ -34,6 +34,7 @@ static int32_t look(const contact_case *setup, double k, const rwedge_contact *c
     at->b = rwedge_contact_half_width(contact);
     at->tension = fmax(sxx[0], sxx[1]);
     at->excess = log(factor);
+    yield_place_settle(&at->x, &at->y);
     return RWEDGE_OK;
 }
 

@@ -21,14 +21,12 @@ static const char *write(const writer *w, double value, char text[NUMBER_SIZE])
     return text;
 }
 
-/* The middle and the surface are found within rounding. */
 static void add_place(const writer *w, double x, double y)
 {
-    const double rounding = 1e-9, depth = y > rounding * fabs(x) ? y : 0;
     char x_text[NUMBER_SIZE], y_text[NUMBER_SIZE];
     list_add(w->to->strength, sizeof w->to->strength, "", " at x = %s, y = %s%s%s, %s the surface.",
-             write(w, fabs(x) > rounding * y ? x : 0, x_text), write(w, depth, y_text),
-             w->style.length[0] != '\0' ? " " : "", w->style.length, depth > 0 ? "below" : "at");
+             write(w, x, x_text), write(w, y, y_text), w->style.length[0] != '\0' ? " " : "",
+             w->style.length, y > 0 ? "below" : "at");
 }
 
 static void add_present(const writer *w, const results *answer, double factor)

@@ -55,6 +55,7 @@ for words in "table max-tension --a-over-b 1 --friction 0.3" "table critical-fri
     status_is 0
     same "the other names" "" "$(cmp first out 2>&1)"
 done
+refuses "--P: a value must follow, not the option --Q" solve --P --Q 3
 refuses "--f 0.3: given twice; allowed: once" solve --friction 0.2 --f 0.3
 refuses "--nu: a value must follow" $limit --nu
 refuses "--quiet=1: takes no value" $limit --quiet=1

@@ -147,6 +147,7 @@ same "decimal comma" "0,005;1" "$(sed -n 3p out)"
 all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure"
 refuses "which figure must follow; allowed: $all" figure
 refuses "1: unknown figure; allowed: $all" figure 1
+refuses "log.csv: unexpected; allowed: one figure, and options; --history gives a file of loads" figure fretting log.csv
 refuses "--friction 0.1: figure 4 does not depend on it; allowed: --a-over-b, --nu" figure 4 --friction 0.1
 refuses "--nu 0.3: figure 6 does not depend on it; allowed: none of the variables" figure 6 --nu 0.3
 refuses "--nu 0.2,0.3: must be one number" figure 3 --nu 0.2,0.3
@@ -197,6 +198,10 @@ for over in depth field; do
     column crossland out | paste -d ' ' - drawn | sed 's/ .*,/ /' >both
     close_rows "Crossland over the $over" 1e-12 0
 done
+if command -v gnuplot >/dev/null; then # words, not the name of a column
+    does figure measure --history loads.csv $specimen --cycles 2 --measure ruiz_f1
+    same "title and unit" "yes yes" "$(grep -q 'Ruiz parameter' out && echo yes) $(grep -q 'in units of force/length' out && echo yes)"
+fi
 refuses "--measure none: must be one of: stress_range, swt, fatemi_socie, slip_range, ruiz_f1, ruiz_f2, energy_per_area" \
     figure measure --history loads.csv $specimen --measure none
 refuses "--over field: slip_range is of the surface alone" figure measure --history loads.csv $specimen --measure slip_range --over field

@@ -21,6 +21,10 @@ close_rows "Nowell and Hills" 2e-5 0
 sed -i 's/"pull, again"/again/' out
 same "no yield stress" "- - - -" "$(cells yield_factor)"
 
+# Rounding beside the depth is no place: without friction it yields in the middle, to the last bit.
+run history --load 135.75,0 $specimen --k 300
+same "place of yield under P alone" 0 "$(column yield_x out)"
+
 # The same as solve, load by load from the virgin contact, and as profile for the whole history.
 same_as_solve() { # NAME COLUMN
     history=$(cells "$2" | cut -d ' ' -f 2)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The numerical tools of lib/base/: roots, quadrature, least squares. */
 #include "claims.h"
-#include "base/integral.h"
 #include "base/least_squares.h"
 #include "rwedge.h"
 #include "base/root.h"

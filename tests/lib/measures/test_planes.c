@@ -196,6 +196,21 @@ CLAIM(the_worst_plane_is_that_of_a_scan)
             }
 }
 
+/* In plane stress under compression planes out of the plane are the worst. The search ran out of
+ * patience along the side of a cell, and its value was 8e-8 of it too small. */
+CLAIM(a_worst_plane_beside_a_cell_is_found)
+{
+    const cycle c = {.n = 2,
+                     .sxx = {-0.38315830408701557, -1.9142652511662037},
+                     .syy = {-0.01000310088100409, -0.078424148767204674},
+                     .txy = {-0.058712556434125984, -0.36436191488408698},
+                     .E = 1,
+                     .nu = 0.33,
+                     .k = 0.38131379654066228,
+                     .plane_stress = true};
+    assert_true(scanned(&c, FATEMI_SOCIE) <= worst_of(&c, FATEMI_SOCIE).value * (1 + 1e-9));
+}
+
 /* The strain does not swing where the normal stress is high: no quick bound holds. */
 CLAIM(a_static_stress_across_a_plane_without_strain_hides_no_worse_one)
 {

@@ -98,21 +98,6 @@ static void slip_is_that_of_the_closed_form(const pair *c)
     }
 }
 
-CLAIM(mindlins_loading_unloading_and_reloading)
-{
-    for (int i = 0; i < 3; i++) {
-        pair c = begin(4, 0, TOLERANCES[i]);
-        const double Q[] = {1.2, 0.4, -0.9, -0.1, 1.1, 1.5};
-        for (int k = 0; k < 6; k++) {
-            go(&c, 4, 0, Q[k], 0);
-            slip_is_that_of_the_closed_form(&c);
-        }
-        assert_close(c.numerical.now.energy, rwedge_contact_dissipated_energy(c.exact),
-                     2e-4 + TOLERANCES[i]);
-        end(&c);
-    }
-}
-
 /* Each step left a kink where the edge had been: 40 of them made all that followed slow. */
 CLAIM(a_contact_that_grows_in_steps_keeps_few_kinks)
 {
@@ -123,29 +108,21 @@ CLAIM(a_contact_that_grows_in_steps_keeps_few_kinks)
     end(&c);
 }
 
-CLAIM(tension_in_phase_with_a_moment)
-{
-    for (int i = 0; i < 3; i++) {
-        pair c = begin(4, 1.2, TOLERANCES[i]);
-        go(&c, 4, 1.2, 1, 0.3);
-        go(&c, 4, 1.2, -0.5, -0.15);
-        go(&c, 4, 1.2, 0.8, 0.24);
-        end(&c);
-    }
-}
-
-/* Cattaneo's and Mindlin's partial slip holds on any pad. */
-CLAIM(mindlin_on_other_pads)
+/* Cattaneo's and Mindlin's partial slip holds on any pad, under a moment and a tension in phase. */
+CLAIM(loading_unloading_and_reloading_are_those_of_the_closed_form)
 {
     const double x[] = {-1.5, -0.6, 0.2, 0.2, 0.7, 1.8}, slope[] = {-1, -0.2, 0, 0.05, 0.3, 1};
-    for (int i = 0; i < 6; i++) {
+    const double shares[] = {0.8, -0.4, 0.6, 0.7};
+    for (int i = 0; i < 9; i++) {
         rwedge_contact *pad;
-        assert_ok(i < 3 ? rwedge_contact_create_flat(0.8, 3, 1, F, &pad)
-                        : rwedge_contact_create_profile(6, x, slope, 1, F, &pad));
-        pair c = begin_with(pad, 0.5, 0.02, TOLERANCES[i % 3]);
-        const double Q[] = {0.2, -0.1, 0.15};
-        for (int k = 0; k < 3; k++) {
-            go(&c, 0.5, 0.02, Q[k], 0.05 * Q[k]);
+        assert_ok(i < 3   ? rwedge_contact_create(1, 1, 1, F, &pad)
+                  : i < 6 ? rwedge_contact_create_flat(0.8, 3, 1, F, &pad)
+                          : rwedge_contact_create_profile(6, x, slope, 1, F, &pad));
+        const double P = i < 3 ? 4 : 0.5, M = i < 3 ? 1.2 : 0.02, tension = i < 3 ? 0.3 : 0.05;
+        pair c = begin_with(pad, P, M, TOLERANCES[i % 3]);
+        for (int k = 0; k < 4; k++) {
+            const double Q = shares[k] * F * P;
+            go(&c, P, M, Q, tension * Q);
             slip_is_that_of_the_closed_form(&c);
         }
         assert_close(c.numerical.now.energy * pad->geometry.theta * pad->geometry.theta,

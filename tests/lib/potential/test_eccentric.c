@@ -31,7 +31,7 @@ CLAIM(is_the_integral_of_the_pressure)
 {
     for (int i = 1; i < 4; i++) {
         rw_eccentric p;
-        rw_eccentric_init(&p, CASES[i].a, CASES[i].patch);
+        rw_eccentric_init_arc(&p, rw_rounding(CASES[i].a), CASES[i].patch);
         const double points[][2] = {{0.4, 0.7}, {-1.3, 0.5}, {1.2, 0.9}, {3, 2}};
         for (size_t k = 0; k < sizeof points / sizeof *points; k++) {
             cauchy c = {&p, points[k][0], points[k][1], false};
@@ -50,7 +50,7 @@ CLAIM(a_batch_has_the_bits_of_its_points)
 {
     for (int i = 0; i < COUNT; i++) {
         rw_eccentric potential;
-        rw_eccentric_init(&potential, CASES[i].a, CASES[i].patch);
+        rw_eccentric_init_arc(&potential, rw_rounding(CASES[i].a), CASES[i].patch);
         uint64_t seed = 11;
         double x[RW_BATCH], y[RW_BATCH];
         for (int k = 0; k < RW_BATCH; k++) {
@@ -73,7 +73,7 @@ CLAIM(a_centred_patch_has_the_bits_of_the_contact)
 {
     rw_eccentric patch;
     rw_potential contact;
-    rw_eccentric_init(&patch, 0.3, (rw_patch){-1.1, 1.1});
+    rw_eccentric_init_arc(&patch, rw_rounding(0.3), (rw_patch){-1.1, 1.1});
     rw_potential_init_patch(&contact, 0.3, 1.1);
     for (double x = -3; x < 3; x += 0.17) {
         const rw_field one = rw_eccentric_at(&patch, x, 0.4),

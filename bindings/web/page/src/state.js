@@ -45,6 +45,7 @@ export const state = { texts: {}, way: {} };
 let draw;
 /** What is done after each change. */
 export const drawWith = (f) => (draw = f);
+export const redraw = () => draw();
 
 export function set(changes) {
     Object.assign(state, changes);

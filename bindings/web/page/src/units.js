@@ -15,25 +15,17 @@ const made = (length, force, stress) => ({
     "force*stress/length": `${force}/${length}\u00b7${stress}`,
 });
 
+/** With the sizes of a length and a force in metres and newtons, where they have any. */
 export const unitSystems = {
-    mm: { name: "mm, N, MPa", unit: made("mm", "N", "MPa") },
-    m: { name: "m, N, Pa", unit: made("m", "N", "Pa") },
-    in: { name: "in, lbf, psi", unit: made("in", "lbf", "psi") },
+    mm: { name: "mm, N, MPa", unit: made("mm", "N", "MPa"), length: 1e-3, force: 1 },
+    m: { name: "m, N, Pa", unit: made("m", "N", "Pa"), length: 1, force: 1 },
+    in: { name: "in, lbf, psi", unit: made("in", "lbf", "psi"), length: 0.0254, force: 4.4482216152605 },
     any: { name: "any consistent units", unit: made("length", "force", "stress") },
-};
-
-/** In metres and newtons. */
-const sizes = {
-    mm: { length: 1e-3, force: 1 },
-    m: { length: 1, force: 1 },
-    in: { length: 0.0254, force: 4.4482216152605 },
 };
 
 /** What a number of a dimension is multiplied by; 1 where a set has no sizes. */
 export function conversion(from, to, dimension) {
-    const [length, force] = ["length", "force"].map(
-        (size) => (sizes[from]?.[size] ?? NaN) / (sizes[to]?.[size] ?? NaN),
-    );
+    const [length, force] = ["length", "force"].map((size) => unitSystems[from][size] / unitSystems[to][size]);
     const factors = { length, force, "force/length": force / length, stress: force / length ** 2 };
     return Number.isFinite(length) ? (factors[dimension] ?? 1) : 1;
 }

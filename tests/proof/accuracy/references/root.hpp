@@ -41,30 +41,4 @@ bool find_zero(ball *zero, const ball &guess, double width, const Function &func
     return false;
 }
 
-/* The same for a balance of a parameter: bool balance(parameter, &value, &slope), false where its
- * value or slope over a ball are not proved. */
-template <typename Balance>
-bool find_parameter(ball *parameter, double guess, const Balance &balance)
-{
-    ball value, slope, ignored, x = guess;
-    for (int i = 0; i < 6; i++) {
-        if (!balance(x, &value, &slope))
-            return false;
-        const ball step = value / slope;
-        x = midpoint(x - step);
-        if (is_small(step, x, bits / 3))
-            break;
-    }
-    if (!balance(x, &value, &slope))
-        return false;
-    for (slong n = bits / 3; n > 8; n -= bits / 16) {
-        const ball width = scaled(x, -n);
-        if (!balance(widened(x, width), &ignored, &slope) || !(abs(value / slope) < abs(width)))
-            continue;
-        *parameter = x - value / slope;
-        return true;
-    }
-    return false;
-}
-
 #endif

@@ -5,7 +5,6 @@
 
 #include "rows/rows.hpp"
 #include "rwedge.h"
-#include "references/root.hpp"
 #include "references/strength.hpp"
 
 namespace
@@ -67,45 +66,17 @@ ball judge_normal_load(const probe &call)
 
 /* ---- The load at first yield ---- */
 
-/* alpha d/dalpha of J2 at a point below the surface. With q = 2 phi0/(pi alpha), alpha dG/dalpha
- * = -z G' - q/X and alpha d(y G')/dalpha = -y G' - y z G'' + q y z/X^3: what a flat punch adds. */
-ball J2_by_alpha_below(const traction &t, const complex_ball &z)
-{
-    const patch &p = t.whole();
-    const complex_ball G = p.potential(z), dG = p.slope(z), X = root(z - 1) * root(z + 1);
-    const ball y = im(z), q = 2 * p.phi0 / t.a / pi();
-    const complex_ball punch = q * inv(X * X * X),
-                       K = 2 * p.c0 / pi() * inv((z - t.a) * (z + t.a) * X) + punch; /* G'' */
-    const complex_ball Ga = -(q * inv(X) + z * dG), Ha = y * ((punch - K) * z - dG);
-    /* D = f G + mu y G', mu = -1 + i f; s = Im G - f Re G */
-    const complex_ball mu(-1, t.f), D = mu * (y * dG) + t.f * G, Da = mu * Ha + t.f * Ga;
-    const ball s = im(G) - t.f * re(G), sa = im(Ga) - t.f * re(Ga);
-    return 2 * (t.kappa * s * sa + dot(D, Da));
-}
-
-/* The same at the surface and for fixed x/alpha, where alpha dp/dalpha is 2 phi0/(pi alpha
- * sqrt(1-x^2)). */
-ball J2_by_alpha_at_surface(const traction &t, const ball &x)
-{
-    const ball p = pressure(t.a, 1, x);
-    const ball q = 4 * t.whole().phi0 / (pi() * angle_of(x, 1).c0 * t.a); /* twice for the square */
-    return q * (sqr(t.f) * p + t.kappa * (p - x / t.a * t.f));
-}
-
-/* max sqrt(J2) - A k/theta, and its derivative by alpha < 1. */
-bool excess_of_peak(const probe &call, const ball &alpha, ball *excess, ball *slope)
+/* max sqrt(J2) over A k/theta, less 1; result[2], result[3] is where it yields. For Hertz the peak
+ * is that of alpha = 1 over alpha. */
+bool excess_of_peak(const probe &call, const ball &alpha, ball *excess)
 {
     const double *v = call.value, *r = call.result;
-    const traction t = sliding_contact(alpha, v[3], v[4]);
+    const ball tip = min(alpha, 1);
+    const traction t = sliding_contact(tip, v[3], v[4]);
     extremum at;
-    const bool is_below = r[3] > 0;
-    if (!(is_below ? find_stationary(&at, t, r[2], r[3]) : find_surface_maximum(&at, t, r[2])))
+    if (!(r[3] > 0 ? find_stationary(&at, t, r[2], r[3]) : find_surface_maximum(&at, t, r[2])))
         return false;
-    const ball by_alpha =
-        is_below ? J2_by_alpha_below(t, {at.x, at.y}) : J2_by_alpha_at_surface(t, at.x);
-    const ball peak = sqrt(at.J2);
-    *slope = by_alpha / alpha / peak / 2;
-    *excess = peak - ball(v[5]) / v[0] * v[2];
+    *excess = sqrt(at.J2) * tip / alpha / (ball(v[5]) / v[0] * v[2]) - 1;
     return true;
 }
 
@@ -117,11 +88,19 @@ bool yields_at_all(const probe &call)
     probe at = call;
     const double *v = call.value;
     double limit;
-    at.value[5] *= 1 + 1e-13;
+    ball excess;
     if (rwedge_yield_point(WIDEST, v[3], v[4], &limit, &at.result[2], &at.result[3]) != RWEDGE_OK)
         return true;
-    ball excess, slope;
-    return excess_of_peak(at, WIDEST, &excess, &slope) && excess > 0;
+    return excess_of_peak(at, WIDEST, &excess) && excess > 1e-13;
+}
+
+/* |d ln(P)/d ln(k)|, about. */
+double condition_of(const double v[6])
+{
+    static const double STEP = 1e-7;
+    const double P = rwedge_yield_load(v[0], v[1], v[2], v[3], v[4], v[5]),
+                 less = rwedge_yield_load(v[0], v[1], v[2], v[3], v[4], v[5] * (1 - STEP));
+    return log(P / less) / STEP;
 }
 
 /* The peak of sqrt(J2), in theta/A, from what a tip alpha has, so that all tips come up.
@@ -146,38 +125,16 @@ bool draw_yield_load(probe *call)
                     isinf(r[0]) || rwedge_yield_point(fmin(1, r[1]), f, nu, &limit, &r[2], &r[3]));
 }
 
-/* For Hertz the peak is that of alpha = 1 over alpha. */
-bool hertz_alpha(const probe &call, ball *alpha)
-{
-    const double *v = call.value;
-    ball excess, slope;
-    if (!excess_of_peak(call, 1, &excess, &slope))
-        return false;
-    *alpha = 1 + excess / (ball(v[5]) / v[0] * v[2]);
-    return true;
-}
-
-/* |d ln(alpha)/d ln(k)|, about. */
-double condition_of(const ball &alpha, const probe &call)
-{
-    const double *v = call.value;
-    ball excess, slope;
-    if (call.result[1] >= 1 || !excess_of_peak(call, alpha, &excess, &slope))
-        return 1;
-    return fabs(v[5] / v[0] * v[2] / middle(slope * alpha));
-}
-
+/* How far the peak under the load is from k, times the condition: the relative error of the load to
+ * first order. */
 ball judge_yield_load(const probe &call)
 {
-    ball alpha;
-    const auto balance = [&call](const ball &at, ball *excess, ball *slope) {
-        return excess_of_peak(call, at, excess, slope);
-    };
-    if (!(call.result[1] >= 1 ? hertz_alpha(call, &alpha)
-                              : find_parameter(&alpha, call.result[1], balance)))
+    const double *v = call.value, condition = condition_of(v);
+    const ball a = v[1], wanted = ball(v[2]) * call.result[0] / v[0];
+    ball excess;
+    if (!excess_of_peak(call, a / half_width(a, wanted, v[1] / call.result[1]), &excess))
         return unknown();
-    const ball P = normal_load(call.value, call.value[1] / alpha);
-    return relative_error(call.result[0], P) / fmax(1, 1e-4 * condition_of(alpha, call));
+    return abs(excess) * condition / fmax(1, 1e-4 * condition);
 }
 
 #define UNITS "lengths, A 1e-15 to 1e15, all AP/(theta a)"

@@ -377,17 +377,6 @@ tangential sticking_of(const pressed_patch &whole, const double v[])
     return {whole.c.P - T.load, whole.c.tilt - T.tilt};
 }
 
-} // namespace
-
-slipping ball_slipping(const probe &call)
-{
-    const pressed_patch whole = ball_pressed(call, 2);
-    return {edges_of(whole, sticking_of(whole, call.value), call.result), whole.edges};
-}
-
-namespace
-{
-
 ball judge_stick_zone(const probe &call)
 {
     const pressed_patch whole = ball_pressed(call, 2);

@@ -30,11 +30,4 @@ ball_edges patch_carrying(const std::function<carried(const ball_edges &)> &carr
 enum { THETA, ROUNDING, COMPLIANCE, LOAD, MOMENT, FRICTION, SHEAR, TENSION };
 bool draw_slipping(probe *call, rwedge_contact **made);
 
-/* Both patches of such a call, of the drawn loads; indeterminate where none is proved. */
-struct slipping {
-    ball_edges stick, whole;
-};
-
-slipping ball_slipping(const probe &call);
-
 #endif

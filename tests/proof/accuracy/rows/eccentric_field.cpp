@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses, slip and energy of a contact off the centre, from the sums over breakpoints of the
+/* Stresses and slip of a contact off the centre, from the sums over breakpoints of the
  * profile. With z = m + s sin(zeta), q = exp(i zeta), the ends of the rounding at sin(phi_j) with
  * the jumps k_j = +-1/a of the slope, psi_j = pi/2 - phi_j and
  *
@@ -18,12 +18,6 @@
 #include <initializer_list>
 #include <math.h>
 #include <vector>
-
-#ifdef BALLS_IN_FLINT
-#include <flint/acb_calc.h>
-#else
-#include <acb_calc.h>
-#endif
 
 #include "rows/eccentric.hpp"
 #include "rows/rows.hpp"
@@ -260,116 +254,6 @@ ball judge_slip(const probe &call)
     return error_over(r[FOUND], gap * unit, abs(unit * b) / flatness(stick, stick));
 }
 
-/* ---- Energy: slip at f p from zero does the work (f theta)^2/A int p gap dx ---- */
-
-/* A part of the slip zone on the right, with the ends of the rounding only at its own ends. */
-struct slip_zone {
-    const profile_patch *whole, *stick;
-    complex_ball at_edge; /* the height where it begins to stick */
-    face on;
-};
-
-/* p times the gap: p = i (G - h' + delta), as the surface follows the tilted profile. Both are
- * real there, and go on into the upper half-plane. */
-int work_density(acb_ptr work, const acb_t point, void *context, slong order, slong)
-{
-    const slip_zone &zone = *static_cast<const slip_zone *>(context);
-    complex_ball z;
-    acb_set(z.acb(), point);
-    if (order > 0 && !(im(z) > 0)) {
-        acb_indeterminate(work);
-        return 0;
-    }
-    const complex_ball slope = zone.on == TIP ? z / zone.whole->a : complex_ball(zone.on);
-    const complex_ball p = times_i(potential_at(*zone.whole, z) - slope + zone.whole->tilt);
-    acb_set(work, (p * (height_at(*zone.stick, z, zone.on) - zone.at_edge)).acb());
-    return 0;
-}
-
-/* From one end up, across, and down to the other: the formulas have their cuts below. */
-ball work_between(slip_zone *zone, const ball &from, const ball &to, const mag_t tolerance)
-{
-    const ball high = (to - from) / 2;
-    const complex_ball corner[] = {from, {from, high}, {to, high}, to};
-    ball work;
-    for (int i = 0; i < 3; i++) {
-        complex_ball part;
-        acb_calc_integrate(part.acb(), work_density, zone, corner[i].acb(), corner[i + 1].acb(),
-                           bits, tolerance, NULL, bits);
-        work += re(part);
-    }
-    return work;
-}
-
-/* What slips on the right of the patch. */
-ball work_on_the_right(const ball &a, const slipping &edges, const mag_t tolerance)
-{
-    ball work;
-    if (edges.whole.right <= edges.stick.right)
-        return work; /* it sticks up to the edge, to rounding of the loads */
-    const profile_patch stick = patch_of(a, edges.stick), whole = patch_of(a, edges.whole);
-    slip_zone zone = {&whole, &stick, {}, TIP};
-    ball mark = edges.stick.right;
-    bool begins = true;
-    for (const face on : {LEFT_FLANK, TIP, RIGHT_FLANK}) {
-        zone.on = on;
-        const ball corner = on == LEFT_FLANK ? -a : a;
-        const bool ends = on == RIGHT_FLANK || corner > edges.whole.right;
-        const ball next = ends ? edges.whole.right : corner;
-        if (next <= mark)
-            continue;
-        if (begins)
-            zone.at_edge = height_at(stick, edges.stick.right, on);
-        begins = false;
-        work += work_between(&zone, mark, next, tolerance);
-        mark = next;
-    }
-    return work;
-}
-
-ball_edges mirrored(const ball_edges &e)
-{
-    return {-e.right, -e.left};
-}
-
-/* Takes off what rounding of the loads is magnified by: |x| at the edges over the width, 1/(1 -
- * |delta|), and 1e-14 in units of 1e-12 of P over Q/f. */
-ball less_magnified(const ball &error, const double v[], const slipping &edges)
-{
-    const profile_patch stick = patch_of(v[ROUNDING], edges.stick),
-                        whole = patch_of(v[ROUNDING], edges.whole);
-    const ball width = 2 * whole.half, reach = max(abs(whole.middle) + whole.half, width);
-    const double of_loads = 1 + 0.01 * v[LOAD] / fabs(v[SHEAR] / v[FRICTION]);
-    return error * flatness(stick, whole) * width / reach / of_loads;
-}
-
-bool draw_energy(probe *call)
-{
-    rwedge_contact *contact;
-    if (!draw_slipping_rounded(call, &contact))
-        return false;
-    call->result[FOUND] = rwedge_contact_dissipated_energy(contact);
-    rwedge_contact_destroy(contact);
-    return true;
-}
-
-ball judge_energy(const probe &call)
-{
-    const precision here(2 * bits); /* the gap next to its edge is a small difference */
-    const double *v = call.value, *r = call.result;
-    const ball unit = sqr(ball(v[THETA]) * v[FRICTION]) / v[COMPLIANCE];
-    mag_t tolerance;
-    mag_init(tolerance);
-    arb_get_mag(tolerance, (r[FOUND] / unit).arb());
-    mag_mul_2exp_si(tolerance, tolerance, -72);
-    const slipping edges = ball_slipping(call);
-    const ball work =
-        work_on_the_right(v[ROUNDING], edges, tolerance) +
-        work_on_the_right(v[ROUNDING], {mirrored(edges.stick), mirrored(edges.whole)}, tolerance);
-    mag_clear(tolerance);
-    return less_magnified(relative_error(r[FOUND], work * unit), v, edges);
-}
-
 } // namespace
 
 const row ECCENTRIC_FIELD_ROWS[] = {
@@ -379,8 +263,5 @@ const row ECCENTRIC_FIELD_ROWS[] = {
     {"contact_slip, off the centre", "the same",
      "of f theta b, over 1 - \\|delta\\|; of the edges found", 1e-12, "1e-12", 1, draw_slip,
      judge_slip},
-    {"contact_dissipated_energy, off the centre", "the same",
-     "relative, times max(1, \\|x\\|/width), over 1 - \\|delta\\|; loads (4)", 1e-12, "1e-12 (4)",
-     0.004, draw_energy, judge_energy},
     {},
 };

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts with a load history: half-widths, tractions, stresses, slip, energy, distance from
- * yield. */
+/* Contacts with a load history: half-widths, tractions, stresses, slip, distance from yield. */
 #include <float.h>
 #include <math.h>
 
-#include "references/energy.hpp"
+#include "references/memory.hpp"
 #include "references/root.hpp"
 #include "rows/rows.hpp"
 #include "rwedge.h"
@@ -363,29 +362,6 @@ ball judge_slip(const probe &call)
                       b * unit * closeness(call));
 }
 
-/* ---- Energy ---- */
-
-/* The shares of all loads; each is allowed 1e-14 and four epsilon of the largest load over how
- * far Q/f gets ahead of what sticks, or over the new load. Shares of that rounding alone, A (f P
- * epsilon)^2, count as none. */
-ball judge_energy(const probe &call)
-{
-    state s(call);
-    ball sum, scale, most;
-    for (int i = 0; i < call.loads; i++) {
-        const load_point to = load_of(call, i);
-        const dissipation share = dissipation_to(s.now, to.load, to.shear, s.a, s.unit);
-        sum += share.energy;
-        scale += share.energy + sqr(to.load) * (DBL_EPSILON * DBL_EPSILON / 1e-14);
-        most = max(most, to.load);
-        if (sign_beside(share.ahead, most) > 0)
-            scale += share.energy * most / min(share.ahead, to.load) * (4 * DBL_EPSILON / 1e-14);
-        advance(&s, i);
-    }
-    const ball unit = sqr(s.f) * s.A / pi();
-    return error_over(call.result[0], sum * unit, scale * unit);
-}
-
 /* ---- Distance from yield ---- */
 
 bool draw_yield_factor(probe *call)
@@ -478,8 +454,6 @@ const row HISTORY_ROWS[] = {
      draw_stresses, judge_stresses},
     {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-12, "1e-12", 1,
      draw_slip, judge_slip},
-    {"contact_dissipated_energy", "the same", "of the shares; loads (3)", 1e-12, "1e-12 (3)", 1,
-     draw_measured<rwedge_contact_dissipated_energy>, judge_energy},
     {"contact_yield_factor", "the same; nu to 0.4999", "relative; widths (1)", 1e-12, "1e-12", 0.1,
      draw_yield_factor, judge_yield_factor},
     {},

@@ -191,16 +191,14 @@ bool draw_critical_friction(probe *call)
     return true;
 }
 
-/* The promise is 1e-11 f, or 1e-14/f. */
+/* The error to first order. The promise is 1e-11 f, or 1e-14/f. */
 ball judge_critical_friction(const probe &call)
 {
-    ball f;
-    const auto balance = [&call](const ball &friction, ball *excess, ball *slope) {
-        return excess_below(call, friction, excess, slope);
-    };
-    if (!find_parameter(&f, call.result[0], balance))
+    const double f = call.result[0];
+    ball excess, slope;
+    if (!excess_below(call, f, &excess, &slope))
         return unknown();
-    return error_over(call.result[0], f, max(f, 1e-3 / f));
+    return abs(excess / slope) / fmax(f, 1e-3 / f);
 }
 
 } // namespace

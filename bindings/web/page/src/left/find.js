@@ -4,7 +4,7 @@ import { html } from "lit-html";
 import { readNumber, writeNumber } from "../number.js";
 import { options, remembered } from "../parts.js";
 import { findInput } from "../solution.js";
-import { set } from "../state.js";
+import { redraw } from "../state.js";
 import { inputs } from "../words.js";
 import { put } from "./form.js";
 
@@ -20,7 +20,7 @@ const taker =
     (part) =>
     ({ target }) => {
         wanted[part] = target.value;
-        set({});
+        redraw();
     };
 
 export function finder(model) {

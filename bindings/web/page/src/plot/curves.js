@@ -103,10 +103,3 @@ export function curvesText(spec) {
         "</svg>"
     );
 }
-
-/** The curves' numbers as a table: all of one x. */
-export const curvesTable = (xName, curves, units = []) => ({
-    names: [xName, ...curves.map((c) => c.column ?? c.name)],
-    units,
-    rows: Array.from(curves[0].x, (x, i) => [x, ...curves.map((c) => c.y[i])]),
-});

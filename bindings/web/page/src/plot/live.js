@@ -3,7 +3,7 @@
 import { html } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { shown, writeNumber } from "../number.js";
-import { set } from "../state.js";
+import { redraw } from "../state.js";
 import { curvesText, valuesUnder } from "./curves.js";
 import { saveButtons } from "./save.js";
 
@@ -24,8 +24,8 @@ export const noResults = "No results: the status says why.";
 
 const pins = {}; // curves of another case, by the name of their plot
 
-/** spec: what curvesText() takes, or a text that says why there is none; table() for its file. */
-export function curvePlot(name, spec, table) {
+/** spec: what curvesText() takes, or a text that says why there is none; columns() for its file. */
+export function curvePlot(name, spec, columns) {
     const isDrawn = typeof spec !== "string",
         pinned = pins[name] ?? [];
     const tell = (event) => {
@@ -34,11 +34,11 @@ export function curvePlot(name, spec, table) {
     };
     const pin = () => {
         pins[name] = pinned.length > 0 ? [] : spec.curves;
-        set({});
+        redraw();
     };
     const button = html`<button type="button" aria-pressed=${pinned.length > 0} @click=${pin}>Pin these curves</button>`;
     return html`
         <div id="plot-${name}" .innerHTML=${isDrawn ? curvesText({ ...spec, pinned }) : spec && `<p>${spec}</p>`} @pointermove=${tell}></div>
         <p class="note under-pointer" .textContent=${live(isDrawn ? "Point at the curves to read them." : "")}></p>
-        ${saveButtons(name, table, isDrawn, button)}`;
+        ${saveButtons(name, columns, isDrawn, button)}`;
 }

@@ -39,27 +39,28 @@ function savePng(name, svg) {
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svgText(svg))}`;
 }
 
-/** Rows of numbers, columns by name, with units; as the tool writes them, with ; between cells where the decimal sign is a comma. */
-function csvText({ names, units = [], rows }) {
+/** Columns as the tool writes them, with ; between cells where the decimal sign is a comma. */
+function csvText(columns) {
     const between = shown.sign === "," ? ";" : ",";
-    const heads = names.map((name, i) => (units[i] ? `${name} [${units[i]}]` : name));
-    const cell = (value) => (value === null || Number.isNaN(value) ? "" : shortNumber(value));
-    return [heads, ...rows.map((row) => row.map(cell))].map((row) => row.join(between)).join("\n") + "\n";
+    const heads = columns.map(({ name, unit }) => (unit ? `${name} [${unit}]` : name));
+    const cell = (value) => (Number.isNaN(value) ? "" : shortNumber(value));
+    const rows = Array.from(columns[0].numbers, (_, i) => columns.map(({ numbers }) => cell(numbers[i])));
+    return [heads, ...rows].map((row) => row.join(between)).join("\n") + "\n";
 }
 
 const forms = {
     SVG: (name, svg) => download(name, svgText(svg), "image/svg+xml"),
     PNG: savePng,
-    CSV: (name, _, table) => download(name, csvText(table()), "text/csv"),
+    CSV: (name, _, columns) => download(name, csvText(columns()), "text/csv"),
 };
 
 /** A file of a plot is named for the case. */
 const fileOf = (name, form) =>
     `${[shown.name.replace(/[^\p{L}\p{N}.-]+/gu, "-"), name].filter(Boolean).join("-")}.${form.toLowerCase()}`;
 
-/** Buttons for the plot in the element plot-NAME; table() is { names, units, rows }. */
-export const saveButtons = (name, table, isDrawn, more = "") => html`<p class="save" ?hidden=${!isDrawn}>Save as
+/** Buttons for the plot in the element plot-NAME; columns() are those of its table, [{ name, unit, numbers }]. */
+export const saveButtons = (name, columns, isDrawn, more = "") => html`<p class="save" ?hidden=${!isDrawn}>Save as
     ${Object.entries(forms).map(
         ([form, save]) => html`<button type="button" aria-label="Save ${name} as ${form}"
-            @click=${() => save(fileOf(name, form), document.querySelector(`#plot-${name} svg`), table)}>${form}</button> `,
+            @click=${() => save(fileOf(name, form), document.querySelector(`#plot-${name} svg`), columns)}>${form}</button> `,
     )}${more}</p>`;

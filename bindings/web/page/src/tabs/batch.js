@@ -4,7 +4,7 @@ import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { Aside } from "../aside.js";
 import { copyButton, download } from "../parts.js";
-import { set, setter, state } from "../state.js";
+import { redraw, set, setter, state } from "../state.js";
 
 const SHOWN = 100; // rows that are drawn; all are copied
 const example =
@@ -76,7 +76,7 @@ function remarkOf(solved) {
 
 const save = (solved, sign) => download("solved.csv", csvOf(linesOf(solved, sign), sign), "text/csv");
 
-export const aside = new Aside("rows", () => set({}));
+export const aside = new Aside("rows", redraw);
 
 export function batch({ texts, sign, write }) {
     const solved = aside.ask([state.batch, texts, sign]) ?? { complaint: "" },

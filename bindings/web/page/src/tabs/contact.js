@@ -5,7 +5,6 @@ import { remembered } from "../parts.js";
 import { isOffCentre, safetyOnStrength } from "../solution.js";
 import { groups, ofEdges, symbols } from "./symbols.js";
 import { resultKinds } from "../words.js";
-import { curvesTable } from "../plot/curves.js";
 import { curvePlot, noResults } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { placesAcross } from "../stresses.js";
@@ -81,7 +80,10 @@ const tractionsOf = remembered(tractions);
 export function contact(model) {
     const { results, unit } = model,
         curves = results && tractionsOf(model);
-    const columns = () => curvesTable("x", curves, [unit.length, ...curves.map(() => unit.stress)]);
+    const columns = () => [
+        { name: "x", unit: unit.length, numbers: curves[0].x },
+        ...curves.map(({ column, y }) => ({ name: column, unit: unit.stress, numbers: y })),
+    ];
     return html`${curvePlot("tractions", curves ? plotOf(model, curves) : noResults, columns)}
         <p class="note">Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.</p>
         <div class="wide few">${curves && groups.map((group) => groupPart(model, group))}</div>

@@ -9,7 +9,7 @@ import { roomy } from "../plot/axes.js";
 import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { writeNumber } from "../number.js";
-import { set, setter, state } from "../state.js";
+import { redraw, set, setter, state } from "../state.js";
 import { bar } from "../verdict.js";
 import { criteria, measures } from "../words.js";
 import { table } from "./table.js";
@@ -90,19 +90,13 @@ function worstTable(answer, model) {
     return table("The worst places", [...rows, ...verdictRows(answer, model)]);
 }
 
-function surfaceTable({ x, measured }, unit) {
-    const names = Object.keys(measured);
-    return {
-        names: ["x", ...names],
-        units: [unit.length, ...names.map((name) => unitOf(name, unit))],
-        rows: Array.from(x, (v, i) => [v, ...names.map((name) => measured[name][i])]),
-    };
-}
+const surfaceColumns = ({ x, measured }, unit) => [
+    { name: "x", unit: unit.length, numbers: x },
+    ...Object.entries(measured).map(([name, numbers]) => ({ name, unit: unitOf(name, unit), numbers })),
+];
 
-function loopTable({ loop }) {
-    const names = loopNames(loop).map((name) => name.replaceAll(" ", "_"));
-    return { names, rows: Array.from(loop.x, (v, i) => [v, loop.y[i]]) };
-}
+const loopColumns = ({ loop }) =>
+    loopNames(loop).map((name, i) => ({ name: name.replaceAll(" ", "_"), numbers: [loop.x, loop.y][i] }));
 
 function remarkOf(answer) {
     if (answer.complaint !== undefined) return answer.complaint;
@@ -138,15 +132,15 @@ const entries = () => html`
 /** The worst places and the plots; nothing where there is a complaint. */
 function answers(answer, model) {
     const isThere = answer.complaint === undefined,
-        onSurface = () => surfaceTable(answer, model.unit);
+        onSurface = () => surfaceColumns(answer, model.unit);
     const plot = (name, spec, columns) => curvePlot(name, isThere ? spec(answer, model) : "", columns);
     const slip = () => alongOf(answer, model, "slip_range", "range of slip along the surface");
     return html`<div class="wide">${isThere ? [sentence(answer, model), worstTable(answer, model)] : nothing}</div>
         ${plot("criterion", fatigueOf, onSurface)} ${plot("slip", slip, onSurface)}
-        ${plot("loop", loopOf, () => loopTable(answer))}`;
+        ${plot("loop", loopOf, () => loopColumns(answer))}`;
 }
 
-export const aside = new Aside("cycle", () => set({}));
+export const aside = new Aside("cycle", redraw);
 
 /** On the surface, where the tab is seen and there is one. */
 export const worstPlace = () =>

@@ -4,7 +4,6 @@ import { html } from "lit-html";
 import { orNull, rwedge } from "../library.js";
 import { remembered } from "../parts.js";
 import { isOffCentre, safetyOnStrength } from "../solution.js";
-import { curvesTable } from "../plot/curves.js";
 import { curvePlot, noResults } from "../plot/live.js";
 import { table } from "./table.js";
 
@@ -102,7 +101,11 @@ const branchesOf = remembered(branches);
 export function strength(model) {
     const reason = reasonFor(model),
         curves = !reason && branchesOf(model);
-    return html`${curvePlot("elastic-limit", reason || plotOf(model, curves), () => curvesTable("f", curves))}
+    const columns = () => [
+        { name: "f", numbers: curves[0].x },
+        ...curves.map(({ column, y }) => ({ name: column, numbers: y })),
+    ];
+    return html`${curvePlot("elastic-limit", reason || plotOf(model, curves), columns)}
         <p class="note">${!reason && isOffCentre(model.setup) ? offCentreRemark : ""}</p>
         <div class="wide">${!reason || (model.results && model.pad !== "wedge") ? numbers(model) : ""}</div>`;
 }

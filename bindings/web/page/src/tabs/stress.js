@@ -42,13 +42,10 @@ function plotOf(model, { grid, field }) {
     );
 }
 
-function tableOf({ unit }, { grid, field }, measure) {
-    const columns = [grid.x, grid.y, field.sxx, field.syy, field.txy, field.values];
-    return {
-        names: ["x", "y", "sxx", "syy", "txy", measure],
-        units: columns.map((_, i) => (i < 2 ? unit.length : unit.stress)),
-        rows: Array.from(grid.x, (_, i) => columns.map((column) => column[i])),
-    };
+function columnsOf({ unit }, { grid: { x, y }, field }, measure) {
+    const stresses = ["sxx", "syy", "txy"].map((name) => ({ name, numbers: field[name] }));
+    const all = [...stresses, { name: measure, numbers: field.values }].map((each) => ({ ...each, unit: unit.stress }));
+    return [{ name: "x", unit: unit.length, numbers: x }, { name: "y", unit: unit.length, numbers: y }, ...all];
 }
 
 const seenOf = remembered((model, measure, isFine) => {
@@ -73,7 +70,7 @@ export function stress(model) {
     return html`<p class="tools"><label for="measure">Contours of</label>
             <select id="measure" @change=${setter("measure")}>${options(titles, measure)}</select></p>
         <div id="plot-stress">${plot ?? html`<p>${noResults}</p>`}</div>
-        ${saveButtons("stress", () => tableOf(model, seen, measure), Boolean(seen))}
+        ${saveButtons("stress", () => columnsOf(model, seen, measure), Boolean(seen))}
         <p>${seen && hardestText(model)}</p>
         ${probe(model)}`;
 }

@@ -51,9 +51,7 @@ export const tabList = () =>
 export function tabPanels(model) {
     drawTab(model);
     return names.map(
-        (
-            name,
-        ) => html`<div role="tabpanel" id="panel-${name}" aria-labelledby="tab-${name}"
+        (name) => html`<div role="tabpanel" id="panel-${name}" aria-labelledby="tab-${name}"
             aria-busy=${asides[name]?.busy || nothing} ?hidden=${name !== state.tab}>
             <p class="note bad" role="alert">${drawn[name].fault}</p>
             <div class=${drawn[name].old ? "old" : ""}>${drawn[name].content}</div></div>`,

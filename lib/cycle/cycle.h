@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The states that a contact goes through in a cycle of loads. */
-#ifndef RW_STATES_H
-#define RW_STATES_H
+/* The states that a contact goes through in a cycle of loads, and what happens to a place. */
+#ifndef RW_CYCLE_H
+#define RW_CYCLE_H
 
 #include "contact/contact.h"
 
@@ -39,5 +39,20 @@ const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_list 
 /* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an
  * edge, and the place must be on the same side of it in all states. */
 double rw_cycle_off_the_edges(const rw_cycle *cycle, double x);
+
+/* What friction does at a place of the surface. All 0 where there is no contact in the cycle. */
+typedef struct {
+    double slip_range, shear, energy; /* shear: the largest magnitude of q */
+} rw_rubbing;
+
+rw_rubbing rw_rubbing_at(const rw_cycle *cycle, double x);
+
+/* The stresses after each load at n places, 3 loads n numbers: those of a load one after the other,
+ * sxx of all loads first, then syy and txy. */
+int32_t rw_cycle_stresses(const rw_cycle *cycle, size_t n, const double x[], const double y[],
+                          double stress[]);
+
+/* The largest sxx after any load at the place i, from the stresses at n places. */
+double rw_largest_stress(const rw_cycle *cycle, size_t n, const double stress[], size_t i);
 
 #endif

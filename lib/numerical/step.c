@@ -228,18 +228,22 @@ static rw_zones moved_to(rw_zones zones, rw_patch contact)
     return zones;
 }
 
-/* Tries the zones of a similar step. */
+/* Tries the zones of a similar step; or those before the step, if they go on slipping as they
+ * did. */
 static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_outcome *best)
 {
-    const rw_zones zones = moved_to(*guess, p->to);
-    return try_pattern(w, p, &zones, 0, p->half * 1e-3, best);
+    const rw_zones *old = &p->old->zones;
+    if (!guess && (old->count < 2 || rw_rates_wrong(&w->fronts, &w->start, old, old) > 0))
+        return false;
+    const rw_zones zones = moved_to(guess ? *guess : *old, p->to);
+    return try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
 }
 
 /* The best outcome by exact fronts; or by the grid, where `coarse` allows it. */
 static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coarse,
                   rw_outcome *best)
 {
-    bool is_known = guess && try_guess(w, p, guess, best);
+    bool is_known = try_guess(w, p, guess, best);
     if (is_known && best->violation <= p->allowed)
         return true;
     const rw_layers layers = p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};

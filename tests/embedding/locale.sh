@@ -24,9 +24,7 @@ program=$1
 same solve --input "$work/in.csv"
 same solve --input "$work/in.csv" --format json
 same table elastic-limit --a-over-b 0.1,0.25 --friction 0:0.3:0.1
-same profile --a-over-b 0.3 --f 0.3 --q-over-fp 0.5
-same field --a-over-b 0.3 --f 0.3 --format vtk
-same figure 4 --data
+same field --a-over-b 0.3 --f 0.3 --x 0,0.5 --y 0.5 --format vtk
 # the file names the command that wrote it
 if (cd "$work" && "$program" workbook -o book.xlsx) 2>"$work/said"; then
     mv "$work/book.xlsx" "$work/c.xlsx"

@@ -42,15 +42,6 @@ exact 'function key(v) { return sprintf("%.9g", v) }
 close_rows "Fig. 3: limit and depth" 0 1e-6
 same "a/b of the paper's grid" 20 "$(wc -l <both | tr -d ' ')"
 
-# The jump of the yield point, where both branches have the same limit; there is none for nu = 0.5.
-jump=$(exact '$5 == "subsurface" { print $1, $3; exit }' fig3)
-exact -v jump="$jump" 'BEGIN { split(jump, of, " ") }
-    $1 == of[1] && $5 == "surface" { print 0.0176467412, $1; print of[2], $3 }' fig3 >both
-close_rows "Fig. 3: jump" 1e-8 0
-same "values at the jump" 2 "$(wc -l <both | tr -d ' ')"
-run figure 3 --nu 0.5 --data
-same "rows at the surface for nu = 0.5, that of the sharp wedge" 1 "$(grep -c ',surface$' out)"
-
 # Figs. 4 and 5: the cusp is a row of both branches, at the critical friction.
 run table critical-friction --a-over-b 0.1:1:0.1
 exact 'NR == FNR { if (FNR > 1) { f[$1] = $3; limit[$1] = $4 } next }

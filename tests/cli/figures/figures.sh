@@ -139,12 +139,8 @@ has a/b "P/(bk)" y/b "ν = 0.2" "jump at 0.5542"
 draws svg 4
 has f "P/(bk)" 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 "ν = 0.3"
 same "curves of Fig. 4" 10 "$(grep -c 'id="gnuplot_plot_' drawn.svg)"
-draws svg 5
-has "every 0.0125 in f" "jump to the surface"
 draws svg 6
 has "bσ1/(fP)" "1, sharp wedge" "4/π, Hertz"
-draws svg 7
-has "c/b = 0" "c/b = 1/6" "c/b = 0.5"
 draws svg field --c-over-b 0.5 --friction 0.6
 has "f = 0.6" "c/b = 0.5" "black: stick" "first yield"
 

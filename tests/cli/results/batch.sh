@@ -312,14 +312,4 @@ same "rows" "$((rows + 1))" "$(wc -l <many_solved.csv | tr -d ' ')"
 same "last case" "$rows" "$(tail -n 1 many_solved.csv | cut -d , -f 1)"
 same "rows without an error" "$rows" "$(grep -c ',$' many_solved.csv)"
 
-# Memory does not grow with the file: 80 MB of wide rows.
-called="rwedge solve -i -, 80 MB"
-filler=$(head -c 100000 /dev/zero | tr '\0' x)
-status=0
-(ulimit -v $limit
-awk -v filler="$filler" 'BEGIN { print "P,a,filler"; for (i = 0; i < 800; i++) print "100,1," filler }' |
-    "$rwedge" solve -i - $fixed 2>err) >wide.csv || status=$?
-status_is 0
-same "rows" 801 "$(wc -l <wide.csv | tr -d ' ')"
-
 finish

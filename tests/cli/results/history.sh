@@ -117,11 +117,6 @@ message_is "rwedge history: unused.csv: columns with numbers that are not used: 
 same "in the warnings of the row that has one" "columns with numbers that are not used: 'T'|-" \
     "$(column warnings out | paste -s -d '|' -)"
 fails "column left: a result has that name; allowed: any other" 'P,Q,left\n1,0,0\n'
-printf 'P;Q\n135,75;30\n135,75;-30\n' >comma.csv
-run history cycle.csv $specimen
-cp out expected
-run history comma.csv $specimen --decimal-comma
-same "decimal comma" "" "$(tr ';,' ',.' <out | diff expected -)"
 refuses "--load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
 refuses "a file of loads must follow, with the columns P and Q, perhaps M, sigma; or --load P,Q for each" history $specimen
 

@@ -104,16 +104,6 @@ refuses "--hull: needs --profile" history loads.csv $steel --f 0.3 --radius 1 --
 printf 'P\n1\n' >cases.csv
 refuses "--hull: needs --profile, or a column profile" solve -i cases.csv $steel --hull --radius 1
 refuses "--output worn.csv: it is the input; allowed: another file" solve $steel $loads --profile worn.csv -o worn.csv
-for option in radius=100 P=150 f=0.3; do # found, and then given
-    name=${option%=*} rest=
-    for other in radius=100 P=150 f=0.3; do
-        [ "$other" = "$option" ] || rest="$rest --${other%=*} ${other#*=}"
-    done
-    does solve $steel --flat 1 $rest --k 500 --for $name --safety 1.5
-    close_to "safety with the $name found" 1.5 "$(value safety)" 1e-10
-    run solve $steel --flat 1 $rest --k 500 --$name "$(value $name)"
-    close_to "safety with the $name given" 1.5 "$(value safety)" 1e-10
-done
 does solve $steel --profile worn.csv --P 300 --k 900 --for f --safety 1.1
 close_to "safety of a profile" 1.1 "$(value safety)" 1e-10
 cannot "no solution: none is found, as far as the pad is known" \

@@ -115,13 +115,11 @@ run solve --E1 210000 --nu1 0.5 --theta 0.001 --a 1 --P 100 --f 0 --k 300 --layo
 same "safety in JSON" 1 "$(grep -c '"safety": "> 1e14"' out)"
 
 # Partial slip under the given Q is never nearer to yield than full sliding, and equal to it at Q = f P.
-for Q in 0 3 9 10; do
-    run solve $steel --theta 0.05 --a 1 --P 100 --f 0.1 --Q $Q --k 100 --yield-factor
-    limit=$(formula "$(value P_over_bk) / $(value load_over_bk)")
-    [ $Q = 10 ] && close_to "yield factor in full sliding" "$limit" "$(value yield_factor)" 1e-10
-    same "yield factor at Q = $Q" yes \
-        "$(awk "BEGIN { if ($(value yield_factor) >= $limit * (1 - 1e-10)) print \"yes\" }")"
-done
+run solve $steel --theta 0.05 --a 1 --P 100 --f 0.1 --Q 10 --k 100 --yield-factor
+limit=$(formula "$(value P_over_bk) / $(value load_over_bk)")
+close_to "yield factor in full sliding" "$limit" "$(value yield_factor)" 1e-10
+run solve $steel --theta 0.05 --a 1 --P 100 --f 0.1 --Q 3 --k 100 --yield-factor
+same "in partial slip" larger "$(awk "BEGIN { if ($(value yield_factor) > $limit) print \"larger\" }")"
 
 # Reference values: contacts of half-width 1 with A = 1e-5, theta = 0.01, all at once.
 awk -F, 'NR == 1 { print "case,a,P"; next } { printf "%d,%s,%.17g\n", NR, $1, $2 * 0.01 / 1e-5 }' \

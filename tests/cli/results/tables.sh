@@ -76,11 +76,6 @@ echo "1 $(sed -n 2p out | cut -d , -f 4)
 1 $(sed -n 2p out | cut -d , -f 5)
 $(awk -v p="$p0" 'BEGIN { printf "%.17g", 1 - 0.5 * p }') $(sed -n 3p out | cut -d , -f 5)" >both
 close_rows "pressures of a flat pad" 1e-13 0
-run table elastic-limit --a-over-b 1 --friction 0,0.1,0.5
-column P_over_bk out >hertz
-run table elastic-limit --pad flat --a-over-b 0 --friction 0,0.1,0.5
-column P_over_bk out | paste -d ' ' hertz - >both
-close_rows "a flat of no width is a cylinder" 1e-12 0
 run table elastic-limit --pad flat --a-over-b 0.5 --friction 0,0.3 --digits 9
 same "without friction on the right" yes "$(awk -F, 'NR == 2 && $5 > 0.8 && $6 > 0.2 { print "yes" }' out)"
 limit=$(sed -n 3p out | cut -d , -f 4)

@@ -8,7 +8,7 @@
 
 /* A kind of figure: what it depends on, the numbers behind it, and the drawing of them. */
 
-/* Those of variable.h, and two more. */
+/* Those of tables, and two more. */
 enum { C_OVER_B = VARIABLE_COUNT, SIGMA_OVER_MAX, FIGURE_VARIABLES };
 
 /* How a figure depends on a variable: the default, NULL where it does not depend on it, "" where

@@ -13,7 +13,6 @@ static const char zero_step[] = "the STEP of START:STOP:STEP must not be 0";
 static const char wrong_sign[] = "the STEP of START:STOP:STEP must lead from START towards STOP";
 static const char too_many[] = "must not have more than 1000000000 values";
 static const char impossible[] = "must be 0, or 1e-60 to 1e60 in magnitude";
-static const char no_memory[] = "out of memory";
 
 enum { START, STOP, STEP };
 
@@ -97,9 +96,7 @@ static const char *read_list(const char *text, range *values)
     size_t commas = 0;
     for (const char *c = text; *c != '\0'; c++)
         commas += *c == ',' ? 1 : 0;
-    values->items = malloc((commas + 1) * sizeof *values->items);
-    if (values->items == NULL)
-        return no_memory;
+    values->items = memory_zeroed(commas + 1, sizeof *values->items);
     for (;; text++) {
         const size_t length = number_length(text);
         if (!number_read_part(text, length, &values->items[values->count]))

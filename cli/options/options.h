@@ -9,8 +9,8 @@
 
 #include <popt.h>
 
-/* ---- arguments ---- A command's options and operands, by popt, with one line for every mistake.
- * */
+/* ---- arguments ---- A command's options and operands, by popt, with one line for every
+ * mistake. */
 
 /* Each option of a command's table has a number, its val, from 1 to OPTION_LIMIT - 1. Its arg is
  * NULL, so that popt hands every value over. The first few are common to all commands. */

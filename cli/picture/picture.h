@@ -34,7 +34,7 @@ void dataset_add(dataset *to, data_row row);
 size_t dataset_curve(const dataset *data, int number, size_t *first);
 int dataset_curves(const dataset *data);
 
-/* A rows_writer of output_options.h for a dataset. */
+/* A rows_writer for a dataset. */
 void dataset_write(void *of_dataset, records *rows);
 
 /* ---- drawing ---- A picture, described without regard to what draws it: axes, curves over the

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* ---- start ---- What must be in order before anything is read or written. */
+/* ---- program ---- What must be in order before anything is read or written. */
 
 /* Gives the program its standard streams, and at least one argument. Both are what main() was
  * given, and may change. A file must not get the number of a standard stream that was closed:
@@ -16,13 +16,11 @@
  * which popt would take no option after an operand, such as a table's name, are taken away. */
 bool start(int *count, const char ***words);
 
-/* ---- processors ---- */
-
 /* How many threads the machine can run at a time, at least 1. */
 long processors(void);
 
-/* ---- files ---- Files by their names, which are UTF-8 where the system has characters in names.
- * */
+/* ---- files ---- Files by their names, which are UTF-8 where the system has characters in
+ * names. */
 
 typedef enum {
     FILE_REGULAR,
@@ -43,7 +41,7 @@ int file_to_write(const char *path);
 /* What errno says of a file, for a message. */
 const char *file_problem(int reason);
 
-/* ---- streams ---- Temporary files as streams. */
+/* ---- files ---- Temporary files as streams. */
 
 bool stream_is_terminal(FILE *stream);
 

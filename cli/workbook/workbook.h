@@ -29,8 +29,8 @@ typedef struct {
 } yield_table;
 
 /* To ten digits, as the sheets have numbers: a last bit that differs between math libraries does
- * not show. The second is for a value of the library; it ends the command where that is not finite.
- * */
+ * not show. The second is for a value of the library; it ends the command where that is not
+ * finite. */
 double workbook_rounded(double value);
 double workbook_computed(double value);
 

@@ -53,15 +53,14 @@ static bool jacobian(rw_fronts *f, const double r[], double J[])
 }
 
 /* A front does not jump over a kink of the old traction: it stops just beyond it. */
-static void stop_at_kinks(const rw_fronts *f, double d[])
+static void stop_at_kinks(const rw_fronts *f, int j, double d[])
 {
     const rw_problem *p = f->problem;
-    for (int j = 0; j < f->fronts; j++)
-        for (int i = 0; i < p->old->kinks; i++) {
-            const double to = rw_angle_of(p, p->old->kink[i]) - f->y[j];
-            if (to * (to - d[j]) < 0 && fabs(to) > 4e-5)
-                d[j] = to + copysign(2e-5, d[j]);
-        }
+    for (int i = 0; i < p->old->kinks; i++) {
+        const double to = rw_angle_of(p, p->old->kink[i]) - f->y[j];
+        if (to * (to - d[j]) < 0 && fabs(to) > 4e-5)
+            d[j] = to + copysign(2e-5, d[j]);
+    }
 }
 
 /* The part of the step d that leaves at least a quarter of each zone. */
@@ -102,6 +101,38 @@ static bool go_along(rw_fronts *f, const double d[], double r[], double *size)
     return true;
 }
 
+/* The sign that K has where the traction beyond a front would exceed friction, so that the front
+ * must move into the zone that sticks; and the way there. */
+static int slip_at(const rw_fronts *f, int j)
+{
+    return f->label[j] != 0 ? f->label[j] : f->label[j + 1];
+}
+
+static int inwards(const rw_fronts *f, int j)
+{
+    return f->label[j] != 0 ? 1 : -1;
+}
+
+/* Where a front would move by more than this, K stays. */
+static const double FLAT = 1;
+
+/* A front that moves into the zone that sticks lowers its own K, but not in places that have
+ * slipped before: there K stays, and its slope is noise. The step of such a front is set: beyond
+ * them. */
+static void pass_flat_parts(const rw_fronts *f, double J[], const double r[], double d[])
+{
+    const int n = f->unknowns;
+    for (int j = 0; j < f->fronts; j++) {
+        const int way = r[j] * slip_at(f, j) * inwards(f, j) > 0 ? 1 : -1;
+        if (way * -r[j] / J[j * n + j] > 0 && fabs(r[j] / J[j * n + j]) < FLAT)
+            continue;
+        for (int i = 0; i < n; i++)
+            J[j * n + i] = i == j;
+        d[j] = way * FLAT;
+        stop_at_kinks(f, j, d);
+    }
+}
+
 /* The step of Newton's method from the residual r. */
 static bool find_step(const rw_fronts *f, const double J[], const double r[], double d[])
 {
@@ -110,9 +141,11 @@ static bool find_step(const rw_fronts *f, const double J[], const double r[], do
     memcpy(A, J, sizeof A);
     for (int i = 0; i < n; i++)
         d[i] = -r[i];
+    pass_flat_parts(f, A, r, d);
     if (!rw_solve((size_t)n, A, d))
         return false;
-    stop_at_kinks(f, d);
+    for (int j = 0; j < f->fronts; j++)
+        stop_at_kinks(f, j, d);
     return true;
 }
 
@@ -177,17 +210,15 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
 
 /* ---- Front by front ---- */
 
-/* K of a front at an angle, with the sign of slip: > 0 where the traction beyond it would exceed
- * friction, so that the front must move into the zone that sticks. */
+/* K of a front at an angle, with the sign of slip. */
 static bool pull(rw_fronts *f, int j, double angle, double *value)
 {
     double r[RW_MOST_FRONTS];
     const double y = f->y[j];
-    const int slip = f->label[j] != 0 ? f->label[j] : f->label[j + 1];
     f->y[j] = angle;
     const bool is_done = rw_fronts_residual(f, r);
     f->y[j] = y;
-    *value = slip * r[j];
+    *value = slip_at(f, j) * r[j];
     return is_done;
 }
 
@@ -214,11 +245,11 @@ static bool close_in(rw_fronts *f, int j, double a, double at_a, double b, doubl
 
 static bool relax_front(rw_fronts *f, int j)
 {
-    const double start = f->y[j], inwards = f->label[j] != 0 ? 1 : -1;
+    const double start = f->y[j];
     double a = start, at_a;
     if (!pull(f, j, a, &at_a))
         return false;
-    const double direction = at_a > 0 ? inwards : -inwards;
+    const double direction = at_a > 0 ? inwards(f, j) : -inwards(f, j);
     const double limit = direction < 0       ? j > 0 ? f->y[j - 1] : 0
                          : j + 1 < f->fronts ? f->y[j + 1]
                                              : RW_PI;

@@ -228,18 +228,22 @@ static rw_zones moved_to(rw_zones zones, rw_patch contact)
     return zones;
 }
 
-/* Tries the zones of a similar step. */
+/* Tries the zones of a similar step; or those before the step, if they go on slipping as they
+ * did. */
 static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_outcome *best)
 {
-    const rw_zones zones = moved_to(*guess, p->to);
-    return try_pattern(w, p, &zones, 0, p->half * 1e-3, best);
+    const rw_zones *old = &p->old->zones;
+    if (!guess && (old->count < 2 || rw_rates_wrong(&w->fronts, &w->start, old, old) > 0))
+        return false;
+    const rw_zones zones = moved_to(guess ? *guess : *old, p->to);
+    return try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
 }
 
 /* The best outcome by exact fronts; or by the grid, where `coarse` allows it. */
 static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coarse,
                   rw_outcome *best)
 {
-    bool is_known = guess && try_guess(w, p, guess, best);
+    bool is_known = try_guess(w, p, guess, best);
     if (is_known && best->violation <= p->allowed)
         return true;
     const rw_layers layers = p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};
@@ -252,8 +256,9 @@ static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool c
         }
         rw_zones zones;
         rw_outcome outcome;
-        w->effort += n * n * n / 250; /* as measured */
-        if (!rw_grid_solve(grid, p, &layers) || !rw_grid_zones(grid, p, &zones))
+        const bool is_solved = rw_grid_solve(grid, p, &layers);
+        w->effort += n * n * n / 250 + n * n * grid->turns / 50; /* as measured */
+        if (!is_solved || !rw_grid_zones(grid, p, &zones))
             continue;
         if (try_all(w, p, &zones, RW_PI / n, &outcome))
             keep_better(best, &is_known, &outcome);
@@ -322,6 +327,15 @@ static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
             widest = part;
     }
     return widest;
+}
+
+/* What had not slipped before the step, with the places that come into contact beside it. */
+static rw_patch never_slipped(const rw_stance *from, const rw_problem *p)
+{
+    rw_patch patch = from->unslipped;
+    patch.left = patch.left == from->contact.left ? p->to.left : patch.left;
+    patch.right = patch.right == from->contact.right ? p->to.right : patch.right;
+    return patch;
 }
 
 static bool is_at_edge(const rw_zones *zones, int i)
@@ -393,7 +407,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_c
                          .contact = p->to,
                          .at = to,
                          .is_still = from->is_still && p->is_still,
-                         .unslipped = stuck_part(from->unslipped, &outcome.state.zones),
+                         .unslipped = stuck_part(never_slipped(from, p), &outcome.state.zones),
                          .move = from->move + outcome.move,
                          .energy = from->energy + outcome.energy,
                          .error = outcome.violation};

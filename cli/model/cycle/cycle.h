@@ -115,8 +115,8 @@ bool material_has_life(const material *all, int criterion);
 /* (dK_th/ds0)^2/pi; NAN where they are not known. */
 double material_length(const material *all);
 
-/* ---- criteria ---- Criteria of fatigue over all planes: which are asked for, and their constants.
- * */
+/* ---- criteria ---- Criteria of fatigue over all planes: which are asked for, and their
+ * constants. */
 
 typedef struct {
     const char *name;

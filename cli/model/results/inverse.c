@@ -83,7 +83,7 @@ static bool find_of_pad(const contact_case *setup, int input, double safety, dou
                         char complaint[COMPLAINT_SIZE])
 {
     *value = sliding_find(setup, input, safety);
-    return *value > 0 ? true : refuse("none is found, as far as the pad is known", complaint);
+    return *value > 0 || refuse("none is found, as far as the pad is known", complaint);
 }
 
 /* ---- Together ---- */

@@ -133,11 +133,6 @@ bool results_include(results_wanted wanted, int result)
 
 static const double SQRT_3 = 1.7320508075688772;
 
-static bool not_computed(const char *name, const char *why, char complaint[COMPLAINT_SIZE])
-{
-    return complain(complaint, "%s: %s", name, why);
-}
-
 static void geometry(const contact_case *setup, double b, cell row[])
 {
     const pad *shape = &setup->shape;
@@ -168,7 +163,7 @@ static bool friction(const contact_case *setup, double b, cell row[],
     if (ratio != 0) {
         const int32_t status = rwedge_stress(alpha, setup->f, c, -1, 0, &sxx, &syy, &txy);
         if (status != RWEDGE_OK)
-            return not_computed("max_tension", rwedge_strerror(status), complaint);
+            return complain(complaint, "max_tension: %s", rwedge_strerror(status));
     }
     const bool rough = setup->f > 0;
     row[RESULT_Q_OVER_FP] = rough ? cell_number(ratio) : cell_empty();
@@ -191,7 +186,7 @@ static bool yield_place(const contact_case *setup, double P_yield, cell row[],
     double limit, x, y;
     const int32_t status = rwedge_yield_point(alpha, setup->f, setup->nu1, &limit, &x, &y);
     if (status != RWEDGE_OK)
-        return not_computed("yield_x", rwedge_strerror(status), complaint);
+        return complain(complaint, "yield_x: %s", rwedge_strerror(status));
     yield_place_settle(&x, &y);
     row[RESULT_YIELD_X] = cell_number(setup->Q < 0 ? -x * b : x * b);
     row[RESULT_YIELD_Y] = cell_number(y * b);
@@ -231,7 +226,7 @@ static bool strength(const contact_case *setup, double b, cell row[],
     const double P_yield =
         rwedge_yield_load(shape->theta, shape->a, setup->A, setup->f, setup->nu1, setup->k);
     if (isnan(P_yield))
-        return not_computed("P_yield", rwedge_strerror(RWEDGE_ERANGE), complaint);
+        return complain(complaint, "P_yield: %s", rwedge_strerror(RWEDGE_ERANGE));
     row[RESULT_LOAD_OVER_BK] = cell_number(setup->P / b / setup->k);
     if (shape->kind == PAD_CYLINDER &&
         !(rwedge_half_width(shape->theta, shape->a, setup->A, P_yield) <= shape->radius))
@@ -251,7 +246,7 @@ static bool yield_factor(const contact_case *setup, results *answer, char compla
                                              &answer->hardest_x, &answer->hardest_y);
     rwedge_contact_destroy(contact);
     if (status != RWEDGE_OK)
-        return not_computed("yield_factor", rwedge_strerror(status), complaint);
+        return complain(complaint, "yield_factor: %s", rwedge_strerror(status));
     yield_place_settle(&answer->hardest_x, &answer->hardest_y);
     answer->value[RESULT_YIELD_FACTOR] = cell_number(factor);
     return true;
@@ -274,9 +269,9 @@ static bool compute(const contact_case *setup, double b, results *answer,
     if (status == RWEDGE_OK && centred && !has_formulas)
         status = results_of_sliding(setup, row);
     if (status != RWEDGE_OK)
-        return not_computed(
-            "left", status == RWEDGE_ERANGE && !has_formulas ? beyond_pad : rwedge_strerror(status),
-            complaint);
+        return complain(complaint, "left: %s",
+                        status == RWEDGE_ERANGE && !has_formulas ? beyond_pad
+                                                                 : rwedge_strerror(status));
     return !centred || !has_formulas || strength(setup, b, row, complaint);
 }
 
@@ -288,9 +283,9 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
     const pad *shape = &setup->shape;
     const double b = pad_half_width(shape, setup->A, setup->P);
     if (isnan(b) && shape->kind != PAD_WEDGE)
-        return not_computed("b", beyond_pad, complaint);
+        return complain(complaint, "b: %s", beyond_pad);
     if (!isnormal(b) || isinf(shape->a / b))
-        return not_computed("b", "so large or small that results leave 1e-60 to 1e60", complaint);
+        return complain(complaint, "b: %s", "so large or small that results leave 1e-60 to 1e60");
     answer->doubts = (doubts){0, 0};
     if (!compute(setup, b, answer, complaint) ||
         (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, complaint)))

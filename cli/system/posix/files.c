@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 file_kind file_kind_of(const char *path)
 {
@@ -27,4 +28,39 @@ int file_to_write(const char *path)
 const char *file_problem(int reason)
 {
     return strerror(reason);
+}
+
+bool stream_is_terminal(FILE *stream)
+{
+    return isatty(fileno(stream)) == 1;
+}
+
+FILE *stream_temporary(void)
+{
+    FILE *stream = tmpfile();
+    if (stream != NULL)
+        fcntl(fileno(stream), F_SETFD, FD_CLOEXEC);
+    return stream;
+}
+
+/* It has no name in a folder: nothing is left of it, however the program ends. */
+bool spool_begin(spool *file)
+{
+    file->stream = stream_temporary();
+    if (file->stream == NULL)
+        return false;
+    snprintf(file->name, sizeof file->name, "/dev/fd/%d", fileno(file->stream));
+    return true;
+}
+
+FILE *spool_read(spool *file)
+{
+    rewind(file->stream);
+    return file->stream;
+}
+
+void spool_end(spool *file)
+{
+    if (file->stream != NULL)
+        fclose(file->stream);
 }

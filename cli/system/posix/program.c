@@ -2,9 +2,11 @@
 #include "system/system.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 extern char **environ;
 
@@ -41,4 +43,26 @@ int program_run(const char *const words[], const char *const variables[], FILE *
     *end = WIFEXITED(status) ? (program_end){false, WEXITSTATUS(status)}
                              : (program_end){true, WTERMSIG(status)};
     return 0;
+}
+
+long processors(void)
+{
+    const long online = sysconf(_SC_NPROCESSORS_ONLN);
+    return online < 1 ? 1 : online;
+}
+
+bool start(int *count, const char ***words)
+{
+    static const char *no_arguments[] = {"rwedge", NULL};
+    if (*count < 1) {
+        *count = 1;
+        *words = no_arguments;
+    }
+    unsetenv("POSIXLY_CORRECT");
+    unsetenv("POSIX_ME_HARDER");
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
+        if (fcntl(stream, F_GETFD) < 0 &&
+            open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) != stream)
+            return false;
+    return true;
 }

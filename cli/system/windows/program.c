@@ -2,8 +2,10 @@
 #include "system/system.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <io.h>
 #include <process.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <windows.h>
 
@@ -51,4 +53,58 @@ int program_run(const char *const words[], const char *const variables[], FILE *
     const intptr_t status = run(path, words, streams);
     *end = (program_end){false, (int)status};
     return status == -1 ? errno : 0;
+}
+
+long processors(void)
+{
+    const DWORD active = GetActiveProcessorCount(ALL_PROCESSOR_GROUPS);
+    return active < 1 ? 1 : (long)active;
+}
+
+/* No byte changes on its way: a line ends as it was written. */
+static bool fill_closed(void)
+{
+    for (int stream = 0; stream <= 2; stream++) {
+        if (_get_osfhandle(stream) < 0 &&
+            _open("NUL", stream == 2 ? _O_WRONLY : _O_RDONLY) != stream)
+            return false;
+        _setmode(stream, _O_BINARY);
+    }
+    return true;
+}
+
+/* ---- The console ---- */
+
+static UINT users_code_page;
+
+static void give_code_page_back(void)
+{
+    SetConsoleOutputCP(users_code_page);
+}
+
+/* A console shows UTF-8 while the tool runs, and knows how to erase a line. */
+static void prepare_console(void)
+{
+    DWORD mode;
+    const HANDLE console = GetStdHandle(STD_ERROR_HANDLE);
+    users_code_page = GetConsoleOutputCP();
+    if (users_code_page != 0 && users_code_page != CP_UTF8 && SetConsoleOutputCP(CP_UTF8))
+        atexit(give_code_page_back);
+    if (GetConsoleMode(console, &mode) != 0)
+        SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
+}
+
+/* C's start-up does not replace * and ? in arguments by names of files. */
+int _dowildcard = 0;
+
+bool start(int *count, const char ***words)
+{
+    (void)count;
+    (void)words;
+    if (!fill_closed())
+        return false;
+    prepare_console();
+    _putenv("POSIXLY_CORRECT=");
+    _putenv("POSIX_ME_HARDER=");
+    return true;
 }

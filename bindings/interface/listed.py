@@ -14,8 +14,8 @@ PLACES = {  # of which a function needs the second, or where its error cannot be
     "a row of accuracy": "tests/proof/accuracy/rows/*.cpp",
 }
 # Without a number whose error could be measured; those of a cycle are sums over a path, which tests/lib/cycle/ compares with
-# theory, with small steps and with the energy of the loop, as no reference in balls goes through a path of states. Energies have
-# reference values in tests/data/. Cycles are
+# theory, with small steps and with the energy of the loop, as no reference in balls goes through a path of states. Slip, energies
+# and yield factors have reference values in tests/data/. Cycles are
 # counted, and damage has another plane in the last bits: tests/lib/measures/ compares them with other routes. Functions of many
 # points or loads, and all fields, have the bits of single calls, which tests/lib/ compares. No figure of a series is promised:
 # tests/lib/stress/test_series.c holds it against the closed form.
@@ -28,7 +28,8 @@ WITHOUT_ACCURACY = {"version", "strerror", "contact_create", "contact_create_fla
                     "contact_state_size", "contact_state", "contact_restore", "validity", "validity_text",
                     "rainflow", "smith_watson_topper_damage", "fatemi_socie_damage", "stresses", "elastic_limits",
                     "contact_stress_history", "contact_cycle_friction", "contact_cycle_worst", "contact_cycle_below", "contact_displacement",
-                    "contact_keep_cycle", "contact_dissipated_energy"}
+                    "contact_keep_cycle", "contact_dissipated_energy",
+                    "contact_slip", "contact_yield_factor"}
 
 
 def texts(patterns):

@@ -373,7 +373,8 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
 {
     rw_numerical *start = c->start, *next = NULL;
     double strayed = stray(c, step);
-    int32_t status = strayed <= STRAY * c->tolerance ? reach(c, step, start, &next) : RWEDGE_ENOCONV;
+    int32_t status =
+        strayed <= STRAY * c->tolerance ? reach(c, step, start, &next) : RWEDGE_ENOCONV;
     if (status == RWEDGE_ENOCONV) {
         strayed = 0;
         start = before_step(c, step);

@@ -183,10 +183,23 @@ static bool solve_stuck(rw_grid *g, double load)
     return true;
 }
 
+/* Between two ways of slip one place sticks at least: after the last one that did, the nearest one
+ * that slips the other way. */
+static void stick_between(rw_grid *g, int last)
+{
+    int nearest = -1;
+    for (int i = 0; i < g->n; i++)
+        if (g->label[i] == -g->label[last] && (nearest < 0 || abs(i - last) < abs(nearest - last)))
+            nearest = i;
+    if (nearest >= 0)
+        g->label[nearest] = 0;
+}
+
 /* Relabels the places. Whether no label changed. */
 static bool settle(rw_grid *g, double scale)
 {
     const double nothing = NOTHING * scale;
+    int stuck = 0, last = 0;
     bool is_settled = true;
     multiply(g, g->change, g->move);
     for (int i = 0; i < g->n; i++) {
@@ -199,7 +212,11 @@ static bool settle(rw_grid *g, double scale)
         else if ((before == 1 || before == -1) && before * g->move[i] > nothing)
             g->label[i] = 0;
         is_settled = is_settled && g->label[i] == before;
+        stuck += g->label[i] == 0;
+        last = before == 0 ? i : last;
     }
+    if (stuck == 0)
+        stick_between(g, last);
     return is_settled;
 }
 
@@ -208,7 +225,7 @@ bool rw_grid_solve(rw_grid *g, const rw_problem *p, const rw_layers *layers)
     double load, stretch;
     rw_beside_layers(p, layers, &load, &stretch);
     const double scale = prepare(g, p, layers, stretch);
-    for (int turn = 0; turn < TURNS; turn++) {
+    for (g->turns = 0; g->turns < TURNS; g->turns++) {
         if (!solve_stuck(g, load))
             return false;
         if (settle(g, scale))

@@ -13,6 +13,7 @@ typedef struct {
     double *x;           /* n places in the order of x; one block holds all arrays of doubles */
     double *change;      /* tau = dt half sin(angle), dt being the change of traction */
     double *upper, *lower, *strain, *move, *matrix, *factor, *right;
+    int turns;         /* that the last problem took */
     double multiplier; /* lambda, the rigid move of the places that stick */
     int *label;        /* RW_GONE: no longer in contact */
 } rw_grid;

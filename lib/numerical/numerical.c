@@ -93,10 +93,13 @@ double rw_numerical_error(const rw_numerical *n)
     return most;
 }
 
+/* Both the traction and the true one are within friction. */
+static const double MOST_ERROR = 2;
+
 void rw_numerical_rescale(rw_numerical *n, double factor)
 {
     for (int i = 0; i < RW_PLACES; i++)
-        n->error[i] *= factor;
+        n->error[i] = fmin(MOST_ERROR, factor * n->error[i]);
 }
 
 static bool sticks_at(const rw_zones *zones, double x)
@@ -121,19 +124,27 @@ static double error_at(const rw_numerical *n, double x)
     return fabs(cosine) < 1 ? n->error[(int)(acos(cosine) * RW_PLACES / RW_PI)] : 0;
 }
 
+static bool is_inside(rw_patch patch, double x)
+{
+    return x > patch.left && x < patch.right;
+}
+
 /* The error of the fit of a step, over the tolerance. */
 static const double ELEMENTS = 0.03;
 
 /* Adds the errors of a step by place. Those of the fit and of the zones are independent from step
- * to step, and added as squares. Slip makes the traction exact, and leaves those of this step. */
+ * to step, and added as squares. Slip makes the traction exact, and leaves those of this step.
+ * Where nothing ever slipped, the traction follows from that of the places around, whatever the
+ * steps were, so that only the errors of fits add up. */
 static void note_error(rw_numerical *n, const rw_stance *s, double tolerance)
 {
     double error[RW_PLACES];
-    const double random = hypot(s->error, ELEMENTS * tolerance);
+    const double fit = ELEMENTS * tolerance, random = hypot(s->error, fit);
     for (int i = 0; i < RW_PLACES; i++) {
-        const double x = rw_place(s->contact, i);
-        error[i] =
-            sticks_at(&s->shear.zones, x) ? hypot(error_at(n, x), random) + s->apart[i] : random;
+        const double x = rw_place(s->contact, i), before = error_at(n, x);
+        error[i] = !sticks_at(&s->shear.zones, x) ? random
+                   : is_inside(s->unslipped, x)   ? fmax(hypot(before, fit), random + s->apart[i])
+                                                  : hypot(before, random) + s->apart[i];
     }
     memcpy(n->error, error, sizeof error);
 }
@@ -358,7 +369,7 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
     return advance(w, n, to, &rest, halvings - 1, effort);
 }
 
-/* A load that adds more than this to the error has not converged. */
+/* A load after which the error is twice what it was, and this more, has not converged. */
 static const double FAR_OFF = 0.1;
 
 static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course to, int *effort)
@@ -373,7 +384,7 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course
     }
     trial whole = try_step(&w, &next.now, to, NULL, false);
     const bool is_done = advance(&w, &next, to, &whole, HALVINGS, *effort / 2) &&
-                         rw_numerical_error(&next) - rw_numerical_error(n) <= FAR_OFF;
+                         rw_numerical_error(&next) <= FAR_OFF + 2 * rw_numerical_error(n);
     *effort -= w.effort;
     rw_work_destroy(&w);
     rw_numerical_destroy(is_done ? n : &next);

@@ -256,8 +256,9 @@ static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool c
         }
         rw_zones zones;
         rw_outcome outcome;
-        w->effort += n * n * n / 250; /* as measured */
-        if (!rw_grid_solve(grid, p, &layers) || !rw_grid_zones(grid, p, &zones))
+        const bool is_solved = rw_grid_solve(grid, p, &layers);
+        w->effort += n * n * n / 250 + n * n * grid->turns / 50; /* as measured */
+        if (!is_solved || !rw_grid_zones(grid, p, &zones))
             continue;
         if (try_all(w, p, &zones, RW_PI / n, &outcome))
             keep_better(best, &is_known, &outcome);
@@ -326,6 +327,15 @@ static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
             widest = part;
     }
     return widest;
+}
+
+/* What had not slipped before the step, with the places that come into contact beside it. */
+static rw_patch never_slipped(const rw_stance *from, const rw_problem *p)
+{
+    rw_patch patch = from->unslipped;
+    patch.left = patch.left == from->contact.left ? p->to.left : patch.left;
+    patch.right = patch.right == from->contact.right ? p->to.right : patch.right;
+    return patch;
 }
 
 static bool is_at_edge(const rw_zones *zones, int i)
@@ -397,7 +407,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_c
                          .contact = p->to,
                          .at = to,
                          .is_still = from->is_still && p->is_still,
-                         .unslipped = stuck_part(from->unslipped, &outcome.state.zones),
+                         .unslipped = stuck_part(never_slipped(from, p), &outcome.state.zones),
                          .move = from->move + outcome.move,
                          .energy = from->energy + outcome.energy,
                          .error = outcome.violation};

@@ -61,6 +61,14 @@ void load(rwedge_contact *contact, double P, double Q)
     assert_ok(rwedge_contact_load(contact, P, Q));
 }
 
+rwedge_contact *recorded(const double wedge[], const double loads[])
+{
+    rwedge_contact *contact = create_wedge(wedge[0], wedge[2], wedge[1], wedge[3]);
+    for (int i = 0; i < loads[0]; i++)
+        load(contact, loads[2 * i + 1], loads[2 * i + 2]);
+    return contact;
+}
+
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
 {
     assert_ok(rwedge_contact_apply(contact, P, M, Q, sigma));

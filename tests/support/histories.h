@@ -26,6 +26,8 @@ rwedge_contact *restored(contact_state state);
 void assert_state(const rwedge_contact *contact, contact_state expected); /* bit by bit */
 
 void load(rwedge_contact *contact, double P, double Q);
+/* The wedge of a row of tests/data/, theta, A, a, f, after its loads, whose number comes first. */
+rwedge_contact *recorded(const double wedge[], const double loads[]);
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma);
 
 rw_patch edges_of(const rwedge_contact *contact);

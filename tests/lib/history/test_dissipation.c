@@ -157,11 +157,29 @@ CLAIM(energies_of_histories_are_the_reference_values)
 {
     reference rows = reference_open("energy_of_histories.csv");
     while (reference_next(&rows)) {
-        const double *c = rows.cell, *loads = c + 7;
-        rwedge_contact *contact = create_wedge(c[0], c[2], c[1], c[3]);
-        for (int i = 0; i < c[6]; i++)
-            load(contact, loads[2 * i], loads[2 * i + 1]);
-        assert_within(rwedge_contact_dissipated_energy(contact), c[4], c[5]);
+        const double *c = rows.cell;
+        assert_within(rwedge_contact_dissipated_energy(recorded(c, c + 6)), c[4], c[5]);
+    }
+}
+
+CLAIM(slip_of_histories_is_the_reference_values)
+{
+    reference rows = reference_open("slip_of_histories.csv");
+    while (reference_next(&rows)) {
+        const double *c = rows.cell;
+        assert_within(slip(recorded(c, c + 7), c[4]), c[5], c[6]);
+    }
+}
+
+CLAIM(slip_off_the_centre_is_the_reference_values)
+{
+    reference rows = reference_open("slip_off_centre.csv");
+    while (reference_next(&rows)) {
+        const double *c = rows.cell;
+        rwedge_contact *contact = create_wedge(c[0], c[1], c[2], c[5]);
+        apply(contact, c[3], c[4], 0, 0);
+        apply(contact, c[3], c[4], c[6], c[7]);
+        assert_within(slip(contact, c[8]), c[9], c[10]);
     }
 }
 

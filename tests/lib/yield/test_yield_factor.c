@@ -13,6 +13,17 @@ static double yield_factor(const rwedge_contact *contact, double nu, double k, d
     return factor;
 }
 
+CLAIM(factors_of_histories_are_the_reference_values)
+{
+    reference rows = reference_open("yield_factor.csv");
+    while (reference_next(&rows)) {
+        const double *c = rows.cell;
+        double factor;
+        assert_ok(rwedge_contact_yield_factor(recorded(c, c + 7), c[4], 1, &factor, NULL, NULL));
+        assert_within(factor, c[5], c[6]);
+    }
+}
+
 CLAIM(in_sliding_the_factor_is_the_elastic_limit_over_the_load)
 {
     static const double ALPHAS[] = {1e-13, 1e-7, 1e-3, 0.0176, 0.05, 0.1, 0.3, 0.5, 0.9, 1, 3};

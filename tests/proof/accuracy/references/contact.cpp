@@ -43,30 +43,6 @@ ball hertz_pressure(const ball &a, const ball &c, const ball &x)
     return -sqrt((c - x) * (c + x)) / a;
 }
 
-/* (x X - L - max(x - alpha, 0)^2)/(2 alpha), L = arcosh x, X = sqrt(x^2-1): Hertz. */
-ball hertz_gap(const ball &alpha, const ball &x, const ball &X, const ball &L)
-{
-    return (x * X - L - sqr(max(x - alpha, 0))) / (2 * alpha);
-}
-
-/* x - int G dx, int G = x G - (2/(pi alpha)) [(x^2-alpha^2) M/2 - alpha c0 L/2 - phi0 (x X +
- * L)/2], which is 1 at x = 1, with G = (2/pi) [atan(c0/X) + x M/alpha - phi0 X/alpha] and M =
- * atan(tan(phi0) X/x): in all x - (2/pi) [x atan(c0/X) + (x^2+alpha^2) M/(2 alpha) + c0 L/2 -
- * phi0 (x X - L)/(2 alpha)]. */
-ball rounded_gap(const ball &alpha, const ball &x, const ball &X, const ball &L)
-{
-    const angle tip = angle_of(alpha, 1);
-    const ball M = atan2(alpha * X, tip.c0 * x);
-    const ball rest = (sqr(x) + sqr(alpha)) * M - (x * X - L) * tip.phi0;
-    return x - 2 / pi() * (x * atan2(tip.c0, X) + (rest / alpha + tip.c0 * L) / 2);
-}
-
-/* alpha -> 0: x - (2/pi) [x atan(1/X) + L]. */
-ball sharp_gap(const ball &x, const ball &X, const ball &L)
-{
-    return x - 2 / pi() * (x * atan(1 / X) + L);
-}
-
 } // namespace
 
 ball half_width(const ball &a, const ball &wanted, double guess)
@@ -91,15 +67,4 @@ ball pressure(const ball &a, const ball &c, const ball &x)
     if (a >= c)
         return hertz_pressure(a, c, right);
     return is_zero(a) ? sharp_pressure(c, right) : rounded_pressure(a, c, right);
-}
-
-ball gap_of(const ball &a, const ball &width, const ball &place)
-{
-    const ball x = place / width;
-    if (!(x > 1))
-        return 0;
-    const ball X = sqrt((x - 1) * (x + 1)), L = asinh(X), alpha = a / width;
-    return width * (is_zero(a)  ? sharp_gap(x, X, L)
-                    : a < width ? rounded_gap(alpha, x, X, L)
-                                : hertz_gap(alpha, x, X, L));
 }

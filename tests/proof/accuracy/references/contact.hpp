@@ -22,8 +22,4 @@ ball half_width(const ball &a, const ball &wanted, double guess);
 /* A p/theta at |x| < c, pressed to the half-width c, Eq. (8), (12), (14); 0 beyond. */
 ball pressure(const ball &a, const ball &c, const ball &x);
 
-/* How far the profile lies above the surface that a contact of that half-width deforms, over
- * theta. */
-ball gap_of(const ball &a, const ball &width, const ball &place);
-
 #endif

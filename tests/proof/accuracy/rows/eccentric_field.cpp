@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses and slip of a contact off the centre, from the sums over breakpoints of the
+/* Stresses of a contact off the centre, from the sums over breakpoints of the
  * profile. With z = m + s sin(zeta), q = exp(i zeta), the ends of the rounding at sin(phi_j) with
  * the jumps k_j = +-1/a of the slope, psi_j = pi/2 - phi_j and
  *
@@ -7,14 +7,11 @@
  *
  *     G  = sum k_j s { (i/pi)[ (sin zeta - sin phi_j) L_j - psi_j cos zeta ]
  *                      - (1/pi)[ cos phi_j - psi_j sin phi_j ] },
- *     G' = sum k_j (i/pi)[ L_j + (cos phi_j + psi_j sin zeta)/cos zeta ],
- *     int G dz = sum k_j s^2 { (i/pi)[ (sin zeta - sin phi_j)^2 L_j/2
- *                  + cos phi_j (cos zeta + zeta sin phi_j)/2 - psi_j (zeta + sin zeta cos zeta)/2 ]
- *                  - (1/pi)[ cos phi_j - psi_j sin phi_j ] sin zeta }.
+ *     G' = sum k_j (i/pi)[ L_j + (cos phi_j + psi_j sin zeta)/cos zeta ].
  *
  * An end on the left of the patch counts as one at its left edge, with the line continued: phi_j =
- * -pi/2 makes all of its sum but a constant. For stresses and slip the edges are those that the
- * library found: its rows judge them. */
+ * -pi/2 makes all of its sum but a constant. The edges are those that the library found: its rows
+ * judge them. */
 #include <initializer_list>
 #include <math.h>
 #include <vector>
@@ -31,7 +28,7 @@ struct breakpoint {
 };
 
 struct profile_patch {
-    ball middle, half, a, tilt;
+    ball middle, half, tilt;
     ball rate; /* of the slope, left of the first end inside: k_left */
     std::vector<breakpoint> ends;
 };
@@ -46,7 +43,7 @@ breakpoint breakpoint_at(const ball &place, const ball &k)
 profile_patch patch_of(const ball &a, const ball_edges &e)
 {
     const carried c = carried_by(a, e);
-    profile_patch p = {c.middle, c.half, a, c.tilt, -a <= e.left ? 1 / a : 0, {}};
+    profile_patch p = {c.middle, c.half, c.tilt, -a <= e.left ? 1 / a : 0, {}};
     for (const ball &at : {-a, a})
         if (!(at <= e.left) && !(at >= e.right))
             p.ends.push_back(breakpoint_at((at - p.middle) / p.half, -1 / at));
@@ -118,40 +115,6 @@ complex_ball depth_slope_at(const profile_patch &p, const complex_ball &z)
         slope +=
             end.k * i_over_pi(term_of(end, at).L + (end.psi * at.sine + end.cosine) / at.cosine);
     return im(z) * slope;
-}
-
-/* int G dz, but for a constant of the patch. */
-complex_ball primitive(const profile_patch &p, const complex_ball &z)
-{
-    const place at = place_of(p, z);
-    const complex_ball zeta_and = at.sine * at.cosine + at.zeta;
-    complex_ball sum = p.rate * (sqr(at.sine) - times_i(zeta_and)) / 2;
-    for (const breakpoint &end : p.ends) {
-        const complex_ball own = term_of(end, at).product * (at.sine - end.sine) +
-                                 end.cosine * (at.cosine + end.sine * at.zeta) - end.psi * zeta_and;
-        sum += end.k * (i_over_pi(own / 2) - end.constant * at.sine);
-    }
-    return sqr(p.half) * sum;
-}
-
-/* The faces of the wedge: x^2/(2a) on the rounding, |x| - a/2 beyond. */
-enum face { LEFT_FLANK = -1, TIP, RIGHT_FLANK };
-
-face face_at(double a, double x)
-{
-    return fabs(x) < a ? TIP : x < 0 ? LEFT_FLANK : RIGHT_FLANK;
-}
-
-complex_ball profile(const ball &a, face on, const complex_ball &z)
-{
-    return on == TIP ? sqr(z) / a / 2 : on * z - a / 2;
-}
-
-/* Outside of the patch, how far the tilted profile lies above the surface, but for a constant: that
- * of its edge is taken off. */
-complex_ball height_at(const profile_patch &p, const complex_ball &z, face on)
-{
-    return profile(p.a, on, z) - p.tilt * z - primitive(p, z);
 }
 
 /* ---- Rows ---- */
@@ -227,41 +190,11 @@ ball judge_stresses(const probe &call)
                       scale + fabs(v[TENSION]));
 }
 
-bool draw_slip(probe *call)
-{
-    rwedge_contact *contact;
-    if (!draw_slipping_rounded(call, &contact))
-        return false;
-    double *r = call->result;
-    const double x = argument(call, "x", fmax(r[WHOLE_LEFT], fmin(r[WHOLE_RIGHT], some_x(call))));
-    if (rwedge_contact_slip(contact, 1, &x, r + FOUND) != RWEDGE_OK)
-        r[FOUND] = NAN;
-    rwedge_contact_destroy(contact);
-    return true;
-}
-
-ball judge_slip(const probe &call)
-{
-    const double *v = call.value, *r = call.result, x = v[X_AT], a = v[ROUNDING];
-    const profile_patch stick = patch_found(v, r + STICK_LEFT);
-    const double edge = x < r[STICK_LEFT] ? r[STICK_LEFT] : r[STICK_RIGHT];
-    const bool slips = x < r[STICK_LEFT] || x > r[STICK_RIGHT];
-    const ball gap = slips ? re(height_at(stick, x, face_at(a, x))) -
-                                 re(height_at(stick, edge, face_at(a, edge)))
-                           : 0;
-    const ball unit = (v[SHEAR] < 0 ? 1 : -1) * ball(v[FRICTION]) * v[THETA];
-    const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
-    return error_over(r[FOUND], gap * unit, abs(unit * b) / flatness(stick, stick));
-}
-
 } // namespace
 
 const row ECCENTRIC_FIELD_ROWS[] = {
     {"contact_stresses, off the centre", "after one step of Q and sigma; points dense at all edges",
      "of max(norm, max(1, f)/(1+\\|z\\|)), over 1 - \\|delta\\|; of the edges found", 1e-13,
      "1e-13", 1, draw_stresses, judge_stresses},
-    {"contact_slip, off the centre", "the same",
-     "of f theta b, over 1 - \\|delta\\|; of the edges found", 1e-12, "1e-12", 1, draw_slip,
-     judge_slip},
     {},
 };

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts with a load history: half-widths, tractions, stresses, slip, distance from yield. */
+/* Contacts with a load history: half-widths, tractions, stresses. */
 #include <float.h>
 #include <math.h>
 
 #include "references/memory.hpp"
-#include "references/root.hpp"
 #include "rows/rows.hpp"
 #include "rwedge.h"
 
@@ -308,136 +307,6 @@ ball judge_stresses(const probe &call)
                       stress_scale(s, at, z) * closeness(call) * s.unit);
 }
 
-/* ---- Slip ---- */
-
-bool draw_slip(probe *call)
-{
-    const rwedge_contact *contact = some_contact(call);
-    if (!contact)
-        return true;
-    const double x = argument(call, "x", some_contact_place(call, contact));
-    if (fabs(x) > rwedge_contact_half_width(contact))
-        return false;
-    return gives_if(call, rwedge_contact_slip(contact, 1, &x, &call->result[0]));
-}
-
-/* sum (D_i - D_(i+1)) gap_i(x) - D_1 h(x): the displacement of a path over f theta. */
-ball displacement(const state &s, const path &p, const ball &x)
-{
-    if (p.count() < 2)
-        return 0;
-    ball sum;
-    for (int i = 1; i < p.count(); i++)
-        sum += weight_of(p, i) * gap_of(s.a, width_of(s, p[i].load), x);
-    const ball profile = x < s.a ? sqr(x) / s.a / 2 : x - s.a / 2;
-    return sum - p[1].ratio * profile;
-}
-
-/* The path when the load passed u on its way up. */
-path entry_at(const state &before, int i, const ball &u)
-{
-    path entry = before.now;
-    const corner from = entry.end();
-    const load_point to = load_of(before.call, i);
-    const ball part = (u - from.load) / (to.load - from.load);
-    entry.advance(u, from.shear + (to.shear - from.shear) * part);
-    return entry;
-}
-
-/* w of the present path less w of the path at entry, over f theta b. */
-ball judge_slip(const probe &call)
-{
-    state s(call);
-    path entry;
-    const ball x = fabs(call.value[4]), last = call.P[call.loads - 1];
-    const ball u = min(force(s.a, x) * s.unit, last);
-    for (int i = 0; i < call.loads; i++) {
-        if (s.now.end().load < u && call.P[i] >= u)
-            entry = entry_at(s, i, u);
-        advance(&s, i);
-    }
-    const ball unit = s.f * s.theta, b = width_of(s, s.now.end().load);
-    return error_over(call.result[0],
-                      (displacement(s, s.now, x) - displacement(s, entry, x)) * unit,
-                      b * unit * closeness(call));
-}
-
-/* ---- Distance from yield ---- */
-
-bool draw_yield_factor(probe *call)
-{
-    const rwedge_contact *contact = some_contact(call);
-    if (!contact)
-        return true;
-    if (call->value[2] == 0)
-        return false;
-    const double nu = argument(call, "nu", 0.5 - log_between(call, 1e-4, 0.5)),
-                 k = argument(call, "k", 1);
-    double *r = call->result;
-    return gives_if(call, rwedge_contact_yield_factor(contact, nu, k, &r[0], &r[1], &r[2]));
-}
-
-/* dJ2/dx along the surface, and its derivative. */
-struct slope_along_surface {
-    const traction &t;
-
-    value_slope operator()(const ball &x) const
-    {
-        const J2_jet J = J2_at(t, x, 2);
-        return {J.x, J.xx};
-    }
-};
-
-/* J2 at the mark next to x, if there is one within 1e-7 of it: the rounding's edge, the edge of
- * a patch. */
-bool J2_at_mark(ball *J2, const state &s, const traction &t, double x)
-{
-    for (int i = 0; i < s.now.count(); i++) {
-        const ball mark = i == 0 ? s.a : width_of(s, s.now[i].load);
-        if (!(fabs(fabs(x) - middle(mark)) < 1e-7 * middle(mark)))
-            continue;
-        const complex_ball z = x < 0 ? -mark : mark, N = t.whole().potential(z);
-        complex_ball T; /* D = G_T and s = Im G_N - Re G_T */
-        for (const traction::part &p : t.parts)
-            T += t.f * p.weight * p.shape.potential(z);
-        *J2 = dot(T, T) + t.kappa * sqr(im(N) - re(T));
-        return true;
-    }
-    return false;
-}
-
-/* The stationary value next to where the library says the maximum is: below the surface, or at a
- * mark or along the surface, whichever is higher. */
-bool maximum_next_to(ball *J2, const state &s, const traction &t, double x, double y)
-{
-    const double b = rwedge_contact_half_width(static_cast<rwedge_contact *>(s.call.object));
-    extremum below;
-    if (y > 1e-7 * b) {
-        const bool proved = find_stationary(&below, t, x, y);
-        *J2 = below.J2;
-        return proved;
-    }
-    const bool at_mark = J2_at_mark(J2, s, t, x);
-    ball place;
-    if (!find_zero(&place, x, b, slope_along_surface{t}))
-        return at_mark;
-    const ball along = J2_at(t, place, 0).J2;
-    *J2 = at_mark ? max(*J2, along) : along;
-    return true;
-}
-
-ball judge_yield_factor(const probe &call)
-{
-    const double x = call.result[1], y = call.result[2];
-    const state s = run_history(call);
-    ball J2;
-    if (!maximum_next_to(&J2, s, traction_of(s, call.value[4]), x, y))
-        return unknown();
-    const ball per_root = 1 / sqrt(J2), factor = per_root / s.unit;
-    const ball change = stress_change_by_widths(s, {x, y}) / 1e-12 * per_root;
-    return error_over(call.result[0], factor, factor * (1 + change));
-}
-
 } // namespace
 
 const row HISTORY_ROWS[] = {
@@ -452,9 +321,5 @@ const row HISTORY_ROWS[] = {
     {"contact_stresses", "points dense at the edges",
      "of max(norm, 1/(1+\\|z\\|/b)) per remembered load; widths (1), loads (2)", 1e-13, "1e-13", 1,
      draw_stresses, judge_stresses},
-    {"contact_slip", "x dense at the edges", "of f theta b; loads (2)", 1e-12, "1e-12", 1,
-     draw_slip, judge_slip},
-    {"contact_yield_factor", "the same; nu to 0.4999", "relative; widths (1)", 1e-12, "1e-12", 0.1,
-     draw_yield_factor, judge_yield_factor},
     {},
 };

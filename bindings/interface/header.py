@@ -193,10 +193,12 @@ def clauses(text: str) -> list[str]:
     return [p.replace("\0", ", ").strip() for p in parts] + [r for r in remarks if r.startswith(("not ", "0 where "))]
 
 
-def bound(domain: Domain, sign: str, value: float | None) -> None:
-    """Narrows the domain."""
+def bound(domain: Domain, sign: str, value: float | None, factor: int) -> None:
+    """Narrows the domain; a bound that is no number is between arguments."""
+    domain.between |= value is None
     if value is None:
         return
+    value *= factor
     if sign[0] == ">" and value >= domain.low:
         domain.low, domain.low_open = value, sign == ">"
     if sign[0] == "<" and value <= domain.high:
@@ -207,41 +209,36 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
     """The conditions on one argument in the line that it shares with others."""
     domain = Domain(text, finite="HUGE_VAL" not in text)
     for clause in clauses(text):
-        if clause in ("finite", "any integer", "any number") or clause.startswith("not "):
-            domain.between |= clause.startswith("not ")
+        limits: list[tuple[str, str, int]] = []  # sign, bound, and its factor
+        if clause in ("finite", "any integer", "any number") or clause.startswith(("not ", "0 where ")):
+            domain.between |= clause.startswith(("not ", "0 where "))
             domain.any |= clause == "any number"
         elif match := WITHIN.fullmatch(clause):
             if match[3] in others:
                 continue
-            domain.between |= None in (number(match[1]), number(match[5]))
-            bound(domain, match[2].replace("<", ">"), number(match[1]))
-            bound(domain, match[4], number(match[5]))
+            limits = [(match[2].replace("<", ">"), match[1], 1), (match[4], match[5], 1)]
         elif match := TO.fullmatch(clause):
             magnitude = clause.endswith("in magnitude")
             domain.or_zero |= bool(match[1]) and not magnitude
-            bound(domain, ">=", -number(match[3]) if magnitude else number(match[2]))
-            bound(domain, "<=", number(match[3]))
+            limits = [(">=", match[3], -1) if magnitude else (">=", match[2], 1), ("<=", match[3], 1)]
         elif match := AT_LEAST.fullmatch(clause):
             domain.or_zero |= bool(match[1])
-            bound(domain, ">=", number(match[2]))
+            limits = [(">=", match[2], 1)]
         elif AT_LEAST_OF.fullmatch(clause):
             domain.between = True
-            bound(domain, ">=", 0.0)
+            limits = [(">=", "0", 1)]
         elif match := AT_MOST.fullmatch(clause):
-            bound(domain, "<=", number(match[1]))
-            bound(domain, ">=", -number(match[1]))
+            limits = [("<=", match[1], 1), (">=", match[1], -1)]
         elif match := BEYOND.fullmatch(clause):
             if match[1].strip("|") in others:
                 continue
-            value = number(match[3])
-            domain.between |= value is None
-            bound(domain, match[2], value)
-            if match[1].startswith("|") and value is not None:
-                bound(domain, match[2].replace("<", ">"), -value)
-        elif clause.startswith("0 where "):
-            domain.between = True
+            limits = [(match[2], match[3], 1)]
+            if match[1].startswith("|"):
+                limits.append((match[2].replace("<", ">"), match[3], -1))
         elif not re.search(r"[<>]=|[<>] ", clause):
             continue  # a meaning or a unit
+        for sign, limit, factor in limits:
+            bound(domain, sign, number(limit), factor)
         domain.conditions.append(clause)
     return domain
 

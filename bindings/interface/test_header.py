@@ -50,17 +50,29 @@ def declared(comment, declaration):
 
 
 class Texts(unittest.TestCase):
-    def test_the_help_of_matlab_speaks_of_its_arrays(self):
-        """C's places in memory, and arguments that only C has, are not in it."""
-        for name, text in write_matlab.texts(read(HEADER)).items():
-            self.assertNotRegex(text, r"\[i n \+ j\]|loads \* n|receives? n|% +loads  |rwedge_(contact|series)_\w+\(\)", name)
+    def test_the_help_speaks_of_its_own_language(self):
+        """C's places in memory, statuses, and arguments that only C has, are not in it."""
+        interface = read(HEADER)
+        for name, text in write_matlab.texts(interface).items():
+            self.assertIn("\n%   ", text)
+            self.assertNotRegex(text, r"\[i n \+ j\]|loads \* n|receives? n|% +loads  |rwedge_(contact|series)_\w+\(\)|NULL|rwedge:null"
+                                r"|_destroy\(\)|Unless|RWEDGE_(E[A-Z]+|OK)\b")
+            self.assertTrue(name in ("rwedge_contact.m", "rwedge_series.m") or "rwedge:handle" not in text)
+        for f in interface.functions:
+            doc = write_python.docstring(f, "new")
+            if f.name not in ("version", "strerror") and not f.name.endswith("_destroy"):
+                self.assertNotRegex(doc, r"RWEDGE_(E[A-Z]+|OK)\b|rwedge_|NULL|HUGE_VAL|Free with", f.name)
+                self.assertNotRegex(doc.split("\n\n")[1], "^(NaN|Relative) ")  # what it is, first
+                for p in f.inputs:
+                    self.assertRegex(doc, rf"\n{p.name} : .*\n    \S", f.name)
 
     def test_the_help_of_python_has_its_types_and_exceptions(self):
         interface = read(HEADER)
-        doc = {name: write_python.docstring(interface[name], "new") for name in ("validity", "contact_edges", "contact_obstacle")}
+        doc = {name: write_python.docstring(interface[name], "new") for name in ("validity", "contact_edges", "load", "findley")}
         self.assertIn("theta : float\n", doc["validity"])
         self.assertIn("Raises\n------\nAbsentError\n    when separated\n", doc["contact_edges"])
-        self.assertIn("Why Contact.apply() would raise PathError for these loads", doc["contact_obstacle"])
+        self.assertIn("alpha : array_like\n", doc["load"])
+        self.assertIn("sxx : array_like, (..., n)\n", doc["findley"])
 
 
 class Reader(unittest.TestCase):

@@ -18,6 +18,7 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     (r"Unless RWEDGE_OK, the contact", "After an error the contact"), (r",? ?RWEDGE_ENOMEM", ""), (r"Free with rwedge_\w+_destroy\(\)\.", ""),
     (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?never NULL", ""), (r"Static text\.| ?Nothing is written unless every\s+point is in the domain\.", ""), (r"\bat n points\b", "at points"),
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
+    ("0, which a new contact has,", "0"), ("RWEDGE_EPATH", "PathError"), ("RWEDGE_ESLIDING", "SlidingError"), ("RWEDGE_(EDOMAIN|ERANGE)", "ValueError"),
     (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
     ("HUGE_VAL", "inf"))
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}

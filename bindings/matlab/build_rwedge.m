@@ -67,21 +67,14 @@ end
 
 % The static library, where CMake installs it on one system or another.
 function library = find_library(prefix)
-folders = {'lib', 'lib64'};
-if exist(fullfile(prefix, 'lib'), 'dir')
-    for inner = dir(fullfile(prefix, 'lib'))'
-        if inner.isdir && inner.name(1) ~= '.'
-            folders{end + 1} = fullfile('lib', inner.name); %#ok<AGROW>
-        end
-    end
-end
-for i = 1:numel(folders)
-    library = fullfile(prefix, folders{i}, 'librwedge.a');
-    if exist(library, 'file')
+library = fullfile(prefix, 'lib', 'librwedge.a');
+for folder = {'lib', 'lib64', fullfile('lib', '*')}
+    found = dir(fullfile(prefix, folder{1}, 'librwedge.a'));
+    if ~isempty(found)
+        library = fullfile(found(1).folder, found(1).name);
         return
     end
 end
-library = fullfile(prefix, 'lib', 'librwedge.a');
 end
 
 function make_folder(folder)

@@ -1,5 +1,5 @@
 % SPDX-License-Identifier: GPL-3.0-or-later
-% The functions and classes as their users meet them: shapes, errors, NaN, handles, and what a call costs.
+% The functions and classes as their users meet them: shapes, errors, NaN, and handles.
 1;
 
 function claim(sentence, holds)
@@ -249,41 +249,6 @@ function lives()
     claim('none left', rwedge_mex('alive') == before);
 end
 
-% What every function and method says of itself.
-function texts()
-    claim('version', ~isempty(regexp(rwedge_version(), '^\d+\.\d+\.\d+$', 'once')));
-    claim('text of a status', strcmp(rwedge_strerror(1), 'an argument is outside its domain'));
-    files = dir(fullfile(fileparts(which('rwedge_load')), 'rwedge_*.m'));
-    claim('every function is there', numel(files) > 25);
-    for i = 1:numel(files)
-        text = fileread(fullfile(files(i).folder, files(i).name));
-        claim([files(i).name ' has a help text'], numel(strfind(text, [char(10) '%   '])) > 0);
-        for word = {'NULL', 'rwedge:null', '_destroy(', 'Unless', 'RWEDGE_EDOMAIN', 'RWEDGE_OK'}
-            claim([files(i).name ' does not speak of ' word{1}], isempty(strfind(text, word{1})));
-        end
-        claim([files(i).name ': only a class says rwedge:handle'], isempty(strfind(text, 'rwedge:handle')) || ...
-            any(strcmp(files(i).name, {'rwedge_contact.m', 'rwedge_series.m'})));
-    end
-    text = fileread(which('rwedge_contact'));
-    claim('load says what becomes of a vector', ~isempty(strfind(text, 'all loads are taken or none.')));
-end
-
-% The fastest of five.
-function seconds = time_of(work)
-    seconds = Inf;
-    for i = 1:5
-        before = cputime();
-        work();
-        seconds = min(seconds, cputime() - before);
-    end
-end
-
-function many_calls(n)
-    for i = 1:n
-        rwedge_load(0.3);
-    end
-end
-
 function cycles()
     pad = rwedge_contact(0.005, 0.1, rwedge_compliance(72e3, 0.33, 72e3, 0.33), 0.6);
     pad.load(60, 0);
@@ -309,15 +274,6 @@ function cycles()
     claim('a row of three is refused', strcmp(identifier, 'rwedge:size'));
 end
 
-function costs()
-    alpha = linspace(1e-6, 1.2, 1e6);
-    array = 1e3 * time_of(@() rwedge_load(alpha));
-    alone = 1e6 * time_of(@() many_calls(1e4)) / 1e4;
-    printf('a call %.1f us; a load in an array of 10^6 %.1f ns\n', alone, array);
-    claim('a load in an array costs no more than a fiftieth of a call', array < 20 * alone);
-    claim('a call costs no more than 100 us', alone < 100);
-end
-
 global failures
 failures = 0;
 shapes();
@@ -327,7 +283,5 @@ doubts();
 shown();
 contacts();
 lives();
-texts();
 cycles();
-costs();
 exit(double(failures > 0));

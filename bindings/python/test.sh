@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the package: test.sh [--long] BUILD_FOLDER [PYTEST-ARGUMENTS...]
-#     --long   also what takes long, what needs mypy, distributed, zarr or jax, the source distribution, and an older NumPy
+#     --long   also what takes long, what needs pandas, xarray, dask, mypy, zarr or jax, the source distribution, and an older NumPy
 # Everything goes into BUILD_FOLDER/python. What comes from PyPI is kept there for the next time. Ends with 77 where there is no Python
 # or no way to PyPI.
 set -eu
@@ -88,6 +88,5 @@ SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation
 
 [ -d "$folder/older/numpy" ] || fetch older --target "$folder/older"
 export PYTHONPATH="$folder/older"
-# but for what needs pandas, which has a newer NumPy here
 pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_cycle.py" \
-    "$source/tests/test_series.py" -k "not other_packages and not by_place" "$@"
+    "$source/tests/test_series.py" -m 'not long' "$@"

@@ -78,6 +78,7 @@ def test_a_sweep_on_a_cluster_stores_the_bits_of_the_serial_result(tmp_path, run
     assert stored.shape == (200, 100) and stored.chunks == (50, 100)
 
 
+@pytest.mark.long
 def test_dask_takes_the_ufuncs_as_they_are():
     da = pytest.importorskip("dask.array")
     x = np.linspace(-1, 1, 1000)
@@ -86,6 +87,7 @@ def test_dask_takes_the_ufuncs_as_they_are():
     assert (lazy.compute() == rwedge.pressure(0.25, x)).all()
 
 
+@pytest.mark.long
 def test_methods_do_not_wait_until_their_object_is_gone():
     da = pytest.importorskip("dask.array")
     x = np.linspace(-1, 1, 1000)

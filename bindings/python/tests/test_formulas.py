@@ -205,20 +205,6 @@ def test_the_gil_is_released():
     assert len(beats) > 20  # some 300 ms of C code; with the GIL held it would be one or two
 
 
-@pytest.mark.parametrize("name", FORMULAS)
-def test_docstring_says_what_the_header_says(name):
-    doc, about = FORMULAS[name].__doc__, FUNCTIONS[name]
-    inputs = [argument for kind, argument in about["parameters"] if kind not in ("double *", "size_t")]
-    assert f"{name}({', '.join(inputs)})" in doc
-    assert not doc.split("\n\n")[1].startswith(("NaN", "Relative", "Error", "It "))  # what it is, first
-    for argument in inputs:
-        of_cycle = ", (..., n)" if argument in about["sizes"] else ""
-        assert re.search(rf"\n{argument} : array_like{re.escape(of_cycle)}\n    \S", doc)  # and what it is
-    assert f"Source: {about['source']}." in doc and about["source"]
-    assert "NaN outside the domain" in doc.replace("\n", " ") and "broadcast" in doc
-    assert not any(word in doc for word in ("RWEDGE_", "rwedge_", "NULL", "HUGE_VAL"))
-
-
 @pytest.mark.long
 @pytest.mark.parametrize("name", speed.IN_C)
 def test_a_ufunc_is_as_fast_as_a_loop_in_c(name):

@@ -8,6 +8,7 @@ import rwedge
 X, Y = np.array([-0.2, 0.1, 0.3]), np.array([0.1, 0.4, 0.7])
 
 
+@pytest.mark.long
 def test_xarray_dimensions_make_a_grid(contact):
     xarray = pytest.importorskip("xarray")
     x, y = xarray.DataArray(X, dims="x", coords={"x": X}), xarray.DataArray(Y, dims="y", coords={"y": Y})
@@ -19,6 +20,7 @@ def test_xarray_dimensions_make_a_grid(contact):
         contact.stresses(x, xarray.DataArray([0.1, 0.2, -1.0], dims="y"))
 
 
+@pytest.mark.long
 def test_pandas_rows_meet_by_their_index(contact):
     pandas = pytest.importorskip("pandas")
     x, y = pandas.Series(X, index=list("abc")), pandas.Series(Y[::-1], index=list("cba"))
@@ -31,6 +33,7 @@ def test_pandas_rows_meet_by_their_index(contact):
         contact.stresses(x, pandas.Series([1.0, -1.0, 1.0], index=list("abc")))
 
 
+@pytest.mark.long
 def test_arrays_that_belong_together_as_a_whole_refuse_labels(contact):
     """What pairs them by place says so, and what to give it."""
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
@@ -39,6 +42,7 @@ def test_arrays_that_belong_together_as_a_whole_refuse_labels(contact):
             contact.stress_history(labelled, [0], [0], [0], [0.1], [0.2])
 
 
+@pytest.mark.long
 def test_series_of_pyarrow_are_taken_and_given_back(contact):
     pandas = pytest.importorskip("pandas")
     pytest.importorskip("pyarrow")

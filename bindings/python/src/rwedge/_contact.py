@@ -191,7 +191,8 @@ class Contact(ContactMethods, Handle):
         values, handle = {key: real(key, value) for key, value in numbers.items()}, ctypes.c_void_p()
         check(name, function(name)(*arrays, *values.values(), ctypes.byref(handle)), values)
         self._begin(handle)
-        self._pad = _pad_of(self.state()) if name != "contact_create" else _Pad(**values)
+        is_wedge = name == "contact_create"
+        self._pad = _Pad(values["theta"], values["a"], values["A"], values["f"]) if is_wedge else _pad_of(self.state())
         self.allow_error(tolerance)
         return self
 

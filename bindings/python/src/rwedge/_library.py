@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import functools
 import importlib.util
 import math
 import operator
@@ -112,12 +111,12 @@ class PathError(Error):
 ERRORS = {ESLIDING: SlidingError, EABSENT: AbsentError, EPATH: PathError}
 
 
-@functools.cache
 def function(name: str) -> Any:
     """The library's rwedge_name(), with its types."""
     found = getattr(library, "rwedge_" + name)
-    found.restype = TYPES[FUNCTIONS[name]["result"]]
-    found.argtypes = [TYPES.get(kind, ctypes.c_void_p) for kind, _ in FUNCTIONS[name]["parameters"]]
+    if found.argtypes is None:  # ctypes keeps what it was asked for
+        found.restype = TYPES[FUNCTIONS[name]["result"]]
+        found.argtypes = [TYPES.get(kind, ctypes.c_void_p) for kind, _ in FUNCTIONS[name]["parameters"]]
     return found
 
 

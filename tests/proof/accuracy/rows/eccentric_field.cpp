@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses of a contact off the centre, from the sums over breakpoints of the
- * profile. With z = m + s sin(zeta), q = exp(i zeta), the ends of the rounding at sin(phi_j) with
- * the jumps k_j = +-1/a of the slope, psi_j = pi/2 - phi_j and
+/* Stresses of a contact off the centre, from the sums over breakpoints of the profile. With
+ * z = m + s sin(zeta), q = exp(i zeta), the ends of the rounding at sin(phi_j) with the jumps k_j =
+ * +-1/a of the slope, psi_j = pi/2 - phi_j and
  *
  *     L_j = ln(1 - exp(-i phi_j) q) - ln(1 + exp(i phi_j) q) - i psi_j,
  *
@@ -10,8 +10,8 @@
  *     G' = sum k_j (i/pi)[ L_j + (cos phi_j + psi_j sin zeta)/cos zeta ].
  *
  * An end on the left of the patch counts as one at its left edge, with the line continued: phi_j =
- * -pi/2 makes all of its sum but a constant. The edges are those that the library found: its rows
- * judge them. */
+ * -pi/2 makes all of its sum but a constant. The edges are those that the library found: the rows
+ * of eccentric.cpp judge them. */
 #include <initializer_list>
 #include <math.h>
 #include <vector>

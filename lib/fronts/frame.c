@@ -125,7 +125,7 @@ bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch c
     *friction = (rw_friction){.contact = contact, .peak = rw_peak_friction(frame, contact)};
     const bool is_done =
         rw_traction_fit_values(&friction->traction, friction_at, &p, (size_t)inside + 2, at,
-                               FIT * frame->tolerance * fabs(friction->peak));
+                               FIT * frame->tolerance * fabs(friction->peak), 0);
     if (!is_done)
         rw_friction_destroy(friction);
     return is_done;

@@ -205,7 +205,8 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
     for (size_t i = 0; i < 6; i++)
         if (count == 0 || all[i] > at[count - 1])
             at[count++] = all[i];
-    if (!rw_traction_fit_values(&origin, origin_after, &g, count, at, slip_tolerance(frame, now))) {
+    if (!rw_traction_fit_values(&origin, origin_after, &g, count, at, slip_tolerance(frame, now),
+                                0)) {
         rw_traction_destroy(&origin);
         return false;
     }

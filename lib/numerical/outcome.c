@@ -17,6 +17,9 @@ static const double SAME_BREAK = 1e-8;
 /* The tolerance of the fit of a traction, over that of the step. */
 static const double FIT = 0.03;
 
+/* The old traction is a fit: of its jumps. */
+static const double NOISE = 30;
+
 /* Of many small steps each is fitted better, so that all together lose no more: from this change of
  * the loads on, as traction over friction, but not more than so many times. */
 static const double SMALL = 0.1, BEST_FIT = 0.1;
@@ -347,7 +350,7 @@ static bool complete(const after *n, rw_outcome *o)
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
     if (rw_traction_fit_values(&o->state.traction, traction_after, n, (size_t)breaks, at,
-                               fit_tolerance(p))) {
+                               fit_tolerance(p), NOISE)) {
         balance(p, &o->state);
         for (int i = 0; i + 1 < breaks; i++)
             if (label_at(n->zones, at[i] / 2 + at[i + 1] / 2) == 0)

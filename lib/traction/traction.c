@@ -191,7 +191,7 @@ typedef struct {
     rw_traction *traction;
     rw_values f;
     const void *context;
-    double tolerance, shortest;
+    double tolerance, noise, shortest;
     rule rule;
 } fit;
 
@@ -209,10 +209,6 @@ static void expand(const fit *how, rw_element *e)
     }
 }
 
-/* Where the function is a fit itself, it jumps a little between its elements: up to so many times
- * the tolerance, what is no smaller in a part than in the whole is such noise. */
-static const double NOISE = 30;
-
 /* The last coefficients, by size. */
 static double rest_of(const rw_element *e)
 {
@@ -223,7 +219,7 @@ static double rest_of(const rw_element *e)
 /* `whole` is the rest of the element that it is a part of. */
 static bool is_fine(const fit *how, double rest, double whole)
 {
-    return !(rest > how->tolerance) || (rest < NOISE * how->tolerance && rest > whole / 2);
+    return !(rest > how->tolerance) || (rest < how->noise * how->tolerance && rest > whole / 2);
 }
 
 /* Without the last terms that are lost in the tolerance. */
@@ -255,9 +251,9 @@ static bool fit_part(fit *how, double end, double scale, double first, double la
 }
 
 bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, size_t breaks,
-                            const double at[], double tolerance)
+                            const double at[], double tolerance, double noise)
 {
-    fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance};
+    fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance, .noise = noise};
     how.shortest = SHORTEST * (at[breaks - 1] - at[0]);
     make_rule(&how.rule);
     t->count = 0;
@@ -287,7 +283,7 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
                      const double at[], double tolerance)
 {
     const pointwise p = {f, context};
-    return rw_traction_fit_values(t, at_each, &p, breaks, at, tolerance);
+    return rw_traction_fit_values(t, at_each, &p, breaks, at, tolerance, 0);
 }
 
 /* ---- Reading ---- */

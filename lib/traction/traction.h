@@ -41,9 +41,11 @@ typedef void (*rw_values)(const double x[], const void *context, double value[])
 
 /* Replaces a traction by a function of x. The function is smooth between neighbouring breaks, which
  * are in order; at a break it may be like a square root. Elements are divided until their last
- * coefficients are below the tolerance. false where memory is short. */
+ * coefficients are below the tolerance. Where f is a fit itself, it jumps a little between its
+ * elements: up to `noise` times the tolerance, what is no smaller in a part than in the whole is
+ * such a jump. false where memory is short. */
 bool rw_traction_fit_values(rw_traction *traction, rw_values f, const void *context, size_t breaks,
-                            const double at[], double tolerance);
+                            const double at[], double tolerance, double noise);
 
 /* The same for a function that is computed place by place. */
 bool rw_traction_fit(rw_traction *traction, rw_function f, const void *context, size_t breaks,

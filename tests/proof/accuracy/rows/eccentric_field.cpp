@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses of a contact off the centre, from the sums over breakpoints of the profile. With z = m + s sin(zeta), q = exp(i zeta), the ends of the rounding at sin(phi_j) with
- * the jumps k_j = +-1/a of the slope, psi_j = pi/2 - phi_j and
+/* Stresses of a contact off the centre, from the sums over breakpoints of the profile. With
+ * z = m + s sin(zeta), q = exp(i zeta), the ends of the rounding at sin(phi_j) with the jumps k_j =
+ * +-1/a of the slope, psi_j = pi/2 - phi_j and
  *
  *     L_j = ln(1 - exp(-i phi_j) q) - ln(1 + exp(i phi_j) q) - i psi_j,
  *

@@ -124,7 +124,8 @@ static void pass_flat_parts(const rw_fronts *f, double J[], const double r[], do
     const int n = f->unknowns;
     for (int j = 0; j < f->fronts; j++) {
         const int way = r[j] * slip_at(f, j) * inwards(f, j) > 0 ? 1 : -1;
-        if (way * -r[j] / J[j * n + j] > 0 && fabs(r[j] / J[j * n + j]) < FLAT)
+        const double slope = J[j * n + j];
+        if (way * r[j] * slope < 0 && fabs(r[j]) < FLAT * fabs(slope))
             continue;
         for (int i = 0; i < n; i++)
             J[j * n + i] = i == j;

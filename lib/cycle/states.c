@@ -18,12 +18,14 @@ static const double LEAST_CHANGE = 0.01;
 
 static int parts_of(const rw_state *from, rw_loads to)
 {
+    if (!from->contact->numerical || to.P == 0)
+        return PARTS;
     const rw_loads old = from->contact->loads;
+    const double half = rw_patch_half_width(from->patch);
+    const double least = LEAST_CHANGE * old.P, most = PARTS * least;
     const double change =
-        fabs(to.P - old.P) + fabs(to.M - old.M) / rw_patch_half_width(from->patch);
-    return !from->contact->numerical || to.P == 0
-               ? PARTS
-               : (int)fmin(PARTS, ceil(change / (LEAST_CHANGE * old.P)));
+        fmin(fabs(to.P - old.P), most) + fmin(fabs(to.M - old.M), most * half) / half;
+    return (int)fmin(PARTS, ceil(change / least));
 }
 
 /* The patch in which a straight step slips nowhere: that of the last corner which both paths have

@@ -319,7 +319,7 @@ static rw_obstacle obstacle_of(const rw_step *s, rw_departure *departure)
 static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
 {
     const rw_corner *end = rw_memory_end(s->memory), *at = end - 1;
-    if (grows(s) || s->memory->count < 3 || s->to.load >= at->load)
+    if (grows(s) || s->memory->count < 3 || s->to.load >= fmin(at->load, end->load))
         return false;
     const double t = (end->load - at->load) / (end->load - s->to.load);
     rw_step part = *s;

@@ -297,7 +297,7 @@ static double at_one_place(const rwedge_contact *contact, const loads *c, int me
 /* From 21 places; 2001 are looked at. */
 CLAIM(the_worst_is_found_between_the_places)
 {
-    enum { COARSE = 21, FINE = 2001 };
+    enum { COARSE = 21, FINE = 801 };
     const loads cycle = add(add((loads){0}, 1, 0, 0.4, 0.01), 1, 0, -0.3, -0.01);
     rwedge_contact *contact = create(0.4, F);
     load(contact, 1, 0);

@@ -239,7 +239,7 @@ CLAIM(a_separation_and_its_parts_have_the_same_energy)
 {
     uint64_t seed = 5;
     int known = 0, unknown = 0;
-    for (int number = 0; number < 2000; number++) {
+    for (int number = 0; number < 600; number++) {
         rwedge_contact *whole = create(number % 3 * 0.3, 0.5);
         const double M = number % 2 * 0.2 * (random_fraction(&seed) - 0.5);
         apply(whole, 0.5, M, 0, 0);
@@ -264,5 +264,5 @@ CLAIM(a_separation_and_its_parts_have_the_same_energy)
             unknown += isnan(energy);
         }
     }
-    assert_true(known > 200 && unknown > 200);
+    assert_true(known > 60 && unknown > 60);
 }

@@ -86,27 +86,6 @@ static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
     rw_sort(s->kink, (size_t)s->kinks);
 }
 
-static void note_zones(const rwedge_contact *c, rw_zones *z)
-{
-    const rw_corner *end = rw_memory_end(&c->memory);
-    const rw_patch contact = end->patch;
-    rw_patch stick = contact;
-    int label = 0;
-    if (fabs(end->ratio) == 1) {
-        label = end->ratio > 0 ? 1 : -1;
-        stick = end[-1].patch;
-    }
-    if (end[-1].load == 0 && label != 0) /* it slides */
-        stick.left = stick.right = contact.right;
-    const rw_zone all[] = {{label, contact.left, stick.left},
-                           {0, stick.left, stick.right},
-                           {label, stick.right, contact.right}};
-    z->count = 0;
-    for (int i = 0; i < 3; i++)
-        if (all[i].right > all[i].left)
-            z->zone[z->count++] = all[i];
-}
-
 /* ---- Beginning ---- */
 
 static double slip_at(double x, const void *context)
@@ -150,7 +129,7 @@ static bool begin(const rwedge_contact *c, rw_numerical *numerical)
     const rw_frame frame = frame_of(c);
     rw_stance now = {.contact = end->patch,
                      .at = course_of(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
-    note_zones(c, &now.shear.zones);
+    rw_closed_form_zones(c, &now.shear.zones);
     if (fit_traction(c, &frame, &now) &&
         rw_numerical_begin(numerical, &frame, &now, is_slip_known(c) ? slip_at : NULL, c))
         return true;
@@ -429,7 +408,7 @@ bool rw_numerical_agrees(const rwedge_contact *c, const rwedge_contact *exact)
 {
     const rw_zones *z = &c->numerical->now.shear.zones;
     rw_zones other;
-    note_zones(exact, &other);
+    rw_closed_form_zones(exact, &other);
     const double slack = c->tolerance * (z->zone[2].right - z->zone[0].left);
     return other.count == 3 && other.zone[0].label == z->zone[0].label &&
            fabs(other.zone[1].left - z->zone[1].left) < slack &&
@@ -474,38 +453,4 @@ double rwedge_contact_error(const rwedge_contact *contact)
     if (!contact)
         return NAN;
     return contact->numerical ? rw_numerical_error(contact->numerical) : 0;
-}
-
-static void zones_of(const rwedge_contact *contact, rw_zones *zones)
-{
-    zones->count = 0;
-    if (contact->numerical)
-        *zones = contact->numerical->now.shear.zones;
-    else if (contact->memory.count > 1)
-        note_zones(contact, zones);
-}
-
-size_t rwedge_contact_zone_count(const rwedge_contact *contact)
-{
-    rw_zones zones = {0};
-    if (contact)
-        zones_of(contact, &zones);
-    return (size_t)zones.count;
-}
-
-int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[], double right[],
-                             double slip[])
-{
-    if (!contact || !left || !right || !slip)
-        return RWEDGE_ENULL;
-    rw_zones zones;
-    zones_of(contact, &zones);
-    if (n != (size_t)zones.count)
-        return RWEDGE_ERANGE;
-    for (size_t i = 0; i < n; i++) {
-        left[i] = zones.zone[i].left;
-        right[i] = zones.zone[i].right;
-        slip[i] = -zones.zone[i].label;
-    }
-    return RWEDGE_OK;
 }

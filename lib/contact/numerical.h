@@ -7,6 +7,9 @@
 #include "contact/contact.h"
 #include "history/path.h"
 
+/* The zones of a contact in closed form. */
+void rw_closed_form_zones(const rwedge_contact *contact, rw_zones *zones);
+
 /* Goes on to a load under which the contact neither separates nor slides. Unless RWEDGE_OK, the
  * contact is as before. energy receives what the load dissipates. */
 int32_t rw_numerical_go(rwedge_contact *contact, const rw_step *step, double *energy);

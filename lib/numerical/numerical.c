@@ -217,9 +217,6 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numeri
 
 /* ---- Steps ---- */
 
-/* Halvings of a load. */
-enum { HALVINGS = 9 };
-
 /* Makes the end of a step the present state. */
 static bool accept(rw_work *w, rw_numerical *n, const rw_numerical_state *half,
                    rw_numerical_state *now)
@@ -262,10 +259,9 @@ static void spread(bool left_out[], double apart[])
 }
 
 /* The error is at most this many times the difference of a step from its halves, in 98 of 100
- * histories (tests/proof/history_survey.c). A step of first order errs by the difference; but the
- * halves see only a part of what both leave out, like the D of a wide new ring, and such errors add
- * up. From 12 on it would be told more than 30 times too large in some histories. */
-static const double DOUBT = 4;
+ * histories (tests/proof/history_survey.c). Steps are of second order, or of a lower one where a
+ * front runs back into a zone that slipped, and such errors add up. */
+static const double DOUBT = 2;
 
 /* The differences of two tractions over the scale, by place. Returns the largest. */
 static double difference(double scale, const rw_numerical_state *a, const rw_numerical_state *b,
@@ -291,10 +287,10 @@ static double difference(double scale, const rw_numerical_state *a, const rw_num
  * tractions. The energy of the halves is of second order. */
 static const double ENERGY = 30;
 
-/* Compares the halves with the whole: the difference bounds the error of the halves. Whether it and
- * the difference of the energies are small enough. */
-static bool compare(const rw_frame *frame, const rw_numerical_state *whole,
-                    const rw_numerical_state *half, rw_numerical_state *both)
+/* Compares the halves with the whole: the difference bounds the error of the halves. Returns it,
+ * over what is allowed, or that of the energies. */
+static double compare(const rw_frame *frame, const rw_numerical_state *whole,
+                      const rw_numerical_state *half, rw_numerical_state *both)
 {
     const double scale = rw_peak_friction(frame, whole->contact);
     const double unit = scale * rw_patch_half_width(whole->contact);
@@ -302,13 +298,19 @@ static bool compare(const rw_frame *frame, const rw_numerical_state *whole,
     both->error += half->error + half->rate_error + both->rate_error;
     const double apart = difference(scale, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
-    return both->error + apart <= frame->tolerance && fabs(energy) <= ENERGY * frame->tolerance;
+    return fmax(both->error + apart, fabs(energy) / ENERGY) / frame->tolerance;
 }
 
-static rw_scaled_loads half_way(rw_scaled_loads from, rw_scaled_loads to)
+static double between(double from, double to, double part)
 {
-    return (rw_scaled_loads){from.P / 2 + to.P / 2, from.M / 2 + to.M / 2,
-                             from.shear / 2 + to.shear / 2, from.stretch / 2 + to.stretch / 2};
+    return (1 - part) * from + part * to;
+}
+
+static rw_scaled_loads loads_between(rw_scaled_loads from, rw_scaled_loads to, double part)
+{
+    return (rw_scaled_loads){between(from.P, to.P, part), between(from.M, to.M, part),
+                             between(from.shear, to.shear, part),
+                             between(from.stretch, to.stretch, part)};
 }
 
 /* A step that may have failed. */
@@ -332,43 +334,93 @@ static trial try_step(rw_work *w, const rw_numerical_state *from, rw_scaled_load
     return t;
 }
 
-/* Goes on to a load. `whole` is the step as a whole, if it is known. Its difference from two halves
- * is the error. Both halves are divided again until that is small, or the effort is spent: the
- * first half may take half of the effort left. */
-static bool advance(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *whole, int halvings,
-                    int effort)
+/* The length of a step, over that of one with this error over the allowed one: steps are of second
+ * order, and growth is careful. Unknown errors are HUGE_VAL. */
+static double better_length(double error)
 {
-    const bool is_last = halvings == 0 || w->effort > effort;
-    const rw_scaled_loads middle = half_way(n->now.at, to);
+    static const double LEAST = 0.1, MOST = 2, UNKNOWN = 0.5;
+    return error == HUGE_VAL ? UNKNOWN : fmax(LEAST, fmin(MOST, 0.8 / sqrt(fmax(error, 0.1))));
+}
+
+/* About this part, so that what is left has a whole number of them. */
+static double part_of(double left, double part)
+{
+    return left / fmax(1, floor(left / part + 0.5));
+}
+
+/* One step to a load, if its error is small enough or it is the last attempt. `whole` is the step
+ * as a whole, if it is known; its difference from two halves is the error. If it is too large
+ * `whole` becomes the first half. */
+static bool try_at_once(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *whole, bool is_last,
+                        double *error)
+{
+    const rw_zones zones = whole->is_known ? whole->state.shear.zones : n->now.shear.zones;
+    trial half = try_step(w, &n->now, loads_between(n->now.at, to, 0.5), &zones, is_last),
+          both = {false};
+    *error = HUGE_VAL;
+    if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.state, &whole->state)) {
+        both = *whole;
+        whole->is_known = false;
+        *error = 0;
+    } else if (half.is_known && whole->is_known) {
+        both = try_step(w, &half.state, to, &zones, is_last);
+        if (both.is_known)
+            *error = compare(w->frame, &whole->state, &half.state, &both.state);
+    }
+    drop(whole);
+    *whole = half;
+    if (!both.is_known || (*error > 1 && !is_last)) {
+        drop(&both);
+        return false;
+    }
+    const bool is_done = accept(w, n, &half.state, &both.state);
+    drop(whole);
+    return is_done;
+}
+
+static bool advance_in_parts(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *half,
+                             double length, int effort, double *error);
+
+/* Goes on to a load. It is divided until the error of each part is small, or the effort is spent.
+ * `length` is that of the load as a part of all. `error` on return: of the step, if it was one. */
+static bool advance(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *whole, double length,
+                    int effort, double *error)
+{
+    static const double SHORTEST = 1.0 / 512;
+    const bool is_last = length <= SHORTEST || w->effort > effort;
     if (is_last && !whole->is_known)
         *whole = try_step(w, &n->now, to, NULL, true);
-    const rw_zones zones = whole->is_known ? whole->state.shear.zones : n->now.shear.zones;
-    trial half = try_step(w, &n->now, middle, &zones, is_last), both = {.is_known = false};
-    if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.state, &whole->state)) {
-        const bool is_done = accept(w, n, &half.state, &whole->state);
-        whole->is_known = false;
-        drop(&half);
-        return is_done;
-    }
-    if (half.is_known && whole->is_known)
-        both = try_step(w, &half.state, to, &zones, is_last);
-    const bool is_close =
-        both.is_known && compare(w->frame, &whole->state, &half.state, &both.state);
+    if (try_at_once(w, n, to, whole, is_last, error))
+        return true;
+    if (!is_last && !w->is_short)
+        return advance_in_parts(w, n, to, whole, length, effort, error);
     drop(whole);
-    if (is_close || (both.is_known && is_last)) {
-        const bool is_done = accept(w, n, &half.state, &both.state);
-        drop(&half);
-        return is_done;
+    return false;
+}
+
+/* `error` is that of the load at once, `half` the first half of it, if it is known. A part may take
+ * as much of the effort as of the way. */
+static bool advance_in_parts(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *half,
+                             double length, int effort, double *error)
+{
+    const rw_scaled_loads from = n->now.at;
+    double done = 0, part = part_of(1, fmin(0.5, better_length(*error)));
+    bool is_done = true;
+    while (is_done && done < 1) {
+        const bool is_end = part > 0.9 * (1 - done);
+        const rw_scaled_loads at = is_end ? to : loads_between(from, to, done + part);
+        const rw_zones zones = n->now.shear.zones;
+        const int share = (int)((effort - w->effort) * (part / (1 - done)));
+        if (done > 0 || part < 0.5) {
+            drop(half);
+            *half = try_step(w, &n->now, at, &zones, false);
+        }
+        is_done = advance(w, n, at, half, length * part, w->effort + share, error);
+        done = is_end ? 1 : done + part;
+        part = is_end ? 0 : part_of(1 - done, part * (*error > 1 ? 1 : better_length(*error)));
     }
-    drop(&both);
-    if (is_last || w->is_short) {
-        drop(&half);
-        return false;
-    }
-    if (!advance(w, n, middle, &half, halvings - 1, w->effort + (effort - w->effort) / 2))
-        return false;
-    trial rest = try_step(w, &n->now, to, &zones, false);
-    return advance(w, n, to, &rest, halvings - 1, effort);
+    *error = HUGE_VAL;
+    return is_done;
 }
 
 /* A load after which the error is twice what it was, and this more, has not converged. */
@@ -386,7 +438,8 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
         return RW_STEP_NO_MEMORY;
     }
     trial whole = try_step(&w, &next.now, to, NULL, false);
-    const bool is_done = advance(&w, &next, to, &whole, HALVINGS, *effort / 2) &&
+    double error;
+    const bool is_done = advance(&w, &next, to, &whole, 1, *effort / 2, &error) &&
                          rw_numerical_error(&next) <= FAR_OFF + 2 * rw_numerical_error(n);
     *effort -= w.effort;
     rw_work_destroy(&w);

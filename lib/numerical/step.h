@@ -35,7 +35,7 @@ enum { RW_TRIALS = 2, RW_FRICTIONS = 4 };
 typedef struct {
     const rw_frame *frame;
     rw_fronts fronts;
-    rw_problem start; /* the rates at the beginning of the step */
+    rw_problem start, end; /* the rates at the beginning and at the end of the step */
     rw_grid grid[RW_TRIALS];
     rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
     unsigned frictions;                 /* how many so far */

@@ -103,17 +103,14 @@ def function_text(f: Function) -> str:
 def method_text(f: Function) -> str:
     form = call(outputs(f), f"{f.family}.{f.method}", inputs(f))
     margin = " " * 8
+    loads = bool(f.of("changed")) and "P" in inputs(f)
+    body = (call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if loads and not f.of("in array") else
+            call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)]))
+    doubt = "warn_of_size()" if loads and f.of("in array") else "warn('safety', factor)" if "factor" in outputs(f) else ""
+    doubt = doubt and f"{margin}    {f.family}.{doubt};\n"
     return (f"\n{margin}function {call(outputs(f), f.method, [f.family, *inputs(f)])}\n{margin}%{f.method.upper()}  {form}\n" +
             commented(help_lines(f), margin) + enough(len(inputs(f)) and len(inputs(f)) + 1, form, margin + "    ") +
-            f"{margin}    " + call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)]) +
-            f";\n{doubts(f, margin)}{margin}end\n")
-
-
-def doubts(f: Function, margin: str) -> str:
-    """What warns where a result of the contact is doubtful: after a load, or by a factor."""
-    if f.of("changed") and "P" in inputs(f):
-        return f"{margin}    {f.family}.warn_of_size();\n"
-    return f"{margin}    {f.family}.warn('safety', factor);\n" if "factor" in outputs(f) else ""
+            f"{margin}    {body};\n{doubt}{margin}end\n")
 
 
 def maker_text(f: Function) -> str:

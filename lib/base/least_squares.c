@@ -19,12 +19,12 @@ void dgelsd_(const int32_t *m, const int32_t *n, const int32_t *nrhs, double *a,
 
 int32_t rw_least_squares(int32_t rows, int32_t columns, double *A, double *v)
 {
-    const int32_t one = 1;
+    const int32_t right_sides = 1;
     const double condition = sqrt(DBL_EPSILON);
     int32_t rank = 0, info = 0, integer_size = 0, query = -1;
     double size = 0, unused = 0;
-    dgelsd_(&rows, &columns, &one, A, &rows, v, &rows, &unused, &condition, &rank, &size, &query,
-            &integer_size, &info);
+    dgelsd_(&rows, &columns, &right_sides, A, &rows, v, &rows, &unused, &condition, &rank, &size,
+            &query, &integer_size, &info);
     /* never: the sizes are sound, and the work for 2^27 entries is not more than INT32_MAX */
     if (NEVER(info != 0 || !(size >= 1 && size <= INT32_MAX)))
         return RWEDGE_ENOCONV;
@@ -35,8 +35,8 @@ int32_t rw_least_squares(int32_t rows, int32_t columns, double *A, double *v)
     int32_t *integers = malloc(integer_count * sizeof *integers);
     int32_t status = RWEDGE_ENOMEM;
     if (work && integers) {
-        dgelsd_(&rows, &columns, &one, A, &rows, v, &rows, work + length, &condition, &rank, work,
-                &length, integers, &info);
+        dgelsd_(&rows, &columns, &right_sides, A, &rows, v, &rows, work + length, &condition, &rank,
+                work, &length, integers, &info);
         /* no finite matrix is known whose singular values do not converge */
         status = NEVER(info != 0) ? RWEDGE_ENOCONV : rank < columns ? RWEDGE_ERANK : RWEDGE_OK;
     }

@@ -6,8 +6,8 @@
 
 static inline int rw_by_size(const void *a, const void *b)
 {
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
+    const double first = *(const double *)a, second = *(const double *)b;
+    return (first > second) - (first < second);
 }
 
 /* The smallest first; none is NaN. */

@@ -78,7 +78,7 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     if ((contact->geometry.pad && !copied->geometry.pad) ||
         !rw_memory_copy(&contact->memory, &copied->memory) ||
         !rw_slip_origins_copy(&contact->origins, &copied->origins) ||
-        !rw_numerical_take_over(copied, contact)) {
+        !rw_contact_copy_numerical(copied, contact)) {
         rwedge_contact_destroy(copied);
         return RWEDGE_ENOMEM;
     }
@@ -93,11 +93,11 @@ void rw_contact_drop_kept(rwedge_contact *contact)
     contact->kept = NULL;
 }
 
-void rw_contact_exchange(rwedge_contact *one, rwedge_contact *other)
+void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b)
 {
-    const rwedge_contact before = *one;
-    *one = *other;
-    *other = before;
+    const rwedge_contact before = *a;
+    *a = *b;
+    *b = before;
 }
 
 void rwedge_contact_destroy(rwedge_contact *contact)

@@ -18,14 +18,14 @@ typedef struct {
 typedef struct {
     size_t count;
     const double *P, *M, *Q, *sigma;
-} rw_load_list;
+} rw_load_history;
 
-static inline bool rw_is_load_list(const rw_load_list *loads)
+static inline bool rw_is_load_history(const rw_load_history *loads)
 {
     return loads->count == 0 || (loads->P && loads->M && loads->Q && loads->sigma);
 }
 
-static inline rw_loads rw_loads_at(const rw_load_list *loads, size_t i)
+static inline rw_loads rw_loads_at(const rw_load_history *loads, size_t i)
 {
     return (rw_loads){loads->P[i], loads->M[i], loads->Q[i], loads->sigma[i]};
 }
@@ -66,7 +66,7 @@ struct rwedge_contact {
 void rw_contact_drop_kept(rwedge_contact *contact);
 
 /* The contacts exchange all they have. */
-void rw_contact_exchange(rwedge_contact *one, rwedge_contact *other);
+void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b);
 
 /* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);

@@ -235,9 +235,9 @@ static bool keeps_origin(const rwedge_contact *contact, const rw_step *step, int
 }
 
 /* The part of a patch inside of another. */
-static rw_patch common_part(rw_patch one, rw_patch other)
+static rw_patch common_part(rw_patch a, rw_patch b)
 {
-    return (rw_patch){fmax(one.left, other.left), fmin(one.right, other.right)};
+    return (rw_patch){fmax(a.left, b.left), fmin(a.right, b.right)};
 }
 
 /* The energy of a step, NaN where there is no single integral for it. */

@@ -16,12 +16,12 @@ static rw_frame frame_of(const rwedge_contact *c)
     return rw_frame_of(rw_arcs_of(&c->geometry), c->f, c->tolerance);
 }
 
-static rw_course course_of(const rwedge_contact *c, double P, double M, double shear,
-                           double stretch)
+static rw_scaled_loads scaled_loads(const rwedge_contact *c, double P, double M, double shear,
+                                    double stretch)
 {
     const rw_geometry *g = &c->geometry;
-    return (rw_course){rw_as_length(g, P), rw_as_length(g, M), c->f * rw_as_length(g, shear),
-                       -c->f * stretch};
+    return (rw_scaled_loads){rw_as_length(g, P), rw_as_length(g, M), c->f * rw_as_length(g, shear),
+                             -c->f * stretch};
 }
 
 /* ---- The traction of a closed form ---- */
@@ -103,7 +103,7 @@ static bool is_slip_known(const rwedge_contact *c)
     return rwedge_contact_slip(c, 1, &middle, &slip) == RWEDGE_OK;
 }
 
-static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_stance *now)
+static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_numerical_state *now)
 {
     patches p;
     if (!make_patches(c, &p))
@@ -127,8 +127,9 @@ static bool begin(const rwedge_contact *c, rw_numerical *numerical)
 {
     const rw_corner *end = rw_memory_end(&c->memory);
     const rw_frame frame = frame_of(c);
-    rw_stance now = {.contact = end->patch,
-                     .at = course_of(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
+    rw_numerical_state now = {
+        .contact = end->patch,
+        .at = scaled_loads(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
     rw_closed_form_zones(c, &now.shear.zones);
     if (fit_traction(c, &frame, &now) &&
         rw_numerical_begin(numerical, &frame, &now, is_slip_known(c) ? slip_at : NULL, c))
@@ -137,11 +138,11 @@ static bool begin(const rwedge_contact *c, rw_numerical *numerical)
     return false;
 }
 
-static rw_course part_of(rw_course from, rw_course to, double part)
+static rw_scaled_loads part_of(rw_scaled_loads from, rw_scaled_loads to, double part)
 {
-    return (rw_course){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
-                       from.shear + part * (to.shear - from.shear),
-                       from.stretch + part * (to.stretch - from.stretch)};
+    return (rw_scaled_loads){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
+                             from.shear + part * (to.shear - from.shear),
+                             from.stretch + part * (to.stretch - from.stretch)};
 }
 
 static double no_slip(double x, const void *context)
@@ -152,11 +153,11 @@ static double no_slip(double x, const void *context)
 }
 
 /* The state after a first small contact, with a shear in proportion to the load. */
-static bool touch(const rwedge_contact *c, rw_course to, rw_numerical *numerical)
+static bool touch(const rwedge_contact *c, rw_scaled_loads to, rw_numerical *numerical)
 {
     const rw_frame frame = frame_of(c);
-    const rw_course from = {0, 0, 0, -c->f * c->memory.corners[0].stretch};
-    rw_stance now = {.at = part_of(from, to, FIRST_TOUCH)};
+    const rw_scaled_loads from = {0, 0, 0, -c->f * c->memory.corners[0].stretch};
+    rw_numerical_state now = {.at = part_of(from, to, FIRST_TOUCH)};
     now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
     now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
     rw_frame in_proportion = frame; /* what friction would bear is the traction */
@@ -186,7 +187,7 @@ static const double FOLD = 4;
 
 /* An error while the load is small counts less at the end of the step: by the ratio of the peak
  * pressures. */
-static rw_step_result advance_part(rw_numerical *n, const rw_frame *frame, rw_course at,
+static rw_step_result advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at,
                                    double last_peak, int *effort)
 {
     static const double LOOSEST = 1e-2;
@@ -198,9 +199,9 @@ static rw_step_result advance_part(rw_numerical *n, const rw_frame *frame, rw_co
     return rw_numerical_step(n, &loose, at, effort);
 }
 
-static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_course to)
+static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to)
 {
-    const rw_course from = n->now.at;
+    const rw_scaled_loads from = n->now.at;
     const double last_peak =
         rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, to.P, to.M));
     const double folds = fabs(log(to.P / from.P)) / log(FOLD);
@@ -211,22 +212,24 @@ static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_course 
         int share = effort / (parts - i + 1);
         effort -= share;
         const double P = from.P * pow(to.P / from.P, (double)i / parts);
-        const rw_course at = i < parts ? part_of(from, to, (P - from.P) / (to.P - from.P)) : to;
+        const rw_scaled_loads at =
+            i < parts ? part_of(from, to, (P - from.P) / (to.P - from.P)) : to;
         result = advance_part(n, frame, at, last_peak, &share);
         effort += share;
     }
     return result;
 }
 
-static rw_course course_to(const rwedge_contact *c, const rw_step *step)
+static rw_scaled_loads scaled_loads_after(const rwedge_contact *c, const rw_step *step)
 {
-    return course_of(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
+    return scaled_loads(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
 }
 
 /* Whether the contact stays: its edges do. */
-static rw_course destination(const rwedge_contact *c, const rw_step *step, const rw_numerical *n)
+static rw_scaled_loads next_loads(const rwedge_contact *c, const rw_step *step,
+                                  const rw_numerical *n)
 {
-    rw_course to = course_to(c, step);
+    rw_scaled_loads to = scaled_loads_after(c, step);
     if (step->patch.left == n->now.contact.left && step->patch.right == n->now.contact.right) {
         to.P = n->now.at.P;
         to.M = n->now.at.M;
@@ -237,7 +240,7 @@ static rw_course destination(const rwedge_contact *c, const rw_step *step, const
 /* The contact without its shear. */
 static void forget_shear(rwedge_contact *c, const rw_step *step)
 {
-    rw_loading pressed = step->to;
+    rw_memory_loads pressed = step->to;
     pressed.shear = 0;
     rw_memory_restart(&c->memory, pressed, 0);
     c->memory.corners[1].patch = step->patch;
@@ -268,7 +271,7 @@ static rw_numerical *before_step(const rwedge_contact *c, const rw_step *step)
     if (c->numerical)
         return copy_of(c->numerical);
     rw_numerical *n = malloc(sizeof *n);
-    if (n && (c->memory.count == 1 ? touch(c, course_to(c, step), n) : begin(c, n)))
+    if (n && (c->memory.count == 1 ? touch(c, scaled_loads_after(c, step), n) : begin(c, n)))
         return n;
     free(n);
     return NULL;
@@ -282,7 +285,7 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
     *next = copy_of(from);
     if (!*next)
         return RWEDGE_ENOMEM;
-    const int32_t status = status_of(advance(*next, &frame, destination(c, step, from)));
+    const int32_t status = status_of(advance(*next, &frame, next_loads(c, step, from)));
     if (status != RWEDGE_OK) {
         discard(*next);
         *next = NULL;
@@ -297,12 +300,12 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
  * up. All in all the loads may be off the line by this part of the tolerance. */
 static const double STRAY = 0.1;
 
-enum { COURSES = 4 };
+enum { LOADS = 4 };
 
 /* The changes of the loads, each as a traction. */
-static void changes(const rw_numerical *n, double f, rw_course to, double change[])
+static void changes(const rw_numerical *n, double f, rw_scaled_loads to, double change[])
 {
-    const rw_course from = n->now.at;
+    const rw_scaled_loads from = n->now.at;
     const double half = rw_patch_half_width(n->now.contact);
     change[0] = f * (to.P - from.P) / half;
     change[1] = f * (to.M - from.M) / (half * half);
@@ -317,15 +320,15 @@ static double stray(const rwedge_contact *c, const rw_step *step)
     if (!c->start)
         return HUGE_VAL;
     const rw_frame frame = frame_of(c);
-    double last[COURSES], next[COURSES], product = 0, square = 0, apart = 0;
+    double last[LOADS], next[LOADS], product = 0, square = 0, apart = 0;
     changes(c->start, c->f, c->numerical->now.at, last);
-    changes(c->start, c->f, destination(c, step, c->start), next);
-    for (int i = 0; i < COURSES; i++) {
+    changes(c->start, c->f, next_loads(c, step, c->start), next);
+    for (int i = 0; i < LOADS; i++) {
         product += last[i] * next[i];
         square += next[i] * next[i];
     }
     const double part = square > 0 ? fmax(0, fmin(1, product / square)) : 0;
-    for (int i = 0; i < COURSES; i++)
+    for (int i = 0; i < LOADS; i++)
         apart += fabs(last[i] - part * next[i]);
     return c->strayed + apart / rw_peak_friction(&frame, c->numerical->now.contact);
 }
@@ -381,7 +384,7 @@ double rw_numerical_energy_to_separation(const rwedge_contact *c)
     if (!rw_numerical_copy(c->numerical, &n))
         return NAN;
     const double before = n.now.energy;
-    const rw_course away = {0, 0, 0, n.now.at.stretch}, from = n.now.at;
+    const rw_scaled_loads away = {0, 0, 0, n.now.at.stretch}, from = n.now.at;
     double left = 1;
     int effort = RW_MOST_EFFORT;
     while (left > LAST_TOUCH &&
@@ -415,7 +418,7 @@ bool rw_numerical_agrees(const rwedge_contact *c, const rwedge_contact *exact)
            fabs(other.zone[1].right - z->zone[1].right) < slack;
 }
 
-bool rw_numerical_take_over(rwedge_contact *c, const rwedge_contact *other)
+bool rw_contact_copy_numerical(rwedge_contact *c, const rwedge_contact *other)
 {
     if (!other->numerical)
         return true;

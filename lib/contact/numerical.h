@@ -25,7 +25,7 @@ bool rw_numerical_is_passed(const rwedge_contact *contact);
 bool rw_numerical_agrees(const rwedge_contact *contact, const rwedge_contact *exact);
 
 /* Copies the computed shear of another contact, if it has one. false where memory is short. */
-bool rw_numerical_take_over(rwedge_contact *contact, const rwedge_contact *other);
+bool rw_contact_copy_numerical(rwedge_contact *contact, const rwedge_contact *other);
 
 /* Ends the numerical state, after which the contact is without shear. */
 void rw_numerical_end(rwedge_contact *contact);

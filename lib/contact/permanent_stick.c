@@ -27,19 +27,20 @@ static bool keeps(const rwedge_contact *smaller, const rwedge_contact *larger)
  * "Moment and bulk tension"): the ways to both loads slip as far. The stretch has the sign of the
  * shear. Where N* is more than the smaller contact, all of that contact sticks: the ring that opens
  * and closes carries the change of shear. */
-static int32_t permanent(const rwedge_contact *one, const rwedge_contact *two, double sign,
+static int32_t permanent(const rwedge_contact *first, const rwedge_contact *second, double sign,
                          rw_patch *stuck)
 {
-    const bool rises = one->loads.P < two->loads.P;
-    const rwedge_contact *smaller = rises ? one : two, *larger = rises ? two : one;
+    const bool rises = first->loads.P < second->loads.P;
+    const rwedge_contact *smaller = rises ? first : second, *larger = rises ? second : first;
     const rw_corner *less = rw_memory_end(&smaller->memory), *more = rw_memory_end(&larger->memory);
-    const double shear = sign * (two->loads.Q - one->loads.Q) / one->f;
-    const double stretch = sign * rw_contact_stretch(one, two->loads.sigma - one->loads.sigma);
+    const double shear = sign * (second->loads.Q - first->loads.Q) / first->f;
+    const double stretch =
+        sign * rw_contact_stretch(first, second->loads.sigma - first->loads.sigma);
     const double load = (less->load + more->load - shear) / 2;
     const double tilt = (less->tilt + more->tilt - stretch) / 2;
     if (load <= rw_memory_tolerance(more->load) || less->load == 0)
         return RWEDGE_EABSENT;
-    *stuck = rw_patch_under_tilt(&one->geometry, load, tilt);
+    *stuck = rw_patch_under_tilt(&first->geometry, load, tilt);
     if (!rw_patch_is_nested(*stuck, more->patch, tilt))
         return RWEDGE_EPATH;
     if (rw_patch_is_nested(*stuck, less->patch, tilt))
@@ -56,19 +57,20 @@ int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact, double P1,
 {
     if (!contact || !left || !right)
         return RWEDGE_ENULL;
-    rwedge_contact *one = NULL, *two = NULL;
+    rwedge_contact *first = NULL, *second = NULL;
     rw_patch stuck = {0, 0};
-    int32_t status = load_once(contact, (rw_loads){P1, M1, Q1, sigma1}, &one);
+    int32_t status = load_once(contact, (rw_loads){P1, M1, Q1, sigma1}, &first);
     if (status == RWEDGE_OK)
-        status = load_once(contact, (rw_loads){P2, M2, Q2, sigma2}, &two);
+        status = load_once(contact, (rw_loads){P2, M2, Q2, sigma2}, &second);
     if (status == RWEDGE_OK)
-        status = contact->f == 0 ? RWEDGE_EABSENT : permanent(one, two, Q2 < Q1 ? -1 : 1, &stuck);
+        status =
+            contact->f == 0 ? RWEDGE_EABSENT : permanent(first, second, Q2 < Q1 ? -1 : 1, &stuck);
     if (status == RWEDGE_OK) {
         *left = stuck.left;
         *right = stuck.right;
     }
-    rwedge_contact_destroy(one);
-    rwedge_contact_destroy(two);
+    rwedge_contact_destroy(first);
+    rwedge_contact_destroy(second);
     return status;
 }
 

@@ -28,16 +28,16 @@ static double gap(const rw_geometry *g, double s, double x)
 
 /* The sum of w(x)/(f theta) over the corners from `first` to count - 1, without the term of the
  * profile. `beyond` is the slope D after the last of them. */
-static double displacement(const rwedge_contact *contact, const rw_trail *path, size_t first,
+static double displacement(const rwedge_contact *contact, const rw_path *path, size_t first,
                            size_t count, double beyond, double x)
 {
     double sum = 0;
     for (size_t i = first; i < count; i++) {
-        const rw_corner *corner = rw_trail_corner(path, i);
+        const rw_corner *corner = rw_path_corner(path, i);
         const double s = corner->patch.right;
         if (s >= x)
             continue;
-        const double next = i + 1 < count ? rw_trail_corner(path, i + 1)->ratio : beyond;
+        const double next = i + 1 < count ? rw_path_corner(path, i + 1)->ratio : beyond;
         sum += (corner->ratio - next) * gap(&contact->geometry, s, x);
     }
     return sum;
@@ -50,8 +50,8 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
     if (ALWAYS(isnan(corner.patch.left))) /* it is no corner of the path, which would have one */
         corner.patch = rw_patch_under_tilt(&contact->geometry, corner.load, 0);
     const rw_memory alone = {.corners = &corner, .count = 1};
-    const rw_trail trail = rw_memory_trail(&alone);
-    return displacement(contact, &trail, 0, 1, left->slip, x);
+    const rw_path path = rw_memory_path(&alone);
+    return displacement(contact, &path, 0, 1, left->slip, x);
 }
 
 /* The load under which the edge of the contact is at x. */
@@ -76,19 +76,18 @@ static double slip_at(const rwedge_contact *contact, double x)
     const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
     if (!origin || u == 0)
         return 0;
-    const rw_trail path = rw_memory_trail(now),
-                   base = rw_slip_origin_trail(&contact->origins, origin);
+    const rw_path path = rw_memory_path(now), base = rw_slip_origin_path(&contact->origins, origin);
     const rw_departure left = rw_slip_origin_departure(origin, &base, u);
     const size_t kept = left.kept;
-    const bool is_corner = left.corner.load == rw_trail_corner(&base, kept - 1)->load;
+    const bool is_corner = left.corner.load == rw_path_corner(&base, kept - 1)->load;
     const double after_kept = is_corner ? left.slip : left.corner.ratio;
-    const rw_trail kept_part = {base.corners, base.branches, base.branch, kept};
+    const rw_path kept_part = {base.corners, base.branches, base.branch, kept};
     const size_t common = rw_memory_common(now, &kept_part), first = common > 1 ? common - 1 : 1;
     double w = displacement(contact, &path, first, path.count, 0, x) -
                displacement(contact, &base, first, kept, after_kept, x);
     if (!is_corner && left.slip != 0)
         w -= departure_displacement(contact, &left, x);
-    const double at_centre = kept > 1 ? rw_trail_corner(&base, 1)->ratio : after_kept;
+    const double at_centre = kept > 1 ? rw_path_corner(&base, 1)->ratio : after_kept;
     w -= (now->corners[1].ratio - at_centre) * rw_height(g, x);
     return in_units(contact, w);
 }

@@ -47,8 +47,8 @@ bool rw_is_corner_sound(const rw_geometry *g, const rw_corner *c, const rw_corne
 bool rw_is_origin_sound(const rw_slip_origins *origins, size_t i)
 {
     const rw_slip_origin *o = &origins->all[i];
-    const rw_trail trail = rw_slip_origin_trail(origins, o);
-    const rw_corner *end = rw_trail_end(&trail);
+    const rw_path path = rw_slip_origin_path(origins, o);
+    const rw_corner *end = rw_path_end(&path);
     return o->end > (i > 0 ? origins->all[i - 1].end : 0) &&
            o->end <= fmax(o->from_load, o->to_load) && o->from_load == end->load &&
            o->from_shear == end->shear && o->to_load >= 0 && o->to_load < 2 * RW_LARGEST &&
@@ -77,13 +77,13 @@ static bool is_share_sound(const rwedge_contact *c)
         return true;
     if (c->memory.shared > rw_slip_origins_last_corners(origins))
         return false;
-    const rw_trail last = rw_slip_origin_trail(origins, &origins->all[origins->count - 1]);
+    const rw_path last = rw_slip_origin_path(origins, &origins->all[origins->count - 1]);
     return rw_memory_common(&c->memory, &last) >= c->memory.shared;
 }
 
 static bool is_numerical_sound(const rw_numerical *n)
 {
-    const rw_stance *s = &n->now;
+    const rw_numerical_state *s = &n->now;
     const rw_zones *z = &s->shear.zones;
     return s->at.P > 0 && z->zone[0].left == s->contact.left &&
            z->zone[z->count - 1].right == s->contact.right;

@@ -152,8 +152,8 @@ static void read_origin(tape *t, rw_slip_origins *origins)
     rw_corner *own = origins->own.corners + origins->own.count;
     const rw_corner *before = NULL;
     if (shared > 0) {
-        const rw_trail trail = rw_slip_origin_trail(origins, &origins->all[origins->count - 1]);
-        before = rw_trail_corner(&trail, shared - 1);
+        const rw_path path = rw_slip_origin_path(origins, &origins->all[origins->count - 1]);
+        before = rw_path_corner(&path, shared - 1);
     }
     pass_corners(t, own, origin.corners - shared, before);
     if (!t->is_sound)
@@ -235,7 +235,7 @@ static void pass_shear(tape *t, rw_numerical **shear)
     if (t->is_short)
         return;
     rw_numerical *n = *shear;
-    rw_stance *s = &n->now;
+    rw_numerical_state *s = &n->now;
     double *const finite[] = {&s->at.P,           &s->at.M,           &s->at.shear,
                               &s->at.stretch,     &s->contact.left,   &s->contact.right,
                               &s->move,           &s->energy,         &s->error,

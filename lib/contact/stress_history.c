@@ -56,14 +56,14 @@ static bool reserve(pieces *p, size_t more)
     return true;
 }
 
-static bool is_same_patch(rw_patch one, rw_patch other)
+static bool is_same_patch(rw_patch a, rw_patch b)
 {
-    return one.left == other.left && one.right == other.right;
+    return a.left == b.left && a.right == b.right;
 }
 
-static bool is_same(const piece *one, const piece *other)
+static bool is_same(const piece *a, const piece *b)
 {
-    return one->weight == other->weight && is_same_patch(one->patch, other->patch);
+    return a->weight == b->weight && is_same_patch(a->patch, b->patch);
 }
 
 static bool note(record *r, const rwedge_contact *contact)
@@ -181,7 +181,7 @@ static bool have_stress(const rwedge_contact *contact, const points *p)
 }
 
 /* Points have to be in the domain in units of the half-width too, the least and the largest. */
-static int32_t load_all(rwedge_contact *contact, const rw_load_list *loads, const points *p,
+static int32_t load_all(rwedge_contact *contact, const rw_load_history *loads, const points *p,
                         record *r)
 {
     double least = HUGE_VAL, most = 0;
@@ -201,7 +201,7 @@ static int32_t load_all(rwedge_contact *contact, const rw_load_list *loads, cons
     return RWEDGE_OK;
 }
 
-static int32_t follow(rwedge_contact *contact, const rw_load_list *loads, const points *p)
+static int32_t follow(rwedge_contact *contact, const rw_load_history *loads, const points *p)
 {
     record r = {.entries = calloc(loads->count + 1, sizeof *r.entries)};
     level *levels = NULL;
@@ -224,16 +224,16 @@ int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads, con
                                       size_t n, const double x[], const double y[], double sxx[],
                                       double syy[], double txy[])
 {
-    const rw_load_list list = {loads, P, M, Q, sigma};
+    const rw_load_history history = {loads, P, M, Q, sigma};
     const points p = {n, x, y, sxx, syy, txy};
-    if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !y)) ||
+    if (!contact || !rw_is_load_history(&history) || (n > 0 && (!x || !y)) ||
         (n > 0 && loads > 0 && (!sxx || !syy || !txy)))
         return RWEDGE_ENULL;
     rwedge_contact *ahead;
     int32_t status = rwedge_contact_copy(contact, &ahead);
     if (status != RWEDGE_OK)
         return status;
-    status = follow(ahead, &list, &p);
+    status = follow(ahead, &history, &p);
     if (status == RWEDGE_OK)
         rw_contact_exchange(contact, ahead);
     rwedge_contact_destroy(ahead);

@@ -23,18 +23,18 @@ typedef struct {
 } rw_cycle;
 
 /* Stresses need the states after the loads alone, slip those on the way too. */
-typedef enum { RW_STRESS_ALONE, RW_SLIP_TOO, RW_INTERESTS } rw_interest;
+typedef enum { RW_STRESS_ALONE, RW_SLIP_TOO, RW_CYCLE_USES } rw_cycle_use;
 
 /* The states of the cycle: those that the contact keeps, if they are of the same loads, else new
  * ones. For slip, RWEDGE_EPATH where the slip of a state has no closed form. The caller destroys
  * the cycle, after an error too. */
-int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads,
-                        rw_interest interest, rw_cycle *cycle);
+int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *loads,
+                        rw_cycle_use use, rw_cycle *cycle);
 void rw_cycle_destroy(rw_cycle *cycle);
 
 /* The states that the contact keeps of these loads, with their status; NULL where it keeps none. */
-const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_list *loads,
-                              rw_interest interest, int32_t *status);
+const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_history *loads,
+                              rw_cycle_use use, int32_t *status);
 
 /* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an
  * edge, and the place must be on the same side of it in all states. */
@@ -43,9 +43,9 @@ double rw_cycle_off_the_edges(const rw_cycle *cycle, double x);
 /* What friction does at a place of the surface. All 0 where there is no contact in the cycle. */
 typedef struct {
     double slip_range, shear, energy; /* shear: the largest magnitude of q */
-} rw_rubbing;
+} rw_slip_measures;
 
-rw_rubbing rw_rubbing_at(const rw_cycle *cycle, double x);
+rw_slip_measures rw_slip_measures_at(const rw_cycle *cycle, double x);
 
 /* The stresses after each load at n places, 3 loads n numbers: those of a load one after the other,
  * sxx of all loads first, then syy and txy. */

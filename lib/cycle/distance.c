@@ -91,11 +91,11 @@ static int32_t stresses_at(const rw_cycle *cycle, const ray *line, double stress
     return rw_cycle_stresses(cycle, 1, &x, &y, stress);
 }
 
-static int32_t go_through(const rwedge_contact *contact, const rw_load_list *list, bool is_line,
-                          const ray *line, double stress[])
+static int32_t go_through(const rwedge_contact *contact, const rw_load_history *history,
+                          bool is_line, const ray *line, double stress[])
 {
     rw_cycle cycle;
-    int32_t status = rw_cycle_create(contact, list, RW_STRESS_ALONE, &cycle);
+    int32_t status = rw_cycle_create(contact, history, RW_STRESS_ALONE, &cycle);
     if (status == RWEDGE_OK)
         status = is_line ? settled_means(&cycle, line, stress) : stresses_at(&cycle, line, stress);
     rw_cycle_destroy(&cycle);
@@ -115,8 +115,8 @@ int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads, 
                                    double x, double angle, double length, int32_t line,
                                    double sxx[], double syy[], double txy[])
 {
-    const rw_load_list list = {loads, P, M, Q, sigma};
-    if (!contact || !rw_is_load_list(&list) || !sxx || !syy || !txy)
+    const rw_load_history history = {loads, P, M, Q, sigma};
+    if (!contact || !rw_is_load_history(&history) || !sxx || !syy || !txy)
         return RWEDGE_ENULL;
     if (!rw_is_signed(x) || !islessequal(fabs(angle), 1.5) || !rw_is_positive(length) || line < 0 ||
         line > 1)
@@ -126,7 +126,7 @@ int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads, 
     double *stress = malloc(3 * loads * sizeof *stress);
     const ray way = {x, angle, line ? 2 * length : length / 2};
     const int32_t status =
-        stress ? go_through(contact, &list, line == 1, &way, stress) : RWEDGE_ENOMEM;
+        stress ? go_through(contact, &history, line == 1, &way, stress) : RWEDGE_ENOMEM;
     for (size_t i = 0; i < loads && status == RWEDGE_OK; i++) {
         sxx[i] = stress[i];
         syy[i] = stress[loads + i];

@@ -140,7 +140,7 @@ static void begin(place *at)
     at->shear = shear_at(at, first);
 }
 
-rw_rubbing rw_rubbing_at(const rw_cycle *cycle, double x)
+rw_slip_measures rw_slip_measures_at(const rw_cycle *cycle, double x)
 {
     place at = {.cycle = cycle, .x = x, .lowest = HUGE_VAL, .highest = -HUGE_VAL};
     at.inside = rw_cycle_off_the_edges(cycle, x);
@@ -155,5 +155,5 @@ rw_rubbing rw_rubbing_at(const rw_cycle *cycle, double x)
         at.offset = began ? 0 : at.offset;
         end_stay(&at);
     }
-    return (rw_rubbing){fmax(at.highest - at.lowest, 0), at.shear, at.energy};
+    return (rw_slip_measures){fmax(at.highest - at.lowest, 0), at.shear, at.energy};
 }

@@ -12,20 +12,20 @@ enum { LISTS = 4 };
 typedef struct {
     size_t count;
     double *loads; /* all P, then M, Q and sigma */
-    rw_cycle cycle[RW_INTERESTS];
-    int32_t status[RW_INTERESTS];
+    rw_cycle cycle[RW_CYCLE_USES];
+    int32_t status[RW_CYCLE_USES];
 } kept_cycle;
 
 static void destroy(void *of_contact)
 {
     kept_cycle *kept = of_contact;
-    for (int interest = 0; interest < RW_INTERESTS; interest++)
-        rw_cycle_destroy(&kept->cycle[interest]);
+    for (int use = 0; use < RW_CYCLE_USES; use++)
+        rw_cycle_destroy(&kept->cycle[use]);
     free(kept->loads);
     free(kept);
 }
 
-static bool is_same(const kept_cycle *kept, const rw_load_list *loads)
+static bool is_same(const kept_cycle *kept, const rw_load_history *loads)
 {
     const double *const list[LISTS] = {loads->P, loads->M, loads->Q, loads->sigma};
     bool same = kept->count == loads->count;
@@ -35,17 +35,17 @@ static bool is_same(const kept_cycle *kept, const rw_load_list *loads)
     return same;
 }
 
-const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_list *loads,
-                              rw_interest interest, int32_t *status)
+const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_history *loads,
+                              rw_cycle_use use, int32_t *status)
 {
     const kept_cycle *kept = contact->kept;
     if (!kept || !is_same(kept, loads))
         return NULL;
-    *status = kept->status[interest];
-    return &kept->cycle[interest];
+    *status = kept->status[use];
+    return &kept->cycle[use];
 }
 
-static kept_cycle *create(const rw_load_list *loads)
+static kept_cycle *create(const rw_load_history *loads)
 {
     kept_cycle *kept = calloc(1, sizeof *kept);
     double *copy = malloc(LISTS * loads->count * sizeof *copy);
@@ -63,12 +63,12 @@ static kept_cycle *create(const rw_load_list *loads)
 }
 
 /* RWEDGE_EPATH for the slip is kept as a result too. */
-static int32_t go_through(const rwedge_contact *contact, const rw_load_list *loads,
+static int32_t go_through(const rwedge_contact *contact, const rw_load_history *loads,
                           kept_cycle *kept)
 {
     int32_t status = RWEDGE_OK;
-    for (int i = 0; i < RW_INTERESTS && status == RWEDGE_OK; i++) {
-        status = rw_cycle_create(contact, loads, (rw_interest)i, &kept->cycle[i]);
+    for (int i = 0; i < RW_CYCLE_USES && status == RWEDGE_OK; i++) {
+        status = rw_cycle_create(contact, loads, (rw_cycle_use)i, &kept->cycle[i]);
         kept->status[i] = status;
     }
     return status == RWEDGE_ENOMEM ? status : kept->status[RW_STRESS_ALONE];
@@ -77,8 +77,8 @@ static int32_t go_through(const rwedge_contact *contact, const rw_load_list *loa
 int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads, const double P[],
                                   const double M[], const double Q[], const double sigma[])
 {
-    const rw_load_list list = {loads, P, M, Q, sigma};
-    if (!contact || !rw_is_load_list(&list))
+    const rw_load_history list = {loads, P, M, Q, sigma};
+    if (!contact || !rw_is_load_history(&list))
         return RWEDGE_ENULL;
     if (loads == 0 || loads > SIZE_MAX / LISTS / sizeof *P)
         return RWEDGE_ERANGE;

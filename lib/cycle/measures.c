@@ -30,8 +30,8 @@ double rw_largest_stress(const rw_cycle *cycle, size_t n, const double stress[],
 
 /* ---- Friction ---- */
 
-static int32_t rub(const rw_cycle *cycle, size_t n, const double x[], double slip_range[],
-                   double ruiz_f1[], double ruiz_f2[], double energy[])
+static int32_t slip_measures(const rw_cycle *cycle, size_t n, const double x[], double slip_range[],
+                             double ruiz_f1[], double ruiz_f2[], double energy[])
 {
     if (n > (SIZE_MAX / sizeof(double) - 1) / 3 / cycle->loads)
         return RWEDGE_ERANGE;
@@ -40,7 +40,7 @@ static int32_t rub(const rw_cycle *cycle, size_t n, const double x[], double sli
     const int32_t status =
         surface && sxx ? rw_cycle_stresses(cycle, n, x, surface, sxx) : RWEDGE_ENOMEM;
     for (size_t i = 0; i < n && status == RWEDGE_OK; i++) {
-        const rw_rubbing at = rw_rubbing_at(cycle, x[i]);
+        const rw_slip_measures at = rw_slip_measures_at(cycle, x[i]);
         slip_range[i] = at.slip_range;
         ruiz_f1[i] = at.shear * at.slip_range;
         ruiz_f2[i] = fmax(rw_largest_stress(cycle, n, sxx, i), 0) * ruiz_f1[i];
@@ -56,14 +56,14 @@ int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, size_t load
                                       size_t n, const double x[], double slip_range[],
                                       double ruiz_f1[], double ruiz_f2[], double energy[])
 {
-    const rw_load_list list = {loads, P, M, Q, sigma};
-    if (!contact || !rw_is_load_list(&list) ||
+    const rw_load_history history = {loads, P, M, Q, sigma};
+    if (!contact || !rw_is_load_history(&history) ||
         (n > 0 && (!x || !slip_range || !ruiz_f1 || !ruiz_f2 || !energy)))
         return RWEDGE_ENULL;
     rw_cycle cycle;
-    int32_t status = rw_cycle_create(contact, &list, RW_SLIP_TOO, &cycle);
+    int32_t status = rw_cycle_create(contact, &history, RW_SLIP_TOO, &cycle);
     if (status == RWEDGE_OK)
-        status = rub(&cycle, n, x, slip_range, ruiz_f1, ruiz_f2, energy);
+        status = slip_measures(&cycle, n, x, slip_range, ruiz_f1, ruiz_f2, energy);
     rw_cycle_destroy(&cycle);
     return status;
 }

@@ -35,7 +35,7 @@ static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact
     if (before->numerical || after->numerical)
         return (rw_patch){HUGE_VAL, -HUGE_VAL}; /* not known of any place */
     const rw_memory *path = &after->memory;
-    const rw_trail old = rw_memory_trail(&before->memory);
+    const rw_path old = rw_memory_path(&before->memory);
     const size_t common = rw_memory_common(path, &old);
     const bool is_on_segment = common + 1 < path->count && common < old.count &&
                                path->corners[common].load < old.corners[common].load &&
@@ -87,18 +87,18 @@ static int32_t add_parts(rw_cycle *cycle, rw_loads to)
     return to.P == 0 ? RWEDGE_EPATH : RWEDGE_OK;
 }
 
-static int32_t go_through(const rw_load_list *loads, rw_interest interest, rw_cycle *cycle)
+static int32_t go_through(const rw_load_history *loads, rw_cycle_use use, rw_cycle *cycle)
 {
     int32_t status = RWEDGE_OK;
     for (size_t i = 0; i < loads->count && status == RWEDGE_OK; i++) {
         const rw_loads to = rw_loads_at(loads, i);
-        if (interest == RW_SLIP_TOO)
+        if (use == RW_SLIP_TOO)
             status = add_parts(cycle, to);
         if (status == RWEDGE_OK)
             status = add_state(cycle, to);
         cycle->states[cycle->count - 1].is_load = true;
     }
-    for (size_t i = 0; i < cycle->count && status == RWEDGE_OK && interest == RW_SLIP_TOO; i++)
+    for (size_t i = 0; i < cycle->count && status == RWEDGE_OK && use == RW_SLIP_TOO; i++)
         status = rwedge_contact_slip(cycle->states[i].contact, 0, NULL, NULL);
     return status;
 }
@@ -159,11 +159,11 @@ double rw_cycle_off_the_edges(const rw_cycle *cycle, double x)
 
 /* ---- All ---- */
 
-int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads,
-                        rw_interest interest, rw_cycle *cycle)
+int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *loads,
+                        rw_cycle_use use, rw_cycle *cycle)
 {
     int32_t status;
-    const rw_cycle *kept = rw_kept_cycle(contact, loads, interest, &status);
+    const rw_cycle *kept = rw_kept_cycle(contact, loads, use, &status);
     if (kept) {
         *cycle = *kept;
         cycle->is_kept = true;
@@ -182,7 +182,7 @@ int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_list *loads
         return status;
     cycle->count = 1;
     rwedge_contact_edges(contact, &first->patch.left, &first->patch.right);
-    status = go_through(loads, interest, cycle);
+    status = go_through(loads, use, cycle);
     return status == RWEDGE_OK && !note_edges(cycle) ? RWEDGE_ENOMEM : status;
 }
 

@@ -32,7 +32,7 @@ static bool is_answer(const line *l, int32_t status)
 
 static double friction_of(const line *l, double x, const double *sxx)
 {
-    const rw_rubbing at = rw_rubbing_at(&l->cycle, x);
+    const rw_slip_measures at = rw_slip_measures_at(&l->cycle, x);
     switch (l->measure) {
     case RWEDGE_MEASURE_SLIP_RANGE:
         return at.slip_range;
@@ -161,11 +161,11 @@ static int32_t check(const line *l, size_t n, const double x[], const double val
 }
 
 /* Through the loads, and then from place to place. */
-static int32_t find(const rwedge_contact *contact, const rw_load_list *loads, line *l, size_t n,
+static int32_t find(const rwedge_contact *contact, const rw_load_history *loads, line *l, size_t n,
                     const double x[], const double value[], peak *best)
 {
-    const rw_interest interest = is_of_friction(l->measure) ? RW_SLIP_TOO : RW_STRESS_ALONE;
-    int32_t status = rw_cycle_create(contact, loads, interest, &l->cycle);
+    const rw_cycle_use use = is_of_friction(l->measure) ? RW_SLIP_TOO : RW_STRESS_ALONE;
+    int32_t status = rw_cycle_create(contact, loads, use, &l->cycle);
     if (status == RWEDGE_OK && !(l->stress = malloc(3 * loads->count * sizeof *l->stress)))
         status = RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
@@ -184,19 +184,19 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
                                    int32_t plane_stress, double constant, double su,
                                    double *worst_x, double *worst_value)
 {
-    const rw_load_list list = {loads, P, M, Q, sigma};
+    const rw_load_history history = {loads, P, M, Q, sigma};
     bool lacked_memory = false;
     line l = {.measure = measure,
               .material = {E, nu, constant, su, plane_stress},
               .y = y,
               .lacked_memory = &lacked_memory};
-    if (!contact || !rw_is_load_list(&list) || (n > 0 && (!x || !value)) || !worst_x ||
+    if (!contact || !rw_is_load_history(&history) || (n > 0 && (!x || !value)) || !worst_x ||
         !worst_value)
         return RWEDGE_ENULL;
     peak best;
     int32_t status = check(&l, n, x, value);
     if (status == RWEDGE_OK)
-        status = find(contact, &list, &l, n, x, value, &best);
+        status = find(contact, &history, &l, n, x, value, &best);
     if (status == RWEDGE_OK) {
         *worst_x = best.x;
         *worst_value = best.value;

@@ -155,12 +155,12 @@ static bool solve_stuck(rw_grid *g, double load)
     size_t count = 0;
     set_bounds(g);
     multiply(g, g->change, g->move);
-    double *one = g->right + n, *row = g->factor;
+    double *unit = g->right + n, *row = g->factor;
     for (int i = 0; i < n; i++) {
         if (g->label[i] != 0)
             continue;
         g->right[count] = -g->strain[i] - g->move[i];
-        one[count++] = 1;
+        unit[count++] = 1;
     }
     if (count == 0)
         return false;
@@ -171,13 +171,13 @@ static bool solve_stuck(rw_grid *g, double load)
     if (!rw_cholesky(count, g->factor))
         return false;
     rw_cholesky_solve(count, g->factor, g->right);
-    rw_cholesky_solve(count, g->factor, one);
+    rw_cholesky_solve(count, g->factor, unit);
     g->multiplier = (load * n / RW_PI - sum_of(n, g->change) - sum_of((int)count, g->right)) /
-                    sum_of((int)count, one);
+                    sum_of((int)count, unit);
     count = 0;
     for (int i = 0; i < n; i++)
         if (g->label[i] == 0) {
-            g->change[i] = g->right[count] + g->multiplier * one[count];
+            g->change[i] = g->right[count] + g->multiplier * unit[count];
             count++;
         }
     return true;

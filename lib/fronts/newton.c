@@ -18,7 +18,7 @@ static double largest(int n, const double v[])
 }
 
 /* The width of the narrower zone beside a front, as an angle. */
-static double room(const rw_fronts *f, int j)
+static double narrower_zone(const rw_fronts *f, int j)
 {
     const double before = j > 0 ? f->y[j - 1] : 0, after = j + 1 < f->fronts ? f->y[j + 1] : RW_PI;
     return fmin(f->y[j] - before, after - f->y[j]);
@@ -39,7 +39,8 @@ static bool jacobian(rw_fronts *f, const double r[], double J[])
     for (int j = 0; j < n; j++) {
         const double y = f->y[j];
         const double h =
-            j < f->fronts ? fmin(1e-5 * room(f, j), fmax(0.3 * nearest_kink(f, y), 3e-8)) : 1e-5;
+            j < f->fronts ? fmin(1e-5 * narrower_zone(f, j), fmax(0.3 * nearest_kink(f, y), 3e-8))
+                          : 1e-5;
         double moved[RW_MOST_FRONTS];
         f->y[j] = y + h;
         const bool is_done = rw_fronts_residual(f, moved);
@@ -198,7 +199,7 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
                 return false;
         }
         for (int i = 0; i < f->fronts; i++)
-            if (room(f, i) < 1e-9)
+            if (narrower_zone(f, i) < 1e-9)
                 return false;
         for (int i = 0; i < n; i++) {
             move[i] = f->y[i] - kept[i];

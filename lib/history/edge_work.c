@@ -35,10 +35,10 @@ static rw_patch patch_at(const layer *l, double t)
                       l->from.right + t * (l->to.right - l->from.right)};
 }
 
-static rw_pressing sum(rw_pressing one, double weight, rw_pressing two, rw_pressing less)
+static rw_pressing sum(rw_pressing inner, double weight, rw_pressing more, rw_pressing less)
 {
-    return (rw_pressing){.load = one.load + weight * (two.load - less.load),
-                         .moment = one.moment + weight * (two.moment - less.moment)};
+    return (rw_pressing){.load = inner.load + weight * (more.load - less.load),
+                         .moment = inner.moment + weight * (more.moment - less.moment)};
 }
 
 /* The stress intensity k = P +- 2 (M - m P)/s at an edge, the right one for side = 1. */

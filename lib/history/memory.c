@@ -76,18 +76,18 @@ bool rw_memory_reserve(rw_memory *memory, size_t more)
     return true;
 }
 
-rw_trail rw_memory_trail(const rw_memory *memory)
+rw_path rw_memory_path(const rw_memory *memory)
 {
     static const rw_branch WHOLE = {0};
-    return (rw_trail){memory->corners, &WHOLE, 0, memory->count};
+    return (rw_path){memory->corners, &WHOLE, 0, memory->count};
 }
 
-size_t rw_memory_common(const rw_memory *one, const rw_trail *other)
+size_t rw_memory_common(const rw_memory *memory, const rw_path *earlier)
 {
-    const size_t most = one->count < other->count ? one->count : other->count;
+    const size_t most = memory->count < earlier->count ? memory->count : earlier->count;
     size_t i = 1;
-    while (i < most && one->corners[i].load == rw_trail_corner(other, i)->load &&
-           one->corners[i].ratio == rw_trail_corner(other, i)->ratio)
+    while (i < most && memory->corners[i].load == rw_path_corner(earlier, i)->load &&
+           memory->corners[i].ratio == rw_path_corner(earlier, i)->ratio)
         i++;
     return i;
 }
@@ -160,7 +160,7 @@ static void append(rw_memory *memory, rw_corner corner)
 }
 
 /* A new end of the path. */
-static void push(rw_memory *memory, rw_loading to, double ratio)
+static void push(rw_memory *memory, rw_memory_loads to, double ratio)
 {
     const double load = to.load, shear = to.shear;
     rw_corner corner = {load, shear, to.tilt, to.stretch, ratio, -HUGE_VAL, HUGE_VAL, UNKNOWN};
@@ -179,26 +179,26 @@ static void push(rw_memory *memory, rw_loading to, double ratio)
     append(memory, corner);
 }
 
-double rw_trail_shear(const rw_trail *trail, double load)
+double rw_path_shear(const rw_path *path, double load)
 {
-    size_t low = 0, high = trail->count - 1;
+    size_t low = 0, high = path->count - 1;
     while (low + 1 < high) { /* invariant: corners[low].load <= load <= corners[high].load */
         const size_t middle = low + (high - low) / 2;
-        if (rw_trail_corner(trail, middle)->load <= load)
+        if (rw_path_corner(path, middle)->load <= load)
             low = middle;
         else
             high = middle;
     }
-    const rw_corner *after = rw_trail_corner(trail, high);
+    const rw_corner *after = rw_path_corner(path, high);
     return after->shear - after->ratio * (after->load - load);
 }
 
 /* Which way the edge slips in the end on the way to (load, shear); 0 where it does not. */
-static int sign_of_slip(const rw_trail *trail, double load, double shear)
+static int sign_of_slip(const rw_path *path, double load, double shear)
 {
-    const rw_corner *end = rw_trail_end(trail);
+    const rw_corner *end = rw_path_end(path);
     const double tolerance = rw_memory_tolerance(fmax(load, end->load));
-    const double rise = load < end->load ? shear - rw_trail_shear(trail, load) : shear - end->shear;
+    const double rise = load < end->load ? shear - rw_path_shear(path, load) : shear - end->shear;
     const double shell = fmax(0, load - end->load); /* takes as much without slip */
     if (fabs(rise) <= shell + tolerance)
         return 0;
@@ -207,12 +207,12 @@ static int sign_of_slip(const rw_trail *trail, double load, double shear)
 
 /* How far the corner lies inside the line of slope `slip` that ends at (load, shear). It falls
  * along the path. */
-static double inside(const rw_corner *corner, int slip, rw_loading to)
+static double inside(const rw_corner *corner, int slip, rw_memory_loads to)
 {
     return (to.load - corner->load) - slip * (to.shear - corner->shear);
 }
 
-double rw_memory_missing_tilt(const rw_corner *corner, int slip, rw_loading to)
+double rw_memory_missing_tilt(const rw_corner *corner, int slip, rw_memory_loads to)
 {
     return (to.tilt - corner->tilt) - slip * (to.stretch - corner->stretch);
 }
@@ -232,44 +232,44 @@ static rw_corner between(const rw_corner *before, const rw_corner *after, double
 }
 
 /* Where a path that does not slip is cut off, or goes on from. */
-static rw_departure stuck_departure(const rw_trail *trail, rw_loading to)
+static rw_departure stuck_departure(const rw_path *path, rw_memory_loads to)
 {
     const double load = to.load;
-    size_t last = trail->count - 1;
-    while (rw_trail_corner(trail, last)->load > load)
+    size_t last = path->count - 1;
+    while (rw_path_corner(path, last)->load > load)
         last--;
-    const rw_corner *before = rw_trail_corner(trail, last);
-    if (last + 1 == trail->count || before->load == load)
+    const rw_corner *before = rw_path_corner(path, last);
+    if (last + 1 == path->count || before->load == load)
         return (rw_departure){*before, last + 1, 0};
-    const rw_corner *after = rw_trail_corner(trail, last + 1);
+    const rw_corner *after = rw_path_corner(path, last + 1);
     const double fraction = (load - before->load) / (after->load - before->load);
     return (rw_departure){between(before, after, fraction, to.tilt), last + 1, 0};
 }
 
-rw_departure rw_memory_departure(const rw_memory *memory, rw_loading to)
+rw_departure rw_memory_departure(const rw_memory *memory, rw_memory_loads to)
 {
-    const rw_trail trail = rw_memory_trail(memory);
-    return rw_trail_departure(&trail, to);
+    const rw_path path = rw_memory_path(memory);
+    return rw_departure_from(&path, to);
 }
 
-rw_departure rw_trail_departure(const rw_trail *trail, rw_loading to)
+rw_departure rw_departure_from(const rw_path *path, rw_memory_loads to)
 {
     const double load = to.load;
-    const int slip = sign_of_slip(trail, load, to.shear);
+    const int slip = sign_of_slip(path, load, to.shear);
     if (slip == 0)
-        return stuck_departure(trail, to);
-    const double tolerance = rw_memory_tolerance(fmax(load, rw_trail_end(trail)->load));
-    size_t last = trail->count - 1; /* the last corner inside the line; the origin always is */
-    while (last > 0 && (rw_trail_corner(trail, last)->load > load ||
-                        inside(rw_trail_corner(trail, last), slip, to) < -tolerance))
+        return stuck_departure(path, to);
+    const double tolerance = rw_memory_tolerance(fmax(load, rw_path_end(path)->load));
+    size_t last = path->count - 1; /* the last corner inside the line; the origin always is */
+    while (last > 0 && (rw_path_corner(path, last)->load > load ||
+                        inside(rw_path_corner(path, last), slip, to) < -tolerance))
         last--;
-    const rw_corner *before = rw_trail_corner(trail, last);
+    const rw_corner *before = rw_path_corner(path, last);
     const rw_departure at_corner = {*before, last + 1, slip};
     const double depth = inside(before, slip, to);
     /* never: the end of the path is outside the line, or nothing would slip */
-    if (NEVER(last + 1 == trail->count) || depth <= tolerance)
+    if (NEVER(last + 1 == path->count) || depth <= tolerance)
         return at_corner;
-    const rw_corner *after = rw_trail_corner(trail, last + 1);
+    const rw_corner *after = rw_path_corner(path, last + 1);
     const double beyond = inside(after, slip, to);
     /* what is missing shrinks by 1 -+ D on the way; the line meets no slope that is its own */
     const double shrinks = fmax(1 - slip * after->ratio, DBL_EPSILON);
@@ -281,7 +281,7 @@ rw_departure rw_trail_departure(const rw_trail *trail, rw_loading to)
 
 /* A step that changes less than the tolerance leaves the path as it is. It does not take over the
  * new values, or many small steps could shift it unnoticed. */
-void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_loading to)
+void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_memory_loads to)
 {
     const double load = to.load, shear = to.shear;
     const rw_corner end = *rw_memory_end(memory);
@@ -310,7 +310,7 @@ bool rw_memory_slides(const rw_memory *memory)
     return memory->count == 2 && fabs(memory->corners[1].ratio) == 1;
 }
 
-void rw_memory_restart(rw_memory *memory, rw_loading to, double ratio)
+void rw_memory_restart(rw_memory *memory, rw_memory_loads to, double ratio)
 {
     memory->corners[0] = origin(to.tilt, to.stretch);
     memory->count = 1;

@@ -28,7 +28,7 @@
 typedef struct {
     double load, shear;
     double tilt, stretch;
-} rw_loading;
+} rw_memory_loads;
 
 /* A corner. `ratio` is the slope D of the path from the corner before it. The caller sets the
  * patch, that of the contact under this load and tilt; it is NaN when the corner is new. Corners
@@ -63,18 +63,18 @@ typedef struct {
     const rw_corner *corners;
     const rw_branch *branches;
     size_t branch, count;
-} rw_trail;
+} rw_path;
 
-rw_trail rw_memory_trail(const rw_memory *memory);
+rw_path rw_memory_path(const rw_memory *memory);
 
-static inline const rw_corner *rw_trail_corner(const rw_trail *trail, size_t i)
+static inline const rw_corner *rw_path_corner(const rw_path *path, size_t i)
 {
-    const rw_branch *branch = &trail->branches[trail->branch];
+    const rw_branch *branch = &path->branches[path->branch];
     while (i < branch->shared) {
-        const rw_branch *far = &trail->branches[branch->jump];
-        branch = i < far->shared ? far : &trail->branches[branch->before];
+        const rw_branch *far = &path->branches[branch->jump];
+        branch = i < far->shared ? far : &path->branches[branch->before];
     }
-    return &trail->corners[branch->first + (i - branch->shared)];
+    return &path->corners[branch->first + (i - branch->shared)];
 }
 
 /* The path of a contact without load. false where memory is short, and nothing is to be freed. */
@@ -83,7 +83,7 @@ bool rw_memory_copy(const rw_memory *memory, rw_memory *copy);
 void rw_memory_destroy(rw_memory *memory);
 
 /* How many of their first corners two paths have in common; the origin always. */
-size_t rw_memory_common(const rw_memory *one, const rw_trail *other);
+size_t rw_memory_common(const rw_memory *memory, const rw_path *earlier);
 
 /* Makes room for that many more corners. false where memory is short; the path is as before. */
 bool rw_memory_reserve(rw_memory *memory, size_t more);
@@ -97,18 +97,18 @@ typedef struct {
 } rw_departure;
 
 /* For a load with |shear| <= load. Without slip the path is only cut off, or extended. */
-rw_departure rw_memory_departure(const rw_memory *memory, rw_loading to);
-rw_departure rw_trail_departure(const rw_trail *trail, rw_loading to);
+rw_departure rw_memory_departure(const rw_memory *memory, rw_memory_loads to);
+rw_departure rw_departure_from(const rw_path *path, rw_memory_loads to);
 
 /* Extends the path to a load from the departure for it. There must be room for two more corners. */
-void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_loading to);
+void rw_memory_advance(rw_memory *memory, const rw_departure *departure, rw_memory_loads to);
 
 /* Starts a new path, straight to a load from an origin with that load's tilt and stretch: for a
  * contact that slides, or that has no friction. */
-void rw_memory_restart(rw_memory *memory, rw_loading to, double ratio);
+void rw_memory_restart(rw_memory *memory, rw_memory_loads to, double ratio);
 
 /* Whether the path and this load have one stretch and no tilt: a history of P and Q alone. */
-static inline bool rw_memory_is_plain(const rw_memory *memory, rw_loading to)
+static inline bool rw_memory_is_plain(const rw_memory *memory, rw_memory_loads to)
 {
     const rw_corner *origin = &memory->corners[0];
     return to.tilt == 0 && origin->tilt == 0 && origin->stretch == to.stretch &&
@@ -124,17 +124,17 @@ static inline const rw_corner *rw_memory_end(const rw_memory *memory)
     return &memory->corners[memory->count - 1];
 }
 
-static inline const rw_corner *rw_trail_end(const rw_trail *trail)
+static inline const rw_corner *rw_path_end(const rw_path *path)
 {
-    return rw_trail_corner(trail, trail->count - 1);
+    return rw_path_corner(path, path->count - 1);
 }
 
 /* The shear where the path has that load, 0 <= load <= that of its end. */
-double rw_trail_shear(const rw_trail *trail, double load);
+double rw_path_shear(const rw_path *path, double load);
 
 /* V = (tilt' - tilt) - S (stretch' - stretch) beyond a corner, S = slip (lib/README.md, "Moment and
  * bulk tension"): 0, to rounding, where the corner is the front. */
-double rw_memory_missing_tilt(const rw_corner *corner, int slip, rw_loading to);
+double rw_memory_missing_tilt(const rw_corner *corner, int slip, rw_memory_loads to);
 
 /* Whether friction is exhausted all over: the path is one line of the slope +-1. */
 bool rw_memory_slides(const rw_memory *memory);

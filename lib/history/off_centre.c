@@ -222,7 +222,7 @@ double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, cons
 {
     /* they differ before one of them ends, because one has slipped where the other has not: at a
      * front inside a layer of the other, or by the slope of a layer */
-    const rw_trail other = rw_memory_trail(beyond);
+    const rw_path other = rw_memory_path(beyond);
     const size_t common = rw_memory_common(path, &other);
     return displacement(path, common, g, x) - displacement(beyond, common, g, x);
 }

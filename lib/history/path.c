@@ -29,7 +29,7 @@ static const double SLACK = 1e-12;
 
 /* The rounding of tilts and stretches, which are as small as the contact is beside the rounding of
  * the profile. */
-static double tilt_tolerance(const rw_step *s, rw_loading to)
+static double tilt_tolerance(const rw_step *s, rw_memory_loads to)
 {
     const rw_corner *end = rw_memory_end(s->memory);
     const double width = rw_patch_half_width(end->patch), a = s->geometry->a,
@@ -58,7 +58,7 @@ static bool adds_everywhere(double load, range tilt, rw_patch patch, double tole
 
 /* Whether slip has exhausted friction all over, so that nothing of the old path is left. No other
  * traction carries so much shear, whatever the way. */
-static bool is_sliding(const rw_step *s, rw_loading to, int slip, rw_departure *d)
+static bool is_sliding(const rw_step *s, rw_memory_loads to, int slip, rw_departure *d)
 {
     const double most = fmax(to.load, rw_memory_end(s->memory)->load);
     if (to.load - slip * to.shear > rw_memory_tolerance(most))
@@ -69,7 +69,7 @@ static bool is_sliding(const rw_step *s, rw_loading to, int slip, rw_departure *
 
 /* Whether the front of slip lies between the same two patches at both edges, and all points that it
  * passed have slipped. */
-static bool front_is_known(const rw_step *s, rw_loading to, rw_patch patch, rw_departure *d)
+static bool front_is_known(const rw_step *s, rw_memory_loads to, rw_patch patch, rw_departure *d)
 {
     const rw_memory *memory = s->memory;
     if (is_sliding(s, to, d->slip, d))
@@ -149,9 +149,9 @@ static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
         return (range){0, 0};
     const double P = rw_as_length(s->geometry, s->to_P - s->from_P);
     const double M = rw_as_length(s->geometry, s->to_M - s->from_M);
-    const double one = M - P * (larger.left / 2 + smaller.right / 2);
-    const double other = M - P * (smaller.left / 2 + larger.right / 2);
-    const double least = fmin(one, other), most = fmax(one, other);
+    const double at_left = M - P * (larger.left / 2 + smaller.right / 2);
+    const double at_right = M - P * (smaller.left / 2 + larger.right / 2);
+    const double least = fmin(at_left, at_right), most = fmax(at_left, at_right);
     const double few = rw_patch_half_width(smaller), many = rw_patch_half_width(larger);
     return (range){tilt_by(least, least > 0 ? many : few), tilt_by(most, most > 0 ? few : many)};
 }
@@ -212,26 +212,26 @@ static station first_station(const rw_step *s, int slip)
 }
 
 /* On the straight way to the new load, where the contact is of that load. */
-static rw_loading loading_at(const rw_step *s, double t, double load, rw_patch contact)
+static rw_memory_loads loads_at(const rw_step *s, double t, double load, rw_patch contact)
 {
     const rw_corner *end = rw_memory_end(s->memory);
-    return (rw_loading){.load = load,
-                        .shear = end->shear + t * (s->to.shear - end->shear),
-                        .tilt = rw_pressing_of(s->geometry, contact).tilt,
-                        .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
+    return (rw_memory_loads){.load = load,
+                             .shear = end->shear + t * (s->to.shear - end->shear),
+                             .tilt = rw_pressing_of(s->geometry, contact).tilt,
+                             .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
 }
 
 static station station_at(const rw_step *s, double t, int slip, const station *last)
 {
     station at = {.t = t, .contact = s->patch, .stuck = last->stuck};
-    rw_loading loading = s->to;
+    rw_memory_loads loads = s->to;
     if (t < 1) {
         const double P = s->from_P + t * (s->to_P - s->from_P);
         at.contact = rw_patch_under_moment(s->geometry, P, s->from_M + t * (s->to_M - s->from_M));
-        loading = loading_at(s, t, P, at.contact);
+        loads = loads_at(s, t, P, at.contact);
     }
-    at.front = rw_memory_departure(s->memory, loading);
-    at.is_known = at.front.slip == slip && front_is_known(s, loading, at.contact, &at.front);
+    at.front = rw_memory_departure(s->memory, loads);
+    at.is_known = at.front.slip == slip && front_is_known(s, loads, at.contact, &at.front);
     if (at.is_known)
         at.stuck = at.front.corner.patch;
     return at;
@@ -279,12 +279,12 @@ static rw_obstacle slipping_step(const rw_step *s, rw_departure *d)
     double length = 1;
     for (int i = 0; i < TRIES && from.t < 1; i++) {
         const station to = station_at(s, fmin(1, from.t + length), d->slip, &from);
-        const rw_obstacle found = obstacle_between(s, d->slip, &from, &to);
-        if (found == RW_NO_OBSTACLE)
+        const rw_obstacle reason = obstacle_between(s, d->slip, &from, &to);
+        if (reason == RW_NO_OBSTACLE)
             from = to;
         else
-            obstacle = found;
-        length *= found == RW_NO_OBSTACLE ? 2 : 0.5;
+            obstacle = reason;
+        length *= reason == RW_NO_OBSTACLE ? 2 : 0.5;
     }
     if (from.t < 1)
         return obstacle;
@@ -326,7 +326,7 @@ static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
     part.to_P = at->load;
     part.to_M = s->from_M + t * (s->to_M - s->from_M);
     part.patch = rw_patch_under_moment(s->geometry, part.to_P, part.to_M);
-    part.to = loading_at(s, t, at->load, part.patch);
+    part.to = loads_at(s, t, at->load, part.patch);
     rw_departure d;
     if (!rw_patch_is_nested(part.patch, at->patch, part.to.tilt) ||
         obstacle_of(&part, &d) != RW_NO_OBSTACLE || d.slip != 0)
@@ -418,13 +418,13 @@ rw_obstacle rw_path_departure(const rw_step *s, rw_departure *departure)
         *departure = rw_memory_departure(s->memory, s->to);
         return RW_NO_OBSTACLE;
     }
-    const rw_obstacle found = obstacle_of(s, departure);
-    if (found == RW_NO_OBSTACLE || is_sliding(s, s->to, s->to.shear < 0 ? -1 : 1, departure) ||
+    const rw_obstacle reason = obstacle_of(s, departure);
+    if (reason == RW_NO_OBSTACLE || is_sliding(s, s->to, s->to.shear < 0 ? -1 : 1, departure) ||
         keeps_sheared(s, departure))
         return RW_NO_OBSTACLE;
     rw_memory shorter;
     rw_step rest;
-    return leaves_layer(s, &shorter, &rest) ? rw_path_departure(&rest, departure) : found;
+    return leaves_layer(s, &shorter, &rest) ? rw_path_departure(&rest, departure) : reason;
 }
 
 bool rw_path_separates_stuck(const rw_step *s)

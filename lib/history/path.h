@@ -13,7 +13,7 @@ typedef struct {
     const rw_geometry *geometry;
     const rw_memory *memory;
     double from_P, from_M, to_P, to_M;
-    rw_loading to;
+    rw_memory_loads to;
     rw_patch patch; /* under the new load */
 } rw_step;
 

@@ -150,22 +150,22 @@ const rw_slip_origin *rw_slip_origin_of(const rw_slip_origins *origins, double u
     return &origins->all[low];
 }
 
-rw_trail rw_slip_origin_trail(const rw_slip_origins *origins, const rw_slip_origin *origin)
+rw_path rw_slip_origin_path(const rw_slip_origins *origins, const rw_slip_origin *origin)
 {
-    return (rw_trail){origins->own.corners, origins->branches, (size_t)(origin - origins->all),
-                      origin->corners};
+    return (rw_path){origins->own.corners, origins->branches, (size_t)(origin - origins->all),
+                     origin->corners};
 }
 
-rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, const rw_trail *trail, double u)
+rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, const rw_path *path, double u)
 {
     double shear;
     if (u <= origin->from_load) {
-        shear = rw_trail_shear(trail, u);
+        shear = rw_path_shear(path, u);
     } else {
         const double fraction = (u - origin->from_load) / (origin->to_load - origin->from_load);
         shear = origin->from_shear + fraction * (origin->to_shear - origin->from_shear);
     }
-    const rw_corner *end = rw_trail_end(trail);
-    const rw_loading to = {.load = u, .shear = shear, .stretch = end->stretch};
-    return rw_trail_departure(trail, to);
+    const rw_corner *end = rw_path_end(path);
+    const rw_memory_loads to = {.load = u, .shear = shear, .stretch = end->stretch};
+    return rw_departure_from(path, to);
 }

@@ -64,10 +64,9 @@ size_t rw_slip_origins_corners(const rw_slip_origins *origins);
 const rw_slip_origin *rw_slip_origin_of(const rw_slip_origins *origins, double u);
 
 /* The path it has kept. */
-rw_trail rw_slip_origin_trail(const rw_slip_origins *origins, const rw_slip_origin *origin);
+rw_path rw_slip_origin_path(const rw_slip_origins *origins, const rw_slip_origin *origin);
 
 /* Where a path at the point u leaves that of the origin. */
-rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, const rw_trail *trail,
-                                      double u);
+rw_departure rw_slip_origin_departure(const rw_slip_origin *origin, const rw_path *path, double u);
 
 #endif

@@ -53,8 +53,8 @@ typedef struct {
     rw_plane_cycle *cycle;
     rw_vector *path;       /* the strain, or both components of the shear stress */
     double *along, *other; /* one component; the normal stress */
-    rw_turn *stack;
-    rw_counted *counted;
+    rw_reversal *stack;
+    rw_counted_cycle *counted;
     verdict best[STARTS]; /* falling */
     bool leaves_domain;
 } miner;

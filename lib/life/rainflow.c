@@ -12,29 +12,29 @@
 #include <stdlib.h>
 
 typedef struct {
-    rw_turn *turn; /* the first that waits */
+    rw_reversal *turn; /* the first that waits */
     size_t count, cycles;
-    rw_counted *cycle;
+    rw_counted_cycle *cycle;
     bool repeats;
 } rainflow;
 
-static double range_of(const rw_turn *turn)
+static double range_of(const rw_reversal *turn)
 {
     return fabs(turn[1].value - turn[0].value);
 }
 
 /* Counts the cycle from a turn to the next one; `highest` is the highest value of the other
  * quantity in it. */
-static void add_cycle(rainflow *r, const rw_turn *turn, double count, double highest)
+static void add_cycle(rainflow *r, const rw_reversal *turn, double count, double highest)
 {
-    r->cycle[r->cycles++] =
-        (rw_counted){turn->at, range_of(turn), (turn[0].value + turn[1].value) / 2, count, highest};
+    r->cycle[r->cycles++] = (rw_counted_cycle){turn->at, range_of(turn),
+                                               (turn[0].value + turn[1].value) / 2, count, highest};
 }
 
 /* Removes the last turn from the stack. The highest value since it passes to the turn below. */
 static void drop_last(rainflow *r)
 {
-    const rw_turn *last = &r->turn[--r->count];
+    const rw_reversal *last = &r->turn[--r->count];
     if (r->count > 0)
         r->turn[r->count - 1].highest = rw_larger(r->turn[r->count - 1].highest, last->highest);
 }
@@ -48,7 +48,7 @@ static void add_half(rainflow *r)
 
 static void close_last(rainflow *r)
 {
-    const rw_turn *from = &r->turn[r->count - 2];
+    const rw_reversal *from = &r->turn[r->count - 2];
     add_cycle(r, from, 1, rw_larger(from[0].highest, from[1].highest));
     drop_last(r);
     drop_last(r);
@@ -62,7 +62,7 @@ static bool goes_on(const rainflow *r, double value)
     return last > before ? value > last : value < last;
 }
 
-static void lay(rainflow *r, rw_turn next)
+static void lay(rainflow *r, rw_reversal next)
 {
     if (r->count > 0 && next.value == r->turn[r->count - 1].value) {
         r->turn[r->count - 1].highest = rw_larger(r->turn[r->count - 1].highest, next.own);
@@ -89,13 +89,13 @@ static size_t largest(size_t n, const double value[])
 }
 
 size_t rw_rainflow(size_t n, const double value[], const double other[], bool repeats,
-                   rw_turn stack[], rw_counted cycles[])
+                   rw_reversal stack[], rw_counted_cycle cycles[])
 {
     rainflow r = {stack, 0, 0, cycles, repeats};
     const size_t start = repeats ? largest(n, value) : 0, last = start + n + (repeats ? 1 : 0);
     for (size_t k = start; k < last; k++) {
         const size_t i = k < n ? k : k - n;
-        lay(&r, (rw_turn){i, value[i], other[i], other[i]});
+        lay(&r, (rw_reversal){i, value[i], other[i], other[i]});
     }
     while (r.count >= 2)
         add_half(&r);
@@ -104,7 +104,7 @@ size_t rw_rainflow(size_t n, const double value[], const double other[], bool re
 
 static int32_t status_of(size_t n, const double value[], int32_t repeats)
 {
-    if (n == 0 || n > SIZE_MAX / (sizeof(rw_turn) + sizeof(rw_counted)) - 1)
+    if (n == 0 || n > SIZE_MAX / (sizeof(rw_reversal) + sizeof(rw_counted_cycle)) - 1)
         return RWEDGE_ERANGE;
     for (size_t i = 0; i < n; i++)
         if (!rw_is_stress(value[i]))
@@ -120,8 +120,8 @@ int32_t rwedge_rainflow(size_t n, const double value[], int32_t repeats, double 
     const int32_t status = status_of(n, value, repeats);
     if (status != RWEDGE_OK)
         return status;
-    rw_turn *stack = malloc((n + 1) * sizeof *stack);
-    rw_counted *cycles = malloc(n * sizeof *cycles);
+    rw_reversal *stack = malloc((n + 1) * sizeof *stack);
+    rw_counted_cycle *cycles = malloc(n * sizeof *cycles);
     if (stack && cycles) {
         const size_t counted = rw_rainflow(n, value, value, repeats != 0, stack, cycles);
         for (size_t i = 0; i < n; i++)

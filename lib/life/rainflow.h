@@ -11,18 +11,18 @@
 typedef struct {
     size_t at;
     double value, highest, own;
-} rw_turn;
+} rw_reversal;
 
 /* from: where it begins; count: 1, or 1/2 for what is left over. */
 typedef struct {
     size_t from;
     double range, mean, count, highest;
-} rw_counted;
+} rw_counted_cycle;
 
 /* How many cycles n >= 1 values have, at most n of them; `other` is the quantity whose highest is
  * wanted. A history that repeats is counted from its largest value to the same again, and nothing
  * is left over. The stack has n + 1 turns, `cycles` room for n. */
 size_t rw_rainflow(size_t n, const double value[], const double other[], bool repeats,
-                   rw_turn stack[], rw_counted cycles[]);
+                   rw_reversal stack[], rw_counted_cycle cycles[]);
 
 #endif

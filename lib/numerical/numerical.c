@@ -15,7 +15,7 @@ typedef struct {
 } beginning;
 
 /* The displacement by the traction and the stretch, less the rigid move of the zones that stick. */
-static double displacement(const rw_stance *s, double x)
+static double displacement(const rw_numerical_state *s, double x)
 {
     return rw_traction_displacement(&s->shear.traction, x) + s->at.stretch * x - s->move;
 }
@@ -27,7 +27,7 @@ static double origin_at_first(double x, const void *context)
 }
 
 /* The contact's edges, and bends. */
-static size_t breaks_of(const rw_frame *frame, const rw_stance *s, double at[])
+static size_t breaks_of(const rw_frame *frame, const rw_numerical_state *s, double at[])
 {
     const int bends = rw_bends_between(frame, s->contact.left, s->contact.right, at + 1);
     at[0] = s->contact.left;
@@ -38,13 +38,13 @@ static size_t breaks_of(const rw_frame *frame, const rw_stance *s, double at[])
 /* The tolerance of the fit of the slip, over that of the tractions. */
 static const double FIT = 0.03;
 
-static double slip_tolerance(const rw_frame *frame, const rw_stance *s)
+static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
 {
     return FIT * frame->tolerance * rw_peak_friction(frame, s->contact) *
            rw_patch_half_width(s->contact);
 }
 
-bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_stance *now,
+bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *now,
                         rw_function slip, const void *context)
 {
     *n = (rw_numerical){.now = *now, .has_origin = slip != NULL};
@@ -136,7 +136,7 @@ static const double ELEMENTS = 0.03;
  * to step, and added as squares. Slip makes the traction exact, and leaves those of this step.
  * Where nothing ever slipped, the traction follows from that of the places around, whatever the
  * steps were, so that only the errors of fits add up. */
-static void note_error(rw_numerical *n, const rw_stance *s, double tolerance)
+static void note_error(rw_numerical *n, const rw_numerical_state *s, double tolerance)
 {
     double error[RW_PLACES];
     const double fit = ELEMENTS * tolerance, random = hypot(s->error, fit);
@@ -154,17 +154,17 @@ static void note_error(rw_numerical *n, const rw_stance *s, double tolerance)
 /* A step in two halves. */
 typedef struct {
     const rw_numerical *numerical; /* before it */
-    const rw_stance *half, *now;
+    const rw_numerical_state *half, *now;
 } growth;
 
-static bool touches(const rw_stance *s, double x)
+static bool touches(const rw_numerical_state *s, double x)
 {
     return x >= s->contact.left && x <= s->contact.right;
 }
 
 /* Minus the displacement at the time when an edge of the contact came to a place, interpolated
  * between two stances. */
-static double origin_between(const rw_stance *from, const rw_stance *to, double x)
+static double origin_between(const rw_numerical_state *from, const rw_numerical_state *to, double x)
 {
     const double part = x > from->contact.right
                             ? (x - from->contact.right) / (to->contact.right - from->contact.right)
@@ -177,7 +177,7 @@ static double origin_between(const rw_stance *from, const rw_stance *to, double 
 static void origin_after(const double x[], const void *context, double origin[])
 {
     const growth *g = context;
-    const rw_stance *old = &g->numerical->now;
+    const rw_numerical_state *old = &g->numerical->now;
     if (touches(old, x[RW_TERMS / 2])) {
         rw_traction_values(&g->numerical->origin, RW_TERMS, x, origin);
         return;
@@ -187,8 +187,8 @@ static void origin_after(const double x[], const void *context, double origin[])
                                            : origin_between(g->half, g->now, x[i]);
 }
 
-static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance *half,
-                         const rw_stance *now)
+static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *half,
+                         const rw_numerical_state *now)
 {
     const rw_patch before = n->now.contact, contact = now->contact;
     const bool is_inside = contact.left >= before.left && contact.right <= before.right;
@@ -221,7 +221,8 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_stance
 enum { HALVINGS = 9 };
 
 /* Makes the end of a step the present state. */
-static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance *now)
+static bool accept(rw_work *w, rw_numerical *n, const rw_numerical_state *half,
+                   rw_numerical_state *now)
 {
     if (!renew_origin(n, w->frame, half, now)) {
         w->is_short = true;
@@ -240,7 +241,7 @@ static bool accept(rw_work *w, rw_numerical *n, const rw_stance *half, rw_stance
  * like a square root, and a front moves with the error. */
 static const double AT_FRONT = 0.01;
 
-static bool is_at_front(const rw_stance *s, double x)
+static bool is_at_front(const rw_numerical_state *s, double x)
 {
     bool is_near = false;
     for (int i = 0; i + 1 < s->shear.zones.count; i++)
@@ -267,17 +268,18 @@ static void spread(bool left_out[], double apart[])
 static const double DOUBT = 4;
 
 /* The differences of two tractions over the scale, by place. Returns the largest. */
-static double difference(double scale, const rw_stance *one, const rw_stance *other, double apart[])
+static double difference(double scale, const rw_numerical_state *a, const rw_numerical_state *b,
+                         double apart[])
 {
     bool left_out[RW_PLACES];
     double most = 0;
     for (int i = 0; i < RW_PLACES; i++) {
-        const double x = rw_place(one->contact, i);
-        left_out[i] = is_at_front(one, x) || is_at_front(other, x);
+        const double x = rw_place(a->contact, i);
+        left_out[i] = is_at_front(a, x) || is_at_front(b, x);
         apart[i] = left_out[i] ? 0
                                : DOUBT *
-                                     fabs(rw_traction_at(&one->shear.traction, x) -
-                                          rw_traction_at(&other->shear.traction, x)) /
+                                     fabs(rw_traction_at(&a->shear.traction, x) -
+                                          rw_traction_at(&b->shear.traction, x)) /
                                      scale;
         most = fmax(most, apart[i]);
     }
@@ -291,70 +293,70 @@ static const double ENERGY = 30;
 
 /* Compares the halves with the whole: the difference bounds the error of the halves. Whether it and
  * the difference of the energies are small enough. */
-static bool compare(const rw_frame *frame, const rw_stance *whole, const rw_stance *half,
-                    rw_stance *both)
+static bool compare(const rw_frame *frame, const rw_numerical_state *whole,
+                    const rw_numerical_state *half, rw_numerical_state *both)
 {
     const double scale = rw_peak_friction(frame, whole->contact);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
-    both->error += half->error + half->haste + both->haste;
+    both->error += half->error + half->rate_error + both->rate_error;
     const double apart = difference(scale, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
     return both->error + apart <= frame->tolerance && fabs(energy) <= ENERGY * frame->tolerance;
 }
 
-static rw_course half_way(rw_course from, rw_course to)
+static rw_scaled_loads half_way(rw_scaled_loads from, rw_scaled_loads to)
 {
-    return (rw_course){from.P / 2 + to.P / 2, from.M / 2 + to.M / 2, from.shear / 2 + to.shear / 2,
-                       from.stretch / 2 + to.stretch / 2};
+    return (rw_scaled_loads){from.P / 2 + to.P / 2, from.M / 2 + to.M / 2,
+                             from.shear / 2 + to.shear / 2, from.stretch / 2 + to.stretch / 2};
 }
 
 /* A step that may have failed. */
 typedef struct {
     bool is_known;
-    rw_stance stance;
+    rw_numerical_state state;
 } trial;
 
 static void drop(trial *t)
 {
     if (t->is_known)
-        rw_shear_state_destroy(&t->stance.shear);
+        rw_shear_state_destroy(&t->state.shear);
     t->is_known = false;
 }
 
-static trial try_step(rw_work *w, const rw_stance *from, rw_course to, const rw_zones *guess,
-                      bool coarse)
+static trial try_step(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
+                      const rw_zones *guess, bool coarse)
 {
     trial t;
-    t.is_known = rw_implicit_step(w, from, to, guess, coarse, &t.stance);
+    t.is_known = rw_implicit_step(w, from, to, guess, coarse, &t.state);
     return t;
 }
 
 /* Goes on to a load. `whole` is the step as a whole, if it is known. Its difference from two halves
  * is the error. Both halves are divided again until that is small, or the effort is spent: the
  * first half may take half of the effort left. */
-static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int halvings,
+static bool advance(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *whole, int halvings,
                     int effort)
 {
     const bool is_last = halvings == 0 || w->effort > effort;
-    const rw_course middle = half_way(n->now.at, to);
+    const rw_scaled_loads middle = half_way(n->now.at, to);
     if (is_last && !whole->is_known)
         *whole = try_step(w, &n->now, to, NULL, true);
-    const rw_zones zones = whole->is_known ? whole->stance.shear.zones : n->now.shear.zones;
+    const rw_zones zones = whole->is_known ? whole->state.shear.zones : n->now.shear.zones;
     trial half = try_step(w, &n->now, middle, &zones, is_last), both = {.is_known = false};
-    if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.stance, &whole->stance)) {
-        const bool is_done = accept(w, n, &half.stance, &whole->stance);
+    if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.state, &whole->state)) {
+        const bool is_done = accept(w, n, &half.state, &whole->state);
         whole->is_known = false;
         drop(&half);
         return is_done;
     }
     if (half.is_known && whole->is_known)
-        both = try_step(w, &half.stance, to, &zones, is_last);
+        both = try_step(w, &half.state, to, &zones, is_last);
     const bool is_close =
-        both.is_known && compare(w->frame, &whole->stance, &half.stance, &both.stance);
+        both.is_known && compare(w->frame, &whole->state, &half.state, &both.state);
     drop(whole);
     if (is_close || (both.is_known && is_last)) {
-        const bool is_done = accept(w, n, &half.stance, &both.stance);
+        const bool is_done = accept(w, n, &half.state, &both.state);
         drop(&half);
         return is_done;
     }
@@ -372,7 +374,8 @@ static bool advance(rw_work *w, rw_numerical *n, rw_course to, trial *whole, int
 /* A load after which the error is twice what it was, and this more, has not converged. */
 static const double FAR_OFF = 0.1;
 
-static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course to, int *effort)
+static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
+                               int *effort)
 {
     rw_work w;
     rw_numerical next;
@@ -395,7 +398,8 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_course
 
 /* A load that fails is tried once more with ten times the tolerance and a quarter of the effort;
  * rwedge_contact_error() then says so. */
-rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_course to, int *effort)
+rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
+                                 int *effort)
 {
     static const double LOOSEST = 1e-2;
     const rw_frame looser =

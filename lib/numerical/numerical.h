@@ -8,7 +8,7 @@
 #include "numerical/step.h"
 
 typedef struct {
-    rw_stance now;
+    rw_numerical_state now;
     bool has_origin;         /* whether the slip is known */
     rw_traction origin;      /* slip less displacement: constant at a place while in contact */
     double error[RW_PLACES]; /* the error of the traction, by place */
@@ -21,15 +21,15 @@ typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;
 
 /* Begins from `now`, whose traction is set. `slip` gives the slip so far of each place, NULL where
  * it is not known. false where memory is short; then only `now` is to be freed. */
-bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame, const rw_stance *now,
-                        rw_function slip, const void *context);
+bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame,
+                        const rw_numerical_state *now, rw_function slip, const void *context);
 
 bool rw_numerical_copy(const rw_numerical *numerical, rw_numerical *copy);
 void rw_numerical_destroy(rw_numerical *numerical);
 
 /* A straight line to new loads. Unless RW_STEP_DONE, all is as before.
  *   effort  what it may take (rw_work), less what it has taken on return: it may be below 0 */
-rw_step_result rw_numerical_step(rw_numerical *numerical, const rw_frame *frame, rw_course to,
+rw_step_result rw_numerical_step(rw_numerical *numerical, const rw_frame *frame, rw_scaled_loads to,
                                  int *effort);
 
 /* The estimated error of q over f times the peak pressure. */

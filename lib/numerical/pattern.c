@@ -28,14 +28,14 @@ static void remove_at(rw_zones *z, int i)
 bool rw_pattern_clean(rw_zones *z, double least)
 {
     for (int i = 0; i + 1 < z->count;) {
-        rw_zone *one = &z->zone[i], *next = one + 1;
-        if (one->label == next->label) {
-            one->right = next->right;
+        rw_zone *a = &z->zone[i], *next = a + 1;
+        if (a->label == next->label) {
+            a->right = next->right;
             remove_at(z, i + 1);
-        } else if (one->label != 0 && next->label != 0) {
-            const double part = fmin(least, fmin(0.2 * width(*one), 0.2 * width(*next)));
-            const double middle = one->right;
-            one->right = middle - part;
+        } else if (a->label != 0 && next->label != 0) {
+            const double part = fmin(least, fmin(0.2 * width(*a), 0.2 * width(*next)));
+            const double middle = a->right;
+            a->right = middle - part;
             next->left = middle + part;
             if (!insert_at(z, i + 1, (rw_zone){0, middle - part, middle + part}))
                 return false;
@@ -136,9 +136,9 @@ bool rw_pattern_simpler(const rw_problem *p, rw_zones *z, double least)
         zone->label = before->label;
     } else { /* between two ways: the wider takes the room of the other */
         rw_zone *wider = width(*before) < width(*next) ? next : before;
-        rw_zone *other = wider == next ? before : next;
-        const bool is_inner = other > z->zone && other < z->zone + z->count - 1;
-        other->label = is_inner ? 0 : wider->label;
+        rw_zone *b = wider == next ? before : next;
+        const bool is_inner = b > z->zone && b < z->zone + z->count - 1;
+        b->label = is_inner ? 0 : wider->label;
         zone->label = is_inner ? 0 : wider->label;
     }
     return rw_pattern_clean(z, least);
@@ -170,10 +170,10 @@ bool rw_pattern_insert(rw_zones *z, const rw_zones *parts, double least)
     return rw_pattern_clean(z, least);
 }
 
-bool rw_pattern_is_same(const rw_zones *one, const rw_zones *other)
+bool rw_pattern_is_same(const rw_zones *a, const rw_zones *b)
 {
-    bool is_same = one->count == other->count;
-    for (int i = 0; is_same && i < one->count; i++)
-        is_same = one->zone[i].label == other->zone[i].label;
+    bool is_same = a->count == b->count;
+    for (int i = 0; is_same && i < a->count; i++)
+        is_same = a->zone[i].label == b->zone[i].label;
     return is_same;
 }

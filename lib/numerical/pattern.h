@@ -23,6 +23,6 @@ bool rw_pattern_simpler(const rw_problem *problem, rw_zones *zones, double least
 /* Gives parts of the zones the labels of `parts`. */
 bool rw_pattern_insert(rw_zones *zones, const rw_zones *parts, double least);
 
-bool rw_pattern_is_same(const rw_zones *one, const rw_zones *other);
+bool rw_pattern_is_same(const rw_zones *a, const rw_zones *b);
 
 #endif

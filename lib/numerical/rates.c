@@ -130,12 +130,11 @@ rw_zones rw_rates_begun(const rw_zones *old, const rw_zones *after)
     rw_zones begun = {1, {{0, old->zone[0].left, old->zone[old->count - 1].right}}};
     for (int i = 0; i < old->count; i++)
         for (int k = 0; k < after->count; k++) {
-            const rw_zone one = old->zone[i], other = after->zone[k];
-            const double left = k == 0 ? -HUGE_VAL : other.left; /* the contact may recede */
-            const double right = k + 1 == after->count ? HUGE_VAL : other.right;
-            const rw_zones both = {1, {{one.label, fmax(one.left, left), fmin(one.right, right)}}};
-            if (one.label != 0 && one.label == other.label &&
-                both.zone[0].left < both.zone[0].right)
+            const rw_zone a = old->zone[i], b = after->zone[k];
+            const double left = k == 0 ? -HUGE_VAL : b.left; /* the contact may recede */
+            const double right = k + 1 == after->count ? HUGE_VAL : b.right;
+            const rw_zones both = {1, {{a.label, fmax(a.left, left), fmin(a.right, right)}}};
+            if (a.label != 0 && a.label == b.label && both.zone[0].left < both.zone[0].right)
                 rw_pattern_insert(&begun, &both, 0);
         }
     return begun;

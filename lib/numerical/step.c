@@ -285,7 +285,7 @@ double rw_place(rw_patch contact, int i)
            rw_patch_half_width(contact) * cos(RW_PI * (i + 0.5) / RW_PLACES);
 }
 
-static rw_patch contact_of(const rw_frame *frame, rw_course at)
+static rw_patch contact_of(const rw_frame *frame, rw_scaled_loads at)
 {
     return rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
 }
@@ -305,8 +305,8 @@ static const rw_friction *friction_of(rw_work *w, rw_patch contact)
     return is_done ? oldest : NULL;
 }
 
-static bool set_problem(rw_work *w, const rw_stance *from, rw_course to, rw_patch contact,
-                        rw_problem *p)
+static bool set_problem(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
+                        rw_patch contact, rw_problem *p)
 {
     const rw_friction *after = friction_of(w, contact), *before = friction_of(w, from->contact);
     if (before && after)
@@ -330,7 +330,7 @@ static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
 }
 
 /* What had not slipped before the step, with the places that come into contact beside it. */
-static rw_patch never_slipped(const rw_stance *from, const rw_problem *p)
+static rw_patch never_slipped(const rw_numerical_state *from, const rw_problem *p)
 {
     rw_patch patch = from->unslipped;
     patch.left = patch.left == from->contact.left ? p->to.left : patch.left;
@@ -359,7 +359,7 @@ static bool add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
 
 /* The error by the rates at the beginning: zones that go on slipping, zones that begin to slip at
  * the edges, and zones that stop. */
-static double haste_at_first(rw_work *w, const rw_zones *old, const rw_zones *after)
+static double rate_error_at_start(rw_work *w, const rw_zones *old, const rw_zones *after)
 {
     const rw_zones begun = rw_rates_begun(old, after);
     const rw_problem *p = &w->start;
@@ -378,24 +378,26 @@ static double haste_at_first(rw_work *w, const rw_zones *old, const rw_zones *af
     return most;
 }
 
-static void set_rates(const rw_frame *frame, const rw_stance *from, rw_course to, rw_patch contact,
-                      rw_problem *rates)
+static void set_rates(const rw_frame *frame, const rw_numerical_state *from, rw_scaled_loads to,
+                      rw_patch contact, rw_problem *rates)
 {
     rw_problem_init_rates(rates, frame, contact, to.P - from->at.P, to.M - from->at.M,
                           to.shear - from->at.shear, to.stretch - from->at.stretch);
 }
 
-static double haste(rw_work *w, const rw_problem *p, const rw_stance *from, const rw_stance *there)
+static double rate_error(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
+                         const rw_numerical_state *there)
 {
     rw_problem at_end;
     set_rates(w->frame, from, there->at, there->contact, &at_end);
-    return fmax(haste_at_first(w, &from->shear.zones, &there->shear.zones),
+    return fmax(rate_error_at_start(w, &from->shear.zones, &there->shear.zones),
                 rw_rates_wrong(&w->fronts, &at_end, &there->shear.zones, &there->shear.zones)) /
            p->scale;
 }
 
-static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_course to,
-                    const rw_zones *guess, bool coarse, rw_stance *there)
+static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
+                    rw_scaled_loads to, const rw_zones *guess, bool coarse,
+                    rw_numerical_state *there)
 {
     rw_outcome outcome;
     set_rates(w->frame, from, to, from->contact, &w->start);
@@ -403,20 +405,21 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_stance *from, rw_c
     w->search = w->effort > w->most_effort ? 0 : SEARCH;
     if (!solve(w, p, guess, coarse || w->effort > w->most_effort, &outcome))
         return false;
-    *there = (rw_stance){.shear = outcome.state,
-                         .contact = p->to,
-                         .at = to,
-                         .is_still = from->is_still && p->is_still,
-                         .unslipped = stuck_part(never_slipped(from, p), &outcome.state.zones),
-                         .move = from->move + outcome.move,
-                         .energy = from->energy + outcome.energy,
-                         .error = outcome.violation};
-    there->haste = haste(w, p, from, there);
+    *there =
+        (rw_numerical_state){.shear = outcome.state,
+                             .contact = p->to,
+                             .at = to,
+                             .is_still = from->is_still && p->is_still,
+                             .unslipped = stuck_part(never_slipped(from, p), &outcome.state.zones),
+                             .move = from->move + outcome.move,
+                             .energy = from->energy + outcome.energy,
+                             .error = outcome.violation};
+    there->rate_error = rate_error(w, p, from, there);
     return true;
 }
 
-bool rw_implicit_step(rw_work *w, const rw_stance *from, rw_course to, const rw_zones *guess,
-                      bool coarse, rw_stance *there)
+bool rw_implicit_step(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
+                      const rw_zones *guess, bool coarse, rw_numerical_state *there)
 {
     const bool is_still = to.P == from->at.P && to.M == from->at.M;
     const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);
@@ -440,7 +443,7 @@ static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack
     return true;
 }
 
-bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
+bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_state *there)
 {
     rw_problem p;
     rw_outcome outcome;
@@ -448,7 +451,7 @@ bool rw_step_goes_on(rw_work *w, const rw_stance *from, rw_stance *there)
         return false;
     rw_fronts_forget(&w->fronts);
     const bool goes_on =
-        p.is_still && fmax(from->haste, there->haste) <= p.allowed &&
+        p.is_still && fmax(from->rate_error, there->rate_error) <= p.allowed &&
         is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) &&
         rw_fronts_begin(&w->fronts, &p, &there->shear.zones, (double[2]){NAN, NAN}) &&
         rw_outcome_of_slip(&w->fronts, &outcome) && outcome.violation <= p.allowed;

@@ -9,7 +9,7 @@
  * stretch. */
 typedef struct {
     double P, M, shear, stretch;
-} rw_course;
+} rw_scaled_loads;
 
 /* The places at which tractions are compared. */
 enum { RW_PLACES = 121 };
@@ -20,14 +20,14 @@ double rw_place(rw_patch contact, int i);
 typedef struct {
     rw_shear_state shear;
     rw_patch contact;
-    rw_course at;
+    rw_scaled_loads at;
     bool is_still;           /* the contact is as it was at the beginning */
     rw_patch unslipped;      /* the widest part that has not slipped since then */
     double move, energy;     /* the rigid move of the zones that stick, the energy: so far */
     double error;            /* violations of the step that led here, over the scale */
-    double haste;            /* its error by the rates at its ends (rates.h), over the scale */
+    double rate_error;       /* its error by the rates at its ends (rates.h), over the scale */
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
-} rw_stance;
+} rw_numerical_state;
 
 enum { RW_TRIALS = 2, RW_FRICTIONS = 4 };
 
@@ -52,12 +52,12 @@ void rw_work_destroy(rw_work *work);
 /* One step as a whole. false where no zones meet the conditions to the tolerance. With `coarse` the
  * best zones are taken, or the grid's answer, and false means that there is none. `guess`, or NULL:
  * zones of a similar step, which are tried first. */
-bool rw_implicit_step(rw_work *work, const rw_stance *from, rw_course to, const rw_zones *guess,
-                      bool coarse, rw_stance *there);
+bool rw_implicit_step(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
+                      const rw_zones *guess, bool coarse, rw_numerical_state *there);
 
 /* `from` and `there` were reached from one stance, half-way and as a whole, under constant P and M.
  * Whether the step from the one to the other has the end `there` too: then the whole is exact, and
  * its energy is set to the sum of both halves. */
-bool rw_step_goes_on(rw_work *work, const rw_stance *from, rw_stance *there);
+bool rw_step_goes_on(rw_work *work, const rw_numerical_state *from, rw_numerical_state *there);
 
 #endif

@@ -22,11 +22,11 @@ enum { CORNERS = 4 };
 /* Cells never get this small: their bound exceeds the value by less than noise before. */
 static const double SMALLEST = 1e-9;
 
-/* Where a curve of planes has the same value no cell of it can be left out. After every PATIENCE
+/* Where a curve of planes has the same value no cell of it can be left out. After every CELLS
  * cells the difference that counts as noise grows by a factor; beyond LARGE_NOISE of the value it
  * grows after more cells. So the search ends. */
-enum { PATIENCE = 2048, MORE_PATIENCE = 8192 };
-static const double IMPATIENCE = 64, LARGE_NOISE = 1e-5;
+enum { CELLS = 2048, MORE_CELLS = 8192 };
+static const double NOISE_GROWTH = 64, LARGE_NOISE = 1e-5;
 
 typedef struct {
     rw_direction psi, beta;
@@ -224,13 +224,13 @@ static void divide(const cell *a, const corners *severity, cell half[2])
 
 /* ---- Search ---- */
 
-static void lose_patience(search *w)
+static void allow_more_noise(search *w)
 {
     const bool is_large = w->noise > LARGE_NOISE * fabs(w->best.value);
-    if (++w->cells < (is_large ? MORE_PATIENCE : PATIENCE))
+    if (++w->cells < (is_large ? MORE_CELLS : CELLS))
         return;
     w->cells = 0;
-    w->noise *= IMPATIENCE;
+    w->noise *= NOISE_GROWTH;
 }
 
 static bool is_worst_at_equator(const search *w, const cell *a, size_t n)
@@ -247,7 +247,7 @@ static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
     corners severity;
     look(w, a, n, &v);
     record(w, a, n, v.around.ball.radius);
-    lose_patience(w);
+    allow_more_noise(w);
     const double bound = bound_of(w->severity, &v.amplitude, &v.peak, &severity);
     if (bound <= w->best.value + w->noise || a->half_beta < SMALLEST)
         return 0;

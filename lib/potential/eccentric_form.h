@@ -39,16 +39,16 @@ static const double ZERO_SQUARED = 0x1p-1000;
 typedef struct {
     rw_elliptic e;
     double shrink, cosh_less_1, per_cosh;
-} rw_sight;
+} rw_elliptic_point;
 
-RW_INLINE rw_sight rw_sight_of(rw_elliptic e)
+RW_INLINE rw_elliptic_point rw_elliptic_point_of(rw_elliptic e)
 {
-    return (rw_sight){e, rw_elliptic_shrink(&e), e.sinh_w * e.sinh_w / (1 + e.cosh_w),
-                      1 / e.cosh_w};
+    return (rw_elliptic_point){e, rw_elliptic_shrink(&e), e.sinh_w * e.sinh_w / (1 + e.cosh_w),
+                               1 / e.cosh_w};
 }
 
 /* l of one end: past is x - sine. 1 - sine sin(v) is a sum of squares. */
-RW_INLINE rw_complex rw_end_logarithm(double sine, double cosine, double past, rw_sight at)
+RW_INLINE rw_complex rw_end_logarithm(double sine, double cosine, double past, rw_elliptic_point at)
 {
     const rw_elliptic *e = &at.e;
     const double apart = e->sin_v - sine, size = past * past + e->y * e->y;
@@ -125,16 +125,16 @@ RW_INLINE rw_field rw_side_rounded_field(const rw_eccentric *p, const rw_half_vi
                                          rw_side_place at)
 {
     const rw_arc_ends *k = &p->ends;
-    const rw_sight sight = rw_sight_of(rw_elliptic_at(at.x, at.y, at.beyond));
-    const rw_elliptic e = sight.e;
-    const double shrink = sight.shrink;
-    const rw_complex A = difference_over(k, v, at, sight.cosh_less_1, &e);
+    const rw_elliptic_point point = rw_elliptic_point_of(rw_elliptic_at(at.x, at.y, at.beyond));
+    const rw_elliptic e = point.e;
+    const double shrink = point.shrink;
+    const rw_complex A = difference_over(k, v, at, point.cosh_less_1, &e);
     /* the end that is nearer, and the other */
     const double side = at.apex + 0.0, near = rw_if_negative(side, at.past[0], at.past[1]),
                  far = rw_if_negative(side, at.past[1], at.past[0]);
     const rw_complex l =
         rw_end_logarithm(rw_if_negative(side, v->sine[1], v->sine[0]),
-                         rw_if_negative(side, v->cosine[1], v->cosine[0]), far, sight);
+                         rw_if_negative(side, v->cosine[1], v->cosine[0]), far, point);
     const double R_re = k->half_over * (shrink * e.sin_v),
                  R_im = -k->half_over * (shrink * e.cos_v);
     const rw_complex edge = rw_over_X(&e, at.y, R_re + v->slant, R_im);
@@ -146,10 +146,10 @@ RW_INLINE rw_field rw_side_rounded_field(const rw_eccentric *p, const rw_half_vi
 RW_INLINE rw_field rw_side_half_rounded_field(const rw_eccentric *p, const rw_half_view *v,
                                               rw_side_place at)
 {
-    const rw_sight sight = rw_sight_of(rw_elliptic_at(at.x, at.y, at.beyond));
-    const rw_elliptic e = sight.e;
-    const double shrink = sight.shrink;
-    const rw_complex l = rw_end_logarithm(v->sine[0], v->cosine[0], at.past[0], sight);
+    const rw_elliptic_point point = rw_elliptic_point_of(rw_elliptic_at(at.x, at.y, at.beyond));
+    const rw_elliptic e = point.e;
+    const double shrink = point.shrink;
+    const rw_complex l = rw_end_logarithm(v->sine[0], v->cosine[0], at.past[0], point);
     const double w = v->arc_over, per = v->side * p->ends.per_alpha, c = per * v->cosine[0];
     const double R_re = w * (shrink * e.sin_v), R_im = -w * (shrink * e.cos_v);
     const double l_re = per * l.re, l_im = per * l.im;
@@ -163,9 +163,9 @@ RW_INLINE rw_field rw_side_sharp_field(const rw_eccentric *p, const rw_half_view
                                        rw_side_place at)
 {
     (void)p;
-    const rw_sight sight = rw_sight_of(rw_elliptic_at(at.x, at.y, at.beyond));
-    const rw_elliptic e = sight.e;
-    const rw_complex l = rw_end_logarithm(v->sine[0], v->cosine[0], at.apex, sight);
+    const rw_elliptic_point point = rw_elliptic_point_of(rw_elliptic_at(at.x, at.y, at.beyond));
+    const rw_elliptic e = point.e;
+    const rw_complex l = rw_end_logarithm(v->sine[0], v->cosine[0], at.apex, point);
     const double scale = v->cosine[0] / (at.apex * at.apex + at.y * at.y);
     const rw_complex steep = rw_over_X(&e, at.y, scale * at.apex, -scale * at.y);
     return (rw_field){-2 / RW_PI * l.im, 2 / RW_PI * l.re, -2 / RW_PI * steep.re,

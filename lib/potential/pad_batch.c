@@ -57,8 +57,8 @@ RW_INLINE void see(const rw_eccentric *w, double x, double y, int i, seen *all)
     const double sign = rw_if_negative((x - w->middle) + 0.0, -1, 1), right = sign * x;
     const double edge = rw_if_negative(sign, -w->patch.left, w->patch.right);
     const double beyond = (right - edge) * w->per_half_width;
-    const rw_sight at = rw_sight_of(rw_elliptic_at((right - sign * w->middle) * w->per_half_width,
-                                                   y * w->per_half_width, beyond));
+    const rw_elliptic_point at = rw_elliptic_point_of(rw_elliptic_at(
+        (right - sign * w->middle) * w->per_half_width, y * w->per_half_width, beyond));
     all->sign[i] = sign;
     all->right[i] = right;
     all->beyond[i] = beyond;
@@ -73,24 +73,24 @@ RW_INLINE void see(const rw_eccentric *w, double x, double y, int i, seen *all)
     all->per_cosh[i] = at.per_cosh;
 }
 
-RW_INLINE rw_sight sight_of(const seen *all, int i)
+RW_INLINE rw_elliptic_point point_of(const seen *all, int i)
 {
-    return (rw_sight){{.y = all->y[i],
-                       .sin_v = all->sin_v[i],
-                       .cos_v = all->cos_v[i],
-                       .sinh_w = all->sinh_w[i],
-                       .cosh_w = all->cosh_w[i],
-                       .cos2 = all->cos2[i]},
-                      all->shrink[i],
-                      all->cosh_less_1[i],
-                      all->per_cosh[i]};
+    return (rw_elliptic_point){{.y = all->y[i],
+                                .sin_v = all->sin_v[i],
+                                .cos_v = all->cos_v[i],
+                                .sinh_w = all->sinh_w[i],
+                                .cosh_w = all->cosh_w[i],
+                                .cos2 = all->cos2[i]},
+                               all->shrink[i],
+                               all->cosh_less_1[i],
+                               all->per_cosh[i]};
 }
 
 /* The field that the sums make. */
 RW_INLINE rw_field field_of(const joints *p, const seen *all, int i, rw_field sums)
 {
     const double sign = all->sign[i], lean = sign * p->lean, y = all->y[i];
-    const rw_sight at = sight_of(all, i);
+    const rw_elliptic_point at = point_of(all, i);
     const double R_re = p->bend * (at.shrink * at.e.sin_v),
                  R_im = -p->bend * (at.shrink * at.e.cos_v);
     const rw_complex edge = rw_over_X(&at.e, y, R_re + lean, R_im);
@@ -114,7 +114,7 @@ RW_INLINE void add_all(const joints *restrict p, int count, const double *restri
             for (int i = 0; i < RW_LANES; i++) {
                 const double past = (all.right[i] - all.sign[i] * k.at) * per_s;
                 const rw_complex l =
-                    rw_end_logarithm(all.sign[i] * k.sine, k.cosine, past, sight_of(&all, i));
+                    rw_end_logarithm(all.sign[i] * k.sine, k.cosine, past, point_of(&all, i));
                 const double l_re = k.jump * l.re, l_im = k.jump * l.im;
                 sum[0][i] += past * l_re;
                 sum[1][i] += past * l_im;

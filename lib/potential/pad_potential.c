@@ -8,7 +8,7 @@ bool rw_pad_potential_create(rw_pad_potential *p, const rw_arcs *arcs, rw_patch 
     *p = (rw_pad_potential){.patch = patch};
     if (arcs->pad && !(p->many = malloc(arcs->count * sizeof *p->many)))
         return false;
-    rw_arc_potential *all = p->many ? p->many : &p->one;
+    rw_arc_potential *all = p->many ? p->many : &p->single;
     for (size_t i = 0; i < arcs->count; i++) {
         const rw_arc arc = rw_arc_at(arcs, i);
         if (!rw_arc_is_inside(arc, patch))
@@ -27,7 +27,7 @@ void rw_pad_potential_destroy(rw_pad_potential *p)
 
 double rw_pad_pressure(const rw_pad_potential *p, double x)
 {
-    const rw_arc_potential *all = p->many ? p->many : &p->one;
+    const rw_arc_potential *all = p->many ? p->many : &p->single;
     double sum = 0;
     if (x > p->patch.left && x < p->patch.right)
         for (size_t i = 0; i < p->count; i++)

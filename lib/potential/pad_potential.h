@@ -15,8 +15,8 @@ typedef struct {
 typedef struct {
     rw_patch patch;
     size_t count;
-    rw_arc_potential one;   /* the wedge's: it takes no memory */
-    rw_arc_potential *many; /* of a pad; NULL for the wedge */
+    rw_arc_potential single; /* the wedge's: it takes no memory */
+    rw_arc_potential *many;  /* of a pad; NULL for the wedge */
 } rw_pad_potential;
 
 /* false where memory is short; then there is nothing to destroy. */

@@ -108,10 +108,10 @@ static pole both_poles(const rw_element *e, int n, const double c[], const doubl
                        double scale, double x, double y)
 {
     const rw_complex zeta = zeta_of(e, x, y);
-    const pole one = pole_of(e, n, c, load, scale, zeta);
-    const pole other = pole_of(e, n, c, load, scale, rw_multiple(-1, zeta));
-    return (pole){rw_sum(one.value, other.value),
-                  rw_quotient(rw_sum(one.slope, rw_multiple(-1, other.slope)),
+    const pole at_zeta = pole_of(e, n, c, load, scale, zeta);
+    const pole at_minus = pole_of(e, n, c, load, scale, rw_multiple(-1, zeta));
+    return (pole){rw_sum(at_zeta.value, at_minus.value),
+                  rw_quotient(rw_sum(at_zeta.slope, rw_multiple(-1, at_minus.slope)),
                               rw_multiple(2 * e->scale, zeta))};
 }
 

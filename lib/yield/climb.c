@@ -114,10 +114,10 @@ static void climb_to(climb *c, double last_span)
     for (int i = 0; i < CLIMB_MAX; i++) { /* a few are enough, but on a plateau */
         const double before = c->J2;
         climb_along(c, 1, 0, span, last_span);
-        const rw_polar one = c->top;
+        const rw_polar start = c->top;
         climb_along(c, 0, 1, span, last_span);
         climb_along(c, 1, 0, span, last_span);
-        climb_along(c, c->top.angle - one.angle, c->top.log_radius - one.log_radius, span,
+        climb_along(c, c->top.angle - start.angle, c->top.log_radius - start.log_radius, span,
                     last_span);
         if (c->J2 - before <= NO_GAIN * before || last_span >= ROUGH_SPAN)
             return;
@@ -176,7 +176,7 @@ static void climb_to_top(climb *c)
     }
 }
 
-void rw_climb(rw_highest *s, const rw_foot *from)
+void rw_climb(rw_highest *s, const rw_climb_start *from)
 {
     climb c = {s, from->centre, from->innermost, from->outermost, from->at, 0};
     const double surface = 0;

@@ -26,7 +26,7 @@ typedef struct {
     double centre, innermost, outermost;
     rw_polar at;
     double J2, hidden; /* hidden: what the steps of the grid may hide */
-} rw_foot;
+} rw_climb_start;
 
 /* The ratio of neighbouring radii of a grid. */
 #define RW_FALL 0.5
@@ -42,6 +42,6 @@ static inline double rw_off_apex(const rwedge_contact *contact, double x, double
 }
 
 /* Looks at the mark of the foot, and climbs from the foot to its top. */
-void rw_climb(rw_highest *highest, const rw_foot *from);
+void rw_climb(rw_highest *highest, const rw_climb_start *from);
 
 #endif

@@ -44,8 +44,8 @@ rw_mark rw_patch_mark(const rwedge_contact *contact, size_t inner, size_t i, siz
     look_to(&m, 0, true);
     look_to(&m, rw_mark_edge(corners[i].patch, -side), side < 0);
     for (int k = 1; k < rw_main_parts(contact); k++)
-        for (int of = -1; of <= 1; of += 2)
-            look_to(&m, rw_mark_edge(part_of(contact, k), of), true);
+        for (int edge = -1; edge <= 1; edge += 2)
+            look_to(&m, rw_mark_edge(part_of(contact, k), edge), true);
     look_to(&m, rw_mark_edge(corners[i - 1].patch, side), false);
     look_to(&m, rw_mark_edge(corners[i + 1].patch, side), false);
     if (inner > 0)
@@ -60,13 +60,13 @@ rw_mark rw_main_mark(const rwedge_contact *contact, int part, int side)
     const size_t last = contact->memory.count - 1;
     rw_mark m = {rw_mark_edge(part_of(contact, part), side), 3 * extent(contact), extent(contact)};
     for (int k = 0; k < rw_main_parts(contact); k++)
-        for (int of = -1; of <= 1; of += 2)
-            if (k != part || of != side)
-                look_to(&m, rw_mark_edge(part_of(contact, k), of),
-                        k < part || (k == part && side < of));
+        for (int edge = -1; edge <= 1; edge += 2)
+            if (k != part || edge != side)
+                look_to(&m, rw_mark_edge(part_of(contact, k), edge),
+                        k < part || (k == part && side < edge));
     for (size_t i = 1; i < last; i++)
-        for (int of = -1; of <= 1; of += 2)
-            look_to(&m, rw_mark_edge(corners[i].patch, of), false);
+        for (int edge = -1; edge <= 1; edge += 2)
+            look_to(&m, rw_mark_edge(corners[i].patch, edge), false);
     return m;
 }
 
@@ -75,8 +75,8 @@ rw_mark rw_kink_mark(const rwedge_contact *contact, const rw_shear_state *shear,
     rw_mark m = {shear->kink[i], 3 * extent(contact), extent(contact)};
     look_to(&m, 0, true);
     for (int k = 1; k < rw_main_parts(contact); k++)
-        for (int of = -1; of <= 1; of += 2)
-            look_to(&m, rw_mark_edge(part_of(contact, k), of), true);
+        for (int edge = -1; edge <= 1; edge += 2)
+            look_to(&m, rw_mark_edge(part_of(contact, k), edge), true);
     for (int j = 0; j < shear->kinks; j++)
         if (j != i)
             look_to(&m, shear->kink[j], j < i);

@@ -24,7 +24,7 @@
 #include "stress/von_mises.h"
 
 /* BAND radii of a grid are evaluated at once. */
-enum { ANGLES = 9, RADII = 52, BAND = 3, FEET = 8 };
+enum { ANGLES = 9, RADII = 52, BAND = 3, STARTS_KEPT = 8 };
 
 /* Closer to the mark than CLOSE of the way to the next one, J2 varies by powers of r alone, and
  * SPARSE does for the ratio of neighbouring radii. */
@@ -41,7 +41,7 @@ static const double GRID_ERROR = 1e-8;
 typedef struct {
     rw_highest highest;
     bool is_centred; /* all patches are: at -x is what the opposite shear makes at x */
-    rw_foot feet[FEET];
+    rw_climb_start starts[STARTS_KEPT];
     size_t count;
 } search;
 
@@ -59,22 +59,22 @@ static void climb_all(search *s)
     while (s->count > 0) {
         size_t best = 0;
         for (size_t i = 1; i < s->count; i++)
-            if (s->feet[i].J2 > s->feet[best].J2)
+            if (s->starts[i].J2 > s->starts[best].J2)
                 best = i;
-        const rw_foot from = s->feet[best];
-        s->feet[best] = s->feet[--s->count];
+        const rw_climb_start from = s->starts[best];
+        s->starts[best] = s->starts[--s->count];
         if (!is_low(s, from.J2, from.hidden))
             rw_climb(&s->highest, &from);
     }
 }
 
-static void note(search *s, const rw_foot *from)
+static void note(search *s, const rw_climb_start *from)
 {
     if (is_low(s, from->J2, from->hidden))
         return;
-    if (s->count == FEET)
+    if (s->count == STARTS_KEPT)
         climb_all(s);
-    s->feet[s->count++] = *from;
+    s->starts[s->count++] = *from;
 }
 
 /* ---- The grid around one mark ---- */
@@ -142,7 +142,7 @@ static bool is_maximum(const double J2[], int rows, int i, int j, double *lowest
  * 8 times that. This is an estimate, not a bound. What checks it is tests/proof/yield_survey.c,
  * which leaves nothing out on grids three times as fine: it found no higher J2 in 1500 random
  * histories, once climb_ridge() was there. */
-static void note_feet(search *s, const polar_grid *grid, int side)
+static void note_starts(search *s, const polar_grid *grid, int side)
 {
     const double *J2 = grid->J2[side];
     for (int i = 0; i < grid->rows; i++)
@@ -152,12 +152,12 @@ static void note_feet(search *s, const polar_grid *grid, int side)
             if (is_low(s, here, here) || !is_maximum(J2, grid->rows, i, j, &lowest))
                 continue;
             const int angle = side ? ANGLES - 1 - j : j;
-            const rw_foot top = {side ? -grid->centre : grid->centre,
-                                 0.1 * grid->floor,
-                                 10 * grid->reach,
-                                 {angle * RW_PI / (ANGLES - 1), log(grid->radius[i])},
-                                 here,
-                                 here - lowest};
+            const rw_climb_start top = {side ? -grid->centre : grid->centre,
+                                        0.1 * grid->floor,
+                                        10 * grid->reach,
+                                        {angle * RW_PI / (ANGLES - 1), log(grid->radius[i])},
+                                        here,
+                                        here - lowest};
             note(s, &top);
         }
 }
@@ -195,9 +195,9 @@ static void search_around(search *s, const rw_mark *m, const rw_neighbourhood *a
     for (double outermost = m->reach; outermost > innermost;
          outermost = grid.rows == RADII ? grid.radius[RADII - 2] : 0) {
         fill(s, &grid, *around, outermost, innermost);
-        note_feet(s, &grid, 0);
+        note_starts(s, &grid, 0);
         if (s->is_centred && m->at != 0)
-            note_feet(s, &grid, 1);
+            note_starts(s, &grid, 1);
     }
 }
 

@@ -36,8 +36,8 @@ typedef struct {
     double range[PLACES], f1[PLACES], f2[PLACES], energy[PLACES];
 } friction;
 
-static int32_t rub(const rwedge_contact *contact, const loads *c, size_t n, const double x[],
-                   friction *at)
+static int32_t friction_at(const rwedge_contact *contact, const loads *c, size_t n,
+                           const double x[], friction *at)
 {
     return rwedge_contact_cycle_friction(contact, c->count, c->P, c->M, c->Q, c->sigma, n, x,
                                          at->range, at->f1, at->f2, at->energy);
@@ -46,7 +46,7 @@ static int32_t rub(const rwedge_contact *contact, const loads *c, size_t n, cons
 static friction rubbed(const rwedge_contact *contact, const loads *c, size_t n, const double x[])
 {
     friction at;
-    assert_ok(rub(contact, c, n, x, &at));
+    assert_ok(friction_at(contact, c, n, x, &at));
     return at;
 }
 
@@ -144,7 +144,7 @@ CLAIM(what_a_removal_under_tension_costs_is_not_known)
     rwedge_contact *contact = create(0.4, F);
     const double x = 0.1;
     friction at;
-    assert_int_equal(rub(contact, &removal, 1, &x, &at), RWEDGE_EPATH);
+    assert_int_equal(friction_at(contact, &removal, 1, &x, &at), RWEDGE_EPATH);
 }
 
 /* Tension alone shears it, beyond any closed form. */
@@ -586,7 +586,8 @@ CLAIM(stresses_of_a_cycle_are_kept_where_its_slip_is_not_known)
     assert_ok(keep(contact, &cycle));
     friction at;
     const double x = 0.1;
-    assert_int_equal(rub(contact, &cycle, 1, &x, &at), rub(plain, &cycle, 1, &x, &at));
+    assert_int_equal(friction_at(contact, &cycle, 1, &x, &at),
+                     friction_at(plain, &cycle, 1, &x, &at));
     assert_same_answers(contact, plain, &cycle);
 }
 
@@ -640,12 +641,12 @@ CLAIM(a_refusal_leaves_the_outputs)
     friction at = {.range = {7}}, untouched = at;
     const double x = 0.1, none = 0;
     double worst_x = 7, worst = 7;
-    assert_int_equal(rub(sharp, &cycle, 1, &none, &at), RWEDGE_EDOMAIN);
+    assert_int_equal(friction_at(sharp, &cycle, 1, &none, &at), RWEDGE_EDOMAIN);
     cycle.Q[1] = 0.6;
-    assert_int_equal(rub(contact, &cycle, 1, &x, &at), RWEDGE_ESLIDING);
+    assert_int_equal(friction_at(contact, &cycle, 1, &x, &at), RWEDGE_ESLIDING);
     cycle.Q[1] = -0.3;
     cycle.count = 0;
-    assert_int_equal(rub(contact, &cycle, 1, &x, &at), RWEDGE_ERANGE);
+    assert_int_equal(friction_at(contact, &cycle, 1, &x, &at), RWEDGE_ERANGE);
     cycle.count = 2;
     assert_memory_equal(&at, &untouched, sizeof at);
     const struct {

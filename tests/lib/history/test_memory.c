@@ -25,15 +25,15 @@ static rw_memory *new_path(void)
 static void advance(rw_memory *path, double load, double shear)
 {
     assert_true(rw_memory_reserve(path, 2));
-    const rw_loading to = {.load = load, .shear = shear};
+    const rw_memory_loads to = {.load = load, .shear = shear};
     const rw_departure departure = rw_memory_departure(path, to);
     rw_memory_advance(path, &departure, to);
 }
 
 static double shear_at(const rw_memory *path, double load)
 {
-    const rw_trail trail = rw_memory_trail(path);
-    return rw_trail_shear(&trail, load);
+    const rw_path all = rw_memory_path(path);
+    return rw_path_shear(&all, load);
 }
 
 static void assert_corner(const rw_memory *path, size_t i, double load, double shear)

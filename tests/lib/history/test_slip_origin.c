@@ -46,10 +46,10 @@ static void assert_same_corner(const rw_corner *one, const rw_corner *other)
 static void assert_as_copied(const rwedge_contact *contact, const copies *c)
 {
     for (size_t k = 0; k < c->count; k++) {
-        const rw_trail trail = rw_slip_origin_trail(&contact->origins, &contact->origins.all[k]);
-        assert_int_equal(trail.count, c->all[k].count);
-        for (size_t i = 0; i < trail.count; i++)
-            assert_same_corner(rw_trail_corner(&trail, i), &c->all[k].corners[i]);
+        const rw_path path = rw_slip_origin_path(&contact->origins, &contact->origins.all[k]);
+        assert_int_equal(path.count, c->all[k].count);
+        for (size_t i = 0; i < path.count; i++)
+            assert_same_corner(rw_path_corner(&path, i), &c->all[k].corners[i]);
     }
 }
 

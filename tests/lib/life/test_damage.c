@@ -136,14 +136,14 @@ CLAIM(cycles_below_the_limit_do_no_damage)
 /* On one plane: what cycles are counted of, the normal stress. */
 typedef struct {
     double along[LOADS], normal[LOADS];
-} course;
+} plane_history;
 
-static course course_on(const block *k, double angle, double out, double across)
+static plane_history history_on(const block *k, double angle, double out, double across)
 {
     const double n[3] = {cos(out) * sin(angle), cos(out) * cos(angle), sin(out)};
     const double u[3] = {cos(angle), -sin(angle), 0};
     const double v[3] = {-sin(out) * sin(angle), -sin(out) * cos(angle), cos(out)};
-    course c;
+    plane_history c;
     for (size_t i = 0; i < k->n; i++) {
         const double trace = k->sxx[i] + k->syy[i], z = k->plane_stress ? 0 : k->nu * trace;
         const double t[3] = {k->sxx[i] * n[0] + k->txy[i] * n[1],
@@ -159,7 +159,7 @@ static course course_on(const block *k, double angle, double out, double across)
 }
 
 /* From the load `from` over `to` until the value of `from` is passed again. */
-static double highest_within(const block *k, const course *c, size_t from, size_t to)
+static double highest_within(const block *k, const plane_history *c, size_t from, size_t to)
 {
     const double start = c->along[from], sign = c->along[to] > start ? 1 : -1;
     double highest = c->normal[from];
@@ -173,7 +173,7 @@ static double highest_within(const block *k, const course *c, size_t from, size_
     return highest;
 }
 
-static double damage_of_cycle(const block *k, const course *c, size_t from, size_t to)
+static double damage_of_cycle(const block *k, const plane_history *c, size_t from, size_t to)
 {
     const double amplitude = fabs(c->along[from] - c->along[to]) / 2,
                  highest = highest_within(k, c, from, to);
@@ -182,7 +182,7 @@ static double damage_of_cycle(const block *k, const course *c, size_t from, size
 }
 
 /* The turns from the largest value to the same again; the smallest range goes first. */
-static double scanned_on(const block *k, const course *c)
+static double scanned_on(const block *k, const plane_history *c)
 {
     size_t turn[LOADS + 1], count = 0, top = 0;
     for (size_t i = 1; i < k->n; i++)
@@ -209,7 +209,7 @@ static double scanned_on(const block *k, const course *c)
 
 static double scanned_at(const block *k, double angle, double out, double across)
 {
-    const course c = course_on(k, angle, out, across);
+    const plane_history c = history_on(k, angle, out, across);
     return scanned_on(k, &c);
 }
 

@@ -27,7 +27,8 @@ static double no_slip(double x, const void *context)
 static pair begin_with(rwedge_contact *contact, double P, double M, double tolerance)
 {
     pair c = {.frame = rw_frame_of(rw_arcs_of(&contact->geometry), F, tolerance), .exact = contact};
-    rw_stance now = {.contact = rw_arcs_patch_of_moment(&c.frame.arcs, P, M), .at = {P, M, 0, 0}};
+    rw_numerical_state now = {.contact = rw_arcs_patch_of_moment(&c.frame.arcs, P, M),
+                              .at = {P, M, 0, 0}};
     now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
     assert_true(rw_numerical_begin(&c.numerical, &c.frame, &now, no_slip, NULL));
     assert_ok(rwedge_contact_apply(c.exact, P, M, 0, 0));
@@ -77,7 +78,8 @@ static double difference(const pair *c)
 static void go(pair *c, double P, double M, double Q, double sigma)
 {
     assert_ok(rwedge_contact_apply(c->exact, P, M, Q, sigma));
-    assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, (rw_course){P, M, Q, sigma / 4},
+    assert_int_equal(rw_numerical_step(&c->numerical, &c->frame,
+                                       (rw_scaled_loads){P, M, Q, sigma / 4},
                                        &(int){RW_MOST_EFFORT}),
                      RW_STEP_DONE);
     assert_within(difference(c), 0, c->frame.tolerance);
@@ -146,15 +148,15 @@ CLAIM(a_contact_that_grows_and_recedes)
 /* The error that is told is not below the true one, and not far above the tolerance. */
 CLAIM(a_step_in_parts_is_the_step_as_a_whole)
 {
-    const rw_course from = {4, 0, 0, 0}, to = {4.4, 0.3, 0.9, 0.3};
+    const rw_scaled_loads from = {4, 0, 0, 0}, to = {4.4, 0.3, 0.9, 0.3};
     const int parts[] = {1, 2, 7, 50};
     rw_traction first = {0};
     for (int k = 0; k < 4; k++) {
         pair c = begin(4, 0, 1e-4);
         for (int i = 1; i <= parts[k]; i++) {
             const double t = (double)i / parts[k];
-            const rw_course at = {from.P + t * (to.P - from.P), t * to.M, t * to.shear,
-                                  t * to.stretch};
+            const rw_scaled_loads at = {from.P + t * (to.P - from.P), t * to.M, t * to.shear,
+                                        t * to.stretch};
             assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, at, &(int){RW_MOST_EFFORT}),
                              RW_STEP_DONE);
         }
@@ -173,7 +175,7 @@ CLAIM(repeated_loads_do_not_fill_the_memory)
     pair c = begin(4, 0, 1e-3);
     size_t most = 0;
     for (int i = 0; i < 200; i++) {
-        const rw_course to = {4, 0, 0.9 * sin(i * 0.7), 0.15 * cos(i * 0.7 + 0.1 * sin(i))};
+        const rw_scaled_loads to = {4, 0, 0.9 * sin(i * 0.7), 0.15 * cos(i * 0.7 + 0.1 * sin(i))};
         assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, to, &(int){RW_MOST_EFFORT}),
                          RW_STEP_DONE);
         const size_t count = c.numerical.now.shear.traction.count;
@@ -184,17 +186,19 @@ CLAIM(repeated_loads_do_not_fill_the_memory)
 }
 
 /* What grows sticks up to both edges, in a straight line of all loads. */
-static double grown_traction(const rw_frame *frame, const rw_stance *first, int parts, double x)
+static double grown_traction(const rw_frame *frame, const rw_numerical_state *first, int parts,
+                             double x)
 {
-    const rw_course from = first->at, to = {3.6, 0.3, 0.35, 0.02};
+    const rw_scaled_loads from = first->at, to = {3.6, 0.3, 0.35, 0.02};
     rw_work w;
-    rw_stance now = *first;
+    rw_numerical_state now = *first;
     assert_true(rw_work_create(&w, frame, RW_MOST_EFFORT));
     assert_true(rw_traction_copy(&first->shear.traction, &now.shear.traction));
     for (int i = 1; i <= parts; i++) {
         const double u = (double)i / parts;
-        const rw_course at = {from.P + u * (to.P - from.P), u * to.M, u * to.shear, u * to.stretch};
-        rw_stance next;
+        const rw_scaled_loads at = {from.P + u * (to.P - from.P), u * to.M, u * to.shear,
+                                    u * to.stretch};
+        rw_numerical_state next;
         assert_true(rw_implicit_step(&w, &now, at, NULL, false, &next));
         rw_shear_state_destroy(&now.shear);
         now = next;

@@ -77,16 +77,16 @@ static int32_t go_through(const rwedge_contact *contact, const rw_load_history *
 int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads, const double P[],
                                   const double M[], const double Q[], const double sigma[])
 {
-    const rw_load_history list = {loads, P, M, Q, sigma};
-    if (!contact || !rw_is_load_history(&list))
+    const rw_load_history history = {loads, P, M, Q, sigma};
+    if (!contact || !rw_is_load_history(&history))
         return RWEDGE_ENULL;
     if (loads == 0 || loads > SIZE_MAX / LISTS / sizeof *P)
         return RWEDGE_ERANGE;
     int32_t status;
-    if (rw_kept_cycle(contact, &list, RW_STRESS_ALONE, &status))
+    if (rw_kept_cycle(contact, &history, RW_STRESS_ALONE, &status))
         return status;
-    kept_cycle *kept = create(&list);
-    status = kept ? go_through(contact, &list, kept) : RWEDGE_ENOMEM;
+    kept_cycle *kept = create(&history);
+    status = kept ? go_through(contact, &history, kept) : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
         rw_contact_drop_kept(contact);
         contact->kept = kept;

@@ -31,9 +31,9 @@ static bool start_beside(const rw_problem *p, rw_fronts *f, double angle, int si
     bool is_moved = false;
     for (int j = 0; j < f->fronts; j++)
         for (int i = 0; i + 1 < old->count; i++) {
-            const int one = old->zone[i].label, other = old->zone[i + 1].label;
+            const int left = old->zone[i].label, right = old->zone[i + 1].label;
             const int slip = f->label[j] != 0 ? f->label[j] : f->label[j + 1];
-            if ((one != 0 ? one : other) != slip || (one == 0) != (f->label[j] == 0))
+            if ((left != 0 ? left : right) != slip || (left == 0) != (f->label[j] == 0))
                 continue;
             const double at = rw_angle_of(p, old->zone[i].right);
             if (fabs(at - f->y[j]) < 2.5 * angle) {

@@ -55,7 +55,7 @@ void rw_work_destroy(rw_work *work);
 bool rw_implicit_step(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
                       const rw_zones *guess, bool coarse, rw_numerical_state *there);
 
-/* `from` and `there` were reached from one stance, half-way and as a whole, under constant P and M.
+/* `from` and `there` were reached from one state, half-way and as a whole, under constant P and M.
  * Whether the step from the one to the other has the end `there` too: then the whole is exact, and
  * its energy is set to the sum of both halves. */
 bool rw_step_goes_on(rw_work *work, const rw_numerical_state *from, rw_numerical_state *there);

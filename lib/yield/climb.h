@@ -41,7 +41,7 @@ static inline double rw_off_apex(const rwedge_contact *contact, double x, double
     return y == 0 && rw_is_kink(&contact->geometry, x) ? 1e-3 * r : y;
 }
 
-/* Looks at the mark of the foot, and climbs from the foot to its top. */
+/* Looks at the mark, and climbs from the start to its top. */
 void rw_climb(rw_highest *highest, const rw_climb_start *from);
 
 #endif

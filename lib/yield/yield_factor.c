@@ -11,7 +11,7 @@
  *
  * The grid around a mark has the steps 0.7 in ln r and pi/8 in angle. It reaches from 3 b, beyond
  * which J2 falls like r^-2, inwards to 1e-14 of the distance to the next mark. The marks and the
- * surface are on it. Each maximum of the grid that may be the foot of the highest top is then
+ * surface are on it. Each maximum of the grid that may lead to the highest top is then
  * followed to it.
  *
  * On the grids the patches that end far from the mark count together (neighbourhood.h): a grid
@@ -47,7 +47,7 @@ typedef struct {
 
 /* ---- Where to climb ---- */
 
-/* Whether the climb from a foot cannot end above the highest J2 known. */
+/* Whether the climb from a start cannot end above the highest J2 known. */
 static bool is_low(const search *s, double J2, double hidden)
 {
     return J2 + hidden < (1 - GRID_ERROR) * s->highest.known;

@@ -147,67 +147,42 @@ static void write_rows(void *of_plan, records *rows)
 
 /* ---- For ParaView ---- */
 
-/* The places that are written, and the columns. Of lines the same are written of each. */
-typedef struct {
-    const measured *all;
-    size_t *shown, count, line;
-    int column[COLUMN_COUNT], columns;
-} source;
-
-static const measured_place *place_at(const source *written, int64_t column, int64_t row)
+/* The columns that are written, of the places that are. */
+static size_t take_numbers(const plan *job, vtk_points *points, double x[], double y[],
+                           double value[])
 {
-    return &written->all->place[(size_t)row * written->line + written->shown[column]];
+    const measured *all = &job->all;
+    size_t count = 0;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        if (column_is_wanted(&job->last.asked, i))
+            points->names[points->numbers++] = measure_kinds[i].column;
+    for (size_t i = 0; i < all->count; i++) {
+        const measured_place *place = &all->place[i];
+        if (!place->is_shown)
+            continue;
+        x[count] = place->x;
+        y[count++] = place->y;
+        for (int k = 0; k < COLUMN_COUNT; k++)
+            if (column_is_wanted(&job->last.asked, k))
+                *value++ = place->at.value[k];
+    }
+    return count;
 }
 
-static double x_of(const void *written, int64_t column)
-{
-    return place_at(written, column, 0)->x;
-}
-
-/* The depth of a row of a grid, or of a point. */
-static double y_of_row(const void *written, int64_t row)
-{
-    return place_at(written, 0, row)->y;
-}
-
-static double y_of_point(const void *written, int64_t point)
-{
-    return place_at(written, point, 0)->y;
-}
-
-static void numbers_of(const void *of_source, int64_t column, int64_t row, double value[])
-{
-    const source *written = of_source;
-    for (int i = 0; i < written->columns; i++)
-        value[i] = place_at(written, column, row)->at.value[written->column[i]];
-}
-
+/* Of lines the same places are written of each. */
 static void write_vtk(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
     const measured *all = &job->all;
-    const bool is_grid = all->line > 0;
-    source s = {.all = all, .line = is_grid ? all->line : all->count};
+    double *x = memory_zeroed((2 + COLUMN_COUNT) * all->count, sizeof *x), *y = x + all->count;
     vtk_points points = {.title = "rwedge fretting: y is the depth below the surface",
-                         .is_grid = is_grid,
-                         .x = x_of,
-                         .y = is_grid ? y_of_row : y_of_point,
-                         .numbers = numbers_of,
-                         .source = &s};
-    s.shown = memory_zeroed(s.line, sizeof *s.shown);
-    for (size_t i = 0; i < s.line; i++)
-        if (all->place[i].is_shown)
-            s.shown[s.count++] = i;
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        if (column_is_wanted(&job->last.asked, i)) {
-            points.names[s.columns] = measure_kinds[i].column;
-            s.column[s.columns++] = i;
-        }
-    points.count = s.columns;
-    points.columns = (int64_t)s.count;
-    points.rows = is_grid ? (int64_t)(all->count / s.line) : 1;
+                         .x = x,
+                         .y = y,
+                         .value = y + all->count};
+    points.count = take_numbers(job, &points, x, y, y + all->count);
+    points.columns = points.count * all->line / all->count;
     vtk_write(&points, rows);
-    free(s.shown);
+    free(x);
 }
 
 /* ---- The command ---- */

@@ -165,7 +165,7 @@ static int field(const arguments *line)
     return STATUS_DONE;
 }
 
-static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
-
-const command field_command = {"field",  "rwedge field", "stresses on a grid below the surface",
-                               &grammar, NULL,           field};
+const command field_command = {.name = "field",
+                               .summary = "stresses on a grid below the surface",
+                               .grammar = {options, "[OPTION...]", describe, OPTION_LOAD},
+                               .run = field};

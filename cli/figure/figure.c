@@ -385,8 +385,9 @@ static const char *figure_name(int i)
     return i < FIGURE_COUNT ? figures[i]->name : NULL;
 }
 
-static const syntax grammar = {options, "FIGURE [OPTION...]", describe_figures, OPTION_LOAD};
-
 const command figure_command = {
-    "figure", "rwedge figure", "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
-    &grammar, figure_name,     write_command};
+    .name = "figure",
+    .summary = "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
+    .grammar = {options, "FIGURE [OPTION...]", describe_figures, OPTION_LOAD},
+    .operand = figure_name,
+    .run = write_command};

@@ -299,12 +299,8 @@ static int fretting(const arguments *typed)
     return STATUS_DONE;
 }
 
-static const syntax grammar = {options, "LOADS.csv [OPTION...]", describe, OPTION_LOAD};
-
 const command fretting_command = {
-    "fretting",
-    "rwedge fretting",
-    "a cycle of loads: stress range, SWT, slip, energy, the worst place",
-    &grammar,
-    NULL,
-    fretting};
+    .name = "fretting",
+    .summary = "a cycle of loads: stress range, SWT, slip, energy, the worst place",
+    .grammar = {options, "LOADS.csv [OPTION...]", describe, OPTION_LOAD},
+    .run = fretting};

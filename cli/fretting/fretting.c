@@ -79,7 +79,7 @@ typedef struct {
     contact_history history;
     last_cycle last;
     doubts doubts;
-    measured all;
+    measured result;
     material constants;
     worst_table worst;
     int threads;
@@ -93,22 +93,22 @@ enum { BATCH = 128 }; /* places */
  * can be. */
 static size_t batch_size(const plan *job)
 {
-    const size_t share = job->all.count / (size_t)job->threads + 1;
+    const size_t share = job->result.count / (size_t)job->threads + 1;
     return rwedge_contact_error(job->last.before) > 0 && share > BATCH ? share : BATCH;
 }
 
 static void compute_batch(const void *of_plan, int64_t i, void *status)
 {
     const plan *job = of_plan;
-    const size_t size = batch_size(job), first = (size_t)i * size, left = job->all.count - first;
-    measured part = {.place = job->all.place + first, .count = left < size ? left : size};
+    const size_t size = batch_size(job), first = (size_t)i * size, left = job->result.count - first;
+    measured part = {.place = job->result.place + first, .count = left < size ? left : size};
     *(int32_t *)status = surface_measure(&job->last, &part);
 }
 
 static void compute(const plan *job)
 {
     const size_t size = batch_size(job);
-    const int64_t batches = (int64_t)((job->all.count + size - 1) / size);
+    const int64_t batches = (int64_t)((job->result.count + size - 1) / size);
     ahead *work = ahead_start(job->threads, batches, sizeof(int32_t), compute_batch, job);
     int32_t status = RWEDGE_OK;
     for (int64_t i = 0; i < batches && status == RWEDGE_OK; i++)
@@ -133,16 +133,16 @@ static void write_row(const criteria *asked, const measured_place *place, record
 static void write_rows(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
-    progress_start(rows->show_progress, (int64_t)job->all.count, "rows");
+    progress_start(rows->show_progress, (int64_t)job->result.count, "rows");
     records_name(rows, "x");
     records_name(rows, "y");
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
             records_name(rows, measure_kinds[i].column);
     records_end_header(rows);
-    for (size_t i = 0; i < job->all.count && records_go_on(rows); i++)
-        if (job->all.place[i].is_shown)
-            write_row(&job->last.asked, &job->all.place[i], rows);
+    for (size_t i = 0; i < job->result.count && records_go_on(rows); i++)
+        if (job->result.place[i].is_shown)
+            write_row(&job->last.asked, &job->result.place[i], rows);
 }
 
 /* ---- For ParaView ---- */
@@ -151,13 +151,13 @@ static void write_rows(void *of_plan, records *rows)
 static size_t take_numbers(const plan *job, vtk_points *points, double x[], double y[],
                            double value[])
 {
-    const measured *all = &job->all;
+    const measured *result = &job->result;
     size_t count = 0;
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
             points->names[points->numbers++] = measure_kinds[i].column;
-    for (size_t i = 0; i < all->count; i++) {
-        const measured_place *place = &all->place[i];
+    for (size_t i = 0; i < result->count; i++) {
+        const measured_place *place = &result->place[i];
         if (!place->is_shown)
             continue;
         x[count] = place->x;
@@ -173,14 +173,15 @@ static size_t take_numbers(const plan *job, vtk_points *points, double x[], doub
 static void write_vtk(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
-    const measured *all = &job->all;
-    double *x = memory_zeroed((2 + COLUMN_COUNT) * all->count, sizeof *x), *y = x + all->count;
+    const measured *result = &job->result;
+    double *x = memory_zeroed((2 + COLUMN_COUNT) * result->count, sizeof *x),
+           *y = x + result->count;
     vtk_points points = {.title = "rwedge fretting: y is the depth below the surface",
                          .x = x,
                          .y = y,
-                         .value = y + all->count};
-    points.count = take_numbers(job, &points, x, y, y + all->count);
-    points.columns = points.count * all->line / all->count;
+                         .value = y + result->count};
+    points.count = take_numbers(job, &points, x, y, y + result->count);
+    points.columns = points.count * result->line / result->count;
     vtk_write(&points, rows);
     free(x);
 }
@@ -231,7 +232,7 @@ static void read_plan(arguments *line, plan *job, output_options *how)
     contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 3}, &job->history);
     criteria_read_strength(line, &job->history.setup, &asked);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
-    surface_places(line, how->decimal_sign, &job->last, &job->all);
+    surface_places(line, how->decimal_sign, &job->last, &job->result);
 }
 
 /* The output options of --worst: those of the rows, with its own file and the format of its
@@ -257,10 +258,10 @@ static void say_what_is_doubtful(const plan *job)
     load_history_say_unused(&job->history.loads);
 }
 
-static bool is_deep(const measured *all)
+static bool is_deep(const measured *result)
 {
-    for (size_t i = 0; i < all->count; i++)
-        if (all->place[i].y > 0)
+    for (size_t i = 0; i < result->count; i++)
+        if (result->place[i].y > 0)
             return true;
     return false;
 }
@@ -286,10 +287,10 @@ static int fretting(const arguments *typed)
     read_plan(&line, &job, &how);
     read_worst(&line, &how, &how_worst);
     compute(&job);
-    worst_find(&job.all, &job.worst);
-    worst_write(&job.worst, is_deep(&job.all), worst, sizeof worst);
-    if (job.all.line > 0 && line.value[OPTION_X] == NULL && !is_for_paraview(&how))
-        worst_add_places(&job.worst, &job.all);
+    worst_find(&job.result, &job.worst);
+    worst_write(&job.worst, is_deep(&job.result), worst, sizeof worst);
+    if (job.result.line > 0 && line.value[OPTION_X] == NULL && !is_for_paraview(&how))
+        worst_add_places(&job.worst, &job.result);
     write_output(&line, &how, &job);
     if (how_worst.path != NULL)
         output_options_write(&how_worst, worst_write_rows, &job.worst);

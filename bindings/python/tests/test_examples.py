@@ -44,7 +44,8 @@ def drawn(tmp_path, monkeypatch, capsys):
             assert not end.code
         return capsys.readouterr().out, tmp_path / f"{name}.svg"
 
-    return draw
+    yield draw
+    importlib.import_module("matplotlib.pyplot").close("all")  # whose axes others would draw on
 
 
 @pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.long) if name in LONG else name for name in DRAWN])

@@ -264,7 +264,7 @@ typedef struct {
     size_t loads;
 } task;
 
-/* Halvings from the first cells to the smallest ones are fewer. */
+/* More than the halvings from the first cells to the smallest ones. */
 enum { TASKS = 64 };
 
 /* Cells wait in a list of their own: recursion would take much of a small stack. */

@@ -339,6 +339,11 @@ static bool advance(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *whol
                     int effort)
 {
     const bool is_last = halvings == 0 || w->effort > effort;
+    if (whole->is_known && whole->state.is_exact) {
+        whole->is_known = false;
+        whole->state.error += whole->state.rate_error;
+        return accept(w, n, &whole->state, &whole->state);
+    }
     const rw_scaled_loads middle = half_way(n->now.at, to);
     if (is_last && !whole->is_known)
         *whole = try_step(w, &n->now, to, NULL, true);

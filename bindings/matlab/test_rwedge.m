@@ -155,8 +155,8 @@ function errors()
     refused('arguments', {'rwedge_series(alpha, terms)'}, @() rwedge_series(0.3));
     refused('arguments', {'fit(x, p, terms)'}, @() rwedge_series.fit(0.1, 1));
     refused('arguments', {'no such function'}, @() rwedge_mex('nothing'));
-    refused('arguments', {'takes 2 arguments'}, @() rwedge_mex('pressure', 1));
-    refused('arguments', {'gives 1 result, not 2'}, @() two_results());
+    refused('arguments', {'rwedge_pressure takes 2 '}, @() rwedge_mex('pressure', 1));
+    refused('arguments', {'rwedge_load takes 1 and gives 1: '}, @() two_results());
     [limit, x] = rwedge_surface_yield(0.3, [0 0.1], 0.5);
     claim('an absent branch is NaN, a sweep goes on', isequal(isnan([limit; x]), [true false; true false]));
 end

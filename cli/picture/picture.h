@@ -103,13 +103,13 @@ typedef struct {
 
 /* The next curve: a thin black line through all rows of one curve of the dataset. The caller may
  * change it. A curve for which there is no room is not drawn. */
-curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y);
+curve *drawing_curve(drawing *plot, const dataset *from, int number, int x, int y);
 
 /* The next curve, round a rectangle that is added to the outlines. */
-curve *drawing_bar(drawing *on, double from, double to, double top, double bottom);
+curve *drawing_bar(drawing *plot, double from, double to, double top, double bottom);
 
 /* The next label, its text made as by printf. */
-label *drawing_label(drawing *on, double x, double y, const char *format, ...) PRINTF_LIKE(4, 5);
+label *drawing_label(drawing *plot, double x, double y, const char *format, ...) PRINTF_LIKE(4, 5);
 
 /* An axis from 0 to a round number that is not below the largest value, a tic or between two. */
 axis drawing_axis(double largest, const char *text);

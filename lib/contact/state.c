@@ -178,8 +178,7 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
 
 static void pass_elements(tape *t, rw_traction *traction)
 {
-    const size_t count =
-        pass_count(t, traction->count, t->in ? t->size / (RW_TERMS + 4) : traction->count);
+    const size_t count = pass_count(t, traction->count, t->in ? t->size / 5 : traction->count);
     double end = -HUGE_VAL;
     for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++) {
         rw_element e = {.end = 0};
@@ -187,9 +186,9 @@ static void pass_elements(tape *t, rw_traction *traction)
             e = traction->elements[i];
         double *const shape[] = {&e.end, &e.scale, &e.first, &e.last};
         pass_all(t, 4, shape);
-        for (int k = 0; k < RW_TERMS; k++) {
+        pass_int(t, &e.terms, RW_TERMS);
+        for (int k = 0; k < e.terms; k++)
             pass_finite(t, &e.coefficient[k]);
-        }
         if (!t->in || !t->is_sound)
             continue;
         t->is_sound = e.scale != 0 && e.first >= 0 && e.first < e.last && e.last <= 1;

@@ -107,13 +107,13 @@ int material_constant(const char *name);
 bool material_is_remark(const char *name);
 
 /* The allowable value of a criterion; NAN where it is not known. */
-double material_allowable(const material *all, int criterion);
+double material_allowable(const material *constants, int criterion);
 
 /* Whether the curve of life of a criterion is known. */
-bool material_has_life(const material *all, int criterion);
+bool material_has_life(const material *constants, int criterion);
 
 /* (dK_th/ds0)^2/pi; NAN where they are not known. */
-double material_length(const material *all);
+double material_length(const material *constants);
 
 /* ---- criteria ---- Criteria of fatigue over all planes: which are asked for, and their
  * constants. */
@@ -138,7 +138,7 @@ typedef struct {
 } criteria;
 
 /* Whether a column is written. */
-bool column_is_wanted(const criteria *all, int column);
+bool column_is_wanted(const criteria *asked, int column);
 
 /* The criteria by default: Smith, Watson and Topper's alone, in plane strain. */
 criteria criteria_usual(const contact_case *setup);

@@ -260,10 +260,10 @@ static void add_slip_between(slipping *s, double from, double to, const double x
 }
 
 /* The mean of friction over a step. Next to an edge that moves, its square is linear in time. */
-static double mean_friction(double before, double after)
+static double mean_friction(double first, double last)
 {
-    return before + after > 0
-               ? 2.0 / 3 * (before * before + before * after + after * after) / (before + after)
+    return first + last > 0
+               ? 2.0 / 3 * (first * first + first * last + last * last) / (first + last)
                : 0;
 }
 
@@ -292,8 +292,8 @@ static void check_slip_part(slipping *s, double from, double to)
     rw_friction_before(p, (size_t)f->order, x, before);
     for (int i = 0; i < f->order; i++) {
         const double step = fabs(to - from) * f->weight[i];
-        s->outcome->energy -= s->label * slip[i] * mean_friction(before[i], now[i]) *
-                              time_in_contact(p, x[i]) * step;
+        s->outcome->energy -=
+            s->label * slip[i] * mean_friction(before[i], now[i]) * time_in_contact(p, x[i]) * step;
         if (!touches(p->to, x[i]))
             continue;
         const double excess = s->label * slip[i] / (p->scale * p->half);

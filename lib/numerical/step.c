@@ -184,7 +184,7 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
                     rw_outcome *best)
 {
     const double width = p->half * angle * angle * 2;
-    rw_zones pattern = *zones, tried[RW_VARIANTS];
+    rw_zones pattern = *zones;
     bool is_known = false;
     if (!rw_pattern_clean(&pattern, width))
         return false;
@@ -197,10 +197,10 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
                 continue;
             bool is_new = true;
             for (int i = 0; i < count; i++)
-                is_new = is_new && !rw_pattern_is_same(&variant, &tried[i]);
+                is_new = is_new && !rw_pattern_is_same(&variant, &w->tried[i]);
             if (!is_new)
                 continue;
-            tried[count++] = variant;
+            w->tried[count++] = variant;
             rw_outcome outcome;
             if (!try_pattern(w, p, &variant, angle, width, &outcome))
                 continue;

@@ -164,7 +164,7 @@ static bool touches(const rw_numerical_state *s, double x)
 }
 
 /* Minus the displacement at the time when an edge of the contact came to a place, interpolated
- * between two stances. */
+ * between two states. */
 static double origin_between(const rw_numerical_state *from, const rw_numerical_state *to, double x)
 {
     const double part = x > from->contact.right

@@ -65,7 +65,7 @@ static bool has_sliver(const rw_work *w, const rw_fronts *f)
 }
 
 /* A residual takes values at all points, for each zone that sticks. */
-static void spend(rw_work *w, int residuals)
+static void add_effort(rw_work *w, int residuals)
 {
     w->search -= residuals;
     w->effort += residuals * w->fronts.sticks * (int)w->fronts.count;
@@ -76,7 +76,7 @@ static bool newton(rw_work *w, double residual)
     const int budget = TURNS * (w->fronts.unknowns + 1);
     w->fronts.budget = budget;
     const bool is_done = rw_fronts_newton(&w->fronts, residual);
-    spend(w, budget - w->fronts.budget);
+    add_effort(w, budget - w->fronts.budget);
     return is_done;
 }
 
@@ -84,7 +84,7 @@ static bool relax(rw_work *w)
 {
     w->fronts.budget = BUDGET;
     const bool is_done = rw_fronts_relax(&w->fronts);
-    spend(w, BUDGET - w->fronts.budget);
+    add_effort(w, BUDGET - w->fronts.budget);
     return is_done;
 }
 

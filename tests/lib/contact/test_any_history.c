@@ -223,13 +223,13 @@ CLAIM(a_stress_history_is_that_of_its_loads)
                  Q[LOADS] = {0, 0.5, 0.2, 2, 1}, sigma[LOADS] = {0, 0.9, -0.4, 0, 0};
     const double x[POINTS] = {-2, 0.3, 2.3}, y[POINTS] = {0, 0.4, 0};
     double sxx[LOADS * POINTS], syy[LOADS * POINTS], txy[LOADS * POINTS];
-    rwedge_contact *contact = allowing(1e-4), *one = allowing(1e-4);
+    rwedge_contact *contact = allowing(1e-4), *single = allowing(1e-4);
     assert_ok(
         rwedge_contact_stress_history(contact, LOADS, P, M, Q, sigma, POINTS, x, y, sxx, syy, txy));
     for (int i = 0; i < LOADS; i++) {
         double xx[POINTS], yy[POINTS], xy[POINTS];
-        apply(one, P[i], M[i], Q[i], sigma[i]);
-        assert_ok(rwedge_contact_stresses(one, POINTS, x, y, xx, yy, xy));
+        apply(single, P[i], M[i], Q[i], sigma[i]);
+        assert_ok(rwedge_contact_stresses(single, POINTS, x, y, xx, yy, xy));
         for (int j = 0; j < POINTS; j++)
             assert_true(xx[j] == sxx[i * POINTS + j] && yy[j] == syy[i * POINTS + j] &&
                         xy[j] == txy[i * POINTS + j]);

@@ -4,6 +4,7 @@
 #include "base/domain.h"
 #include "traction/transform.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- Life ---- */
@@ -163,7 +164,7 @@ static bool touches(const rw_numerical_state *s, double x)
 }
 
 /* Minus the displacement at the time when an edge of the contact came to a place, interpolated
- * between two stances. */
+ * between two states. */
 static double origin_between(const rw_numerical_state *from, const rw_numerical_state *to, double x)
 {
     const double part = x > from->contact.right
@@ -326,12 +327,10 @@ static void drop(trial *t)
     t->is_known = false;
 }
 
-static trial try_step(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
-                      const rw_zones *guess, bool coarse)
+static void try_step(trial *t, rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
+                     const rw_zones *guess, bool coarse)
 {
-    trial t;
-    t.is_known = rw_implicit_step(w, from, to, guess, coarse, &t.state);
-    return t;
+    t->is_known = rw_implicit_step(w, from, to, guess, coarse, &t->state);
 }
 
 /* The length of a step, over that of one with this error over the allowed one: steps are of second
@@ -348,74 +347,102 @@ static double part_of(double left, double part)
     return left / fmax(1, floor(left / part + 0.5));
 }
 
-/* One step to a load, if its error is small enough or it is the last attempt. `whole` is the step
- * as a whole, if it is known; its difference from two halves is the error. If it is too large
- * `whole` becomes the first half. */
-static bool try_at_once(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *whole, bool is_last,
-                        double *error)
+/* A load is divided so many times at most, each time into halves or shorter parts. */
+enum { DIVISIONS = 9 };
+
+static const double SHORTEST = 1.0 / (1 << DIVISIONS);
+
+/* The step as a whole, if it is known, its first half and both halves. */
+typedef struct {
+    trial whole, half, both;
+    rw_zones guess;
+} attempt;
+
+/* What a load needs. The stack of some threads, 64 KiB, would not hold it. */
+typedef struct {
+    rw_work work;
+    rw_numerical next;
+    attempt at[DIVISIONS + 1]; /* by how often the load was divided */
+} load_work;
+
+/* One step to a load, if its error is small enough or it is the last attempt. The difference of the
+ * whole from two halves is the error. If it is too large only the first half stays. */
+static bool try_at_once(load_work *j, attempt *a, rw_scaled_loads to, bool is_last, double *error)
 {
-    const rw_zones zones = whole->is_known ? whole->state.shear.zones : n->now.shear.zones;
-    trial half = try_step(w, &n->now, loads_between(n->now.at, to, 0.5), &zones, is_last),
-          both = {false};
-    *error = HUGE_VAL;
-    if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.state, &whole->state)) {
-        both = *whole;
-        whole->is_known = false;
-        *error = 0;
-    } else if (half.is_known && whole->is_known) {
-        both = try_step(w, &half.state, to, &zones, is_last);
-        if (both.is_known)
-            *error = compare(w->frame, &whole->state, &half.state, &both.state);
+    rw_work *w = &j->work;
+    rw_numerical *n = &j->next;
+    const bool is_known = a->whole.is_known;
+    a->half.is_known = a->both.is_known = false;
+    *error = 0;
+    if (is_known && a->whole.state.is_exact) {
+        a->whole.is_known = false;
+        a->whole.state.error += a->whole.state.rate_error;
+        return accept(w, n, &a->whole.state, &a->whole.state);
     }
-    drop(whole);
-    *whole = half;
-    if (!both.is_known || (*error > 1 && !is_last)) {
-        drop(&both);
+    a->guess = is_known ? a->whole.state.shear.zones : n->now.shear.zones;
+    try_step(&a->half, w, &n->now, loads_between(n->now.at, to, 0.5), &a->guess, is_last);
+    if (a->half.is_known && is_known && rw_step_goes_on(w, &a->half.state, &a->whole.state)) {
+        a->both = a->whole;
+        a->whole.is_known = false;
+    } else {
+        if (a->half.is_known && is_known)
+            try_step(&a->both, w, &a->half.state, to, &a->guess, is_last);
+        *error = a->both.is_known
+                     ? compare(w->frame, &a->whole.state, &a->half.state, &a->both.state)
+                     : HUGE_VAL;
+    }
+    drop(&a->whole);
+    if (!a->both.is_known || (*error > 1 && !is_last)) {
+        drop(&a->both);
         return false;
     }
-    const bool is_done = accept(w, n, &half.state, &both.state);
-    drop(whole);
+    const bool is_done = accept(w, n, &a->half.state, &a->both.state);
+    drop(&a->half);
     return is_done;
 }
 
-static bool advance_in_parts(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *half,
-                             double length, int effort, double *error);
+static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
+                             int effort, double *error);
 
 /* Goes on to a load. It is divided until the error of each part is small, or the effort is spent.
  * `length` is that of the load as a part of all. `error` on return: of the step, if it was one. */
-static bool advance(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *whole, double length,
-                    int effort, double *error)
+static bool advance(load_work *j, int division, rw_scaled_loads to, double length, int effort,
+                    double *error)
 {
-    static const double SHORTEST = 1.0 / 512;
-    const bool is_last = length <= SHORTEST || w->effort > effort;
-    if (is_last && !whole->is_known)
-        *whole = try_step(w, &n->now, to, NULL, true);
-    if (try_at_once(w, n, to, whole, is_last, error))
+    attempt *a = &j->at[division];
+    const bool is_last = division == DIVISIONS || length <= SHORTEST || j->work.effort > effort;
+    if (is_last && !a->whole.is_known)
+        try_step(&a->whole, &j->work, &j->next.now, to, NULL, true);
+    if (try_at_once(j, a, to, is_last, error))
         return true;
-    if (!is_last && !w->is_short)
-        return advance_in_parts(w, n, to, whole, length, effort, error);
-    drop(whole);
+    if (!is_last && !j->work.is_short)
+        return advance_in_parts(j, division, to, length, effort, error);
+    drop(&a->half);
     return false;
 }
 
-/* `error` is that of the load at once, `half` the first half of it, if it is known. A part may take
- * as much of the effort as of the way. */
-static bool advance_in_parts(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *half,
-                             double length, int effort, double *error)
+/* `error` is that of the load at once, whose first half stands ready, if it is known. A part may
+ * take half of the effort left. */
+static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
+                             int effort, double *error)
 {
-    const rw_scaled_loads from = n->now.at;
+    rw_work *w = &j->work;
+    attempt *a = &j->at[division], *next = a + 1;
+    const rw_scaled_loads from = j->next.now.at;
     double done = 0, part = part_of(1, fmin(0.5, better_length(*error)));
     bool is_done = true;
+    next->whole = a->half;
+    if (part < 0.5)
+        drop(&next->whole);
     while (is_done && done < 1) {
         const bool is_end = part > 0.9 * (1 - done);
         const rw_scaled_loads at = is_end ? to : loads_between(from, to, done + part);
-        const rw_zones zones = n->now.shear.zones;
-        const int share = (int)((effort - w->effort) * (part / (1 - done)));
+        const int share = (effort - w->effort) / (is_end ? 1 : 2);
         if (done > 0 || part < 0.5) {
-            drop(half);
-            *half = try_step(w, &n->now, at, &zones, false);
+            a->guess = j->next.now.shear.zones;
+            try_step(&next->whole, w, &j->next.now, at, &a->guess, false);
         }
-        is_done = advance(w, n, at, half, length * part, w->effort + share, error);
+        is_done = advance(j, division + 1, at, length * part, w->effort + share, error);
         done = is_end ? 1 : done + part;
         part = is_end ? 0 : part_of(1 - done, part * (*error > 1 ? 1 : better_length(*error)));
     }
@@ -429,24 +456,26 @@ static const double FAR_OFF = 0.1;
 static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
                                int *effort)
 {
-    rw_work w;
-    rw_numerical next;
-    if (!rw_work_create(&w, frame, *effort))
-        return RW_STEP_NO_MEMORY;
-    if (!rw_numerical_copy(n, &next)) {
-        rw_work_destroy(&w);
+    load_work *j = malloc(sizeof *j);
+    if (!j || !rw_work_create(&j->work, frame, *effort)) {
+        free(j);
         return RW_STEP_NO_MEMORY;
     }
-    trial whole = try_step(&w, &next.now, to, NULL, false);
-    double error;
-    const bool is_done = advance(&w, &next, to, &whole, 1, *effort / 2, &error) &&
-                         rw_numerical_error(&next) <= FAR_OFF + 2 * rw_numerical_error(n);
-    *effort -= w.effort;
-    rw_work_destroy(&w);
-    rw_numerical_destroy(is_done ? n : &next);
-    if (is_done)
-        *n = next;
-    return is_done ? RW_STEP_DONE : w.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+    rw_step_result result = RW_STEP_NO_MEMORY;
+    if (rw_numerical_copy(n, &j->next)) {
+        double error;
+        try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
+        const bool is_done = advance(j, 0, to, 1, *effort / 2, &error) &&
+                             rw_numerical_error(&j->next) <= FAR_OFF + 2 * rw_numerical_error(n);
+        *effort -= j->work.effort;
+        rw_numerical_destroy(is_done ? n : &j->next);
+        if (is_done)
+            *n = j->next;
+        result = is_done ? RW_STEP_DONE : j->work.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+    }
+    rw_work_destroy(&j->work);
+    free(j);
+    return result;
 }
 
 /* A load that fails is tried once more with ten times the tolerance and a quarter of the effort;

@@ -247,6 +247,16 @@ static bool slips_so(const rw_zones *zones, rw_zone zone)
     return zone.label == 0 || begun.count > 1 || begun.zone[0].label != 0;
 }
 
+rw_zones rw_rates_going_on(const rw_zones *old, const rw_zones *after)
+{
+    rw_zones zones = *old;
+    for (int i = 0; i < zones.count; i++)
+        if (!slips_so(after, zones.zone[i]))
+            zones.zone[i].label = 0;
+    rw_pattern_clean(&zones, 0);
+    return zones;
+}
+
 /* Adds a zone of slip within the contact. Whether there is room for one. */
 static bool add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
 {

@@ -44,12 +44,12 @@ def test_loads_are_named_or_by_place(pad):
 
 
 def test_vectors_of_loads_are_loads_one_after_the_other(pad):
-    one, many = pad.copy(), pad.copy()
+    single, many = pad.copy(), pad.copy()
     for q in Q:
-        one.load(2000, q)
-        one.apply(2000, 0, 0.9 * q, 0)
+        single.load(2000, q)
+        single.apply(2000, 0, 0.9 * q, 0)
     many.load(2000, np.column_stack([Q, 0.9 * Q]).ravel())
-    assert (one.state() == many.state()).all() and one.dissipated_energy == many.dissipated_energy
+    assert (single.state() == many.state()).all() and single.dissipated_energy == many.dissipated_energy
     before = pad.state()
     with pytest.raises(rwedge.SlidingError, match=r"P\[1\] = 2000.0, .* Q\[1\] = 1300.0"):
         pad.load(2000, [1, 1300])
@@ -60,7 +60,7 @@ def test_vectors_of_loads_are_loads_one_after_the_other(pad):
 
 @pytest.mark.parametrize("loads, x, y, message", [
     ({"Q": [100, 1300]}, 0, 1, r"Q\[1\] = 1300.0, sigma\[1\] = 0.0: the tangential force exceeds"),
-    ({"Q": [100, 200]}, [0, 1], [1, -1], r"x\[1\] = 1.0, y\[1\] = -1.0: an argument is outside"),
+    ({"Q": [100, 200]}, [0, 1], [1, -1], r"^y\[1\] = -1.0: an argument is outside"),
     ({"Q": [100, 100], "sigma": [0, 500]}, 0, 1, r"P\[1\] = 2000.0.*sigma\[1\] = 500.0: no closed form: the two edges would"),
     *(({"P": [2000], name: [100]}, 0, 1, "the names of loads are P, M, Q and sigma, without a unit")
       for name in ("q", " Q", "Q ", "Q [N/mm]", "Q / N", "Q/N", "Q in N", "Q_N", "Q(kN)", "Q\u00a0[N/mm]", "Q\u200b", "\uff31",
@@ -78,11 +78,11 @@ def test_bad_input_says_where(pad, loads, x, y, message):
 
 
 @pytest.mark.parametrize("loads, message", [
-    ((-1, 0, 0, 0), "P = -1.0, .* (P: 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; "),
-    ((0, 5, 0, 0), "M = 5.0, .*M: .*, 0 where P is 0; "),
+    ((-1, 0, 0, 0), "^P = -1.0: .* (P: 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P)$"),
+    ((0, 5, 0, 0), "P = 0.0, M = 5.0, .*M: .*, 0 where P is 0; "),
 ])
 def test_a_refused_load_is_named_with_what_is_allowed_and_no_more(pad, loads, message):
-    with pytest.raises(rwedge.Error, match=message.replace("(", r"\(")) as caught:
+    with pytest.raises(rwedge.Error, match=message.replace("(", r"\(").replace(")", r"\)")) as caught:
         pad.apply(*loads)
     assert len(str(caught.value)) < 400
 
@@ -97,9 +97,9 @@ def test_loads_that_cannot_begin_together_say_what_comes_first():
 
 def test_nan_among_the_points_gives_nan(pad):
     x = np.array([0.1, np.nan, 0.3])
-    found = pad.copy().cycle({"Q": Q}, x, 0.5).stress
-    assert np.isnan(found[:, 1]).all()
-    assert (found[:, [0, 2]] == pad.cycle({"Q": Q}, x[[0, 2]], 0.5).stress).all()
+    stress = pad.copy().cycle({"Q": Q}, x, 0.5).stress
+    assert np.isnan(stress[:, 1]).all()
+    assert (stress[:, [0, 2]] == pad.cycle({"Q": Q}, x[[0, 2]], 0.5).stress).all()
 
 
 @pytest.mark.long
@@ -144,8 +144,8 @@ def test_parameters_of_cycles_broadcast(pad):
         value, angle = formula(*last, E, *numbers)
         assert value.shape == (7, 2)
         for place in np.ndindex(value.shape):
-            one = formula(*(component[place] for component in last), E, *numbers)
-            assert one == (value[place], angle[place]) and np.ndim(one[0]) == 0
+            single = formula(*(component[place] for component in last), E, *numbers)
+            assert single == (value[place], angle[place]) and np.ndim(single[0]) == 0
         first = formula(*cycle, E, *numbers, axis=0)
         assert (first[0] == value).all() and (first[1] == angle).all()
         assert (formula(*last, moduli, *numbers)[0][:, 0] == formula(*(c[:, 0] for c in last), E, *numbers)[0]).all()

@@ -22,8 +22,8 @@ INT32_MAX = 2**31 - 1
 def _path() -> str:
     """Where the library is: beside this file; or, of an editable install, where the hook of the import finds it."""
     beside = Path(__file__).with_name("_rwedge" + (".dll" if sys.platform == "win32" else ".so"))
-    found = None if beside.exists() else importlib.util.find_spec("._rwedge", __package__)
-    return str(found.origin if found and found.origin else beside)
+    spec = None if beside.exists() else importlib.util.find_spec("._rwedge", __package__)
+    return str(spec.origin if spec and spec.origin else beside)
 
 
 library = ctypes.CDLL(_path())
@@ -113,28 +113,39 @@ ERRORS = {ESLIDING: SlidingError, EABSENT: AbsentError, EPATH: PathError}
 
 def function(name: str) -> Any:
     """The library's rwedge_name(), with its types."""
-    found = getattr(library, "rwedge_" + name)
-    if found.argtypes is None:  # ctypes keeps what it was asked for
-        found.restype = TYPES[FUNCTIONS[name]["result"]]
-        found.argtypes = [TYPES.get(kind, ctypes.c_void_p) for kind, _ in FUNCTIONS[name]["parameters"]]
-    return found
+    called = getattr(library, "rwedge_" + name)
+    if called.argtypes is None:  # ctypes keeps what it was asked for
+        called.restype = TYPES[FUNCTIONS[name]["result"]]
+        called.argtypes = [TYPES.get(kind, ctypes.c_void_p) for kind, _ in FUNCTIONS[name]["parameters"]]
+    return called
 
 
 _strerror = function("strerror")
 
 
+def _is_inside(value: Any, low: float, high: float, low_open: bool, high_open: bool, or_zero: bool, smallest: float) -> bool:
+    if value == 0 and or_zero:
+        return True
+    above, below = low < value or value == low and not low_open, value < high or value == high and not high_open
+    return bool(above and below and (value == 0 or abs(value) >= smallest))
+
+
 def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: str = "") -> None:
-    """Raises what a status of rwedge_name() other than OK means: for which arguments, and what would be allowed."""
+    """Raises what a status of rwedge_name() other than OK means: for which arguments, those outside their own bounds where there
+    are such, and what would be allowed."""
     if status == OK:
         return
-    reason, domains = _strerror(status).decode(), FUNCTIONS[name]["domains"]
+    reason, domains, bounds = _strerror(status).decode(), FUNCTIONS[name]["domains"], FUNCTIONS[name]["bounds"]
     if status == ENOMEM:
         raise MemoryError(reason)
-    given = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
+    outside = {argument: value for argument, value in arguments.items() if argument in bounds and not _is_inside(value, *bounds[argument])}
+    if status in (EDOMAIN, ERANGE) and outside:
+        arguments = outside
+    told = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
     allowed = "; ".join(f"{argument}: {domains[argument]}" for argument in arguments if argument in domains)
     if status in (EABSENT, EPATH):
         allowed = FUNCTIONS[name]["reasons"].get(status, "")
-    message = ": ".join(filter(None, (given, reason))) + (f" ({allowed})" if allowed else "")
+    message = ": ".join(filter(None, (told, reason))) + (f" ({allowed})" if allowed else "")
     raise ERRORS.get(status, Error)(message, status)
 
 
@@ -149,7 +160,10 @@ def real(name: str, value: SupportsFloat) -> float:
 
 def integer(name: str, value: SupportsIndex) -> int:
     """The argument as an int32_t."""
-    number = operator.index(value)
+    try:
+        number = operator.index(value)
+    except TypeError as error:
+        raise TypeError(f"{name}: {error}") from None
     if abs(number) > INT32_MAX:
         raise Error(f"{name} = {number}: {_strerror(ERANGE).decode()}", ERANGE)
     return number

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._contact import Contact
-from ._formulas import UFUNCS
+from ._labels import Numbers
 from ._library import Error
 from ._optional import need
-from ._types import Numbers
+from ._ufuncs import UFUNCS
 
 # Okabe and Ito's colours, which the colour-blind can tell apart.
 BLACK, BLUE, VERMILLION, GREEN, PURPLE = "#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7"
@@ -39,7 +39,7 @@ def _axes(ax: Any) -> Any:
 
 def _style(ax: Any, line: dict[str, Any]) -> dict[str, Any]:
     """The style of the next curve of a family, with the settings of the caller."""
-    number = sum(one.get_gid() == "rwedge" for one in ax.lines)
+    number = sum(drawn.get_gid() == "rwedge" for drawn in ax.lines)
     own = {"color": COLOURS[number % len(COLOURS)], "linestyle": DASHES[number % len(DASHES)], "linewidth": WIDTH}
     short = {"c": "color", "ls": "linestyle", "lw": "linewidth"}
     return {**own, **{short.get(name, name): value for name, value in line.items()}, "gid": "rwedge"}

@@ -6,8 +6,8 @@
 #include "numerical/outcome.h"
 #include "numerical/pattern.h"
 
-/* The loads at the end of a step: P A/theta, a length; M A/theta, its square; Q A/theta; the
- * stretch. */
+/* Loads as the computed shear has them: P A/theta, a length; M A/theta, its square; Q A/theta; the
+ * stretch of problem.h. */
 typedef struct {
     double P, M, shear, stretch;
 } rw_scaled_loads;
@@ -27,6 +27,7 @@ typedef struct {
     double move, energy;     /* the rigid move of the zones that stick, the energy: so far */
     double error;            /* violations of the step that led here, over the scale */
     double rate_error;       /* its error by the rates at its ends (rates.h), over the scale */
+    bool is_exact;           /* what sticks after that step stuck all the time */
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_numerical_state;
 

@@ -38,6 +38,8 @@ class Domain:
         text = " ".join(self.conditions)
         if self.any or "e60" in text or "e-60" in text:
             return self  # it says so itself
+        if self.or_zero and SMALLEST < self.low <= self.high < LARGEST:
+            return dataclasses.replace(self, smallest=SMALLEST)  # narrower than that
         signed, zero = self.low < 0, self.or_zero or self.low < 0 or self.low == 0 and not self.low_open
         least = self.or_zero and self.low or SMALLEST
         words = [f"0, or {least:g} to {LARGEST:g}" if math.isinf(self.high) else f"0 or at least {least:g}"]

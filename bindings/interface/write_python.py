@@ -8,6 +8,7 @@
 """
 from __future__ import annotations
 
+import math
 import re
 import sys
 import textwrap
@@ -176,9 +177,15 @@ def allowed(domain: Domain | None) -> str:
     return replaced(", ".join(domain.conditions), IN_PYTHON) if domain else ""
 
 
+def bounds(domain: Domain) -> tuple:
+    """What a number that is refused is held against, to say which it was."""
+    high = domain.high if domain.finite else math.inf
+    return domain.low, high, domain.low_open, domain.high_open, domain.or_zero, domain.smallest
+
+
 def header_py(interface: Interface) -> str:
     lines = ["# SPDX-License-Identifier: GPL-3.0-or-later", '"""Made by bindings/interface from rwedge.h: do not edit."""',
-             "from __future__ import annotations", "", "from typing import Any", "", "FUNCTIONS: dict[str, dict[str, Any]] = {"]
+             "from __future__ import annotations", "", "from math import inf", "from typing import Any", "", "FUNCTIONS: dict[str, dict[str, Any]] = {"]
     equation = ""
     for f in interface.functions:
         equation = source(f, equation)
@@ -193,6 +200,7 @@ def header_py(interface: Interface) -> str:
             "source": equation,
             "reasons": {interface.statuses[status]: replaced(why, IN_PYTHON) for status, why in f.reasons.items()},
             "domains": {p.name: allowed(p.domain) for p in f.parameters if allowed(p.domain)},
+            "bounds": {p.name: bounds(p.domain) for p in f.inputs if not p.domain.any},
             "made": kind, "family": f.family, "status": f.result == "status",
             "doc": docstring(f, equation) if kind != "by hand" else ""}
         lines += [f"    {f.name!r}: {{", *(f"        {key!r}: {value!r}," for key, value in about.items()), "    },"]

@@ -54,7 +54,7 @@ def about_parameter(p: Parameter) -> dict:
     if p.given_by:
         about["givenBy"] = p.given_by
     if d := p.domain:
-        about["domain"] = {"text": domain_text(p), "low": finite(d.low), "high": finite(d.high), "lowOpen": d.low_open,
+        about["domain"] = {"text": words(", ".join(d.conditions)), "low": finite(d.low), "high": finite(d.high), "lowOpen": d.low_open,
                            "highOpen": d.high_open, "orZero": d.or_zero, "finite": d.finite, "smallest": d.smallest, "any": d.any}
     return about
 

@@ -184,21 +184,20 @@ static mwSize size_in(const mxArray *array, mwSize dimension)
 
 /* Takes an array's sizes into those of the results: in each dimension the same, or 1, which goes
  * with all. */
-static void extend(shape *all, const char *name, int argument, const mxArray *array)
+static void extend(shape *all, const entry *call, int j, const mxArray *array)
 {
     const mwSize dimensions = mxGetNumberOfDimensions(array);
     if (dimensions > MAX_DIMENSIONS)
-        fail("size", "rwedge_%s: argument %d has more than %d dimensions", name, argument,
-             (int)MAX_DIMENSIONS);
+        fail("size", "rwedge_%s: %s has more than %d dimensions", call->name,
+             call->argument[j].name, (int)MAX_DIMENSIONS);
     for (; all->count < dimensions; all->count++)
         all->size[all->count] = 1;
     for (mwSize k = 0; k < all->count; k++) {
         const mwSize size = size_in(array, k);
         if (size != 1 && all->size[k] != 1 && size != all->size[k])
             fail("size",
-                 "rwedge_%s: argument %d has the size %lu in dimension %lu, where those before it "
-                 "have %lu",
-                 name, argument, (unsigned long)size, (unsigned long)k + 1,
+                 "rwedge_%s: %s has the size %lu in dimension %lu, where those before it have %lu",
+                 call->name, call->argument[j].name, (unsigned long)size, (unsigned long)k + 1,
                  (unsigned long)all->size[k]);
         if (all->size[k] == 1)
             all->size[k] = size;
@@ -217,12 +216,12 @@ static const mxArray *repeated(const mxArray *array, const shape *all)
 }
 
 /* The numbers of an argument. Those of another class are converted by MATLAB, which frees them. */
-static const double *numbers_of(const char *name, int argument, const mxArray *array)
+static const double *numbers_of(const entry *call, int j, const mxArray *array)
 {
     const bool numbers = mxIsNumeric(array) || mxIsLogical(array);
     if (!numbers || mxIsComplex(array) || mxIsSparse(array))
-        fail("class", "rwedge_%s: argument %d is not a full array of real numbers, but %s %s", name,
-             argument,
+        fail("class", "rwedge_%s: %s is not a full array of real numbers, but %s %s", call->name,
+             call->argument[j].name,
              mxIsSparse(array)    ? "sparse"
              : mxIsComplex(array) ? "complex"
                                   : "of class",
@@ -287,12 +286,12 @@ static void map_element(const entry *call, void *object, const double *const v[]
 }
 
 /* The numbers of an argument that go with n elements, and from one of them to the next. */
-static size_t take(const char *name, int j, const mxArray *array, const shape *all, size_t n,
+static size_t take(const entry *call, int j, const mxArray *array, const shape *all, size_t n,
                    const double **v)
 {
     const size_t elements = mxGetNumberOfElements(array);
     const bool fits = elements == 1 || elements == n;
-    *v = numbers_of(name, j + 1, fits ? array : repeated(array, all));
+    *v = numbers_of(call, j, fits ? array : repeated(array, all));
     return elements == 1 ? 0 : 1;
 }
 
@@ -304,11 +303,11 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
     size_t n = 1, steps[ENTRY_ARGUMENTS], at[ENTRY_ARGUMENTS];
     shape all = {2, {1, 1}};
     for (int j = 0; j < call->arguments; j++)
-        extend(&all, call->name, j + 1, arguments[j]);
+        extend(&all, call, j, arguments[j]);
     for (mwSize k = 0; k < all.count; k++)
         n *= (size_t)all.size[k];
     for (int j = 0; j < call->arguments; j++)
-        steps[j] = take(call->name, j, arguments[j], &all, n, &v[j]);
+        steps[j] = take(call, j, arguments[j], &all, n, &v[j]);
     for (int j = 0; j < call->results; j++) {
         results[j] = mxCreateNumericArray(all.count, all.size, mxDOUBLE_CLASS, mxREAL);
         r[j] = mxGetPr(results[j]);
@@ -392,7 +391,7 @@ static void whole(const entry *call, void *object, const mxArray *const argument
     double *r[ENTRY_RESULTS];
     size_t n[ENTRY_SIZES] = {0};
     for (int j = 0; j < call->arguments; j++)
-        v[j] = numbers_of(call->name, j + 1, arguments[j]);
+        v[j] = numbers_of(call, j, arguments[j]);
     measure(call, object, arguments, n);
     for (int j = 0; j < call->results; j++) {
         results[j] = result_array(&call->result[j], n);
@@ -428,7 +427,7 @@ static mxArray *call_text(const entry *call, const void *object, const mxArray *
     static const double none = -1;
     const double *v[ENTRY_ARGUMENTS];
     for (int j = 0; j < call->arguments; j++) {
-        v[j] = numbers_of(call->name, j + 1, arguments[j]);
+        v[j] = numbers_of(call, j, arguments[j]);
         if (mxGetNumberOfElements(arguments[j]) != 1)
             fail("size", "rwedge_%s: %s is a scalar", call->name, call->argument[j].name);
         if (call->argument[j].whole && !is_int32(*v[j]))

@@ -274,7 +274,7 @@ static void read_point(const arguments *line, char decimal_sign, work *to_do)
         usage_error("--at %s: must be one point", text);
 }
 
-/* When the contact is read. */
+/* To be called when the contact is read. */
 static void read_measure_and_place(const arguments *line, work *to_do)
 {
     figure_case *inputs = &to_do->inputs;

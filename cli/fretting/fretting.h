@@ -57,7 +57,7 @@ extern struct poptOption criteria_option_table[];
  * from then on. */
 void criteria_read(arguments *line, const material *constants, criteria *asked);
 
-/* When the contact is read: Fatemi and Socie's constant; then those of damage. */
+/* To be called when the contact is read: sets Fatemi and Socie's constant, then those of damage. */
 void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *asked);
 
 /* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants

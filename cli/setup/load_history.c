@@ -123,7 +123,7 @@ static void read_list(const char *lines, load_history *loads)
 
 /* ---- A file ---- */
 
-/* A row that is no load ends it: what comes after would belong to another history. */
+/* A row that is no load ends the command: the loads after it would belong to another history. */
 static void take_row(csv_input *in, char decimal_sign, load_history *loads)
 {
     load to;

@@ -65,7 +65,7 @@ static bool has_sliver(const rw_work *w, const rw_fronts *f)
 }
 
 /* A residual takes values at all points, for each zone that sticks. */
-static void spend(rw_work *w, int residuals)
+static void add_effort(rw_work *w, int residuals)
 {
     w->search -= residuals;
     w->effort += residuals * w->fronts.sticks * (int)w->fronts.count;
@@ -76,7 +76,7 @@ static bool newton(rw_work *w, double residual)
     const int budget = TURNS * (w->fronts.unknowns + 1);
     w->fronts.budget = budget;
     const bool is_done = rw_fronts_newton(&w->fronts, residual);
-    spend(w, budget - w->fronts.budget);
+    add_effort(w, budget - w->fronts.budget);
     return is_done;
 }
 
@@ -84,7 +84,7 @@ static bool relax(rw_work *w)
 {
     w->fronts.budget = BUDGET;
     const bool is_done = rw_fronts_relax(&w->fronts);
-    spend(w, BUDGET - w->fronts.budget);
+    add_effort(w, BUDGET - w->fronts.budget);
     return is_done;
 }
 
@@ -184,7 +184,7 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
                     rw_outcome *best)
 {
     const double width = p->half * angle * angle * 2;
-    rw_zones pattern = *zones, tried[RW_VARIANTS];
+    rw_zones pattern = *zones;
     bool is_known = false;
     if (!rw_pattern_clean(&pattern, width))
         return false;
@@ -197,10 +197,10 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
                 continue;
             bool is_new = true;
             for (int i = 0; i < count; i++)
-                is_new = is_new && !rw_pattern_is_same(&variant, &tried[i]);
+                is_new = is_new && !rw_pattern_is_same(&variant, &w->tried[i]);
             if (!is_new)
                 continue;
-            tried[count++] = variant;
+            w->tried[count++] = variant;
             rw_outcome outcome;
             if (!try_pattern(w, p, &variant, angle, width, &outcome))
                 continue;

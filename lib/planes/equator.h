@@ -29,7 +29,7 @@ bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severit
                          const rw_psi_arc *arc, size_t n, double value);
 
 /* Whether no plane has a larger product of strain and normal stress than `value`, the largest at
- * the equator. Quick; it may say no where it is so. */
+ * the equator. Quick. It may say no although it is so. */
 bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value);
 
 #endif

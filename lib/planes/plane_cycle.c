@@ -69,11 +69,12 @@ void rw_plane_cycle_centre(rw_plane_cycle *cycle)
                  level = middle_of(cycle, offsetof(rw_item, level));
     for (size_t i = 0; i < cycle->loads; i++) {
         rw_item *load = &cycle->item[i];
-        load->swing_d = load->d - d;
-        load->swing_t = load->t - t;
-        load->swing_lift = load->lift - lift;
+        load->deviation_d = load->d - d;
+        load->deviation_t = load->t - t;
+        load->deviation_lift = load->lift - lift;
         load->level -= level;
-        load->swing_size = sqrt(load->swing_d * load->swing_d + load->swing_t * load->swing_t);
+        load->deviation_size =
+            sqrt(load->deviation_d * load->deviation_d + load->deviation_t * load->deviation_t);
     }
 }
 

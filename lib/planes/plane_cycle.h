@@ -30,7 +30,7 @@ typedef struct {
  * which no amplitude depends. The strain's amplitude is that of level - cos^2(beta) lift. */
 typedef struct {
     double d, t, z, lift, size;
-    double swing_d, swing_t, swing_lift, level, swing_size;
+    double deviation_d, deviation_t, deviation_lift, level, deviation_size;
 } rw_item;
 
 struct rw_plane_cycle {

@@ -64,22 +64,25 @@ static inline void local_of(bool is_strain, const rw_item *load, const cell *a, 
     l->peak = load->z - c * c * lift;
     l->peak_by_psi = c * c * (load->t * C - load->d * S);
     l->peak_by_beta = 2 * s * c * lift;
-    const double swing = load->swing_d * C + load->swing_t * S,
-                 shear = load->swing_t * C - load->swing_d * S, rise = load->swing_lift - swing;
+    const double deviation = load->deviation_d * C + load->deviation_t * S,
+                 shear = load->deviation_t * C - load->deviation_d * S,
+                 rise = load->deviation_lift - deviation;
     if (is_strain) {
         l->at = (rw_vector){load->level - c * c * rise, 0};
         l->by_psi = (rw_vector){c * c * shear, 0};
         l->by_beta = (rw_vector){2 * s * c * rise, 0};
     } else {
         l->at = (rw_vector){c * shear, s * c * rise};
-        l->by_psi = (rw_vector){-c * swing, -s * c * shear};
+        l->by_psi = (rw_vector){-c * deviation, -s * c * shear};
         l->by_beta = (rw_vector){-s * shear, (c - s) * (c + s) * rise};
     }
     const double mixed = a->half_psi * (a->half_psi + 2 * a->half_beta) / 2;
     const double square = a->half_beta * a->half_beta / 2;
     const double turn = rw_smaller(1, 2 * (s + a->half_beta));
-    l->rest = load->swing_size * mixed +
-              (load->swing_size + 2 * turn * (load->swing_size + fabs(load->swing_lift))) * square;
+    l->rest =
+        load->deviation_size * mixed +
+        (load->deviation_size + 2 * turn * (load->deviation_size + fabs(load->deviation_lift))) *
+            square;
     l->peak_rest = load->size * mixed + 2 * (load->size + fabs(load->lift)) * square;
 }
 
@@ -264,7 +267,7 @@ typedef struct {
     size_t loads;
 } task;
 
-/* Halvings from the first cells to the smallest ones are fewer. */
+/* More than the halvings from the first cells to the smallest ones. */
 enum { TASKS = 64 };
 
 /* Cells wait in a list of their own: recursion would take much of a small stack. */

@@ -45,7 +45,7 @@ void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle)
     note_edges(contact, cycle);
 }
 
-/* Without memory for the states the measures go through the cycle again. */
+/* Where memory is too short for the states, the measures go through the cycle again. */
 void last_cycle_end(last_cycle *cycle)
 {
     rwedge_contact_keep_cycle(cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q,
@@ -201,7 +201,7 @@ static int32_t friction(const last_cycle *cycle, size_t n, const double x[], con
     return status;
 }
 
-/* Infinite at a sharp edge: another point stands for it. */
+/* Stresses are infinite at a sharp edge: another point is computed in its place, and forgotten. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
                            measures at[])
 {

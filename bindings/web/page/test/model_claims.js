@@ -13,17 +13,10 @@ import { fieldOf, gridOf, measures, valuesAt } from "../src/answers/stresses.js"
 import { solveRows } from "../src/answers/tables.js";
 import { conversion } from "../src/units.js";
 import { inputs } from "../src/answers/words.js";
-import { chance, randomCase } from "./random_cases.mjs";
+import { assertNear, chance, optionsOf, randomCase, usual } from "./shared.mjs";
 
 const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3" };
-const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 const swt = { name: "swt", isPlaneStress: false, material: "" };
-const optionsOf = (texts) => Object.entries(texts).flatMap(([name, text]) => [`--${inputs[name].option}`, text]);
-
-function assertNear(value, expected, tolerance, about) {
-    const difference = Math.abs(Number(value) - expected);
-    assert.ok(difference <= tolerance * Math.abs(expected), `${about}: ${value}, not ${expected}`);
-}
 
 function run(args, input) {
     return spawnSync(process.env.TOOL, args, { encoding: "utf8", input });

@@ -357,6 +357,11 @@ static bool advance(load_work *j, rw_scaled_loads to, trial *whole, int halvings
     trial *half = &j->half[halvings], *rest = &j->rest[halvings];
     rw_zones *guess = &j->guess[halvings];
     const bool is_last = halvings == 0 || w->effort > effort;
+    if (whole->is_known && whole->state.is_exact) {
+        whole->is_known = false;
+        whole->state.error += whole->state.rate_error;
+        return accept(w, n, &whole->state, &whole->state);
+    }
     const rw_scaled_loads middle = half_way(n->now.at, to);
     if (is_last && !whole->is_known)
         try_step(whole, w, &n->now, to, NULL, true);

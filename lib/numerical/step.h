@@ -27,6 +27,7 @@ typedef struct {
     double move, energy;     /* the rigid move of the zones that stick, the energy: so far */
     double error;            /* violations of the step that led here, over the scale */
     double rate_error;       /* its error by the rates at its ends (rates.h), over the scale */
+    bool is_exact;           /* what sticks after that step stuck all the time */
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_numerical_state;
 

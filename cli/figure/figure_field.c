@@ -59,15 +59,6 @@ static void compute_field(const figure_case *inputs, dataset *rows)
  * picture. */
 enum { MARGIN = 14, FIRST_ROW = 18 };
 
-static double highest(const dataset *rows)
-{
-    double top = 0;
-    for (size_t i = 0; i < rows->count; i++)
-        if (isfinite(rows->row[i].number[5]))
-            top = fmax(top, rows->row[i].number[5]);
-    return top;
-}
-
 /* The number of a level where the way from one place of the grid to the next crosses it, unless
  * another number is next to it, or the same one near. */
 static void name_level(const data_row *from, const data_row *to, double step, drawing *plot)
@@ -182,7 +173,7 @@ static void write_caption(const figure_case *inputs, double step, bool has_yield
 
 static const char *draw_field(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
-    const double seen = highest(rows), step = step_of_levels(seen);
+    const double seen = dataset_largest(rows, 5, 1), step = step_of_levels(seen);
     double x = 0, y = 0, top = 0;
     const bool has_yield = find_yield(inputs, &x, &y, &top);
     write_title(inputs, plot);

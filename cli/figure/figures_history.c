@@ -53,14 +53,6 @@ static void visit_all(const figure_case *inputs, size_t first, visitor *visit, d
     rwedge_contact_destroy(contact);
 }
 
-static double extreme(const dataset *rows, int column, double sign)
-{
-    double most = 0;
-    for (size_t i = 0; i < rows->count; i++)
-        most = fmax(most, sign * rows->row[i].number[column]);
-    return most;
-}
-
 /* Along x the numbers of the tics stand side by side: long ones get two or three. */
 static double tic_along_x(double span)
 {
@@ -82,9 +74,9 @@ static void write_number(double value, int digits, char text[NUMBER_SIZE])
 /* An axis from the least number to the largest, with 0 in it, and with room at the ends. */
 static axis axis_over(const dataset *rows, int column, const char *text)
 {
-    const double lo = -extreme(rows, column, -1), hi = extreme(rows, column, 1);
-    const double room = 0.05 * (hi - lo);
-    axis over = {.from = lo - room, .to = hi + room, .tic = drawing_tic(hi - lo)};
+    const double lo = -dataset_largest(rows, column, -1), hi = dataset_largest(rows, column, 1);
+    const double margin = 0.05 * (hi - lo);
+    axis over = {.from = lo - margin, .to = hi + margin, .tic = drawing_tic(hi - lo)};
     snprintf(over.text, sizeof over.text, "%s", text);
     return over;
 }
@@ -117,8 +109,8 @@ static const char *draw_history(const figure_case *inputs, const dataset *rows, 
     char x[NUMBER_SIZE], y[NUMBER_SIZE];
     double top = 0, bottom = 0;
     for (int i = 0; i < 3; i++) {
-        top = fmax(top, extreme(rows, columns[i], 1));
-        bottom = fmax(bottom, extreme(rows, columns[i], -1));
+        top = fmax(top, dataset_largest(rows, columns[i], 1));
+        bottom = fmax(bottom, dataset_largest(rows, columns[i], -1));
     }
     if (top == 0 && bottom == 0)
         return "there is no stress";
@@ -126,11 +118,11 @@ static const char *draw_history(const figure_case *inputs, const dataset *rows, 
     write_number(inputs->at->y[0], DRAWING_DIGITS, y);
     snprintf(plot->title, sizeof plot->title, "Stresses at *x* = %s, *y* = %s", x, y);
     const double first = rows->row[0].number[H_LOAD],
-                 last = rows->row[rows->count - 1].number[H_LOAD], room = 0.05 * (top + bottom);
+                 last = rows->row[rows->count - 1].number[H_LOAD], margin = 0.05 * (top + bottom);
     plot->x = (axis){"load", first, last > first ? last : first + 1, 1, 0};
     if (last - first > 10)
         plot->x.tic = fmax(1, drawing_tic(last - first));
-    plot->y = (axis){"stress", -bottom - room, top + room, drawing_tic(top + bottom), 0};
+    plot->y = (axis){"stress", -bottom - margin, top + margin, drawing_tic(top + bottom), 0};
     plot->height = 0.75;
     for (int i = 0; i < 3; i++) {
         curve *line = drawing_curve(plot, rows, 0, H_LOAD, columns[i]);
@@ -174,7 +166,8 @@ static void compute_any_loop(const figure_case *inputs, dataset *rows)
 static const char *draw_any_loop(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     (void)inputs;
-    if (extreme(rows, L_DISPLACEMENT, 1) == 0 && extreme(rows, L_DISPLACEMENT, -1) == 0)
+    if (dataset_largest(rows, L_DISPLACEMENT, 1) == 0 &&
+        dataset_largest(rows, L_DISPLACEMENT, -1) == 0)
         return "nothing slips, or the slip has no closed form";
     snprintf(plot->title, sizeof plot->title, "*Q* through the history of loads");
     plot->x = axis_over(rows, L_DISPLACEMENT, "displacement by slip");
@@ -361,7 +354,7 @@ static void draw_measure_curve(const figure_case *inputs, const dataset *rows, d
     snprintf(plot->x.text, sizeof plot->x.text, "%s", along == 1 ? "*y*" : "*x*");
     plot->y = drawing_axis(1.05 * top, "");
     write_unit(measure_kinds[inputs->measure].unit, plot->y.text);
-    plot->y.from = -1.05 * extreme(rows, 2, -1);
+    plot->y.from = -1.05 * dataset_largest(rows, 2, -1);
     plot->height = 0.75;
     drawing_curve(plot, rows, 0, along, 2)->width = 1.3;
 }

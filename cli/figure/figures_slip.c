@@ -57,11 +57,9 @@ static double energy_of_cycle(const curve *line)
 static const char *draw_loop(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char text[NUMBER_SIZE];
-    double reach = 0;
+    const double reach = dataset_largest(rows, 3, 1);
     snprintf(plot->title, sizeof plot->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s",
              case_text(inputs, A_OVER_B, 0, text));
-    for (size_t i = 0; i < rows->count; i++)
-        reach = fmax(reach, rows->row[i].number[3]);
     if (reach == 0)
         return "without an amplitude nothing slips";
     plot->x = (axis){"displacement by slip / (*f*θ*b*)", -1.05 * reach, 1.05 * reach,
@@ -196,19 +194,11 @@ static void draw_stick_zones(const dataset *rows, double y, double step, drawing
     }
 }
 
-static double extreme(const dataset *rows, double sign)
-{
-    double most = 0;
-    for (size_t i = 0; i < rows->count; i++)
-        if (isfinite(rows->row[i].number[SHEAR]))
-            most = fmax(most, sign * rows->row[i].number[SHEAR]);
-    return most;
-}
-
 static const char *draw_eccentric(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char alpha[NUMBER_SIZE], text[NUMBER_SIZE];
-    const double top = extreme(rows, 1), bottom = extreme(rows, -1), step = 0.05 * (top + bottom);
+    const double top = dataset_largest(rows, SHEAR, 1), bottom = dataset_largest(rows, SHEAR, -1),
+                 step = 0.05 * (top + bottom);
     if (top == 0)
         return "without Q there is no shear traction";
     snprintf(plot->title, sizeof plot->title,

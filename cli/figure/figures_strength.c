@@ -205,11 +205,9 @@ static void compute_sliding(const figure_case *inputs, dataset *rows)
 static const char *draw_sliding(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char text[NUMBER_SIZE];
-    double top = 0;
+    const double top = dataset_largest(rows, 3, 1);
     snprintf(plot->title, sizeof plot->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s",
              case_text(inputs, NU, 0, text));
-    for (size_t i = 0; i < rows->count; i++)
-        top = fmax(top, rows->row[i].number[3]);
     if (top == 0)
         return "the elastic limit of a sharp wedge is 0";
     plot->x = (axis){"*f*", 0, FRICTION_TOP, 0.2, 0};
@@ -273,11 +271,7 @@ static void draw_path(const figure_case *inputs, const dataset *rows, int n, boo
 /* The deepest and the rightmost point. */
 static void set_axes(const dataset *rows, drawing *plot)
 {
-    double right = 0, down = 0;
-    for (size_t i = 0; i < rows->count; i++) {
-        right = fmax(right, rows->row[i].number[3]);
-        down = fmax(down, rows->row[i].number[4]);
-    }
+    const double right = dataset_largest(rows, 3, 1), down = dataset_largest(rows, 4, 1);
     plot->y = drawing_axis(1.02 * down, "*y*/*b*");
     plot->y.from = plot->y.to;
     plot->y.to = 0;

@@ -29,6 +29,15 @@ int dataset_curves(const dataset *data)
     return data->count > 0 ? data->row[data->count - 1].curve + 1 : 0;
 }
 
+double dataset_largest(const dataset *data, int column, double sign)
+{
+    double most = 0;
+    for (size_t i = 0; i < data->count; i++)
+        if (isfinite(data->row[i].number[column]))
+            most = fmax(most, sign * data->row[i].number[column]);
+    return most;
+}
+
 void dataset_write(void *of_dataset, records *rows)
 {
     const dataset *data = of_dataset;

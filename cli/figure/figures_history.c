@@ -75,8 +75,8 @@ static void write_number(double value, int digits, char text[NUMBER_SIZE])
 static axis axis_over(const dataset *rows, int column, const char *text)
 {
     const double lo = -dataset_largest(rows, column, -1), hi = dataset_largest(rows, column, 1);
-    const double room = 0.05 * (hi - lo);
-    axis over = {.from = lo - room, .to = hi + room, .tic = drawing_tic(hi - lo)};
+    const double margin = 0.05 * (hi - lo);
+    axis over = {.from = lo - margin, .to = hi + margin, .tic = drawing_tic(hi - lo)};
     snprintf(over.text, sizeof over.text, "%s", text);
     return over;
 }
@@ -118,11 +118,11 @@ static const char *draw_history(const figure_case *inputs, const dataset *rows, 
     write_number(inputs->at->y[0], DRAWING_DIGITS, y);
     snprintf(plot->title, sizeof plot->title, "Stresses at *x* = %s, *y* = %s", x, y);
     const double first = rows->row[0].number[H_LOAD],
-                 last = rows->row[rows->count - 1].number[H_LOAD], room = 0.05 * (top + bottom);
+                 last = rows->row[rows->count - 1].number[H_LOAD], margin = 0.05 * (top + bottom);
     plot->x = (axis){"load", first, last > first ? last : first + 1, 1, 0};
     if (last - first > 10)
         plot->x.tic = fmax(1, drawing_tic(last - first));
-    plot->y = (axis){"stress", -bottom - room, top + room, drawing_tic(top + bottom), 0};
+    plot->y = (axis){"stress", -bottom - margin, top + margin, drawing_tic(top + bottom), 0};
     plot->height = 0.75;
     for (int i = 0; i < 3; i++) {
         curve *line = drawing_curve(plot, rows, 0, H_LOAD, columns[i]);

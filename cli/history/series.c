@@ -58,9 +58,9 @@ typedef struct {
 
 static char *frame_name(const char *path, const char *mark, size_t step)
 {
-    const size_t room = strlen(path) + 40;
-    char *name = memory_zeroed(room, 1);
-    snprintf(name, room, "%.*s_%s%04zu.vtk", (int)stem_length(path), path, mark, step + 1);
+    const size_t size = strlen(path) + 40;
+    char *name = memory_zeroed(size, 1);
+    snprintf(name, size, "%.*s_%s%04zu.vtk", (int)stem_length(path), path, mark, step + 1);
     return name;
 }
 

@@ -165,9 +165,9 @@ typedef struct {
     bool slip_known;    /* it has a closed form after every load */
 } last_cycle;
 
-/* Begins a cycle: copies the contact before it, and makes room for so many loads. */
+/* Begins a cycle of at most so many loads: copies the contact before it. */
 void last_cycle_begin(const contact_case *setup, const criteria *asked,
-                      const rwedge_contact *before, size_t room, last_cycle *cycle);
+                      const rwedge_contact *before, size_t most, last_cycle *cycle);
 
 /* Adds a load, which the contact is under. */
 void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle);

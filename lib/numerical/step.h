@@ -6,8 +6,8 @@
 #include "numerical/outcome.h"
 #include "numerical/pattern.h"
 
-/* The loads at the end of a step: P A/theta, a length; M A/theta, its square; Q A/theta; the
- * stretch. */
+/* Loads as the computed shear has them: P A/theta, a length; M A/theta, its square; Q A/theta; the
+ * stretch of problem.h. */
 typedef struct {
     double P, M, shear, stretch;
 } rw_scaled_loads;

@@ -173,8 +173,17 @@ static double origin_between(const rw_numerical_state *from, const rw_numerical_
     return -(1 - part) * displacement(from, x) - part * displacement(to, x);
 }
 
-/* A place that comes into contact has slip 0 then. The places are all of one part: edges are
- * breaks. */
+/* Of a place that comes into contact in the step. It has slip 0 then, and keeps it where it
+ * sticks. */
+static double new_origin(const growth *g, double x)
+{
+    if (sticks_at(&g->half->shear.zones, x) && sticks_at(&g->now->shear.zones, x))
+        return -displacement(g->now, x);
+    return touches(g->half, x) ? origin_between(&g->numerical->now, g->half, x)
+                               : origin_between(g->half, g->now, x);
+}
+
+/* The places are all of one part: edges are breaks. */
 static void origin_after(const double x[], const void *context, double origin[])
 {
     const growth *g = context;
@@ -184,8 +193,7 @@ static void origin_after(const double x[], const void *context, double origin[])
         return;
     }
     for (int i = 0; i < RW_TERMS; i++)
-        origin[i] = touches(g->half, x[i]) ? origin_between(old, g->half, x[i])
-                                           : origin_between(g->half, g->now, x[i]);
+        origin[i] = new_origin(g, x[i]);
 }
 
 static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *half,
@@ -302,18 +310,6 @@ static double compare(const rw_frame *frame, const rw_numerical_state *whole,
     return fmax(both->error + apart, fabs(energy) / ENERGY) / frame->tolerance;
 }
 
-static double between(double from, double to, double part)
-{
-    return (1 - part) * from + part * to;
-}
-
-static rw_scaled_loads loads_between(rw_scaled_loads from, rw_scaled_loads to, double part)
-{
-    return (rw_scaled_loads){between(from.P, to.P, part), between(from.M, to.M, part),
-                             between(from.shear, to.shear, part),
-                             between(from.stretch, to.stretch, part)};
-}
-
 /* A step that may have failed. */
 typedef struct {
     bool is_known;
@@ -380,7 +376,7 @@ static bool try_at_once(load_work *j, attempt *a, rw_scaled_loads to, bool is_la
         return accept(w, n, &a->whole.state, &a->whole.state);
     }
     a->guess = is_known ? a->whole.state.shear.zones : n->now.shear.zones;
-    try_step(&a->half, w, &n->now, loads_between(n->now.at, to, 0.5), &a->guess, is_last);
+    try_step(&a->half, w, &n->now, rw_part_of_line(n->now.at, to, 0.5), &a->guess, is_last);
     if (a->half.is_known && is_known && rw_step_goes_on(w, &a->half.state, &a->whole.state)) {
         a->both = a->whole;
         a->whole.is_known = false;
@@ -436,7 +432,7 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
         drop(&next->whole);
     while (is_done && done < 1) {
         const bool is_end = part > 0.9 * (1 - done);
-        const rw_scaled_loads at = is_end ? to : loads_between(from, to, done + part);
+        const rw_scaled_loads at = is_end ? to : rw_part_of_line(from, to, done + part);
         const int share = (effort - w->effort) / (is_end ? 1 : 2);
         if (done > 0 || part < 0.5) {
             a->guess = j->next.now.shear.zones;

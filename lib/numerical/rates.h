@@ -24,12 +24,14 @@ void rw_rates_ratio(rw_fronts *fronts, const rw_problem *rates, const rw_zones *
 rw_zones rw_rates_begun(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
                         const rw_zones *after);
 
-/* The zones before a step, but what slips no more, or the other way, sticks from the beginning. */
-rw_zones rw_rates_going_on(const rw_zones *old, const rw_zones *after);
-
 /* The error at the beginning of a step: of zones that go on slipping, zones that begin to slip at
  * the edges, and zones that stop. */
 double rw_rates_error_at_start(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
                                const rw_zones *after);
+
+/* The largest traction beyond friction, on average over a part that is wider than `least`: of what
+ * slips before a step and sticks after it, if it sticks from the beginning. */
+double rw_rates_excess_at_start(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
+                                const rw_zones *after, double least);
 
 #endif

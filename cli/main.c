@@ -57,13 +57,14 @@ static const command *command_named(const char *name)
     return NULL;
 }
 
-/* words[0] is the whole name of the command. */
 static int run_command(const command *chosen, int count, const char **words)
 {
-    words[0] = chosen->whole_name;
-    message_speaker_is(words[0]);
+    static char whole_name[30];
+    snprintf(whole_name, sizeof whole_name, "rwedge %s", chosen->name);
+    words[0] = whole_name;
+    message_speaker_is(whole_name);
     arguments line;
-    return arguments_read(&line, chosen->grammar, count, words) ? chosen->run(&line) : STATUS_DONE;
+    return arguments_read(&line, &chosen->grammar, count, words) ? chosen->run(&line) : STATUS_DONE;
 }
 
 static void show_version(void)
@@ -113,9 +114,11 @@ static const char *command_name(int i)
 }
 
 static const struct poptOption help_options[] = {{HELP_OPTION}, POPT_TABLEEND};
-static const syntax help_grammar = {help_options, "[COMMAND]", describe_help, 0};
-static const command help_command = {"help",        "rwedge help", "the help of a command",
-                                     &help_grammar, command_name,  help};
+static const command help_command = {.name = "help",
+                                     .summary = "the help of a command",
+                                     .grammar = {help_options, "[COMMAND]", describe_help},
+                                     .operand = command_name,
+                                     .run = help};
 
 int main(int argc, char **argv)
 {

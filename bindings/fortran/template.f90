@@ -150,7 +150,7 @@ contains
             write (number, '(g0.15)') values(i)
             text = text // merge(': ', ', ', i == 1) // name_in(call, i) // trim(number)
         end do
-        if (status == rwedge_edomain .or. status == rwedge_erange) text = text // '; allowed is ' // allowed
+        if (any(status == [rwedge_edomain, rwedge_erange, rwedge_esliding])) text = text // '; allowed is ' // allowed
         if (present(why) .and. (status == rwedge_epath .or. status == rwedge_eabsent)) text = text // '; ' // why
     end function
 
@@ -164,7 +164,8 @@ contains
         do k = 2, i
             first = first + index(call(first:), ',')
         end do
-        last = first - 1 + scan(call(first:), ',)')
+        last = first - 1 + index(call(first:), ',')
+        if (last < first) last = len(call)
         text = adjustl(call(first:last - 1))
         text = trim(text) // ' = '
         if (call(first:last - 1) == '...' .or. i > 1 .and. index(call, ',') == 0) text = ''

@@ -127,6 +127,7 @@ contains
         call contact%load(1000d0, 601d0, stat, errmsg)
         call says(errmsg, 'rwedge_contact%load(P, Q): ', 'exceeds friction times the normal force: P = 1000.', stat, &
             rwedge_esliding)
+        call says(errmsg, '', '|Q| <= f P', stat, rwedge_esliding)
         call contact%load(1d308, 0d0, stat, errmsg)
         call says(errmsg, '', 'allowed is P 0, or 1e-60 to 1e60', stat, rwedge_edomain)
         call contact%load(0d0, 0d0)
@@ -167,6 +168,8 @@ contains
         call says(errmsg, '', '1 <= terms <= 2^24', stat, rwedge_erange)
         call series%fit([0.1d0, 0.2d0, 1.5d0], [1d0, 1d0, 1d0], 2_c_int32_t, stat, errmsg)
         call says(errmsg, 'rwedge_series%fit(x, p), element 3', '1.5', stat, rwedge_edomain)
+        call series%fit([0.1d0, 0.2d0], [1d0, 1d0], 3_c_int32_t, stat, errmsg) ! said "size(x = 2" once
+        call says(errmsg, '', ': size(x) = 2.00000000000000, terms = 3.', stat, rwedge_erank)
         call series%fit([0.1d0, 0.2d0], [1d0], 1_c_int32_t, stat, errmsg)
         call says(errmsg, '', 'arrays of one size', stat, rwedge_erange)
         call series%fit([0.1d0, 0.1d0, 0.1d0], [1d0, 1d0, 1d0], 3_c_int32_t, stat)

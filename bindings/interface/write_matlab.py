@@ -4,6 +4,7 @@ help text. What is not the same for every function of a class is in rwedge_conta
 from __future__ import annotations
 
 import re
+import textwrap
 
 from header import ARGUMENT, EQUATION, FURTHER, Function, Interface, template
 from write_c import reason
@@ -14,7 +15,8 @@ IN_MATLAB = (  # arrays have sizes and two dimensions, results need no place
     (r"each receives loads \* n numbers, the n of the first load first(; not one of the\s+inputs)?", "results, a column for each load"),
     (r"(?:each )?receives? n numbers: ", "result: "), (r"each receives? n numbers", "results, n numbers each"),
     (r"receives? n numbers", "result, n numbers"), (r"receives? one number", "result"), (r"loads \* n stresses", "points by loads, stresses"),
-    (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"), (r"NaN for NULL and when", "NaN when"))
+    (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"), (r"NaN for NULL and when", "NaN when"),
+    (r"RWEDGE_MEASURE_(\w+)", r"rwedge_measure('\1')"))
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
 
 
@@ -103,17 +105,14 @@ def function_text(f: Function) -> str:
 def method_text(f: Function) -> str:
     form = call(outputs(f), f"{f.family}.{f.method}", inputs(f))
     margin = " " * 8
+    loads = bool(f.of("changed")) and "P" in inputs(f)
+    body = (call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if loads and not f.of("in array") else
+            call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)]))
+    doubt = "warn_of_size()" if loads and f.of("in array") else "warn('safety', factor)" if "factor" in outputs(f) else ""
+    doubt = doubt and f"{margin}    {f.family}.{doubt};\n"
     return (f"\n{margin}function {call(outputs(f), f.method, [f.family, *inputs(f)])}\n{margin}%{f.method.upper()}  {form}\n" +
             commented(help_lines(f), margin) + enough(len(inputs(f)) and len(inputs(f)) + 1, form, margin + "    ") +
-            f"{margin}    " + call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)]) +
-            f";\n{doubts(f, margin)}{margin}end\n")
-
-
-def doubts(f: Function, margin: str) -> str:
-    """What warns where a result of the contact is doubtful: after a load, or by a factor."""
-    if f.of("changed") and "P" in inputs(f):
-        return f"{margin}    {f.family}.warn_of_size();\n"
-    return f"{margin}    {f.family}.warn('safety', factor);\n" if "factor" in outputs(f) else ""
+            f"{margin}    {body};\n{doubt}{margin}end\n")
 
 
 def maker_text(f: Function) -> str:
@@ -140,8 +139,21 @@ def class_text(interface: Interface, family: str, template: str) -> str:
     return text + LICENCE
 
 
+def enumeration_text(kind: str, numbers: dict[str, int]) -> str:
+    """A function that gives a number by its name."""
+    name, names = f"rwedge_{kind.lower()}", textwrap.wrap(", ".join(numbers), 100)
+    pairs = textwrap.wrap(", ".join(f"'{each}', {value}" for each, value in numbers.items()), 100, break_long_words=False)
+    return (f"function number = {name}(name)\n%{name.upper()}  number = {name}(name)\n" +
+            commented(["The number that the library has for a name, one of", *names], "") +
+            enough(1, f"{name}(name)", "") + "numbers = struct(" + ", ...\n    ".join(x.rstrip(",") for x in pairs) + ");\n"
+            f"if ~isfield(numbers, name)\n"
+            f"    error('rwedge:domain', '{name}: name = %s; allowed is %s', name, strjoin(fieldnames(numbers)', ', '));\nend\n"
+            f"number = numbers.(name);\nend\n" + LICENCE)
+
+
 def texts(interface: Interface) -> dict[str, str]:
     made = {f"rwedge_{f.name}.m": function_text(f) for f in interface.functions if not f.family and not f.array_of}
+    made.update({f"rwedge_{kind.lower()}.m": enumeration_text(kind, numbers) for kind, numbers in interface.enumerations.items()})
     made.update({f"rwedge_{family}.m": class_text(interface, family, template(f"matlab/rwedge_{family}.m.in"))
                  for family in ("contact", "series")})
     return made

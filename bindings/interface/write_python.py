@@ -8,11 +8,14 @@
 """
 from __future__ import annotations
 
+import math
 import re
 import sys
 import textwrap
+from itertools import starmap
 
-from header import SENTENCE, Domain, Function, Interface, Parameter
+from domain import Domain
+from header import SENTENCE, Function, Interface, Parameter
 
 IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     (r"Unless RWEDGE_OK, the contact", "After an error the contact"), (r",? ?RWEDGE_ENOMEM", ""), (r"Free with rwedge_\w+_destroy\(\)\.", ""),
@@ -20,7 +23,7 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
     ("0, which a new contact has,", "0"), ("RWEDGE_EPATH", "PathError"), ("RWEDGE_ESLIDING", "SlidingError"), ("RWEDGE_(EDOMAIN|ERANGE)", "ValueError"),
     (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
-    ("HUGE_VAL", "inf"))
+    ("HUGE_VAL", "inf"), ("RWEDGE_MEASURE_", "Measure."))
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library.
 BY_HAND = {"contact_create", "contact_create_flat", "contact_create_profile", "contact_copy", "contact_destroy", "contact_load",
@@ -174,9 +177,15 @@ def allowed(domain: Domain | None) -> str:
     return replaced(", ".join(domain.conditions), IN_PYTHON) if domain else ""
 
 
+def bounds(domain: Domain) -> tuple:
+    """What a number that is refused is held against, to say which it was."""
+    high = domain.high if domain.finite else math.inf
+    return domain.low, high, domain.low_open, domain.high_open, domain.or_zero, domain.smallest
+
+
 def header_py(interface: Interface) -> str:
     lines = ["# SPDX-License-Identifier: GPL-3.0-or-later", '"""Made by bindings/interface from rwedge.h: do not edit."""',
-             "from __future__ import annotations", "", "from typing import Any", "", "FUNCTIONS: dict[str, dict[str, Any]] = {"]
+             "from __future__ import annotations", "", "from math import inf", "from typing import Any", "", "FUNCTIONS: dict[str, dict[str, Any]] = {"]
     equation = ""
     for f in interface.functions:
         equation = source(f, equation)
@@ -191,6 +200,7 @@ def header_py(interface: Interface) -> str:
             "source": equation,
             "reasons": {interface.statuses[status]: replaced(why, IN_PYTHON) for status, why in f.reasons.items()},
             "domains": {p.name: allowed(p.domain) for p in f.parameters if allowed(p.domain)},
+            "bounds": {p.name: bounds(p.domain) for p in f.inputs if not p.domain.any},
             "made": kind, "family": f.family, "status": f.result == "status",
             "doc": docstring(f, equation) if kind != "by hand" else ""}
         lines += [f"    {f.name!r}: {{", *(f"        {key!r}: {value!r}," for key, value in about.items()), "    },"]
@@ -272,17 +282,20 @@ MADE = '''# SPDX-License-Identifier: GPL-3.0-or-later
 """Made by bindings/interface from rwedge.h: do not edit. What no other module defines."""
 from __future__ import annotations
 
+import enum
 from typing import Any, SupportsFloat, SupportsIndex
 
 from numpy.typing import NDArray
 
 from ._general import call
+from ._labels import Numbers
 from ._library import function
-from ._types import Numbers
 from ._ufuncs import Points
 
 __all__: list[str] = {names}
 {functions}
+
+{enumerations}
 
 
 class _Object:
@@ -338,11 +351,20 @@ def inherited(f: Function) -> str:
     return textwrap.indent("\n".join(lines), "    ")
 
 
+def enumeration(kind: str, numbers: dict[str, int]) -> str:
+    """A class of whole numbers; of bits where none is 0."""
+    lines = [f"class {kind}(enum.Int{'Enum' if 0 in numbers.values() else 'Flag'}):",
+             f'    """The numbers RWEDGE_{kind.upper()}_... of the library, by name."""', "",
+             *(f"    {name} = {value}" for name, value in numbers.items())]
+    return "\n".join(lines)
+
+
 def made_py(interface: Interface) -> str:
     made = [f for f in interface.functions if is_general(f)]
     functions = [f"_{f.name} = function({f.name!r})" for f in made if is_reading(f)]
     functions += [f"_{f.name} = Points({f.name!r})" for f in made if is_of_points(f)]
-    text = MADE.format(names=[f.name for f in made if not f.family], functions="\n".join(functions))
+    text = MADE.format(names=[*interface.enumerations, *(f.name for f in made if not f.family)], functions="\n".join(functions),
+                       enumerations="\n\n\n".join(starmap(enumeration, interface.enumerations.items())))
     text += "\n".join(definition(f, "") + "\n" for f in made if not f.family)
     for family in ("contact", "series"):
         methods = [definition(f, "    ") for f in made if f.family == family]
@@ -362,13 +384,13 @@ from ._contact import YieldFactor as YieldFactor
 from ._criteria import Damage as Damage
 from ._criteria import Plane as Plane
 from ._cycle import Cycle as Cycle
+from ._labels import Numbers, Scalar
 from ._library import AbsentError as AbsentError
 from ._library import Error as Error
 from ._library import PathError as PathError
 from ._library import SlidingError as SlidingError
 from ._loads import Loads as Loads
 from ._series import Series as Series
-from ._types import Numbers, Scalar
 from ._validity import ValidityWarning as ValidityWarning
 
 __version__: str
@@ -428,9 +450,10 @@ def formula_type(f: Function) -> str:
 def init_pyi(interface: Interface) -> str:
     public = ["AbsentError", "Contact", "Cycle", "Damage", "Error", "Loads", "PathError", "Plane", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
     functions = [f for f in interface.functions if is_formula(f) or is_general(f) and not f.family]
-    names = textwrap.wrap(", ".join(f'"{n}"' for n in public + [f.name for f in functions]) + ",", 120, initial_indent="    ",
+    names = textwrap.wrap(", ".join(f'"{n}"' for n in [*public, *interface.enumerations, *(f.name for f in functions)]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")
-    formulas = [formula_type(f) if is_formula(f) else f"from ._made import {f.name} as {f.name}" for f in functions]
+    formulas = [f"from ._made import {name} as {name}" for name in interface.enumerations]
+    formulas += [formula_type(f) if is_formula(f) else f"from ._made import {f.name} as {f.name}" for f in functions]
     return PYI.format(names="\n".join(names), formulas="\n".join(formulas))
 
 

@@ -20,7 +20,7 @@ TOP = """\
 """
 IN_JAVASCRIPT = (  # statuses, pointers and limits, in the words of JavaScript
     (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?\b0 for NULL", ""), (r"(; |, )?RWEDGE_ENULL", ""),
-    (r"rwedge_(?:contact|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"))
+    (r"rwedge_(?:contact|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"), ("RWEDGE_MEASURE_", "Measure."))
 
 
 def told(f: Function, size: Parameter) -> bool:
@@ -54,7 +54,7 @@ def about_parameter(p: Parameter) -> dict:
     if p.given_by:
         about["givenBy"] = p.given_by
     if d := p.domain:
-        about["domain"] = {"text": domain_text(p), "low": finite(d.low), "high": finite(d.high), "lowOpen": d.low_open,
+        about["domain"] = {"text": words(", ".join(d.conditions)), "low": finite(d.low), "high": finite(d.high), "lowOpen": d.low_open,
                            "highOpen": d.high_open, "orZero": d.or_zero, "finite": d.finite, "smallest": d.smallest, "any": d.any}
     return about
 
@@ -94,6 +94,7 @@ def definition(f: Function) -> str:
 def module(interface: Interface) -> str:
     parts = [TOP, 'import { adopt, call, formula, free } from "./runtime.mjs";\n\n'
              'export { statuses } from "./description.mjs";\nexport { RwedgeError } from "./runtime.mjs";\n']
+    parts += [f"export const {kind} = Object.freeze({json.dumps(numbers)});" for kind, numbers in interface.enumerations.items()]
     parts += [definition(f) for f in interface.functions if not f.family]
     for family in ("contact", "series"):
         methods = [definition(f) for f in interface.functions if f.family == family]
@@ -181,6 +182,9 @@ export class RwedgeError extends Error {
 def types(interface: Interface) -> str:
     statuses = "".join(f"    readonly {name}: {value};\n" for name, value in interface.statuses.items())
     lines = [TOP, TYPES.replace("{statuses}", f"{{\n{statuses}}}")]
+    for kind, numbers in interface.enumerations.items():
+        of_kind = "; ".join(f"readonly {name}: {value}" for name, value in numbers.items())
+        lines += [f"/** The numbers RWEDGE_{kind.upper()}_... of the header. */", f"export const {kind}: {{ {of_kind} }};", ""]
     for f in interface.functions:
         if not f.family:
             lines += [*comment(f, ""), *declarations(f), ""]

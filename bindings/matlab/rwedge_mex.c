@@ -7,7 +7,7 @@
  * A function of numbers is taken over the elements of its arguments: arrays of one size, or of
  * size 1 in a dimension, which go with all along it. So is one of points. Other functions of
  * arrays take them whole. mexErrMsgIdAndTxt() does not return; nothing that must be freed is held
- * where it is called, but for what fail() frees. */
+ * where it is called. */
 #include "entries.h"
 #include "rwedge.h"
 
@@ -22,19 +22,6 @@
 
 /* ---- Errors ---------------------------------------------------------------------------------- */
 
-/* What a failure frees: a copy of a contact that goes through several loads, all or none; and a
- * place for an object that is being made. */
-static rwedge_contact *trial;
-static void *unused;
-
-static void free_all(void)
-{
-    rwedge_contact_destroy(trial);
-    trial = NULL;
-    free(unused);
-    unused = NULL;
-}
-
 static void fail(const char *reason, const char *format, ...)
 {
     char id[32], text[1200];
@@ -43,7 +30,6 @@ static void fail(const char *reason, const char *format, ...)
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     snprintf(id, sizeof id, "rwedge:%s", reason);
-    free_all();
     mexErrMsgIdAndTxt(id, "%s", text);
 }
 
@@ -69,60 +55,54 @@ static const char *text_of(double v, char text[32])
     return text;
 }
 
-typedef struct {
-    char text[1200];
-    size_t length;
-} message;
+static char message[1200]; /* of an error, in parts */
 
-static void add(message *m, const char *format, ...)
+static void add(const char *format, ...)
 {
+    const size_t used = strlen(message);
     va_list arguments;
     va_start(arguments, format);
-    const int more = vsnprintf(m->text + m->length, sizeof m->text - m->length, format, arguments);
+    vsnprintf(message + used, sizeof message - used, format, arguments);
     va_end(arguments);
-    m->length += (size_t)more;
-    if (m->length >= sizeof m->text)
-        m->length = sizeof m->text - 1;
 }
 
 /* The arguments v[j][at[j]], and what is allowed: of the one that is to blame, the only one if
  * need be, or of all where it is none alone. Sizes are told where n is given. */
-static void add_arguments(message *m, const entry *call, const double *const v[], const size_t at[],
+static void add_arguments(const entry *call, const double *const v[], const size_t at[],
                           const size_t n[])
 {
     char number[32];
     const int sizes = n ? call->sizes : 0;
     for (int j = 0; j < call->arguments; j++)
         if (call->arguments + sizes == 1 || !entry_allows(&call->argument[j], v[j][at[j]])) {
-            add(m, ": %s = %s; allowed is %s", call->argument[j].name, text_of(v[j][at[j]], number),
+            add(": %s = %s; allowed is %s", call->argument[j].name, text_of(v[j][at[j]], number),
                 call->argument[j].allowed);
             return;
         }
     const char *between = ": ";
     for (int j = 0; j < call->arguments; j++, between = ", ")
         if (!n || call->argument[j].sizes[0] < 0)
-            add(m, "%s%s = %s", between, call->argument[j].name, text_of(v[j][at[j]], number));
+            add("%s%s = %s", between, call->argument[j].name, text_of(v[j][at[j]], number));
     for (int j = 0; j < sizes; j++)
-        add(m, ", %s = %lu", call->size[j].name, (unsigned long)n[j]);
+        add(", %s = %lu", call->size[j].name, (unsigned long)n[j]);
     between = "; allowed is ";
     for (int j = 0; j < call->arguments; j++, between = ", ")
-        add(m, "%s%s %s", between, call->argument[j].name, call->argument[j].allowed);
+        add("%s%s %s", between, call->argument[j].name, call->argument[j].allowed);
     for (int j = 0; j < sizes; j++)
-        add(m, ", %s %s", call->size[j].name, call->size[j].allowed);
+        add(", %s %s", call->size[j].name, call->size[j].allowed);
 }
 
 /* Why there is no closed form, and what to do instead. */
 static const char *obstacle(const entry *call, const void *object, const double *const v[],
                             const size_t at[])
 {
-    const int loads = call->arguments;
-    double P, M, Q, sigma;
-    if (!object || strcmp(call->name, loads == 4 ? "contact_apply" : "contact_load") != 0 ||
-        rwedge_contact_loads(object, &P, &M, &Q, &sigma) != RWEDGE_OK)
+    double loads[4];
+    if (!object || !call->changes_object ||
+        rwedge_contact_loads(object, loads, loads + 1, loads + 2, loads + 3) != RWEDGE_OK)
         return call->path;
-    if (loads == 4)
-        return rwedge_contact_obstacle(object, v[0][at[0]], v[1][at[1]], v[2][at[2]], v[3][at[3]]);
-    return rwedge_contact_obstacle(object, v[0][at[0]], M, v[1][at[1]], sigma);
+    for (int j = 0; j < call->arguments; j++) /* P and Q, or all */
+        loads[call->arguments > 2 ? j : 2 * j] = v[j][at[j]];
+    return rwedge_contact_obstacle(object, loads[0], loads[1], loads[2], loads[3]);
 }
 
 /* The library's text, the arguments v[j][at[j]] where they are to blame, and which element of
@@ -130,27 +110,22 @@ static const char *obstacle(const entry *call, const void *object, const double 
 static void fail_with(int32_t status, const entry *call, const void *object,
                       const double *const v[], const size_t at[], const size_t n[], long element)
 {
-    message m = {"", 0};
-    add(&m, "rwedge_%s: %s", call->name, rwedge_strerror(status));
+    message[0] = '\0';
+    add("rwedge_%s: %s", call->name, rwedge_strerror(status));
     if (status == RWEDGE_EABSENT && strcmp(call->family, "contact") == 0 && object &&
         rwedge_contact_half_width(object) == 0)
-        add(&m, ": the contact is unloaded");
+        add(": the contact is unloaded");
     const char *why = status == RWEDGE_EPATH ? obstacle(call, object, v, at) : NULL;
     if (why)
-        add(&m, ": %s", why);
+        add(": %s", why);
     if (status == RWEDGE_EDOMAIN || status == RWEDGE_ERANGE || status == RWEDGE_ESLIDING)
-        add_arguments(&m, call, v, at, n);
+        add_arguments(call, v, at, n);
     if (element >= 0)
-        add(&m, " (element %ld)", element + 1);
-    fail(reason_of(status), "%s", m.text);
+        add(" (element %ld)", element + 1);
+    fail(reason_of(status), "%s", message);
 }
 
 /* ---- Handles: two numbers that a class holds, and forgets when it is deleted --------------- */
-
-/* Several loads make another object of a contact: so there is a place between. */
-typedef struct {
-    void *object;
-} place;
 
 static double alive;
 
@@ -164,43 +139,37 @@ static double owner_of(const char *family)
     return strcmp(family, "contact") == 0 ? number : -number;
 }
 
-static place *find(const char *family, const mxArray *handle)
+static void *find(const char *family, const mxArray *handle)
 {
     if (!mxIsDouble(handle) || mxIsComplex(handle) || mxGetNumberOfElements(handle) != 2)
         return NULL;
     const double *number = mxGetPr(handle);
-    return number[0] == owner_of(family) ? (place *)(uintptr_t)number[1] : NULL;
+    return number[0] == owner_of(family) ? (void *)(uintptr_t)number[1] : NULL;
 }
 
 /* The library stays in memory while there are objects of its own: "clear all" must not take it
  * from them. */
-static mxArray *keep(const char *family, place *held)
+static mxArray *keep(const char *family, void *object)
 {
     if (alive++ == 0)
         mexLock();
     mxArray *handle = mxCreateDoubleMatrix(1, 2, mxREAL);
     mxGetPr(handle)[0] = owner_of(family);
-    mxGetPr(handle)[1] = (double)(uintptr_t)held;
+    mxGetPr(handle)[1] = (double)(uintptr_t)object;
     return handle;
 }
 
-static void destroy(const char *family, place *held)
+static void destroy(const char *family, void *object)
 {
     if (strcmp(family, "contact") == 0)
-        rwedge_contact_destroy(held->object);
+        rwedge_contact_destroy(object);
     else
-        rwedge_series_destroy(held->object);
-    free(held);
+        rwedge_series_destroy(object);
     if (--alive == 0)
         mexUnlock();
 }
 
 /* ---- Arrays ---------------------------------------------------------------------------------- */
-
-static bool is_scalar(const mxArray *array)
-{
-    return mxGetNumberOfElements(array) == 1;
-}
 
 /* The sizes of the results. */
 enum { MAX_DIMENSIONS = 32 };
@@ -215,48 +184,44 @@ static mwSize size_in(const mxArray *array, mwSize dimension)
 
 /* Takes an array's sizes into those of the results: in each dimension the same, or 1, which goes
  * with all. */
-static void extend(shape *all, const char *name, int argument, const mxArray *array)
+static void extend(shape *all, const entry *call, int j, const mxArray *array)
 {
     const mwSize dimensions = mxGetNumberOfDimensions(array);
     if (dimensions > MAX_DIMENSIONS)
-        fail("size", "rwedge_%s: argument %d has more than %d dimensions", name, argument,
-             (int)MAX_DIMENSIONS);
+        fail("size", "rwedge_%s: %s has more than %d dimensions", call->name,
+             call->argument[j].name, (int)MAX_DIMENSIONS);
     for (; all->count < dimensions; all->count++)
         all->size[all->count] = 1;
     for (mwSize k = 0; k < all->count; k++) {
         const mwSize size = size_in(array, k);
         if (size != 1 && all->size[k] != 1 && size != all->size[k])
             fail("size",
-                 "rwedge_%s: argument %d has the size %lu in dimension %lu, where those before it "
-                 "have %lu",
-                 name, argument, (unsigned long)size, (unsigned long)k + 1,
+                 "rwedge_%s: %s has the size %lu in dimension %lu, where those before it have %lu",
+                 call->name, call->argument[j].name, (unsigned long)size, (unsigned long)k + 1,
                  (unsigned long)all->size[k]);
         if (all->size[k] == 1)
             all->size[k] = size;
     }
 }
 
-/* Which element of an array goes with element i of the results, where it is neither a scalar nor
- * has as many. */
-static size_t element_of(const mxArray *array, const shape *all, size_t i)
+/* The array as often in each dimension as the results go along it: it has as many elements then. */
+static const mxArray *repeated(const mxArray *array, const shape *all)
 {
-    size_t at = 0, stride = 1;
-    for (mwSize k = 0; k < all->count; k++) {
-        const size_t size = (size_t)size_in(array, k), along = (size_t)all->size[k];
-        at += size > 1 ? i % along * stride : 0;
-        i /= along;
-        stride *= size;
-    }
-    return at;
+    mxArray *times = mxCreateDoubleMatrix(1, all->count, mxREAL), *result = NULL;
+    for (mwSize k = 0; k < all->count; k++)
+        mxGetPr(times)[k] = size_in(array, k) == 1 ? (double)all->size[k] : 1;
+    mxArray *given[] = {(mxArray *)(uintptr_t)array, times}; /* not changed by it */
+    mexCallMATLAB(1, &result, 2, given, "repmat");
+    return result;
 }
 
 /* The numbers of an argument. Those of another class are converted by MATLAB, which frees them. */
-static const double *numbers_of(const char *name, int argument, const mxArray *array)
+static const double *numbers_of(const entry *call, int j, const mxArray *array)
 {
     const bool numbers = mxIsNumeric(array) || mxIsLogical(array);
     if (!numbers || mxIsComplex(array) || mxIsSparse(array))
-        fail("class", "rwedge_%s: argument %d is not a full array of real numbers, but %s %s", name,
-             argument,
+        fail("class", "rwedge_%s: %s is not a full array of real numbers, but %s %s", call->name,
+             call->argument[j].name,
              mxIsSparse(array)    ? "sparse"
              : mxIsComplex(array) ? "complex"
                                   : "of class",
@@ -268,17 +233,6 @@ static const double *numbers_of(const char *name, int argument, const mxArray *a
     return mxGetPr(converted);
 }
 
-/* The numbers of the arguments, and the sizes of what is computed from each of their elements. */
-static shape take(const char *name, int count, const mxArray *const arguments[], const double *v[])
-{
-    shape all = {2, {1, 1}};
-    for (int j = 0; j < count; j++) {
-        v[j] = numbers_of(name, j + 1, arguments[j]);
-        extend(&all, name, j + 1, arguments[j]);
-    }
-    return all;
-}
-
 static const entry *entry_named(const char *name)
 {
     for (int i = 0; i < ENTRY_COUNT; i++)
@@ -287,26 +241,18 @@ static const entry *entry_named(const char *name)
     return NULL;
 }
 
-/* The function that takes many points at once: this one, or that of its arrays; or NULL. */
-static const entry *array_function(const entry *call)
+/* The function that takes n points such as these at once: this one, or that of its arrays; or
+ * NULL. */
+static const entry *array_function(const entry *call, const mxArray *const arguments[], size_t n)
 {
-    if (call->pointwise)
-        return call;
-    for (int i = 0; i < ENTRY_COUNT; i++)
+    const entry *many = call->pointwise ? call : NULL;
+    for (int i = 0; !many && i < ENTRY_COUNT; i++)
         if (entries[i].array_of && strcmp(entries[i].array_of, call->name) == 0)
-            return &entries[i];
-    return NULL;
-}
-
-/* The arguments as that function takes them? */
-static bool suits_array(const entry *call, const mxArray *const arguments[], size_t n)
-{
-    if (!call || n < 2)
-        return false;
-    for (int j = 0; j < call->arguments; j++)
-        if (mxGetNumberOfElements(arguments[j]) != (call->argument[j].sizes[0] < 0 ? 1 : n))
-            return false;
-    return true;
+            many = &entries[i];
+    for (int j = 0; many && j < many->arguments; j++)
+        if (mxGetNumberOfElements(arguments[j]) != (many->argument[j].sizes[0] < 0 ? 1 : n))
+            return NULL;
+    return many;
 }
 
 /* No call where a number is not whole that must be: outside the domain. */
@@ -339,54 +285,42 @@ static void map_element(const entry *call, void *object, const double *const v[]
         *s[j] = NAN;
 }
 
+/* The numbers of an argument that go with n elements, and from one of them to the next. */
+static size_t take(const entry *call, int j, const mxArray *array, const shape *all, size_t n,
+                   const double **v)
+{
+    const size_t elements = mxGetNumberOfElements(array);
+    const bool fits = elements == 1 || elements == n;
+    *v = numbers_of(call, j, fits ? array : repeated(array, all));
+    return elements == 1 ? 0 : 1;
+}
+
 static void map(const entry *call, void *object, const mxArray *const arguments[],
                 mxArray *results[])
 {
     const double *v[ENTRY_ARGUMENTS];
     double *r[ENTRY_RESULTS];
-    const shape all = take(call->name, call->arguments, arguments, v);
-    size_t n = 1;
+    size_t n = 1, steps[ENTRY_ARGUMENTS], at[ENTRY_ARGUMENTS];
+    shape all = {2, {1, 1}};
+    for (int j = 0; j < call->arguments; j++)
+        extend(&all, call, j, arguments[j]);
     for (mwSize k = 0; k < all.count; k++)
         n *= (size_t)all.size[k];
+    for (int j = 0; j < call->arguments; j++)
+        steps[j] = take(call, j, arguments[j], &all, n, &v[j]);
     for (int j = 0; j < call->results; j++) {
         results[j] = mxCreateNumericArray(all.count, all.size, mxDOUBLE_CLASS, mxREAL);
         r[j] = mxGetPr(results[j]);
     }
     /* where it fails, the loop finds out which point it is */
-    const entry *many = array_function(call);
-    const size_t counts[ENTRY_SIZES] = {n};
-    if (suits_array(many, arguments, n) && many->call(object, counts, v, r, NULL) == RWEDGE_OK)
+    const entry *many = n > 1 ? array_function(call, arguments, n) : NULL;
+    if (many && many->call(object, &n, v, r, NULL) == RWEDGE_OK)
         return;
-    enum { EXPANDS = 2 };
-    size_t steps[ENTRY_ARGUMENTS], at[ENTRY_ARGUMENTS];
-    for (int j = 0; j < call->arguments; j++) {
-        const size_t elements = mxGetNumberOfElements(arguments[j]);
-        steps[j] = elements == 1 ? 0 : elements == n ? 1 : EXPANDS;
-    }
     for (size_t i = 0; i < n; i++) {
         for (int j = 0; j < call->arguments; j++)
-            at[j] = steps[j] == EXPANDS ? element_of(arguments[j], &all, i) : i * steps[j];
+            at[j] = i * steps[j];
         map_element(call, object, v, at, r, i, n);
     }
-}
-
-/* Several loads go to a copy, which takes the contact's place once none is refused. */
-static void map_loads(const entry *call, place *contact, const mxArray *const arguments[])
-{
-    bool several = false;
-    for (int j = 0; j < call->arguments; j++)
-        several |= !is_scalar(arguments[j]);
-    if (!several) {
-        map(call, contact->object, arguments, NULL);
-        return;
-    }
-    const int32_t status = rwedge_contact_copy(contact->object, &trial);
-    if (status != RWEDGE_OK)
-        fail(reason_of(status), "rwedge_%s: %s", call->name, rwedge_strerror(status));
-    map(call, trial, arguments, NULL);
-    rwedge_contact_destroy(contact->object);
-    contact->object = trial;
-    trial = NULL;
 }
 
 /* ---- Functions of whole arrays, and what makes objects --------------------------------------- */
@@ -457,7 +391,7 @@ static void whole(const entry *call, void *object, const mxArray *const argument
     double *r[ENTRY_RESULTS];
     size_t n[ENTRY_SIZES] = {0};
     for (int j = 0; j < call->arguments; j++)
-        take(call->name, 1, arguments + j, v + j);
+        v[j] = numbers_of(call, j, arguments[j]);
     measure(call, object, arguments, n);
     for (int j = 0; j < call->results; j++) {
         results[j] = result_array(&call->result[j], n);
@@ -468,36 +402,23 @@ static void whole(const entry *call, void *object, const mxArray *const argument
         fail_whole(status, call, object, v, n);
 }
 
-static bool is_of_whole_arrays(const entry *call)
-{
-    return call->makes_object || (call->sizes > 0 && !call->pointwise);
-}
-
 /* ---- Calls by name --------------------------------------------------------------------------- */
 
 /* What entries.h does not have. Nothing is freed where nothing is: a destructor must not fail. How
  * many objects are alive is for the tests. */
 static mxArray *run_command(const char *name, int count, const mxArray *const arguments[])
 {
-    const char *family = name[0] == 's' ? "series" : "contact";
-    const bool frees = strcmp(name, "contact_destroy") == 0 || strcmp(name, "series_destroy") == 0;
     if (strcmp(name, "version") == 0)
         return mxCreateString(rwedge_version());
     if (strcmp(name, "alive") == 0)
         return mxCreateDoubleScalar(alive);
-    if (count != 1 || !(frees || strcmp(name, "is_contact") == 0))
+    const char *family = name[0] == 's' ? "series" : "contact";
+    if (count != 1 || strcmp(name + strlen(family), "_destroy") != 0)
         fail("arguments", "rwedge_%s: no such function", name);
-    place *held = find(family, arguments[0]);
-    if (frees && held)
-        destroy(family, held);
-    return frees ? NULL : mxCreateDoubleScalar(held ? 1 : 0);
-}
-
-static void need(const char *name, int arguments, int count)
-{
-    if (count != arguments)
-        fail("arguments", "rwedge_%s takes %d argument%s, not %d", name, arguments,
-             arguments == 1 ? "" : "s", count);
+    void *object = find(family, arguments[0]);
+    if (object)
+        destroy(family, object);
+    return NULL;
 }
 
 /* The text for numbers. Where one must be whole and is not, that for -1, which is none. */
@@ -506,8 +427,8 @@ static mxArray *call_text(const entry *call, const void *object, const mxArray *
     static const double none = -1;
     const double *v[ENTRY_ARGUMENTS];
     for (int j = 0; j < call->arguments; j++) {
-        v[j] = numbers_of(call->name, j + 1, arguments[j]);
-        if (!is_scalar(arguments[j]))
+        v[j] = numbers_of(call, j, arguments[j]);
+        if (mxGetNumberOfElements(arguments[j]) != 1)
             fail("size", "rwedge_%s: %s is a scalar", call->name, call->argument[j].name);
         if (call->argument[j].whole && !is_int32(*v[j]))
             v[j] = &none;
@@ -515,58 +436,29 @@ static mxArray *call_text(const entry *call, const void *object, const mxArray *
     return mxCreateString(call->text(object, v));
 }
 
-/* The results of a call; *made is the object that it makes. */
-static void answer(const entry *call, place *held, const mxArray *const prhs[], mxArray *results[],
-                   void **made)
-{
-    if (call->text)
-        results[0] = call_text(call, held ? held->object : NULL, prhs);
-    else if (is_of_whole_arrays(call))
-        whole(call, held ? held->object : NULL, prhs, results, made);
-    else if (call->changes_object)
-        map_loads(call, held, prhs);
-    else
-        map(call, held ? held->object : NULL, prhs, results);
-}
-
-/* A function that makes an object gives its handle, and nothing else. */
-static void make(const entry *call, place *from, const mxArray *const prhs[], mxArray *results[])
-{
-    place *held = malloc(sizeof *held);
-    if (!held)
-        fail_with(RWEDGE_ENOMEM, call, NULL, NULL, NULL, NULL, -1);
-    unused = held;
-    answer(call, from, prhs, results, &held->object);
-    unused = NULL;
-    results[0] = keep(call->family, held);
-}
-
 static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
                        const mxArray *const prhs[])
 {
-    mxArray *results[ENTRY_RESULTS];
-    place *held = NULL;
+    void *object = NULL, *made = NULL;
     if (call->takes_object) {
-        held = nrhs > 0 ? find(call->family, prhs[0]) : NULL;
-        if (!held)
+        object = nrhs > 0 ? find(call->family, prhs[0]) : NULL;
+        if (!object)
             fail("handle", "rwedge_%s: there is no such %s (any more)", call->name, call->family);
         nrhs--;
         prhs++;
     }
-    need(call->name, call->arguments, nrhs);
     const int count = call->makes_object ? 1 : call->results;
-    if (nlhs > count)
-        fail("arguments", "rwedge_%s gives %d result%s, not %d", call->name, count,
-             count == 1 ? "" : "s", nlhs);
-    if (call->makes_object)
-        make(call, held, prhs, results);
+    if (nrhs != call->arguments || (nlhs != count && !(nlhs == 0 && count == 1)))
+        fail("arguments", "rwedge_%s takes %d and gives %d: not %d and %d", call->name,
+             call->arguments, count, nrhs, nlhs);
+    if (call->text)
+        plhs[0] = call_text(call, object, prhs);
+    else if (call->makes_object || (call->sizes > 0 && !call->pointwise))
+        whole(call, object, prhs, plhs, &made);
     else
-        answer(call, held, prhs, results, NULL);
-    for (int j = 0; j < count; j++)
-        if (j == 0 || j < nlhs)
-            plhs[j] = results[j];
-        else
-            mxDestroyArray(results[j]);
+        map(call, object, prhs, plhs);
+    if (call->makes_object)
+        plhs[0] = keep(call->family, made);
 }
 
 void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[])

@@ -65,7 +65,7 @@ cc -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Werror -fsynta
 nm -D --undefined-only rwedge/rwedge_mex.mex | sed -n 's/.* \(me*x[A-Z][A-Za-z]*\)\(@.*\)*$/\1/p' | sort -u >called.txt
 tr ' ' '\n' >known.txt <<'END'
 mexCallMATLAB mexErrMsgIdAndTxt mexLock mexUnlock mxCreateDoubleMatrix mxCreateDoubleScalar mxCreateNumericArray mxCreateString
-mxDestroyArray mxGetClassName mxGetDimensions mxGetNumberOfDimensions mxGetNumberOfElements mxGetPr mxGetString mxIsComplex
+mxGetClassName mxGetDimensions mxGetNumberOfDimensions mxGetNumberOfElements mxGetPr mxGetString mxIsComplex
 mxIsDouble mxIsLogical mxIsNumeric mxIsSparse
 END
 diff called.txt known.txt || fail "< called, > known to be in MATLAB's C Matrix API"

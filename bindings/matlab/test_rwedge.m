@@ -54,8 +54,8 @@ function shapes()
     [a, ~, c] = rwedge_stress(0.3, 0.2, 0.5, p(7), abs(p(7)));
     claim('an array of stresses is that of its points', isequal([a c], [sxx(7) txy(7)]));
     claim('one output', isequal(rwedge_stress(0.3, 0.2, 0.5, p, 0.1 + 0 * p)(3), rwedge_stress(0.3, 0.2, 0.5, p(3), 0.1)));
-    refused('size', {'rwedge_pressure', 'argument 2'}, @() rwedge_pressure(1:3, 1:2));
-    refused('size', {'argument 2', '2 in dimension 3', 'have 4'}, @() rwedge_pressure(alpha, zeros(2, 3, 2)));
+    refused('size', {'rwedge_pressure: x has'}, @() rwedge_pressure(1:3, 1:2));
+    refused('size', {'x has the size 2 in dimension 3', 'have 4'}, @() rwedge_pressure(alpha, zeros(2, 3, 2)));
     grid = rwedge_shear([0.2 0.4 0.6], [0.1; 0.3], reshape([0.2 0.5], 1, 1, 2));
     claim('the size of a grid', isequal(size(grid), [2 3 2]));
     claim('a grid', grid(2, 3, 1) == rwedge_shear(0.6, 0.3, 0.2) && grid(1, 2, 2) == rwedge_shear(0.4, 0.1, 0.5));
@@ -75,7 +75,7 @@ function classes()
     d.load(1000, [0 100]);
     claim('loads of other classes', c.dissipated_energy() == d.dissipated_energy() && c.half_width() == d.half_width());
     for wrong = {'0.25', {0.25}, struct('x', 1)}
-        refused('class', {'argument 1'}, @() rwedge_load(wrong{1}));
+        refused('class', {'rwedge_load: alpha is not'}, @() rwedge_load(wrong{1}));
     end
 end
 
@@ -155,8 +155,8 @@ function errors()
     refused('arguments', {'rwedge_series(alpha, terms)'}, @() rwedge_series(0.3));
     refused('arguments', {'fit(x, p, terms)'}, @() rwedge_series.fit(0.1, 1));
     refused('arguments', {'no such function'}, @() rwedge_mex('nothing'));
-    refused('arguments', {'takes 2 arguments'}, @() rwedge_mex('pressure', 1));
-    refused('arguments', {'gives 1 result, not 2'}, @() two_results());
+    refused('arguments', {'rwedge_pressure takes 2 '}, @() rwedge_mex('pressure', 1));
+    refused('arguments', {'rwedge_load takes 1 and gives 1: '}, @() two_results());
     [limit, x] = rwedge_surface_yield(0.3, [0 0.1], 0.5);
     claim('an absent branch is NaN, a sweep goes on', isequal(isnan([limit; x]), [true false; true false]));
 end

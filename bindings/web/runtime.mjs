@@ -87,26 +87,30 @@ function allows(domain, value) {
         (value === 0 || Math.abs(value) >= domain.smallest);
 }
 
-/** What of an argument is outside its domain: "x[3] = -1", or nothing. place is that of numbers which stand for an element. */
-function outside(parameter, value, place) {
-    if (!parameter.domain) return undefined;
-    if (!isArray(value)) return allows(parameter.domain, value) ? undefined : `${parameter.name}${place} = ${value}`;
-    const i = value.findIndex((number) => !allows(parameter.domain, number));
-    return i < 0 ? undefined : `${parameter.name}[${i}] = ${value[i]}`;
+/** Which element of an argument is outside its domain, 0 of a number; -1 where none is. */
+function outside({ domain }, value) {
+    return domain ? (isArray(value) ? value : [value]).findIndex((number) => !allows(domain, number)) : -1;
 }
 
-/** Throws what a status means: with the arguments that are outside their domains, or with all of them where none is by itself; and
- * with the reason of this function, or that of these loads. */
+/** "x[3] = -1 (|x| <= b)": the element that is outside, or the whole argument. place is that of numbers which stand for an element. */
+function told(p, value, place, allowed) {
+    const i = outside(p, value), isElement = isArray(value) && i >= 0;
+    const text = isElement ? `[${i}] = ${value[i]}` : `${isArray(value) ? "" : place} = ${shown(value)}`;
+    return `${p.name}${text}${allowed && p.domain?.text ? ` (${p.domain.text})` : ""}`;
+}
+
+const ofArguments = ["RWEDGE_EDOMAIN", "RWEDGE_ERANGE", "RWEDGE_ESLIDING"];
+
+/** Throws what a status means: with the arguments that are outside their domains, or with all of them where none is by itself; with
+ * what is allowed; and with the reason of this function, or that of these loads. */
 function check(name, about, status, given, place = "", why = about.reasons[status]) {
     if (status === 0) return;
-    const values = given();
+    const values = given(), constant = Object.keys(statuses).find((each) => statuses[each] === status);
     const parameters = about.parameters.filter((p) => values.has(p.name));
-    const refused = parameters.filter((p) => outside(p, values.get(p.name), place));
-    const told = refused.length ? refused.map((p) => `${outside(p, values.get(p.name), place)} (${p.domain.text})`)
-        : parameters.map((p) => `${p.name}${isArray(values.get(p.name)) ? "" : place} = ${shown(values.get(p.name))}`);
+    const refused = parameters.filter((p) => outside(p, values.get(p.name)) >= 0);
+    const listed = (refused.length ? refused : parameters).map((p) => told(p, values.get(p.name), place, ofArguments.includes(constant)));
     const reason = textAt(library.rwedge_strerror(status)) + (why ? `, ${why}` : "");
-    const constant = Object.keys(statuses).find((each) => statuses[each] === status);
-    throw new RwedgeError(constant, `${name}(): ${reason}${told.length ? `: ${told.join(", ")}` : ""}`);
+    throw new RwedgeError(constant, `${name}(): ${reason}${listed.length ? `: ${listed.join(", ")}` : ""}`);
 }
 
 /** The outputs: nothing, the one, or an object of several with their names in the header. */
@@ -242,7 +246,7 @@ export function call(name, object, given) {
         if (about.result === "status" && returned !== 0) {
             if (returned === statuses.RWEDGE_EDOMAIN && about.pointwise && !single) blame(name, about, passed, values, length);
             const why = returned === statuses.RWEDGE_EPATH ? obstacle(name, handle, values) : "";
-            check(name, about, returned, () => values, "", why || undefined);
+            check(name, about, returned, () => (single ? point(values, 0) : values), "", why || undefined);
         }
         return answer(about, returned, places, (p, place) =>
             p.role === "out" || single ? memory()[place / 8] : memory().slice(place / 8, place / 8 + length(p)));
@@ -251,6 +255,9 @@ export function call(name, object, given) {
     }
 }
 
+/** The arguments of one point. */
+const point = (values, i) => new Map([...values].map(([key, value]) => [key, isArray(value) ? value[i] : value]));
+
 /** Throws for the first point that is refused alone. */
 function blame(name, about, passed, values, length) {
     const arrays = about.parameters.map((p) => p.role === "in array");
@@ -258,8 +265,7 @@ function blame(name, about, passed, values, length) {
     for (let i = 0; i < n; i++) {
         const alone = about.parameters.map((p, k) => (arrays[k] ? passed[k] + 8 * i : p.role === "size" ? 1 : passed[k]));
         const status = library[`rwedge_${name}`](...alone);
-        const point = () => new Map([...values].map(([key, value]) => [key, isArray(value) ? value[i] : value]));
-        check(name, about, status, point, `[${i}]`);
+        check(name, about, status, () => point(values, i), `[${i}]`);
     }
 }
 

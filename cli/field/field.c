@@ -3,6 +3,7 @@
 #include "field.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* ---- The grid ---- */
 
@@ -59,34 +60,27 @@ static void write_rows(void *of_grid, records *rows)
 
 /* ---- For ParaView ---- */
 
-static double column_x(const void *of_grid, int64_t column)
-{
-    return range_value(&((const grid *)of_grid)->x, column);
-}
-
-static double row_y(const void *of_grid, int64_t row)
-{
-    return range_value(&((const grid *)of_grid)->y, row);
-}
-
-static void stress_at(const void *of_grid, int64_t column, int64_t row, double value[])
-{
-    *(tensor *)value = stress(of_grid, column_x(of_grid, column), row_y(of_grid, row));
-}
-
 static void write_vtk(void *of_grid, records *rows)
 {
     const grid *points = of_grid;
+    const size_t columns = (size_t)points->x.count, count = (size_t)grid_size(points);
+    double *x = memory_zeroed(2 * count, sizeof *x), *y = x + count;
+    tensor *value = memory_zeroed(count, sizeof *value);
+    for (size_t i = 0; i < count; i++) {
+        x[i] = range_value(&points->x, (int64_t)(i % columns));
+        y[i] = range_value(&points->y, (int64_t)(i / columns));
+        value[i] = stress(points, x[i], y[i]);
+    }
     vtk_points file = {.title = "rwedge field: y is the depth below the surface",
-                       .is_grid = true,
-                       .columns = points->x.count,
-                       .rows = points->y.count,
-                       .x = column_x,
-                       .y = row_y,
-                       .numbers = stress_at,
-                       .source = points};
+                       .count = count,
+                       .columns = columns,
+                       .x = x,
+                       .y = y,
+                       .value = value->value};
     vtk_of_stresses(&file);
     vtk_write(&file, rows);
+    free(x);
+    free(value);
 }
 
 /* ---- The command ---- */
@@ -171,7 +165,7 @@ static int field(const arguments *line)
     return STATUS_DONE;
 }
 
-static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
-
-const command field_command = {"field",  "rwedge field", "stresses on a grid below the surface",
-                               &grammar, NULL,           field};
+const command field_command = {.name = "field",
+                               .summary = "stresses on a grid below the surface",
+                               .grammar = {options, "[OPTION...]", describe, OPTION_LOAD},
+                               .run = field};

@@ -7,18 +7,15 @@
 
 /* ---- vtk ---- Stresses, or other numbers, at points as a file for ParaView. */
 
-/* Points, row by row: those of a grid, or of a single row, wherever each is; and so many numbers of
- * each, with their names. */
+/* Points with so many numbers each, and the names of these. */
 typedef struct {
     const char *title;
-    bool is_grid, has_tensor; /* of stresses, whose numbers are those of a tensor */
-    int64_t columns, rows;
-    int count;
+    size_t count, columns; /* row by row where they are a grid; 0 columns where they are none */
+    const double *x, *y;
+    bool has_tensor; /* of stresses, whose numbers are those of a tensor */
+    int numbers;
     const char *names[TENSOR_COUNT + 32];
-    double (*x)(const void *source, int64_t column);
-    double (*y)(const void *source, int64_t row); /* of a grid; else of the point in that column */
-    void (*numbers)(const void *source, int64_t column, int64_t row, double value[]);
-    const void *source;
+    const double *value; /* the numbers of a point, then those of the next */
 } vtk_points;
 
 /* The numbers of the points are stresses. */

@@ -155,8 +155,7 @@ static int profile(const arguments *line)
     return STATUS_DONE;
 }
 
-static const syntax grammar = {options, "[OPTION...]", describe, OPTION_LOAD};
-
-const command profile_command = {
-    "profile", "rwedge profile", "pressure, shear, stress and slip along the surface", &grammar,
-    NULL,      profile};
+const command profile_command = {.name = "profile",
+                                 .summary = "pressure, shear, stress and slip along the surface",
+                                 .grammar = {options, "[OPTION...]", describe, OPTION_LOAD},
+                                 .run = profile};

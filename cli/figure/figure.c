@@ -274,7 +274,7 @@ static void read_point(const arguments *line, char decimal_sign, work *to_do)
         usage_error("--at %s: must be one point", text);
 }
 
-/* When the contact is read. */
+/* To be called when the contact is read. */
 static void read_measure_and_place(const arguments *line, work *to_do)
 {
     figure_case *inputs = &to_do->inputs;
@@ -336,13 +336,13 @@ static void compute(work *to_do)
 
 static void draw(const work *to_do, output *out)
 {
-    drawing *on = memory_zeroed(1, sizeof *on);
-    const char *nothing = to_do->chosen->draw(&to_do->inputs, &to_do->rows, on);
+    drawing *plot = memory_zeroed(1, sizeof *plot);
+    const char *nothing = to_do->chosen->draw(&to_do->inputs, &to_do->rows, plot);
     if (nothing != NULL)
         failure("figure %s: nothing to draw: %s", to_do->chosen->name, nothing);
     if (to_do->no_title)
-        on->title[0] = '\0';
-    gnuplot_draw(on, to_do->format, out);
+        plot->title[0] = '\0';
+    gnuplot_draw(plot, to_do->format, out);
 }
 
 /* A rows_writer: a picture goes where rows would. */
@@ -385,8 +385,9 @@ static const char *figure_name(int i)
     return i < FIGURE_COUNT ? figures[i]->name : NULL;
 }
 
-static const syntax grammar = {options, "FIGURE [OPTION...]", describe_figures, OPTION_LOAD};
-
 const command figure_command = {
-    "figure", "rwedge figure", "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
-    &grammar, figure_name,     write_command};
+    .name = "figure",
+    .summary = "figures 2 to 7 of the paper, and more, as SVG, PNG or PDF",
+    .grammar = {options, "FIGURE [OPTION...]", describe_figures, OPTION_LOAD},
+    .operand = figure_name,
+    .run = write_command};

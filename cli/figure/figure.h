@@ -52,7 +52,7 @@ typedef struct {
     const char *text_column;
     void (*compute)(const figure_case *inputs, dataset *rows);
     /* returns NULL, or why there is nothing to draw */
-    const char *(*draw)(const figure_case *inputs, const dataset *rows, drawing *on);
+    const char *(*draw)(const figure_case *inputs, const dataset *rows, drawing *plot);
 } figure;
 
 /* Those of the paper, 2 to 7, and more. Each is defined in a file of its subject. */
@@ -70,8 +70,8 @@ void style_of_family(curve *line, int i);
 /* The curve n of a family over the columns x and y, named by the value of its variable after some
  * words; and all of them. */
 curve *draw_member(const figure_case *inputs, int variable, int n, const char *words,
-                   const dataset *rows, int x, int y, drawing *on);
+                   const dataset *rows, int x, int y, drawing *plot);
 void draw_family(const figure_case *inputs, int variable, const dataset *rows, int x, int y,
-                 drawing *on);
+                 drawing *plot);
 
 #endif

@@ -59,18 +59,9 @@ static void compute_field(const figure_case *inputs, dataset *rows)
  * picture. */
 enum { MARGIN = 14, FIRST_ROW = 18 };
 
-static double highest(const dataset *rows)
-{
-    double top = 0;
-    for (size_t i = 0; i < rows->count; i++)
-        if (isfinite(rows->row[i].number[5]))
-            top = fmax(top, rows->row[i].number[5]);
-    return top;
-}
-
 /* The number of a level where the way from one place of the grid to the next crosses it, unless
  * another number is next to it, or the same one near. */
-static void name_level(const data_row *from, const data_row *to, double step, drawing *on)
+static void name_level(const data_row *from, const data_row *to, double step, drawing *plot)
 {
     const double a = from->number[5], b = to->number[5];
     const double level = step * ceil(fmin(a, b) / step), part = (level - a) / (b - a);
@@ -80,38 +71,38 @@ static void name_level(const data_row *from, const data_row *to, double step, dr
     const double x = from->number[0] + part * (to->number[0] - from->number[0]),
                  y = from->number[1] + part * (to->number[1] - from->number[1]);
     number_write(level, DRAWING_DIGITS, '.', text);
-    for (int i = 0; i < on->label_count; i++)
-        if (fabs(x - on->label[i].x) < 0.32 &&
-            fabs(y - on->label[i].y) < (strcmp(text, on->label[i].text) == 0 ? 0.6 : 0.12))
+    for (int i = 0; i < plot->label_count; i++)
+        if (fabs(x - plot->label[i].x) < 0.32 &&
+            fabs(y - plot->label[i].y) < (strcmp(text, plot->label[i].text) == 0 ? 0.6 : 0.12))
             return;
-    label *number = drawing_label(on, x, y, "%s", text);
+    label *number = drawing_label(plot, x, y, "%s", text);
     number->align = ALIGN_CENTRE;
     number->boxed = true;
 }
 
 /* Downwards from the place nearest to x, and along a row both ways from there. */
-static void name_levels(const dataset *rows, double x, double step, drawing *on)
+static void name_levels(const dataset *rows, double x, double step, drawing *plot)
 {
     enum { ROW = FIELD_ROWS - 12 };
     const double nearest = (FIELD_COLUMNS - 1) * (0.5 + 0.5 * x / FIELD_HALF_WIDTH);
     const int column = (int)fmin(fmax(nearest, MARGIN), FIELD_COLUMNS - 1 - MARGIN);
     const data_row *top = &rows->row[column], *row = &rows->row[ROW * FIELD_COLUMNS];
     for (int j = FIRST_ROW; j < ROW; j++)
-        name_level(&top[j * FIELD_COLUMNS], &top[(j + 1) * FIELD_COLUMNS], step, on);
+        name_level(&top[j * FIELD_COLUMNS], &top[(j + 1) * FIELD_COLUMNS], step, plot);
     for (int i = column; i > MARGIN; i--)
-        name_level(&row[i], &row[i - 1], step, on);
+        name_level(&row[i], &row[i - 1], step, plot);
     for (int i = column; i < FIELD_COLUMNS - 1 - MARGIN; i++)
-        name_level(&row[i], &row[i + 1], step, on);
+        name_level(&row[i], &row[i + 1], step, plot);
 }
 
 /* ---- What stands on them ---- */
 
 /* Above the surface: the contact as an empty bar, the stick zone filled. */
-static void draw_zones(double c, drawing *on)
+static void draw_zones(double c, drawing *plot)
 {
     if (c > 0)
-        drawing_bar(on, -c, c, -0.09, -0.03)->style = STYLE_AREA;
-    drawing_bar(on, -1, 1, -0.09, -0.03)->width = 0.8;
+        drawing_bar(plot, -c, c, -0.09, -0.03)->style = STYLE_AREA;
+    drawing_bar(plot, -1, 1, -0.09, -0.03)->width = 0.8;
 }
 
 /* Where it yields first, and sqrt(J2) there; false where the stress is infinite. */
@@ -134,25 +125,25 @@ static bool find_yield(const figure_case *inputs, double *x, double *y, double *
     return status == RWEDGE_OK && factor > 0;
 }
 
-static void mark_yield(double x, double y, drawing *on)
+static void mark_yield(double x, double y, drawing *plot)
 {
-    const int number = dataset_curves(&on->outlines);
-    dataset_add(&on->outlines, (data_row){.curve = number, .number = {x, y}});
-    curve *circle = drawing_curve(on, &on->outlines, number, 0, 1);
+    const int number = dataset_curves(&plot->outlines);
+    dataset_add(&plot->outlines, (data_row){.curve = number, .number = {x, y}});
+    curve *circle = drawing_curve(plot, &plot->outlines, number, 0, 1);
     circle->style = STYLE_CIRCLES;
     circle->colour = VERMILLION;
 }
 
-static void draw_surface(drawing *on)
+static void draw_surface(drawing *plot)
 {
-    const int number = dataset_curves(&on->outlines);
-    dataset_add(&on->outlines, (data_row){.curve = number, .number = {-FIELD_HALF_WIDTH, 0}});
-    dataset_add(&on->outlines, (data_row){.curve = number, .number = {FIELD_HALF_WIDTH, 0}});
-    drawing_curve(on, &on->outlines, number, 0, 1);
+    const int number = dataset_curves(&plot->outlines);
+    dataset_add(&plot->outlines, (data_row){.curve = number, .number = {-FIELD_HALF_WIDTH, 0}});
+    dataset_add(&plot->outlines, (data_row){.curve = number, .number = {FIELD_HALF_WIDTH, 0}});
+    drawing_curve(plot, &plot->outlines, number, 0, 1);
 }
 
 /* How far it slips is said as it was asked for. */
-static void write_title(const figure_case *inputs, drawing *on)
+static void write_title(const figure_case *inputs, drawing *plot)
 {
     char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE], slip[NUMBER_SIZE] = "0";
     const bool by_force = inputs->value[Q_OVER_FP].count > 0;
@@ -160,7 +151,8 @@ static void write_title(const figure_case *inputs, drawing *on)
     if (inputs->value[slips].count > 0)
         case_text(inputs, slips, 0, slip);
     const bool normal = case_value(inputs, FRICTION) == 0;
-    snprintf(on->title, sizeof on->title, "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s,\n%s%s%sν = %s",
+    snprintf(plot->title, sizeof plot->title,
+             "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s,\n%s%s%sν = %s",
              case_text(inputs, A_OVER_B, 0, alpha), case_text(inputs, FRICTION, 0, f),
              normal     ? ""
              : by_force ? "*Q*/(*fP*) = "
@@ -169,31 +161,31 @@ static void write_title(const figure_case *inputs, drawing *on)
 }
 
 static void write_caption(const figure_case *inputs, double step, bool has_yield, double top,
-                          drawing *on)
+                          drawing *plot)
 {
     const char *zones = stick_width(inputs) > 0            ? ", black: stick"
                         : case_value(inputs, FRICTION) > 0 ? ", sliding"
                                                            : "";
-    snprintf(on->caption, sizeof on->caption, "bar: contact%s; lines: every %.3g", zones, step);
+    snprintf(plot->caption, sizeof plot->caption, "bar: contact%s; lines: every %.3g", zones, step);
     if (has_yield)
-        list_add(on->caption, sizeof on->caption, ";\n", "circle: first yield, %.3g", top);
+        list_add(plot->caption, sizeof plot->caption, ";\n", "circle: first yield, %.3g", top);
 }
 
-static const char *draw_field(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_field(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
-    const double seen = highest(rows), step = step_of_levels(seen);
+    const double seen = dataset_largest(rows, 5, 1), step = step_of_levels(seen);
     double x = 0, y = 0, top = 0;
     const bool has_yield = find_yield(inputs, &x, &y, &top);
-    write_title(inputs, on);
-    write_caption(inputs, step, has_yield, top, on);
-    on->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};
-    on->y = (axis){"*y*/*b*", FIELD_DEPTH, STRIP, 0.5, FIELD_DEPTH};
-    on->field = (contours){rows, FIELD_COLUMNS, 0, 1, 5, step, seen};
-    name_levels(rows, has_yield ? x : 0, step, on);
-    draw_zones(stick_width(inputs), on);
-    draw_surface(on);
+    write_title(inputs, plot);
+    write_caption(inputs, step, has_yield, top, plot);
+    plot->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};
+    plot->y = (axis){"*y*/*b*", FIELD_DEPTH, STRIP, 0.5, FIELD_DEPTH};
+    plot->field = (contours){rows, FIELD_COLUMNS, 0, 1, 5, step, seen};
+    name_levels(rows, has_yield ? x : 0, step, plot);
+    draw_zones(stick_width(inputs), plot);
+    draw_surface(plot);
     if (has_yield)
-        mark_yield(x, y, on);
+        mark_yield(x, y, plot);
     return NULL;
 }
 

@@ -53,14 +53,6 @@ static void visit_all(const figure_case *inputs, size_t first, visitor *visit, d
     rwedge_contact_destroy(contact);
 }
 
-static double extreme(const dataset *rows, int column, double sign)
-{
-    double most = 0;
-    for (size_t i = 0; i < rows->count; i++)
-        most = fmax(most, sign * rows->row[i].number[column]);
-    return most;
-}
-
 /* Along x the numbers of the tics stand side by side: long ones get two or three. */
 static double tic_along_x(double span)
 {
@@ -82,9 +74,9 @@ static void write_number(double value, int digits, char text[NUMBER_SIZE])
 /* An axis from the least number to the largest, with 0 in it, and with room at the ends. */
 static axis axis_over(const dataset *rows, int column, const char *text)
 {
-    const double lo = -extreme(rows, column, -1), hi = extreme(rows, column, 1);
-    const double room = 0.05 * (hi - lo);
-    axis over = {.from = lo - room, .to = hi + room, .tic = drawing_tic(hi - lo)};
+    const double lo = -dataset_largest(rows, column, -1), hi = dataset_largest(rows, column, 1);
+    const double margin = 0.05 * (hi - lo);
+    axis over = {.from = lo - margin, .to = hi + margin, .tic = drawing_tic(hi - lo)};
     snprintf(over.text, sizeof over.text, "%s", text);
     return over;
 }
@@ -110,30 +102,30 @@ static void compute_history(const figure_case *inputs, dataset *rows)
     visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
 }
 
-static const char *draw_history(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_history(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     static const char *const names[] = {"*σ*_x", "*σ*_y", "*τ*_x_y"};
     static const int columns[] = {H_SXX, H_SYY, H_TXY};
     char x[NUMBER_SIZE], y[NUMBER_SIZE];
     double top = 0, bottom = 0;
     for (int i = 0; i < 3; i++) {
-        top = fmax(top, extreme(rows, columns[i], 1));
-        bottom = fmax(bottom, extreme(rows, columns[i], -1));
+        top = fmax(top, dataset_largest(rows, columns[i], 1));
+        bottom = fmax(bottom, dataset_largest(rows, columns[i], -1));
     }
     if (top == 0 && bottom == 0)
         return "there is no stress";
     write_number(inputs->at->x[0], DRAWING_DIGITS, x);
     write_number(inputs->at->y[0], DRAWING_DIGITS, y);
-    snprintf(on->title, sizeof on->title, "Stresses at *x* = %s, *y* = %s", x, y);
+    snprintf(plot->title, sizeof plot->title, "Stresses at *x* = %s, *y* = %s", x, y);
     const double first = rows->row[0].number[H_LOAD],
-                 last = rows->row[rows->count - 1].number[H_LOAD], room = 0.05 * (top + bottom);
-    on->x = (axis){"load", first, last > first ? last : first + 1, 1, 0};
+                 last = rows->row[rows->count - 1].number[H_LOAD], margin = 0.05 * (top + bottom);
+    plot->x = (axis){"load", first, last > first ? last : first + 1, 1, 0};
     if (last - first > 10)
-        on->x.tic = fmax(1, drawing_tic(last - first));
-    on->y = (axis){"stress", -bottom - room, top + room, drawing_tic(top + bottom), 0};
-    on->height = 0.75;
+        plot->x.tic = fmax(1, drawing_tic(last - first));
+    plot->y = (axis){"stress", -bottom - margin, top + margin, drawing_tic(top + bottom), 0};
+    plot->height = 0.75;
     for (int i = 0; i < 3; i++) {
-        curve *line = drawing_curve(on, rows, 0, H_LOAD, columns[i]);
+        curve *line = drawing_curve(plot, rows, 0, H_LOAD, columns[i]);
         style_of_family(line, i);
         line->width = 1.3;
         snprintf(line->legend, sizeof line->legend, "%s", names[i]);
@@ -171,17 +163,18 @@ static void compute_any_loop(const figure_case *inputs, dataset *rows)
     visit_all(inputs, 0, add_displacement, rows);
 }
 
-static const char *draw_any_loop(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_any_loop(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     (void)inputs;
-    if (extreme(rows, L_DISPLACEMENT, 1) == 0 && extreme(rows, L_DISPLACEMENT, -1) == 0)
+    if (dataset_largest(rows, L_DISPLACEMENT, 1) == 0 &&
+        dataset_largest(rows, L_DISPLACEMENT, -1) == 0)
         return "nothing slips, or the slip has no closed form";
-    snprintf(on->title, sizeof on->title, "*Q* through the history of loads");
-    on->x = axis_over(rows, L_DISPLACEMENT, "displacement by slip");
-    on->x.tic = tic_along_x(on->x.to - on->x.from);
-    on->y = axis_over(rows, L_Q, "*Q*");
-    on->height = 0.85;
-    drawing_curve(on, rows, 0, L_DISPLACEMENT, L_Q)->width = 1.2;
+    snprintf(plot->title, sizeof plot->title, "*Q* through the history of loads");
+    plot->x = axis_over(rows, L_DISPLACEMENT, "displacement by slip");
+    plot->x.tic = tic_along_x(plot->x.to - plot->x.from);
+    plot->y = axis_over(rows, L_Q, "*Q*");
+    plot->height = 0.85;
+    drawing_curve(plot, rows, 0, L_DISPLACEMENT, L_Q)->width = 1.2;
     return NULL;
 }
 
@@ -199,29 +192,30 @@ const figure figure_any_loop = {
 enum { F_X, F_SWT, F_ANGLE, F_SLIP, F_F1, F_F2, F_ENERGY };
 
 /* Measures the cycle at the places by default. */
-static void measure_usual(const figure_case *inputs, const last_cycle *last, measured *all)
+static void measure_usual(const figure_case *inputs, const last_cycle *last, measured *result)
 {
-    case_check(inputs, surface_usual(last, all) ? surface_measure(last, all) : RWEDGE_EABSENT);
+    case_check(inputs,
+               surface_usual(last, result) ? surface_measure(last, result) : RWEDGE_EABSENT);
 }
 
 static void compute_fretting(const figure_case *inputs, dataset *rows)
 {
     last_cycle last;
-    measured all;
+    measured result;
     const criteria usual = criteria_usual(&inputs->history->setup);
     history_cycle(inputs->history, &usual, &last, NULL);
-    measure_usual(inputs, &last, &all);
-    for (size_t i = 0; i < all.count; i++) {
-        const double *v = all.place[i].at.value;
+    measure_usual(inputs, &last, &result);
+    for (size_t i = 0; i < result.count; i++) {
+        const double *v = result.place[i].at.value;
         dataset_add(rows,
-                    (data_row){.number = {all.place[i].x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
+                    (data_row){.number = {result.place[i].x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
                                           v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
                                           v[MEASURE_RUIZ_F2], v[MEASURE_ENERGY_PER_AREA]}});
     }
 }
 
 /* The contact is where there is slip to speak of. */
-static void draw_contact(const dataset *rows, double height, drawing *on)
+static void draw_contact(const dataset *rows, double height, drawing *plot)
 {
     double left = NAN, right = NAN;
     for (size_t i = 0; i < rows->count; i++)
@@ -230,10 +224,10 @@ static void draw_contact(const dataset *rows, double height, drawing *on)
             right = fmax(right, rows->row[i].number[F_X]);
         }
     if (left < right)
-        drawing_bar(on, left, right, 0, -height)->width = 0.8;
+        drawing_bar(plot, left, right, 0, -height)->width = 0.8;
 }
 
-static const char *draw_fretting(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_fretting(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     (void)inputs;
     size_t best = 0;
@@ -245,16 +239,16 @@ static const char *draw_fretting(const figure_case *inputs, const dataset *rows,
                  to = rows->row[rows->count - 1].number[F_X];
     if (!(worst[F_SWT] > 0))
         return "there is no tension in the cycle";
-    snprintf(on->title, sizeof on->title, "Smith–Watson–Topper along the surface");
+    snprintf(plot->title, sizeof plot->title, "Smith–Watson–Topper along the surface");
     write_number(worst[F_X], 4, x);
-    snprintf(on->caption, sizeof on->caption, "bar: contact; worst: %.4g at *x* = %s", worst[F_SWT],
-             x);
-    on->x = (axis){"*x*", from, to, tic_along_x(to - from), 0};
-    on->y = drawing_axis(1.05 * worst[F_SWT], "SWT parameter");
-    on->y.from = -0.06 * worst[F_SWT];
-    on->height = 0.75;
-    drawing_curve(on, rows, 0, F_X, F_SWT)->width = 1.3;
-    draw_contact(rows, 0.03 * worst[F_SWT], on);
+    snprintf(plot->caption, sizeof plot->caption, "bar: contact; worst: %.4g at *x* = %s",
+             worst[F_SWT], x);
+    plot->x = (axis){"*x*", from, to, tic_along_x(to - from), 0};
+    plot->y = drawing_axis(1.05 * worst[F_SWT], "SWT parameter");
+    plot->y.from = -0.06 * worst[F_SWT];
+    plot->height = 0.75;
+    drawing_curve(plot, rows, 0, F_X, F_SWT)->width = 1.3;
+    draw_contact(rows, 0.03 * worst[F_SWT], plot);
     return NULL;
 }
 
@@ -282,12 +276,12 @@ static void measure_place(const figure_case *inputs, const last_cycle *last, dou
 
 static void measure_surface(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
-    measured all;
-    measure_usual(inputs, last, &all);
-    for (size_t i = 0; i < all.count; i++)
-        dataset_add(rows, (data_row){.number = {all.place[i].x, 0,
-                                                all.place[i].at.value[inputs->measure]}});
-    free(all.place);
+    measured result;
+    measure_usual(inputs, last, &result);
+    for (size_t i = 0; i < result.count; i++)
+        dataset_add(rows, (data_row){.number = {result.place[i].x, 0,
+                                                result.place[i].at.value[inputs->measure]}});
+    free(result.place);
 }
 
 static const data_row *worst_row_of(const dataset *rows)
@@ -331,14 +325,14 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
     ways[inputs->over](inputs, &last, rows);
 }
 
-static void draw_measure_field(const dataset *rows, double top, drawing *on)
+static void draw_measure_field(const dataset *rows, double top, drawing *plot)
 {
     const double *first = rows->row[0].number, *last = rows->row[rows->count - 1].number;
     const double step = step_of_levels(top), width = last[0] - first[0];
-    on->x = (axis){"*x*", first[0], last[0], tic_along_x(width), 0};
-    on->y = (axis){"*y*", last[1], 0, tic_along_x(last[1]), 0};
-    on->field = (contours){rows, COLUMNS, 0, 1, 2, step, top};
-    list_add(on->caption, sizeof on->caption, ";\n", "lines: every %.3g", step);
+    plot->x = (axis){"*x*", first[0], last[0], tic_along_x(width), 0};
+    plot->y = (axis){"*y*", last[1], 0, tic_along_x(last[1]), 0};
+    plot->field = (contours){rows, COLUMNS, 0, 1, 2, step, top};
+    list_add(plot->caption, sizeof plot->caption, ";\n", "lines: every %.3g", step);
 }
 
 static void write_unit(const char *unit, char text[DRAWING_TEXT])
@@ -352,20 +346,20 @@ static void write_unit(const char *unit, char text[DRAWING_TEXT])
 }
 
 static void draw_measure_curve(const figure_case *inputs, const dataset *rows, double top,
-                               drawing *on)
+                               drawing *plot)
 {
     const int along = inputs->over == OVER_DEPTH ? 1 : 0;
     const double from = rows->row[0].number[along], to = rows->row[rows->count - 1].number[along];
-    on->x = (axis){"", from, to, tic_along_x(to - from), 0};
-    snprintf(on->x.text, sizeof on->x.text, "%s", along == 1 ? "*y*" : "*x*");
-    on->y = drawing_axis(1.05 * top, "");
-    write_unit(measure_kinds[inputs->measure].unit, on->y.text);
-    on->y.from = -1.05 * extreme(rows, 2, -1);
-    on->height = 0.75;
-    drawing_curve(on, rows, 0, along, 2)->width = 1.3;
+    plot->x = (axis){"", from, to, tic_along_x(to - from), 0};
+    snprintf(plot->x.text, sizeof plot->x.text, "%s", along == 1 ? "*y*" : "*x*");
+    plot->y = drawing_axis(1.05 * top, "");
+    write_unit(measure_kinds[inputs->measure].unit, plot->y.text);
+    plot->y.from = -1.05 * dataset_largest(rows, 2, -1);
+    plot->height = 0.75;
+    drawing_curve(plot, rows, 0, along, 2)->width = 1.3;
 }
 
-static const char *draw_measure(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_measure(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     const double *worst = worst_row_of(rows)->number;
     char x[NUMBER_SIZE], y[NUMBER_SIZE];
@@ -373,14 +367,14 @@ static const char *draw_measure(const figure_case *inputs, const dataset *rows, 
         return "the measure is nowhere above 0";
     write_number(worst[0], 4, x);
     write_number(worst[1], 4, y);
-    snprintf(on->title, sizeof on->title, "%s", measure_kinds[inputs->measure].title);
-    snprintf(on->caption, sizeof on->caption, "%s: %.4g at%s*x* = %s, *y* = %s",
+    snprintf(plot->title, sizeof plot->title, "%s", measure_kinds[inputs->measure].title);
+    snprintf(plot->caption, sizeof plot->caption, "%s: %.4g at%s*x* = %s, *y* = %s",
              inputs->over == OVER_FIELD ? "largest of the grid" : "worst", worst[2],
              inputs->over == OVER_FIELD ? "\n" : " ", x, y);
     if (inputs->over == OVER_FIELD)
-        draw_measure_field(rows, worst[2], on);
+        draw_measure_field(rows, worst[2], plot);
     else
-        draw_measure_curve(inputs, rows, worst[2], on);
+        draw_measure_curve(inputs, rows, worst[2], plot);
     return NULL;
 }
 

@@ -54,23 +54,22 @@ static double energy_of_cycle(const curve *line)
     return first[line->count - 1].number[5] - first[LOOP_STEPS].number[5];
 }
 
-static const char *draw_loop(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_loop(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char text[NUMBER_SIZE];
-    double reach = 0;
-    snprintf(on->title, sizeof on->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s",
+    const double reach = dataset_largest(rows, 3, 1);
+    snprintf(plot->title, sizeof plot->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s",
              case_text(inputs, A_OVER_B, 0, text));
-    for (size_t i = 0; i < rows->count; i++)
-        reach = fmax(reach, rows->row[i].number[3]);
     if (reach == 0)
         return "without an amplitude nothing slips";
-    on->x = (axis){"displacement by slip / (*f*θ*b*)", -1.05 * reach, 1.05 * reach,
-                   drawing_tic(2.1 * reach), 0};
-    on->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
-    on->height = 0.85;
-    snprintf(on->caption, sizeof on->caption, "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
+    plot->x = (axis){"displacement by slip / (*f*θ*b*)", -1.05 * reach, 1.05 * reach,
+                     drawing_tic(2.1 * reach), 0};
+    plot->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
+    plot->height = 0.85;
+    snprintf(plot->caption, sizeof plot->caption,
+             "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
     for (int n = 0; n < inputs->value[Q_OVER_FP].count; n++) {
-        curve *line = draw_member(inputs, Q_OVER_FP, n, "", rows, 3, 2, on);
+        curve *line = draw_member(inputs, Q_OVER_FP, n, "", rows, 3, 2, plot);
         line->width = 1.3;
         list_add(line->legend, sizeof line->legend, ": ", "*W* = %#.3g", energy_of_cycle(line));
     }
@@ -168,20 +167,20 @@ static void compute_eccentric(const figure_case *inputs, dataset *rows)
 /* ---- The picture ---- */
 
 /* Friction's limit, f p. */
-static void draw_limit(double alpha, drawing *on)
+static void draw_limit(double alpha, drawing *plot)
 {
     enum { STEPS = 200 };
-    const int number = dataset_curves(&on->outlines);
+    const int number = dataset_curves(&plot->outlines);
     for (int i = -STEPS; i <= STEPS; i++) {
         const double x = i == 0 ? 0 : sin(0.5 * PI * i / STEPS);
-        dataset_add(&on->outlines,
+        dataset_add(&plot->outlines,
                     (data_row){.curve = number, .number = {x, -PI * rwedge_pressure(alpha, x)}});
     }
-    drawing_curve(on, &on->outlines, number, 0, 1)->width = 0.5;
+    drawing_curve(plot, &plot->outlines, number, 0, 1)->width = 0.5;
 }
 
 /* Below the curves, one below the other: a bar for each stick zone. */
-static void draw_stick_zones(const dataset *rows, double y, double step, drawing *on)
+static void draw_stick_zones(const dataset *rows, double y, double step, drawing *plot)
 {
     for (int n = 0; n < dataset_curves(rows); n++) {
         size_t first;
@@ -189,40 +188,33 @@ static void draw_stick_zones(const dataset *rows, double y, double step, drawing
         const double *row = rows->row[first].number, top = y - n * step;
         if (!isfinite(row[STICK_LEFT]))
             continue;
-        curve *bar = drawing_bar(on, row[STICK_LEFT], row[STICK_RIGHT], top, top - step / 2);
+        curve *bar = drawing_bar(plot, row[STICK_LEFT], row[STICK_RIGHT], top, top - step / 2);
         style_of_family(bar, n);
         bar->width = 1.4;
     }
 }
 
-static double extreme(const dataset *rows, double sign)
-{
-    double most = 0;
-    for (size_t i = 0; i < rows->count; i++)
-        if (isfinite(rows->row[i].number[SHEAR]))
-            most = fmax(most, sign * rows->row[i].number[SHEAR]);
-    return most;
-}
-
-static const char *draw_eccentric(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_eccentric(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char alpha[NUMBER_SIZE], text[NUMBER_SIZE];
-    const double top = extreme(rows, 1), bottom = extreme(rows, -1), step = 0.05 * (top + bottom);
+    const double top = dataset_largest(rows, SHEAR, 1), bottom = dataset_largest(rows, SHEAR, -1),
+                 step = 0.05 * (top + bottom);
     if (top == 0)
         return "without Q there is no shear traction";
-    snprintf(on->title, sizeof on->title,
+    snprintf(plot->title, sizeof plot->title,
              "Shear traction with bulk tension,\n*a*/*b* = %s, *Q*/(*fP*) = %s",
              case_text(inputs, A_OVER_B, 0, alpha), case_text(inputs, Q_OVER_FP, 0, text));
-    snprintf(on->caption, sizeof on->caption, "bars: stick zones; thin line: friction's limit");
-    on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    on->y = drawing_axis(1.05 * top, "−*qA*π/(*f*θ)");
-    on->y.from = -bottom - step * (dataset_curves(rows) + 1);
-    on->height = 0.9;
-    draw_limit(case_value(inputs, A_OVER_B), on);
+    snprintf(plot->caption, sizeof plot->caption, "bars: stick zones; thin line: friction's limit");
+    plot->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
+    plot->y = drawing_axis(1.05 * top, "−*qA*π/(*f*θ)");
+    plot->y.from = -bottom - step * (dataset_curves(rows) + 1);
+    plot->height = 0.9;
+    draw_limit(case_value(inputs, A_OVER_B), plot);
     for (int n = 0; n < dataset_curves(rows); n++) {
-        draw_member(inputs, SIGMA_OVER_MAX, n, "π*b*σ/(4*Q*) = ", rows, X, SHEAR, on)->width = 1.4;
+        draw_member(inputs, SIGMA_OVER_MAX, n, "π*b*σ/(4*Q*) = ", rows, X, SHEAR, plot)->width =
+            1.4;
     }
-    draw_stick_zones(rows, -bottom - step, step, on);
+    draw_stick_zones(rows, -bottom - step, step, plot);
     return NULL;
 }
 

@@ -88,51 +88,51 @@ static double normal_at(const dataset *rows, double alpha, int column)
     return rows->count > 0 ? rows->row[i].number[column] : NAN;
 }
 
-static void draw_jump(const dataset *rows, drawing *on)
+static void draw_jump(const dataset *rows, drawing *plot)
 {
     size_t first;
     if (dataset_curve(rows, 0, &first) < 2 || dataset_curve(rows, 1, &first) == 0)
         return;
     const double alpha = rows->row[first].number[0], y = rows->row[first].number[3];
     for (int i = 0; i < 2; i++)
-        dataset_add(&on->outlines, (data_row){.curve = 0, .number = {alpha, i * y}});
-    curve *jump = drawing_curve(on, &on->outlines, 0, 0, 1);
+        dataset_add(&plot->outlines, (data_row){.curve = 0, .number = {alpha, i * y}});
+    curve *jump = drawing_curve(plot, &plot->outlines, 0, 0, 1);
     jump->second_axis = true;
     jump->colour = VERMILLION;
     jump->dash = 2;
     const bool left = alpha < 0.5;
-    label *note = drawing_label(on, left ? fmax(alpha + 0.03, 0.08) : alpha - 0.03, 0.07,
+    label *note = drawing_label(plot, left ? fmax(alpha + 0.03, 0.08) : alpha - 0.03, 0.07,
                                 "jump at %.4g", alpha);
     note->second_axis = true;
     note->colour = VERMILLION;
     note->align = left ? ALIGN_LEFT : ALIGN_RIGHT;
 }
 
-static const char *draw_normal(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_normal(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char nu[NUMBER_SIZE];
-    snprintf(on->title, sizeof on->title, "Elastic limit under a normal load, ν = %s",
+    snprintf(plot->title, sizeof plot->title, "Elastic limit under a normal load, ν = %s",
              case_text(inputs, NU, 0, nu));
     const double top = ceil(normal_at(rows, 1, 2));
-    on->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
-    on->y = (axis){"*P*/(*bk*)", 0, top > 4 ? top : 5, 1, 0};
-    on->second = (axis){"*y*/*b* of the yield point", 0, 1, 0.2, 0};
-    on->height = 0.85;
+    plot->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
+    plot->y = (axis){"*P*/(*bk*)", 0, top > 4 ? top : 5, 1, 0};
+    plot->second = (axis){"*y*/*b* of the yield point", 0, 1, 0.2, 0};
+    plot->height = 0.85;
     for (int n = 0; n < 2; n++) {
-        drawing_curve(on, rows, n, 0, 2)->width = 1.5;
-        curve *depth = drawing_curve(on, rows, n, 0, 3);
+        drawing_curve(plot, rows, n, 0, 2)->width = 1.5;
+        curve *depth = drawing_curve(plot, rows, n, 0, 3);
         depth->width = 1.5;
         depth->second_axis = true;
         depth->colour = VERMILLION;
         depth->dash = 1;
     }
-    drawing_label(on, 0.42, normal_at(rows, 0.42, 2) + 0.05 * on->y.to, "← *P*/(*bk*)")->align =
+    drawing_label(plot, 0.42, normal_at(rows, 0.42, 2) + 0.05 * plot->y.to, "← *P*/(*bk*)")->align =
         ALIGN_RIGHT;
     const double deep = normal_at(rows, 0.66, 3);
-    label *depth = drawing_label(on, 0.66, deep > 0.2 ? deep - 0.07 : deep + 0.07, "*y*/*b* →");
+    label *depth = drawing_label(plot, 0.66, deep > 0.2 ? deep - 0.07 : deep + 0.07, "*y*/*b* →");
     depth->second_axis = true;
     depth->colour = VERMILLION;
-    draw_jump(rows, on);
+    draw_jump(rows, plot);
     return NULL;
 }
 
@@ -202,20 +202,18 @@ static void compute_sliding(const figure_case *inputs, dataset *rows)
         add_sliding_curve(inputs, n, rows);
 }
 
-static const char *draw_sliding(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_sliding(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char text[NUMBER_SIZE];
-    double top = 0;
-    snprintf(on->title, sizeof on->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s",
+    const double top = dataset_largest(rows, 3, 1);
+    snprintf(plot->title, sizeof plot->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s",
              case_text(inputs, NU, 0, text));
-    for (size_t i = 0; i < rows->count; i++)
-        top = fmax(top, rows->row[i].number[3]);
     if (top == 0)
         return "the elastic limit of a sharp wedge is 0";
-    on->x = (axis){"*f*", 0, FRICTION_TOP, 0.2, 0};
-    on->y = drawing_axis(top, "*P*/(*bk*)");
-    on->height = 0.96;
-    draw_family(inputs, A_OVER_B, rows, 1, 3, on);
+    plot->x = (axis){"*f*", 0, FRICTION_TOP, 0.2, 0};
+    plot->y = drawing_axis(top, "*P*/(*bk*)");
+    plot->height = 0.96;
+    draw_family(inputs, A_OVER_B, rows, 1, 3, plot);
     return NULL;
 }
 
@@ -253,46 +251,42 @@ static void compute_yield_point(const figure_case *inputs, dataset *rows)
 
 /* The line has the name. What the marks are is said once. */
 static void draw_path(const figure_case *inputs, const dataset *rows, int n, bool explain,
-                      drawing *on)
+                      drawing *plot)
 {
-    const curve *line = draw_member(inputs, A_OVER_B, n, "", rows, 3, 4, on);
-    curve *crosses = drawing_curve(on, rows, n, 3, 4);
+    const curve *line = draw_member(inputs, A_OVER_B, n, "", rows, 3, 4, plot);
+    curve *crosses = drawing_curve(plot, rows, n, 3, 4);
     crosses->style = STYLE_CROSSES;
     crosses->colour = line->colour;
     crosses->count--;
-    curve *end = drawing_curve(on, rows, n, 3, 4);
+    curve *end = drawing_curve(plot, rows, n, 3, 4);
     end->style = STYLE_CIRCLES;
     end->colour = VERMILLION;
     end->first += end->count - 1;
     end->count = 1;
     if (explain)
-        snprintf(on->caption, sizeof on->caption,
+        snprintf(plot->caption, sizeof plot->caption,
                  "crosses: every 0.0125 in *f*;\ncircles: jump to the surface");
 }
 
 /* The deepest and the rightmost point. */
-static void set_axes(const dataset *rows, drawing *on)
+static void set_axes(const dataset *rows, drawing *plot)
 {
-    double right = 0, down = 0;
-    for (size_t i = 0; i < rows->count; i++) {
-        right = fmax(right, rows->row[i].number[3]);
-        down = fmax(down, rows->row[i].number[4]);
-    }
-    on->y = drawing_axis(1.02 * down, "*y*/*b*");
-    on->y.from = on->y.to;
-    on->y.to = 0;
-    on->x = drawing_axis(fmax(1.05 * right, on->y.from), "*x*/*b*");
+    const double right = dataset_largest(rows, 3, 1), down = dataset_largest(rows, 4, 1);
+    plot->y = drawing_axis(1.02 * down, "*y*/*b*");
+    plot->y.from = plot->y.to;
+    plot->y.to = 0;
+    plot->x = drawing_axis(fmax(1.05 * right, plot->y.from), "*x*/*b*");
 }
 
 /* Values of a/b that have no path; all texts fit, or the last is cut. */
-static void name_missing(const figure_case *inputs, const dataset *rows, drawing *on)
+static void name_missing(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char text[NUMBER_SIZE];
     size_t first;
     int missing = 0;
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++)
         if (dataset_curve(rows, n, &first) == 0) {
-            list_add(on->caption, sizeof on->caption,
+            list_add(plot->caption, sizeof plot->caption,
                      missing == 0       ? ";\n"
                      : missing % 3 == 0 ? ",\n"
                                         : ", ",
@@ -302,23 +296,23 @@ static void name_missing(const figure_case *inputs, const dataset *rows, drawing
         }
 }
 
-static const char *draw_yield_point(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_yield_point(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char text[NUMBER_SIZE];
     if (rows->count == 0)
         return "it yields at the surface, whatever f is";
-    snprintf(on->title, sizeof on->title, "Subsurface yield point, by *a*/*b*; ν = %s",
+    snprintf(plot->title, sizeof plot->title, "Subsurface yield point, by *a*/*b*; ν = %s",
              case_text(inputs, NU, 0, text));
-    set_axes(rows, on);
+    set_axes(rows, plot);
     bool explain = true;
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
         size_t first;
         if (dataset_curve(rows, n, &first) == 0)
             continue;
-        draw_path(inputs, rows, n, explain, on);
+        draw_path(inputs, rows, n, explain, plot);
         explain = false;
     }
-    name_missing(inputs, rows, on);
+    name_missing(inputs, rows, plot);
     return NULL;
 }
 

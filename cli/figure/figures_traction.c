@@ -71,13 +71,13 @@ static double top_of_pressures(const figure_case *inputs)
     return top;
 }
 
-static const char *draw_pressure(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_pressure(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
-    snprintf(on->title, sizeof on->title, "Contact pressure, by *a*/*b*");
-    on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    on->y = drawing_axis(top_of_pressures(inputs), "−*pA*π/θ");
-    on->height = 0.85;
-    draw_family(inputs, A_OVER_B, rows, 1, 2, on);
+    snprintf(plot->title, sizeof plot->title, "Contact pressure, by *a*/*b*");
+    plot->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
+    plot->y = drawing_axis(top_of_pressures(inputs), "−*pA*π/θ");
+    plot->height = 0.85;
+    draw_family(inputs, A_OVER_B, rows, 1, 2, plot);
     return NULL;
 }
 
@@ -101,16 +101,16 @@ static void compute_tension(const figure_case *inputs, dataset *rows)
     }
 }
 
-static const char *draw_tension(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_tension(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     (void)inputs;
-    snprintf(on->title, sizeof on->title, "Maximum tension in full sliding");
-    on->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
-    on->y = (axis){"*b*σ_1/(*fP*)", 0.95, 1.3, 0.05, 0};
-    on->height = 0.72;
-    drawing_curve(on, rows, 0, 0, 1)->width = 1.5;
-    drawing_label(on, 0.03, 1.046, "1, sharp wedge");
-    drawing_label(on, 0.965, 4 / PI, "4/π, Hertz")->align = ALIGN_RIGHT;
+    snprintf(plot->title, sizeof plot->title, "Maximum tension in full sliding");
+    plot->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
+    plot->y = (axis){"*b*σ_1/(*fP*)", 0.95, 1.3, 0.05, 0};
+    plot->height = 0.72;
+    drawing_curve(plot, rows, 0, 0, 1)->width = 1.5;
+    drawing_label(plot, 0.03, 1.046, "1, sharp wedge");
+    drawing_label(plot, 0.965, 4 / PI, "4/π, Hertz")->align = ALIGN_RIGHT;
     return NULL;
 }
 
@@ -159,21 +159,21 @@ static double top_of_shear(const figure_case *inputs, const dataset *rows)
     return top;
 }
 
-static const char *draw_shear(const figure_case *inputs, const dataset *rows, drawing *on)
+static const char *draw_shear(const figure_case *inputs, const dataset *rows, drawing *plot)
 {
     char text[NUMBER_SIZE];
-    snprintf(on->title, sizeof on->title, "Shear traction in partial slip, *a*/*b* = %s",
+    snprintf(plot->title, sizeof plot->title, "Shear traction in partial slip, *a*/*b* = %s",
              case_text(inputs, A_OVER_B, 0, text));
     const double top = top_of_shear(inputs, rows);
     if (top == 0)
         return "without slip there is no shear traction";
-    on->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    on->y = drawing_axis(top, "−*qA*π/(*f*θ)");
-    on->height = 0.8;
+    plot->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
+    plot->y = drawing_axis(top, "−*qA*π/(*f*θ)");
+    plot->height = 0.8;
     for (int n = 0; n < dataset_curves(rows); n++) {
-        draw_member(inputs, C_OVER_B, n, "*c*/*b* = ", rows, 1, 2, on)->width = 1.4;
+        draw_member(inputs, C_OVER_B, n, "*c*/*b* = ", rows, 1, 2, plot)->width = 1.4;
         if (range_value(&inputs->value[C_OVER_B], n) == 0)
-            snprintf(on->caption, sizeof on->caption,
+            snprintf(plot->caption, sizeof plot->caption,
                      "*c*/*b* = 0 is full sliding: the pressure, −*pA*π/θ");
     }
     return NULL;

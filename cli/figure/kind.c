@@ -46,10 +46,10 @@ void style_of_family(curve *line, int i)
 }
 
 curve *draw_member(const figure_case *inputs, int variable, int n, const char *words,
-                   const dataset *rows, int x, int y, drawing *on)
+                   const dataset *rows, int x, int y, drawing *plot)
 {
     char text[NUMBER_SIZE];
-    curve *line = drawing_curve(on, rows, n, x, y);
+    curve *line = drawing_curve(plot, rows, n, x, y);
     style_of_family(line, n);
     snprintf(line->legend, sizeof line->legend, "%s%s", words,
              case_text(inputs, variable, n, text));
@@ -57,10 +57,10 @@ curve *draw_member(const figure_case *inputs, int variable, int n, const char *w
 }
 
 void draw_family(const figure_case *inputs, int variable, const dataset *rows, int x, int y,
-                 drawing *on)
+                 drawing *plot)
 {
     for (int n = 0; n < dataset_curves(rows); n++)
-        draw_member(inputs, variable, n, "", rows, x, y, on);
+        draw_member(inputs, variable, n, "", rows, x, y, plot);
 }
 
 double step_of_levels(double top)

@@ -56,29 +56,29 @@ static double read_constant(const arguments *line, int number, double least)
     return value;
 }
 
-static void need(const criteria *all, int criterion, double constant, const char *option)
+static void need(const criteria *asked, int criterion, double constant, const char *option)
 {
-    if (all->is_wanted[criterion] && isnan(constant))
+    if (asked->is_wanted[criterion] && isnan(constant))
         usage_error("%s: needs --%s", criterion_kinds[criterion].name, option);
 }
 
-static void read_constants(const arguments *line, criteria *all)
+static void read_constants(const arguments *line, criteria *asked)
 {
-    all->archard = read_constant(line, OPTION_ARCHARD, 1e-60);
-    all->su = read_constant(line, OPTION_OF(MATERIAL_SU), 1e-60);
+    asked->archard = read_constant(line, OPTION_ARCHARD, 1e-60);
+    asked->su = read_constant(line, OPTION_OF(MATERIAL_SU), 1e-60);
     for (int i = 0; i < CRITERION_COUNT; i++) {
         const int constant = criterion_kinds[i].constant;
         if (constant == MATERIAL_COUNT)
             continue;
-        all->constant[i] =
+        asked->constant[i] =
             read_constant(line, OPTION_OF(constant), constant == MATERIAL_T_A ? 1e-60 : 0);
-        all->is_wanted[i] = all->is_listed ? all->is_wanted[i] : !isnan(all->constant[i]);
-        need(all, i, all->constant[i], name_of(OPTION_OF(constant)));
+        asked->is_wanted[i] = asked->is_listed ? asked->is_wanted[i] : !isnan(asked->constant[i]);
+        need(asked, i, asked->constant[i], name_of(OPTION_OF(constant)));
     }
-    if (!all->is_listed && !isnan(all->su))
-        all->is_wanted[CRITERION_MCDIARMID] = true;
-    need(all, CRITERION_MCDIARMID, all->constant[CRITERION_MCDIARMID], "t-a");
-    need(all, CRITERION_MCDIARMID, all->su, "su");
+    if (!asked->is_listed && !isnan(asked->su))
+        asked->is_wanted[CRITERION_MCDIARMID] = true;
+    need(asked, CRITERION_MCDIARMID, asked->constant[CRITERION_MCDIARMID], "t-a");
+    need(asked, CRITERION_MCDIARMID, asked->su, "su");
 }
 
 /* ---- --criteria ---- */
@@ -100,21 +100,21 @@ static void refuse_name(const char *text)
     usage_error("--criteria %s: must be a list of: %s", text, allowed);
 }
 
-static void read_names(const char *text, criteria *all)
+static void read_names(const char *text, criteria *asked)
 {
     for (const char *word = text; word != NULL;) {
         const size_t length = strcspn(word, ",");
         const int i = criterion_named(word, length);
         if (i < 0)
             refuse_name(text);
-        all->is_wanted[i] = true;
+        asked->is_wanted[i] = true;
         word = word[length] == ',' ? word + length + 1 : NULL;
     }
 }
 
 /* ---- All ---- */
 
-static void read_plane_stress(arguments *line, criteria *all)
+static void read_plane_stress(arguments *line, criteria *asked)
 {
     static char zero[] = "0";
     input_texts texts;
@@ -122,37 +122,39 @@ static void read_plane_stress(arguments *line, criteria *all)
     input_texts_from_options(line, &texts);
     if (!input_is_given(&texts, INPUT_NU1))
         return; /* it will be missed */
-    if (!input_read(&texts, INPUT_NU1, &all->nu, complaint))
+    if (!input_read(&texts, INPUT_NU1, &asked->nu, complaint))
         usage_error("%s", complaint);
     line->value[OPTION_INPUT + INPUT_NU1] = zero;
     if (input_is_given(&texts, INPUT_NU2))
         line->value[OPTION_INPUT + INPUT_NU2] = zero;
 }
 
-void criteria_read(arguments *line, const material *constants, criteria *all)
+void criteria_read(arguments *line, const material *constants, criteria *asked)
 {
-    *all = criteria_usual(&(contact_case){.nu1 = NAN});
-    all->constants = constants;
-    all->is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL;
-    if (all->is_plane_stress)
-        read_plane_stress(line, all);
-    all->is_listed = line->value[OPTION_CRITERIA] != NULL;
-    read_names(line->value[OPTION_CRITERIA], all);
-    read_constants(line, all);
+    *asked = criteria_usual(&(contact_case){.nu1 = NAN});
+    asked->constants = constants;
+    asked->is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL;
+    if (asked->is_plane_stress)
+        read_plane_stress(line, asked);
+    asked->is_listed = line->value[OPTION_CRITERIA] != NULL;
+    read_names(line->value[OPTION_CRITERIA], asked);
+    read_constants(line, asked);
 }
 
 /* Damage is written where its criterion is, or by itself. */
-static void read_damage(int criterion, int damage, const char *needed, criteria *all)
+static void read_damage(int criterion, int damage, const char *needed, criteria *asked)
 {
-    const bool has_life = material_has_life(all->constants, criterion);
-    if (all->is_wanted[damage] && !has_life)
+    const bool has_life = material_has_life(asked->constants, criterion);
+    if (asked->is_wanted[damage] && !has_life)
         usage_error("%s: needs %s of --material", criterion_kinds[damage].name, needed);
-    all->is_wanted[damage] = all->is_wanted[damage] || all->is_wanted[criterion] || !all->is_listed;
-    all->is_wanted[damage] = all->is_wanted[damage] && has_life && !isnan(all->constant[criterion]);
-    all->constant[damage] = all->is_wanted[damage] ? all->constant[criterion] : NAN;
+    asked->is_wanted[damage] =
+        asked->is_wanted[damage] || asked->is_wanted[criterion] || !asked->is_listed;
+    asked->is_wanted[damage] =
+        asked->is_wanted[damage] && has_life && !isnan(asked->constant[criterion]);
+    asked->constant[damage] = asked->is_wanted[damage] ? asked->constant[criterion] : NAN;
 }
 
-void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all)
+void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *asked)
 {
     const char *text = line->value[OPTION_OF(MATERIAL_FS_K)];
     double k = 1;
@@ -160,13 +162,13 @@ void criteria_read_strength(const arguments *line, const contact_case *setup, cr
         usage_error("--fs-k %s: must be a number from 0 to 1000000", text);
     if (text != NULL && isnan(setup->k))
         usage_error("--fs-k %s: needs --k or --yield-stress", text);
-    all->constant[CRITERION_FATEMI_SOCIE] = criteria_fatemi_socie(setup, k);
-    need(all, CRITERION_FATEMI_SOCIE, setup->k, "yield-stress");
-    need(all, CRITERION_FS_DAMAGE, setup->k, "yield-stress");
-    read_damage(CRITERION_SWT, CRITERION_SWT_DAMAGE, "sf, b, ef, c", all);
-    read_damage(CRITERION_FATEMI_SOCIE, CRITERION_FS_DAMAGE, "G, tf, b0, gf, c0", all);
-    if (!all->is_plane_stress)
-        all->nu = setup->nu1;
+    asked->constant[CRITERION_FATEMI_SOCIE] = criteria_fatemi_socie(setup, k);
+    need(asked, CRITERION_FATEMI_SOCIE, setup->k, "yield-stress");
+    need(asked, CRITERION_FS_DAMAGE, setup->k, "yield-stress");
+    read_damage(CRITERION_SWT, CRITERION_SWT_DAMAGE, "sf, b, ef, c", asked);
+    read_damage(CRITERION_FATEMI_SOCIE, CRITERION_FS_DAMAGE, "G, tf, b0, gf, c0", asked);
+    if (!asked->is_plane_stress)
+        asked->nu = setup->nu1;
 }
 
 /* ---- A file of constants ---- */
@@ -179,18 +181,18 @@ static int option_of(int constant)
                                     : OPTION_OF(constant);
 }
 
-static void set(const char *file, const char *name, double value, material *all)
+static void set(const char *file, const char *name, double value, material *constants)
 {
     const int i = material_constant(name);
     if (i < 0)
         failure("%s: %.60s: no constant that is known here; see rwedge fretting in its manual",
                 file, name);
-    all->value[i] = value;
+    constants->value[i] = value;
 }
 
 /* ---- The file ---- */
 
-static void read_json(const char *path, material *all)
+static void read_json(const char *path, material *constants)
 {
     json_error_t error;
     json_t *top = json_load_file(path, JSON_REJECT_DUPLICATES, &error), *value;
@@ -207,12 +209,12 @@ static void read_json(const char *path, material *all)
             continue;
         if (!json_is_number(value))
             failure("%s: %.60s: must be a number", path, name);
-        set(path, name, json_number_value(value), all);
+        set(path, name, json_number_value(value), constants);
     }
     json_decref(top);
 }
 
-static void read_csv(const char *path, const char *encoding, material *all)
+static void read_csv(const char *path, const char *encoding, material *constants)
 {
     csv_input *in = csv_input_open(path, ',', encoding);
     while (csv_input_next(in) == CSV_ROW) {
@@ -224,7 +226,7 @@ static void read_csv(const char *path, const char *encoding, material *all)
             continue;
         if (!number_read_cell(cells[1], '.', &value))
             failure("%s: line %" PRId64 ": %.60s: must be a number", path, in->line, cells[0]);
-        set(path, cells[0], value, all);
+        set(path, cells[0], value, constants);
     }
     csv_input_check(in);
     csv_input_close(in);
@@ -233,11 +235,11 @@ static void read_csv(const char *path, const char *encoding, material *all)
 /* ---- All ---- */
 
 /* Either all of these or none. */
-static void need_group(const char *path, const material *all, int first, int last)
+static void need_group(const char *path, const material *constants, int first, int last)
 {
     int missing = -1, there = -1;
     for (int i = first; i <= last; i++)
-        *(isnan(all->value[i]) ? &missing : &there) = i;
+        *(isnan(constants->value[i]) ? &missing : &there) = i;
     if (missing >= 0 && there >= 0)
         failure("%s: %s: missing; needed beside %s", path, material_names[missing],
                 material_names[there]);
@@ -245,7 +247,7 @@ static void need_group(const char *path, const material *all, int first, int las
 
 /* What the file has stands for options that are not given. k without a yield stress, and su without
  * t_A, say nothing. */
-static void hand_over(const material *all, arguments *line)
+static void hand_over(const material *constants, arguments *line)
 {
     static char texts[MATERIAL_COUNT][NUMBER_SIZE];
     char **value = line->value;
@@ -255,25 +257,25 @@ static void hand_over(const material *all, arguments *line)
             (i == MATERIAL_FS_K && value[OPTION_INPUT + INPUT_YIELD_STRESS] == NULL) ||
             (i == MATERIAL_SU && value[OPTION_OF(MATERIAL_T_A)] == NULL) ||
             (i == MATERIAL_YIELD_STRESS && value[OPTION_INPUT + INPUT_K] != NULL);
-        if (isnan(all->value[i]) || value[option] != NULL || is_idle)
+        if (isnan(constants->value[i]) || value[option] != NULL || is_idle)
             continue;
-        number_write(all->value[i], NUMBER_DIGITS, '.', texts[i]);
+        number_write(constants->value[i], NUMBER_DIGITS, '.', texts[i]);
         value[option] = texts[i];
     }
 }
 
-void material_read(const char *path, arguments *line, material *all)
+void material_read(const char *path, arguments *line, material *constants)
 {
-    *all = material_unknown();
+    *constants = material_unknown();
     if (path == NULL)
         return;
     const char *ending = strrchr(path, '.');
     if (ending != NULL && strcasecmp(ending, ".json") == 0)
-        read_json(path, all);
+        read_json(path, constants);
     else
-        read_csv(path, line->value[OPTION_ENCODING], all);
-    need_group(path, all, MATERIAL_SF, MATERIAL_C);
-    need_group(path, all, MATERIAL_G, MATERIAL_C0);
-    need_group(path, all, MATERIAL_DK_TH, MATERIAL_DS0);
-    hand_over(all, line);
+        read_csv(path, line->value[OPTION_ENCODING], constants);
+    need_group(path, constants, MATERIAL_SF, MATERIAL_C);
+    need_group(path, constants, MATERIAL_G, MATERIAL_C0);
+    need_group(path, constants, MATERIAL_DK_TH, MATERIAL_DS0);
+    hand_over(constants, line);
 }

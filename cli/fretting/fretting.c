@@ -79,7 +79,7 @@ typedef struct {
     contact_history history;
     last_cycle last;
     doubts doubts;
-    measured all;
+    measured result;
     material constants;
     worst_table worst;
     int threads;
@@ -93,22 +93,22 @@ enum { BATCH = 128 }; /* places */
  * can be. */
 static size_t batch_size(const plan *job)
 {
-    const size_t share = job->all.count / (size_t)job->threads + 1;
+    const size_t share = job->result.count / (size_t)job->threads + 1;
     return rwedge_contact_error(job->last.before) > 0 && share > BATCH ? share : BATCH;
 }
 
 static void compute_batch(const void *of_plan, int64_t i, void *status)
 {
     const plan *job = of_plan;
-    const size_t size = batch_size(job), first = (size_t)i * size, left = job->all.count - first;
-    measured part = {.place = job->all.place + first, .count = left < size ? left : size};
+    const size_t size = batch_size(job), first = (size_t)i * size, left = job->result.count - first;
+    measured part = {.place = job->result.place + first, .count = left < size ? left : size};
     *(int32_t *)status = surface_measure(&job->last, &part);
 }
 
 static void compute(const plan *job)
 {
     const size_t size = batch_size(job);
-    const int64_t batches = (int64_t)((job->all.count + size - 1) / size);
+    const int64_t batches = (int64_t)((job->result.count + size - 1) / size);
     ahead *work = ahead_start(job->threads, batches, sizeof(int32_t), compute_batch, job);
     int32_t status = RWEDGE_OK;
     for (int64_t i = 0; i < batches && status == RWEDGE_OK; i++)
@@ -133,81 +133,57 @@ static void write_row(const criteria *asked, const measured_place *place, record
 static void write_rows(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
-    progress_start(rows->show_progress, (int64_t)job->all.count, "rows");
+    progress_start(rows->show_progress, (int64_t)job->result.count, "rows");
     records_name(rows, "x");
     records_name(rows, "y");
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
             records_name(rows, measure_kinds[i].column);
     records_end_header(rows);
-    for (size_t i = 0; i < job->all.count && records_go_on(rows); i++)
-        if (job->all.place[i].is_shown)
-            write_row(&job->last.asked, &job->all.place[i], rows);
+    for (size_t i = 0; i < job->result.count && records_go_on(rows); i++)
+        if (job->result.place[i].is_shown)
+            write_row(&job->last.asked, &job->result.place[i], rows);
 }
 
 /* ---- For ParaView ---- */
 
-/* The places that are written, and the columns. Of lines the same are written of each. */
-typedef struct {
-    const measured *all;
-    size_t *shown, count, line;
-    int column[COLUMN_COUNT], columns;
-} source;
-
-static const measured_place *place_at(const source *written, int64_t column, int64_t row)
+/* The columns that are written, of the places that are. */
+static size_t take_numbers(const plan *job, vtk_points *points, double x[], double y[],
+                           double value[])
 {
-    return &written->all->place[(size_t)row * written->line + written->shown[column]];
+    const measured *result = &job->result;
+    size_t count = 0;
+    for (int i = 0; i < COLUMN_COUNT; i++)
+        if (column_is_wanted(&job->last.asked, i))
+            points->names[points->numbers++] = measure_kinds[i].column;
+    for (size_t i = 0; i < result->count; i++) {
+        const measured_place *place = &result->place[i];
+        if (!place->is_shown)
+            continue;
+        x[count] = place->x;
+        y[count++] = place->y;
+        for (int k = 0; k < COLUMN_COUNT; k++)
+            if (column_is_wanted(&job->last.asked, k))
+                *value++ = place->at.value[k];
+    }
+    return count;
 }
 
-static double x_of(const void *written, int64_t column)
-{
-    return place_at(written, column, 0)->x;
-}
-
-/* The depth of a row of a grid, or of a point. */
-static double y_of_row(const void *written, int64_t row)
-{
-    return place_at(written, 0, row)->y;
-}
-
-static double y_of_point(const void *written, int64_t point)
-{
-    return place_at(written, point, 0)->y;
-}
-
-static void numbers_of(const void *of_source, int64_t column, int64_t row, double value[])
-{
-    const source *written = of_source;
-    for (int i = 0; i < written->columns; i++)
-        value[i] = place_at(written, column, row)->at.value[written->column[i]];
-}
-
+/* Of lines the same places are written of each. */
 static void write_vtk(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
-    const measured *all = &job->all;
-    const bool is_grid = all->line > 0;
-    source s = {.all = all, .line = is_grid ? all->line : all->count};
+    const measured *result = &job->result;
+    double *x = memory_zeroed((2 + COLUMN_COUNT) * result->count, sizeof *x),
+           *y = x + result->count;
     vtk_points points = {.title = "rwedge fretting: y is the depth below the surface",
-                         .is_grid = is_grid,
-                         .x = x_of,
-                         .y = is_grid ? y_of_row : y_of_point,
-                         .numbers = numbers_of,
-                         .source = &s};
-    s.shown = memory_zeroed(s.line, sizeof *s.shown);
-    for (size_t i = 0; i < s.line; i++)
-        if (all->place[i].is_shown)
-            s.shown[s.count++] = i;
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        if (column_is_wanted(&job->last.asked, i)) {
-            points.names[s.columns] = measure_kinds[i].column;
-            s.column[s.columns++] = i;
-        }
-    points.count = s.columns;
-    points.columns = (int64_t)s.count;
-    points.rows = is_grid ? (int64_t)(all->count / s.line) : 1;
+                         .x = x,
+                         .y = y,
+                         .value = y + result->count};
+    points.count = take_numbers(job, &points, x, y, y + result->count);
+    points.columns = points.count * result->line / result->count;
     vtk_write(&points, rows);
-    free(s.shown);
+    free(x);
 }
 
 /* ---- The command ---- */
@@ -256,7 +232,7 @@ static void read_plan(arguments *line, plan *job, output_options *how)
     contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 3}, &job->history);
     criteria_read_strength(line, &job->history.setup, &asked);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
-    surface_places(line, how->decimal_sign, &job->last, &job->all);
+    surface_places(line, how->decimal_sign, &job->last, &job->result);
 }
 
 /* The output options of --worst: those of the rows, with its own file and the format of its
@@ -282,10 +258,10 @@ static void say_what_is_doubtful(const plan *job)
     load_history_say_unused(&job->history.loads);
 }
 
-static bool is_deep(const measured *all)
+static bool is_deep(const measured *result)
 {
-    for (size_t i = 0; i < all->count; i++)
-        if (all->place[i].y > 0)
+    for (size_t i = 0; i < result->count; i++)
+        if (result->place[i].y > 0)
             return true;
     return false;
 }
@@ -311,10 +287,10 @@ static int fretting(const arguments *typed)
     read_plan(&line, &job, &how);
     read_worst(&line, &how, &how_worst);
     compute(&job);
-    worst_find(&job.all, &job.worst);
-    worst_write(&job.worst, is_deep(&job.all), worst, sizeof worst);
-    if (job.all.line > 0 && line.value[OPTION_X] == NULL && !is_for_paraview(&how))
-        worst_add_places(&job.worst, &job.all);
+    worst_find(&job.result, &job.worst);
+    worst_write(&job.worst, is_deep(&job.result), worst, sizeof worst);
+    if (job.result.line > 0 && line.value[OPTION_X] == NULL && !is_for_paraview(&how))
+        worst_add_places(&job.worst, &job.result);
     write_output(&line, &how, &job);
     if (how_worst.path != NULL)
         output_options_write(&how_worst, worst_write_rows, &job.worst);
@@ -324,12 +300,8 @@ static int fretting(const arguments *typed)
     return STATUS_DONE;
 }
 
-static const syntax grammar = {options, "LOADS.csv [OPTION...]", describe, OPTION_LOAD};
-
 const command fretting_command = {
-    "fretting",
-    "rwedge fretting",
-    "a cycle of loads: stress range, SWT, slip, energy, the worst place",
-    &grammar,
-    NULL,
-    fretting};
+    .name = "fretting",
+    .summary = "a cycle of loads: stress range, SWT, slip, energy, the worst place",
+    .grammar = {options, "LOADS.csv [OPTION...]", describe, OPTION_LOAD},
+    .run = fretting};

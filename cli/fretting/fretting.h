@@ -29,13 +29,13 @@ typedef struct {
 /* The places of --x or, where it is not given, from one side of the contact to the other, at each
  * of the depths; of --at or --points as they are. */
 void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
-                    measured *all);
+                    measured *result);
 
 /* The places by default, on the surface. False where there are none. */
-bool surface_usual(const last_cycle *cycle, measured *all);
+bool surface_usual(const last_cycle *cycle, measured *result);
 
 /* The measures of all places at a time. Returns the library's status, or RWEDGE_ENOMEM. */
-int32_t surface_measure(const last_cycle *cycle, measured *all);
+int32_t surface_measure(const last_cycle *cycle, measured *result);
 
 /* ---- criteria_options ---- Options of criteria of fatigue: which are asked for, and their
  * constants. */
@@ -55,14 +55,14 @@ extern struct poptOption criteria_option_table[];
 
 /* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
  * from then on. */
-void criteria_read(arguments *line, const material *constants, criteria *all);
+void criteria_read(arguments *line, const material *constants, criteria *asked);
 
-/* When the contact is read: Fatemi and Socie's constant; then those of damage. */
-void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *all);
+/* To be called when the contact is read: sets Fatemi and Socie's constant, then those of damage. */
+void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *asked);
 
 /* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants
  * stand for options that are not given. What is wrong ends the command. */
-void material_read(const char *path, arguments *line, material *all);
+void material_read(const char *path, arguments *line, material *constants);
 
 /* ---- worst ---- Where each column of "rwedge fretting" is worst, also between the places: a line,
  * or a table. */
@@ -86,10 +86,10 @@ typedef struct {
     worst_row row[COLUMN_COUNT];
 } worst_table;
 
-void worst_find(const measured *all, worst_table *worst);
+void worst_find(const measured *result, worst_table *worst);
 
 /* Those between the places become places too. */
-void worst_add_places(const worst_table *worst, measured *all);
+void worst_add_places(const worst_table *worst, measured *result);
 
 /* "swt 1.2 at x = -0.3; swt_damage 0.01 at x = -0.3 (2 cycles)"; "" where
  * there is none. Depths where they matter. */

@@ -65,25 +65,25 @@ static stops stops_of_range(const char *text, const last_cycle *cycle)
     return along;
 }
 
-static measured *begin(size_t count, size_t line, measured *all)
+static measured *begin(size_t count, size_t line, measured *result)
 {
-    *all = (measured){.count = count, .line = line};
-    all->place = memory_zeroed(count + COLUMN_COUNT, sizeof *all->place);
-    return all;
+    *result = (measured){.count = count, .line = line};
+    result->place = memory_zeroed(count + COLUMN_COUNT, sizeof *result->place);
+    return result;
 }
 
-static void fill_lines(const stops *along, const range *depth, measured *all)
+static void fill_lines(const stops *along, const range *depth, measured *result)
 {
     if ((double)along->count * (double)depth->count > PLACES_MAX)
         usage_error("--depth: must not give more than %d places in all", PLACES_MAX);
-    begin(along->count * (size_t)depth->count, along->count, all);
-    for (size_t i = 0; i < all->count; i++)
-        all->place[i] = (measured_place){.x = along->stop[i % all->line].x,
-                                         .y = range_value(depth, (int64_t)(i / all->line)),
-                                         .is_shown = along->stop[i % all->line].is_shown};
+    begin(along->count * (size_t)depth->count, along->count, result);
+    for (size_t i = 0; i < result->count; i++)
+        result->place[i] = (measured_place){.x = along->stop[i % result->line].x,
+                                            .y = range_value(depth, (int64_t)(i / result->line)),
+                                            .is_shown = along->stop[i % result->line].is_shown};
 }
 
-static void read_lines(const arguments *line, const last_cycle *cycle, measured *all)
+static void read_lines(const arguments *line, const last_cycle *cycle, measured *result)
 {
     const char *x = line->value[OPTION_X];
     range depth = {0};
@@ -91,47 +91,47 @@ static void read_lines(const arguments *line, const last_cycle *cycle, measured 
     if (x == NULL && isnan(cycle->left))
         usage_error("--x: missing; there is no contact in the cycle to take places from");
     const stops along = x != NULL ? stops_of_range(x, cycle) : stops_usual(cycle);
-    fill_lines(&along, &depth, all);
+    fill_lines(&along, &depth, result);
     free(along.stop);
     range_free(&depth);
 }
 
 void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
-                    measured *all)
+                    measured *result)
 {
     places points = {0};
     if (line->value[OPTION_AT] == NULL && line->value[OPTION_POINTS] == NULL) {
-        read_lines(line, cycle, all);
+        read_lines(line, cycle, result);
         return;
     }
     places_read(line, decimal_sign, &points);
-    begin(points.count, 0, all);
+    begin(points.count, 0, result);
     for (size_t i = 0; i < points.count; i++)
-        all->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
+        result->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
     places_free(&points);
 }
 
-bool surface_usual(const last_cycle *cycle, measured *all)
+bool surface_usual(const last_cycle *cycle, measured *result)
 {
     const range surface = {.count = 1};
     const stops along = stops_usual(cycle);
-    fill_lines(&along, &surface, all);
+    fill_lines(&along, &surface, result);
     free(along.stop);
-    return all->count > 0;
+    return result->count > 0;
 }
 
-int32_t surface_measure(const last_cycle *cycle, measured *all)
+int32_t surface_measure(const last_cycle *cycle, measured *result)
 {
-    const size_t n = all->count;
+    const size_t n = result->count;
     double *x = memory_zeroed(2 * n, sizeof *x), *y = x + n;
     measures *at = memory_zeroed(n, sizeof *at);
     for (size_t i = 0; i < n; i++) {
-        x[i] = all->place[i].x;
-        y[i] = all->place[i].y;
+        x[i] = result->place[i].x;
+        y[i] = result->place[i].y;
     }
     const int32_t status = last_cycle_measure(cycle, n, x, y, at);
     for (size_t i = 0; i < n; i++)
-        all->place[i].at = at[i];
+        result->place[i].at = at[i];
     free(x);
     free(at);
     return status;

@@ -6,28 +6,30 @@
 
 /* ---- The search ---- */
 
-static size_t best_place(const measured *all, int column)
+static size_t best_place(const measured *result, int column)
 {
     size_t best = 0;
-    for (size_t i = 0; i < all->count; i++) {
-        const double value = all->place[i].at.value[column];
-        if (isnan(all->place[best].at.value[column]) || value > all->place[best].at.value[column])
+    for (size_t i = 0; i < result->count; i++) {
+        const double value = result->place[i].at.value[column];
+        if (isnan(result->place[best].at.value[column]) ||
+            value > result->place[best].at.value[column])
             best = i;
     }
     return best;
 }
 
 /* On the line of the best place, between the places too. */
-static void search_line(const last_cycle *last, const measured *all, int column, size_t first,
+static void search_line(const last_cycle *last, const measured *result, int column, size_t first,
                         worst_row *row)
 {
-    double *x = memory_zeroed(2 * all->line, sizeof *x), *value = x + all->line;
-    for (size_t i = 0; i < all->line; i++) {
-        x[i] = all->place[first + i].x;
-        value[i] = fmax(all->place[first + i].at.value[column], 0);
+    double *x = memory_zeroed(2 * result->line, sizeof *x), *value = x + result->line;
+    for (size_t i = 0; i < result->line; i++) {
+        x[i] = result->place[first + i].x;
+        value[i] = fmax(result->place[first + i].at.value[column], 0);
     }
-    status_check(last_cycle_worst(last, column, all->line, x, value, row->y, &row->x, &row->value),
-                 "the worst place");
+    status_check(
+        last_cycle_worst(last, column, result->line, x, value, row->y, &row->x, &row->value),
+        "the worst place");
     free(x);
 }
 
@@ -51,18 +53,19 @@ static double cycles_at(const measured_place *place, int damage)
     return place->at.value[measure_column(measure_criterion(damage), PART_CYCLES)];
 }
 
-void worst_find(const measured *all, worst_table *worst)
+void worst_find(const measured *result, worst_table *worst)
 {
     const last_cycle *last = worst->last;
     for (int i = 0; i < COLUMN_COUNT; i++) {
-        const size_t best = best_place(all, i);
-        const double value = all->place[best].at.value[i];
+        const size_t best = best_place(result, i);
+        const double value = result->place[best].at.value[i];
         const bool is_worst =
             value > 0 && measure_kinds[i].part == PART_VALUE && column_is_wanted(&last->asked, i);
-        worst->row[i] = (worst_row){all->place[best].x, all->place[best].y, is_worst ? value : NAN,
-                                    is_damage(i) ? cycles_at(&all->place[best], i) : NAN};
-        if (all->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
-            search_line(last, all, i, best - best % all->line, &worst->row[i]);
+        worst->row[i] =
+            (worst_row){result->place[best].x, result->place[best].y, is_worst ? value : NAN,
+                        is_damage(i) ? cycles_at(&result->place[best], i) : NAN};
+        if (result->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
+            search_line(last, result, i, best - best % result->line, &worst->row[i]);
     }
     take_wear(&last->asked, worst->row);
 }
@@ -77,34 +80,35 @@ static int in_order(const void *left, const void *right)
     return a->x < b->x ? -1 : a->x > b->x ? 1 : 0;
 }
 
-static bool is_there(const measured *all, double x, double y)
+static bool is_there(const measured *result, double x, double y)
 {
-    for (size_t i = 0; i < all->count; i++)
-        if (all->place[i].x == x && all->place[i].y == y && all->place[i].is_shown)
+    for (size_t i = 0; i < result->count; i++)
+        if (result->place[i].x == x && result->place[i].y == y && result->place[i].is_shown)
             return true;
     return false;
 }
 
-void worst_add_places(const worst_table *worst, measured *all)
+void worst_add_places(const worst_table *worst, measured *result)
 {
     double x[COLUMN_COUNT], y[COLUMN_COUNT];
     measures at[COLUMN_COUNT];
-    const size_t count = all->count;
+    const size_t count = result->count;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const worst_row *row = &worst->row[i];
-        if (isnan(row->value) || is_there(all, row->x, row->y))
+        if (isnan(row->value) || is_there(result, row->x, row->y))
             continue;
-        x[all->count - count] = row->x;
-        y[all->count - count] = row->y;
-        all->place[all->count++] = /* there is room */
+        x[result->count - count] = row->x;
+        y[result->count - count] = row->y;
+        result->place[result->count++] = /* there is room */
             (measured_place){.x = row->x, .y = row->y, .is_shown = true};
     }
-    if (all->count == count)
+    if (result->count == count)
         return;
-    status_check(last_cycle_measure(worst->last, all->count - count, x, y, at), "the worst places");
-    for (size_t i = count; i < all->count; i++)
-        all->place[i].at = at[i - count];
-    qsort(all->place, all->count, sizeof *all->place, in_order);
+    status_check(last_cycle_measure(worst->last, result->count - count, x, y, at),
+                 "the worst places");
+    for (size_t i = count; i < result->count; i++)
+        result->place[i].at = at[i - count];
+    qsort(result->place, result->count, sizeof *result->place, in_order);
 }
 
 /* ---- In words ---- */

@@ -294,12 +294,8 @@ static int history(const arguments *line)
     return STATUS_DONE;
 }
 
-static const syntax grammar = {options, "LOADS.csv [OPTION...]", describe, OPTION_LOAD};
-
 const command history_command = {
-    "history",
-    "rwedge history",
-    "a table of loads: what the contact is after each, or its stresses",
-    &grammar,
-    NULL,
-    history};
+    .name = "history",
+    .summary = "a table of loads: what the contact is after each, or its stresses",
+    .grammar = {options, "LOADS.csv [OPTION...]", describe, OPTION_LOAD},
+    .run = history};

@@ -44,35 +44,22 @@ static const char *complaint_about(double x, double y)
 
 /* ---- --at ---- */
 
-static bool read_pair(const char **text, double *x, double *y)
-{
-    size_t length = number_length(*text);
-    if (!number_read_part(*text, length, x) || (*text)[length] != ',')
-        return false;
-    *text += length + 1;
-    length = number_length(*text);
-    if (!number_read_part(*text, length, y))
-        return false;
-    *text += length;
-    return true;
-}
-
 static void read_at(const char *text, places *to)
 {
-    const char *rest = text;
+    const char *pair = text;
     bool said = false;
     for (bool last = false; !last;) {
-        double x, y;
-        rest += strspn(rest, " ");
-        const char *pair = rest;
-        if (!read_pair(&rest, &x, &y) || (*rest != ';' && *rest != '\0'))
+        double at[2];
+        pair += strspn(pair, " ");
+        const size_t length = strcspn(pair, ";");
+        if (number_read_list(pair, length, ',', 2, at) != 2)
             usage_error("--at %s: must be points x,y separated by semicolons", text);
-        if (complaint_about(x, y) != NULL)
-            usage_error("--at %s: %s", text, complaint_about(x, y));
-        add(to, x, y);
-        if (y > 0 && !said)
-            said = range_say_pair("at", text, pair, (size_t)(rest - pair));
-        last = *rest++ == '\0';
+        if (complaint_about(at[0], at[1]) != NULL)
+            usage_error("--at %s: %s", text, complaint_about(at[0], at[1]));
+        add(to, at[0], at[1]);
+        said = said || (at[1] > 0 && range_say_pair("at", text, pair, length));
+        last = pair[length] == '\0';
+        pair += length + 1;
     }
 }
 

@@ -11,49 +11,27 @@
 
 /* ---- One load ---- */
 
-typedef struct {
-    const point_rows *points;
-    const rwedge_contact *contact;
-} moment;
-
-static double point_x(const void *of_moment, int64_t column)
-{
-    return ((const moment *)of_moment)->points->at->x[column];
-}
-
-/* The first point of a row of the grid; any point of those that are no grid. */
-static double point_y(const void *of_moment, int64_t row)
-{
-    const places *at = ((const moment *)of_moment)->points->at;
-    return at->y[at->columns > 0 ? (size_t)row * at->columns : (size_t)row];
-}
-
-static void stress_at(const void *of_moment, int64_t column, int64_t row, double value[])
-{
-    const moment *now = of_moment;
-    const size_t i = (size_t)row * now->points->at->columns + (size_t)column;
-    *(tensor *)value = point_stress(now->points, now->contact, i);
-}
-
-static void write_moment(const moment *now, size_t step, const char *path,
-                         const output_options *how)
+static void write_load(const point_rows *points, const rwedge_contact *contact, size_t step,
+                       const char *path, const output_options *how)
 {
     char title[80];
-    const places *at = now->points->at;
+    const places *at = points->at;
+    tensor *value = memory_zeroed(at->count, sizeof *value);
+    for (size_t i = 0; i < at->count; i++)
+        value[i] = point_stress(points, contact, i);
     snprintf(title, sizeof title, "rwedge history: load %zu; y is the depth below the surface",
              step + 1);
-    vtk_points points = {.title = title,
-                         .is_grid = at->columns > 0,
-                         .columns = (int64_t)(at->columns > 0 ? at->columns : at->count),
-                         .rows = (int64_t)(at->columns > 0 ? at->rows : 1),
-                         .x = point_x,
-                         .y = point_y,
-                         .numbers = stress_at,
-                         .source = now};
-    vtk_of_stresses(&points);
+    vtk_points file = {.title = title,
+                       .count = at->count,
+                       .columns = at->columns,
+                       .x = at->x,
+                       .y = at->y,
+                       .value = value->value};
+    vtk_of_stresses(&file);
     output_options frame = *how;
     frame.path = path;
-    output_options_write(&frame, vtk_write, &points);
+    output_options_write(&frame, vtk_write, &file);
+    free(value);
 }
 
 /* ---- Names ---- */
@@ -80,9 +58,9 @@ typedef struct {
 
 static char *frame_name(const char *path, const char *mark, size_t step)
 {
-    const size_t room = strlen(path) + 40;
-    char *name = memory_zeroed(room, 1);
-    snprintf(name, room, "%.*s_%s%04zu.vtk", (int)stem_length(path), path, mark, step + 1);
+    const size_t size = strlen(path) + 40;
+    char *name = memory_zeroed(size, 1);
+    snprintf(name, size, "%.*s_%s%04zu.vtk", (int)stem_length(path), path, mark, step + 1);
     return name;
 }
 
@@ -164,11 +142,10 @@ void series_write(const point_rows *points, const arguments *line, const output_
     free(quoted(how->path));
     spare_files(line, how, &series);
     rwedge_contact *contact = contact_history_begin(points->history);
-    const moment now = {points, contact};
     for (size_t step = 0; step < series.all.count; step++) {
         char *name = frame_name(how->path, series.all.mark, step);
         contact_history_go_on(points->history, step, contact);
-        write_moment(&now, step, name, how);
+        write_load(points, contact, step, name, how);
         free(name);
     }
     rwedge_contact_destroy(contact);

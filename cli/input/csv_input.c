@@ -25,9 +25,9 @@ struct csv_source {
     bool has_ended, is_broken, too_many; /* of the row; broken by misplaced quotes */
     int64_t next_line;
     char *row; /* as it stands in the file */
-    size_t length, row_room;
+    size_t length, row_capacity;
     char *cells; /* of the row, each with its 0 */
-    size_t used, room;
+    size_t used, capacity;
     size_t begins[CSV_ROW_CELLS]; /* where each starts */
     const char *cell[CSV_ROW_CELLS];
 };
@@ -41,12 +41,12 @@ static int is_space(unsigned char c)
     return 0;
 }
 
-static void make_room(char **text, size_t *room, size_t used, size_t more)
+static void reserve(char **text, size_t *capacity, size_t used, size_t more)
 {
-    if (*room - used >= more)
+    if (*capacity - used >= more)
         return;
     *text = memory_resized(*text, 2 * (used + more));
-    *room = 2 * (used + more);
+    *capacity = 2 * (used + more);
 }
 
 static void take_cell(void *bytes, size_t length, void *of_input)
@@ -56,7 +56,7 @@ static void take_cell(void *bytes, size_t length, void *of_input)
     from->too_many = in->count == CSV_ROW_CELLS;
     if (from->too_many)
         return;
-    make_room(&from->cells, &from->room, from->used, length + 1);
+    reserve(&from->cells, &from->capacity, from->used, length + 1);
     from->begins[in->count++] = from->used;
     if (length > 0)
         memcpy(from->cells + from->used, bytes, length);
@@ -215,7 +215,7 @@ static void take_line(csv_input *in)
     const size_t count = line_length(bytes, from->end - from->begin);
     const bool is_end = ends_line(bytes[count - 1]);
     const bool same_end = from->after_return && bytes[0] == '\n';
-    make_room(&from->row, &from->row_room, from->length, count + 1);
+    reserve(&from->row, &from->row_capacity, from->length, count + 1);
     memcpy(from->row + from->length, bytes, count);
     from->length += count;
     from->begin += count;

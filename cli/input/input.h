@@ -25,10 +25,10 @@ void text_input_check(const char *encoding);
  * UTF-8, or UTF-16 where the file begins with its mark. */
 text_input *text_input_open(const char *path, const char *encoding);
 
-/* Reads whole characters into room for at least 4 bytes; *count is 0 at the end. False, with the
+/* Reads whole characters, at most `size` bytes, 4 or more; *count is 0 at the end. False, with the
  * problem, where it cannot be read, or has what is no text: the problem names the file, the line
  * and the column, which is the number of the character in the line. */
-bool text_input_read(text_input *in, char *bytes, size_t room, size_t *count);
+bool text_input_read(text_input *in, char *bytes, size_t size, size_t *count);
 
 void text_input_close(text_input *in);
 

@@ -35,23 +35,23 @@ static entry *new_entry(const char *name)
     return made;
 }
 
-static void take(const pairs *all, bool takes_hull, entry *to)
+static void take(const pairs *rows, bool takes_hull, entry *to)
 {
     static const char hull[] = "; --hull takes it";
     profile_remark remark;
     const bool taken =
-        strcmp(all->column, "height") == 0
-            ? pad_profile_of_heights(all->count, all->first, all->second, takes_hull, &to->places,
-                                     &remark)
-            : pad_profile_of_slopes(all->count, all->first, all->second, &to->places, &remark);
+        strcmp(rows->column, "height") == 0
+            ? pad_profile_of_heights(rows->count, rows->first, rows->second, takes_hull,
+                                     &to->places, &remark)
+            : pad_profile_of_slopes(rows->count, rows->first, rows->second, &to->places, &remark);
     char text[sizeof to->problem] = "";
     if (remark.text[0] != '\0')
         list_add(text, sizeof text, "", "%.200s: line %" PRId64 ": %s%s", to->name,
-                 all->line[remark.place], remark.text,
+                 rows->line[remark.place], remark.text,
                  !taken && strstr(remark.text, "hull") != NULL ? hull : "");
     strcpy(taken ? to->remark : to->problem, text);
-    if (all->unused[0] != '\0')
-        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, all->unused);
+    if (rows->unused[0] != '\0')
+        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, rows->unused);
 }
 
 const char *profiles_read(const char *name, profile_style style)
@@ -62,16 +62,16 @@ const char *profiles_read(const char *name, profile_style style)
                                         .needed = "x, and slope or height",
                                         .rows = "places",
                                         .most = PROFILE_PLACES + 1};
-    pairs all;
+    pairs rows;
     if (entry_named(name) != NULL)
         return "";
     entry *to = new_entry(name);
-    pairs_read(name, NULL, style.decimal_sign, &wanted, &all);
-    if (all.problem[0] == '\0')
-        take(&all, style.takes_hull, to);
+    pairs_read(name, NULL, style.decimal_sign, &wanted, &rows);
+    if (rows.problem[0] == '\0')
+        take(&rows, style.takes_hull, to);
     else
-        snprintf(to->problem, sizeof to->problem, "%s", all.problem);
-    pairs_free(&all);
+        snprintf(to->problem, sizeof to->problem, "%s", rows.problem);
+    pairs_free(&rows);
     return to->remark;
 }
 

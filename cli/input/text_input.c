@@ -178,26 +178,26 @@ static bool check(source *in, const char *bytes, size_t count)
 
 /* Converts what has room, and returns its bytes. errno is EILSEQ where a character does not exist
  * in the encoding, or is cut by the end of the file; else 0. */
-static size_t convert(source *in, char *bytes, size_t room)
+static size_t convert(source *in, char *bytes, size_t size)
 {
     char *from = in->block + in->begin, *to = bytes;
-    size_t left = in->end - in->begin, free_room = room;
+    size_t left = in->end - in->begin, free_bytes = size;
     errno = 0;
-    if (iconv(in->converter, &from, &left, &to, &free_room) != (size_t)-1)
+    if (iconv(in->converter, &from, &left, &to, &free_bytes) != (size_t)-1)
         errno = 0;
     const bool cut = errno == EINVAL && in->at_end;
     errno = cut || errno == EILSEQ ? EILSEQ : 0;
     in->begin = (size_t)(from - in->block);
-    return room - free_room;
+    return size - free_bytes;
 }
 
-bool text_input_read(text_input *seen, char *bytes, size_t room, size_t *count)
+bool text_input_read(text_input *seen, char *bytes, size_t size, size_t *count)
 {
     source *in = (source *)seen;
     do {
         if (!fill(in) || (!in->started && !take_mark(in)))
             return false;
-        *count = convert(in, bytes, room);
+        *count = convert(in, bytes, size);
         const bool sound = errno == 0;
         if (!check(in, bytes, *count))
             return false;

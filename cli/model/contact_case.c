@@ -198,7 +198,7 @@ load_fault case_fault(const contact_case *setup)
     return fault;
 }
 
-/* Whether the loads can be applied. What is beyond the range of numbers is told later. */
+/* Whether the loads can be applied. Results beyond the range of numbers are refused later. */
 static bool has_equilibrium(const input_texts *texts, const contact_case *setup,
                             char complaint[COMPLAINT_SIZE])
 {

@@ -57,6 +57,22 @@ bool number_read(const char *text, double *value)
     return text[length] == '\0' && number_read_part(text, length, value);
 }
 
+int number_read_list(const char *text, size_t length, char separator, int most, double value[])
+{
+    for (int n = 0; n < most; n++) {
+        const size_t own = number_length(text);
+        if (!number_read_part(text, own, &value[n]))
+            return 0;
+        if (own == length)
+            return n + 1;
+        if (own > length || text[own] != separator)
+            return 0;
+        text += own + 1;
+        length -= own + 1;
+    }
+    return 0;
+}
+
 bool number_read_cell(const char *text, char decimal_sign, double *value)
 {
     /* no double needs more digits to be written exactly than this takes in any sensible form */

@@ -28,6 +28,10 @@ bool number_survives(const char *text, char decimal_sign, double *value);
 /* The same as number_read() for the first length characters, which number_length() has found. */
 bool number_read_part(const char *text, size_t length, double *value);
 
+/* Reads numbers between separators, all of the first `length` characters. How many there are; 0
+ * where it is not that, or more than `most`. */
+int number_read_list(const char *text, size_t length, char separator, int most, double value[]);
+
 /* Reads a whole number without a sign, lo to hi. */
 bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value);
 

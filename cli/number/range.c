@@ -22,17 +22,6 @@ static bool is_possible(double value)
     return value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
 }
 
-static bool read_triple(const char *text, double number[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const size_t length = number_length(text);
-        if (!number_read_part(text, length, &number[i]) || text[length] != (i < 2 ? ':' : '\0'))
-            return false;
-        text += length + 1;
-    }
-    return true;
-}
-
 /* The decimals that were meant: 0.1 + 2 * 0.1 is not 0.3 in doubles, but 3/10 is. A sum of numbers
  * below this many units of the last decimal place errs by less than half a unit. */
 static const double UNITS_MAX = 1e15;
@@ -68,7 +57,7 @@ static double after_steps(const range *values, double steps)
 static const char *read_steps(const char *text, range *values)
 {
     double number[3];
-    if (!read_triple(text, number))
+    if (number_read_list(text, strlen(text), ':', 3, number) != 3)
         return not_a_range;
     const double start = number[START], stop = number[STOP], step = number[STEP];
     if (step == 0)

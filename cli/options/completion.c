@@ -107,7 +107,7 @@ static void print_bash(const command *const commands[], int count, const struct 
     fputs(bash_begin, stdout);
     each_option(own, NULL, bash_value);
     for (int i = 0; i < count; i++)
-        each_option(commands[i]->grammar->options, commands[i], bash_value);
+        each_option(commands[i]->grammar.options, commands[i], bash_value);
     fputs("    *) case $command in\n        '') words='", stdout);
     for (int i = 0; i < count; i++)
         printf("%s ", commands[i]->name);
@@ -116,7 +116,7 @@ static void print_bash(const command *const commands[], int count, const struct 
     for (int i = 0; i < count; i++) {
         printf("        %s) words='", commands[i]->name);
         print_operands(commands[i]);
-        each_option(commands[i]->grammar->options, commands[i], bash_name);
+        each_option(commands[i]->grammar.options, commands[i], bash_name);
         fputs("' ;;\n", stdout);
     }
     fputs(bash_end, stdout);
@@ -126,7 +126,7 @@ static void print_bash(const command *const commands[], int count, const struct 
 
 static void zsh_option(const struct poptOption *option, const command *owner)
 {
-    const char *repeated = owner != NULL && owner->grammar->repeated == option->val ? "*" : "";
+    const char *repeated = owner != NULL && owner->grammar.repeated == option->val ? "*" : "";
     const char *value = option->argDescrip != NULL ? "=" : "";
     if (option->shortName != '\0')
         printf(" \\\n            '(-%c --%s)'{-%c%s,--%s%s}'[", option->shortName, option->longName,
@@ -162,7 +162,7 @@ static void print_zsh(const command *const commands[], int count, const struct p
     fputs("))' '*::argument:->argument' && return\n    case $line[1] in\n", stdout);
     for (int i = 0; i < count; i++) {
         printf("    %s)\n        _arguments", commands[i]->name);
-        each_option(commands[i]->grammar->options, commands[i], zsh_option);
+        each_option(commands[i]->grammar.options, commands[i], zsh_option);
         if (commands[i]->operand != NULL) {
             fputs(" \\\n            '1:operand:(", stdout);
             print_operands(commands[i]);
@@ -207,7 +207,7 @@ static void print_fish(const command *const commands[], int count, const struct 
         printf("complete -c rwedge -n __fish_use_subcommand -a %s -d '", commands[i]->name);
         print_quoted(commands[i]->summary, "");
         fputs("'\n", stdout);
-        each_option(commands[i]->grammar->options, commands[i], fish_option);
+        each_option(commands[i]->grammar.options, commands[i], fish_option);
         if (commands[i]->operand == NULL)
             continue;
         printf("complete -c rwedge -n '__fish_seen_subcommand_from %s' -a '", commands[i]->name);

@@ -66,8 +66,8 @@ void arguments_no_operand(const arguments *line);
 /* ---- command ---- What main() and the shells' completion know of a command. */
 
 typedef struct {
-    const char *name, *whole_name, *summary;
-    const syntax *grammar;
+    const char *name, *summary;
+    syntax grammar;
     /* the words that may follow, NULL after the last; NULL where none may */
     const char *(*operand)(int i);
     int (*run)(const arguments *line); /* returns the exit status */

@@ -29,6 +29,15 @@ int dataset_curves(const dataset *data)
     return data->count > 0 ? data->row[data->count - 1].curve + 1 : 0;
 }
 
+double dataset_largest(const dataset *data, int column, double sign)
+{
+    double most = 0;
+    for (size_t i = 0; i < data->count; i++)
+        if (isfinite(data->row[i].number[column]))
+            most = fmax(most, sign * data->row[i].number[column]);
+    return most;
+}
+
 void dataset_write(void *of_dataset, records *rows)
 {
     const dataset *data = of_dataset;
@@ -48,35 +57,35 @@ void dataset_write(void *of_dataset, records *rows)
 
 /* ---- The picture ---- */
 
-curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y)
+curve *drawing_curve(drawing *plot, const dataset *from, int number, int x, int y)
 {
-    curve *next = &on->curve[on->curve_count];
+    curve *next = &plot->curve[plot->curve_count];
     *next = (curve){.from = from, .x = x, .y = y, .width = 1};
     next->count = dataset_curve(from, number, &next->first);
-    if (on->curve_count < DRAWING_CURVES_MAX - 1)
-        on->curve_count++;
+    if (plot->curve_count < DRAWING_CURVES_MAX - 1)
+        plot->curve_count++;
     return next;
 }
 
-curve *drawing_bar(drawing *on, double from, double to, double top, double bottom)
+curve *drawing_bar(drawing *plot, double from, double to, double top, double bottom)
 {
     const double x[] = {from, to, to, from, from}, y[] = {top, top, bottom, bottom, top};
-    const int number = dataset_curves(&on->outlines);
+    const int number = dataset_curves(&plot->outlines);
     for (int i = 0; i < 5; i++)
-        dataset_add(&on->outlines, (data_row){.curve = number, .number = {x[i], y[i]}});
-    return drawing_curve(on, &on->outlines, number, 0, 1);
+        dataset_add(&plot->outlines, (data_row){.curve = number, .number = {x[i], y[i]}});
+    return drawing_curve(plot, &plot->outlines, number, 0, 1);
 }
 
-label *drawing_label(drawing *on, double x, double y, const char *format, ...)
+label *drawing_label(drawing *plot, double x, double y, const char *format, ...)
 {
-    label *next = &on->label[on->label_count];
+    label *next = &plot->label[plot->label_count];
     *next = (label){.x = x, .y = y};
     va_list values;
     va_start(values, format);
     vsnprintf(next->text, sizeof next->text, format, values);
     va_end(values);
-    if (on->label_count < DRAWING_LABELS_MAX - 1)
-        on->label_count++;
+    if (plot->label_count < DRAWING_LABELS_MAX - 1)
+        plot->label_count++;
     return next;
 }
 

@@ -34,6 +34,9 @@ void dataset_add(dataset *to, data_row row);
 size_t dataset_curve(const dataset *data, int number, size_t *first);
 int dataset_curves(const dataset *data);
 
+/* The largest finite number of a column, for the sign -1 of their negatives; at least 0. */
+double dataset_largest(const dataset *data, int column, double sign);
+
 /* A rows_writer for a dataset. */
 void dataset_write(void *of_dataset, records *rows);
 
@@ -103,13 +106,13 @@ typedef struct {
 
 /* The next curve: a thin black line through all rows of one curve of the dataset. The caller may
  * change it. A curve for which there is no room is not drawn. */
-curve *drawing_curve(drawing *on, const dataset *from, int number, int x, int y);
+curve *drawing_curve(drawing *plot, const dataset *from, int number, int x, int y);
 
 /* The next curve, round a rectangle that is added to the outlines. */
-curve *drawing_bar(drawing *on, double from, double to, double top, double bottom);
+curve *drawing_bar(drawing *plot, double from, double to, double top, double bottom);
 
 /* The next label, its text made as by printf. */
-label *drawing_label(drawing *on, double x, double y, const char *format, ...) PRINTF_LIKE(4, 5);
+label *drawing_label(drawing *plot, double x, double y, const char *format, ...) PRINTF_LIKE(4, 5);
 
 /* An axis from 0 to a round number that is not below the largest value, a tic or between two. */
 axis drawing_axis(double largest, const char *text);

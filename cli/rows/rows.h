@@ -88,8 +88,8 @@ typedef struct {
     bool no_formulas; /* CSV: a ' before texts that a spreadsheet would compute */
 } output_options;
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE; for one that can write VTK too; and what is
- * in them beside --format, for a command that has a format of its own. */
+/* Tables to include (POPT_ARG_INCLUDE_TABLE): of a command that writes rows; of one that can write
+ * VTK too; the same without --format, for a command with formats of its own. */
 extern struct poptOption output_option_table[], grid_output_option_table[],
     other_output_option_table[];
 extern const char *const grid_formats[]; /* of the second */

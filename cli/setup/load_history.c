@@ -63,28 +63,11 @@ static void add(load_history *loads, load next, csv_row row)
 
 /* ---- The command line ---- */
 
-/* Reads up to most numbers, separated by commas; how many there are, 0 where it is not that. */
-static int read_numbers(const char *text, size_t length, int most, double number[])
-{
-    for (int n = 0; n < most; n++) {
-        const size_t own = number_length(text);
-        if (!number_read_part(text, own, &number[n]))
-            return 0;
-        if (own == length)
-            return n + 1;
-        if (own > length || text[own] != ',')
-            return 0;
-        text += own + 1;
-        length -= own + 1;
-    }
-    return 0;
-}
-
 /* Of two numbers, moment and tension stay as they are; without P there is no moment. */
 static bool read_load(const char *text, size_t length, load last, load *to)
 {
     double number[4];
-    const int count = read_numbers(text, length, 4, number);
+    const int count = number_read_list(text, length, ',', 4, number);
     if (count == 4)
         *to = (load){number[0], number[1], number[2], number[3]};
     else if (count == 2)
@@ -123,7 +106,7 @@ static void read_list(const char *lines, load_history *loads)
 
 /* ---- A file ---- */
 
-/* A row that is no load ends it: what comes after would belong to another history. */
+/* A row that is no load ends the command: the loads after it would belong to another history. */
 static void take_row(csv_input *in, char decimal_sign, load_history *loads)
 {
     load to;

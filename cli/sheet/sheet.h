@@ -24,7 +24,6 @@ typedef enum {
     XLSX_RESULT,  /* about six significant digits */
     XLSX_SIGNED,  /* the same where it may be below 0 */
     XLSX_UNIT,    /* a text after a number */
-    XLSX_CHECK,   /* a text that appears where something is wrong */
     XLSX_NUMBER,  /* up to six decimals */
     XLSX_SMALL,   /* up to eight */
     XLSX_LARGE,   /* up to three */

@@ -27,7 +27,6 @@ static void style_texts(lxw_format *const style[])
     format_set_font_color(style[XLSX_NOTE], 0x505050);
     format_set_text_wrap(style[XLSX_WRAPPED]);
     format_set_align(style[XLSX_WRAPPED], LXW_ALIGN_VERTICAL_TOP);
-    format_set_font_color(style[XLSX_CHECK], 0xB00000);
 }
 
 /* Four to six digits; zero is 0. LibreOffice writes no minus in such parts. */

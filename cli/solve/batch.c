@@ -125,7 +125,7 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
 
 /* ---- The file ---- */
 
-/* Behind rows that have gone to standard output: who reads them may not see the exit status. */
+/* A last row that says so: who reads rows from standard output may not see the exit status. */
 static void write_broken_end(run *r)
 {
     const csv_row none = {.whole = ""};
@@ -163,7 +163,7 @@ static void read_profile(const run *r, const csv_row *row)
 }
 
 /* Reads rows until there are enough for the threads; the event is that of the row that is none.
- * Without memory for a row, the threads would have none either. */
+ * Where memory is too short for a row the command ends, before threads begin. */
 static csv_event hold_rows(run *r)
 {
     size_t bytes = 0;

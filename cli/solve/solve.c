@@ -266,8 +266,8 @@ static int solve(const arguments *line)
     return STATUS_DONE;
 }
 
-static const syntax grammar = {options, "[OPTION...]", describe_results, OPTION_LOAD};
-
 const command solve_command = {
-    "solve",  "rwedge solve", "one contact, or a file of them: sizes, pressures, tension, strength",
-    &grammar, NULL,           solve};
+    .name = "solve",
+    .summary = "one contact, or a file of them: sizes, pressures, tension, strength",
+    .grammar = {options, "[OPTION...]", describe_results, OPTION_LOAD},
+    .run = solve};

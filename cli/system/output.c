@@ -104,8 +104,8 @@ static void flush(output *out)
 bool output_write(output *out, const char *bytes, size_t count)
 {
     while (count > 0 && out->error == 0) {
-        const size_t room = sizeof out->buffer - out->used;
-        const size_t now = count < room ? count : room;
+        const size_t free_bytes = sizeof out->buffer - out->used;
+        const size_t now = count < free_bytes ? count : free_bytes;
         memcpy(out->buffer + out->used, bytes, now);
         out->used += now;
         bytes += now;

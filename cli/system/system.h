@@ -11,8 +11,8 @@
 
 /* Gives the program its standard streams, and at least one argument. Both are what main() was
  * given, and may change. A file must not get the number of a standard stream that was closed:
- * messages would be written into it. So something is put in the place of each one that is closed.
- * The stand-in for standard output refuses to be written to, as the closed one would. Variables by
+ * messages would be written into it. So a stand-in is opened for each one that is closed. The
+ * stand-in for standard output refuses to be written to, as the closed one would. Variables by
  * which popt would take no option after an operand, such as a table's name, are taken away. */
 bool start(int *count, const char ***words);
 

@@ -345,8 +345,9 @@ static const char *table_name(int i)
     return i < WEDGE_TABLES ? tables[i].name : NULL;
 }
 
-static const syntax grammar = {options, "TABLE [OPTION...]", describe_tables, 0};
-
 const command table_command = {
-    "table",  "rwedge table", "lookup tables: elastic limit, maximum tension, contact law, ...",
-    &grammar, table_name,     write_table};
+    .name = "table",
+    .summary = "lookup tables: elastic limit, maximum tension, contact law, ...",
+    .grammar = {options, "TABLE [OPTION...]", describe_tables},
+    .operand = table_name,
+    .run = write_table};

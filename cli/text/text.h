@@ -95,7 +95,7 @@ bool utf8_is_command(uint32_t code);
 /* Copies a text, up to a whole character where the room ends. What `allowed` does not allow, and
  * what is no character, becomes the replacement. Returns whether all of it had room. */
 bool utf8_copy(const char *text, bool (*allowed)(uint32_t code), const char *replacement,
-               char *room, size_t size);
+               char *copy, size_t size);
 
 /* ---- invocation ---- The command line, for files that say how they were made. */
 

@@ -60,7 +60,7 @@ bool utf8_is_command(uint32_t code)
 }
 
 bool utf8_copy(const char *text, bool (*allowed)(uint32_t code), const char *replacement,
-               char *room, size_t size)
+               char *copy, size_t size)
 {
     size_t used = 0, left = strlen(text), length;
     for (; left > 0; text += length, left -= length) {
@@ -72,9 +72,9 @@ bool utf8_copy(const char *text, bool (*allowed)(uint32_t code), const char *rep
         length = length > 0 ? length : 1;
         if (used + bytes >= size)
             break;
-        memcpy(room + used, from, bytes);
+        memcpy(copy + used, from, bytes);
         used += bytes;
     }
-    room[used] = '\0';
+    copy[used] = '\0';
     return left == 0;
 }

@@ -20,16 +20,16 @@ static void write_header(xlsx *book)
     xlsx_text(book, HEADER_ROW, CASE_COLUMN, "case", XLSX_HEADER);
     for (int cell = 0; cell < case_cell_count; cell++)
         xlsx_text(book, HEADER_ROW, column_of(cell),
-                  cell < RESULTS_END ? case_cells[cell].column : case_cells[cell].name,
-                  cell < CELL_WARNINGS ? XLSX_UPRIGHT : XLSX_HEADER);
+                  cell < SHOWN_CELLS ? case_cells[cell].column : case_cells[cell].name,
+                  cell < FIRST_REMARK ? XLSX_UPRIGHT : XLSX_HEADER);
 }
 
 /* Narrow: all of it is printed on one page. */
 static void set_widths(xlsx *book)
 {
     xlsx_width(book, CASE_COLUMN, CASE_COLUMN, 20);
-    xlsx_width(book, CELLS_COLUMN, column_of(CELL_WARNINGS) - 1, 9);
-    xlsx_width(book, column_of(CELL_WARNINGS), column_of(CELL_ERROR), 30);
+    xlsx_width(book, CELLS_COLUMN, column_of(FIRST_REMARK) - 1, 9);
+    xlsx_width(book, column_of(FIRST_REMARK), column_of(SHOWN_CELLS - 1), 30);
 }
 
 static void write_row(xlsx *book, int row, const case_values *values)
@@ -70,7 +70,7 @@ static void colour_rows(xlsx *book)
     const xlsx_area cases = {FIRST_ROW, CASE_COLUMN, BATCH_ROWS, 1},
                     inputs = {FIRST_ROW, CELLS_COLUMN, BATCH_ROWS, INPUT_CELLS},
                     results = {FIRST_ROW, CELLS_COLUMN + INPUT_CELLS, BATCH_ROWS,
-                               RESULTS_END - INPUT_CELLS};
+                               SHOWN_CELLS - INPUT_CELLS};
     static const struct {
         const char *condition;
         xlsx_colour colour;
@@ -96,7 +96,7 @@ static void write_used(xlsx *book)
 
 static void print_used_rows(xlsx *book)
 {
-    const char *last = column_letters(column_of(RESULTS_END) - 1);
+    const char *last = column_letters(column_of(SHOWN_CELLS) - 1);
     const char *area = compose("=Batch!$A$1:INDEX(Batch!$%s$1:$%s$10000,rwt_used)", last, last);
     xlsx_print(book, (xlsx_page){0, 0, HEADER_ROW, true, area});
 }
@@ -121,5 +121,5 @@ void sheet_batch(xlsx *book)
     check_typing(book);
     colour_rows(book);
     xlsx_protect(book);
-    xlsx_hide_columns(book, column_of(RESULTS_END), column_of(case_cell_count));
+    xlsx_hide_columns(book, column_of(SHOWN_CELLS), column_of(case_cell_count));
 }

@@ -10,79 +10,67 @@ enum { LABEL, NAME, VALUE, UNIT, HINT, SKETCH };
 enum { STRENGTH_ROW = 1, BAR_ROW, FIGURES_ROW, STATUS_ROW, INPUT_ROW = 7, RESULT_ROW = 24 };
 enum { STRENGTH_LINES = 3, BAR_LINES = 3, STATUS_LINES = 3 };
 
-/* Two steel bodies: a/b = 0.29, and yield at half as much load again. */
-static const double example[INPUT_CELLS] = {
-    [CELL_E1] = 210000,       [CELL_NU1] = 0.3,       [CELL_E2] = 210000,     [CELL_NU2] = 0.3,
-    [CELL_THETA] = 0.01,      [CELL_THETA_DEG] = NAN, [CELL_ROUNDING] = 0.05, [CELL_RADIUS] = NAN,
-    [CELL_LOAD] = 190,        [CELL_Q] = 20,          [CELL_F] = 0.2,         [CELL_K] = 400,
-    [CELL_YIELD_STRESS] = NAN};
+/* Two steel bodies: a/b = 0.29, and yield at half as much load again. E1, nu1, E2, nu2, theta,
+ * theta_deg, a, radius, P, Q, f, k, yield_stress. */
+static const double example[INPUT_CELLS] = {210000, 0.3, 210000, 0.3, 0.01, NAN, 0.05,
+                                            NAN,    190, 20,     0.2, 400,  NAN};
 
 /* ---- Groups of cells ------------------------------------------------------------------------- */
 
-typedef struct {
-    int cell; /* or RESULTS_END: a heading */
-    const char *text;
-} line;
+/* Headings behind a "=", and the columns of Batch. */
+static const char *const inputs[] = {
+    "=Shape", "theta", "theta_deg",    "a",      "radius", "=Materials", "E1", "nu1", "E2",
+    "nu2",    "k",     "yield_stress", "=Loads", "P",      "Q",          "f"};
 
-static const line inputs[] = {
-    {RESULTS_END, "Shape"}, {CELL_THETA, NULL},  {CELL_THETA_DEG, NULL},
-    {CELL_ROUNDING, NULL},  {CELL_RADIUS, NULL}, {RESULTS_END, "Materials"},
-    {CELL_E1, NULL},        {CELL_NU1, NULL},    {CELL_E2, NULL},
-    {CELL_NU2, NULL},       {CELL_K, NULL},      {CELL_YIELD_STRESS, NULL},
-    {RESULTS_END, "Loads"}, {CELL_LOAD, NULL},   {CELL_Q, NULL},
-    {CELL_F, NULL},
-};
-
-static const line results[] = {
-    {RESULTS_END, "Safety"},
-    {CELL_SAFETY, "P may grow by this factor: the contact grows with it"},
-    {CELL_SAFETY_STRENGTH, "k or Y may fall by this factor under this P"},
-    {RESULTS_END, "Geometry"},
-    {CELL_B, "the contact is |x| < b"},
-    {CELL_A_OVER_B, "1 and more: Hertz' contact; 0: sharp"},
-    {CELL_LOAD_NUMBER, "2 for a sharp wedge"},
-    {CELL_COMPLIANCE, "2(1-nu1^2)/E1 + 2(1-nu2^2)/E2"},
-    {CELL_BETA, "0 for elastically similar bodies"},
-    {RESULTS_END, "Pressure"},
-    {CELL_P0, "infinite, so empty, for a sharp wedge"},
-    {CELL_P_TRANSITION, "where rounding meets flank; 0 beyond b"},
-    {CELL_P_MEAN, ""},
-    {RESULTS_END, "Partial slip"},
-    {CELL_Q_OVER_FP, "1 and more: it slides"},
-    {CELL_C, "sticks in |x| < c, slips in c < |x| < b"},
-    {CELL_C_OVER_B, ""},
-    {RESULTS_END, "Tension at the trailing edge x = -b"},
-    {CELL_TENSION, "Q grown from 0 under constant P"},
-    {CELL_TENSION_SLIDING, "Q = f P"},
-    {RESULTS_END, "First yield, in full sliding"},
-    {CELL_P_OVER_BK, "at this a/b: it yields above"},
-    {CELL_LOAD_OVER_BK, "of the load given"},
-    {CELL_P_YIELD, "with the contact that it makes"},
-    {CELL_BRANCH, "where, at that load"},
-    {CELL_YIELD_X, "from the middle, towards the leading edge for Q > 0"},
-    {CELL_YIELD_Y, "0: at the surface"},
-    {CELL_F_CRITICAL, "above it, yield starts at the surface"},
-    {CELL_VON_MISES, "under this P"},
-};
+static const char *const results[] = {"=Safety",
+                                      "safety",
+                                      "safety_strength",
+                                      "=Geometry",
+                                      "b",
+                                      "a_over_b",
+                                      "AP_over_theta_b",
+                                      "A",
+                                      "dundurs_beta",
+                                      "=Pressure",
+                                      "p0",
+                                      "p_transition",
+                                      "p_mean",
+                                      "=Partial slip",
+                                      "Q_over_fP",
+                                      "c",
+                                      "c_over_b",
+                                      "=Tension at the trailing edge x = -b",
+                                      "max_tension",
+                                      "max_tension_sliding",
+                                      "=First yield, in full sliding",
+                                      "P_over_bk",
+                                      "load_over_bk",
+                                      "P_yield",
+                                      "yield_branch",
+                                      "yield_x",
+                                      "yield_y",
+                                      "f_critical",
+                                      "von_mises_sliding"};
 enum {
     INPUT_LINES = sizeof inputs / sizeof inputs[0],
     LINES = sizeof results / sizeof results[0],
     NOTES = 4
 };
 
-static bool is_heading(xlsx *book, int row, const line *entry)
+/* Writes a heading, or what is beside the value of a cell. The cell; -1 for a heading. */
+static int describe(xlsx *book, int row, const char *line)
 {
-    if (entry->cell == RESULTS_END)
-        xlsx_text(book, row, LABEL, entry->text, XLSX_HEADING);
-    return entry->cell == RESULTS_END;
-}
-
-static void describe(xlsx *book, int row, int cell, const char *hint)
-{
-    xlsx_text(book, row, LABEL, case_cells[cell].label, XLSX_PLAIN);
-    xlsx_text(book, row, NAME, case_cells[cell].name, XLSX_NOTE);
-    xlsx_text(book, row, UNIT, case_cells[cell].unit, XLSX_UNIT);
-    xlsx_text(book, row, HINT, hint, XLSX_NOTE);
+    if (line[0] == '=') {
+        xlsx_text(book, row, LABEL, line + 1, XLSX_HEADING);
+        return -1;
+    }
+    const int number = cell_of_column(line);
+    const case_cell *cell = &case_cells[number];
+    xlsx_text(book, row, LABEL, cell->label, XLSX_PLAIN);
+    xlsx_text(book, row, NAME, cell->name, XLSX_NOTE);
+    xlsx_text(book, row, UNIT, cell->unit, XLSX_UNIT);
+    xlsx_text(book, row, HINT, cell->hint, XLSX_NOTE);
+    return number;
 }
 
 /* ---- Inputs ---------------------------------------------------------------------------------- */
@@ -90,17 +78,16 @@ static void describe(xlsx *book, int row, int cell, const char *hint)
 static void check_typing(xlsx *book, int row, int cell)
 {
     const xlsx_rule rule = {formula_named(input_check(cell)), case_cells[cell].label,
-                            input_rules[cell].hint, input_message(cell)};
+                            case_cells[cell].hint, input_message(cell)};
     xlsx_validate(book, (xlsx_area){row, VALUE, 1, 1}, &rule);
 }
 
 static void write_inputs(xlsx *book)
 {
     for (int i = 0; i < INPUT_LINES; i++) {
-        const int row = INPUT_ROW + i, cell = inputs[i].cell;
-        if (is_heading(book, row, &inputs[i]))
+        const int row = INPUT_ROW + i, cell = describe(book, row, inputs[i]);
+        if (cell < 0)
             continue;
-        describe(book, row, cell, input_rules[cell].hint);
         xlsx_number(book, row, VALUE, example[cell], XLSX_INPUT);
         xlsx_name(book, case_cells[cell].name, row, VALUE);
         check_typing(book, row, cell);
@@ -108,32 +95,6 @@ static void write_inputs(xlsx *book)
 }
 
 /* ---- Verdict --------------------------------------------------------------------------------- */
-
-/* The sentence of the model's verdict, where full sliding decides. */
-static const char strength[] =
-    "IF(OR(rwt_ok=0,rwt_slides=1),\"No results: the status says why.\","
-    "IF(rwt_has_k=0,\"No yield stress is given, so nothing is known of its strength.\","
-    "IF(rwt_a=0,\"It yields: the stress at a sharp apex has no bound.\","
-    "IF(rw_safety=\"\",\"Its strength is outside the tables of this workbook.\","
-    "IF(ISNUMBER(rw_safety),IF(rw_safety<1,\"If it slid, it would yield: the factor on P is "
-    "\"&short(rw_safety,4),\"If it slid, it would be elastic with a factor of "
-    "\"&short(rw_safety,4)&\" on P\")&\"; it yields first at x = \"&short(rw_yield_x,2)&\", y = "
-    "\"&short(rw_yield_y,2)&\" mm, \"&IF(rw_yield_y>0,\"below\",\"at\")&\" the surface.\","
-    "\"If it slid, it would be elastic with a factor of \"&rw_safety&\" on P.\")))))";
-
-static const char figures[] =
-    "IF(rwt_ok=0,\"\",\"b = \"&short(rw_b,4)&\" mm, half-width of the contact\"&"
-    "IF(rwt_a>0,\";  p0 = \"&short(rw_p0,4)&\" MPa, peak pressure\",\"\")&"
-    "IF(ISNUMBER(rw_c_over_b),\";  c/b = \"&short(rw_c_over_b,4)&\" of the contact sticks\",\"\"))";
-
-/* What yields, then what is doubtful, as the model has it for full sliding. */
-static const char status[] =
-    "IF(rwt_any=0,\"Type into the yellow cells.\",IF(rwt_bad<>\"\",\"CHECK THE INPUTS: \"&rwt_bad,"
-    "IF(rwt_slides=1,\"SLIDES: Q is above f P, there is no equilibrium.\","
-    "IF(AND(ISNUMBER(rw_safety),N(rw_safety)<1),\"YIELDS: P is above the load at first yield in "
-    "full sliding. "
-    "\",\"\")&IF(rw_remarks<>\"\",\"CAUTION: \"&rw_remarks,"
-    "IF(rwt_has_k=0,\"CAUTION: no yield stress is given, so there is no safety\",\"OK\")))))";
 
 static void colour_by_status(xlsx *book, xlsx_area area)
 {
@@ -165,11 +126,11 @@ static void write_wide(xlsx *book, int row, int lines, const char *formula, cons
 
 static void write_verdict(xlsx *book, const case_values *values)
 {
-    write_wide(book, STRENGTH_ROW, STRENGTH_LINES, strength, values->strength, XLSX_VERDICT);
+    write_wide(book, STRENGTH_ROW, STRENGTH_LINES, "strength()", values->strength, XLSX_VERDICT);
     xlsx_lines(book, BAR_ROW, BAR_LINES);
     draw_bar(book, BAR_ROW, LABEL);
-    write_wide(book, FIGURES_ROW, 1, figures, values->figures, XLSX_VERDICT);
-    write_wide(book, STATUS_ROW, STATUS_LINES, status, "OK", XLSX_WRAPPED);
+    write_wide(book, FIGURES_ROW, 1, "figures()", values->figures, XLSX_VERDICT);
+    write_wide(book, STATUS_ROW, STATUS_LINES, "status()", "OK", XLSX_WRAPPED);
     xlsx_name(book, "rw_verdict", STRENGTH_ROW, LABEL);
     xlsx_name(book, "rw_status", STATUS_ROW, LABEL);
     xlsx_text(book, STATUS_ROW + 1, LABEL,
@@ -183,13 +144,12 @@ static void write_verdict(xlsx *book, const case_values *values)
 static void write_results(xlsx *book, const case_values *values)
 {
     for (int i = 0; i < LINES; i++) {
-        const int row = RESULT_ROW + i, cell = results[i].cell;
-        if (is_heading(book, row, &results[i]))
-            continue;
-        describe(book, row, cell, results[i].text);
-        named_cell(book, row, VALUE, cell, values,
-                   cell == CELL_SAFETY || cell == CELL_SAFETY_STRENGTH ? XLSX_STRONG
-                                                                       : case_cells[cell].style);
+        const int row = RESULT_ROW + i, cell = describe(book, row, results[i]);
+        if (cell >= 0)
+            named_cell(book, row, VALUE, cell, values,
+                       strncmp(results[i], "safety", 6) == 0 ? XLSX_STRONG
+                       : case_cells[cell].sign[0] != '\0'    ? XLSX_SIGNED
+                                                             : XLSX_RESULT);
     }
 }
 

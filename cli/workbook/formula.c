@@ -9,7 +9,7 @@
 
 /* ---- Templates ---- */
 
-enum { ARGUMENTS = 4 };
+enum { ARGUMENTS = 4, FORMULA_SIZE = 5000 };
 
 /* What a name, function or number becomes: writes it, and returns its end. */
 typedef char *word_writer(char *end, const char *word, size_t length, const void *about);
@@ -87,10 +87,10 @@ static void fill_checks(char *end)
     for (int i = 0; i < INPUT_CELLS; i++) {
         const char *name = case_cells[i].column;
         end += sprintf(end, "&IF(rw_%s=\"\",\"", name);
-        if (input_rules[i].is_needed)
+        if (case_cells[i].needed[0] != '\0')
             end += sprintf(end, "; %s is missing", name);
-        end += sprintf(end, "\",IF(%s,\"; %s must be %s\",\"\"))", input_rules[i].wrong, name,
-                       input_rules[i].must);
+        end += sprintf(end, "\",IF(%s,\"; %s must be %s\",\"\"))", case_cells[i].wrong, name,
+                       case_cells[i].must);
     }
 }
 
@@ -123,7 +123,7 @@ static char *expand(const char *from, const writer *words, char *end)
             argument values[ARGUMENTS] = {{NULL, 0}};
             char text[FORMULA_SIZE];
             from = read_arguments(from + length + 1, values);
-            if (called->text != NULL)
+            if (called->text[0] != '\0')
                 fill(called->text, values, text);
             else
                 fill_checks(text);
@@ -147,8 +147,7 @@ static char *word_copy(char *end, const char *word, size_t length, const void *a
     return (char *)memcpy(end, word, length) + length;
 }
 
-/* A copy that stays. */
-static const char *text_copy(const char *text)
+char *text_copy(const char *text)
 {
     const size_t size = strlen(text) + 1;
     return memcpy(memory_zeroed(size, 1), text, size);
@@ -276,21 +275,21 @@ void formula_cell(xlsx *book, int row, int column, const char *formula, double v
 
 const char *input_check(int cell)
 {
-    return compose("NOT(%s)", input_rules[cell].wrong);
+    return compose("NOT(%s)", case_cells[cell].wrong);
 }
 
 const char *input_message(int cell)
 {
-    return compose("%s must be %s.", case_cells[cell].column, input_rules[cell].must);
+    return compose("%s must be %s.", case_cells[cell].column, case_cells[cell].must);
 }
 
 static void write_cell(xlsx *book, int row, int column, int cell, const char *formula,
                        const case_values *values, xlsx_style style)
 {
-    if (cell == CELL_BRANCH)
+    if (strcmp(case_cells[cell].column, "yield_branch") == 0)
         xlsx_text_formula(book, row, column, formula, values->branch, style);
     else
-        formula_cell(book, row, column, formula, cell < RESULTS_END ? values->number[cell] : NAN,
+        formula_cell(book, row, column, formula, cell < SHOWN_CELLS ? values->number[cell] : NAN,
                      style);
 }
 

@@ -35,6 +35,11 @@ static double result_of(const results *answer, const char *column)
     return NAN;
 }
 
+double shown_number(const case_values *values, const char *column)
+{
+    return values->number[cell_of_column(column)];
+}
+
 /* The table has the place to two digits. */
 static void write_sentences(results *answer, case_values *shown)
 {
@@ -46,12 +51,12 @@ static void write_sentences(results *answer, case_values *shown)
         shown->figures, sizeof shown->figures,
         "b = %.4g mm, half-width of the contact;  p0 = %.4g MPa, peak pressure;  c/b = %.4g of "
         "the contact sticks",
-        shown->number[CELL_B], shown->number[CELL_P0], shown->number[CELL_C_OVER_B]);
+        shown_number(shown, "b"), shown_number(shown, "p0"), shown_number(shown, "c_over_b"));
 }
 
 void shown_nothing(case_values *shown)
 {
-    for (int i = 0; i < RESULTS_END; i++)
+    for (int i = 0; i < SHOWN_CELLS; i++)
         shown->number[i] = NAN;
     shown->branch[0] = '\0';
 }
@@ -66,11 +71,11 @@ void shown_values(const double input[INPUT_CELLS], case_values *shown)
     shown_nothing(shown);
     for (int i = 0; i < INPUT_CELLS; i++)
         shown->number[i] = input[i];
-    for (int i = INPUT_CELLS; i < CELL_WARNINGS; i++)
+    for (int i = INPUT_CELLS; i < FIRST_REMARK; i++)
         shown->number[i] = result_of(&answer, case_cells[i].column);
-    double *v = shown->number;
-    v[CELL_P_MEAN] = setup.P / (2 * v[CELL_B]);
-    v[CELL_SAFETY_STRENGTH] = v[CELL_P_OVER_BK] / v[CELL_LOAD_OVER_BK];
+    shown->number[cell_of_column("p_mean")] = setup.P / (2 * shown_number(shown, "b"));
+    shown->number[cell_of_column("safety_strength")] =
+        shown_number(shown, "P_over_bk") / shown_number(shown, "load_over_bk");
     const char *branch = answer.value[RESULT_YIELD_BRANCH].text;
     snprintf(shown->branch, sizeof shown->branch, "%s", branch);
     write_sentences(&answer, shown);

@@ -211,44 +211,15 @@ void sheet_critical_friction(xlsx *book)
 
 enum { AT_TIP, AT_F, AT_LIMIT, AT_NOTE, ASKED_HEADER = 9, ASKED_FIRST, ASKED_ROWS = 20 };
 
-/* The row and the column of the next smaller entries of the table; # is the row. */
-#define ROW "MIN(MATCH(B#,rw_table_f,1),64)"
-#define COLUMN "MIN(MATCH(A#,rw_table_tips,1),28)"
-
-/* On a line through two entries of a row of the table T, I below ROW. */
-#define ALONG(T, I)                                                                                \
-    "FORECAST(MIN(1,A#),INDEX(" T "," ROW I "," COLUMN "):INDEX(" T "," ROW I "," COLUMN           \
-    "+1),INDEX(rw_table_tips," COLUMN "):INDEX(rw_table_tips," COLUMN "+1))"
-/* The entries of f are 1/80 apart. */
-#define BETWEEN(T) ALONG(T, "") "*(" ROW "-80*B#)+" ALONG(T, "+1") "*(1-" ROW "+80*B#)"
-
-/* Where an entry is missing, FORECAST has one point, and the surface decides. */
-static const char formula[] =
-    "=IF(OR(A#=\"\",B#=\"\"),\"\",IF(OR(B#<0,B#>0.8),NA(),"
-    "MIN(" BETWEEN("rw_table_surface") ",IFERROR(" BETWEEN("rw_table_below") ",1E+99))))";
-
 /* Entries of the table, of which the formula gives back the value. */
 static const double examples[][2] = {{0.3, 0.1}, {0.11, 0.3}, {1, 0}};
 enum { EXAMPLES = sizeof examples / sizeof examples[0] };
 
-static const char *in_row(int row, char text[FORMULA_SIZE])
-{
-    char *end = text;
-    for (const char *from = formula; *from != '\0'; from++)
-        if (*from == '#')
-            end += sprintf(end, "%d", row + 1);
-        else
-            *end++ = *from;
-    *end = '\0';
-    return text;
-}
-
 static void write_row(xlsx *book, int row, double tip, double f)
 {
-    char text[FORMULA_SIZE];
     xlsx_number(book, row, AT_TIP, tip, XLSX_INPUT);
     xlsx_number(book, row, AT_F, f, XLSX_INPUT);
-    formula_cell(book, row, AT_LIMIT, in_row(row, text),
+    formula_cell(book, row, AT_LIMIT, formula_named(compose("look_up(A%d,B%d)", row + 1, row + 1)),
                  isnan(tip) ? NAN : rwedge_elastic_limit(tip, f, 0.3), XLSX_RESULT);
 }
 

@@ -74,11 +74,8 @@ static int workbook(const arguments *line)
     return STATUS_DONE;
 }
 
-static const syntax grammar = {options, "[FILE.csv...] -o FILE", describe, 0};
-
-const command workbook_command = {"workbook",
-                                  "rwedge workbook",
-                                  "a spreadsheet that computes, with its tables and charts",
-                                  &grammar,
-                                  NULL,
-                                  workbook};
+const command workbook_command = {.name = "workbook",
+                                  .summary =
+                                      "a spreadsheet that computes, with its tables and charts",
+                                  .grammar = {options, "[FILE.csv...] -o FILE", describe},
+                                  .run = workbook};

@@ -19,12 +19,12 @@ enum {
 
 static int column_of(int cell)
 {
-    return cell - CELL_WARNINGS;
+    return cell - FIRST_REMARK;
 }
 
 static void write_case(xlsx *book, const case_values *values)
 {
-    for (int cell = CELL_WARNINGS; cell < case_cell_count; cell++) {
+    for (int cell = FIRST_REMARK; cell < case_cell_count; cell++) {
         xlsx_text(book, LABEL_ROW, column_of(cell), case_cells[cell].label, XLSX_NOTE);
         xlsx_text(book, NAME_ROW, column_of(cell), case_cells[cell].name, XLSX_NOTE);
         named_cell(book, VALUE_ROW, column_of(cell), cell, values, XLSX_PLAIN);
@@ -95,29 +95,32 @@ static void write_column(xlsx *book, int column, const char *formula, int count,
 }
 
 /* The elastic limit over a/b, and over f. */
-static void write_limits(xlsx *book, const yield_table *table, const double v[])
+static void write_limits(xlsx *book, const yield_table *table, const case_values *values)
 {
+    const double f = shown_number(values, "f"), nu = shown_number(values, "nu1"),
+                 tip = shown_number(values, "a_over_b");
     double at_tip[TIPS], at_friction[FRICTIONS];
     for (int i = 0; i < TIPS; i++)
-        at_tip[i] = rwedge_elastic_limit(1 / cosh(table->t[i]), v[CELL_F], v[CELL_NU1]);
+        at_tip[i] = rwedge_elastic_limit(1 / cosh(table->t[i]), f, nu);
     for (int i = 0; i < FRICTIONS; i++)
-        at_friction[i] = rwedge_elastic_limit(v[CELL_A_OVER_B], table->f[i], v[CELL_NU1]);
-    write_column(book, CURVE_TIP_LIMIT, limit_at_tip, TIPS, at_tip);
-    write_column(book, CURVE_FRICTION_LIMIT, limit_at_friction, FRICTIONS, at_friction);
+        at_friction[i] = rwedge_elastic_limit(tip, table->f[i], nu);
+    write_column(book, CURVE_TIP_LIMIT, "limit_at_tip()", TIPS, at_tip);
+    write_column(book, CURVE_FRICTION_LIMIT, "limit_at_friction()", FRICTIONS, at_friction);
 }
 
 /* The charts leave out what is #N/A. */
 static void write_marks(xlsx *book, const case_values *values)
 {
-    const double *v = values->number;
-    formula_cell(book, CURVE_ROW, CURVE_MARK_TIP, "=IF(rwt_ok=1,rwt_n5,0)",
-                 fmin(v[CELL_A_OVER_B], 1), XLSX_PLAIN);
-    formula_cell(book, CURVE_ROW, CURVE_MARK_FRICTION, "=rwt_fr", v[CELL_F], XLSX_PLAIN);
+    const double tip = shown_number(values, "a_over_b");
+    formula_cell(book, CURVE_ROW, CURVE_MARK_TIP, "=IF(rwt_ok=1,rwt_n5,0)", fmin(tip, 1),
+                 XLSX_PLAIN);
+    formula_cell(book, CURVE_ROW, CURVE_MARK_FRICTION, "=rwt_fr", shown_number(values, "f"),
+                 XLSX_PLAIN);
     formula_cell(book, CURVE_ROW, CURVE_MARK_LIMIT, "=IF(ISNUMBER(rw_P_over_bk),rw_P_over_bk,NA())",
-                 v[CELL_P_OVER_BK], XLSX_PLAIN);
+                 shown_number(values, "P_over_bk"), XLSX_PLAIN);
     formula_cell(book, CURVE_ROW, CURVE_MARK_TENSION,
                  "=IF(rwt_ok=1,2*rwt_n5/(ASIN(rwt_n5)+rwt_n5*rwt_cos),NA())",
-                 rwedge_max_tension(v[CELL_A_OVER_B]), XLSX_PLAIN);
+                 rwedge_max_tension(tip), XLSX_PLAIN);
 }
 
 static void write_curves(xlsx *book, const yield_table *table, const case_values *values)
@@ -132,7 +135,7 @@ static void write_curves(xlsx *book, const yield_table *table, const case_values
     xlsx_name_range(book, "rwt_tips", CURVE_ROW, CURVE_TIP, TIPS, 1);
     for (int i = 0; i < FRICTIONS; i++)
         xlsx_number(book, CURVE_ROW + i, CURVE_FRICTION, table->f[i], XLSX_PLAIN);
-    write_limits(book, table, values->number);
+    write_limits(book, table, values);
     write_marks(book, values);
 }
 
@@ -180,7 +183,7 @@ static void write_bar(xlsx *book, const case_values *values)
 {
     static const char *const height[] = {"=IF(rwt_factor<1,9,0)", "=IF(rwt_factor<1,0,9)"};
     static const double place[] = {0, NAN, BAR_MOST, 1, 1}, of_limit[] = {0, 0, 0, -0.45, 0.45};
-    const double factor = fmin(BAR_MOST, values->number[CELL_SAFETY]);
+    const double factor = fmin(BAR_MOST, shown_number(values, "safety"));
     for (int i = 0; i < 5; i++) {
         xlsx_number(book, CURVE_ROW + i, BAR_COLUMN, place[i], XLSX_PLAIN);
         xlsx_number(book, CURVE_ROW + i, BAR_COLUMN + 3, of_limit[i], XLSX_PLAIN);

@@ -39,15 +39,15 @@ static inline bool rw_is_signed(double v)
     return rw_is_magnitude(fabs(v));
 }
 
-/* A stress to be measured, from wherever it comes: it may be as small as it likes. */
+/* A stress to be measured. It may come from anywhere, and be as small as it likes. */
 static inline bool rw_is_stress(double v)
 {
     return islessequal(fabs(v), RW_LARGEST);
 }
 
-/* Smaller tips have no strength but for the sharp wedge, 0: for nu near 1/2 and little friction
- * J2 is then flat to rounding between the depths a and sqrt(a b), and its maximum there cannot
- * be found. */
+/* The smallest tip that has a strength, besides the sharp wedge, 0. At smaller ones, for nu near
+ * 1/2 and little friction, J2 is flat to rounding between the depths a and sqrt(a b), and its
+ * maximum there cannot be found. */
 #define RW_SMALLEST_TIP 1e-14
 
 static inline bool rw_is_tip(double alpha)
@@ -55,7 +55,7 @@ static inline bool rw_is_tip(double alpha)
     return rw_is_magnitude(alpha) && (alpha == 0 || alpha >= RW_SMALLEST_TIP);
 }
 
-/* A coefficient of friction: at 10^6 the traction is all but tangential. */
+/* A coefficient of friction: at 10^6 the traction is nearly tangential. */
 static inline bool rw_is_friction(double f)
 {
     return rw_is_magnitude(f) && f <= 1e6;

@@ -46,20 +46,20 @@ struct rwedge_contact {
     rw_loads loads;
     double slid_from;  /* the largest load since it slides; 0 where it does not */
     double touched_at; /* the bulk tension at which the bodies touched */
-    /* their sum; the carry is what rounding left out of a long history, and NaN from a load of
-     * unknown energy until the first load after the separation */
+    /* dissipated so far. The carry is what rounding left out of this sum; it is NaN from a load of
+     * unknown energy on, until the bodies touch anew */
     double energy, energy_carry;
     rw_memory memory;     /* loads are P, shears Q/f */
     bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
     bool is_origin_known; /* of the slip that then is: see slip.c */
-    rw_patch settled;     /* then: where it may have slipped; the rest came into contact since */
+    rw_patch settled;     /* then: where it may have slipped; the rest touched later */
     rw_slip_origins origins;
     double tolerance;        /* of loads without a closed form; 0: they are refused */
-    rw_numerical *numerical; /* the shear, where it has none; the memory is then without */
-    rw_numerical *start;     /* then: as it was where the straight line of the last loads began */
+    rw_numerical *numerical; /* the shear where it has no closed form; the memory then has none */
+    rw_numerical *start;     /* with it: the shear where the last straight line began */
     double strayed;          /* how far the loads since were off that line: numerical.c */
-    rwedge_contact *exact;   /* then: as it was in closed form last; NULL: without contact */
-    void *kept; /* by a room above until the next load; NULL for nothing; no copy has it */
+    rwedge_contact *exact;   /* with it: the contact in its last closed form; NULL: it had none */
+    void *kept; /* what a room above keeps until the next load; NULL: nothing. A copy has none */
     void (*destroy_kept)(void *kept);
 };
 

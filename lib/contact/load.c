@@ -159,7 +159,7 @@ static bool slides(const rw_departure *departure)
     return departure->slip != 0 && departure->corner.load == 0;
 }
 
-/* The bodies touch, after the load with the tension. */
+/* The bodies touch. The tension is that of the load before. */
 static void touch(rwedge_contact *contact, double sigma)
 {
     contact->touched_at = sigma;
@@ -371,9 +371,9 @@ static int32_t apply_in_pieces(rwedge_contact *contact, rw_loads to)
     return t == 1 ? RWEDGE_OK : RWEDGE_EPATH;
 }
 
-/* The straight line from the last closed form to these loads may have a closed form. It ends in the
- * same state if all places that have slipped since slip on it too, to the same fronts: the places
- * that stick have then never moved on either way. */
+/* The straight line from the last closed form to these loads may have a closed form. If all places
+ * that have slipped since slip on that line too, to the same fronts, it ends in the same state: the
+ * places that stick have moved on neither way. */
 static void return_to_closed_form(rwedge_contact *contact)
 {
     rwedge_contact *exact;

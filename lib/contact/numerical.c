@@ -1,176 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "contact/numerical.h"
+#include "contact/beginning.h"
 
-#include "base/sort.h"
-
-/* When the bodies touch, the first step is to this part of the load, and each step grows fourfold.
- * Below it all of the contact sticks, or slides, as it grows. */
-static const double FIRST_TOUCH = 0x1p-16;
+#include <stdlib.h>
 
 /* On the way to separation the work of the last part of the load is negligible. It is small, too,
  * where nothing sticks any more under a tension. */
 static const double LAST_TOUCH = 0.01, LAST_STICK = 1.0 / 32;
-
-static rw_frame frame_of(const rwedge_contact *c)
-{
-    return rw_frame_of(rw_arcs_of(&c->geometry), c->f, c->tolerance);
-}
-
-static rw_scaled_loads scaled_loads(const rwedge_contact *c, double P, double M, double shear,
-                                    double stretch)
-{
-    const rw_geometry *g = &c->geometry;
-    return (rw_scaled_loads){rw_as_length(g, P), rw_as_length(g, M), c->f * rw_as_length(g, shear),
-                             -c->f * stretch};
-}
-
-/* ---- The traction of a closed form ---- */
-
-/* Patches with their weights. */
-typedef struct {
-    double f;
-    size_t count;
-    double *weight;
-    rw_pad_potential *potential;
-} patches;
-
-static double traction_at(double x, const void *context)
-{
-    const patches *p = context;
-    double sum = 0;
-    for (size_t i = 0; i < p->count; i++)
-        sum += p->weight[i] * rw_pad_pressure(&p->potential[i], x);
-    return p->f * sum;
-}
-
-static void free_patches(patches *p)
-{
-    for (size_t i = 0; i < p->count; i++)
-        rw_pad_potential_destroy(&p->potential[i]);
-    free(p->weight);
-    free(p->potential);
-}
-
-static bool make_patches(const rwedge_contact *c, patches *p)
-{
-    const size_t most = c->memory.count;
-    *p = (patches){.f = c->f,
-                   .weight = malloc(most * sizeof *p->weight),
-                   .potential = malloc(most * sizeof *p->potential)};
-    const rw_arcs arcs = rw_arcs_of(&c->geometry);
-    bool is_made = p->weight && p->potential;
-    for (size_t i = 1; is_made && i < most; i++) {
-        const double weight = rw_patch_weight(&c->memory, i);
-        if (weight == 0)
-            continue;
-        p->weight[p->count] = weight;
-        is_made =
-            rw_pad_potential_create(&p->potential[p->count], &arcs, c->memory.corners[i].patch);
-        p->count += is_made;
-    }
-    if (!is_made)
-        free_patches(p);
-    return is_made;
-}
-
-/* The edges of the patches; if there are many, those of the widest patches. */
-static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
-{
-    s->kinks = 0;
-    for (size_t i = p->count; i-- > 0 && s->kinks + 2 <= RW_MOST_KINKS / 2;) {
-        const double edge[2] = {p->potential[i].patch.left, p->potential[i].patch.right};
-        for (int k = 0; k < 2; k++)
-            if (edge[k] > contact.left && edge[k] < contact.right)
-                s->kink[s->kinks++] = edge[k];
-    }
-    rw_sort(s->kink, (size_t)s->kinks);
-}
-
-/* ---- Beginning ---- */
-
-static double slip_at(double x, const void *context)
-{
-    const rwedge_contact *c = context;
-    double slip = 0;
-    rwedge_contact_slip(c, 1, &x, &slip);
-    return slip / c->geometry.theta;
-}
-
-static bool is_slip_known(const rwedge_contact *c)
-{
-    const double middle = rw_patch_middle(rw_memory_end(&c->memory)->patch);
-    double slip;
-    return rwedge_contact_slip(c, 1, &middle, &slip) == RWEDGE_OK;
-}
-
-static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_numerical_state *now)
-{
-    patches p;
-    if (!make_patches(c, &p))
-        return false;
-    note_kinks(&p, now->contact, &now->shear);
-    double at[RW_MOST_KINKS + RW_MOST_BENDS + 2];
-    size_t n = 0;
-    at[n++] = now->contact.left;
-    at[n++] = now->contact.right;
-    for (int i = 0; i < now->shear.kinks; i++)
-        at[n++] = now->shear.kink[i];
-    n += (size_t)rw_bends_between(frame, now->contact.left, now->contact.right, at + n);
-    rw_sort(at, n);
-    const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
-    const bool is_done = rw_traction_fit(&now->shear.traction, traction_at, &p, n, at, tolerance);
-    free_patches(&p);
-    return is_done;
-}
-
-static bool begin(const rwedge_contact *c, rw_numerical *numerical)
-{
-    const rw_corner *end = rw_memory_end(&c->memory);
-    const rw_frame frame = frame_of(c);
-    rw_numerical_state now = {
-        .contact = end->patch,
-        .at = scaled_loads(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
-    rw_closed_form_zones(c, &now.shear.zones);
-    if (fit_traction(c, &frame, &now) &&
-        rw_numerical_begin(numerical, &frame, &now, is_slip_known(c) ? slip_at : NULL, c))
-        return true;
-    rw_shear_state_destroy(&now.shear);
-    return false;
-}
-
-static rw_scaled_loads part_of(rw_scaled_loads from, rw_scaled_loads to, double part)
-{
-    return (rw_scaled_loads){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
-                             from.shear + part * (to.shear - from.shear),
-                             from.stretch + part * (to.stretch - from.stretch)};
-}
-
-static double no_slip(double x, const void *context)
-{
-    (void)x;
-    (void)context;
-    return 0;
-}
-
-/* The state after a first small contact, with a shear in proportion to the load. */
-static bool touch(const rwedge_contact *c, rw_scaled_loads to, rw_numerical *numerical)
-{
-    const rw_frame frame = frame_of(c);
-    const rw_scaled_loads from = {0, 0, 0, -c->f * c->memory.corners[0].stretch};
-    rw_numerical_state now = {.at = part_of(from, to, FIRST_TOUCH)};
-    now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
-    now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
-    rw_frame in_proportion = frame; /* what friction would bear is the traction */
-    in_proportion.f = to.shear / to.P;
-    rw_friction first;
-    if (!rw_friction_create(&first, &in_proportion, now.contact))
-        return false;
-    now.shear.traction = first.traction;
-    if (rw_numerical_begin(numerical, &frame, &now, no_slip, NULL))
-        return true;
-    rw_shear_state_destroy(&now.shear);
-    return false;
-}
 
 /* ---- The next load ---- */
 
@@ -213,7 +48,7 @@ static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_scaled_
         effort -= share;
         const double P = from.P * pow(to.P / from.P, (double)i / parts);
         const rw_scaled_loads at =
-            i < parts ? part_of(from, to, (P - from.P) / (to.P - from.P)) : to;
+            i < parts ? rw_part_of_line(from, to, (P - from.P) / (to.P - from.P)) : to;
         result = advance_part(n, frame, at, last_peak, &share);
         effort += share;
     }
@@ -222,7 +57,7 @@ static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_scaled_
 
 static rw_scaled_loads scaled_loads_after(const rwedge_contact *c, const rw_step *step)
 {
-    return scaled_loads(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
+    return rw_contact_scaled_loads(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
 }
 
 /* Whether the contact stays: its edges do. */
@@ -268,37 +103,10 @@ static rw_numerical *copy_of(const rw_numerical *n)
 /* The computed shear before the step; NULL where memory is short. */
 static rw_numerical *before_step(const rwedge_contact *c, const rw_step *step)
 {
-    if (c->numerical)
-        return copy_of(c->numerical);
-    rw_numerical *n = malloc(sizeof *n);
-    if (n && (c->memory.count == 1 ? touch(c, scaled_loads_after(c, step), n) : begin(c, n)))
-        return n;
-    free(n);
-    return NULL;
+    return c->numerical           ? copy_of(c->numerical)
+           : c->memory.count == 1 ? rw_numerical_of_touching(c, scaled_loads_after(c, step))
+                                  : rw_numerical_of_closed_form(c);
 }
-
-/* A step from the state `from`. Unless RWEDGE_OK, there is no next state. */
-static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_numerical *from,
-                     rw_numerical **next)
-{
-    const rw_frame frame = frame_of(c);
-    *next = copy_of(from);
-    if (!*next)
-        return RWEDGE_ENOMEM;
-    const int32_t status = status_of(advance(*next, &frame, next_loads(c, step, from)));
-    if (status != RWEDGE_OK) {
-        discard(*next);
-        *next = NULL;
-    }
-    return status;
-}
-
-/* ---- Straight lines ---- */
-
-/* A load that continues a straight line is computed as one step from the start of the line. So
- * answers do not depend on how a caller cuts the line, and errors of many small steps do not add
- * up. All in all the loads may be off the line by this part of the tolerance. */
-static const double STRAY = 0.1;
 
 enum { LOADS = 4 };
 
@@ -313,13 +121,58 @@ static void changes(const rw_numerical *n, double f, rw_scaled_loads to, double 
     change[3] = to.stretch - from.stretch;
 }
 
+static bool is_at(const rw_numerical *n, rw_scaled_loads loads)
+{
+    const rw_scaled_loads at = n->now.at;
+    return at.P == loads.P && at.M == loads.M && at.shear == loads.shear &&
+           at.stretch == loads.stretch;
+}
+
+/* Whether the loads go on along a straight line from touching, on which all has stuck. */
+static bool is_on_line_from_touching(const rwedge_contact *c, const rw_numerical *n,
+                                     rw_scaled_loads to)
+{
+    static const double ROUNDING = 1e-9; /* of friction */
+    const rw_numerical_state *now = &n->now;
+    double apart[LOADS], sum = 0;
+    changes(n, c->f, rw_part_of_line(rw_loads_before_touching(c), to, now->at.P / to.P), apart);
+    for (int i = 0; i < LOADS; i++)
+        sum += fabs(apart[i]);
+    return now->is_still && now->shear.zones.count == 1 &&
+           sum <= ROUNDING * c->f * now->at.P / rw_patch_half_width(now->contact);
+}
+
+/* A step from the state `from`. Unless RWEDGE_OK, there is no next state. */
+static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_numerical *from,
+                     rw_numerical **next)
+{
+    const rw_frame frame = rw_contact_frame(c);
+    const rw_scaled_loads to = next_loads(c, step, from);
+    *next = is_on_line_from_touching(c, from, to) ? rw_numerical_of_touching(c, to) : copy_of(from);
+    if (!*next)
+        return RWEDGE_ENOMEM;
+    const int32_t status = is_at(*next, to) ? RWEDGE_OK : status_of(advance(*next, &frame, to));
+    if (status != RWEDGE_OK) {
+        discard(*next);
+        *next = NULL;
+    }
+    return status;
+}
+
+/* ---- Straight lines ---- */
+
+/* A load that continues a straight line is computed as one step from the start of the line. So
+ * answers do not depend on how a caller cuts the line, and errors of many small steps do not add
+ * up. All in all the loads may be off the line by this part of the tolerance. */
+static const double STRAY = 0.1;
+
 /* How far the loads so far are off the line from its start to the next load, over friction: at most
  * the last load, and those before it off the line to the last. */
 static double stray(const rwedge_contact *c, const rw_step *step)
 {
     if (!c->start)
         return HUGE_VAL;
-    const rw_frame frame = frame_of(c);
+    const rw_frame frame = rw_contact_frame(c);
     double last[LOADS], next[LOADS], product = 0, square = 0, apart = 0;
     changes(c->start, c->f, c->numerical->now.at, last);
     changes(c->start, c->f, next_loads(c, step, c->start), next);
@@ -379,7 +232,7 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
 
 double rw_numerical_energy_to_separation(const rwedge_contact *c)
 {
-    const rw_frame frame = frame_of(c);
+    const rw_frame frame = rw_contact_frame(c);
     rw_numerical n;
     if (!rw_numerical_copy(c->numerical, &n))
         return NAN;
@@ -387,8 +240,8 @@ double rw_numerical_energy_to_separation(const rwedge_contact *c)
     const rw_scaled_loads away = {0, 0, 0, n.now.at.stretch}, from = n.now.at;
     double left = 1;
     int effort = RW_MOST_EFFORT;
-    while (left > LAST_TOUCH &&
-           rw_numerical_step(&n, &frame, part_of(away, from, left / 2), &effort) == RW_STEP_DONE)
+    while (left > LAST_TOUCH && rw_numerical_step(&n, &frame, rw_part_of_line(away, from, left / 2),
+                                                  &effort) == RW_STEP_DONE)
         left /= 2;
     const double work = n.now.energy - before;
     rw_numerical_destroy(&n);

@@ -23,9 +23,9 @@ typedef struct {
     const rw_geometry *geometry;
     bool is_sound, is_short; /* of memory */
     bool is_inner;           /* in a contact that another one keeps */
-} tape;
+} stream;
 
-static void pass(tape *t, double *value)
+static void pass(stream *t, double *value)
 {
     const bool is_over = t->in && t->at >= t->size;
     t->is_sound = t->is_sound && !is_over;
@@ -37,7 +37,7 @@ static void pass(tape *t, double *value)
 }
 
 /* A count or a flag, a whole number that is not above the limit. */
-static size_t pass_count(tape *t, size_t count, size_t limit)
+static size_t pass_count(stream *t, size_t count, size_t limit)
 {
     double value = (double)count;
     pass(t, &value);
@@ -49,33 +49,33 @@ static size_t pass_count(tape *t, size_t count, size_t limit)
 }
 
 /* What is only read stays unwritten: other threads may read it too. */
-static void pass_int(tape *t, int *number, size_t limit)
+static void pass_int(stream *t, int *number, size_t limit)
 {
     const size_t count = pass_count(t, (size_t)*number, limit);
     if (t->in)
         *number = (int)count;
 }
 
-static void pass_flag(tape *t, bool *flag)
+static void pass_flag(stream *t, bool *flag)
 {
     const bool is_set = pass_count(t, *flag, 1) == 1;
     if (t->in)
         *flag = is_set;
 }
 
-static void pass_finite(tape *t, double *number)
+static void pass_finite(stream *t, double *number)
 {
     pass(t, number);
     t->is_sound = t->is_sound && isfinite(*number);
 }
 
-static void pass_all(tape *t, size_t count, double *const numbers[])
+static void pass_all(stream *t, size_t count, double *const numbers[])
 {
     for (size_t i = 0; i < count; i++)
         pass_finite(t, numbers[i]);
 }
 
-static void pass_corner(tape *t, rw_corner *c)
+static void pass_corner(stream *t, rw_corner *c)
 {
     double *const finite[] = {&c->load,  &c->shear,      &c->tilt,       &c->stretch,
                               &c->ratio, &c->patch.left, &c->patch.right};
@@ -87,7 +87,7 @@ static void pass_corner(tape *t, rw_corner *c)
 /* ---- Reading and writing ---- */
 
 /* Corners one after the other; `before` is the corner in front of them, or NULL. */
-static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_corner *before)
+static void pass_corners(stream *t, rw_corner corners[], size_t count, const rw_corner *before)
 {
     for (size_t i = 0; i < count; i++) {
         pass_corner(t, &corners[i]);
@@ -97,7 +97,7 @@ static void pass_corners(tape *t, rw_corner corners[], size_t count, const rw_co
     }
 }
 
-static void pass_path(tape *t, rw_memory *memory)
+static void pass_path(stream *t, rw_memory *memory)
 {
     const size_t limit = t->in ? t->size / CORNER : memory->count;
     const size_t count = pass_count(t, memory->count, limit);
@@ -115,7 +115,7 @@ static void pass_path(tape *t, rw_memory *memory)
 }
 
 /* An origin without its corners: how many it has, and how many it shares with the last origin. */
-static void pass_origin(tape *t, rw_slip_origin *o, size_t *shared, size_t most_shared)
+static void pass_origin(stream *t, rw_slip_origin *o, size_t *shared, size_t most_shared)
 {
     double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
     pass_all(t, sizeof numbers / sizeof *numbers, numbers);
@@ -127,7 +127,7 @@ static void pass_origin(tape *t, rw_slip_origin *o, size_t *shared, size_t most_
     }
 }
 
-static void write_origin(tape *t, const rw_slip_origins *origins, size_t i)
+static void write_origin(stream *t, const rw_slip_origins *origins, size_t i)
 {
     rw_slip_origin origin = origins->all[i];
     size_t shared = origins->branches[i].shared;
@@ -137,7 +137,7 @@ static void write_origin(tape *t, const rw_slip_origins *origins, size_t i)
 }
 
 /* Reads the corners straight to their final place. */
-static void read_origin(tape *t, rw_slip_origins *origins)
+static void read_origin(stream *t, rw_slip_origins *origins)
 {
     const size_t last = rw_slip_origins_last_corners(origins);
     rw_slip_origin origin = {.corners = 0};
@@ -162,7 +162,7 @@ static void read_origin(tape *t, rw_slip_origins *origins)
     t->is_sound = rw_is_origin_sound(origins, origins->count - 1);
 }
 
-static void pass_origins(tape *t, rw_slip_origins *origins)
+static void pass_origins(stream *t, rw_slip_origins *origins)
 {
     pass_finite(t, &origins->fresh);
     const size_t limit = t->in ? t->size / ORIGIN : origins->count;
@@ -176,10 +176,9 @@ static void pass_origins(tape *t, rw_slip_origins *origins)
 
 /* ---- The computed shear ---- */
 
-static void pass_elements(tape *t, rw_traction *traction)
+static void pass_elements(stream *t, rw_traction *traction)
 {
-    const size_t count =
-        pass_count(t, traction->count, t->in ? t->size / (RW_TERMS + 4) : traction->count);
+    const size_t count = pass_count(t, traction->count, t->in ? t->size / 5 : traction->count);
     double end = -HUGE_VAL;
     for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++) {
         rw_element e = {.end = 0};
@@ -187,9 +186,9 @@ static void pass_elements(tape *t, rw_traction *traction)
             e = traction->elements[i];
         double *const shape[] = {&e.end, &e.scale, &e.first, &e.last};
         pass_all(t, 4, shape);
-        for (int k = 0; k < RW_TERMS; k++) {
+        pass_int(t, &e.terms, RW_TERMS);
+        for (int k = 0; k < e.terms; k++)
             pass_finite(t, &e.coefficient[k]);
-        }
         if (!t->in || !t->is_sound)
             continue;
         t->is_sound = e.scale != 0 && e.first >= 0 && e.first < e.last && e.last <= 1;
@@ -202,7 +201,7 @@ static void pass_elements(tape *t, rw_traction *traction)
     }
 }
 
-static void pass_zones(tape *t, rw_zones *z)
+static void pass_zones(stream *t, rw_zones *z)
 {
     pass_int(t, &z->count, RW_MOST_ZONES);
     for (int i = 0; i < z->count; i++) {
@@ -219,7 +218,7 @@ static void pass_zones(tape *t, rw_zones *z)
     t->is_sound = t->is_sound && z->count > 0;
 }
 
-static void pass_errors(tape *t, rw_numerical *n)
+static void pass_errors(stream *t, rw_numerical *n)
 {
     for (int i = 0; i < RW_PLACES; i++) {
         pass_finite(t, &n->error[i]);
@@ -227,7 +226,7 @@ static void pass_errors(tape *t, rw_numerical *n)
     }
 }
 
-static void pass_shear(tape *t, rw_numerical **shear)
+static void pass_shear(stream *t, rw_numerical **shear)
 {
     if (t->in)
         *shear = calloc(1, sizeof **shear);
@@ -253,10 +252,10 @@ static void pass_shear(tape *t, rw_numerical **shear)
     pass_errors(t, n);
 }
 
-static void pass_contact(tape *t, rwedge_contact *c);
+static void pass_contact(stream *t, rwedge_contact *c);
 
 /* The contact when it last had a closed form. */
-static void pass_exact(tape *t, rwedge_contact *c)
+static void pass_exact(stream *t, rwedge_contact *c)
 {
     const bool has_exact = pass_count(t, c->exact != NULL, 1) == 1;
     if (!has_exact || !t->is_sound || t->is_short)
@@ -269,7 +268,7 @@ static void pass_exact(tape *t, rwedge_contact *c)
         pass_contact(t, c->exact);
 }
 
-static void pass_numerical(tape *t, rwedge_contact *c)
+static void pass_numerical(stream *t, rwedge_contact *c)
 {
     pass(t, &c->tolerance);
     const bool has_shear = pass_count(t, c->numerical != NULL, t->is_inner ? 0 : 1) == 1;
@@ -284,7 +283,7 @@ static void pass_numerical(tape *t, rwedge_contact *c)
 }
 
 /* What the pad is, if it is not a wedge. */
-static void pass_pad(tape *t, rw_geometry *g)
+static void pass_pad(stream *t, rw_geometry *g)
 {
     double *const finite[] = {&g->reach, &g->middle_slope};
     pass_all(t, 2, finite);
@@ -310,7 +309,7 @@ static void pass_pad(tape *t, rw_geometry *g)
     t->is_sound = t->is_sound && (!g->pad || rw_is_pad_sound(g->pad));
 }
 
-static void pass_contact(tape *t, rwedge_contact *c)
+static void pass_contact(stream *t, rwedge_contact *c)
 {
     double *const finite[] = {
         &c->geometry.theta, &c->geometry.a,   &c->geometry.A,   &c->f,
@@ -351,7 +350,7 @@ static double sum_of_bits(const double *state, size_t n)
 static size_t size_of(const rwedge_contact *contact)
 {
     rwedge_contact same = *contact; /* is only counted */
-    tape t = {.at = HEAD, .version = VERSION, .is_sound = true};
+    stream t = {.at = HEAD, .version = VERSION, .is_sound = true};
     pass_contact(&t, &same);
     return t.at;
 }
@@ -368,7 +367,7 @@ int32_t rwedge_contact_state(const rwedge_contact *contact, size_t n, double sta
     if (n != size_of(contact))
         return RWEDGE_ERANGE;
     rwedge_contact same = *contact; /* is only read */
-    tape t = {.out = state, .at = HEAD, .version = VERSION, .is_sound = true};
+    stream t = {.out = state, .at = HEAD, .version = VERSION, .is_sound = true};
     pass_contact(&t, &same);
     state[0] = VERSION;
     state[1] = sum_of_bits(state + HEAD, n - HEAD);
@@ -385,7 +384,7 @@ int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **
     rwedge_contact *restored = calloc(1, sizeof *restored);
     if (!restored)
         return RWEDGE_ENOMEM;
-    tape t = {.in = state, .at = HEAD, .size = n, .version = state[0], .is_sound = true};
+    stream t = {.in = state, .at = HEAD, .size = n, .version = state[0], .is_sound = true};
     pass_contact(&t, restored);
     if (!t.is_sound || t.is_short || t.at != n || !rw_is_contact_sound(restored)) {
         rwedge_contact_destroy(restored);

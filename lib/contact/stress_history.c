@@ -148,7 +148,8 @@ typedef struct {
     double *sxx, *syy, *txy;
 } points;
 
-static void roll(const rwedge_contact *contact, const record *r, level levels[], const points *p)
+static void compute_blocks(const rwedge_contact *contact, const record *r, level levels[],
+                           const points *p)
 {
     for (size_t start = 0; start < p->n; start += RW_BATCH) {
         const int size = p->n - start < RW_BATCH ? (int)(p->n - start) : RW_BATCH;
@@ -213,7 +214,7 @@ static int32_t follow(rwedge_contact *contact, const rw_load_history *loads, con
         status = levels ? RWEDGE_OK : RWEDGE_ENOMEM;
     }
     if (status == RWEDGE_OK)
-        roll(contact, &r, levels, p);
+        compute_blocks(contact, &r, levels, p);
     free(levels);
     discard(&r);
     return status;

@@ -62,9 +62,9 @@ static double numerical_sum(const rwedge_contact *contact, double b, double x)
            (RW_PI * rw_traction_displacement(t, x) + log(b / 2) * rw_traction_total(t));
 }
 
-/* In contact since before the first slip: a place that came later was not where it would have been
- * without shear. The innermost patch of the memory was in contact before. NaN where all places of
- * then have left the contact. */
+/* A place in contact since before the first slip, as the innermost patch of the memory is: one that
+ * came later was not where it would have been without shear. NaN where all such places have left
+ * the contact. */
 static double lasting_place(const rwedge_contact *contact)
 {
     const bool has_slipped =

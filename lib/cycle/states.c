@@ -12,8 +12,8 @@ static double share_of(int part, int parts)
     return part < parts ? (double)part / parts : 1 - ldexp(1.0 / parts, parts - 1 - part);
 }
 
-/* A computed shear takes its time for each part: none is to change P, or M over the half-width, by
- * less than this part of P. A measured log has such noise in every load. */
+/* Each part costs a computed shear a step. So no part changes P, or M over the half-width, by less
+ * than this part of P: a measured log has such noise in every load. */
 static const double LEAST_CHANGE = 0.01;
 
 static int parts_of(const rw_state *from, rw_loads to)

@@ -104,31 +104,39 @@ static const double FIT = 1e-3;
 typedef struct {
     const rw_frame *frame;
     rw_patch contact;
+    double mean, slope;
 } pressed;
 
-static void friction_at(const double x[], const void *context, double value[])
+static void traction_at(const double x[], const void *context, double value[])
 {
     static const double surface[RW_TERMS] = {0};
     const pressed *p = context;
+    const double middle = rw_patch_middle(p->contact);
     rw_fields fields;
     rw_pad_fields(&p->frame->arcs, p->contact, RW_TERMS, x, surface, &fields);
     for (int i = 0; i < RW_TERMS; i++)
-        value[i] = -p->frame->f * fields.G_im[i];
+        value[i] = -(p->mean + p->slope * (x[i] - middle)) * fields.G_im[i];
+}
+
+bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double slope, double peak,
+                  rw_traction *traction)
+{
+    const pressed p = {frame, contact, mean, slope};
+    double at[RW_MOST_BENDS + 2] = {contact.left};
+    const int inside = rw_bends_between(frame, contact.left, contact.right, at + 1);
+    at[inside + 1] = contact.right;
+    *traction = (rw_traction){0};
+    const bool is_done = rw_traction_fit_values(traction, traction_at, &p, (size_t)inside + 2, at,
+                                                FIT * frame->tolerance * peak, 0);
+    if (!is_done)
+        rw_traction_destroy(traction);
+    return is_done;
 }
 
 bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch contact)
 {
-    const pressed p = {frame, contact};
-    double at[RW_MOST_BENDS + 2] = {contact.left};
-    const int inside = rw_bends_between(frame, contact.left, contact.right, at + 1);
-    at[inside + 1] = contact.right;
     *friction = (rw_friction){.contact = contact, .peak = rw_peak_friction(frame, contact)};
-    const bool is_done =
-        rw_traction_fit_values(&friction->traction, friction_at, &p, (size_t)inside + 2, at,
-                               FIT * frame->tolerance * fabs(friction->peak), 0);
-    if (!is_done)
-        rw_friction_destroy(friction);
-    return is_done;
+    return rw_frame_fit(frame, contact, frame->f, 0, friction->peak, &friction->traction);
 }
 
 void rw_friction_destroy(rw_friction *friction)

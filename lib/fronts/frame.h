@@ -29,6 +29,11 @@ int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
 double rw_exact_friction(const rw_frame *frame, rw_patch contact, double x);
 double rw_peak_friction(const rw_frame *frame, rw_patch contact);
 
+/* Fits the pressure times mean + slope (x - middle) so well as friction of this peak. false where
+ * memory is short. */
+bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double slope, double peak,
+                  rw_traction *traction);
+
 typedef struct {
     rw_patch contact;
     double peak;

@@ -213,7 +213,7 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
 /* ---- Front by front ---- */
 
 /* K of a front at an angle, with the sign of slip. */
-static bool pull(rw_fronts *f, int j, double angle, double *value)
+static bool singularity_at(rw_fronts *f, int j, double angle, double *value)
 {
     double r[RW_MOST_FRONTS];
     const double y = f->y[j];
@@ -230,7 +230,7 @@ static bool close_in(rw_fronts *f, int j, double a, double at_a, double b, doubl
     for (int turn = 0; turn < 30 && fabs(b - a) > 1e-7; turn++) {
         const double c = b - at_b * (b - a) / (at_b - at_a);
         double at_c;
-        if (!isfinite(c) || !pull(f, j, c, &at_c))
+        if (!isfinite(c) || !singularity_at(f, j, c, &at_c))
             return false;
         if (at_c * at_b < 0) {
             a = b;
@@ -249,7 +249,7 @@ static bool relax_front(rw_fronts *f, int j)
 {
     const double start = f->y[j];
     double a = start, at_a;
-    if (!pull(f, j, a, &at_a))
+    if (!singularity_at(f, j, a, &at_a))
         return false;
     const double direction = at_a > 0 ? inwards(f, j) : -inwards(f, j);
     const double limit = direction < 0       ? j > 0 ? f->y[j - 1] : 0
@@ -260,7 +260,7 @@ static bool relax_front(rw_fronts *f, int j)
         double b = a + direction * step, at_b;
         if ((b - limit) * direction >= -1e-3 * fabs(limit - start))
             b = (a + limit) / 2;
-        if (!pull(f, j, b, &at_b))
+        if (!singularity_at(f, j, b, &at_b))
             return false;
         if (at_a * at_b <= 0)
             return close_in(f, j, a, at_a, b, at_b);

@@ -174,6 +174,11 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
         note_layers(p);
 }
 
+double rw_problem_change(const rw_problem *p)
+{
+    return fabs(p->shear) / p->half + fabs(p->stretch) + fabs(p->after->peak - p->before->peak);
+}
+
 static const rw_shear_state NO_SHEAR = {.kinks = 0};
 
 void rw_problem_init_rates(rw_problem *p, const rw_frame *frame, rw_patch contact, double load,

@@ -64,6 +64,9 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
                      const rw_friction *after, const rw_shear_state *old, double shear,
                      double stretch);
 
+/* The change of the loads as a traction. */
+double rw_problem_change(const rw_problem *p);
+
 /* At n places: the limit of friction F = f |p| after the step, and before it. */
 void rw_friction_after(const rw_problem *p, size_t n, const double x[], double F[]);
 void rw_friction_before(const rw_problem *p, size_t n, const double x[], double F[]);

@@ -42,7 +42,7 @@ static rw_pressing sum(rw_pressing inner, double weight, rw_pressing more, rw_pr
 }
 
 /* The stress intensity k = P +- 2 (M - m P)/s at an edge, the right one for side = 1. */
-static double felt(rw_pressing carried, rw_patch patch, int side)
+static double intensity(rw_pressing carried, rw_patch patch, int side)
 {
     const double about_middle = carried.moment - rw_patch_middle(patch) * carried.load;
     return carried.load + side * 2 * about_middle / rw_patch_half_width(patch);
@@ -54,8 +54,8 @@ static double rate(const layer *l, double t)
     const rw_pressing here = rw_pressing_of(l->geometry, v), none = {0, 0, 0};
     const rw_pressing in = sum(l->inner, l->weight, here, l->start),
                       out = sum(none, 1, l->contact, here);
-    const double right = felt(in, v, 1) * felt(out, v, 1) * (l->to.right - l->from.right);
-    const double left = felt(in, v, -1) * felt(out, v, -1) * (l->from.left - l->to.left);
+    const double right = intensity(in, v, 1) * intensity(out, v, 1) * (l->to.right - l->from.right);
+    const double left = intensity(in, v, -1) * intensity(out, v, -1) * (l->from.left - l->to.left);
     return (right + left) / rw_patch_half_width(v);
 }
 

@@ -23,8 +23,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A point of the history. In theta: tilt is what the moment takes off the slope of the profile,
- * stretch is -A sigma/(4 theta f). */
+/* Loads as the memory has them: P and Q/f, and in theta what the moment takes off the slope of the
+ * profile, the tilt, and the stretch -A sigma/(4 theta f). */
 typedef struct {
     double load, shear;
     double tilt, stretch;

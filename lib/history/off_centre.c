@@ -115,7 +115,7 @@ static const double NEAR = 0.06, FAR = 2;
 enum { PANELS_MAX = 1024 };
 
 /* Panels as long as w is far from the singularities, at distances of the angles between the ends
- * and the edge. NaN of a patch without width, of which no panel has a length. */
+ * and the edge. NaN for a patch without width: none of its panels has a length. */
 static double integrate(rw_function f, const outside *o, double from, double to)
 {
     double sum = 0, first = 1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lives from criteria, by the curves of Basquin, Coffin and Manson. Over the logarithm of the
- * number of reversals the logarithm of such a curve falls, steeper than the flatter power and less
- * steep than the other. */
+ * number of reversals the logarithm of such a curve falls. Its slope lies between those of the two
+ * powers. */
 #include "life/life.h"
 
 #include "base/always.h"

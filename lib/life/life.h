@@ -21,7 +21,7 @@ bool rw_fatemi_socie_curve(double G, double tf, double b, double gf, double c, d
 double rw_life(const rw_life_curve *curve, double value);
 
 /* Lines of a table of u = log(2N), and its rate from line to line, over the logarithm of the value.
- * Each is filled when it is first asked for; lines that are far apart share a room. */
+ * Each is filled when it is first asked for; lines that are far apart share a place. */
 enum { RW_LIFE_LINES = 1024 };
 typedef struct {
     double place, u, rate;

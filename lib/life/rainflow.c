@@ -62,7 +62,7 @@ static bool goes_on(const rainflow *r, double value)
     return last > before ? value > last : value < last;
 }
 
-static void lay(rainflow *r, rw_reversal next)
+static void push(rainflow *r, rw_reversal next)
 {
     if (r->count > 0 && next.value == r->turn[r->count - 1].value) {
         r->turn[r->count - 1].highest = rw_larger(r->turn[r->count - 1].highest, next.own);
@@ -95,7 +95,7 @@ size_t rw_rainflow(size_t n, const double value[], const double other[], bool re
     const size_t start = repeats ? largest(n, value) : 0, last = start + n + (repeats ? 1 : 0);
     for (size_t k = start; k < last; k++) {
         const size_t i = k < n ? k : k - n;
-        lay(&r, (rw_reversal){i, value[i], other[i], other[i]});
+        push(&r, (rw_reversal){i, value[i], other[i], other[i]});
     }
     while (r.count >= 2)
         add_half(&r);

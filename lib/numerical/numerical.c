@@ -4,6 +4,7 @@
 #include "base/domain.h"
 #include "traction/transform.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- Life ---- */
@@ -163,7 +164,7 @@ static bool touches(const rw_numerical_state *s, double x)
 }
 
 /* Minus the displacement at the time when an edge of the contact came to a place, interpolated
- * between two stances. */
+ * between two states. */
 static double origin_between(const rw_numerical_state *from, const rw_numerical_state *to, double x)
 {
     const double part = x > from->contact.right
@@ -324,51 +325,66 @@ static void drop(trial *t)
     t->is_known = false;
 }
 
-static trial try_step(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
-                      const rw_zones *guess, bool coarse)
+static void try_step(trial *t, rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
+                     const rw_zones *guess, bool coarse)
 {
-    trial t;
-    t.is_known = rw_implicit_step(w, from, to, guess, coarse, &t.state);
-    return t;
+    t->is_known = rw_implicit_step(w, from, to, guess, coarse, &t->state);
 }
+
+/* What a load needs. The stack of some threads, 64 KiB, would not hold it. */
+typedef struct {
+    rw_work work;
+    rw_numerical next;
+    trial whole, half[HALVINGS + 1], rest[HALVINGS + 1];
+    rw_zones guess[HALVINGS + 1];
+} load_work;
 
 /* Goes on to a load. `whole` is the step as a whole, if it is known. Its difference from two halves
  * is the error. Both halves are divided again until that is small, or the effort is spent: the
  * first half may take half of the effort left. */
-static bool advance(rw_work *w, rw_numerical *n, rw_scaled_loads to, trial *whole, int halvings,
-                    int effort)
+static bool advance(load_work *j, rw_scaled_loads to, trial *whole, int halvings, int effort)
 {
+    rw_work *w = &j->work;
+    rw_numerical *n = &j->next;
+    trial *half = &j->half[halvings], *rest = &j->rest[halvings];
+    rw_zones *guess = &j->guess[halvings];
     const bool is_last = halvings == 0 || w->effort > effort;
+    if (whole->is_known && whole->state.is_exact) {
+        whole->is_known = false;
+        whole->state.error += whole->state.rate_error;
+        return accept(w, n, &whole->state, &whole->state);
+    }
     const rw_scaled_loads middle = half_way(n->now.at, to);
     if (is_last && !whole->is_known)
-        *whole = try_step(w, &n->now, to, NULL, true);
-    const rw_zones zones = whole->is_known ? whole->state.shear.zones : n->now.shear.zones;
-    trial half = try_step(w, &n->now, middle, &zones, is_last), both = {.is_known = false};
-    if (half.is_known && whole->is_known && rw_step_goes_on(w, &half.state, &whole->state)) {
-        const bool is_done = accept(w, n, &half.state, &whole->state);
+        try_step(whole, w, &n->now, to, NULL, true);
+    *guess = whole->is_known ? whole->state.shear.zones : n->now.shear.zones;
+    try_step(half, w, &n->now, middle, guess, is_last);
+    if (half->is_known && whole->is_known && rw_step_goes_on(w, &half->state, &whole->state)) {
+        const bool is_done = accept(w, n, &half->state, &whole->state);
         whole->is_known = false;
-        drop(&half);
+        drop(half);
         return is_done;
     }
-    if (half.is_known && whole->is_known)
-        both = try_step(w, &half.state, to, &zones, is_last);
+    rest->is_known = false;
+    if (half->is_known && whole->is_known)
+        try_step(rest, w, &half->state, to, guess, is_last);
     const bool is_close =
-        both.is_known && compare(w->frame, &whole->state, &half.state, &both.state);
+        rest->is_known && compare(w->frame, &whole->state, &half->state, &rest->state);
     drop(whole);
-    if (is_close || (both.is_known && is_last)) {
-        const bool is_done = accept(w, n, &half.state, &both.state);
-        drop(&half);
+    if (is_close || (rest->is_known && is_last)) {
+        const bool is_done = accept(w, n, &half->state, &rest->state);
+        drop(half);
         return is_done;
     }
-    drop(&both);
+    drop(rest);
     if (is_last || w->is_short) {
-        drop(&half);
+        drop(half);
         return false;
     }
-    if (!advance(w, n, middle, &half, halvings - 1, w->effort + (effort - w->effort) / 2))
+    if (!advance(j, middle, half, halvings - 1, w->effort + (effort - w->effort) / 2))
         return false;
-    trial rest = try_step(w, &n->now, to, &zones, false);
-    return advance(w, n, to, &rest, halvings - 1, effort);
+    try_step(rest, w, &n->now, to, guess, false);
+    return advance(j, to, rest, halvings - 1, effort);
 }
 
 /* A load after which the error is twice what it was, and this more, has not converged. */
@@ -377,23 +393,25 @@ static const double FAR_OFF = 0.1;
 static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
                                int *effort)
 {
-    rw_work w;
-    rw_numerical next;
-    if (!rw_work_create(&w, frame, *effort))
-        return RW_STEP_NO_MEMORY;
-    if (!rw_numerical_copy(n, &next)) {
-        rw_work_destroy(&w);
+    load_work *j = malloc(sizeof *j);
+    if (!j || !rw_work_create(&j->work, frame, *effort)) {
+        free(j);
         return RW_STEP_NO_MEMORY;
     }
-    trial whole = try_step(&w, &next.now, to, NULL, false);
-    const bool is_done = advance(&w, &next, to, &whole, HALVINGS, *effort / 2) &&
-                         rw_numerical_error(&next) <= FAR_OFF + 2 * rw_numerical_error(n);
-    *effort -= w.effort;
-    rw_work_destroy(&w);
-    rw_numerical_destroy(is_done ? n : &next);
-    if (is_done)
-        *n = next;
-    return is_done ? RW_STEP_DONE : w.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+    rw_step_result result = RW_STEP_NO_MEMORY;
+    if (rw_numerical_copy(n, &j->next)) {
+        try_step(&j->whole, &j->work, &j->next.now, to, NULL, false);
+        const bool is_done = advance(j, to, &j->whole, HALVINGS, *effort / 2) &&
+                             rw_numerical_error(&j->next) <= FAR_OFF + 2 * rw_numerical_error(n);
+        *effort -= j->work.effort;
+        rw_numerical_destroy(is_done ? n : &j->next);
+        if (is_done)
+            *n = j->next;
+        result = is_done ? RW_STEP_DONE : j->work.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+    }
+    rw_work_destroy(&j->work);
+    free(j);
+    return result;
 }
 
 /* A load that fails is tried once more with ten times the tolerance and a quarter of the effort;

@@ -26,9 +26,8 @@ static const double SMALL = 0.1, BEST_FIT = 0.1;
 
 static double fit_tolerance(const rw_problem *p)
 {
-    const double change =
-        fabs(p->shear) / p->half + fabs(p->stretch) + fabs(p->after->peak - p->before->peak);
-    return FIT * fmax(BEST_FIT, fmin(1, change / (SMALL * p->scale))) * p->tolerance;
+    const double part = rw_problem_change(p) / (SMALL * p->scale);
+    return FIT * fmax(BEST_FIT, fmin(1, part)) * p->tolerance;
 }
 
 void rw_shear_state_destroy(rw_shear_state *state)
@@ -217,7 +216,7 @@ static bool find_move(const rw_problem *p, rw_outcome *o)
 typedef struct {
     const after *after;
     rw_outcome *outcome;
-    int label;   /* 0: the contact has left it */
+    int label;
     double slip; /* at the end of the last part */
 } slipping;
 
@@ -226,8 +225,8 @@ static bool touches(rw_patch contact, double x)
     return x >= contact.left && x <= contact.right;
 }
 
-/* Places that a growing contact takes in as it slips move by less than dw, because they touch
- * later: by less than under friction that grows as a layer. */
+/* Places that the contact takes in or leaves as it slips move by less than dw, because they touch
+ * for a part of the time: by less than under friction that changes as a layer. */
 static double slope_of_layers(const slipping *s, double x)
 {
     const rw_problem *p = s->after->problem;
@@ -235,7 +234,7 @@ static double slope_of_layers(const slipping *s, double x)
     double sum = 0;
     for (int k = 0; k < layers->count; k++)
         sum += layers->weight[k] * rw_layer_slope(p, k, x);
-    return sum - (touches(p->from, x) ? 0 : s->label * rw_layer_slope(p, 0, x));
+    return sum - s->label * rw_layer_slope(p, 0, x);
 }
 
 /* The slip at the nodes between two places. */
@@ -260,6 +259,23 @@ static void add_slip_between(slipping *s, double from, double to, const double x
     s->slip = slip[f->order];
 }
 
+/* The mean of friction over a step. Next to an edge that moves, its square is linear in time. */
+static double mean_friction(double first, double last)
+{
+    return first + last > 0
+               ? 2.0 / 3 * (first * first + first * last + last * last) / (first + last)
+               : 0;
+}
+
+/* The part of a step in which a place is in contact. */
+static double time_in_contact(const rw_problem *p, double x)
+{
+    const double left = fmax(p->from.left, p->to.left), right = fmin(p->from.right, p->to.right);
+    return x < left    ? (x - p->both.left) / (left - p->both.left)
+           : x > right ? (p->both.right - x) / (p->both.right - right)
+                       : 1;
+}
+
 static void check_slip_part(slipping *s, double from, double to)
 {
     const rw_problem *p = s->after->problem;
@@ -276,11 +292,10 @@ static void check_slip_part(slipping *s, double from, double to)
     rw_friction_before(p, (size_t)f->order, x, before);
     for (int i = 0; i < f->order; i++) {
         const double step = fabs(to - from) * f->weight[i];
-        if (s->label == 0) {
-            s->outcome->energy += fabs(slip[i]) * before[i] / 2 * step;
+        s->outcome->energy -=
+            s->label * slip[i] * mean_friction(before[i], now[i]) * time_in_contact(p, x[i]) * step;
+        if (!touches(p->to, x[i]))
             continue;
-        }
-        s->outcome->energy -= s->label * slip[i] * (before[i] + now[i]) / 2 * step;
         const double excess = s->label * slip[i] / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
@@ -303,10 +318,10 @@ static void check_slip(slipping *s, int zone)
     const int n = rw_breaks_between(p, is_leftmost ? p->both.left : z.left,
                                     zone + 1 == zones->count ? p->both.right : z.right, at);
     s->slip = 0;
+    s->label = z.label;
     for (int i = 0; i + 1 < n; i++) {
         const double *part = at + (is_leftmost ? n - 2 - i : i);
-        s->label = touches(p->to, part[0] / 2 + part[1] / 2) ? z.label : 0;
-        if (part[1] > part[0] && (z.label != 0 || s->label != z.label))
+        if (part[1] > part[0] && z.label != 0)
             check_slip_part(s, part[is_leftmost], part[!is_leftmost]);
     }
 }

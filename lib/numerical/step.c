@@ -65,7 +65,7 @@ static bool has_sliver(const rw_work *w, const rw_fronts *f)
 }
 
 /* A residual takes values at all points, for each zone that sticks. */
-static void spend(rw_work *w, int residuals)
+static void add_effort(rw_work *w, int residuals)
 {
     w->search -= residuals;
     w->effort += residuals * w->fronts.sticks * (int)w->fronts.count;
@@ -76,7 +76,7 @@ static bool newton(rw_work *w, double residual)
     const int budget = TURNS * (w->fronts.unknowns + 1);
     w->fronts.budget = budget;
     const bool is_done = rw_fronts_newton(&w->fronts, residual);
-    spend(w, budget - w->fronts.budget);
+    add_effort(w, budget - w->fronts.budget);
     return is_done;
 }
 
@@ -84,7 +84,7 @@ static bool relax(rw_work *w)
 {
     w->fronts.budget = BUDGET;
     const bool is_done = rw_fronts_relax(&w->fronts);
-    spend(w, BUDGET - w->fronts.budget);
+    add_effort(w, BUDGET - w->fronts.budget);
     return is_done;
 }
 
@@ -184,7 +184,7 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
                     rw_outcome *best)
 {
     const double width = p->half * angle * angle * 2;
-    rw_zones pattern = *zones, tried[RW_VARIANTS];
+    rw_zones pattern = *zones;
     bool is_known = false;
     if (!rw_pattern_clean(&pattern, width))
         return false;
@@ -197,10 +197,10 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
                 continue;
             bool is_new = true;
             for (int i = 0; i < count; i++)
-                is_new = is_new && !rw_pattern_is_same(&variant, &tried[i]);
+                is_new = is_new && !rw_pattern_is_same(&variant, &w->tried[i]);
             if (!is_new)
                 continue;
-            tried[count++] = variant;
+            w->tried[count++] = variant;
             rw_outcome outcome;
             if (!try_pattern(w, p, &variant, angle, width, &outcome))
                 continue;
@@ -395,6 +395,48 @@ static double rate_error(rw_work *w, const rw_problem *p, const rw_numerical_sta
            p->scale;
 }
 
+/* Whether all places that stick in `inner` stick in `outer` too. */
+static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
+{
+    for (int i = 0, k = 0; i < inner->count; i++) {
+        if (inner->zone[i].label != 0)
+            continue;
+        while (k + 1 < outer->count && outer->zone[k].right < inner->zone[i].right - slack)
+            k++;
+        if (outer->zone[k].label != 0 || outer->zone[k].left > inner->zone[i].left + slack)
+            return false;
+    }
+    return true;
+}
+
+/* The zones before a step, but what slips no more, or the other way, sticks from the beginning. */
+static rw_zones going_on(const rw_zones *old, const rw_zones *after)
+{
+    rw_zones zones = *old;
+    for (int i = 0; i < zones.count; i++)
+        if (!slips_so(after, zones.zone[i]))
+            zones.zone[i].label = 0;
+    rw_pattern_clean(&zones, 0);
+    return zones;
+}
+
+/* A step whose loads change by more than this, as traction over friction, is looked at half-way
+ * too: slip may begin and end within it. */
+static const double LARGE = 0.25;
+
+/* Whether a step has the right end whatever the way there. Where it slips the traction is that of
+ * friction. What sticks must have stuck all the time, and must have been in contact. */
+static bool is_exact(const rw_problem *p, const rw_numerical_state *from,
+                     const rw_numerical_state *there)
+{
+    const rw_zones *after = &there->shear.zones;
+    const rw_zones before = going_on(&from->shear.zones, after);
+    return rw_problem_change(p) <= LARGE * p->scale &&
+           fmax(there->error, there->rate_error) <= p->allowed && after->zone[0].label != 0 &&
+           after->zone[after->count - 1].label != 0 &&
+           is_nested(after, &before, p->allowed * p->half);
+}
+
 static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
                     rw_scaled_loads to, const rw_zones *guess, bool coarse,
                     rw_numerical_state *there)
@@ -415,6 +457,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
                              .energy = from->energy + outcome.energy,
                              .error = outcome.violation};
     there->rate_error = rate_error(w, p, from, there);
+    there->is_exact = is_exact(p, from, there);
     return true;
 }
 
@@ -427,20 +470,6 @@ bool rw_implicit_step(rw_work *w, const rw_numerical_state *from, rw_scaled_load
     if (!set_problem(w, from, to, contact, &p))
         return false;
     return step_to(w, &p, from, to, guess, coarse, there);
-}
-
-/* Whether all places that stick in `inner` stick in `outer` too. */
-static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
-{
-    for (int i = 0, k = 0; i < inner->count; i++) {
-        if (inner->zone[i].label != 0)
-            continue;
-        while (k + 1 < outer->count && outer->zone[k].right < inner->zone[i].right - slack)
-            k++;
-        if (outer->zone[k].label != 0 || outer->zone[k].left > inner->zone[i].left + slack)
-            return false;
-    }
-    return true;
 }
 
 bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_state *there)

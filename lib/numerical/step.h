@@ -4,9 +4,10 @@
 #define RW_STEP_H
 
 #include "numerical/outcome.h"
+#include "numerical/pattern.h"
 
-/* The loads at the end of a step: P A/theta, a length; M A/theta, its square; Q A/theta; the
- * stretch. */
+/* Loads as the computed shear has them: P A/theta, a length; M A/theta, its square; Q A/theta; the
+ * stretch of problem.h. */
 typedef struct {
     double P, M, shear, stretch;
 } rw_scaled_loads;
@@ -26,6 +27,7 @@ typedef struct {
     double move, energy;     /* the rigid move of the zones that stick, the energy: so far */
     double error;            /* violations of the step that led here, over the scale */
     double rate_error;       /* its error by the rates at its ends (rates.h), over the scale */
+    bool is_exact;           /* what sticks after that step stuck all the time */
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_numerical_state;
 
@@ -39,6 +41,7 @@ typedef struct {
     rw_grid grid[RW_TRIALS];
     rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
     unsigned frictions;                 /* how many so far */
+    rw_zones tried[RW_VARIANTS];        /* of one pattern */
     /* so far: values at points of a quadrature, some 40 ns each. Beyond the most only the grid is
      * used. Beyond half of it steps are not divided any more, so that exact fronts may end them. */
     int effort, most_effort;

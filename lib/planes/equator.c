@@ -31,12 +31,12 @@ typedef struct {
 static inline wave wave_of(bool is_strain, const rw_item *load, const rw_psi_arc *arc)
 {
     const double C = arc->psi.cosine, S = arc->psi.sine, h = arc->half;
-    const double swing = load->swing_d * C + load->swing_t * S,
-                 shear = load->swing_t * C - load->swing_d * S;
+    const double deviation = load->deviation_d * C + load->deviation_t * S,
+                 shear = load->deviation_t * C - load->deviation_d * S;
     const double turned = h * (load->t * C - load->d * S), square = h * h / 2;
-    return (wave){.along = is_strain ? load->level - load->swing_lift + swing : shear,
-                  .change = h * (is_strain ? shear : -swing),
-                  .rest = square * load->swing_size,
+    return (wave){.along = is_strain ? load->level - load->deviation_lift + deviation : shear,
+                  .change = h * (is_strain ? shear : -deviation),
+                  .rest = square * load->deviation_size,
                   .peak = load->z - load->lift + (load->d * C + load->t * S),
                   .peak_change = turned,
                   .peak_rest = square * load->size};
@@ -114,9 +114,9 @@ enum { TOP, BOTTOM, PEAK, KINDS };
 typedef struct {
     const rw_item *last[KINDS];
     int count[KINDS];
-} rivals;
+} candidates;
 
-static bool note(rivals *r, int kind, bool matters, const rw_item *load)
+static bool note(candidates *r, int kind, bool matters, const rw_item *load)
 {
     if (matters) {
         r->last[kind] = load;
@@ -125,7 +125,7 @@ static bool note(rivals *r, int kind, bool matters, const rw_item *load)
     return matters;
 }
 
-static bool note_all(rivals *r, const wave *l, const view *v, const rw_item *load)
+static bool note_all(candidates *r, const wave *l, const view *v, const rw_item *load)
 {
     const double spread = fabs(l->change) + l->rest;
     const bool is_top = note(r, TOP, l->along + spread >= v->least_top, load);
@@ -134,11 +134,11 @@ static bool note_all(rivals *r, const wave *l, const view *v, const rw_item *loa
     return note(r, PEAK, peak >= v->least_peak, load) || is_top || is_bottom;
 }
 
-/* The loads that are kept stand in front, and `rivals` points to them. */
-static size_t keep(search *w, const rw_psi_arc *arc, size_t n, const view *v, rivals *r)
+/* The loads that are kept stand in front, and `candidates` points to them. */
+static size_t keep(search *w, const rw_psi_arc *arc, size_t n, const view *v, candidates *r)
 {
     size_t kept = 0;
-    *r = (rivals){{NULL}, {0}};
+    *r = (candidates){{NULL}, {0}};
     for (size_t i = 0; i < n; i++) {
         const wave l = wave_of(w->severity->is_strain, &w->cycle->item[i], arc);
         if (note_all(r, &l, v, &w->cycle->item[kept]))
@@ -150,10 +150,10 @@ static size_t keep(search *w, const rw_psi_arc *arc, size_t n, const view *v, ri
 /* ---- Arcs with one top, bottom and peak ---- */
 
 /* The direction of the largest top - bottom + gain peak of a shear, each of one load: a wave. */
-static rw_direction crest_of(const rw_severity *v, const rivals *r)
+static rw_direction crest_of(const rw_severity *v, const candidates *r)
 {
-    const double d = (r->last[TOP]->swing_d - r->last[BOTTOM]->swing_d) / 2,
-                 t = (r->last[TOP]->swing_t - r->last[BOTTOM]->swing_t) / 2;
+    const double d = (r->last[TOP]->deviation_d - r->last[BOTTOM]->deviation_d) / 2,
+                 t = (r->last[TOP]->deviation_t - r->last[BOTTOM]->deviation_t) / 2;
     const double C = t + v->gain * r->last[PEAK]->d, S = v->gain * r->last[PEAK]->t - d;
     const double length = sqrt(C * C + S * S);
     /* always: what does not vary is not above its value at the middle */
@@ -171,7 +171,7 @@ static rw_direction nearest_on(const rw_psi_arc *arc, rw_direction crest)
 }
 
 /* A sum of one load each is a wave, whose largest value is known; whether it is so. */
-static bool settle(search *w, const rw_psi_arc *arc, size_t n, const rivals *r)
+static bool settle(search *w, const rw_psi_arc *arc, size_t n, const candidates *r)
 {
     for (int kind = 0; kind < KINDS; kind++)
         if (!w->severity->is_sum || r->count[kind] != 1)
@@ -198,7 +198,7 @@ static void explore(search *w, const rw_psi_arc *arc, size_t n)
     record(w, arc, &v);
     if (bound_of(w->severity, &v, severity) <= w->best->value + w->noise || arc->half < SHORTEST)
         return;
-    rivals some;
+    candidates some;
     const size_t kept = keep(w, arc, n, &v, &some);
     if (settle(w, arc, kept, &some))
         return;
@@ -289,15 +289,16 @@ static reach reach_of(const rw_plane_cycle *cycle, const rw_severity *v, const r
     for (size_t i = 0; i < n; i++) {
         const rw_item *load = &cycle->item[i];
         const wave l = wave_of(v->is_strain, load, arc);
-        const double other = v->is_strain ? load->level
-                                          : load->swing_lift - (load->swing_d * arc->psi.cosine +
-                                                                load->swing_t * arc->psi.sine);
+        const double other = v->is_strain
+                                 ? load->level
+                                 : load->deviation_lift - (load->deviation_d * arc->psi.cosine +
+                                                           load->deviation_t * arc->psi.sine);
         high = rw_larger(high, l.along), low = rw_smaller(low, l.along);
         top = rw_larger(top, other), bottom = rw_smaller(bottom, other);
         r.least_peak = rw_larger(r.least_peak, l.peak);
         r.lift = rw_larger(r.lift, load->z - l.peak);
         r.z = rw_larger(r.z, load->z);
-        travel = rw_larger(travel, arc->half * load->swing_size);
+        travel = rw_larger(travel, arc->half * load->deviation_size);
         turn = rw_larger(turn, arc->half * load->size);
     }
     r.least = rw_larger(0, (high - low) / 2 - travel);
@@ -345,7 +346,7 @@ static bool has_worst_product(const rw_plane_cycle *cycle, double value)
     double r = 0, p = 0, z = 0, top = -DBL_MAX, bottom = DBL_MAX;
     for (size_t i = 0; i < cycle->loads; i++) {
         const rw_item *load = &cycle->item[i];
-        r = rw_larger(r, fabs(load->level - load->swing_lift) + load->swing_size);
+        r = rw_larger(r, fabs(load->level - load->deviation_lift) + load->deviation_size);
         p = rw_larger(p, load->z - load->lift + load->size);
         z = rw_larger(z, load->z);
         top = rw_larger(top, load->level), bottom = rw_smaller(bottom, load->level);

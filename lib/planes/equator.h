@@ -19,7 +19,7 @@ void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, doubl
                        rw_worst_plane *best, rw_direction *psi);
 
 /* Whether no plane is worse than the worst of the equator, which has `value`, by more than noise.
- * Quick; it may say no where it is so. */
+ * Quick. It may say no although it is so. */
 bool rw_equator_has_worst(const rw_plane_cycle *cycle, const rw_severity *severity, double value,
                           double noise);
 

@@ -69,11 +69,12 @@ void rw_plane_cycle_centre(rw_plane_cycle *cycle)
                  level = middle_of(cycle, offsetof(rw_item, level));
     for (size_t i = 0; i < cycle->loads; i++) {
         rw_item *load = &cycle->item[i];
-        load->swing_d = load->d - d;
-        load->swing_t = load->t - t;
-        load->swing_lift = load->lift - lift;
+        load->deviation_d = load->d - d;
+        load->deviation_t = load->t - t;
+        load->deviation_lift = load->lift - lift;
         load->level -= level;
-        load->swing_size = sqrt(load->swing_d * load->swing_d + load->swing_t * load->swing_t);
+        load->deviation_size =
+            sqrt(load->deviation_d * load->deviation_d + load->deviation_t * load->deviation_t);
     }
 }
 
@@ -88,12 +89,12 @@ static rw_pole pole_of(const rw_plane_cycle *cycle)
     double most = 0;
     for (size_t i = 0; i < cycle->loads; i++) {
         const rw_item *load = &cycle->item[i];
-        const double lift = fabs(load->swing_lift), size = load->swing_size;
+        const double lift = fabs(load->deviation_lift), size = load->deviation_size;
         if (size == 0 || size + lift <= most)
             continue;
-        const double length = load->swing_lift > 0 ? -size : size;
+        const double length = load->deviation_lift > 0 ? -size : size;
         most = size + lift;
-        pole = (rw_pole){{load->swing_d / length, load->swing_t / length},
+        pole = (rw_pole){{load->deviation_d / length, load->deviation_t / length},
                          fabs(size - lift) > CLOSE * 2 * size};
     }
     return pole;
@@ -116,12 +117,12 @@ rw_pole rw_plane_cycle_turn(rw_plane_cycle *cycle)
     for (size_t i = 0; i < cycle->loads; i++) {
         rw_item *load = &cycle->item[i];
         const rw_direction all = rw_turned_with((rw_direction){load->d, load->t}, back);
-        const rw_direction swing =
-            rw_turned_with((rw_direction){load->swing_d, load->swing_t}, back);
+        const rw_direction deviation =
+            rw_turned_with((rw_direction){load->deviation_d, load->deviation_t}, back);
         load->d = all.cosine, load->t = all.sine;
-        load->swing_d = swing.cosine, load->swing_t = swing.sine;
+        load->deviation_d = deviation.cosine, load->deviation_t = deviation.sine;
         load->all = tensor_of(all, load->lift, load->z, pole.is_z);
-        load->swing = tensor_of(swing, load->swing_lift, load->level, pole.is_z);
+        load->deviation = tensor_of(deviation, load->deviation_lift, load->level, pole.is_z);
     }
     return pole;
 }

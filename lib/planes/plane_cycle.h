@@ -38,8 +38,8 @@ typedef struct {
  * which no amplitude depends. The strain's amplitude is that of level - cos^2(beta) lift. */
 typedef struct {
     double d, t, z, lift, size;
-    double swing_d, swing_t, swing_lift, level, swing_size;
-    rw_tensor all, swing; /* the base of the second is that of the strain's amplitude */
+    double deviation_d, deviation_t, deviation_lift, level, deviation_size;
+    rw_tensor all, deviation; /* the base of the second is that of the strain's amplitude */
 } rw_item;
 
 struct rw_plane_cycle {
@@ -71,8 +71,8 @@ double rw_plane_cycle_noise(const rw_plane_cycle *cycle, const rw_severity *seve
 /* Subtracts the middle of all loads from the components of amplitudes. */
 void rw_plane_cycle_centre(rw_plane_cycle *cycle);
 
-/* Chooses the pole of the sphere and sets `all` and `swing`. From then on psi counts from pole.psi:
- * d and t are turned. */
+/* Chooses the pole of the sphere and sets `all` and `deviation`. From then on psi counts from
+ * pole.psi: d and t are turned. */
 typedef struct {
     rw_direction psi;
     bool is_z;

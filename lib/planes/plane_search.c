@@ -355,8 +355,8 @@ static inline void raise_all(double highest[ARCS], const rw_wave *w)
 {
 #pragma GCC unroll 1 /* unrolled it would not become vector instructions */
     for (int k = 0; k < ARCS / 2; k++) {
-        const double swing = w->cosine * COSINES[k] + w->sine * SINES[k];
-        const double ahead = w->mean + swing, behind = w->mean - swing;
+        const double deviation = w->cosine * COSINES[k] + w->sine * SINES[k];
+        const double ahead = w->mean + deviation, behind = w->mean - deviation;
         highest[k] = rw_larger(highest[k], ahead);
         highest[k + ARCS / 2] = rw_larger(highest[k + ARCS / 2], behind);
     }

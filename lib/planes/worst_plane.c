@@ -102,15 +102,15 @@ static inline double rest_of(const rw_tensor *t, const cell *a)
 static void set_local(rw_plane_cycle *cycle, bool is_strain, size_t n, const cell a)
 {
     for (size_t i = 0; i < n; i++) {
-        const rw_tensor *all = &cycle->item[i].all, *swing = &cycle->item[i].swing;
-        const local every = local_of(all, &a), s = local_of(swing, &a);
+        const rw_tensor *all = &cycle->item[i].all, *deviation = &cycle->item[i].deviation;
+        const local every = local_of(all, &a), s = local_of(deviation, &a);
         cycle->local[i] = (rw_local){.at = s.shear,
                                      .by_chi = s.by_chi,
                                      .by_beta = s.by_beta,
                                      .peak = every.normal,
                                      .peak_by_chi = every.normal_by_chi,
                                      .peak_by_beta = every.normal_by_beta,
-                                     .rest = rest_of(swing, &a),
+                                     .rest = rest_of(deviation, &a),
                                      .peak_rest = rest_of(all, &a)};
         if (is_strain) {
             cycle->local[i].at = (rw_vector){s.normal, 0};
@@ -249,8 +249,8 @@ static bool is_wide(const search *w, const cell *a, size_t n, const view *v)
     const double per_peak = y->gain * (y->is_sum ? 1 : v->around.ball.radius);
     double excess = 0;
     for (size_t i = 0; i < n; i++) {
-        const rw_tensor *all = &w->cycle->item[i].all, *swing = &w->cycle->item[i].swing;
-        excess += per * (rest_by_chi(swing, a) - rest_by_beta(swing, a)) +
+        const rw_tensor *all = &w->cycle->item[i].all, *deviation = &w->cycle->item[i].deviation;
+        excess += per * (rest_by_chi(deviation, a) - rest_by_beta(deviation, a)) +
                   per_peak * (rest_by_chi(all, a) - rest_by_beta(all, a));
     }
     return excess > 0;

@@ -193,6 +193,7 @@ typedef struct {
     const void *context;
     double tolerance, noise, shortest;
     rule rule;
+    rw_element part; /* the last that was tried */
 } fit;
 
 static void expand(const fit *how, rw_element *e)
@@ -234,13 +235,14 @@ static void shorten(const fit *how, rw_element *e)
 static bool fit_part(fit *how, double end, double scale, double first, double last, int depth,
                      double whole)
 {
-    rw_element e = {.end = end, .scale = scale, .first = first, .last = last};
-    expand(how, &e);
-    const double rest = rest_of(&e);
+    rw_element *e = &how->part;
+    *e = (rw_element){.end = end, .scale = scale, .first = first, .last = last};
+    expand(how, e);
+    const double rest = rest_of(e);
     if (depth == 0 || fabs(scale) * (last * last - first * first) < how->shortest ||
         is_fine(how, rest, whole)) {
-        shorten(how, &e);
-        return append(how->traction, &e, &how->rule);
+        shorten(how, e);
+        return append(how->traction, e, &how->rule);
     }
     const double middle = first == 0 ? last / 3 : (first + last) / 2;
     if (scale > 0)

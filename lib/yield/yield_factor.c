@@ -26,8 +26,8 @@
 /* BAND radii of a grid are evaluated at once. */
 enum { ANGLES = 9, RADII = 52, BAND = 3, STARTS_KEPT = 8 };
 
-/* Closer to the mark than CLOSE of the way to the next one, J2 varies by powers of r alone, and
- * SPARSE does for the ratio of neighbouring radii. */
+/* Closer to the mark than CLOSE of the way to the next one, J2 varies by powers of r alone. There
+ * SPARSE suffices as the ratio of neighbouring radii. */
 static const double CLOSE = 0.05, SPARSE = 0.25;
 
 /* The innermost radius, of the distance to the next mark. Next to a mark J2 is J2(m) + A sqrt(r) -
@@ -40,7 +40,7 @@ static const double GRID_ERROR = 1e-8;
 
 typedef struct {
     rw_highest highest;
-    bool is_centred; /* all patches are: at -x is what the opposite shear makes at x */
+    bool is_centred; /* all patches are: at -x are the fields of the opposite shear at x */
     rw_climb_start starts[STARTS_KEPT];
     size_t count;
 } search;
@@ -53,7 +53,8 @@ static bool is_low(const search *s, double J2, double hidden)
     return J2 + hidden < (1 - GRID_ERROR) * s->highest.known;
 }
 
-/* The highest first, as long as what the grid may hide can make one the highest. */
+/* Climbs from the highest start first, as long as one may lead above the highest J2 known, with
+ * what the grid may hide. */
 static void climb_all(search *s)
 {
     while (s->count > 0) {
@@ -181,8 +182,8 @@ static double innermost_radius(const search *s, const rw_mark *m)
     return fmax(INNERMOST * m->nearest, 1e-18 * fabs(m->at));
 }
 
-/* No grid at all where the mark is another one to rounding. A grid that goes on begins with the
- * last two rows again, because the last had no neighbours inside. */
+/* There is no grid where the mark coincides with another one, to rounding. A grid that goes on
+ * begins with the last two rows again, because the last had no neighbours inside. */
 static void search_around(search *s, const rw_mark *m, const rw_neighbourhood *around)
 {
     const double innermost = innermost_radius(s, m);

@@ -62,18 +62,18 @@ static numbers numbers_of(const char *text)
 }
 
 /* Reads the arguments and the sizes of their arrays; 0 where there are not as many. */
-static int read_arguments(const entry *call, const char *text, numbers given[], size_t n[])
+static int read_arguments(const entry *call, const char *text, numbers passed[], size_t n[])
 {
     for (int j = 0; j < call->arguments; j++) {
         text = strchr(text, ',');
         if (!text)
             return 0;
-        given[j] = numbers_of(++text);
+        passed[j] = numbers_of(++text);
         const signed char *sizes = call->argument[j].sizes;
         if (sizes[0] >= 0)
-            n[(int)sizes[0]] = sizes[1] < 0 ? given[j].n : given[j].rows;
+            n[(int)sizes[0]] = sizes[1] < 0 ? passed[j].n : passed[j].rows;
         if (sizes[1] >= 0)
-            n[(int)sizes[1]] = given[j].n / given[j].rows;
+            n[(int)sizes[1]] = passed[j].n / passed[j].rows;
     }
     for (int j = 0; j < call->sizes; j++)
         if (call->size[j].teller) {
@@ -113,19 +113,19 @@ static void print_results(const entry *call, const double results[][MOST], const
 /* 0, or 1 with a message where the call is none of ours. */
 static int answer(const char *line)
 {
-    static numbers given[ENTRY_ARGUMENTS + 1];
+    static numbers passed[ENTRY_ARGUMENTS + 1];
     static double results[ENTRY_RESULTS][MOST];
     const double *v[ENTRY_ARGUMENTS];
     double *r[ENTRY_RESULTS];
     size_t n[ENTRY_SIZES] = {0};
     void *made = NULL;
     const entry *call = entry_named(line);
-    if (!call || !read_arguments(call, line, given, n)) {
+    if (!call || !read_arguments(call, line, passed, n)) {
         fprintf(stderr, "%s: no such call\n", line);
         return 1;
     }
     for (int j = 0; j < ENTRY_ARGUMENTS; j++)
-        v[j] = given[j].v;
+        v[j] = passed[j].v;
     for (int j = 0; j < ENTRY_RESULTS; j++)
         r[j] = results[j];
     printf("%s", line);

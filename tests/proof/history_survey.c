@@ -34,12 +34,12 @@ typedef struct {
 static int faults, unsolved;
 static double slowest;
 
-static void claim(bool holds, long history, const char *what)
+static void claim(bool holds, long history, const char *complaint)
 {
     if (holds)
         return;
     faults++;
-    printf("history %ld: %s\n", history, what);
+    printf("history %ld: %s\n", history, complaint);
 }
 
 static double signed_fraction(uint64_t *state)
@@ -149,14 +149,14 @@ static bool is_at_front(const fronts *f, const shear *s, double x)
 static bool is_honest(const rwedge_contact *contact, const rwedge_contact *better,
                       const fronts *seen, double f, double Q, long history)
 {
-    shear one, other;
+    shear coarse, fine;
     double error = 0;
-    look(contact, f, Q, history, &one);
-    look(better, f, Q, history, &other);
+    look(contact, f, Q, history, &coarse);
+    look(better, f, Q, history, &fine);
     for (int i = 0; i < POINTS; i++)
-        if (!is_at_front(seen, &one, one.x[i]))
-            error = fmax(error, fabs(one.q[i] - other.q[i]));
-    error /= f * one.peak;
+        if (!is_at_front(seen, &coarse, coarse.x[i]))
+            error = fmax(error, fabs(coarse.q[i] - fine.q[i]));
+    error /= f * coarse.peak;
     const double told = rwedge_contact_error(contact), own = rwedge_contact_error(better);
     const bool holds =
         told >= error - own - 1e-12 && told <= 30 * fmax(error + own, TOLERANCE / 10);

@@ -48,7 +48,7 @@ def test_repr_tells_parameters_and_loads(contact):
 @pytest.mark.parametrize("call, error, message", [
     (lambda c: c.load(2000, 1300), rwedge.SlidingError, "P = 2000.0, Q = 1300.0: the tangential force exceeds"),
     (lambda c: c.load(-1), rwedge.Error, "P = -1.0.*P: 0, or 1e-60 to 1e60"),
-    (lambda c: c.stresses(np.inf, 1.0), rwedge.Error, "x = inf, y = 1.0: an argument is outside its domain"),
+    (lambda c: c.stresses(np.inf, 1.0), rwedge.Error, "^x = inf: an argument is outside its domain"),
     (lambda c: c.slip([0.1, 30.0]), rwedge.Error, r"x\[1\] = 30.0: .*\|x\| <= b"),
     (lambda c: c.stresses([1, 2], [1, 2, 3]), ValueError, "broadcast"),
     (lambda c: c.yield_factor(0.7, 300), rwedge.Error, "nu = 0.7.*0 <= nu <= 0.5"),
@@ -141,7 +141,7 @@ def test_what_a_history_of_stresses_refuses_is_named(contact):
     before = contact.state()
     for change, words in (({"Q": [-600, 3000]}, r"P\[1\] = 2000.0, .*Q\[1\] = 3000.0.*friction"),
                           ({"P": [2000, np.nan]}, r"P\[1\] = nan"), ({"sigma": [0, 1e5]}, r"sigma\[1\] = 100000.0.*: no closed form: "),
-                          ({"y": [-0.2]}, r"x\[0\] = 0.1, y\[0\] = -0.2"), ({"x": [np.nan]}, r"x\[0\] = nan: it must be a number"),
+                          ({"y": [-0.2]}, r"^y\[0\] = -0.2: "), ({"x": [np.nan]}, r"x\[0\] = nan: it must be a number"),
                           ({"M": [0]}, r"M has the shape \(1,\), where others have 2")):
         with pytest.raises(rwedge.Error, match=words):
             contact.stress_history(**{**good, **change})

@@ -60,7 +60,7 @@ def test_vectors_of_loads_are_loads_one_after_the_other(pad):
 
 @pytest.mark.parametrize("loads, x, y, message", [
     ({"Q": [100, 1300]}, 0, 1, r"Q\[1\] = 1300.0, sigma\[1\] = 0.0: the tangential force exceeds"),
-    ({"Q": [100, 200]}, [0, 1], [1, -1], r"x\[1\] = 1.0, y\[1\] = -1.0: an argument is outside"),
+    ({"Q": [100, 200]}, [0, 1], [1, -1], r"^y\[1\] = -1.0: an argument is outside"),
     ({"Q": [100, 100], "sigma": [0, 500]}, 0, 1, r"P\[1\] = 2000.0.*sigma\[1\] = 500.0: no closed form: the two edges would"),
     *(({"P": [2000], name: [100]}, 0, 1, "the names of loads are P, M, Q and sigma, without a unit")
       for name in ("q", " Q", "Q ", "Q [N/mm]", "Q / N", "Q/N", "Q in N", "Q_N", "Q(kN)", "Q\u00a0[N/mm]", "Q\u200b", "\uff31",
@@ -78,11 +78,11 @@ def test_bad_input_says_where(pad, loads, x, y, message):
 
 
 @pytest.mark.parametrize("loads, message", [
-    ((-1, 0, 0, 0), "P = -1.0, .* (P: 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P; "),
-    ((0, 5, 0, 0), "M = 5.0, .*M: .*, 0 where P is 0; "),
+    ((-1, 0, 0, 0), "^P = -1.0: .* (P: 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P)$"),
+    ((0, 5, 0, 0), "P = 0.0, M = 5.0, .*M: .*, 0 where P is 0; "),
 ])
 def test_a_refused_load_is_named_with_what_is_allowed_and_no_more(pad, loads, message):
-    with pytest.raises(rwedge.Error, match=message.replace("(", r"\(")) as caught:
+    with pytest.raises(rwedge.Error, match=message.replace("(", r"\(").replace(")", r"\)")) as caught:
         pad.apply(*loads)
     assert len(str(caught.value)) < 400
 

@@ -35,6 +35,12 @@ def test_what_is_doubtful(call, doubts):
     assert texts_of(call) == list(map(rwedge.validity_text, doubts))
 
 
+def test_the_numbers_of_the_header_have_names():
+    """The help once told of RWEDGE_MEASURE_..., which only C has."""
+    assert rwedge.validity_text(rwedge.Doubt.YIELD) == rwedge.validity_text(4) and rwedge.Measure.SWT == 1
+    assert "Measure.STRESS_RANGE and so on" in rwedge.Contact.cycle_worst.__doc__
+
+
 def test_as_an_error_it_leaves_the_contact_as_it_was():
     contact = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.3)
     contact.load(2000)

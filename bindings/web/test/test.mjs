@@ -42,11 +42,11 @@ test("several results have their names in the header", () => {
 });
 
 test("what is wrong is said", () => {
-    assert.throws(() => rwedge.stress(0.25, 0.3, 0, 0.5, -1), refused("RWEDGE_EDOMAIN", /^stress\(\): an argument is outside its domain: y = -1 \(.*y >= 0/));
+    assert.throws(() => rwedge.stress(0.25, 0.3, 0, 0.5, -1), refused("RWEDGE_EDOMAIN", /^stress\(\): an argument is outside its domain: y = -1 \(0, or 1e-60 to 1e60, not the apex/));
     assert.throws(() => rwedge.stresses(0.25, 0.3, 0, [0, 1], [1, -1]), refused("RWEDGE_EDOMAIN", /: y\[1\] = -1 \(/));
-    assert.throws(() => rwedge.stress(0, 0.3, 0, 0, 0), refused("RWEDGE_EDOMAIN", /: alpha = 0, f = 0\.3, c = 0, x = 0, y = 0$/));
+    assert.throws(() => rwedge.stress(0, 0.3, 0, 0, 0), refused("RWEDGE_EDOMAIN", /: alpha = 0 \(.*\), y = 0 \(/));
     assert.throws(() => new Contact(0.01, 2, -1, 0.3), refused("RWEDGE_EDOMAIN", /A = -1/));
-    assert.throws(() => made().load(1000, 900), refused("RWEDGE_ESLIDING", /friction times the normal force: P = 1000, Q = 900$/));
+    assert.throws(() => made().load(1000, 900), refused("RWEDGE_ESLIDING", /friction times the normal force: P = 1000 \(.*\), Q = 900 \(.*\|Q\| <= f P\)$/));
     assert.throws(() => made().edges(), refused("RWEDGE_EABSENT", /^contact_edges\(\): /));
     assert.throws(() => Series.fit([0.1, 0.1, 0.1], [1, 1, 1], 3), refused("RWEDGE_ERANK", /^series_fit\(\): /));
     assert.throws(() => rwedge.load(), { name: "TypeError", message: "load(): alpha must be a number, not undefined" });
@@ -69,8 +69,8 @@ test("an array that is refused says at which element", () => {
     assert.throws(() => rwedge.load([0, undefined]), { name: "TypeError", message: "load(): alpha[1] must be a number, not undefined" });
     const contact = made();
     contact.load(1000, 0);
-    assert.throws(() => contact.slip([0.1, 50]), refused("RWEDGE_EDOMAIN", /: .*x\[1\] = 50/));
-    assert.throws(() => rwedge.stresses(0, 0.3, 0, [1, 0], [1, 0]), refused("RWEDGE_EDOMAIN", /x\[1\] = 0, y\[1\] = 0/));
+    assert.throws(() => contact.slip([0.1, 50]), refused("RWEDGE_EDOMAIN", /: x\[1\] = 50 \(.*\|x\| <= b\)/));
+    assert.throws(() => rwedge.stresses(0, 0.3, 0, [1, 0], [1, 0]), refused("RWEDGE_EDOMAIN", /x\[1\] = 0 \(.*, y\[1\] = 0 \(/));
 });
 
 test("what has no closed form, or does not exist, says why", () => {

@@ -16,20 +16,20 @@ const criterion_kind criterion_kinds[CRITERION_COUNT] = {
     {"fatemi-socie-damage", MATERIAL_COUNT, MATERIAL_COUNT},
 };
 
-bool column_is_wanted(const criteria *all, int column)
+bool column_is_wanted(const criteria *asked, int column)
 {
     const int criterion = measure_kinds[column].criterion;
     if (column == COLUMN_WEAR)
-        return !isnan(all->archard);
-    return column < MEASURE_COUNT || criterion == NO_CRITERION || all->is_wanted[criterion];
+        return !isnan(asked->archard);
+    return column < MEASURE_COUNT || criterion == NO_CRITERION || asked->is_wanted[criterion];
 }
 
 criteria criteria_usual(const contact_case *setup)
 {
-    criteria all = {.nu = setup->nu1, .archard = NAN, .su = NAN};
+    criteria asked = {.nu = setup->nu1, .archard = NAN, .su = NAN};
     for (int i = 0; i < CRITERION_COUNT; i++)
-        all.constant[i] = i == CRITERION_SWT ? 0 : NAN;
-    return all;
+        asked.constant[i] = i == CRITERION_SWT ? 0 : NAN;
+    return asked;
 }
 
 double criteria_fatemi_socie(const contact_case *setup, double k)
@@ -69,10 +69,10 @@ const char *const material_names[MATERIAL_COUNT] = {"swt_limit",
 
 material material_unknown(void)
 {
-    material all;
+    material constants;
     for (int i = 0; i < MATERIAL_COUNT; i++)
-        all.value[i] = NAN;
-    return all;
+        constants.value[i] = NAN;
+    return constants;
 }
 
 int material_constant(const char *name)
@@ -88,18 +88,19 @@ bool material_is_remark(const char *name)
     return strcmp(name, "name") == 0 || strcmp(name, "source") == 0;
 }
 
-double material_allowable(const material *all, int criterion)
+double material_allowable(const material *constants, int criterion)
 {
     const int limit = criterion_kinds[criterion].limit;
-    return limit == MATERIAL_COUNT ? 1 : all->value[limit];
+    return limit == MATERIAL_COUNT ? 1 : constants->value[limit];
 }
 
-bool material_has_life(const material *all, int criterion)
+bool material_has_life(const material *constants, int criterion)
 {
-    return !isnan(all->value[criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G]);
+    return !isnan(constants->value[criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G]);
 }
 
-double material_length(const material *all)
+double material_length(const material *constants)
 {
-    return rwedge_critical_distance(all->value[MATERIAL_DK_TH], all->value[MATERIAL_DS0]);
+    return rwedge_critical_distance(constants->value[MATERIAL_DK_TH],
+                                    constants->value[MATERIAL_DS0]);
 }

@@ -107,13 +107,13 @@ int material_constant(const char *name);
 bool material_is_remark(const char *name);
 
 /* The allowable value of a criterion; NAN where it is not known. */
-double material_allowable(const material *all, int criterion);
+double material_allowable(const material *constants, int criterion);
 
 /* Whether the curve of life of a criterion is known. */
-bool material_has_life(const material *all, int criterion);
+bool material_has_life(const material *constants, int criterion);
 
 /* (dK_th/ds0)^2/pi; NAN where they are not known. */
-double material_length(const material *all);
+double material_length(const material *constants);
 
 /* ---- criteria ---- Criteria of fatigue over all planes: which are asked for, and their
  * constants. */
@@ -138,7 +138,7 @@ typedef struct {
 } criteria;
 
 /* Whether a column is written. */
-bool column_is_wanted(const criteria *all, int column);
+bool column_is_wanted(const criteria *asked, int column);
 
 /* The criteria by default: Smith, Watson and Topper's alone, in plane strain. */
 criteria criteria_usual(const contact_case *setup);
@@ -165,9 +165,9 @@ typedef struct {
     bool slip_known;    /* it has a closed form after every load */
 } last_cycle;
 
-/* Begins a cycle: copies the contact before it, and makes room for so many loads. */
+/* Begins a cycle of at most so many loads: copies the contact before it. */
 void last_cycle_begin(const contact_case *setup, const criteria *asked,
-                      const rwedge_contact *before, size_t room, last_cycle *cycle);
+                      const rwedge_contact *before, size_t most, last_cycle *cycle);
 
 /* Adds a load, which the contact is under. */
 void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle);

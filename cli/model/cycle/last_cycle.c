@@ -22,17 +22,17 @@ static void note_edges(const rwedge_contact *contact, last_cycle *cycle)
 }
 
 void last_cycle_begin(const contact_case *setup, const criteria *asked,
-                      const rwedge_contact *before, size_t room, last_cycle *cycle)
+                      const rwedge_contact *before, size_t most, last_cycle *cycle)
 {
     *cycle = (last_cycle){.setup = setup,
                           .asked = *asked,
-                          .P = memory_zeroed(4 * room, sizeof(double)),
-                          .edges = memory_zeroed(4 * (room + 1), sizeof(double)),
+                          .P = memory_zeroed(4 * most, sizeof(double)),
+                          .edges = memory_zeroed(4 * (most + 1), sizeof(double)),
                           .left = NAN,
                           .right = NAN};
-    cycle->M = cycle->P + room;
-    cycle->Q = cycle->M + room;
-    cycle->sigma = cycle->Q + room;
+    cycle->M = cycle->P + most;
+    cycle->Q = cycle->M + most;
+    cycle->sigma = cycle->Q + most;
     rwedge_contact_copy(before, &cycle->before);
     memory_checked(cycle->before);
     note_edges(before, cycle);
@@ -45,7 +45,7 @@ void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle)
     note_edges(contact, cycle);
 }
 
-/* Without memory for the states the measures go through the cycle again. */
+/* Where memory is too short for the states, the measures go through the cycle again. */
 void last_cycle_end(last_cycle *cycle)
 {
     rwedge_contact_keep_cycle(cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q,
@@ -91,7 +91,7 @@ static int32_t stresses_of(const last_cycle *cycle, size_t n, const double x[], 
 }
 
 /* Damage, the two angles, its cycles: four lists of n numbers each, as the parts of a measure. */
-static int32_t damage(const last_cycle *cycle, int i, size_t n, const double *stress, double *room)
+static int32_t damage(const last_cycle *cycle, int i, size_t n, const double *stress, double *work)
 {
     const double *v = cycle->asked.constants->value, E = cycle->setup->E1;
     const double limit = material_allowable(
@@ -103,60 +103,60 @@ static int32_t damage(const last_cycle *cycle, int i, size_t n, const double *st
         return rwedge_smith_watson_topper_damage_field(
             cycle->loads, n, stress, stress + all, stress + 2 * all, E, asked->nu,
             asked->is_plane_stress, v[MATERIAL_SF], v[MATERIAL_B], v[MATERIAL_EF], v[MATERIAL_C],
-            run_out, room, room + 3 * n, room + n, room + 2 * n);
+            run_out, work, work + 3 * n, work + n, work + 2 * n);
     return rwedge_fatemi_socie_damage_field(
         cycle->loads, n, stress, stress + all, stress + 2 * all, E, asked->nu,
         asked->is_plane_stress, asked->constant[i], v[MATERIAL_G], v[MATERIAL_TF], v[MATERIAL_B0],
-        v[MATERIAL_GF], v[MATERIAL_C0], run_out, room, room + 3 * n, room + n, room + 2 * n);
+        v[MATERIAL_GF], v[MATERIAL_C0], run_out, work, work + 3 * n, work + n, work + 2 * n);
 }
 
 static int32_t criterion_of(const last_cycle *cycle, int i, size_t n, const double *stress,
-                            double *room)
+                            double *work)
 {
     const size_t all = cycle->loads * n;
     const criteria *asked = &cycle->asked;
     if (i >= CRITERION_SWT_DAMAGE)
-        return damage(cycle, i, n, stress, room);
+        return damage(cycle, i, n, stress, work);
     return rwedge_criterion_field(measure_kinds[measure_column(i, PART_VALUE)].number, cycle->loads,
                                   n, stress, stress + all, stress + 2 * all, cycle->setup->E1,
                                   asked->nu, asked->is_plane_stress, asked->constant[i],
-                                  strength_of(asked), room, room + n, room + 2 * n);
+                                  strength_of(asked), work, work + n, work + 2 * n);
 }
 
 static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
-                             double *room, measures at[])
+                             double *work, measures at[])
 {
-    const int32_t status = criterion_of(cycle, i, n, stress, room);
+    const int32_t status = criterion_of(cycle, i, n, stress, work);
     for (int part = PART_VALUE; part < PART_COUNT && status == RWEDGE_OK; part++) {
         const int column = measure_column(i, (measure_part)part);
         const bool is_angle = part == PART_ANGLE || part == PART_OUT_OF_PLANE;
-        const double *value = room + (size_t)part * n;
+        const double *value = work + (size_t)part * n;
         for (size_t j = 0; j < n && column >= 0; j++)
             at[j].value[column] = is_angle ? degrees(value[j]) : value[j];
     }
     return status;
 }
 
-static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress, double *room,
+static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress, double *work,
                          measures at[])
 {
     const size_t all = cycle->loads * n;
     const int32_t status = rwedge_criterion_field(
         RWEDGE_MEASURE_STRESS_RANGE, cycle->loads, n, stress, stress + all, stress + 2 * all,
-        cycle->setup->E1, cycle->asked.nu, 0, 0, 1, room, room + n, room + 2 * n);
+        cycle->setup->E1, cycle->asked.nu, 0, 0, 1, work, work + n, work + 2 * n);
     for (size_t j = 0; j < n && status == RWEDGE_OK; j++)
-        at[j].value[MEASURE_STRESS_RANGE] = room[j];
+        at[j].value[MEASURE_STRESS_RANGE] = work[j];
     return status;
 }
 
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[])
 {
-    double *room = malloc((4 * n + 1) * sizeof *room);
-    int32_t status = room == NULL ? RWEDGE_ENOMEM : add_range(cycle, n, stress, room, at);
+    double *work = malloc((4 * n + 1) * sizeof *work);
+    int32_t status = work == NULL ? RWEDGE_ENOMEM : add_range(cycle, n, stress, work, at);
     for (int i = 0; i < CRITERION_COUNT && status == RWEDGE_OK; i++)
         if (!isnan(cycle->asked.constant[i]))
-            status = add_criterion(cycle, i, n, stress, room, at);
-    free(room);
+            status = add_criterion(cycle, i, n, stress, work, at);
+    free(work);
     return status;
 }
 
@@ -179,47 +179,47 @@ static bool is_rubbed(const last_cycle *cycle, double x, double y)
 }
 
 static int32_t friction(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                        double *room, measures at[])
+                        double *work, measures at[])
 {
     size_t count = 0;
     for (size_t i = 0; i < n; i++)
         if (is_rubbed(cycle, x[i], y[i]))
-            room[4 * n + count++] = x[i];
+            work[4 * n + count++] = x[i];
     if (!cycle->slip_known || count == 0)
         return RWEDGE_OK;
     const int32_t status = rwedge_contact_cycle_friction(
         cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q, cycle->sigma, count,
-        room + 4 * n, room, room + n, room + 2 * n, room + 3 * n);
+        work + 4 * n, work, work + n, work + 2 * n, work + 3 * n);
     for (size_t i = 0, k = 0; i < n && status == RWEDGE_OK; i++)
         if (is_rubbed(cycle, x[i], y[i])) {
-            at[i].value[MEASURE_SLIP_RANGE] = room[k];
-            at[i].value[MEASURE_RUIZ_F1] = room[n + k];
-            at[i].value[MEASURE_RUIZ_F2] = room[2 * n + k];
-            at[i].value[MEASURE_ENERGY_PER_AREA] = room[3 * n + k];
-            at[i].value[COLUMN_WEAR] = cycle->asked.archard * room[3 * n + k++];
+            at[i].value[MEASURE_SLIP_RANGE] = work[k];
+            at[i].value[MEASURE_RUIZ_F1] = work[n + k];
+            at[i].value[MEASURE_RUIZ_F2] = work[2 * n + k];
+            at[i].value[MEASURE_ENERGY_PER_AREA] = work[3 * n + k];
+            at[i].value[COLUMN_WEAR] = cycle->asked.archard * work[3 * n + k++];
         }
     return status;
 }
 
-/* Infinite at a sharp edge: another point stands for it. */
+/* Stresses are infinite at a sharp edge: another point is computed in its place, and forgotten. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
                            measures at[])
 {
-    double *room = malloc((6 * n + 1) * sizeof *room);
-    if (room == NULL)
+    double *work = malloc((6 * n + 1) * sizeof *work);
+    if (work == NULL)
         return RWEDGE_ENOMEM;
-    double *depth = room + 5 * n;
+    double *depth = work + 5 * n;
     for (size_t i = 0; i < n; i++) {
         depth[i] = y[i] == 0 && pad_is_kink(&cycle->setup->shape, x[i]) ? 1 : y[i];
         forget(&at[i]);
     }
     int32_t status = fatigue(cycle, n, x, depth, at);
     if (status == RWEDGE_OK)
-        status = friction(cycle, n, x, depth, room, at);
+        status = friction(cycle, n, x, depth, work, at);
     for (size_t i = 0; i < n; i++)
         if (depth[i] != y[i])
             forget(&at[i]);
-    free(room);
+    free(work);
     return status;
 }
 

@@ -122,10 +122,8 @@ refuses "--x: missing; after the last load there is no contact to lay a grid aro
 # Rows stream: the first of a thousand million comes at once, in little memory.
 limit=100000
 (ulimit -v $limit && "$rwedge" --version) >/dev/null 2>&1 || limit=unlimited
-for format in csv vtk; do
-    called="rwedge field with 1e9 points, $format"
-    (ulimit -v $limit; "$rwedge" field --a-over-b 0.5 --x 1:100000:1 --y 1:10000:1 --format $format 2>/dev/null) | head -n 5 >first
-    same "lines" 5 "$(wc -l <first | tr -d ' ')"
-done
+called="rwedge field with 1e9 points"
+(ulimit -v $limit; "$rwedge" field --a-over-b 0.5 --x 1:100000:1 --y 1:10000:1 2>/dev/null) | head -n 5 >first
+same "lines" 5 "$(wc -l <first | tr -d ' ')"
 
 finish

@@ -207,11 +207,11 @@ static int32_t call_with_copy(const entry *e, places *p, double out[], bool *cha
 }
 
 /* What is changed is a copy, what is made is freed. */
-static int32_t make(const public_call *call, const double given[], double out[], bool *changed)
+static int32_t make(const public_call *call, const double in[], double out[], bool *changed)
 {
     const entry *e = call->entry;
     double v[CALL_ARGUMENTS];
-    memcpy(v, given, (size_t)call->arguments * sizeof(double));
+    memcpy(v, in, (size_t)call->arguments * sizeof(double));
     keep_short(e, v);
     places p;
     take_places(e, v, out, &p);

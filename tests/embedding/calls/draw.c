@@ -8,7 +8,7 @@
  * same. NAN is drawn. */
 static const struct {
     const char *name;
-    double given[ENTRY_ARGUMENTS];
+    double usual[ENTRY_ARGUMENTS];
 } hints[] = {
     {"subsurface_yield", {0.3, 0.05, NAN}},
     {"permanent_stick", {0.5, 0.3, 1, 0.5, 3, 0, 0.1, 0, 4, 0, 0.05, NAN}},
@@ -24,7 +24,7 @@ static const double *hint_of(const char *name)
 {
     for (size_t i = 0; i < sizeof hints / sizeof hints[0]; i++)
         if (strcmp(hints[i].name, name) == 0)
-            return hints[i].given;
+            return hints[i].usual;
     return NULL;
 }
 

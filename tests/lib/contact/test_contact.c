@@ -175,10 +175,11 @@ CLAIM(arrays_are_points_one_by_one)
     assert_ok(rwedge_contact_slip(contact, N, x, slips));
     assert_ok(rwedge_contact_stresses(contact, N, x, y, s[0], s[1], s[2]));
     for (int i = 0; i < N; i++) {
-        double one[3];
+        double alone[3];
         assert_true(p[i] == pressure(contact, x[i]) && q[i] == shear(contact, x[i]) &&
                     slips[i] == slip(contact, x[i]));
-        assert_ok(rwedge_contact_stresses(contact, 1, &x[i], &y[i], &one[0], &one[1], &one[2]));
-        assert_true(s[0][i] == one[0] && s[1][i] == one[1] && s[2][i] == one[2]);
+        assert_ok(
+            rwedge_contact_stresses(contact, 1, &x[i], &y[i], &alone[0], &alone[1], &alone[2]));
+        assert_true(s[0][i] == alone[0] && s[1][i] == alone[1] && s[2][i] == alone[2]);
     }
 }

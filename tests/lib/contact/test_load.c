@@ -152,12 +152,6 @@ CLAIM(patches_without_a_width_are_out_of_range)
 
 /* ---- Parts of a step ---- */
 
-static rw_loads part_of(double t, rw_loads from, rw_loads to)
-{
-    return (rw_loads){from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
-                      from.Q + t * (to.Q - from.Q), from.sigma + t * (to.sigma - from.sigma)};
-}
-
 static rw_loads random_loads(const rwedge_contact *contact, uint64_t *seed)
 {
     rw_loads to = contact->loads;
@@ -183,7 +177,7 @@ static rwedge_contact *in_parts(const rwedge_contact *contact, int n, rw_loads t
 {
     rwedge_contact *copy = copy_of(contact);
     for (int i = 1; i <= n; i++)
-        if (try(copy, i == n ? to : part_of((double)i / n, contact->loads, to)) != RWEDGE_OK) {
+        if (try(copy, rw_loads_between(contact->loads, to, (double)i / n)) != RWEDGE_OK) {
             return NULL;
         }
     return copy;

@@ -76,8 +76,8 @@ CLAIM(rounding_of_the_load_hides_no_slip)
         for (double T = 0.0131; T < 1; T += 0.0131) {
             rw_memory *path = new_path();
             for (int j = 0; j < 40; j++) {
-                const double *of = &ROUNDINGS[i][j % 4], shear = T * (1 + of[4] * DBL_EPSILON);
-                advance(path, 1 + of[0] * DBL_EPSILON, j % 2 ? shear : -shear);
+                const double *off = &ROUNDINGS[i][j % 4], shear = T * (1 + off[4] * DBL_EPSILON);
+                advance(path, 1 + off[0] * DBL_EPSILON, j % 2 ? shear : -shear);
                 if (j == 0)
                     continue;
                 assert_true(rw_memory_end(path)->ratio == (j % 2 ? 1 : -1));

@@ -36,11 +36,11 @@ static void follow(rwedge_contact *contact, copies *c, double P, double Q)
     assert_int_equal(c->count, count);
 }
 
-static void assert_same_corner(const rw_corner *one, const rw_corner *other)
+static void assert_same_corner(const rw_corner *read, const rw_corner *expected)
 {
-    assert_true(one->load == other->load && one->shear == other->shear &&
-                one->ratio == other->ratio && one->least == other->least &&
-                one->most == other->most && one->patch.right == other->patch.right);
+    assert_true(read->load == expected->load && read->shear == expected->shear &&
+                read->ratio == expected->ratio && read->least == expected->least &&
+                read->most == expected->most && read->patch.right == expected->patch.right);
 }
 
 static void assert_as_copied(const rwedge_contact *contact, const copies *c)

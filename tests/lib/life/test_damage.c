@@ -257,8 +257,8 @@ CLAIM(no_scanned_plane_has_more_damage)
         block k = {.is_shear = i % 4 == 0};
         draw(&k, i % 2 ? 5 : LOADS, &seed);
         const damage d = damage_of(&k);
-        const double found = scanned(&k, &seed);
-        assert_true(found <= d.value * (1 + 1e-4));
+        const double sampled = scanned(&k, &seed);
+        assert_true(sampled <= d.value * (1 + 1e-4));
         if (!k.is_shear) /* the plane that is named has it */
             assert_close(scanned_at(&k, d.angle, d.out, 0), d.value, 1e-9);
         else

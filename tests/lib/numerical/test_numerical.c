@@ -185,6 +185,24 @@ CLAIM(repeated_loads_do_not_fill_the_memory)
     end(&c);
 }
 
+/* Newton's method stood still there: the load at which Q turns, the last one here, took three times
+ * as much as the one before. */
+CLAIM(a_front_passes_places_that_have_slipped_before)
+{
+    pair c = begin(4, 0, 1e-4);
+    int spent = 0, before = 0;
+    for (int i = 1; i <= 18; i++) {
+        const double phase = i * PI / 12;
+        const rw_scaled_loads to = {4, 0, 1.4 * sin(phase), 0.15 * sin(phase - 0.9)};
+        int left = RW_MOST_EFFORT;
+        assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, to, &left), RW_STEP_DONE);
+        before = spent;
+        spent = RW_MOST_EFFORT - left;
+    }
+    assert_in_range(spent, 1, 2 * before);
+    end(&c);
+}
+
 /* What grows sticks up to both edges, in a straight line of all loads. */
 static double grown_traction(const rw_frame *frame, const rw_numerical_state *first, int parts,
                              double x)

@@ -48,19 +48,20 @@ static bool same_bits(const double *a, const double *b, size_t n)
 
 static void assert_alike(double alpha, double c, size_t n, const double x[], const double y[])
 {
-    double sxx[N], syy[N], txy[N], one[3];
+    double sxx[N], syy[N], txy[N], alone[3];
     feclearexcept(FE_ALL_EXCEPT);
     assert_ok(rwedge_stresses(alpha, 0.4, c, n, x, y, sxx, syy, txy));
     const int raised = fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
     if (raised)
         fail_msg("a/b = %g, c/b = %g, %zu points: exceptions %x", alpha, c, n, (unsigned)raised);
     for (size_t i = 0; i < n; i++) {
-        assert_ok(rwedge_stress(alpha, 0.4, c, x[i], y[i], &one[0], &one[1], &one[2]));
-        if (!same_bits(&one[0], &sxx[i], 1) || !same_bits(&one[1], &syy[i], 1) ||
-            !same_bits(&one[2], &txy[i], 1))
+        assert_ok(rwedge_stress(alpha, 0.4, c, x[i], y[i], &alone[0], &alone[1], &alone[2]));
+        if (!same_bits(&alone[0], &sxx[i], 1) || !same_bits(&alone[1], &syy[i], 1) ||
+            !same_bits(&alone[2], &txy[i], 1))
             fail_msg("a/b = %g, c/b = %g, point %zu of %zu, (%a, %a): in the array %a %a %a, alone "
                      "%a %a %a",
-                     alpha, c, i, n, x[i], y[i], sxx[i], syy[i], txy[i], one[0], one[1], one[2]);
+                     alpha, c, i, n, x[i], y[i], sxx[i], syy[i], txy[i], alone[0], alone[1],
+                     alone[2]);
     }
 }
 
@@ -179,8 +180,8 @@ CLAIM(elastic_limits_are_those_of_single_calls)
     }
     assert_ok(rwedge_elastic_limits(N, alpha, f, 0.3, limit));
     for (int i = 0; i < N; i++) {
-        const double one = rwedge_elastic_limit(alpha[i], f[i], 0.3);
-        assert_true(same_bits(&one, &limit[i], 1));
+        const double alone = rwedge_elastic_limit(alpha[i], f[i], 0.3);
+        assert_true(same_bits(&alone, &limit[i], 1));
     }
 }
 

@@ -18,7 +18,7 @@ from ._optional import need as _need
 
 _need("numpy", "rwedge")
 
-from . import _formulas, _made  # noqa: E402
+from . import _made  # noqa: E402
 from ._contact import Contact, YieldFactor
 from ._criteria import Damage, Plane
 from ._cycle import Cycle
@@ -27,6 +27,7 @@ from ._library import function as _function
 from ._loads import Loads
 from ._made import *  # noqa: F403
 from ._series import Series
+from ._ufuncs import UFUNCS as _UFUNCS
 from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
@@ -36,9 +37,9 @@ for _public in (AbsentError, Contact, Cycle, Damage, Error, Loads, PathError, Pl
 __version__ = _function("version")().decode()
 
 # All functions of the header that take and give nothing but numbers.
-globals().update({name: _Formula(ufunc) for name, ufunc in _formulas.UFUNCS.items()})
+globals().update({name: _Formula(ufunc) for name, ufunc in _UFUNCS.items()})
 __all__ = ["AbsentError", "Contact", "Cycle", "Damage", "Error", "Loads", "PathError", "Plane", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses",
-           *_formulas.UFUNCS, *_made.__all__]
+           *_UFUNCS, *_made.__all__]
 
 _stresses = _Points("stress")
 

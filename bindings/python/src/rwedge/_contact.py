@@ -17,11 +17,10 @@ from ._blocks import FEW, blocks
 from ._cycle import Cycle
 from ._general import call
 from ._header import FUNCTIONS
-from ._labels import aligned
+from ._labels import Numbers, aligned
 from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, Handle, PathError, check, function, real
 from ._loads import Columns, History, Loads, columns, given_columns
 from ._made import ContactMethods, _contact_stresses
-from ._types import Numbers
 from ._ufuncs import Points
 from ._validity import warn
 

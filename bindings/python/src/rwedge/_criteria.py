@@ -7,9 +7,8 @@ from typing import Any, Mapping, NamedTuple, SupportsFloat
 import numpy as np
 from numpy.typing import NDArray
 
-from ._formulas import UFUNCS
 from ._library import EDOMAIN, Error, real
-from ._ufuncs import Formula
+from ._ufuncs import UFUNCS, Formula
 
 Material = Mapping[str, SupportsFloat]
 CURVES = {"swt": ("smith_watson_topper_damage", ("sf", "b", "ef", "c"), "swt_limit"),

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._criteria import Criteria
-from ._formulas import UFUNCS
 from ._library import real
 from ._loads import Loads
 from ._optional import need
+from ._ufuncs import UFUNCS
 
 NAMES = {"sxx": "stress along the surface", "syy": "stress normal to the surface", "txy": "shear stress",
          "szz": "stress across the plane", "P": "normal load", "M": "moment", "Q": "tangential load", "sigma": "bulk tension",

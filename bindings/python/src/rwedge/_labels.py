@@ -1,13 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays with labels (pandas, xarray): the labels, not the positions, say which numbers belong together."""
+"""What numbers may be given as; of arrays with labels (pandas, xarray) the labels, not the positions, say which belong together."""
 from __future__ import annotations
 
 import functools
 import operator
-from typing import Any
+from typing import Any, Protocol, Sequence, SupportsFloat, Union
 
 import numpy as np
 from numpy.typing import NDArray
+
+
+class SupportsArray(Protocol):
+    """Arrays of NumPy, pandas, xarray, Dask and so on."""
+
+    def __array__(self) -> Any: ...
+
+
+# NumPy's own ArrayLike has strings and complex numbers too.
+Scalar = Union[float, "np.floating[Any]", "np.integer[Any]"]
+Numbers = Union[SupportsFloat, SupportsArray, Sequence[SupportsFloat], Sequence[Sequence[SupportsFloat]],
+                Sequence[Sequence[Sequence[SupportsFloat]]]]
 
 
 def is_labelled(given: Any) -> bool:

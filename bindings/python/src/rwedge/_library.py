@@ -123,13 +123,24 @@ def function(name: str) -> Any:
 _strerror = function("strerror")
 
 
+def _is_inside(value: Any, low: float, high: float, low_open: bool, high_open: bool, or_zero: bool, smallest: float) -> bool:
+    if value == 0 and or_zero:
+        return True
+    above, below = low < value or value == low and not low_open, value < high or value == high and not high_open
+    return bool(above and below and (value == 0 or abs(value) >= smallest))
+
+
 def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: str = "") -> None:
-    """Raises what a status of rwedge_name() other than OK means: for which arguments, and what would be allowed."""
+    """Raises what a status of rwedge_name() other than OK means: for which arguments, those outside their own bounds where there
+    are such, and what would be allowed."""
     if status == OK:
         return
-    reason, domains = _strerror(status).decode(), FUNCTIONS[name]["domains"]
+    reason, domains, bounds = _strerror(status).decode(), FUNCTIONS[name]["domains"], FUNCTIONS[name]["bounds"]
     if status == ENOMEM:
         raise MemoryError(reason)
+    outside = {argument: value for argument, value in arguments.items() if argument in bounds and not _is_inside(value, *bounds[argument])}
+    if status in (EDOMAIN, ERANGE) and outside:
+        arguments = outside
     given = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
     allowed = "; ".join(f"{argument}: {domains[argument]}" for argument in arguments if argument in domains)
     if status in (EABSENT, EPATH):
@@ -149,7 +160,10 @@ def real(name: str, value: SupportsFloat) -> float:
 
 def integer(name: str, value: SupportsIndex) -> int:
     """The argument as an int32_t."""
-    number = operator.index(value)
+    try:
+        number = operator.index(value)
+    except TypeError as error:
+        raise TypeError(f"{name}: {error}") from None
     if abs(number) > INT32_MAX:
         raise Error(f"{name} = {number}: {_strerror(ERANGE).decode()}", ERANGE)
     return number

@@ -9,9 +9,8 @@ from typing import Any, Mapping, NamedTuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._labels import refuse_units
+from ._labels import Numbers, SupportsArray, refuse_units
 from ._library import EDOMAIN, ERANGE, Error
-from ._types import Numbers, SupportsArray
 
 
 class Loads(NamedTuple):

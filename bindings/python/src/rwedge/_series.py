@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from ._blocks import beside
 from ._general import call
 from ._library import EDOMAIN, Error, Handle, check, function, integer, real
-from ._labels import aligned
+from ._labels import Numbers, aligned
 from ._made import SeriesMethods
-from ._types import Numbers
 from ._ufuncs import Points
 
 _create, _fit, _destroy = (function("series_" + name) for name in ("create", "fit", "destroy"))

@@ -74,6 +74,16 @@ def ufunc(name: str, manner: str = "") -> np.ufunc:
     return _from_func_and_data(loops, datas, types, 1, len(inputs), outputs, NO_IDENTITY, title, doc, 0, signature)
 
 
+UFUNCS = {name: ufunc(name) for name, about in FUNCTIONS.items() if about["made"] in ("ufunc", "gufunc")}
+
+
+def __getattr__(name: str) -> np.ufunc:
+    """Pickle looks for a ufunc by its name in every module."""
+    if name not in UFUNCS:
+        raise AttributeError(f"module {__name__} has no attribute {name}")
+    return UFUNCS[name]
+
+
 _refused: dict[int, bool] = {}  # the threads whose call has refused something
 
 

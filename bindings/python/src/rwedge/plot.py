@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._contact import Contact
-from ._formulas import UFUNCS
+from ._labels import Numbers
 from ._library import Error
 from ._optional import need
-from ._types import Numbers
+from ._ufuncs import UFUNCS
 
 # Okabe and Ito's colours, which the colour-blind can tell apart.
 BLACK, BLUE, VERMILLION, GREEN, PURPLE = "#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7"

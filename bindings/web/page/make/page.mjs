@@ -14,7 +14,7 @@ async function program() {
 }
 
 function style() {
-    const text = ["plot.css", "page.css"].map((name) => readFileSync(`${page}/src/${name}`, "utf8")).join("\n");
+    const text = ["plot/plot.css", "page.css"].map((name) => readFileSync(`${page}/src/${name}`, "utf8")).join("\n");
     return esbuildOf(folder).transformSync(text, { loader: "css", minify: true }).code.trim();
 }
 

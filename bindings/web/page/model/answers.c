@@ -4,7 +4,6 @@
 #include "page.h"
 
 #include "model/results/results.h"
-#include "number/number.h"
 
 /* ---- Words ---- */
 
@@ -13,23 +12,24 @@ static void write_input_words(void)
     for (int i = 0; i < INPUT_COUNT; i++) {
         char name[INPUT_NAME_SIZE], other_name[INPUT_NAME_SIZE];
         const int other = input_alternative(i);
-        records_add("input", "ttttt", input_column(i, name), input_kinds[i].option,
-                    input_kinds[i].unit, input_kinds[i].meaning,
-                    other > i ? input_column(other, other_name) : "");
+        json_add("{'inputs':{%t:{'option':%t,'unit':%t,'meaning':%t}}}", input_column(i, name),
+                 input_kinds[i].option, input_kinds[i].unit, input_kinds[i].meaning);
+        if (other > i)
+            json_add("{'alternatives':{%t:%t}}", name, input_column(other, other_name));
     }
 }
 
 EXPORTED const char *page_words(void)
 {
-    records_begin();
+    json_begin();
     write_input_words();
     for (int i = 0; i < RESULT_COUNT; i++)
-        records_add("result", "ttt", result_kinds[i].name, result_kinds[i].unit,
-                    result_kinds[i].meaning);
+        json_add("{'results':[{'name':%t,'unit':%t,'meaning':%t}]}", result_kinds[i].name,
+                 result_kinds[i].unit, result_kinds[i].meaning);
     for (int i = 0; i < COLUMN_COUNT; i++)
-        records_add("measure", "ttt", measure_kinds[i].column, measure_kinds[i].unit,
-                    measure_kinds[i].meaning);
-    return records_end();
+        json_add("{'measures':{%t:{'unit':%t,'meaning':%t}}}", measure_kinds[i].column,
+                 measure_kinds[i].unit, measure_kinds[i].meaning);
+    return json_end();
 }
 
 /* NAN where the text is none; the decimal sign is a point. */
@@ -61,12 +61,13 @@ static void keep(rwedge_contact *contact)
 static void refuse(int input, const char *complaint)
 {
     char name[INPUT_NAME_SIZE];
-    records_add("refused", "tt", input < INPUT_COUNT ? input_column(input, name) : "", complaint);
+    json_fault(input < INPUT_COUNT ? input_column(input, name) : "", complaint);
 }
 
 static void write_verdict(verdict result)
 {
-    records_add("verdict", "tttn", result.colour, result.text, result.strength, result.factor);
+    json_add("{'verdict':{'colour':%t,'text':%t,'strength':%t,'factor':%n}}", result.colour,
+             result.text, result.strength, result.factor);
 }
 
 /* The numbers of all inputs that are given, and a refusal of each that is none. */
@@ -82,34 +83,25 @@ static bool write_inputs(const input_texts *texts)
             list_add(all, sizeof all, "; ", "%s", complaint);
             continue;
         }
-        records_add("input", "tn", input_column(i, name), value);
+        json_add("{'inputs':{%t:%n}}", input_column(i, name), value);
     }
     if (all[0] != '\0')
         write_verdict(verdict_of_fault(RWEDGE_OK, all));
     return all[0] == '\0';
 }
 
-/* The slopes of a profile, for its drawing; its sharp edges have an infinite pressure. */
-static void write_profile(const pad *shape)
-{
-    for (size_t i = 0; shape->places != NULL && i < shape->places->count; i++)
-        records_add("place", "nn", shape->places->x[i], shape->places->slope[i]);
-    records_add("remark", "t", field_remark());
-}
-
+/* A profile has its slopes, for its drawing; its sharp edges have an infinite pressure. */
 static void write_setup(const contact_case *setup)
 {
-    records_add("case", "tn", "nu1", setup->nu1);
-    records_add("case", "tn", "theta", setup->shape.theta);
-    records_add("case", "tn", "a", setup->shape.a);
-    records_add("case", "tn", "radius", setup->shape.radius);
-    records_add("case", "tn", "flat", setup->shape.flat);
-    records_add("case", "tn", "M", setup->M);
-    records_add("case", "tn", "Q", setup->Q);
-    records_add("case", "tn", "sigma", setup->sigma);
-    records_add("case", "tn", "f", setup->f);
-    records_add("case", "tn", "k", setup->k);
-    write_profile(&setup->shape);
+    const pad *shape = &setup->shape;
+    json_add("{'setup':{'nu1':%n,'theta':%n,'a':%n,'radius':%n,'flat':%n,'M':%n,'Q':%n,'sigma':%n,"
+             "'f':%n,'k':%n,'places':[]}}",
+             setup->nu1, shape->theta, shape->a, shape->radius, shape->flat, setup->M, setup->Q,
+             setup->sigma, setup->f, setup->k);
+    for (size_t i = 0; shape->places != NULL && i < shape->places->count; i++)
+        json_add("{'setup':{'places':[{'x':%n,'slope':%n}]}}", shape->places->x[i],
+                 shape->places->slope[i]);
+    json_add("{'remark':%t}", field_remark());
 }
 
 static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
@@ -144,7 +136,8 @@ static void write_hardest(const contact_case *setup, results *answer)
     answer->hardest_y = y;
     if (!(factor > 0)) /* infinite at a sharp apex */
         return;
-    records_add("hardest", "nnnn", factor, x, y, 1.7320508075688772 * k / factor);
+    json_add("{'hardest':{'factor':%n,'x':%n,'y':%n,'von_mises':%n}}", factor, x, y,
+             1.7320508075688772 * k / factor);
 }
 
 static void write_results(const contact_case *setup, verdict_style style)
@@ -162,10 +155,11 @@ static void write_results(const contact_case *setup, verdict_style style)
     write_hardest(setup, &answer);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const cell *value = &answer.value[i];
-        if (value->text != NULL)
-            records_add("text", "tt", result_kinds[i].name, value->text);
+        if (value->text != NULL && value->text[0] != '\0')
+            json_add("{'results':{%t:%t}}", result_kinds[i].name, value->text);
         else
-            records_add("number", "tn", result_kinds[i].name, value->number);
+            json_add("{'results':{%t:%n}}", result_kinds[i].name,
+                     value->text == NULL ? value->number : NAN);
     }
     write_verdict(verdict_of(&answer, style));
 }
@@ -177,10 +171,10 @@ EXPORTED const char *page_answer(char *lines, const char *length, int decimal_si
     contact_case setup;
     const input_texts texts = field_texts(lines);
     keep(NULL);
-    records_begin();
+    json_begin();
     if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup))
         write_results(&setup, (verdict_style){(char)decimal_sign, length});
-    return records_end();
+    return json_end();
 }
 
 static double number_of(const input_texts *texts, int input)
@@ -217,10 +211,10 @@ EXPORTED const char *page_find(char *lines, const char *name, double safety)
     double value;
     char complaint[COMPLAINT_SIZE];
     if (!inverse_find(&texts, input, safety, &setup, &value, complaint)) {
-        records_refuse("", complaint);
-        return records_end();
+        json_refuse("", complaint);
+        return json_end();
     }
-    records_begin();
-    records_add("input", "tn", name, value);
-    return records_end();
+    json_begin();
+    json_add("{'value':%n}", value);
+    return json_end();
 }

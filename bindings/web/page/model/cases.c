@@ -43,38 +43,36 @@ static bool begin(const csv_row *first, char *lines, char decimal_sign, case_tab
 
 static void write_head(const case_table *table)
 {
-    records_add("columns", "");
     for (size_t i = 0; i < table->names.count; i++)
-        records_text(table->names.name[i]);
-    records_add("results", "");
+        json_add("{'columns':[%t]}", table->names.name[i]);
     for (int i = 0; i < RESULT_COUNT; i++)
         if (table->shown[i])
-            records_text(result_kinds[i].name);
+            json_add("{'results':[%t]}", result_kinds[i].name);
     for (int i = 0; i < INPUT_COUNT; i++) {
         char name[INPUT_NAME_SIZE];
         if (input_is_given(&table->constants, i))
-            records_add("constant", "tt", input_column(i, name), table->constants.text[i]);
+            json_add("{'constants':{%t:%t}}", input_column(i, name), table->constants.text[i]);
     }
 }
 
 static void write_row(const case_table *table, const csv_row *row)
 {
     results answer;
-    char complaint[COMPLAINT_SIZE] = "misplaced quotes";
+    char complaint[COMPLAINT_SIZE] = "misplaced quotes", digits[NUMBER_SIZE];
     const bool solved =
         !row->malformed && case_table_solve(table, row->cell, row->count, &answer, complaint);
-    records_add("row", "tt", solved ? verdict_of(&answer, (verdict_style){'.', ""}).colour : "red",
-                solved ? "" : complaint);
+    json_add("{'rows':[{'colour':%t,'error':%t,'cells':[",
+             solved ? verdict_of(&answer, (verdict_style){'.', ""}).colour : "red",
+             solved ? "" : complaint);
     for (size_t i = 0; i < table->names.count; i++)
-        records_text(i < row->count ? row->cell[i] : "");
+        json_add("%t", i < row->count ? row->cell[i] : "");
+    json_add("],'values':[");
     for (int i = 0; i < RESULT_COUNT && solved; i++) {
-        if (!table->shown[i])
-            continue;
-        if (answer.value[i].text != NULL)
-            records_text(answer.value[i].text);
-        else
-            records_number(answer.value[i].number);
+        const cell *value = &answer.value[i];
+        if (table->shown[i])
+            json_add("%t", value->text != NULL ? value->text : json_digits(value->number, digits));
     }
+    json_add("]}]}");
 }
 
 /* The rows below the names; false, with the problem, where they cannot be read on. */
@@ -90,7 +88,7 @@ static bool write_rows(csv_input *in, const case_table *table, const char **prob
         csv_row_free(&row);
     }
     header_write_unused(&table->names, is_unused, unused, sizeof unused);
-    records_add("unused", "t", unused);
+    json_add("{'unused':%t}", unused);
     return (*problem)[0] == '\0';
 }
 
@@ -103,17 +101,17 @@ EXPORTED const char *page_rows(const char *text, char *lines, int decimal_sign)
     const char *problem;
     char complaint[COMPLAINT_SIZE];
     case_table table = {0};
-    records_begin();
+    json_begin();
     if (!pasted_next(in, &first, &problem))
-        records_refuse("", problem);
+        json_refuse("", problem);
     else if (!begin(&first, lines, (char)decimal_sign, &table, complaint))
-        records_refuse("", complaint);
+        json_refuse("", complaint);
     else {
         write_head(&table);
         if (!write_rows(in, &table, &problem))
-            records_refuse("", problem);
+            json_refuse("", problem);
     }
     csv_row_free(&first);
     csv_input_close(in);
-    return records_end();
+    return json_end();
 }

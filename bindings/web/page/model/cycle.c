@@ -3,8 +3,6 @@
  * that is worst, and the loop. */
 #include "page.h"
 
-#include "number/number.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -198,32 +196,32 @@ static void find_worst(int column)
 /* Where JavaScript finds numbers, how many, and how far from each other. */
 static void write_numbers(const double *numbers, size_t count, size_t distance)
 {
-    records_number((double)(uintptr_t)numbers);
-    records_number((double)count);
-    records_number((double)distance);
+    json_add("{'address':%n,'length':%n,'distance':%n}", (double)(uintptr_t)numbers, (double)count,
+             (double)distance);
 }
 
 static void write_column(int column)
 {
-    records_add("measured", "t", measure_kinds[column].column);
+    json_add("{'measured':{%t:", measure_kinds[column].column);
     write_numbers(&asked.at->value[column], asked.n, COLUMN_COUNT);
+    json_add("}}");
 }
 
 static void write_worst(int column)
 {
     find_worst(column);
-    if (isnan(asked.worst_x[column]))
-        return;
-    records_add("worst", "tnn", measure_kinds[column].column, asked.worst_x[column],
-                asked.worst[column]);
+    if (!isnan(asked.worst_x[column]))
+        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kinds[column].column,
+                 asked.worst_x[column], asked.worst[column]);
 }
 
 /* The usual measures, and the chosen criterion behind the other ones. */
 static void write_measures(void)
 {
     const bool is_usual = asked.column < MEASURE_COUNT;
-    records_add("places", "");
+    json_add("{'x':");
     write_numbers(asked.x, asked.n, 1);
+    json_add("}");
     for (int i = 0; i < MEASURE_COUNT; i++) {
         write_column(i);
         if (i + 1 == MEASURE_SLIP_RANGE && !is_usual)
@@ -251,7 +249,8 @@ static double life_at(double value, double limit)
 static void write_constant(int constant)
 {
     if (constant != MATERIAL_COUNT)
-        records_add("constant", "tn", material_names[constant], asked.constants.value[constant]);
+        json_add("{'constants':{%t:%n}}", material_names[constant],
+                 asked.constants.value[constant]);
 }
 
 /* What the chosen criterion comes to where it is worst, and its constants. */
@@ -259,7 +258,8 @@ static void write_verdict(void)
 {
     const double limit = material_allowable(&asked.constants, asked.criterion);
     const double value = asked.worst[asked.column];
-    records_add("judged", "nnn", limit, value > 0 ? limit / value : NAN, life_at(value, limit));
+    json_add("{'limit':%n,'safety':%n,'life':%n}", limit, value > 0 ? limit / value : NAN,
+             life_at(value, limit));
     write_constant(criterion_kinds[asked.criterion].constant);
     if (asked.criterion == CRITERION_MCDIARMID)
         write_constant(MATERIAL_SU);
@@ -270,9 +270,12 @@ static void write_loop(void)
     asked.loop = loop_of(&asked.last, asked.worst_x[MEASURE_ENERGY_PER_AREA]);
     if (asked.loop.count == 0)
         return;
-    records_add("loop", "tn", asked.loop.is_whole ? "whole" : "", asked.loop.place);
+    json_add("{'loop':{'isWhole':%n,'place':%n,'x':", (double)asked.loop.is_whole,
+             asked.loop.place);
     write_numbers(asked.loop.x, asked.loop.count, 1);
+    json_add("'y':");
     write_numbers(asked.loop.y, asked.loop.count, 1);
+    json_add("}}");
 }
 
 static void write_answer(void)
@@ -280,15 +283,15 @@ static void write_answer(void)
     last_cycle_end(&asked.last);
     const int32_t status = measure();
     if (asked.n == 0)
-        records_refuse("", "there is no contact in the cycle");
+        json_refuse("", "there is no contact in the cycle");
     else if (status != RWEDGE_OK) {
         char complaint[COMPLAINT_SIZE];
         snprintf(complaint, sizeof complaint, "This cannot be computed: %s",
                  rwedge_strerror(status));
-        records_refuse("", complaint);
+        json_refuse("", complaint);
     } else {
         load_list_write(&asked.loads);
-        records_add("known", "nn", (double)asked.last.slip_known, asked.error);
+        json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.error);
         write_measures();
         write_verdict();
         write_loop();
@@ -307,16 +310,16 @@ EXPORTED const char *page_cycle(char *lines, const char *text, int decimal_sign,
     char complaint[COMPLAINT_SIZE];
     forget();
     choose(criterion);
-    records_begin();
+    json_begin();
     if (!read_constants(constants, complaint))
-        records_refuse("", complaint);
+        json_refuse("", complaint);
     else if (!answers_history(lines, is_plane_stress, &asked.setup, &form, &nu))
-        ; /* the records say why */
+        ; /* the answer says why */
     else if (!collect_criteria(nu, is_plane_stress, &wanted, complaint))
-        records_refuse("criterion", complaint);
+        json_refuse("criterion", complaint);
     else if (!apply(&wanted, form, text, (char)decimal_sign, times, complaint))
-        records_refuse("", complaint);
+        json_refuse("", complaint);
     else
         write_answer();
-    return records_end();
+    return json_end();
 }

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "page.h"
 
-#include "number/number.h"
-
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,9 +20,9 @@ void load_list_write(const load_list *loads)
 {
     for (size_t i = 0; i < loads->count; i++) {
         const load to = loads->load[i].to;
-        records_add("load", "nnnn", to.P, to.M, to.Q, to.sigma);
+        json_add("{'loads':[{'P':%n,'M':%n,'Q':%n,'sigma':%n}]}", to.P, to.M, to.Q, to.sigma);
     }
-    records_add("unused", "t", loads->unused);
+    json_add("{'unused':%t}", loads->unused);
 }
 
 /* The names of a table without: P and Q, or all four; NULL for another number of columns. */

@@ -5,29 +5,33 @@
 #include "input/input.h"
 #include "model/cycle/cycle.h"
 #include "model/model.h"
+#include "number/number.h"
 
 #include <stddef.h>
 
 /* What JavaScript calls. */
 #define EXPORTED
 
-/* ---- records ---- Texts and numbers, as one text that JavaScript takes apart. */
+/* ---- json ---- An answer: objects, which JavaScript puts together to one. */
 
 /* Begins anew: the text before is lost. */
-void records_begin(void);
+void json_begin(void);
 
-/* A record: its kind, and a field for each letter of the form, t a text, n a double. */
-void records_add(const char *kind, const char *form, ...);
+/* A part of it: JSON with ' for ", in which %t stands for a text, null where there is none, and %n
+ * for a double, null where it is not a number. Commas go between the parts. */
+void json_add(const char *form, ...);
 
-/* More fields of the last record. */
-void records_text(const char *text);
-void records_number(double number); /* empty where it is not a number; inf is one */
+/* A number as a text, with all digits; "" where it is not a number. */
+const char *json_digits(double number, char text[NUMBER_SIZE]);
 
-/* In place of all that was added: what is wrong, and with what; or "". */
-void records_refuse(const char *input, const char *why);
+/* What is wrong, and with which input; or "". */
+void json_fault(const char *input, const char *why);
 
-/* The whole; an empty text without memory. */
-const char *records_end(void);
+/* The same in place of all that was added. */
+void json_refuse(const char *input, const char *why);
+
+/* The whole. */
+const char *json_end(void);
 
 /* ---- field_texts ---- The texts of the form, as JavaScript hands them over. */
 
@@ -38,10 +42,10 @@ input_texts field_texts(char *lines);
 /* What is to be known of the profile of the last texts; or "". */
 const char *field_remark(void);
 
-/* ---- answers ---- About the case of the form, as records. */
+/* ---- answers ---- About the case of the form. */
 
 /* Reads the case without its loads, which are given apart, and Poisson's ratio of body 1. In plane
- * stress the contact is one of Poisson's ratio 0. False where it is refused: the records say
+ * stress the contact is one of Poisson's ratio 0. False where it is refused: the answer says
  * why. */
 bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form,
                      double *nu);
@@ -78,7 +82,7 @@ void load_list_add(load_list *loads, load to, int line);
 bool load_list_read(const char *text, char decimal_sign, load_list *loads,
                     char complaint[COMPLAINT_SIZE]);
 
-/* Adds records of the loads, and of the columns that are not used. */
+/* Adds the loads, and the columns that are not used. */
 void load_list_write(const load_list *loads);
 
 void load_list_free(load_list *loads);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case as a command and as a program: both give the numbers that are shown.
 import { wholeNumber } from "./number.js";
-import { inputs } from "./words.js";
+import { inputs } from "./answers/words.js";
 
 /** A profile is in a file that is saved beside. */
 const numbersOf = (model) =>

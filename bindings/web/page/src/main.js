@@ -2,7 +2,7 @@
 // The page: its parts, and when they are drawn.
 import { html, render } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { rwedge } from "./library.js";
+import { rwedge } from "./answers/library.js";
 import { asCommand, asPython } from "./export.js";
 import { copyButton, download, options, remembered } from "./parts.js";
 import { form } from "./left/form.js";

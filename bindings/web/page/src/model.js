@@ -2,7 +2,7 @@
 // What is drawn: the solved case, how it is written, and in which units.
 import { shown, writeNumber } from "./number.js";
 import { textsOfPad } from "./pads.js";
-import { solveHolding } from "./solution.js";
+import { solveHolding } from "./answers/solution.js";
 import { unitSystems } from "./units.js";
 
 export function makeModel(state) {

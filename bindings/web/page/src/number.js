@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as they are typed, with a decimal point or comma, and as they are shown.
-import { numberOf } from "./library.js";
+import { numberOf } from "./answers/library.js";
 
 const mayBeThousands = /^[+-]?[1-9]\d{0,2},\d{3}$/;
 

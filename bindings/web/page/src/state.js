@@ -2,9 +2,9 @@
 // The state of the page: texts, as they are typed, and choices. It is the part of the address behind #: a case can be sent as a link.
 import { readNumber, writeNumber } from "./number.js";
 import { padOf, pads } from "./pads.js";
-import { measures } from "./stresses.js";
+import { measures } from "./answers/stresses.js";
 import { conversion, unitSystems } from "./units.js";
-import { criteria, inputNames, inputs } from "./words.js";
+import { criteria, inputNames, inputs } from "./answers/words.js";
 
 /** Two steel bodies, as in the workbook. */
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };

@@ -2,7 +2,7 @@
 // The drawing of the contact: the pad as it touches and as it was, its loads, the stick zone; the pressure apart. Heights are stretched.
 import { escaped } from "../parts.js";
 import { heightOf, pads } from "../pads.js";
-import { placesAcross } from "../stresses.js";
+import { placesAcross } from "../answers/stresses.js";
 
 const box = { width: 640, height: 372, middle: 320, surface: 150, up: 88, down: 56, floor: 258, base: 362, high: 62 };
 
@@ -185,7 +185,7 @@ export function drawingOf({ pad, setup, contact, results, hardest }, worst) {
         ...setup,
         pad,
         worst,
-        hardest: Number.isNaN(setup.k) ? null : hardest,
+        hardest: setup.k === null ? null : hardest,
         height: heightOf(setup),
         left: results.left,
         right: results.right,

@@ -3,9 +3,9 @@
 import { html } from "lit-html";
 import { readNumber, writeNumber } from "../number.js";
 import { options, remembered } from "../parts.js";
-import { findInput } from "../solution.js";
+import { findInput } from "../answers/solution.js";
 import { redraw } from "../state.js";
-import { inputs } from "../words.js";
+import { inputs } from "../answers/words.js";
 import { put } from "./form.js";
 
 const names = { radius: "Radius R", a: "Half-width of rounding a", P: "Load P", f: "Friction f" };

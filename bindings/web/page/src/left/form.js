@@ -2,12 +2,12 @@
 // The inputs of the case: fields with units, complaints and sliders.
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { rwedge } from "../library.js";
+import { rwedge } from "../answers/library.js";
 import { writeNumber } from "../number.js";
 import { ofShapes, pads } from "../pads.js";
 import { options } from "../parts.js";
 import { set, state } from "../state.js";
-import { alternatives, inputs } from "../words.js";
+import { alternatives, inputs } from "../answers/words.js";
 import { padChoice } from "./pad_choice.js";
 import { slider } from "./slider.js";
 

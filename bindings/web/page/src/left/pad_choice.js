@@ -6,7 +6,7 @@ import { writeNumber } from "../number.js";
 import { beginning, pads } from "../pads.js";
 import { options } from "../parts.js";
 import { set, state } from "../state.js";
-import { alternatives } from "../words.js";
+import { alternatives } from "../answers/words.js";
 
 /** Whether the pad has an input, or its other way. */
 function has(pad, name) {

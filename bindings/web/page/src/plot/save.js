@@ -3,7 +3,7 @@
 import { html } from "lit-html";
 import { shortNumber, shown } from "../number.js";
 import { download } from "../parts.js";
-import plotStyle from "../plot.css";
+import plotStyle from "./plot.css";
 
 /** The style with its colours written out, those of light mode: few programs that open an SVG know variables. */
 function styleOfFile() {

@@ -2,7 +2,7 @@
 // The tab About: the theory in a page, accuracy, errata, licences, how to cite. The texts are those of the READMEs.
 import { html } from "lit-html";
 import { escaped } from "../parts.js";
-import { rwedge } from "../library.js";
+import { rwedge } from "../answers/library.js";
 import { unitsRemark } from "../units.js";
 import { texts } from "texts";
 

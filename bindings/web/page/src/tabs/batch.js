@@ -2,7 +2,7 @@
 // The tab Batch: rows pasted from a spreadsheet, and rows to paste back.
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { Aside } from "../aside.js";
+import { Aside } from "../answers/aside.js";
 import { copyButton, download } from "../parts.js";
 import { redraw, set, setter, state } from "../state.js";
 
@@ -63,7 +63,7 @@ function remarkOf(solved) {
     if (solved.complaint !== undefined) return solved.complaint;
     const { rows, constants, unused } = solved;
     const errors = rows.filter(({ error }) => error !== "").length;
-    const from = constants.map(([name, text]) => `${name} = ${text}`).join(", ");
+    const from = Object.entries(constants).map(([name, text]) => `${name} = ${text}`).join(", ");
     return [
         `${rows.length} rows, ${errors} could not be solved. ${faultsOf(solved)}`,
         unused && `${unused[0].toUpperCase()}${unused.slice(1)}.`,

@@ -2,12 +2,12 @@
 // The tab Contact: pressure and shear along the surface, the stick zone, and all results.
 import { html } from "lit-html";
 import { remembered } from "../parts.js";
-import { isOffCentre, safetyOnStrength } from "../solution.js";
+import { isOffCentre, safetyOnStrength } from "../answers/solution.js";
 import { groups, ofEdges, symbols } from "./symbols.js";
-import { resultKinds } from "../words.js";
+import { resultKinds } from "../answers/words.js";
 import { curvePlot, noResults } from "../plot/live.js";
 import { withUnit } from "../model.js";
-import { placesAcross } from "../stresses.js";
+import { placesAcross } from "../answers/stresses.js";
 import { table } from "./table.js";
 
 const minus = (numbers) => numbers.map((v) => -v + 0);

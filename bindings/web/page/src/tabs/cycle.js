@@ -2,7 +2,7 @@
 // The tab Cycle: a table of loads, what its last cycle does along the surface, the worst places, and the loop.
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { Aside } from "../aside.js";
+import { Aside } from "../answers/aside.js";
 import { asFretting } from "../export.js";
 import { copyButton, options } from "../parts.js";
 import { roomy } from "../plot/axes.js";
@@ -11,13 +11,13 @@ import { withUnit } from "../model.js";
 import { writeNumber } from "../number.js";
 import { redraw, set, setter, state } from "../state.js";
 import { bar } from "../verdict.js";
-import { criteria, measures } from "../words.js";
+import { criteria, measures } from "../answers/words.js";
 import { table } from "./table.js";
 
 const unitOf = (name, unit) => unit[measures[name].unit];
 
 /** A measure along the surface, where it is worst, and its limit. */
-function alongOf({ x, measured, worst }, { unit, write }, name, title, limit = NaN) {
+function alongOf({ x, measured, worst }, { unit, write }, name, title, limit = null) {
     const top = worst[name];
     if (!top) return "";
     const ends = [x[0], x.at(-1)];
@@ -25,7 +25,7 @@ function alongOf({ x, measured, worst }, { unit, write }, name, title, limit = N
         title,
         curves: [
             { name: title, style: "one", x, y: measured[name] },
-            ...(Number.isNaN(limit) ? [] : [{ name: "limit", style: "thin", x: ends, y: [limit, limit] }]),
+            ...(limit === null ? [] : [{ name: "limit", style: "thin", x: ends, y: [limit, limit] }]),
         ],
         points: [{ x: top.x, y: top.value, name: write(top.value) }],
         xLabel: withUnit("x", unit.length),
@@ -38,19 +38,19 @@ function fatigueOf(answer, model) {
     return alongOf(answer, model, name, `${criteria[name]} along the surface`, answer.limit);
 }
 
-const loopNames = ({ whole }) => (whole ? ["displacement by slip", "Q"] : ["slip", "q"]);
+const loopNames = ({ isWhole }) => (isWhole ? ["displacement by slip", "Q"] : ["slip", "q"]);
 
 function loopOf({ loop }, { unit, write }) {
     if (!loop) return "";
     const ofPlace = `shear traction over slip at x = ${write(loop.place)}`,
-        name = loop.whole ? "tangential load over displacement by slip" : ofPlace,
+        name = loop.isWhole ? "tangential load over displacement by slip" : ofPlace,
         [xName, yName] = loopNames(loop);
     return {
         title: `Loop of the cycle: ${name}`,
         curves: [{ name, style: "one", x: loop.x, y: loop.y }],
         xDomain: roomy([Math.min(...loop.x), Math.max(...loop.x)]),
         xLabel: withUnit(xName, unit.length),
-        yLabel: withUnit(yName, loop.whole ? unit["force/length"] : unit.stress),
+        yLabel: withUnit(yName, loop.isWhole ? unit["force/length"] : unit.stress),
     };
 }
 
@@ -61,13 +61,13 @@ function sentence({ worst, criterion: { name }, limit, safety, life }, { unit, w
         beside = safety < 1 ? "above" : "below";
     const parts = [
         `${criteria[name]}: ${write(value)} ${unitOf(name, unit)}${place}`,
-        Number.isNaN(safety)
+        safety === null
             ? "no limit of the material is given"
             : `${beside} its limit ${write(limit)}, a factor of ${write(safety)}`,
-        !Number.isNaN(life) && (life === Infinity ? "no failure" : `${write(life)} cycles to failure`),
+        life !== null && (life === Infinity ? "no failure" : `${write(life)} cycles to failure`),
     ];
     return html`<p class="sentence">${parts.filter(Boolean).join("; ")}.</p>
-        ${Number.isNaN(safety) ? nothing : bar(safety, safety < 1 ? "red" : "green", "the limit")}`;
+        ${safety === null ? nothing : bar(safety, safety < 1 ? "red" : "green", "the limit")}`;
 }
 
 function verdictRows({ limit, safety, life }, { write }) {

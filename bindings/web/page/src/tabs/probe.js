@@ -6,7 +6,7 @@ import { readNumber, writeNumber } from "../number.js";
 import { inViewBox } from "../plot/live.js";
 import { placeAt, probeText } from "../plot/field.js";
 import { set, setter, state } from "../state.js";
-import { valuesAt } from "../stresses.js";
+import { valuesAt } from "../answers/stresses.js";
 import { table } from "./table.js";
 
 const meanings = {

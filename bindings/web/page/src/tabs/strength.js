@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tab Strength: the elastic limit over friction for this a/b, its two branches, the present point, both safeties.
 import { html } from "lit-html";
-import { orNull, rwedge } from "../library.js";
+import { orNull, rwedge } from "../answers/library.js";
 import { remembered } from "../parts.js";
-import { isOffCentre, safetyOnStrength } from "../solution.js";
+import { isOffCentre, safetyOnStrength } from "../answers/solution.js";
 import { curvePlot, noResults } from "../plot/live.js";
 import { table } from "./table.js";
 

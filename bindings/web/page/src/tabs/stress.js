@@ -7,7 +7,7 @@ import { noResults } from "../plot/live.js";
 import { saveButtons } from "../plot/save.js";
 import { options, remembered } from "../parts.js";
 import { setter, state } from "../state.js";
-import { fieldOf, gridOf, measures } from "../stresses.js";
+import { fieldOf, gridOf, measures } from "../answers/stresses.js";
 import { withUnit } from "../model.js";
 import { isMoving } from "../left/slider.js";
 import { crossOf, follow, probe } from "./probe.js";
@@ -17,7 +17,7 @@ function hardestText({ hardest, setup, unit, write }) {
     if (!hardest) return "";
     const place = `x = ${write(hardest.x)}, y = ${write(hardest.y)} ${unit.length}`;
     const text = `Largest von Mises stress: ${write(hardest.von_mises)} ${unit.stress} at ${place}`;
-    return Number.isNaN(setup.k)
+    return setup.k === null
         ? `${text}.`
         : `${text}; it yields there first, at ${write(hardest.factor)} times these stresses.`;
 }

@@ -47,17 +47,25 @@ function call(name, values) {
     }
 }
 
-/** What the model answers: records of a kind and fields, as texts. */
-export function ask(name, ...values) {
-    const text = textAt(call(`page_${name}`, values));
-    return text === "" ? [] : text.split("\x1e").map((record) => record.split("\x1f"));
-}
-
-/** Numbers that an answer has left in memory, by three of its fields: where, how many, how far from each other. */
-export function numbersAt(...fields) {
-    const [address, length, distance] = fields.map(Number);
+/** Numbers that an answer has left in memory. */
+const numbersAt = ({ address, length, distance }) => {
     const all = new Float64Array(library.memory.buffer);
     return Float64Array.from({ length }, (_, i) => all[address / 8 + i * distance]);
+};
+
+/** Members of an answer: lists are continued, objects too. */
+function join(all, part) {
+    for (const [name, value] of Object.entries(part)) {
+        if (Array.isArray(value)) (all[name] ??= []).push(...value);
+        else all[name] = value?.constructor === Object ? join(all[name] ?? {}, value) : value;
+    }
+    return all;
+}
+
+/** What the model answers: an object, of which the model gives the parts in JSON. */
+export function ask(name, ...values) {
+    const text = textAt(call(`page_${name}`, values));
+    return JSON.parse(text, (_, value) => (value?.distance ? numbersAt(value) : value)).reduce(join, {});
 }
 
 /** NaN where the text is no number with a decimal point. */

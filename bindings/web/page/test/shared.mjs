@@ -1,5 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cases by chance, the same ones each time: texts by the tool's names of the inputs.
+// What the tests share: numbers that are nearly the same; cases by chance, the same ones each time.
+import assert from "node:assert/strict";
+
+export const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
+
+/** Of the tool, for texts of inputs by name. */
+export const optionsOf = (texts) => Object.entries(texts).flatMap(([name, text]) => [`--${name.replaceAll("_", "-")}`, text]);
+
+export function assertNear(value, expected, tolerance, about) {
+    const difference = Math.abs(Number(value) - expected);
+    assert.ok(difference <= tolerance * Math.abs(expected), `${about}: ${value}, not ${expected}`);
+}
+
 
 /** Numbers from 0 to 1, the same in each run (Lehmer, 48271 modulo 2^31 - 1). */
 export function chance(seed) {
@@ -7,7 +19,7 @@ export function chance(seed) {
     return () => (state = (state * 48271) % 2147483647) / 2147483647;
 }
 
-/** One case. Every third has a moment, a tension or both; every fifth another material, every seventh a rigid wedge. */
+/** One case, texts by the tool's names of the inputs. Every third has a moment, a tension or both; every fifth another material, every seventh a rigid wedge. */
 export function randomCase(next, i) {
     const between = (lo, hi) => Number((lo * (hi / lo) ** next()).toPrecision(4));
     const texts = { E1: String(between(7e4, 3e5)), nu1: String(Number((0.2 + 0.25 * next()).toFixed(3))) };

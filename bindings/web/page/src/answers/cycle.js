@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the last cycle of a history of loads does, as the model answers it; a material's constants as text.
+import { ask } from "./library.js";
+import { withPoint } from "../number.js";
+import { linesOf } from "./solution.js";
+import { separated } from "./tables.js";
+import { criteria } from "./words.js";
+
+/** A name and the rest of its line. */
+const namesAndRests = (text) =>
+    [...text.matchAll(/^\s*([^\s,;=:]+)[^\S\r\n]*[,;=:\t ]?[^\S\r\n]*(.*?)\s*$/gm)].map(([, name, rest]) => [
+        name,
+        rest,
+    ]);
+
+/** The text is a material file, JSON or a name and a number a line: as lines for the model. */
+function linesOfMaterial(text, sign) {
+    const entries = text.trim().startsWith("{") ? Object.entries(JSON.parse(text)) : namesAndRests(text);
+    return entries.map(([name, value]) => `${name}=${withPoint(String(value), sign)}`).join("\n");
+}
+
+/**
+ * { loads, unused, slipKnown, error, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
+ * criterion with the constants it needs } or { complaint }. text: pasted loads, which are gone through so many times; without any the
+ * case's own Q and sigma go to and fro. chosen: { name of the criterion, isPlaneStress, material: its text }.
+ */
+export function cycleOf(texts, text, sign, times, chosen) {
+    let material;
+    try {
+        material = linesOfMaterial(chosen.material, sign);
+    } catch (error) {
+        return { complaint: `the material: ${error.message}` };
+    }
+    const { faults, constants = {}, ...answer } = ask(
+        "cycle",
+        linesOf(texts, sign),
+        separated(text),
+        sign.charCodeAt(0),
+        times.trim(),
+        chosen.name,
+        Number(chosen.isPlaneStress),
+        material,
+    );
+    const ofCriterion = ({ input, text }) => (input === "criterion" ? `${criteria[chosen.name]} ${text}` : text);
+    if (faults) return { complaint: faults.map(ofCriterion).join("; ") };
+    return { measured: {}, worst: {}, ...answer, criterion: { ...chosen, constants } };
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case as the model answers it: from texts to numbers, results and verdict, or what is wrong.
+import { answeredContact, ask } from "./library.js";
+import { withPoint } from "../number.js";
+import { rowsOfProfile } from "../pads.js";
+
+const lineOf = ([name, text], sign) =>
+    name === "profile" ? `profile=${rowsOfProfile(text, sign).join("\x1d")}` : `${name}=${withPoint(text, sign)}`;
+
+/** The texts as lines for the model. The rows of a profile are one; "hull" has them again where their hull is taken. */
+export function linesOf({ hull, ...texts }, sign) {
+    const lines = Object.entries(texts).map((entry) => lineOf(entry, sign));
+    return (hull ? lines.map((line) => line.replace(/^profile=/, "hull=")) : lines).join("\n");
+}
+
+/** What an answer of the model has where nothing is said of it. */
+const none = { inputs: {}, faults: [], setup: null, hardest: null, results: null, verdict: null, remark: "" };
+
+let held = null;
+
+/**
+ * The case as it stands: { inputs: numbers by name, faults: [{ input, text }], setup, hardest, results, verdict, remark, contact }. setup has
+ * the numbers of the case, where it is one, and the places of a profile; a number that there is not is null. The contact is under its
+ * loads, one at a time: the next one that has results frees it. length is the unit that the verdict names.
+ */
+export function solveHolding(texts, sign, length = "") {
+    const answer = { ...none, ...ask("answer", linesOf(texts, sign), length, sign.charCodeAt(0)) };
+    if (!answer.results) return { ...answer, contact: null };
+    held?.free();
+    held = answeredContact();
+    return { ...answer, contact: held };
+}
+
+/** The radius, a, P or f with which the case has a safety in full sliding: { value } or { complaint }. */
+export function findInput(texts, sign, name, safety) {
+    const { faults, value } = ask("find", linesOf(texts, sign), name, safety);
+    return faults ? { complaint: faults[0].text } : { value };
+}
+
+export const isOffCentre = ({ M, sigma }) => M !== 0 || sigma !== 0;
+
+/** The factor by which the yield stress may fall, as in the workbook. */
+export const safetyOnStrength = (r) => (r.load_over_bk && r.P_over_bk !== null ? r.P_over_bk / r.load_over_bk : null);

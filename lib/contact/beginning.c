@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How a computed shear begins: from a closed form, or where the bodies touch. */
+#include "contact/beginning.h"
+
+#include "base/domain.h"
+#include "base/sort.h"
+
+/* When the bodies touch, the first step is to this part of the load, and each step grows fourfold.
+ * Below it all of the contact sticks, or slides, as it grows. */
+static const double FIRST_TOUCH = 0x1p-16;
+
+/* The error of the fit where all has stuck since the bodies touched, over the tolerance. */
+static const double TOUCH_ERROR = 0.01;
+
+/* Of friction. */
+static const double ROUNDING = 1e-9;
+
+rw_frame rw_contact_frame(const rwedge_contact *c)
+{
+    return rw_frame_of(rw_arcs_of(&c->geometry), c->f, c->tolerance);
+}
+
+rw_scaled_loads rw_contact_scaled_loads(const rwedge_contact *c, double P, double M, double shear,
+                                        double stretch)
+{
+    const rw_geometry *g = &c->geometry;
+    return (rw_scaled_loads){rw_as_length(g, P), rw_as_length(g, M), c->f * rw_as_length(g, shear),
+                             -c->f * stretch};
+}
+
+/* ---- The traction of a closed form ---- */
+
+/* Patches with their weights. */
+typedef struct {
+    double f;
+    size_t count;
+    double *weight;
+    rw_pad_potential *potential;
+} patches;
+
+static double traction_at(double x, const void *context)
+{
+    const patches *p = context;
+    double sum = 0;
+    for (size_t i = 0; i < p->count; i++)
+        sum += p->weight[i] * rw_pad_pressure(&p->potential[i], x);
+    return p->f * sum;
+}
+
+static void free_patches(patches *p)
+{
+    for (size_t i = 0; i < p->count; i++)
+        rw_pad_potential_destroy(&p->potential[i]);
+    free(p->weight);
+    free(p->potential);
+}
+
+static bool make_patches(const rwedge_contact *c, patches *p)
+{
+    const size_t most = c->memory.count;
+    *p = (patches){.f = c->f,
+                   .weight = malloc(most * sizeof *p->weight),
+                   .potential = malloc(most * sizeof *p->potential)};
+    const rw_arcs arcs = rw_arcs_of(&c->geometry);
+    bool is_made = p->weight && p->potential;
+    for (size_t i = 1; is_made && i < most; i++) {
+        const double weight = rw_patch_weight(&c->memory, i);
+        if (weight == 0)
+            continue;
+        p->weight[p->count] = weight;
+        is_made =
+            rw_pad_potential_create(&p->potential[p->count], &arcs, c->memory.corners[i].patch);
+        p->count += is_made;
+    }
+    if (!is_made)
+        free_patches(p);
+    return is_made;
+}
+
+/* The edges of the patches; if there are many, those of the widest patches. */
+static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
+{
+    s->kinks = 0;
+    for (size_t i = p->count; i-- > 0 && s->kinks + 2 <= RW_MOST_KINKS / 2;) {
+        const double edge[2] = {p->potential[i].patch.left, p->potential[i].patch.right};
+        for (int k = 0; k < 2; k++)
+            if (edge[k] > contact.left && edge[k] < contact.right)
+                s->kink[s->kinks++] = edge[k];
+    }
+    rw_sort(s->kink, (size_t)s->kinks);
+}
+
+/* ---- Beginning ---- */
+
+static double slip_at(double x, const void *context)
+{
+    const rwedge_contact *c = context;
+    double slip = 0;
+    rwedge_contact_slip(c, 1, &x, &slip);
+    return slip / c->geometry.theta;
+}
+
+static bool is_slip_known(const rwedge_contact *c)
+{
+    const double middle = rw_patch_middle(rw_memory_end(&c->memory)->patch);
+    double slip;
+    return rwedge_contact_slip(c, 1, &middle, &slip) == RWEDGE_OK;
+}
+
+static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_numerical_state *now)
+{
+    patches p;
+    if (!make_patches(c, &p))
+        return false;
+    note_kinks(&p, now->contact, &now->shear);
+    double at[RW_MOST_KINKS + RW_MOST_BENDS + 2];
+    size_t n = 0;
+    at[n++] = now->contact.left;
+    at[n++] = now->contact.right;
+    for (int i = 0; i < now->shear.kinks; i++)
+        at[n++] = now->shear.kink[i];
+    n += (size_t)rw_bends_between(frame, now->contact.left, now->contact.right, at + n);
+    rw_sort(at, n);
+    const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
+    const bool is_done = rw_traction_fit(&now->shear.traction, traction_at, &p, n, at, tolerance);
+    free_patches(&p);
+    return is_done;
+}
+
+static bool begin(const rwedge_contact *c, rw_numerical *numerical)
+{
+    const rw_corner *end = rw_memory_end(&c->memory);
+    const rw_frame frame = rw_contact_frame(c);
+    rw_numerical_state now = {
+        .contact = end->patch,
+        .at = rw_contact_scaled_loads(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
+    rw_closed_form_zones(c, &now.shear.zones);
+    if (fit_traction(c, &frame, &now) &&
+        rw_numerical_begin(numerical, &frame, &now, is_slip_known(c) ? slip_at : NULL, c))
+        return true;
+    rw_shear_state_destroy(&now.shear);
+    return false;
+}
+
+rw_scaled_loads rw_part_of_line(rw_scaled_loads from, rw_scaled_loads to, double part)
+{
+    return (rw_scaled_loads){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
+                             from.shear + part * (to.shear - from.shear),
+                             from.stretch + part * (to.stretch - from.stretch)};
+}
+
+static double no_slip(double x, const void *context)
+{
+    (void)x;
+    (void)context;
+    return 0;
+}
+
+/* ---- Touching ---- */
+
+rw_scaled_loads rw_loads_before_touching(const rwedge_contact *c)
+{
+    const double sigma = c->memory.count == 1 ? c->loads.sigma : c->touched_at;
+    return rw_contact_scaled_loads(c, 0, 0, 0, rw_contact_stretch(c, sigma));
+}
+
+/* On a straight line from touching, t grows where all sticks by (dQ/pi - dstretch x)/sqrt(b^2 -
+ * x^2), if the contact has a middle that stays: by the pressure's growth times mean + slope x. The
+ * part of the line after which the edges slip. */
+static double stuck_part(const rwedge_contact *c, rw_scaled_loads change, rw_patch contact)
+{
+    if (!rw_is_symmetric(&c->geometry) || change.M != 0)
+        return FIRST_TOUCH;
+    const double rest = (c->f * change.P - fabs(change.shear)) / RW_PI;
+    const double half = rest / fabs(change.stretch);
+    if (!(half < contact.right))
+        return 1;
+    const double load = rw_pressing_of(&c->geometry, (rw_patch){-half, half}).load;
+    return fmax(FIRST_TOUCH, load / change.P);
+}
+
+/* The traction of a contact that has stuck since it touched, on a straight line to the loads. Where
+ * not even a small contact sticks, it is in proportion to friction. */
+static bool fit_stuck(const rwedge_contact *c, const rw_frame *frame, rw_scaled_loads change,
+                      rw_numerical_state *now)
+{
+    const double mean = change.shear / change.P, slope = -RW_PI * change.stretch / change.P;
+    const double most = fabs(mean) + fabs(slope) * rw_patch_half_width(now->contact);
+    now->shear.zones = (rw_zones){1, {{0, now->contact.left, now->contact.right}}};
+    return rw_frame_fit(frame, now->contact, mean, most < (1 + ROUNDING) * c->f ? slope : 0,
+                        rw_peak_friction(frame, now->contact), &now->shear.traction);
+}
+
+/* The state at the end of a straight line from touching, or where it begins to slip there. */
+static bool touch(const rwedge_contact *c, rw_scaled_loads to, rw_numerical *n)
+{
+    const rw_frame frame = rw_contact_frame(c);
+    const rw_scaled_loads from = rw_loads_before_touching(c);
+    const rw_scaled_loads change = {to.P, to.M, to.shear, to.stretch - from.stretch};
+    rw_numerical_state now = {.contact = rw_arcs_patch_of_moment(&frame.arcs, to.P, to.M),
+                              .at = to};
+    const double part = stuck_part(c, change, now.contact);
+    if (part < 1) {
+        now.at = rw_part_of_line(from, to, part);
+        now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
+    }
+    if (!fit_stuck(c, &frame, change, &now))
+        return false;
+    if (rw_numerical_begin(n, &frame, &now, no_slip, NULL)) {
+        rw_numerical_add_error(n, TOUCH_ERROR * c->tolerance);
+        return true;
+    }
+    rw_shear_state_destroy(&now.shear);
+    return false;
+}
+
+/* What has been allocated, if it could be made. */
+static rw_numerical *kept_if(bool is_made, rw_numerical *n)
+{
+    if (is_made)
+        return n;
+    free(n);
+    return NULL;
+}
+
+rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *c)
+{
+    rw_numerical *n = malloc(sizeof *n);
+    return kept_if(n && begin(c, n), n);
+}
+
+rw_numerical *rw_numerical_of_touching(const rwedge_contact *c, rw_scaled_loads to)
+{
+    rw_numerical *n = malloc(sizeof *n);
+    return kept_if(n && touch(c, to, n), n);
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How a computed shear begins: from a closed form, or where the bodies touch. */
+#ifndef RW_CONTACT_BEGINNING_H
+#define RW_CONTACT_BEGINNING_H
+
+#include "contact/numerical.h"
+
+/* The profile, friction and tolerance of a contact, and its loads, for the computed shear. */
+rw_frame rw_contact_frame(const rwedge_contact *contact);
+rw_scaled_loads rw_contact_scaled_loads(const rwedge_contact *contact, double P, double M,
+                                        double shear, double stretch);
+rw_scaled_loads rw_loads_before_touching(const rwedge_contact *contact);
+
+rw_scaled_loads rw_part_of_line(rw_scaled_loads from, rw_scaled_loads to, double part);
+
+/* The computed shear of a contact in closed form. NULL where memory is short. */
+rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *contact);
+
+/* The same on a straight line from touching to the loads: at its end, or where slip begins before
+ * that. */
+rw_numerical *rw_numerical_of_touching(const rwedge_contact *contact, rw_scaled_loads to);
+
+#endif

@@ -13,7 +13,7 @@ enum { DEPTH = 12 };
 static const double SHORTEST = 1e-8;
 
 /* Of the tolerance: smaller coefficients at the end of a series are none. */
-static const double LOST = 1e-2;
+static const double LOST = 1e-4;
 
 /* ---- Legendre polynomials ---- */
 

@@ -170,21 +170,6 @@ CLAIM(a_step_in_parts_is_the_step_as_a_whole)
     rw_traction_destroy(&first);
 }
 
-CLAIM(repeated_loads_do_not_fill_the_memory)
-{
-    pair c = begin(4, 0, 1e-3);
-    size_t most = 0;
-    for (int i = 0; i < 200; i++) {
-        const rw_scaled_loads to = {4, 0, 0.9 * sin(i * 0.7), 0.15 * cos(i * 0.7 + 0.1 * sin(i))};
-        assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, to, &(int){RW_MOST_EFFORT}),
-                         RW_STEP_DONE);
-        const size_t count = c.numerical.now.shear.traction.count;
-        most = count > most ? count : most;
-    }
-    assert_true(most < 400);
-    end(&c);
-}
-
 /* Newton's method stood still there: the load at which Q turns, the last one here, took three times
  * as much as the one before. */
 CLAIM(a_front_passes_places_that_have_slipped_before)

@@ -35,11 +35,11 @@ def expect(truth, problem):
 
 def prototypes(text):
     """name: (type of the result, passed arguments), of the C compiler."""
-    found = {}
+    functions = {}
     for returned, name, arguments in re.findall(r"extern (.*?) ?\brwedge_(\w+) \((.*)\);", text):
         types = [re.sub(r"rwedge_\w+", "struct", a) for a in arguments.split(", ") if a != "void"]
-        found[name] = (RETURNED[returned], [PASSED[t] for t in types])
-    return found
+        functions[name] = (RETURNED[returned], [PASSED[t] for t in types])
+    return functions
 
 
 def check_declarations(module, interface, in_c):
@@ -51,7 +51,7 @@ def check_declarations(module, interface, in_c):
         kind, name, alias, arguments, returned = (match := DECLARATION.fullmatch(line)) and match.groups() or [""] * 5
         passed = re.findall(r"(ByVal|ByRef) (\w+)(?:\(\))? As (\w+)", arguments)
         expect(name == alias and name in in_c, f"not understood, or not in the header: {line}")
-        signature = returned, [f"{how} {what}" for how, _, what in passed]
+        signature = returned, [f"{how} {kind}" for how, _, kind in passed]
         expect(signature == in_c.get(alias), f"{alias}: {signature}, but C has {in_c.get(alias)}")
         expect((kind == "Sub") == (returned is None) and arguments.count(" As ") == len(passed), f"not understood: {line}")
         names = [name_of(p) for p in interface[alias].parameters] if alias in interface else []

@@ -29,16 +29,6 @@ echo '#include <rwedge.h>' >header.c
 x86_64-w64-mingw32-gcc -Iwindows/include -aux-info prototypes -c header.c -o header.o
 x86_64-w64-mingw32-objdump -p $dll >tables
 python3 -B "$here/check.py" rwedge.bas "$top/include/rwedge.h" prototypes tables
-# ... and the check sees what it is for.
-faults=0
-while read -r fault; do
-    case $fault in '#'*) continue ;; esac
-    sed "$fault" rwedge.bas >faulty.bas
-    ! cmp -s rwedge.bas faulty.bas || fail "no fault in: $fault"
-    ! python3 -B "$here/check.py" faulty.bas "$top/include/rwedge.h" prototypes tables >/dev/null || fail "not noticed: $fault"
-    faults=$((faults + 1))
-done <"$here/test/faults"
-echo "all of $faults planted faults are noticed"
 # A reader of Basic: no other is to be had without Office.
 checker=$work/vbalidator
 if [ -x "$checker/bin/vbalidator" ] ||

@@ -230,18 +230,18 @@ class Reader:
     @staticmethod
     def listed(lines: list[str]) -> tuple[dict[str, tuple[str, set[str]]], list[str]]:
         """name -> (text, names of its line), of the lines "  name, name  text"; and the lines that are not of such."""
-        found: dict[str, tuple[str, set[str]]] = {}
+        arguments: dict[str, tuple[str, set[str]]] = {}
         rest, names = [], []
         for line in lines:
             if (match := ARGUMENT.fullmatch(EQUATION.sub("", line))) and not LIKE.match(line):
                 names = match[1].split(", ")
-                found.update((n, (match[2].strip(), set(names) - {n})) for n in names)
+                arguments.update((n, (match[2].strip(), set(names) - {n})) for n in names)
             elif names and (match := FURTHER.fullmatch(line)):
-                found.update((n, (f"{found[n][0]} {match[1].strip()}", found[n][1])) for n in names)
+                arguments.update((n, (f"{arguments[n][0]} {match[1].strip()}", arguments[n][1])) for n in names)
             else:
                 names = []
                 rest.append(line)
-        return found, rest
+        return arguments, rest
 
     def take_declaration(self, text: str, line: int) -> None:
         match = re.fullmatch(r"RWEDGE_API (.*?) ?rwedge_([a-z0-9_]+)\(([^()]*)\);", text)
@@ -335,11 +335,11 @@ class Reader:
         for listed in (self.here, self.shared[function.dimensional]):
             if p.name in listed:
                 domains.append(domain_of(listed[p.name][0], p.name, listed[p.name][1]))
-        found = next((d for d in domains if d.conditions), None)
-        if not found:
+        nearest = next((d for d in domains if d.conditions), None)
+        if not nearest:
             self.refuse(function.line, f"rwedge_{function.name}(): the domain of {p.name} is missing: a line with a condition, "
                                        '"as in rwedge_...()", or a list for several functions')
-        return found
+        return nearest
 
     def domain_elsewhere(self, function: Function, p: Parameter, name: str | None) -> Domain | None:
         """Of the same argument in the function that is named, or in the one above that has it."""
@@ -368,13 +368,13 @@ class Reader:
 
 
 def paragraphs(lines: list[str]) -> list[list[str]]:
-    found: list[list[str]] = [[]]
+    parts: list[list[str]] = [[]]
     for line in lines:
         if line.strip():
-            found[-1].append(line)
-        elif found[-1]:
-            found.append([])
-    return [p for p in found if p]
+            parts[-1].append(line)
+        elif parts[-1]:
+            parts.append([])
+    return [p for p in parts if p]
 
 
 def read(path: str | Path) -> Interface:

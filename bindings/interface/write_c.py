@@ -124,16 +124,16 @@ def argument(f: Function, p: Parameter) -> str:
     d, sizes = p.domain, [q.name for q in f.of("size")]
     whole = p.kind == "int32_t"
     allowed = ", ".join((["whole"] if whole else []) + d.conditions)
-    of = [*(sizes.index(n) for n in p.size), -1, -1][:2]
+    own_sizes = [*(sizes.index(n) for n in p.size), -1, -1][:2]
     flags = [d.low_open, d.high_open, d.or_zero, d.finite, whole, d.any or f.result == "text"]  # a text refuses nothing
     bounds, marks = map(number, (d.low, d.high, d.smallest)), (str(int(x)) for x in flags)
-    return f'{{"{p.name}", "{allowed}", {", ".join([*bounds, *marks])}, {{{of[0]}, {of[1]}}}}}'
+    return f'{{"{p.name}", "{allowed}", {", ".join([*bounds, *marks])}, {{{own_sizes[0]}, {own_sizes[1]}}}}}'
 
 
 def result(f: Function, name: str, size: tuple[str, ...], optional: bool = False) -> str:
     sizes = [q.name for q in f.of("size")]
-    of = [*(sizes.index(n) for n in size), -1, -1][:2]
-    return f'{{"{name}", {{{of[0]}, {of[1]}}}, {int(optional)}}}'
+    own_sizes = [*(sizes.index(n) for n in size), -1, -1][:2]
+    return f'{{"{name}", {{{own_sizes[0]}, {own_sizes[1]}}}, {int(optional)}}}'
 
 
 def size(p: Parameter) -> str:
@@ -178,8 +178,8 @@ def row(f: Function, statuses: dict[str, int]) -> str:
     results = f.outputs or ([None] if has_value(f) else [])
     text = f"text_{f.name}" if f.result == "text" else "NULL"
     errors = sum(1 << statuses[e] for e in f.errors)
-    lists = [f"{f.name}_{what}" if count else "NULL"
-             for what, count in (("arguments", arguments), ("results", results), ("sizes", sizes))]
+    lists = [f"{f.name}_{part}" if count else "NULL"
+             for part, count in (("arguments", arguments), ("results", results), ("sizes", sizes))]
     return (f'    {{"{f.name}", "{f.family}", entry_{f.name}, {text}, {", ".join(str(int(x)) for x in flags)}, {errors:#x},\n'
             f"     {quoted(f.array_of)}, {len(arguments)}, {len(results)}, {len(sizes)}, {', '.join(lists)},\n"
             f"     {quoted(f.path)}}},")

@@ -72,8 +72,8 @@ def names(parameters):
 
 def declaration(f):
     result = RETURNS[f.returns]
-    what = "Function" if result else "Sub"
-    return wrapped(f'Private Declare PtrSafe {what} c_{f.name} Lib "rwedge.dll" Alias "rwedge_{f.name}" ',
+    unit = "Function" if result else "Sub"
+    return wrapped(f'Private Declare PtrSafe {unit} c_{f.name} Lib "rwedge.dll" Alias "rwedge_{f.name}" ',
                    [declared(p) for p in f.parameters], f" As {result}" if result else "", 4)
 
 

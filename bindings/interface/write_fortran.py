@@ -71,15 +71,15 @@ def in_c(p: Parameter) -> tuple[str, str]:
 
 def interface_of(f: Function) -> str:
     result = {"status": "status", "nothing": ""}.get(f.result, "value")
-    what = "function" if result else "subroutine"
-    head = f"{'pure ' if is_pure(f) else ''}{what} c_{f.name}({', '.join(name_of(p) for p in f.parameters)})"
+    unit = "function" if result else "subroutine"
+    head = f"{'pure ' if is_pure(f) else ''}{unit} c_{f.name}({', '.join(name_of(p) for p in f.parameters)})"
     bind = f'bind(C, name="rwedge_{f.name}")' + (f" result({result})" if result else "")
     lines = [f"        {head} {bind}"] if len(head) + len(bind) < 118 else [folded(f"{head} &", 8), f"            &{bind}"]
     groups = [in_c(p) for p in f.parameters] + ([(TYPES[f.returns], result)] if result else [])
     used = sorted({k for kind, _ in groups for k in ("c_double", "c_int32_t", "c_ptr", "c_size_t") if k in kind})
     lines.append(f"            import :: {', '.join(used)}")
     lines += [f"            {x}" for x in declarations(groups)]
-    return "\n".join([*lines, f"        end {what}"])
+    return "\n".join([*lines, f"        end {unit}"])
 
 
 # ---- Procedures ----
@@ -136,7 +136,7 @@ def call_name(f: Function) -> str:
     return f"rwedge_{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
 
 
-def given(names: list[Parameter], at: str = "") -> tuple[list[str], list[str]]:
+def in_message(names: list[Parameter], at: str = "") -> tuple[list[str], list[str]]:
     """How a message names these arguments, and their values; of arrays the element at."""
     words = [name_of(p) + (f"({at})" if p.size else "") for p in names]
     return [name_of(p) for p in names], [f"real({w}, c_double)" if p.kind == "int32_t" else w for p, w in zip(names, words)]
@@ -151,11 +151,11 @@ def reason(f: Function, indent: int) -> str:
 def conclude(f: Function, status: str, names: list[str], values: list[str], more: str = "", at: str = "",
              indent: int = 8, why: str = "") -> list[str]:
     why = why or reason(f, indent + 8)
-    given = f"'{call_name(f)}({', '.join(names) if names or not f.inputs else '...'})'"
+    call_text = f"'{call_name(f)}({', '.join(names) if names or not f.inputs else '...'})'"
     array = f"[{', '.join(values)}]" if values else "[real(c_double) ::]"
     why = f", why={why}" if why else ""
     text, end = allowed(f) + more, f", stat, errmsg{', ' + at if at else ''}{why})"
-    head = f"call conclude({status}, {given}, {array}, "
+    head = f"call conclude({status}, {call_text}, {array}, "
     if indent + len(head + text + end) + 2 <= WIDTH:
         return [f"{' ' * indent}{head}'{text}'{end}"]
     end = end.replace(", why=", f", &\n{' ' * (indent + 8)}why=")
@@ -205,15 +205,15 @@ def search(f: Function) -> list[str]:
     """Says which element was refused: of points by trying each, of other arrays by their domain."""
     arrays = f.of("in array")
     if f.pointwise:
-        one = passed(f, {f.of("size")[0].name: "1_c_size_t"}, "i")
+        alone = passed(f, {f.of("size")[0].name: "1_c_size_t"}, "i")
         return ["        if (status == rwedge_edomain) then", f"            do i = 1, size({name_of(arrays[0])})",
-                folded(f"if ({one} == rwedge_ok) cycle", 16), *conclude(f, "status", *given(f.inputs, "i"), at="i", indent=16),
+                folded(f"if ({alone} == rwedge_ok) cycle", 16), *conclude(f, "status", *in_message(f.inputs, "i"), at="i", indent=16),
                 "                return", "            end do", "        end if"]
     lines = []
     for p in (p for p in arrays if len(p.size) == 1):
         together = [q for q in arrays if q.size == p.size]
         lines += [folded(f"i = first_outside({name_of(p)}, {bounds(p)})", 8), "        if (status == rwedge_edomain .and. i > 0) then",
-                  *conclude(f, "status", *given(together, "i"), at="i", indent=12), "            return", "        end if"]
+                  *conclude(f, "status", *in_message(together, "i"), at="i", indent=12), "            return", "        end if"]
     return lines
 
 
@@ -228,12 +228,12 @@ def body(f: Function) -> tuple[list[tuple[str, str]], list[str]]:
         local.append(("type(c_ptr)", "created"))
     call = passed(f, sizes_of(f))
     if not (arrays or optional or f.of("created") or f.name == "contact_apply"):
-        return local, conclude(f, call, *given(f.inputs))
+        return local, conclude(f, call, *in_message(f.inputs))
     local.append(("integer(c_int32_t)", "status"))
     if f.name == "contact_apply":
         return local, [f"        status = {call}", "        if (status == rwedge_epath) then",
-                       *conclude(f, "status", *given(f.inputs), indent=12, why="this%obstacle(P, M, Q, sigma)"),
-                       "            return", "        end if", *conclude(f, "status", *given(f.inputs))]
+                       *conclude(f, "status", *in_message(f.inputs), indent=12, why="this%obstacle(P, M, Q, sigma)"),
+                       "            return", "        end if", *conclude(f, "status", *in_message(f.inputs))]
     fits = agreement(f)
     lines = [folded(f"status = {call}", 8)]
     if fits:
@@ -248,7 +248,7 @@ def body(f: Function) -> tuple[list[tuple[str, str]], list[str]]:
         if f.pointwise:
             local.insert(0, ("real(c_double)", f"s({len(f.outputs)})"))
         lines += search(f)
-    names, numbers = given([] if f.pointwise else [p for p in f.inputs if not p.size])
+    names, numbers = in_message([] if f.pointwise else [p for p in f.inputs if not p.size])
     if f.of("in array") and not f.pointwise:
         counted = [extent(f, p.name)[1] for p in f.of("size")]
         names, numbers = counted + names, [f"real({c}, c_double)" for c in counted] + numbers
@@ -376,11 +376,11 @@ def in_answer(f: Function, p: Parameter) -> str:
 
 
 def answer_case(f: Function) -> str:
-    given = [in_answer(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
+    arguments = [in_answer(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
     name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
     lines = [f"case ('{f.name}')"]
     if f.result in ("value", "text"):
-        value = f"{name}({', '.join(given)})"
+        value = f"{name}({', '.join(arguments)})"
         value = f"len({value})" if f.result == "text" else value
         return "\n".join([folded(lines[0], 8), folded(f"r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]", 12)])
     shape = {}
@@ -391,12 +391,12 @@ def answer_case(f: Function) -> str:
             shape.update({p.size[0]: f"size(v({k})%xx, 2)", p.size[1]: f"size(v({k})%xx, 1)"})
     shape.update({p.name: f"int(contact%{p.given_by.removeprefix('contact_')}())" for p in f.of("size") if p.given_by})
     if f.outputs:
-        of = next((p.size for p in f.outputs if p.size), ())
-        lines.append(f"allocate (s({', '.join([shape[n] for n in reversed(of)] + ['1'] * (2 - len(of)))}, {len(f.outputs)}))")
+        dimensions = next((p.size for p in f.outputs if p.size), ())
+        lines.append(f"allocate (s({', '.join([shape[n] for n in reversed(dimensions)] + ['1'] * (2 - len(dimensions)))}, {len(f.outputs)}))")
     if f.of("created") and f.of("handle"):
         lines += [f"call other%{f.method}({f.family}, stat)", f"{f.family} = other"]
     else:
-        lines.append(f"call {name}({', '.join(given + ['stat'])})")
+        lines.append(f"call {name}({', '.join(arguments + ['stat'])})")
     lines.append("r = [s]" if f.outputs else "r = [real(c_double) ::]")
     return "\n".join([folded(lines[0], 8), *(folded(x, 12) for x in lines[1:])])
 

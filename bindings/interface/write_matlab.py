@@ -58,12 +58,12 @@ def without_sizes(f: Function, lines: list[str]) -> list[str]:
 
 def shared(f: Function) -> list[str]:
     """The domains that the comment leaves to the list of arguments that many functions share."""
-    found: dict[str, list[str]] = {}
+    groups: dict[str, list[str]] = {}
     for p in f.inputs:
         if p.domain and not p.described:
-            found.setdefault(p.domain.text, []).append(p.name)
-    width = max((len(", ".join(n)) for n in found.values()), default=0)
-    return [f"  {', '.join(names):{width}}  {text}" for text, names in found.items()]
+            groups.setdefault(p.domain.text, []).append(p.name)
+    width = max((len(", ".join(n)) for n in groups.values()), default=0)
+    return [f"  {', '.join(names):{width}}  {text}" for text, names in groups.items()]
 
 
 def help_lines(f: Function) -> list[str]:

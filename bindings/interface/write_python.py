@@ -373,25 +373,17 @@ def made_py(interface: Interface) -> str:
     return text
 
 
+# The classes that are written by hand, by their modules.
+CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle", "_loads": "Loads", "_series": "Series",
+           "_library": "AbsentError Error PathError SlidingError", "_validity": "ValidityWarning"}
 PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
 from typing import Any, Protocol, overload, type_check_only
 
 from numpy import float64, ufunc
 from numpy.typing import NDArray
 
-from ._contact import Contact as Contact
-from ._contact import YieldFactor as YieldFactor
-from ._criteria import Damage as Damage
-from ._criteria import Plane as Plane
-from ._cycle import Cycle as Cycle
+{classes}
 from ._labels import Numbers, Scalar
-from ._library import AbsentError as AbsentError
-from ._library import Error as Error
-from ._library import PathError as PathError
-from ._library import SlidingError as SlidingError
-from ._loads import Loads as Loads
-from ._series import Series as Series
-from ._validity import ValidityWarning as ValidityWarning
 
 __version__: str
 __all__ = [
@@ -448,13 +440,14 @@ def formula_type(f: Function) -> str:
 
 
 def init_pyi(interface: Interface) -> str:
-    public = ["AbsentError", "Contact", "Cycle", "Damage", "Error", "Loads", "PathError", "Plane", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses"]
+    classes = {name: module for module, names in CLASSES.items() for name in names.split()}
     functions = [f for f in interface.functions if is_formula(f) or is_general(f) and not f.family]
-    names = textwrap.wrap(", ".join(f'"{n}"' for n in [*public, *interface.enumerations, *(f.name for f in functions)]) + ",", 120, initial_indent="    ",
+    names = textwrap.wrap(", ".join(f'"{n}"' for n in [*classes, "stresses", *interface.enumerations, *(f.name for f in functions)]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")
     formulas = [f"from ._made import {name} as {name}" for name in interface.enumerations]
     formulas += [formula_type(f) if is_formula(f) else f"from ._made import {f.name} as {f.name}" for f in functions]
-    return PYI.format(names="\n".join(names), formulas="\n".join(formulas))
+    return PYI.format(names="\n".join(names), classes="\n".join(f"from .{classes[name]} import {name} as {name}" for name in classes),
+                      formulas="\n".join(formulas))
 
 
 def texts(interface: Interface) -> dict[str, str]:

@@ -26,7 +26,7 @@ IN_JAVASCRIPT = (  # statuses, pointers and limits, in the words of JavaScript
 def told(f: Function, size: Parameter) -> bool:
     """Does an array, or a function, tell this size?"""
     arrays = [p.size for p in f.of("in array")]
-    return bool(size.given_by) or any(of == (size.name,) or len(of) == 2 and of[1] == size.name for of in arrays)
+    return bool(size.given_by) or any(sizes == (size.name,) or len(sizes) == 2 and sizes[1] == size.name for sizes in arrays)
 
 
 def arguments(f: Function) -> list[Parameter]:
@@ -60,7 +60,7 @@ def about_parameter(p: Parameter) -> dict:
 
 
 def description(interface: Interface) -> str:
-    functions = {f.name: {"result": f.result, "pointwise": of_points(f), "given": [p.name for p in arguments(f)],
+    functions = {f.name: {"result": f.result, "pointwise": of_points(f), "arguments": [p.name for p in arguments(f)],
                           "reasons": {interface.statuses[status]: words(why) for status, why in f.reasons.items()
                                       if status in ("RWEDGE_EABSENT", "RWEDGE_EPATH") and "obstacle" not in why},
                           "parameters": [about_parameter(p) for p in f.parameters]} for f in interface.functions}
@@ -70,25 +70,25 @@ def description(interface: Interface) -> str:
 
 
 def call(f: Function) -> str:
-    given = ", ".join(p.name for p in arguments(f))
+    names = ", ".join(p.name for p in arguments(f))
     if is_formula(f):
-        return f'formula("{f.name}", [{given}])'
+        return f'formula("{f.name}", [{names}])'
     this = "this" if f.of("handle", "changed") else "null"
-    return f'call("{f.name}", {this}, [{given}])'
+    return f'call("{f.name}", {this}, [{names}])'
 
 
 def definition(f: Function) -> str:
-    given = ", ".join(p.name for p in arguments(f))
+    names = ", ".join(p.name for p in arguments(f))
     if not f.family:
-        return f"export function {f.name}({given}) {{\n    return {call(f)};\n}}\n"
+        return f"export function {f.name}({names}) {{\n    return {call(f)};\n}}\n"
     if f.method == "create":
-        return f'    constructor({given}) {{\n        adopt(this, "{f.family}", {call(f)});\n    }}\n'
+        return f'    constructor({names}) {{\n        adopt(this, "{f.family}", {call(f)});\n    }}\n'
     if f.method == "destroy":
         return "    free() {\n        free(this);\n    }\n"
     if f.of("created"):
-        head, of = (f.method, "Object.getPrototypeOf(this)") if f.of("handle") else (f"static {f.method}", "this.prototype")
-        return f'    {head}({given}) {{\n        return adopt(Object.create({of}), "{f.family}", {call(f)});\n    }}\n'
-    return f"    {f.method}({given}) {{\n        return {call(f)};\n    }}\n"
+        head, prototype = (f.method, "Object.getPrototypeOf(this)") if f.of("handle") else (f"static {f.method}", "this.prototype")
+        return f'    {head}({names}) {{\n        return adopt(Object.create({prototype}), "{f.family}", {call(f)});\n    }}\n'
+    return f"    {f.method}({names}) {{\n        return {call(f)};\n    }}\n"
 
 
 def module(interface: Interface) -> str:
@@ -130,37 +130,37 @@ def argument_type(p: Parameter) -> str:
     return "Numbers" if p.role == "in array" else "number"
 
 
-def result_type(f: Function, one: str, many: str) -> str:
+def result_type(f: Function, single: str, many: str) -> str:
     """one: the type of an output that is a number, many: of an array."""
     if f.result in ("value", "text"):
-        return "string" if f.result == "text" else one
-    types = {p.name: many if p.role == "out array" else one for p in f.outputs}
+        return "string" if f.result == "text" else single
+    types = {p.name: many if p.role == "out array" else single for p in f.outputs}
     if not types:
         return "void"
     return next(iter(types.values())) if len(types) == 1 else "{ " + "; ".join(f"{n}: {t}" for n, t in types.items()) + " }"
 
 
-def typed(given: list[Parameter], of: str | None = None) -> str:
-    return ", ".join(f"{p.name}: {of or argument_type(p)}" for p in given)
+def typed(parameters: list[Parameter], kind: str | None = None) -> str:
+    return ", ".join(f"{p.name}: {kind or argument_type(p)}" for p in parameters)
 
 
 def declarations(f: Function) -> list[str]:
     """One line, or two where it takes numbers as well as arrays."""
-    given = arguments(f)
+    parameters = arguments(f)
     head = "" if f.family else "export function "
     if f.family and f.method == "create":
-        return [f"constructor({typed(given)});"]
+        return [f"constructor({typed(parameters)});"]
     if f.method == "destroy":
         return ["free(): void;"]
     if f.of("created"):
         static = "" if f.of("handle") else "static "
-        return [f"{static}{f.method}({typed(given)}): {f.family.title()};"]
+        return [f"{static}{f.method}({typed(parameters)}): {f.family.title()};"]
     if of_points(f):
         mixed = ", ".join(f"{p.name}: {'number | Numbers' if p.kind == 'double' and (is_formula(f) or p.role == 'in array') else 'number'}"
-                          for p in given)
-        return [f"{head}{f.method}({typed(given, 'number')}): {result_type(f, 'number', 'number')};",
+                          for p in parameters)
+        return [f"{head}{f.method}({typed(parameters, 'number')}): {result_type(f, 'number', 'number')};",
                 f"{head}{f.method}({mixed}): {result_type(f, 'Float64Array', 'Float64Array')};"]
-    return [f"{head}{f.method}({typed(given)}): {result_type(f, 'number', 'Float64Array')};"]
+    return [f"{head}{f.method}({typed(parameters)}): {result_type(f, 'number', 'Float64Array')};"]
 
 
 TYPES = """

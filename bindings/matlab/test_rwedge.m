@@ -75,7 +75,7 @@ function classes()
     d.load(1000, [0 100]);
     claim('loads of other classes', c.dissipated_energy() == d.dissipated_energy() && c.half_width() == d.half_width());
     for wrong = {'0.25', {0.25}, struct('x', 1)}
-        refused('class', {'rwedge_load: alpha is not'}, @() rwedge_load(wrong{1}));
+        refused('class', {'rwedge_load: alpha is not', class(wrong{1})}, @() rwedge_load(wrong{1}));
     end
 end
 
@@ -137,14 +137,10 @@ function errors()
     refused('domain', {'nu = 0.6', '0 <= nu <= 0.5'}, @() rwedge_yield_point(0.3, 0.2, 0.6));
     refused('domain', {'alpha = 1e-15', '1e-14'}, @() rwedge_yield_point(1e-15, 0.2, 0.3));
     refused('domain', {'theta = 2', 'pi/2'}, @() rwedge_contact(2, 0.5, 1.8e-5, 0.6));
-    refused('domain', {'f = 2000000', '0 <= f <= 1e6'}, @() rwedge_contact(0.01, 0.5, 1.8e-5, 2e6));
     refused('domain', {': terms = 2.5; allowed is whole, 1 <= terms <= 2^24'}, @() rwedge_series(0.3, 2.5));
-    for terms = [0 -2 1e9]
-        refused('range', {sprintf(': terms = %d; allowed is whole, 1 <= terms <= 2^24', terms)}, @() rwedge_series(0.25, terms));
-    end
+    refused('range', {': terms = 0; allowed is whole, 1 <= terms <= 2^24'}, @() rwedge_series(0.25, 0));
     refused('range', {'rwedge_series_fit', 'samples * terms <= 2^27'}, @() rwedge_series.fit(0.1:0.1:0.9, 0.1:0.1:0.9, 2^24));
     refused('rank', {'rwedge_series_fit'}, @() rwedge_series.fit([0.1 0.1 0.1], [1 1 1], 3));
-    refused('class', {'char'}, @() rwedge_load('1'));
     refused('class', {'complex'}, @() rwedge_load(1 + 2i));
     refused('class', {'sparse'}, @() rwedge_load(sparse([1 0 2])));
     refused('domain', {'x = 1', '|x| < 1', 'element 2'}, @() rwedge_series.fit([0.1 1 2], [1 1 1], 1));
@@ -167,8 +163,6 @@ function contacts()
     c.load(1000, 300);
     refused('sliding', {'exceeds friction', 'P = 1000', 'Q = 601'}, @() c.load(1000, 601));
     refused('domain', {': P = -1; allowed is 0, or 1e-60 to 1e60'}, @() c.load(-1, 0));
-    refused('domain', {': P = 1e+308; allowed is 0, or 1e-60 to 1e60'}, @() c.load(1e308, 0));
-    refused('domain', {': P = 1e-150; allowed is 0, or 1e-60 to 1e60'}, @() c.load(1e-150, 0));
     refused('range', {'P = 1e-06, Q = 0; allowed is P 0, or', 'not below 1e-8 of the last P, Q 0, or 1e-60 to 1e60 in magnitude, |Q| <= f P'}, @() c.load(1e-6, 0));
     refused('range', {'k = 1e+60; allowed is', 'k 1e-60 to 1e60'}, @() yield_factor_out_of_range());
     refused('domain', {'x = Inf', 'element 3'}, @() c.tractions([0 0.1 Inf]));

@@ -62,13 +62,13 @@ function asDoubles(name, parameter, value) {
 }
 
 /** The arguments as they were given, by their names in the header. */
-function byName(about, given) {
-    return new Map(about.given.map((name, i) => [name, given[i]]));
+function byName(about, values) {
+    return new Map(about.arguments.map((name, i) => [name, values[i]]));
 }
 
 /** The arguments of points: numbers among arrays are repeated. Gives the arrays, or undefined where all are numbers. */
-function asPoints(name, parameters, given) {
-    const arrays = given.map((value, i) => (isArray(value) ? asDoubles(name, parameters[i], value) : checkNumber(name, parameters[i], value)));
+function asPoints(name, parameters, values) {
+    const arrays = values.map((value, i) => (isArray(value) ? asDoubles(name, parameters[i], value) : checkNumber(name, parameters[i], value)));
     const lengths = arrays.filter(Boolean).map((array) => array.length);
     if (lengths.some((n) => n !== lengths[0])) {
         throw new TypeError(`${name}(): arrays of ${lengths.join(" and ")} numbers: all must have the same length`);
@@ -103,9 +103,9 @@ const ofArguments = ["RWEDGE_EDOMAIN", "RWEDGE_ERANGE", "RWEDGE_ESLIDING"];
 
 /** Throws what a status means: with the arguments that are outside their domains, or with all of them where none is by itself; with
  * what is allowed; and with the reason of this function, or that of these loads. */
-function check(name, about, status, given, place = "", why = about.reasons[status]) {
+function check(name, about, status, valuesOf, place = "", why = about.reasons[status]) {
     if (status === 0) return;
-    const values = given(), constant = Object.keys(statuses).find((each) => statuses[each] === status);
+    const values = valuesOf(), constant = Object.keys(statuses).find((each) => statuses[each] === status);
     const parameters = about.parameters.filter((p) => values.has(p.name));
     const refused = parameters.filter((p) => outside(p, values.get(p.name)) >= 0);
     const listed = (refused.length ? refused : parameters).map((p) => told(p, values.get(p.name), place, ofArguments.includes(constant)));
@@ -142,17 +142,17 @@ function ofNumbers(name, { about, outputs, address, called, places }, numbers, p
     return results(outputs, (_, k) => written[address / 8 + k]);
 }
 
-export function formula(name, given) {
+export function formula(name, ordered) {
     const prepared = formulas.get(name) ?? prepare(name), { inputs, whole } = prepared;
     for (let k = 0; k < inputs.length; k++) {
-        if (typeof given[k] !== "number" || whole[k] && !isWhole(given[k])) return ofPoints(name, prepared, given);
+        if (typeof ordered[k] !== "number" || whole[k] && !isWhole(ordered[k])) return ofPoints(name, prepared, ordered);
     }
-    return ofNumbers(name, prepared, given);
+    return ofNumbers(name, prepared, ordered);
 }
 
 /** A call for each point: numbers go with every one. */
-function ofPoints(name, prepared, given) {
-    const { about, inputs, outputs, address, called, places } = prepared, numbers = inputs.map((_, k) => given[k]);
+function ofPoints(name, prepared, ordered) {
+    const { about, inputs, outputs, address, called, places } = prepared, numbers = inputs.map((_, k) => ordered[k]);
     const { arrays, length } = asPoints(name, inputs, numbers);
     const changing = inputs.map((_, k) => k).filter((k) => arrays[k]);
     const columns = Array.from({ length: outputs.length || 1 }, () => new Float64Array(length));
@@ -195,8 +195,8 @@ function sizesOf(name, about, values, address) {
 }
 
 /** The arguments by their names, arrays as Float64Arrays; and whether all points were numbers. */
-function taken(name, about, given) {
-    const values = byName(about, given), inputs = about.parameters.filter((p) => values.has(p.name));
+function taken(name, about, ordered) {
+    const values = byName(about, ordered), inputs = about.parameters.filter((p) => values.has(p.name));
     const ofPoints = about.pointwise ? inputs.filter((p) => p.role === "in array") : [];
     const points = asPoints(name, ofPoints, ofPoints.map((p) => values.get(p.name)));
     const length = points?.length ?? 1;
@@ -230,9 +230,9 @@ function answer(about, returned, places, read) {
     return results(outputs, (p) => read(p, places.get(p.name)));
 }
 
-export function call(name, object, given) {
+export function call(name, object, ordered) {
     const about = functions[name], handle = object ? addressOf(object, about) : 0;
-    const { values, single } = taken(name, about, given);
+    const { values, single } = taken(name, about, ordered);
     const sizes = sizesOf(name, about, values, handle);
     const length = (p) => (p.size ? p.size.reduce((n, size) => n * sizes.get(size), 1) : 1);
     const inMemory = about.parameters.filter((p) => ["in array", "out", "out array", "created"].includes(p.role));

@@ -4,8 +4,6 @@
 #include "base/domain.h"
 #include "potential/pad_potential.h"
 
-#include <string.h>
-
 /* Edges that differ by less than this, over the width, count as one place. */
 static const double SAME_EDGE = 1e-12;
 
@@ -36,44 +34,50 @@ void rw_friction_before(const rw_problem *p, size_t n, const double x[], double 
     rw_traction_values(p->is_rate ? &NONE : &p->before->traction, n, x, F);
 }
 
-static double power_friction(const rw_problem *p, rw_patch patch, int k, double x)
+/* f times the pressure of the rest of a layer, before or after the step. */
+static double rest_friction(const rw_problem *p, const rw_layer_rest *rest, double x)
 {
+    const rw_patch patch = rest->patch;
     if (!(x > patch.left && x < patch.right))
         return 0;
     return p->f * sqrt((x - patch.left) * (patch.right - x)) / rw_patch_half_width(patch) *
-           rw_power_pressure((rw_power_scale){p->middle, p->half}, patch, k, x);
+           rw_layer_rest_pressure(rest, x);
+}
+
+static rw_power_scale scale_of(const rw_problem *p)
+{
+    return (rw_power_scale){p->middle, p->half};
 }
 
 void rw_layer_values(const rw_problem *p, int k, size_t n, const double x[], const double F[],
                      double change[])
 {
-    if (k == 0)
-        rw_friction_before(p, n, x, change);
+    rw_friction_before(p, n, x, change);
     for (size_t i = 0; i < n; i++)
-        change[i] = k == 0
-                        ? F[i] - change[i]
-                        : power_friction(p, p->to, k, x[i]) - power_friction(p, p->from, k, x[i]);
+        change[i] = F[i] - change[i];
+    for (size_t i = 0; i < n && k > 0; i++)
+        change[i] = rw_power(scale_of(p), k, x[i]) * change[i] +
+                    rest_friction(p, &p->rest[k][1], x[i]) - rest_friction(p, &p->rest[k][0], x[i]);
 }
 
 /* The surface outside of a patch, relative to the profile of the layer there. */
-static double power_slope(const rw_problem *p, rw_patch patch, int k, double x)
+static double slope_beside(const rw_problem *p, int after, int k, double x)
 {
-    if (x >= patch.left && x <= patch.right)
-        return 0;
-    return copysign(p->f, x - patch.left) * sqrt((x - patch.left) * (x - patch.right)) /
-           rw_patch_half_width(patch) *
-           rw_power_pressure((rw_power_scale){p->middle, p->half}, patch, k, x);
+    const double depth = 0;
+    const rw_patch patch = after ? p->to : p->from;
+    rw_fields fields;
+    rw_pad_fields(&p->frame->arcs, patch, 1, &x, &depth, &fields);
+    const double tilt = rw_arcs_pressing(&p->frame->arcs, patch).tilt;
+    const double own = -p->f * rw_power(scale_of(p), k, x) * (fields.G_re[0] + tilt);
+    if (k == 0 || (x >= patch.left && x <= patch.right))
+        return own;
+    return own + copysign(p->f, x - patch.left) * sqrt((x - patch.left) * (x - patch.right)) /
+                     rw_patch_half_width(patch) * rw_layer_rest_pressure(&p->rest[k][after], x);
 }
 
 double rw_layer_slope(const rw_problem *p, int k, double x)
 {
-    const double depth = 0;
-    rw_fields before, after;
-    if (k > 0)
-        return power_slope(p, p->to, k, x) - power_slope(p, p->from, k, x);
-    rw_pad_fields(&p->frame->arcs, p->from, 1, &x, &depth, &before);
-    rw_pad_fields(&p->frame->arcs, p->to, 1, &x, &depth, &after);
-    return p->f * (before.G_re[0] - after.G_re[0] - p->tilt[0]);
+    return slope_beside(p, 1, k, x) - slope_beside(p, 0, k, x);
 }
 
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch)
@@ -125,26 +129,40 @@ static void note_ratios(rw_problem *p, int after)
         const double friction = rw_exact_friction(p->frame, patch, x);
         p->ratio[0][side][after] = 1;
         for (int k = 1; k < RW_LAYERS; k++)
-            p->ratio[k][side][after] =
-                friction > 0 ? power_friction(p, patch, k, x) / friction : HUGE_VAL;
+            p->ratio[k][side][after] = friction > 0
+                                           ? rw_power(scale_of(p), k, x) +
+                                                 rest_friction(p, &p->rest[k][after], x) / friction
+                                           : HUGE_VAL;
     }
 }
 
-static void note_layers(rw_problem *p)
+/* The integral of u^k p. */
+static double moment_of(const rw_problem *p, const rw_friction *friction, int k)
 {
-    const rw_power_scale scale = {p->middle, p->half};
-    const rw_pressing before = rw_arcs_pressing(&p->frame->arcs, p->from);
-    const rw_pressing after = rw_arcs_pressing(&p->frame->arcs, p->to);
-    p->load[0] = after.load - before.load;
-    p->tilt[0] = after.tilt - before.tilt;
-    for (int k = 1; k < RW_LAYERS; k++) {
-        const rw_pressing old = rw_power_pressing(scale, p->from, k);
-        const rw_pressing new = rw_power_pressing(scale, p->to, k);
-        p->load[k] = new.load - old.load;
-        p->tilt[k] = new.tilt - old.tilt;
+    const rw_traction *t = &friction->traction;
+    double sum = 0;
+    for (size_t i = 0; i < t->count; i++)
+        for (int j = 0; j < RW_TERMS; j++)
+            sum += t->elements[i].load[j] * rw_power(scale_of(p), k, t->elements[i].x[j]);
+    return sum / p->f;
+}
+
+/* Adds the layers' loads and tilts on the patch after the step, or takes away those before it. */
+static void note_patch(rw_problem *p, int after)
+{
+    const rw_friction *friction = after ? p->after : p->before;
+    const rw_pressing own = rw_arcs_pressing(&p->frame->arcs, friction->contact);
+    const int sign = after ? 1 : -1;
+    double moment[RW_LAYERS];
+    for (int k = 0; k < RW_LAYERS; k++) {
+        rw_layer_rest *rest = &p->rest[k][after];
+        moment[k] = k == 0 ? own.load : moment_of(p, friction, k);
+        *rest = rw_layer_rest_of(scale_of(p), friction->contact, own.tilt, moment, k);
+        const rw_pressing share = rw_layer_rest_pressing(rest);
+        p->load[k] += sign * (moment[k] + share.load);
+        p->tilt[k] += sign * share.tilt;
     }
-    note_ratios(p, 0);
-    note_ratios(p, 1);
+    note_ratios(p, after);
 }
 
 void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *before,
@@ -170,8 +188,8 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
                       .shear = shear,
                       .stretch = stretch,
                       .old = old};
-    if (p->grows[0] || p->grows[1])
-        note_layers(p);
+    for (int i = 0; i < 2 && (p->grows[0] || p->grows[1]); i++)
+        note_patch(p, i);
 }
 
 double rw_problem_change(const rw_problem *p)

@@ -51,6 +51,7 @@ typedef struct {
     bool is_still;                           /* from and to are the same */
     bool grows[2];                           /* at the left, right edge */
     double load[RW_LAYERS], tilt[RW_LAYERS]; /* of the layers: lengths, theta */
+    rw_layer_rest rest[RW_LAYERS][2];        /* before and after */
     double ratio[RW_LAYERS][2][2]; /* layers over friction: at the edges, before and after */
     double middle, half;           /* of the contact after the step */
     double shear, stretch;         /* the changes of the shear load and of the stretch */

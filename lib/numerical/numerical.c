@@ -173,8 +173,17 @@ static double origin_between(const rw_numerical_state *from, const rw_numerical_
     return -(1 - part) * displacement(from, x) - part * displacement(to, x);
 }
 
-/* A place that comes into contact has slip 0 then. The places are all of one part: edges are
- * breaks. */
+/* Of a place that comes into contact in the step. It has slip 0 then, and keeps it where it
+ * sticks. */
+static double new_origin(const growth *g, double x)
+{
+    if (sticks_at(&g->half->shear.zones, x) && sticks_at(&g->now->shear.zones, x))
+        return -displacement(g->now, x);
+    return touches(g->half, x) ? origin_between(&g->numerical->now, g->half, x)
+                               : origin_between(g->half, g->now, x);
+}
+
+/* The places are all of one part: edges are breaks. */
 static void origin_after(const double x[], const void *context, double origin[])
 {
     const growth *g = context;
@@ -184,8 +193,7 @@ static void origin_after(const double x[], const void *context, double origin[])
         return;
     }
     for (int i = 0; i < RW_TERMS; i++)
-        origin[i] = touches(g->half, x[i]) ? origin_between(old, g->half, x[i])
-                                           : origin_between(g->half, g->now, x[i]);
+        origin[i] = new_origin(g, x[i]);
 }
 
 static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *half,

@@ -29,20 +29,38 @@ static bool solve(rw_fronts *f, const rw_problem *problem, const rw_zones *zones
     return is_done;
 }
 
-/* w' where it slips with this sign. */
-static double slope_at(const rw_fronts *f, const rates *r, double x)
+static double polynomial_at(const rates *r, double x)
 {
-    const double at = (x - r->stuck.middle) / r->stuck.half, X = rw_X_at(&r->stuck, x);
+    const double at = (x - r->stuck.middle) / r->stuck.half;
     double value = 0;
     for (int i = 2 * r->stuck.count - 1; i >= 0; i--)
         value = value * at + r->p[i];
-    return value / X + X * rw_fronts_transform(f, x);
+    return value;
 }
+
+/* w' where it slips with this sign. */
+static double slope_at(const rw_fronts *f, const rates *r, double x)
+{
+    const double X = rw_X_at(&r->stuck, x);
+    return polynomial_at(r, x) / X + X * rw_fronts_transform(f, x);
+}
+
+/* The rate of t beyond S f dp/ds, where it sticks. */
+static double traction_at(const rw_fronts *f, const rates *r, double x)
+{
+    const double X = fabs(rw_X_at(&r->stuck, x));
+    int beyond = 0; /* zones that stick */
+    for (int k = 0; k < r->stuck.count; k++)
+        beyond += x < r->stuck.end[2 * k];
+    return (X * rw_fronts_transform(f, x) - polynomial_at(r, x) / X) * (beyond % 2 ? -1 : 1);
+}
+
+/* Places in a zone or a part of one, the closer the nearer to its ends. */
+enum { POINTS = 24 };
 
 /* The largest slip with the sign of the traction, from the front on; `way` -1: against it. */
 static double largest_slip(const rw_fronts *f, const rates *r, rw_zone zone, int way)
 {
-    enum { POINTS = 24 };
     const bool is_leftmost = zone.right == r->stuck.end[0];
     const double front = is_leftmost ? zone.right : zone.left;
     const double length = is_leftmost ? zone.left - zone.right : zone.right - zone.left;
@@ -113,6 +131,21 @@ double rw_rates_slip(rw_fronts *f, const rw_problem *p, const rw_zones *zones, r
 {
     rates r;
     return solve(f, p, zones, zone.label, &r) ? largest_slip(f, &r, zone, -1) : 0;
+}
+
+double rw_rates_excess(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone part)
+{
+    const double length = part.right - part.left;
+    double sum = 0;
+    rates r;
+    if (!solve(f, p, zones, part.label, &r))
+        return HUGE_VAL;
+    for (int i = 0; i < POINTS; i++) {
+        const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
+        const double excess = part.label * traction_at(f, &r, part.left + length * half * half);
+        sum += fmax(0, excess) * sin(angle) * (RW_HALF_PI / POINTS);
+    }
+    return sum * sqrt(length / r.stuck.half);
 }
 
 void rw_rates_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, double ratio[2])

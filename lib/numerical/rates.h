@@ -19,6 +19,11 @@ double rw_rates_wrong(rw_fronts *fronts, const rw_problem *rates, const rw_zones
 double rw_rates_slip(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
                      rw_zone zone);
 
+/* How far the traction goes beyond friction, on average, in a part that slipped with its label and
+ * now sticks: then it slips on at first. */
+double rw_rates_excess(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
+                       rw_zone part);
+
 /* D at the edges that grow and stick (layers.h), not beyond +-1; else NaN. */
 void rw_rates_ratio(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
                     double ratio[2]);

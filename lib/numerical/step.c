@@ -395,46 +395,41 @@ static double rate_error(rw_work *w, const rw_problem *p, const rw_numerical_sta
            p->scale;
 }
 
-/* Whether all places that stick in `inner` stick in `outer` too. */
-static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
+/* The largest traction beyond friction, by the rates at the beginning, in parts that slip no more
+ * from then on. */
+static double excess_at_start(rw_work *w, const rw_zones *old, const rw_zones *after, double least)
 {
-    for (int i = 0, k = 0; i < inner->count; i++) {
-        if (inner->zone[i].label != 0)
-            continue;
-        while (k + 1 < outer->count && outer->zone[k].right < inner->zone[i].right - slack)
-            k++;
-        if (outer->zone[k].label != 0 || outer->zone[k].left > inner->zone[i].left + slack)
-            return false;
-    }
-    return true;
-}
-
-/* The zones before a step, but what slips no more, or the other way, sticks from the beginning. */
-static rw_zones going_on(const rw_zones *old, const rw_zones *after)
-{
-    rw_zones zones = *old;
-    for (int i = 0; i < zones.count; i++)
-        if (!slips_so(after, zones.zone[i]))
-            zones.zone[i].label = 0;
-    rw_pattern_clean(&zones, 0);
-    return zones;
+    const rw_zones begun = rw_rates_begun(old, after);
+    double most = 0;
+    for (int i = 0; i < old->count; i++)
+        for (int k = 0; k < begun.count; k++) {
+            const rw_zone zone = old->zone[i], other = begun.zone[k];
+            const rw_zone part = {zone.label, fmax(zone.left, other.left),
+                                  fmin(zone.right, other.right)};
+            if (zone.label != 0 && other.label == 0 && part.right - part.left > least)
+                most = fmax(most, rw_rates_excess(&w->fronts, &w->start, &begun, part));
+        }
+    return most;
 }
 
 /* A step whose loads change by more than this, as traction over friction, is looked at half-way
  * too: slip may begin and end within it. */
 static const double LARGE = 0.25;
 
+/* The excess that counts as none, over the violations that do: it tells too little of an error. */
+static const double LITTLE = 0.05;
+
 /* Whether a step has the right end whatever the way there. Where it slips the traction is that of
  * friction. What sticks must have stuck all the time, and must have been in contact. */
-static bool is_exact(const rw_problem *p, const rw_numerical_state *from,
+static bool is_exact(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
                      const rw_numerical_state *there)
 {
     const rw_zones *after = &there->shear.zones;
-    const rw_zones before = going_on(&from->shear.zones, after);
     return rw_problem_change(p) <= LARGE * p->scale &&
            fmax(there->error, there->rate_error) <= p->allowed && after->zone[0].label != 0 &&
            after->zone[after->count - 1].label != 0 &&
-           is_nested(after, &before, p->allowed * p->half);
+           excess_at_start(w, &from->shear.zones, after, p->allowed * p->half) <=
+               LITTLE * p->allowed * p->scale;
 }
 
 static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
@@ -457,7 +452,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
                              .energy = from->energy + outcome.energy,
                              .error = outcome.violation};
     there->rate_error = rate_error(w, p, from, there);
-    there->is_exact = is_exact(p, from, there);
+    there->is_exact = is_exact(w, p, from, there);
     return true;
 }
 
@@ -470,6 +465,20 @@ bool rw_implicit_step(rw_work *w, const rw_numerical_state *from, rw_scaled_load
     if (!set_problem(w, from, to, contact, &p))
         return false;
     return step_to(w, &p, from, to, guess, coarse, there);
+}
+
+/* Whether all places that stick in `inner` stick in `outer` too. */
+static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
+{
+    for (int i = 0, k = 0; i < inner->count; i++) {
+        if (inner->zone[i].label != 0)
+            continue;
+        while (k + 1 < outer->count && outer->zone[k].right < inner->zone[i].right - slack)
+            k++;
+        if (outer->zone[k].label != 0 || outer->zone[k].left > inner->zone[i].left + slack)
+            return false;
+    }
+    return true;
 }
 
 bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_state *there)

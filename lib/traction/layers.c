@@ -3,35 +3,37 @@
 
 #include "base/domain.h"
 
-/* The slope of layer k in powers of u = (x - m)/s, m the middle and s the half-width of the
- * patch. */
-static void slope_of(rw_power_scale scale, rw_patch patch, int k, double c[])
+/* With A the tilt and m_j the moments: A u^k + sum_(j<k) u^(k-1-j) m_j/(pi half). */
+static double coefficient(rw_power_scale scale, double tilt, const double moment[], int k, int n)
+{
+    return n == k ? tilt : moment[k - 1 - n] / (RW_PI * scale.half);
+}
+
+/* By Horner's rule in powers of the place in the patch. */
+rw_layer_rest rw_layer_rest_of(rw_power_scale scale, rw_patch patch, double tilt,
+                               const double moment[], int k)
 {
     const double off = (rw_patch_middle(patch) - scale.middle) / scale.half;
     const double stretch = rw_patch_half_width(patch) / scale.half;
-    c[0] = 1;
-    for (int n = 1; n <= k + 1; n++) {
-        c[n] = c[n - 1] * stretch;
-        for (int i = n - 1; i > 0; i--)
-            c[i] = off * c[i] + stretch * c[i - 1];
-        c[0] *= off;
+    rw_layer_rest rest = {.patch = patch};
+    for (int n = k; n >= 0; n--) {
+        for (int i = k - n; i > 0; i--)
+            rest.c[i] = off * rest.c[i] + stretch * rest.c[i - 1];
+        rest.c[0] = off * rest.c[0] + coefficient(scale, tilt, moment, k, n);
     }
+    return rest;
 }
 
-/* The slopes 1, u, u^2, u^3, u^4 have the pressures sqrt(1 - u^2) times 0, 1, u, u^2 + 1/2, u^3 +
- * u/2. */
-double rw_power_pressure(rw_power_scale scale, rw_patch patch, int k, double x)
+/* The slopes 1, v, v^2, v^3 have the pressures sqrt(1 - v^2) times 0, 1, v, v^2 + 1/2. */
+double rw_layer_rest_pressure(const rw_layer_rest *rest, double x)
 {
-    double c[RW_LAYERS + 1] = {0};
-    slope_of(scale, patch, k, c);
-    const double u = (x - rw_patch_middle(patch)) / rw_patch_half_width(patch);
-    return c[1] + c[3] / 2 + u * (c[2] + c[4] / 2 + u * (c[3] + u * c[4]));
+    const double v = (x - rw_patch_middle(rest->patch)) / rw_patch_half_width(rest->patch);
+    return rest->c[1] + rest->c[3] / 2 + v * (rest->c[2] + v * rest->c[3]);
 }
 
-rw_pressing rw_power_pressing(rw_power_scale scale, rw_patch patch, int k)
+rw_pressing rw_layer_rest_pressing(const rw_layer_rest *rest)
 {
-    double c[RW_LAYERS + 1] = {0};
-    slope_of(scale, patch, k, c);
-    return (rw_pressing){.load = RW_HALF_PI * rw_patch_half_width(patch) * (c[1] + 0.75 * c[3]),
-                         .tilt = c[0] + c[2] / 2 + 0.375 * c[4]};
+    return (rw_pressing){.load = RW_HALF_PI * rw_patch_half_width(rest->patch) *
+                                 (rest->c[1] + 0.75 * rest->c[3]),
+                         .tilt = rest->c[0] + rest->c[2] / 2};
 }

@@ -129,9 +129,9 @@ S
 def last(name, results, nodes):
     """The six numbers at each of the nodes in the last block of that name of a .frd file; NaN where there are none."""
     block = results.rsplit(f" -4  {name}", 1)[1].split("\n -3", 1)[0]
-    found = {int(line[3:13]): [float(line[13 + 12 * k:25 + 12 * k]) for k in range(6)]
+    numbers = {int(line[3:13]): [float(line[13 + 12 * k:25 + 12 * k]) for k in range(6)]
              for line in block.split("\n") if line.startswith(" -1")}
-    return np.array([found.get(int(node), [math.nan] * 6) for node in nodes]).T
+    return np.array([numbers.get(int(node), [math.nan] * 6) for node in nodes]).T
 
 
 def finite_elements(mesh, folder):
@@ -164,20 +164,20 @@ def errors(mesh, tractions, stresses):
 
 
 def main():
-    given = shown.arguments(__file__, __doc__, refine=(0, "how often the mesh is refined, by 2.25"))
+    options = shown.arguments(__file__, __doc__, refine=(0, "how often the mesh is refined, by 2.25"))
     if not shutil.which("ccx"):
         raise SystemExit("calculix.py needs ccx, which is not installed: apt-get install calculix-ccx")
     print("root mean square differences, over the peak pressure")
     print(f"{'elements':>9}{'pressure':>10}{'shear':>10}{'stresses':>10}")
-    for k in range(given.refine + 1):
+    for k in range(options.refine + 1):
         mesh, began = Mesh(round(COARSE * FINER**k)), time.perf_counter()
         with tempfile.TemporaryDirectory() as folder:
-            found = finite_elements(mesh, Path(folder))
+            computed = finite_elements(mesh, Path(folder))
         contact, *expected = closed_form(mesh)
-        differences = errors(mesh, found[0] - expected[0], found[1] - expected[1])
-        print(f"{2 * len(mesh.elements):9}" + "".join(f"{one:10.4f}" for one in differences) + f"   {time.perf_counter() - began:.0f} s",
+        differences = errors(mesh, computed[0] - expected[0], computed[1] - expected[1])
+        print(f"{2 * len(mesh.elements):9}" + "".join(f"{difference:10.4f}" for difference in differences) + f"   {time.perf_counter() - began:.0f} s",
               flush=True)
-    draw(given.picture, mesh, *found, contact)
+    draw(options.picture, mesh, *computed, contact)
 
 
 def draw(picture, mesh, tractions, stresses, contact):

@@ -72,18 +72,18 @@ def workers(count):
 
 
 def main():
-    given = shown.arguments(__file__, __doc__, rows=(1000, "radii"), columns=(1000, "frictions"),
+    options = shown.arguments(__file__, __doc__, rows=(1000, "radii"), columns=(1000, "frictions"),
                             workers=(2, "processes"), check=(0, "1: compare with the serial result"))
-    store = Path(given.picture).with_suffix(".zarr")
-    with workers(given.workers):
+    store = Path(options.picture).with_suffix(".zarr")
+    with workers(options.workers):
         sweep(store, 2 * CHUNK_ROWS, 2)  # everything is loaded then
         start = time.perf_counter()
-        sweep(store, given.rows, given.columns)
-        print(f"{given.rows * given.columns} pads in {time.perf_counter() - start:.2f} s")
+        sweep(store, options.rows, options.columns)
+        print(f"{options.rows * options.columns} pads in {time.perf_counter() - start:.2f} s")
     wrong = 0
-    if given.check:
+    if options.check:
         start = time.perf_counter()
-        wrong = differs(store, given.rows, given.columns)
+        wrong = differs(store, options.rows, options.columns)
         print(f"{wrong} differ from the serial result, which took {time.perf_counter() - start:.2f} s")
     f = np.linspace(*FRICTIONS, 41)
     R = smallest_radius(f)
@@ -91,8 +91,8 @@ def main():
         print(f"friction up to {f[at]:.1f}: R of at least {R[:at + 1].max():.1f} mm")
 
     figure, ax = shown.plt.subplots(figsize=(5.5, 4))
-    rows, columns = axes(given.rows, given.columns)
-    some = (slice(None, None, -(-given.rows // 200)), slice(None, None, -(-given.columns // 200)))
+    rows, columns = axes(options.rows, options.columns)
+    some = (slice(None, None, -(-options.rows // 200)), slice(None, None, -(-options.columns // 200)))
     lines = ax.contour(columns[some[1]], rows[some[0]], zarr.open_array(store, mode="r")[some], [0.1, 0.5, 1, 4, 8, 16, 64],
                        colors=plot.BLACK, linewidths=plot.THIN)
     ax.clabel(lines, fontsize="small")
@@ -100,7 +100,7 @@ def main():
     ax.set(yscale="log", ylim=RADII, xlim=FRICTIONS, xlabel="friction $f$", ylabel="radius $R$ / mm",
            title=f"yield load over $P$ = {P:g} N/mm")
     ax.legend(loc="upper left")
-    shown.save(figure, given.picture, f=f, smallest_R_mm=R)
+    shown.save(figure, options.picture, f=f, smallest_R_mm=R)
     return int(wrong > 0)
 
 

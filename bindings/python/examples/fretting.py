@@ -32,25 +32,25 @@ def under_tension(E, nu, R, f, P, Q, sigma):
             "sxx": contact.stresses(-b, 0)[0]}
 
 
-def compare(case, found, published):
+def compare(case, computed, published):
     print(case)
     for name, value in published.items():
-        print(f"  {name:12} {found[name]:11.6g}   published {value:11.6g}   difference {found[name] / value - 1:8.1e}")
+        print(f"  {name:12} {computed[name]:11.6g}   published {value:11.6g}   difference {computed[name] / value - 1:8.1e}")
 
 
 def published_cases():
     """Closed forms for cylinders: e = b sigma/(4 f p0) and c = b sqrt(1 - Q/(f P)) of D. Nowell and D. A. Hills, Mechanics of
     fretting fatigue tests, Int. J. Mech. Sci. 29 (1987) 355-365; NAFEMS' benchmark CB1 for Hertz."""
-    found = under_tension(72.1e3, 0.33, 10, 0.3, 543 / 4, 155 / 4, 100)
-    compare("aluminium, 543 N on 4 mm, R = 10 mm, Q = 155 N, sigma = 100 MPa, f = 0.3 (mm, MPa)", found,
+    computed = under_tension(72.1e3, 0.33, 10, 0.3, 543 / 4, 155 / 4, 100)
+    compare("aluminium, 543 N on 4 mm, R = 10 mm, Q = 155 N, sigma = 100 MPa, f = 0.3 (mm, MPa)", computed,
             {"b": 0.206698, "p0": 418.104, "c": 0.045519, "e": 0.041197, "sxx": 345.747})
 
     E, nu, R, f, p0 = 72.1e3, 0.33, 10, 0.75, 157
     b = p0 * R * rwedge.compliance(E, nu, E, nu)
     P = math.pi / 2 * p0 * b
-    found = under_tension(E, nu, R, f, P, 0.45 * P, 92.7)
+    computed = under_tension(E, nu, R, f, P, 0.45 * P, 92.7)
     compare("p0 = 157 MPa, sigma = 92.7 MPa, Q/P = 0.45, f = 0.75 (over b, p0)",
-            {"p0": found["p0"], "c/b": found["c"] / b, "e/b": found["e"] / b, "sxx/p0": found["sxx"] / p0},
+            {"p0": computed["p0"], "c/b": computed["c"] / b, "e/b": computed["e"] / b, "sxx/p0": computed["sxx"] / p0},
             {"p0": 157, "c/b": 0.6325, "e/b": 0.1968, "sxx/p0": 1.8193})
 
     A = rwedge.compliance(210e3, 0.3, 70e3, 0.3)

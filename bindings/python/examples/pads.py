@@ -57,22 +57,22 @@ def main():
     radius = flat_pad(K_N)
     pads["flat pad"] = pressed(rwedge.Contact.flat(FLAT, radius, A, F))
     x = {name: places(contact) for name, contact in pads.items()}
-    found = {name: after_a_cycle(contact, x[name]) for name, contact in pads.items()}
+    results = {name: after_a_cycle(contact, x[name]) for name, contact in pads.items()}
 
     print(f"P = {P} N/mm, M = {M} N, Q = {Q} N/mm and sigma = {SIGMA} MPa to and fro; K_N = {K_N:.1f} MPa/mm^0.5")
     shown.table(pads, {
         "flat, mm": lambda name: {"cylinder": 0, "flat pad": 2 * FLAT}[name],
         "radius, mm": lambda name: {"cylinder": R, "flat pad": radius}[name],
         "contact, mm": lambda name: 2 * pads[name].half_width, "K_N, MPa/mm^0.5": lambda name: pads[name].edge_asymptotes[0],
-        "K_T, MPa mm^0.5": lambda name: pads[name].edge_asymptotes[2], "largest pressure, MPa": lambda name: found[name]["p"].max(),
+        "K_T, MPa mm^0.5": lambda name: pads[name].edge_asymptotes[2], "largest pressure, MPa": lambda name: results[name]["p"].max(),
         "sticks over, mm": lambda name: np.diff(pads[name].stick_zone)[0],
-        "worst Smith-Watson-Topper, MPa": lambda name: found[name]["swt"].max(),
-        "at x, mm": lambda name: x[name][found[name]["swt"].argmax()]})
-    ratio = found["flat pad"]["swt"].max() / found["cylinder"]["swt"].max()
+        "worst Smith-Watson-Topper, MPa": lambda name: results[name]["swt"].max(),
+        "at x, mm": lambda name: x[name][results[name]["swt"].argmax()]})
+    ratio = results["flat pad"]["swt"].max() / results["cylinder"]["swt"].max()
     print(f"the flat pad has {ratio:.2f} times the cylinder's worst parameter")
 
     figure, (top, bottom) = shown.plt.subplots(2, sharex=True, figsize=(5.5, 6))
-    for number, (name, value) in enumerate(found.items()):
+    for number, (name, value) in enumerate(results.items()):
         style = shown.style(number)
         top.plot(x[name], value["p"], linewidth=plot.THIN, **style)
         top.plot(x[name], value["q"] / F, label=name, **style)
@@ -85,7 +85,7 @@ def main():
     top.set_ylabel("$-p$ (thin), $-q/f$ / MPa")
     bottom.set(xlabel="$x$ / mm", ylabel="Smith–Watson–Topper / MPa")
     top.legend()
-    shown.save(figure, picture, **{f"{quantity}_{name.replace(' ', '_')}": column for name, value in found.items()
+    shown.save(figure, picture, **{f"{quantity}_{name.replace(' ', '_')}": column for name, value in results.items()
                                    for quantity, column in {"x_mm": x[name], **value}.items()})
 
 

@@ -49,22 +49,22 @@ def main():
     contact.load(*loads[1])
     b = contact.half_width
     x = np.union1d(-b * np.linspace(0.3, 1.3, 101), [-b])
-    found = {name: damage(vibration, x) for name, vibration in (("start and stop", 0), ("with vibration", 0.1))}
+    results = {name: damage(vibration, x) for name, vibration in (("start and stop", 0), ("with vibration", 0.1))}
     print(f"{'':16}{'cycles':>8}{'damage of a flight':>20}{'flights':>12}{'x/b':>9}{'plane':>8}")
-    for name, result in found.items():
+    for name, result in results.items():
         worst = result.value.argmax()
         print(f"{name:16}{result.cycles[worst]:8.0f}{result.value[worst]:20.3e}{1 / result.value[worst]:12.4g}"
               f"{x[worst] / b:9.3f}{math.degrees(result.angle[worst]):7.1f}°")
-    still, shaken = (result.value.max() for result in found.values())
+    still, shaken = (result.value.max() for result in results.values())
     print(f"the vibration does {100 * (1 - still / shaken):.0f} % of the damage")
 
     figure, ax = shown.plt.subplots(figsize=(6, 4))
-    for number, (name, result) in enumerate(found.items()):
+    for number, (name, result) in enumerate(results.items()):
         ax.semilogy(x / b, np.maximum(result.value, 1e-30), label=name, **shown.style(number))
     ax.set(xlabel="$x/b$", ylabel="damage of a flight (Smith–Watson–Topper, Miner)", ylim=(1e-3 * still, 3 * shaken))
     ax.legend()
-    shown.save(figure, picture, x_mm=x, **{f"damage_{name.replace(' ', '_')}": result.value for name, result in found.items()},
-               **{f"cycles_{name.replace(' ', '_')}": result.cycles for name, result in found.items()})
+    shown.save(figure, picture, x_mm=x, **{f"damage_{name.replace(' ', '_')}": result.value for name, result in results.items()},
+               **{f"cycles_{name.replace(' ', '_')}": result.cycles for name, result in results.items()})
 
 
 if __name__ == "__main__":

@@ -15,16 +15,16 @@ PADS = {"contact_create": rwedge.Contact, "contact_create_flat": rwedge.Contact.
 MAKERS = {**{name: partial(maker, tolerance=0) for name, maker in PADS.items()}, "series_create": rwedge.Series, "series_fit": rwedge.Series.fit}
 # What has another name here.
 FORMS = {"elastic_limits": rwedge.elastic_limit, "series_coefficient": lambda k: objects["series"].coefficients[k],
-         "smith_watson_topper_field": lambda *given: rwedge.smith_watson_topper(*given, axis=0),
-         "fatemi_socie_field": lambda *given: rwedge.fatemi_socie(*given, axis=0)}
+         "smith_watson_topper_field": lambda *arguments: rwedge.smith_watson_topper(*arguments, axis=0),
+         "fatemi_socie_field": lambda *arguments: rwedge.fatemi_socie(*arguments, axis=0)}
 
 
 def made(name, family, arguments):
     """An object, by its class, a method of the class, or a method of another object."""
     if name in MAKERS:
         return MAKERS[name](*arguments)
-    of = objects[family] if "handle" in FUNCTIONS[name]["roles"] else {"contact": rwedge.Contact, "series": rwedge.Series}[family]
-    return getattr(of, name.removeprefix(family + "_"))(*arguments)
+    owner = objects[family] if "handle" in FUNCTIONS[name]["roles"] else {"contact": rwedge.Contact, "series": rwedge.Series}[family]
+    return getattr(owner, name.removeprefix(family + "_"))(*arguments)
 
 
 def call(name, arguments):

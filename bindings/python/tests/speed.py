@@ -29,11 +29,11 @@ def cpu_time(call):
 
 def ratio(name, points, runs=9):
     """Time of a ufunc over that of C's own loop."""
-    given, count = arguments(name, points), ctypes.c_size_t(points)
+    numbers, count = arguments(name, points), ctypes.c_size_t(points)
     by_ufunc, by_c = np.empty((2, 3 if name == "stress" else 1, points))
-    passed = [value.ctypes.data if np.ndim(value) else value for value in (*given, *by_c)]
-    first = next(i for i, value in enumerate(given) if np.ndim(value))
-    times = [(cpu_time(lambda: getattr(rwedge, name).ufunc(*given, out=tuple(by_ufunc))),
+    passed = [value.ctypes.data if np.ndim(value) else value for value in (*numbers, *by_c)]
+    first = next(i for i, value in enumerate(numbers) if np.ndim(value))
+    times = [(cpu_time(lambda: getattr(rwedge, name).ufunc(*numbers, out=tuple(by_ufunc))),
               cpu_time(lambda: function(IN_C[name])(*passed[:first], count, *passed[first:]))) for _ in range(runs)]
     assert (by_ufunc == by_c).all()
     ufunc, c = (min(column) for column in zip(*times))
@@ -45,15 +45,15 @@ def case_study():
     start = rwedge.Contact(0.01, 0.5, 1.8e-5, 0.6)
     start.load(2000)
     x, y = start.half_width * np.linspace(-2, 2, 200), start.half_width * np.linspace(0, 1, 100)[:, None]
-    Q, found = 900 * np.cos(np.linspace(0, 2 * np.pi, 48)), []
-    stresses = min(cpu_time(lambda: found.append(start.copy().cycle({"Q": Q}, x, y))) for _ in range(5))
-    return stresses, min(cpu_time(lambda: rwedge.smith_watson_topper(*found[0], 72e3, 0.33, axis=0)) for _ in range(5))
+    Q, cycles = 900 * np.cos(np.linspace(0, 2 * np.pi, 48)), []
+    stresses = min(cpu_time(lambda: cycles.append(start.copy().cycle({"Q": Q}, x, y))) for _ in range(5))
+    return stresses, min(cpu_time(lambda: rwedge.smith_watson_topper(*cycles[0], 72e3, 0.33, axis=0)) for _ in range(5))
 
 
 def main(points=1_000_000):
     for name in ("load", "pressure", "elastic_limit", "stress"):
-        given = arguments(name, points)
-        each = 1e9 / points * min(cpu_time(lambda: getattr(rwedge, name)(*given)) for _ in range(3))
+        numbers = arguments(name, points)
+        each = 1e9 / points * min(cpu_time(lambda: getattr(rwedge, name)(*numbers)) for _ in range(3))
         beside = f", {ratio(name, points, 3):.3f} of C's loop" if name in IN_C else ""
         print(f"{name} over {points} points: {each:.1f} ns each{beside}")
     print("48 loads at 20000 points: stresses {:.3f} s, Smith-Watson-Topper {:.3f} s".format(*case_study()))

@@ -120,7 +120,7 @@ def test_a_path_without_closed_form_is_refused_and_explained():
 
 def test_a_path_without_closed_form_is_computed_unless_that_is_refused():
     loads = [(0.5, 0.1, 0, 0), (0.5, 0.1, 0, 1), (0.52, 0.1, 0.1, 0.5)]
-    coarse, fine = (rwedge.Contact(0.1, 0.4, 0.5, 0.5, **given) for given in ({}, {"tolerance": 1e-6}))
+    coarse, fine = (rwedge.Contact(0.1, 0.4, 0.5, 0.5, **options) for options in ({}, {"tolerance": 1e-6}))
     x = np.linspace(-0.4, 0.4, 41)
     for contact in (coarse, fine):
         contact.apply(*loads[0])

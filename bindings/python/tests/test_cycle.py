@@ -44,12 +44,12 @@ def test_loads_are_named_or_by_place(pad):
 
 
 def test_vectors_of_loads_are_loads_one_after_the_other(pad):
-    one, many = pad.copy(), pad.copy()
+    single, many = pad.copy(), pad.copy()
     for q in Q:
-        one.load(2000, q)
-        one.apply(2000, 0, 0.9 * q, 0)
+        single.load(2000, q)
+        single.apply(2000, 0, 0.9 * q, 0)
     many.load(2000, np.column_stack([Q, 0.9 * Q]).ravel())
-    assert (one.state() == many.state()).all() and one.dissipated_energy == many.dissipated_energy
+    assert (single.state() == many.state()).all() and single.dissipated_energy == many.dissipated_energy
     before = pad.state()
     with pytest.raises(rwedge.SlidingError, match=r"P\[1\] = 2000.0, .* Q\[1\] = 1300.0"):
         pad.load(2000, [1, 1300])
@@ -97,9 +97,9 @@ def test_loads_that_cannot_begin_together_say_what_comes_first():
 
 def test_nan_among_the_points_gives_nan(pad):
     x = np.array([0.1, np.nan, 0.3])
-    found = pad.copy().cycle({"Q": Q}, x, 0.5).stress
-    assert np.isnan(found[:, 1]).all()
-    assert (found[:, [0, 2]] == pad.cycle({"Q": Q}, x[[0, 2]], 0.5).stress).all()
+    stress = pad.copy().cycle({"Q": Q}, x, 0.5).stress
+    assert np.isnan(stress[:, 1]).all()
+    assert (stress[:, [0, 2]] == pad.cycle({"Q": Q}, x[[0, 2]], 0.5).stress).all()
 
 
 @pytest.mark.long
@@ -144,8 +144,8 @@ def test_parameters_of_cycles_broadcast(pad):
         value, angle = formula(*last, E, *numbers)
         assert value.shape == (7, 2)
         for place in np.ndindex(value.shape):
-            one = formula(*(component[place] for component in last), E, *numbers)
-            assert one == (value[place], angle[place]) and np.ndim(one[0]) == 0
+            single = formula(*(component[place] for component in last), E, *numbers)
+            assert single == (value[place], angle[place]) and np.ndim(single[0]) == 0
         first = formula(*cycle, E, *numbers, axis=0)
         assert (first[0] == value).all() and (first[1] == angle).all()
         assert (formula(*last, moduli, *numbers)[0][:, 0] == formula(*(c[:, 0] for c in last), E, *numbers)[0]).all()

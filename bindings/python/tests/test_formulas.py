@@ -22,13 +22,13 @@ UFUNCS = {name: value for name, value in FORMULAS.items() if value.signature is 
 
 def first_calls():
     """An argument list of each function: the first call in tests/answers that C answers with numbers."""
-    found = {}
+    calls = {}
     for call, answer in zip(*(Path(os.environ["RWEDGE_ANSWERS"], name).read_text().splitlines() for name in ("calls.csv", "answers.csv"))):
         name, arguments = call.partition(":")[0], call.split(",")[1:]
         if name in UFUNCS and not re.search("nan|error", answer):
             kinds = [int if kind == "int32_t" else float for kind, _ in FUNCTIONS[name]["parameters"]]
-            found.setdefault(name, tuple(kind(argument) for kind, argument in zip(kinds, arguments)))
-    return found
+            calls.setdefault(name, tuple(kind(argument) for kind, argument in zip(kinds, arguments)))
+    return calls
 
 
 if "RWEDGE_ANSWERS" not in os.environ:
@@ -38,8 +38,8 @@ INSIDE = first_calls()
 
 def results(name, *arguments):
     """A tuple, however many there are."""
-    found = UFUNCS[name](*arguments)
-    return found if isinstance(found, tuple) else (found,)
+    result = UFUNCS[name](*arguments)
+    return result if isinstance(result, tuple) else (result,)
 
 
 def test_every_formula_of_the_header_is_a_ufunc():
@@ -175,10 +175,10 @@ def test_arguments_by_name(name):
 def test_wrong_names_are_named():
     out = np.empty(2)
     assert rwedge.elastic_limit([0.25, 0.3], f=0.1, nu=0.3, out=out) is out
-    for given, named in (((0.25,), {"nu": 0.3}), ((0.25, 0.1), {"f": 0.1, "nu": 0.3}), ((), {"alpha": 0.25}),
+    for placed, named in (((0.25,), {"nu": 0.3}), ((0.25, 0.1), {"f": 0.1, "nu": 0.3}), ((), {"alpha": 0.25}),
                          ((0.25, 0.1, 0.3), {"friction": 1})):
-        with pytest.raises(TypeError, match=f"takes alpha, f, nu: {len(given)} given by place"):
-            rwedge.elastic_limit(*given, **named)
+        with pytest.raises(TypeError, match=f"takes alpha, f, nu: {len(placed)} given by place"):
+            rwedge.elastic_limit(*placed, **named)
     with pytest.raises(TypeError, match="takes alpha, f, nu: 1 given by place, and friction by name"):
         rwedge.elastic_limit(0.25, friction=0.1, nu=0.3)
     assert repr(rwedge.pressure) == "<formula rwedge.pressure(alpha, x)>"

@@ -12,8 +12,8 @@ X, Y = np.array([-0.2, 0.1, 0.3]), np.array([0.1, 0.4, 0.7])
 def test_xarray_dimensions_make_a_grid(contact):
     xarray = pytest.importorskip("xarray")
     x, y = xarray.DataArray(X, dims="x", coords={"x": X}), xarray.DataArray(Y, dims="y", coords={"y": Y})
-    for found, plain in zip(contact.stresses(x, y), contact.stresses(X[:, None], Y)):
-        assert found.dims == ("x", "y") and (found.values == plain).all() and (found.x == X).all()
+    for labelled, plain in zip(contact.stresses(x, y), contact.stresses(X[:, None], Y)):
+        assert labelled.dims == ("x", "y") and (labelled.values == plain).all() and (labelled.x == X).all()
     assert contact.slip(x).dims == ("x",) and contact.tractions(x)[1].dims == ("x",)
     assert rwedge.Series(0.25, 20).stress(0.3, abs(y), x + 1)[2].dims == ("y", "x")
     with pytest.raises(rwedge.Error, match=r"x\[0, 2\] = .*, y\[0, 2\] = -1.0"):
@@ -24,8 +24,8 @@ def test_xarray_dimensions_make_a_grid(contact):
 def test_pandas_rows_meet_by_their_index(contact):
     pandas = pytest.importorskip("pandas")
     x, y = pandas.Series(X, index=list("abc")), pandas.Series(Y[::-1], index=list("cba"))
-    for found, plain in zip(contact.stresses(x, y), contact.stresses(X, Y)):
-        assert list(found.index) == list("abc") and (found.values == plain).all()
+    for labelled, plain in zip(contact.stresses(x, y), contact.stresses(X, Y)):
+        assert list(labelled.index) == list("abc") and (labelled.values == plain).all()
     assert list(contact.slip(x).index) == list("abc")
     missing = contact.stresses(x, pandas.Series([0.1], index=["b"]))[0]
     assert missing.isna().tolist() == [True, False, True]
@@ -47,8 +47,8 @@ def test_series_of_pyarrow_are_taken_and_given_back(contact):
     pandas = pytest.importorskip("pandas")
     pytest.importorskip("pyarrow")
     x = pandas.Series([0.1, None, 0.3], index=list("abc"), dtype="float64[pyarrow]")
-    found = contact.tractions(x)[0]
-    assert list(found.index) == list("abc") and found["c"] == contact.tractions(0.3)[0] and found.isna().tolist() == [False, True, False]
+    labelled = contact.tractions(x)[0]
+    assert list(labelled.index) == list("abc") and labelled["c"] == contact.tractions(0.3)[0] and labelled.isna().tolist() == [False, True, False]
 
 
 def test_masked_elements_are_not_looked_at_and_stay_masked(contact):

@@ -139,8 +139,8 @@ def test_a_long_formula_has_the_bits_of_its_points():
     alpha, x = np.linspace(0.1, 2, 9)[:, None, None], np.linspace(-1, 1, 6000)
     for name in ("pressure", "shear"):
         formula = getattr(rwedge, name)
-        given = (alpha, x) if name == "pressure" else (alpha, np.array([[0.2], [0.5]]), x)
-        assert (formula(*given) == formula.ufunc(*given)).all()
+        arguments = (alpha, x) if name == "pressure" else (alpha, np.array([[0.2], [0.5]]), x)
+        assert (formula(*arguments) == formula.ufunc(*arguments)).all()
 
 
 class Pad(rwedge.Contact):

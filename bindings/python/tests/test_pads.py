@@ -20,8 +20,8 @@ def test_the_same_pad_made_in_two_ways():
         for contact in pair:
             contact.apply(300, 10, 0, 0)
             contact.apply(300, 10, 40, 20)
-        one, other = (contact.stresses(np.linspace(-1, 1, 9), 0.1) for contact in pair)
-        np.testing.assert_allclose(one, other, rtol=0, atol=1e-11 * 300)
+        this, other = (contact.stresses(np.linspace(-1, 1, 9), 0.1) for contact in pair)
+        np.testing.assert_allclose(this, other, rtol=0, atol=1e-11 * 300)
 
 
 @pytest.mark.parametrize("contact, shown", [

@@ -57,11 +57,11 @@ def test_a_field_has_the_stress_at_its_lines(ax, contact):
         for segment in segments:
             inner = segment[np.hypot(abs(segment[:, 0]) - contact.half_width, segment[:, 1]) > 0.3 * contact.half_width]
             inner = inner[inner[:, 1] > 0.1 * contact.half_width]
-            found = rwedge.von_mises(*contact.stresses(*inner.T), 0.3) / math.sqrt(3)
-            assert np.all(abs(found - level) < 0.01 * lines.levels[-1])
+            exact = rwedge.von_mises(*contact.stresses(*inner.T), 0.3) / math.sqrt(3)
+            assert np.all(abs(exact - level) < 0.01 * lines.levels[-1])
     assert 5 < len(lines.levels) <= plot.LEVELS and ax.get_title() == r"$\sqrt{J_2}$ in MPa"
     factor = contact.yield_factor(0.3, 1e4)
-    (circle,) = [one for one in ax.lines if one.get_marker() == "o"]
+    (circle,) = [line for line in ax.lines if line.get_marker() == "o"]
     assert circle.get_xdata()[0] == factor.x and circle.get_ydata()[0] == factor.y
 
 

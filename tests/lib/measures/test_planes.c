@@ -196,8 +196,9 @@ CLAIM(the_worst_plane_is_that_of_a_scan)
             }
 }
 
-/* In plane stress, nearly along one direction. All planes of a latitude around it are nearly equally
- * bad, and the search ran out of patience: its values were 8e-8 and 2e-7 of them too small. */
+/* In plane stress, nearly along one direction. All planes of a latitude around it are nearly
+ * equally bad, and the search ran out of patience: its values were 8e-8 and 2e-7 of them too small.
+ */
 CLAIM(the_worst_of_planes_that_are_nearly_as_bad_is_found)
 {
     static const cycle cases[] = {

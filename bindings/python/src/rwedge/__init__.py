@@ -32,14 +32,14 @@ from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
-for _public in (AbsentError, Contact, Cycle, Damage, Error, Loads, PathError, Plane, Series, SlidingError, ValidityWarning, YieldFactor):
-    _public.__module__ = __name__
+_CLASSES = (AbsentError, Contact, Cycle, Damage, Error, Loads, PathError, Plane, Series, SlidingError, ValidityWarning, YieldFactor)
+for _class in _CLASSES:
+    _class.__module__ = __name__
 __version__ = _function("version")().decode()
 
 # All functions of the header that take and give nothing but numbers.
 globals().update({name: _Formula(ufunc) for name, ufunc in _UFUNCS.items()})
-__all__ = ["AbsentError", "Contact", "Cycle", "Damage", "Error", "Loads", "PathError", "Plane", "Series", "SlidingError", "ValidityWarning", "YieldFactor", "stresses",
-           *_UFUNCS, *_made.__all__]
+__all__ = [*(_class.__name__ for _class in _CLASSES), "stresses", *_UFUNCS, *_made.__all__]
 
 _stresses = _Points("stress")
 

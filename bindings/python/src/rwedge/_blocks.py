@@ -23,20 +23,20 @@ def blocks(total: int, first: int) -> Iterator[slice]:
         count = max(1, int(count * min(8, SECONDS / (time.monotonic() - began + 1e-6))))
 
 
-def in_blocks(ufunc: np.ufunc, given: tuple[Any, ...], core: tuple[int, ...]) -> Any:
-    """ufunc(*given) for numbers and plain arrays. core: how many last dimensions of each argument go into one call."""
-    shapes = [np.shape(one)[:np.ndim(one) - own] for one, own in zip(given, core)]
+def in_blocks(ufunc: np.ufunc, arguments: tuple[Any, ...], core: tuple[int, ...]) -> Any:
+    """ufunc(*arguments) for numbers and plain arrays. core: how many last dimensions of each argument go into one call."""
+    shapes = [np.shape(value)[:np.ndim(value) - own] for value, own in zip(arguments, core)]
     shape = np.broadcast_shapes(*shapes)
     size = math.prod(shape)
-    if size <= FEW or len({type(one) for one in given} - {np.ndarray, np.float64, float, int}):
-        return ufunc(*given)
+    if size <= FEW or len({type(value) for value in arguments} - {np.ndarray, np.float64, float, int}):
+        return ufunc(*arguments)
     axis = int(np.argmax(shape))
-    arrays = [np.moveaxis(np.broadcast_to(one, shape + np.shape(one)[np.ndim(one) - own:]), axis, 0) if own_shape else one
-              for one, own, own_shape in zip(given, core, shapes)]
+    arrays = [np.moveaxis(np.broadcast_to(value, shape + np.shape(value)[np.ndim(value) - own:]), axis, 0) if own_shape else value
+              for value, own, own_shape in zip(arguments, core, shapes)]
     results = tuple(np.empty(shape) for _ in range(ufunc.nout))
     views = [np.moveaxis(result, axis, 0) for result in results]
     for part in blocks(shape[axis], FEW * shape[axis] // size):
-        ufunc(*(one[part] if own_shape else one for one, own_shape in zip(arrays, shapes)), out=tuple(v[part] for v in views))
+        ufunc(*(value[part] if own_shape else value for value, own_shape in zip(arrays, shapes)), out=tuple(v[part] for v in views))
     return results if len(results) > 1 else results[0]
 
 

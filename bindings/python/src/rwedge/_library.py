@@ -22,8 +22,8 @@ INT32_MAX = 2**31 - 1
 def _path() -> str:
     """Where the library is: beside this file; or, of an editable install, where the hook of the import finds it."""
     beside = Path(__file__).with_name("_rwedge" + (".dll" if sys.platform == "win32" else ".so"))
-    found = None if beside.exists() else importlib.util.find_spec("._rwedge", __package__)
-    return str(found.origin if found and found.origin else beside)
+    spec = None if beside.exists() else importlib.util.find_spec("._rwedge", __package__)
+    return str(spec.origin if spec and spec.origin else beside)
 
 
 library = ctypes.CDLL(_path())
@@ -113,11 +113,11 @@ ERRORS = {ESLIDING: SlidingError, EABSENT: AbsentError, EPATH: PathError}
 
 def function(name: str) -> Any:
     """The library's rwedge_name(), with its types."""
-    found = getattr(library, "rwedge_" + name)
-    if found.argtypes is None:  # ctypes keeps what it was asked for
-        found.restype = TYPES[FUNCTIONS[name]["result"]]
-        found.argtypes = [TYPES.get(kind, ctypes.c_void_p) for kind, _ in FUNCTIONS[name]["parameters"]]
-    return found
+    called = getattr(library, "rwedge_" + name)
+    if called.argtypes is None:  # ctypes keeps what it was asked for
+        called.restype = TYPES[FUNCTIONS[name]["result"]]
+        called.argtypes = [TYPES.get(kind, ctypes.c_void_p) for kind, _ in FUNCTIONS[name]["parameters"]]
+    return called
 
 
 _strerror = function("strerror")
@@ -141,11 +141,11 @@ def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: s
     outside = {argument: value for argument, value in arguments.items() if argument in bounds and not _is_inside(value, *bounds[argument])}
     if status in (EDOMAIN, ERANGE) and outside:
         arguments = outside
-    given = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
+    told = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
     allowed = "; ".join(f"{argument}: {domains[argument]}" for argument in arguments if argument in domains)
     if status in (EABSENT, EPATH):
         allowed = FUNCTIONS[name]["reasons"].get(status, "")
-    message = ": ".join(filter(None, (given, reason))) + (f" ({allowed})" if allowed else "")
+    message = ": ".join(filter(None, (told, reason))) + (f" ({allowed})" if allowed else "")
     raise ERRORS.get(status, Error)(message, status)
 
 

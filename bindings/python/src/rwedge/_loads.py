@@ -29,9 +29,9 @@ Columns = tuple[NDArray[np.float64], ...]
 History = Union[Mapping[str, Any], SupportsArray, Numbers]
 
 
-def _numbers(name: str, given: Any) -> NDArray[np.float64]:
-    refuse_units(given)
-    array = np.asarray(given).astype(float, casting="safe")
+def _numbers(name: str, column: Any) -> NDArray[np.float64]:
+    refuse_units(column)
+    array = np.asarray(column).astype(float, casting="safe")
     if array.ndim > 1:
         raise Error(f"{name} has the shape {array.shape}: a history has one dimension", ERANGE)
     if np.isnan(array).any():
@@ -59,8 +59,8 @@ def _by_place(loads: Any) -> dict[str, Any]:
 
 def given_columns(loads: History) -> dict[str, NDArray[np.float64]]:
     """The given ones of P, M, Q, sigma, from a mapping or frame with these names, or from rows."""
-    given: dict[str, Any] = _named(loads) if hasattr(loads, "keys") else _by_place(loads)
-    return {name: _numbers(name, values) for name, values in given.items()}
+    by_name: dict[str, Any] = _named(loads) if hasattr(loads, "keys") else _by_place(loads)
+    return {name: _numbers(name, values) for name, values in by_name.items()}
 
 
 def columns(arrays: dict[str, NDArray[np.float64]], present: Loads) -> Columns:

@@ -6,7 +6,7 @@ import importlib
 from typing import Any
 
 
-def need(name: str, what: str) -> Any:
+def need(name: str, user: str) -> Any:
     """The module of that name; or an error that says who needs its package, and how to get it."""
     package = name.partition(".")[0]
     try:
@@ -14,5 +14,5 @@ def need(name: str, what: str) -> Any:
     except ModuleNotFoundError as error:
         if error.name != package:
             raise
-        raise ModuleNotFoundError(f"{what} needs {package}, which is not installed: pip install {package}", name=package) from None
+        raise ModuleNotFoundError(f"{user} needs {package}, which is not installed: pip install {package}", name=package) from None
     return importlib.import_module(name)

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ._blocks import beside
 from ._general import call
-from ._library import EDOMAIN, Error, Handle, check, function, integer, real
 from ._labels import Numbers, aligned
+from ._library import EDOMAIN, Error, Handle, check, function, integer, real
 from ._made import SeriesMethods
 from ._ufuncs import Points
 

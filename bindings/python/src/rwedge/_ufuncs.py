@@ -137,34 +137,34 @@ class Formula:
         self.__signature__ = inspect.Signature([inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD)
                                                 for name in self._names])
 
-    def __call__(self, *given: Any, **options: Any) -> Any:
-        if self._quiet and not options and _are_numbers(map(type, given)):
-            value = self._quiet(*given)
+    def __call__(self, *values: Any, **options: Any) -> Any:
+        if self._quiet and not options and _are_numbers(map(type, values)):
+            value = self._quiet(*values)
             if value == value:
                 return value
-        return self._evaluated(given, options)
+        return self._evaluated(values, options)
 
-    def _evaluated(self, given: tuple[Any, ...], options: dict[str, Any]) -> Any:
+    def _evaluated(self, values: tuple[Any, ...], options: dict[str, Any]) -> Any:
         """The result of the ufunc that says which point was refused."""
         if options:
-            given, options = self._in_order(given, options)
+            values, options = self._in_order(values, options)
         before = _enter(_NOTED)
         try:
-            if np.ndarray in map(type, given) and not options:
-                results = in_blocks(self.ufunc, given, self._core)
+            if np.ndarray in map(type, values) and not options:
+                results = in_blocks(self.ufunc, values, self._core)
             else:
-                results = self.ufunc(*given, **options)
+                results = self.ufunc(*values, **options)
         finally:
             _leave(before)
         if _refused and _refused.pop(threading.get_ident(), False):
-            _tell(self._why(given, results))
+            _tell(self._why(values, results))
         return results
 
-    def _why(self, given: tuple[Any, ...], results: Any) -> str:
+    def _why(self, values: tuple[Any, ...], results: Any) -> str:
         """Which arguments were refused first, and whether it was for want of a closed form."""
         name = self.__name__
         if EPATH in FUNCTIONS[name]["reasons"]:
-            first, *numbers = np.broadcast_arrays(results[0], *given)
+            first, *numbers = np.broadcast_arrays(results[0], *values)
             places = [ctypes.c_double() for _ in results]
             for place in np.argwhere(np.isnan(first)):
                 status = function(name)(*(number[tuple(place)] for number in numbers), *map(ctypes.byref, places))
@@ -174,18 +174,18 @@ class Formula:
                 return f"no closed form encountered in {name}: {FUNCTIONS[name]['reasons'][EPATH]}"
         return f"invalid value encountered in {name}"
 
-    def _in_order(self, given: tuple[Any, ...], options: dict[str, Any]) -> tuple[tuple[Any, ...], dict[str, Any]]:
+    def _in_order(self, values: tuple[Any, ...], options: dict[str, Any]) -> tuple[tuple[Any, ...], dict[str, Any]]:
         """The arguments that were given by name, out of the options and behind the others; those of a cycle with its axis last."""
-        names = self._names[len(given):]
+        names = self._names[len(values):]
         wrong = [name for name in options if name not in names and name not in OPTIONS]
         if wrong or not options.keys() >= set(names):
-            raise TypeError(f"{self.__name__}() takes {', '.join(self._names)}: {len(given)} given by place, and "
+            raise TypeError(f"{self.__name__}() takes {', '.join(self._names)}: {len(values)} given by place, and "
                             f"{', '.join(wrong or options)} by name")
-        given += tuple([options.pop(name) for name in names])
-        if options.keys() == {"axis"} and any(self._core) and all(type(one) is np.ndarray for one, own in zip(given, self._core) if own):
+        values += tuple([options.pop(name) for name in names])
+        if options.keys() == {"axis"} and any(self._core) and all(type(value) is np.ndarray for value, own in zip(values, self._core) if own):
             axis = options.pop("axis")
-            given = tuple(np.moveaxis(one, axis, -1) if own else one for one, own in zip(given, self._core))
-        return given, options
+            values = tuple(np.moveaxis(value, axis, -1) if own else value for value, own in zip(values, self._core))
+        return values, options
 
     def __getattr__(self, name: str) -> Any:
         if name == "ufunc":  # before it has one: while it is copied or unpickled
@@ -210,8 +210,8 @@ class Points:
         self.arguments = [argument for kind, argument in FUNCTIONS[name]["parameters"] if kind in ARGUMENTS]
         self._core = (0,) * len(self.arguments)
 
-    def __call__(self, *given: Any) -> Any:
-        arguments, labelled = aligned(given)
+    def __call__(self, *values: Any) -> Any:
+        arguments, labelled = aligned(values)
         try:
             with np.errstate(invalid="raise"):
                 results = in_blocks(self.ufunc, arguments, self._core)
@@ -226,12 +226,12 @@ class Points:
         with np.errstate(invalid="ignore"):
             results = self.ufunc(*arguments)
         result = results[0] if isinstance(results, tuple) else results
-        given = {argument: np.broadcast_to(value, result.shape) for argument, value in zip(self.arguments, arguments)}
+        broadcast = {argument: np.broadcast_to(value, result.shape) for argument, value in zip(self.arguments, arguments)}
         outside = np.isnan(result)
-        for value in given.values():
+        for value in broadcast.values():
             outside &= ~np.isnan(value)
         index = np.unravel_index(np.argmax(outside), result.shape)
         place = f"[{', '.join(map(str, index))}]" if index else ""
-        values = {argument: float(value[index]) for argument, value in given.items() if argument not in ("contact", "series")}
+        values = {argument: float(value[index]) for argument, value in broadcast.items() if argument not in ("contact", "series")}
         check(self.name, EDOMAIN, values, place)
         raise AssertionError("the ufunc refused what it accepts one by one")

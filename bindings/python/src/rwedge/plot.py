@@ -39,7 +39,7 @@ def _axes(ax: Any) -> Any:
 
 def _style(ax: Any, line: dict[str, Any]) -> dict[str, Any]:
     """The style of the next curve of a family, with the settings of the caller."""
-    number = sum(one.get_gid() == "rwedge" for one in ax.lines)
+    number = sum(drawn.get_gid() == "rwedge" for drawn in ax.lines)
     own = {"color": COLOURS[number % len(COLOURS)], "linestyle": DASHES[number % len(DASHES)], "linewidth": WIDTH}
     short = {"c": "color", "ls": "linestyle", "lw": "linewidth"}
     return {**own, **{short.get(name, name): value for name, value in line.items()}, "gid": "rwedge"}

@@ -308,17 +308,9 @@ static bool minds_null(const entry *e, const places *p)
 const char *complaint_about_null(const public_call *call, const double v[])
 {
     const entry *e = call->entry;
-    enum { DRAWS = 20 };
-    double out[CALL_OUTPUTS], inside[CALL_ARGUMENTS];
-    uint64_t seed = 1;
+    double out[CALL_OUTPUTS];
     int32_t status;
-    const char *complaint = complaint_of(call, v, out, &status);
-    for (int i = 0; i < DRAWS && complaint == NULL && status != RWEDGE_OK; i++) {
-        draw_inside(call, &seed, inside);
-        v = inside;
-        complaint = complaint_of(call, v, out, &status);
-    }
-    if (complaint != NULL || status != RWEDGE_OK)
+    if (complaint_of(call, v, out, &status) != NULL || status != RWEDGE_OK)
         return NULL;
     places all, p;
     take_places(e, v, out, &all);

@@ -129,8 +129,6 @@ bool results_include(results_wanted wanted, int result)
     return wanted.edges || result < RESULT_LEFT || result > RESULT_TILT;
 }
 
-static const double SQRT_3 = 1.7320508075688772;
-
 static void geometry(const contact_case *setup, double b, cell row[])
 {
     const pad *shape = &setup->shape;

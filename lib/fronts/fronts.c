@@ -10,7 +10,7 @@
 enum { GAP_POINTS = 40, GAP_TERMS = 48 };
 
 /* An edge that moves by less than this part of the half-width has the same D before and after. */
-static const double LEAST_GROWTH = 1e-4;
+static const double LEAST_GROWTH = 1e-6;
 
 /* The layers that have a given D at the edges that stick: D after the step is an unknown of
  * Newton's method; D before it is `ratio`, where that is known. There are as many layers as

@@ -113,12 +113,12 @@ static bool is_at_front(const fronts *f, rw_patch contact, double x)
 static bool is_honest(const rwedge_contact *contact, const rwedge_contact *better,
                       const fronts *seen, double f, long history)
 {
-    const shears one = shears_of(contact), other = shears_of(better);
+    const shears coarse = shears_of(contact), fine = shears_of(better);
     double error = 0;
     for (int i = 0; i < POINTS; i++)
-        if (!is_at_front(seen, one.contact, one.x[i]))
-            error = fmax(error, fabs(one.q[i] - other.q[i]));
-    error /= f * one.peak;
+        if (!is_at_front(seen, coarse.contact, coarse.x[i]))
+            error = fmax(error, fabs(coarse.q[i] - fine.q[i]));
+    error /= f * coarse.peak;
     const double told = rwedge_contact_error(contact), own = rwedge_contact_error(better);
     const bool holds =
         told >= error - own - 1e-12 && told <= 30 * fmax(error + own, TOLERANCE / 10);

@@ -27,36 +27,36 @@ static void lag(rwedge_contact *contact)
     assert_true(rwedge_contact_error(contact) < 1e-2);
 }
 
-static void assert_same(rwedge_contact *one, rwedge_contact *other, double tolerance)
+static void assert_same(rwedge_contact *wedge, rwedge_contact *pad, double tolerance)
 {
-    const rw_patch edges = edges_of(one);
-    const double peak = fabs(pressure(one, edges.left / 2 + edges.right / 2));
+    const rw_patch edges = edges_of(wedge);
+    const double peak = fabs(pressure(wedge, edges.left / 2 + edges.right / 2));
     for (int i = 1; i < 40; i++) {
         const double x = edges.left + (edges.right - edges.left) * (i + 0.01) / 40;
-        assert_within(shear(one, x), shear(other, x), tolerance * peak);
-        assert_within(slip(one, x), slip(other, x), tolerance * THETA);
+        assert_within(shear(wedge, x), shear(pad, x), tolerance * peak);
+        assert_within(slip(wedge, x), slip(pad, x), tolerance * THETA);
     }
-    assert_close(rwedge_contact_dissipated_energy(one), rwedge_contact_dissipated_energy(other),
+    assert_close(rwedge_contact_dissipated_energy(wedge), rwedge_contact_dissipated_energy(pad),
                  tolerance);
-    assert_int_equal(rwedge_contact_zone_count(one), rwedge_contact_zone_count(other));
+    assert_int_equal(rwedge_contact_zone_count(wedge), rwedge_contact_zone_count(pad));
 }
 
 CLAIM(the_rounded_wedge_is_computed_as_a_profile)
 {
     const double x[] = {-0.4, 0.1, 0.4}, slope[] = {-THETA, THETA / 4, THETA};
-    rwedge_contact *wedge = allowing(create(0.4, F), 1e-4), *other = profile(3, x, slope);
+    rwedge_contact *wedge = allowing(create(0.4, F), 1e-4), *pad = profile(3, x, slope);
     lag(wedge);
-    lag(other);
-    assert_same(wedge, other, 1e-7);
+    lag(pad);
+    assert_same(wedge, pad, 1e-7);
 }
 
 CLAIM(the_sharp_wedge_is_computed_as_a_kink)
 {
     const double x[] = {0, 0}, slope[] = {-THETA, THETA};
-    rwedge_contact *wedge = allowing(create(0, F), 1e-4), *other = profile(2, x, slope);
+    rwedge_contact *wedge = allowing(create(0, F), 1e-4), *pad = profile(2, x, slope);
     lag(wedge);
-    lag(other);
-    assert_same(wedge, other, 1e-7);
+    lag(pad);
+    assert_same(wedge, pad, 1e-7);
 }
 
 CLAIM(a_mirrored_pad_has_the_mirror_image)
@@ -67,15 +67,15 @@ CLAIM(a_mirrored_pad_has_the_mirror_image)
         back[i] = -x[4 - i];
         falling[i] = -slope[4 - i];
     }
-    rwedge_contact *one = profile(5, x, slope), *other = profile(5, back, falling);
+    rwedge_contact *pad = profile(5, x, slope), *mirrored = profile(5, back, falling);
     const double loads[][4] = {
         {0.1, 0, 0, 0}, {0.1, 0, 0.01, 0.06}, {0.1, 0, 0.04, 0.02}, {0.09, 0.01, 0.02, -0.04}};
     for (int i = 0; i < 4; i++) { /* seen in a mirror, Q turns and the tension does not */
-        apply(one, loads[i][0], loads[i][1], loads[i][2], loads[i][3]);
-        apply(other, loads[i][0], -loads[i][1], -loads[i][2], loads[i][3]);
+        apply(pad, loads[i][0], loads[i][1], loads[i][2], loads[i][3]);
+        apply(mirrored, loads[i][0], -loads[i][1], -loads[i][2], loads[i][3]);
     }
-    assert_true(rwedge_contact_error(one) > 0 && rwedge_contact_error(one) < 1e-2);
-    const double limit = 2e-4 * F * fabs(pressure(one, 0.1));
+    assert_true(rwedge_contact_error(pad) > 0 && rwedge_contact_error(pad) < 1e-2);
+    const double limit = 2e-4 * F * fabs(pressure(pad, 0.1));
     for (int i = -9; i <= 9; i++)
-        assert_within(shear(one, i / 10.0), -shear(other, -i / 10.0), limit);
+        assert_within(shear(pad, i / 10.0), -shear(mirrored, -i / 10.0), limit);
 }

@@ -65,23 +65,23 @@ static const double STEPS[][4] = {{0.2, 0.03, 0, 0},         {0.2, 0.03, 0.06, 0
                                   {0.3, 0.045, 0.01, 0},     {0.3, 0.045, 0.09, 0.02}};
 enum { COUNT = sizeof STEPS / sizeof *STEPS };
 
-static void assert_same(const rwedge_contact *one, const rwedge_contact *other)
+static void assert_same(const rwedge_contact *first, const rwedge_contact *second)
 {
-    const rw_patch edge = edges_of(one), stuck = stick_zone_of(one);
+    const rw_patch edge = edges_of(first), stuck = stick_zone_of(first);
     double k[2][4];
-    assert_within(edges_of(other).left, edge.left, 1e-15);
-    assert_within(edges_of(other).right, edge.right, 1e-15);
-    assert_within(stick_zone_of(other).left, stuck.left, 2e-15);
-    assert_within(stick_zone_of(other).right, stuck.right, 2e-15);
-    assert_close(rwedge_contact_tilt(other), rwedge_contact_tilt(one), 1e-13);
+    assert_within(edges_of(second).left, edge.left, 1e-15);
+    assert_within(edges_of(second).right, edge.right, 1e-15);
+    assert_within(stick_zone_of(second).left, stuck.left, 2e-15);
+    assert_within(stick_zone_of(second).right, stuck.right, 2e-15);
+    assert_close(rwedge_contact_tilt(second), rwedge_contact_tilt(first), 1e-13);
     for (int i = 0; i < 2; i++)
-        assert_ok(rwedge_contact_edge_asymptotes(i ? other : one, &k[i][0], &k[i][1], &k[i][2],
+        assert_ok(rwedge_contact_edge_asymptotes(i ? second : first, &k[i][0], &k[i][1], &k[i][2],
                                                  &k[i][3]));
     for (int i = 0; i < 4; i++)
         assert_close(k[1][i], k[0][i], 1e-13);
     for (double x = -2; x < 2; x += 0.17) {
         const double y = fabs(x) < 0.5 ? 0 : 0.1;
-        const stresses s = stress_at(one, x, y), t = stress_at(other, x, y);
+        const stresses s = stress_at(first, x, y), t = stress_at(second, x, y);
         const double norm = fmax(fabs(s.xx) + fabs(s.yy) + fabs(s.xy), THETA / A / (1 + fabs(x)));
         assert_within(apart(s, t), 0, 3e-14 * norm);
     }
@@ -226,23 +226,23 @@ CLAIM(a_mirrored_profile_mirrors_everything)
         x[i] = -WORN_X[4 - i];
         slope[i] = -WORN[4 - i];
     }
-    rwedge_contact *one = profile(5, WORN_X, WORN), *other = profile(5, x, slope);
+    rwedge_contact *pad = profile(5, WORN_X, WORN), *reflected = profile(5, x, slope);
     const double far[] = {0.2, 0.3, 0, 0};
     for (int i = 0; i < 5; i++) {
         const double *to = i < 4 ? STEPS[i] : far;
         if (i == 4) {
-            load(one, 0, 0);
-            load(other, 0, 0);
+            load(pad, 0, 0);
+            load(reflected, 0, 0);
         }
-        apply(one, to[0], to[1], to[2], to[3] / 10);
-        apply(other, to[0], -to[1], -to[2], to[3] / 10);
-        const rw_patch edge = edges_of(one), mirrored = edges_of(other);
+        apply(pad, to[0], to[1], to[2], to[3] / 10);
+        apply(reflected, to[0], -to[1], -to[2], to[3] / 10);
+        const rw_patch edge = edges_of(pad), mirrored = edges_of(reflected);
         assert_within(edge.left, -mirrored.right, 1e-14);
         assert_within(edge.right, -mirrored.left, 1e-14);
-        assert_within(stick_zone_of(one).left, -stick_zone_of(other).right, 1e-12);
-        assert_close(rwedge_contact_tilt(one), -rwedge_contact_tilt(other), 1e-12);
+        assert_within(stick_zone_of(pad).left, -stick_zone_of(reflected).right, 1e-12);
+        assert_close(rwedge_contact_tilt(pad), -rwedge_contact_tilt(reflected), 1e-12);
         for (double at = -1.5; at < 1.5; at += 0.21) {
-            const stresses s = stress_at(one, at, 0.03), t = stress_at(other, -at, 0.03);
+            const stresses s = stress_at(pad, at, 0.03), t = stress_at(reflected, -at, 0.03);
             assert_within(s.xx, t.xx, 1e-12);
             assert_within(s.xy, -t.xy, 1e-12);
         }

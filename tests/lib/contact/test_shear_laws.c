@@ -87,9 +87,9 @@ static double slips(const rwedge_contact *contact, double x)
 }
 
 /* What was in contact before a load and after it. */
-static rw_patch common(const rwedge_contact *one, const rwedge_contact *other)
+static rw_patch common(const rwedge_contact *before, const rwedge_contact *after)
 {
-    const rw_patch a = edges_of(one), b = edges_of(other);
+    const rw_patch a = edges_of(before), b = edges_of(after);
     return (rw_patch){fmax(a.left, b.left), fmin(a.right, b.right)};
 }
 

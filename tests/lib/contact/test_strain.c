@@ -35,11 +35,11 @@ CLAIM(strain_takes_the_place_of_tension)
     assert_close(rwedge_contact_largest_tension_step(unlike, 0.2), most / 2, 1e-15);
     apply(like, 1, 0.1, 0.2, 0.02 + 0.9 * most);
     apply(unlike, 1, 0.1, 0.2, 0.01 + 0.45 * most);
-    const rw_patch one = stick_zone_of(like), other = stick_zone_of(unlike);
-    assert_close(one.left, other.left, 1e-14);
-    assert_close(one.right, other.right, 1e-14);
+    const rw_patch stuck = stick_zone_of(like), stuck_unlike = stick_zone_of(unlike);
+    assert_close(stuck.left, stuck_unlike.left, 1e-14);
+    assert_close(stuck.right, stuck_unlike.right, 1e-14);
     double p, of_like[4], of_unlike[4];
-    const double x = one.right / 2;
+    const double x = stuck.right / 2;
     assert_ok(rwedge_contact_tractions(like, 1, &x, &p, &of_like[0]));
     assert_ok(rwedge_contact_tractions(unlike, 1, &x, &p, &of_unlike[0]));
     assert_close(of_unlike[0], of_like[0], 1e-13);

@@ -139,12 +139,12 @@ CLAIM(recession_is_refused_where_it_passes_a_patch_at_one_edge)
     apply(contact, 0.2, 0.03, 0.04, 0.01);
 }
 
-static void assert_same_state(const rwedge_contact *one, const rwedge_contact *other)
+static void assert_same_state(const rwedge_contact *first, const rwedge_contact *second)
 {
-    assert_within(edges_of(one).left, edges_of(other).left, 1e-14);
-    assert_within(stick_zone_of(one).left, stick_zone_of(other).left, 1e-14);
-    assert_within(stick_zone_of(one).right, stick_zone_of(other).right, 1e-14);
-    assert_int_equal(one->memory.count, other->memory.count);
+    assert_within(edges_of(first).left, edges_of(second).left, 1e-14);
+    assert_within(stick_zone_of(first).left, stick_zone_of(second).left, 1e-14);
+    assert_within(stick_zone_of(first).right, stick_zone_of(second).right, 1e-14);
+    assert_int_equal(first->memory.count, second->memory.count);
 }
 
 /* What recedes without slip to a patch of the history, and goes on, may do so in one step. */
@@ -153,15 +153,15 @@ CLAIM(recession_passes_a_patch_at_both_edges_at_once)
     static const double moments[] = {0, 0.2}, ends[] = {0.45, 0.3};
     for (int i = 0; i < 4; i++) {
         const double arm = moments[i / 2], P = ends[i % 2], Q = 0.1;
-        rwedge_contact *one = create(0.4, F);
-        apply(one, 0.5, 0.5 * arm, 0, 0);
-        apply(one, 0.5, 0.5 * arm, Q, 0.01);
-        apply(one, 0.6, 0.6 * arm, Q, 0.01);
-        rwedge_contact *two = copy_of(one);
-        apply(one, P, P * arm, Q, 0.01);
-        apply(two, 0.5, 0.5 * arm, Q, 0.01);
-        apply(two, P, P * arm, Q, 0.01);
-        assert_same_state(one, two);
+        rwedge_contact *direct = create(0.4, F);
+        apply(direct, 0.5, 0.5 * arm, 0, 0);
+        apply(direct, 0.5, 0.5 * arm, Q, 0.01);
+        apply(direct, 0.6, 0.6 * arm, Q, 0.01);
+        rwedge_contact *detour = copy_of(direct);
+        apply(direct, P, P * arm, Q, 0.01);
+        apply(detour, 0.5, 0.5 * arm, Q, 0.01);
+        apply(detour, P, P * arm, Q, 0.01);
+        assert_same_state(direct, detour);
     }
 }
 

@@ -61,9 +61,9 @@ CLAIM(a_batch_has_the_bits_of_its_points)
             rw_fields fields;
             rw_eccentric_fields(&potential, n, x, y, &fields);
             for (int k = 0; k < n; k++) {
-                const rw_field one = rw_eccentric_at(&potential, x[k], y[k]),
+                const rw_field alone = rw_eccentric_at(&potential, x[k], y[k]),
                                of_batch = rw_field_in(&fields, k);
-                assert_memory_equal(&one, &of_batch, sizeof one);
+                assert_memory_equal(&alone, &of_batch, sizeof alone);
             }
         }
     }
@@ -76,8 +76,8 @@ CLAIM(a_centred_patch_has_the_bits_of_the_contact)
     rw_eccentric_init_arc(&patch, rw_rounding(0.3), (rw_patch){-1.1, 1.1});
     rw_potential_init_patch(&contact, 0.3, 1.1);
     for (double x = -3; x < 3; x += 0.17) {
-        const rw_field one = rw_eccentric_at(&patch, x, 0.4),
-                       other = rw_potential_at(&contact, x, 0.4);
-        assert_memory_equal(&one, &other, sizeof one);
+        const rw_field of_patch = rw_eccentric_at(&patch, x, 0.4),
+                       of_contact = rw_potential_at(&contact, x, 0.4);
+        assert_memory_equal(&of_patch, &of_contact, sizeof of_patch);
     }
 }

@@ -55,9 +55,9 @@ CLAIM(the_displacement_of_hertz_is_a_parabola)
 
 static rw_complex root(double x, double y)
 {
-    const rw_complex one = rw_complex_root((rw_complex){x - 1, y}),
-                     other = rw_complex_root((rw_complex){x + 1, y});
-    return rw_product(one, other);
+    const rw_complex right = rw_complex_root((rw_complex){x - 1, y}),
+                     left = rw_complex_root((rw_complex){x + 1, y});
+    return rw_product(right, left);
 }
 
 CLAIM(the_field_of_hertz_is_its_potential)

@@ -39,10 +39,11 @@ static size_t breaks_of(const rw_frame *frame, const rw_numerical_state *s, doub
 /* The tolerance of the fit of the slip, over that of the tractions. */
 static const double FIT = 0.03;
 
+/* Over what friction and what the stretch moves. */
 static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
 {
-    return FIT * frame->tolerance * rw_peak_friction(frame, s->contact) *
-           rw_patch_half_width(s->contact);
+    return FIT * frame->tolerance * rw_patch_half_width(s->contact) *
+           fmax(rw_peak_friction(frame, s->contact), fabs(s->at.stretch));
 }
 
 bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *now,

@@ -49,8 +49,8 @@ echo "the example prints what it does in C; $(tail -n 1 example.txt)"
 
 # where equality is asserted, it is meant
 # shellcheck disable=SC2086
-gfortran $strict -g -O1 -fopenmp -fsanitize=address -c "$prefix/include/rwedge.f90"
-fortran test_module -g -O1 -fopenmp -fsanitize=address -Wno-compare-reals
+gfortran $strict -g -fopenmp -fsanitize=address -c "$prefix/include/rwedge.f90"
+fortran test_module -g -fopenmp -fsanitize=address -Wno-compare-reals
 ./test_module
 ASAN_OPTIONS=detect_leaks=0 ./test_module threads
 if ./test_module stop 2>stopped.txt; then

@@ -48,6 +48,8 @@ class Domain:
         size = " ".join(words).replace("e+", "e").replace(" ,", ",")
         own = [c for c in self.conditions if c != "finite" and not re.fullmatch(r"(\w+ )?>=? 0|0, or at least \S+", c)]
         both = [size] + own if math.isinf(self.high) else own + [size]
+        if len(own) == 1 and (match := re.fullmatch(r"0 <= \w+ <= (\S+)", own[0])):
+            both = [f"0, or {SMALLEST:g} to {match[1]}"]
         return dataclasses.replace(self, conditions=both, low=max(self.low, -LARGEST), high=min(self.high, LARGEST), smallest=SMALLEST)
 
 

@@ -449,8 +449,8 @@ static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
     }
     const int count = call->makes_object ? 1 : call->results;
     if (nrhs != call->arguments || (nlhs != count && !(nlhs == 0 && count == 1)))
-        fail("arguments", "rwedge_%s takes %d and gives %d: not %d and %d", call->name,
-             call->arguments, count, nrhs, nlhs);
+        fail("arguments", "rwedge_%s takes %d argument(s) and gives %d result(s), not %d and %d",
+             call->name, call->arguments, count, nrhs, nlhs);
     if (call->text)
         plhs[0] = call_text(call, object, prhs);
     else if (call->makes_object || (call->sizes > 0 && !call->pointwise))

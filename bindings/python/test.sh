@@ -13,42 +13,19 @@ build=$(cd "$1" && pwd)
 shift
 [ $long = yes ] || set -- -m 'not long' "$@"
 folder=$build/python
-export PYTHONPYCACHEPREFIX="$folder/pycache" PIP_DISABLE_PIP_VERSION_CHECK=1
 export MPLCONFIGDIR="$folder/matplotlib" MYPY_CACHE_DIR="$folder/mypy"
 
-skip()
-{
-    echo "SKIPPED: $*"
-    exit 77
-}
-
-command -v python3 >/dev/null 2>&1 || skip "no python3"
 # versions and checksums; bindings/python/README.md says how they are renewed
 locked=$source/tests/packages
-wanted="$(python3 --version) $(cksum <"$locked/everyday.txt")"
-
-# fetch LOCK PIP-ARGUMENTS... - from PyPI, with a second try for a bad line. It compiles nothing: little of it is ever imported.
-fetch()
-{
-    lock=$locked/$1.txt
-    shift
-    for try in first second; do
-        "$folder/venv/bin/pip" install --quiet --no-compile --require-hashes -r "$lock" "$@" >"$folder/pip.log" 2>&1 && return
-    done
-    skip "pip cannot fetch what $lock names, at the $try try: $(tail -n 1 "$folder/pip.log")"
-}
-
-mkdir -p "$folder"
-if [ "$(cat "$folder/fetched" 2>/dev/null)" != "$wanted" ]; then
-    rm -rf "$folder/venv" "$folder/older"
-    python3 -m venv "$folder/venv" >"$folder/pip.log" 2>&1 || skip "python3 -m venv fails (Debian: python3-venv)"
-    fetch everyday
-    echo "$wanted" >"$folder/fetched"
+. "$source/../../tests/support/venv.sh"
+venv "$locked/everyday.txt" "$folder/venv"
+if [ $long = yes ]; then
+    fetch "$locked/long.txt" "$folder/venv"
+    fetch "$locked/gradients.txt" "$folder/venv"
 fi
-[ $long = no ] || { fetch long && fetch gradients; } # nothing is fetched twice
 
 sh "$source/../../tests/answers/answers.sh" "$build"
-SKBUILD_BUILD_DIR=$folder/package "$folder/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index \
+SKBUILD_BUILD_DIR=$folder/package pip_in "$folder/venv" install --quiet --no-build-isolation --no-deps --no-index \
     --force-reinstall --config-settings=cmake.define.RWEDGE_INSTALLED="$build/private/prefix" "$source"
 
 # pytest_of TESTS...
@@ -60,7 +37,7 @@ pytest_of()
 }
 
 cd "$folder"
-export PATH="$folder/venv/bin:$PATH"
+export PATH="$folder/venv/bin:$PATH" PYTHONPYCACHEPREFIX="$folder/pycache"
 pytest_of "$source/tests" "$@"
 
 [ $long = yes ] || exit 0
@@ -68,7 +45,7 @@ command -v ccx >/dev/null 2>&1 || echo "SKIPPED: ccx is not installed: examples/
 
 # An editable install is found.
 rm -rf editable
-SKBUILD_BUILD_DIR=$folder/package pip install --quiet --no-build-isolation --no-deps --no-index --ignore-installed \
+SKBUILD_BUILD_DIR=$folder/package pip_in "$folder/venv" install --quiet --no-build-isolation --no-deps --no-index --ignore-installed \
     --prefix "$folder/editable" -e "$source"
 python -B -c "
 import glob, site, sys
@@ -83,10 +60,11 @@ mkdir sdist
 (cd "$source" && python -c "from scikit_build_core.build import build_sdist; build_sdist('$folder/sdist')" >/dev/null)
 rm -r "$source/library" # what went into it
 tar -xzf sdist/*.tar.gz -C sdist --strip-components=1
-SKBUILD_BUILD_DIR=$folder/package_sdist pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
+SKBUILD_BUILD_DIR=$folder/package_sdist pip_in "$folder/venv" install --quiet --no-build-isolation --no-deps --no-index --force-reinstall ./sdist
 (source=$folder/sdist && pytest_of "$folder/sdist/tests" -k "not sweep and not finite_elements and not as_fast" "$@")
 
-[ -d "$folder/older/numpy" ] || fetch older --target "$folder/older"
-export PYTHONPATH="$folder/older"
+older=$folder/venv/older
+[ -d "$older/numpy" ] || fetch "$locked/older.txt" "$folder/venv" --target "$older"
+export PYTHONPATH="$older"
 pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_cycle.py" \
     "$source/tests/test_series.py" -m 'not long' "$@"

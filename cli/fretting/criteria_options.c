@@ -4,7 +4,6 @@
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -49,8 +48,7 @@ static double read_constant(const arguments *line, int number, double least)
 {
     const char *text = line->value[number];
     double value = NAN;
-    if (text != NULL && !(number_read(text, &value) && value >= least && value <= 1e60 &&
-                          (value == 0 || value >= 1e-60)))
+    if (text != NULL && !(number_read(text, &value) && value >= least && number_is_size(value)))
         usage_error("--%s %s: must be a number%s 1e-60 to 1e60", name_of(number), text,
                     least > 0 ? "" : ", 0 or");
     return value;

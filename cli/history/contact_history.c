@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "history.h"
 
-#include <inttypes.h>
 #include <math.h>
 
 struct poptOption history_option_table[] = {

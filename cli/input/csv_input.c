@@ -3,8 +3,6 @@
  * for whatever it is given. So it is given a line at a time, until one ends a row. */
 #include "input.h"
 
-#include "text/text.h"
-
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -3,7 +3,6 @@
 #define CLI_INPUT_H
 
 #include "model/reading/reading.h"
-#include "text/text.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model.h"
 
-#include "text/text.h"
-#include "number/number.h"
-
 #include <math.h>
-#include <stdio.h>
 
-static const double RADIANS_PER_DEGREE = 0.017453292519943295, SQRT_3 = 1.7320508075688772;
+static const double RADIANS_PER_DEGREE = 0.017453292519943295;
 
 /* Two ways to give the same; the second is -1 where there is one way only. */
 typedef struct {

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model.h"
 
-#include "text/text.h"
-#include "number/number.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -122,7 +119,7 @@ static bool is_in(double value, const input_kind *kind)
 static bool has_possible_size(int input, double value)
 {
     const bool without_size = input == INPUT_NU1 || input == INPUT_NU2;
-    return without_size || value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
+    return without_size || number_is_size(value);
 }
 
 static bool read_profile(const input_texts *texts, double *value, char complaint[COMPLAINT_SIZE])

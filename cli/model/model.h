@@ -219,8 +219,8 @@ void yield_place_settle(double *x, double *y);
 /* The tensor where the stress is infinite: all NAN. */
 tensor tensor_unknown(void);
 
-/* C99 does not name it. */
-static const double PI = 3.14159265358979323846;
+/* C99 does not name them. */
+static const double PI = 3.14159265358979323846, SQRT_3 = 1.7320508075688772;
 
 /* An angle of the library, in degrees. */
 double degrees(double angle);

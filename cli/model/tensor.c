@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model.h"
 
-#include "number/number.h"
-
 #include <math.h>
 
 const column_kind tensor_kinds[TENSOR_COUNT] = {

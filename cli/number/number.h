@@ -35,6 +35,12 @@ int number_read_list(const char *text, size_t length, char separator, int most, 
 /* Reads a whole number without a sign, lo to hi. */
 bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value);
 
+/* Whether a number is in the library's domain of all that has a size. */
+static inline bool number_is_size(double value)
+{
+    return value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
+}
+
 enum { NUMBER_SIZE = 32, NUMBER_DIGITS = 17 };
 
 /* Writes a finite number with so many significant digits, 1 to 17. 17 promises that it reads

@@ -16,12 +16,6 @@ static const char impossible[] = "must be 0, or 1e-60 to 1e60 in magnitude";
 
 enum { START, STOP, STEP };
 
-/* Whether a value is in the library's domain of everything that has a size. */
-static bool is_possible(double value)
-{
-    return value == 0 || (fabs(value) >= 1e-60 && fabs(value) <= 1e60);
-}
-
 /* The decimals that were meant: 0.1 + 2 * 0.1 is not 0.3 in doubles, but 3/10 is. A sum of numbers
  * below this many units of the last decimal place errs by less than half a unit. */
 static const double UNITS_MAX = 1e15;
@@ -64,7 +58,7 @@ static const char *read_steps(const char *text, range *values)
         return zero_step;
     if ((stop > start && step < 0) || (stop < start && step > 0))
         return wrong_sign;
-    if (!is_possible(start) || !is_possible(stop))
+    if (!number_is_size(start) || !number_is_size(stop))
         return impossible;
     values->first = start;
     values->step = step;
@@ -90,7 +84,7 @@ static const char *read_list(const char *text, range *values)
         const size_t length = number_length(text);
         if (!number_read_part(text, length, &values->items[values->count]))
             return not_a_range;
-        if (!is_possible(values->items[values->count]))
+        if (!number_is_size(values->items[values->count]))
             return impossible;
         values->count++;
         text += length;

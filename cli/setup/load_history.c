@@ -2,7 +2,6 @@
 #include "setup.h"
 
 #include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct poptOption load_option_table[] = {

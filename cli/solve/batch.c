@@ -4,7 +4,6 @@
 #include "setup/setup.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

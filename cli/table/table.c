@@ -4,8 +4,6 @@
 
 #include "text/text.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <rwedge.h>

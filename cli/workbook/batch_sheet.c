@@ -4,8 +4,6 @@
 #include "workbook.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { HEADER_ROW, FIRST_ROW, CASE_COLUMN = 0, CELLS_COLUMN };
 

@@ -2,7 +2,6 @@
 #include "workbook.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <rwedge.h>

@@ -3,7 +3,6 @@
 #include "workbook.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { LABEL, NAME, VALUE, UNIT, HINT, SKETCH };

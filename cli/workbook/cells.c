@@ -30,13 +30,14 @@ formula_template formula_templates[TEMPLATES_MAX];
 void cells_read(void)
 {
     const char *const *next = cells_lines, *line, *f[10];
-    for (case_cell_count = 0; (line = workbook_line(&next)) != NULL; case_cell_count++) {
+    for (case_cell_count = 0; case_cell_count < CELLS_MAX && (line = workbook_line(&next)) != NULL;
+         case_cell_count++) {
         split(line, 10, f);
         case_cells[case_cell_count] =
             (case_cell){f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9]};
     }
     next = templates_lines;
-    for (int i = 0; (line = workbook_line(&next)) != NULL; i++) {
+    for (int i = 0; i < TEMPLATES_MAX - 1 && (line = workbook_line(&next)) != NULL; i++) {
         split(line, 2, f);
         formula_templates[i] = (formula_template){f[0], f[1]};
     }

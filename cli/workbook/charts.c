@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "workbook.h"
 
-#include <stdio.h>
-#include <string.h>
-
 enum { FIGURE_WIDTH = 400, FAMILY = 10 };
 
 /* A column of a sheet, "='Working'!$A$1:$A$9". */

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "workbook.h"
 
-#include "rows/rows.h"
-
 #include "input/input.h"
 #include "table/table.h"
 

@@ -6,7 +6,6 @@
 #include "table/table.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include <rwedge.h>
 

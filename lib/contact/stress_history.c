@@ -7,7 +7,6 @@
 #include "stress/stress.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 typedef struct {
     rw_patch patch;

@@ -4,8 +4,6 @@
 #include "base/domain.h"
 #include "potential/pad_potential.h"
 
-#include <string.h>
-
 /* Edges that differ by less than this, over the width, count as one place. */
 static const double SAME_EDGE = 1e-12;
 

@@ -183,7 +183,7 @@ static bool settle(search *w, const rw_psi_arc *arc, size_t n, const candidates 
     return true;
 }
 
-rw_psi_arc rw_half_of_arc(const rw_psi_arc *arc, bool is_forward)
+static rw_psi_arc half_of(const rw_psi_arc *arc, bool is_forward)
 {
     const double tangent = rw_half_tangent(arc->tangent);
     return (rw_psi_arc){rw_turned_by(arc->psi, is_forward ? tangent : -tangent), arc->half / 2,
@@ -203,46 +203,74 @@ static void explore(search *w, const rw_psi_arc *arc, size_t n)
     if (settle(w, arc, kept, &some))
         return;
     const bool is_forward = severity[0] > severity[1];
-    const rw_psi_arc first = rw_half_of_arc(arc, is_forward),
-                     second = rw_half_of_arc(arc, !is_forward);
+    const rw_psi_arc first = half_of(arc, is_forward), second = half_of(arc, !is_forward);
     explore(w, &first, kept);
     explore(w, &second, kept);
 }
 
 /* ---- The equator ---- */
 
+enum { ARCS = 8 };
+
 #define DIAGONAL 0.70710678118654752
-static const rw_direction CENTRES[RW_ARCS] = {
+static const rw_direction CENTRES[ARCS] = {
     {1, 0},  {DIAGONAL, DIAGONAL},   {0, 1},  {-DIAGONAL, DIAGONAL},
     {-1, 0}, {-DIAGONAL, -DIAGONAL}, {0, -1}, {DIAGONAL, -DIAGONAL}};
 static const double TANGENT = 0.19891236737965801; /* of pi/16 */
 
-rw_psi_arc rw_equator_arc(int k)
+static rw_psi_arc eighth(int k)
 {
-    return (rw_psi_arc){CENTRES[k], RW_PI / RW_ARCS, TANGENT};
+    return (rw_psi_arc){CENTRES[k], RW_PI / ARCS, TANGENT};
+}
+
+/* A product of strain and stress has a search of its own. */
+static void search_products(search *w)
+{
+    const rw_plane_cycle *cycle = w->cycle;
+    const rw_stress_cycle waves = {.loads = cycle->loads,
+                                   .stride = 1,
+                                   .sxx = cycle->sxx,
+                                   .syy = cycle->syy,
+                                   .txy = cycle->txy,
+                                   .gain = w->severity->gain,
+                                   .mean = 1 + w->severity->shift,
+                                   .normal = 1};
+    rw_psi_arc at = {{1, 0}, 0, 0};
+    view v;
+    rw_plane_search(&waves, &at.psi);
+    look(w, &at, cycle->loads, &v);
+    record(w, &at, &v);
+}
+
+static void search_others(search *w)
+{
+    double bound[ARCS], unused[ENDS];
+    for (int k = 0; k < ARCS; k++) {
+        const rw_psi_arc arc = eighth(k);
+        view v;
+        look(w, &arc, w->cycle->loads, &v);
+        record(w, &arc, &v);
+        bound[k] = bound_of(w->severity, &v, unused);
+    }
+    for (int turn = 0; turn < ARCS; turn++) {
+        int worst = 0;
+        for (int k = 1; k < ARCS; k++)
+            if (bound[k] > bound[worst])
+                worst = k;
+        bound[worst] = -DBL_MAX;
+        const rw_psi_arc arc = eighth(worst);
+        explore(w, &arc, w->cycle->loads);
+    }
 }
 
 void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, double noise,
                        rw_worst_plane *best, rw_direction *psi)
 {
     search w = {cycle, severity, noise, best, psi};
-    double bound[RW_ARCS], unused[ENDS];
-    for (int k = 0; k < RW_ARCS; k++) {
-        const rw_psi_arc arc = rw_equator_arc(k);
-        view v;
-        look(&w, &arc, cycle->loads, &v);
-        record(&w, &arc, &v);
-        bound[k] = bound_of(severity, &v, unused);
-    }
-    for (int turn = 0; turn < RW_ARCS; turn++) {
-        int worst = 0;
-        for (int k = 1; k < RW_ARCS; k++)
-            if (bound[k] > bound[worst])
-                worst = k;
-        bound[worst] = -DBL_MAX;
-        const rw_psi_arc arc = rw_equator_arc(worst);
-        explore(&w, &arc, cycle->loads);
-    }
+    if (severity->is_strain)
+        search_products(&w);
+    else
+        search_others(&w);
 }
 
 /* ---- Away from the equator ---- */
@@ -313,7 +341,7 @@ bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severit
 /* With u the square of sin(beta), the amplitude is at most (1-u) r + u beyond, the peak at most
  * (1-u) p + u z, and r p at most the value. Plane stress has no stress z across the plane, plane
  * strain no strain `beyond`. So what is left of the product is u (1-u) (r z + p beyond). */
-bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value)
+static bool has_worst_product(const rw_plane_cycle *cycle, double value)
 {
     double r = 0, p = 0, z = 0, top = -DBL_MAX, bottom = DBL_MAX;
     for (size_t i = 0; i < cycle->loads; i++) {
@@ -325,4 +353,30 @@ bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value)
     }
     const double beyond = (top - bottom) / 2;
     return r * z + p * beyond <= 2 * value;
+}
+
+/* How often an arc is halved to show that no plane away from it is worse. */
+enum { DEPTH = 7 };
+
+static bool is_worst(const rw_plane_cycle *cycle, const rw_severity *v, const rw_psi_arc *arc,
+                     int depth, double value)
+{
+    if (rw_equator_is_worst(cycle, v, arc, cycle->loads, value))
+        return true;
+    const rw_psi_arc first = half_of(arc, false), second = half_of(arc, true);
+    return depth > 0 && is_worst(cycle, v, &first, depth - 1, value) &&
+           is_worst(cycle, v, &second, depth - 1, value);
+}
+
+bool rw_equator_has_worst(const rw_plane_cycle *cycle, const rw_severity *severity, double value,
+                          double noise)
+{
+    if (severity->is_strain && has_worst_product(cycle, value))
+        return true;
+    for (int k = 0; k < ARCS; k++) {
+        const rw_psi_arc arc = eighth(k);
+        if (!is_worst(cycle, severity, &arc, DEPTH, value + noise))
+            return false;
+    }
+    return true;
 }

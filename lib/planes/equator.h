@@ -14,22 +14,18 @@ typedef struct {
     double half, tangent;
 } rw_psi_arc;
 
-/* ARCS equal arcs make the equator. */
-enum { RW_ARCS = 8 };
-rw_psi_arc rw_equator_arc(int k);
-rw_psi_arc rw_half_of_arc(const rw_psi_arc *arc, bool is_forward);
-
 /* Takes the worst plane of the equator into best and psi if it is worse. */
 void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, double noise,
                        rw_worst_plane *best, rw_direction *psi);
+
+/* Whether no plane is worse than the worst of the equator, which has `value`, by more than noise.
+ * Quick. It may say no although it is so. */
+bool rw_equator_has_worst(const rw_plane_cycle *cycle, const rw_severity *severity, double value,
+                          double noise);
 
 /* Whether no plane with psi in the arc, and whatever beta, is worse than the plane of the equator
  * with the same psi, or than `value`, as far as the first n loads go. */
 bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severity,
                          const rw_psi_arc *arc, size_t n, double value);
-
-/* Whether no plane has a larger product of strain and normal stress than `value`, the largest at
- * the equator. Quick. It may say no although it is so. */
-bool rw_equator_has_worst_product(const rw_plane_cycle *cycle, double value);
 
 #endif

@@ -58,12 +58,12 @@ rw_circle rw_circle_of(rw_plane_cycle *cycle, bool is_strain, size_t n)
         cycle->point[i] = (rw_point){{cycle->local[i].at.x, cycle->local[i].at.y, 0}};
     rw_circle c = {.ball = is_strain ? interval_of(n, cycle->point)
                                      : rw_smallest_ball(n, cycle->point)};
-    rw_vector by_psi[RW_SUPPORT], by_beta[RW_SUPPORT];
+    rw_vector by_chi[RW_SUPPORT], by_beta[RW_SUPPORT];
     for (int i = 0; i < c.ball.count; i++) {
-        by_psi[i] = cycle->local[c.ball.support[i]].by_psi;
+        by_chi[i] = cycle->local[c.ball.support[i]].by_chi;
         by_beta[i] = cycle->local[c.ball.support[i]].by_beta;
     }
-    c.by_psi = rate_of_centre(&c.ball, cycle->point, by_psi);
+    c.by_chi = rate_of_centre(&c.ball, cycle->point, by_chi);
     c.by_beta = rate_of_centre(&c.ball, cycle->point, by_beta);
     return c;
 }

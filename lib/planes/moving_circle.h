@@ -7,7 +7,7 @@
 
 typedef struct {
     rw_ball ball;
-    rw_vector by_psi, by_beta; /* rates of its centre */
+    rw_vector by_chi, by_beta; /* rates of its centre */
 } rw_circle;
 
 /* The circle around the components of the first n loads, which must be set; those of a strain lie

@@ -23,6 +23,14 @@ static inline rw_direction rw_turned_by(rw_direction u, double x)
     return (rw_direction){sheared - x * sine, sine};
 }
 
+/* The direction turned by the angle of another one. */
+static inline rw_direction rw_turned_with(rw_direction u, rw_direction by)
+{
+    const double sign = by.cosine < 0 ? -1 : 1;
+    return rw_turned_by((rw_direction){sign * u.cosine, sign * u.sine},
+                        sign * by.sine / (1 + fabs(by.cosine)));
+}
+
 static inline double rw_half_tangent(double tangent)
 {
     return tangent / (1 + sqrt(1 + tangent * tangent));

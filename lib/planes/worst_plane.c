@@ -1,19 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Branch and bound over a quarter of the sphere of normals: planes that are mirrored by the plane
- * of x and y are equally bad. A cell is a rectangle of psi, twice the angle in the plane of x and
- * y, and beta. Around its centre each load's components are linear, but for a remainder that is
- * bounded by the second derivatives. The distance of a linear function from a centre that moves
- * linearly, too, is convex, so that its largest value is at a corner of the cell. The centre of the
- * circle moves so that all points on it leave it at the same rate: then the bound exceeds the true
- * values by the second order of the cell's size, and few cells are left at each size. A load is
- * kept in a cell only if it can be the highest, or on the circle, somewhere in it. */
+ * of x and y are equally bad. A cell is a rectangle of the latitude beta and the longitude chi.
+ * Around its centre each load's components are linear, but for a remainder that is bounded by the
+ * second derivatives. The distance of a linear function from a centre that moves linearly, too, is
+ * convex, so that its largest value is at a corner of the cell. The centre of the circle moves so
+ * that all points on it leave it at the same rate: then the bound exceeds the true values by the
+ * second order of the cell's size, and few cells are left at each size. A load is kept in a cell
+ * only if it can be the highest, or on the circle, somewhere in it. */
 #include "planes/worst_plane.h"
 
 #include "base/domain.h"
 #include "planes/equator.h"
 #include "planes/moving_circle.h"
 #include "planes/plane_cycle.h"
-#include "planes/plane_search.h"
 
 #include <float.h>
 
@@ -29,9 +28,9 @@ enum { CELLS = 2048, MORE_CELLS = 8192 };
 static const double NOISE_GROWTH = 64, LARGE_NOISE = 1e-5;
 
 typedef struct {
-    rw_direction psi, beta;
-    double half_psi, half_beta;       /* half of its sides, rad */
-    double tangent_psi, tangent_beta; /* of half of these */
+    rw_direction chi, beta;
+    double half_chi, half_beta;       /* half of its sides, rad */
+    double tangent_chi, tangent_beta; /* of half of these */
 } cell;
 
 typedef struct {
@@ -50,40 +49,75 @@ typedef struct {
     rw_plane_cycle *cycle;
     double noise;
     int cells;
-    bool is_begun; /* above the equator */
     rw_worst_plane best;
-    rw_direction psi, beta;
+    rw_direction chi, beta; /* of the best plane */
+    rw_pole pole;
 } search;
 
 /* ---- One load on one plane ---- */
 
-static inline void local_of(bool is_strain, const rw_item *load, const cell *a, rw_local *l)
+/* A plane's shear stress along the meridian and along the parallel, its normal stress, and rates of
+ * change. */
+typedef struct {
+    rw_vector shear, by_chi, by_beta;
+    double normal, normal_by_chi, normal_by_beta;
+} local;
+
+static inline local local_of(const rw_tensor *t, const cell *a)
 {
-    const double C = a->psi.cosine, S = a->psi.sine, c = a->beta.cosine, s = a->beta.sine;
-    const double lift = load->lift - (load->d * C + load->t * S);
-    l->peak = load->z - c * c * lift;
-    l->peak_by_psi = c * c * (load->t * C - load->d * S);
-    l->peak_by_beta = 2 * s * c * lift;
-    const double deviation = load->deviation_d * C + load->deviation_t * S,
-                 shear = load->deviation_t * C - load->deviation_d * S,
-                 rise = load->deviation_lift - deviation;
-    if (is_strain) {
-        l->at = (rw_vector){load->level - c * c * rise, 0};
-        l->by_psi = (rw_vector){c * c * shear, 0};
-        l->by_beta = (rw_vector){2 * s * c * rise, 0};
-    } else {
-        l->at = (rw_vector){c * shear, s * c * rise};
-        l->by_psi = (rw_vector){-c * deviation, -s * c * shear};
-        l->by_beta = (rw_vector){-s * shear, (c - s) * (c + s) * rise};
+    const double C = a->chi.cosine, S = a->chi.sine, c = a->beta.cosine, s = a->beta.sine;
+    const double cosine = (c - s) * (c + s), sine = 2 * s * c; /* of twice beta */
+    const double side = S * (S * t->side + 2 * C * t->twist),
+                 turn = C * S * t->side + (C - S) * (C + S) * t->twist,
+                 turn_by_chi = (C - S) * (C + S) * t->side - 4 * C * S * t->twist;
+    const double along = sine * (t->pole - side) / 2 + cosine * S * t->shear,
+                 across = s * C * t->shear + c * turn;
+    return (local){
+        {along, across},
+        {cosine * C * t->shear - sine * turn, c * turn_by_chi - s * S * t->shear},
+        {cosine * (t->pole - side) - 2 * sine * S * t->shear, c * C * t->shear - s * turn},
+        t->base + s * s * t->pole + sine * S * t->shear + c * c * side,
+        2 * c * across,
+        2 * along};
+}
+
+/* Bounds on the second order of both stresses. */
+static inline double rest_by_chi(const rw_tensor *t, const cell *a)
+{
+    return a->half_chi * a->half_chi * (t->ring + fabs(t->shear) / 2);
+}
+
+static inline double rest_by_beta(const rw_tensor *t, const cell *a)
+{
+    return a->half_beta * a->half_beta * (fabs(t->pole) + t->ring + 2 * fabs(t->shear));
+}
+
+static inline double rest_of(const rw_tensor *t, const cell *a)
+{
+    return rest_by_chi(t, a) + rest_by_beta(t, a) +
+           a->half_chi * a->half_beta * (t->ring + 2 * fabs(t->shear));
+}
+
+/* Of the first n loads, in the cell; a copy of it, which no pointer can change. */
+static void set_local(rw_plane_cycle *cycle, bool is_strain, size_t n, const cell a)
+{
+    for (size_t i = 0; i < n; i++) {
+        const rw_tensor *all = &cycle->item[i].all, *deviation = &cycle->item[i].deviation;
+        const local every = local_of(all, &a), s = local_of(deviation, &a);
+        cycle->local[i] = (rw_local){.at = s.shear,
+                                     .by_chi = s.by_chi,
+                                     .by_beta = s.by_beta,
+                                     .peak = every.normal,
+                                     .peak_by_chi = every.normal_by_chi,
+                                     .peak_by_beta = every.normal_by_beta,
+                                     .rest = rest_of(deviation, &a),
+                                     .peak_rest = rest_of(all, &a)};
+        if (is_strain) {
+            cycle->local[i].at = (rw_vector){s.normal, 0};
+            cycle->local[i].by_chi = (rw_vector){s.normal_by_chi, 0};
+            cycle->local[i].by_beta = (rw_vector){s.normal_by_beta, 0};
+        }
     }
-    const double mixed = a->half_psi * (a->half_psi + 2 * a->half_beta) / 2;
-    const double square = a->half_beta * a->half_beta / 2;
-    const double turn = rw_smaller(1, 2 * (s + a->half_beta));
-    l->rest =
-        load->deviation_size * mixed +
-        (load->deviation_size + 2 * turn * (load->deviation_size + fabs(load->deviation_lift))) *
-            square;
-    l->peak_rest = load->size * mixed + 2 * (load->size + fabs(load->lift)) * square;
 }
 
 /* ---- Bounds at the corners of a cell ---- */
@@ -98,19 +132,19 @@ static inline double bottom_of(const corners *c)
     return rw_smaller(rw_smaller(c->at[0], c->at[1]), rw_smaller(c->at[2], c->at[3]));
 }
 
-static inline corners linear(double at, double by_psi, double by_beta)
+static inline corners linear(double at, double by_chi, double by_beta)
 {
-    const double sum = by_psi + by_beta, difference = by_psi - by_beta;
+    const double sum = by_chi + by_beta, difference = by_chi - by_beta;
     return (corners){{at + sum, at + difference, at - difference, at - sum}};
 }
 
 /* The squares of the distances, without the rest. */
 static inline corners distances(const rw_local *l, const rw_circle *c, const cell *a)
 {
-    const double p = a->half_psi, b = a->half_beta;
-    const corners x = linear(l->at.x - c->ball.centre.x[0], p * (l->by_psi.x - c->by_psi.x),
+    const double p = a->half_chi, b = a->half_beta;
+    const corners x = linear(l->at.x - c->ball.centre.x[0], p * (l->by_chi.x - c->by_chi.x),
                              b * (l->by_beta.x - c->by_beta.x));
-    const corners y = linear(l->at.y - c->ball.centre.x[1], p * (l->by_psi.y - c->by_psi.y),
+    const corners y = linear(l->at.y - c->ball.centre.x[1], p * (l->by_chi.y - c->by_chi.y),
                              b * (l->by_beta.y - c->by_beta.y));
     corners square;
     for (int k = 0; k < CORNERS; k++)
@@ -121,16 +155,16 @@ static inline corners distances(const rw_local *l, const rw_circle *c, const cel
 /* How far a point can move relative to the centre of the circle within the cell. */
 static inline double travel(const rw_local *l, const rw_circle *c, const cell *a)
 {
-    const double x = a->half_psi * fabs(l->by_psi.x - c->by_psi.x) +
+    const double x = a->half_chi * fabs(l->by_chi.x - c->by_chi.x) +
                      a->half_beta * fabs(l->by_beta.x - c->by_beta.x);
-    const double y = a->half_psi * fabs(l->by_psi.y - c->by_psi.y) +
+    const double y = a->half_chi * fabs(l->by_chi.y - c->by_chi.y) +
                      a->half_beta * fabs(l->by_beta.y - c->by_beta.y);
     return x + y + l->rest;
 }
 
 static inline corners peaks(const rw_local *l, const cell *a)
 {
-    return linear(l->peak, a->half_psi * l->peak_by_psi, a->half_beta * l->peak_by_beta);
+    return linear(l->peak, a->half_chi * l->peak_by_chi, a->half_beta * l->peak_by_beta);
 }
 
 static inline void raise(corners *c, const corners *other, double more)
@@ -158,8 +192,7 @@ static double bound_of(const rw_severity *v, const corners *amplitude, const cor
 
 static void look(search *w, const cell *a, size_t n, view *v)
 {
-    for (size_t i = 0; i < n; i++)
-        local_of(w->severity->is_strain, &w->cycle->item[i], a, &w->cycle->local[i]);
+    set_local(w->cycle, w->severity->is_strain, n, *a);
     v->around = rw_circle_of(w->cycle, w->severity->is_strain, n);
     static const corners LOWEST = {{-DBL_MAX, -DBL_MAX, -DBL_MAX, -DBL_MAX}};
     v->amplitude = v->peak = LOWEST;
@@ -189,7 +222,7 @@ static double record(search *w, const cell *a, size_t n, double amplitude)
     const double value = rw_severity_of(w->severity, amplitude, peak);
     if (value > w->best.value) {
         w->best = (rw_worst_plane){.value = value, .amplitude = amplitude, .peak = peak};
-        w->psi = a->psi;
+        w->chi = a->chi;
         w->beta = a->beta;
     }
     return value;
@@ -208,19 +241,34 @@ static size_t keep(search *w, size_t n, const view *v)
     return kept;
 }
 
-/* The halves of a cell, along its longer side: first the one that may be worse. */
-static void divide(const cell *a, const corners *severity, cell half[2])
+/* Whether the second order is larger along chi than along beta, as the severity counts it. */
+static bool is_wide(const search *w, const cell *a, size_t n, const view *v)
+{
+    const rw_severity *y = w->severity;
+    const double per = y->is_sum ? 1 : rw_larger(0, y->offset + y->gain * v->least_peak);
+    const double per_peak = y->gain * (y->is_sum ? 1 : v->around.ball.radius);
+    double excess = 0;
+    for (size_t i = 0; i < n; i++) {
+        const rw_tensor *all = &w->cycle->item[i].all, *deviation = &w->cycle->item[i].deviation;
+        excess += per * (rest_by_chi(deviation, a) - rest_by_beta(deviation, a)) +
+                  per_peak * (rest_by_chi(all, a) - rest_by_beta(all, a));
+    }
+    return excess > 0;
+}
+
+/* The halves of a cell: first the one that may be worse. */
+static void divide(const cell *a, bool along_chi, const corners *severity, cell half[2])
 {
     half[0] = half[1] = *a;
-    const bool is_wide = a->half_psi > 2 * a->half_beta;
     const double *at = severity->at;
-    const double forward = is_wide ? at[0] + at[1] - at[2] - at[3] : at[0] - at[1] + at[2] - at[3];
+    const double forward =
+        along_chi ? at[0] + at[1] - at[2] - at[3] : at[0] - at[1] + at[2] - at[3];
     for (int i = 0; i < 2; i++) {
         cell *h = &half[i];
-        double *tangent = is_wide ? &h->tangent_psi : &h->tangent_beta;
+        double *tangent = along_chi ? &h->tangent_chi : &h->tangent_beta;
         *tangent = rw_half_tangent(*tangent);
-        *(is_wide ? &h->half_psi : &h->half_beta) /= 2;
-        rw_direction *u = is_wide ? &h->psi : &h->beta;
+        *(along_chi ? &h->half_chi : &h->half_beta) /= 2;
+        rw_direction *u = along_chi ? &h->chi : &h->beta;
         *u = rw_turned_by(*u, (i == 0) == (forward > 0) ? *tangent : -*tangent);
     }
 }
@@ -236,10 +284,31 @@ static void allow_more_noise(search *w)
     w->noise *= NOISE_GROWTH;
 }
 
+/* The arc of the equator below the cell; false where it is long. Away from z, a normal in the cell
+ * turns by less than `turn` of the `share` that it has in the plane of x and y. */
+static bool find_arc(const search *w, const cell *a, rw_psi_arc *arc)
+{
+    double C = a->chi.cosine, S = a->chi.sine;
+    *arc = (rw_psi_arc){.half = 2 * a->half_chi};
+    if (!w->pole.is_z) {
+        const double side = a->beta.cosine * S,
+                     share = sqrt(a->beta.sine * a->beta.sine + side * side);
+        const double turn = a->half_beta + a->half_chi * (a->beta.cosine + a->half_beta);
+        if (turn > share / 2)
+            return false;
+        C = a->beta.sine / share, S = side / share;
+        arc->half = 2.2 * turn / share; /* twice, and at most 5 % more */
+    }
+    arc->psi = (rw_direction){(C - S) * (C + S), 2 * C * S};
+    return true;
+}
+
+/* Whether no plane in the cell is worse than the one of the equator below it. */
 static bool is_worst_at_equator(const search *w, const cell *a, size_t n)
 {
-    const rw_psi_arc arc = {a->psi, a->half_psi, a->tangent_psi};
-    return rw_equator_is_worst(w->cycle, w->severity, &arc, n, w->best.value + w->noise);
+    rw_psi_arc arc;
+    return find_arc(w, a, &arc) &&
+           rw_equator_is_worst(w->cycle, w->severity, &arc, n, w->best.value + w->noise);
 }
 
 /* How many of the first n loads can matter in the cell, and the halves of the cell; 0 where the
@@ -252,12 +321,12 @@ static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
     record(w, a, n, v.around.ball.radius);
     allow_more_noise(w);
     const double bound = bound_of(w->severity, &v.amplitude, &v.peak, &severity);
-    if (bound <= w->best.value + w->noise || a->half_beta < SMALLEST)
+    if (bound <= w->best.value + w->noise || a->half_beta < SMALLEST || a->half_chi < SMALLEST)
         return 0;
     const size_t kept = keep(w, n, &v);
     if (is_worst_at_equator(w, a, kept))
         return 0;
-    divide(a, &severity, half);
+    divide(a, is_wide(w, a, kept, &v), &severity, half);
     return kept;
 }
 
@@ -267,7 +336,7 @@ typedef struct {
     size_t loads;
 } task;
 
-/* More than the halvings from the first cells to the smallest ones. */
+/* Halvings from the first cells to the smallest ones are fewer. */
 enum { TASKS = 64 };
 
 /* Cells wait in a list of their own: recursion would take much of a small stack. */
@@ -288,34 +357,33 @@ static void explore(search *w, const cell *a, size_t n)
 /* Powell's method: the largest value along a line by golden sections, and the way of a round as the
  * next line. Steps are tangents of half the angles. */
 typedef struct {
-    double psi, beta;
+    double chi, beta;
 } step;
 
-enum { FIRST_ROUNDS = 4, ROUNDS = 16, SECTIONS = 24 };
+enum { FIRST_ROUNDS = 3, FIRST_SECTIONS = 5, ROUNDS = 16, SECTIONS = 24 };
 static const double FIRST_REACH = 0.3, SHRINK = 0.4, GOLDEN = 0.6180339887498949;
 
 static double value_at(search *w, const cell *from, const step *s, double t)
 {
-    cell a = {.psi = rw_turned_by(from->psi, t * s->psi),
+    cell a = {.chi = rw_turned_by(from->chi, t * s->chi),
               .beta = rw_turned_by(from->beta, t * s->beta)};
     const size_t n = w->cycle->loads;
-    for (size_t i = 0; i < n; i++)
-        local_of(w->severity->is_strain, &w->cycle->item[i], &a, &w->cycle->local[i]);
+    set_local(w->cycle, w->severity->is_strain, n, a);
     return record(w, &a, n, rw_circle_of(w->cycle, w->severity->is_strain, n).ball.radius);
 }
 
 static cell best_plane(const search *w)
 {
-    return (cell){.psi = w->psi, .beta = w->beta};
+    return (cell){.chi = w->chi, .beta = w->beta};
 }
 
-static void climb_along(search *w, const step *s)
+static void climb_along(search *w, const step *s, int sections)
 {
     const cell from = best_plane(w);
     double low = -1, high = 1, left = high - GOLDEN * (high - low),
            right = low + GOLDEN * (high - low);
     double at_left = value_at(w, &from, s, left), at_right = value_at(w, &from, s, right);
-    for (int i = 0; i < SECTIONS; i++) {
+    for (int i = 0; i < sections; i++) {
         const bool is_left = at_left > at_right;
         *(is_left ? &high : &low) = is_left ? right : left;
         *(is_left ? &right : &left) = is_left ? left : right;
@@ -329,133 +397,101 @@ static void climb_along(search *w, const step *s)
 /* The step from one plane to another, if they are near. */
 static step way_of(const cell *from, const cell *to)
 {
-    return (step){(from->psi.cosine * to->psi.sine - from->psi.sine * to->psi.cosine) / 2,
+    return (step){(from->chi.cosine * to->chi.sine - from->chi.sine * to->chi.cosine) / 2,
                   (from->beta.cosine * to->beta.sine - from->beta.sine * to->beta.cosine) / 2};
 }
 
-static void climb(search *w, int rounds)
+static void climb(search *w, int rounds, int sections)
 {
     double reach = FIRST_REACH;
     for (int i = 0; i < rounds; i++, reach *= SHRINK) {
         const cell from = best_plane(w);
         const step across = {reach, 0}, up = {0, reach};
-        climb_along(w, &across);
-        climb_along(w, &up);
+        climb_along(w, &across, sections);
+        climb_along(w, &up, sections);
         const cell to = best_plane(w);
         step way = way_of(&from, &to);
-        const double length = rw_larger(fabs(way.psi), fabs(way.beta));
+        const double length = rw_larger(fabs(way.chi), fabs(way.beta));
         if (length == 0)
             continue;
-        way = (step){way.psi * reach / length, way.beta * reach / length};
-        climb_along(w, &way);
+        way = (step){way.chi * reach / length, way.beta * reach / length};
+        climb_along(w, &way, sections);
     }
 }
 
 /* ---- The quarter of the sphere ---- */
 
-/* The first cells are an eighth of the equator wide and a quarter of a right angle high. Of beta
- * the cosine and sine of their centres, pi/16 and so on; the tangent of a quarter of their
- * height. */
-enum { ROWS = 4 };
-static const rw_direction ROW[ROWS] = {{0.98078528040323044, 0.19509032201612827},
-                                       {0.83146961230254524, 0.55557023301960222},
-                                       {0.55557023301960222, 0.83146961230254524},
-                                       {0.19509032201612827, 0.98078528040323044}};
-static const double HALF_HEIGHT = RW_PI / 16, TANGENT = 0.098491403357164255;
-
 /* A high value to begin with: a cell whose highest plane is at its side, beside a cell with higher
- * ones, would otherwise be divided along this side to the end. */
-static void begin_exploring(search *w)
+ * ones, would otherwise be divided along this side to the end. Planes a quarter of the sides
+ * apart. */
+static void begin(search *w)
 {
-    for (int k = 0; k < RW_ARCS * ROWS; k++) {
-        const cell a = {.psi = rw_equator_arc(k / ROWS).psi, .beta = ROW[k % ROWS]};
+    enum { STEPS = 4 };
+    static const cell FIRST = {.chi = {0.38268343236508977, -0.92387953251128676},
+                               .beta = {0.98078528040323045, 0.19509032201612827},
+                               .tangent_chi = 0.41421356237309505,
+                               .tangent_beta = 0.19891236737965801};
+    cell a = FIRST;
+    for (int i = 0; i < STEPS * STEPS; i++) {
         value_at(w, &a, &(step){0, 0}, 0);
+        a.beta = rw_turned_by(a.beta, a.tangent_beta);
+        if (i % STEPS < STEPS - 1)
+            continue;
+        a.beta = FIRST.beta;
+        a.chi = rw_turned_by(a.chi, a.tangent_chi);
     }
-    climb(w, FIRST_ROUNDS);
-    w->is_begun = true;
+    climb(w, FIRST_ROUNDS, FIRST_SECTIONS);
 }
 
-/* Planes above an arc of the equator that may be worse. */
-static void explore_above(search *w, const rw_psi_arc *arc)
+static void name_plane(search *w)
 {
-    if (!w->is_begun)
-        begin_exploring(w);
-    for (int row = 0; row < ROWS; row++) {
-        const cell a = {.psi = arc->psi,
-                        .beta = ROW[row],
-                        .half_psi = arc->half,
-                        .half_beta = HALF_HEIGHT,
-                        .tangent_psi = arc->tangent,
-                        .tangent_beta = TANGENT};
-        explore(w, &a, w->cycle->loads);
-    }
+    const double pole = w->beta.sine, base = w->beta.cosine * w->chi.cosine,
+                 side = w->beta.cosine * w->chi.sine;
+    const double first = w->pole.is_z ? base : pole, out = w->pole.is_z ? pole : base;
+    const rw_direction psi = rw_turned_with(
+        (rw_direction){(first - side) * (first + side), 2 * first * side}, w->pole.psi);
+    w->best.angle = rw_plane_angle(psi.cosine, psi.sine);
+    /* 0 to pi/2: planes that are mirrored are equally bad */
+    w->best.out_of_plane = rw_angle(sqrt(first * first + side * side), fabs(out));
 }
 
-/* How often an arc is halved to show that no plane above it is worse. */
-enum { DEPTH = 3 };
-
-static void explore_arc(search *w, const rw_psi_arc *arc, int depth)
+/* Planes that may be worse than the worst of the equator. */
+static void search_sphere(search *w)
 {
-    if (rw_equator_is_worst(w->cycle, w->severity, arc, w->cycle->loads, w->best.value + w->noise))
-        return;
-    if (depth == 0) {
-        explore_above(w, arc);
-        return;
-    }
-    const rw_psi_arc first = rw_half_of_arc(arc, false), second = rw_half_of_arc(arc, true);
-    explore_arc(w, &first, depth - 1);
-    explore_arc(w, &second, depth - 1);
+    static const cell SPHERE = {.chi = {1, 0},
+                                .beta = {0.70710678118654752, 0.70710678118654752},
+                                .half_chi = RW_HALF_PI,
+                                .half_beta = RW_PI / 4,
+                                .tangent_chi = 1,
+                                .tangent_beta = 0.41421356237309505};
+    const double noise = w->noise;
+    const rw_worst_plane equator = w->best;
+    w->pole = rw_plane_cycle_turn(w->cycle);
+    begin(w);
+    explore(w, &SPHERE, w->cycle->loads);
+    if (w->noise > noise)
+        climb(w, ROUNDS, SECTIONS);
+    if (w->best.value > equator.value + noise)
+        name_plane(w);
+    else
+        w->best = equator;
 }
 
 /* ---- All ---- */
 
-/* A product of strain and stress has a search of its own over the planes that contain z. */
-static void search_products(search *w)
-{
-    const rw_plane_cycle *cycle = w->cycle;
-    const rw_stress_cycle waves = {.loads = cycle->loads,
-                                   .stride = 1,
-                                   .sxx = cycle->sxx,
-                                   .syy = cycle->syy,
-                                   .txy = cycle->txy,
-                                   .gain = w->severity->gain,
-                                   .mean = 1 + w->severity->shift,
-                                   .normal = 1};
-    cell at = {.beta = {1, 0}};
-    rw_plane_search(&waves, &at.psi);
-    value_at(w, &at, &(step){0, 0}, 0);
-}
-
-/* Whether the worst plane that contains z is the worst of all. */
-static bool search_equator(search *w)
-{
-    if (!w->severity->is_strain) {
-        rw_equator_search(w->cycle, w->severity, w->noise, &w->best, &w->psi);
-        return false;
-    }
-    search_products(w);
-    return rw_equator_has_worst_product(w->cycle, w->best.value);
-}
-
 rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *severity)
 {
     rw_plane_cycle_centre(cycle);
-    const double noise = rw_plane_cycle_noise(cycle, severity);
     search w = {.severity = severity,
                 .cycle = cycle,
-                .noise = noise,
+                .noise = rw_plane_cycle_noise(cycle, severity),
                 .best = {.value = severity->is_sum ? -DBL_MAX : 0},
-                .psi = {1, 0},
+                .chi = {1, 0},
                 .beta = {1, 0}};
-    const bool is_done = search_equator(&w);
-    for (int k = 0; k < RW_ARCS && !is_done; k++) {
-        const rw_psi_arc arc = rw_equator_arc(k);
-        explore_arc(&w, &arc, DEPTH);
-    }
-    if (w.noise > noise)
-        climb(&w, ROUNDS);
-    w.best.angle = rw_plane_angle(w.psi.cosine, w.psi.sine);
-    /* 0 to pi/2: planes that are mirrored are equally bad */
-    w.best.out_of_plane = rw_angle(fabs(w.beta.cosine), fabs(w.beta.sine));
+    rw_direction psi = {1, 0};
+    rw_equator_search(cycle, severity, w.noise, &w.best, &psi);
+    w.best.angle = rw_plane_angle(psi.cosine, psi.sine);
+    if (!rw_equator_has_worst(cycle, severity, w.best.value, w.noise))
+        search_sphere(&w);
     return w.best;
 }

@@ -16,19 +16,11 @@ skip()
     exit 77
 }
 
-for command in gnuplot python3; do
-    command -v "$command" >/dev/null 2>&1 || skip "no $command here"
-done
-if ! cmp -s "$here/requirements.txt" "$tools/fetched"; then
-    rm -rf "$tools"
-    mkdir -p "$tools"
-    python3 -m venv "$tools/venv" >"$tools/pip.log" 2>&1 || skip "python3 -m venv fails (Debian: python3-venv)"
-    "$tools/venv/bin/pip" install --quiet --disable-pip-version-check --require-hashes -r "$here/requirements.txt" >"$tools/pip.log" 2>&1 ||
-        skip "pip cannot fetch Sphinx: $(tail -n 1 "$tools/pip.log")"
-    cp "$here/requirements.txt" "$tools/fetched"
-fi
-SKBUILD_BUILD_DIR=$tools/package "$tools/venv/bin/pip" install --quiet --no-build-isolation --no-deps --no-index --force-reinstall \
-    --disable-pip-version-check "$here/../../bindings/python" >"$tools/pip.log" 2>&1 || { cat "$tools/pip.log"; exit 1; }
+command -v gnuplot >/dev/null 2>&1 || skip "no gnuplot here"
+. "$here/../../tests/support/venv.sh"
+reason=$(venv "$here/requirements.txt" "$tools/venv") || skip "$reason"
+SKBUILD_BUILD_DIR=$tools/package pip_in "$tools/venv" install --quiet --no-build-isolation --no-deps --no-index --force-reinstall \
+    "$here/../../bindings/python" >"$tools/pip.log" 2>&1 || { cat "$tools/pip.log"; exit 1; }
 export MPLCONFIGDIR="$tools/matplotlib" PYTHONDONTWRITEBYTECODE=1
 
 rm -rf "$tools/source" "$build/docs"

@@ -15,13 +15,9 @@ git -C "$top" rev-parse HEAD >/dev/null 2>&1 || leave_out "these files are no cl
 need dpkg-source python3 cmake gcc
 mkdir -p "$work" "$packages/python"
 sh "$top/packages/sources.sh" "$sources" gsl lapack musl >"$work/log" 2>&1 || leave_out "sources cannot be fetched: $(tail -n 1 "$work/log")"
-if [ ! -f "$work/venv/ready" ]; then
-    rm -rf "$work/venv"
-    python3 -m venv "$work/venv" >"$work/log" 2>&1 && "$work/venv/bin/pip" install --quiet --require-hashes -r "$here/requirements.txt" \
-        >"$work/log" 2>&1 || leave_out "their tools cannot be fetched: $(tail -n 1 "$work/log")"
-    touch "$work/venv/ready"
-fi
-export SOURCE_DATE_EPOCH="$epoch" PIP_DISABLE_PIP_VERSION_CHECK=1
+. "$top/tests/support/venv.sh"
+reason=$(venv "$here/requirements.txt" "$work/venv") || leave_out "their tools cannot be fetched: $reason"
+export SOURCE_DATE_EPOCH="$epoch"
 
 # old_glibc PREFIX VERSION - writes the command PREFIXobjcopy, for one object of the library, which binds it to the oldest versions
 # of what glibc has several of. They give the same bits, and differ in what they tell errno.
@@ -43,7 +39,7 @@ mkdir -p "$work/source" "$work/base"
 git -C "$top" archive HEAD | tar -x -C "$work/source"
 (cd "$work/source/bindings/python" &&
     quietly "$work/venv/bin/python" -c "from scikit_build_core.build import build_sdist; build_sdist('$packages/python')")
-CMAKE_ARGS="-DCMAKE_OBJCOPY=$work/objcopy -DCMAKE_MODULE_LINKER_FLAGS=-s" quietly "$work/venv/bin/pip" wheel \
+CMAKE_ARGS="-DCMAKE_OBJCOPY=$work/objcopy -DCMAKE_MODULE_LINKER_FLAGS=-s" quietly pip_in "$work/venv" wheel \
     --no-build-isolation --no-deps --no-index --wheel-dir "$work/base" "$packages/python/rwedge-$version.tar.gz"
 (cd "$work/base" && python3 -m zipfile -e ./*.whl .)
 

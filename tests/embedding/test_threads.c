@@ -12,7 +12,6 @@
 
 #include <pthread.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { THREADS_MAX = 8, ARRAY = 21 };
 static int numbers = 8;

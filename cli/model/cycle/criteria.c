@@ -34,7 +34,7 @@ criteria criteria_usual(const contact_case *setup)
 
 double criteria_fatemi_socie(const contact_case *setup, double k)
 {
-    return k / (1.7320508075688772 * setup->k);
+    return k / (SQRT_3 * setup->k);
 }
 
 /* ---- The constants of a material ---- */

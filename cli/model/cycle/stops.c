@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cycle.h"
 
-#include "text/text.h"
-#include "number/number.h"
-
 #include <math.h>
 #include <stdlib.h>
 

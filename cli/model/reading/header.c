@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "reading.h"
 
-#include "text/text.h"
-
 #include <stdio.h>
 #include <string.h>
 

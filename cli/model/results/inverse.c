@@ -2,7 +2,6 @@
 #include "results.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 const char inverse_names[] = "radius, a, P, f";

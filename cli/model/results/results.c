@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
-#include "text/text.h"
-
 #include <math.h>
 #include <stdio.h>
 
@@ -130,8 +128,6 @@ bool results_include(results_wanted wanted, int result)
         return wanted.yield_factor;
     return wanted.edges || result < RESULT_LEFT || result > RESULT_TILT;
 }
-
-static const double SQRT_3 = 1.7320508075688772;
 
 static void geometry(const contact_case *setup, double b, cell row[])
 {

@@ -3,7 +3,6 @@
 #define CLI_RESULTS_H
 
 #include "model/model.h"
-#include "number/number.h"
 
 /* ---- results ---- What "rwedge solve" answers about one contact. */
 

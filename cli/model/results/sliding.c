@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-static const double SQRT_3 = 1.7320508075688772;
-
 /* The case with another value of an input, P, f or the radius, that slides to the side of Q under
  * so many times P. */
 typedef struct {

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results.h"
 
-#include "text/text.h"
-
 #include <stdio.h>
 
 /* ---- Strength ---- */

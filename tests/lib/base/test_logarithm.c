@@ -5,7 +5,6 @@
 #include "base/logarithm.h"
 
 #include <float.h>
-#include <stdio.h>
 
 static const double STATED = 3, STATED_DIVIDED = 4; /* units of the last digit */
 

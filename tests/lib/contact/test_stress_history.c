@@ -3,7 +3,6 @@
 #include "histories.h"
 
 #include <float.h>
-#include <string.h>
 
 enum { LOADS = 24, POINTS = 77 };
 

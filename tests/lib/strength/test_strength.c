@@ -2,8 +2,6 @@
 #include "claims.h"
 #include "rwedge.h"
 
-#include <string.h>
-
 /* At f = 0 the surface takes over at a finite tip, a jump that the paper does not show. */
 CLAIM(small_tips_yield_at_the_surface_without_friction)
 {

@@ -137,7 +137,7 @@ static void write_hardest(const contact_case *setup, results *answer)
     if (!(factor > 0)) /* infinite at a sharp apex */
         return;
     json_add("{'hardest':{'factor':%n,'x':%n,'y':%n,'von_mises':%n}}", factor, x, y,
-             1.7320508075688772 * k / factor);
+             SQRT_3 * k / factor);
 }
 
 static void write_results(const contact_case *setup, verdict_style style)

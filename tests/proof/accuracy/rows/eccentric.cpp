@@ -2,7 +2,6 @@
 /* Contacts with a moment and a bulk tension: edges, tilt, stick zones. A patch is drawn first, and
  * its load and moment from it, so that its edges can be put next to the ends of the rounding. Then
  * the patch of the rounded load and moment is enclosed. */
-#include <float.h>
 #include <math.h>
 
 #include "rows/eccentric.hpp"

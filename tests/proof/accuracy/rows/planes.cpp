@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Criteria of cycles between two opposite loads, where they have closed forms in the principal
  * stresses s1, s2 and szz. Cycles of more loads are scanned in tests/lib/measures/. */
-#include <float.h>
 #include <math.h>
 
 #include "rows/rows.hpp"

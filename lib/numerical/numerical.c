@@ -410,13 +410,15 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
     rw_step_result result = RW_STEP_NO_MEMORY;
     if (rw_numerical_copy(n, &j->next)) {
         try_step(&j->whole, &j->work, &j->next.now, to, NULL, false);
-        const bool is_done = advance(j, to, &j->whole, HALVINGS, *effort / 2) &&
+        const bool is_at_end = advance(j, to, &j->whole, HALVINGS, *effort / 2);
+        const bool is_short = j->work.is_short || j->work.fronts.is_short;
+        const bool is_done = is_at_end && !is_short &&
                              rw_numerical_error(&j->next) <= FAR_OFF + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
         rw_numerical_destroy(is_done ? n : &j->next);
         if (is_done)
             *n = j->next;
-        result = is_done ? RW_STEP_DONE : j->work.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+        result = is_done ? RW_STEP_DONE : is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
     }
     rw_work_destroy(&j->work);
     free(j);

@@ -6,7 +6,8 @@
  *
  *     random_loads HISTORIES [SEED]
  *
- * theta = A = a = 1, f = 0.1 to 1; the mean P is 0.2 to 20, in the logarithm: a/b from 0.1 to 3.
+ * f = 0.1 to 1, A = 1. Of the rounded wedge (theta = a = 1) the mean P is 0.2 to 20, in the
+ * logarithm: a/b from 0.1 to 3; of a flat pad and of a profile that is not symmetric, a third.
  * There are four kinds of history, of 24 loads after the first one, which is P and M alone:
  *   steps under constant P and M; steps of P too, by a tenth; steps of P and M, by P b/10;
  *   a log: Q and tension swing, one after the other, and all four scatter by up to 3 %.
@@ -48,7 +49,8 @@ typedef struct {
     int kind;
     double f, tolerance, swing, lag, scatter; /* swing: of Q over f P */
     loads first;
-    double b; /* under the first load */
+    double b; /* under the first P */
+    rwedge_contact *contact;
 } programme;
 
 static double sign_and_size(void)
@@ -56,13 +58,28 @@ static double sign_and_size(void)
     return random_between(&seed, -1, 1);
 }
 
-static programme draw_programme(int kind)
+/* Of three pads. */
+enum { PADS = 3 };
+
+static rwedge_contact *create_pad(int pad, double f)
+{
+    const double x[] = {-1.2, -0.4, 0.1, 0.5, 1}, slope[] = {-1.2, -0.2, -0.1, 0.5, 1.5};
+    rwedge_contact *contact;
+    assert_ok(pad == 0   ? rwedge_contact_create(1, 1, 1, f, &contact)
+              : pad == 1 ? rwedge_contact_create_flat(0.8, 3, 1, f, &contact)
+                         : rwedge_contact_create_profile(5, x, slope, 1, f, &contact));
+    return owned(contact);
+}
+
+static programme draw_programme(int kind, int pad)
 {
     programme p = {.kind = kind};
     p.tolerance = random_fraction(&seed) < 0.5 ? 1e-3 : 1e-4;
     p.f = random_between(&seed, 0.1, 1);
-    p.first.P = 0.2 * pow(100, random_fraction(&seed));
-    p.b = rwedge_half_width(1, 1, 1, p.first.P);
+    p.contact = create_pad(pad, p.f);
+    p.first.P = (pad == 0 ? 0.2 : 0.07) * pow(100, random_fraction(&seed));
+    apply(p.contact, p.first.P, 0, 0, 0);
+    p.b = rwedge_contact_half_width(p.contact);
     p.first.M = 0.2 * p.first.P * p.b * sign_and_size();
     p.swing = random_between(&seed, 0, 0.95);
     p.lag = random_between(&seed, 0, PI);
@@ -147,12 +164,11 @@ CLAIM(loads_as_tests_have_them_are_done)
     for (long i = first_seed; i < first_seed + histories; i++) {
         tally.history = i;
         seed = (uint64_t)i;
-        const programme p = draw_programme((int)(i % KINDS));
-        rwedge_contact *contact = create_wedge(1, 1, 1, p.f);
-        assert_ok(rwedge_contact_allow_error(contact, p.tolerance));
-        go_to(contact, p.f, p.first);
+        const programme p = draw_programme((int)(i % KINDS), (int)(i / KINDS % PADS));
+        assert_ok(rwedge_contact_allow_error(p.contact, p.tolerance));
+        go_to(p.contact, p.f, p.first);
         for (int k = 1; k <= LOADS; k++)
-            go_to(contact, p.f, draw_loads(&p, k));
+            go_to(p.contact, p.f, draw_loads(&p, k));
     }
     print_message(
         "    %ld loads, %ld of them computed, %ld did not converge; the slowest took %.2f s, "

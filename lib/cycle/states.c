@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cycle/cycle.h"
 
+#include "base/always.h"
 #include "base/sort.h"
 
 /* A step in which P or M changes is cut into PARTS. Where it ends in separation its last part is
@@ -37,9 +38,11 @@ static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact
     const rw_memory *path = &after->memory;
     const rw_path old = rw_memory_path(&before->memory);
     const size_t common = rw_memory_common(path, &old);
-    const bool is_on_segment = common + 1 < path->count && common < old.count &&
-                               path->corners[common].load < old.corners[common].load &&
-                               path->corners[common].ratio == old.corners[common].ratio;
+    /* always: a step appends one corner at most, but where it leaves a segment two */
+    const bool is_on_segment =
+        common + 1 < path->count &&
+        ALWAYS(common < old.count && path->corners[common].load < old.corners[common].load &&
+               path->corners[common].ratio == old.corners[common].ratio);
     return path->corners[is_on_segment ? common : common - 1].patch;
 }
 

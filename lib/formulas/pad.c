@@ -132,7 +132,7 @@ double rw_pad_half_width(const rw_pad *pad, double P)
     if (P == 0)
         return 0;
     const double hi = beyond_root(half_load_excess, &at, &lo, lo);
-    return hi < LARGEST ? rw_root(half_load_excess, &at, lo, hi, 0) : NAN;
+    return rw_root(half_load_excess, &at, lo, hi, 0);
 }
 
 static double right_edge(const search *at)
@@ -150,7 +150,9 @@ static double excess(double left, const void *context)
     search at = *(const search *)context;
     at.left = left;
     const rw_pressing carried = rw_pad_pressing(at.pad, (rw_patch){left, right_edge(&at)});
-    return (at.by_moment ? carried.moment / carried.load * at.P : carried.tilt) - at.wanted;
+    /* rounding may leave no width, and so no load */
+    const double arm = carried.load > 0 ? carried.moment / carried.load : left;
+    return (at.by_moment ? arm * at.P : carried.tilt) - at.wanted;
 }
 
 /* The left edge is between -infinity, where the tilt is -1, and the right end of the profile, where
@@ -159,14 +161,14 @@ static rw_patch search_patch(search *s)
 {
     const double end = s->pad->arcs[s->pad->count - 1].right;
     double lo = s->pad->arcs[0].left - s->P, step = s->P;
-    while (excess(lo, s) > 0 && step < LARGEST) {
+    while (excess(lo, s) > 0) {
         lo -= step;
         step *= 2;
     }
     double distance = end - lo;
     do {
         distance /= 2;
-        if (!(end - distance < end && step < LARGEST))
+        if (!(end - distance < end))
             return (rw_patch){NAN, NAN};
     } while (excess(end - distance, s) < 0);
     s->left = rw_root(excess, s, lo, end - distance, DBL_EPSILON / 4 * (s->P + (end - lo)));

@@ -178,7 +178,7 @@ static bool settle(search *s, const arc *a)
     if (fabs(c[1]) <= reach * (2 * fabs(c[2]) + reach * (3 * fabs(c[3]) + reach * 4 * fabs(c[4]))))
         return false;
     const double x = rw_root(quartic_at, &slope, -reach, reach, DBL_EPSILON / 8);
-    if (!isnan(x)) {
+    if (ALWAYS(!isnan(x))) { /* an arc without a root is not above its ends */
         const rw_direction there = rw_turned_by(u, x);
         record(s, there, value_at(&s->member[PEAK][0], there), value_at(&range, there));
     }

@@ -5,6 +5,7 @@
  * Matousek, Sharir and Welzl (1996). */
 #include "planes/smallest_ball.h"
 
+#include "base/always.h"
 #include "base/select.h"
 
 #include <float.h>
@@ -138,7 +139,7 @@ static bool grow(rw_ball *ball, double slack, const rw_point points[], size_t mo
     const int others = ball->count;
     rw_ball candidate;
     const unsigned choices = (1u << others) - (others == RW_SUPPORT); /* not all, and one more */
-    for (unsigned choice = 1; choice < choices; choice++) {
+    for (unsigned choice = 1; ALWAYS(choice < choices); choice++) {   /* one of them is the ball */
         size_t support[CANDIDATES] = {more};
         int count = 1;
         for (int i = 0; i < others; i++)

@@ -15,12 +15,15 @@
 
 /* ---- An allocator that fails ---- */
 
+enum { MOST_NOTED = 1000 };
+
 static struct {
     bool inside;    /* a call of the library: nothing else counts, or fails */
     size_t calls;   /* since the last arm() */
     size_t failing; /* the number of the call that fails; 0: none */
     bool for_ever;
-    long outstanding; /* blocks that are not freed */
+    long outstanding;               /* blocks that are not freed */
+    const void *caller[MOST_NOTED]; /* of the first calls */
 } heap;
 
 #ifdef PROGRAM_HEAP
@@ -31,6 +34,9 @@ static struct {
 #define REAL(function) __real_##function
 #endif
 
+/* Where in the program the allocation is. */
+#define CALLER __builtin_return_address(0)
+
 void *REAL(malloc)(size_t size);
 void *REAL(calloc)(size_t count, size_t size);
 void *REAL(realloc)(void *block, size_t size);
@@ -40,10 +46,12 @@ void *HEAP(calloc)(size_t count, size_t size);
 void *HEAP(realloc)(void *block, size_t size);
 void HEAP(free)(void *block);
 
-static bool is_granted(void)
+static bool is_granted(const void *caller)
 {
     if (!heap.inside)
         return true;
+    if (heap.calls < MOST_NOTED)
+        heap.caller[heap.calls] = caller;
     heap.calls++;
     return heap.failing == 0 ||
            (heap.for_ever ? heap.calls < heap.failing : heap.calls != heap.failing);
@@ -57,17 +65,17 @@ static void *counted(void *block)
 
 void *HEAP(malloc)(size_t size)
 {
-    return is_granted() ? counted(REAL(malloc)(size)) : NULL;
+    return is_granted(CALLER) ? counted(REAL(malloc)(size)) : NULL;
 }
 
 void *HEAP(calloc)(size_t count, size_t size)
 {
-    return is_granted() ? counted(REAL(calloc)(count, size)) : NULL;
+    return is_granted(CALLER) ? counted(REAL(calloc)(count, size)) : NULL;
 }
 
 void *HEAP(realloc)(void *block, size_t size)
 {
-    if (!is_granted())
+    if (!is_granted(CALLER))
         return NULL;
     return block == NULL ? counted(REAL(realloc)(block, size)) : REAL(realloc)(block, size);
 }
@@ -116,7 +124,8 @@ CLAIM(allocations_of_other_libraries_are_seen)
 /* ---- Every call ---- */
 
 /* Arguments that are drawn for a call; allocations of which each fails: of more, most at the
- * beginning. A computed contact has fewer, as it takes its time. */
+ * beginning, and the first of each place in the program. A computed contact has fewer, as it takes
+ * its time. */
 enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 20, FEW_COMPUTED = 4 };
 
 typedef struct {
@@ -124,6 +133,7 @@ typedef struct {
     bool is_computed; /* the contact that it takes */
     double v[CALL_ARGUMENTS], out[CALL_OUTPUTS];
     size_t allocations;
+    bool is_first[MOST_NOTED]; /* of its place in the program */
 } trial;
 
 /* The status of the trial's call where the allocation of that number fails; 0: none. */
@@ -153,14 +163,28 @@ static void assert_same_again(const trial *t)
 static void fail_each(const trial *t)
 {
     const size_t few = t->is_computed ? FEW_COMPUTED : FEW;
-    for (size_t k = 1; k <= t->allocations; k += 1 + k / few)
+    for (size_t k = 1, next = 1; k <= t->allocations; k++) {
+        if (k == next)
+            next += 1 + k / few;
+        else if (k > MOST_NOTED || !t->is_first[k - 1])
+            continue;
         for (int for_ever = t->is_computed; for_ever < 2; for_ever++) {
             double out[CALL_OUTPUTS];
             const int32_t status = status_of(t, out, k, for_ever != 0);
             if (status != RWEDGE_ENOMEM && !(t->is_computed && status == RWEDGE_OK))
                 fail_msg("%s, allocation %zu: status %d", t->call.name, k, (int)status);
         }
+    }
     assert_same_again(t);
+}
+
+static void note_places(trial *t)
+{
+    for (size_t i = 0; i < t->allocations && i < MOST_NOTED; i++) {
+        t->is_first[i] = true;
+        for (size_t j = 0; j < i; j++)
+            t->is_first[i] = t->is_first[i] && heap.caller[j] != heap.caller[i];
+    }
 }
 
 /* Arguments with a result, of which the call allocates most. */
@@ -176,6 +200,7 @@ static trial trial_of(const public_call *call, bool is_computed)
             t.v[0] = is_computed ? COMPUTED : i % COMPUTED;
         const int32_t status = status_of(&t, t.out, 0, false);
         t.allocations = heap.calls;
+        note_places(&t);
         if (status == RWEDGE_OK && t.allocations > best.allocations)
             best = t;
     }
@@ -187,6 +212,50 @@ static trial trial_of(const public_call *call, bool is_computed)
 static bool may_allocate(const entry *e)
 {
     return (e->errors & 1u << RWEDGE_ENOMEM) != 0 || e->text != NULL || e->changes_object;
+}
+
+/* A contact whose state allocates in every room. */
+static void assert_restored(const rwedge_contact *contact)
+{
+    enum { MOST = 20000 };
+    static double number[MOST];
+    const size_t n = rwedge_contact_state_size(contact);
+    assert_true(n <= MOST);
+    assert_ok(rwedge_contact_state(contact, n, number));
+    int32_t status = RWEDGE_ENOMEM;
+    for (size_t k = 1; status != RWEDGE_OK; k++) {
+        rwedge_contact *restored = NULL;
+        const long before = heap.outstanding;
+        arm(k, false);
+        set_inside(true);
+        status = rwedge_contact_restore(n, number, &restored);
+        if (status == RWEDGE_OK)
+            rwedge_contact_destroy(restored);
+        set_inside(false);
+        assert_true(status == RWEDGE_OK || (status == RWEDGE_ENOMEM && restored == NULL));
+        assert_int_equal(heap.outstanding, before);
+        assert_true(k < 1000);
+    }
+    arm(0, false);
+}
+
+CLAIM(a_state_that_lacks_memory_is_not_restored)
+{
+    rwedge_contact *wedge, *pad;
+    assert_ok(rwedge_contact_create(0.1, 0.4, 0.5, 0.5, &wedge));
+    assert_ok(rwedge_contact_create_flat(0.4, 10, 0.5, 0.5, &pad));
+    rwedge_contact *contacts[] = {wedge, pad};
+    for (int i = 0; i < 2; i++) {
+        rwedge_contact *contact = contacts[i];
+        assert_ok(rwedge_contact_apply(contact, 0.2, 0.03, 0, 0));
+        assert_ok(rwedge_contact_apply(contact, 0.2, 0.03, 0.06, 0.002));
+        assert_restored(contact);
+        assert_ok(rwedge_contact_allow_error(contact, 1e-2));
+        assert_ok(rwedge_contact_apply(contact, 0.2, 0.01, 0.05, 0.02));
+        assert_true(rwedge_contact_error(contact) > 0);
+        assert_restored(contact);
+        rwedge_contact_destroy(contact);
+    }
 }
 
 CLAIM(every_failed_allocation_is_survived)

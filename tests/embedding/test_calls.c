@@ -147,7 +147,20 @@ static void ask_of_every_call(question *ask, size_t at_most)
 
 CLAIM(a_pointer_that_is_needed_may_not_be_null)
 {
+    enum { DRAWS = 20 };
     ask_of_every_call(complaint_about_null, 50);
+    size_t count;
+    const public_call *calls = public_calls(&count);
+    for (size_t i = 0; i < count; i++) {
+        double v[CALL_ARGUMENTS];
+        uint64_t seed = 1;
+        for (int k = 0; k < DRAWS; k++) {
+            draw_inside(&calls[i], &seed, v);
+            const char *complaint = complaint_about_null(&calls[i], v);
+            if (complaint != NULL)
+                fail_msg("%s: %s", calls[i].name, complaint);
+        }
+    }
 }
 
 /* Each argument is in its domain; what becomes of them is not, or is at the sharp apex. */

@@ -16,7 +16,7 @@ void (*on_call)(bool begins);
 
 /* ---- Objects ---- */
 
-/* A contact before its loads, and after some. */
+/* A contact before its loads, and after some. A flat pad where theta is 0. */
 static const struct {
     double theta, a, A, f;
     double load[4][4]; /* P, M, Q, sigma, to the first P that is 0 */
@@ -28,14 +28,19 @@ static const struct {
     {0.5, 3e-60, 1.5, 0.5, {{2, 0, 0, 0}}},
     {1e-30, 1e-9, 1e-40, 1e-5, {{1e3, 0, 0, 0}, {1e3, 0, 1e-3, 0}}},
     {0.5, 0.3, 1, 0.5, {{4, 0.2, 0, 0}, {4, 0.2, 1, 0.01}, {4.5, 0.3, 0.5, 0.01}}},
+    {0, 0.4, 0.5, 0.5, {{0.2, 0.03, 0, 0}, {0.2, 0.03, 0.06, 0.002}}},
     {0.5, 0.3, 1, 0.5, {{4, 0, 0, 0}, {4, 0, 0.5, 2}}},
 };
 
 static rwedge_contact *contact_of_case(int i)
 {
     rwedge_contact *contact = NULL;
-    rwedge_contact_create(contact_cases[i].theta, contact_cases[i].a, contact_cases[i].A,
-                          contact_cases[i].f, &contact);
+    if (contact_cases[i].theta > 0)
+        rwedge_contact_create(contact_cases[i].theta, contact_cases[i].a, contact_cases[i].A,
+                              contact_cases[i].f, &contact);
+    else
+        rwedge_contact_create_flat(contact_cases[i].a, 10, contact_cases[i].A, contact_cases[i].f,
+                                   &contact);
     if (i == COMPUTED)
         rwedge_contact_allow_error(contact, 1e-2);
     for (int k = 0; k < 4 && contact_cases[i].load[k][0] > 0; k++) {

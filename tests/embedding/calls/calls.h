@@ -27,7 +27,7 @@ typedef struct {
 } public_call;
 
 /* Of each family, which its functions are called with. The last contact is computed. */
-enum { OBJECTS = 8, COMPUTED = OBJECTS - 1 };
+enum { OBJECTS = 9, COMPUTED = OBJECTS - 1 };
 
 /* The number in front of the arguments of a function that takes an object. */
 extern const entry_argument which_object;

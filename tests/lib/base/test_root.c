@@ -2,6 +2,7 @@
 /* The numerical tools of lib/base/: roots, quadrature, least squares. */
 #include "claims.h"
 #include "base/least_squares.h"
+#include "base/linear.h"
 #include "rwedge.h"
 #include "base/root.h"
 
@@ -138,4 +139,16 @@ CLAIM(columns_that_are_nearly_one_are_refused)
         const int32_t status = rw_least_squares(2, 2, A, v);
         assert_int_equal(status, 2 / angle < 1 / sqrt(DBL_EPSILON) ? RWEDGE_OK : RWEDGE_ERANK);
     }
+}
+
+/* ---- Linear equations ---- */
+
+CLAIM(a_matrix_that_has_no_solution_is_refused)
+{
+    double b[] = {1, 1}, singular[] = {1, 2, 2, 4}, endless[] = {HUGE_VAL}, small[] = {1e-300},
+           large[] = {1e300}, indefinite[] = {1, 2, 2, 1};
+    assert_false(rw_solve(2, singular, b));
+    assert_false(rw_solve(1, endless, b));
+    assert_false(rw_solve(1, small, large));
+    assert_false(rw_cholesky(2, indefinite));
 }

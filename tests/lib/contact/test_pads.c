@@ -32,7 +32,11 @@ CLAIM(a_flat_pad_has_its_edge_tension)
         const double a = known[i][0], P = flat_load(a, 1);
         rwedge_contact *contact = flat(a);
         apply(contact, P, 0, F * P, 0);
+        double left, right;
         assert_close(edges_of(contact).right, 1, 1e-14);
+        assert_ok(rwedge_contact_beyond_flat(contact, &left, &right));
+        assert_close(left, 1 - a, 1e-13);
+        assert_true(left == right);
         assert_close(stress_at(contact, edges_of(contact).left, 0).xx / (F * P), known[i][1], 2e-5);
         const double exact = 2 * (1 - a) / (acos(a) - a * sqrt(1 - a * a));
         assert_close(stress_at(contact, edges_of(contact).left, 0).xx / (F * P), exact, 1e-12);

@@ -260,16 +260,24 @@ static double farthest(size_t n, double p[][3], const double from[3], size_t *wh
     return sqrt(most);
 }
 
-/* A centre that goes to the farthest point, less and less far, is soon the best. */
+/* A centre that goes to the farthest point, less and less far, is soon the best. Of the first
+ * points five are in one plane. */
 CLAIM(spheres_around_random_paths_are_the_smallest)
 {
-    enum { N = 40, STEPS = 20000 };
+    enum { N = 40, STEPS = 20000, FLAT = 7 };
+    static const double d[FLAT] = {0.7495, 0.6819, 0.675, 0.7052, 0.6728, 0.7707, 0.7566},
+                        s[FLAT] = {0, 1.2811, 0, 1.3418},
+                        t[FLAT] = {-0.095, -0.0261, -0.0242, -0.0215, -0.0817, -0.0418, -0.0419};
     uint64_t seed = 11;
     for (int turn = 0; turn < 8; turn++) {
         double sxx[N], syy[N], txy[N], p[N][3], centre[3] = {0}, radius;
         size_t which = 0;
         for (int i = 0; i < N; i++) {
             sxx[i] = some_stress(&seed), syy[i] = some_stress(&seed), txy[i] = some_stress(&seed);
+            if (turn == 0) {
+                const int k = i % FLAT;
+                sxx[i] = s[k] - d[k], syy[i] = s[k] + d[k], txy[i] = t[k];
+            }
             p[i][0] = (syy[i] - sxx[i]) / 2, p[i][1] = txy[i];
             p[i][2] = (sxx[i] + syy[i]) / 2 / sqrt(3); /* of nu = 0 */
         }

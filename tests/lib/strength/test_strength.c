@@ -139,6 +139,10 @@ CLAIM(the_maximum_may_be_at_the_end_of_the_rounding)
             assert_close(limit, PI / 2 / sqrt(J2), 1e-7);
             assert_close(x, f / sqrt(1 + f * f), 1e-7);
         }
+    double limit, x;
+    assert_ok(rwedge_surface_yield(1 - 1e-8, 1e6, 0.3, &limit, &x));
+    assert_close(limit, PI / 2 / sqrt(1e12 * (1 + 0.16 / 3)), 1e-5);
+    assert_close(x, 1 - 1e-8, 1e-15);
 }
 
 CLAIM(the_gradient_jumps_at_the_critical_friction)

@@ -16,12 +16,12 @@ static const struct poptOption options[] = {
 
 static void describe(FILE *stream)
 {
-    fputs(
-        "\nA workbook (XLSX) with a calculator, in plain formulas, and the tables that it uses:\n"
-        "for a/b from 0.003, f from 0 to 0.8, every Poisson's ratio. Its sheet \"About\" says how\n"
-        "exact it is.\n"
-        "\nOr of CSV files, such as tables of this tool: a sheet for each, numbers as numbers.\n",
-        stream);
+    fputs("\nA workbook (XLSX) with a calculator, in plain formulas, and the tables that it\n"
+          "uses: for a/b from 0.003, f from 0 to 0.8, every Poisson's ratio. Its sheet\n"
+          "\"About\" says how exact it is.\n"
+          "\nOr of CSV files, such as tables of this tool: a sheet for each, numbers as\n"
+          "numbers.\n",
+          stream);
 }
 
 static const char *const formats[] = {"xlsx", NULL};

@@ -142,13 +142,6 @@ static bool begin(const rwedge_contact *c, rw_numerical *numerical)
     return false;
 }
 
-rw_scaled_loads rw_part_of_line(rw_scaled_loads from, rw_scaled_loads to, double part)
-{
-    return (rw_scaled_loads){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
-                             from.shear + part * (to.shear - from.shear),
-                             from.stretch + part * (to.stretch - from.stretch)};
-}
-
 static double no_slip(double x, const void *context)
 {
     (void)x;

@@ -11,8 +11,6 @@ rw_scaled_loads rw_contact_scaled_loads(const rwedge_contact *contact, double P,
                                         double shear, double stretch);
 rw_scaled_loads rw_loads_before_touching(const rwedge_contact *contact);
 
-rw_scaled_loads rw_part_of_line(rw_scaled_loads from, rw_scaled_loads to, double part);
-
 /* The computed shear of a contact in closed form. NULL where memory is short. */
 rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *contact);
 

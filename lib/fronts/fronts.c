@@ -10,7 +10,7 @@
 enum { GAP_POINTS = 40, GAP_TERMS = 48 };
 
 /* An edge that moves by less than this part of the half-width has the same D before and after. */
-static const double LEAST_GROWTH = 1e-4;
+static const double LEAST_GROWTH = 1e-6;
 
 /* The layers that have a given D at the edges that stick: D after the step is an unknown of
  * Newton's method; D before it is `ratio`, where that is known. There are as many layers as
@@ -93,28 +93,38 @@ rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
 
 /* ---- The polynomial ---- */
 
-/* Smaller terms, over the largest, are left out. */
-static const double LEAST_TERM = 1e-13;
+/* Smaller terms, over the largest and the tolerance, are left out. */
+static const double LEAST_TERM = 1e-7;
+
+/* How many terms the series of a gap has at most. It falls by rho from term to term, the faster the
+ * further the zones beside the gap reach. */
+static int most_terms(const rw_stuck *s, int gap, double middle, double half, double least)
+{
+    const double reach = fmin(middle - s->end[2 * gap], s->end[2 * gap + 3] - middle) / half;
+    const double rho = reach + sqrt(fmax(0, reach * reach - 1));
+    return (int)fmax(4, fmin(GAP_TERMS, 1 - log(least) / log(rho)));
+}
 
 /* X in the gap between two zones that stick, over the half-length of the gap, as a sum of sines.
  * Returns how many terms count. */
-static int expand_gap(const rw_stuck *sticks, double middle, double half, double c[])
+static int expand_gap(const rw_stuck *s, int gap, double least, double middle, double half,
+                      double c[])
 {
-    enum { TURN = 2 * (GAP_TERMS + 1) };
-    double sampled[GAP_TERMS], sine[TURN], most = 0;
-    int terms = GAP_TERMS;
-    for (int i = 0; i < TURN; i++)
-        sine[i] = sin(2 * RW_PI * i / TURN);
-    for (int i = 0; i < GAP_TERMS; i++)
+    double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0;
+    const int n = most_terms(s, gap, middle, half, least), turn = 2 * (n + 1);
+    int terms = n;
+    for (int i = 0; i < turn; i++)
+        sine[i] = sin(2 * RW_PI * i / turn);
+    for (int i = 0; i < n; i++)
         sampled[i] =
-            4.0 / TURN / half * rw_X_at(sticks, middle + half * cos(2 * RW_PI * (i + 1) / TURN));
-    for (int k = 0; k < GAP_TERMS; k++) {
+            4.0 / turn / half * rw_X_at(s, middle + half * cos(2 * RW_PI * (i + 1) / turn));
+    for (int k = 0; k < n; k++) {
         c[k] = 0;
-        for (int i = 0; i < GAP_TERMS; i++)
-            c[k] += sampled[i] * sine[(k + 1) * (i + 1) % TURN];
+        for (int i = 0, at = k + 1; i < n; i++, at += at + k + 1 < turn ? k + 1 : k + 1 - turn)
+            c[k] += sampled[i] * sine[at];
         most = fmax(most, fabs(c[k]));
     }
-    while (terms > 1 && !(fabs(c[terms - 1]) > LEAST_TERM * most))
+    while (terms > 1 && !(fabs(c[terms - 1]) > least * most))
         terms--;
     return terms;
 }
@@ -150,11 +160,13 @@ static void gap_kernel(int terms, const double c[], const double eta[], double k
 /* How far two zones that stick would move apart by dt, without p: the integral over the gap (a, b)
  * between them of X (1/pi) int [dt/X]/(s - x) ds dx. The integral over x comes first, from a
  * Chebyshev series of X/sqrt((x - a)(b - x)). */
-static double gap_of_change(const rw_fronts *f, const rw_stuck *sticks, double a, double b)
+static double gap_of_change(const rw_fronts *f, const rw_stuck *s, int gap)
 {
+    const double a = s->end[2 * gap + 1], b = s->end[2 * gap + 2];
     const double half = (b - a) / 2, middle = (a + b) / 2;
     double c[GAP_TERMS];
-    const int terms = expand_gap(sticks, middle, half, c);
+    const double least = LEAST_TERM * f->problem->frame->tolerance;
+    const int terms = expand_gap(s, gap, least, middle, half, c);
     double sum = 0;
     for (size_t first = 0; first < f->count; first += BLOCK) {
         double eta[BLOCK], kernel[BLOCK];
@@ -232,7 +244,7 @@ static void conditions_of_gaps(const rw_fronts *f, const rw_stuck *s, double A[]
             for (int j = 0; j < n; j++, share *= at)
                 row[j] += share;
         }
-        B[m + 1 + k] = -gap_of_change(f, s, a, b) / half;
+        B[m + 1 + k] = -gap_of_change(f, s, k) / half;
     }
 }
 

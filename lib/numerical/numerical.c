@@ -226,9 +226,6 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numeri
 
 /* ---- Steps ---- */
 
-/* Halvings of a load. */
-enum { HALVINGS = 9 };
-
 /* Makes the end of a step the present state. */
 static bool accept(rw_work *w, rw_numerical *n, const rw_numerical_state *half,
                    rw_numerical_state *now)
@@ -270,11 +267,10 @@ static void spread(bool left_out[], double apart[])
             apart[i] = fmax(apart[i], apart[i + 1]);
 }
 
-/* The error is at most this many times the difference of a step from its halves, in 98 of 100
- * histories (tests/proof/history_survey.c). A step of first order errs by the difference; but the
- * halves see only a part of what both leave out, like the D of a wide new ring, and such errors add
- * up. From 12 on it would be told more than 30 times too large in some histories. */
-static const double DOUBT = 4;
+/* The error is at most this many times the difference of a step from its halves, in 97 of 100
+ * histories (tests/proof/history_survey.c). Steps are of second order, or of a lower one where a
+ * front runs back into a zone that slipped, and such errors add up. */
+static const double DOUBT = 2;
 
 /* The differences of two tractions over the scale, by place. Returns the largest. */
 static double difference(double scale, const rw_numerical_state *a, const rw_numerical_state *b,
@@ -300,10 +296,10 @@ static double difference(double scale, const rw_numerical_state *a, const rw_num
  * tractions. The energy of the halves is of second order. */
 static const double ENERGY = 30;
 
-/* Compares the halves with the whole: the difference bounds the error of the halves. Whether it and
- * the difference of the energies are small enough. */
-static bool compare(const rw_frame *frame, const rw_numerical_state *whole,
-                    const rw_numerical_state *half, rw_numerical_state *both)
+/* Compares the halves with the whole: the difference bounds the error of the halves. Returns it,
+ * over what is allowed, or that of the energies. */
+static double compare(const rw_frame *frame, const rw_numerical_state *whole,
+                      const rw_numerical_state *half, rw_numerical_state *both)
 {
     const double scale = rw_peak_friction(frame, whole->contact);
     const double unit = scale * rw_patch_half_width(whole->contact);
@@ -311,13 +307,7 @@ static bool compare(const rw_frame *frame, const rw_numerical_state *whole,
     both->error += half->error + half->rate_error + both->rate_error;
     const double apart = difference(scale, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
-    return both->error + apart <= frame->tolerance && fabs(energy) <= ENERGY * frame->tolerance;
-}
-
-static rw_scaled_loads half_way(rw_scaled_loads from, rw_scaled_loads to)
-{
-    return (rw_scaled_loads){from.P / 2 + to.P / 2, from.M / 2 + to.M / 2,
-                             from.shear / 2 + to.shear / 2, from.stretch / 2 + to.stretch / 2};
+    return fmax(both->error + apart, fabs(energy) / ENERGY) / frame->tolerance;
 }
 
 /* A step that may have failed. */
@@ -339,60 +329,121 @@ static void try_step(trial *t, rw_work *w, const rw_numerical_state *from, rw_sc
     t->is_known = rw_implicit_step(w, from, to, guess, coarse, &t->state);
 }
 
+/* The length of a step, over that of one with this error over the allowed one: steps are of second
+ * order, and growth is careful. Unknown errors are HUGE_VAL. */
+static double better_length(double error)
+{
+    static const double LEAST = 0.1, MOST = 2, UNKNOWN = 0.5;
+    return error == HUGE_VAL ? UNKNOWN : fmax(LEAST, fmin(MOST, 0.8 / sqrt(fmax(error, 0.1))));
+}
+
+/* About this part, so that what is left has a whole number of them. */
+static double part_of(double left, double part)
+{
+    return left / fmax(1, floor(left / part + 0.5));
+}
+
+/* A load is divided so many times at most, each time into halves or shorter parts. */
+enum { DIVISIONS = 9 };
+
+static const double SHORTEST = 1.0 / (1 << DIVISIONS);
+
+/* The step as a whole, if it is known, its first half and both halves. */
+typedef struct {
+    trial whole, half, both;
+    rw_zones guess;
+} attempt;
+
 /* What a load needs. The stack of some threads, 64 KiB, would not hold it. */
 typedef struct {
     rw_work work;
     rw_numerical next;
-    trial whole, half[HALVINGS + 1], rest[HALVINGS + 1];
-    rw_zones guess[HALVINGS + 1];
+    attempt at[DIVISIONS + 1]; /* by how often the load was divided */
 } load_work;
 
-/* Goes on to a load. `whole` is the step as a whole, if it is known. Its difference from two halves
- * is the error. Both halves are divided again until that is small, or the effort is spent: the
- * first half may take half of the effort left. */
-static bool advance(load_work *j, rw_scaled_loads to, trial *whole, int halvings, int effort)
+/* One step to a load, if its error is small enough or it is the last attempt. The difference of the
+ * whole from two halves is the error. If it is too large only the first half stays. */
+static bool try_at_once(load_work *j, attempt *a, rw_scaled_loads to, bool is_last, double *error)
 {
     rw_work *w = &j->work;
     rw_numerical *n = &j->next;
-    trial *half = &j->half[halvings], *rest = &j->rest[halvings];
-    rw_zones *guess = &j->guess[halvings];
-    const bool is_last = halvings == 0 || w->effort > effort;
-    if (whole->is_known && whole->state.is_exact) {
-        whole->is_known = false;
-        whole->state.error += whole->state.rate_error;
-        return accept(w, n, &whole->state, &whole->state);
+    const bool is_known = a->whole.is_known;
+    a->half.is_known = a->both.is_known = false;
+    *error = 0;
+    if (is_known && a->whole.state.is_exact) {
+        a->whole.is_known = false;
+        a->whole.state.error += a->whole.state.rate_error;
+        return accept(w, n, &a->whole.state, &a->whole.state);
     }
-    const rw_scaled_loads middle = half_way(n->now.at, to);
-    if (is_last && !whole->is_known)
-        try_step(whole, w, &n->now, to, NULL, true);
-    *guess = whole->is_known ? whole->state.shear.zones : n->now.shear.zones;
-    try_step(half, w, &n->now, middle, guess, is_last);
-    if (half->is_known && whole->is_known && rw_step_goes_on(w, &half->state, &whole->state)) {
-        const bool is_done = accept(w, n, &half->state, &whole->state);
-        whole->is_known = false;
-        drop(half);
-        return is_done;
+    a->guess = is_known ? a->whole.state.shear.zones : n->now.shear.zones;
+    try_step(&a->half, w, &n->now, rw_part_of_line(n->now.at, to, 0.5), &a->guess, is_last);
+    if (a->half.is_known && is_known && rw_step_goes_on(w, &a->half.state, &a->whole.state)) {
+        a->both = a->whole;
+        a->whole.is_known = false;
+    } else {
+        if (a->half.is_known && is_known)
+            try_step(&a->both, w, &a->half.state, to, &a->guess, is_last);
+        *error = a->both.is_known
+                     ? compare(w->frame, &a->whole.state, &a->half.state, &a->both.state)
+                     : HUGE_VAL;
     }
-    rest->is_known = false;
-    if (half->is_known && whole->is_known)
-        try_step(rest, w, &half->state, to, guess, is_last);
-    const bool is_close =
-        rest->is_known && compare(w->frame, &whole->state, &half->state, &rest->state);
-    drop(whole);
-    if (is_close || (rest->is_known && is_last)) {
-        const bool is_done = accept(w, n, &half->state, &rest->state);
-        drop(half);
-        return is_done;
-    }
-    drop(rest);
-    if (is_last || w->is_short) {
-        drop(half);
+    drop(&a->whole);
+    if (!a->both.is_known || (*error > 1 && !is_last)) {
+        drop(&a->both);
         return false;
     }
-    if (!advance(j, middle, half, halvings - 1, w->effort + (effort - w->effort) / 2))
-        return false;
-    try_step(rest, w, &n->now, to, guess, false);
-    return advance(j, to, rest, halvings - 1, effort);
+    const bool is_done = accept(w, n, &a->half.state, &a->both.state);
+    drop(&a->half);
+    return is_done;
+}
+
+static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
+                             int effort, double *error);
+
+/* Goes on to a load. It is divided until the error of each part is small, or the effort is spent.
+ * `length` is that of the load as a part of all. `error` on return: of the step, if it was one. */
+static bool advance(load_work *j, int division, rw_scaled_loads to, double length, int effort,
+                    double *error)
+{
+    attempt *a = &j->at[division];
+    const bool is_last = division == DIVISIONS || length <= SHORTEST || j->work.effort > effort;
+    if (is_last && !a->whole.is_known)
+        try_step(&a->whole, &j->work, &j->next.now, to, NULL, true);
+    if (try_at_once(j, a, to, is_last, error))
+        return true;
+    if (!is_last && !j->work.is_short)
+        return advance_in_parts(j, division, to, length, effort, error);
+    drop(&a->half);
+    return false;
+}
+
+/* `error` is that of the load at once, whose first half stands ready, if it is known. A part may
+ * take half of the effort left. */
+static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
+                             int effort, double *error)
+{
+    rw_work *w = &j->work;
+    attempt *a = &j->at[division], *next = a + 1;
+    const rw_scaled_loads from = j->next.now.at;
+    double done = 0, part = part_of(1, fmin(0.5, better_length(*error)));
+    bool is_done = true;
+    next->whole = a->half;
+    if (part < 0.5)
+        drop(&next->whole);
+    while (is_done && done < 1) {
+        const bool is_end = part > 0.9 * (1 - done);
+        const rw_scaled_loads at = is_end ? to : rw_part_of_line(from, to, done + part);
+        const int share = (effort - w->effort) / (is_end ? 1 : 2);
+        if (done > 0 || part < 0.5) {
+            a->guess = j->next.now.shear.zones;
+            try_step(&next->whole, w, &j->next.now, at, &a->guess, false);
+        }
+        is_done = advance(j, division + 1, at, length * part, w->effort + share, error);
+        done = is_end ? 1 : done + part;
+        part = is_end ? 0 : part_of(1 - done, part * (*error > 1 ? 1 : better_length(*error)));
+    }
+    *error = HUGE_VAL;
+    return is_done;
 }
 
 /* A load after which the error is twice what it was, and this more, has not converged. */
@@ -408,8 +459,9 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
     }
     rw_step_result result = RW_STEP_NO_MEMORY;
     if (rw_numerical_copy(n, &j->next)) {
-        try_step(&j->whole, &j->work, &j->next.now, to, NULL, false);
-        const bool is_done = advance(j, to, &j->whole, HALVINGS, *effort / 2) &&
+        double error;
+        try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
+        const bool is_done = advance(j, 0, to, 1, *effort / 2, &error) &&
                              rw_numerical_error(&j->next) <= FAR_OFF + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
         rw_numerical_destroy(is_done ? n : &j->next);

@@ -2,6 +2,7 @@
 #include "numerical/rates.h"
 
 #include "base/domain.h"
+#include "base/linear.h"
 #include "numerical/pattern.h"
 
 /* The solution of the rates. S f dp/ds on all of the contact makes no slip. With this traction as
@@ -127,13 +128,16 @@ double rw_rates_wrong(rw_fronts *f, const rw_problem *p, const rw_zones *zones,
     return most;
 }
 
-double rw_rates_slip(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone zone)
+/* The largest slip that goes the right way in a zone. */
+static double slip_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone zone)
 {
     rates r;
     return solve(f, p, zones, zone.label, &r) ? largest_slip(f, &r, zone, -1) : 0;
 }
 
-double rw_rates_excess(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone part)
+/* How far the traction goes beyond friction, on average, in a part that slipped with its label and
+ * now sticks: then it slips on at first. */
+static double excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone part)
 {
     const double length = part.right - part.left;
     double sum = 0;
@@ -158,7 +162,8 @@ void rw_rates_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, do
     }
 }
 
-rw_zones rw_rates_begun(const rw_zones *old, const rw_zones *after)
+/* What slips the same way in both. */
+static rw_zones common_slip(const rw_zones *old, const rw_zones *after)
 {
     rw_zones begun = {1, {{0, old->zone[0].left, old->zone[old->count - 1].right}}};
     for (int i = 0; i < old->count; i++)
@@ -171,4 +176,151 @@ rw_zones rw_rates_begun(const rw_zones *old, const rw_zones *after)
                 rw_pattern_insert(&begun, &both, 0);
         }
     return begun;
+}
+
+/* ---- Fronts that stick grows from ---- */
+
+/* A front inside of a zone that slipped before: that of which zone, the end of what sticks, and how
+ * far it may move. */
+typedef struct {
+    int zone, end;
+    double least, most;
+} free_front;
+
+static int free_fronts(const rw_zones *old, const rw_zones *begun, free_front fronts[])
+{
+    int count = 0, ends = begun->zone[0].label == 0;
+    for (int i = 0; i + 1 < begun->count; i++) {
+        const rw_zone zone = begun->zone[i].label != 0 ? begun->zone[i] : begun->zone[i + 1];
+        const double x = begun->zone[i].right;
+        for (int k = 0; k < old->count; k++)
+            if (old->zone[k].label == zone.label && x > old->zone[k].left && x < old->zone[k].right)
+                fronts[count++] = (free_front){i, ends, old->zone[k].left, old->zone[k].right};
+        ends++;
+    }
+    return count;
+}
+
+static void set_front(rw_zones *zones, int i, double x)
+{
+    zones->zone[i].right = zones->zone[i + 1].left = x;
+}
+
+/* K at the free fronts. */
+static bool pulls(rw_fronts *f, const rw_problem *p, const rw_zones *zones, int count,
+                  const free_front fronts[], double K[])
+{
+    rates r;
+    double all[RW_MOST_FRONTS];
+    if (!solve(f, p, zones, first_sign(zones), &r))
+        return false;
+    rw_fronts_singular(&r.stuck, r.front, r.p, all);
+    for (int i = 0; i < count; i++)
+        K[i] = all[fronts[i].end];
+    return true;
+}
+
+/* One step of Newton's method. The largest move, over the half-width; NaN where it fails. Fronts
+ * that come to the end of the zone that slipped stay there. */
+static double move_fronts(rw_fronts *f, const rw_problem *p, rw_zones *zones, int *count,
+                          free_front fronts[])
+{
+    static const double SMALL = 1e-6;
+    const int n = *count;
+    double K[RW_MOST_FRONTS], moved[RW_MOST_FRONTS], J[RW_MOST_FRONTS * RW_MOST_FRONTS], most = 0;
+    if (!pulls(f, p, zones, n, fronts, K))
+        return NAN;
+    for (int j = 0; j < n; j++) {
+        rw_zones beside = *zones;
+        set_front(&beside, fronts[j].zone, zones->zone[fronts[j].zone].right + SMALL * p->half);
+        if (!pulls(f, p, &beside, n, fronts, moved))
+            return NAN;
+        for (int i = 0; i < n; i++)
+            J[i * n + j] = (K[i] - moved[i]) / SMALL;
+    }
+    if (!rw_solve((size_t)n, J, K))
+        return NAN;
+    *count = 0;
+    for (int j = 0; j < n; j++) {
+        const rw_zone *at = &zones->zone[fronts[j].zone];
+        const double step =
+            fmax(-(at->right - at->left) / 2, fmin((at[1].right - at[1].left) / 2, K[j] * p->half));
+        const double x = fmax(fronts[j].least, fmin(fronts[j].most, at->right + step));
+        most = fmax(most, fabs(x - at->right) / p->half);
+        set_front(zones, fronts[j].zone, x);
+        if (x > fronts[j].least && x < fronts[j].most)
+            fronts[(*count)++] = fronts[j];
+    }
+    return most;
+}
+
+rw_zones rw_rates_begun(rw_fronts *f, const rw_problem *p, const rw_zones *old,
+                        const rw_zones *after)
+{
+    enum { MOST_TURNS = 12 };
+    static const double CLOSE = 1e-9;
+    const rw_zones common = common_slip(old, after);
+    rw_zones begun = common;
+    free_front fronts[RW_MOST_ZONES];
+    int count = common.count <= RW_MOST_FRONTS ? free_fronts(old, &common, fronts) : 0;
+    double move = count > 0 ? HUGE_VAL : 0;
+    for (int turn = 0; turn < MOST_TURNS && count > 0 && move > CLOSE; turn++)
+        move = move_fronts(f, p, &begun, &count, fronts);
+    return move <= CLOSE || count == 0 ? begun : common;
+}
+
+/* ---- The error at the beginning ---- */
+
+static bool is_at_edge(const rw_zones *zones, int i)
+{
+    return i == 0 || i + 1 == zones->count;
+}
+
+static bool slips_so(const rw_zones *zones, rw_zone zone)
+{
+    const rw_zones alone = {1, {zone}}, begun = common_slip(&alone, zones);
+    return zone.label == 0 || begun.count > 1 || begun.zone[0].label != 0;
+}
+
+/* Adds a zone of slip within the contact. Whether there is room for one. */
+static bool add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
+{
+    zone.left = fmax(zone.left, contact.left);
+    zone.right = fmin(zone.right, contact.right);
+    return zone.left < zone.right && rw_pattern_insert(zones, &(rw_zones){1, {zone}}, 0);
+}
+
+double rw_rates_error_at_start(rw_fronts *f, const rw_problem *p, const rw_zones *old,
+                               const rw_zones *after)
+{
+    const rw_zones begun = rw_rates_begun(f, p, old, after);
+    double most = rw_rates_wrong(f, p, &begun, after);
+    for (int i = 0; i < after->count; i++) {
+        rw_zones more = begun;
+        if (is_at_edge(after, i) && !slips_so(old, after->zone[i]) &&
+            add_zone(&more, after->zone[i], p->to))
+            most = fmax(most, rw_rates_wrong(f, p, &more, after));
+    }
+    for (int i = 0; i < old->count; i++) {
+        rw_zones more = begun;
+        if (!slips_so(after, old->zone[i]) && add_zone(&more, old->zone[i], p->to))
+            most = fmax(most, slip_in(f, p, &more, old->zone[i]));
+    }
+    return most;
+}
+
+double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zones *old,
+                                const rw_zones *after, double least)
+{
+    const rw_zones begun = common_slip(old, after);
+    double most = 0;
+    for (int i = 0; i < old->count; i++)
+        for (int k = 0; k < begun.count; k++) {
+            const rw_zone zone = old->zone[i], other = begun.zone[k];
+            const rw_zone part = {zone.label, fmax(zone.left, other.left),
+                                  fmin(zone.right, other.right)};
+            if (zone.label != 0 && other.label == 0 && part.right - part.left > least)
+                most = fmax(most, excess_in(f, p, &begun, part));
+        }
+    return most;
 }

@@ -15,20 +15,23 @@
 double rw_rates_wrong(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
                       const rw_zones *after);
 
-/* The largest slip that goes the right way in the zone from left to right. */
-double rw_rates_slip(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
-                     rw_zone zone);
-
-/* How far the traction goes beyond friction, on average, in a part that slipped with its label and
- * now sticks: then it slips on at first. */
-double rw_rates_excess(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
-                       rw_zone part);
-
 /* D at the edges that grow and stick (layers.h), not beyond +-1; else NaN. */
 void rw_rates_ratio(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
                     double ratio[2]);
 
-/* Zones at the beginning of a step: what slips the same way before and after it. */
-rw_zones rw_rates_begun(const rw_zones *old, const rw_zones *after);
+/* Zones at the beginning of a step: what slips the same way before and after it. Where a zone that
+ * slipped has begun to stick at once, the front is where the rate of t is bounded. */
+rw_zones rw_rates_begun(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
+                        const rw_zones *after);
+
+/* The error at the beginning of a step: of zones that go on slipping, zones that begin to slip at
+ * the edges, and zones that stop. */
+double rw_rates_error_at_start(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
+                               const rw_zones *after);
+
+/* The largest traction beyond friction, on average over a part that is wider than `least`: of what
+ * slips before a step and sticks after it, if it sticks from the beginning. */
+double rw_rates_excess_at_start(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
+                                const rw_zones *after, double least);
 
 #endif

@@ -88,23 +88,63 @@ static bool relax(rw_work *w)
     return is_done;
 }
 
+/* D at edges that grow, at the beginning of a step which ends with these zones. */
+static void ratios_at_start(rw_work *w, const rw_problem *p, const rw_zones *after, double D[2])
+{
+    D[0] = D[1] = NAN;
+    if (!p->grows[0] && !p->grows[1])
+        return;
+    const rw_zones begun = rw_rates_begun(&w->fronts, &w->start, &p->old->zones, after);
+    rw_rates_ratio(&w->fronts, &w->start, &begun, D);
+}
+
+/* Of D at the edges that stick; HUGE_VAL where it was or is not known. */
+static double change_of_ratios(const rw_fronts *f, const double before[2], const double D[2])
+{
+    double most = 0;
+    for (int side = 0; side < 2; side++)
+        if (f->sticks_to_edge[side] && !(isnan(before[side]) && isnan(D[side])))
+            most =
+                isnan(before[side] + D[side]) ? HUGE_VAL : fmax(most, fabs(D[side] - before[side]));
+    return most;
+}
+
+/* D at the beginning follows from the zones at the end, which it changes a little. */
+static bool settle_ratios(rw_work *w, const rw_problem *p, double D[2], double residual)
+{
+    enum { MOST_TURNS = 4 };
+    static const double SAME = 0.1; /* of the tolerance */
+    rw_fronts *f = &w->fronts;
+    bool is_done = true, is_settled = !f->sticks_to_edge[0] && !f->sticks_to_edge[1];
+    for (int turn = 0; turn < MOST_TURNS && is_done && !is_settled; turn++) {
+        const double before[2] = {D[0], D[1]};
+        double y[RW_MOST_FRONTS];
+        rw_zones zones;
+        rw_fronts_zones(f, &zones);
+        ratios_at_start(w, p, &zones, D);
+        memcpy(y, f->y, sizeof y);
+        is_done = rw_fronts_begin(f, p, &zones, D);
+        memcpy(f->y, y, sizeof y);
+        is_settled = change_of_ratios(f, before, D) < SAME * w->frame->tolerance;
+        is_done = is_done && (is_settled || newton(w, residual));
+    }
+    return is_done;
+}
+
 static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
 {
     rw_fronts *f = &w->fronts;
     const double residual = fmax(1e-12, RESIDUAL * w->frame->tolerance) * p->scale;
-    double ratio[2] = {NAN, NAN};
-    if (p->grows[0] || p->grows[1]) {
-        const rw_zones begun = rw_rates_begun(&p->old->zones, zones);
-        rw_rates_ratio(f, &w->start, &begun, ratio);
-    }
+    double D[2];
+    ratios_at_start(w, p, zones, D);
     for (int side = 1; side >= -1; side -= 2) {
-        if (w->search <= 0 || !rw_fronts_begin(f, p, zones, ratio))
+        if (w->search <= 0 || !rw_fronts_begin(f, p, zones, D))
             return false;
         const bool is_moved = start_beside(p, f, angle, side);
         if (side < 0 && !is_moved)
             return false;
         if (!is_ordered(f))
-            rw_fronts_begin(f, p, zones, ratio);
+            rw_fronts_begin(f, p, zones, D);
         double start[RW_MOST_FRONTS];
         memcpy(start, f->y, sizeof start);
         bool is_done = newton(w, residual);
@@ -113,7 +153,7 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
             is_done = relax(w) && newton(w, residual);
         }
         if (is_done)
-            return !has_sliver(w, f);
+            return settle_ratios(w, p, D, residual) && !has_sliver(w, f);
     }
     return false;
 }
@@ -338,46 +378,6 @@ static rw_patch never_slipped(const rw_numerical_state *from, const rw_problem *
     return patch;
 }
 
-static bool is_at_edge(const rw_zones *zones, int i)
-{
-    return i == 0 || i + 1 == zones->count;
-}
-
-static bool slips_so(const rw_zones *zones, rw_zone zone)
-{
-    const rw_zones alone = {1, {zone}}, begun = rw_rates_begun(&alone, zones);
-    return zone.label == 0 || begun.count > 1 || begun.zone[0].label != 0;
-}
-
-/* Adds a zone of slip within the contact. Whether there is room for one. */
-static bool add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
-{
-    zone.left = fmax(zone.left, contact.left);
-    zone.right = fmin(zone.right, contact.right);
-    return zone.left < zone.right && rw_pattern_insert(zones, &(rw_zones){1, {zone}}, 0);
-}
-
-/* The error by the rates at the beginning: zones that go on slipping, zones that begin to slip at
- * the edges, and zones that stop. */
-static double rate_error_at_start(rw_work *w, const rw_zones *old, const rw_zones *after)
-{
-    const rw_zones begun = rw_rates_begun(old, after);
-    const rw_problem *p = &w->start;
-    double most = rw_rates_wrong(&w->fronts, p, &begun, after);
-    for (int i = 0; i < after->count; i++) {
-        rw_zones more = begun;
-        if (is_at_edge(after, i) && !slips_so(old, after->zone[i]) &&
-            add_zone(&more, after->zone[i], p->to))
-            most = fmax(most, rw_rates_wrong(&w->fronts, p, &more, after));
-    }
-    for (int i = 0; i < old->count; i++) {
-        rw_zones more = begun;
-        if (!slips_so(after, old->zone[i]) && add_zone(&more, old->zone[i], p->to))
-            most = fmax(most, rw_rates_slip(&w->fronts, p, &more, old->zone[i]));
-    }
-    return most;
-}
-
 static void set_rates(const rw_frame *frame, const rw_numerical_state *from, rw_scaled_loads to,
                       rw_patch contact, rw_problem *rates)
 {
@@ -388,28 +388,10 @@ static void set_rates(const rw_frame *frame, const rw_numerical_state *from, rw_
 static double rate_error(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
                          const rw_numerical_state *there)
 {
-    rw_problem at_end;
-    set_rates(w->frame, from, there->at, there->contact, &at_end);
-    return fmax(rate_error_at_start(w, &from->shear.zones, &there->shear.zones),
-                rw_rates_wrong(&w->fronts, &at_end, &there->shear.zones, &there->shear.zones)) /
+    return fmax(rw_rates_error_at_start(&w->fronts, &w->start, &from->shear.zones,
+                                        &there->shear.zones),
+                rw_rates_wrong(&w->fronts, &w->end, &there->shear.zones, &there->shear.zones)) /
            p->scale;
-}
-
-/* The largest traction beyond friction, by the rates at the beginning, in parts that slip no more
- * from then on. */
-static double excess_at_start(rw_work *w, const rw_zones *old, const rw_zones *after, double least)
-{
-    const rw_zones begun = rw_rates_begun(old, after);
-    double most = 0;
-    for (int i = 0; i < old->count; i++)
-        for (int k = 0; k < begun.count; k++) {
-            const rw_zone zone = old->zone[i], other = begun.zone[k];
-            const rw_zone part = {zone.label, fmax(zone.left, other.left),
-                                  fmin(zone.right, other.right)};
-            if (zone.label != 0 && other.label == 0 && part.right - part.left > least)
-                most = fmax(most, rw_rates_excess(&w->fronts, &w->start, &begun, part));
-        }
-    return most;
 }
 
 /* A step whose loads change by more than this, as traction over friction, is looked at half-way
@@ -428,8 +410,8 @@ static bool is_exact(rw_work *w, const rw_problem *p, const rw_numerical_state *
     return rw_problem_change(p) <= LARGE * p->scale &&
            fmax(there->error, there->rate_error) <= p->allowed && after->zone[0].label != 0 &&
            after->zone[after->count - 1].label != 0 &&
-           excess_at_start(w, &from->shear.zones, after, p->allowed * p->half) <=
-               LITTLE * p->allowed * p->scale;
+           rw_rates_excess_at_start(&w->fronts, &w->start, &from->shear.zones, after,
+                                    p->allowed * p->half) <= LITTLE * p->allowed * p->scale;
 }
 
 static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
@@ -438,6 +420,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
 {
     rw_outcome outcome;
     set_rates(w->frame, from, to, from->contact, &w->start);
+    set_rates(w->frame, from, to, p->to, &w->end);
     rw_fronts_forget(&w->fronts);
     w->search = w->effort > w->most_effort ? 0 : SEARCH;
     if (!solve(w, p, guess, coarse || w->effort > w->most_effort, &outcome))

@@ -12,6 +12,14 @@ typedef struct {
     double P, M, shear, stretch;
 } rw_scaled_loads;
 
+/* The loads at a part of a straight line. */
+static inline rw_scaled_loads rw_part_of_line(rw_scaled_loads from, rw_scaled_loads to, double part)
+{
+    return (rw_scaled_loads){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
+                             from.shear + part * (to.shear - from.shear),
+                             from.stretch + part * (to.stretch - from.stretch)};
+}
+
 /* The places at which tractions are compared. */
 enum { RW_PLACES = 121 };
 
@@ -37,7 +45,7 @@ enum { RW_TRIALS = 2, RW_FRICTIONS = 4 };
 typedef struct {
     const rw_frame *frame;
     rw_fronts fronts;
-    rw_problem start; /* the rates at the beginning of the step */
+    rw_problem start, end; /* the rates at the beginning and at the end of the step */
     rw_grid grid[RW_TRIALS];
     rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
     unsigned frictions;                 /* how many so far */

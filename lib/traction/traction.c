@@ -17,34 +17,36 @@ static const double LOST = 1e-4;
 
 /* ---- Legendre polynomials ---- */
 
-/* P_n and P_(n-1) at v. */
-static double legendre(int n, double v, double *before)
-{
-    double p = v, q = 1;
-    for (int k = 1; k < n; k++) {
-        const double next = ((2 * k + 1) * v * p - k * q) / (k + 1);
-        q = p;
-        p = next;
-    }
-    *before = q;
-    return p;
-}
+/* Gauss's nodes below 0, for -1 to 1, and half their weights. */
+typedef double half_rule[2];
+static const half_rule OF_8[] = {{-0.96028985649753629, 0.050614268145188393},
+                                 {-0.79666647741362673, 0.11119051722668719},
+                                 {-0.52553240991632899, 0.15685332293894369},
+                                 {-0.18343464249564981, 0.18134189168918094}};
+static const half_rule OF_16[] = {
+    {-0.98940093499164994, 0.013576229705877007}, {-0.9445750230732326, 0.031126761969323888},
+    {-0.86563120238783176, 0.047579255841246448}, {-0.755404408355003, 0.062314485627766973},
+    {-0.61787624440264377, 0.07479799440828841},  {-0.45801677765722737, 0.084578259697501296},
+    {-0.28160355077925892, 0.091301707522461806}, {-0.095012509837637441, 0.094725305227534237}};
 
 void rw_gauss(int n, double node[], double weight[])
 {
-    for (int i = 0; i < (n + 1) / 2; i++) {
-        double v = -cos(RW_PI * (i + 0.75) / (n + 0.5)), slope = 1;
-        for (int k = 0; k < 5; k++) { /* Newton's steps; the weights need one more than the nodes */
-            double before;
-            const double p = legendre(n, v, &before);
-            slope = n * (v * p - before) / (v * v - 1);
-            v -= p / slope;
-        }
-        node[i] = (1 + v) / 2;
-        node[n - 1 - i] = (1 - v) / 2;
-        weight[i] = weight[n - 1 - i] = 1 / ((1 - v) * (1 + v) * slope * slope);
+    const half_rule *rule = n == 16 ? OF_16 : OF_8;
+    for (int i = 0; i < n / 2; i++) {
+        node[i] = (1 + rule[i][0]) / 2;
+        node[n - 1 - i] = (1 - rule[i][0]) / 2;
+        weight[i] = weight[n - 1 - i] = rule[i][1];
     }
 }
+
+/* (2k + 1)/(k + 1) and (k + 1)/(k + 2). */
+#define FOUR(F, K) F(K), F(K + 1), F(K + 2), F(K + 3)
+#define SIXTEEN(F) FOUR(F, 0), FOUR(F, 4), FOUR(F, 8), FOUR(F, 12)
+#define RISE_OF(K) ((2.0 * (K) + 1) / ((K) + 1))
+#define FALL_OF(K) (((K) + 1.0) / ((K) + 2))
+
+static const double RISE[] = {SIXTEEN(RISE_OF), RISE_OF(RW_TERMS)};
+static const double FALL[] = {SIXTEEN(FALL_OF)};
 
 /* The nodes of an element, and the Legendre polynomials there, which give the coefficients from
  * values at the nodes. */
@@ -62,7 +64,7 @@ static void make_rule(rule *r)
         r->legendre[1][i] = v;
         for (int k = 1; k < RW_TERMS + 1; k++)
             r->legendre[k + 1][i] =
-                ((2 * k + 1) * v * r->legendre[k][i] - k * r->legendre[k - 1][i]) / (k + 1);
+                RISE[k] * v * r->legendre[k][i] - FALL[k - 1] * r->legendre[k - 1][i];
     }
 }
 
@@ -289,14 +291,6 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
 }
 
 /* ---- Reading ---- */
-
-/* (2k + 1)/(k + 1) and (k + 1)/(k + 2). */
-#define FOUR(F, K) F(K), F(K + 1), F(K + 2), F(K + 3)
-#define SIXTEEN(F) FOUR(F, 0), FOUR(F, 4), FOUR(F, 8), FOUR(F, 12)
-#define RISE_OF(K) ((2.0 * (K) + 1) / ((K) + 1))
-#define FALL_OF(K) (((K) + 1.0) / ((K) + 2))
-
-static const double RISE[RW_TERMS] = {SIXTEEN(RISE_OF)}, FALL[RW_TERMS] = {SIXTEEN(FALL_OF)};
 
 /* Of an element at a block of places, by Clenshaw's recurrence. */
 enum { BLOCK = 4 };

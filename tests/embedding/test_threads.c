@@ -14,7 +14,7 @@
 #include <stdlib.h>
 
 enum { THREADS_MAX = 8, ARRAY = 21 };
-static int numbers = 8;
+static int numbers = 4;
 
 /* The results of one thread: outputs of each call at each number. */
 typedef struct {

@@ -21,19 +21,14 @@ static const char *const NAMES[KINDS] = {"P and Q alone",
                                          "anything, computed where there is no closed form",
                                          "all of P, M, Q, sigma at once"};
 
-static double signed_fraction(uint64_t *seed)
-{
-    return 2 * random_fraction(seed) - 1;
-}
-
 /* All of them at once, the tension up to where Q could have brought it. */
 static boundary_loads draw_all(boundary_loads now, double f, double half, uint64_t *seed)
 {
     const double P = now.P * (0.9 + 0.2 * random_fraction(seed));
     return (boundary_loads){.P = P,
-                            .M = 0.1 * P * half * signed_fraction(seed),
-                            .Q = 0.9 * f * P * signed_fraction(seed),
-                            .sigma = 4 / (PI * half) * f * P * signed_fraction(seed)};
+                            .M = 0.1 * P * half * random_between(seed, -1, 1),
+                            .Q = 0.9 * f * P * random_between(seed, -1, 1),
+                            .sigma = 4 / (PI * half) * f * P * random_between(seed, -1, 1)};
 }
 
 /* Every third leg under a constant P. */
@@ -41,7 +36,7 @@ static boundary_loads draw_centred(int leg, boundary_loads now, double f, double
                                    uint64_t *seed)
 {
     const double P = leg % 3 == 2 ? now.P : P_max * (0.2 + 0.8 * random_fraction(seed));
-    return (boundary_loads){.P = P, .Q = leg == 0 ? 0 : 0.95 * f * P * signed_fraction(seed)};
+    return (boundary_loads){.P = P, .Q = leg == 0 ? 0 : 0.95 * f * P * random_between(seed, -1, 1)};
 }
 
 /* The next loads of a history. */
@@ -55,7 +50,7 @@ static boundary_loads draw_leg(path kind, int leg, boundary_loads now, double f,
     if (leg == 0) { /* M up to a third of what lifts an edge */
         to.P = start_P * (0.5 + 0.5 * random_fraction(seed));
         to.M = kind == ANYTHING || random_fraction(seed) < 0.7
-                   ? 0.3 * to.P * half * signed_fraction(seed)
+                   ? 0.3 * to.P * half * random_between(seed, -1, 1)
                    : 0;
         return to;
     }
@@ -67,7 +62,7 @@ static boundary_loads draw_leg(path kind, int leg, boundary_loads now, double f,
     }
     if (kind == ROCKING && leg % 4 != 1) {
         to.P *= leg % 4 == 2 ? 1.2 : 1;
-        to.M += leg % 4 == 2 ? 0 : 0.15 * to.P * half * signed_fraction(seed);
+        to.M += leg % 4 == 2 ? 0 : 0.15 * to.P * half * random_between(seed, -1, 1);
         return to;
     }
     if (kind == FALLING || (kind == ANYTHING && random_fraction(seed) < 0.3)) {
@@ -75,17 +70,17 @@ static boundary_loads draw_leg(path kind, int leg, boundary_loads now, double f,
         to.P *= grown, to.M *= grown;
     }
     if (kind == ANYTHING && random_fraction(seed) < 0.3)
-        to.M += 0.05 * to.P * half * signed_fraction(seed);
+        to.M += 0.05 * to.P * half * random_between(seed, -1, 1);
     if (kind == IN_PHASE) {
-        to.Q = 0.9 * f * to.P * signed_fraction(seed);
+        to.Q = 0.9 * f * to.P * random_between(seed, -1, 1);
         to.sigma = 0.6 * limit * to.Q;
         return to;
     }
-    to.Q = 0.9 * f * to.P * signed_fraction(seed);
+    to.Q = 0.9 * f * to.P * random_between(seed, -1, 1);
     if (kind == RISING) /* within friction's reach of the layer that is added */
-        to.Q = now.Q + 0.8 * f * (to.P - now.P) * signed_fraction(seed);
-    to.sigma = now.sigma +
-               (kind == RISING ? 0 : 0.95) * limit * fabs(to.Q - now.Q) * signed_fraction(seed);
+        to.Q = now.Q + 0.8 * f * (to.P - now.P) * random_between(seed, -1, 1);
+    to.sigma = now.sigma + (kind == RISING ? 0 : 0.95) * limit * fabs(to.Q - now.Q) *
+                               random_between(seed, -1, 1);
     return to;
 }
 

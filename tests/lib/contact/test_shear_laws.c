@@ -47,7 +47,7 @@ typedef struct {
 
 static resultant resultant_of(const rwedge_contact *contact)
 {
-    enum { NODES = 10 };
+    enum { NODES = 16 };
     double node[NODES], weight[NODES];
     const rw_traction *t = &contact->numerical->now.shear.traction;
     resultant sum = {0, 0};

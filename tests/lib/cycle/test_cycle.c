@@ -485,7 +485,7 @@ CLAIM(a_contact_that_grows_without_slip_displaces_nothing)
 /* The loop of Q over the displacement encloses the energy of the cycle, by the trapezoidal rule. */
 static void its_loop_encloses_the_energy(double M, double sigma, double tolerance)
 {
-    enum { STEPS = 400 };
+    enum { STEPS = 200 };
     rwedge_contact *contact = create(0.4, F);
     const double turn[] = {0.3, -0.3, 0.3};
     double area = 0, energy = 0, before = 0, Q_before = 0;

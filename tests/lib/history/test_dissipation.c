@@ -73,7 +73,7 @@ static void cycle_often(double P_low)
     load(contact, 0.2, 0);
     size_t size = 0, entries = 0;
     double energy = 0, start = 0, slipped = 0;
-    const int cycles = 100000;
+    const int cycles = 30000;
     for (int i = 1; i <= cycles; i++) {
         const double before = rwedge_contact_dissipated_energy(contact);
         load(contact, 0.2, 0.07);
@@ -239,7 +239,7 @@ CLAIM(a_separation_and_its_parts_have_the_same_energy)
 {
     uint64_t seed = 5;
     int known = 0, unknown = 0;
-    for (int number = 0; number < 600; number++) {
+    for (int number = 0; number < 200; number++) {
         rwedge_contact *whole = create(number % 3 * 0.3, 0.5);
         const double M = number % 2 * 0.2 * (random_fraction(&seed) - 0.5);
         apply(whole, 0.5, M, 0, 0);
@@ -264,5 +264,5 @@ CLAIM(a_separation_and_its_parts_have_the_same_energy)
             unknown += isnan(energy);
         }
     }
-    assert_true(known > 60 && unknown > 60);
+    assert_true(known > 20 && unknown > 20);
 }

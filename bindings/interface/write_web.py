@@ -131,7 +131,7 @@ def argument_type(p: Parameter) -> str:
 
 
 def result_type(f: Function, single: str, many: str) -> str:
-    """one: the type of an output that is a number, many: of an array."""
+    """single: the type of an output that is a number, many: of an array."""
     if f.result in ("value", "text"):
         return "string" if f.result == "text" else single
     types = {p.name: many if p.role == "out array" else single for p in f.outputs}

@@ -210,8 +210,8 @@ static const mxArray *repeated(const mxArray *array, const shape *all)
     mxArray *times = mxCreateDoubleMatrix(1, all->count, mxREAL), *result = NULL;
     for (mwSize k = 0; k < all->count; k++)
         mxGetPr(times)[k] = size_in(array, k) == 1 ? (double)all->size[k] : 1;
-    mxArray *given[] = {(mxArray *)(uintptr_t)array, times}; /* not changed by it */
-    mexCallMATLAB(1, &result, 2, given, "repmat");
+    mxArray *arguments[] = {(mxArray *)(uintptr_t)array, times}; /* not changed by it */
+    mexCallMATLAB(1, &result, 2, arguments, "repmat");
     return result;
 }
 
@@ -412,8 +412,8 @@ static mxArray *run_command(const char *name, int count, const mxArray *const ar
         return mxCreateString(rwedge_version());
     if (strcmp(name, "alive") == 0)
         return mxCreateDoubleScalar(alive);
-    const char *family = name[0] == 's' ? "series" : "contact";
-    if (count != 1 || strcmp(name + strlen(family), "_destroy") != 0)
+    const char *family = strcmp(name, "series_destroy") == 0 ? "series" : "contact";
+    if (count != 1 || (family[0] == 'c' && strcmp(name, "contact_destroy") != 0))
         fail("arguments", "rwedge_%s: no such function", name);
     void *object = find(family, arguments[0]);
     if (object)

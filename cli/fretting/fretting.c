@@ -181,7 +181,8 @@ static void write_vtk(void *of_plan, records *rows)
                          .y = y,
                          .value = y + result->count};
     points.count = take_numbers(job, &points, x, y, y + result->count);
-    points.columns = points.count * result->line / result->count;
+    if (result->line > 0)
+        points.columns = points.count / (result->count / result->line);
     vtk_write(&points, rows);
     free(x);
 }

@@ -23,21 +23,31 @@ static void split(const char *line, int count, const char *field[])
     }
 }
 
-case_cell case_cells[CELLS_MAX];
+case_cell *case_cells;
 int case_cell_count;
-formula_template formula_templates[TEMPLATES_MAX];
+formula_template *formula_templates;
+
+/* With the NULL behind the last. */
+static size_t count_lines(const char *const lines[])
+{
+    size_t count = 0;
+    while (lines[count++] != NULL)
+        ;
+    return count;
+}
 
 void cells_read(void)
 {
     const char *const *next = cells_lines, *line, *f[10];
-    for (case_cell_count = 0; case_cell_count < CELLS_MAX && (line = workbook_line(&next)) != NULL;
-         case_cell_count++) {
+    case_cells = memory_zeroed(count_lines(cells_lines), sizeof *case_cells);
+    for (case_cell_count = 0; (line = workbook_line(&next)) != NULL; case_cell_count++) {
         split(line, 10, f);
         case_cells[case_cell_count] =
             (case_cell){f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9]};
     }
     next = templates_lines;
-    for (int i = 0; i < TEMPLATES_MAX - 1 && (line = workbook_line(&next)) != NULL; i++) {
+    formula_templates = memory_zeroed(count_lines(templates_lines), sizeof *formula_templates);
+    for (int i = 0; (line = workbook_line(&next)) != NULL; i++) {
         split(line, 2, f);
         formula_templates[i] = (formula_template){f[0], f[1]};
     }

@@ -44,7 +44,7 @@ double workbook_end_of_table(void);
  * cells of the row instead of the names. */
 
 /* The inputs come first, then the results, the last two of them texts, then the working cells. */
-enum { INPUT_CELLS = 13, SHOWN_CELLS = 38, FIRST_REMARK = SHOWN_CELLS - 2, CELLS_MAX = 150 };
+enum { INPUT_CELLS = 13, SHOWN_CELLS = 38, FIRST_REMARK = SHOWN_CELLS - 2 };
 
 /* Texts, "" where there is none. */
 typedef struct {
@@ -57,16 +57,15 @@ typedef struct {
     const char *needed;       /* it must be given */
 } case_cell;
 
-extern case_cell case_cells[CELLS_MAX];
+extern case_cell *case_cells;
 extern int case_cell_count;
 
 /* What a call stands for (data/templates.tsv): $1 to $4 are its arguments, $1{+21} the first with
  * +21 in place of #. A call without a text is written in C. The last has no name. */
-enum { TEMPLATES_MAX = 60 };
 typedef struct {
     const char *name, *text;
 } formula_template;
-extern formula_template formula_templates[TEMPLATES_MAX];
+extern formula_template *formula_templates;
 
 /* Fills both from their tables. */
 void cells_read(void);

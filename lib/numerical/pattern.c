@@ -136,9 +136,9 @@ bool rw_pattern_simpler(const rw_problem *p, rw_zones *z, double least)
         zone->label = before->label;
     } else { /* between two ways: the wider takes the room of the other */
         rw_zone *wider = width(*before) < width(*next) ? next : before;
-        rw_zone *b = wider == next ? before : next;
-        const bool is_inner = b > z->zone && b < z->zone + z->count - 1;
-        b->label = is_inner ? 0 : wider->label;
+        rw_zone *narrower = wider == next ? before : next;
+        const bool is_inner = narrower > z->zone && narrower < z->zone + z->count - 1;
+        narrower->label = is_inner ? 0 : wider->label;
         zone->label = is_inner ? 0 : wider->label;
     }
     return rw_pattern_clean(z, least);

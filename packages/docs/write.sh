@@ -18,7 +18,7 @@ skip()
 
 command -v gnuplot >/dev/null 2>&1 || skip "no gnuplot here"
 . "$here/../../tests/support/venv.sh"
-reason=$(venv "$here/requirements.txt" "$tools/venv") || skip "$reason"
+reason=$(venv "$here/requirements.txt" "$tools/venv") || skip "${reason#SKIPPED: }"
 SKBUILD_BUILD_DIR=$tools/package pip_in "$tools/venv" install --quiet --no-build-isolation --no-deps --no-index --force-reinstall \
     "$here/../../bindings/python" >"$tools/pip.log" 2>&1 || { cat "$tools/pip.log"; exit 1; }
 export MPLCONFIGDIR="$tools/matplotlib" PYTHONDONTWRITEBYTECODE=1

@@ -16,7 +16,7 @@ need dpkg-source python3 cmake gcc
 mkdir -p "$work" "$packages/python"
 sh "$top/packages/sources.sh" "$sources" gsl lapack musl >"$work/log" 2>&1 || leave_out "sources cannot be fetched: $(tail -n 1 "$work/log")"
 . "$top/tests/support/venv.sh"
-reason=$(venv "$here/requirements.txt" "$work/venv") || leave_out "their tools cannot be fetched: $reason"
+reason=$(venv "$here/requirements.txt" "$work/venv") || leave_out "their tools cannot be fetched: ${reason#SKIPPED: }"
 export SOURCE_DATE_EPOCH="$epoch"
 
 # old_glibc PREFIX VERSION - writes the command PREFIXobjcopy, for one object of the library, which binds it to the oldest versions

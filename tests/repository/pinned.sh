@@ -18,7 +18,7 @@ for list in $lists; do
     [ "$without" -gt 0 ] && [ "$without" = "$sums" ] || fail "$list: $without packages, $sums of them with version and checksum"
 done
 # The lines that install: from a list, or nothing but what is here.
-find bindings packages tests -name '*.sh' ! -name pinned.sh -exec grep -nHE 'bin/pip"? [^|]*install|^[^#]*npm (ci|install)' {} + |
+find bindings packages tests -name '*.sh' ! -name pinned.sh -exec grep -nHE '(bin/pip"?|pip_in) [^|]*install|^[^#]*npm (ci|install)' {} + |
     grep -vE 'require-hashes|--no-index|npm ci --ignore-scripts|install --offline' && fail "not from a list"
 [ $status != 0 ] || echo "ok: $(echo "$lists" | wc -l) lists"
 exit $status

@@ -12,7 +12,6 @@ export function assertNear(value, expected, tolerance, about) {
     assert.ok(difference <= tolerance * Math.abs(expected), `${about}: ${value}, not ${expected}`);
 }
 
-
 /** Numbers from 0 to 1, the same in each run (Lehmer, 48271 modulo 2^31 - 1). */
 export function chance(seed) {
     let state = seed;

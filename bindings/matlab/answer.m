@@ -23,8 +23,7 @@ function numbers = argument(text, before)
     if strcmp(text, '@')
         numbers = before;
     else
-        rows = strsplit(text, ';'); % the points of a load; here they stand in a column
-        numbers = cell2mat(cellfun(@(row) str2double(strsplit(row, ' ')), rows', 'UniformOutput', false)).';
+        numbers = str2num(['[' text ']']).'; % the points of a load; here they stand in a column
     end
 end
 

@@ -7,7 +7,7 @@
  *     random_loads HISTORIES [SEED]
  *
  * f = 0.1 to 1, A = 1. Of the rounded wedge (theta = a = 1) the mean P is 0.2 to 20, in the
- * logarithm: a/b from 0.1 to 3; of a flat pad and of a profile that is not symmetric, a third.
+ * logarithm: a/b from 0.1 to 3; of a flat pad and of a profile that is not symmetric, a tenth.
  * There are four kinds of history, of 24 loads after the first one, which is P and M alone:
  *   steps under constant P and M; steps of P too, by a tenth; steps of P and M, by P b/10;
  *   a log: Q and tension swing, one after the other, and all four scatter by up to 3 %.
@@ -77,7 +77,7 @@ static programme draw_programme(int kind, int pad)
     p.tolerance = random_fraction(&seed) < 0.5 ? 1e-3 : 1e-4;
     p.f = random_between(&seed, 0.1, 1);
     p.contact = create_pad(pad, p.f);
-    p.first.P = (pad == 0 ? 0.2 : 0.07) * pow(100, random_fraction(&seed));
+    p.first.P = (pad == 0 ? 0.2 : 0.02) * pow(100, random_fraction(&seed));
     apply(p.contact, p.first.P, 0, 0, 0);
     p.b = rwedge_contact_half_width(p.contact);
     p.first.M = 0.2 * p.first.P * p.b * sign_and_size();

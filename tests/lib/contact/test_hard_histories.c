@@ -231,7 +231,7 @@ CLAIM(a_pad_that_touches_under_a_moment_and_a_tension_keeps_its_strain)
 {
     rwedge_contact *pad = flat_pad(1e-6);
     apply(pad, 300, 60, 0, 60);
-    assert_within(rwedge_contact_error(pad), 0, 1e-6);
+    assert_within(rwedge_contact_error(pad), 0, 1.5e-6); /* of all parts of the load */
     for (int k = -9; k <= 9; k++)
         assert_within(relative_strain(pad, 0.1 * k, 60), 0, 3e-6 * 0.5 * -pressure(pad, 1));
     assert_in_range(rwedge_contact_state_size(pad), 0, 4000);

@@ -172,6 +172,58 @@ CLAIM(a_step_in_parts_is_the_step_as_a_whole)
 
 /* Newton's method stood still there: the load at which Q turns, the last one here, took three times
  * as much as the one before. */
+/* A log with 48 loads a period, of which 3 % are noise. */
+static rw_scaled_loads noisy(int i)
+{
+    const double phase = i * PI / 24, noise = 0.03 * (fmod(i * 0.6180339887498949, 1) - 0.5);
+    return (rw_scaled_loads){4 * (1 + noise), 0, 1.5 * (sin(phase) - noise),
+                             0.2 * (sin(phase - PI / 4) + noise)};
+}
+
+/* A state differs from that in two halves by no more than what fits lose. */
+static void is_that_in_halves(rw_work *w, const rw_numerical_state *from,
+                              const rw_numerical_state *whole)
+{
+    const rw_scaled_loads a = from->at, b = whole->at,
+                          middle = {a.P / 2 + b.P / 2, a.M / 2 + b.M / 2, a.shear / 2 + b.shear / 2,
+                                    a.stretch / 2 + b.stretch / 2};
+    const double lost = 0.1 * w->frame->tolerance * rw_peak_friction(w->frame, whole->contact);
+    rw_numerical_state half, both;
+    assert_true(rw_implicit_step(w, from, middle, NULL, false, &half));
+    assert_true(rw_implicit_step(w, &half, b, NULL, false, &both));
+    for (int i = 1; i + 1 < RW_PLACES; i++) {
+        const double x = rw_place(whole->contact, i);
+        assert_within(rw_traction_at(&whole->shear.traction, x),
+                      rw_traction_at(&both.shear.traction, x), lost);
+    }
+    rw_shear_state_destroy(&half.shear);
+    rw_shear_state_destroy(&both.shear);
+}
+
+CLAIM(a_step_in_which_all_that_sticks_stuck_all_the_time_is_exact)
+{
+    enum { LOADS = 48 };
+    pair c = begin(4, 0, 1e-5);
+    rw_work w;
+    int exact = 0;
+    assert_true(rw_work_create(&w, &c.frame, RW_MOST_EFFORT));
+    for (int i = 1; i <= LOADS; i++) {
+        rw_numerical_state whole;
+        if (rw_implicit_step(&w, &c.numerical.now, noisy(i), NULL, false, &whole)) {
+            if (whole.is_exact)
+                is_that_in_halves(&w, &c.numerical.now, &whole);
+            exact += whole.is_exact;
+            rw_shear_state_destroy(&whole.shear);
+        }
+        assert_int_equal(
+            rw_numerical_step(&c.numerical, &c.frame, noisy(i), &(int){RW_MOST_EFFORT}),
+            RW_STEP_DONE);
+    }
+    assert_in_range(exact, LOADS * 2 / 3, LOADS - 2); /* not where an edge sticks */
+    rw_work_destroy(&w);
+    end(&c);
+}
+
 CLAIM(a_front_passes_places_that_have_slipped_before)
 {
     pair c = begin(4, 0, 1e-4);

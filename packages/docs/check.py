@@ -27,7 +27,7 @@ class Page(HTMLParser):
 
 def faults(folder: Path) -> list[str]:
     pages = {path: Page(path) for path in sorted(folder.rglob("*.html"))}
-    found = [] if len(pages) > 50 else [f"only {len(pages)} pages"]
+    problems = [] if len(pages) > 50 else [f"only {len(pages)} pages"]
     for path, page in pages.items():
         for link, is_loaded in page.links:
             parts = urlsplit(link)
@@ -38,23 +38,23 @@ def faults(folder: Path) -> list[str]:
                 wrong = not target.exists() and "leads to no file" or \
                     parts.fragment and target in pages and unquote(parts.fragment) not in pages[target].anchors and "has no such place"
             if wrong:
-                found.append(f"{path.relative_to(folder)}: {link}: {wrong}")
+                problems.append(f"{path.relative_to(folder)}: {link}: {wrong}")
     for path in folder.rglob("*.css"):
-        found += [f"{path.relative_to(folder)}: {url} is loaded from elsewhere"
+        problems += [f"{path.relative_to(folder)}: {url} is loaded from elsewhere"
                   for url in re.findall(r"url\(['\"]?((?:https?:)?//[^)]*)", path.read_text(encoding="utf-8"))]
     texts = (folder / "_static" / "texts.js").read_text(encoding="utf-8")  # in which the search shows the line that it finds
-    found += [f"{name}: not in the search's texts" for name in (folder / "searchindex.js").read_text(encoding="utf-8")
+    problems += [f"{name}: not in the search's texts" for name in (folder / "searchindex.js").read_text(encoding="utf-8")
               .partition('"docnames":[')[2].partition("]")[0].replace('"', "").split(",") if f'"{name}": "' not in texts]
-    found += [f"{path.relative_to(folder)}: a formula in dollars" for path in pages if re.search(r"\\(?:frac|varphi)", path.read_text("utf-8"))]
+    problems += [f"{path.relative_to(folder)}: a formula in dollars" for path in pages if re.search(r"\\(?:frac|varphi)", path.read_text("utf-8"))]
     print(f"{len(pages)} pages, {sum(len(p.links) for p in pages.values())} links")
-    return found
+    return problems
 
 
 def main() -> int:
-    found = faults(Path(sys.argv[1]).resolve())
-    for fault in found:
+    problems = faults(Path(sys.argv[1]).resolve())
+    for fault in problems:
         print(f"FAILED: {fault}")
-    return bool(found)
+    return bool(problems)
 
 
 sys.exit(main())

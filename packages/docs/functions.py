@@ -38,9 +38,9 @@ class Pages:
     def meaning(self, f: Function, name: str, own: str) -> str:
         """What the header says of an argument here, after what it says of it everywhere."""
         shared = self.meanings[f.dimensional].get(name, ("",))[0]
-        what = re.split(r", (?=finite|[<>]|\d|at least)", shared)[0]
-        what = what.removesuffix(", " + own.split(", ")[0])
-        return own if not what or own.startswith(what) or own == shared else f"{what}: {own}".removesuffix(": ")
+        general = re.split(r", (?=finite|[<>]|\d|at least)", shared)[0]
+        general = general.removesuffix(", " + own.split(", ")[0])
+        return own if not general or own.startswith(general) or own == shared else f"{general}: {own}".removesuffix(": ")
 
     def arguments(self, f: Function) -> list[str]:
         rows = [f"| `{p.name}` | {self.marked(self.meaning(f, p.name, p.domain.text))} | {self.marked(', '.join(p.domain.conditions))} |"
@@ -137,10 +137,10 @@ def number(result: object) -> str:
 
 def measured() -> dict[str, list[tuple[str, str]]]:
     """Of each function the calls and the worst error, from the table of lib/README.md."""
-    found: dict[str, list[tuple[str, str]]] = {}
+    rows: dict[str, list[tuple[str, str]]] = {}
     for line in sections((TOP / "lib/README.md").read_text(encoding="utf-8"))["accuracy"]:
         cells = [c.strip() for c in re.split(r"(?<!\\)\|", line)]
         if len(cells) > 6 and cells[1].startswith("`"):
             for name in cells[1].strip("`").split(", "):
-                found.setdefault(name, []).append((cells[3], cells[6]))
-    return found
+                rows.setdefault(name, []).append((cells[3], cells[6]))
+    return rows

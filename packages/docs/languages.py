@@ -76,25 +76,25 @@ class C:
         text = f"{f.returns} rwedge_{f.name}({parameters});".replace("* rwedge", "*rwedge")
         return "\n".join(textwrap.wrap(text, 88, subsequent_indent="        "))
 
-    def call(self, f: Function, given: dict) -> str:
+    def call(self, f: Function, values: dict) -> str:
         """With the variables that it needs."""
-        arrays = {p.name: given[p.name] for p in f.of("in array") if isinstance(given[p.name], list)}
+        arrays = {p.name: values[p.name] for p in f.of("in array") if isinstance(values[p.name], list)}
         counts = {}
         for p in f.of("in array"):
             if p.name in arrays:
                 lengths = (len(arrays[p.name]), len(arrays[p.name][0])) if len(p.size) == 2 else (len(arrays[p.name]),)
                 counts.update({n: str(k) for n, k in zip(p.size, lengths)})
-        lines = [f"const double {name}[] = {{{', '.join(map(plain, flat(values)))}}};" for name, values in arrays.items()]
+        lines = [f"const double {name}[] = {{{', '.join(map(plain, flat(numbers)))}}};" for name, numbers in arrays.items()]
         made = [p.name + (f"[{' * '.join(counts.get(n, n) for n in p.size)}]" if p.size else "") for p in f.outputs]
         lines += [f"double {', '.join(made)};"] if made else []
         lines += [f"rwedge_{p.kind} *{p.name};" for p in f.of("created")]
         result = {"status": "int32_t status = ", "nothing": "", "text": "const char *text = "}.get(f.result, f"{f.returns} value = ")
-        return "\n".join([*lines, f"{result}rwedge_{f.name}({', '.join(self.passed(p, given, counts) for p in f.parameters)});"])
+        return "\n".join([*lines, f"{result}rwedge_{f.name}({', '.join(self.passed(p, values, counts) for p in f.parameters)});"])
 
     @staticmethod
-    def passed(p: Parameter, given: dict, counts: dict[str, str]) -> str:
+    def passed(p: Parameter, values: dict, counts: dict[str, str]) -> str:
         if p.role == "in":
-            return plain(given[p.name])
+            return plain(values[p.name])
         if p.role in ("out", "created"):
             return f"&{p.name}"
         return p.kind if p.role in ("handle", "changed") else counts.get(p.name, p.name)
@@ -111,14 +111,14 @@ class Language:
     def signature(self, f: Function) -> str:
         return self.form(f, [self.of_name(p) for p in f.inputs])
 
-    def call(self, f: Function, given: dict) -> str:
-        return self.form(f, [self.text(given[p.name], p) for p in f.inputs])
+    def call(self, f: Function, values: dict) -> str:
+        return self.form(f, [self.text(values[p.name], p) for p in f.inputs])
 
-    def form(self, f: Function, given: list[str]) -> str:
+    def form(self, f: Function, values: list[str]) -> str:
         if (f.name, self.name) in INSTEAD:
             return ""
         other = OTHERS.get((f.name, self.name))
-        return other.format(", ".join(given)) if other else self.rule(f, given)
+        return other.format(", ".join(values)) if other else self.rule(f, values)
 
     def text(self, value, p: Parameter) -> str:
         return f"[{', '.join(self.text(v, p) for v in value)}]" if isinstance(value, list) else plain(value)
@@ -127,10 +127,10 @@ class Language:
 class Python(Language):
     name, lexer = "Python", "python"
 
-    def rule(self, f: Function, given: list[str]) -> str:
+    def rule(self, f: Function, values: list[str]) -> str:
         bare = not f.inputs and (write_python.is_general(f) and bool(f.of("handle")) or f.method in PROPERTIES)
         left = f"{', '.join(p.name for p in f.outputs)} = " if f.outputs else ""
-        return f"{left}{f.family or 'rwedge'}.{f.method}" + ("" if bare else f"({', '.join(given)})")
+        return f"{left}{f.family or 'rwedge'}.{f.method}" + ("" if bare else f"({', '.join(values)})")
 
 
 class Matlab(Language):
@@ -142,11 +142,11 @@ class Matlab(Language):
         rows = zip(*value) if len(p.size) == 2 else [value]  # of two sizes, a row for each point
         return f"[{'; '.join(' '.join(map(plain, row)) for row in rows)}]"
 
-    def rule(self, f: Function, given: list[str]) -> str:
+    def rule(self, f: Function, values: list[str]) -> str:
         if f.of("created"):
-            return write_matlab.call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), given)
+            return write_matlab.call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), values)
         name = f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}"
-        return write_matlab.call(write_matlab.outputs(f), name, given)
+        return write_matlab.call(write_matlab.outputs(f), name, values)
 
 
 class Fortran(Language):
@@ -162,11 +162,11 @@ class Fortran(Language):
         number = plain(value)
         return number if p.kind == "int32_t" or isinstance(value, str) else number.replace("e", "d") + "d0" * ("e" not in number)
 
-    def rule(self, f: Function, given: list[str]) -> str:
+    def rule(self, f: Function, values: list[str]) -> str:
         name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
         if f.result in ("value", "text"):
-            return f"{f.result} = {name}({', '.join(given)})"
-        passed = dict(zip([p.name for p in f.inputs], given))
+            return f"{f.result} = {name}({', '.join(values)})"
+        passed = dict(zip([p.name for p in f.inputs], values))
         return f"call {name}({', '.join(passed.get(p.name, p.name) for p in f.parameters if p in f.inputs or p in f.outputs)})"
 
 
@@ -178,15 +178,15 @@ class JavaScript(Language):
     def signature(self, f: Function) -> str:
         return self.form(f, [p.name for p in write_web.arguments(f)])
 
-    def call(self, f: Function, given: dict) -> str:
-        loads = [str(len(given[p.name])) for p in f.inputs if len(p.size) == 2]
-        return self.form(f, [loads[0] if p.role == "size" else self.text(given[p.name], p) for p in write_web.arguments(f)])
+    def call(self, f: Function, values: dict) -> str:
+        loads = [str(len(values[p.name])) for p in f.inputs if len(p.size) == 2]
+        return self.form(f, [loads[0] if p.role == "size" else self.text(values[p.name], p) for p in write_web.arguments(f)])
 
     def text(self, value, p: Parameter) -> str:
         return super().text(flat(value) if isinstance(value, list) else value, p)
 
-    def rule(self, f: Function, given: list[str]) -> str:
-        arguments, made_by = ", ".join(given), f.family.title()
+    def rule(self, f: Function, values: list[str]) -> str:
+        arguments, made_by = ", ".join(values), f.family.title()
         if f.of("created"):
             maker = f"new {made_by}" if f.method == "create" else f"{f.family if f.of('handle') else made_by}.{f.method}"
             return f"const {f.of('created')[0].name} = {maker}({arguments});"
@@ -209,15 +209,15 @@ class Excel(Language):
         made_of = write_excel.names(write_excel.HANDLES[f.family][0]) if f.family else []
         return self.form(f, [*made_of, *map(self.of_name, f.inputs)])
 
-    def call(self, f: Function, given: dict) -> str:
+    def call(self, f: Function, values: dict) -> str:
         columns = [p.name.upper() if len(p.name) == 1 else letter for p, letter in zip(f.inputs, "ABCDEFGHIJKL")]
-        texts = [f"{column}2:{column}{len(given[p.name]) + 1}" if p.size else plain(given[p.name]).replace("e", "E")
+        texts = [f"{column}2:{column}{len(values[p.name]) + 1}" if p.size else plain(values[p.name]).replace("e", "E")
                  for p, column in zip(f.inputs, columns)]
         return self.form(f, self.MADE_OF[f.family] + texts)
 
-    def rule(self, f: Function, given: list[str]) -> str:
+    def rule(self, f: Function, values: list[str]) -> str:
         absent = not write_excel.is_declared(f) or f.name in write_excel.NOT_IN_CELLS
-        return "" if absent else f"={write_excel.cell_name(f)}({', '.join(given)})"
+        return "" if absent else f"={write_excel.cell_name(f)}({', '.join(values)})"
 
 
 LANGUAGES = (C(), Python(), Matlab(), Fortran(), JavaScript(), Excel())
@@ -229,11 +229,11 @@ def instead_of(f: Function, language: str) -> str:
     return INSTEAD.get((f.name, language), NO_OBJECT)
 
 
-def calls(f: Function, given: dict) -> list[tuple[str, str, str]]:
+def calls(f: Function, values: dict) -> list[tuple[str, str, str]]:
     """(language, lexer, text) of each; where the lexer is empty the text says what serves instead."""
     result = []
     for language in LANGUAGES:
-        lines = [language.signature(f), language.call(f, given)]
+        lines = [language.signature(f), language.call(f, values)]
         if lines[0]:
             result.append((language.name, language.lexer, "\n".join(dict.fromkeys(lines))))
         else:

@@ -44,14 +44,14 @@ def outside_of_blocks(text: str):
 
 def sections(text: str) -> dict[str, list[str]]:
     """slug -> lines; "" has what stands before the first section, without the title."""
-    found: dict[str, list[str]] = {"": []}
+    parts: dict[str, list[str]] = {"": []}
     for line, is_text in outside_of_blocks(text):
         heading = HEADING.fullmatch(line) if is_text else None
         if heading and len(heading[1]) == 2:
-            found[slug(heading[2])] = []
+            parts[slug(heading[2])] = []
         if not (heading and len(heading[1]) == 1):
-            list(found.values())[-1].append(line)
-    return found
+            list(parts.values())[-1].append(line)
+    return parts
 
 
 class Site:
@@ -71,13 +71,13 @@ class Site:
         return path.name if path.parent == PAGES else str(path)
 
     def find_shown(self) -> None:
-        found = sections(self.text(PurePosixPath(FRONT)))
+        parts = sections(self.text(PurePosixPath(FRONT)))
         for page in self.room:
             for match in map(TAKEN.fullmatch, page.read_text(encoding="utf-8").split("\n")):
                 if match and match[1] == FRONT:
-                    headings = filter(None, map(HEADING.fullmatch, found[match[2] or ""]))
+                    headings = filter(None, map(HEADING.fullmatch, parts[match[2] or ""]))
                     self.shown.update({"": page.name} if not match[2] else {slug(h[2]): page.name for h in headings})
-        lost = [name for name in found if name not in self.shown]
+        lost = [name for name in parts if name not in self.shown]
         if lost:
             sys.exit(f"FAILED: no page of {PAGES} shows these sections of {FRONT}: {', '.join(lost)}")
 
@@ -107,10 +107,10 @@ class Site:
 
     def taken(self, match: re.Match, page: str) -> list[str]:
         path, name, title = PurePosixPath(match[1]), match[2] or "", match[3]
-        found = sections(self.text(path))
-        if name not in found:
+        parts = sections(self.text(path))
+        if name not in parts:
             sys.exit(f"FAILED: {page}: {path} has no section {name}")
-        lines = found[name]
+        lines = parts[name]
         return self.shown_on(page, path, [f"## {title}", *lines[1:]] if title else lines)
 
     def write_page(self, path: PurePosixPath) -> None:

@@ -97,12 +97,12 @@ def inside(domain, value):
 
 
 def values(function, parameter):
-    given = OWN.get((function.name, parameter.name), QUANTITIES.get(parameter.name)) or of_domain(parameter)
-    if given != "@":
-        given = [v for v in given if inside(parameter.domain, v)] or [v for v in of_domain(parameter) if inside(parameter.domain, v)]
-        if not given:
+    chosen = OWN.get((function.name, parameter.name), QUANTITIES.get(parameter.name)) or of_domain(parameter)
+    if chosen != "@":
+        chosen = [v for v in chosen if inside(parameter.domain, v)] or [v for v in of_domain(parameter) if inside(parameter.domain, v)]
+        if not chosen:
             sys.exit(f"FAILED: calls.py has no value of {parameter.name} in its domain in rwedge_{function.name}(): add some to OWN")
-    return given
+    return chosen
 
 
 def of_domain(parameter):
@@ -117,10 +117,10 @@ def of_domain(parameter):
     return [(sign if i % 2 else 1) * (0.05 + 2 * part) for i, part in enumerate(parts)]
 
 
-def call(function, given):
-    """given: a number, a list of them or "@" for each argument."""
+def call(function, arguments):
+    """arguments: a number, a list of them or "@" for each argument."""
     counts = {}
-    for p, value in zip(function.inputs, given):
+    for p, value in zip(function.inputs, arguments):
         if p.size and value != "@":
             counts[p.size[0]] = len(value)
             if len(p.size) == 2:
@@ -130,33 +130,33 @@ def call(function, given):
         known = [counts.get(size, 0) for size in p.size]
         numbers += math.prod(known)
     results = len(function.outputs) or int(function.result in ("value", "text"))
-    print(",".join([f"{function.name}:{results}:{numbers or results}", *map(text_of, given)]))
+    print(",".join([f"{function.name}:{results}:{numbers or results}", *map(text_of, arguments)]))
 
 
-def text_of(given):
-    if isinstance(given, list):
-        return (";" if isinstance(given[0], list) else " ").join(map(text_of, given))
-    return given if given == "@" else repr(given)
+def text_of(value):
+    if isinstance(value, list):
+        return (";" if isinstance(value[0], list) else " ").join(map(text_of, value))
+    return value if value == "@" else repr(value)
 
 
 def sampled(function, variant, present={}):
     """The arguments of a call; other arguments take other steps through their values. present: loads that a cycle keeps."""
-    given = []
+    arguments = []
     for j, p in enumerate(function.inputs):
-        of, stride = values(function, p), 1 + j % 3
-        if of == "@":
-            given.append(of)
+        numbers, stride = values(function, p), 1 + j % 3
+        if numbers == "@":
+            arguments.append(numbers)
         elif len(p.size) == 2:
-            given.append([[of[(stride * variant + LOADS * i + j) % len(of)] for i in range(POINTS)] for j in range(LOADS)])
+            arguments.append([[numbers[(stride * variant + LOADS * i + j) % len(numbers)] for i in range(POINTS)] for j in range(LOADS)])
         elif p.name in present and p.size == ("loads",):
             step = {"P": 0 if present["M"] else 5, "Q": 60}.get(p.name, 0)
-            given.append([present[p.name] + i * step for i in range(LOADS)])
+            arguments.append([present[p.name] + i * step for i in range(LOADS)])
         elif p.size:
             size = LOADS if p.size[0] != function.of("size")[-1].name else SAMPLES.get(function.name, POINTS)
-            given.append([of[(stride * variant + i) % len(of)] for i in range(size)])
+            arguments.append([numbers[(stride * variant + i) % len(numbers)] for i in range(size)])
         else:
-            given.append(of[stride * variant % len(of)])
-    return given
+            arguments.append(numbers[stride * variant % len(numbers)])
+    return arguments
 
 
 def sample(function, count, present={}):
@@ -187,10 +187,10 @@ def objects():
         readers = [f for f in own if f.of("handle") and not f.of("created")]
         others = [f for f in own if f.of("changed") and f.name not in {name for name, _ in history}]
         for maker in (f for f in own if f.of("created")):
-            given = sampled(maker, 0)
-            if "@" in given:
+            inputs = sampled(maker, 0)
+            if "@" in inputs:
                 call(interface["contact_state"], [])
-            call(maker, given)
+            call(maker, inputs)
             steps = history if maker.method == "create" else ANOTHER_PAD if maker.method.startswith("create_") else history[-1:]
             for name, arguments in steps:
                 call(interface[name], arguments)
@@ -218,9 +218,9 @@ def ends():
             if p.kind == "int32_t":
                 edges = [0, -1, 2**31 - 1]
             for edge in dict.fromkeys(edges):
-                given = sampled(f, 0)
-                given[j] = edge
-                call(f, given)
+                arguments = sampled(f, 0)
+                arguments[j] = edge
+                call(f, arguments)
 
 
 def main():

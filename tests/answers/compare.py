@@ -23,8 +23,8 @@ def results(line):
     return [math.nan if word == "nan" else struct.unpack(">d", bytes.fromhex(word))[0] for word in words[len(words) - count:]]
 
 
-def difference_of(one, other):
-    a, b = results(one), results(other)
+def difference_of(first, second):
+    a, b = results(first), results(second)
     if len(a) != len(b) or "error" in a + b or [math.isnan(x) for x in a] != [math.isnan(x) for x in b]:
         return math.inf
     size = max((abs(x) for x in a if not math.isnan(x)), default=0.0)
@@ -37,13 +37,13 @@ def main():
     if not lines[0] or len(lines[0]) != len(lines[1]):
         sys.exit(f"FAILED: {len(lines[0])} and {len(lines[1])} lines")
     different, largest = 0, 0.0
-    for one, other in zip(*lines):
-        if one != other:
+    for first, second in zip(*lines):
+        if first != second:
             different += 1
-            difference = difference_of(one, other)
+            difference = difference_of(first, second)
             largest = max(largest, difference)
-            if not difference <= max(allowed, SEARCHED.get(one.split(":")[0], 0)):
-                sys.exit(f"FAILED: {one}\n    but: {other}")
+            if not difference <= max(allowed, SEARCHED.get(first.split(":")[0], 0)):
+                sys.exit(f"FAILED: {first}\n    but: {second}")
     print(f"{different} of {len(lines[0])} lines differ, by {largest:.1e} at most")
 
 

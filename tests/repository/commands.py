@@ -27,8 +27,8 @@ PLACEHOLDER = re.compile(r"(?<!\$)\b[A-Z]{4,}\b")  # a synopsis: run.sh FOLDER
 
 
 def readmes(source):
-    found = sorted(p.relative_to(source) for p in source.rglob("README.md") if p.relative_to(source).parts[0] != "build")
-    return sorted(found, key=lambda path: len(path.parts))
+    paths = sorted(p.relative_to(source) for p in source.rglob("README.md") if p.relative_to(source).parts[0] != "build")
+    return sorted(paths, key=lambda path: len(path.parts))
 
 
 def blocks(path):
@@ -47,9 +47,9 @@ def blocks(path):
             yield number, None, [line]
 
 
-def sections(readme, found):
+def sections(readme, fenced):
     """The commands of a README, as (line, script, the lines that it must print or none)."""
-    for number, info, lines in found:
+    for number, info, lines in fenced:
         if info == "sh":
             yield number, "\n".join(lines), []
         elif info == "console":
@@ -129,12 +129,12 @@ def run(source):
     with tempfile.TemporaryDirectory() as work:
         clone = Clone(source, Path(work))
         for readme in readmes(source):
-            found = list(blocks(clone.top / readme))
-            for _, info, lines in found:
+            fenced = list(blocks(clone.top / readme))
+            for _, info, lines in fenced:
                 words = (info or "").split(" ")
                 if len(words) == 2 and "." in words[1]:
                     (clone.top / words[1]).write_text("\n".join(lines) + "\n")
-            for number, script, shown in sections(readme, found):
+            for number, script, shown in sections(readme, fenced):
                 missing = [tool for part, tool in NEEDS.items() if part in script and not shutil.which(tool)]
                 if missing:
                     print(f"not run: {readme}: {script}: no {missing[0]} here")

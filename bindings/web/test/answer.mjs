@@ -16,24 +16,24 @@ function called(name) {
     const family = Object.keys(classes).find((word) => name.startsWith(`${word}_`));
     if (!family) return rwedge[name];
     const method = name.slice(family.length + 1);
-    if (!functions[name].parameters.some((p) => p.role === "created")) return (...given) => objects[family][method](...given);
-    return (...given) => {
-        const make = { create: () => new classes[family](...given), copy: () => objects[family].copy() };
-        objects[family] = (make[method] ?? (() => classes[family][method](...given)))();
+    if (!functions[name].parameters.some((p) => p.role === "created")) return (...values) => objects[family][method](...values);
+    return (...values) => {
+        const make = { create: () => new classes[family](...values), copy: () => objects[family].copy() };
+        objects[family] = (make[method] ?? (() => classes[family][method](...values)))();
     };
 }
 
 /** Arguments of the words; of an array of two sizes the first one goes where the header has its sizes. */
 function argumentsOf(name, words, before) {
     const inputs = functions[name].parameters.filter((p) => p.role === "in" || p.role === "in array");
-    const given = words.map((word, i) => {
+    const values = words.map((word, i) => {
         if (word === "@") return before;
         const numbers = word.split(/[ ;]/).map((text) => ({ inf: Infinity, "-inf": -Infinity }[text] ?? Number(text)));
         return inputs[i].role === "in" ? numbers[0] : Float64Array.from(numbers);
     });
     const rows = words.find((word) => word.includes(";"));
-    if (rows) given.splice(functions[name].parameters.findIndex((p) => p.role === "size"), 0, rows.split(";").length);
-    return given;
+    if (rows) values.splice(functions[name].parameters.findIndex((p) => p.role === "size"), 0, rows.split(";").length);
+    return values;
 }
 
 /** The numbers of a result, in the order of the header. */

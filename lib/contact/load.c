@@ -305,13 +305,16 @@ static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_ste
 static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *step)
 {
     const bool separates = step->to.load == 0;
-    const double work = separates ? rw_numerical_energy_to_separation(contact) : NAN;
+    double work = NAN;
+    int32_t status = separates ? rw_numerical_energy_to_separation(contact, &work) : RWEDGE_OK;
+    if (status != RWEDGE_OK)
+        return status;
     const double energy = contact->energy, carry = contact->energy_carry;
     const rw_departure departure = {contact->memory.corners[0], 1,
                                     separates            ? 0
                                     : step->to.shear < 0 ? -1
                                                          : 1};
-    const int32_t status = go_on(contact, to, step, &departure);
+    status = go_on(contact, to, step, &departure);
     if (status != RWEDGE_OK)
         return status;
     rw_numerical_end(contact);

@@ -230,22 +230,25 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
     return RWEDGE_OK;
 }
 
-double rw_numerical_energy_to_separation(const rwedge_contact *c)
+int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energy)
 {
     const rw_frame frame = rw_contact_frame(c);
     rw_numerical n;
     if (!rw_numerical_copy(c->numerical, &n))
-        return NAN;
+        return RWEDGE_ENOMEM;
     const double before = n.now.energy;
     const rw_scaled_loads away = {0, 0, 0, n.now.at.stretch}, from = n.now.at;
     double left = 1;
     int effort = RW_MOST_EFFORT;
-    while (left > LAST_TOUCH && rw_numerical_step(&n, &frame, rw_part_of_line(away, from, left / 2),
-                                                  &effort) == RW_STEP_DONE)
-        left /= 2;
+    rw_step_result result = RW_STEP_DONE;
+    while (left > LAST_TOUCH && result == RW_STEP_DONE) {
+        result = rw_numerical_step(&n, &frame, rw_part_of_line(away, from, left / 2), &effort);
+        left = result == RW_STEP_DONE ? left / 2 : left;
+    }
     const double work = n.now.energy - before;
     rw_numerical_destroy(&n);
-    return left <= LAST_STICK ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
+    *energy = left <= LAST_STICK ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
+    return result == RW_STEP_NO_MEMORY ? RWEDGE_ENOMEM : RWEDGE_OK;
 }
 
 bool rw_numerical_is_passed(const rwedge_contact *c)

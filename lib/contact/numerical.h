@@ -14,8 +14,8 @@ void rw_closed_form_zones(const rwedge_contact *contact, rw_zones *zones);
  * contact is as before. energy receives what the load dissipates. */
 int32_t rw_numerical_go(rwedge_contact *contact, const rw_step *step, double *energy);
 
-/* The energy that the way to separation dissipates; NaN where that is not known. */
-double rw_numerical_energy_to_separation(const rwedge_contact *contact);
+/* The energy that the way to separation dissipates; NaN where that is not known. RWEDGE_ENOMEM. */
+int32_t rw_numerical_energy_to_separation(const rwedge_contact *contact, double *energy);
 
 /* Whether the contact may be in closed form again: P and M are those of the last closed form, and
  * one zone sticks, which has not slipped since, between two zones that slip the same way. */

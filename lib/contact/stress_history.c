@@ -7,6 +7,7 @@
 #include "stress/stress.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct {
     rw_patch patch;
@@ -57,7 +58,7 @@ static bool reserve(pieces *p, size_t more)
 
 static bool is_same_patch(rw_patch a, rw_patch b)
 {
-    return a.left == b.left && a.right == b.right;
+    return memcmp(&a, &b, sizeof a) == 0;
 }
 
 static bool is_same(const piece *a, const piece *b)

@@ -40,7 +40,8 @@ typedef struct {
     rw_layers layers; /* for which the changes hold */
     size_t count, capacity;
     double *x, *step, *X, *change, *known, *layer;
-    int budget; /* residuals that may still be computed */
+    int budget;    /* residuals that may still be computed */
+    bool is_short; /* memory was short */
 } rw_fronts;
 
 /* The zones that stick, by their ends. */

@@ -18,6 +18,7 @@ static const double AT_FRONT = 1e-15;
 static bool reserve(rw_fronts *f, size_t capacity)
 {
     double *all = malloc(ROWS * capacity * sizeof *all);
+    f->is_short = f->is_short || !all;
     if (!all)
         return false;
     for (size_t i = 0; i < ROWS && f->x; i++)

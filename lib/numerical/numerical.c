@@ -39,10 +39,11 @@ static size_t breaks_of(const rw_frame *frame, const rw_numerical_state *s, doub
 /* The tolerance of the fit of the slip, over that of the tractions. */
 static const double FIT = 0.03;
 
+/* Over what friction and what the stretch moves. */
 static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
 {
-    return FIT * frame->tolerance * rw_peak_friction(frame, s->contact) *
-           rw_patch_half_width(s->contact);
+    return FIT * frame->tolerance * rw_patch_half_width(s->contact) *
+           fmax(rw_peak_friction(frame, s->contact), fabs(s->at.stretch));
 }
 
 bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *now,
@@ -461,13 +462,15 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
     if (rw_numerical_copy(n, &j->next)) {
         double error;
         try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
-        const bool is_done = advance(j, 0, to, 1, *effort / 2, &error) &&
+        const bool is_at_end = advance(j, 0, to, 1, *effort / 2, &error);
+        const bool is_short = j->work.is_short || j->work.fronts.is_short;
+        const bool is_done = is_at_end && !is_short &&
                              rw_numerical_error(&j->next) <= FAR_OFF + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
         rw_numerical_destroy(is_done ? n : &j->next);
         if (is_done)
             *n = j->next;
-        result = is_done ? RW_STEP_DONE : j->work.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+        result = is_done ? RW_STEP_DONE : is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
     }
     rw_work_destroy(&j->work);
     free(j);

@@ -364,8 +364,9 @@ static bool complete(const after *n, rw_outcome *o)
     double at[MOST_BREAKS];
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
-    if (rw_traction_fit_values(&o->state.traction, traction_after, n, (size_t)breaks, at,
-                               fit_tolerance(p), NOISE)) {
+    o->is_short = !rw_traction_fit_values(&o->state.traction, traction_after, n, (size_t)breaks, at,
+                                          fit_tolerance(p), NOISE);
+    if (!o->is_short) {
         balance(p, &o->state);
         for (int i = 0; i + 1 < breaks; i++)
             if (label_at(n->zones, at[i] / 2 + at[i + 1] / 2) == 0)

@@ -13,6 +13,7 @@ typedef struct {
                          slip the wrong way over the scale times the half-width */
     double energy;    /* in theta^2/A */
     double move;      /* of what sticks: the constant part of dw */
+    bool is_short;    /* memory was short */
     rw_zones wrong;   /* parts that should have another label */
 } rw_outcome;
 

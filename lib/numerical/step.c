@@ -158,13 +158,20 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     return false;
 }
 
+/* Notes where memory was short for an outcome. */
+static bool noted(rw_work *w, bool is_done, const rw_outcome *outcome)
+{
+    w->is_short = w->is_short || outcome->is_short;
+    return is_done;
+}
+
 /* A traction and its conditions take about a residual for each element. */
 static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                        rw_outcome *outcome)
 {
     if (!find_fronts(w, p, zones, angle))
         return false;
-    if (!rw_outcome_of_fronts(&w->fronts, outcome))
+    if (!noted(w, rw_outcome_of_fronts(&w->fronts, outcome), outcome))
         return false;
     w->search -= OUTCOME;
     w->effort += (int)(outcome->state.traction.count * w->fronts.count);
@@ -305,7 +312,7 @@ static bool solve(rw_work *w, const rw_problem *p, const rw_zones *guess, bool c
         if (is_known && best->violation <= p->allowed)
             return true;
         if (coarse && trial + 1 == RW_TRIALS &&
-            rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome)) {
+            noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome), &outcome)) {
             outcome.violation = fmax(outcome.violation, 0.3 / n);
             keep_better(best, &is_known, &outcome);
         }

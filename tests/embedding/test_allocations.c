@@ -159,8 +159,7 @@ static void assert_same_again(const trial *t)
     assert_memory_equal(again, t->out, sizeof again);
 }
 
-/* A computed load may go by another trial, or without making its numbers fewer; or it is said not
- * to converge. */
+/* A computed load may go without returning to closed form. */
 static void fail_each(const trial *t)
 {
     const size_t few = t->is_computed ? FEW_COMPUTED : FEW;
@@ -172,7 +171,7 @@ static void fail_each(const trial *t)
         for (int for_ever = t->is_computed; for_ever < 2; for_ever++) {
             double out[CALL_OUTPUTS];
             const int32_t status = status_of(t, out, k, for_ever != 0);
-            if (status != RWEDGE_ENOMEM && !t->is_computed)
+            if (status != RWEDGE_ENOMEM && !(t->is_computed && status == RWEDGE_OK))
                 fail_msg("%s, allocation %zu: status %d", t->call.name, k, (int)status);
         }
     }
@@ -279,4 +278,29 @@ CLAIM(every_failed_allocation_is_survived)
     }
     on_call = NULL;
     assert_true(allocating > 20);
+}
+
+/* From some allocations on it was said not to converge, at the loosest tolerance. */
+CLAIM(a_computed_load_that_lacks_memory_says_so)
+{
+    rwedge_contact *contact, *copy;
+    assert_ok(rwedge_contact_create(1, 1, 1, 0.5, &contact));
+    assert_ok(rwedge_contact_allow_error(contact, 1e-2));
+    assert_ok(rwedge_contact_apply(contact, 4, 0, 0, 0));
+    assert_ok(rwedge_contact_apply(contact, 4, 0, 0.5, 0.9));
+    size_t failing = 0;
+    int32_t status = RWEDGE_ENOMEM;
+    while (status == RWEDGE_ENOMEM) {
+        assert_ok(rwedge_contact_copy(contact, &copy));
+        arm(++failing, true);
+        set_inside(true);
+        status = rwedge_contact_apply(copy, 2, 1.2, -0.7, 3);
+        set_inside(false);
+        const bool was_short = heap.calls >= failing;
+        arm(0, false);
+        rwedge_contact_destroy(copy);
+        assert_true(status == RWEDGE_ENOMEM || (status == RWEDGE_OK && !was_short));
+    }
+    assert_true(failing > 20);
+    rwedge_contact_destroy(contact);
 }

@@ -16,7 +16,7 @@ static const struct {
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
     {"contact_cycle_friction", {4, 0.05, 0, 0, NAN}},
     {"contact_keep_cycle", {4, 0.05, 0, 0}},
-    {"contact_cycle_below", {4, 0.05, 0, 0, 0.3, 0.2, 0.1, NAN}},
+    {"contact_cycle_below", {4, 0.05, 0, 0, 0.3, 0.2, 0.1, 1}},
     {"contact_cycle_worst", {3, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1, NAN}},
 };
 

@@ -193,7 +193,7 @@ static bool is_restored(contact_state s)
 /* Each number in turn, and each length. How many damaged states are taken. */
 static size_t damage_all(contact_state s, bool (*is_taken)(contact_state s))
 {
-    static const double BAD[] = {NAN, -HUGE_VAL, -1, 0, 0.5, 2, 1e300};
+    static const double BAD[] = {NAN, -HUGE_VAL, -1, 0, 0.5, 2, 1e300, HUGE_VAL};
     size_t taken = 0;
     for (size_t i = 2; i < s.size; i++) {
         const double kept = s.number[i];
@@ -219,6 +219,10 @@ CLAIM(damage_that_is_signed_does_no_harm)
     apply(tilted, 0.5, 0.1, 0.1, 0.01);
     (void)damage_all(state_of(centred), is_usable);
     (void)damage_all(state_of(tilted), is_usable);
+    rwedge_contact *pad = NULL;
+    assert_ok(rwedge_contact_create_flat(0.4, 10, 0.5, 0.5, &pad));
+    apply(pad, 0.2, 0.03, 0, 0);
+    (void)damage_all(state_of(pad), is_usable);
     const contact_state s = state_of(none);
     (void)damage_all(s, is_usable);
     s.number[2] = 1e-50; /* theta */

@@ -236,3 +236,18 @@ CLAIM(a_pad_that_touches_under_a_moment_and_a_tension_keeps_its_strain)
         assert_within(relative_strain(pad, 0.1 * k, 60), 0, 3e-6 * 0.5 * -pressure(pad, 1));
     assert_in_range(rwedge_contact_state_size(pad), 0, 4000);
 }
+
+/* The displacement was fitted to a part of what friction moves, far below its own rounding: this
+ * took minutes, and memory as it went. */
+CLAIM(a_pad_touches_under_a_tension_of_any_size)
+{
+    rwedge_contact *pad = flat_pad(1e-4);
+    apply(pad, 300, 0, 20, 1e14);
+    const double error = rwedge_contact_error(pad);
+    assert_within(error, 0, 0.1);
+    for (int side = -1; side <= 1; side += 2)
+        for (int i = 3; i < 10; i++) {
+            const double p = pressure(pad, side * 0.1 * i);
+            assert_within(shear(pad, side * 0.1 * i), -side * 0.5 * p, -error * 0.5 * p);
+        }
+}

@@ -143,7 +143,10 @@ static void assert_out_of_range(rwedge_contact *contact, rw_loads to)
 CLAIM(patches_without_a_width_are_out_of_range)
 {
     rwedge_contact *contact = create_wedge(.015781919866758993, 1, 7.660340870436608e-06, .3);
-    assert_out_of_range(contact, (rw_loads){4.268686012845966e-30, 3.761515666081952e-30, 0, 0});
+    const rw_loads small = {4.268686012845966e-30, 3.761515666081952e-30, 0, 0};
+    assert_out_of_range(contact, small);
+    assert_ok(rwedge_contact_allow_error(contact, 1e-2));
+    assert_out_of_range(contact, (rw_loads){small.P, small.M, 0, 1e-30});
     const double P = 1.5707963267948967e-17, M = 7.853981633974484e-18;
     contact = example();
     apply(contact, P, M, 0, 0);

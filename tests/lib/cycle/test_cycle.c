@@ -520,6 +520,15 @@ CLAIM(there_is_no_displacement_without_contact)
     apply(contact, 1, 0.2, 0, 0);
     apply(contact, 1, 0.2, F, 0); /* slides: how far is not known */
     assert_nan(rwedge_contact_displacement(contact, 1));
+    contact = create(1, F); /* rolls off all places that touched before it slipped */
+    const double P = 1e-6, most = 0.004;
+    assert_ok(rwedge_contact_allow_error(contact, 1e-2));
+    load(contact, P, 0);
+    load(contact, P, 0.3 * F * P);
+    assert_true(rwedge_contact_displacement(contact, 1) > 0);
+    for (double x = 0; x <= most; x += most / 8)
+        apply(contact, P, x * P, 0.3 * F * P, 0);
+    assert_nan(rwedge_contact_displacement(contact, 1));
 }
 
 /* ---- A cycle that is kept ---- */

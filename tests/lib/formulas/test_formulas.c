@@ -39,6 +39,7 @@ CLAIM(pressure_vanishes_outside)
     assert_within(rwedge_pressure(7, 1e60), 0, 0);
     assert_true(rwedge_pressure(0.3, nextafter(1, 0)) < 0);
     assert_within(rwedge_transition_pressure(1), 0, 0);
+    assert_close(rwedge_shear(0, 0, 0.5), -2 / PI * acosh(2), 1e-15); /* nothing sticks */
 }
 
 /* Where c is lost beside 1 the ratio was sometimes 1 + 2 epsilon, outside the domain of its

@@ -172,16 +172,44 @@ static double stuck_part(const rwedge_contact *c, rw_scaled_loads change, rw_pat
     return fmax(FIRST_TOUCH, load / change.P);
 }
 
-/* The traction of a contact that has stuck since it touched, on a straight line to the loads. Where
+/* The traction where all has stuck since the bodies touched, on a straight line to the loads. Where
  * not even a small contact sticks, it is in proportion to friction. */
 static bool fit_stuck(const rwedge_contact *c, const rw_frame *frame, rw_scaled_loads change,
                       rw_numerical_state *now)
 {
     const double mean = change.shear / change.P, slope = -RW_PI * change.stretch / change.P;
     const double most = fabs(mean) + fabs(slope) * rw_patch_half_width(now->contact);
-    now->shear.zones = (rw_zones){1, {{0, now->contact.left, now->contact.right}}};
     return rw_frame_fit(frame, now->contact, mean, most < (1 + ROUNDING) * c->f ? slope : 0,
                         rw_peak_friction(frame, now->contact), &now->shear.traction);
+}
+
+/* Whether the contact that begins is that of a flat, which hardly grows. */
+static bool is_flat(const rw_frame *frame, const rw_numerical_state *now)
+{
+    const rw_patch before = rw_arcs_patch_of_moment(&frame->arcs, now->at.P / 4, now->at.M / 4);
+    return rw_patch_half_width(now->contact) < 1.1 * rw_patch_half_width(before);
+}
+
+/* A flat is pressed first, and then takes its shear in one step: that is as if both had grown
+ * together. A step that fails is left to those that follow. */
+static bool begin_flat(const rwedge_contact *c, const rw_frame *frame, rw_numerical_state *now,
+                       rw_numerical *n)
+{
+    const rw_scaled_loads at = now->at;
+    int effort = RW_MOST_EFFORT;
+    now->at.shear = 0;
+    now->at.stretch = rw_loads_before_touching(c).stretch;
+    if (!rw_frame_fit(frame, now->contact, 0, 0, rw_peak_friction(frame, now->contact),
+                      &now->shear.traction))
+        return false;
+    if (!rw_numerical_begin(n, frame, now, no_slip, NULL)) {
+        rw_shear_state_destroy(&now->shear);
+        return false;
+    }
+    if (rw_numerical_step(n, frame, at, &effort) != RW_STEP_NO_MEMORY)
+        return true;
+    rw_numerical_destroy(n);
+    return false;
 }
 
 /* The state at the end of a straight line from touching, or where it begins to slip there. */
@@ -197,6 +225,9 @@ static bool touch(const rwedge_contact *c, rw_scaled_loads to, rw_numerical *n)
         now.at = rw_part_of_line(from, to, part);
         now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
     }
+    now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
+    if (part == FIRST_TOUCH && is_flat(&frame, &now))
+        return begin_flat(c, &frame, &now, n);
     if (!fit_stuck(c, &frame, change, &now))
         return false;
     if (rw_numerical_begin(n, &frame, &now, no_slip, NULL)) {

@@ -28,8 +28,9 @@ static rw_step_result advance_part(rw_numerical *n, const rw_frame *frame, rw_sc
     static const double LOOSEST = 1e-2;
     const double before = rw_peak_friction(frame, n->now.contact);
     const double peak = rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M));
-    const rw_frame loose = rw_frame_of(frame->arcs, frame->f,
-                                       fmin(LOOSEST, frame->tolerance * fmax(1, last_peak / peak)));
+    const double times = fmax(1, last_peak / peak);
+    rw_frame loose = rw_frame_of(frame->arcs, frame->f, fmin(LOOSEST, frame->tolerance * times));
+    loose.far_off = frame->far_off * times;
     rw_numerical_rescale(n, before / peak);
     return rw_numerical_step(n, &loose, at, effort);
 }

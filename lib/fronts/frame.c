@@ -49,7 +49,7 @@ static void note_bend(bends *b, place at)
 
 rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
 {
-    rw_frame frame = {.arcs = arcs, .f = f, .tolerance = tolerance};
+    rw_frame frame = {.arcs = arcs, .f = f, .tolerance = tolerance, .far_off = 0.1};
     bends all = {.frame = &frame};
     place last = {.x = rw_arc_at(&arcs, 0).left};
     for (size_t i = 0; i < arcs.count; i++) {

@@ -11,10 +11,11 @@ enum { RW_MOST_BENDS = 24 };
 
 /* What all steps of a contact share: the profile, friction, and the tolerance of q over f times the
  * peak pressure. Bends are places where the curvature of the profile jumps so much that a pressure
- * is not smooth there. */
+ * is not smooth there. A load after which the error is twice what it was, and `far_off` more, has
+ * not converged. */
 typedef struct {
     rw_arcs arcs;
-    double f, tolerance;
+    double f, tolerance, far_off;
     int bends;
     double bend[RW_MOST_BENDS];
 } rw_frame;

@@ -447,9 +447,6 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
     return is_done;
 }
 
-/* A load after which the error is twice what it was, and this more, has not converged. */
-static const double FAR_OFF = 0.1;
-
 static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
                                int *effort)
 {
@@ -464,8 +461,9 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
         try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
         const bool is_at_end = advance(j, 0, to, 1, *effort / 2, &error);
         const bool is_short = j->work.is_short || j->work.fronts.is_short;
-        const bool is_done = is_at_end && !is_short &&
-                             rw_numerical_error(&j->next) <= FAR_OFF + 2 * rw_numerical_error(n);
+        const bool is_done =
+            is_at_end && !is_short &&
+            rw_numerical_error(&j->next) <= frame->far_off + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
         rw_numerical_destroy(is_done ? n : &j->next);
         if (is_done)
@@ -483,8 +481,8 @@ rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scal
                                  int *effort)
 {
     static const double LOOSEST = 1e-2;
-    const rw_frame looser =
-        rw_frame_of(frame->arcs, frame->f, fmin(10 * frame->tolerance, LOOSEST));
+    rw_frame looser = rw_frame_of(frame->arcs, frame->f, fmin(10 * frame->tolerance, LOOSEST));
+    looser.far_off = frame->far_off;
     int rest = *effort / 4;
     const rw_step_result result = try_load(n, frame, to, effort);
     if (result != RW_STEP_FAILED || !(looser.tolerance > frame->tolerance))

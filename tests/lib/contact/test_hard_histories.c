@@ -237,6 +237,28 @@ CLAIM(a_pad_that_touches_under_a_moment_and_a_tension_keeps_its_strain)
     assert_in_range(rwedge_contact_state_size(pad), 0, 4000);
 }
 
+/* A small contact began with a shear in proportion to its pressure. Where the flat slips as it
+ * touches, some loads from there were refused. */
+CLAIM(a_flat_pad_that_slips_as_it_touches_keeps_the_strain_of_its_stick_zone)
+{
+    static const double LOADS[][3] = {{0, 100, 125}, {0, 120, 140},  {0, 140, 150},
+                                      {0, 80, -175}, {40, 60, 125},  {40, 120, 100},
+                                      {40, 80, 25},  {40, 140, -150}};
+    for (size_t i = 0; i < sizeof LOADS / sizeof *LOADS; i++) {
+        const double M = LOADS[i][0], Q = LOADS[i][1], sigma = LOADS[i][2];
+        rwedge_contact *pad = flat_pad(1e-4);
+        double left, right;
+        apply(pad, 300, M, Q, sigma);
+        assert_within(rwedge_contact_error(pad), 0, 2e-4);
+        assert_int_equal(rwedge_contact_stick_zone(pad, &left, &right), RWEDGE_OK);
+        for (int k = -3; k <= 3; k++) {
+            const double from = fmax(left, -1), to = fmin(right, 1); /* of the flat */
+            const double x = (from + to) / 2 + k * (to - from) / 10;
+            assert_within(relative_strain(pad, x, sigma), 0, 1e-4 * 0.5 * -pressure(pad, 1));
+        }
+    }
+}
+
 /* The displacement was fitted to a part of what friction moves, far below its own rounding: this
  * took minutes, and memory as it went. */
 CLAIM(a_pad_touches_under_a_tension_of_any_size)

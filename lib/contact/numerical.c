@@ -20,40 +20,44 @@ static int32_t status_of(rw_step_result result)
  * much larger or smaller errs in parts of each peak pressure that it has on the way. */
 static const double FOLD = 4;
 
+static double peak_of(const rw_frame *frame, rw_scaled_loads at)
+{
+    return rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M));
+}
+
 /* An error while the load is small counts less at the end of the step: by the ratio of the peak
  * pressures. */
 static rw_step_result advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at,
-                                   double last_peak, int *effort)
+                                   double peak, double last_peak, int *effort)
 {
     static const double LOOSEST = 1e-2;
-    const double before = rw_peak_friction(frame, n->now.contact);
-    const double peak = rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M));
     const double times = fmax(1, last_peak / peak);
     rw_frame loose = rw_frame_of(frame->arcs, frame->f, fmin(LOOSEST, frame->tolerance * times));
     loose.far_off = frame->far_off * times;
-    rw_numerical_rescale(n, before / peak);
+    rw_numerical_rescale(n, rw_peak_friction(frame, n->now.contact) / peak);
     return rw_numerical_step(n, &loose, at, effort);
 }
 
-static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to)
+/* To loads under which this is the contact. */
+static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
+                              rw_patch contact)
 {
     const rw_scaled_loads from = n->now.at;
-    const double last_peak =
-        rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, to.P, to.M));
+    const double last_peak = rw_peak_friction(frame, contact);
     const double folds = fabs(log(to.P / from.P)) / log(FOLD);
     const int parts = (int)fmax(1, ceil(folds - 1e-9));
     rw_step_result result = RW_STEP_DONE;
     int effort = RW_MOST_EFFORT;
-    for (int i = 1; i <= parts && result == RW_STEP_DONE; i++) {
+    for (int i = 1; i < parts && result == RW_STEP_DONE; i++) {
         int share = effort / (parts - i + 1);
         effort -= share;
         const double P = from.P * pow(to.P / from.P, (double)i / parts);
-        const rw_scaled_loads at =
-            i < parts ? rw_part_of_line(from, to, (P - from.P) / (to.P - from.P)) : to;
-        result = advance_part(n, frame, at, last_peak, &share);
+        const rw_scaled_loads at = rw_part_of_line(from, to, (P - from.P) / (to.P - from.P));
+        result = advance_part(n, frame, at, peak_of(frame, at), last_peak, &share);
         effort += share;
     }
-    return result;
+    return result == RW_STEP_DONE ? advance_part(n, frame, to, last_peak, last_peak, &effort)
+                                  : result;
 }
 
 static rw_scaled_loads scaled_loads_after(const rwedge_contact *c, const rw_step *step)
@@ -152,7 +156,8 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
     *next = is_on_line_from_touching(c, from, to) ? rw_numerical_of_touching(c, to) : copy_of(from);
     if (!*next)
         return RWEDGE_ENOMEM;
-    const int32_t status = is_at(*next, to) ? RWEDGE_OK : status_of(advance(*next, &frame, to));
+    const int32_t status =
+        is_at(*next, to) ? RWEDGE_OK : status_of(advance(*next, &frame, to, step->patch));
     if (status != RWEDGE_OK) {
         discard(*next);
         *next = NULL;

@@ -6,14 +6,11 @@
 #include "base/sort.h"
 
 /* When the bodies touch, the first step is to this part of the load, and each step grows fourfold.
- * Below it all of the contact sticks, or slides, as it grows. */
+ * Below it a contact that grows sticks or slides as a whole; that of a flat does not grow. */
 static const double FIRST_TOUCH = 0x1p-16;
 
 /* The error of the fit where all has stuck since the bodies touched, over the tolerance. */
 static const double TOUCH_ERROR = 0.01;
-
-/* Of friction. */
-static const double ROUNDING = 1e-9;
 
 rw_frame rw_contact_frame(const rwedge_contact *c)
 {
@@ -172,15 +169,32 @@ static double stuck_part(const rwedge_contact *c, rw_scaled_loads change, rw_pat
     return fmax(FIRST_TOUCH, load / change.P);
 }
 
-/* The traction where all has stuck since the bodies touched, on a straight line to the loads. Where
- * not even a small contact sticks, it is in proportion to friction. */
-static bool fit_stuck(const rwedge_contact *c, const rw_frame *frame, rw_scaled_loads change,
-                      rw_numerical_state *now)
+/* Begins where all sticks, with a traction of mean + slope x times the pressure. */
+static bool begin_stuck(const rw_frame *frame, double mean, double slope, rw_numerical_state *now,
+                        rw_numerical *n)
+{
+    now->shear.zones = (rw_zones){1, {{0, now->contact.left, now->contact.right}}};
+    if (!rw_frame_fit(frame, now->contact, mean, slope, rw_peak_friction(frame, now->contact),
+                      &now->shear.traction))
+        return false;
+    if (rw_numerical_begin(n, frame, now, no_slip, NULL))
+        return true;
+    rw_shear_state_destroy(&now->shear);
+    return false;
+}
+
+/* Where all has stuck since the bodies touched, on a straight line to the loads. Where not even a
+ * small contact sticks, the traction is in proportion to friction. */
+static bool begin_in_proportion(const rwedge_contact *c, const rw_frame *frame,
+                                rw_scaled_loads change, rw_numerical_state *now, rw_numerical *n)
 {
     const double mean = change.shear / change.P, slope = -RW_PI * change.stretch / change.P;
     const double most = fabs(mean) + fabs(slope) * rw_patch_half_width(now->contact);
-    return rw_frame_fit(frame, now->contact, mean, most < (1 + ROUNDING) * c->f ? slope : 0,
-                        rw_peak_friction(frame, now->contact), &now->shear.traction);
+    const bool sticks = most < (1 + RW_ROUNDING_OF_FRICTION) * c->f;
+    if (!begin_stuck(frame, mean, sticks ? slope : 0, now, n))
+        return false;
+    rw_numerical_add_error(n, TOUCH_ERROR * c->tolerance);
+    return true;
 }
 
 /* Whether the contact that begins is that of a flat, which hardly grows. */
@@ -192,20 +206,15 @@ static bool is_flat(const rw_frame *frame, const rw_numerical_state *now)
 
 /* A flat is pressed first, and then takes its shear in one step: that is as if both had grown
  * together. A step that fails is left to those that follow. */
-static bool begin_flat(const rwedge_contact *c, const rw_frame *frame, rw_numerical_state *now,
+static bool begin_flat(const rw_frame *frame, double stretch, rw_numerical_state *now,
                        rw_numerical *n)
 {
     const rw_scaled_loads at = now->at;
     int effort = RW_MOST_EFFORT;
     now->at.shear = 0;
-    now->at.stretch = rw_loads_before_touching(c).stretch;
-    if (!rw_frame_fit(frame, now->contact, 0, 0, rw_peak_friction(frame, now->contact),
-                      &now->shear.traction))
+    now->at.stretch = stretch;
+    if (!begin_stuck(frame, 0, 0, now, n))
         return false;
-    if (!rw_numerical_begin(n, frame, now, no_slip, NULL)) {
-        rw_shear_state_destroy(&now->shear);
-        return false;
-    }
     if (rw_numerical_step(n, frame, at, &effort) != RW_STEP_NO_MEMORY)
         return true;
     rw_numerical_destroy(n);
@@ -225,17 +234,9 @@ static bool touch(const rwedge_contact *c, rw_scaled_loads to, rw_numerical *n)
         now.at = rw_part_of_line(from, to, part);
         now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
     }
-    now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
-    if (part == FIRST_TOUCH && is_flat(&frame, &now))
-        return begin_flat(c, &frame, &now, n);
-    if (!fit_stuck(c, &frame, change, &now))
-        return false;
-    if (rw_numerical_begin(n, &frame, &now, no_slip, NULL)) {
-        rw_numerical_add_error(n, TOUCH_ERROR * c->tolerance);
-        return true;
-    }
-    rw_shear_state_destroy(&now.shear);
-    return false;
+    return part == FIRST_TOUCH && is_flat(&frame, &now)
+               ? begin_flat(&frame, from.stretch, &now, n)
+               : begin_in_proportion(c, &frame, change, &now, n);
 }
 
 /* What has been allocated, if it could be made. */

@@ -5,6 +5,9 @@
 
 #include "contact/numerical.h"
 
+/* Loads are on a line, and a traction is within friction, but for this part of friction. */
+#define RW_ROUNDING_OF_FRICTION 1e-9
+
 /* The profile, friction and tolerance of a contact, and its loads, for the computed shear. */
 rw_frame rw_contact_frame(const rwedge_contact *contact);
 rw_scaled_loads rw_contact_scaled_loads(const rwedge_contact *contact, double P, double M,

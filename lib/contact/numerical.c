@@ -137,14 +137,13 @@ static bool is_at(const rw_numerical *n, rw_scaled_loads loads)
 static bool is_on_line_from_touching(const rwedge_contact *c, const rw_numerical *n,
                                      rw_scaled_loads to)
 {
-    static const double ROUNDING = 1e-9; /* of friction */
     const rw_numerical_state *now = &n->now;
     double apart[LOADS], sum = 0;
     changes(n, c->f, rw_part_of_line(rw_loads_before_touching(c), to, now->at.P / to.P), apart);
     for (int i = 0; i < LOADS; i++)
         sum += fabs(apart[i]);
     return now->is_still && now->shear.zones.count == 1 &&
-           sum <= ROUNDING * c->f * now->at.P / rw_patch_half_width(now->contact);
+           sum <= RW_ROUNDING_OF_FRICTION * c->f * now->at.P / rw_patch_half_width(now->contact);
 }
 
 /* A step from the state `from`. Unless RWEDGE_OK, there is no next state. */

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One implicit step of the shear: the grid's zones, then exact fronts. */
+/* One implicit step of the shear. */
 #ifndef RW_STEP_H
 #define RW_STEP_H
 
-#include "numerical/outcome.h"
-#include "numerical/pattern.h"
+#include "numerical/search.h"
 
 /* Loads as the computed shear has them: P A/theta, a length; M A/theta, its square; Q A/theta; the
  * stretch of problem.h. */
@@ -38,27 +37,6 @@ typedef struct {
     bool is_exact;           /* what sticks after that step stuck all the time */
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_numerical_state;
-
-enum { RW_TRIALS = 2, RW_FRICTIONS = 4 };
-
-/* Working memory of steps, kept from one to the next. */
-typedef struct {
-    const rw_frame *frame;
-    rw_fronts fronts;
-    rw_problem start, end; /* the rates at the beginning and at the end of the step */
-    rw_grid grid[RW_TRIALS];
-    rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
-    unsigned frictions;                 /* how many so far */
-    rw_zones tried[RW_VARIANTS];        /* of one pattern */
-    /* so far: values at points of a quadrature, some 40 ns each. Beyond the most only the grid is
-     * used. Beyond half of it steps are not divided any more, so that exact fronts may end them. */
-    int effort, most_effort;
-    int search;    /* residuals that the zones of this step may still cost */
-    bool is_short; /* memory was short */
-} rw_work;
-
-bool rw_work_create(rw_work *work, const rw_frame *frame, int most_effort);
-void rw_work_destroy(rw_work *work);
 
 /* One step as a whole. false where no zones meet the conditions to the tolerance. With `coarse` the
  * best zones are taken, or the grid's answer, and false means that there is none. `guess`, or NULL:

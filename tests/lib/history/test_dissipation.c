@@ -171,15 +171,21 @@ CLAIM(slip_of_histories_is_the_reference_values)
     }
 }
 
+/* A contact under P and M, then Q and sigma: theta, a, A, P, M, f, Q, sigma of a row. */
+static rwedge_contact *after_one_load(const double row[])
+{
+    rwedge_contact *contact = create_wedge(row[0], row[1], row[2], row[5]);
+    apply(contact, row[3], row[4], 0, 0);
+    apply(contact, row[3], row[4], row[6], row[7]);
+    return contact;
+}
+
 CLAIM(slip_off_the_centre_is_the_reference_values)
 {
     reference rows = reference_open("slip_off_centre.csv");
     while (reference_next(&rows)) {
         const double *c = rows.cell;
-        rwedge_contact *contact = create_wedge(c[0], c[1], c[2], c[5]);
-        apply(contact, c[3], c[4], 0, 0);
-        apply(contact, c[3], c[4], c[6], c[7]);
-        assert_within(slip(contact, c[8]), c[9], c[10]);
+        assert_within(slip(after_one_load(c), c[8]), c[9], c[10]);
     }
 }
 
@@ -192,10 +198,7 @@ CLAIM(energies_off_the_centre_are_the_reference_values)
     reference rows = reference_open("energy_off_centre.csv");
     while (reference_next(&rows)) {
         const double *c = rows.cell;
-        rwedge_contact *contact = create_wedge(c[0], c[1], c[2], c[5]);
-        apply(contact, c[3], c[4], 0, 0);
-        apply(contact, c[3], c[4], c[6], c[7]);
-        assert_close(rwedge_contact_dissipated_energy(contact), c[8], c[9]);
+        assert_close(rwedge_contact_dissipated_energy(after_one_load(c)), c[8], c[9]);
     }
 }
 

@@ -1,0 +1,337 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "numerical/search.h"
+
+#include "base/domain.h"
+#include "numerical/rates.h"
+
+#include <string.h>
+
+/* Angles of the grid; at a second trial twice as many. */
+enum { ANGLES = 96 };
+
+/* How many residuals the search for the fronts of one pattern may take: front by front in all, by
+ * Newton's method for each unknown and one more. It succeeds with fewer, if at all. */
+enum { BUDGET = 120, TURNS = 10 };
+
+/* How many residuals the search for the zones of a step may take, and how many each outcome counts.
+ * Beyond that a shorter step is better: its zones are nearer to the old ones, and found at once. */
+enum { SEARCH = 500, OUTCOME = 20 };
+
+/* The residual at which Newton's method ends, over the tolerance. */
+static const double RESIDUAL = 1e-5;
+
+/* A front near one of the state before starts just inside the old zone that stuck, where the
+ * residual is steep; for side -1 just outside. Whether any front was moved. */
+static bool start_beside(const rw_problem *p, rw_fronts *f, double angle, int side)
+{
+    const rw_zones *old = &p->old->zones;
+    bool is_moved = false;
+    for (int j = 0; j < f->fronts; j++)
+        for (int i = 0; i + 1 < old->count; i++) {
+            const int left = old->zone[i].label, right = old->zone[i + 1].label;
+            const int slip = f->label[j] != 0 ? f->label[j] : f->label[j + 1];
+            if ((left != 0 ? left : right) != slip || (left == 0) != (f->label[j] == 0))
+                continue;
+            const double at = rw_angle_of(p, old->zone[i].right);
+            if (fabs(at - f->y[j]) < 2.5 * angle) {
+                f->y[j] = at + side * (f->label[j] != 0 ? 1 : -1) * 0.05 * angle;
+                is_moved = true;
+            }
+        }
+    return is_moved;
+}
+
+static bool is_ordered(const rw_fronts *f)
+{
+    for (int j = 0; j <= f->fronts; j++)
+        if (!((j > 0 ? f->y[j - 1] : 0) < (j < f->fronts ? f->y[j] : RW_PI)))
+            return false;
+    return true;
+}
+
+/* Whether a zone inside is narrower than `least` over the half-width: the equations do not
+ * determine it, and its effect is below the tolerance. A zone that sticks between two ways of slip
+ * may be a point. */
+static bool has_sliver(const rw_work *w, const rw_fronts *f)
+{
+    const double least = 0.1 * pow(w->frame->tolerance, 2.0 / 3);
+    for (int i = 1; i + 1 < f->zones; i++)
+        if (f->y[i] - f->y[i - 1] < least && f->label[i - 1] == f->label[i + 1])
+            return true;
+    return false;
+}
+
+/* A residual takes values at all points, for each zone that sticks. */
+static void add_effort(rw_work *w, int residuals)
+{
+    w->search -= residuals;
+    w->effort += residuals * w->fronts.sticks * (int)w->fronts.count;
+}
+
+static bool newton(rw_work *w, double residual)
+{
+    const int budget = TURNS * (w->fronts.unknowns + 1);
+    w->fronts.budget = budget;
+    const bool is_done = rw_fronts_newton(&w->fronts, residual);
+    add_effort(w, budget - w->fronts.budget);
+    return is_done;
+}
+
+static bool relax(rw_work *w)
+{
+    w->fronts.budget = BUDGET;
+    const bool is_done = rw_fronts_relax(&w->fronts);
+    add_effort(w, BUDGET - w->fronts.budget);
+    return is_done;
+}
+
+/* D at edges that grow, at the beginning of a step which ends with these zones. */
+static void ratios_at_start(rw_work *w, const rw_problem *p, const rw_zones *after, double D[2])
+{
+    D[0] = D[1] = NAN;
+    if (!p->grows[0] && !p->grows[1])
+        return;
+    const rw_zones begun = rw_rates_begun(&w->fronts, &w->start, &p->old->zones, after);
+    rw_rates_ratio(&w->fronts, &w->start, &begun, D);
+}
+
+/* Of D at the edges that stick; HUGE_VAL where it was or is not known. */
+static double change_of_ratios(const rw_fronts *f, const double before[2], const double D[2])
+{
+    double most = 0;
+    for (int side = 0; side < 2; side++)
+        if (f->sticks_to_edge[side] && !(isnan(before[side]) && isnan(D[side])))
+            most =
+                isnan(before[side] + D[side]) ? HUGE_VAL : fmax(most, fabs(D[side] - before[side]));
+    return most;
+}
+
+/* D at the beginning follows from the zones at the end, which it changes a little. */
+static bool settle_ratios(rw_work *w, const rw_problem *p, double D[2], double residual)
+{
+    enum { MOST_TURNS = 4 };
+    static const double SAME = 0.1; /* of the tolerance */
+    rw_fronts *f = &w->fronts;
+    bool is_done = true, is_settled = !f->sticks_to_edge[0] && !f->sticks_to_edge[1];
+    for (int turn = 0; turn < MOST_TURNS && is_done && !is_settled; turn++) {
+        const double before[2] = {D[0], D[1]};
+        double y[RW_MOST_FRONTS];
+        rw_zones zones;
+        rw_fronts_zones(f, &zones);
+        ratios_at_start(w, p, &zones, D);
+        memcpy(y, f->y, sizeof y);
+        is_done = rw_fronts_begin(f, p, &zones, D);
+        memcpy(f->y, y, sizeof y);
+        is_settled = change_of_ratios(f, before, D) < SAME * w->frame->tolerance;
+        is_done = is_done && (is_settled || newton(w, residual));
+    }
+    return is_done;
+}
+
+static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
+{
+    rw_fronts *f = &w->fronts;
+    const double residual = fmax(1e-12, RESIDUAL * w->frame->tolerance) * p->scale;
+    double D[2];
+    ratios_at_start(w, p, zones, D);
+    for (int side = 1; side >= -1; side -= 2) {
+        if (w->search <= 0 || !rw_fronts_begin(f, p, zones, D))
+            return false;
+        const bool is_moved = start_beside(p, f, angle, side);
+        if (side < 0 && !is_moved)
+            return false;
+        if (!is_ordered(f))
+            rw_fronts_begin(f, p, zones, D);
+        double start[RW_MOST_FRONTS];
+        memcpy(start, f->y, sizeof start);
+        bool is_done = newton(w, residual);
+        if (!is_done && angle > 0) {
+            memcpy(f->y, start, sizeof start);
+            is_done = relax(w) && newton(w, residual);
+        }
+        if (is_done)
+            return settle_ratios(w, p, D, residual) && !has_sliver(w, f);
+    }
+    return false;
+}
+
+/* Notes where memory was short for an outcome. */
+static bool noted(rw_work *w, bool is_done, const rw_outcome *outcome)
+{
+    w->is_short = w->is_short || outcome->is_short;
+    return is_done;
+}
+
+/* A traction and its conditions take about a residual for each element. */
+static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                       rw_outcome *outcome)
+{
+    if (!find_fronts(w, p, zones, angle))
+        return false;
+    if (!noted(w, rw_outcome_of_fronts(&w->fronts, outcome), outcome))
+        return false;
+    w->search -= OUTCOME;
+    w->effort += (int)(outcome->state.traction.count * w->fronts.count);
+    return true;
+}
+
+/* The outcome of a pattern. Parts that turn out to have the wrong label get the other one, and the
+ * pattern is tried again. */
+static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                        double least, rw_outcome *best)
+{
+    if (!try_fronts(w, p, zones, angle, best))
+        return false;
+    for (int turn = 0; turn < 3 && best->violation > p->allowed && best->wrong.count > 0; turn++) {
+        rw_zones mended = best->state.zones;
+        rw_outcome other;
+        if (!rw_pattern_insert(&mended, &best->wrong, least) ||
+            !try_fronts(w, p, &mended, angle, &other))
+            break;
+        rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
+        if (!(other.violation < best->violation))
+            break;
+        *best = other;
+    }
+    return true;
+}
+
+/* Keeps the better of two. */
+static void keep_better(rw_outcome *best, bool *is_known, const rw_outcome *other)
+{
+    rw_outcome worse = *other;
+    if (!*is_known || other->violation < best->violation) {
+        worse = *best;
+        *best = *other;
+    }
+    if (*is_known)
+        rw_shear_state_destroy(&worse.state);
+    *is_known = true;
+}
+
+/* A guess of the layers of a growing contact, as if all of it stuck. */
+static rw_layers guess_layers(rw_work *w)
+{
+    const rw_zones stuck = {1, {{0, w->start.to.left, w->start.to.right}}};
+    double ratio[2], sum = 0;
+    int known = 0;
+    rw_rates_ratio(&w->fronts, &w->start, &stuck, ratio);
+    for (int side = 0; side < 2; side++)
+        if (isfinite(ratio[side])) {
+            sum += ratio[side];
+            known++;
+        }
+    return (rw_layers){known > 0, {known > 0 ? sum / known : 0}};
+}
+
+static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                    rw_outcome *best)
+{
+    const double width = p->half * angle * angle * 2;
+    rw_zones pattern = *zones;
+    bool is_known = false;
+    if (!rw_pattern_clean(&pattern, width))
+        return false;
+    for (int level = 0; level < 4; level++) {
+        int count = 0;
+        for (int number = 0; number < RW_VARIANTS; number++) {
+            rw_zones variant;
+            if (!rw_pattern_variant(p, &pattern, width, number, &variant) ||
+                !rw_pattern_clean(&variant, width))
+                continue;
+            bool is_new = true;
+            for (int i = 0; i < count; i++)
+                is_new = is_new && !rw_pattern_is_same(&variant, &w->tried[i]);
+            if (!is_new)
+                continue;
+            w->tried[count++] = variant;
+            rw_outcome outcome;
+            if (!try_pattern(w, p, &variant, angle, width, &outcome))
+                continue;
+            keep_better(best, &is_known, &outcome);
+            if (best->violation <= p->allowed)
+                return true;
+        }
+        if (!rw_pattern_simpler(p, &pattern, width))
+            break;
+    }
+    return is_known;
+}
+
+/* The zones of a contact, scaled to another one. */
+static rw_zones moved_to(rw_zones zones, rw_patch contact)
+{
+    const double left = zones.zone[0].left, right = zones.zone[zones.count - 1].right;
+    const double stretch = (contact.right - contact.left) / (right - left);
+    for (int i = 0; i < zones.count; i++) {
+        zones.zone[i].left = i > 0 ? zones.zone[i - 1].right : contact.left;
+        zones.zone[i].right = i + 1 == zones.count
+                                  ? contact.right
+                                  : contact.left + stretch * (zones.zone[i].right - left);
+    }
+    return zones;
+}
+
+/* Tries the zones of a similar step; or those before the step, if they go on slipping as they
+ * did. */
+static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_outcome *best)
+{
+    const rw_zones *old = &p->old->zones;
+    if (!guess && (old->count < 2 || rw_rates_wrong(&w->fronts, &w->start, old, old) > 0))
+        return false;
+    const rw_zones zones = moved_to(guess ? *guess : *old, p->to);
+    return try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
+}
+
+bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coarse,
+               rw_outcome *best)
+{
+    w->search = w->effort > w->most_effort ? 0 : SEARCH;
+    bool is_known = try_guess(w, p, guess, best);
+    if (is_known && best->violation <= p->allowed)
+        return true;
+    const rw_layers layers = p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};
+    for (int trial = 0; trial < RW_TRIALS; trial++) {
+        rw_grid *grid = &w->grid[trial];
+        const int n = ANGLES << trial;
+        if (!grid->x && !rw_grid_create(grid, n)) {
+            w->is_short = true;
+            break;
+        }
+        rw_zones zones;
+        rw_outcome outcome;
+        const bool is_solved = rw_grid_solve(grid, p, &layers);
+        w->effort += n * n * n / 250 + n * n * grid->turns / 50; /* as measured */
+        if (!is_solved || !rw_grid_zones(grid, p, &zones))
+            continue;
+        if (try_all(w, p, &zones, RW_PI / n, &outcome))
+            keep_better(best, &is_known, &outcome);
+        if (is_known && best->violation <= p->allowed)
+            return true;
+        if (coarse && trial + 1 == RW_TRIALS &&
+            noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome), &outcome)) {
+            outcome.violation = fmax(outcome.violation, 0.3 / n);
+            keep_better(best, &is_known, &outcome);
+        }
+    }
+    if (is_known && !coarse && best->violation > w->frame->tolerance) {
+        rw_shear_state_destroy(&best->state);
+        return false;
+    }
+    return is_known;
+}
+
+bool rw_work_create(rw_work *w, const rw_frame *frame, int most_effort)
+{
+    *w = (rw_work){.frame = frame, .most_effort = most_effort};
+    return rw_fronts_create(&w->fronts, frame->tolerance);
+}
+
+void rw_work_destroy(rw_work *w)
+{
+    rw_fronts_destroy(&w->fronts);
+    for (int i = 0; i < RW_TRIALS; i++)
+        rw_grid_destroy(&w->grid[i]);
+    for (int i = 0; i < RW_FRICTIONS; i++)
+        rw_friction_destroy(&w->friction[i]);
+}

@@ -15,5 +15,5 @@ frame
 plot $limit using 1:2 with lines linestyle 1 linewidth 0.5 notitle, \
     for [n=1:words(names)] $rows index n - 1 using 2:3 with lines linestyle n linewidth 1.4 \
     title "π".it("b")."σ/(4".it("Q").") = ".word(names, n), \
-    for [n=1:words(names)] $rows index n - 1 using (0.5*($4 + $5)):(-bottom - step*(n + 0.25)):4:5:(-bottom - step*(n + 0.5)):(-bottom - step*n) \
-    every ::0::0 with boxxyerror linestyle n linewidth 1.4 fillstyle empty notitle
+    for [n=1:words(names)] $rows index n - 1 using (0.5*($4 + $5)):(-bottom - step*(n + 0.25)):4:5: \
+    (-bottom - step*(n + 0.5)):(-bottom - step*n) every ::0::0 with boxxyerror linestyle n linewidth 1.4 fillstyle empty notitle

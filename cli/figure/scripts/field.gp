@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-slips = exists("Q_over_fP") ? it("Q")."/(".it("fP").") = ".Q_over_fP : it("c")."/".it("b")." = ".(exists("c_over_b") ? c_over_b : "0")
+stuck = it("c")."/".it("b")." = ".(exists("c_over_b") ? c_over_b : "0")
+slips = exists("Q_over_fP") ? it("Q")."/(".it("fP").") = ".Q_over_fP : stuck
 title = "√".it("J")."_2 in θ/".it("A").": ".it("a")."/".it("b")." = ".a_over_b.", ".it("f")." = ".f.",\n"
 title = title.(f eq "0" ? "" : slips.", ")."ν = ".nu
 zones = stick > 0 ? ", black: stick" : f eq "0" ? "" : ", sliding"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The paper, where a figure has said what it is of. It is as high as the lines of text on it need: gnuplot arranges the names of the
-# curves, and keeps the plot's proportion. Paper that is too high or too low costs some white.
+# The paper, where a figure has said what it is of. It is as high as the lines of text on it need: gnuplot arranges the names
+# of the curves, and keeps the plot's proportion. Paper that is too high or too low costs some white.
 if (titled == 0) { title = "" }
 lines_of(text) = text eq "" ? 0 : strstrt(text, "\n") == 0 ? 1 : 1 + lines_of(text[strstrt(text, "\n") + 1:*])
 longest = 0

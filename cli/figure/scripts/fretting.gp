@@ -14,4 +14,5 @@ right = from
 stats $rows using ($4 == $4 ? (left = min(left, $1), right = max(right, $1)) : 0) nooutput
 frame
 plot $rows using 1:2 with lines linestyle 1 linewidth 1.3 notitle, \
-    [0:4] '+' using (left < right ? bar_x($1, left, right) : NaN):(bar_y($1, 0, -0.03*worst)) with lines linestyle 1 linewidth 0.8 notitle
+    [0:4] '+' using (left < right ? bar_x($1, left, right) : NaN):(bar_y($1, 0, -0.03*worst)) \
+    with lines linestyle 1 linewidth 0.8 notitle

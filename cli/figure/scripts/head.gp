@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What every figure begins with. Before it stand terminal, paper and line; after it a variable of the figure and its values, as the
-# words of a text, such as a_over_b; $rows; and what the figure says in C.
+# What every figure begins with. Before it stand terminal, paper and line; after it a variable of the figure and its values,
+# as the words of a text, such as a_over_b; $rows; and what the figure says in C.
 set encoding utf8
 set minussign
 set style textbox opaque margins 0.3,0.1 noborder
@@ -39,16 +39,18 @@ tic_along_x(span) = strlen(sprintf("%g", tic(span))) <= 4 ? tic(span) : tic_of_t
 # A number as it is said, with a minus sign, not a hyphen.
 said(format, value) = (value < 0 ? "−" : "").sprintf(format, abs(value))
 
-# Lines of equal height, a level at a time: a line of one colour has no joints. A figure that has them says the column of `height`,
-# and the step from line to line up to the top.
-CONTOURS = 'for [i=1:levels] $lines using 1:(abs($3 - i*step) < 0.5*step ? $2 : NaN) with lines linewidth 0.9 linecolor palette frac i/real(levels) notitle'
+# Lines of equal height, a level at a time: a line of one colour has no joints. A figure that has them says the column of
+# `height`, and the step from line to line up to the top.
+CONTOURS = "for [i=1:levels] $lines using 1:(abs($3 - i*step) < 0.5*step ? $2 : NaN) ".\
+    "with lines linewidth 0.9 linecolor palette frac i/real(levels) notitle"
 
 # The corners of a bar, one after the other.
 bar_x(i, from, to) = i == 1 || i == 2 ? to : from
 bar_y(i, top, bottom) = i == 2 || i == 3 ? bottom : top
 
-# The palette of Okabe and Ito, which the colour-blind can tell apart, without its yellow, which is too pale on paper. In a family
-# colour and dashes both change, so that either tells neighbours apart: 4 and 5 have no common divisor, a pair comes again after 20.
+# The palette of Okabe and Ito, which the colour-blind can tell apart, without its yellow, which is too pale on paper. In a
+# family colour and dashes both change, so that either tells neighbours apart: 4 and 5 have no common divisor, a pair comes
+# again after 20.
 colours = "#000000 #0072b2 #d55e00 #009e73 #cc79a7"
 vermillion = "#d55e00"
 set dashtype 2 (9,4)

@@ -12,4 +12,5 @@ names = Q_over_fP
 energy(n) = sprintf("%#.3g", word(energies, n) + 0)
 do for [n=1:words(names)] { letters = max(letters, 8 + strlen(energy(n))) }
 frame
-plot for [n=1:words(names)] $rows index n - 1 using 4:3 with lines linestyle n linewidth 1.3 title word(names, n).": ".it("W")." = ".energy(n)
+plot for [n=1:words(names)] $rows index n - 1 using 4:3 with lines linestyle n linewidth 1.3 \
+    title word(names, n).": ".it("W")." = ".energy(n)

@@ -34,6 +34,11 @@ static inline bool rw_patch_is_same(rw_patch a, rw_patch b)
     return fabs(a.left - b.left) + fabs(a.right - b.right) == 0;
 }
 
+static inline bool rw_patch_has(rw_patch patch, double x)
+{
+    return x >= patch.left && x <= patch.right;
+}
+
 /* The height of the profile above its middle at x >= 0, over theta. */
 static inline double rw_wedge_height(double a, double x)
 {

@@ -2,6 +2,7 @@
 #include "numerical/numerical.h"
 
 #include "base/domain.h"
+#include "numerical/compare.h"
 #include "traction/transform.h"
 
 #include <stdlib.h>
@@ -126,11 +127,6 @@ static double error_at(const rw_numerical *n, double x)
     return fabs(cosine) < 1 ? n->error[(int)(acos(cosine) * RW_PLACES / RW_PI)] : 0;
 }
 
-static bool is_inside(rw_patch patch, double x)
-{
-    return x > patch.left && x < patch.right;
-}
-
 /* The error of the fit of a step, over the tolerance. */
 static const double ELEMENTS = 0.03;
 
@@ -144,9 +140,9 @@ static void note_error(rw_numerical *n, const rw_numerical_state *s, double tole
     const double fit = ELEMENTS * tolerance, random = hypot(s->error, fit);
     for (int i = 0; i < RW_PLACES; i++) {
         const double x = rw_place(s->contact, i), before = error_at(n, x);
-        error[i] = !sticks_at(&s->shear.zones, x) ? random
-                   : is_inside(s->unslipped, x)   ? fmax(hypot(before, fit), random + s->apart[i])
-                                                  : hypot(before, random) + s->apart[i];
+        error[i] = !sticks_at(&s->shear.zones, x)  ? random
+                   : rw_patch_has(s->unslipped, x) ? fmax(hypot(before, fit), random + s->apart[i])
+                                                   : hypot(before, random) + s->apart[i];
     }
     memcpy(n->error, error, sizeof error);
 }
@@ -158,11 +154,6 @@ typedef struct {
     const rw_numerical *numerical; /* before it */
     const rw_numerical_state *half, *now;
 } growth;
-
-static bool touches(const rw_numerical_state *s, double x)
-{
-    return x >= s->contact.left && x <= s->contact.right;
-}
 
 /* Minus the displacement at the time when an edge of the contact came to a place, interpolated
  * between two states. */
@@ -180,8 +171,8 @@ static double new_origin(const growth *g, double x)
 {
     if (sticks_at(&g->half->shear.zones, x) && sticks_at(&g->now->shear.zones, x))
         return -displacement(g->now, x);
-    return touches(g->half, x) ? origin_between(&g->numerical->now, g->half, x)
-                               : origin_between(g->half, g->now, x);
+    return rw_patch_has(g->half->contact, x) ? origin_between(&g->numerical->now, g->half, x)
+                                             : origin_between(g->half, g->now, x);
 }
 
 /* The places are all of one part: edges are breaks. */
@@ -189,7 +180,7 @@ static void origin_after(const double x[], const void *context, double origin[])
 {
     const growth *g = context;
     const rw_numerical_state *old = &g->numerical->now;
-    if (touches(old, x[RW_TERMS / 2])) {
+    if (rw_patch_has(old->contact, x[RW_TERMS / 2])) {
         rw_traction_values(&g->numerical->origin, RW_TERMS, x, origin);
         return;
     }
@@ -244,73 +235,6 @@ static bool accept(rw_work *w, rw_numerical *n, const rw_numerical_state *half,
     return true;
 }
 
-/* Tractions are not compared nearer to a front than this part of the half-width: they rise there
- * like a square root, and a front moves with the error. */
-static const double AT_FRONT = 0.01;
-
-static bool is_at_front(const rw_numerical_state *s, double x)
-{
-    bool is_near = false;
-    for (int i = 0; i + 1 < s->shear.zones.count; i++)
-        is_near = is_near || fabs(x - s->shear.zones.zone[i].right) <
-                                 AT_FRONT * rw_patch_half_width(s->contact);
-    return is_near;
-}
-
-/* Places next to a front get the difference of the places beside them. */
-static void spread(bool left_out[], double apart[])
-{
-    for (int i = 1; i < RW_PLACES; i++)
-        if (left_out[i])
-            apart[i] = apart[i - 1];
-    for (int i = RW_PLACES - 1; i-- > 0;)
-        if (left_out[i])
-            apart[i] = fmax(apart[i], apart[i + 1]);
-}
-
-/* The error is at most this many times the difference of a step from its halves, in 97 of 100
- * histories (tests/proof/history_survey.c). Steps are of second order, or of a lower one where a
- * front runs back into a zone that slipped, and such errors add up. */
-static const double DOUBT = 2;
-
-/* The differences of two tractions over the scale, by place. Returns the largest. */
-static double difference(double scale, const rw_numerical_state *a, const rw_numerical_state *b,
-                         double apart[])
-{
-    bool left_out[RW_PLACES];
-    double most = 0;
-    for (int i = 0; i < RW_PLACES; i++) {
-        const double x = rw_place(a->contact, i);
-        left_out[i] = is_at_front(a, x) || is_at_front(b, x);
-        apart[i] = left_out[i] ? 0
-                               : DOUBT *
-                                     fabs(rw_traction_at(&a->shear.traction, x) -
-                                          rw_traction_at(&b->shear.traction, x)) /
-                                     scale;
-        most = fmax(most, apart[i]);
-    }
-    spread(left_out, apart);
-    return most;
-}
-
-/* Energies, over the square of scale and half-width, may differ by this many times the tolerance of
- * tractions. The energy of the halves is of second order. */
-static const double ENERGY = 30;
-
-/* Compares the halves with the whole: the difference bounds the error of the halves. Returns it,
- * over what is allowed, or that of the energies. */
-static double compare(const rw_frame *frame, const rw_numerical_state *whole,
-                      const rw_numerical_state *half, rw_numerical_state *both)
-{
-    const double scale = rw_peak_friction(frame, whole->contact);
-    const double unit = scale * rw_patch_half_width(whole->contact);
-    const double energy = (both->energy - whole->energy) / (unit * unit);
-    both->error += half->error + half->rate_error + both->rate_error;
-    const double apart = difference(scale, whole, both, both->apart);
-    both->energy += (both->energy - whole->energy) / 3;
-    return fmax(both->error + apart, fabs(energy) / ENERGY) / frame->tolerance;
-}
-
 /* A step that may have failed. */
 typedef struct {
     bool is_known;
@@ -330,12 +254,13 @@ static void try_step(trial *t, rw_work *w, const rw_numerical_state *from, rw_sc
     t->is_known = rw_implicit_step(w, from, to, guess, coarse, &t->state);
 }
 
-/* The length of a step, over that of one with this error over the allowed one: steps are of second
- * order, and growth is careful. Unknown errors are HUGE_VAL. */
+/* The length of a step, over that of one with this error over the allowed one: in a step errors are
+ * of the order 2.5 or more, and growth is careful. Unknown errors are HUGE_VAL. */
 static double better_length(double error)
 {
-    static const double LEAST = 0.1, MOST = 2, UNKNOWN = 0.5;
-    return error == HUGE_VAL ? UNKNOWN : fmax(LEAST, fmin(MOST, 0.8 / sqrt(fmax(error, 0.1))));
+    static const double LEAST = 0.1, MOST = 2, UNKNOWN = 0.5, ORDER = 2.5;
+    return error == HUGE_VAL ? UNKNOWN
+                             : fmax(LEAST, fmin(MOST, 0.8 * pow(fmax(error, 0.1), -1 / ORDER)));
 }
 
 /* About this part, so that what is left has a whole number of them. */
@@ -384,9 +309,9 @@ static bool try_at_once(load_work *j, attempt *a, rw_scaled_loads to, bool is_la
     } else {
         if (a->half.is_known && is_known)
             try_step(&a->both, w, &a->half.state, to, &a->guess, is_last);
-        *error = a->both.is_known
-                     ? compare(w->frame, &a->whole.state, &a->half.state, &a->both.state)
-                     : HUGE_VAL;
+        *error = a->both.is_known ? rw_compare(w->frame, n->now.contact, &a->whole.state,
+                                               &a->half.state, &a->both.state)
+                                  : HUGE_VAL;
     }
     drop(&a->whole);
     if (!a->both.is_known || (*error > 1 && !is_last)) {

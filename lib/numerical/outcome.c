@@ -5,6 +5,8 @@
 #include "base/sort.h"
 #include "traction/transform.h"
 
+#include <string.h>
+
 /* Points between neighbouring breaks, for Coulomb's condition. */
 enum { CHECKS = 24 };
 
@@ -81,35 +83,48 @@ static bool sticks_at(const rw_zones *zones, double x, double slack)
     return false;
 }
 
-static void add_kink(rw_shear_state *s, double x)
-{
-    if (s->kinks < RW_MOST_KINKS)
-        s->kink[s->kinks++] = x;
-}
-
-/* The kinks after the step: its fronts, and the old kinks in zones that stick. */
-static void note_kinks(const rw_problem *p, rw_shear_state *s)
-{
-    const double slack = SAME_BREAK * (p->to.right - p->to.left);
-    s->kinks = 0;
-    for (int i = 0; i + 1 < s->zones.count; i++)
-        add_kink(s, s->zones.zone[i].right);
-    const double edge[2] = {p->from.left, p->from.right};
-    for (int i = 0; i < 2; i++)
-        if (p->grows[i] && sticks_at(&s->zones, edge[i], slack))
-            add_kink(s, edge[i]);
-    for (int i = 0; i < p->old->kinks; i++)
-        if (sticks_at(&s->zones, p->old->kink[i], slack))
-            add_kink(s, p->old->kink[i]);
-    rw_sort(s->kink, (size_t)s->kinks);
-}
-
 static bool is_front(const rw_zones *zones, double x)
 {
     for (int i = 0; i + 1 < zones->count; i++)
         if (zones->zone[i].right == x)
             return true;
     return false;
+}
+
+/* Drops the kink that is nearest to the one before it, but for fronts. */
+static void drop_closest(const rw_zones *zones, double kink[], int count)
+{
+    double least = HUGE_VAL;
+    int closest = count - 1;
+    for (int i = 1; i < count; i++)
+        if (kink[i] - kink[i - 1] < least && !is_front(zones, kink[i])) {
+            least = kink[i] - kink[i - 1];
+            closest = i;
+        }
+    for (int i = closest; i + 1 < count; i++)
+        kink[i] = kink[i + 1];
+}
+
+/* The kinks after the step: its fronts, and the old kinks in zones that stick. */
+static void note_kinks(const rw_problem *p, rw_shear_state *s)
+{
+    const double slack = SAME_BREAK * (p->to.right - p->to.left);
+    const double edge[2] = {p->from.left, p->from.right};
+    double kink[RW_MOST_KINKS + RW_MOST_ZONES + 2];
+    int count = 0;
+    for (int i = 0; i + 1 < s->zones.count; i++)
+        kink[count++] = s->zones.zone[i].right;
+    for (int i = 0; i < 2; i++)
+        if (p->grows[i] && sticks_at(&s->zones, edge[i], slack))
+            kink[count++] = edge[i];
+    for (int i = 0; i < p->old->kinks; i++)
+        if (sticks_at(&s->zones, p->old->kink[i], slack))
+            kink[count++] = p->old->kink[i];
+    rw_sort(kink, (size_t)count);
+    for (; count > RW_MOST_KINKS; count--)
+        drop_closest(&s->zones, kink, count);
+    memcpy(s->kink, kink, (size_t)count * sizeof *kink);
+    s->kinks = count;
 }
 
 void rw_shear_state_smooth(rw_shear_state *s, rw_patch contact, double tolerance)
@@ -220,11 +235,6 @@ typedef struct {
     double slip; /* at the end of the last part */
 } slipping;
 
-static bool touches(rw_patch contact, double x)
-{
-    return x >= contact.left && x <= contact.right;
-}
-
 /* Places that the contact takes in or leaves as it slips move by less than dw, because they touch
  * for a part of the time: by less than under friction that changes as a layer. */
 static double slope_of_layers(const slipping *s, double x)
@@ -242,7 +252,8 @@ static void add_slip_between(slipping *s, double from, double to, const double x
 {
     const after *n = s->after;
     const rw_fronts *f = n->fronts;
-    const bool is_passed = !touches(n->problem->from, x[0]) || !touches(n->problem->to, x[0]);
+    const bool is_passed =
+        !rw_patch_has(n->problem->from, x[0]) || !rw_patch_has(n->problem->to, x[0]);
     double slope[RW_TERMS];
     for (int i = 0; i < f->order && n->grid; i++)
         slip[i] = rw_grid_slip(n->grid, x[i]);
@@ -294,7 +305,7 @@ static void check_slip_part(slipping *s, double from, double to)
         const double step = fabs(to - from) * f->weight[i];
         s->outcome->energy -=
             s->label * slip[i] * mean_friction(before[i], now[i]) * time_in_contact(p, x[i]) * step;
-        if (!touches(p->to, x[i]))
+        if (!rw_patch_has(p->to, x[i]))
             continue;
         const double excess = s->label * slip[i] / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);

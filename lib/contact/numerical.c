@@ -70,7 +70,7 @@ static rw_scaled_loads next_loads(const rwedge_contact *c, const rw_step *step,
                                   const rw_numerical *n)
 {
     rw_scaled_loads to = scaled_loads_after(c, step);
-    if (step->patch.left == n->now.contact.left && step->patch.right == n->now.contact.right) {
+    if (rw_patch_is_same(step->patch, n->now.contact)) {
         to.P = n->now.at.P;
         to.M = n->now.at.M;
     }

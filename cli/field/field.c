@@ -3,7 +3,6 @@
 #include "field.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* ---- The grid ---- */
 
@@ -33,14 +32,29 @@ static tensor stress(const grid *points, double x, double y)
     return tensor_of(sxx, syy, txy, points->loaded.nu);
 }
 
-static void write_point(const grid *points, records *rows, double x, double y)
+void point_columns_write(records *rows, const char *title, size_t across)
 {
-    const tensor point = stress(points, x, y);
+    rows->title = title;
+    rows->across = across;
+    records_name(rows, "x");
+    records_name(rows, "y");
+    records_columns(rows, tensor_kinds, TENSOR_COUNT);
+    records_end_header(rows);
+}
+
+void point_write(records *rows, double x, double y, const tensor *at)
+{
     records_value(rows, cell_number(x));
     records_value(rows, cell_number(y));
     for (int i = 0; i < TENSOR_COUNT; i++)
-        records_value(rows, cell_number(point.value[i]));
+        records_value(rows, cell_number(at->value[i]));
     records_end_row(rows);
+}
+
+static void write_point(const grid *points, records *rows, double x, double y)
+{
+    const tensor at = stress(points, x, y);
+    point_write(rows, x, y, &at);
     progress_step();
 }
 
@@ -49,38 +63,11 @@ static void write_rows(void *of_grid, records *rows)
 {
     const grid *points = of_grid;
     progress_start(rows->show_progress, grid_size(points), "points");
-    records_name(rows, "x");
-    records_name(rows, "y");
-    records_columns(rows, tensor_kinds, TENSOR_COUNT);
-    records_end_header(rows);
+    point_columns_write(rows, "rwedge field: y is the depth below the surface",
+                        (size_t)points->x.count);
     for (int64_t j = 0; j < points->y.count; j++)
         for (int64_t i = 0; i < points->x.count && records_go_on(rows); i++)
             write_point(points, rows, range_value(&points->x, i), range_value(&points->y, j));
-}
-
-/* ---- For ParaView ---- */
-
-static void write_vtk(void *of_grid, records *rows)
-{
-    const grid *points = of_grid;
-    const size_t columns = (size_t)points->x.count, count = (size_t)grid_size(points);
-    double *x = memory_zeroed(2 * count, sizeof *x), *y = x + count;
-    tensor *value = memory_zeroed(count, sizeof *value);
-    for (size_t i = 0; i < count; i++) {
-        x[i] = range_value(&points->x, (int64_t)(i % columns));
-        y[i] = range_value(&points->y, (int64_t)(i / columns));
-        value[i] = stress(points, x[i], y[i]);
-    }
-    vtk_points file = {.title = "rwedge field: y is the depth below the surface",
-                       .count = count,
-                       .columns = columns,
-                       .x = x,
-                       .y = y,
-                       .value = value->value};
-    vtk_of_stresses(&file);
-    vtk_write(&file, rows);
-    free(x);
-    free(value);
 }
 
 /* ---- The command ---- */
@@ -156,12 +143,11 @@ static int field(const arguments *line)
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     loaded_contact_read(line, how.decimal_sign, &points.loaded);
-    const bool vtk = how.format == NULL;
     const double b = points.loaded.b, middle = (points.loaded.left + points.loaded.right) / 2;
     read_axis("x", line->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);
     read_axis("y", line->value[OPTION_Y], 0, 2 * b, 41, &points.y);
-    check_grid(line, &points, vtk);
-    output_options_write(&how, vtk ? write_vtk : write_rows, &points);
+    check_grid(line, &points, how.format == &vtk_format);
+    output_options_write(&how, write_rows, &points);
     return STATUS_DONE;
 }
 

@@ -20,11 +20,6 @@ size_t dataset_curve(const dataset *data, int number, size_t *first)
     return end - start;
 }
 
-int dataset_curves(const dataset *data)
-{
-    return data->count > 0 ? data->row[data->count - 1].curve + 1 : 0;
-}
-
 double dataset_largest(const dataset *data, int column, double sign)
 {
     double most = 0;

@@ -33,7 +33,6 @@ void dataset_add(dataset *to, data_row row);
 
 /* The rows of a curve: where they start, and how many. */
 size_t dataset_curve(const dataset *data, int number, size_t *first);
-int dataset_curves(const dataset *data);
 
 /* The largest finite number of a column, for the sign -1 of their negatives; at least 0. */
 double dataset_largest(const dataset *data, int column, double sign);

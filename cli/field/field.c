@@ -4,32 +4,17 @@
 
 #include <math.h>
 
-/* ---- The grid ---- */
+/* ---- Points ---- */
 
-typedef struct {
-    loaded_contact loaded;
-    range x, y;
-} grid;
-
-static int64_t grid_size(const grid *points)
+tensor point_stress(const rwedge_contact *contact, const pad *shape, double nu, double x, double y)
 {
-    /* the product may not fit an integer */
-    const double size = (double)points->x.count * (double)points->y.count;
-    return size < 9e18 ? (int64_t)size : INT64_MAX;
-}
-
-/* The stress at the point (x, y); NAN where it is infinite. */
-static tensor stress(const grid *points, double x, double y)
-{
-    const double at_x = x * points->loaded.length_unit, at_y = y * points->loaded.length_unit;
     double sxx, syy, txy;
-    if (loaded_contact_is_kink(&points->loaded, at_x, at_y))
+    if (y == 0 && pad_is_kink(shape, x) && rwedge_contact_half_width(contact) > 0)
         return tensor_unknown();
-    const int32_t status =
-        rwedge_contact_stresses(points->loaded.contact, 1, &at_x, &at_y, &sxx, &syy, &txy);
+    const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
     if (status != RWEDGE_OK)
         failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
-    return tensor_of(sxx, syy, txy, points->loaded.nu);
+    return tensor_of(sxx, syy, txy, nu);
 }
 
 void point_columns_write(records *rows, const char *title, size_t across)
@@ -51,9 +36,25 @@ void point_write(records *rows, double x, double y, const tensor *at)
     records_end_row(rows);
 }
 
+/* ---- The grid ---- */
+
+typedef struct {
+    loaded_contact loaded;
+    range x, y;
+} grid;
+
+static int64_t grid_size(const grid *points)
+{
+    /* the product may not fit an integer */
+    const double size = (double)points->x.count * (double)points->y.count;
+    return size < 9e18 ? (int64_t)size : INT64_MAX;
+}
+
 static void write_point(const grid *points, records *rows, double x, double y)
 {
-    const tensor at = stress(points, x, y);
+    const loaded_contact *loaded = &points->loaded;
+    const double unit = loaded->length_unit;
+    const tensor at = point_stress(loaded->contact, &loaded->shape, loaded->nu, x * unit, y * unit);
     point_write(rows, x, y, &at);
     progress_step();
 }

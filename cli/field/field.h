@@ -7,6 +7,10 @@
 
 /* ---- field ---- Points with their stresses as rows. */
 
+/* The stress at a point; NAN where it is infinite, at a sharp edge. Ends the command where the
+ * library has none. */
+tensor point_stress(const rwedge_contact *contact, const pad *shape, double nu, double x, double y);
+
 /* The header; the title, not copied, is that of a file for ParaView. On a grid so many points are
  * side by side; else 0. */
 void point_columns_write(records *rows, const char *title, size_t across);

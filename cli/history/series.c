@@ -27,7 +27,7 @@ static void write_frame(void *of_points, records *rows)
              under->step + 1);
     point_columns_write(rows, title, at->columns);
     for (size_t i = 0; i < at->count; i++) {
-        const tensor stress = point_stress(under->points, under->contact, i);
+        const tensor stress = point_rows_stress(under->points, under->contact, i);
         point_write(rows, at->x[i], at->y[i], &stress);
     }
     records_end(rows);

@@ -6,7 +6,8 @@
 #include "system/system.h"
 
 /* ---- records ---- Rows of named cells. They are written cell by cell, so that neither long nor
- * wide tables take memory. The formats are delimited (CSV, TSV), json, spreadsheet (XLSX) and vtk. */
+ * wide tables take memory. The formats are delimited (CSV, TSV), json, spreadsheet (XLSX) and vtk,
+ * which alone keeps the rows to the end. */
 
 typedef struct records records;
 
@@ -94,7 +95,8 @@ typedef struct {
 } output_options;
 
 /* Tables to include (POPT_ARG_INCLUDE_TABLE): of a command that writes rows; of one whose rows are
- * places, so that it can write VTK too; the same without --format, for a command with formats of its own. */
+ * places, which VTK can have too; the same without --format, for a command with formats of its
+ * own. */
 extern struct poptOption output_option_table[], grid_output_option_table[],
     other_output_option_table[];
 extern const char *const grid_formats[]; /* of the second */

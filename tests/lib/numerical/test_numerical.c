@@ -260,7 +260,7 @@ static bool goes_on_with(rw_work *w, const rw_numerical_state *half, rw_numerica
     return rw_step_goes_on(w, half, &whole);
 }
 
-/* A front that stays behind the other, and more zones than have fronts, are no end of the second half. */
+/* A front that stays behind the other, and more zones than have fronts, end no second half. */
 CLAIM(a_step_goes_on_to_the_right_zones_alone)
 {
     pair c = begin(4, 0, 1e-4);

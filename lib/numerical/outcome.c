@@ -81,8 +81,8 @@ static bool sticks_at(const rw_zones *zones, double x, double slack)
     return false;
 }
 
-/* Takes out the kink with the nearest neighbours: many are of a front that receded step by step, and
- * weak. One alone may be of an earlier cycle, where the traction is like a root. */
+/* Takes out the kink with the nearest neighbours: many are of a front that receded step by step,
+ * and weak. One alone may be of an earlier cycle, where the traction is like a root. */
 static void thin_kinks(double kink[], int *n)
 {
     int out = 1;

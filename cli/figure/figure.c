@@ -334,15 +334,29 @@ static void compute(work *to_do)
     to_do->chosen->compute(&to_do->inputs, &to_do->rows);
 }
 
-static void draw(const work *to_do, output *out)
+static void write_values(const figure_case *inputs, FILE *script)
 {
-    drawing *plot = memory_zeroed(1, sizeof *plot);
-    const char *nothing = to_do->chosen->draw(&to_do->inputs, &to_do->rows, plot);
+    char names[FIGURE_NAMES_SIZE];
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        if (inputs->value[i].count > 0) {
+            case_names(inputs, i, names);
+            script_text(script, variable_of(i)->column, names);
+        }
+}
+
+static void write_script(const void *of_work, FILE *script)
+{
+    const work *to_do = of_work;
+    const figure *chosen = to_do->chosen;
+    script_lines(script, head_lines, NULL);
+    write_values(&to_do->inputs, script);
+    script_number(script, "titled", !to_do->no_title);
+    script_rows(script, "$rows", &to_do->rows);
+    const char *nothing =
+        chosen->prepare != NULL ? chosen->prepare(&to_do->inputs, &to_do->rows, script) : NULL;
     if (nothing != NULL)
-        failure("figure %s: nothing to draw: %s", to_do->chosen->name, nothing);
-    if (to_do->no_title)
-        plot->title[0] = '\0';
-    gnuplot_draw(plot, to_do->format, out);
+        failure("figure %s: nothing to draw: %s", chosen->name, nothing);
+    script_lines(script, chosen->script, frame_lines);
 }
 
 /* A rows_writer: a picture goes where rows would. */
@@ -353,7 +367,7 @@ static void write_figure(void *of_work, records *rows)
     if (to_do->format == NULL)
         dataset_write(&to_do->rows, rows);
     else
-        draw(to_do, rows->out);
+        gnuplot_draw(to_do->format, write_script, to_do, rows->out);
 }
 
 static int write_command(const arguments *line)

@@ -83,6 +83,7 @@ typedef struct {
     material constants;
     worst_table worst;
     int threads;
+    int32_t *status; /* of each batch of places */
 } plan;
 
 /* ---- Computing ---- */
@@ -97,24 +98,21 @@ static size_t batch_size(const plan *job)
     return rwedge_contact_error(job->last.before) > 0 && share > BATCH ? share : BATCH;
 }
 
-static void compute_batch(const void *of_plan, int64_t i, void *status)
+static void compute_batch(void *of_plan, int64_t i)
 {
-    const plan *job = of_plan;
+    plan *job = of_plan;
     const size_t size = batch_size(job), first = (size_t)i * size, left = job->result.count - first;
     measured part = {.place = job->result.place + first, .count = left < size ? left : size};
-    *(int32_t *)status = surface_measure(&job->last, &part);
+    job->status[i] = surface_measure(&job->last, &part);
 }
 
-static void compute(const plan *job)
+static void compute(plan *job)
 {
-    const size_t size = batch_size(job);
-    const int64_t batches = (int64_t)((job->result.count + size - 1) / size);
-    ahead *work = ahead_start(job->threads, batches, sizeof(int32_t), compute_batch, job);
-    int32_t status = RWEDGE_OK;
-    for (int64_t i = 0; i < batches && status == RWEDGE_OK; i++)
-        status = *(const int32_t *)ahead_next(work);
-    ahead_stop(work);
-    status_check(status, "the places");
+    const size_t size = batch_size(job), batches = (job->result.count + size - 1) / size;
+    job->status = memory_zeroed(batches, sizeof *job->status);
+    threads_run(job->threads, (int64_t)batches, compute_batch, job);
+    for (size_t i = 0; i < batches; i++)
+        status_check(job->status[i], "the places");
 }
 
 /* ---- Rows ---- */

@@ -3,6 +3,7 @@
 
 #include "base/domain.h"
 #include "base/linear.h"
+#include "base/processor.h"
 
 #include <string.h>
 
@@ -304,22 +305,49 @@ void rw_fronts_prepare(rw_fronts *f)
         f->change[i] *= f->step[i] / f->X[i] / RW_PI;
 }
 
-/* (1/pi) int [dt/X - level pi] ds/(s - x) over the points from one to another. They come in pairs;
- * divisions are done two at a time. */
-static double poles(const rw_fronts *f, size_t from, size_t to, double level, double x)
+/* Poles are summed by eights, of which a panel has one or two. */
+enum { LANES = 8 };
+
+/* sum += change/(s - x) over n points, none of them at x: a division for every two. */
+RW_INLINE void sum_poles(size_t n, const double s[], const double change[], double x, double *sum)
 {
-    double sum[2] = {0, 0};
-    for (size_t i = from; i + 1 < to; i += 2)
-        for (size_t k = 0; k < 2; k++) {
-            const double d = f->x[i + k] - x;
-            sum[k] += (f->change[i + k] - level * f->step[i + k]) / (d == 0 ? HUGE_VAL : d);
+    double part[LANES / 2] = {0};
+    for (size_t i = 0; i < n; i += LANES)
+        for (size_t k = i; k < i + LANES / 2; k++) {
+            const double d = s[k] - x, next = s[k + LANES / 2] - x;
+            part[k - i] += (change[k] * next + change[k + LANES / 2] * d) / (d * next);
         }
-    return sum[0] + sum[1];
+    *sum += (part[0] + part[1]) + (part[2] + part[3]);
 }
+
+RW_DISPATCH(add_poles, sum_poles,
+            (size_t n, const double s[], const double change[], double x, double *sum),
+            (n, s, change, x, sum))
+
+/* The same for the changes less a level times the steps, 0 where a point is at x. */
+RW_INLINE void sum_level_poles(size_t n, const double s[], const double change[],
+                               const double step[], double level, double x, double *sum)
+{
+    double part[LANES] = {0};
+    for (size_t i = 0; i < n; i += LANES)
+        for (size_t k = 0; k < LANES; k++) {
+            const double d = s[i + k] - x;
+            part[k] += (change[i + k] - level * step[i + k]) / (d == 0 ? HUGE_VAL : d);
+        }
+    for (size_t k = 0; k < LANES; k++)
+        *sum += part[k];
+}
+
+RW_DISPATCH(add_level_poles, sum_level_poles,
+            (size_t n, const double s[], const double change[], const double step[], double level,
+             double x, double *sum),
+            (n, s, change, step, level, x, sum))
 
 double rw_fronts_transform(const rw_fronts *f, double x)
 {
-    return poles(f, 0, f->count, 0, x);
+    double sum = 0;
+    add_poles(f->count, f->x, f->change, x, &sum);
+    return sum;
 }
 
 void rw_fronts_stick_traction(const rw_fronts *f, const rw_stuck *s, size_t n, const double x[],
@@ -362,11 +390,14 @@ void rw_fronts_slope(const rw_fronts *f, const rw_stuck *s, int label, size_t n,
     rw_base_traction(f->problem, &f->layers, n, x, base);
     for (size_t i = 0; i < n; i++) {
         const rw_segment here = around(f, x[i]);
-        const size_t end = here.first + here.count;
+        const size_t from = here.first, to = from + here.count;
         const double X = rw_X_at(s, x[i]);
         const double level = here.count > 0 ? (label * F[i] - base[i]) / X / RW_PI : 0;
-        const double rest = level != 0 ? level * log((here.to - x[i]) / (x[i] - here.from)) : 0;
-        slope[i] = X * (rest + poles(f, 0, here.first, 0, x[i]) +
-                        poles(f, here.first, end, level, x[i]) + poles(f, end, f->count, 0, x[i]));
+        double sum = level != 0 ? level * log((here.to - x[i]) / (x[i] - here.from)) : 0;
+        add_poles(from, f->x, f->change, x[i], &sum);
+        add_level_poles(here.count, f->x + from, f->change + from, f->step + from, level, x[i],
+                        &sum);
+        add_poles(f->count - to, f->x + to, f->change + to, x[i], &sum);
+        slope[i] = X * sum;
     }
 }

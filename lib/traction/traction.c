@@ -2,6 +2,7 @@
 #include "traction/traction.h"
 
 #include "base/domain.h"
+#include "base/processor.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -295,13 +296,13 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
 /* ---- Reading ---- */
 
 /* Of an element at a block of places, by Clenshaw's recurrence. */
-enum { BLOCK = 4 };
+enum { BLOCK = 8 };
 
-static void read_block(const rw_element *e, const double x[], double value[])
+RW_INLINE void clenshaw(const rw_element *e, const double x[], double value[])
 {
     double v[BLOCK], b1[BLOCK] = {0}, b2[BLOCK] = {0};
     for (int i = 0; i < BLOCK; i++) {
-        const double squared = (x[i] - e->end) / e->scale, u = squared > 0 ? sqrt(squared) : 0;
+        const double u = sqrt(rw_larger(0, (x[i] - e->end) / e->scale));
         v[i] = (2 * u - e->first - e->last) / (e->last - e->first);
     }
     for (int k = e->terms - 1; k >= 0; k--)
@@ -313,6 +314,9 @@ static void read_block(const rw_element *e, const double x[], double value[])
     for (int i = 0; i < BLOCK; i++)
         value[i] = b1[i];
 }
+
+RW_DISPATCH(read_block, clenshaw, (const rw_element *e, const double x[], double value[]),
+            (e, x, value))
 
 /* The element at x; NULL where there is none. */
 static const rw_element *element_at(const rw_traction *t, double x)

@@ -100,8 +100,8 @@ double rw_X_at(const rw_stuck *s, double x)
     double square = 1, sign = 1;
     for (int i = 0; i < s->count; i++) {
         const double before = x - s->end[2 * i], after = x - s->end[2 * i + 1];
-        square *= rw_larger(fabs(before), least) * per_half * rw_larger(fabs(after), least) *
-                  per_half;
+        square *=
+            rw_larger(fabs(before), least) * per_half * rw_larger(fabs(after), least) * per_half;
         sign = before < 0 ? -sign : sign;
     }
     return sign * sqrt(square);

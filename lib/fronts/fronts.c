@@ -104,19 +104,37 @@ static int most_terms(const rw_stuck *s, int gap, double middle, double half, do
     return (int)fmax(4, fmin(GAP_TERMS, 1 - log(least) / log(rho)));
 }
 
+/* A row of angles takes one sine and one cosine, and a product for each angle. */
+typedef struct {
+    double cosine, sine;
+} direction;
+
+static direction direction_of(double angle)
+{
+    return (direction){cos(angle), sin(angle)};
+}
+
+static direction turned(direction a, direction by)
+{
+    return (direction){a.cosine * by.cosine - a.sine * by.sine,
+                       a.sine * by.cosine + a.cosine * by.sine};
+}
+
 /* X in the gap between two zones that stick, over the half-length of the gap, as a sum of sines.
- * Returns how many terms count. */
+ * Returns how many terms count, an even number. */
 static int expand_gap(const rw_stuck *s, int gap, double least, double middle, double half,
                       double c[])
 {
     double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0;
     int terms = 1;
     const int n = most_terms(s, gap, middle, half, least), turn = 2 * (n + 1);
-    for (int i = 0; i < turn; i++)
-        sine[i] = sin(2 * RW_PI * i / turn);
-    for (int i = 0; i < n; i++)
-        sampled[i] =
-            4.0 / turn / half * rw_X_at(s, middle + half * cos(2 * RW_PI * (i + 1) / turn));
+    const direction step = direction_of(2 * RW_PI / turn);
+    direction at_point = {1, 0};
+    for (int i = 0; i < turn; i++, at_point = turned(at_point, step)) {
+        sine[i] = at_point.sine;
+        if (i > 0 && i <= n)
+            sampled[i - 1] = 4.0 / turn / half * rw_X_at(s, middle + half * at_point.cosine);
+    }
     for (int k = 0; k < n; k++) {
         c[k] = 0;
         for (int i = 0, at = k + 1; i < n; i++, at += at + k + 1 < turn ? k + 1 : k + 1 - turn)
@@ -125,36 +143,41 @@ static int expand_gap(const rw_stuck *s, int gap, double least, double middle, d
     }
     for (int k = 0; k < n; k++)
         terms = fabs(c[k]) > least * most ? k + 1 : terms;
+    if (terms % 2 > 0)
+        c[terms++] = 0;
     return terms;
 }
 
-/* Points are taken by fours, whose sums do not wait for each other. A panel has a multiple of four,
- * all of them in the gap or none. */
-enum { BLOCK = 4 };
+/* Points are taken by eights, of which a panel has one or two, all of them in the gap or none. */
+enum { LANES = 8 };
 
-/* The integral over the gap, from -1 to 1, of X/(eta - x) dx/pi. */
-static void gap_kernel(int terms, const double c[], const double eta[], double kernel[])
+/* The integral over the gap, from -1 to 1, of X/(eta - x) dx/pi, with an even number of terms. */
+RW_INLINE void sum_gap(int terms, const double c[], const double eta[], double kernel[])
 {
-    double b1[BLOCK] = {0}, b2[BLOCK] = {0}, R[BLOCK];
+    double b1[LANES] = {0}, b2[LANES] = {0};
     if (fabs(eta[0]) <= 1) {
-        for (int k = terms - 1; k >= 0; k--) /* Clenshaw, of T_1 ... */
-            for (int i = 0; i < BLOCK; i++) {
-                const double b0 = c[k] + 2 * eta[i] * b1[i] - b2[i];
-                b2[i] = b1[i];
-                b1[i] = b0;
-            }
-        for (int i = 0; i < BLOCK; i++)
+        for (int k = terms - 1; k > 0; k -= 2) { /* Clenshaw, of T_1 ... */
+            for (int i = 0; i < LANES; i++)
+                b2[i] = c[k] + 2 * eta[i] * b1[i] - b2[i];
+            for (int i = 0; i < LANES; i++)
+                b1[i] = c[k - 1] + 2 * eta[i] * b2[i] - b1[i];
+        }
+        for (int i = 0; i < LANES; i++)
             kernel[i] = eta[i] * b1[i] - b2[i];
         return;
     }
-    for (int i = 0; i < BLOCK; i++) {
+    double R[LANES];
+    for (int i = 0; i < LANES; i++)
         R[i] = 1 / (eta[i] + copysign(sqrt(eta[i] * eta[i] - 1), eta[i]));
-        kernel[i] = 0;
-    }
     for (int k = terms - 1; k >= 0; k--)
-        for (int i = 0; i < BLOCK; i++)
-            kernel[i] = (kernel[i] + c[k]) * R[i];
+        for (int i = 0; i < LANES; i++)
+            b1[i] = (b1[i] + c[k]) * R[i];
+    for (int i = 0; i < LANES; i++)
+        kernel[i] = b1[i];
 }
+
+RW_DISPATCH(gap_kernel, sum_gap, (int terms, const double c[], const double eta[], double kernel[]),
+            (terms, c, eta, kernel))
 
 /* How far two zones that stick would move apart by dt, without p: the integral over the gap (a, b)
  * between them of X (1/pi) int [dt/X]/(s - x) ds dx. The integral over x comes first, from a
@@ -167,12 +190,12 @@ static double gap_of_change(const rw_fronts *f, const rw_stuck *s, int gap)
     const double least = LEAST_TERM * f->problem->frame->tolerance;
     const int terms = expand_gap(s, gap, least, middle, half, c);
     double sum = 0;
-    for (size_t first = 0; first < f->count; first += BLOCK) {
-        double eta[BLOCK], kernel[BLOCK];
-        for (size_t i = 0; i < BLOCK; i++)
+    for (size_t first = 0; first < f->count; first += LANES) {
+        double eta[LANES], kernel[LANES];
+        for (size_t i = 0; i < LANES; i++)
             eta[i] = (f->x[first + i] - middle) / half;
         gap_kernel(terms, c, eta, kernel);
-        for (size_t i = 0; i < BLOCK; i++)
+        for (size_t i = 0; i < LANES; i++)
             sum += f->step[first + i] * f->change[first + i] / f->X[first + i] * kernel[i];
     }
     return half * sum;
@@ -236,8 +259,10 @@ static void conditions_of_gaps(const rw_fronts *f, const rw_stuck *s, double A[]
     for (int k = 0; k + 1 < m; k++) {
         const double a = s->end[2 * k + 1], b = s->end[2 * k + 2], half = (b - a) / 2;
         double *row = A + (m + 1 + k) * n;
-        for (int i = 0; i < GAP_POINTS; i++) {
-            const double x = (a + b) / 2 + half * cos(RW_PI * (i + 0.5) / GAP_POINTS);
+        const direction step = direction_of(RW_PI / GAP_POINTS);
+        direction point = direction_of(RW_HALF_PI / GAP_POINTS);
+        for (int i = 0; i < GAP_POINTS; i++, point = turned(point, step)) {
+            const double x = (a + b) / 2 + half * point.cosine;
             const double at = (x - s->middle) / s->half;
             double share = sqrt((x - a) * (b - x)) / rw_X_at(s, x) * RW_PI / GAP_POINTS / half;
             for (int j = 0; j < n; j++, share *= at)
@@ -304,9 +329,6 @@ void rw_fronts_prepare(rw_fronts *f)
     for (size_t i = 0; i < f->count; i++)
         f->change[i] *= f->step[i] / f->X[i] / RW_PI;
 }
-
-/* Poles are summed by eights, of which a panel has one or two. */
-enum { LANES = 8 };
 
 /* sum += change/(s - x) over n points, none of them at x: a division for every two. */
 RW_INLINE void sum_poles(size_t n, const double s[], const double change[], double x, double *sum)

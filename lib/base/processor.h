@@ -5,8 +5,9 @@
 
 #include "base/select.h"
 
-/* Defines a function NAME PARAMETERS, which does LOOP ARGUMENTS for the processor at hand: with vectors of
- * eight or four numbers where it has them. Every x86-64 has vectors of two. LOOP is RW_INLINE. */
+/* Defines a function NAME PARAMETERS, which does LOOP ARGUMENTS for the processor at hand: with
+ * vectors of eight or four numbers where it has them. Every x86-64 has vectors of two. LOOP is
+ * RW_INLINE. */
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(RW_BASELINE)
 #define RW_FOR_PROCESSOR(NAME, LOOP, PARAMETERS, ARGUMENTS, TARGET)                                \
     __attribute__((target(TARGET))) static void NAME PARAMETERS                                    \

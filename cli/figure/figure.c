@@ -344,18 +344,29 @@ static void write_values(const figure_case *inputs, FILE *script)
         }
 }
 
+/* Whether a number of these columns, a bit for each, is not 0. */
+static bool has_anything(const dataset *rows, int columns)
+{
+    for (size_t i = 0; i < rows->count; i++)
+        for (int k = 0; k < DATA_COLUMNS_MAX; k++)
+            if ((columns >> k & 1) != 0 && isfinite(rows->row[i].number[k]) &&
+                rows->row[i].number[k] != 0)
+                return true;
+    return false;
+}
+
 static void write_script(const void *of_work, FILE *script)
 {
     const work *to_do = of_work;
     const figure *chosen = to_do->chosen;
+    if (chosen->nothing != NULL && !has_anything(&to_do->rows, chosen->drawn))
+        failure("figure %s: nothing to draw: %s", chosen->name, chosen->nothing);
     script_lines(script, head_lines, NULL);
     write_values(&to_do->inputs, script);
     script_number(script, "titled", !to_do->no_title);
     script_rows(script, "$rows", &to_do->rows);
-    const char *nothing =
-        chosen->prepare != NULL ? chosen->prepare(&to_do->inputs, &to_do->rows, script) : NULL;
-    if (nothing != NULL)
-        failure("figure %s: nothing to draw: %s", chosen->name, nothing);
+    if (chosen->prepare != NULL)
+        chosen->prepare(&to_do->inputs, &to_do->rows, script);
     script_lines(script, chosen->script, frame_lines);
 }
 

@@ -53,9 +53,12 @@ typedef struct {
     const char *const *column;
     const char *text_column;
     void (*compute)(const figure_case *inputs, dataset *rows);
-    /* What its script says of the picture's parts has the names that this gives to numbers. Returns
-     * NULL, or why there is nothing to draw; may itself be NULL. */
-    const char *(*prepare)(const figure_case *inputs, const dataset *rows, FILE *script);
+    /* The columns that are drawn, a bit for each, and why there is nothing to draw where all of
+     * them are 0; NULL where there always is. */
+    int drawn;
+    const char *nothing;
+    /* Gives the script what it cannot find in the rows, by name; NULL where it can find all. */
+    void (*prepare)(const figure_case *inputs, const dataset *rows, FILE *script);
     const char *const *script; /* the lines of its file in scripts/, which draw the rows */
 } figure;
 

@@ -133,9 +133,9 @@ static bool find_yield(const figure_case *inputs, double *x, double *y, double *
     return status == RWEDGE_OK && factor > 0;
 }
 
-static const char *prepare_field(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_field(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const double top = dataset_largest(rows, 5, 1), step = step_of_levels(top);
+    const double top = dataset_largest(rows, 5), step = step_of_levels(top);
     double x = 0, y = 0, most = 0;
     const bool yields = find_yield(inputs, &x, &y, &most);
     name_levels(rows, yields ? x : 0, step, script);
@@ -146,7 +146,6 @@ static const char *prepare_field(const figure_case *inputs, const dataset *rows,
     script_number(script, "yield_x", x);
     script_number(script, "yield_y", y);
     script_number(script, "most", most);
-    return NULL;
 }
 
 const figure figure_field = {

@@ -55,8 +55,6 @@ static void visit_all(const figure_case *inputs, size_t first, visitor *visit, d
 
 /* ---- The stress at a point ---- */
 
-enum { H_LOAD, H_X, H_Y, H_SXX, H_SYY, H_SZZ, H_TXY };
-
 static void add_stress(const figure_case *inputs, double number, const rwedge_contact *contact,
                        dataset *rows)
 {
@@ -74,21 +72,11 @@ static void compute_history(const figure_case *inputs, dataset *rows)
     visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
 }
 
-static const char *prepare_history(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_history(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    static const int columns[] = {H_SXX, H_SYY, H_TXY};
-    double top = 0, bottom = 0;
-    for (int i = 0; i < 3; i++) {
-        top = fmax(top, dataset_largest(rows, columns[i], 1));
-        bottom = fmax(bottom, dataset_largest(rows, columns[i], -1));
-    }
+    (void)rows;
     script_number(script, "at_x", inputs->at->x[0]);
     script_number(script, "at_y", inputs->at->y[0]);
-    script_number(script, "first", rows->row[0].number[H_LOAD]);
-    script_number(script, "last", rows->row[rows->count - 1].number[H_LOAD]);
-    script_number(script, "top", top);
-    script_number(script, "bottom", bottom);
-    return top == 0 && bottom == 0 ? "there is no stress" : NULL;
 }
 
 const figure figure_history = {
@@ -99,12 +87,12 @@ const figure figure_history = {
     .cycles = 1,
     .column = (const char *const[]){"load", "x", "y", "sxx", "syy", "szz", "txy", NULL},
     .compute = compute_history,
+    .drawn = 1 << 3 | 1 << 4 | 1 << 6, /* sxx, syy, txy */
+    .nothing = "there is no stress",
     .prepare = prepare_history,
     .script = history_lines};
 
 /* ---- The loop of Q over the displacement ---- */
-
-enum { L_LOAD, L_P, L_M, L_Q, L_SIGMA, L_DISPLACEMENT, L_ENERGY };
 
 static void add_displacement(const figure_case *inputs, double number,
                              const rwedge_contact *contact, dataset *rows)
@@ -122,18 +110,6 @@ static void compute_any_loop(const figure_case *inputs, dataset *rows)
     visit_all(inputs, 0, add_displacement, rows);
 }
 
-static const char *prepare_any_loop(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    const double left = dataset_largest(rows, L_DISPLACEMENT, -1),
-                 right = dataset_largest(rows, L_DISPLACEMENT, 1);
-    (void)inputs;
-    script_number(script, "left", left);
-    script_number(script, "right", right);
-    script_number(script, "bottom", dataset_largest(rows, L_Q, -1));
-    script_number(script, "top", dataset_largest(rows, L_Q, 1));
-    return left == 0 && right == 0 ? "nothing slips, or the slip has no closed form" : NULL;
-}
-
 const figure figure_any_loop = {
     .name = "loop",
     .summary = "Q over the displacement by slip",
@@ -141,12 +117,11 @@ const figure figure_any_loop = {
     .cycles = 1,
     .column = (const char *const[]){"load", "P", "M", "Q", "sigma", "displacement", "energy", NULL},
     .compute = compute_any_loop,
-    .prepare = prepare_any_loop,
+    .drawn = 1 << 5,
+    .nothing = "nothing slips, or the slip has no closed form",
     .script = any_loop_lines};
 
 /* ---- Smith, Watson and Topper's parameter along the surface ---- */
-
-enum { F_X, F_SWT, F_ANGLE, F_SLIP, F_F1, F_F2, F_ENERGY };
 
 /* Measures the cycle at the places by default. */
 static void measure_usual(const figure_case *inputs, const last_cycle *last, measured *result)
@@ -171,28 +146,6 @@ static void compute_fretting(const figure_case *inputs, dataset *rows)
     }
 }
 
-/* The largest of a column. */
-static const data_row *worst_row_of(const dataset *rows, int column)
-{
-    const data_row *best = rows->row;
-    for (size_t i = 0; i < rows->count; i++)
-        if (!(best->number[column] >= rows->row[i].number[column]) &&
-            !isnan(rows->row[i].number[column]))
-            best = &rows->row[i];
-    return best;
-}
-
-static const char *prepare_fretting(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    const double *worst = worst_row_of(rows, F_SWT)->number;
-    (void)inputs;
-    script_number(script, "worst", worst[F_SWT]);
-    script_number(script, "worst_x", worst[F_X]);
-    script_number(script, "from", rows->row[0].number[F_X]);
-    script_number(script, "to", rows->row[rows->count - 1].number[F_X]);
-    return worst[F_SWT] > 0 ? NULL : "there is no tension in the cycle";
-}
-
 const figure figure_fretting = {.name = "fretting",
                                 .summary = "Smith-Watson-Topper along the surface, last cycle",
                                 .has_history = true,
@@ -201,7 +154,8 @@ const figure figure_fretting = {.name = "fretting",
                                                                 "slip_range", "ruiz_f1", "ruiz_f2",
                                                                 "energy_per_area", NULL},
                                 .compute = compute_fretting,
-                                .prepare = prepare_fretting,
+                                .drawn = 1 << 1,
+                                .nothing = "there is no tension in the cycle",
                                 .script = fretting_lines};
 
 /* ---- Any measure: along the surface, below its worst place, as contours ---- */
@@ -226,12 +180,21 @@ static void measure_surface(const figure_case *inputs, const last_cycle *last, d
     free(result.place);
 }
 
+static const data_row *worst_row_of(const dataset *rows)
+{
+    const data_row *best = rows->row;
+    for (size_t i = 0; i < rows->count; i++)
+        if (!(best->number[2] >= rows->row[i].number[2]) && !isnan(rows->row[i].number[2]))
+            best = &rows->row[i];
+    return best;
+}
+
 /* Down to the half-width, dense at the surface. */
 static void measure_depth(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     dataset along = {0};
     measure_surface(inputs, last, &along);
-    const double x = worst_row_of(&along, 2)->number[0];
+    const double x = worst_row_of(&along)->number[0];
     free(along.row);
     for (int i = 0; i < DEPTHS; i++) {
         const double part = (double)i / (DEPTHS - 1);
@@ -268,27 +231,20 @@ static void write_unit(const char *unit, char text[80])
         *star = ' ';
 }
 
-static const char *prepare_measure(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const double *worst = worst_row_of(rows, 2)->number, *first = rows->row[0].number,
-                 *last = rows->row[rows->count - 1].number;
+    const double worst = dataset_largest(rows, 2);
     char unit[80];
+    if (worst == 0)
+        failure("figure measure: nothing to draw: the measure is nowhere above 0");
     write_unit(measure_kinds[inputs->measure].unit, unit);
     script_text(script, "title", measure_kinds[inputs->measure].title);
     script_text(script, "unit", unit);
-    script_number(script, "worst", worst[2]);
-    script_number(script, "worst_x", worst[0]);
-    script_number(script, "worst_y", worst[1]);
-    script_number(script, "first_x", first[0]);
-    script_number(script, "last_x", last[0]);
-    script_number(script, "last_y", last[1]);
-    script_number(script, "bottom", dataset_largest(rows, 2, -1));
-    script_number(script, "step", step_of_levels(worst[2]));
+    script_number(script, "step", step_of_levels(worst));
     fprintf(script, "along = %d\n",
             inputs->over == OVER_FIELD   ? 0
             : inputs->over == OVER_DEPTH ? 2
                                          : 1);
-    return worst[2] > 0 ? NULL : "the measure is nowhere above 0";
 }
 
 const figure figure_measure = {.name = "measure",

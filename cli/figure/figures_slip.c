@@ -55,15 +55,12 @@ static double energy_of_cycle(const dataset *rows, int n)
     return rows->row[first + count - 1].number[5] - rows->row[first + LOOP_STEPS].number[5];
 }
 
-static const char *prepare_loop(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_loop(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const double reach = dataset_largest(rows, 3, 1);
     char energies[FIGURE_NAMES_SIZE] = "";
     for (int n = 0; n < inputs->value[Q_OVER_FP].count; n++)
         list_add(energies, sizeof energies, " ", "%.7g", energy_of_cycle(rows, n));
     script_text(script, "energies", energies);
-    script_number(script, "reach", reach);
-    return reach == 0 ? "without an amplitude nothing slips" : NULL;
 }
 
 const figure figure_loop = {
@@ -75,13 +72,12 @@ const figure figure_loop = {
                                     "A_energy_over_f2_theta2_b2", NULL},
     .text_column = "part",
     .compute = compute_loop,
+    .drawn = 1 << 3,
+    .nothing = "without an amplitude nothing slips",
     .prepare = prepare_loop,
     .script = loop_lines};
 
 /* ---- Shear tractions under a bulk tension ---- */
-
-/* A column of the rows. */
-enum { SHEAR = 2 };
 
 /* ---- The numbers ---- */
 
@@ -158,19 +154,17 @@ static void compute_eccentric(const figure_case *inputs, dataset *rows)
 /* ---- The picture ---- */
 
 /* With friction's limit, f p. */
-static const char *prepare_eccentric(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_eccentric(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     enum { STEPS = 200 };
-    const double top = dataset_largest(rows, SHEAR, 1), alpha = case_value(inputs, A_OVER_B);
+    const double alpha = case_value(inputs, A_OVER_B);
+    (void)rows;
     dataset limit = {.column = (const char *const[]){"x", "limit", NULL}};
     for (int i = -STEPS; i <= STEPS; i++) {
         const double x = i == 0 ? 0 : sin(0.5 * PI * i / STEPS);
         dataset_add(&limit, (data_row){.number = {x, -PI * rwedge_pressure(alpha, x)}});
     }
     script_rows(script, "$limit", &limit);
-    script_number(script, "top", top);
-    script_number(script, "bottom", dataset_largest(rows, SHEAR, -1));
-    return top == 0 ? "without Q there is no shear traction" : NULL;
 }
 
 const figure figure_eccentric = {
@@ -180,5 +174,7 @@ const figure figure_eccentric = {
     .column = (const char *const[]){"sigma_over_max", "x_over_b", "minus_pi_A_q_over_f_theta",
                                     "stick_left_over_b", "stick_right_over_b", NULL},
     .compute = compute_eccentric,
+    .drawn = 1 << 2,
+    .nothing = "without Q there is no shear traction",
     .prepare = prepare_eccentric,
     .script = eccentric_lines};

@@ -80,14 +80,13 @@ static void compute_normal(const figure_case *inputs, dataset *rows)
 }
 
 /* Where the depth jumps, and from which depth; 0 where it does not. */
-static const char *prepare_normal(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_normal(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     size_t first;
     (void)inputs;
     const bool jumps = dataset_curve(rows, 0, &first) >= 2 && dataset_curve(rows, 1, &first) > 0;
     script_number(script, "jump", jumps ? rows->row[first].number[0] : 0);
     script_number(script, "jump_depth", jumps ? rows->row[first].number[3] : 0);
-    return NULL;
 }
 
 const figure figure_normal = {
@@ -156,14 +155,6 @@ static void compute_sliding(const figure_case *inputs, dataset *rows)
         add_sliding_curve(inputs, n, rows);
 }
 
-static const char *prepare_sliding(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    const double top = dataset_largest(rows, 3, 1);
-    (void)inputs;
-    script_number(script, "top", top);
-    return top == 0 ? "the elastic limit of a sharp wedge is 0" : NULL;
-}
-
 const figure figure_sliding = {
     .name = "4",
     .summary = "elastic limit in full sliding over f",
@@ -171,7 +162,8 @@ const figure figure_sliding = {
     .column = (const char *const[]){"a_over_b", "f", "nu", "P_over_bk", NULL},
     .text_column = "branch",
     .compute = compute_sliding,
-    .prepare = prepare_sliding,
+    .drawn = 1 << 3,
+    .nothing = "the elastic limit of a sharp wedge is 0",
     .script = sliding_lines};
 
 /* ---- Fig. 5 ---- */
@@ -198,7 +190,7 @@ static void compute_yield_point(const figure_case *inputs, dataset *rows)
 }
 
 /* Which values of a/b have a path, by their numbers, and which have none. */
-static const char *prepare_yield_point(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_yield_point(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     char drawn[4 * FIGURE_CURVES_MAX] = "", missing[sizeof drawn] = "";
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
@@ -208,9 +200,6 @@ static const char *prepare_yield_point(const figure_case *inputs, const dataset 
     }
     script_text(script, "drawn", drawn);
     script_text(script, "missing", missing);
-    script_number(script, "rightmost", dataset_largest(rows, 3, 1));
-    script_number(script, "deepest", dataset_largest(rows, 4, 1));
-    return rows->count == 0 ? "it yields at the surface, whatever f is" : NULL;
 }
 
 const figure figure_yield_point = {
@@ -220,5 +209,7 @@ const figure figure_yield_point = {
     .column = (const char *const[]){"a_over_b", "f", "nu", "x_over_b", "y_over_b", NULL},
     .text_column = "point",
     .compute = compute_yield_point,
+    .drawn = 1 << 4,
+    .nothing = "it yields at the surface, whatever f is",
     .prepare = prepare_yield_point,
     .script = yield_point_lines};

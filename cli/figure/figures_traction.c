@@ -71,11 +71,10 @@ static double top_of_pressures(const figure_case *inputs)
     return top;
 }
 
-static const char *prepare_pressure(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_pressure(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     (void)rows;
     script_number(script, "top", top_of_pressures(inputs));
-    return NULL;
 }
 
 const figure figure_pressure = {
@@ -144,11 +143,9 @@ static double top_of_shear(const figure_case *inputs, const dataset *rows)
     return top;
 }
 
-static const char *prepare_shear(const figure_case *inputs, const dataset *rows, FILE *script)
+static void prepare_shear(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const double top = top_of_shear(inputs, rows);
-    script_number(script, "top", top);
-    return top == 0 ? "without slip there is no shear traction" : NULL;
+    script_number(script, "top", top_of_shear(inputs, rows));
 }
 
 const figure figure_shear = {
@@ -158,5 +155,7 @@ const figure figure_shear = {
         {[A_OVER_B] = {"0.25", 1}, [C_OVER_B] = {"0,0.16666666666666666,0.5", FIGURE_CURVES_MAX}},
     .column = (const char *const[]){"c_over_b", "x_over_b", "minus_pi_A_q_over_f_theta", NULL},
     .compute = compute_shear,
+    .drawn = 1 << 2,
+    .nothing = "without slip there is no shear traction",
     .prepare = prepare_shear,
     .script = shear_lines};

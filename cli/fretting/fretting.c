@@ -2,10 +2,7 @@
 /* "rwedge fretting". */
 #include "fretting.h"
 
-#include "field/field.h"
-
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -131,58 +128,20 @@ static void write_row(const criteria *asked, const measured_place *place, record
 static void write_rows(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
-    progress_start(rows->show_progress, (int64_t)job->result.count, "rows");
+    const measured *result = &job->result;
+    progress_start(rows->show_progress, (int64_t)result->count, "rows");
+    rows->title = "rwedge fretting: y is the depth below the surface";
+    for (size_t i = 0; i < result->line; i++)
+        rows->across += result->place[i].is_shown;
     records_name(rows, "x");
     records_name(rows, "y");
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
             records_name(rows, measure_kinds[i].column);
     records_end_header(rows);
-    for (size_t i = 0; i < job->result.count && records_go_on(rows); i++)
-        if (job->result.place[i].is_shown)
-            write_row(&job->last.asked, &job->result.place[i], rows);
-}
-
-/* ---- For ParaView ---- */
-
-/* The columns that are written, of the places that are. */
-static size_t take_numbers(const plan *job, vtk_points *points, double x[], double y[],
-                           double value[])
-{
-    const measured *result = &job->result;
-    size_t count = 0;
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        if (column_is_wanted(&job->last.asked, i))
-            points->names[points->numbers++] = measure_kinds[i].column;
-    for (size_t i = 0; i < result->count; i++) {
-        const measured_place *place = &result->place[i];
-        if (!place->is_shown)
-            continue;
-        x[count] = place->x;
-        y[count++] = place->y;
-        for (int k = 0; k < COLUMN_COUNT; k++)
-            if (column_is_wanted(&job->last.asked, k))
-                *value++ = place->at.value[k];
-    }
-    return count;
-}
-
-/* Of lines the same places are written of each. */
-static void write_vtk(void *of_plan, records *rows)
-{
-    const plan *job = of_plan;
-    const measured *result = &job->result;
-    double *x = memory_zeroed((2 + COLUMN_COUNT) * result->count, sizeof *x),
-           *y = x + result->count;
-    vtk_points points = {.title = "rwedge fretting: y is the depth below the surface",
-                         .x = x,
-                         .y = y,
-                         .value = y + result->count};
-    points.count = take_numbers(job, &points, x, y, y + result->count);
-    if (result->line > 0)
-        points.columns = points.count / (result->count / result->line);
-    vtk_write(&points, rows);
-    free(x);
+    for (size_t i = 0; i < result->count && records_go_on(rows); i++)
+        if (result->place[i].is_shown)
+            write_row(&job->last.asked, &result->place[i], rows);
 }
 
 /* ---- The command ---- */
@@ -214,7 +173,7 @@ static distance read_distance(const arguments *line, const material *constants)
 
 static bool is_for_paraview(const output_options *how)
 {
-    return how->format == NULL;
+    return how->format == &vtk_format;
 }
 
 static void read_plan(arguments *line, plan *job, output_options *how)
@@ -271,8 +230,6 @@ static void write_output(const arguments *line, const output_options *how, plan 
     verdicts.is_verdict = true;
     if (line->value[OPTION_AT_WORST] != NULL)
         output_options_write(how, worst_write_rows, &verdicts);
-    else if (is_for_paraview(how))
-        output_options_write(how, write_vtk, job);
     else
         output_options_write(how, write_rows, job);
 }

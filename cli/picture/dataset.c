@@ -20,17 +20,12 @@ size_t dataset_curve(const dataset *data, int number, size_t *first)
     return end - start;
 }
 
-int dataset_curves(const dataset *data)
-{
-    return data->count > 0 ? data->row[data->count - 1].curve + 1 : 0;
-}
-
-double dataset_largest(const dataset *data, int column, double sign)
+double dataset_largest(const dataset *data, int column)
 {
     double most = 0;
     for (size_t i = 0; i < data->count; i++)
         if (isfinite(data->row[i].number[column]))
-            most = fmax(most, sign * data->row[i].number[column]);
+            most = fmax(most, data->row[i].number[column]);
     return most;
 }
 

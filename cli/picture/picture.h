@@ -33,10 +33,9 @@ void dataset_add(dataset *to, data_row row);
 
 /* The rows of a curve: where they start, and how many. */
 size_t dataset_curve(const dataset *data, int number, size_t *first);
-int dataset_curves(const dataset *data);
 
-/* The largest finite number of a column, for the sign -1 of their negatives; at least 0. */
-double dataset_largest(const dataset *data, int column, double sign);
+/* The largest finite number of a column; at least 0. */
+double dataset_largest(const dataset *data, int column);
 
 /* A rows_writer for a dataset. */
 void dataset_write(void *of_dataset, records *rows);

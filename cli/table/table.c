@@ -20,7 +20,7 @@ typedef struct {
     const table *table;
     range axis[VARIABLE_COUNT]; /* those that the table depends on */
     bool grid;
-    int quantity; /* the column that a grid shows */
+    int quantity; /* that a grid shows */
     int threads;
     computed *ahead; /* results, computed by the threads: from index first on */
     int64_t first, count, taken;
@@ -93,7 +93,7 @@ static void compute_ahead(plan *job)
 }
 
 /* The next row in order; ends the command where it could not be computed. */
-static const cell *next_row(plan *job)
+static const computed *next_row(plan *job)
 {
     if (job->taken == job->count)
         compute_ahead(job);
@@ -101,7 +101,7 @@ static const cell *next_row(plan *job)
     progress_step();
     if (next->status != RWEDGE_OK)
         refuse(job->table, next->value, next->status);
-    return next->row;
+    return next;
 }
 
 /* ---- Layouts ---- */
@@ -110,14 +110,20 @@ static void write_long(plan *job, records *rows)
 {
     const int64_t size = plan_size(job);
     for (int64_t i = 0; i < size && records_go_on(rows); i++) {
-        const cell *row = next_row(job);
-        records_row(rows, (size_t)job->table->column_count, row);
+        const computed *next = next_row(job);
+        for (int k = 0; k < VARIABLE_COUNT; k++)
+            if (table_depends_on(job->table, k))
+                records_value(rows, cell_number(next->value[k]));
+        records_row(rows, (size_t)job->table->quantity_count, next->row);
     }
 }
 
 static void write_long_header(const plan *job, records *rows)
 {
-    records_header(rows, (size_t)job->table->column_count, job->table->column);
+    for (int k = 0; k < VARIABLE_COUNT; k++)
+        if (table_depends_on(job->table, k))
+            records_name(rows, variables[k].column);
+    records_header(rows, (size_t)job->table->quantity_count, job->table->quantity);
 }
 
 /* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
@@ -129,7 +135,7 @@ static void name_across(const plan *job, const records *rows, int64_t i, char na
 
 static void write_grid_header(const plan *job, records *rows)
 {
-    records_name(rows, job->table->column[job->quantity]);
+    records_name(rows, job->table->quantity[job->quantity]);
     for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
         name_across(job, rows, i, name);
@@ -141,11 +147,8 @@ static void write_grid_header(const plan *job, records *rows)
 static void write_grid_row(plan *job, records *rows, double a_over_b)
 {
     records_value(rows, cell_number(a_over_b));
-    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
-        char name[NUMBER_SIZE];
-        name_across(job, rows, i, name);
-        records_value(rows, next_row(job)[job->quantity]);
-    }
+    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++)
+        records_value(rows, next_row(job)->row[job->quantity]);
     records_end_row(rows);
 }
 
@@ -199,10 +202,13 @@ static const struct poptOption options[] = {
 static void list_columns(const table *chosen, FILE *stream)
 {
     int width = fprintf(stream, "    columns:");
-    for (int i = 0; i < chosen->column_count; i++) {
-        if (width + (int)strlen(chosen->column[i]) > 76)
+    for (int i = 0; i < VARIABLE_COUNT; i++)
+        if (table_depends_on(chosen, i))
+            width += fprintf(stream, " %s", variables[i].column);
+    for (int i = 0; i < chosen->quantity_count; i++) {
+        if (width + (int)strlen(chosen->quantity[i]) > 76)
             width = fprintf(stream, "\n            ") - 1;
-        width += fprintf(stream, " %s", chosen->column[i]);
+        width += fprintf(stream, " %s", chosen->quantity[i]);
     }
 }
 
@@ -321,16 +327,15 @@ static void read_quantity(const arguments *line, plan *job)
 {
     const char *text = line->value[OPTION_QUANTITY];
     char allowed[160] = "";
-    job->quantity = job->table->quantity;
     if (text == NULL)
         return;
     if (!job->grid)
         usage_error("--quantity %s: it chooses what a grid shows; allowed with: --layout grid",
                     text);
-    for (int i = job->table->quantity; i < job->table->column_count; i++) {
-        list_add(allowed, sizeof allowed, ", ", "%s", job->table->column[i]);
+    for (int i = 0; i < job->table->quantity_count; i++) {
+        list_add(allowed, sizeof allowed, ", ", "%s", job->table->quantity[i]);
         job->quantity = i;
-        if (strcmp(text, job->table->column[i]) == 0)
+        if (strcmp(text, job->table->quantity[i]) == 0)
             return;
     }
     usage_error("--quantity %s: not a quantity of %s; allowed: %s", text, job->table->name,

@@ -2,6 +2,7 @@
 /* The quadrature over the places where dt is known: panels that shrink towards the fronts. */
 #include "base/always.h"
 #include "base/domain.h"
+#include "base/select.h"
 #include "base/sort.h"
 #include "fronts/fronts.h"
 
@@ -95,15 +96,15 @@ rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
 /* X outside of what sticks, and its size inside, over half^count. */
 double rw_X_at(const rw_stuck *s, double x)
 {
-    double product = 1;
+    const double least = AT_FRONT * s->half, per_half = 1 / s->half;
+    double square = 1, sign = 1;
     for (int i = 0; i < s->count; i++) {
-        const double least = AT_FRONT * s->half;
-        const double size =
-            sqrt(fmax(fabs(x - s->end[2 * i]), least) * fmax(fabs(x - s->end[2 * i + 1]), least)) /
-            s->half;
-        product *= x < s->end[2 * i] ? -size : size;
+        const double before = x - s->end[2 * i], after = x - s->end[2 * i + 1];
+        square *=
+            rw_larger(fabs(before), least) * per_half * rw_larger(fabs(after), least) * per_half;
+        sign = before < 0 ? -sign : sign;
     }
-    return product;
+    return sign * sqrt(square);
 }
 
 static double nearest_end(const rw_stuck *s, double x)

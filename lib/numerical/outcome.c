@@ -5,8 +5,6 @@
 #include "base/sort.h"
 #include "traction/transform.h"
 
-#include <string.h>
-
 /* Points between neighbouring breaks, for Coulomb's condition. */
 enum { CHECKS = 24 };
 
@@ -83,25 +81,16 @@ static bool sticks_at(const rw_zones *zones, double x, double slack)
     return false;
 }
 
-static bool is_front(const rw_zones *zones, double x)
+/* Takes out the kink with the nearest neighbours: many are of a front that receded step by step,
+ * and weak. One alone may be of an earlier cycle, where the traction is like a root. */
+static void thin_kinks(double kink[], int *n)
 {
-    for (int i = 0; i + 1 < zones->count; i++)
-        if (zones->zone[i].right == x)
-            return true;
-    return false;
-}
-
-/* Drops the kink that is nearest to the one before it, but for fronts. */
-static void drop_closest(const rw_zones *zones, double kink[], int count)
-{
-    double least = HUGE_VAL;
-    int closest = count - 1;
-    for (int i = 1; i < count; i++)
-        if (kink[i] - kink[i - 1] < least && !is_front(zones, kink[i])) {
-            least = kink[i] - kink[i - 1];
-            closest = i;
-        }
-    for (int i = closest; i + 1 < count; i++)
+    int out = 1;
+    for (int i = 2; i + 1 < *n; i++)
+        if (kink[i + 1] - kink[i - 1] < kink[out + 1] - kink[out - 1])
+            out = i;
+    --*n;
+    for (int i = out; i < *n; i++)
         kink[i] = kink[i + 1];
 }
 
@@ -110,21 +99,31 @@ static void note_kinks(const rw_problem *p, rw_shear_state *s)
 {
     const double slack = SAME_BREAK * (p->to.right - p->to.left);
     const double edge[2] = {p->from.left, p->from.right};
-    double kink[RW_MOST_KINKS + RW_MOST_ZONES + 2];
-    int count = 0;
-    for (int i = 0; i + 1 < s->zones.count; i++)
-        kink[count++] = s->zones.zone[i].right;
+    double kink[RW_MOST_KINKS + 2];
+    int n = 0;
     for (int i = 0; i < 2; i++)
         if (p->grows[i] && sticks_at(&s->zones, edge[i], slack))
-            kink[count++] = edge[i];
+            kink[n++] = edge[i];
     for (int i = 0; i < p->old->kinks; i++)
         if (sticks_at(&s->zones, p->old->kink[i], slack))
-            kink[count++] = p->old->kink[i];
-    rw_sort(kink, (size_t)count);
-    for (; count > RW_MOST_KINKS; count--)
-        drop_closest(&s->zones, kink, count);
-    memcpy(s->kink, kink, (size_t)count * sizeof *kink);
-    s->kinks = count;
+            kink[n++] = p->old->kink[i];
+    rw_sort(kink, (size_t)n);
+    s->kinks = s->zones.count - 1;
+    for (int i = 0; i < s->kinks; i++)
+        s->kink[i] = s->zones.zone[i].right;
+    while (n > RW_MOST_KINKS - s->kinks)
+        thin_kinks(kink, &n);
+    for (int i = 0; i < n; i++)
+        s->kink[s->kinks++] = kink[i];
+    rw_sort(s->kink, (size_t)s->kinks);
+}
+
+static bool is_front(const rw_zones *zones, double x)
+{
+    for (int i = 0; i + 1 < zones->count; i++)
+        if (zones->zone[i].right == x)
+            return true;
+    return false;
 }
 
 void rw_shear_state_smooth(rw_shear_state *s, rw_patch contact, double tolerance)
@@ -161,8 +160,7 @@ static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
 
 static void add_wrong(rw_outcome *o, int label, double left, double right)
 {
-    if (right > left)
-        rw_zones_insert(&o->wrong, o->wrong.count, (rw_zone){label, left, right});
+    rw_zones_insert(&o->wrong, o->wrong.count, (rw_zone){label, left, right});
 }
 
 /* Notes slip where the traction is too large, and a little beyond: next to a kink the traction may

@@ -2,6 +2,11 @@
 title = it("Q")." through the history of loads"
 xtext = "displacement by slip"
 ytext = it("Q")
+stats $rows using 6:4 nooutput
+left = max(0, -STATS_min_x)
+right = max(0, STATS_max_x)
+bottom = max(0, -STATS_min_y)
+top = max(0, STATS_max_y)
 x_margin = 0.05*(right + left)
 y_margin = 0.05*(top + bottom)
 set xrange [-left - x_margin:right + x_margin]

@@ -3,6 +3,9 @@ title = "Shear traction with bulk tension,\n".it("a")."/".it("b")." = ".a_over_b
 caption = "bars: stick zones; thin line: friction's limit"
 xtext = it("x")."/".it("b")
 ytext = "−".it("qA")."π/(".it("f")."θ)"
+stats $rows using 3 nooutput
+top = STATS_max
+bottom = max(0, -STATS_min)
 step = 0.05*(top + bottom)
 names = sigma_over_max
 letters = 17

@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 title = "Smith–Watson–Topper along the surface"
-caption = "bar: contact; worst: ".sprintf("%.4g at ", worst).it("x")." = ".said("%.4g", worst_x)
+stats $rows using 1 nooutput prefix "x"
+stats $rows using 1:2 nooutput
+from = x_min
+to = x_max
+worst = STATS_max_y
+caption = "bar: contact; worst: ".sprintf("%.4g at ", worst).it("x")." = ".said("%.4g", STATS_pos_max_y)
 xtext = it("x")
 ytext = "SWT parameter"
 set xrange [from:to]

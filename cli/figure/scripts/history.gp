@@ -2,6 +2,15 @@
 title = "Stresses at ".it("x")." = ".said("%.6g", at_x).", ".it("y")." = ".said("%.6g", at_y)
 xtext = "load"
 ytext = "stress"
+stats $rows using 1 nooutput
+first = STATS_min
+last = STATS_max
+top = bottom = 0.0
+do for [k=4:7] { if (k != 6) {
+    stats $rows using k nooutput
+    top = max(top, STATS_max)
+    bottom = max(bottom, -STATS_min)
+} }
 last = last > first ? last : first + 1
 x_tic = last - first > 10 ? max(1, tic(last - first)) : 1
 margin = 0.05*(top + bottom)

@@ -3,6 +3,8 @@ title = "Cycles of ".it("Q")." under constant ".it("P").", ".it("a")."/".it("b")
 caption = "amplitude: ".it("W").", energy per cycle in (".it("f")."θ".it("b").")²/".it("A")
 xtext = "displacement by slip / (".it("f")."θ".it("b").")"
 ytext = it("Q")."/(".it("fP").")"
+stats $rows using 4 nooutput
+reach = STATS_max
 set xrange [-1.05*reach:1.05*reach]
 set xtics tic(2.1*reach)
 set yrange [-1.1:1.1]

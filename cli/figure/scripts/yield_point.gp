@@ -7,12 +7,13 @@ surface = ";\nalways at the surface: ".it("a")."/".it("b")." = "
 do for [i=1:words(missing)] {
     caption = caption.(i == 1 ? surface : i%3 == 1 ? ",\n" : ", ").word(a_over_b, word(missing, i) + 0)
 }
-down = end_of(1.02*deepest)
-right = max(1.05*rightmost, down)
+stats $rows using 4:5 nooutput
+down = end_of(1.02*STATS_max_y)
+right = max(1.05*STATS_max_x, down)
 set xrange [0:end_of(right)]
 set xtics tic(right)
 set yrange [down:0]
-set ytics tic(1.02*deepest)
+set ytics tic(1.02*STATS_max_y)
 ratio = down/end_of(right)
 do for [i in drawn] { names = names." ".word(a_over_b, i + 0) }
 frame

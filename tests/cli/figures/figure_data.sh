@@ -128,14 +128,6 @@ refuses "--c-over-b 0.5: not with --q-over-fp, which says the same; allowed: one
 refuses "--format gif: unknown format; allowed: svg, png, pdf; with --data: csv, tsv, json, xlsx" figure 2 --format gif
 refuses "--digits 5: not for a picture; allowed with: --data" figure 2 --digits 5
 
-# Every option and figure is in the help and the README.
-does figure --help
-same "lines over 80 columns" 0 "$(awk 'length > 80' out | wc -l | tr -d ' ')"
-for word in $(grep -o -e '--[a-z][a-z-]*' out | sort -u) $(echo $all | tr -d ,); do
-    same "README has $word" yes "$(sed -n '/^## rwedge figure/,/^## Exit/p' "$here/../../../cli/README.md" |
-        grep -q -e "\`$word[\` ]" && echo yes)"
-done
-
 # Figures of a contact and its loads. The loop: its area is the energy of the cycle, it closes, and its end on first loading is that
 # of a cylinder, A f P/pi (r + (1 - r) ln(1 - r))/2, r = Q/(fP).
 specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"

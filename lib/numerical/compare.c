@@ -27,7 +27,7 @@ static void spread(bool left_out[], double apart[])
             apart[i] = fmax(apart[i], apart[i + 1]);
 }
 
-/* The error is at most this many times the difference of a step from its halves, in 199 of 200
+/* The error is at most this many times the difference of a step from its halves, in 198 of 200
  * histories (tests/proof/history_survey.c). Steps are of second order, or of a lower one where a
  * front runs back into a zone that slipped, and such errors add up. */
 static const double DOUBT = 1;

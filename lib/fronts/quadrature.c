@@ -138,8 +138,7 @@ static void put_panel(rw_fronts *f, const rw_segment *s, int side, double near, 
     }
     if (s->label != 0 || f->layers.count > 0)
         rw_friction_after(p, n, x, known);
-    for (int k = 0; k < f->layers.count; k++)
-        rw_layer_values(p, k, n, x, known, f->layer + (size_t)k * ROOM + f->count);
+    rw_layer_values(p, f->layers.count, n, x, known, ROOM, f->layer + f->count);
     rw_traction_values(&p->old->traction, n, x, old);
     for (size_t i = 0; i < n; i++)
         known[i] = s->label * known[i] - old[i];

@@ -456,7 +456,7 @@ RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double to
  * grows with the loads that the tractions still depend on, and may pass the tolerance. The estimate
  * leaves out places nearer than a hundredth of the half-width to an edge of a slip zone, present or
  * past, even within a load: q rises there like a root. At other places q erred by less than the
- * estimate in 198 of 200 random histories of P, M, Q and sigma. In the others it erred by up to 4.3
+ * estimate in 98 of 100 random histories of P, M, Q and sigma. In the others it erred by up to 2.3
  * times as much: smaller steps are safer.                                                       new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);

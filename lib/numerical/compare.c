@@ -27,10 +27,10 @@ static void spread(bool left_out[], double apart[])
             apart[i] = fmax(apart[i], apart[i + 1]);
 }
 
-/* The error is at most this many times the difference of a step from its halves, in 198 of 200
+/* The error is at most this many times the difference of a step from its halves, in 97 of 100
  * histories (tests/proof/history_survey.c). Steps are of second order, or of a lower one where a
  * front runs back into a zone that slipped, and such errors add up. */
-static const double DOUBT = 1;
+static const double DOUBT = 2;
 
 /* Of places that came into contact in the step and stick: each errs in this step alone, and the
  * halves by 0.18 times as much as the whole. The error is largest at this part of the way from the

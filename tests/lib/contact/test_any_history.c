@@ -172,8 +172,8 @@ CLAIM(what_is_refused_leaves_what_was_computed)
     assert_int_equal(rwedge_contact_apply(bare, 1e-33, 5e-34, 0, 0), RWEDGE_ERANGE);
     /* and one with too little for places inside of it */
     rwedge_contact *narrow = allowing(1e-2);
-    apply(narrow, 1e-26, 5e-27, 0, 0);
-    assert_int_equal(rwedge_contact_apply(narrow, 1e-26, 5e-27, 1e-27, 0.03), RWEDGE_ENOCONV);
+    apply(narrow, 1e-28, 5e-29, 0, 0);
+    assert_int_equal(rwedge_contact_apply(narrow, 1e-28, 5e-29, 1e-29, 1e-13), RWEDGE_ENOCONV);
     assert_true(shear(narrow, 0.5) == 0);
 }
 

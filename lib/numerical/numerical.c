@@ -65,19 +65,23 @@ bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_numeric
 
 bool rw_numerical_copy(const rw_numerical *n, rw_numerical *copy)
 {
+    rw_traction *const shear = &copy->now.shear.traction, *const friction =
+                                                              &copy->friction.traction;
     *copy = *n;
-    if (!rw_traction_copy(&n->now.shear.traction, &copy->now.shear.traction))
-        return false;
-    if (rw_traction_copy(&n->origin, &copy->origin))
-        return true;
-    rw_traction_destroy(&copy->now.shear.traction);
-    return false;
+    *shear = *friction = copy->origin = (rw_traction){0};
+    const bool is_done = rw_traction_copy(&n->now.shear.traction, shear) &&
+                         rw_traction_copy(&n->origin, &copy->origin) &&
+                         rw_traction_copy(&n->friction.traction, friction);
+    if (!is_done)
+        rw_numerical_destroy(copy);
+    return is_done;
 }
 
 void rw_numerical_destroy(rw_numerical *n)
 {
     rw_shear_state_destroy(&n->now.shear);
     rw_traction_destroy(&n->origin);
+    rw_friction_destroy(&n->friction);
 }
 
 double rw_numerical_slip(const rw_numerical *n, double x)
@@ -449,6 +453,23 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
     return is_done;
 }
 
+/* The friction of a contact goes from load to load. The last place is the last to be given to
+ * another contact. */
+static void lend_friction(rw_numerical *n, rw_work *w)
+{
+    w->friction[RW_FRICTIONS - 1] = n->friction;
+    n->friction = (rw_friction){.peak = 0};
+}
+
+static void keep_friction(rw_work *w, rw_numerical *n)
+{
+    for (int i = 0; i < RW_FRICTIONS && n->friction.peak == 0; i++)
+        if (rw_patch_is_same(w->friction[i].contact, n->now.contact)) {
+            n->friction = w->friction[i];
+            w->friction[i] = (rw_friction){.peak = 0};
+        }
+}
+
 static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
                                int *effort)
 {
@@ -460,12 +481,14 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
     rw_step_result result = RW_STEP_NO_MEMORY;
     if (rw_numerical_copy(n, &j->next)) {
         double error;
+        lend_friction(&j->next, &j->work);
         try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
         const bool is_at_end = advance(j, 0, to, 1, *effort / 2, &error);
         const bool is_done =
             is_at_end && !j->work.is_short &&
             rw_numerical_error(&j->next) <= frame->far_off + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
+        keep_friction(&j->work, &j->next);
         rw_numerical_destroy(is_done ? n : &j->next);
         if (is_done)
             *n = j->next;

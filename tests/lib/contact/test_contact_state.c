@@ -193,7 +193,7 @@ static bool is_restored(contact_state s)
 /* Each number in turn, and each length. How many damaged states are taken. */
 static size_t damage_all(contact_state s, bool (*is_taken)(contact_state s))
 {
-    static const double BAD[] = {NAN, -HUGE_VAL, -1, 0, 0.5, 2, 1e300, HUGE_VAL};
+    static const double BAD[] = {NAN, -HUGE_VAL, -1, 0, 0.25, 2, 1e300, HUGE_VAL};
     size_t taken = 0;
     for (size_t i = 2; i < s.size; i++) {
         const double kept = s.number[i];
@@ -250,6 +250,20 @@ CLAIM(damage_to_what_is_computed_is_refused_or_taken)
     const contact_state computed_shear = state_of(computed(0.5)), pad = state_of(flat);
     assert_true(damage_all(computed_shear, is_restored) < 5 * computed_shear.size);
     assert_true(damage_all(pad, is_restored) < 3 * pad.size);
+}
+
+/* Twelve zones that stick, side by side, were more than there was room for on the stack. */
+CLAIM(zones_of_one_label_side_by_side_are_refused)
+{
+    rwedge_contact *contact = computed(0.5);
+    const contact_state s = state_of(contact);
+    const rw_zones *zones = &contact->numerical->now.shear.zones;
+    size_t first = 0; /* the first zone: its ends and label */
+    while (s.number[first] != zones->zone[0].left || s.number[first + 1] != zones->zone[0].right)
+        first++;
+    assert_true(is_restored(s));
+    s.number[first + 2] = s.number[first + 5];
+    assert_false(is_restored(s));
 }
 
 /* What is computed goes with a contact that holds no other shear, and has its edges. */

@@ -460,15 +460,14 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
         double error;
         try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
         const bool is_at_end = advance(j, 0, to, 1, *effort / 2, &error);
-        const bool is_short = j->work.is_short;
         const bool is_done =
-            is_at_end && !is_short &&
+            is_at_end && !j->work.is_short &&
             rw_numerical_error(&j->next) <= frame->far_off + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
         rw_numerical_destroy(is_done ? n : &j->next);
         if (is_done)
             *n = j->next;
-        result = is_done ? RW_STEP_DONE : is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+        result = is_done ? RW_STEP_DONE : j->work.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
     }
     rw_work_destroy(&j->work);
     free(j);

@@ -146,8 +146,7 @@ static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
 
 static void add_wrong(rw_outcome *o, int label, double left, double right)
 {
-    if (right > left)
-        rw_zones_insert(&o->wrong, o->wrong.count, (rw_zone){label, left, right});
+    rw_zones_insert(&o->wrong, o->wrong.count, (rw_zone){label, left, right});
 }
 
 /* Notes slip where the traction is too large, and a little beyond: next to a kink the traction may

@@ -516,7 +516,7 @@ static long process_memory(const char *which)
 #endif
 }
 
-/* RWEDGE_LOADS=100000 takes so many; alone, as 10 MB are asked for then. The error was told where
+/* RWEDGE_LOADS=50000 takes so many; alone, as 10 MB are asked for then. The error was told where
  * nothing slips too: it grew to 1.7e-3 here, and to 12e-3 after 10000 loads. */
 CLAIM(a_noisy_log_takes_no_more_memory_however_long_it_is_and_hardly_errs_more)
 {

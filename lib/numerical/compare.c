@@ -35,7 +35,7 @@ static const double DOUBT = 2;
 /* Of places that came into contact in the step and stick: each errs in this step alone, and the
  * halves by 0.18 times as much as the whole. The error is largest at this part of the way from the
  * edge to where it was before. */
-static const double DOUBT_IF_NEW = 0.3, WORST = 0.2;
+static const double DOUBT_IF_NEW = 0.5, WORST = 0.2;
 
 /* Where the tractions at a place are compared. */
 static double compared(rw_patch before, rw_patch now, double x)

@@ -261,10 +261,10 @@ static void try_step(trial *t, rw_work *w, const rw_numerical_state *from, rw_sc
 }
 
 /* The length of a step, over that of one with this error over the allowed one: in a step errors are
- * of the order 2.5 or more, and growth is careful. Unknown errors are HUGE_VAL. */
+ * of second order or more, and growth is careful. Unknown errors are HUGE_VAL. */
 static double better_length(double error)
 {
-    static const double LEAST = 0.1, MOST = 2, UNKNOWN = 0.5, ORDER = 2.5;
+    static const double LEAST = 0.1, MOST = 2, UNKNOWN = 0.5, ORDER = 2;
     return error == HUGE_VAL ? UNKNOWN
                              : fmax(LEAST, fmin(MOST, 0.8 * pow(fmax(error, 0.1), -1 / ORDER)));
 }

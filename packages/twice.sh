@@ -26,7 +26,7 @@ umask 002
 export TZ=Pacific/Auckland CCACHE_DISABLE=1
 git clone --quiet "$top" "$work/another"
 again=$work/another/build
-for fetched in excel/sources web/sources docs-tools/venv wheels/venv wheels/arm zig \
+for fetched in excel/sources web/sources docs-tools/venv wheels/venv wheels/arm \
     "debian/clean-$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)"; do
     [ -e "$build/$fetched" ] || continue
     mkdir -p "$(dirname "$again/$fetched")"

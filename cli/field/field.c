@@ -3,7 +3,38 @@
 #include "field.h"
 
 #include <math.h>
-#include <stdlib.h>
+
+/* ---- Points ---- */
+
+tensor point_stress(const rwedge_contact *contact, const pad *shape, double nu, double x, double y)
+{
+    double sxx, syy, txy;
+    if (y == 0 && pad_is_kink(shape, x) && rwedge_contact_half_width(contact) > 0)
+        return tensor_unknown();
+    const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
+    if (status != RWEDGE_OK)
+        failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
+    return tensor_of(sxx, syy, txy, nu);
+}
+
+void point_columns_write(records *rows, const char *title, size_t across)
+{
+    rows->title = title;
+    rows->across = across;
+    records_name(rows, "x");
+    records_name(rows, "y");
+    records_columns(rows, tensor_kinds, TENSOR_COUNT);
+    records_end_header(rows);
+}
+
+void point_write(records *rows, double x, double y, const tensor *at)
+{
+    records_value(rows, cell_number(x));
+    records_value(rows, cell_number(y));
+    for (int i = 0; i < TENSOR_COUNT; i++)
+        records_value(rows, cell_number(at->value[i]));
+    records_end_row(rows);
+}
 
 /* ---- The grid ---- */
 
@@ -19,28 +50,12 @@ static int64_t grid_size(const grid *points)
     return size < 9e18 ? (int64_t)size : INT64_MAX;
 }
 
-/* The stress at the point (x, y); NAN where it is infinite. */
-static tensor stress(const grid *points, double x, double y)
-{
-    const double at_x = x * points->loaded.length_unit, at_y = y * points->loaded.length_unit;
-    double sxx, syy, txy;
-    if (loaded_contact_is_kink(&points->loaded, at_x, at_y))
-        return tensor_unknown();
-    const int32_t status =
-        rwedge_contact_stresses(points->loaded.contact, 1, &at_x, &at_y, &sxx, &syy, &txy);
-    if (status != RWEDGE_OK)
-        failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
-    return tensor_of(sxx, syy, txy, points->loaded.nu);
-}
-
 static void write_point(const grid *points, records *rows, double x, double y)
 {
-    const tensor point = stress(points, x, y);
-    records_value(rows, cell_number(x));
-    records_value(rows, cell_number(y));
-    for (int i = 0; i < TENSOR_COUNT; i++)
-        records_value(rows, cell_number(point.value[i]));
-    records_end_row(rows);
+    const loaded_contact *loaded = &points->loaded;
+    const double unit = loaded->length_unit;
+    const tensor at = point_stress(loaded->contact, &loaded->shape, loaded->nu, x * unit, y * unit);
+    point_write(rows, x, y, &at);
     progress_step();
 }
 
@@ -49,38 +64,11 @@ static void write_rows(void *of_grid, records *rows)
 {
     const grid *points = of_grid;
     progress_start(rows->show_progress, grid_size(points), "points");
-    records_name(rows, "x");
-    records_name(rows, "y");
-    records_columns(rows, tensor_kinds, TENSOR_COUNT);
-    records_end_header(rows);
+    point_columns_write(rows, "rwedge field: y is the depth below the surface",
+                        (size_t)points->x.count);
     for (int64_t j = 0; j < points->y.count; j++)
         for (int64_t i = 0; i < points->x.count && records_go_on(rows); i++)
             write_point(points, rows, range_value(&points->x, i), range_value(&points->y, j));
-}
-
-/* ---- For ParaView ---- */
-
-static void write_vtk(void *of_grid, records *rows)
-{
-    const grid *points = of_grid;
-    const size_t columns = (size_t)points->x.count, count = (size_t)grid_size(points);
-    double *x = memory_zeroed(2 * count, sizeof *x), *y = x + count;
-    tensor *value = memory_zeroed(count, sizeof *value);
-    for (size_t i = 0; i < count; i++) {
-        x[i] = range_value(&points->x, (int64_t)(i % columns));
-        y[i] = range_value(&points->y, (int64_t)(i / columns));
-        value[i] = stress(points, x[i], y[i]);
-    }
-    vtk_points file = {.title = "rwedge field: y is the depth below the surface",
-                       .count = count,
-                       .columns = columns,
-                       .x = x,
-                       .y = y,
-                       .value = value->value};
-    vtk_of_stresses(&file);
-    vtk_write(&file, rows);
-    free(x);
-    free(value);
 }
 
 /* ---- The command ---- */
@@ -156,12 +144,11 @@ static int field(const arguments *line)
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     loaded_contact_read(line, how.decimal_sign, &points.loaded);
-    const bool vtk = how.format == NULL;
     const double b = points.loaded.b, middle = (points.loaded.left + points.loaded.right) / 2;
     read_axis("x", line->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);
     read_axis("y", line->value[OPTION_Y], 0, 2 * b, 41, &points.y);
-    check_grid(line, &points, vtk);
-    output_options_write(&how, vtk ? write_vtk : write_rows, &points);
+    check_grid(line, &points, how.format == &vtk_format);
+    output_options_write(&how, write_rows, &points);
     return STATUS_DONE;
 }
 

@@ -5,24 +5,17 @@
 #include "rows/rows.h"
 #include "setup/setup.h"
 
-/* ---- vtk ---- Stresses, or other numbers, at points as a file for ParaView. */
+/* ---- field ---- Points with their stresses as rows. */
 
-/* Points with so many numbers each, and the names of these. */
-typedef struct {
-    const char *title;
-    size_t count, columns; /* row by row where they are a grid; 0 columns where they are none */
-    const double *x, *y;
-    bool has_tensor; /* of stresses, whose numbers are those of a tensor */
-    int numbers;
-    const char *names[TENSOR_COUNT + 32];
-    const double *value; /* the numbers of a point, then those of the next */
-} vtk_points;
+/* The stress at a point; NAN where it is infinite, at a sharp edge. Ends the command where the
+ * library has none. */
+tensor point_stress(const rwedge_contact *contact, const pad *shape, double nu, double x, double y);
 
-/* The numbers of the points are stresses. */
-void vtk_of_stresses(vtk_points *points);
+/* The header; the title, not copied, is that of a file for ParaView. On a grid so many points are
+ * side by side; else 0. */
+void point_columns_write(records *rows, const char *title, size_t across);
 
-/* A rows_writer: legacy VTK, ASCII. The records say only where it goes, and with how many
- * digits. */
-void vtk_write(void *of_points, records *rows);
+/* A row. */
+void point_write(records *rows, double x, double y, const tensor *at);
 
 #endif

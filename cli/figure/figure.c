@@ -334,15 +334,40 @@ static void compute(work *to_do)
     to_do->chosen->compute(&to_do->inputs, &to_do->rows);
 }
 
-static void draw(const work *to_do, output *out)
+static void write_values(const figure_case *inputs, FILE *script)
 {
-    drawing *plot = memory_zeroed(1, sizeof *plot);
-    const char *nothing = to_do->chosen->draw(&to_do->inputs, &to_do->rows, plot);
-    if (nothing != NULL)
-        failure("figure %s: nothing to draw: %s", to_do->chosen->name, nothing);
-    if (to_do->no_title)
-        plot->title[0] = '\0';
-    gnuplot_draw(plot, to_do->format, out);
+    char names[FIGURE_NAMES_SIZE];
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        if (inputs->value[i].count > 0) {
+            case_names(inputs, i, names);
+            script_text(script, variable_of(i)->column, names);
+        }
+}
+
+/* Whether a number of these columns, a bit for each, is not 0. */
+static bool has_anything(const dataset *rows, int columns)
+{
+    for (size_t i = 0; i < rows->count; i++)
+        for (int k = 0; k < DATA_COLUMNS_MAX; k++)
+            if ((columns >> k & 1) != 0 && isfinite(rows->row[i].number[k]) &&
+                rows->row[i].number[k] != 0)
+                return true;
+    return false;
+}
+
+static void write_script(const void *of_work, FILE *script)
+{
+    const work *to_do = of_work;
+    const figure *chosen = to_do->chosen;
+    if (chosen->nothing != NULL && !has_anything(&to_do->rows, chosen->drawn))
+        failure("figure %s: nothing to draw: %s", chosen->name, chosen->nothing);
+    script_lines(script, head_lines, NULL);
+    write_values(&to_do->inputs, script);
+    script_number(script, "titled", !to_do->no_title);
+    script_rows(script, "$rows", &to_do->rows);
+    if (chosen->prepare != NULL)
+        chosen->prepare(&to_do->inputs, &to_do->rows, script);
+    script_lines(script, chosen->script, frame_lines);
 }
 
 /* A rows_writer: a picture goes where rows would. */
@@ -353,7 +378,7 @@ static void write_figure(void *of_work, records *rows)
     if (to_do->format == NULL)
         dataset_write(&to_do->rows, rows);
     else
-        draw(to_do, rows->out);
+        gnuplot_draw(to_do->format, write_script, to_do, rows->out);
 }
 
 static int write_command(const arguments *line)

@@ -6,7 +6,7 @@
 #include "model/cycle/cycle.h"
 #include "picture/picture.h"
 
-/* A kind of figure: what it depends on, the numbers behind it, and the drawing of them. */
+/* A kind of figure: what it depends on, the numbers behind it, and the script that draws them. */
 
 /* Those of tables, and two more. */
 enum { C_OVER_B = VARIABLE_COUNT, SIGMA_OVER_MAX, FIGURE_VARIABLES };
@@ -18,7 +18,7 @@ typedef struct {
     int most; /* how many values it takes */
 } figure_use;
 
-enum { FIGURE_CURVES_MAX = 12 };
+enum { FIGURE_CURVES_MAX = 12, FIGURE_DIGITS = 6 };
 
 /* Where a measure is drawn: along the surface, below its worst place, below the contact. */
 enum { OVER_SURFACE, OVER_DEPTH, OVER_FIELD, OVER_COUNT };
@@ -39,8 +39,10 @@ double case_value(const figure_case *inputs, int variable);
 /* Ends the command where the library has not answered. */
 void case_check(const figure_case *inputs, int32_t status);
 
-/* A value as the name of its curve: with all digits where fewer do not tell the values apart. */
-const char *case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE]);
+/* The values of a variable as the names of its curves, separated by blanks: with all digits where
+ * fewer do not tell the values apart. */
+enum { FIGURE_NAMES_SIZE = FIGURE_CURVES_MAX * NUMBER_SIZE };
+void case_names(const figure_case *inputs, int variable, char names[FIGURE_NAMES_SIZE]);
 
 typedef struct {
     const char *name, *summary;
@@ -51,8 +53,13 @@ typedef struct {
     const char *const *column;
     const char *text_column;
     void (*compute)(const figure_case *inputs, dataset *rows);
-    /* returns NULL, or why there is nothing to draw */
-    const char *(*draw)(const figure_case *inputs, const dataset *rows, drawing *plot);
+    /* The columns that are drawn, a bit for each, and why there is nothing to draw where all of
+     * them are 0; NULL where there always is. */
+    int drawn;
+    const char *nothing;
+    /* Gives the script what it cannot find in the rows, by name; NULL where it can find all. */
+    void (*prepare)(const figure_case *inputs, const dataset *rows, FILE *script);
+    const char *const *script; /* the lines of its file in scripts/, which draw the rows */
 } figure;
 
 /* Those of the paper, 2 to 7, and more. Each is defined in a file of its subject. */
@@ -60,18 +67,14 @@ extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield
     figure_tension, figure_shear, figure_field, figure_loop, figure_eccentric, figure_history,
     figure_any_loop, figure_fretting, figure_measure;
 
+/* The lines of the files in scripts/, which the build makes of them; NULL after the last: what
+ * every script begins with, what stands for its line "frame", and the figures' own. */
+typedef const char *const script_line;
+extern script_line head_lines[], frame_lines[], pressure_lines[], normal_lines[], sliding_lines[],
+    yield_point_lines[], tension_lines[], shear_lines[], field_lines[], loop_lines[],
+    eccentric_lines[], history_lines[], any_loop_lines[], fretting_lines[], measure_lines[];
+
 /* A round step that gives 8 to 20 levels up to the top. */
 double step_of_levels(double top);
-
-/* Style of the curve i of a family: colour and dashes both change, so that either tells
- * neighbours apart. */
-void style_of_family(curve *line, int i);
-
-/* The curve n of a family over the columns x and y, named by the value of its variable after some
- * words; and all of them. */
-curve *draw_member(const figure_case *inputs, int variable, int n, const char *words,
-                   const dataset *rows, int x, int y, drawing *plot);
-void draw_family(const figure_case *inputs, int variable, const dataset *rows, int x, int y,
-                 drawing *plot);
 
 #endif

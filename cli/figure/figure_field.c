@@ -8,7 +8,7 @@
 
 /* Rows are closer to each other near the surface, where the stress changes most. */
 enum { FIELD_COLUMNS = 241, FIELD_ROWS = 97 };
-static const double FIELD_HALF_WIDTH = 1.5, FIELD_DEPTH = 1.5, STRIP = -0.16;
+static const double FIELD_HALF_WIDTH = 1.5, FIELD_DEPTH = 1.5;
 
 static double field_x(int i)
 {
@@ -39,6 +39,7 @@ static void compute_field(const figure_case *inputs, dataset *rows)
     const double alpha = case_value(inputs, A_OVER_B), f = case_value(inputs, FRICTION),
                  nu = case_value(inputs, NU);
     const double c = stick_width(inputs);
+    rows->across = FIELD_COLUMNS;
     for (int j = 0; j < FIELD_ROWS; j++)
         for (int i = 0; i < FIELD_COLUMNS; i++) {
             const double x = field_x(i), y = field_y(j);
@@ -59,51 +60,58 @@ static void compute_field(const figure_case *inputs, dataset *rows)
  * picture. */
 enum { MARGIN = 14, FIRST_ROW = 18 };
 
+/* What has a number already. */
+typedef struct {
+    double x, y;
+    char text[NUMBER_SIZE];
+} level_number;
+
+typedef struct {
+    level_number number[60];
+    int count;
+    double step;
+} level_numbers;
+
 /* The number of a level where the way from one place of the grid to the next crosses it, unless
  * another number is next to it, or the same one near. */
-static void name_level(const data_row *from, const data_row *to, double step, drawing *plot)
+static void name_level(const data_row *from, const data_row *to, level_numbers *all)
 {
-    const double a = from->number[5], b = to->number[5];
+    const double a = from->number[5], b = to->number[5], step = all->step;
     const double level = step * ceil(fmin(a, b) / step), part = (level - a) / (b - a);
-    char text[NUMBER_SIZE];
+    level_number *next = &all->number[all->count];
     if (!(level <= fmax(a, b)) || !(level > 0) || a == b)
         return;
-    const double x = from->number[0] + part * (to->number[0] - from->number[0]),
-                 y = from->number[1] + part * (to->number[1] - from->number[1]);
-    number_write(level, DRAWING_DIGITS, '.', text);
-    for (int i = 0; i < plot->label_count; i++)
-        if (fabs(x - plot->label[i].x) < 0.32 &&
-            fabs(y - plot->label[i].y) < (strcmp(text, plot->label[i].text) == 0 ? 0.6 : 0.12))
+    next->x = from->number[0] + part * (to->number[0] - from->number[0]);
+    next->y = from->number[1] + part * (to->number[1] - from->number[1]);
+    number_write(level, FIGURE_DIGITS, '.', next->text);
+    for (const level_number *other = all->number; other < next; other++)
+        if (fabs(next->x - other->x) < 0.32 &&
+            fabs(next->y - other->y) < (strcmp(next->text, other->text) == 0 ? 0.6 : 0.12))
             return;
-    label *number = drawing_label(plot, x, y, "%s", text);
-    number->align = ALIGN_CENTRE;
-    number->boxed = true;
+    all->count += all->count < (int)(sizeof all->number / sizeof all->number[0]) - 1;
 }
 
 /* Downwards from the place nearest to x, and along a row both ways from there. */
-static void name_levels(const dataset *rows, double x, double step, drawing *plot)
+static void name_levels(const dataset *rows, double x, double step, FILE *script)
 {
     enum { ROW = FIELD_ROWS - 12 };
     const double nearest = (FIELD_COLUMNS - 1) * (0.5 + 0.5 * x / FIELD_HALF_WIDTH);
     const int column = (int)fmin(fmax(nearest, MARGIN), FIELD_COLUMNS - 1 - MARGIN);
     const data_row *top = &rows->row[column], *row = &rows->row[ROW * FIELD_COLUMNS];
+    level_numbers all = {.step = step};
     for (int j = FIRST_ROW; j < ROW; j++)
-        name_level(&top[j * FIELD_COLUMNS], &top[(j + 1) * FIELD_COLUMNS], step, plot);
+        name_level(&top[j * FIELD_COLUMNS], &top[(j + 1) * FIELD_COLUMNS], &all);
     for (int i = column; i > MARGIN; i--)
-        name_level(&row[i], &row[i - 1], step, plot);
+        name_level(&row[i], &row[i - 1], &all);
     for (int i = column; i < FIELD_COLUMNS - 1 - MARGIN; i++)
-        name_level(&row[i], &row[i + 1], step, plot);
+        name_level(&row[i], &row[i + 1], &all);
+    for (int i = 0; i < all.count; i++)
+        fprintf(script,
+                "set label \"%s\" at first %.7g,%.7g center front textcolor rgb '#000000' boxed\n",
+                all.number[i].text, all.number[i].x, all.number[i].y);
 }
 
 /* ---- What stands on them ---- */
-
-/* Above the surface: the contact as an empty bar, the stick zone filled. */
-static void draw_zones(double c, drawing *plot)
-{
-    if (c > 0)
-        drawing_bar(plot, -c, c, -0.09, -0.03)->style = STYLE_AREA;
-    drawing_bar(plot, -1, 1, -0.09, -0.03)->width = 0.8;
-}
 
 /* Where it yields first, and sqrt(J2) there; false where the stress is infinite. */
 static bool find_yield(const figure_case *inputs, double *x, double *y, double *top)
@@ -125,68 +133,19 @@ static bool find_yield(const figure_case *inputs, double *x, double *y, double *
     return status == RWEDGE_OK && factor > 0;
 }
 
-static void mark_yield(double x, double y, drawing *plot)
+static void prepare_field(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const int number = dataset_curves(&plot->outlines);
-    dataset_add(&plot->outlines, (data_row){.curve = number, .number = {x, y}});
-    curve *circle = drawing_curve(plot, &plot->outlines, number, 0, 1);
-    circle->style = STYLE_CIRCLES;
-    circle->colour = VERMILLION;
-}
-
-static void draw_surface(drawing *plot)
-{
-    const int number = dataset_curves(&plot->outlines);
-    dataset_add(&plot->outlines, (data_row){.curve = number, .number = {-FIELD_HALF_WIDTH, 0}});
-    dataset_add(&plot->outlines, (data_row){.curve = number, .number = {FIELD_HALF_WIDTH, 0}});
-    drawing_curve(plot, &plot->outlines, number, 0, 1);
-}
-
-/* How far it slips is said as it was asked for. */
-static void write_title(const figure_case *inputs, drawing *plot)
-{
-    char alpha[NUMBER_SIZE], f[NUMBER_SIZE], nu[NUMBER_SIZE], slip[NUMBER_SIZE] = "0";
-    const bool by_force = inputs->value[Q_OVER_FP].count > 0;
-    const int slips = by_force ? Q_OVER_FP : C_OVER_B;
-    if (inputs->value[slips].count > 0)
-        case_text(inputs, slips, 0, slip);
-    const bool normal = case_value(inputs, FRICTION) == 0;
-    snprintf(plot->title, sizeof plot->title,
-             "√*J*_2 in θ/*A*: *a*/*b* = %s, *f* = %s,\n%s%s%sν = %s",
-             case_text(inputs, A_OVER_B, 0, alpha), case_text(inputs, FRICTION, 0, f),
-             normal     ? ""
-             : by_force ? "*Q*/(*fP*) = "
-                        : "*c*/*b* = ",
-             normal ? "" : slip, normal ? "" : ", ", case_text(inputs, NU, 0, nu));
-}
-
-static void write_caption(const figure_case *inputs, double step, bool has_yield, double top,
-                          drawing *plot)
-{
-    const char *zones = stick_width(inputs) > 0            ? ", black: stick"
-                        : case_value(inputs, FRICTION) > 0 ? ", sliding"
-                                                           : "";
-    snprintf(plot->caption, sizeof plot->caption, "bar: contact%s; lines: every %.3g", zones, step);
-    if (has_yield)
-        list_add(plot->caption, sizeof plot->caption, ";\n", "circle: first yield, %.3g", top);
-}
-
-static const char *draw_field(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    const double seen = dataset_largest(rows, 5, 1), step = step_of_levels(seen);
-    double x = 0, y = 0, top = 0;
-    const bool has_yield = find_yield(inputs, &x, &y, &top);
-    write_title(inputs, plot);
-    write_caption(inputs, step, has_yield, top, plot);
-    plot->x = (axis){"*x*/*b*", -FIELD_HALF_WIDTH, FIELD_HALF_WIDTH, 0.5, 0};
-    plot->y = (axis){"*y*/*b*", FIELD_DEPTH, STRIP, 0.5, FIELD_DEPTH};
-    plot->field = (contours){rows, FIELD_COLUMNS, 0, 1, 5, step, seen};
-    name_levels(rows, has_yield ? x : 0, step, plot);
-    draw_zones(stick_width(inputs), plot);
-    draw_surface(plot);
-    if (has_yield)
-        mark_yield(x, y, plot);
-    return NULL;
+    const double top = dataset_largest(rows, 5), step = step_of_levels(top);
+    double x = 0, y = 0, most = 0;
+    const bool yields = find_yield(inputs, &x, &y, &most);
+    name_levels(rows, yields ? x : 0, step, script);
+    script_number(script, "stick", stick_width(inputs));
+    script_number(script, "top", top);
+    script_number(script, "step", step);
+    script_number(script, "yields", yields);
+    script_number(script, "yield_x", x);
+    script_number(script, "yield_y", y);
+    script_number(script, "most", most);
 }
 
 const figure figure_field = {
@@ -200,4 +159,5 @@ const figure figure_field = {
     .column = (const char *const[]){"x_over_b", "y_over_b", "A_sxx_over_theta", "A_syy_over_theta",
                                     "A_txy_over_theta", "A_sqrt_J2_over_theta", NULL},
     .compute = compute_field,
-    .draw = draw_field};
+    .prepare = prepare_field,
+    .script = field_lines};

@@ -53,34 +53,6 @@ static void visit_all(const figure_case *inputs, size_t first, visitor *visit, d
     rwedge_contact_destroy(contact);
 }
 
-/* Along x the numbers of the tics stand side by side: long ones get two or three. */
-static double tic_along_x(double span)
-{
-    char text[NUMBER_SIZE];
-    const double tic = drawing_tic(span), decade = pow(10, floor(log10(span / 2)));
-    if (number_write(tic, DRAWING_DIGITS, '.', text) <= 4)
-        return tic;
-    return decade * (span / 2 < 2 * decade ? 1 : span / 2 < 5 * decade ? 2 : 5);
-}
-
-/* With a minus sign, not a hyphen. */
-static void write_number(double value, int digits, char text[NUMBER_SIZE])
-{
-    char size[NUMBER_SIZE];
-    drawing_number(fabs(value), digits, size);
-    snprintf(text, NUMBER_SIZE, "%s%.20s", value < 0 ? "−" : "", size);
-}
-
-/* An axis from the least number to the largest, with 0 in it, and with room at the ends. */
-static axis axis_over(const dataset *rows, int column, const char *text)
-{
-    const double lo = -dataset_largest(rows, column, -1), hi = dataset_largest(rows, column, 1);
-    const double margin = 0.05 * (hi - lo);
-    axis over = {.from = lo - margin, .to = hi + margin, .tic = drawing_tic(hi - lo)};
-    snprintf(over.text, sizeof over.text, "%s", text);
-    return over;
-}
-
 /* ---- The stress at a point ---- */
 
 enum { H_LOAD, H_X, H_Y, H_SXX, H_SYY, H_SZZ, H_TXY };
@@ -102,35 +74,11 @@ static void compute_history(const figure_case *inputs, dataset *rows)
     visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
 }
 
-static const char *draw_history(const figure_case *inputs, const dataset *rows, drawing *plot)
+static void prepare_history(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    static const char *const names[] = {"*σ*_x", "*σ*_y", "*τ*_x_y"};
-    static const int columns[] = {H_SXX, H_SYY, H_TXY};
-    char x[NUMBER_SIZE], y[NUMBER_SIZE];
-    double top = 0, bottom = 0;
-    for (int i = 0; i < 3; i++) {
-        top = fmax(top, dataset_largest(rows, columns[i], 1));
-        bottom = fmax(bottom, dataset_largest(rows, columns[i], -1));
-    }
-    if (top == 0 && bottom == 0)
-        return "there is no stress";
-    write_number(inputs->at->x[0], DRAWING_DIGITS, x);
-    write_number(inputs->at->y[0], DRAWING_DIGITS, y);
-    snprintf(plot->title, sizeof plot->title, "Stresses at *x* = %s, *y* = %s", x, y);
-    const double first = rows->row[0].number[H_LOAD],
-                 last = rows->row[rows->count - 1].number[H_LOAD], margin = 0.05 * (top + bottom);
-    plot->x = (axis){"load", first, last > first ? last : first + 1, 1, 0};
-    if (last - first > 10)
-        plot->x.tic = fmax(1, drawing_tic(last - first));
-    plot->y = (axis){"stress", -bottom - margin, top + margin, drawing_tic(top + bottom), 0};
-    plot->height = 0.75;
-    for (int i = 0; i < 3; i++) {
-        curve *line = drawing_curve(plot, rows, 0, H_LOAD, columns[i]);
-        style_of_family(line, i);
-        line->width = 1.3;
-        snprintf(line->legend, sizeof line->legend, "%s", names[i]);
-    }
-    return NULL;
+    (void)rows;
+    script_number(script, "at_x", inputs->at->x[0]);
+    script_number(script, "at_y", inputs->at->y[0]);
 }
 
 const figure figure_history = {
@@ -141,7 +89,10 @@ const figure figure_history = {
     .cycles = 1,
     .column = (const char *const[]){"load", "x", "y", "sxx", "syy", "szz", "txy", NULL},
     .compute = compute_history,
-    .draw = draw_history};
+    .drawn = 1 << H_SXX | 1 << H_SYY | 1 << H_TXY,
+    .nothing = "there is no stress",
+    .prepare = prepare_history,
+    .script = history_lines};
 
 /* ---- The loop of Q over the displacement ---- */
 
@@ -163,21 +114,6 @@ static void compute_any_loop(const figure_case *inputs, dataset *rows)
     visit_all(inputs, 0, add_displacement, rows);
 }
 
-static const char *draw_any_loop(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    (void)inputs;
-    if (dataset_largest(rows, L_DISPLACEMENT, 1) == 0 &&
-        dataset_largest(rows, L_DISPLACEMENT, -1) == 0)
-        return "nothing slips, or the slip has no closed form";
-    snprintf(plot->title, sizeof plot->title, "*Q* through the history of loads");
-    plot->x = axis_over(rows, L_DISPLACEMENT, "displacement by slip");
-    plot->x.tic = tic_along_x(plot->x.to - plot->x.from);
-    plot->y = axis_over(rows, L_Q, "*Q*");
-    plot->height = 0.85;
-    drawing_curve(plot, rows, 0, L_DISPLACEMENT, L_Q)->width = 1.2;
-    return NULL;
-}
-
 const figure figure_any_loop = {
     .name = "loop",
     .summary = "Q over the displacement by slip",
@@ -185,7 +121,9 @@ const figure figure_any_loop = {
     .cycles = 1,
     .column = (const char *const[]){"load", "P", "M", "Q", "sigma", "displacement", "energy", NULL},
     .compute = compute_any_loop,
-    .draw = draw_any_loop};
+    .drawn = 1 << L_DISPLACEMENT,
+    .nothing = "nothing slips, or the slip has no closed form",
+    .script = any_loop_lines};
 
 /* ---- Smith, Watson and Topper's parameter along the surface ---- */
 
@@ -214,44 +152,6 @@ static void compute_fretting(const figure_case *inputs, dataset *rows)
     }
 }
 
-/* The contact is where there is slip to speak of. */
-static void draw_contact(const dataset *rows, double height, drawing *plot)
-{
-    double left = NAN, right = NAN;
-    for (size_t i = 0; i < rows->count; i++)
-        if (!isnan(rows->row[i].number[F_SLIP])) {
-            left = fmin(left, rows->row[i].number[F_X]);
-            right = fmax(right, rows->row[i].number[F_X]);
-        }
-    if (left < right)
-        drawing_bar(plot, left, right, 0, -height)->width = 0.8;
-}
-
-static const char *draw_fretting(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    (void)inputs;
-    size_t best = 0;
-    char x[NUMBER_SIZE];
-    for (size_t i = 0; i < rows->count; i++)
-        if (rows->row[i].number[F_SWT] > rows->row[best].number[F_SWT])
-            best = i;
-    const double *worst = rows->row[best].number, from = rows->row[0].number[F_X],
-                 to = rows->row[rows->count - 1].number[F_X];
-    if (!(worst[F_SWT] > 0))
-        return "there is no tension in the cycle";
-    snprintf(plot->title, sizeof plot->title, "Smith–Watson–Topper along the surface");
-    write_number(worst[F_X], 4, x);
-    snprintf(plot->caption, sizeof plot->caption, "bar: contact; worst: %.4g at *x* = %s",
-             worst[F_SWT], x);
-    plot->x = (axis){"*x*", from, to, tic_along_x(to - from), 0};
-    plot->y = drawing_axis(1.05 * worst[F_SWT], "SWT parameter");
-    plot->y.from = -0.06 * worst[F_SWT];
-    plot->height = 0.75;
-    drawing_curve(plot, rows, 0, F_X, F_SWT)->width = 1.3;
-    draw_contact(rows, 0.03 * worst[F_SWT], plot);
-    return NULL;
-}
-
 const figure figure_fretting = {.name = "fretting",
                                 .summary = "Smith-Watson-Topper along the surface, last cycle",
                                 .has_history = true,
@@ -260,7 +160,9 @@ const figure figure_fretting = {.name = "fretting",
                                                                 "slip_range", "ruiz_f1", "ruiz_f2",
                                                                 "energy_per_area", NULL},
                                 .compute = compute_fretting,
-                                .draw = draw_fretting};
+                                .drawn = 1 << F_SWT,
+                                .nothing = "there is no tension in the cycle",
+                                .script = fretting_lines};
 
 /* ---- Any measure: along the surface, below its worst place, as contours ---- */
 
@@ -309,6 +211,7 @@ static void measure_depth(const figure_case *inputs, const last_cycle *last, dat
 static void measure_field(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     const double middle = (last->left + last->right) / 2, half = (last->right - last->left) / 2;
+    rows->across = COLUMNS;
     for (int j = 0; j < ROWS; j++)
         for (int i = 0; i < COLUMNS; i++)
             measure_place(inputs, last, middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
@@ -325,57 +228,29 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
     ways[inputs->over](inputs, &last, rows);
 }
 
-static void draw_measure_field(const dataset *rows, double top, drawing *plot)
-{
-    const double *first = rows->row[0].number, *last = rows->row[rows->count - 1].number;
-    const double step = step_of_levels(top), width = last[0] - first[0];
-    plot->x = (axis){"*x*", first[0], last[0], tic_along_x(width), 0};
-    plot->y = (axis){"*y*", last[1], 0, tic_along_x(last[1]), 0};
-    plot->field = (contours){rows, COLUMNS, 0, 1, 2, step, top};
-    list_add(plot->caption, sizeof plot->caption, ";\n", "lines: every %.3g", step);
-}
-
-static void write_unit(const char *unit, char text[DRAWING_TEXT])
+static void write_unit(const char *unit, char text[80])
 {
     const bool has_unit = strcmp(unit, "none") != 0;
-    snprintf(text, DRAWING_TEXT, "%s%s", has_unit ? "in units of " : "pure number",
-             has_unit ? unit : "");
+    snprintf(text, 80, "%s%s", has_unit ? "in units of " : "pure number", has_unit ? unit : "");
     char *star = strchr(text, '*'); /* would begin italics */
     if (star != NULL)
         *star = ' ';
 }
 
-static void draw_measure_curve(const figure_case *inputs, const dataset *rows, double top,
-                               drawing *plot)
+static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const int along = inputs->over == OVER_DEPTH ? 1 : 0;
-    const double from = rows->row[0].number[along], to = rows->row[rows->count - 1].number[along];
-    plot->x = (axis){"", from, to, tic_along_x(to - from), 0};
-    snprintf(plot->x.text, sizeof plot->x.text, "%s", along == 1 ? "*y*" : "*x*");
-    plot->y = drawing_axis(1.05 * top, "");
-    write_unit(measure_kinds[inputs->measure].unit, plot->y.text);
-    plot->y.from = -1.05 * dataset_largest(rows, 2, -1);
-    plot->height = 0.75;
-    drawing_curve(plot, rows, 0, along, 2)->width = 1.3;
-}
-
-static const char *draw_measure(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    const double *worst = worst_row_of(rows)->number;
-    char x[NUMBER_SIZE], y[NUMBER_SIZE];
-    if (!(worst[2] > 0))
-        return "the measure is nowhere above 0";
-    write_number(worst[0], 4, x);
-    write_number(worst[1], 4, y);
-    snprintf(plot->title, sizeof plot->title, "%s", measure_kinds[inputs->measure].title);
-    snprintf(plot->caption, sizeof plot->caption, "%s: %.4g at%s*x* = %s, *y* = %s",
-             inputs->over == OVER_FIELD ? "largest of the grid" : "worst", worst[2],
-             inputs->over == OVER_FIELD ? "\n" : " ", x, y);
-    if (inputs->over == OVER_FIELD)
-        draw_measure_field(rows, worst[2], plot);
-    else
-        draw_measure_curve(inputs, rows, worst[2], plot);
-    return NULL;
+    const double worst = dataset_largest(rows, 2);
+    char unit[80];
+    if (worst == 0)
+        failure("figure measure: nothing to draw: the measure is nowhere above 0");
+    write_unit(measure_kinds[inputs->measure].unit, unit);
+    script_text(script, "title", measure_kinds[inputs->measure].title);
+    script_text(script, "unit", unit);
+    script_number(script, "step", step_of_levels(worst));
+    fprintf(script, "along = %d\n",
+            inputs->over == OVER_FIELD   ? 0
+            : inputs->over == OVER_DEPTH ? 2
+                                         : 1);
 }
 
 const figure figure_measure = {.name = "measure",
@@ -384,4 +259,5 @@ const figure figure_measure = {.name = "measure",
                                .cycles = 3,
                                .column = (const char *const[]){"x", "y", "value", NULL},
                                .compute = compute_measure,
-                               .draw = draw_measure};
+                               .prepare = prepare_measure,
+                               .script = measure_lines};

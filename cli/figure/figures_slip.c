@@ -48,32 +48,19 @@ static void compute_loop(const figure_case *inputs, dataset *rows)
 }
 
 /* Dissipated from the first turn to the end: a whole cycle. */
-static double energy_of_cycle(const curve *line)
+static double energy_of_cycle(const dataset *rows, int n)
 {
-    const data_row *first = &line->from->row[line->first];
-    return first[line->count - 1].number[5] - first[LOOP_STEPS].number[5];
+    size_t first;
+    const size_t count = dataset_curve(rows, n, &first);
+    return rows->row[first + count - 1].number[5] - rows->row[first + LOOP_STEPS].number[5];
 }
 
-static const char *draw_loop(const figure_case *inputs, const dataset *rows, drawing *plot)
+static void prepare_loop(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    char text[NUMBER_SIZE];
-    const double reach = dataset_largest(rows, 3, 1);
-    snprintf(plot->title, sizeof plot->title, "Cycles of *Q* under constant *P*, *a*/*b* = %s",
-             case_text(inputs, A_OVER_B, 0, text));
-    if (reach == 0)
-        return "without an amplitude nothing slips";
-    plot->x = (axis){"displacement by slip / (*f*θ*b*)", -1.05 * reach, 1.05 * reach,
-                     drawing_tic(2.1 * reach), 0};
-    plot->y = (axis){"*Q*/(*fP*)", -1.1, 1.1, 0.5, 0};
-    plot->height = 0.85;
-    snprintf(plot->caption, sizeof plot->caption,
-             "amplitude: *W*, energy per cycle in (*f*θ*b*)²/*A*");
-    for (int n = 0; n < inputs->value[Q_OVER_FP].count; n++) {
-        curve *line = draw_member(inputs, Q_OVER_FP, n, "", rows, 3, 2, plot);
-        line->width = 1.3;
-        list_add(line->legend, sizeof line->legend, ": ", "*W* = %#.3g", energy_of_cycle(line));
-    }
-    return NULL;
+    char energies[FIGURE_NAMES_SIZE] = "";
+    for (int n = 0; n < inputs->value[Q_OVER_FP].count; n++)
+        list_add(energies, sizeof energies, " ", "%.7g", energy_of_cycle(rows, n));
+    script_text(script, "energies", energies);
 }
 
 const figure figure_loop = {
@@ -85,12 +72,12 @@ const figure figure_loop = {
                                     "A_energy_over_f2_theta2_b2", NULL},
     .text_column = "part",
     .compute = compute_loop,
-    .draw = draw_loop};
+    .drawn = 1 << 3,
+    .nothing = "without an amplitude nothing slips",
+    .prepare = prepare_loop,
+    .script = loop_lines};
 
 /* ---- Shear tractions under a bulk tension ---- */
-
-/* The columns of the rows. */
-enum { SIGMA, X, SHEAR, STICK_LEFT, STICK_RIGHT };
 
 /* ---- The numbers ---- */
 
@@ -166,56 +153,18 @@ static void compute_eccentric(const figure_case *inputs, dataset *rows)
 
 /* ---- The picture ---- */
 
-/* Friction's limit, f p. */
-static void draw_limit(double alpha, drawing *plot)
+/* With friction's limit, f p. */
+static void prepare_eccentric(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     enum { STEPS = 200 };
-    const int number = dataset_curves(&plot->outlines);
+    const double alpha = case_value(inputs, A_OVER_B);
+    (void)rows;
+    dataset limit = {.column = (const char *const[]){"x", "limit", NULL}};
     for (int i = -STEPS; i <= STEPS; i++) {
         const double x = i == 0 ? 0 : sin(0.5 * PI * i / STEPS);
-        dataset_add(&plot->outlines,
-                    (data_row){.curve = number, .number = {x, -PI * rwedge_pressure(alpha, x)}});
+        dataset_add(&limit, (data_row){.number = {x, -PI * rwedge_pressure(alpha, x)}});
     }
-    drawing_curve(plot, &plot->outlines, number, 0, 1)->width = 0.5;
-}
-
-/* Below the curves, one below the other: a bar for each stick zone. */
-static void draw_stick_zones(const dataset *rows, double y, double step, drawing *plot)
-{
-    for (int n = 0; n < dataset_curves(rows); n++) {
-        size_t first;
-        dataset_curve(rows, n, &first);
-        const double *row = rows->row[first].number, top = y - n * step;
-        if (!isfinite(row[STICK_LEFT]))
-            continue;
-        curve *bar = drawing_bar(plot, row[STICK_LEFT], row[STICK_RIGHT], top, top - step / 2);
-        style_of_family(bar, n);
-        bar->width = 1.4;
-    }
-}
-
-static const char *draw_eccentric(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    char alpha[NUMBER_SIZE], text[NUMBER_SIZE];
-    const double top = dataset_largest(rows, SHEAR, 1), bottom = dataset_largest(rows, SHEAR, -1),
-                 step = 0.05 * (top + bottom);
-    if (top == 0)
-        return "without Q there is no shear traction";
-    snprintf(plot->title, sizeof plot->title,
-             "Shear traction with bulk tension,\n*a*/*b* = %s, *Q*/(*fP*) = %s",
-             case_text(inputs, A_OVER_B, 0, alpha), case_text(inputs, Q_OVER_FP, 0, text));
-    snprintf(plot->caption, sizeof plot->caption, "bars: stick zones; thin line: friction's limit");
-    plot->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    plot->y = drawing_axis(1.05 * top, "−*qA*π/(*f*θ)");
-    plot->y.from = -bottom - step * (dataset_curves(rows) + 1);
-    plot->height = 0.9;
-    draw_limit(case_value(inputs, A_OVER_B), plot);
-    for (int n = 0; n < dataset_curves(rows); n++) {
-        draw_member(inputs, SIGMA_OVER_MAX, n, "π*b*σ/(4*Q*) = ", rows, X, SHEAR, plot)->width =
-            1.4;
-    }
-    draw_stick_zones(rows, -bottom - step, step, plot);
-    return NULL;
+    script_rows(script, "$limit", &limit);
 }
 
 const figure figure_eccentric = {
@@ -225,4 +174,7 @@ const figure figure_eccentric = {
     .column = (const char *const[]){"sigma_over_max", "x_over_b", "minus_pi_A_q_over_f_theta",
                                     "stick_left_over_b", "stick_right_over_b", NULL},
     .compute = compute_eccentric,
-    .draw = draw_eccentric};
+    .drawn = 1 << 2,
+    .nothing = "without Q there is no shear traction",
+    .prepare = prepare_eccentric,
+    .script = eccentric_lines};

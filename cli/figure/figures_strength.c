@@ -79,61 +79,14 @@ static void compute_normal(const figure_case *inputs, dataset *rows)
     }
 }
 
-/* Value of a column at the first row that reaches a/b. */
-static double normal_at(const dataset *rows, double alpha, int column)
-{
-    size_t i = 0;
-    while (i + 1 < rows->count && rows->row[i].number[0] < alpha)
-        i++;
-    return rows->count > 0 ? rows->row[i].number[column] : NAN;
-}
-
-static void draw_jump(const dataset *rows, drawing *plot)
+/* Where the depth jumps, and from which depth; 0 where it does not. */
+static void prepare_normal(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     size_t first;
-    if (dataset_curve(rows, 0, &first) < 2 || dataset_curve(rows, 1, &first) == 0)
-        return;
-    const double alpha = rows->row[first].number[0], y = rows->row[first].number[3];
-    for (int i = 0; i < 2; i++)
-        dataset_add(&plot->outlines, (data_row){.curve = 0, .number = {alpha, i * y}});
-    curve *jump = drawing_curve(plot, &plot->outlines, 0, 0, 1);
-    jump->second_axis = true;
-    jump->colour = VERMILLION;
-    jump->dash = 2;
-    const bool left = alpha < 0.5;
-    label *note = drawing_label(plot, left ? fmax(alpha + 0.03, 0.08) : alpha - 0.03, 0.07,
-                                "jump at %.4g", alpha);
-    note->second_axis = true;
-    note->colour = VERMILLION;
-    note->align = left ? ALIGN_LEFT : ALIGN_RIGHT;
-}
-
-static const char *draw_normal(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    char nu[NUMBER_SIZE];
-    snprintf(plot->title, sizeof plot->title, "Elastic limit under a normal load, ν = %s",
-             case_text(inputs, NU, 0, nu));
-    const double top = ceil(normal_at(rows, 1, 2));
-    plot->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
-    plot->y = (axis){"*P*/(*bk*)", 0, top > 4 ? top : 5, 1, 0};
-    plot->second = (axis){"*y*/*b* of the yield point", 0, 1, 0.2, 0};
-    plot->height = 0.85;
-    for (int n = 0; n < 2; n++) {
-        drawing_curve(plot, rows, n, 0, 2)->width = 1.5;
-        curve *depth = drawing_curve(plot, rows, n, 0, 3);
-        depth->width = 1.5;
-        depth->second_axis = true;
-        depth->colour = VERMILLION;
-        depth->dash = 1;
-    }
-    drawing_label(plot, 0.42, normal_at(rows, 0.42, 2) + 0.05 * plot->y.to, "← *P*/(*bk*)")->align =
-        ALIGN_RIGHT;
-    const double deep = normal_at(rows, 0.66, 3);
-    label *depth = drawing_label(plot, 0.66, deep > 0.2 ? deep - 0.07 : deep + 0.07, "*y*/*b* →");
-    depth->second_axis = true;
-    depth->colour = VERMILLION;
-    draw_jump(rows, plot);
-    return NULL;
+    (void)inputs;
+    const bool jumps = dataset_curve(rows, 0, &first) >= 2 && dataset_curve(rows, 1, &first) > 0;
+    script_number(script, "jump", jumps ? rows->row[first].number[0] : 0);
+    script_number(script, "jump_depth", jumps ? rows->row[first].number[3] : 0);
 }
 
 const figure figure_normal = {
@@ -143,7 +96,8 @@ const figure figure_normal = {
     .column = (const char *const[]){"a_over_b", "nu", "P_over_bk", "y_over_b", NULL},
     .text_column = "branch",
     .compute = compute_normal,
-    .draw = draw_normal};
+    .prepare = prepare_normal,
+    .script = normal_lines};
 
 /* ---- Fig. 4 ---- */
 
@@ -153,7 +107,6 @@ static double friction_step(int i)
 {
     return i / 80.0;
 }
-static const double FRICTION_TOP = 0.8;
 
 /* The limit on the side of the cusp that is asked for; the sharp wedge has no branches. */
 static void add_sliding(const figure_case *inputs, int n, double f, bool below, dataset *rows)
@@ -202,21 +155,6 @@ static void compute_sliding(const figure_case *inputs, dataset *rows)
         add_sliding_curve(inputs, n, rows);
 }
 
-static const char *draw_sliding(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    char text[NUMBER_SIZE];
-    const double top = dataset_largest(rows, 3, 1);
-    snprintf(plot->title, sizeof plot->title, "Elastic limit in full sliding, by *a*/*b*; ν = %s",
-             case_text(inputs, NU, 0, text));
-    if (top == 0)
-        return "the elastic limit of a sharp wedge is 0";
-    plot->x = (axis){"*f*", 0, FRICTION_TOP, 0.2, 0};
-    plot->y = drawing_axis(top, "*P*/(*bk*)");
-    plot->height = 0.96;
-    draw_family(inputs, A_OVER_B, rows, 1, 3, plot);
-    return NULL;
-}
-
 const figure figure_sliding = {
     .name = "4",
     .summary = "elastic limit in full sliding over f",
@@ -224,7 +162,9 @@ const figure figure_sliding = {
     .column = (const char *const[]){"a_over_b", "f", "nu", "P_over_bk", NULL},
     .text_column = "branch",
     .compute = compute_sliding,
-    .draw = draw_sliding};
+    .drawn = 1 << 3,
+    .nothing = "the elastic limit of a sharp wedge is 0",
+    .script = sliding_lines};
 
 /* ---- Fig. 5 ---- */
 
@@ -249,71 +189,17 @@ static void compute_yield_point(const figure_case *inputs, dataset *rows)
     }
 }
 
-/* The line has the name. What the marks are is said once. */
-static void draw_path(const figure_case *inputs, const dataset *rows, int n, bool explain,
-                      drawing *plot)
+/* Which values of a/b have a path, by their numbers, and which have none. */
+static void prepare_yield_point(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const curve *line = draw_member(inputs, A_OVER_B, n, "", rows, 3, 4, plot);
-    curve *crosses = drawing_curve(plot, rows, n, 3, 4);
-    crosses->style = STYLE_CROSSES;
-    crosses->colour = line->colour;
-    crosses->count--;
-    curve *end = drawing_curve(plot, rows, n, 3, 4);
-    end->style = STYLE_CIRCLES;
-    end->colour = VERMILLION;
-    end->first += end->count - 1;
-    end->count = 1;
-    if (explain)
-        snprintf(plot->caption, sizeof plot->caption,
-                 "crosses: every 0.0125 in *f*;\ncircles: jump to the surface");
-}
-
-/* The deepest and the rightmost point. */
-static void set_axes(const dataset *rows, drawing *plot)
-{
-    const double right = dataset_largest(rows, 3, 1), down = dataset_largest(rows, 4, 1);
-    plot->y = drawing_axis(1.02 * down, "*y*/*b*");
-    plot->y.from = plot->y.to;
-    plot->y.to = 0;
-    plot->x = drawing_axis(fmax(1.05 * right, plot->y.from), "*x*/*b*");
-}
-
-/* Values of a/b that have no path; all texts fit, or the last is cut. */
-static void name_missing(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    char text[NUMBER_SIZE];
-    size_t first;
-    int missing = 0;
-    for (int n = 0; n < inputs->value[A_OVER_B].count; n++)
-        if (dataset_curve(rows, n, &first) == 0) {
-            list_add(plot->caption, sizeof plot->caption,
-                     missing == 0       ? ";\n"
-                     : missing % 3 == 0 ? ",\n"
-                                        : ", ",
-                     "%s%s", missing == 0 ? "always at the surface: *a*/*b* = " : "",
-                     case_text(inputs, A_OVER_B, n, text));
-            missing++;
-        }
-}
-
-static const char *draw_yield_point(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    char text[NUMBER_SIZE];
-    if (rows->count == 0)
-        return "it yields at the surface, whatever f is";
-    snprintf(plot->title, sizeof plot->title, "Subsurface yield point, by *a*/*b*; ν = %s",
-             case_text(inputs, NU, 0, text));
-    set_axes(rows, plot);
-    bool explain = true;
+    char drawn[4 * FIGURE_CURVES_MAX] = "", missing[sizeof drawn] = "";
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
         size_t first;
-        if (dataset_curve(rows, n, &first) == 0)
-            continue;
-        draw_path(inputs, rows, n, explain, plot);
-        explain = false;
+        const bool has_path = dataset_curve(rows, n, &first) > 0;
+        list_add(has_path ? drawn : missing, sizeof drawn, " ", "%d", n + 1);
     }
-    name_missing(inputs, rows, plot);
-    return NULL;
+    script_text(script, "drawn", drawn);
+    script_text(script, "missing", missing);
 }
 
 const figure figure_yield_point = {
@@ -323,4 +209,7 @@ const figure figure_yield_point = {
     .column = (const char *const[]){"a_over_b", "f", "nu", "x_over_b", "y_over_b", NULL},
     .text_column = "point",
     .compute = compute_yield_point,
-    .draw = draw_yield_point};
+    .drawn = 1 << 4,
+    .nothing = "it yields at the surface, whatever f is",
+    .prepare = prepare_yield_point,
+    .script = yield_point_lines};

@@ -71,14 +71,10 @@ static double top_of_pressures(const figure_case *inputs)
     return top;
 }
 
-static const char *draw_pressure(const figure_case *inputs, const dataset *rows, drawing *plot)
+static void prepare_pressure(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    snprintf(plot->title, sizeof plot->title, "Contact pressure, by *a*/*b*");
-    plot->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    plot->y = drawing_axis(top_of_pressures(inputs), "−*pA*π/θ");
-    plot->height = 0.85;
-    draw_family(inputs, A_OVER_B, rows, 1, 2, plot);
-    return NULL;
+    (void)rows;
+    script_number(script, "top", top_of_pressures(inputs));
 }
 
 const figure figure_pressure = {
@@ -87,7 +83,8 @@ const figure figure_pressure = {
     .use = {[A_OVER_B] = {"0:1:0.1", FIGURE_CURVES_MAX}},
     .column = (const char *const[]){"a_over_b", "x_over_b", "minus_pi_A_p_over_theta", NULL},
     .compute = compute_pressure,
-    .draw = draw_pressure};
+    .prepare = prepare_pressure,
+    .script = pressure_lines};
 
 /* ---- Fig. 6 ---- */
 
@@ -101,24 +98,11 @@ static void compute_tension(const figure_case *inputs, dataset *rows)
     }
 }
 
-static const char *draw_tension(const figure_case *inputs, const dataset *rows, drawing *plot)
-{
-    (void)inputs;
-    snprintf(plot->title, sizeof plot->title, "Maximum tension in full sliding");
-    plot->x = (axis){"*a*/*b*", 0, 1, 0.2, 0};
-    plot->y = (axis){"*b*σ_1/(*fP*)", 0.95, 1.3, 0.05, 0};
-    plot->height = 0.72;
-    drawing_curve(plot, rows, 0, 0, 1)->width = 1.5;
-    drawing_label(plot, 0.03, 1.046, "1, sharp wedge");
-    drawing_label(plot, 0.965, 4 / PI, "4/π, Hertz")->align = ALIGN_RIGHT;
-    return NULL;
-}
-
 const figure figure_tension = {.name = "6",
                                .summary = "maximum tension at the trailing edge over a/b",
                                .column = (const char *const[]){"a_over_b", "b_sigma_over_fP", NULL},
                                .compute = compute_tension,
-                               .draw = draw_tension};
+                               .script = tension_lines};
 
 /* ---- Fig. 7 ---- */
 
@@ -159,24 +143,9 @@ static double top_of_shear(const figure_case *inputs, const dataset *rows)
     return top;
 }
 
-static const char *draw_shear(const figure_case *inputs, const dataset *rows, drawing *plot)
+static void prepare_shear(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    char text[NUMBER_SIZE];
-    snprintf(plot->title, sizeof plot->title, "Shear traction in partial slip, *a*/*b* = %s",
-             case_text(inputs, A_OVER_B, 0, text));
-    const double top = top_of_shear(inputs, rows);
-    if (top == 0)
-        return "without slip there is no shear traction";
-    plot->x = (axis){"*x*/*b*", -1, 1, 0.5, 0};
-    plot->y = drawing_axis(top, "−*qA*π/(*f*θ)");
-    plot->height = 0.8;
-    for (int n = 0; n < dataset_curves(rows); n++) {
-        draw_member(inputs, C_OVER_B, n, "*c*/*b* = ", rows, 1, 2, plot)->width = 1.4;
-        if (range_value(&inputs->value[C_OVER_B], n) == 0)
-            snprintf(plot->caption, sizeof plot->caption,
-                     "*c*/*b* = 0 is full sliding: the pressure, −*pA*π/θ");
-    }
-    return NULL;
+    script_number(script, "top", top_of_shear(inputs, rows));
 }
 
 const figure figure_shear = {
@@ -186,4 +155,7 @@ const figure figure_shear = {
         {[A_OVER_B] = {"0.25", 1}, [C_OVER_B] = {"0,0.16666666666666666,0.5", FIGURE_CURVES_MAX}},
     .column = (const char *const[]){"c_over_b", "x_over_b", "minus_pi_A_q_over_f_theta", NULL},
     .compute = compute_shear,
-    .draw = draw_shear};
+    .drawn = 1 << 2,
+    .nothing = "without slip there is no shear traction",
+    .prepare = prepare_shear,
+    .script = shear_lines};

@@ -16,51 +16,40 @@ void case_check(const figure_case *inputs, int32_t status)
         failure("figure %s: %s", inputs->name, rwedge_strerror(status));
 }
 
+/* A value as text, with at most `digits` digits; 1/6 for a sixth. */
+static void write_value(double value, int digits, char text[NUMBER_SIZE])
+{
+    static const char *const sixths[] = {"0", "1/6", "1/3", "1/2", "2/3", "5/6", "1"};
+    const double nearest = floor(6 * value + 0.5);
+    if (nearest >= 1 && nearest <= 5 && nearest != 3 && fabs(6 * value - nearest) < 1e-9)
+        snprintf(text, NUMBER_SIZE, "%s", sixths[(int)nearest]);
+    else
+        number_write(value, digits, '.', text);
+}
+
 static bool need_all_digits(const range *values)
 {
     char first[NUMBER_SIZE], second[NUMBER_SIZE];
     for (int64_t i = 0; i < values->count; i++)
         for (int64_t k = 0; k < i; k++) {
-            drawing_number(range_value(values, i), DRAWING_DIGITS, first);
-            drawing_number(range_value(values, k), DRAWING_DIGITS, second);
+            write_value(range_value(values, i), FIGURE_DIGITS, first);
+            write_value(range_value(values, k), FIGURE_DIGITS, second);
             if (strcmp(first, second) == 0)
                 return true;
         }
     return false;
 }
 
-const char *case_text(const figure_case *inputs, int variable, int64_t i, char text[NUMBER_SIZE])
+void case_names(const figure_case *inputs, int variable, char names[FIGURE_NAMES_SIZE])
 {
     const range *values = &inputs->value[variable];
-    drawing_number(range_value(values, i), need_all_digits(values) ? NUMBER_DIGITS : DRAWING_DIGITS,
-                   text);
-    return text;
-}
-
-void style_of_family(curve *line, int i)
-{
-    static const int cycle[] = {BLACK, BLUE, VERMILLION, GREEN, PURPLE};
-    enum { CYCLE = sizeof cycle / sizeof cycle[0] };
-    line->colour = cycle[i % CYCLE];
-    line->dash = i % 4; /* 4 and 5 have no common divisor: a pair comes again after 20 curves */
-}
-
-curve *draw_member(const figure_case *inputs, int variable, int n, const char *words,
-                   const dataset *rows, int x, int y, drawing *plot)
-{
+    const int digits = need_all_digits(values) ? NUMBER_DIGITS : FIGURE_DIGITS;
     char text[NUMBER_SIZE];
-    curve *line = drawing_curve(plot, rows, n, x, y);
-    style_of_family(line, n);
-    snprintf(line->legend, sizeof line->legend, "%s%s", words,
-             case_text(inputs, variable, n, text));
-    return line;
-}
-
-void draw_family(const figure_case *inputs, int variable, const dataset *rows, int x, int y,
-                 drawing *plot)
-{
-    for (int n = 0; n < dataset_curves(rows); n++)
-        draw_member(inputs, variable, n, "", rows, x, y, plot);
+    names[0] = '\0';
+    for (int64_t i = 0; i < values->count; i++) {
+        write_value(range_value(values, i), digits, text);
+        list_add(names, FIGURE_NAMES_SIZE, " ", "%s", text);
+    }
 }
 
 double step_of_levels(double top)

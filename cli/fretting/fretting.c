@@ -2,10 +2,7 @@
 /* "rwedge fretting". */
 #include "fretting.h"
 
-#include "field/field.h"
-
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -83,6 +80,7 @@ typedef struct {
     material constants;
     worst_table worst;
     int threads;
+    int32_t *status; /* of each batch of places */
 } plan;
 
 /* ---- Computing ---- */
@@ -97,24 +95,21 @@ static size_t batch_size(const plan *job)
     return rwedge_contact_error(job->last.before) > 0 && share > BATCH ? share : BATCH;
 }
 
-static void compute_batch(const void *of_plan, int64_t i, void *status)
+static void compute_batch(void *of_plan, int64_t i)
 {
-    const plan *job = of_plan;
+    plan *job = of_plan;
     const size_t size = batch_size(job), first = (size_t)i * size, left = job->result.count - first;
     measured part = {.place = job->result.place + first, .count = left < size ? left : size};
-    *(int32_t *)status = surface_measure(&job->last, &part);
+    job->status[i] = surface_measure(&job->last, &part);
 }
 
-static void compute(const plan *job)
+static void compute(plan *job)
 {
-    const size_t size = batch_size(job);
-    const int64_t batches = (int64_t)((job->result.count + size - 1) / size);
-    ahead *work = ahead_start(job->threads, batches, sizeof(int32_t), compute_batch, job);
-    int32_t status = RWEDGE_OK;
-    for (int64_t i = 0; i < batches && status == RWEDGE_OK; i++)
-        status = *(const int32_t *)ahead_next(work);
-    ahead_stop(work);
-    status_check(status, "the places");
+    const size_t size = batch_size(job), batches = (job->result.count + size - 1) / size;
+    job->status = memory_zeroed(batches, sizeof *job->status);
+    threads_run(job->threads, (int64_t)batches, compute_batch, job);
+    for (size_t i = 0; i < batches; i++)
+        status_check(job->status[i], "the places");
 }
 
 /* ---- Rows ---- */
@@ -133,58 +128,20 @@ static void write_row(const criteria *asked, const measured_place *place, record
 static void write_rows(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
-    progress_start(rows->show_progress, (int64_t)job->result.count, "rows");
+    const measured *result = &job->result;
+    progress_start(rows->show_progress, (int64_t)result->count, "rows");
+    rows->title = "rwedge fretting: y is the depth below the surface";
+    for (size_t i = 0; i < result->line; i++)
+        rows->across += result->place[i].is_shown;
     records_name(rows, "x");
     records_name(rows, "y");
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
             records_name(rows, measure_kinds[i].column);
     records_end_header(rows);
-    for (size_t i = 0; i < job->result.count && records_go_on(rows); i++)
-        if (job->result.place[i].is_shown)
-            write_row(&job->last.asked, &job->result.place[i], rows);
-}
-
-/* ---- For ParaView ---- */
-
-/* The columns that are written, of the places that are. */
-static size_t take_numbers(const plan *job, vtk_points *points, double x[], double y[],
-                           double value[])
-{
-    const measured *result = &job->result;
-    size_t count = 0;
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        if (column_is_wanted(&job->last.asked, i))
-            points->names[points->numbers++] = measure_kinds[i].column;
-    for (size_t i = 0; i < result->count; i++) {
-        const measured_place *place = &result->place[i];
-        if (!place->is_shown)
-            continue;
-        x[count] = place->x;
-        y[count++] = place->y;
-        for (int k = 0; k < COLUMN_COUNT; k++)
-            if (column_is_wanted(&job->last.asked, k))
-                *value++ = place->at.value[k];
-    }
-    return count;
-}
-
-/* Of lines the same places are written of each. */
-static void write_vtk(void *of_plan, records *rows)
-{
-    const plan *job = of_plan;
-    const measured *result = &job->result;
-    double *x = memory_zeroed((2 + COLUMN_COUNT) * result->count, sizeof *x),
-           *y = x + result->count;
-    vtk_points points = {.title = "rwedge fretting: y is the depth below the surface",
-                         .x = x,
-                         .y = y,
-                         .value = y + result->count};
-    points.count = take_numbers(job, &points, x, y, y + result->count);
-    if (result->line > 0)
-        points.columns = points.count / (result->count / result->line);
-    vtk_write(&points, rows);
-    free(x);
+    for (size_t i = 0; i < result->count && records_go_on(rows); i++)
+        if (result->place[i].is_shown)
+            write_row(&job->last.asked, &result->place[i], rows);
 }
 
 /* ---- The command ---- */
@@ -216,7 +173,7 @@ static distance read_distance(const arguments *line, const material *constants)
 
 static bool is_for_paraview(const output_options *how)
 {
-    return how->format == NULL;
+    return how->format == &vtk_format;
 }
 
 static void read_plan(arguments *line, plan *job, output_options *how)
@@ -273,8 +230,6 @@ static void write_output(const arguments *line, const output_options *how, plan 
     verdicts.is_verdict = true;
     if (line->value[OPTION_AT_WORST] != NULL)
         output_options_write(how, worst_write_rows, &verdicts);
-    else if (is_for_paraview(how))
-        output_options_write(how, write_vtk, job);
     else
         output_options_write(how, write_rows, job);
 }

@@ -91,7 +91,7 @@ typedef struct {
 void point_rows_write(const point_rows *points, records *rows);
 
 /* The stress at one of the points; NAN where it is infinite. */
-tensor point_stress(const point_rows *points, const rwedge_contact *contact, size_t i);
+tensor point_rows_stress(const point_rows *points, const rwedge_contact *contact, size_t i);
 
 /* Columns of a file of loads that are no loads: they go in front of the results. */
 void passed_names(const load_history *loads, records *rows);

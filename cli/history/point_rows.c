@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "history.h"
 
+#include "field/field.h"
+
 #include <string.h>
 
 const char *const point_columns[POINT_COLUMNS] = {"load", "x",  "y",  "sxx",       "syy",    "szz",
@@ -41,23 +43,16 @@ void passed_cells(const load_history *loads, size_t row, records *rows)
 
 /* ---- Rows ---- */
 
-tensor point_stress(const point_rows *points, const rwedge_contact *contact, size_t i)
+tensor point_rows_stress(const point_rows *points, const rwedge_contact *contact, size_t i)
 {
-    const double x = points->at->x[i], y = points->at->y[i];
-    double sxx, syy, txy;
-    if (y == 0 && pad_is_kink(&points->history->setup.shape, x) &&
-        rwedge_contact_half_width(contact) > 0)
-        return tensor_unknown();
-    const int32_t status = rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy);
-    if (status != RWEDGE_OK)
-        failure("x = %.17g, y = %.17g: %s", x, y, rwedge_strerror(status));
-    return tensor_of(sxx, syy, txy, points->history->setup.nu1);
+    const contact_case *setup = &points->history->setup;
+    return point_stress(contact, &setup->shape, setup->nu1, points->at->x[i], points->at->y[i]);
 }
 
 static void write_row(const point_rows *points, const rwedge_contact *contact, size_t step,
                       size_t i, records *rows)
 {
-    const tensor at = point_stress(points, contact, i);
+    const tensor at = point_rows_stress(points, contact, i);
     const double *v = at.value;
     const double value[POINT_COLUMNS] = {(double)(step + 1),  points->at->x[i], points->at->y[i],
                                          v[TENSOR_SXX],       v[TENSOR_SYY],    v[TENSOR_SZZ],

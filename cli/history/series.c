@@ -11,27 +11,26 @@
 
 /* ---- One load ---- */
 
-static void write_load(const point_rows *points, const rwedge_contact *contact, size_t step,
-                       const char *path, const output_options *how)
+/* The stresses at the points, the contact being under the load. */
+typedef struct {
+    const point_rows *points;
+    const rwedge_contact *contact;
+    size_t step;
+} points_after;
+
+static void write_frame(void *of_points, records *rows)
 {
+    const points_after *under = of_points;
+    const places *at = under->points->at;
     char title[80];
-    const places *at = points->at;
-    tensor *value = memory_zeroed(at->count, sizeof *value);
-    for (size_t i = 0; i < at->count; i++)
-        value[i] = point_stress(points, contact, i);
     snprintf(title, sizeof title, "rwedge history: load %zu; y is the depth below the surface",
-             step + 1);
-    vtk_points file = {.title = title,
-                       .count = at->count,
-                       .columns = at->columns,
-                       .x = at->x,
-                       .y = at->y,
-                       .value = value->value};
-    vtk_of_stresses(&file);
-    output_options frame = *how;
-    frame.path = path;
-    output_options_write(&frame, vtk_write, &file);
-    free(value);
+             under->step + 1);
+    point_columns_write(rows, title, at->columns);
+    for (size_t i = 0; i < at->count; i++) {
+        const tensor stress = point_rows_stress(under->points, under->contact, i);
+        point_write(rows, at->x[i], at->y[i], &stress);
+    }
+    records_end(rows);
 }
 
 /* ---- Names ---- */
@@ -142,10 +141,13 @@ void series_write(const point_rows *points, const arguments *line, const output_
     free(quoted(how->path));
     spare_files(line, how, &series);
     rwedge_contact *contact = contact_history_begin(points->history);
-    for (size_t step = 0; step < series.all.count; step++) {
-        char *name = frame_name(how->path, series.all.mark, step);
-        contact_history_go_on(points->history, step, contact);
-        write_load(points, contact, step, name, how);
+    output_options file = *how;
+    file.format = &vtk_format;
+    for (points_after under = {points, contact, 0}; under.step < series.all.count; under.step++) {
+        char *name = frame_name(how->path, series.all.mark, under.step);
+        contact_history_go_on(points->history, under.step, contact);
+        file.path = name;
+        output_options_write(&file, write_frame, &under);
         free(name);
     }
     rwedge_contact_destroy(contact);

@@ -84,6 +84,9 @@ extern const command solve_command, table_command, profile_command, field_comman
 void completion_print(const char *shell, const command *const commands[], int count,
                       const struct poptOption *own);
 
+/* The lines of the files in shells/, which the build makes of them; NULL after the last. */
+extern const char *const bash_lines[], *const zsh_lines[], *const fish_lines[];
+
 /* ---- variable ---- The variables that tables depend on: for each its option, its column, its
  * domain and its range by default. */
 

@@ -6,18 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Its script: the data are in here-documents ---- */
+/* ---- The paper ---- */
 
-/* Writes a drawing in the language of gnuplot 5. The data are in here-documents. */
 typedef struct {
-    const char *name; /* of the format, and of the file's extension */
-    /* what gnuplot is told, with the picture's height over its width as %g */
-    const char *terminal;
+    const char *name;          /* of the format, and of the file's extension */
+    const char *terminal;      /* what gnuplot is told, with the width and the height */
     double width;              /* in the terminal's unit */
     double line;               /* the height of a line of text over that */
     const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
-    size_t begins_length, ends_length;
-    bool needs_spaces; /* its viewers have to be told to keep them */
+    bool needs_spaces;         /* its viewers have to be told to keep them */
 } picture_format;
 
 /* 85 mm, the width of a journal's column: 241 pt, 1004 dots at 300 to the inch. The SVG is 480
@@ -26,253 +23,76 @@ typedef struct {
 static const picture_format picture_formats[] = {
     {"svg",
      "svg size %.0f,%.0f enhanced font 'sans-serif,15' linewidth 1.6 background '#ffffff' butt",
-     480, 0.043, "<?xml", "</svg>", 5, 6, true},
+     480, 0.043, "<?xml", "</svg>", true},
     {"png",
      "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale "
      "3.5 dashlength 1.6 background '#ffffff' butt",
-     1004, 0.034, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", 8, 8, false},
+     1004, 0.034, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", false},
     {"pdf",
      "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 "
      "pointscale 0.9 background '#ffffff' butt",
-     8.5, 0.034, "%PDF-", "%%EOF", 5, 5, false},
+     8.5, 0.034, "%PDF-", "%%EOF", false},
 };
 
-static const char *const colours[PALETTE_SIZE] = {
-    [BLACK] = "#000000",  [BLUE] = "#0072b2",   [VERMILLION] = "#d55e00", [GREEN] = "#009e73",
-    [PURPLE] = "#cc79a7", [ORANGE] = "#e69f00", [SKY] = "#56b4e9"};
+/* ---- What a script is made of ---- */
 
-static const char *const dashes[DASHES] = {"solid", "(9,4)", "(3,3)", "(9,3,2,3)", "(15,4)"};
+void script_lines(FILE *script, const char *const lines[], const char *const frame[])
+{
+    for (size_t i = 0; lines[i] != NULL; i++)
+        if (strcmp(lines[i], "frame") == 0)
+            script_lines(script, frame, NULL);
+        else
+            fprintf(script, "%s\n", lines[i]);
+}
+
+void script_number(FILE *script, const char *name, double value)
+{
+    if (isfinite(value))
+        fprintf(script, "%s = %#.15g\n", name, value); /* a point makes it no integer */
+    else
+        fprintf(script, "%s = NaN\n", name);
+}
 
 /* *a* -> {/:Italic a}; an underscore means the same in both. */
-static void put_words(FILE *script, const char *text)
+void script_text(FILE *script, const char *name, const char *text)
 {
     bool italic = false;
+    fprintf(script, "%s = \"", name);
     for (const char *c = text; *c != '\0'; c++)
         if (*c == '*') {
             fputs(italic ? "}" : "{/:Italic ", script);
             italic = !italic;
-        } else {
-            if (*c == '"' || *c == '\\')
-                fputs("\\", script);
-            if (*c == '\n')
-                fputs("\\n", script);
-            else
-                putc(*c, script);
-        }
-}
-
-static void put_text(FILE *script, const char *text)
-{
-    fputs("\"", script);
-    put_words(script, text);
-    fputs("\"", script);
-}
-
-static void put_axis(FILE *script, const char *name, const axis *shown)
-{
-    fprintf(script, "set %slabel ", name);
-    put_text(script, shown->text);
-    fprintf(script, "\nset %srange [%.9g:%.9g]\nset format %s '%%g'\n", name, shown->from,
-            shown->to, name);
-    if (shown->tic_end != 0)
-        fprintf(script, "set %stics 0,%.9g,%.9g\n", name, shown->tic, shown->tic_end);
-    else
-        fprintf(script, "set %stics %.9g\n", name, shown->tic);
-}
-
-/* What stands below an axis is a line more of its text. */
-static void put_caption(FILE *script, const char *axis_text, const char *caption)
-{
-    if (caption[0] == '\0')
-        return;
-    fputs("set xlabel \"", script);
-    put_words(script, axis_text);
-    fputs("\\n", script);
-    put_words(script, caption);
-    fputs("\\n{/*0.4  }\"\n", script); /* a low line above the names of the curves */
-}
-
-/* Of the height of the plot to its width; the scale of both axes is the same where it is free. */
-static double proportion(const drawing *plot)
-{
-    return plot->height > 0 ? plot->height
-                            : fabs((plot->y.to - plot->y.from) / (plot->x.to - plot->x.from));
-}
-
-static int lines_of(const char *text)
-{
-    int lines = text[0] != '\0';
-    for (const char *c = text; *c != '\0'; c++)
-        lines += *c == '\n';
-    return lines;
-}
-
-/* About how many the names of the curves take: gnuplot arranges them. */
-static int lines_of_legend(const drawing *plot)
-{
-    static const double LETTERS = 36, SAMPLE = 7;
-    size_t longest = 0;
-    int entries = 0;
-    for (int i = 0; i < plot->curve_count; i++) {
-        const size_t length = strlen(plot->curve[i].legend);
-        longest = length > longest ? length : longest;
-        entries += length > 0;
-    }
-    return (int)ceil(entries * ((double)longest + SAMPLE) / LETTERS);
-}
-
-/* Over its width. Paper that is too high or too low costs some white: gnuplot keeps the plot's
- * proportion. */
-static double height_of_paper(const drawing *plot, double line)
-{
-    static const double PLOT = 0.82;
-    enum { LINES_OF_AXIS = 6 };
-    const int lines =
-        LINES_OF_AXIS + lines_of(plot->title) + lines_of(plot->caption) + lines_of_legend(plot);
-    return PLOT * proportion(plot) + line * lines;
-}
-
-static void put_frame(FILE *script, const drawing *plot)
-{
-    put_axis(script, "x", &plot->x);
-    put_axis(script, "y", &plot->y);
-    put_caption(script, plot->x.text, plot->caption);
-    fputs("set xtics nomirror\nset ytics nomirror\n", script);
-    if (plot->second.text[0] != '\0') {
-        put_axis(script, "y2", &plot->second);
-        fputs("set border 11\n", script);
-    } else
-        fputs("set border 3\nset rmargin 2\n", script);
-    fputs("set xlabel offset 0,0.4\nset ylabel offset 0.3,0\nset y2label offset -0.5,0\n"
-          "set title offset 0,-0.5\nset tics scale 0.6\n"
-          "set key below center horizontal reverse Left samplen 2.2 width 1\nset title ",
-          script);
-    put_text(script, plot->title);
-    fprintf(script, "\nset tmargin %d\nset size ratio %.7g\n", 1 + lines_of(plot->title),
-            proportion(plot));
-}
-
-static void put_label(FILE *script, const label *note)
-{
-    static const char *const sides[] = {
-        [ALIGN_LEFT] = "left", [ALIGN_CENTRE] = "center", [ALIGN_RIGHT] = "right"};
-    fputs("set label ", script);
-    put_text(script, note->text);
-    fprintf(script, " at %s %.7g,%.7g %s front textcolor rgb '%s'%s\n",
-            note->second_axis ? "second" : "first", note->x, note->y, sides[note->align],
-            colours[note->colour], note->boxed ? " boxed" : "");
+        } else
+            fprintf(script, "%s%c", *c == '"' || *c == '\\' ? "\\" : "", *c);
+    fputs("\"\n", script);
 }
 
 /* Seven digits: far more than can be seen, and a last bit that differs between math libraries
  * does not show. */
-static void put_data(FILE *script, const curve *line, int number)
+static void put_row(FILE *script, const dataset *rows, size_t i)
 {
-    fprintf(script, "$c%d << EOD\n", number);
-    for (size_t i = 0; i < line->count; i++) {
-        const double *row = line->from->row[line->first + i].number;
-        if (isfinite(row[line->x]) && isfinite(row[line->y]))
-            fprintf(script, "%.7g %.7g\n", row[line->x] + 0, row[line->y] + 0);
+    const double *number = rows->row[i].number;
+    for (int k = 0; rows->column[k] != NULL; k++)
+        if (isfinite(number[k]))
+            fprintf(script, "%.7g ", number[k] + 0);
         else
+            fputs("NaN ", script);
+    if (rows->text_column != NULL)
+        fprintf(script, "\"%s\"", rows->row[i].text);
+    fputs("\n", script);
+}
+
+void script_rows(FILE *script, const char *name, const dataset *rows)
+{
+    fprintf(script, "%s << EOD\n", name);
+    for (size_t i = 0; i < rows->count; i++) {
+        put_row(script, rows, i);
+        if (i + 1 < rows->count && rows->row[i + 1].curve != rows->row[i].curve)
+            fputs("\n\n", script);
+        else if (rows->across > 0 && (i + 1) % rows->across == 0)
             fputs("\n", script);
     }
     fputs("EOD\n", script);
-}
-
-static void put_line(FILE *script, const curve *line)
-{
-    fprintf(script, "linewidth %.3g dashtype %s linecolor rgb '%s'", line->width,
-            dashes[line->dash], colours[line->colour]);
-}
-
-static void put_point(FILE *script, const curve *line)
-{
-    fprintf(script, "%s linecolor rgb '%s'",
-            line->style == STYLE_CROSSES ? "pointtype 2 pointsize 0.35 linewidth 0.7"
-                                         : "pointtype 6 pointsize 0.7 linewidth 1.2",
-            colours[line->colour]);
-}
-
-static void put_style(FILE *script, const curve *line)
-{
-    const int level = (int)floor(255 * line->grey + 0.5);
-    switch (line->style) {
-    case STYLE_LINE:
-        fputs("lines ", script);
-        put_line(script, line);
-        break;
-    case STYLE_CROSSES:
-    case STYLE_CIRCLES:
-        fputs("points ", script);
-        put_point(script, line);
-        break;
-    case STYLE_AREA:
-        fprintf(script,
-                "filledcurves closed fillstyle solid 1 noborder linecolor rgb '#%02x%02x%02x'",
-                level, level, level);
-        break;
-    }
-}
-
-static void put_curve(FILE *script, const curve *line, int number, const char *before)
-{
-    fprintf(script, "%s$c%d using 1:2 axes x1y%d with ", before, number, line->second_axis ? 2 : 1);
-    put_style(script, line);
-    fputs(" title ", script);
-    put_text(script, line->legend);
-}
-
-/* gnuplot finds the lines, in a table, which is drawn. What is infinite is high. */
-static void put_contours(FILE *script, const contours *field)
-{
-    fputs("$field << EOD\n", script);
-    for (size_t i = 0; i < field->from->count; i++) {
-        const double *row = field->from->row[i].number, height = row[field->height];
-        fprintf(script, "%s%.7g %.7g %.7g\n", i > 0 && i % (size_t)field->columns == 0 ? "\n" : "",
-                row[field->x], row[field->y], isfinite(height) ? height : 2 * field->top);
-    }
-    fprintf(
-        script,
-        "EOD\nset contour base\nunset surface\nset cntrparam levels incremental %.7g,%.7g,%.7g\n"
-        "set table $lines\nsplot $field using 1:2:3 with lines\nunset table\n"
-        "set palette defined (0 '#9ecae1', 0.5 '#2171b5', 1 '#08306b')\nunset colorbox\n",
-        field->step, field->step, field->top);
-}
-
-/* A level at a time: a line of one colour has no joints. */
-static void put_levels(FILE *script, const contours *field)
-{
-    const int levels = (int)(field->top / field->step);
-    fprintf(script,
-            "plot for [i=1:%d] $lines using 1:(abs($3 - i*%.7g) < 0.5*%.7g ? $2 : NaN) "
-            "with lines linewidth 0.9 linecolor palette frac i/%d. notitle",
-            levels, field->step, field->step, levels);
-}
-
-static void put_plot(FILE *script, const drawing *plot)
-{
-    const bool has_field = plot->field.from != NULL;
-    if (has_field)
-        put_levels(script, &plot->field);
-    for (int i = 0; i < plot->curve_count; i++)
-        put_curve(script, &plot->curve[i], i, i == 0 && !has_field ? "plot " : ", \\\n    ");
-    fputs("\nunset output\n", script);
-}
-
-static void gnuplot_script(const drawing *plot, const picture_format *format, FILE *script)
-{
-    fputs("set terminal ", script);
-    fprintf(script, format->terminal, format->width,
-            format->width * height_of_paper(plot, format->line));
-    fputs("\nset encoding utf8\nset minussign\nset style textbox opaque margins 0.3,0.1 noborder\n",
-          script);
-    put_frame(script, plot);
-    for (int i = 0; i < plot->label_count; i++)
-        put_label(script, &plot->label[i]);
-    for (int i = 0; i < plot->curve_count; i++)
-        put_data(script, &plot->curve[i], i);
-    if (plot->field.from != NULL)
-        put_contours(script, &plot->field);
-    put_plot(script, plot);
 }
 
 /* ---- gnuplot ---- */
@@ -323,12 +143,12 @@ NO_RETURN static void refuse(FILE *complaints, const char *event, int number)
 static bool is_whole(const char *picture, size_t length, const picture_format *format)
 {
     enum { TAIL = 32 }; /* blanks may follow the end */
-    if (length < format->begins_length + format->ends_length ||
-        memcmp(picture, format->begins, format->begins_length) != 0)
+    const size_t begins = strlen(format->begins), ends = strlen(format->ends);
+    if (length < begins + ends || memcmp(picture, format->begins, begins) != 0)
         return false;
-    const size_t last = length - format->ends_length;
+    const size_t last = length - ends;
     for (size_t at = last; at + TAIL > last && at > 0; at--)
-        if (memcmp(picture + at, format->ends, format->ends_length) == 0)
+        if (memcmp(picture + at, format->ends, ends) == 0)
             return true;
     return false;
 }
@@ -370,14 +190,6 @@ static void take_picture(FILE *const stream[], const picture_format *format, out
 
 /* ---- gnuplot ---- */
 
-static void put_script(const drawing *plot, const picture_format *format, FILE *script)
-{
-    gnuplot_script(plot, format, script);
-    if (fflush(script) != 0 || ferror(script))
-        failure("gnuplot: its script cannot be written: %s", strerror(errno));
-    rewind(script);
-}
-
 static void run(FILE *const stream[])
 {
     /* without the user's own start file; from standard input itself gnuplot reads byte by byte */
@@ -395,7 +207,7 @@ static void run(FILE *const stream[])
 }
 
 /* Files, not pipes: neither side waits for the other. */
-void gnuplot_draw(const drawing *plot, const char *name, output *out)
+void gnuplot_draw(const char *name, script_writer *write, const void *context, output *out)
 {
     const picture_format *format = picture_formats;
     while (strcmp(format->name, name) != 0)
@@ -406,7 +218,13 @@ void gnuplot_draw(const drawing *plot, const char *name, output *out)
         if (stream[i] == NULL)
             failure("gnuplot: a temporary file cannot be made: %s", strerror(errno));
     }
-    put_script(plot, format, stream[SCRIPT]);
+    script_text(stream[SCRIPT], "terminal", format->terminal);
+    script_number(stream[SCRIPT], "paper", format->width);
+    script_number(stream[SCRIPT], "line", format->line);
+    write(context, stream[SCRIPT]);
+    if (fflush(stream[SCRIPT]) != 0 || ferror(stream[SCRIPT]))
+        failure("gnuplot: its script cannot be written: %s", strerror(errno));
+    rewind(stream[SCRIPT]);
     run(stream);
     take_picture(stream, format, out);
     for (int i = 0; i < STREAMS; i++)

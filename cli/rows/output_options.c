@@ -34,10 +34,10 @@ struct poptOption other_output_option_table[] = {
 
 const char *const grid_formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
 
-/* The formats of rows. */
+/* The formats of rows; of places they are the same and one more. */
 static const char *const row_formats[] = {"csv", "tsv", "json", "xlsx", NULL};
 static const record_format *const record_formats[] = {&delimited_format, &delimited_format,
-                                                      &json_format, &xlsx_format};
+                                                      &json_format, &xlsx_format, &vtk_format};
 
 /* The formats of all commands. */
 static const char *const all_formats[] = {"csv", "tsv", "json", "xlsx",   "vtk",
@@ -112,7 +112,7 @@ static void check_spreadsheet(const output_options *how)
 
 static void use_format(output_options *how)
 {
-    const int i = place_of(how->format_name, row_formats);
+    const int i = place_of(how->format_name, grid_formats);
     how->format = i >= 0 ? record_formats[i] : NULL;
     how->separator = strcmp(how->format_name, "tsv") == 0 ? '\t' : ',';
     if (how->format == &xlsx_format)

@@ -6,7 +6,8 @@
 #include "system/system.h"
 
 /* ---- records ---- Rows of named cells. They are written cell by cell, so that neither long nor
- * wide tables take memory. The formats are delimited (CSV, TSV), json and spreadsheet (XLSX). */
+ * wide tables take memory. The formats are delimited (CSV, TSV), json, spreadsheet (XLSX) and vtk,
+ * which alone keeps the rows to the end. */
 
 typedef struct records records;
 
@@ -20,8 +21,8 @@ typedef struct {
     void (*end)(records *rows);
 } record_format;
 
-/* CSV and TSV; JSON; XLSX. Each is in the file of its name, XLSX in spreadsheet. */
-extern const record_format delimited_format, json_format, xlsx_format;
+/* CSV and TSV; JSON; XLSX; VTK. Each is in the file of its name, XLSX in spreadsheet. */
+extern const record_format delimited_format, json_format, xlsx_format, vtk_format;
 
 struct records {
     const record_format *format;
@@ -35,6 +36,11 @@ struct records {
     bool row_begun, any_row;
     char **key; /* of json_format: the names, none of them twice */
     size_t key_count, next_key;
+    const char *title; /* of vtk_format: of the file */
+    size_t across;     /* rows that are side by side on a grid; 0 where they are on none */
+    const char **name; /* of the columns; not copied */
+    double *kept;      /* all numbers, row by row */
+    size_t names, kept_count;
     const char *problem;       /* what a format could not write */
     struct xlsx *book;         /* of xlsx_format: a file that is written when it is whole */
     const char *const *sheets; /* the names of several, ending with NULL; NULL for one */
@@ -88,8 +94,9 @@ typedef struct {
     bool no_formulas; /* CSV: a ' before texts that a spreadsheet would compute */
 } output_options;
 
-/* Tables to include (POPT_ARG_INCLUDE_TABLE): of a command that writes rows; of one that can write
- * VTK too; the same without --format, for a command with formats of its own. */
+/* Tables to include (POPT_ARG_INCLUDE_TABLE): of a command that writes rows; of one whose rows are
+ * places, which VTK can have too; the same without --format, for a command with formats of its
+ * own. */
 extern struct poptOption output_option_table[], grid_output_option_table[],
     other_output_option_table[];
 extern const char *const grid_formats[]; /* of the second */

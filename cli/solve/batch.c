@@ -11,6 +11,12 @@
 /* So many rows are held at a time, for threads to solve them; fewer where they are long. */
 enum { HELD_ROWS = 1024, HELD_BYTES = 1 << 20 };
 
+typedef struct {
+    results results;
+    char complaint[COMPLAINT_SIZE];
+    bool solved;
+} answer;
+
 /* The state of the run, from row to row. */
 typedef struct {
     const batch *many;
@@ -23,6 +29,7 @@ typedef struct {
     int64_t count, failed;
     doubts doubts; /* of any row */
     csv_row *held;
+    answer *answers; /* to the held rows */
     int64_t held_count;
     size_t constant_profiles; /* that all rows share */
 } run;
@@ -55,25 +62,19 @@ static void write_header(run *r)
 
 /* ---- A row is solved: by several threads at a time ---- */
 
-static bool solve_row(const run *r, const csv_row *row, results *answer,
+static bool solve_row(const run *r, const csv_row *row, results *result,
                       char complaint[COMPLAINT_SIZE])
 {
     if (!row->malformed)
-        return case_table_solve(&r->table, row->cell, row->count, answer, complaint);
+        return case_table_solve(&r->table, row->cell, row->count, result, complaint);
     snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64, row->line);
     return false;
 }
 
-typedef struct {
-    results results;
-    char complaint[COMPLAINT_SIZE];
-    bool solved;
-} answer;
-
-static void compute_answer(const void *of_run, int64_t i, void *of_answer)
+static void compute_answer(void *of_run, int64_t i)
 {
     const run *r = of_run;
-    answer *to = of_answer;
+    answer *to = &r->answers[i];
     to->complaint[0] = '\0';
     to->solved = solve_row(r, &r->held[i], &to->results, to->complaint);
 }
@@ -182,10 +183,9 @@ static csv_event hold_rows(run *r)
 
 static void write_held(run *r)
 {
-    ahead *work = ahead_start(r->many->threads, r->held_count, sizeof(answer), compute_answer, r);
+    threads_run(r->many->threads, r->held_count, compute_answer, r);
     for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
-        write_row(r, &r->held[i], ahead_next(work));
-    ahead_stop(work);
+        write_row(r, &r->held[i], &r->answers[i]);
     release_held(r);
 }
 
@@ -255,7 +255,8 @@ int batch_run(const batch *many, const output_options *how)
              .table = {.constants = many->constants, .wanted = many->wanted},
              .in = csv_input_open(many->path, how->decimal_sign == ',' ? ';' : ',', many->encoding),
              .constant_profiles = profiles_count(),
-             .held = memory_zeroed(HELD_ROWS, sizeof *r.held)};
+             .held = memory_zeroed(HELD_ROWS, sizeof *r.held),
+             .answers = memory_zeroed(HELD_ROWS, sizeof *r.answers)};
     r.table.constants.cell_decimal_sign = how->decimal_sign;
     read_header(&r);
     return write_output(&r);

@@ -167,27 +167,15 @@ void progress_step(void);
 /* Removes the line from the terminal. Safe in a signal handler. */
 void progress_erase(void);
 
-/* ---- ahead ---- Threads compute results ahead; the caller takes them one by one, in their order.
- * Memory does not grow with the number of results, and the results do not depend on the number of
- * threads. */
+/* ---- threads ---- */
 
-enum { AHEAD_THREADS_MAX = 256 };
+enum { THREADS_MAX = 256 };
 
-/* Computes the result of index i. It is called by several threads at a time. */
-typedef void ahead_work(const void *context, int64_t i, void *result);
+/* Computes what belongs to an index. It is called by several threads at a time. */
+typedef void threads_work(void *context, int64_t i);
 
-typedef struct ahead ahead;
-
-/* Starts to compute the results 0 to count - 1. Each takes `size` bytes; the context must stay.
- * Where the system gives fewer threads, those do the work. Only one such computation may run at a
- * time. */
-ahead *ahead_start(int threads, int64_t count, size_t size, ahead_work *compute,
-                   const void *context);
-
-/* The next result. It stays until the next call. To be called at most count times. */
-const void *ahead_next(ahead *work);
-
-/* Ends the threads, whatever is left to do, as the end of the command does. NULL is allowed. */
-void ahead_stop(ahead *work);
+/* Has the indices 0 to count - 1 computed, each once, and returns when all are done. Where the
+ * system gives fewer threads, those do the work. */
+void threads_run(int threads, int64_t count, threads_work *compute, void *context);
 
 #endif

@@ -11,11 +11,19 @@
 /* ---- The rows, long or as a grid ---- */
 
 typedef struct {
+    double value[VARIABLE_COUNT];
+    int32_t status;
+    cell row[COLUMNS_MAX];
+} computed;
+
+typedef struct {
     const table *table;
     range axis[VARIABLE_COUNT]; /* those that the table depends on */
     bool grid;
-    int quantity; /* the column that a grid shows */
+    int quantity; /* that a grid shows */
     int threads;
+    computed *ahead; /* results, computed by the threads: from index first on */
+    int64_t first, count, taken;
 } plan;
 
 /* How many values the table computes. */
@@ -42,12 +50,6 @@ static void refuse(const table *chosen, const double value[], int32_t status)
 
 /* ---- What is computed ahead ---- */
 
-typedef struct {
-    double value[VARIABLE_COUNT];
-    int32_t status;
-    cell row[COLUMNS_MAX];
-} computed;
-
 /* The combination of index i; the last axis runs fastest. */
 static void set_combination(const plan *job, int64_t i, double value[])
 {
@@ -69,38 +71,59 @@ static void set_grid_combination(const plan *job, int64_t i, double value[])
     value[job->table->across] = range_value(across, i % across->count);
 }
 
-static void compute(const void *of_plan, int64_t i, void *result)
+static void compute(void *of_plan, int64_t i)
 {
     const plan *job = of_plan;
-    computed *to = result;
-    (job->grid ? set_grid_combination : set_combination)(job, i, to->value);
+    computed *to = &job->ahead[i];
+    (job->grid ? set_grid_combination : set_combination)(job, job->first + i, to->value);
     to->status = job->table->row(to->value, to->row);
 }
 
-/* The next row in order; ends the command where it could not be computed. */
-static const cell *next_row(const plan *job, ahead *work)
+enum { AHEAD = 128 }; /* results for each thread: they take longer than to begin it */
+
+static void compute_ahead(plan *job)
 {
-    const computed *next = ahead_next(work);
+    const int64_t most = AHEAD * (int64_t)job->threads;
+    if (job->ahead == NULL)
+        job->ahead = memory_zeroed((size_t)most, sizeof *job->ahead);
+    job->first += job->count;
+    job->count = plan_size(job) - job->first < most ? plan_size(job) - job->first : most;
+    job->taken = 0;
+    threads_run(job->threads, job->count, compute, job);
+}
+
+/* The next row in order; ends the command where it could not be computed. */
+static const computed *next_row(plan *job)
+{
+    if (job->taken == job->count)
+        compute_ahead(job);
+    const computed *next = &job->ahead[job->taken++];
     progress_step();
     if (next->status != RWEDGE_OK)
         refuse(job->table, next->value, next->status);
-    return next->row;
+    return next;
 }
 
 /* ---- Layouts ---- */
 
-static void write_long(const plan *job, records *rows, ahead *work)
+static void write_long(plan *job, records *rows)
 {
     const int64_t size = plan_size(job);
     for (int64_t i = 0; i < size && records_go_on(rows); i++) {
-        const cell *row = next_row(job, work);
-        records_row(rows, (size_t)job->table->column_count, row);
+        const computed *next = next_row(job);
+        for (int k = 0; k < VARIABLE_COUNT; k++)
+            if (table_depends_on(job->table, k))
+                records_value(rows, cell_number(next->value[k]));
+        records_row(rows, (size_t)job->table->quantity_count, next->row);
     }
 }
 
 static void write_long_header(const plan *job, records *rows)
 {
-    records_header(rows, (size_t)job->table->column_count, job->table->column);
+    for (int k = 0; k < VARIABLE_COUNT; k++)
+        if (table_depends_on(job->table, k))
+            records_name(rows, variables[k].column);
+    records_header(rows, (size_t)job->table->quantity_count, job->table->quantity);
 }
 
 /* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
@@ -112,7 +135,7 @@ static void name_across(const plan *job, const records *rows, int64_t i, char na
 
 static void write_grid_header(const plan *job, records *rows)
 {
-    records_name(rows, job->table->column[job->quantity]);
+    records_name(rows, job->table->quantity[job->quantity]);
     for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
         name_across(job, rows, i, name);
@@ -121,32 +144,27 @@ static void write_grid_header(const plan *job, records *rows)
     records_end_header(rows);
 }
 
-static void write_grid_row(const plan *job, records *rows, double a_over_b, ahead *work)
+static void write_grid_row(plan *job, records *rows, double a_over_b)
 {
     records_value(rows, cell_number(a_over_b));
-    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
-        char name[NUMBER_SIZE];
-        name_across(job, rows, i, name);
-        records_value(rows, next_row(job, work)[job->quantity]);
-    }
+    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++)
+        records_value(rows, next_row(job)->row[job->quantity]);
     records_end_row(rows);
 }
 
-static void write_grid(const plan *job, records *rows, ahead *work)
+static void write_grid(plan *job, records *rows)
 {
     for (int64_t i = 0; i < job->axis[A_OVER_B].count && records_go_on(rows); i++)
-        write_grid_row(job, rows, range_value(&job->axis[A_OVER_B], i), work);
+        write_grid_row(job, rows, range_value(&job->axis[A_OVER_B], i));
 }
 
 static void plan_write(void *plan_to_write, records *rows)
 {
-    const plan *job = plan_to_write;
-    ahead *work = ahead_start(job->threads, plan_size(job), sizeof(computed), compute, job);
+    plan *job = plan_to_write;
     progress_start(rows->show_progress, plan_size(job), job->grid ? "values" : "rows");
     records_describe(rows, table_columns, COLUMN_KINDS);
     (job->grid ? write_grid_header : write_long_header)(job, rows);
-    (job->grid ? write_grid : write_long)(job, rows, work);
-    ahead_stop(work);
+    (job->grid ? write_grid : write_long)(job, rows);
 }
 
 /* ---- The command ---- */
@@ -184,10 +202,13 @@ static const struct poptOption options[] = {
 static void list_columns(const table *chosen, FILE *stream)
 {
     int width = fprintf(stream, "    columns:");
-    for (int i = 0; i < chosen->column_count; i++) {
-        if (width + (int)strlen(chosen->column[i]) > 76)
+    for (int i = 0; i < VARIABLE_COUNT; i++)
+        if (table_depends_on(chosen, i))
+            width += fprintf(stream, " %s", variables[i].column);
+    for (int i = 0; i < chosen->quantity_count; i++) {
+        if (width + (int)strlen(chosen->quantity[i]) > 76)
             width = fprintf(stream, "\n            ") - 1;
-        width += fprintf(stream, " %s", chosen->column[i]);
+        width += fprintf(stream, " %s", chosen->quantity[i]);
     }
 }
 
@@ -306,16 +327,15 @@ static void read_quantity(const arguments *line, plan *job)
 {
     const char *text = line->value[OPTION_QUANTITY];
     char allowed[160] = "";
-    job->quantity = job->table->quantity;
     if (text == NULL)
         return;
     if (!job->grid)
         usage_error("--quantity %s: it chooses what a grid shows; allowed with: --layout grid",
                     text);
-    for (int i = job->table->quantity; i < job->table->column_count; i++) {
-        list_add(allowed, sizeof allowed, ", ", "%s", job->table->column[i]);
+    for (int i = 0; i < job->table->quantity_count; i++) {
+        list_add(allowed, sizeof allowed, ", ", "%s", job->table->quantity[i]);
         job->quantity = i;
-        if (strcmp(text, job->table->column[i]) == 0)
+        if (strcmp(text, job->table->quantity[i]) == 0)
             return;
     }
     usage_error("--quantity %s: not a quantity of %s; allowed: %s", text, job->table->name,

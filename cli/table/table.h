@@ -17,11 +17,9 @@ typedef struct {
     int axis_count;
     /* the variable that a grid has across, a/b being down; VARIABLE_COUNT where it has no grid */
     int across;
-    const char *column[COLUMNS_MAX];
-    int column_count;
-    /* the column that a grid shows by default; the ones before it are the variables */
-    int quantity;
-    /* Fills a row from the values of the variables. RWEDGE_OK, or the library's status. */
+    const char *quantity[COLUMNS_MAX]; /* the columns behind those of the variables */
+    int quantity_count;
+    /* Fills the quantities from the values of the variables. RWEDGE_OK, or the library's status. */
     int32_t (*row)(const double value[VARIABLE_COUNT], cell row[COLUMNS_MAX]);
     const table_variable *ratio; /* a/b of another pad than the wedge; NULL */
 } table;

@@ -56,13 +56,10 @@ static int32_t flat_elastic_limit(const double value[], cell row[])
     rwedge_contact_destroy(contact);
     if (status != RWEDGE_OK)
         return status;
-    row[0] = cell_number(alpha);
-    row[1] = cell_number(f);
-    row[2] = cell_number(nu);
-    row[3] = cell_number(load_of(alpha) * factor);
-    row[4] = cell_number(rounded(f == 0 ? fabs(x) : x));
-    row[5] = cell_number(rounded(y));
-    row[6] = cell_text(y > 0 ? "subsurface" : "surface");
+    row[0] = cell_number(load_of(alpha) * factor);
+    row[1] = cell_number(rounded(f == 0 ? fabs(x) : x));
+    row[2] = cell_number(rounded(y));
+    row[3] = cell_text(y > 0 ? "subsurface" : "surface");
     return RWEDGE_OK;
 }
 
@@ -77,12 +74,11 @@ static int32_t flat_contact_law(const double value[], cell row[])
     int32_t status = slide(alpha, 0, &contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_tractions(contact, 1, &middle, &p, &q);
-    row[0] = cell_number(alpha);
-    row[1] = cell_number(total);
-    row[2] = cell_number(total / (alpha * alpha));
+    row[0] = cell_number(total);
+    row[1] = cell_number(total / (alpha * alpha));
     if (status == RWEDGE_OK) {
-        row[3] = cell_number(RADIUS * peak_pressure(&setup, contact));
-        row[4] = cell_number(-RADIUS * p);
+        row[2] = cell_number(RADIUS * peak_pressure(&setup, contact));
+        row[3] = cell_number(-RADIUS * p);
     }
     rwedge_contact_destroy(contact);
     return status;
@@ -146,25 +142,20 @@ static int32_t elastic_limit(const double value[], cell row[])
         status = decisive(value, &below, &surface, &first);
     if (status != RWEDGE_OK)
         return status;
-    row[0] = cell_number(value[A_OVER_B]);
-    row[1] = cell_number(value[FRICTION]);
-    row[2] = cell_number(value[NU]);
-    row[3] = cell_number(first.limit);
-    row[4] = cell_number(first.x);
-    row[5] = cell_number(first.y);
-    row[6] = cell_text(first.name);
-    row[7] = limit_of(&below);
-    row[8] = limit_of(&surface);
+    row[0] = cell_number(first.limit);
+    row[1] = cell_number(first.x);
+    row[2] = cell_number(first.y);
+    row[3] = cell_text(first.name);
+    row[4] = limit_of(&below);
+    row[5] = limit_of(&surface);
     return RWEDGE_OK;
 }
 
 static int32_t max_tension(const double value[], cell row[])
 {
     const double over_f = rwedge_max_tension(value[A_OVER_B]);
-    row[0] = cell_number(value[A_OVER_B]);
-    row[1] = cell_number(value[FRICTION]);
-    row[2] = cell_number(value[FRICTION] * over_f);
-    row[3] = cell_number(over_f);
+    row[0] = cell_number(value[FRICTION] * over_f);
+    row[1] = cell_number(over_f);
     return RWEDGE_OK;
 }
 
@@ -172,11 +163,10 @@ static int32_t max_tension(const double value[], cell row[])
 static int32_t contact_law(const double value[], cell row[])
 {
     const double alpha = value[A_OVER_B], total = rwedge_load(alpha);
-    row[0] = cell_number(alpha);
-    row[1] = cell_number(total);
-    row[2] = cell_number(total / alpha);
-    row[3] = cell_number(rwedge_peak_pressure(alpha));
-    row[4] = cell_number(rwedge_transition_pressure(alpha));
+    row[0] = cell_number(total);
+    row[1] = cell_number(total / alpha);
+    row[2] = cell_number(rwedge_peak_pressure(alpha));
+    row[3] = cell_number(rwedge_transition_pressure(alpha));
     return RWEDGE_OK;
 }
 
@@ -187,18 +177,14 @@ static int32_t critical_friction(const double value[], cell row[])
     const double limit = alpha > 0 ? rwedge_elastic_limit(alpha, f, nu) : NAN;
     if (alpha > 0 && !isfinite(limit))
         return RWEDGE_ENOCONV;
-    row[0] = cell_number(alpha);
-    row[1] = cell_number(nu);
-    row[2] = cell_number(f);
-    row[3] = cell_number(limit);
+    row[0] = cell_number(f);
+    row[1] = cell_number(limit);
     return RWEDGE_OK;
 }
 
 static int32_t stick_zone(const double value[], cell row[])
 {
-    row[0] = cell_number(value[A_OVER_B]);
-    row[1] = cell_number(value[Q_OVER_FP]);
-    row[2] = cell_number(rwedge_stick_width(value[A_OVER_B], value[Q_OVER_FP]));
+    row[0] = cell_number(rwedge_stick_width(value[A_OVER_B], value[Q_OVER_FP]));
     return RWEDGE_OK;
 }
 
@@ -208,10 +194,8 @@ const table tables[TABLE_COUNT] = {
      {NU, A_OVER_B, FRICTION},
      3,
      FRICTION,
-     {"a_over_b", "f", "nu", "P_over_bk", "x_over_b", "y_over_b", "branch", "P_over_bk_subsurface",
-      "P_over_bk_surface"},
-     9,
-     3,
+     {"P_over_bk", "x_over_b", "y_over_b", "branch", "P_over_bk_subsurface", "P_over_bk_surface"},
+     6,
      elastic_limit,
      NULL},
     {"max-tension",
@@ -219,8 +203,7 @@ const table tables[TABLE_COUNT] = {
      {A_OVER_B, FRICTION},
      2,
      FRICTION,
-     {"a_over_b", "f", "b_sigma_over_P", "b_sigma_over_fP"},
-     4,
+     {"b_sigma_over_P", "b_sigma_over_fP"},
      2,
      max_tension,
      NULL},
@@ -229,9 +212,8 @@ const table tables[TABLE_COUNT] = {
      {A_OVER_B},
      1,
      VARIABLE_COUNT,
-     {"a_over_b", "AP_over_theta_b", "AP_over_theta_a", "peak_pressure", "transition_pressure"},
-     5,
-     1,
+     {"AP_over_theta_b", "AP_over_theta_a", "peak_pressure", "transition_pressure"},
+     4,
      contact_law,
      NULL},
     {"critical-friction",
@@ -239,8 +221,7 @@ const table tables[TABLE_COUNT] = {
      {NU, A_OVER_B},
      2,
      NU,
-     {"a_over_b", "nu", "f_critical", "P_over_bk"},
-     4,
+     {"f_critical", "P_over_bk"},
      2,
      critical_friction,
      NULL},
@@ -249,9 +230,8 @@ const table tables[TABLE_COUNT] = {
      {A_OVER_B, Q_OVER_FP},
      2,
      Q_OVER_FP,
-     {"a_over_b", "Q_over_fP", "c_over_b"},
-     3,
-     2,
+     {"c_over_b"},
+     1,
      stick_zone,
      NULL},
     {"elastic-limit",
@@ -259,9 +239,8 @@ const table tables[TABLE_COUNT] = {
      {NU, A_OVER_B, FRICTION},
      3,
      FRICTION,
-     {"a_over_b", "f", "nu", "P_over_bk", "x_over_b", "y_over_b", "branch"},
-     7,
-     3,
+     {"P_over_bk", "x_over_b", "y_over_b", "branch"},
+     4,
      flat_elastic_limit,
      &flat_over_b},
     {"contact-law",
@@ -269,9 +248,8 @@ const table tables[TABLE_COUNT] = {
      {A_OVER_B},
      1,
      VARIABLE_COUNT,
-     {"a_over_b", "APR_over_b2", "APR_over_a2", "largest_pressure", "middle_pressure"},
-     5,
-     1,
+     {"APR_over_b2", "APR_over_a2", "largest_pressure", "middle_pressure"},
+     4,
      flat_contact_law,
      &flat_over_b},
 };

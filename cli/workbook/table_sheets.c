@@ -174,9 +174,9 @@ void sheet_contact_law(xlsx *book)
         cell row[COLUMNS_MAX];
         value[A_OVER_B] = (i + 1) / 100.0;
         law->row(value, row);
-        for (int j = 0; j < 5; j++)
-            xlsx_number(book, FIRST_ROW + i, j, workbook_rounded(row[j].number),
-                        j == 0 ? XLSX_PLAIN : XLSX_FIXED_6);
+        xlsx_number(book, FIRST_ROW + i, 0, workbook_rounded(value[A_OVER_B]), XLSX_PLAIN);
+        for (int j = 0; j < 4; j++)
+            xlsx_number(book, FIRST_ROW + i, j + 1, workbook_rounded(row[j].number), XLSX_FIXED_6);
     }
     xlsx_width(book, 0, 0, 8);
     xlsx_width(book, 1, 4, 15);

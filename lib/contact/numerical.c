@@ -70,7 +70,7 @@ static rw_scaled_loads next_loads(const rwedge_contact *c, const rw_step *step,
                                   const rw_numerical *n)
 {
     rw_scaled_loads to = scaled_loads_after(c, step);
-    if (step->patch.left == n->now.contact.left && step->patch.right == n->now.contact.right) {
+    if (rw_patch_is_same(step->patch, n->now.contact)) {
         to.P = n->now.at.P;
         to.M = n->now.at.M;
     }
@@ -263,8 +263,8 @@ bool rw_numerical_is_passed(const rwedge_contact *c)
     const rw_numerical *n = c->numerical;
     const rw_zones *z = &n->now.shear.zones;
     const rw_patch before = rw_memory_end(&c->exact->memory)->patch, now = n->now.contact;
-    return n->now.is_still && before.left == now.left && before.right == now.right &&
-           z->count == 3 && z->zone[1].label == 0 && z->zone[0].label == z->zone[2].label &&
+    return n->now.is_still && rw_patch_is_same(before, now) && z->count == 3 &&
+           z->zone[1].label == 0 && z->zone[0].label == z->zone[2].label &&
            z->zone[1].left >= n->now.unslipped.left && z->zone[1].right <= n->now.unslipped.right;
 }
 

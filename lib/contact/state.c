@@ -212,7 +212,8 @@ static void pass_zones(stream *t, rw_zones *z)
         if (t->in)
             z->zone[i].label = label - 1;
         if (!(z->zone[i].left < z->zone[i].right) ||
-            (i > 0 && z->zone[i].left != z->zone[i - 1].right))
+            (i > 0 &&
+             (z->zone[i].left != z->zone[i - 1].right || z->zone[i].label == z->zone[i - 1].label)))
             t->is_sound = false;
     }
     t->is_sound = t->is_sound && z->count > 0;

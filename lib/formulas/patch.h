@@ -11,6 +11,7 @@
 #ifndef RW_PATCH_H
 #define RW_PATCH_H
 
+#include <math.h>
 #include <stdbool.h>
 
 /* The edges are exact: next to an edge, differences from it count. */
@@ -26,6 +27,11 @@ static inline double rw_patch_middle(rw_patch patch)
 static inline double rw_patch_half_width(rw_patch patch)
 {
     return patch.right / 2 - patch.left / 2;
+}
+
+static inline bool rw_patch_is_same(rw_patch a, rw_patch b)
+{
+    return fabs(a.left - b.left) + fabs(a.right - b.right) == 0;
 }
 
 /* The height of the profile above its middle at x >= 0, over theta. */

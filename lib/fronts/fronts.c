@@ -37,7 +37,7 @@ static bool find_layers(rw_fronts *f, const double ratio[2])
         for (int row = 0; row < n; row++)
             for (int k = 0; k < n; k++)
                 A[row * n + k] = p->ratio[k][row_side[row]][row_after[row]];
-        if (n > 0 && !rw_solve((size_t)n, A, B[i]))
+        if (!rw_solve((size_t)n, A, B[i]))
             return false;
         memcpy(f->layer_of[i].weight, B[i], sizeof B[i]);
     }
@@ -58,13 +58,11 @@ bool rw_fronts_begin(rw_fronts *f, const rw_problem *p, const rw_zones *zones,
     for (int i = 0; i < zones->count; i++) {
         f->label[i] = zones->zone[i].label;
         f->sticks += f->label[i] == 0;
-        if (i > 0 && (f->label[i] == 0) == (f->label[i - 1] == 0))
-            return false;
     }
     f->sticks_to_edge[0] = f->label[0] == 0;
     f->sticks_to_edge[1] = f->label[f->zones - 1] == 0;
     f->unknowns = f->fronts + f->sticks_to_edge[0] + f->sticks_to_edge[1];
-    if (f->sticks == 0 || f->sticks > RW_MOST_STICK || f->unknowns != 2 * f->sticks)
+    if (f->sticks == 0 || f->unknowns != 2 * f->sticks || f->unknowns > RW_MOST_FRONTS)
         return false;
     for (int i = 0; i < 2; i++)
         if (f->sticks_to_edge[i] && !p->grows[i])
@@ -111,8 +109,8 @@ static int expand_gap(const rw_stuck *s, int gap, double least, double middle, d
                       double c[])
 {
     double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0;
+    int terms = 1;
     const int n = most_terms(s, gap, middle, half, least), turn = 2 * (n + 1);
-    int terms = n;
     for (int i = 0; i < turn; i++)
         sine[i] = sin(2 * RW_PI * i / turn);
     for (int i = 0; i < n; i++)
@@ -124,8 +122,8 @@ static int expand_gap(const rw_stuck *s, int gap, double least, double middle, d
             c[k] += sampled[i] * sine[at];
         most = fmax(most, fabs(c[k]));
     }
-    while (terms > 1 && !(fabs(c[terms - 1]) > least * most))
-        terms--;
+    for (int k = 0; k < n; k++)
+        terms = fabs(c[k]) > least * most ? k + 1 : terms;
     return terms;
 }
 
@@ -276,8 +274,9 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
 {
     rw_zones zones;
     const rw_layers layers = rw_fronts_zones(f, &zones);
-    if (f->budget-- <= 0 || !rw_fronts_collect(f, &zones, &layers, f->coarse))
+    if (f->budget-- <= 0)
         return false;
+    rw_fronts_collect(f, &zones, &layers, f->coarse);
     const rw_stuck s = rw_stuck_of(f, &zones);
     const int n = 2 * s.count;
     double p[RW_MOST_FRONTS], front[RW_MOST_FRONTS], K[RW_MOST_FRONTS];

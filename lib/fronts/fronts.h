@@ -12,7 +12,10 @@
 
 #include "fronts/problem.h"
 
-enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK, RW_MOST_SEGMENTS = 96 };
+enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK };
+
+/* Slip zones and places that the contact has left, cut at kinks, bends and the edges before. */
+enum { RW_MOST_SEGMENTS = RW_MOST_STICK + 1 + 2 + RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 
 /* A part of a slip zone, and where its points begin in the row of all. */
 typedef struct {
@@ -38,10 +41,9 @@ typedef struct {
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;
     rw_layers layers; /* for which the changes hold */
-    size_t count, capacity;
+    size_t count;
     double *x, *step, *X, *change, *known, *layer;
-    int budget;    /* residuals that may still be computed */
-    bool is_short; /* memory was short */
+    int budget; /* residuals that may still be computed */
 } rw_fronts;
 
 /* The zones that stick, by their ends. */
@@ -58,7 +60,7 @@ double rw_X_at(const rw_stuck *stuck, double x);
 
 /* Sets up the quadrature over all places where dt is known, with this number of panels at a
  * front. */
-bool rw_fronts_collect(rw_fronts *fronts, const rw_zones *zones, const rw_layers *layers,
+void rw_fronts_collect(rw_fronts *fronts, const rw_zones *zones, const rw_layers *layers,
                        int panels);
 
 /* All places between two others where dt is not smooth, in order, and these two. */

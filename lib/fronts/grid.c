@@ -12,6 +12,7 @@
  * rounding, and either choice will do. */
 #include "fronts/grid.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 #include "base/linear.h"
 
@@ -168,8 +169,7 @@ static bool solve_stuck(rw_grid *g, double load)
         for (int j = 0; g->label[i] == 0 && j < n; j++)
             if (g->label[j] == 0)
                 *row++ = g->matrix[i * n + j];
-    if (!rw_cholesky(count, g->factor))
-        return false;
+    rw_cholesky(count, g->factor); /* positive: tractions do work */
     rw_cholesky_solve(count, g->factor, g->right);
     rw_cholesky_solve(count, g->factor, unit);
     g->multiplier = (load * n / RW_PI - sum_of(n, g->change) - sum_of((int)count, g->right)) /
@@ -187,12 +187,12 @@ static bool solve_stuck(rw_grid *g, double load)
  * that slips the other way. */
 static void stick_between(rw_grid *g, int last)
 {
-    int nearest = -1;
+    int nearest = last;
     for (int i = 0; i < g->n; i++)
-        if (g->label[i] == -g->label[last] && (nearest < 0 || abs(i - last) < abs(nearest - last)))
+        if (g->label[i] == -g->label[last] &&
+            (nearest == last || abs(i - last) < abs(nearest - last)))
             nearest = i;
-    if (nearest >= 0)
-        g->label[nearest] = 0;
+    g->label[nearest] = 0;
 }
 
 /* Relabels the places. Whether no label changed. */
@@ -225,7 +225,7 @@ bool rw_grid_solve(rw_grid *g, const rw_problem *p, const rw_layers *layers)
     double load, stretch;
     rw_beside_layers(p, layers, &load, &stretch);
     const double scale = prepare(g, p, layers, stretch);
-    for (g->turns = 0; g->turns < TURNS; g->turns++) {
+    for (g->turns = 0; ALWAYS(g->turns < TURNS); g->turns++) { /* each lowers the energy */
         if (!solve_stuck(g, load))
             return false;
         if (settle(g, scale))
@@ -234,7 +234,7 @@ bool rw_grid_solve(rw_grid *g, const rw_problem *p, const rw_layers *layers)
     return true;
 }
 
-bool rw_grid_zones(const rw_grid *g, const rw_problem *p, rw_zones *zones)
+void rw_grid_zones(const rw_grid *g, const rw_problem *p, rw_zones *zones)
 {
     zones->count = 0;
     int last = -1; /* the place before that is in contact */
@@ -244,15 +244,13 @@ bool rw_grid_zones(const rw_grid *g, const rw_problem *p, rw_zones *zones)
         if (last < 0 || g->label[last] != g->label[i]) {
             const double middle = (angle_of(g, i) + angle_of(g, last)) / 2;
             const double from = last < 0 ? p->to.left : g->middle - g->half * cos(middle);
-            if (zones->count == RW_MOST_ZONES)
-                return false;
             if (zones->count > 0)
                 zones->zone[zones->count - 1].right = from;
-            zones->zone[zones->count++] = (rw_zone){g->label[i], from, p->to.right};
+            rw_zones_insert(zones, zones->count, (rw_zone){g->label[i], from, p->to.right});
         }
         last = i;
     }
-    return zones->count > 0;
+    zones->zone[zones->count - 1].right = p->to.right;
 }
 
 /* Linear in the angle between two places, of which it returns the first. */

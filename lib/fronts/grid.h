@@ -27,8 +27,8 @@ void rw_grid_destroy(rw_grid *grid);
 /* Solves the step for the change of traction besides the layers. false where nothing sticks. */
 bool rw_grid_solve(rw_grid *grid, const rw_problem *problem, const rw_layers *layers);
 
-/* The zones of the contact by the labels of the places. false where they are too many. */
-bool rw_grid_zones(const rw_grid *grid, const rw_problem *problem, rw_zones *zones);
+/* The zones of the contact by the labels of the places. */
+void rw_grid_zones(const rw_grid *grid, const rw_problem *problem, rw_zones *zones);
 
 /* dt and slip at any place, interpolated. */
 double rw_grid_change(const rw_grid *grid, double x);

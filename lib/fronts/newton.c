@@ -177,9 +177,7 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
         return false;
     int worse = 0;
     double before = 0, size = largest(n, r);
-    for (int turn = 0; turn < 40; turn++) {
-        if (size < nothing)
-            return true;
+    while (!(size < nothing)) {
         if (!(size < POOR * before) && !jacobian(f, r, J))
             return false;
         before = size;
@@ -195,8 +193,7 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
                 memcpy(f->y, kept, sizeof kept);
                 return true;
             }
-            if (++worse > 6)
-                return false;
+            worse++;
         }
         for (int i = 0; i < f->fronts; i++)
             if (narrower_zone(f, i) < 1e-9)
@@ -207,7 +204,7 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
         }
         update(n, move, change, J);
     }
-    return false;
+    return true;
 }
 
 /* ---- Front by front ---- */
@@ -230,7 +227,7 @@ static bool close_in(rw_fronts *f, int j, double a, double at_a, double b, doubl
     for (int turn = 0; turn < 30 && fabs(b - a) > 1e-7; turn++) {
         const double c = b - at_b * (b - a) / (at_b - at_a);
         double at_c;
-        if (!isfinite(c) || !singularity_at(f, j, c, &at_c))
+        if (!singularity_at(f, j, c, &at_c))
             return false;
         if (at_c * at_b < 0) {
             a = b;
@@ -275,16 +272,15 @@ bool rw_fronts_relax(rw_fronts *f)
 {
     if (f->unknowns != f->fronts)
         return false;
-    for (int sweep = 0; sweep < 3; sweep++) {
-        double moved = 0;
+    double moved;
+    do {
+        moved = 0;
         for (int j = 0; j < f->fronts; j++) {
             const double before = f->y[j];
             if (!relax_front(f, j))
                 return false;
             moved = fmax(moved, fabs(f->y[j] - before));
         }
-        if (moved < 1e-3)
-            break;
-    }
+    } while (!(moved < 1e-3));
     return true;
 }

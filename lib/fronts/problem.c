@@ -4,6 +4,18 @@
 #include "base/domain.h"
 #include "potential/pad_potential.h"
 
+#include <float.h>
+#include <string.h>
+
+void rw_zones_insert(rw_zones *z, int i, rw_zone zone)
+{
+    if (z->count == RW_MOST_ZONES)
+        return;
+    memmove(z->zone + i + 1, z->zone + i, (size_t)(z->count - i) * sizeof *z->zone);
+    z->zone[i] = zone;
+    z->count++;
+}
+
 /* Edges that differ by less than this, over the width, count as one place. */
 static const double SAME_EDGE = 1e-12;
 
@@ -14,10 +26,9 @@ static const double ALLOWED = 0.2;
  * (P'/pi + kappa (x - m))/sqrt((x - left)(right - x)), kappa from the moment. */
 static double rate_of_friction(const rw_problem *p, double x)
 {
-    if (!(x > p->to.left && x < p->to.right))
-        return 0;
-    return p->f * (p->load[0] / RW_PI + p->tilt[0] * (x - p->middle)) /
-           sqrt((x - p->to.left) * (p->to.right - x));
+    const double square = (x - p->to.left) * (p->to.right - x);
+    return square > 0 ? p->f * (p->load[0] / RW_PI + p->tilt[0] * (x - p->middle)) / sqrt(square)
+                      : 0;
 }
 
 void rw_friction_after(const rw_problem *p, size_t n, const double x[], double F[])
@@ -126,13 +137,11 @@ static void note_ratios(rw_problem *p, int after)
     for (int side = 0; side < 2; side++) {
         const double inside = AT_EDGE * rw_patch_half_width(patch);
         const double x = side ? patch.right - inside : patch.left + inside;
-        const double friction = rw_exact_friction(p->frame, patch, x);
+        const double friction = fmax(rw_exact_friction(p->frame, patch, x), DBL_MIN);
         p->ratio[0][side][after] = 1;
         for (int k = 1; k < RW_LAYERS; k++)
-            p->ratio[k][side][after] = friction > 0
-                                           ? rw_power(scale_of(p), k, x) +
-                                                 rest_friction(p, &p->rest[k][after], x) / friction
-                                           : HUGE_VAL;
+            p->ratio[k][side][after] =
+                rw_power(scale_of(p), k, x) + rest_friction(p, &p->rest[k][after], x) / friction;
     }
 }
 
@@ -181,7 +190,7 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
                       .both = {fmin(from.left, to.left), fmax(from.right, to.right)},
                       .before = before,
                       .after = after,
-                      .is_still = from.left == to.left && from.right == to.right,
+                      .is_still = rw_patch_is_same(from, to),
                       .grows = {to.left<from.left - slack, to.right> from.right + slack},
                       .middle = rw_patch_middle(to),
                       .half = rw_patch_half_width(to),

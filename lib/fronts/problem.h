@@ -31,6 +31,10 @@ typedef struct {
     rw_zone zone[RW_MOST_ZONES];
 } rw_zones;
 
+/* Puts a zone before the i-th. Leaves it out where there is no room: of so many zones no fronts are
+ * found. */
+void rw_zones_insert(rw_zones *zones, int i, rw_zone zone);
+
 /* A shear traction that has no closed form, with its zones. Kinks are places where it is not
  * smooth. */
 typedef struct {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The quadrature over the places where dt is known: panels that shrink towards the fronts. */
+#include "base/always.h"
 #include "base/domain.h"
 #include "base/sort.h"
 #include "fronts/fronts.h"
@@ -8,31 +9,15 @@
 #include <string.h>
 
 /* The order of a panel is RW_TERMS, or less where few digits are asked for. */
-enum { MOST_PANELS = 12, FEW_TERMS = 8, ROWS = 5 + RW_LAYERS };
+enum { MOST_PANELS = 12, FEW_TERMS = 8 };
+
+/* Room for all points that there may be, of which most loads use a twentieth. */
+enum { ROOM = RW_MOST_SEGMENTS * 2 * (MOST_PANELS + 1) * RW_TERMS, ROWS = 5 + RW_LAYERS };
 
 static const double RATIO = 0.12;
 
 /* Distances from a front are at least this part of the half-width. */
 static const double AT_FRONT = 1e-15;
-
-static bool reserve(rw_fronts *f, size_t capacity)
-{
-    double *all = malloc(ROWS * capacity * sizeof *all);
-    f->is_short = f->is_short || !all;
-    if (!all)
-        return false;
-    for (size_t i = 0; i < ROWS && f->x; i++)
-        memcpy(all + capacity * i, f->x + f->capacity * i, f->capacity * sizeof *all);
-    free(f->x);
-    f->x = all;
-    f->step = all + capacity;
-    f->X = all + 2 * capacity;
-    f->change = all + 3 * capacity;
-    f->known = all + 4 * capacity;
-    f->layer = all + 5 * capacity;
-    f->capacity = capacity;
-    return true;
-}
 
 /* The weights of integrals from 0 to the nodes u of Gauss, and to 1. */
 static void set_integrals(rw_fronts *f, const double u[])
@@ -77,7 +62,16 @@ bool rw_fronts_create(rw_fronts *f, double tolerance)
                      .coarse = is_fine ? 1 : 0,
                      .finest = (int)(digits + 2.5)};
     set_rule(f);
-    return reserve(f, 2048);
+    double *all = malloc(sizeof *all * ROWS * ROOM);
+    if (!all)
+        return false;
+    f->x = all;
+    f->step = all + ROOM;
+    f->X = all + 2 * ROOM;
+    f->change = all + 3 * ROOM;
+    f->known = all + 4 * ROOM;
+    f->layer = all + 5 * ROOM;
+    return true;
 }
 
 void rw_fronts_destroy(rw_fronts *f)
@@ -125,17 +119,15 @@ static void add_layers(rw_fronts *f)
     memcpy(f->change, f->known, f->count * sizeof *f->change);
     for (int k = 0; k < f->layers.count; k++)
         for (size_t i = 0; i < f->count; i++)
-            f->change[i] -= f->layers.weight[k] * f->layer[(size_t)k * f->capacity + i];
+            f->change[i] -= f->layers.weight[k] * f->layer[(size_t)k * ROOM + i];
 }
 
 /* A panel at the distances from `near` to `far` of an end, which is left or right: points with
  * their weights, the change dt there without the layers, and the change by each layer. */
-static bool put_panel(rw_fronts *f, const rw_segment *s, int side, double near, double far)
+static void put_panel(rw_fronts *f, const rw_segment *s, int side, double near, double far)
 {
     const rw_problem *p = f->problem;
     const size_t n = (size_t)f->order;
-    if (f->count + n > f->capacity && !reserve(f, 2 * f->capacity))
-        return false;
     double *x = f->x + f->count, *known = f->known + f->count, old[RW_TERMS];
     for (size_t i = 0; i < n; i++) {
         const double distance = near + (far - near) * f->node[i];
@@ -146,34 +138,30 @@ static bool put_panel(rw_fronts *f, const rw_segment *s, int side, double near, 
     if (s->label != 0 || f->layers.count > 0)
         rw_friction_after(p, n, x, known);
     for (int k = 0; k < f->layers.count; k++)
-        rw_layer_values(p, k, n, x, known, f->layer + (size_t)k * f->capacity + f->count);
+        rw_layer_values(p, k, n, x, known, f->layer + (size_t)k * ROOM + f->count);
     rw_traction_values(&p->old->traction, n, x, old);
     for (size_t i = 0; i < n; i++)
         known[i] = s->label * known[i] - old[i];
     f->count += n;
-    return true;
 }
 
-static bool put_half(rw_fronts *f, const rw_segment *s, int side)
+static void put_half(rw_fronts *f, const rw_segment *s, int side)
 {
     const double half = (s->to - s->from) / 2;
     double near = 0, far = half * pow(RATIO, s->panels[side]);
     for (int i = 0; i <= s->panels[side]; i++) {
-        if (!put_panel(f, s, side, near, far))
-            return false;
+        put_panel(f, s, side, near, far);
         near = far;
         far = i + 1 == s->panels[side] ? half : far / RATIO;
     }
-    return true;
 }
 
-static bool put_segment(rw_fronts *f, rw_segment *s)
+static void put_segment(rw_fronts *f, rw_segment *s)
 {
     s->first = f->count;
-    if (!put_half(f, s, 0) || !put_half(f, s, 1))
-        return false;
+    put_half(f, s, 0);
+    put_half(f, s, 1);
     s->count = f->count - s->first;
-    return true;
 }
 
 /* Where no front is near: dt is like a root at edges of the contact, old and new, and at kinks
@@ -220,11 +208,11 @@ static bool is_as_before(const rw_segment *s, const rw_segment *before, size_t f
 }
 
 /* Adds a segment; if it is the one that was computed at this place last time, it is kept. */
-static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, double to, int label,
+static void add_segment(rw_fronts *f, const rw_stuck *sticks, double from, double to, int label,
                         int finest)
 {
-    if (f->segments == RW_MOST_SEGMENTS)
-        return false;
+    if (NEVER(f->segments == RW_MOST_SEGMENTS)) /* zones share no break */
+        return;
     rw_segment *s = &f->segment[f->segments++];
     const rw_segment before = *s;
     *s = (rw_segment){.from = from,
@@ -235,14 +223,12 @@ static bool add_segment(rw_fronts *f, const rw_stuck *sticks, double from, doubl
     if (is_as_before(s, &before, f->count)) {
         *s = before;
         f->count += s->count;
-        return true;
+        return;
     }
-    if (!put_segment(f, s))
-        return false;
+    put_segment(f, s);
     if (s->first != before.first || s->count != before.count) /* it has taken the place of others */
         for (int i = f->segments; i < RW_MOST_SEGMENTS; i++)
             f->segment[i].count = 0;
-    return true;
 }
 
 /* Whether dt is 0 there: the places slipped this way before, and friction has not changed; or the
@@ -253,8 +239,7 @@ static bool is_spent(const rw_fronts *f, int label, double from, double to)
     if (f->problem->is_rate && label == f->layers.weight[0])
         return true;
     for (int i = 0; f->problem->is_still && i < old->count; i++)
-        if (old->zone[i].label == label && label != 0 && from >= old->zone[i].left &&
-            to <= old->zone[i].right)
+        if (old->zone[i].label == label && from >= old->zone[i].left && to <= old->zone[i].right)
             return true;
     return false;
 }
@@ -275,15 +260,13 @@ int rw_breaks_between(const rw_problem *p, double from, double to, double at[])
     return n;
 }
 
-static bool add_zone(rw_fronts *f, const rw_stuck *sticks, rw_zone zone, int finest)
+static void add_zone(rw_fronts *f, const rw_stuck *sticks, rw_zone zone, int finest)
 {
     double at[RW_MOST_BREAKS];
     const int n = rw_breaks_between(f->problem, zone.left, zone.right, at);
     for (int i = 0; i + 1 < n; i++)
-        if (at[i + 1] > at[i] && !is_spent(f, zone.label, at[i], at[i + 1]) &&
-            !add_segment(f, sticks, at[i], at[i + 1], zone.label, finest))
-            return false;
-    return true;
+        if (at[i + 1] > at[i] && !is_spent(f, zone.label, at[i], at[i + 1]))
+            add_segment(f, sticks, at[i], at[i + 1], zone.label, finest);
 }
 
 void rw_fronts_forget(rw_fronts *f)
@@ -292,7 +275,7 @@ void rw_fronts_forget(rw_fronts *f)
         f->segment[i].count = 0;
 }
 
-bool rw_fronts_collect(rw_fronts *f, const rw_zones *zones, const rw_layers *layers, int finest)
+void rw_fronts_collect(rw_fronts *f, const rw_zones *zones, const rw_layers *layers, int finest)
 {
     const rw_problem *p = f->problem;
     const rw_stuck sticks = rw_stuck_of(f, zones);
@@ -301,17 +284,14 @@ bool rw_fronts_collect(rw_fronts *f, const rw_zones *zones, const rw_layers *lay
     f->layers = *layers;
     f->segments = 0;
     f->count = 0;
-    if (p->both.left < p->to.left &&
-        !add_zone(f, &sticks, (rw_zone){0, p->both.left, p->to.left}, finest))
-        return false;
+    if (p->both.left < p->to.left)
+        add_zone(f, &sticks, (rw_zone){0, p->both.left, p->to.left}, finest);
     for (int i = 0; i < zones->count; i++)
-        if (zones->zone[i].label != 0 && !add_zone(f, &sticks, zones->zone[i], finest))
-            return false;
-    if (p->both.right > p->to.right &&
-        !add_zone(f, &sticks, (rw_zone){0, p->to.right, p->both.right}, finest))
-        return false;
+        if (zones->zone[i].label != 0)
+            add_zone(f, &sticks, zones->zone[i], finest);
+    if (p->both.right > p->to.right)
+        add_zone(f, &sticks, (rw_zone){0, p->to.right, p->both.right}, finest);
     add_layers(f);
     for (size_t i = 0; i < f->count; i++)
         f->X[i] = rw_X_at(&sticks, f->x[i]);
-    return true;
 }

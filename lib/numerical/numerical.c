@@ -460,7 +460,7 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
         double error;
         try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
         const bool is_at_end = advance(j, 0, to, 1, *effort / 2, &error);
-        const bool is_short = j->work.is_short || j->work.fronts.is_short;
+        const bool is_short = j->work.is_short;
         const bool is_done =
             is_at_end && !is_short &&
             rw_numerical_error(&j->next) <= frame->far_off + 2 * rw_numerical_error(n);

@@ -146,8 +146,8 @@ static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
 
 static void add_wrong(rw_outcome *o, int label, double left, double right)
 {
-    if (o->wrong.count < RW_MOST_ZONES && right > left)
-        o->wrong.zone[o->wrong.count++] = (rw_zone){label, left, right};
+    if (right > left)
+        rw_zones_insert(&o->wrong, o->wrong.count, (rw_zone){label, left, right});
 }
 
 /* Notes slip where the traction is too large, and a little beyond: next to a kink the traction may
@@ -200,14 +200,14 @@ static bool anchor(const rw_problem *p, const rw_zones *zones, double *x)
     return widest > 0;
 }
 
-static bool find_move(const rw_problem *p, rw_outcome *o)
+/* NaN where no such place is left. */
+static double rigid_move(const rw_problem *p, const rw_shear_state *s)
 {
     double x = p->middle;
-    if (!anchor(p, &o->state.zones, &x))
-        return false;
-    o->move = rw_traction_displacement(&o->state.traction, x) -
-              rw_traction_displacement(&p->old->traction, x) + p->stretch * x;
-    return true;
+    return anchor(p, &s->zones, &x)
+               ? rw_traction_displacement(&s->traction, x) -
+                     rw_traction_displacement(&p->old->traction, x) + p->stretch * x
+               : NAN;
 }
 
 /* ---- Slip ---- */
@@ -299,7 +299,7 @@ static void check_slip_part(slipping *s, double from, double to)
         const double excess = s->label * slip[i] / (p->scale * p->half);
         s->outcome->violation = fmax(s->outcome->violation, excess);
         if (excess > p->allowed) {
-            begun = !isnan(begun) ? begun : i == 0 && from > least && from < most ? from : x[i];
+            begun = !isnan(begun) ? begun : i == 0 ? from : x[i];
             last = i + 1 == f->order && to > least && to < most ? to : x[i];
         }
     }
@@ -333,15 +333,6 @@ static void check_slips(const after *n, rw_outcome *o)
         check_slip(&s, i);
 }
 
-static bool is_finite(const rw_outcome *o)
-{
-    for (size_t i = 0; i < o->state.traction.count; i++)
-        for (int k = 0; k < RW_TERMS; k++)
-            if (!isfinite(o->state.traction.elements[i].coefficient[k]))
-                return false;
-    return isfinite(o->violation) && isfinite(o->energy) && isfinite(o->move);
-}
-
 /* The fit changes the load a little: the difference is spread evenly over the zones that stick. */
 static void balance(const rw_problem *p, rw_shear_state *s)
 {
@@ -372,7 +363,8 @@ static bool complete(const after *n, rw_outcome *o)
             if (label_at(n->zones, at[i] / 2 + at[i + 1] / 2) == 0)
                 check_friction(p, o, at[i], at[i + 1]);
         check_slips(n, o);
-        if (find_move(p, o) && is_finite(o))
+        o->move = rigid_move(p, &o->state); /* a sum over all elements, as the energy is */
+        if (isfinite(o->move + o->energy))
             return true;
     }
     rw_shear_state_destroy(&o->state);
@@ -380,38 +372,32 @@ static bool complete(const after *n, rw_outcome *o)
 }
 
 /* The zones of fronts, with the quadrature for what is between them. */
-static bool prepare(rw_fronts *f, rw_outcome *o, after *n)
+static after prepare(rw_fronts *f, rw_outcome *o)
 {
     *o = (rw_outcome){.violation = 0};
     const rw_layers layers = rw_fronts_zones(f, &o->state.zones);
-    if (!rw_fronts_collect(f, &o->state.zones, &layers, f->finest))
-        return false;
+    rw_fronts_collect(f, &o->state.zones, &layers, f->finest);
     rw_fronts_prepare(f);
-    *n = (after){f->problem, &o->state.zones, rw_stuck_of(f, &o->state.zones), f, NULL, NULL};
-    return true;
+    return (after){f->problem, &o->state.zones, rw_stuck_of(f, &o->state.zones), f, NULL, NULL};
 }
 
 bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
 {
-    after n;
-    return prepare(f, o, &n) && complete(&n, o);
+    const after n = prepare(f, o);
+    return complete(&n, o);
 }
 
-bool rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
+void rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
 {
-    after n;
-    if (!prepare(f, o, &n))
-        return false;
+    const after n = prepare(f, o);
     check_slips(&n, o);
-    return true;
 }
 
 bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *p,
                         const rw_layers *layers, rw_outcome *o)
 {
     *o = (rw_outcome){.violation = 0};
-    if (!rw_grid_zones(g, p, &o->state.zones))
-        return false;
+    rw_grid_zones(g, p, &o->state.zones);
     const after n = {p, &o->state.zones, {.count = 0}, f, g, layers};
     return complete(&n, o);
 }

@@ -30,6 +30,6 @@ bool rw_outcome_of_grid(const rw_fronts *fronts, const rw_grid *grid, const rw_p
                         const rw_layers *layers, rw_outcome *outcome);
 
 /* Of fronts that are known to be right: slip and energy alone. */
-bool rw_outcome_of_slip(rw_fronts *fronts, rw_outcome *outcome);
+void rw_outcome_of_slip(rw_fronts *fronts, rw_outcome *outcome);
 
 #endif

@@ -9,41 +9,30 @@ static double width(rw_zone zone)
     return zone.right - zone.left;
 }
 
-static bool insert_at(rw_zones *z, int i, rw_zone zone)
-{
-    if (z->count == RW_MOST_ZONES)
-        return false;
-    memmove(z->zone + i + 1, z->zone + i, (size_t)(z->count - i) * sizeof *z->zone);
-    z->zone[i] = zone;
-    z->count++;
-    return true;
-}
-
 static void remove_at(rw_zones *z, int i)
 {
     z->count--;
     memmove(z->zone + i, z->zone + i + 1, (size_t)(z->count - i) * sizeof *z->zone);
 }
 
-bool rw_pattern_clean(rw_zones *z, double least)
+void rw_pattern_clean(rw_zones *z, double least)
 {
     for (int i = 0; i + 1 < z->count;) {
         rw_zone *a = &z->zone[i], *next = a + 1;
         if (a->label == next->label) {
             a->right = next->right;
             remove_at(z, i + 1);
-        } else if (a->label != 0 && next->label != 0) {
+            continue;
+        }
+        if (a->label != 0 && next->label != 0) {
             const double part = fmin(least, fmin(0.2 * width(*a), 0.2 * width(*next)));
             const double middle = a->right;
             a->right = middle - part;
             next->left = middle + part;
-            if (!insert_at(z, i + 1, (rw_zone){0, middle - part, middle + part}))
-                return false;
-        } else {
-            i++;
+            rw_zones_insert(z, i + 1, (rw_zone){0, middle - part, middle + part});
         }
+        i++;
     }
-    return true;
 }
 
 /* ---- At the edges ---- */
@@ -65,28 +54,24 @@ static bool slip_at_edge(const rw_problem *p, rw_zones *z, int side, bool flippe
     const double part = fmin(0.3 * angle, 0.3 * width(*last));
     if (side) {
         last->right -= part;
-        return insert_at(z, z->count, (rw_zone){label, last->right, last->right + part});
+        rw_zones_insert(z, z->count, (rw_zone){label, last->right, last->right + part});
+    } else {
+        last->left += part;
+        rw_zones_insert(z, 0, (rw_zone){label, last->left - part, last->left});
     }
-    last->left += part;
-    return insert_at(z, 0, (rw_zone){label, last->left - part, last->left});
+    return true;
 }
 
-static bool stick_to_edge(const rw_problem *p, rw_zones *z, int side)
+static void stick_to_edge(rw_zones *z, int side)
 {
-    if (!p->grows[side])
-        return false;
-    const int at = side ? z->count - 1 : 0;
+    const int at = side ? z->count - 1 : 0, next = side ? at - 1 : 1;
     if (z->zone[at].label == 0)
-        return true;
-    const int next = side ? at - 1 : 1;
-    if (z->count == 1 || z->zone[next].label != 0)
-        return false;
+        return;
     if (side)
         z->zone[next].right = z->zone[at].right;
     else
         z->zone[next].left = z->zone[at].left;
     remove_at(z, at);
-    return true;
 }
 
 /* Whether a growing edge sticks at first trial: its slip is only a few angles wide. */
@@ -107,8 +92,9 @@ bool rw_pattern_variant(const rw_problem *p, const rw_zones *z, double angle, in
         const bool sticks = may_stick && (bits & 2) == 0, flipped = (bits & 1) != 0;
         if ((!may_stick && (bits & 2) != 0) || (sticks && flipped))
             return false;
-        if (!(sticks ? stick_to_edge(p, variant, side)
-                     : slip_at_edge(p, variant, side, flipped, angle)))
+        if (sticks)
+            stick_to_edge(variant, side);
+        else if (!slip_at_edge(p, variant, side, flipped, angle))
             return false;
     }
     return true;
@@ -141,10 +127,11 @@ bool rw_pattern_simpler(const rw_problem *p, rw_zones *z, double least)
         narrower->label = is_inner ? 0 : wider->label;
         zone->label = is_inner ? 0 : wider->label;
     }
-    return rw_pattern_clean(z, least);
+    rw_pattern_clean(z, least);
+    return true;
 }
 
-static bool insert_part(rw_zones *z, rw_zone part)
+static void insert_part(rw_zones *z, rw_zone part)
 {
     rw_zones new = {.count = 0};
     for (int i = 0; i < z->count; i++) {
@@ -155,25 +142,15 @@ static bool insert_part(rw_zones *z, rw_zone part)
                                    {part.label, left, right},
                                    {zone.label, right, zone.right}};
         for (int k = 0; k < (is_changed ? 3 : 1); k++)
-            if (pieces[k].right > pieces[k].left && !insert_at(&new, new.count, pieces[k]))
-                return false;
+            if (pieces[k].right > pieces[k].left)
+                rw_zones_insert(&new, new.count, pieces[k]);
     }
     *z = new;
-    return true;
 }
 
-bool rw_pattern_insert(rw_zones *z, const rw_zones *parts, double least)
+void rw_pattern_insert(rw_zones *z, const rw_zones *parts, double least)
 {
     for (int i = 0; i < parts->count; i++)
-        if (!insert_part(z, parts->zone[i]))
-            return false;
-    return rw_pattern_clean(z, least);
-}
-
-bool rw_pattern_is_same(const rw_zones *a, const rw_zones *b)
-{
-    bool is_same = a->count == b->count;
-    for (int i = 0; is_same && i < a->count; i++)
-        is_same = a->zone[i].label == b->zone[i].label;
-    return is_same;
+        insert_part(z, parts->zone[i]);
+    rw_pattern_clean(z, least);
 }

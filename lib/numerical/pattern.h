@@ -7,8 +7,8 @@
 #include "fronts/problem.h"
 
 /* Neighbours of one label become one zone; two zones that slip opposite ways get a place between
- * them that sticks, of at most the width `least` to either side. false where they are too many. */
-bool rw_pattern_clean(rw_zones *zones, double least);
+ * them that sticks, of at most the width `least` to either side. */
+void rw_pattern_clean(rw_zones *zones, double least);
 
 /* The variants at the two edges, numbered from 0 on: a narrow zone of slip, one way or the other,
  * where the grid saw none; stick up to the edge of a growing contact. false where the variant does
@@ -21,8 +21,6 @@ bool rw_pattern_variant(const rw_problem *problem, const rw_zones *zones, double
 bool rw_pattern_simpler(const rw_problem *problem, rw_zones *zones, double least);
 
 /* Gives parts of the zones the labels of `parts`. */
-bool rw_pattern_insert(rw_zones *zones, const rw_zones *parts, double least);
-
-bool rw_pattern_is_same(const rw_zones *a, const rw_zones *b);
+void rw_pattern_insert(rw_zones *zones, const rw_zones *parts, double least);
 
 #endif

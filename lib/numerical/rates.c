@@ -22,11 +22,11 @@ static bool solve(rw_fronts *f, const rw_problem *problem, const rw_zones *zones
     f->problem = problem;
     rw_fronts_forget(f);
     *r = (rates){.sign = sign, .stuck = rw_stuck_of(f, zones)};
-    const bool is_done = r->stuck.count > 0 && r->stuck.count <= RW_MOST_STICK &&
-                         rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, f->coarse) &&
-                         rw_fronts_polynomial(f, &r->stuck, r->front, r->p);
-    if (is_done)
-        rw_fronts_prepare(f);
+    if (r->stuck.count == 0)
+        return false;
+    rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, f->coarse);
+    const bool is_done = rw_fronts_polynomial(f, &r->stuck, r->front, r->p);
+    rw_fronts_prepare(f);
     return is_done;
 }
 
@@ -206,18 +206,17 @@ static void set_front(rw_zones *zones, int i, double x)
     zones->zone[i].right = zones->zone[i + 1].left = x;
 }
 
-/* K at the free fronts. */
-static bool pulls(rw_fronts *f, const rw_problem *p, const rw_zones *zones, int count,
+/* K at the free fronts; NaN where it is not known. */
+static void pulls(rw_fronts *f, const rw_problem *p, const rw_zones *zones, int count,
                   const free_front fronts[], double K[])
 {
     rates r;
     double all[RW_MOST_FRONTS];
-    if (!solve(f, p, zones, first_sign(zones), &r))
-        return false;
-    rw_fronts_singular(&r.stuck, r.front, r.p, all);
+    const bool is_known = solve(f, p, zones, first_sign(zones), &r);
+    if (is_known)
+        rw_fronts_singular(&r.stuck, r.front, r.p, all);
     for (int i = 0; i < count; i++)
-        K[i] = all[fronts[i].end];
-    return true;
+        K[i] = is_known ? all[fronts[i].end] : NAN;
 }
 
 /* One step of Newton's method. The largest move, over the half-width; NaN where it fails. Fronts
@@ -227,14 +226,12 @@ static double move_fronts(rw_fronts *f, const rw_problem *p, rw_zones *zones, in
 {
     static const double SMALL = 1e-6;
     const int n = *count;
-    double K[RW_MOST_FRONTS], moved[RW_MOST_FRONTS], J[RW_MOST_FRONTS * RW_MOST_FRONTS], most = 0;
-    if (!pulls(f, p, zones, n, fronts, K))
-        return NAN;
+    double K[RW_MOST_ZONES], moved[RW_MOST_ZONES], J[RW_MOST_ZONES * RW_MOST_ZONES], most = 0;
+    pulls(f, p, zones, n, fronts, K);
     for (int j = 0; j < n; j++) {
         rw_zones beside = *zones;
         set_front(&beside, fronts[j].zone, zones->zone[fronts[j].zone].right + SMALL * p->half);
-        if (!pulls(f, p, &beside, n, fronts, moved))
-            return NAN;
+        pulls(f, p, &beside, n, fronts, moved);
         for (int i = 0; i < n; i++)
             J[i * n + j] = (K[i] - moved[i]) / SMALL;
     }
@@ -262,7 +259,7 @@ rw_zones rw_rates_begun(rw_fronts *f, const rw_problem *p, const rw_zones *old,
     const rw_zones common = common_slip(old, after);
     rw_zones begun = common;
     free_front fronts[RW_MOST_ZONES];
-    int count = common.count <= RW_MOST_FRONTS ? free_fronts(old, &common, fronts) : 0;
+    int count = free_fronts(old, &common, fronts);
     double move = count > 0 ? HUGE_VAL : 0;
     for (int turn = 0; turn < MOST_TURNS && count > 0 && move > CLOSE; turn++)
         move = move_fronts(f, p, &begun, &count, fronts);
@@ -282,12 +279,12 @@ static bool slips_so(const rw_zones *zones, rw_zone zone)
     return zone.label == 0 || begun.count > 1 || begun.zone[0].label != 0;
 }
 
-/* Adds a zone of slip within the contact. Whether there is room for one. */
-static bool add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
+/* Adds a zone of slip within the contact. */
+static void add_zone(rw_zones *zones, rw_zone zone, rw_patch contact)
 {
     zone.left = fmax(zone.left, contact.left);
     zone.right = fmin(zone.right, contact.right);
-    return zone.left < zone.right && rw_pattern_insert(zones, &(rw_zones){1, {zone}}, 0);
+    rw_pattern_insert(zones, &(rw_zones){1, {zone}}, 0);
 }
 
 double rw_rates_error_at_start(rw_fronts *f, const rw_problem *p, const rw_zones *old,
@@ -297,14 +294,17 @@ double rw_rates_error_at_start(rw_fronts *f, const rw_problem *p, const rw_zones
     double most = rw_rates_wrong(f, p, &begun, after);
     for (int i = 0; i < after->count; i++) {
         rw_zones more = begun;
-        if (is_at_edge(after, i) && !slips_so(old, after->zone[i]) &&
-            add_zone(&more, after->zone[i], p->to))
-            most = fmax(most, rw_rates_wrong(f, p, &more, after));
+        if (!is_at_edge(after, i) || slips_so(old, after->zone[i]))
+            continue;
+        add_zone(&more, after->zone[i], p->to);
+        most = fmax(most, rw_rates_wrong(f, p, &more, after));
     }
     for (int i = 0; i < old->count; i++) {
         rw_zones more = begun;
-        if (!slips_so(after, old->zone[i]) && add_zone(&more, old->zone[i], p->to))
-            most = fmax(most, slip_in(f, p, &more, old->zone[i]));
+        if (slips_so(after, old->zone[i]))
+            continue;
+        add_zone(&more, old->zone[i], p->to);
+        most = fmax(most, slip_in(f, p, &more, old->zone[i]));
     }
     return most;
 }

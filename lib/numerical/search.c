@@ -120,10 +120,10 @@ static bool settle_ratios(rw_work *w, const rw_problem *p, double D[2], double r
         rw_fronts_zones(f, &zones);
         ratios_at_start(w, p, &zones, D);
         memcpy(y, f->y, sizeof y);
-        is_done = rw_fronts_begin(f, p, &zones, D);
+        rw_fronts_begin(f, p, &zones, D);
         memcpy(f->y, y, sizeof y);
         is_settled = change_of_ratios(f, before, D) < SAME * w->frame->tolerance;
-        is_done = is_done && (is_settled || newton(w, residual));
+        is_done = is_settled || newton(w, residual);
     }
     return is_done;
 }
@@ -185,8 +185,8 @@ static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     for (int turn = 0; turn < 3 && best->violation > p->allowed && best->wrong.count > 0; turn++) {
         rw_zones mended = best->state.zones;
         rw_outcome other;
-        if (!rw_pattern_insert(&mended, &best->wrong, least) ||
-            !try_fronts(w, p, &mended, angle, &other))
+        rw_pattern_insert(&mended, &best->wrong, least);
+        if (!try_fronts(w, p, &mended, angle, &other))
             break;
         rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
         if (!(other.violation < best->violation))
@@ -230,21 +230,13 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
     const double width = p->half * angle * angle * 2;
     rw_zones pattern = *zones;
     bool is_known = false;
-    if (!rw_pattern_clean(&pattern, width))
-        return false;
-    for (int level = 0; level < 4; level++) {
-        int count = 0;
+    rw_pattern_clean(&pattern, width);
+    do {
         for (int number = 0; number < RW_VARIANTS; number++) {
             rw_zones variant;
-            if (!rw_pattern_variant(p, &pattern, width, number, &variant) ||
-                !rw_pattern_clean(&variant, width))
+            if (!rw_pattern_variant(p, &pattern, width, number, &variant))
                 continue;
-            bool is_new = true;
-            for (int i = 0; i < count; i++)
-                is_new = is_new && !rw_pattern_is_same(&variant, &w->tried[i]);
-            if (!is_new)
-                continue;
-            w->tried[count++] = variant;
+            rw_pattern_clean(&variant, width);
             rw_outcome outcome;
             if (!try_pattern(w, p, &variant, angle, width, &outcome))
                 continue;
@@ -252,9 +244,7 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
             if (best->violation <= p->allowed)
                 return true;
         }
-        if (!rw_pattern_simpler(p, &pattern, width))
-            break;
-    }
+    } while (rw_pattern_simpler(p, &pattern, width));
     return is_known;
 }
 
@@ -336,8 +326,9 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         rw_outcome outcome;
         const bool is_solved = rw_grid_solve(grid, p, &layers);
         w->effort += n * n * n / 250 + n * n * grid->turns / 50; /* as measured */
-        if (!is_solved || !rw_grid_zones(grid, p, &zones))
+        if (!is_solved)
             continue;
+        rw_grid_zones(grid, p, &zones);
         if (try_all(w, p, &zones, RW_PI / n, &outcome))
             keep_better(best, &is_known, &outcome);
         if (is_known && best->violation <= p->allowed)

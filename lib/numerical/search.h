@@ -16,7 +16,6 @@ typedef struct {
     rw_grid grid[RW_TRIALS];
     rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
     unsigned frictions;                 /* how many so far */
-    rw_zones tried[RW_VARIANTS];        /* of one pattern */
     /* so far: values at points of a quadrature, some 40 ns each. Beyond the most only the grid is
      * used. Beyond half of it steps are not divided any more, so that exact fronts may end them. */
     int effort, most_effort;

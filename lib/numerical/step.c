@@ -19,8 +19,7 @@ static rw_patch contact_of(const rw_frame *frame, rw_scaled_loads at)
 static const rw_friction *friction_of(rw_work *w, rw_patch contact)
 {
     for (int i = 0; i < RW_FRICTIONS; i++)
-        if (w->friction[i].contact.left == contact.left &&
-            w->friction[i].contact.right == contact.right)
+        if (rw_patch_is_same(w->friction[i].contact, contact))
             return &w->friction[i];
     rw_friction *oldest = &w->friction[w->frictions++ % RW_FRICTIONS];
     rw_friction_destroy(oldest);
@@ -155,14 +154,14 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_st
     if (!set_problem(w, from, there->at, there->contact, &p))
         return false;
     rw_fronts_forget(&w->fronts);
-    const bool goes_on =
-        p.is_still && fmax(from->rate_error, there->rate_error) <= p.allowed &&
-        is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) &&
-        rw_fronts_begin(&w->fronts, &p, &there->shear.zones, (double[2]){NAN, NAN}) &&
-        rw_outcome_of_slip(&w->fronts, &outcome) && outcome.violation <= p.allowed;
-    if (goes_on) {
-        there->energy = from->energy + outcome.energy;
-        there->error = fmax(from->error, fmax(there->error, outcome.violation));
-    }
-    return goes_on;
+    if (!p.is_still || fmax(from->rate_error, there->rate_error) > p.allowed ||
+        !is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) ||
+        !rw_fronts_begin(&w->fronts, &p, &there->shear.zones, (double[2]){NAN, NAN}))
+        return false;
+    rw_outcome_of_slip(&w->fronts, &outcome);
+    if (outcome.violation > p.allowed)
+        return false;
+    there->energy = from->energy + outcome.energy;
+    there->error = fmax(from->error, fmax(there->error, outcome.violation));
+    return true;
 }

@@ -194,6 +194,7 @@ typedef struct {
     rw_values f;
     const void *context;
     double tolerance, noise, shortest;
+    bool is_short; /* of memory */
     rule rule;
     rw_element part; /* the last that was tried */
 } fit;
@@ -234,7 +235,7 @@ static void shorten(const fit *how, rw_element *e)
 
 /* Fits a part of what has the rest `whole`, in halves where one element is not enough, in the order
  * of x. Next to the end, where x is quadratic in u, the first part is a third. */
-static bool fit_part(fit *how, double end, double scale, double first, double last, int depth,
+static void fit_part(fit *how, double end, double scale, double first, double last, int depth,
                      double whole)
 {
     rw_element *e = &how->part;
@@ -244,14 +245,13 @@ static bool fit_part(fit *how, double end, double scale, double first, double la
     if (depth == 0 || fabs(scale) * (last * last - first * first) < how->shortest ||
         is_fine(how, rest, whole)) {
         shorten(how, e);
-        return append(how->traction, e, &how->rule);
+        how->is_short |= !append(how->traction, e, &how->rule);
+        return;
     }
-    const double middle = first == 0 ? last / 3 : (first + last) / 2;
-    if (scale > 0)
-        return fit_part(how, end, scale, first, middle, depth - 1, rest) &&
-               fit_part(how, end, scale, middle, last, depth - 1, rest);
-    return fit_part(how, end, scale, middle, last, depth - 1, rest) &&
-           fit_part(how, end, scale, first, middle, depth - 1, rest);
+    const double at[] = {first, first == 0 ? last / 3 : (first + last) / 2, last};
+    const int left = scale > 0 ? 0 : 1, right = 1 - left;
+    fit_part(how, end, scale, at[left], at[left + 1], depth - 1, rest);
+    fit_part(how, end, scale, at[right], at[right + 1], depth - 1, rest);
 }
 
 bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, size_t breaks,
@@ -263,12 +263,12 @@ bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, si
     t->count = 0;
     for (size_t i = 0; i + 1 < breaks; i++) {
         const double middle = at[i] / 2 + at[i + 1] / 2;
-        if (middle > at[i] && middle < at[i + 1] &&
-            (!fit_part(&how, at[i], middle - at[i], 0, 1, DEPTH, HUGE_VAL) ||
-             !fit_part(&how, at[i + 1], middle - at[i + 1], 0, 1, DEPTH, HUGE_VAL)))
-            return false;
+        if (!((middle - at[i]) * (at[i + 1] - middle) > 0))
+            continue;
+        fit_part(&how, at[i], middle - at[i], 0, 1, DEPTH, HUGE_VAL);
+        fit_part(&how, at[i + 1], middle - at[i + 1], 0, 1, DEPTH, HUGE_VAL);
     }
-    return true;
+    return !how.is_short;
 }
 
 typedef struct {

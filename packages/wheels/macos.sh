@@ -3,7 +3,7 @@
 # The shared library for macOS, with dgelsd.c in place of LAPACK. It needs the system's C library with its mathematics, no more.
 # zig compiles it, as zig has macOS's headers. LLVM's linker links it: zig's own leaves segments that do not end with a page.
 #     macos.sh ZIG SOURCES SOURCE FOLDER MACHINE MINIMUM
-# of zig.sh's folder, sources.sh's folder and rwedge's sources, for arm64 or x86_64 from macOS MINIMUM on -> FOLDER/_rwedge.so
+# of zig's folder, sources.sh's folder and rwedge's sources, for arm64 or x86_64 from macOS MINIMUM on -> FOLDER/_rwedge.so
 set -eu
 zig=$1 sources=$2 source=$3 folder=$4 machine=$5 minimum=$6
 case $machine in arm64) target=aarch64-macos.$minimum ;; *) target=$machine-macos.$minimum ;; esac
@@ -11,6 +11,7 @@ mkdir -p "$folder/made"
 cd "$folder"
 cat >compiler <<END
 #!/bin/sh
+export ZIG_GLOBAL_CACHE_DIR='$PWD/cache' ZIG_LOCAL_CACHE_DIR='$PWD/cache'
 exec '$zig/zig' cc -target $target -ffile-prefix-map='$sources'=. "\$@"
 END
 chmod +x compiler
@@ -29,7 +30,7 @@ for file in packages/dgelsd bindings/python/src/loops; do
     ./compiler -std=c99 $options -Iinclude -Imade/python -I"$source/include" -c "$source/$file.c" -o "made/${file##*/}.o"
 done
 # what Apple's system offers to arm64 is listed under names that this linker may not know
-sed 's/arm64e\.x1-/arm64-/g' "$zig"/venv/lib/python3*/site-packages/ziglang/lib/libc/darwin/libSystem.tbd >libSystem.tbd
+sed 's/arm64e\.x1-/arm64-/g' "$zig/lib/libc/darwin/libSystem.tbd" >libSystem.tbd
 # shellcheck disable=SC2046
 "$(clang -print-prog-name=ld64.lld)" -dylib -arch "$machine" -platform_version macos "$minimum" "$minimum" -dead_strip -S \
     -install_name @rpath/_rwedge.so -o _rwedge.so made/*.o $(find library/lib -name '*.c.obj' | LC_ALL=C sort) gsl/*.o libSystem.tbd

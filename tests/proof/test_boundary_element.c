@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts against the incremental boundary-element solver, along random histories of P and Q and
- * of moment and bulk tension too: they must approach each other as elements and steps shrink. */
+ * of moment and bulk tension too, and other pads: they must approach each other as elements and
+ * steps shrink. */
 #include "boundary_element.h"
 #include "histories.h"
 
@@ -176,5 +177,77 @@ CLAIM(what_sticks_between_two_fronts_has_no_closed_form)
             add_difference(contact, &solver, f, &d);
             assert_true(d.shear < 3e-3);
         }
+    }
+}
+
+/* ---- Other pads ---- */
+
+enum { PAD_LEGS = 5 };
+static const double F = 0.5, FLAT = 0.4, RADIUS = 4;
+
+/* The slope of the worn pad: linear between the places. */
+static const double X[] = {-1, -0.4, 0.1, 0.5, 0.9}, SLOPE[] = {-0.12, -0.02, -0.01, 0.05, 0.15};
+
+static double flat_height(double x)
+{
+    const double beyond = fmax(0, fabs(x) - FLAT);
+    return beyond * beyond / (2 * RADIUS);
+}
+
+/* From X[0] on. */
+static double worn_height(double x)
+{
+    double sum = SLOPE[0] * (x - X[0]);
+    for (int i = 1; i < 5; i++) {
+        const double length = X[i] - X[i - 1], in = fmin(fmax(0, x - X[i - 1]), length);
+        const double rise = (SLOPE[i] - SLOPE[i - 1]) / length;
+        sum += rise * (in * in / 2 + in * fmax(0, x - X[i]));
+    }
+    return sum;
+}
+
+/* In closed form; and where the tension lags behind Q and the contact rocks: computed. */
+static const boundary_loads IN_STEP[PAD_LEGS] = {{0.08, 0.006, 0, 0},
+                                                 {0.08, 0.006, 0.03, 0.012},
+                                                 {0.08, 0.006, -0.02, -0.01},
+                                                 {0.08, 0.006, 0.01, 0.005},
+                                                 {0.1, 0.0075, 0.01, 0.005}},
+                            LAGGING[PAD_LEGS] = {{0.08, 0.006, 0, 0},
+                                                 {0.08, 0.006, 0.01, 0.05},
+                                                 {0.08, 0.006, 0.03, 0.02},
+                                                 {0.09, 0.002, 0.01, -0.04},
+                                                 {0.08, 0.006, -0.02, -0.02}};
+
+static difference of_pad(bool is_flat, const boundary_loads loads[PAD_LEGS], size_t n)
+{
+    static boundary_element solver;
+    difference sum = {0};
+    rwedge_contact *contact;
+    assert_ok(is_flat ? rwedge_contact_create_flat(FLAT, RADIUS, A, F, &contact)
+                      : rwedge_contact_create_profile(5, X, SLOPE, A, F, &contact));
+    owned(contact);
+    assert_ok(rwedge_contact_allow_error(contact, loads == LAGGING ? 1e-4 : 0));
+    boundary_element_start(&solver, THETA, 1, A, F, n, 1);
+    solver.height = is_flat ? flat_height : worn_height;
+    for (int leg = 0; leg < PAD_LEGS; leg++) {
+        const boundary_loads to = loads[leg];
+        apply(contact, to.P, to.M, to.Q, to.sigma);
+        assert_int_equal(boundary_element_go(&solver, leg == 0 ? 1 : 20, to), 0);
+        add_difference(contact, &solver, F, &sum);
+    }
+    assert_int_equal(sum.legs, PAD_LEGS);
+    return sum;
+}
+
+CLAIM(flat_and_worn_pads_are_the_limit_of_boundary_elements)
+{
+    for (int i = 0; i < 4; i++) {
+        const boundary_loads *loads = i < 2 ? IN_STEP : LAGGING;
+        const difference coarse = of_pad(i % 2, loads, 60), fine = of_pad(i % 2, loads, 180);
+        printf("pad %d: pressure %.1e shear %.1e slip %.1e energy %.1e\n", i, fine.pressure,
+               fine.shear, fine.slip, fine.energy);
+        assert_true(fine.pressure < PAD_LEGS * 2e-3 && fine.pressure < 0.5 * coarse.pressure);
+        assert_true(fine.shear < PAD_LEGS * 5e-3 && fine.shear < 0.6 * coarse.shear);
+        assert_true(fine.slip < PAD_LEGS * 1e-4 && fine.energy < 0.1);
     }
 }

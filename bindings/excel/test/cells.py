@@ -5,13 +5,12 @@ MODULE CLAIMS FOLDER. It cannot call DLLs: functions of Basic stand for them. Ne
 import os
 import re
 import signal
-import subprocess
 import sys
-import time
+from pathlib import Path
 
-import uno
-from com.sun.star.beans import PropertyValue
-from com.sun.star.connection import NoConnectException
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
+
+from office import Office  # noqa: E402
 
 LONGEST = 100
 
@@ -28,60 +27,25 @@ def translated(module):
     return re.sub(r"\bc_\w+\(.*\)", lambda call: re.sub(r"(\w+)\(0\)", r"\1", call[0]), module)
 
 
-def connected(office, pipe):
-    context = uno.getComponentContext()
-    resolver = context.ServiceManager.createInstanceWithContext("com.sun.star.bridge.UnoUrlResolver", context)
-    while True:
-        try:
-            return resolver.resolve(f"uno:pipe,name={pipe};urp;StarOffice.ComponentContext")
-        except NoConnectException:
-            if office.poll() is not None:
-                sys.exit("FAILED: LibreOffice ended")
-            time.sleep(0.2)
-
-
-def setting(name, value):
-    pair = PropertyValue()
-    pair.Name, pair.Value = name, value
-    return pair
-
-
-def stop(office):
-    """With the programs that it started."""
-    try:
-        os.killpg(office.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
-    office.wait()
-
-
 def main():
     module, claims, folder = sys.argv[1:]
     # variables stand before the first procedure
     variables, procedures = open(claims, encoding="ascii").read().split("' ----", 1)
     code = translated(open(module, newline="", encoding="ascii").read())
     code = code.replace("Option Explicit\n", f"Option VBASupport 1\nOption Explicit\n{variables}") + "' ----" + procedures
-    pipe = f"rwedge-excel-{os.getpid()}"
-    office = subprocess.Popen(["soffice", "--headless", "--norestore", "--nologo", f"--accept=pipe,name={pipe};urp;",
-                               f"-env:UserInstallation=file://{os.path.abspath(folder)}/libreoffice"],
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
     signal.alarm(LONGEST)  # ends this program, and by it LibreOffice
     signal.signal(signal.SIGALRM, lambda *_: sys.exit(f"FAILED: LibreOffice takes more than {LONGEST} s"))
+    office = Office(folder)
     try:
-        context = connected(office, pipe)
-        desktop = context.ServiceManager.createInstanceWithContext("com.sun.star.frame.Desktop", context)
-        document = desktop.loadComponentFromURL("private:factory/scalc", "_blank", 0,
-                                                (setting("Hidden", True), setting("MacroExecutionMode", 4)))
+        document = office.open("private:factory/scalc", MacroExecutionMode=4)
         document.BasicLibraries.VBACompatibilityMode = True
         document.BasicLibraries.getByName("Standard").insertByName("rwedge", code)
         script = document.getScriptProvider().getScript(
             "vnd.sun.star.script:Standard.rwedge.all_claims?language=Basic&location=document")
         answer = script.invoke((), (), ())[0]
         document.close(True)
-        desktop.terminate()
-        office.wait()
     finally:
-        stop(office)
+        office.end()
     print(f"in LibreOffice's Basic: {answer}", flush=True)
     os._exit(not str(answer).startswith("ok "))  # at once: uno's threads can crash when they outlive LibreOffice
 

@@ -53,7 +53,7 @@ if [ -c /dev/full ]; then
     message_has "standard output: No space left on device"
 fi
 
-# Every command, option, table and column is described in the README; the columns of tables in that of tables/.
+# Every command, option, table, figure and column is described in the README; the columns of tables in that of tables/.
 readme=$here/../../../cli/README.md
 called="rwedge table --help"
 for word in $(grep -o -e '--[a-z][a-z-]*' help | sort -u) \
@@ -62,10 +62,10 @@ for word in $(grep -o -e '--[a-z][a-z-]*' help | sort -u) \
     same "README has $word" yes "$(grep -q -e "$word" "$readme" "$here/../../../tables/README.md" && echo yes)"
 done
 
-for command in solve profile field history fretting; do
+for command in solve profile field history fretting figure; do
     called="rwedge $command --help"
     "$rwedge" $command --help >out
-    columns=$(sed -n '/^Results/,/^$/p; /^Columns/,/^$/p' out | # a line: "  x, y  the point"
+    columns=$(sed -n '/^Results/,/^$/p; /^Columns/,/^$/p; /^Figures/,/^$/p' out | # a line: "  x, y  the point"
         sed -n 's/^  \([A-Za-z_0-9]*\(, [A-Za-z_0-9]*\)*\) .*/\1/p' | tr -d ,)
     same "help without columns" "" "$([ "$columns" ] || echo "$command")"
     for word in $(grep -o -e '--[a-zA-Z][a-zA-Z0-9-]*' out | sort -u) $columns; do

@@ -12,7 +12,7 @@ alike() {
     done
 }
 
-# From a single row to many rounds of the ring, blocks filled and not.
+# From a single row to many rounds, of which the last is full or not.
 for last in 0.01 0.31 0.32 0.33 0.64; do
     alike elastic-limit --a-over-b 0.01:$last:0.01 --friction 0.1
 done
@@ -43,6 +43,22 @@ refuses "--threads 257: must be a whole number from 1 to 256" table contact-law 
 called="rwedge table ... | head -n 1"
 "$rwedge" table elastic-limit --friction 0:0.8:0.0000001 --threads 8 2>err | head -n 1 >out
 same "the first row" "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface" "$(cat out)"
+
+# A few thousand places of a cycle are shared out too: one thread once had them all.
+if [ -r /proc/self/status ]; then
+    awk 'BEGIN { print "P,Q"; for (i = 0; i < 24; i++) printf "135.75,%.6g\n", 38 * sin(0.9 * i) }' >loads.csv
+    "$rwedge" fretting loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --depth 0:0.1:0.01 --kappa 100 --threads 3 \
+        -o places.csv 2>/dev/null &
+    process=$!
+    most=0
+    while now=$(sed -n 's/^Threads:[^0-9]*//p' "/proc/$process/status" 2>/dev/null) && [ -n "$now" ]; do
+        [ "$now" -gt "$most" ] && most=$now
+        sleep 0.01
+    done
+    wait "$process"
+    called="rwedge fretting, $(wc -l <places.csv) places by $most threads"
+    same "threads" 3 "$most"
+fi
 
 # The most memory in kB while 500,000 rows are written, which would take more if they were kept.
 if [ -r /proc/self/status ]; then

@@ -30,7 +30,7 @@ done
 HOME=$scratch
 export HOME
 called="LibreOffice"
-"$python" "$here/workbook_recalculate.py" "$rwedge" "$scratch" book.xlsx
+"$python" -B "$here/workbook_recalculate.py" "$rwedge" "$scratch" book.xlsx
 same "recalculated" 0 $?
 
 finish

@@ -13,13 +13,13 @@ import random
 import re
 import subprocess
 import sys
-import time
 import xml.etree.ElementTree as ET
 import zipfile
 
-import uno
-from com.sun.star.beans import PropertyValue
-from com.sun.star.sheet import FormulaResult
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "support"))
+
+from office import Office, settings  # noqa: E402
+from com.sun.star.sheet import FormulaResult  # noqa: E402
 
 RWEDGE, FOLDER, WORKBOOK = sys.argv[1:]
 INPUTS = ["E1", "nu1", "E2", "nu2", "theta", "theta_deg", "a", "radius", "P", "Q", "f", "k", "yield_stress"]
@@ -54,50 +54,12 @@ def same(what, good, detail):
 # ---- LibreOffice ----
 
 
-class Office:
-    def __init__(self):
-        pipe = "rwedge%d" % os.getpid()
-        self.process = subprocess.Popen(
-            ["soffice", "-env:UserInstallation=file://" + os.path.join(os.path.abspath(FOLDER), "profile"), "--headless",
-             "--norestore", "--nologo", "--accept=pipe,name=%s;urp;" % pipe],
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        local = uno.getComponentContext()
-        resolver = local.ServiceManager.createInstanceWithContext("com.sun.star.bridge.UnoUrlResolver", local)
-        self.context = None
-        for _ in range(1200):
-            try:
-                self.context = resolver.resolve("uno:pipe,name=%s;urp;StarOffice.ComponentContext" % pipe)
-                break
-            except Exception:
-                time.sleep(0.05)
-        if self.context is None:
-            self.process.kill()
-            sys.exit("LibreOffice does not start")
-        self.desktop = self.service("com.sun.star.frame.Desktop")
-
-    def service(self, name):
-        return self.context.ServiceManager.createInstanceWithContext(name, self.context)
-
-    def speak(self, locale):
-        provider = self.service("com.sun.star.configuration.ConfigurationProvider")
-        access = provider.createInstanceWithArguments(
-            "com.sun.star.configuration.ConfigurationUpdateAccess",
-            (PropertyValue("nodepath", 0, "/org.openoffice.Setup/L10N", 0),))
-        access.setPropertyValue("ooSetupSystemLocale", locale)
-        access.commitChanges()
-
-    def open(self, path):
-        hidden = PropertyValue("Hidden", 0, True, 0)
-        document = self.desktop.loadComponentFromURL("file://" + os.path.abspath(path), "_blank", 0, (hidden,))
-        document.enableAutomaticCalculation(True)  # as users have it; calculate() alone left a cell out
-        return document
-
-    def end(self):
-        try:
-            self.desktop.terminate()
-        except Exception:
-            self.process.terminate()
-        self.process.wait(30)
+def speak(office, locale):
+    provider = office.service("com.sun.star.configuration.ConfigurationProvider")
+    access = provider.createInstanceWithArguments("com.sun.star.configuration.ConfigurationUpdateAccess",
+                                                  settings(nodepath="/org.openoffice.Setup/L10N"))
+    access.setPropertyValue("ooSetupSystemLocale", locale)
+    access.commitChanges()
 
 
 def value_of(cell):
@@ -593,13 +555,14 @@ def check_legends(document):
 
 
 def check_book(office):
-    document = office.open(WORKBOOK)
+    document = office.open("file://" + os.path.abspath(WORKBOOK))
+    document.enableAutomaticCalculation(True)  # as users have it; calculate() alone left a cell out
     calculator, batch = Calculator(document), Batch(document)
     check_first_input(document, calculator)
     check_file(WORKBOOK)
     check_stored(document)
     for locale, count, beside, shown in ("en-US", ROWS - 1, 15, "0.05"), ("de-DE", 30, 5, "0,05"):
-        office.speak(locale)
+        speak(office, locale)
         calculator.enter(GOOD)
         same("the decimal sign of " + locale, calculator.cells["rw_a"].String == shown, calculator.cells["rw_a"].String)
         check_cases(calculator, batch, count, beside, 2026)
@@ -610,7 +573,7 @@ def check_book(office):
     document.close(True)
 
 
-office = Office()
+office = Office(FOLDER)
 try:
     check_book(office)
 finally:

@@ -252,6 +252,20 @@ CLAIM(damage_to_what_is_computed_is_refused_or_taken)
     assert_true(damage_all(pad, is_restored) < 3 * pad.size);
 }
 
+/* Twelve zones that stick, side by side, were more than there was room for on the stack. */
+CLAIM(zones_of_one_label_side_by_side_are_refused)
+{
+    rwedge_contact *contact = computed(0.5);
+    const contact_state s = state_of(contact);
+    const rw_zones *zones = &contact->numerical->now.shear.zones;
+    size_t first = 0; /* the first zone: its ends and label */
+    while (s.number[first] != zones->zone[0].left || s.number[first + 1] != zones->zone[0].right)
+        first++;
+    assert_true(is_restored(s));
+    s.number[first + 2] = s.number[first + 5];
+    assert_false(is_restored(s));
+}
+
 /* What is computed goes with a contact that holds no other shear, and has its edges. */
 CLAIM(a_shear_of_another_contact_is_refused)
 {

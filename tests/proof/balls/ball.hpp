@@ -121,9 +121,7 @@ inline ball cos(const ball &x) { return rounded(arb_cos, x); }
 inline ball tan(const ball &x) { return rounded(arb_tan, x); }
 inline ball asin(const ball &x) { return rounded(arb_asin, x); }
 inline ball acos(const ball &x) { return rounded(arb_acos, x); }
-inline ball atan(const ball &x) { return rounded(arb_atan, x); }
 inline ball atan2(const ball &y, const ball &x) { return rounded(arb_atan2, y, x); }
-inline ball asinh(const ball &x) { return rounded(arb_asinh, x); }
 inline ball acosh(const ball &x) { return rounded(arb_acosh, x); }
 inline ball hypot(const ball &x, const ball &y) { return rounded(arb_hypot, x, y); }
 inline ball max(const ball &x, const ball &y) { return rounded(arb_max, x, y); }

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture.h"
+
+#include <math.h>
+
+void dataset_add(dataset *to, data_row row)
+{
+    to->row = memory_for_one_more(to->row, to->count, sizeof row);
+    to->row[to->count++] = row;
+}
+
+size_t dataset_curve(const dataset *data, int number, size_t *first)
+{
+    size_t start = 0, end;
+    while (start < data->count && data->row[start].curve != number)
+        start++;
+    for (end = start; end < data->count && data->row[end].curve == number; end++)
+        continue;
+    *first = start;
+    return end - start;
+}
+
+double dataset_largest(const dataset *data, int column)
+{
+    double most = 0;
+    for (size_t i = 0; i < data->count; i++)
+        if (isfinite(data->row[i].number[column]))
+            most = fmax(most, data->row[i].number[column]);
+    return most;
+}
+
+void dataset_write(void *of_dataset, records *rows)
+{
+    const dataset *data = of_dataset;
+    for (int i = 0; data->column[i] != NULL; i++)
+        records_name(rows, data->column[i]);
+    if (data->text_column != NULL)
+        records_name(rows, data->text_column);
+    records_end_header(rows);
+    for (size_t n = 0; n < data->count && records_go_on(rows); n++) {
+        for (int i = 0; data->column[i] != NULL; i++)
+            records_value(rows, cell_number(data->row[n].number[i]));
+        if (data->text_column != NULL)
+            records_value(rows, cell_text(data->row[n].text));
+        records_end_row(rows);
+    }
+}

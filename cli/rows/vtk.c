@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The legacy format of VTK, version 3.0, ASCII, for ParaView. It has one quantity after the other,
+ * and so the rows are kept to the end. The first two columns are the places; the others are
+ * scalars, and where all of a plane stress are among them, a tensor too. */
+#include "rows.h"
+
+#include "text/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void keep_name(records *rows, const char *name)
+{
+    rows->name = memory_for_one_more(rows->name, rows->names, sizeof *rows->name);
+    rows->name[rows->names++] = name;
+}
+
+static void keep_value(records *rows, cell value)
+{
+    rows->kept = memory_for_one_more(rows->kept, rows->kept_count, sizeof *rows->kept);
+    rows->kept[rows->kept_count++] = value.number;
+}
+
+static void nothing(records *rows)
+{
+    (void)rows;
+}
+
+/* ---- The file ---- */
+
+static double number_at(const records *rows, size_t row, size_t column)
+{
+    return rows->kept[row * rows->names + column];
+}
+
+static size_t count_of(const records *rows)
+{
+    return rows->kept_count / rows->names;
+}
+
+/* Numbers are ended by spaces, lines by the last of each row of the grid. */
+static void put_number(records *rows, double value, bool last)
+{
+    char text[NUMBER_SIZE];
+    if (isfinite(value))
+        output_write(rows->out, text, number_write(value, rows->digits, '.', text));
+    else
+        output_text(rows->out, "nan");
+    output_text(rows->out, last ? "\n" : " ");
+}
+
+static void put_line(records *rows, const char *format, size_t first, size_t second)
+{
+    char line[160];
+    snprintf(line, sizeof line, format, first, second);
+    output_text(rows->out, line);
+}
+
+static void put_axis(records *rows, const char *heading, size_t count, size_t column, size_t stride)
+{
+    put_line(rows, heading, count, 0);
+    for (size_t i = 0; i < count && records_go_on(rows); i++)
+        put_number(rows, number_at(rows, i * stride, column), i == count - 1);
+}
+
+static void put_grid(records *rows)
+{
+    const size_t depths = count_of(rows) / rows->across;
+    put_line(rows, "DATASET RECTILINEAR_GRID\nDIMENSIONS %zu %zu 1\n", rows->across, depths);
+    put_axis(rows, "X_COORDINATES %zu double\n", rows->across, 0, 1);
+    put_axis(rows, "Y_COORDINATES %zu double\n", depths, 1, rows->across);
+    output_text(rows->out, "Z_COORDINATES 1 double\n0\n");
+}
+
+static void put_points(records *rows)
+{
+    const size_t count = count_of(rows);
+    put_line(rows, "DATASET POLYDATA\nPOINTS %zu double\n", count, 0);
+    for (size_t i = 0; i < count && records_go_on(rows); i++) {
+        put_number(rows, number_at(rows, i, 0), false);
+        put_number(rows, number_at(rows, i, 1), false);
+        put_number(rows, 0, true);
+    }
+    put_line(rows, "VERTICES %zu %zu\n", count, 2 * count);
+    for (size_t i = 0; i < count && records_go_on(rows); i++)
+        put_line(rows, "1 %zu\n", i, 0);
+}
+
+/* A number at every point, under its name. */
+static void put_scalars(records *rows, size_t column)
+{
+    const size_t count = count_of(rows), across = rows->across > 0 ? rows->across : count;
+    output_text(rows->out, "SCALARS ");
+    output_text(rows->out, rows->name[column]);
+    output_text(rows->out, " double 1\nLOOKUP_TABLE default\n");
+    for (size_t i = 0; i < count && records_go_on(rows); i++)
+        put_number(rows, number_at(rows, i, column), (i + 1) % across == 0);
+}
+
+/* Its place; how many columns there are where it is none. */
+static size_t column_of(const records *rows, const char *name)
+{
+    size_t i = 0;
+    while (i < rows->names && strcmp(rows->name[i], name) != 0)
+        i++;
+    return i;
+}
+
+/* Three rows of three for each point; NULL is 0. */
+static void put_tensors(records *rows)
+{
+    static const char *const component[9] = {"sxx", "txy", NULL, "txy", "syy",
+                                             NULL,  NULL,  NULL, "szz"};
+    size_t column[9];
+    for (int k = 0; k < 9; k++) {
+        column[k] = component[k] != NULL ? column_of(rows, component[k]) : 0;
+        if (column[k] == rows->names)
+            return;
+    }
+    output_text(rows->out, "TENSORS stress double\n");
+    for (size_t i = 0; i < count_of(rows) && records_go_on(rows); i++)
+        for (int k = 0; k < 9; k++)
+            put_number(rows, component[k] != NULL ? number_at(rows, i, column[k]) : 0, k % 3 == 2);
+}
+
+static void write_file(records *rows)
+{
+    output_text(rows->out, "# vtk DataFile Version 3.0\n");
+    output_text(rows->out, rows->title);
+    output_text(rows->out, "\nASCII\n");
+    (rows->across > 0 ? put_grid : put_points)(rows);
+    put_line(rows, "POINT_DATA %zu\n", count_of(rows), 0);
+    for (size_t column = 2; column < rows->names; column++)
+        put_scalars(rows, column);
+    put_tensors(rows);
+    free(rows->kept);
+    free(rows->name);
+}
+
+const record_format vtk_format = {nothing, keep_name, nothing, keep_value, nothing, write_file};

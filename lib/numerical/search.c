@@ -282,7 +282,8 @@ static bool stick_where_new(const rw_problem *p, rw_zones *zones)
         new.zone[new.count++] = (rw_zone){0, first.left, first.right};
     if (last.label != 0 && p->grows[1] && last.left >= p->from.right)
         new.zone[new.count++] = (rw_zone){0, last.left, last.right};
-    return new.count > 0 && rw_pattern_insert(zones, &new, 0);
+    rw_pattern_insert(zones, &new, 0);
+    return new.count > 0;
 }
 
 /* Slip that ends at an edge that grows: where all that slips is new in contact, its slip is too

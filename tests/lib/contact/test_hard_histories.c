@@ -259,9 +259,9 @@ CLAIM(a_flat_pad_that_slips_as_it_touches_keeps_the_strain_of_its_stick_zone)
     }
 }
 
-/* Slip at an edge that grows went on in every small step, less than counts, after the rates had told
- * its end: however small the steps were they erred as much in all. Each left kinks, so that steps
- * took ever longer: this load two seconds, with an error of 0.07. */
+/* Slip at an edge that grows went on in every small step, less than counts, after the rates had
+ * told its end: however small the steps were they erred as much in all. Each left kinks, so that
+ * steps took ever longer: this load two seconds, with an error of 0.07. */
 CLAIM(slip_ends_at_an_edge_that_grows)
 {
     rwedge_contact *pad = flat_pad(1e-6);

@@ -178,6 +178,7 @@ fi
 # Good reasons to skip: the processor lacks something, this machine does not allow it, or its distribution has no package of it.
 beyond_us='long double has no more digits than double|this processor has no|this machine cannot trap|not a release build, or one under a sanitizer'
 beyond_us="$beyond_us|the sources of .* cannot be fetched|cannot be tried here|404  *Not Found|another gnuplot drew it|another clang compiled"
+beyond_us="$beyond_us|the system does not tell how much memory"
 for need in $not_in_distribution; do
     beyond_us="$beyond_us|$(basename "${need#*:}")"
 done

@@ -53,17 +53,15 @@ static double x_of(const plan *job, int64_t i)
 
 static const char *zone_of(const loaded_contact *loaded, double x)
 {
-    const zone contact = loaded_contact_zone(loaded), stick = loaded_contact_stick_zone(loaded);
-    if (!(x > contact.left && x < contact.right))
+    if (!(x > loaded->touches.left && x < loaded->touches.right))
         return "free";
-    return x > stick.left && x < stick.right ? "stick" : "slip";
+    return x > loaded->sticks.left && x < loaded->sticks.right ? "stick" : "slip";
 }
 
 /* Where a history off the centre has no closed form of it, the slip alone is not known. */
 static int32_t slip_at(const loaded_contact *loaded, double at, double *slip)
 {
-    const zone contact = loaded_contact_zone(loaded);
-    if (loaded->b == 0 || at < contact.left || at > contact.right)
+    if (loaded->b == 0 || at < loaded->touches.left || at > loaded->touches.right)
         return RWEDGE_OK;
     const int32_t status = rwedge_contact_slip(loaded->contact, 1, &at, slip);
     return status == RWEDGE_EPATH ? RWEDGE_OK : status;
@@ -77,7 +75,7 @@ static int32_t look(const loaded_contact *loaded, double at, double value[])
     double syy, txy;
     int32_t status = RWEDGE_OK;
     value[P] = value[Q] = value[SXX] = value[SLIP] = NAN;
-    if (!loaded_contact_is_kink(loaded, at, 0)) {
+    if (loaded->b == 0 || !pad_is_kink(&loaded->shape, at)) {
         status = rwedge_contact_tractions(loaded->contact, 1, &at, &value[P], &value[Q]);
         if (status == RWEDGE_OK)
             status =
@@ -132,9 +130,8 @@ static void read_points(const arguments *line, plan *job)
 
 static void say_unknown_slip(const loaded_contact *loaded)
 {
-    const double edge = loaded_contact_zone(loaded).left;
     double slip;
-    if (rwedge_contact_slip(loaded->contact, 1, &edge, &slip) == RWEDGE_EPATH)
+    if (rwedge_contact_slip(loaded->contact, 1, &loaded->touches.left, &slip) == RWEDGE_EPATH)
         notice("the slip has no closed form after these loads: the column slip is empty");
 }
 

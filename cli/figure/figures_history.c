@@ -55,8 +55,6 @@ static void visit_all(const figure_case *inputs, size_t first, visitor *visit, d
 
 /* ---- The stress at a point ---- */
 
-enum { H_LOAD, H_X, H_Y, H_SXX, H_SYY, H_SZZ, H_TXY };
-
 static void add_stress(const figure_case *inputs, double number, const rwedge_contact *contact,
                        dataset *rows)
 {
@@ -89,14 +87,12 @@ const figure figure_history = {
     .cycles = 1,
     .column = (const char *const[]){"load", "x", "y", "sxx", "syy", "szz", "txy", NULL},
     .compute = compute_history,
-    .drawn = 1 << H_SXX | 1 << H_SYY | 1 << H_TXY,
+    .drawn = 1 << 3 | 1 << 4 | 1 << 6, /* sxx, syy, txy */
     .nothing = "there is no stress",
     .prepare = prepare_history,
     .script = history_lines};
 
 /* ---- The loop of Q over the displacement ---- */
-
-enum { L_LOAD, L_P, L_M, L_Q, L_SIGMA, L_DISPLACEMENT, L_ENERGY };
 
 static void add_displacement(const figure_case *inputs, double number,
                              const rwedge_contact *contact, dataset *rows)
@@ -121,13 +117,11 @@ const figure figure_any_loop = {
     .cycles = 1,
     .column = (const char *const[]){"load", "P", "M", "Q", "sigma", "displacement", "energy", NULL},
     .compute = compute_any_loop,
-    .drawn = 1 << L_DISPLACEMENT,
+    .drawn = 1 << 5,
     .nothing = "nothing slips, or the slip has no closed form",
     .script = any_loop_lines};
 
 /* ---- Smith, Watson and Topper's parameter along the surface ---- */
-
-enum { F_X, F_SWT, F_ANGLE, F_SLIP, F_F1, F_F2, F_ENERGY };
 
 /* Measures the cycle at the places by default. */
 static void measure_usual(const figure_case *inputs, const last_cycle *last, measured *result)
@@ -160,7 +154,7 @@ const figure figure_fretting = {.name = "fretting",
                                                                 "slip_range", "ruiz_f1", "ruiz_f2",
                                                                 "energy_per_area", NULL},
                                 .compute = compute_fretting,
-                                .drawn = 1 << F_SWT,
+                                .drawn = 1 << 1,
                                 .nothing = "there is no tension in the cycle",
                                 .script = fretting_lines};
 

@@ -5,17 +5,12 @@
 
 static const double RADIANS_PER_DEGREE = 0.017453292519943295;
 
-/* Two ways to give the same; the second is -1 where there is one way only. */
-typedef struct {
-    int input, alternative;
-} alternatives;
-
-static const alternatives ways[] = {
-    {INPUT_E1, -1}, {INPUT_NU1, -1}, {INPUT_THETA, INPUT_THETA_DEG}, {INPUT_A, INPUT_RADIUS},
-    {INPUT_P, -1},  {INPUT_F, -1},   {INPUT_K, INPUT_YIELD_STRESS},
-};
+/* What may be needed; some have an alternative. */
+static const int ways[] = {INPUT_E1, INPUT_NU1, INPUT_THETA, INPUT_A, INPUT_P, INPUT_F, INPUT_K};
 /* Inputs of different shapes, which exclude each other. */
-static const alternatives shapes[] = {
+static const struct {
+    int input, alternative;
+} shapes[] = {
     {INPUT_THETA, INPUT_FLAT},     {INPUT_THETA_DEG, INPUT_FLAT},    {INPUT_A, INPUT_FLAT},
     {INPUT_THETA, INPUT_PROFILE},  {INPUT_THETA_DEG, INPUT_PROFILE}, {INPUT_A, INPUT_PROFILE},
     {INPUT_RADIUS, INPUT_PROFILE}, {INPUT_FLAT, INPUT_PROFILE},
@@ -58,16 +53,16 @@ static bool is_needed(const input_texts *texts, int input, case_needs needs)
 }
 
 /* Adds it to the list of what is missing. */
-static void add_missing(const input_texts *texts, const alternatives *way,
-                        char complaint[COMPLAINT_SIZE])
+static void add_missing(const input_texts *texts, int input, char complaint[COMPLAINT_SIZE])
 {
     char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
-    const bool is_flat = way->input == INPUT_A && input_is_given(texts, INPUT_FLAT);
-    const bool two = way->alternative >= 0 && !is_flat;
+    const int other = input_alternative(input);
+    const bool is_flat = input == INPUT_A && input_is_given(texts, INPUT_FLAT);
+    const bool two = other >= 0 && !is_flat;
     list_add(complaint, COMPLAINT_SIZE, complaint[0] == '\0' ? "" : ", ", "%s%s%s%s",
              complaint[0] == '\0' ? "missing: " : "",
-             input_name(texts, is_flat ? way->alternative : way->input, first), two ? " or " : "",
-             two ? input_name(texts, way->alternative, second) : "");
+             input_name(texts, is_flat ? other : input, first), two ? " or " : "",
+             two ? input_name(texts, other, second) : "");
 }
 
 /* Body 2 is given whole or not at all: a guess would look like a result. */
@@ -96,16 +91,16 @@ bool case_is_complete(const input_texts *texts, case_needs needs, char complaint
         if (input_is_given(texts, shapes[i].input) && input_is_given(texts, shapes[i].alternative))
             return excluded(texts, shapes[i].input, shapes[i].alternative, complaint);
     for (int i = 0; i < WAY_COUNT; i++) {
-        const bool is_given = input_is_given(texts, ways[i].input);
-        const bool is_given_otherwise =
-            ways[i].alternative >= 0 && input_is_given(texts, ways[i].alternative);
+        const int input = ways[i], other = input_alternative(input);
+        const bool is_given = input_is_given(texts, input);
+        const bool is_given_otherwise = other >= 0 && input_is_given(texts, other);
         if (is_given && is_given_otherwise)
-            return excluded(texts, ways[i].input, ways[i].alternative, complaint);
-        if (is_given || is_given_otherwise || !is_needed(texts, ways[i].input, needs))
+            return excluded(texts, input, other, complaint);
+        if (is_given || is_given_otherwise || !is_needed(texts, input, needs))
             continue;
-        add_missing(texts, &ways[i], complaint);
-        cells = cells || texts->is_cell[ways[i].input];
-        friction = friction || ways[i].input == INPUT_F;
+        add_missing(texts, input, complaint);
+        cells = cells || texts->is_cell[input];
+        friction = friction || input == INPUT_F;
     }
     if (friction)
         list_add(complaint, COMPLAINT_SIZE, "; ", "friction has no default %s",

@@ -202,11 +202,18 @@ void load_history_apply_all(const load_history *loads, double f, rwedge_contact 
             load_history_fail(loads, i, "", complaint);
 }
 
-void history_source_apply(const history_source *from, char decimal_sign, double f,
-                          rwedge_contact *contact)
+rwedge_contact *history_source_contact(const history_source *from, const input_texts *texts,
+                                       case_needs needs, char decimal_sign, contact_case *setup)
 {
     load_history loads;
+    rwedge_contact *contact;
+    char complaint[COMPLAINT_SIZE];
+    history_source_check(from, texts);
+    if (!case_read(texts, needs, setup, complaint))
+        usage_error("%s", complaint);
+    status_check(case_contact(setup, &contact), "the contact");
     load_history_read(from, decimal_sign, &loads);
-    load_history_apply_all(&loads, f, contact);
+    load_history_apply_all(&loads, setup->f, contact);
     load_history_say_unused(&loads);
+    return contact;
 }

@@ -100,14 +100,20 @@ static void apply_natural(const input_texts *texts, double f, load to, loaded_co
                 named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
 }
 
+static void find_zones(loaded_contact *loaded)
+{
+    zone *touches = &loaded->touches, *sticks = &loaded->sticks;
+    rwedge_contact_edges(loaded->contact, &touches->left, &touches->right);
+    rwedge_contact_stick_zone(loaded->contact, &sticks->left, &sticks->right);
+}
+
 /* Without a moment the half-width is 1 to rounding, and the edges are at 1 exactly. */
 static void measure_natural(bool centred, loaded_contact *loaded)
 {
-    const zone contact = loaded_contact_zone(loaded);
     const double b = rwedge_contact_half_width(loaded->contact);
     loaded->b = centred ? 1 : b;
-    loaded->left = centred ? -1 : contact.left;
-    loaded->right = centred ? 1 : contact.right;
+    loaded->left = centred ? -1 : loaded->touches.left;
+    loaded->right = centred ? 1 : loaded->touches.right;
     loaded->length_unit = centred ? b : 1;
     loaded->slip_unit = NATURAL_THETA * loaded->length_unit;
 }
@@ -123,6 +129,7 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
     status_check(pad_contact(&loaded->shape, NATURAL_A, f, &loaded->contact), "the contact");
     rwedge_contact_allow_error(loaded->contact, texts->tolerance);
     apply_natural(texts, f, to, loaded);
+    find_zones(loaded);
     measure_natural(to.M == 0, loaded);
     doubts_say((doubts){.error = rwedge_contact_error(loaded->contact)}, "");
 }
@@ -143,23 +150,20 @@ static void read_dimensional(const arguments *line, char decimal_sign, const inp
     contact_case setup;
     char complaint[COMPLAINT_SIZE];
     const history_source from = history_source_of(line);
-    const bool has_history = history_source_is_given(&from);
-    history_source_check(&from, texts);
     refuse_natural(line);
-    if (!case_read(texts, has_history ? CASE_LOADS_APART : CASE_WITH_LOADS, &setup, complaint))
+    if (history_source_is_given(&from))
+        loaded->contact =
+            history_source_contact(&from, texts, CASE_LOADS_APART, decimal_sign, &setup);
+    else if (!case_read(texts, CASE_WITH_LOADS, &setup, complaint))
         usage_error("%s", complaint);
-    status_check(case_contact(&setup, &loaded->contact), "the contact");
-    if (has_history)
-        history_source_apply(&from, decimal_sign, setup.f, loaded->contact);
     else
-        status_check(loads_apply_monotonic(case_load(&setup), loaded->contact),
-                     "the loads cannot be applied");
+        status_check(case_loaded(&setup, &loaded->contact), "the loads cannot be applied");
     loaded->nu = setup.nu1;
     loaded->shape = setup.shape;
-    const zone contact = loaded_contact_zone(loaded);
+    find_zones(loaded);
     loaded->b = rwedge_contact_half_width(loaded->contact);
-    loaded->left = contact.left;
-    loaded->right = contact.right;
+    loaded->left = loaded->touches.left;
+    loaded->right = loaded->touches.right;
     loaded->length_unit = loaded->slip_unit = 1;
     doubts_say(doubts_of_state(&setup, loaded->contact), "");
 }
@@ -176,23 +180,4 @@ void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contac
         read_natural(line, &texts, loaded);
     else
         read_dimensional(line, decimal_sign, &texts, loaded);
-}
-
-zone loaded_contact_zone(const loaded_contact *loaded)
-{
-    zone stretch = {0, 0};
-    rwedge_contact_edges(loaded->contact, &stretch.left, &stretch.right);
-    return stretch;
-}
-
-zone loaded_contact_stick_zone(const loaded_contact *loaded)
-{
-    zone stretch = {0, 0};
-    rwedge_contact_stick_zone(loaded->contact, &stretch.left, &stretch.right);
-    return stretch;
-}
-
-bool loaded_contact_is_kink(const loaded_contact *loaded, double x, double y)
-{
-    return loaded->b > 0 && y == 0 && pad_is_kink(&loaded->shape, x);
 }

@@ -99,9 +99,10 @@ void load_history_apply_all(const load_history *loads, double f, rwedge_contact 
 NO_RETURN void load_history_fail(const load_history *loads, size_t row, const char *word,
                                  const char *complaint);
 
-/* Reads the loads and applies them all, and names columns with numbers that are not used. */
-void history_source_apply(const history_source *from, char decimal_sign, double f,
-                          rwedge_contact *contact);
+/* Reads a case and its loads, applies them all, and names columns with numbers that are not
+ * used. */
+rwedge_contact *history_source_contact(const history_source *from, const input_texts *texts,
+                                       case_needs needs, char decimal_sign, contact_case *setup);
 
 /* Where it stands, as messages say it: "loads.csv: line 3". */
 enum { LOAD_PLACE_SIZE = 300 };
@@ -121,7 +122,12 @@ enum {
 extern struct poptOption loaded_contact_option_table[];
 
 typedef struct {
+    double left, right; /* both are 0 where there is none */
+} zone;
+
+typedef struct {
     rwedge_contact *contact;
+    zone touches, sticks; /* in the contact's own unit */
     pad shape;
     double nu;
     /* half-width and edges of the contact, as they are written: 1, -1 and 1 in natural units; 0
@@ -133,17 +139,6 @@ typedef struct {
 
 /* Reads the options and applies the loads; decimal_sign is that of a file of loads. */
 void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contact *loaded);
-
-/* The edges of the contact, or of its stick zone, in the contact's own unit; both are 0 where there
- * is none. */
-typedef struct {
-    double left, right;
-} zone;
-zone loaded_contact_zone(const loaded_contact *loaded);
-zone loaded_contact_stick_zone(const loaded_contact *loaded);
-
-/* Whether the stresses at this point are infinite: at a sharp edge. */
-bool loaded_contact_is_kink(const loaded_contact *loaded, double x, double y);
 
 /* Prints what the help of both commands says about them. */
 void loaded_contact_describe(FILE *stream);

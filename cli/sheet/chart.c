@@ -5,25 +5,29 @@
 
 /* Curves of a family differ in dashes as well as in shade: they stay apart in print and for
  * every eye. */
-static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
+static lxw_chart_line line_of_family(int index)
 {
     static const lxw_color_t shades[] = {LXW_COLOR_BLACK, 0x0072B2, 0x009E73, 0xD55E00, 0x8A5A83};
-    static const lxw_color_t bars[] = {0xE0E0E0, 0x2E8B57, 0xC0392B};
     static const uint8_t dashes[] = {LXW_CHART_LINE_DASH_SOLID, LXW_CHART_LINE_DASH_DASH};
-    lxw_chart_line line = {
+    return (lxw_chart_line){
         .color = shades[index % 5], .width = 1.25F, .dash_type = dashes[(index / 5) % 2]};
-    if (drawing == XLSX_THICK_LINE)
-        line =
-            (lxw_chart_line){.color = 0xE69F00, .width = 3, .dash_type = LXW_CHART_LINE_DASH_SOLID};
-    else if (drawing == XLSX_DASHED_LINE)
-        line = (lxw_chart_line){
-            .color = 0x707070, .width = 1.5F, .dash_type = LXW_CHART_LINE_DASH_DASH};
-    else if (drawing == XLSX_OUTLINE)
-        line = (lxw_chart_line){.color = LXW_COLOR_BLACK, .width = 1.5F};
-    else if (drawing >= XLSX_BAR_GROUND && drawing <= XLSX_BAR_BAD)
-        line = (lxw_chart_line){.color = bars[drawing - XLSX_BAR_GROUND], .width = 14};
-    else if (drawing == XLSX_MARK || drawing == XLSX_LABEL)
-        line = (lxw_chart_line){.none = LXW_TRUE};
+}
+
+static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
+{
+    static const lxw_chart_line lines[] = {
+        [XLSX_THICK_LINE] = {.color = 0xE69F00, .width = 3},
+        [XLSX_DASHED_LINE] = {.color = 0x707070,
+                              .width = 1.5F,
+                              .dash_type = LXW_CHART_LINE_DASH_DASH},
+        [XLSX_MARK] = {.none = LXW_TRUE},
+        [XLSX_OUTLINE] = {.color = LXW_COLOR_BLACK, .width = 1.5F},
+        [XLSX_BAR_GROUND] = {.color = 0xE0E0E0, .width = 14},
+        [XLSX_BAR_GOOD] = {.color = 0x2E8B57, .width = 14},
+        [XLSX_BAR_BAD] = {.color = 0xC0392B, .width = 14},
+        [XLSX_LABEL] = {.none = LXW_TRUE},
+    };
+    lxw_chart_line line = drawing == XLSX_LINE ? line_of_family(index) : lines[drawing];
     chart_series_set_line(series, &line);
 }
 

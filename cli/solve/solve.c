@@ -141,13 +141,8 @@ static void solve_history(const input_texts *texts, const history_source *from, 
                           const output_options *how)
 {
     contact_case setup;
-    rwedge_contact *contact;
-    char complaint[COMPLAINT_SIZE];
-    history_source_check(from, texts);
-    if (!case_read(texts, CASE_OF_HISTORY, &setup, complaint))
-        usage_error("%s", complaint);
-    status_check(case_contact(&setup, &contact), "the contact");
-    history_source_apply(from, how->decimal_sign, setup.f, contact);
+    rwedge_contact *contact =
+        history_source_contact(from, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
     rwedge_contact_loads(contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
     if (!(setup.P > 0))
         failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P above "

@@ -78,7 +78,7 @@ static bool make_patches(const rwedge_contact *c, patches *p)
 static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
 {
     s->kinks = 0;
-    for (size_t i = p->count; i-- > 0 && s->kinks + 2 <= RW_MOST_KINKS / 2;) {
+    for (size_t i = p->count; i-- > 0 && s->kinks + 2 <= RW_MOST_KINKS;) {
         const double edge[2] = {p->potential[i].patch.left, p->potential[i].patch.right};
         for (int k = 0; k < 2; k++)
             if (edge[k] > contact.left && edge[k] < contact.right)

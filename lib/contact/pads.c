@@ -65,7 +65,7 @@ int32_t rwedge_contact_create_flat(double a, double R, double A, double f, rwedg
 {
     rw_geometry geometry = {.theta = 1, .a = R, .A = A, .reach = a + R};
     if (!rw_is_magnitude(a) || !rw_is_positive(R) || !rw_is_positive(A) || !rw_is_friction(f) ||
-        !rw_is_positive(1 / A) || !rw_is_positive(geometry.reach))
+        !rw_is_positive(geometry.reach))
         return RWEDGE_EDOMAIN;
     if (!contact)
         return RWEDGE_ENULL;

@@ -36,6 +36,15 @@ static void pass(stream *t, double *value)
     t->at++;
 }
 
+/* Where memory is short, nothing is read any more, as where the numbers are not sound. */
+static void need(stream *t, bool has_memory)
+{
+    if (has_memory)
+        return;
+    t->is_short = true;
+    t->is_sound = false;
+}
+
 /* A count or a flag, a whole number that is not above the limit. */
 static size_t pass_count(stream *t, size_t count, size_t limit)
 {
@@ -105,9 +114,9 @@ static void pass_path(stream *t, rw_memory *memory)
     if (t->in) {
         memory->shared = shared;
         t->is_sound = t->is_sound && count > 0;
-        if (t->is_sound && !rw_memory_reserve(memory, count))
-            t->is_short = true;
-        memory->count = t->is_sound && !t->is_short ? count : 0;
+        if (t->is_sound)
+            need(t, rw_memory_reserve(memory, count));
+        memory->count = t->is_sound ? count : 0;
     }
     pass_corners(t, memory->corners, memory->count, NULL);
     if (t->in && memory->count > 0)
@@ -144,10 +153,9 @@ static void read_origin(stream *t, rw_slip_origins *origins)
     size_t shared = 0;
     pass_origin(t, &origin, &shared, last);
     t->is_sound = t->is_sound && origin.corners > 0;
+    if (t->is_sound)
+        need(t, rw_slip_origins_reserve(origins, 1, origin.corners - shared));
     if (!t->is_sound)
-        return;
-    t->is_short = !rw_slip_origins_reserve(origins, 1, origin.corners - shared);
-    if (t->is_short)
         return;
     rw_corner *own = origins->own.corners + origins->own.count;
     const rw_corner *before = NULL;
@@ -167,7 +175,7 @@ static void pass_origins(stream *t, rw_slip_origins *origins)
     pass_finite(t, &origins->fresh);
     const size_t limit = t->in ? t->size / ORIGIN : origins->count;
     const size_t count = pass_count(t, origins->count, limit);
-    for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++)
+    for (size_t i = 0; i < count && t->is_sound; i++)
         if (t->in)
             read_origin(t, origins);
         else
@@ -180,7 +188,7 @@ static void pass_elements(stream *t, rw_traction *traction)
 {
     const size_t count = pass_count(t, traction->count, t->in ? t->size / 5 : traction->count);
     double end = -HUGE_VAL;
-    for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++) {
+    for (size_t i = 0; i < count && t->is_sound; i++) {
         rw_element e = {.end = 0};
         if (!t->in)
             e = traction->elements[i];
@@ -192,8 +200,9 @@ static void pass_elements(stream *t, rw_traction *traction)
         if (!t->in || !t->is_sound)
             continue;
         t->is_sound = e.scale != 0 && e.first >= 0 && e.first < e.last && e.last <= 1;
-        t->is_short = t->is_sound && !rw_traction_append(traction, &e);
-        if (!t->is_sound || t->is_short)
+        if (t->is_sound)
+            need(t, rw_traction_append(traction, &e));
+        if (!t->is_sound)
             continue;
         const rw_element *last = &traction->elements[i];
         t->is_sound = last->low < last->high && last->low >= end;
@@ -231,8 +240,8 @@ static void pass_shear(stream *t, rw_numerical **shear)
 {
     if (t->in)
         *shear = calloc(1, sizeof **shear);
-    t->is_short = !*shear;
-    if (t->is_short)
+    need(t, *shear);
+    if (!*shear)
         return;
     rw_numerical *n = *shear;
     rw_numerical_state *s = &n->now;
@@ -259,13 +268,13 @@ static void pass_contact(stream *t, rwedge_contact *c);
 static void pass_exact(stream *t, rwedge_contact *c)
 {
     const bool has_exact = pass_count(t, c->exact != NULL, 1) == 1;
-    if (!has_exact || !t->is_sound || t->is_short)
+    if (!has_exact || !t->is_sound)
         return;
     if (t->in)
         c->exact = calloc(1, sizeof *c->exact);
-    t->is_short = !c->exact;
+    need(t, c->exact);
     t->is_inner = true;
-    if (!t->is_short)
+    if (c->exact)
         pass_contact(t, c->exact);
 }
 
@@ -273,11 +282,11 @@ static void pass_numerical(stream *t, rwedge_contact *c)
 {
     pass(t, &c->tolerance);
     const bool has_shear = pass_count(t, c->numerical != NULL, t->is_inner ? 0 : 1) == 1;
-    if (!has_shear || !t->is_sound || t->is_short)
+    if (!has_shear || !t->is_sound)
         return;
     pass_finite(t, &c->strayed);
     pass_shear(t, &c->numerical);
-    if (!t->is_sound || t->is_short)
+    if (!t->is_sound)
         return;
     pass_shear(t, &c->start);
     pass_exact(t, c);
@@ -292,9 +301,9 @@ static void pass_pad(stream *t, rw_geometry *g)
     const size_t count = pass_count(t, g->pad ? g->pad->count : 0, t->in ? t->size / 3 : SIZE_MAX);
     if (t->in && t->is_sound && count > 0) {
         g->pad = rw_pad_create(count);
-        t->is_short = !g->pad;
+        need(t, g->pad);
     }
-    for (size_t i = 0; i < count && t->is_sound && !t->is_short; i++) {
+    for (size_t i = 0; i < count && t->is_sound; i++) {
         rw_arc arc = {0, 0};
         double weight = 0;
         if (!t->in) {
@@ -387,7 +396,7 @@ int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **
         return RWEDGE_ENOMEM;
     stream t = {.in = state, .at = HEAD, .size = n, .version = state[0], .is_sound = true};
     pass_contact(&t, restored);
-    if (!t.is_sound || t.is_short || t.at != n || !rw_is_contact_sound(restored)) {
+    if (!t.is_sound || t.at != n || !rw_is_contact_sound(restored)) {
         rwedge_contact_destroy(restored);
         return t.is_short ? RWEDGE_ENOMEM : RWEDGE_EDOMAIN;
     }

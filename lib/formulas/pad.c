@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "formulas/pad.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 #include "base/root.h"
 
@@ -113,11 +114,12 @@ static double load_excess(double right, const void *context)
     return rw_pad_pressing(at->pad, (rw_patch){at->left, right}).load - at->P;
 }
 
-/* The first place after *from, in steps that double, at which f is positive. *from, where f is not
- * positive, moves to the place before it. */
+/* The first place after *from, in steps that double, at which f is positive: always before the
+ * largest, as a load grows with the width. *from, where f is not positive, moves to the place
+ * before it. */
 static double beyond_root(rw_function f, const void *context, double *from, double step)
 {
-    while (f(*from + step, context) < 0 && step < LARGEST) {
+    while (f(*from + step, context) < 0 && ALWAYS(step < LARGEST)) {
         *from += step;
         step *= 2;
     }
@@ -140,7 +142,7 @@ static double right_edge(const search *at)
     double lo = at->left + at->P * (1 - DBL_EPSILON);
     const double hi = beyond_root(load_excess, at, &lo, at->P);
     const double nearest = DBL_EPSILON / 4 * (hi - at->left);
-    return hi < LARGEST ? rw_root(load_excess, at, lo, hi, nearest) : NAN;
+    return rw_root(load_excess, at, lo, hi, nearest);
 }
 
 /* Under one load the moment and the tilt grow as the edges move to the right. The rounded edges of

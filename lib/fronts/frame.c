@@ -135,11 +135,14 @@ bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double s
 
 bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch contact)
 {
-    *friction = (rw_friction){.contact = contact, .peak = rw_peak_friction(frame, contact)};
+    *friction = (rw_friction){.contact = contact,
+                              .tolerance = frame->tolerance,
+                              .peak = rw_peak_friction(frame, contact)};
     return rw_frame_fit(frame, contact, frame->f, 0, friction->peak, &friction->traction);
 }
 
 void rw_friction_destroy(rw_friction *friction)
 {
     rw_traction_destroy(&friction->traction);
+    *friction = (rw_friction){.peak = 0};
 }

@@ -37,7 +37,7 @@ bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double s
 
 typedef struct {
     rw_patch contact;
-    double peak;
+    double tolerance, peak;
     rw_traction traction;
 } rw_friction;
 

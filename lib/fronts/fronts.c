@@ -3,6 +3,7 @@
 
 #include "base/domain.h"
 #include "base/linear.h"
+#include "base/processor.h"
 
 #include <string.h>
 
@@ -103,19 +104,37 @@ static int most_terms(const rw_stuck *s, int gap, double middle, double half, do
     return (int)fmax(4, fmin(GAP_TERMS, 1 - log(least) / log(rho)));
 }
 
+/* A row of angles takes one sine and one cosine, and a product for each angle. */
+typedef struct {
+    double cosine, sine;
+} direction;
+
+static direction direction_of(double angle)
+{
+    return (direction){cos(angle), sin(angle)};
+}
+
+static direction turned(direction a, direction by)
+{
+    return (direction){a.cosine * by.cosine - a.sine * by.sine,
+                       a.sine * by.cosine + a.cosine * by.sine};
+}
+
 /* X in the gap between two zones that stick, over the half-length of the gap, as a sum of sines.
- * Returns how many terms count. */
+ * Returns how many terms count, an even number. */
 static int expand_gap(const rw_stuck *s, int gap, double least, double middle, double half,
                       double c[])
 {
     double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0;
     int terms = 1;
     const int n = most_terms(s, gap, middle, half, least), turn = 2 * (n + 1);
-    for (int i = 0; i < turn; i++)
-        sine[i] = sin(2 * RW_PI * i / turn);
-    for (int i = 0; i < n; i++)
-        sampled[i] =
-            4.0 / turn / half * rw_X_at(s, middle + half * cos(2 * RW_PI * (i + 1) / turn));
+    const direction step = direction_of(2 * RW_PI / turn);
+    direction at_point = {1, 0};
+    for (int i = 0; i < turn; i++, at_point = turned(at_point, step)) {
+        sine[i] = at_point.sine;
+        if (i > 0 && i <= n)
+            sampled[i - 1] = 4.0 / turn / half * rw_X_at(s, middle + half * at_point.cosine);
+    }
     for (int k = 0; k < n; k++) {
         c[k] = 0;
         for (int i = 0, at = k + 1; i < n; i++, at += at + k + 1 < turn ? k + 1 : k + 1 - turn)
@@ -124,36 +143,41 @@ static int expand_gap(const rw_stuck *s, int gap, double least, double middle, d
     }
     for (int k = 0; k < n; k++)
         terms = fabs(c[k]) > least * most ? k + 1 : terms;
+    if (terms % 2 > 0)
+        c[terms++] = 0;
     return terms;
 }
 
-/* Points are taken by fours, whose sums do not wait for each other. A panel has a multiple of four,
- * all of them in the gap or none. */
-enum { BLOCK = 4 };
+/* Points are taken by eights, of which a panel has one or two, all of them in the gap or none. */
+enum { LANES = 8 };
 
-/* The integral over the gap, from -1 to 1, of X/(eta - x) dx/pi. */
-static void gap_kernel(int terms, const double c[], const double eta[], double kernel[])
+/* The integral over the gap, from -1 to 1, of X/(eta - x) dx/pi, with an even number of terms. */
+RW_INLINE void sum_gap(int terms, const double c[], const double eta[], double kernel[])
 {
-    double b1[BLOCK] = {0}, b2[BLOCK] = {0}, R[BLOCK];
+    double b1[LANES] = {0}, b2[LANES] = {0};
     if (fabs(eta[0]) <= 1) {
-        for (int k = terms - 1; k >= 0; k--) /* Clenshaw, of T_1 ... */
-            for (int i = 0; i < BLOCK; i++) {
-                const double b0 = c[k] + 2 * eta[i] * b1[i] - b2[i];
-                b2[i] = b1[i];
-                b1[i] = b0;
-            }
-        for (int i = 0; i < BLOCK; i++)
+        for (int k = terms - 1; k > 0; k -= 2) { /* Clenshaw, of T_1 ... */
+            for (int i = 0; i < LANES; i++)
+                b2[i] = c[k] + 2 * eta[i] * b1[i] - b2[i];
+            for (int i = 0; i < LANES; i++)
+                b1[i] = c[k - 1] + 2 * eta[i] * b2[i] - b1[i];
+        }
+        for (int i = 0; i < LANES; i++)
             kernel[i] = eta[i] * b1[i] - b2[i];
         return;
     }
-    for (int i = 0; i < BLOCK; i++) {
+    double R[LANES];
+    for (int i = 0; i < LANES; i++)
         R[i] = 1 / (eta[i] + copysign(sqrt(eta[i] * eta[i] - 1), eta[i]));
-        kernel[i] = 0;
-    }
     for (int k = terms - 1; k >= 0; k--)
-        for (int i = 0; i < BLOCK; i++)
-            kernel[i] = (kernel[i] + c[k]) * R[i];
+        for (int i = 0; i < LANES; i++)
+            b1[i] = (b1[i] + c[k]) * R[i];
+    for (int i = 0; i < LANES; i++)
+        kernel[i] = b1[i];
 }
+
+RW_DISPATCH(gap_kernel, sum_gap, (int terms, const double c[], const double eta[], double kernel[]),
+            (terms, c, eta, kernel))
 
 /* How far two zones that stick would move apart by dt, without p: the integral over the gap (a, b)
  * between them of X (1/pi) int [dt/X]/(s - x) ds dx. The integral over x comes first, from a
@@ -166,12 +190,12 @@ static double gap_of_change(const rw_fronts *f, const rw_stuck *s, int gap)
     const double least = LEAST_TERM * f->problem->frame->tolerance;
     const int terms = expand_gap(s, gap, least, middle, half, c);
     double sum = 0;
-    for (size_t first = 0; first < f->count; first += BLOCK) {
-        double eta[BLOCK], kernel[BLOCK];
-        for (size_t i = 0; i < BLOCK; i++)
+    for (size_t first = 0; first < f->count; first += LANES) {
+        double eta[LANES], kernel[LANES];
+        for (size_t i = 0; i < LANES; i++)
             eta[i] = (f->x[first + i] - middle) / half;
         gap_kernel(terms, c, eta, kernel);
-        for (size_t i = 0; i < BLOCK; i++)
+        for (size_t i = 0; i < LANES; i++)
             sum += f->step[first + i] * f->change[first + i] / f->X[first + i] * kernel[i];
     }
     return half * sum;
@@ -235,8 +259,10 @@ static void conditions_of_gaps(const rw_fronts *f, const rw_stuck *s, double A[]
     for (int k = 0; k + 1 < m; k++) {
         const double a = s->end[2 * k + 1], b = s->end[2 * k + 2], half = (b - a) / 2;
         double *row = A + (m + 1 + k) * n;
-        for (int i = 0; i < GAP_POINTS; i++) {
-            const double x = (a + b) / 2 + half * cos(RW_PI * (i + 0.5) / GAP_POINTS);
+        const direction step = direction_of(RW_PI / GAP_POINTS);
+        direction point = direction_of(RW_HALF_PI / GAP_POINTS);
+        for (int i = 0; i < GAP_POINTS; i++, point = turned(point, step)) {
+            const double x = (a + b) / 2 + half * point.cosine;
             const double at = (x - s->middle) / s->half;
             double share = sqrt((x - a) * (b - x)) / rw_X_at(s, x) * RW_PI / GAP_POINTS / half;
             for (int j = 0; j < n; j++, share *= at)
@@ -304,22 +330,46 @@ void rw_fronts_prepare(rw_fronts *f)
         f->change[i] *= f->step[i] / f->X[i] / RW_PI;
 }
 
-/* (1/pi) int [dt/X - level pi] ds/(s - x) over the points from one to another. They come in pairs;
- * divisions are done two at a time. */
-static double poles(const rw_fronts *f, size_t from, size_t to, double level, double x)
+/* sum += change/(s - x) over n points, none of them at x: a division for every two. */
+RW_INLINE void sum_poles(size_t n, const double s[], const double change[], double x, double *sum)
 {
-    double sum[2] = {0, 0};
-    for (size_t i = from; i + 1 < to; i += 2)
-        for (size_t k = 0; k < 2; k++) {
-            const double d = f->x[i + k] - x;
-            sum[k] += (f->change[i + k] - level * f->step[i + k]) / (d == 0 ? HUGE_VAL : d);
+    double part[LANES / 2] = {0};
+    for (size_t i = 0; i < n; i += LANES)
+        for (size_t k = i; k < i + LANES / 2; k++) {
+            const double d = s[k] - x, next = s[k + LANES / 2] - x;
+            part[k - i] += (change[k] * next + change[k + LANES / 2] * d) / (d * next);
         }
-    return sum[0] + sum[1];
+    *sum += (part[0] + part[1]) + (part[2] + part[3]);
 }
+
+RW_DISPATCH(add_poles, sum_poles,
+            (size_t n, const double s[], const double change[], double x, double *sum),
+            (n, s, change, x, sum))
+
+/* The same for the changes less a level times the steps, 0 where a point is at x. */
+RW_INLINE void sum_level_poles(size_t n, const double s[], const double change[],
+                               const double step[], double level, double x, double *sum)
+{
+    double part[LANES] = {0};
+    for (size_t i = 0; i < n; i += LANES)
+        for (size_t k = 0; k < LANES; k++) {
+            const double d = s[i + k] - x;
+            part[k] += (change[i + k] - level * step[i + k]) / (d == 0 ? HUGE_VAL : d);
+        }
+    for (size_t k = 0; k < LANES; k++)
+        *sum += part[k];
+}
+
+RW_DISPATCH(add_level_poles, sum_level_poles,
+            (size_t n, const double s[], const double change[], const double step[], double level,
+             double x, double *sum),
+            (n, s, change, step, level, x, sum))
 
 double rw_fronts_transform(const rw_fronts *f, double x)
 {
-    return poles(f, 0, f->count, 0, x);
+    double sum = 0;
+    add_poles(f->count, f->x, f->change, x, &sum);
+    return sum;
 }
 
 void rw_fronts_stick_traction(const rw_fronts *f, const rw_stuck *s, size_t n, const double x[],
@@ -362,11 +412,14 @@ void rw_fronts_slope(const rw_fronts *f, const rw_stuck *s, int label, size_t n,
     rw_base_traction(f->problem, &f->layers, n, x, base);
     for (size_t i = 0; i < n; i++) {
         const rw_segment here = around(f, x[i]);
-        const size_t end = here.first + here.count;
+        const size_t from = here.first, to = from + here.count;
         const double X = rw_X_at(s, x[i]);
         const double level = here.count > 0 ? (label * F[i] - base[i]) / X / RW_PI : 0;
-        const double rest = level != 0 ? level * log((here.to - x[i]) / (x[i] - here.from)) : 0;
-        slope[i] = X * (rest + poles(f, 0, here.first, 0, x[i]) +
-                        poles(f, here.first, end, level, x[i]) + poles(f, end, f->count, 0, x[i]));
+        double sum = level != 0 ? level * log((here.to - x[i]) / (x[i] - here.from)) : 0;
+        add_poles(from, f->x, f->change, x[i], &sum);
+        add_level_poles(here.count, f->x + from, f->change + from, f->step + from, level, x[i],
+                        &sum);
+        add_poles(f->count - to, f->x + to, f->change + to, x[i], &sum);
+        slope[i] = X * sum;
     }
 }

@@ -60,15 +60,18 @@ static rw_power_scale scale_of(const rw_problem *p)
     return (rw_power_scale){p->middle, p->half};
 }
 
-void rw_layer_values(const rw_problem *p, int k, size_t n, const double x[], const double F[],
-                     double change[])
+void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[], const double F[],
+                     size_t stride, double change[])
 {
-    rw_friction_before(p, n, x, change);
-    for (size_t i = 0; i < n; i++)
+    if (count > 0)
+        rw_friction_before(p, n, x, change);
+    for (size_t i = 0; i < n && count > 0; i++)
         change[i] = F[i] - change[i];
-    for (size_t i = 0; i < n && k > 0; i++)
-        change[i] = rw_power(scale_of(p), k, x[i]) * change[i] +
-                    rest_friction(p, &p->rest[k][1], x[i]) - rest_friction(p, &p->rest[k][0], x[i]);
+    for (int k = 1; k < count; k++)
+        for (size_t i = 0; i < n; i++)
+            change[(size_t)k * stride + i] = rw_power(scale_of(p), k, x[i]) * change[i] +
+                                             rest_friction(p, &p->rest[k][1], x[i]) -
+                                             rest_friction(p, &p->rest[k][0], x[i]);
 }
 
 /* The surface outside of a patch, relative to the profile of the layer there. */
@@ -104,15 +107,14 @@ void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shea
 void rw_base_traction(const rw_problem *p, const rw_layers *layers, size_t n, const double x[],
                       double t[])
 {
-    double F[RW_TERMS], change[RW_TERMS];
+    double F[RW_TERMS], change[RW_LAYERS][RW_TERMS];
     rw_traction_values(&p->old->traction, n, x, t);
     if (layers->count > 0)
         rw_friction_after(p, n, x, F);
-    for (int k = 0; k < layers->count; k++) {
-        rw_layer_values(p, k, n, x, F, change);
+    rw_layer_values(p, layers->count, n, x, F, RW_TERMS, change[0]);
+    for (int k = 0; k < layers->count; k++)
         for (size_t i = 0; i < n; i++)
-            t[i] += layers->weight[k] * change[i];
-    }
+            t[i] += layers->weight[k] * change[k][i];
 }
 
 double rw_angle_of(const rw_problem *p, double x)

@@ -76,10 +76,10 @@ double rw_problem_change(const rw_problem *p);
 void rw_friction_after(const rw_problem *p, size_t n, const double x[], double F[]);
 void rw_friction_before(const rw_problem *p, size_t n, const double x[], double F[]);
 
-/* At n <= RW_TERMS places: the change of traction by layer k, per weight; F is the friction after
- * the step there. */
-void rw_layer_values(const rw_problem *p, int k, size_t n, const double x[], const double F[],
-                     double change[]);
+/* At n places: the change of traction by each layer, per weight, that of layer k from
+ * change[k * stride] on; F is the friction after the step there. */
+void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[], const double F[],
+                     size_t stride, double change[]);
 
 /* w' of layer k per weight, besides that of what sticks: 0 but where an edge passes. */
 double rw_layer_slope(const rw_problem *p, int k, double x);

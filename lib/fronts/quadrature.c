@@ -2,6 +2,7 @@
 /* The quadrature over the places where dt is known: panels that shrink towards the fronts. */
 #include "base/always.h"
 #include "base/domain.h"
+#include "base/processor.h"
 #include "base/sort.h"
 #include "fronts/fronts.h"
 
@@ -92,18 +93,31 @@ rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
     return s;
 }
 
+RW_INLINE void products(const rw_stuck *s, size_t n, const double x[], double X[])
+{
+    const double least = AT_FRONT * s->half, per_half = 1 / s->half;
+    for (size_t i = 0; i < n; i++)
+        X[i] = 1;
+    for (int k = 0; k < s->count; k++)
+        for (size_t i = 0; i < n; i++) {
+            const double before = x[i] - s->end[2 * k], after = x[i] - s->end[2 * k + 1];
+            const double square = rw_larger(fabs(before), least) * per_half *
+                                  rw_larger(fabs(after), least) * per_half;
+            X[i] *= before < 0 ? -square : square;
+        }
+    for (size_t i = 0; i < n; i++)
+        X[i] = copysign(sqrt(fabs(X[i])), X[i]);
+}
+
+RW_DISPATCH(set_X, products, (const rw_stuck *s, size_t n, const double x[], double X[]),
+            (s, n, x, X))
+
 /* X outside of what sticks, and its size inside, over half^count. */
 double rw_X_at(const rw_stuck *s, double x)
 {
-    double product = 1;
-    for (int i = 0; i < s->count; i++) {
-        const double least = AT_FRONT * s->half;
-        const double size =
-            sqrt(fmax(fabs(x - s->end[2 * i]), least) * fmax(fabs(x - s->end[2 * i + 1]), least)) /
-            s->half;
-        product *= x < s->end[2 * i] ? -size : size;
-    }
-    return product;
+    double X;
+    products(s, 1, &x, &X);
+    return X;
 }
 
 static double nearest_end(const rw_stuck *s, double x)
@@ -137,8 +151,7 @@ static void put_panel(rw_fronts *f, const rw_segment *s, int side, double near, 
     }
     if (s->label != 0 || f->layers.count > 0)
         rw_friction_after(p, n, x, known);
-    for (int k = 0; k < f->layers.count; k++)
-        rw_layer_values(p, k, n, x, known, f->layer + (size_t)k * ROOM + f->count);
+    rw_layer_values(p, f->layers.count, n, x, known, ROOM, f->layer + f->count);
     rw_traction_values(&p->old->traction, n, x, old);
     for (size_t i = 0; i < n; i++)
         known[i] = s->label * known[i] - old[i];
@@ -292,6 +305,5 @@ void rw_fronts_collect(rw_fronts *f, const rw_zones *zones, const rw_layers *lay
     if (p->both.right > p->to.right)
         add_zone(f, &sticks, (rw_zone){0, p->to.right, p->both.right}, finest);
     add_layers(f);
-    for (size_t i = 0; i < f->count; i++)
-        f->X[i] = rw_X_at(&sticks, f->x[i]);
+    set_X(&sticks, f->count, f->x, f->X);
 }

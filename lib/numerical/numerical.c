@@ -65,19 +65,23 @@ bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_numeric
 
 bool rw_numerical_copy(const rw_numerical *n, rw_numerical *copy)
 {
+    rw_traction *const shear = &copy->now.shear.traction, *const friction =
+                                                              &copy->friction.traction;
     *copy = *n;
-    if (!rw_traction_copy(&n->now.shear.traction, &copy->now.shear.traction))
-        return false;
-    if (rw_traction_copy(&n->origin, &copy->origin))
-        return true;
-    rw_traction_destroy(&copy->now.shear.traction);
-    return false;
+    *shear = *friction = copy->origin = (rw_traction){0};
+    const bool is_done = rw_traction_copy(&n->now.shear.traction, shear) &&
+                         rw_traction_copy(&n->origin, &copy->origin) &&
+                         rw_traction_copy(&n->friction.traction, friction);
+    if (!is_done)
+        rw_numerical_destroy(copy);
+    return is_done;
 }
 
 void rw_numerical_destroy(rw_numerical *n)
 {
     rw_shear_state_destroy(&n->now.shear);
     rw_traction_destroy(&n->origin);
+    rw_friction_destroy(&n->friction);
 }
 
 double rw_numerical_slip(const rw_numerical *n, double x)
@@ -176,50 +180,52 @@ static double origin_between(const rw_numerical_state *from, const rw_numerical_
 
 /* Of a place that comes into contact in the step. It has slip 0 then, and keeps it where it
  * sticks. */
-static double new_origin(const growth *g, double x)
+static double new_origin(double x, const void *context)
 {
+    const growth *g = context;
     if (sticks_at(&g->half->shear.zones, x) && sticks_at(&g->now->shear.zones, x))
         return -displacement(g->now, x);
     return touches(g->half, x) ? origin_between(&g->numerical->now, g->half, x)
                                : origin_between(g->half, g->now, x);
 }
 
-/* The places are all of one part: edges are breaks. */
-static void origin_after(const double x[], const void *context, double origin[])
+/* Appends the origin of places that came into contact; the edge at half the step may be between. */
+static bool append_new(rw_traction *origin, const growth *g, double from, double half, double to,
+                       double tolerance)
 {
-    const growth *g = context;
-    const rw_numerical_state *old = &g->numerical->now;
-    if (touches(old, x[RW_TERMS / 2])) {
-        rw_traction_values(&g->numerical->origin, RW_TERMS, x, origin);
-        return;
-    }
-    for (int i = 0; i < RW_TERMS; i++)
-        origin[i] = new_origin(g, x[i]);
+    const bool is_between = half > from && half < to;
+    const double at[3] = {from, is_between ? half : to, to};
+    return !(from < to) ||
+           rw_traction_fit(origin, new_origin, g, is_between ? 3 : 2, at, tolerance);
 }
 
+/* Whether so many elements are to be fewer: from 64 on, each time that they are twice as many. */
+static bool has_many(size_t before, size_t count)
+{
+    return count >= 64 && (before ^ count) > before;
+}
+
+/* Each step of a growing contact adds some elements. */
 static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *half,
                          const rw_numerical_state *now)
 {
     const rw_patch before = n->now.contact, contact = now->contact;
-    const bool is_inside = contact.left >= before.left && contact.right <= before.right;
-    if (!n->has_origin || is_inside)
-        return true;
-    double at[6];
-    size_t count = 0;
-    rw_traction origin = {0};
-    const growth g = {n, half, now};
     const double left = fmax(contact.left, before.left), right = fmin(contact.right, before.right);
-    const double all[] = {
-        contact.left, fmin(left, fmax(contact.left, half->contact.left)),    left,
-        right,        fmax(right, fmin(contact.right, half->contact.right)), contact.right};
-    for (size_t i = 0; i < 6; i++)
-        if (count == 0 || all[i] > at[count - 1])
-            at[count++] = all[i];
-    if (!rw_traction_fit_values(&origin, origin_after, &g, count, at, slip_tolerance(frame, now),
-                                0)) {
+    if (!n->has_origin || (left == contact.left && right == contact.right))
+        return true;
+    const double tolerance = slip_tolerance(frame, now);
+    const growth g = {n, half, now};
+    rw_traction origin = {0};
+    const bool is_done =
+        append_new(&origin, &g, contact.left, half->contact.left, left, tolerance) &&
+        rw_traction_append_part(&origin, &n->origin, left, right) &&
+        append_new(&origin, &g, right, half->contact.right, contact.right, tolerance);
+    if (!is_done) {
         rw_traction_destroy(&origin);
         return false;
     }
+    if (has_many(n->origin.count, origin.count))
+        rw_traction_simplify(&origin, tolerance);
     rw_traction_destroy(&n->origin);
     n->origin = origin;
     return true;
@@ -447,6 +453,23 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
     return is_done;
 }
 
+/* The friction of a contact goes from load to load. The last place is the last to be given to
+ * another contact. */
+static void lend_friction(rw_numerical *n, rw_work *w)
+{
+    w->friction[RW_FRICTIONS - 1] = n->friction;
+    n->friction = (rw_friction){.peak = 0};
+}
+
+static void keep_friction(rw_work *w, rw_numerical *n)
+{
+    for (int i = 0; i < RW_FRICTIONS && n->friction.peak == 0; i++)
+        if (rw_patch_is_same(w->friction[i].contact, n->now.contact)) {
+            n->friction = w->friction[i];
+            w->friction[i] = (rw_friction){.peak = 0};
+        }
+}
+
 static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
                                int *effort)
 {
@@ -458,17 +481,18 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
     rw_step_result result = RW_STEP_NO_MEMORY;
     if (rw_numerical_copy(n, &j->next)) {
         double error;
+        lend_friction(&j->next, &j->work);
         try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
         const bool is_at_end = advance(j, 0, to, 1, *effort / 2, &error);
-        const bool is_short = j->work.is_short;
         const bool is_done =
-            is_at_end && !is_short &&
+            is_at_end && !j->work.is_short &&
             rw_numerical_error(&j->next) <= frame->far_off + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
+        keep_friction(&j->work, &j->next);
         rw_numerical_destroy(is_done ? n : &j->next);
         if (is_done)
             *n = j->next;
-        result = is_done ? RW_STEP_DONE : is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+        result = is_done ? RW_STEP_DONE : j->work.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
     }
     rw_work_destroy(&j->work);
     free(j);

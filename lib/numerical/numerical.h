@@ -12,6 +12,7 @@ typedef struct {
     bool has_origin;         /* whether the slip is known */
     rw_traction origin;      /* slip less displacement: constant at a place while in contact */
     double error[RW_PLACES]; /* the error of the traction, by place */
+    rw_friction friction;    /* of the contact now, for the next load; none at first */
 } rw_numerical;
 
 /* For a load: within a second. */

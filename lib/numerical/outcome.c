@@ -81,26 +81,40 @@ static bool sticks_at(const rw_zones *zones, double x, double slack)
     return false;
 }
 
-static void add_kink(rw_shear_state *s, double x)
+/* Takes out the kink with the nearest neighbours: many are of a front that receded step by step,
+ * and weak. One alone may be of an earlier cycle, where the traction is like a root. */
+static void thin_kinks(double kink[], int *n)
 {
-    if (s->kinks < RW_MOST_KINKS)
-        s->kink[s->kinks++] = x;
+    int out = 1;
+    for (int i = 2; i + 1 < *n; i++)
+        if (kink[i + 1] - kink[i - 1] < kink[out + 1] - kink[out - 1])
+            out = i;
+    --*n;
+    for (int i = out; i < *n; i++)
+        kink[i] = kink[i + 1];
 }
 
 /* The kinks after the step: its fronts, and the old kinks in zones that stick. */
 static void note_kinks(const rw_problem *p, rw_shear_state *s)
 {
     const double slack = SAME_BREAK * (p->to.right - p->to.left);
-    s->kinks = 0;
-    for (int i = 0; i + 1 < s->zones.count; i++)
-        add_kink(s, s->zones.zone[i].right);
     const double edge[2] = {p->from.left, p->from.right};
+    double kink[RW_MOST_KINKS + 2];
+    int n = 0;
     for (int i = 0; i < 2; i++)
         if (p->grows[i] && sticks_at(&s->zones, edge[i], slack))
-            add_kink(s, edge[i]);
+            kink[n++] = edge[i];
     for (int i = 0; i < p->old->kinks; i++)
         if (sticks_at(&s->zones, p->old->kink[i], slack))
-            add_kink(s, p->old->kink[i]);
+            kink[n++] = p->old->kink[i];
+    rw_sort(kink, (size_t)n);
+    s->kinks = s->zones.count - 1;
+    for (int i = 0; i < s->kinks; i++)
+        s->kink[i] = s->zones.zone[i].right;
+    while (n > RW_MOST_KINKS - s->kinks)
+        thin_kinks(kink, &n);
+    for (int i = 0; i < n; i++)
+        s->kink[s->kinks++] = kink[i];
     rw_sort(s->kink, (size_t)s->kinks);
 }
 
@@ -146,8 +160,7 @@ static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
 
 static void add_wrong(rw_outcome *o, int label, double left, double right)
 {
-    if (right > left)
-        rw_zones_insert(&o->wrong, o->wrong.count, (rw_zone){label, left, right});
+    rw_zones_insert(&o->wrong, o->wrong.count, (rw_zone){label, left, right});
 }
 
 /* Notes slip where the traction is too large, and a little beyond: next to a kink the traction may

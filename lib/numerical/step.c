@@ -19,11 +19,11 @@ static rw_patch contact_of(const rw_frame *frame, rw_scaled_loads at)
 static const rw_friction *friction_of(rw_work *w, rw_patch contact)
 {
     for (int i = 0; i < RW_FRICTIONS; i++)
-        if (rw_patch_is_same(w->friction[i].contact, contact))
+        if (rw_patch_is_same(w->friction[i].contact, contact) &&
+            w->friction[i].tolerance == w->frame->tolerance)
             return &w->friction[i];
     rw_friction *oldest = &w->friction[w->frictions++ % RW_FRICTIONS];
     rw_friction_destroy(oldest);
-    *oldest = (rw_friction){.peak = 0};
     const bool is_done = rw_friction_create(oldest, w->frame, contact);
     w->is_short = w->is_short || !is_done;
     return is_done ? oldest : NULL;

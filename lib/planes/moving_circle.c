@@ -47,9 +47,9 @@ static rw_ball interval_of(size_t n, const rw_point points[])
     const double bottom = points[low].x[0], top = points[high].x[0];
     return (rw_ball){.centre = {{(bottom + top) / 2, 0, 0}},
                      .radius = (top - bottom) / 2,
-                     .count = low == high ? 1 : 2,
+                     .count = 2, /* also where both are one point */
                      .support = {low, high},
-                     .weight = {low == high ? 1 : 0.5, 0.5}};
+                     .weight = {0.5, 0.5}};
 }
 
 rw_circle rw_circle_of(rw_plane_cycle *cycle, bool is_strain, size_t n)

@@ -18,7 +18,7 @@
 
 enum { CORNERS = 4 };
 
-/* Cells never get this small: their bound exceeds the value by less than noise before. */
+/* Hardly a cell gets this small: its bound exceeds the value by less than noise before. */
 static const double SMALLEST = 1e-9;
 
 /* Where a curve of planes has the same value no cell of it can be left out. After every CELLS
@@ -321,7 +321,7 @@ static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
     record(w, a, n, v.around.ball.radius);
     allow_more_noise(w);
     const double bound = bound_of(w->severity, &v.amplitude, &v.peak, &severity);
-    if (bound <= w->best.value + w->noise || a->half_beta < SMALLEST || a->half_chi < SMALLEST)
+    if (bound <= w->best.value + w->noise || rw_smaller(a->half_beta, a->half_chi) < SMALLEST)
         return 0;
     const size_t kept = keep(w, n, &v);
     if (is_worst_at_equator(w, a, kept))

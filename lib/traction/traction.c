@@ -2,6 +2,7 @@
 #include "traction/traction.h"
 
 #include "base/domain.h"
+#include "base/processor.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -138,20 +139,22 @@ static bool reserve(rw_traction *t)
     return true;
 }
 
-static bool append(rw_traction *t, const rw_element *e, const rule *r)
+/* Appends an element that is complete. */
+static bool append(rw_traction *t, const rw_element *e)
 {
-    if (!reserve(t))
-        return false;
-    t->elements[t->count] = *e;
-    complete(&t->elements[t->count++], r);
-    return true;
+    const bool has_room = reserve(t);
+    if (has_room)
+        t->elements[t->count++] = *e;
+    return has_room;
 }
 
 bool rw_traction_append(rw_traction *t, const rw_element *e)
 {
+    rw_element whole = *e;
     rule r;
     make_rule(&r);
-    return append(t, e, &r);
+    complete(&whole, &r);
+    return append(t, &whole);
 }
 
 void rw_traction_shift(rw_traction *t, double from, double to, double by)
@@ -245,7 +248,8 @@ static void fit_part(fit *how, double end, double scale, double first, double la
     if (depth == 0 || fabs(scale) * (last * last - first * first) < how->shortest ||
         is_fine(how, rest, whole)) {
         shorten(how, e);
-        how->is_short |= !append(how->traction, e, &how->rule);
+        complete(e, &how->rule);
+        how->is_short |= !append(how->traction, e);
         return;
     }
     const double at[] = {first, first == 0 ? last / 3 : (first + last) / 2, last};
@@ -260,7 +264,6 @@ bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, si
     fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance, .noise = noise};
     how.shortest = SHORTEST * (at[breaks - 1] - at[0]);
     make_rule(&how.rule);
-    t->count = 0;
     for (size_t i = 0; i + 1 < breaks; i++) {
         const double middle = at[i] / 2 + at[i + 1] / 2;
         if (!((middle - at[i]) * (at[i + 1] - middle) > 0))
@@ -292,25 +295,29 @@ bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t 
 
 /* ---- Reading ---- */
 
-/* Of an element at a block of places, by Clenshaw's recurrence. */
-enum { BLOCK = 4 };
+/* Of an element at a block of places, by Clenshaw's recurrence, which takes two terms a turn:
+ * compilers do not make vector instructions of one that moves b1 to b2. */
+enum { BLOCK = 8 };
 
-static void read_block(const rw_element *e, const double x[], double value[])
+RW_INLINE void clenshaw(const rw_element *e, const double x[], double value[])
 {
     double v[BLOCK], b1[BLOCK] = {0}, b2[BLOCK] = {0};
     for (int i = 0; i < BLOCK; i++) {
-        const double squared = (x[i] - e->end) / e->scale, u = squared > 0 ? sqrt(squared) : 0;
+        const double u = sqrt(rw_larger(0, (x[i] - e->end) / e->scale));
         v[i] = (2 * u - e->first - e->last) / (e->last - e->first);
     }
-    for (int k = e->terms - 1; k >= 0; k--)
-        for (int i = 0; i < BLOCK; i++) {
-            const double b0 = e->coefficient[k] + RISE[k] * v[i] * b1[i] - FALL[k] * b2[i];
-            b2[i] = b1[i];
-            b1[i] = b0;
-        }
+    for (int k = (e->terms - 1) | 1; k > 0; k -= 2) {
+        for (int i = 0; i < BLOCK; i++)
+            b2[i] = e->coefficient[k] + RISE[k] * v[i] * b1[i] - FALL[k] * b2[i];
+        for (int i = 0; i < BLOCK; i++)
+            b1[i] = e->coefficient[k - 1] + RISE[k - 1] * v[i] * b2[i] - FALL[k - 1] * b1[i];
+    }
     for (int i = 0; i < BLOCK; i++)
         value[i] = b1[i];
 }
+
+RW_DISPATCH(read_block, clenshaw, (const rw_element *e, const double x[], double value[]),
+            (e, x, value))
 
 /* The element at x; NULL where there is none. */
 static const rw_element *element_at(const rw_traction *t, double x)
@@ -365,6 +372,68 @@ double rw_traction_total(const rw_traction *t)
 static void values_of(const double x[], const void *context, double value[])
 {
     rw_traction_values(context, RW_TERMS, x, value);
+}
+
+static double u_at(const rw_element *e, double x)
+{
+    return fmax(e->first, fmin(e->last, sqrt(fmax(0, (x - e->end) / e->scale))));
+}
+
+/* The part of an element between two places. */
+static rw_element cut(rw_element *e, double from, double to)
+{
+    const rw_traction alone = {e, 1, 1};
+    const double at_from = u_at(e, from), at_to = u_at(e, to);
+    fit how = {.f = values_of, .context = &alone};
+    rw_element part = {.end = e->end,
+                       .scale = e->scale,
+                       .first = fmin(at_from, at_to),
+                       .last = fmax(at_from, at_to)};
+    make_rule(&how.rule);
+    expand(&how, &part);
+    complete(&part, &how.rule);
+    part.low = fmax(e->low, from);
+    part.high = fmin(e->high, to);
+    return part;
+}
+
+bool rw_traction_append_part(rw_traction *t, const rw_traction *source, double from, double to)
+{
+    for (size_t i = 0; i < source->count; i++) {
+        rw_element *e = &source->elements[i];
+        const bool is_inside = e->low >= from && e->high <= to;
+        const rw_element part = is_inside ? *e : cut(e, from, to);
+        if (part.first < part.last && part.low < part.high && !append(t, &part))
+            return false;
+    }
+    return true;
+}
+
+/* One element in place of two neighbours. Whether it fits them. */
+static bool join(fit *how, const rw_element *left, const rw_element *right, rw_element *both)
+{
+    rw_element pair[2] = {*left, *right};
+    const rw_traction part = {pair, 2, 2};
+    how->context = &part;
+    *both = (rw_element){.end = left->low, .scale = right->high - left->low, .last = 1};
+    expand(how, both);
+    return is_fine(how, rest_of(both), HUGE_VAL);
+}
+
+void rw_traction_simplify(rw_traction *t, double tolerance)
+{
+    fit how = {.f = values_of, .tolerance = tolerance};
+    rw_element both;
+    size_t last = 0;
+    make_rule(&how.rule);
+    for (size_t i = 1; i < t->count; i++)
+        if (join(&how, &t->elements[last], &t->elements[i], &both)) {
+            complete(&both, &how.rule);
+            t->elements[last] = both;
+        } else {
+            t->elements[++last] = t->elements[i];
+        }
+    t->count = t->count > 0 ? last + 1 : 0;
 }
 
 bool rw_traction_is_smooth(const rw_traction *t, double from, double to, double tolerance)

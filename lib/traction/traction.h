@@ -39,7 +39,7 @@ void rw_traction_destroy(rw_traction *traction);
 /* A function at the RW_TERMS places x of an element. */
 typedef void (*rw_values)(const double x[], const void *context, double value[]);
 
-/* Replaces a traction by a function of x. The function is smooth between neighbouring breaks, which
+/* Appends a function of x to a traction. The function is smooth between neighbouring breaks, which
  * are in order; at a break it may be like a square root. Elements are divided until their last
  * coefficients are below the tolerance. Where f is a fit itself, it jumps a little between its
  * elements: up to `noise` times the tolerance, what is no smaller in a part than in the whole is
@@ -53,6 +53,13 @@ bool rw_traction_fit(rw_traction *traction, rw_function f, const void *context, 
 
 /* Appends an element of which end, scale, first, last and the coefficients are set. */
 bool rw_traction_append(rw_traction *traction, const rw_element *element);
+
+/* Appends the part of another traction between two places. */
+bool rw_traction_append_part(rw_traction *traction, const rw_traction *source, double from,
+                             double to);
+
+/* Joins neighbours that one element fits to the tolerance. */
+void rw_traction_simplify(rw_traction *traction, double tolerance);
 
 /* Adds a constant to the traction between two places, which are ends of elements. */
 void rw_traction_shift(rw_traction *traction, double from, double to, double by);

@@ -7,6 +7,7 @@ left = max(0, -STATS_min_x)
 right = max(0, STATS_max_x)
 bottom = max(0, -STATS_min_y)
 top = max(0, STATS_max_y)
+if (top + bottom == 0) { top = 1.0 } # Q stays 0 while a tension moves the bodies
 x_margin = 0.05*(right + left)
 y_margin = 0.05*(top + bottom)
 set xrange [-left - x_margin:right + x_margin]

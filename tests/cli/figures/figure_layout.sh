@@ -97,6 +97,10 @@ same "twelve names" 12 "$(number_of '0[.0-9]*: W = [0-9.]*')"
 draws loop --a-over-b 0.123456 --q-over-fp 0.91,0.92,0.93
 shows "Cycles of Q under constant P, a/b = 0.123456"
 
+# Q that stays 0 while a tension moves the bodies: its axis has a length all the same, of which gnuplot complained.
+run figure loop --E1 72100 --nu1 0.33 --flat 1 --radius 50 --f 0.4 --load 500,0,0,0 --load 500,0,0,30 --load 500,0,0,-30 -o drawn.svg
+status_is 0
+
 draws eccentric
 above "bars: stick zones; thin line: friction's limit" "πbσ/(4Q) = 0"
 draws eccentric --a-over-b 0 --q-over-fp 0.9 --sigma-over-max=-1:1:0.5

@@ -17,7 +17,7 @@ static const struct {
     {"contact_cycle_friction", {4, 0.05, 0, 0, NAN}},
     {"contact_keep_cycle", {4, 0.05, 0, 0}},
     {"contact_cycle_below", {4, 0.05, 0, 0, 0.3, 0.2, 0.1, 1}},
-    {"contact_cycle_worst", {3, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1, NAN}},
+    {"contact_cycle_worst", {NAN, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1, NAN}},
 };
 
 static const double *hint_of(const char *name)

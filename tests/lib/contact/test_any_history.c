@@ -167,6 +167,14 @@ CLAIM(what_is_refused_leaves_what_was_computed)
     /* a patch that rounding leaves without a width */
     assert_int_equal(rwedge_contact_apply(bare, 1e-40, 5e-41, 1e-41, 0), RWEDGE_ERANGE);
     assert_true(rwedge_contact_half_width(bare) == 0);
+    apply(bare, 1e-30, 0, 0, 0);
+    apply(bare, 1e-30, 0, 1e-31, 2e-16);
+    assert_int_equal(rwedge_contact_apply(bare, 1e-33, 5e-34, 0, 0), RWEDGE_ERANGE);
+    /* and one with too little for places inside of it */
+    rwedge_contact *narrow = allowing(1e-2);
+    apply(narrow, 1e-26, 5e-27, 0, 0);
+    assert_int_equal(rwedge_contact_apply(narrow, 1e-26, 5e-27, 1e-27, 0.03), RWEDGE_ENOCONV);
+    assert_true(shear(narrow, 0.5) == 0);
 }
 
 /* Where nothing sticks there was no zone to begin from. */
@@ -203,6 +211,69 @@ CLAIM(a_load_that_slips_past_all_that_was_computed_ends_it)
     }
     apply(contact, 4, 0, 1.6, 0.9); /* and it is lost again */
     assert_true(rwedge_contact_error(contact) > 0);
+}
+
+/* Loads from which a straight line has another closed form than the history: nothing slips at its
+ * end, or it slips back, or farther on both sides or on one. */
+CLAIM(a_closed_form_that_slips_elsewhere_is_not_returned_to)
+{
+    static const double OTHER[][4] = {
+        {3, 0, 1.4, 0.3}, {4, 0, 1.9, 0.3}, {4, 0, -1.9, -0.4}, {4, 0, -1.95, 0.3}};
+    for (size_t i = 0; i < sizeof OTHER / sizeof *OTHER; i++) {
+        rwedge_contact *contact = allowing(1e-2), *other = allowing(0), *direct = allowing(0);
+        apply(contact, 4, 0, 0, 0);
+        apply(contact, 4, 0, 0.5, 0.9);
+        apply(contact, 4, 0, -0.4, -0.6);
+        apply(other, OTHER[i][0], 0, 0, 0);
+        apply(other, OTHER[i][0], OTHER[i][1], OTHER[i][2], OTHER[i][3]);
+        rwedge_contact_destroy(contact->exact);
+        assert_ok(rwedge_contact_copy(other, &contact->exact));
+        apply(contact, 4, 0, 1.7, 0.3);
+        apply(direct, 4, 0, 0, 0);
+        apply(direct, 4, 0, 1.7, 0.3);
+        assert_true(rwedge_contact_error(contact) > 0);
+        for (int k = -9; k <= 9; k++)
+            assert_within(shear(contact, k / 5.0), shear(direct, k / 5.0), 1e-2 * F);
+    }
+}
+
+/* The place of a corner was not kept where fronts that recede left many kinks, or after 11 cycles:
+ * the traction was off by 2e-3, and 4e-7 was told. What sticks at the end never slipped, and all
+ * else slips: that is the state of the straight line alone. */
+CLAIM(slip_passes_the_corners_of_earlier_cycles)
+{
+    static const struct {
+        int loads;
+        double tolerance;
+    } cases[] = {{1, 1e-6}, {3, 1e-6}, {14, 1e-5}, {20, 1e-5}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        rwedge_contact *contact = allowing(cases[k].tolerance), *direct = allowing(0);
+        apply(contact, 4, 0, 0, 0);
+        for (int i = 0; i < cases[k].loads; i++)
+            apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
+        apply(contact, 4, 0, 0.5, 0.6);
+        assert_true(rwedge_contact_error(contact) > 0);
+        apply(contact, 4, 0, 1.7, 0.3);
+        apply(direct, 4, 0, 0, 0);
+        apply(direct, 4, 0, 1.7, 0.3);
+        for (int i = -20; i <= 20; i++)
+            assert_within(shear(contact, i / 10.0), shear(direct, i / 10.0),
+                          3 * cases[k].tolerance * F);
+    }
+}
+
+/* A load that hardly changes anything, after more cycles than the fit has kinks for. */
+CLAIM(a_contact_of_many_corners_keeps_its_traction)
+{
+    rwedge_contact *contact = allowing(1e-3);
+    apply(contact, 4, 0, 0, 0);
+    for (int i = 0; i < 30; i++)
+        apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
+    const rwedge_contact *before = copy_of(contact);
+    apply(contact, 4, 0, contact->loads.Q, 1e-7);
+    assert_true(rwedge_contact_error(contact) > 0);
+    for (int i = -99; i <= 99; i++)
+        assert_within(shear(contact, i / 50.0), shear(before, i / 50.0), 1e-3 * F);
 }
 
 CLAIM(a_copy_and_a_restored_contact_go_on_to_the_same_bits)
@@ -332,6 +403,21 @@ CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
     }
 }
 
+/* The places that each load brought into contact kept elements of their own, 29000 numbers here,
+ * that each load fitted anew: after 2000 such loads the slip was wrong by a hundredth. */
+CLAIM(a_contact_that_grows_by_many_loads_stays_small)
+{
+    enum { LOADS = 600 };
+    rwedge_contact *contact = allowing(1e-3);
+    apply(contact, 4, 0, 0, 0);
+    for (int i = 1; i <= LOADS; i++) {
+        const double part = (double)i / LOADS, phase = 6 * PI * part;
+        const double P = 4 + 8 * part + 0.12 * sin(17 * phase);
+        apply(contact, P, 0, 0.25 * P * sin(phase), 0.03 * sin(phase - 0.7));
+    }
+    assert_in_range(rwedge_contact_state_size(contact), 0, 6000);
+}
+
 /* ---- Programmes of tests/data/programmes.csv: N, mm, MPa ---- */
 
 enum { CYCLE = 48 };
@@ -406,13 +492,18 @@ CLAIM(realistic_programmes_are_answered)
                 all ? CYCLE : CYCLE / 2);
 }
 
+#ifdef __SANITIZE_ADDRESS__
+size_t __sanitizer_get_current_allocated_bytes(void); /* gcc 12 has no header with it */
+#endif
+
 /* What the process holds now ("VmRSS:"), or held at most ("VmHWM:"), in kB, where the system tells;
- * else 0. The address sanitizer keeps what is freed. */
+ * else 0. The address sanitizer keeps what is freed, but knows what is not. */
 static long process_memory(const char *which)
 {
 #ifdef __SANITIZE_ADDRESS__
-    return 0;
-#endif
+    (void)which;
+    return (long)(__sanitizer_get_current_allocated_bytes() / 1024);
+#else
     FILE *status = fopen("/proc/self/status", "r");
     char line[256];
     long memory = 0;
@@ -422,6 +513,7 @@ static long process_memory(const char *which)
     if (status)
         fclose(status);
     return memory;
+#endif
 }
 
 /* RWEDGE_LOADS=100000 takes so many; alone, as 10 MB are asked for then. The error was told where
@@ -444,4 +536,8 @@ CLAIM(a_noisy_log_takes_no_more_memory_however_long_it_is_and_hardly_errs_more)
     assert_within(rwedge_contact_error(contact), 0, 1e-3 + 3e-5 * sqrt(loads));
     if (more)
         assert_in_range(process_memory("VmHWM:"), 0, 10000);
+    if (early == 0) {
+        print_message("    the system does not tell how much memory the process holds\n");
+        skip();
+    }
 }

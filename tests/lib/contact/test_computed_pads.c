@@ -68,8 +68,10 @@ CLAIM(a_mirrored_pad_has_the_mirror_image)
         falling[i] = -slope[4 - i];
     }
     rwedge_contact *pad = profile(5, x, slope), *mirrored = profile(5, back, falling);
-    const double loads[][4] = {
-        {0.1, 0, 0, 0}, {0.1, 0, 0.01, 0.06}, {0.1, 0, 0.04, 0.02}, {0.09, 0.01, 0.02, -0.04}};
+    const double loads[][4] = {{0.1, 0, 0.01, 0.02},
+                               {0.1, 0, 0.01, 0.06},
+                               {0.1, 0, 0.04, 0.02},
+                               {0.09, 0.01, 0.02, -0.04}};
     for (int i = 0; i < 4; i++) { /* seen in a mirror, Q turns and the tension does not */
         apply(pad, loads[i][0], loads[i][1], loads[i][2], loads[i][3]);
         apply(mirrored, loads[i][0], -loads[i][1], -loads[i][2], loads[i][3]);

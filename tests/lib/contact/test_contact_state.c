@@ -193,7 +193,7 @@ static bool is_restored(contact_state s)
 /* Each number in turn, and each length. How many damaged states are taken. */
 static size_t damage_all(contact_state s, bool (*is_taken)(contact_state s))
 {
-    static const double BAD[] = {NAN, -HUGE_VAL, -1, 0, 0.5, 2, 1e300, HUGE_VAL};
+    static const double BAD[] = {NAN, -HUGE_VAL, -1, 0, 0.25, 2, 1e300, HUGE_VAL};
     size_t taken = 0;
     for (size_t i = 2; i < s.size; i++) {
         const double kept = s.number[i];

@@ -368,6 +368,7 @@ CLAIM(profiles_that_are_none_are_refused)
     assert_int_equal(rwedge_contact_create_profile(1, x, slope, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_flat(-1, R, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_flat(1, 0, A, F, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create_flat(1e60, 1e60, A, F, &contact), RWEDGE_EDOMAIN);
     assert_null(contact);
     contact = profile(3, x, slope);
     assert_int_equal(rwedge_contact_beyond_flat(contact, &left, &right), RWEDGE_EABSENT);

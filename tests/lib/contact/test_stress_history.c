@@ -136,4 +136,6 @@ CLAIM(separated_bodies_are_stretched)
     assert_true(sxx[0] == 2 && syy[0] == 0 && txy[0] == 0);
     assert_true(sxx[2] == 3 && syy[2] == 0 && txy[2] == 0);
     assert_true(syy[1] < 0);
+    assert_ok(rwedge_contact_stress_history(contact, 0, NULL, NULL, NULL, NULL, 1, &x, &y, NULL,
+                                            NULL, NULL));
 }

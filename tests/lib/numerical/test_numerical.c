@@ -4,6 +4,7 @@
 #include "claims.h"
 #include "contact/contact.h"
 #include "numerical/numerical.h"
+#include "numerical/pattern.h"
 #include "numerical/rates.h"
 #include "rwedge.h"
 
@@ -110,16 +111,32 @@ CLAIM(a_contact_that_grows_in_steps_keeps_few_kinks)
     end(&c);
 }
 
+/* A profile of more bends than a frame keeps, of which some are slight. */
+enum { PLACES = RW_MOST_BENDS + 6 };
+
+static void bend_often(double x[], double slope[])
+{
+    for (int i = 0; i < PLACES; i++) {
+        const double curvature = 0.55 + i % 2 * (i < 22 ? 0.3 : 1e-4);
+        x[i] = 0.1 * (i - PLACES / 2);
+        slope[i] = i > 0 ? slope[i - 1] + 0.1 * curvature : -1;
+    }
+    slope[PLACES - 1] = 1;
+}
+
 /* Cattaneo's and Mindlin's partial slip holds on any pad, under a moment and a tension in phase. */
 CLAIM(loading_unloading_and_reloading_are_those_of_the_closed_form)
 {
     const double x[] = {-1.5, -0.6, 0.2, 0.2, 0.7, 1.8}, slope[] = {-1, -0.2, 0, 0.05, 0.3, 1};
     const double shares[] = {0.8, -0.4, 0.6, 0.7};
-    for (int i = 0; i < 9; i++) {
+    double places[PLACES], slopes[PLACES];
+    bend_often(places, slopes);
+    for (int i = 0; i < 12; i++) {
         rwedge_contact *pad;
         assert_ok(i < 3   ? rwedge_contact_create(1, 1, 1, F, &pad)
                   : i < 6 ? rwedge_contact_create_flat(0.8, 3, 1, F, &pad)
-                          : rwedge_contact_create_profile(6, x, slope, 1, F, &pad));
+                  : i < 9 ? rwedge_contact_create_profile(6, x, slope, 1, F, &pad)
+                          : rwedge_contact_create_profile(PLACES, places, slopes, 1, F, &pad));
         const double P = i < 3 ? 4 : 0.5, M = i < 3 ? 1.2 : 0.02, tension = i < 3 ? 0.3 : 0.05;
         pair c = begin_with(pad, P, M, TOLERANCES[i % 3]);
         for (int k = 0; k < 4; k++) {
@@ -221,6 +238,64 @@ CLAIM(a_step_in_which_all_that_sticks_stuck_all_the_time_is_exact)
     }
     assert_in_range(exact, LOADS * 2 / 3, LOADS - 2); /* not where an edge sticks */
     rw_work_destroy(&w);
+    end(&c);
+}
+
+/* Slip in every other of so many equal parts of a contact, the first of which begin at `from`. */
+static rw_zones comb(rw_patch contact, int count, double from)
+{
+    const double width = (contact.right - contact.left) / count;
+    rw_zones z = {.count = count};
+    for (int i = 0; i < count; i++)
+        z.zone[i] =
+            (rw_zone){i % 2, i == 0 ? contact.left : contact.left + (i + from) * width,
+                      i + 1 == count ? contact.right : contact.left + (i + 1 + from) * width};
+    return z;
+}
+
+static bool goes_on_with(rw_work *w, const rw_numerical_state *half, rw_numerical_state whole,
+                         const rw_zones *zones)
+{
+    whole.shear.zones = *zones;
+    return rw_step_goes_on(w, half, &whole);
+}
+
+/* A front that stays behind the other, and more zones than have fronts, end no second half. */
+CLAIM(a_step_goes_on_to_the_right_zones_alone)
+{
+    pair c = begin(4, 0, 1e-4);
+    rw_work w;
+    rw_numerical_state half, whole;
+    assert_true(rw_work_create(&w, &c.frame, RW_MOST_EFFORT));
+    assert_true(rw_implicit_step(&w, &c.numerical.now, (rw_scaled_loads){4, 0, 0.4, 0}, NULL, false,
+                                 &half));
+    assert_true(rw_implicit_step(&w, &c.numerical.now, (rw_scaled_loads){4, 0, 0.8, 0}, NULL, false,
+                                 &whole));
+    const rw_zones right = whole.shear.zones;
+    rw_zones lame = right, many = right;
+    assert_int_equal(right.count, 3);
+    lame.zone[0].right = lame.zone[1].left = half.shear.zones.zone[0].right;
+    rw_zones parts = comb((rw_patch){right.zone[1].left, right.zone[1].right}, 21, 0);
+    rw_pattern_insert(&many, &parts, 0);
+    assert_int_equal(many.count, 23);
+    assert_true(goes_on_with(&w, &half, whole, &right));
+    assert_false(goes_on_with(&w, &half, whole, &lame));
+    assert_false(goes_on_with(&w, &half, whole, &many));
+    rw_shear_state_destroy(&half.shear);
+    rw_shear_state_destroy(&whole.shear);
+    rw_work_destroy(&w);
+    end(&c);
+}
+
+/* At no tolerance is such a load done, and all is as before. */
+CLAIM(a_load_that_is_too_far_off_has_not_converged)
+{
+    pair c = begin(4, 0, 1e-4);
+    c.frame.far_off = 1e-9;
+    const rw_scaled_loads to = {4.2, 0, 0.5, 0.2};
+    assert_int_equal(rw_numerical_step(&c.numerical, &c.frame, to, &(int){RW_MOST_EFFORT}),
+                     RW_STEP_FAILED);
+    assert_true(c.numerical.now.at.P == 4 && rw_numerical_error(&c.numerical) == 0);
     end(&c);
 }
 
@@ -335,4 +410,45 @@ CLAIM(rates_at_edges_that_stick_are_those_of_a_punch)
     assert_close(D[1], (Q / PI - stretch * s) / (F * (P / PI + tilt * s)), 1e-12);
     rw_work_destroy(&w);
     end(&c);
+}
+
+/* Nothing sticks, or zones are so many that a grid has left them: no rates are computed, and what
+ * is not known counts as wrong where a step would be taken for exact. */
+CLAIM(zones_without_rates)
+{
+    pair c = begin(4, 0, 1e-4);
+    const rw_patch contact = c.numerical.now.contact;
+    const rw_zones stuck = {1, {{0, contact.left, contact.right}}},
+                   slips = {1, {{1, contact.left, contact.right}}};
+    const rw_zones many = comb(contact, RW_MOST_ZONES, 0),
+                   others = comb(contact, RW_MOST_ZONES, 0.5);
+    rw_work w;
+    rw_problem rates;
+    double D[2];
+    assert_true(rw_work_create(&w, &c.frame, RW_MOST_EFFORT));
+    rw_problem_init_rates(&rates, &c.frame, contact, 0.3, 0, 0.03, 0);
+    rw_rates_ratio(&w.fronts, &rates, &slips, D);
+    assert_true(isnan(D[0]) && isnan(D[1]));
+    assert_true(rw_rates_wrong(&w.fronts, &rates, &slips, &slips) == 0);
+    assert_true(rw_rates_error_at_start(&w.fronts, &rates, &slips, &stuck) ==
+                rw_rates_wrong(&w.fronts, &rates, &stuck, &stuck));
+    assert_true(rw_rates_wrong(&w.fronts, &rates, &many, &many) == 0);
+    assert_true(rw_rates_excess_at_start(&w.fronts, &rates, &many, &others, 0) == HUGE_VAL);
+    const rw_zones begun = rw_rates_begun(&w.fronts, &rates, &many, &others);
+    assert_true(begun.count > RW_MOST_FRONTS);
+    rw_work_destroy(&w);
+    end(&c);
+}
+
+/* Of zones that all slip, each the other way, no more are kept than there is room for. */
+CLAIM(a_pattern_of_too_many_zones_stays_within_its_room)
+{
+    rw_zones z = comb((rw_patch){0, 1}, RW_MOST_ZONES, 0);
+    for (int i = 0; i < z.count; i++)
+        z.zone[i].label = i % 2 ? 1 : -1;
+    rw_pattern_clean(&z, 1e-3);
+    assert_int_equal(z.count, RW_MOST_ZONES);
+    for (int i = 0; i < z.count; i++)
+        assert_true(z.zone[i].left >= 0 && z.zone[i].right <= 1 &&
+                    z.zone[i].left < z.zone[i].right);
 }

@@ -90,6 +90,52 @@ CLAIM(the_slope_at_the_ends_of_a_narrow_element_is_finite)
     }
 }
 
+CLAIM(a_part_of_a_traction_has_its_values_and_ends_where_it_was_cut)
+{
+    rw_traction t = fitted(), part = {0};
+    assert_true(rw_traction_append_part(&part, &t, -0.43, 0.77));
+    assert_true(part.elements[0].low == -0.43 && part.elements[part.count - 1].high == 0.77);
+    for (int i = 0; i <= 24; i++) {
+        const double x = -0.43 + 1.2 * i / 24;
+        assert_within(rw_traction_at(&part, x), rw_traction_at(&t, x), 1e-14);
+    }
+    assert_true(rw_traction_at(&part, -0.44) == 0 && rw_traction_at(&part, 0.78) == 0);
+    rw_traction_destroy(&part);
+    rw_traction_destroy(&t);
+}
+
+static double cubic(double x, const void *context)
+{
+    (void)context;
+    return 1 + x * (2 + x * (3 + x));
+}
+
+static double bent(double x, const void *context)
+{
+    return cubic(x, context) + fmax(0, x - 0.5);
+}
+
+CLAIM(elements_are_joined_where_one_fits_them)
+{
+    enum { PLACES = 9 };
+    double breaks[PLACES];
+    for (int i = 0; i < PLACES; i++)
+        breaks[i] = i / 8.0 - 0.25;
+    const rw_function functions[] = {cubic, bent};
+    for (int i = 0; i < 2; i++) {
+        rw_traction t = {0};
+        assert_true(rw_traction_fit(&t, functions[i], NULL, PLACES, breaks, 1e-9));
+        assert_int_equal(t.count, 2 * (PLACES - 1));
+        rw_traction_simplify(&t, 1e-9);
+        assert_int_equal(t.count, 1 + i); /* the bend stays */
+        for (int k = 0; k <= 20; k++) {
+            const double x = -0.249 + 0.998 * k / 20;
+            assert_within(rw_traction_at(&t, x), functions[i](x, NULL), 1e-12);
+        }
+        rw_traction_destroy(&t);
+    }
+}
+
 CLAIM(an_element_made_of_coefficients_is_the_same)
 {
     rw_traction t = fitted(), again = {0};

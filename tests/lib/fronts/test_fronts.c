@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One step from a pressed wedge to Q < f P, which slips from both edges up to the stick zone of
+ * Cattaneo and Mindlin. */
+#include "claims.h"
+#include "contact/contact.h"
+#include "fronts/fronts.h"
+#include "rwedge.h"
+
+static const double F = 0.5, P = 4, Q = 1.2, TOLERANCE = 1e-6;
+static const double NOT_KNOWN[2] = {NAN, NAN};
+
+/* theta = A = a = 1. */
+typedef struct {
+    rwedge_contact *wedge;
+    rw_frame frame;
+    rw_friction friction;
+    rw_shear_state none;
+    rw_problem problem;
+    rw_fronts fronts;
+} step;
+
+static step *begin(void)
+{
+    static step s;
+    s = (step){.wedge = NULL};
+    assert_ok(rwedge_contact_create(1, 1, 1, F, &s.wedge));
+    assert_ok(rwedge_contact_apply(s.wedge, P, 0, 0, 0));
+    assert_ok(rwedge_contact_apply(s.wedge, P, 0, Q, 0));
+    s.frame = rw_frame_of(rw_arcs_of(&s.wedge->geometry), F, TOLERANCE);
+    const rw_patch contact = rw_arcs_patch_of_moment(&s.frame.arcs, P, 0);
+    assert_true(rw_friction_create(&s.friction, &s.frame, contact));
+    s.none.zones = (rw_zones){1, {{0, contact.left, contact.right}}};
+    rw_problem_init(&s.problem, &s.frame, &s.friction, &s.friction, &s.none, Q, 0);
+    assert_true(rw_fronts_create(&s.fronts, TOLERANCE));
+    s.fronts.budget = 1000;
+    return &s;
+}
+
+static void end(step *s)
+{
+    rw_fronts_destroy(&s->fronts);
+    rw_friction_destroy(&s->friction);
+    rwedge_contact_destroy(s->wedge);
+}
+
+/* As many zones as wide as each other, whose labels recur. */
+static rw_zones equal_zones(rw_patch contact, int count, int labels, const int label[])
+{
+    rw_zones z = {.count = count};
+    for (int i = 0; i < count; i++)
+        z.zone[i] =
+            (rw_zone){label[i % labels], contact.left + (contact.right - contact.left) * i / count,
+                      contact.left + (contact.right - contact.left) * (i + 1) / count};
+    return z;
+}
+
+static bool begins(step *s, int count, int labels, const int label[])
+{
+    const rw_zones zones = equal_zones(s->problem.to, count, labels, label);
+    return rw_fronts_begin(&s->fronts, &s->problem, &zones, NOT_KNOWN);
+}
+
+static const int SLIP_AND_STICK[] = {1, 0};
+
+CLAIM(the_fronts_are_those_of_partial_slip)
+{
+    step *s = begin();
+    const double c = rwedge_contact_stick_half_width(s->wedge);
+    for (int relaxes = 0; relaxes < 2; relaxes++) {
+        rw_zones zones;
+        assert_true(begins(s, 3, 2, SLIP_AND_STICK));
+        assert_true(!relaxes || rw_fronts_relax(&s->fronts));
+        assert_true(rw_fronts_newton(&s->fronts, 1e-10));
+        rw_fronts_zones(&s->fronts, &zones);
+        assert_close(zones.zone[1].left, -c, TOLERANCE);
+        assert_close(zones.zone[1].right, c, TOLERANCE);
+    }
+    end(s);
+}
+
+CLAIM(a_search_ends_where_it_may_take_no_residual)
+{
+    step *s = begin();
+    assert_true(begins(s, 3, 2, SLIP_AND_STICK));
+    for (int budget = 0; budget < 6; budget++) {
+        s->fronts.budget = budget;
+        assert_false(rw_fronts_newton(&s->fronts, 0));
+        s->fronts.budget = budget;
+        assert_false(rw_fronts_relax(&s->fronts));
+    }
+    end(s);
+}
+
+/* No slip zone between two that slip opposite ways, too many zones, none that sticks. */
+CLAIM(zones_that_have_no_fronts_are_refused)
+{
+    static const int BOTH_WAYS[] = {1, -1, 0}, SLIP[] = {1};
+    step *s = begin();
+    assert_true(begins(s, 2 * RW_MOST_STICK + 1, 2, SLIP_AND_STICK));
+    assert_false(begins(s, 2 * RW_MOST_STICK + 3, 2, SLIP_AND_STICK));
+    assert_false(begins(s, 4, 3, BOTH_WAYS));
+    assert_false(begins(s, 1, 1, SLIP));
+    end(s);
+}
+
+CLAIM(fronts_that_meet_have_no_residual)
+{
+    step *s = begin();
+    double residual[RW_MOST_FRONTS];
+    for (int zone = 1; zone <= 2; zone++) { /* one that sticks, one that slips */
+        assert_true(begins(s, 5, 2, SLIP_AND_STICK));
+        assert_true(rw_fronts_residual(&s->fronts, residual));
+        s->fronts.y[zone] = s->fronts.y[zone - 1];
+        assert_false(rw_fronts_residual(&s->fronts, residual));
+    }
+    end(s);
+}
+
+/* Layers of a contact that has grown must differ at its edges. */
+CLAIM(layers_that_are_alike_have_no_weights)
+{
+    step *s = begin();
+    const rw_patch before = rw_arcs_patch_of_moment(&s->frame.arcs, P / 2, 0);
+    const double ratio[2] = {0.3, 0.3};
+    const rw_zones stuck = {1, {{0, s->problem.to.left, s->problem.to.right}}};
+    rw_friction friction;
+    assert_true(rw_friction_create(&friction, &s->frame, before));
+    rw_problem_init(&s->problem, &s->frame, &friction, &s->friction, &s->none, Q, 0);
+    assert_true(rw_fronts_begin(&s->fronts, &s->problem, &stuck, ratio));
+    for (int k = 0; k < RW_LAYERS; k++)
+        for (int i = 0; i < 4; i++)
+            s->problem.ratio[k][i / 2][i % 2] = 1;
+    assert_false(rw_fronts_begin(&s->fronts, &s->problem, &stuck, ratio));
+    rw_friction_destroy(&friction);
+    end(s);
+}

@@ -30,14 +30,14 @@ x86_64-w64-mingw32-gcc -Iwindows/include -aux-info prototypes -c header.c -o hea
 x86_64-w64-mingw32-objdump -p $dll >tables
 python3 -B "$here/check.py" rwedge.bas "$top/include/rwedge.h" prototypes tables
 # A reader of Basic: no other is to be had without Office.
+. "$top/tests/support/venv.sh"
 checker=$work/vbalidator
-if [ -x "$checker/bin/vbalidator" ] ||
-        { python3 -m venv "$checker" && "$checker/bin/pip" -q install --require-hashes -r "$here/test/requirements.txt"; } >log 2>&1; then
+if reason=$(venv "$here/test/requirements.txt" "$checker"); then
     "$checker/bin/vbalidator" --host excel --strict --define 'Win64=True,VBA7=True' \
         --output vbalidator.json rwedge.bas >log || { cat log; fail "vbalidator finds fault"; }
     grep '^Errors' log
 else
-    echo "SKIPPED: vbalidator, which reads the module, cannot be installed: $(tail -n 1 log)"
+    echo "SKIPPED: vbalidator, which reads the module: ${reason#SKIPPED: }"
 fi
 # Its own code, run in the only Basic here.
 python_with_uno=''

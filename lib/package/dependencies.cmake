@@ -15,6 +15,7 @@ if(NOT RWEDGE_PRIVATE_DEPS)
     # the mathematical one last. (The .pc files of LAPACK do not name the former.)
     include(CheckLibraryExists)
     set(libraries ${GSL_LIBRARIES} ${LAPACK_LIBRARIES})
+    unset(RWEDGE_HAS_GFORTRAN CACHE) # the compiler of Fortran may have come since the last time
     check_library_exists(gfortran _gfortran_stop_string "" RWEDGE_HAS_GFORTRAN)
     check_library_exists(quadmath sqrtq "" RWEDGE_HAS_QUADMATH)
     if(RWEDGE_HAS_GFORTRAN)

@@ -403,7 +403,7 @@ bool rw_traction_append_part(rw_traction *t, const rw_traction *source, double f
         rw_element *e = &source->elements[i];
         const bool is_inside = e->low >= from && e->high <= to;
         const rw_element part = is_inside ? *e : cut(e, from, to);
-        if (part.first < part.last && part.low < part.high && !append(t, &part))
+        if ((part.last - part.first) * (part.high - part.low) > 0 && !append(t, &part))
             return false;
     }
     return true;
@@ -433,7 +433,7 @@ void rw_traction_simplify(rw_traction *t, double tolerance)
         } else {
             t->elements[++last] = t->elements[i];
         }
-    t->count = t->count > 0 ? last + 1 : 0;
+    t->count = last + 1;
 }
 
 bool rw_traction_is_smooth(const rw_traction *t, double from, double to, double tolerance)

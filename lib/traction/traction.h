@@ -58,7 +58,7 @@ bool rw_traction_append(rw_traction *traction, const rw_element *element);
 bool rw_traction_append_part(rw_traction *traction, const rw_traction *source, double from,
                              double to);
 
-/* Joins neighbours that one element fits to the tolerance. */
+/* Joins neighbours that one element fits to the tolerance, of one element or more. */
 void rw_traction_simplify(rw_traction *traction, double tolerance);
 
 /* Adds a constant to the traction between two places, which are ends of elements. */

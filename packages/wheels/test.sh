@@ -13,7 +13,7 @@ fail() { echo "FAILED: $*"; exit 1; }
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
-export PYTHONPYCACHEPREFIX="$work/pycache" MPLCONFIGDIR="$work/matplotlib" MYPY_CACHE_DIR="$work/mypy" PIP_DISABLE_PIP_VERSION_CHECK=1
+export PYTHONPYCACHEPREFIX="$work/pycache" MPLCONFIGDIR="$work/matplotlib" PIP_DISABLE_PIP_VERSION_CHECK=1
 
 # What each holds: its records fit, the library is one for that system, and nothing names a folder of this machine.
 python3 -B "$here/check.py" "$build" "$folder"/*.whl
@@ -22,7 +22,7 @@ for wheel in "$folder"/*manylinux*.whl; do
     grep -qE '"manylinux_2_([0-9]|1[0-7])_' shown || { cat shown; fail "auditwheel finds no manylinux_2_17"; }
 done
 
-# On this machine: with nothing else on the path, then the suite; all of it with the Python that is here, the calculations with others.
+# On this machine: with nothing else on the path, then the tests of calculations, with the Python that is here and with others.
 linux=$(echo "$folder"/*manylinux*_"$(uname -m)".whl)
 sh "$top/tests/answers/answers.sh" "$build"
 # python_of VERSION - where such a Python is, if it is
@@ -32,21 +32,18 @@ python_of()
         "$python" -c 'import ensurepip' 2>/dev/null && echo "$python" && return
     done
 }
-# suite PYTHON LOCKS PYTEST-ARGUMENTS...
+# suite PYTHON
 suite()
 {
     rm -rf environment
     "$1" -m venv environment
-    locks=$2
-    shift 2
-    for lock in $locks; do
-        environment/bin/pip install --quiet --no-compile --require-hashes -r "$source/tests/packages/$lock.txt"
-    done
+    environment/bin/pip install --quiet --no-compile --require-hashes -r "$source/tests/packages/everyday.txt"
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/pip install --quiet --no-index "$linux"
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/python -c \
         'import rwedge; assert abs(rwedge.elastic_limit(0.25, 0.1, 0.3) / 3.4068757722085774 - 1) < 1e-13'
+    # shellcheck disable=SC2086
     PATH="$work/environment/bin:$PATH" RWEDGE_ANSWERS="$build/private/answers" environment/bin/python -m pytest \
-        -c "$source/pyproject.toml" --rootdir "$source" -p no:cacheprovider --quiet --no-header "$@" >log 2>&1 ||
+        -c "$source/pyproject.toml" --rootdir "$source" -p no:cacheprovider --quiet --no-header -m 'not long' $tests >log 2>&1 ||
         { tail -n 40 log; fail "the suite of $(environment/bin/python --version)"; }
     said="$(environment/bin/python --version) with NumPy $(environment/bin/python -c 'import numpy; print(numpy.__version__)')"
     echo "tested: $(basename "$linux"): $said, no compiler or GSL on the path; then, with them, $(tail -n 1 log | tr -d =)" >>"$tested"
@@ -57,10 +54,9 @@ for version in 3.9 3.13; do
         echo "not tested: the wheel for Linux with Python $version, which is not here" | tee -a "$tested"
         continue
     fi
-    # shellcheck disable=SC2086
-    suite "$python" everyday $tests -m 'not long'
+    suite "$python"
 done
-suite python3 'everyday long' "$source/tests" -m 'not long'
+suite python3
 echo "tested: rwedge-*.tar.gz for Python: the package of all wheels was built of it here" >>"$tested"
 
 # A wheel for another machine is refused, and says so.

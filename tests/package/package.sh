@@ -53,6 +53,8 @@ try "C99 compiles the header" cc -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyn
 
 if command -v gfortran >/dev/null 2>&1; then
     try "Fortran takes the module" gfortran -std=f2008 -Wall -Wextra -pedantic -Werror -J"$work" -fsyntax-only "$prefix/include/rwedge.f90"
+    cmake -S "$source" -B "$work/since" -DRWEDGE_HAS_GFORTRAN= >"$work/log"
+    try "Fortran that came after the first configuration is linked" grep -q ' -lgfortran' "$work/since/lib/rwedge.pc"
 fi
 [ -f "$prefix/share/rwedge/matlab/build_rwedge.m" ] || { echo "FAILED: no MATLAB folder installed"; exit 1; }
 

@@ -172,8 +172,8 @@ CLAIM(what_is_refused_leaves_what_was_computed)
     assert_int_equal(rwedge_contact_apply(bare, 1e-33, 5e-34, 0, 0), RWEDGE_ERANGE);
     /* and one with too little for places inside of it */
     rwedge_contact *narrow = allowing(1e-2);
-    apply(narrow, 1e-26, 5e-27, 0, 0);
-    assert_int_equal(rwedge_contact_apply(narrow, 1e-26, 5e-27, 1e-27, 0.03), RWEDGE_ENOCONV);
+    apply(narrow, 1e-28, 5e-29, 0, 0);
+    assert_int_equal(rwedge_contact_apply(narrow, 1e-28, 5e-29, 1e-29, 1e-13), RWEDGE_ENOCONV);
     assert_true(shear(narrow, 0.5) == 0);
 }
 
@@ -516,7 +516,7 @@ static long process_memory(const char *which)
 #endif
 }
 
-/* RWEDGE_LOADS=100000 takes so many; alone, as 10 MB are asked for then. The error was told where
+/* RWEDGE_LOADS=50000 takes so many; alone, as 10 MB are asked for then. The error was told where
  * nothing slips too: it grew to 1.7e-3 here, and to 12e-3 after 10000 loads. */
 CLAIM(a_noisy_log_takes_no_more_memory_however_long_it_is_and_hardly_errs_more)
 {

@@ -294,17 +294,19 @@ CLAIM(a_pad_touches_under_a_tension_of_any_size)
 /* ---- Rolling ---- */
 
 /* A contact that rolls so far in one load has no place in common with that of any of its parts: no
- * step could be taken, however short. In short loads it rolls on; in the middle of what has rolled
- * by more than its width, all is alike. */
+ * step could be taken, however short. In short loads it rolls on. */
 CLAIM(a_contact_rolls_hundreds_of_widths_in_short_loads_alone)
 {
-    rwedge_contact *wedge = create_wedge(1, 1, 1, 0.5);
-    assert_ok(rwedge_contact_allow_error(wedge, 1e-3));
-    apply(wedge, 1e-6, 0, 0, 0);
-    apply(wedge, 1e-6, 0, 1e-7, 2.5e-4);
-    const contact_state before = state_of(wedge);
-    assert_int_equal(rwedge_contact_apply(wedge, 1e-6, 6e-7, 1e-7, 2.5e-4), RWEDGE_ENOCONV);
-    assert_state(wedge, before);
-    apply(wedge, 1e-6, 1e-8, 1e-7, 2.5e-4);
-    assert_within(rwedge_contact_error(wedge), 0, 1e-2);
+    for (int i = 0; i < 2; i++) {
+        const double tolerance = i ? 1e-2 : 1e-3;
+        rwedge_contact *wedge = create_wedge(1, 1, 1, 0.5);
+        assert_ok(rwedge_contact_allow_error(wedge, tolerance));
+        apply(wedge, 1e-6, 0, 0, 0);
+        apply(wedge, 1e-6, 0, 1e-7, 2.5e-4);
+        const contact_state before = state_of(wedge);
+        assert_int_equal(rwedge_contact_apply(wedge, 1e-6, 6e-7, 1e-7, 2.5e-4), RWEDGE_ENOCONV);
+        assert_state(wedge, before);
+        apply(wedge, 1e-6, 1e-8, 1e-7, 2.5e-4);
+        assert_within(rwedge_contact_error(wedge), 0, 5 * tolerance);
+    }
 }

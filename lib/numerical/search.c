@@ -273,13 +273,48 @@ static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw
     return try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
 }
 
+/* The zones, but places that are new in contact stick. Whether there are any that slip. */
+static bool stick_where_new(const rw_problem *p, rw_zones *zones)
+{
+    const rw_zone first = zones->zone[0], last = zones->zone[zones->count - 1];
+    rw_zones new = {.count = 0};
+    if (first.label != 0 && p->grows[0] && first.right <= p->from.left)
+        new.zone[new.count++] = (rw_zone){0, first.left, first.right};
+    if (last.label != 0 && p->grows[1] && last.left >= p->from.right)
+        new.zone[new.count++] = (rw_zone){0, last.left, last.right};
+    rw_pattern_insert(zones, &new, 0);
+    return new.count > 0;
+}
+
+/* Slip that ends at an edge that grows: where all that slips is new in contact, its slip is too
+ * small to count, whatever its sense, but the rates tell that it has ended. */
+static void end_slip_at_edges(rw_work *w, const rw_problem *p, rw_outcome *best)
+{
+    rw_zones zones = best->state.zones;
+    rw_outcome other;
+    if (!stick_where_new(p, &zones))
+        return;
+    const double wrong =
+        rw_rates_wrong(&w->fronts, &w->end, &best->state.zones, &best->state.zones);
+    if (wrong <= p->allowed * p->scale || !try_fronts(w, p, &zones, 0, &other))
+        return;
+    const bool is_better =
+        other.violation <= p->allowed &&
+        rw_rates_wrong(&w->fronts, &w->end, &other.state.zones, &other.state.zones) < wrong;
+    rw_shear_state_destroy(is_better ? &best->state : &other.state);
+    if (is_better)
+        *best = other;
+}
+
 bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coarse,
                rw_outcome *best)
 {
     w->search = w->effort > w->most_effort ? 0 : SEARCH;
     bool is_known = try_guess(w, p, guess, best);
-    if (is_known && best->violation <= p->allowed)
+    if (is_known && best->violation <= p->allowed) {
+        end_slip_at_edges(w, p, best);
         return true;
+    }
     const rw_layers layers = p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};
     for (int trial = 0; trial < RW_TRIALS; trial++) {
         rw_grid *grid = &w->grid[trial];

@@ -259,6 +259,23 @@ CLAIM(a_flat_pad_that_slips_as_it_touches_keeps_the_strain_of_its_stick_zone)
     }
 }
 
+/* Slip at an edge that grows went on in every small step, less than counts, after the rates had
+ * told its end: however small the steps were they erred as much in all. Each left kinks, so that
+ * steps took ever longer: this load two seconds, with an error of 0.07. */
+CLAIM(slip_ends_at_an_edge_that_grows)
+{
+    rwedge_contact *pad = flat_pad(1e-6);
+    double left, right;
+    apply(pad, 300, 40, 60, 125);
+    assert_within(rwedge_contact_error(pad), 0, 1e-5);
+    assert_in_range(rwedge_contact_state_size(pad), 0, 12000);
+    assert_ok(rwedge_contact_stick_zone(pad, &left, &right));
+    for (int k = -3; k <= 3; k++) {
+        const double x = (left + 1) / 2 + k * (1 - left) / 10;
+        assert_within(relative_strain(pad, x, 125), 0, 1e-6 * 0.5 * -pressure(pad, 1));
+    }
+}
+
 /* The displacement was fitted to a part of what friction moves, far below its own rounding: this
  * took minutes, and memory as it went. */
 CLAIM(a_pad_touches_under_a_tension_of_any_size)

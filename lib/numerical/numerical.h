@@ -16,7 +16,7 @@ typedef struct {
 } rw_numerical;
 
 /* For a load: within a second. */
-enum { RW_MOST_EFFORT = 24000000 };
+enum { RW_MOST_EFFORT = 20000000 };
 
 typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;
 

@@ -16,7 +16,7 @@ def test_xarray_dimensions_make_a_grid(contact):
         assert labelled.dims == ("x", "y") and (labelled.values == plain).all() and (labelled.x == X).all()
     assert contact.slip(x).dims == ("x",) and contact.tractions(x)[1].dims == ("x",)
     assert rwedge.Series(0.25, 20).stress(0.3, abs(y), x + 1)[2].dims == ("y", "x")
-    with pytest.raises(rwedge.Error, match=r"x\[0, 2\] = .*, y\[0, 2\] = -1.0"):
+    with pytest.raises(rwedge.Error, match=r"^y\[0, 2\] = -1.0"):
         contact.stresses(x, xarray.DataArray([0.1, 0.2, -1.0], dims="y"))
 
 

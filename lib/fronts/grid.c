@@ -12,7 +12,6 @@
  * rounding, and either choice will do. */
 #include "fronts/grid.h"
 
-#include "base/always.h"
 #include "base/domain.h"
 #include "base/linear.h"
 
@@ -225,7 +224,7 @@ bool rw_grid_solve(rw_grid *g, const rw_problem *p, const rw_layers *layers)
     double load, stretch;
     rw_beside_layers(p, layers, &load, &stretch);
     const double scale = prepare(g, p, layers, stretch);
-    for (g->turns = 0; ALWAYS(g->turns < TURNS); g->turns++) { /* each lowers the energy */
+    for (g->turns = 0; g->turns < TURNS; g->turns++) {
         if (!solve_stuck(g, load))
             return false;
         if (settle(g, scale))

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stands for all code of spreadsheets in a build without libxlsxwriter. It says that this build
  * writes none. */
+#include "rows/rows.h"
 #include "workbook/workbook.h"
 
 const char *xlsx_missing(void)

@@ -19,7 +19,7 @@ static bool is_patch_sound(const rw_geometry *g, const rw_corner *c)
     const rw_patch p = c->patch;
     const double load = rw_as_length(g, c->load);
     if (!(rw_patch_half_width(p) > LEAST && fmax(-p.left, p.right) < 2 * RW_LARGEST) ||
-        !(g->pad || (p.left < g->a && p.right > -g->a)) || !(fabs(c->tilt) < 1))
+        !(g->pad || fmax(p.left, -p.right) < g->a) || !(fabs(c->tilt) < 1))
         return false;
     const rw_pressing carried = rw_pressing_of(g, p);
     return is_near(carried.load, load, load) && is_near(carried.tilt, c->tilt, 1);

@@ -182,7 +182,7 @@ static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, 
 {
     if (!try_fronts(w, p, zones, angle, best))
         return false;
-    for (int turn = 0; turn < 3 && best->violation > p->allowed && best->wrong.count > 0; turn++) {
+    for (int turn = 0; turn < 3 && best->violation > p->allowed; turn++) {
         rw_zones mended = best->state.zones;
         rw_outcome other;
         rw_pattern_insert(&mended, &best->wrong, least);

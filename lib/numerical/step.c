@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerical/step.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 #include "numerical/rates.h"
 
@@ -151,7 +152,8 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_st
 {
     rw_problem p;
     rw_outcome outcome;
-    if (!set_problem(w, from, there->at, there->contact, &p))
+    const bool is_set = set_problem(w, from, there->at, there->contact, &p);
+    if (NEVER(!is_set)) /* the step to `there` has read and kept both frictions */
         return false;
     rw_fronts_forget(&w->fronts);
     if (!p.is_still || fmax(from->rate_error, there->rate_error) > p.allowed ||

@@ -103,6 +103,22 @@ CLAIM(zones_that_have_no_fronts_are_refused)
     end(s);
 }
 
+/* By the pressure of a flat punch. */
+CLAIM(the_rate_of_friction_is_none_at_the_edges)
+{
+    step *s = begin();
+    rw_problem p = s->problem;
+    const double x[] = {p.to.left, p.middle, p.to.right};
+    double rate[3];
+    p.is_rate = true;
+    p.load[0] = 2;
+    p.tilt[0] = 0;
+    rw_friction_after(&p, 3, x, rate);
+    assert_true(rate[0] == 0 && rate[2] == 0);
+    assert_close(rate[1], F * 2 / (PI * p.half), 1e-14);
+    end(s);
+}
+
 CLAIM(fronts_that_meet_have_no_residual)
 {
     step *s = begin();

@@ -16,7 +16,7 @@ typedef struct {
     rw_grid grid[RW_TRIALS];
     rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
     unsigned frictions;                 /* how many so far */
-    /* so far: values at points of a quadrature, some 40 ns each. Beyond the most only the grid is
+    /* so far: values at points of a quadrature. Beyond the most only the grid is
      * used. Beyond half of it steps are not divided any more, so that exact fronts may end them. */
     int effort, most_effort;
     int search;    /* residuals that the zones of this step may still cost */

@@ -37,7 +37,7 @@ of_this_build()
 {
     name=$1
     shift
-    print_bits_of "$name" gcc $library_options $printer "$@" "$build/lib/librwedge.a"
+    print_bits_of "$name" gcc $library_options $printer "$@" "$build/lib/librwedge_inside.a"
 }
 compare_bits()
 {
@@ -59,7 +59,7 @@ case $here in *gcc*) ;; *) echo "SKIPPED: the bits between compilers, no gcc her
 
 of_this_build reference
 # shellcheck disable=SC2046
-of_this_build baseline -O3 -DRW_BASELINE $(grep -l '"lanes.h"' lib/*/*.c)
+of_this_build baseline -O3 -DRW_BASELINE $(grep -lE '"(base/processor|potential/lanes)\.h"' lib/*/*.c)
 compare_bits baseline vectors of every such processor
 [ "$extent" = all ] || exit 0
 

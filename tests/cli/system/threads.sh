@@ -44,18 +44,24 @@ called="rwedge table ... | head -n 1"
 "$rwedge" table elastic-limit --friction 0:0.8:0.0000001 --threads 8 2>err | head -n 1 >out
 same "the first row" "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface" "$(cat out)"
 
+# watch FIELD: the largest value of a field of its status while $process runs, in $most.
+watch()
+{
+    most=0
+    while now=$(sed -n "s/^$1:[^0-9]*\([0-9]*\).*/\1/p" "/proc/$process/status" 2>/dev/null) && [ -n "$now" ]; do
+        [ "$now" -gt "$most" ] && most=$now
+        sleep 0.01
+    done
+    wait "$process"
+}
+
 # A few thousand places of a cycle are shared out too: one thread once had them all.
 if [ -r /proc/self/status ]; then
     awk 'BEGIN { print "P,Q"; for (i = 0; i < 24; i++) printf "135.75,%.6g\n", 38 * sin(0.9 * i) }' >loads.csv
     "$rwedge" fretting loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --depth 0:0.1:0.01 --kappa 100 --threads 3 \
         -o places.csv 2>/dev/null &
     process=$!
-    most=0
-    while now=$(sed -n 's/^Threads:[^0-9]*//p' "/proc/$process/status" 2>/dev/null) && [ -n "$now" ]; do
-        [ "$now" -gt "$most" ] && most=$now
-        sleep 0.01
-    done
-    wait "$process"
+    watch Threads
     called="rwedge fretting, $(wc -l <places.csv) places by $most threads"
     same "threads" 3 "$most"
 fi
@@ -64,12 +70,7 @@ fi
 if [ -r /proc/self/status ]; then
     "$rwedge" table stick-zone --a-over-b 0.5 --q-over-fp 0:1:0.000002 --threads 4 >rows &
     process=$!
-    most=0
-    while now=$(sed -n 's/^VmHWM:[^0-9]*\([0-9]*\).*/\1/p' "/proc/$process/status" 2>/dev/null) && [ -n "$now" ]; do
-        [ "$now" -gt "$most" ] && most=$now
-        sleep 0.02
-    done
-    wait "$process"
+    watch VmHWM
     called="rwedge table stick-zone, 5 10^5 rows in $most kB"
     same "memory stays small" yes "$([ "$most" -gt 1000 ] && [ "$most" -lt 16000 ] && echo yes)"
 fi

@@ -124,21 +124,22 @@ const figure figure_any_loop = {
 /* ---- Smith, Watson and Topper's parameter along the surface ---- */
 
 /* Measures the cycle at the places by default. */
-static void measure_usual(const figure_case *inputs, const last_cycle *last, measured *result)
+static measured measure_usual(const figure_case *inputs, const last_cycle *last)
 {
-    case_check(inputs,
-               surface_usual(last, result) ? surface_measure(last, result) : RWEDGE_EABSENT);
+    const measured result = stops_usual(last);
+    case_check(inputs, result.count > 0 ? last_cycle_measure(last, result.count, result.place)
+                                        : RWEDGE_EABSENT);
+    return result;
 }
 
 static void compute_fretting(const figure_case *inputs, dataset *rows)
 {
     last_cycle last;
-    measured result;
     const criteria usual = criteria_usual(&inputs->history->setup);
     history_cycle(inputs->history, &usual, &last, NULL);
-    measure_usual(inputs, &last, &result);
+    const measured result = measure_usual(inputs, &last);
     for (size_t i = 0; i < result.count; i++) {
-        const double *v = result.place[i].at.value;
+        const double *v = result.place[i].value;
         dataset_add(rows,
                     (data_row){.number = {result.place[i].x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
                                           v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
@@ -165,18 +166,17 @@ enum { DEPTHS = 121, COLUMNS = 81, ROWS = 41 };
 static void measure_place(const figure_case *inputs, const last_cycle *last, double x, double y,
                           dataset *rows)
 {
-    measures at;
-    case_check(inputs, last_cycle_measure(last, 1, &x, &y, &at));
+    measured_place at = {.x = x, .y = y};
+    case_check(inputs, last_cycle_measure(last, 1, &at));
     dataset_add(rows, (data_row){.number = {x, y, at.value[inputs->measure]}});
 }
 
 static void measure_surface(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
-    measured result;
-    measure_usual(inputs, last, &result);
+    const measured result = measure_usual(inputs, last);
     for (size_t i = 0; i < result.count; i++)
         dataset_add(rows, (data_row){.number = {result.place[i].x, 0,
-                                                result.place[i].at.value[inputs->measure]}});
+                                                result.place[i].value[inputs->measure]}});
     free(result.place);
 }
 

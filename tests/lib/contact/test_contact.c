@@ -107,15 +107,6 @@ CLAIM(a_steep_fall_of_the_load_is_refused)
     load(contact, 0, 0); /* separation is no fall */
 }
 
-CLAIM(no_points_need_no_arrays)
-{
-    rwedge_contact *contact = create(0.1, 0.5);
-    load(contact, 0.2, 0.05);
-    assert_ok(rwedge_contact_tractions(contact, 0, NULL, NULL, NULL));
-    assert_ok(rwedge_contact_slip(contact, 0, NULL, NULL));
-    assert_ok(rwedge_contact_stresses(contact, 0, NULL, NULL, NULL, NULL, NULL));
-}
-
 /* Of half-width, rounding over half-width, and pressure: a sharp wedge has b = A P/(2 theta), a
  * cylinder b^2 = (2/pi) A P a/theta. */
 CLAIM(results_beyond_the_domain_are_refused)
@@ -158,28 +149,4 @@ CLAIM(steps_of_the_steepest_slope_may_bend)
     const double x = b / 3, y = b / 4;
     double s[3];
     assert_ok(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]));
-}
-
-CLAIM(arrays_are_points_one_by_one)
-{
-    enum { N = 70 };
-    rwedge_contact *contact = create(0.1, 0.5);
-    load(contact, 0.2, 0.05);
-    load(contact, 0.2, -0.02);
-    double x[N], y[N], p[N], q[N], slips[N], s[3][N];
-    for (int i = 0; i < N; i++) {
-        x[i] = rwedge_contact_half_width(contact) * (i - 35) / 36;
-        y[i] = 0.01 * i;
-    }
-    assert_ok(rwedge_contact_tractions(contact, N, x, p, q));
-    assert_ok(rwedge_contact_slip(contact, N, x, slips));
-    assert_ok(rwedge_contact_stresses(contact, N, x, y, s[0], s[1], s[2]));
-    for (int i = 0; i < N; i++) {
-        double alone[3];
-        assert_true(p[i] == pressure(contact, x[i]) && q[i] == shear(contact, x[i]) &&
-                    slips[i] == slip(contact, x[i]));
-        assert_ok(
-            rwedge_contact_stresses(contact, 1, &x[i], &y[i], &alone[0], &alone[1], &alone[2]));
-        assert_true(s[0][i] == alone[0] && s[1][i] == alone[1] && s[2][i] == alone[2]);
-    }
 }

@@ -18,17 +18,14 @@ static rwedge_contact *allowing(double tolerance)
 /* A contact that lost its closed form: tension of more than 4 Q/(pi b). */
 static rwedge_contact *computed(void)
 {
-    rwedge_contact *contact = allowing(1e-4);
-    apply(contact, 4, 0, 0, 0);
-    apply(contact, 4, 0, 0.5, 0.9);
+    rwedge_contact *contact = APPLY(allowing(1e-4), {4, 0, 0, 0}, {4, 0, 0.5, 0.9});
     assert_true(rwedge_contact_error(contact) > 0);
     return contact;
 }
 
 CLAIM(nothing_is_computed_unless_it_is_allowed)
 {
-    rwedge_contact *contact = allowing(0);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(allowing(0), {4, 0, 0, 0});
     assert_int_equal(rwedge_contact_apply(contact, 4, 0, 0.5, 0.9), RWEDGE_EPATH);
     assert_int_equal(rwedge_contact_allow_error(contact, 1e-7), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_allow_error(contact, 0.1), RWEDGE_EDOMAIN);
@@ -62,8 +59,7 @@ CLAIM(reference_histories)
             number = v[0];
             contact = allowing(1e-5);
             const double sigma = number == 1 ? 0.6 : number == 3 ? 0.3 * sin(0.8) : 0;
-            apply(contact, 0, 0, 0, sigma);
-            apply(contact, 4, 0, 0, sigma);
+            APPLY(contact, {0, 0, 0, sigma}, {4, 0, 0, sigma});
         }
         apply(contact, v[2], v[3], v[4], v[5]);
         double left, right, p, q;
@@ -140,12 +136,10 @@ CLAIM(full_sliding_and_separation_end_it)
     rwedge_contact *contact = computed(), *fresh = allowing(0);
     apply(contact, 4, 0, 2, 0.9);
     assert_true(rwedge_contact_error(contact) == 0);
-    apply(fresh, 4, 0, 0, 0);
-    apply(fresh, 4, 0, 2, 0);
+    APPLY(fresh, {4, 0, 0, 0}, {4, 0, 2, 0});
     for (int i = -9; i <= 9; i++)
         assert_true(shear(contact, i / 5.0) == shear(fresh, i / 5.0));
-    rwedge_contact *back = computed();
-    apply(back, 4, 0, -2, 0.9);
+    rwedge_contact *back = APPLY(computed(), {4, 0, -2, 0.9});
     for (int i = -9; i <= 9; i++)
         assert_true(shear(back, i / 5.0) == -shear(fresh, i / 5.0));
     contact = computed();
@@ -167,12 +161,10 @@ CLAIM(what_is_refused_leaves_what_was_computed)
     /* a patch that rounding leaves without a width */
     assert_int_equal(rwedge_contact_apply(bare, 1e-40, 5e-41, 1e-41, 0), RWEDGE_ERANGE);
     assert_true(rwedge_contact_half_width(bare) == 0);
-    apply(bare, 1e-30, 0, 0, 0);
-    apply(bare, 1e-30, 0, 1e-31, 2e-16);
+    APPLY(bare, {1e-30, 0, 0, 0}, {1e-30, 0, 1e-31, 2e-16});
     assert_int_equal(rwedge_contact_apply(bare, 1e-33, 5e-34, 0, 0), RWEDGE_ERANGE);
     /* and one with too little for places inside of it */
-    rwedge_contact *narrow = allowing(1e-2);
-    apply(narrow, 1e-28, 5e-29, 0, 0);
+    rwedge_contact *narrow = APPLY(allowing(1e-2), {1e-28, 5e-29, 0, 0});
     assert_int_equal(rwedge_contact_apply(narrow, 1e-28, 5e-29, 1e-29, 1e-13), RWEDGE_ENOCONV);
     assert_true(shear(narrow, 0.5) == 0);
 }
@@ -201,8 +193,7 @@ CLAIM(a_load_that_slips_past_all_that_was_computed_ends_it)
     assert_true(rwedge_contact_error(contact) > 0);
     const double energy = rwedge_contact_dissipated_energy(contact);
     apply(contact, 4, 0, 1.7, 0.3);
-    apply(direct, 4, 0, 0, 0);
-    apply(direct, 4, 0, 1.7, 0.3);
+    APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
     assert_true(rwedge_contact_error(contact) == 0);
     assert_true(rwedge_contact_dissipated_energy(contact) > energy);
     for (int i = -9; i <= 9; i++) {
@@ -221,16 +212,12 @@ CLAIM(a_closed_form_that_slips_elsewhere_is_not_returned_to)
         {3, 0, 1.4, 0.3}, {4, 0, 1.9, 0.3}, {4, 0, -1.9, -0.4}, {4, 0, -1.95, 0.3}};
     for (size_t i = 0; i < sizeof OTHER / sizeof *OTHER; i++) {
         rwedge_contact *contact = allowing(1e-2), *other = allowing(0), *direct = allowing(0);
-        apply(contact, 4, 0, 0, 0);
-        apply(contact, 4, 0, 0.5, 0.9);
-        apply(contact, 4, 0, -0.4, -0.6);
-        apply(other, OTHER[i][0], 0, 0, 0);
-        apply(other, OTHER[i][0], OTHER[i][1], OTHER[i][2], OTHER[i][3]);
+        APPLY(contact, {4, 0, 0, 0}, {4, 0, 0.5, 0.9}, {4, 0, -0.4, -0.6});
+        APPLY(other, {OTHER[i][0], 0, 0, 0}, {OTHER[i][0], OTHER[i][1], OTHER[i][2], OTHER[i][3]});
         rwedge_contact_destroy(contact->exact);
         assert_ok(rwedge_contact_copy(other, &contact->exact));
         apply(contact, 4, 0, 1.7, 0.3);
-        apply(direct, 4, 0, 0, 0);
-        apply(direct, 4, 0, 1.7, 0.3);
+        APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
         assert_true(rwedge_contact_error(contact) > 0);
         for (int k = -9; k <= 9; k++)
             assert_within(shear(contact, k / 5.0), shear(direct, k / 5.0), 1e-2 * F);
@@ -254,8 +241,7 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
         apply(contact, 4, 0, 0.5, 0.6);
         assert_true(rwedge_contact_error(contact) > 0);
         apply(contact, 4, 0, 1.7, 0.3);
-        apply(direct, 4, 0, 0, 0);
-        apply(direct, 4, 0, 1.7, 0.3);
+        APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
         for (int i = -20; i <= 20; i++)
             assert_within(shear(contact, i / 10.0), shear(direct, i / 10.0),
                           3 * cases[k].tolerance * F);
@@ -265,8 +251,7 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
 /* A load that hardly changes anything, after more cycles than the fit has kinks for. */
 CLAIM(a_contact_of_many_corners_keeps_its_traction)
 {
-    rwedge_contact *contact = allowing(1e-3);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(allowing(1e-3), {4, 0, 0, 0});
     for (int i = 0; i < 30; i++)
         apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
     const rwedge_contact *before = copy_of(contact);
@@ -310,13 +295,10 @@ CLAIM(a_stress_history_is_that_of_its_loads)
 /* What sticks moves until each place has slipped. */
 CLAIM(errors_are_forgotten_where_it_slips)
 {
-    rwedge_contact *contact = allowing(1e-3);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(allowing(1e-3), {4, 0, 0, 0});
     for (int i = 0; i < 20; i++)
         apply(contact, 4, 0, 0.5 + 0.3 * sin(0.6 * i), 0.9 + 0.3 * sin(0.6 * i - 0.8));
-    apply(contact, 4, 0, 1.6, 1.6);
-    apply(contact, 4, 0, -1.6, 1.6);
-    apply(contact, 4, 0, 1.6, -1.6);
+    APPLY(contact, {4, 0, 1.6, 1.6}, {4, 0, -1.6, 1.6}, {4, 0, 1.6, -1.6});
     assert_true(rwedge_contact_error(contact) > 5e-4);
     apply(contact, 4, 0, -1.6, -1.6);
     assert_in_range(1e6 * rwedge_contact_error(contact), 1, 100);
@@ -358,8 +340,7 @@ CLAIM(the_second_half_of_a_load_has_effort_left)
         const double compliance = rwedge_compliance(72100, 0.33, 72100, 0.33);
         rwedge_contact *contact = create_wedge(0.05, 0.5, compliance, 0.3);
         assert_ok(rwedge_contact_allow_error(contact, i == 0 ? 1e-3 : 1e-4));
-        apply(contact, 100, 5, 20, 0);
-        apply(contact, 100, 40, 20, 0);
+        APPLY(contact, {100, 5, 20, 0}, {100, 40, 20, 0});
         stick[i] = stick_zone_of(contact);
     }
     assert_within(stick[0].left, stick[1].left, 1e-4);
@@ -392,8 +373,7 @@ CLAIM(a_contact_that_shrinks_to_nearly_nothing_is_computed)
 /* Tension alone, of many times what friction bears, as the bodies touch: it was refused. */
 CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
 {
-    rwedge_contact *contact = allowing(1e-2);
-    apply(contact, 4, 0, 0, 1e3);
+    rwedge_contact *contact = APPLY(allowing(1e-2), {4, 0, 0, 1e3});
     const double b = rwedge_contact_half_width(contact), error = rwedge_contact_error(contact);
     assert_within(error, 0, 0.1);
     for (int i = 1; i < 10; i++) {
@@ -408,8 +388,7 @@ CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
 CLAIM(a_contact_that_grows_by_many_loads_stays_small)
 {
     enum { LOADS = 600 };
-    rwedge_contact *contact = allowing(1e-3);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(allowing(1e-3), {4, 0, 0, 0});
     for (int i = 1; i <= LOADS; i++) {
         const double part = (double)i / LOADS, phase = 6 * PI * part;
         const double P = 4 + 8 * part + 0.12 * sin(17 * phase);

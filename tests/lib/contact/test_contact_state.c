@@ -130,8 +130,7 @@ static contact_state worn_state(int number)
     const double b = 0.4, M = number % 3 == 0 ? 0 : 0.02 * (number % 5 - 2);
     for (int i = 0; i < 4 && M == 0; i++)
         go_on(&h, contact);
-    apply(contact, 0, 0, 0, 0);
-    apply(contact, b, M, 0, 0);
+    APPLY(contact, {0, 0, 0, 0}, {b, M, 0, 0});
     for (int i = 0; i < 4; i++) {
         const double Q = h.f * b * (i % 2 ? -0.7 : 0.7) / (1 + 0.2 * i);
         (void)rwedge_contact_apply(contact, b, M, Q, number % 2 * 0.1 * Q);
@@ -215,8 +214,7 @@ CLAIM(damage_that_is_signed_does_no_harm)
     load(centred, 0.5, 0.1);
     load(centred, 0.7, 0.1);
     load(centred, 0.7, -0.1);
-    apply(tilted, 0.5, 0.1, 0, 0);
-    apply(tilted, 0.5, 0.1, 0.1, 0.01);
+    APPLY(tilted, {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.1, 0.01});
     (void)damage_all(state_of(centred), is_usable);
     (void)damage_all(state_of(tilted), is_usable);
     rwedge_contact *pad = NULL;
@@ -235,8 +233,7 @@ static rwedge_contact *computed(double P)
 {
     rwedge_contact *contact = create(0.4, 0.5);
     assert_ok(rwedge_contact_allow_error(contact, 1e-2));
-    apply(contact, P, 0, 0, 0);
-    apply(contact, P, 0, 0.1, 0.9);
+    APPLY(contact, {P, 0, 0, 0}, {P, 0, 0.1, 0.9});
     assert_true(rwedge_contact_error(contact) > 0);
     return contact;
 }

@@ -30,8 +30,7 @@ CLAIM(a_flat_pad_has_its_edge_tension)
     const double known[][2] = {{0.5, 1.6282}, {0.9, 3.4057}, {0.99, 10.6226}};
     for (int i = 0; i < 3; i++) {
         const double a = known[i][0], P = flat_load(a, 1);
-        rwedge_contact *contact = flat(a);
-        apply(contact, P, 0, F * P, 0);
+        rwedge_contact *contact = APPLY(flat(a), {P, 0, F * P, 0});
         double left, right;
         assert_close(edges_of(contact).right, 1, 1e-14);
         assert_ok(rwedge_contact_beyond_flat(contact, &left, &right));
@@ -326,8 +325,7 @@ CLAIM(a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp)
     for (int i = 0; i < 8; i++) {
         const double a = alphas[i], P = flat_load(a, 1);
         double factor;
-        rwedge_contact *pad = flat(a);
-        apply(pad, P, 0, 0, 0);
+        rwedge_contact *pad = APPLY(flat(a), {P, 0, 0, 0});
         assert_ok(rwedge_contact_yield_factor(pad, 0.3, 1, &factor, NULL, NULL));
         assert_true((P * factor > 4.880036) == (a <= 0.5));
         if (a >= 0.4)

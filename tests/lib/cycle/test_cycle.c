@@ -271,8 +271,7 @@ CLAIM(the_range_without_a_closed_form_is_that_of_the_loads_one_by_one)
 CLAIM(a_computed_load_that_hardly_changes_P_is_one_step)
 {
     const loads cycle = add(add((loads){0}, 0.995, 0, -0.2, -0.3), 1, 0, 0.2, 0.3);
-    rwedge_contact *contact = create_computed();
-    apply(contact, 1, 0, 0.2, 0.3);
+    rwedge_contact *contact = APPLY(create_computed(), {1, 0, 0.2, 0.3});
     its_range_is_that_of_the_loads_one_by_one(contact, &cycle);
 }
 
@@ -470,14 +469,11 @@ CLAIM(a_contact_that_grows_without_slip_displaces_nothing)
         rwedge_contact *contact = create(0.4, F);
         const double M = 0.01 * arm[k], sigma = tension[k], side = arm[k] < 0 ? -1 : 1;
         assert_ok(rwedge_contact_allow_error(contact, 1e-4));
-        apply(contact, 0.01, M, 0, 0);
-        apply(contact, 0.01, M, 0.003, sigma / 3);
-        apply(contact, 0.01, M, 0.0025, sigma);
+        APPLY(contact, {0.01, M, 0, 0}, {0.01, M, 0.003, sigma / 3}, {0.01, M, 0.0025, sigma});
         assert_true((rwedge_contact_error(contact) > 0) == (sigma > 0));
         const double before = rwedge_contact_displacement(contact, 1);
-        apply(contact, M == 0 ? 1 : 0.02, 2 * M, 0.0025, sigma);
-        apply(contact, 1, side * 0.35, 0.0025, sigma);
-        apply(contact, 2, side * 0.1, 0.0025, sigma);
+        APPLY(contact, {M == 0 ? 1 : 0.02, 2 * M, 0.0025, sigma}, {1, side * 0.35, 0.0025, sigma},
+              {2, side * 0.1, 0.0025, sigma});
         assert_close(rwedge_contact_displacement(contact, 1), before, 5e-4);
     }
 }

@@ -174,9 +174,8 @@ CLAIM(slip_of_histories_is_the_reference_values)
 /* A contact under P and M, then Q and sigma: theta, a, A, P, M, f, Q, sigma of a row. */
 static rwedge_contact *after_one_load(const double row[])
 {
-    rwedge_contact *contact = create_wedge(row[0], row[1], row[2], row[5]);
-    apply(contact, row[3], row[4], 0, 0);
-    apply(contact, row[3], row[4], row[6], row[7]);
+    rwedge_contact *contact = APPLY(create_wedge(row[0], row[1], row[2], row[5]),
+                                    {row[3], row[4], 0, 0}, {row[3], row[4], row[6], row[7]});
     return contact;
 }
 
@@ -207,10 +206,9 @@ CLAIM(a_separation_that_slips_off_the_centre_has_no_energy)
 {
     static const double LAST[][2] = {{0, 0}, {0.1, 0}, {0, 0.02}, {0.1, 0.02}};
     for (int i = 1; i < 4; i++) {
-        rwedge_contact *contact = create(0.4, 0.5);
-        apply(contact, 0.5, LAST[i][0], 0, 0);
-        apply(contact, 0.5, LAST[i][0], 0.2, LAST[i][1]);
-        apply(contact, 0.5, LAST[i][0], -0.2, -LAST[i][1]);
+        rwedge_contact *contact =
+            APPLY(create(0.4, 0.5), {0.5, LAST[i][0], 0, 0}, {0.5, LAST[i][0], 0.2, LAST[i][1]},
+                  {0.5, LAST[i][0], -0.2, -LAST[i][1]});
         const double before = rwedge_contact_dissipated_energy(contact);
         assert_true(before > 0);
         apply(contact, 0, 0, 0, LAST[i][1]);
@@ -218,8 +216,7 @@ CLAIM(a_separation_that_slips_off_the_centre_has_no_energy)
         apply(contact, 0, 0, 0, 0); /* and counts again */
         apply(contact, 0.5, LAST[i][0], 0, 0);
         assert_true(rwedge_contact_dissipated_energy(contact) == before);
-        apply(contact, 0.5, LAST[i][0], 0.2, LAST[i][1]);
-        apply(contact, 0.5, LAST[i][0], -0.2, -LAST[i][1]);
+        APPLY(contact, {0.5, LAST[i][0], 0.2, LAST[i][1]}, {0.5, LAST[i][0], -0.2, -LAST[i][1]});
         assert_close(rwedge_contact_dissipated_energy(contact), 2 * before, 1e-12);
     }
 }
@@ -227,9 +224,7 @@ CLAIM(a_separation_that_slips_off_the_centre_has_no_energy)
 CLAIM(a_separation_without_shear_dissipates_nothing)
 {
     for (int parts = 1; parts <= 2; parts++) {
-        rwedge_contact *contact = create(0.4, 0.5);
-        apply(contact, 0, 0, 0, 0.3);
-        apply(contact, 0.5, 0.1, 0, 0.3);
+        rwedge_contact *contact = APPLY(create(0.4, 0.5), {0, 0, 0, 0.3}, {0.5, 0.1, 0, 0.3});
         if (parts > 1)
             apply(contact, 0.25, 0.05, 0, 0.3);
         apply(contact, 0, 0, 0, 0.3);

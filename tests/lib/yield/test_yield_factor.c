@@ -79,9 +79,8 @@ CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 CLAIM(a_ridge_beside_the_grid_is_followed)
 {
     const double P = 0.98755269117723787, M = -0.16595399389051149;
-    rwedge_contact *contact = create_wedge(0.1, 0, 0.1, 0.01043908085530201);
-    apply(contact, P, M, 0, 0);
-    apply(contact, P, M, 0.0062538432218377021, 0.005317738877638669);
+    rwedge_contact *contact = APPLY(create_wedge(0.1, 0, 0.1, 0.01043908085530201), {P, M, 0, 0},
+                                    {P, M, 0.0062538432218377021, 0.005317738877638669});
     assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), 1.56740088124900, 1e-12);
 }
 
@@ -147,8 +146,7 @@ CLAIM(a_factor_beyond_the_domain_is_refused)
 /* Many corners, off the centre where M is not 0: the patches that end far away count together. */
 static rwedge_contact *worn(double a, double M, int corners)
 {
-    rwedge_contact *contact = create(a, 0.5);
-    apply(contact, 0.5, M, 0, 0);
+    rwedge_contact *contact = APPLY(create(a, 0.5), {0.5, M, 0, 0});
     for (int i = 1; i < corners; i++)
         apply(contact, 0.5, M, (i % 2 ? 0.2 : -0.2) * (1 - i / (corners + 1.0)), 0);
     return contact;

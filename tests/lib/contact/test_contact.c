@@ -15,8 +15,7 @@ static double ellipse(double c, double b, double x)
 CLAIM(hertz_loading_unloading_reloading_is_mindlin)
 {
     const double f = 0.4, R = 5, a = THETA * R, P = 0.02;
-    rwedge_contact *contact = create(a, f);
-    load(contact, P, 0);
+    rwedge_contact *contact = APPLY(create(a, f), {P, 0, 0, 0});
     const double b = rwedge_contact_half_width(contact), p0 = 2 * P / (PI * b);
     assert_close(b, sqrt(2 * A * P * R / PI), 1e-14);
     const double Q1 = 0.7 * f * P, Q2 = -0.2 * f * P, Q3 = 0.4 * f * P;
@@ -77,9 +76,7 @@ CLAIM(what_slips_is_at_the_limit_and_slips_with_the_traction)
 
 CLAIM(pressing_without_slip_gives_no_slip)
 {
-    rwedge_contact *contact = create(0.1, 0.5);
-    load(contact, 0.1, 0.02);
-    load(contact, 0.2, -0.01);
+    rwedge_contact *contact = APPLY(create(0.1, 0.5), {0.1, 0, 0.02, 0}, {0.2, 0, -0.01, 0});
     load(contact, 0.15, 0.005); /* back along the last step */
     for (double x = 0; x < 0.37; x += 0.01)
         assert_true(slip(contact, x) == 0);
@@ -92,15 +89,12 @@ CLAIM(pressing_without_slip_gives_no_slip)
  * is lost. */
 CLAIM(a_steep_fall_of_the_load_is_refused)
 {
-    rwedge_contact *contact = create_wedge(0.05, 1, 1e-5, 0.5);
-    load(contact, 1e9, 0);
+    rwedge_contact *contact = APPLY(create_wedge(0.05, 1, 1e-5, 0.5), {1e9, 0, 0, 0});
     const double before = rwedge_contact_half_width(contact);
     assert_int_equal(rwedge_contact_load(contact, 1, 0.1), RWEDGE_ERANGE);
     assert_int_equal(rwedge_contact_load(contact, 1, 8), RWEDGE_ERANGE);
     assert_close(rwedge_contact_half_width(contact), before, 0);
-    load(contact, 3e4, 0);
-    load(contact, 1, 0);
-    load(contact, 1, 0.1);
+    APPLY(contact, {3e4, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0.1, 0});
     /* Q = 0.2 f P in the Hertz regime */
     assert_close(rwedge_contact_stick_half_width(contact) / rwedge_contact_half_width(contact),
                  sqrt(0.8), 1e-9);

@@ -210,10 +210,7 @@ static size_t damage_all(contact_state s, bool (*is_taken)(contact_state s))
 CLAIM(damage_that_is_signed_does_no_harm)
 {
     rwedge_contact *centred = create(0.4, 0.5), *tilted = create(0.4, 0.5), *none = create(0.4, 0);
-    load(centred, 0.5, 0);
-    load(centred, 0.5, 0.1);
-    load(centred, 0.7, 0.1);
-    load(centred, 0.7, -0.1);
+    APPLY(centred, {0.5, 0, 0, 0}, {0.5, 0, 0.1, 0}, {0.7, 0, 0.1, 0}, {0.7, 0, -0.1, 0});
     APPLY(tilted, {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.1, 0.01});
     (void)damage_all(state_of(centred), is_usable);
     (void)damage_all(state_of(tilted), is_usable);
@@ -270,8 +267,7 @@ CLAIM(a_shear_of_another_contact_is_refused)
                    *layered = create(0.4, 0.5), *other = create(0.4, 0.5);
     load(bare, 0.5, 0);
     load(sheared, 0.5, 0.1);
-    load(layered, 0.3, 0);
-    load(layered, 0.5, 0.05);
+    APPLY(layered, {0.3, 0, 0, 0}, {0.5, 0, 0.05, 0});
     load(other, 0.6, 0);
     const contact_state whole = state_of(computed(0.5));
     const size_t from = rwedge_contact_state_size(bare) - 2; /* the tolerance, and what follows */
@@ -295,8 +291,7 @@ CLAIM(older_states_are_read)
 {
     /* its place; that of three numbers of the pad; numbers at the end */
     enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 2 };
-    rwedge_contact *contact = create(0.4, 0.5);
-    load(contact, 0.5, 0.1);
+    rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.5, 0, 0.1, 0});
     contact_state s = state_of(contact);
     s.size -= 3 + END;
     memmove(s.number + PAD, s.number + PAD + 3, (s.size + END - PAD) * sizeof *s.number);

@@ -185,8 +185,7 @@ CLAIM(a_symmetric_pad_dissipates_as_its_wedge_while_P_changes)
 CLAIM(a_flat_pads_loop_encloses_its_energy)
 {
     enum { A_CYCLE = 100 };
-    rwedge_contact *contact = flat(0.7);
-    load(contact, 0.5, 0);
+    rwedge_contact *contact = APPLY(flat(0.7), {0.5, 0, 0, 0});
     double before = 0, area = 0, last = 0, Q_last = 0;
     for (int i = 0; i <= 2 * A_CYCLE; i++) {
         const double phase = 2 * PI * i / A_CYCLE, Q = 0.15 * sin(phase);

@@ -77,8 +77,7 @@ CLAIM(tension_before_contact_only_adds)
     apply(with, 0, 0, 0, 0.7);
     load(with, 0.5, 0);
     load(with, 0.5, 0.1);
-    load(without, 0.5, 0);
-    load(without, 0.5, 0.1);
+    APPLY(without, {0.5, 0, 0, 0}, {0.5, 0, 0.1, 0});
     const stresses s = stress_at(with, 0.3, 0.1), t = stress_at(without, 0.3, 0.1);
     assert_within(s.xx, t.xx + 0.7, 1e-15);
     assert_true(s.yy == t.yy && s.xy == t.xy);

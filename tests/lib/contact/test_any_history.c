@@ -8,24 +8,23 @@
 
 static const double F = 0.5;
 
-static rwedge_contact *allowing(double tolerance)
+/* theta = A = a = 1 */
+static rwedge_contact *wedge(double tolerance)
 {
-    rwedge_contact *contact = create_wedge(1, 1, 1, F);
-    assert_ok(rwedge_contact_allow_error(contact, tolerance));
-    return contact;
+    return allowing(create_wedge(1, 1, 1, F), tolerance);
 }
 
 /* A contact that lost its closed form: tension of more than 4 Q/(pi b). */
 static rwedge_contact *computed(void)
 {
-    rwedge_contact *contact = APPLY(allowing(1e-4), {4, 0, 0, 0}, {4, 0, 0.5, 0.9});
+    rwedge_contact *contact = APPLY(wedge(1e-4), {4, 0, 0, 0}, {4, 0, 0.5, 0.9});
     assert_true(rwedge_contact_error(contact) > 0);
     return contact;
 }
 
 CLAIM(nothing_is_computed_unless_it_is_allowed)
 {
-    rwedge_contact *contact = APPLY(allowing(0), {4, 0, 0, 0});
+    rwedge_contact *contact = APPLY(wedge(0), {4, 0, 0, 0});
     assert_int_equal(rwedge_contact_apply(contact, 4, 0, 0.5, 0.9), RWEDGE_EPATH);
     assert_int_equal(rwedge_contact_allow_error(contact, 1e-7), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_allow_error(contact, 0.1), RWEDGE_EDOMAIN);
@@ -57,7 +56,7 @@ CLAIM(reference_histories)
         const double *v = table.cell;
         if (v[0] != number) {
             number = v[0];
-            contact = allowing(1e-5);
+            contact = wedge(1e-5);
             const double sigma = number == 1 ? 0.6 : number == 3 ? 0.3 * sin(0.8) : 0;
             APPLY(contact, {0, 0, 0, sigma}, {4, 0, 0, sigma});
         }
@@ -115,7 +114,7 @@ CLAIM(zones_cover_the_contact)
 /* Of a contact in closed form they are the one patch that sticks and what is beside it. */
 CLAIM(zones_of_a_closed_form)
 {
-    rwedge_contact *contact = allowing(0);
+    rwedge_contact *contact = wedge(0);
     double left[3], right[3], slip[3];
     assert_ok(rwedge_contact_zone_count(contact));
     assert_ok(rwedge_contact_zone_count(NULL));
@@ -133,7 +132,7 @@ CLAIM(zones_of_a_closed_form)
 
 CLAIM(full_sliding_and_separation_end_it)
 {
-    rwedge_contact *contact = computed(), *fresh = allowing(0);
+    rwedge_contact *contact = computed(), *fresh = wedge(0);
     apply(contact, 4, 0, 2, 0.9);
     assert_true(rwedge_contact_error(contact) == 0);
     APPLY(fresh, {4, 0, 0, 0}, {4, 0, 2, 0});
@@ -150,7 +149,7 @@ CLAIM(full_sliding_and_separation_end_it)
 
 CLAIM(what_is_refused_leaves_what_was_computed)
 {
-    rwedge_contact *contact = computed(), *bare = allowing(1e-2);
+    rwedge_contact *contact = computed(), *bare = wedge(1e-2);
     const contact_state before = state_of(contact);
     assert_int_equal(rwedge_contact_apply(contact, 4, 0, 2.1, 0), RWEDGE_ESLIDING);
     assert_int_equal(rwedge_contact_apply(contact, -4, 0, 0, 0), RWEDGE_EDOMAIN);
@@ -164,7 +163,7 @@ CLAIM(what_is_refused_leaves_what_was_computed)
     APPLY(bare, {1e-30, 0, 0, 0}, {1e-30, 0, 1e-31, 2e-16});
     assert_int_equal(rwedge_contact_apply(bare, 1e-33, 5e-34, 0, 0), RWEDGE_ERANGE);
     /* and one with too little for places inside of it */
-    rwedge_contact *narrow = APPLY(allowing(1e-2), {1e-28, 5e-29, 0, 0});
+    rwedge_contact *narrow = APPLY(wedge(1e-2), {1e-28, 5e-29, 0, 0});
     assert_int_equal(rwedge_contact_apply(narrow, 1e-28, 5e-29, 1e-29, 1e-13), RWEDGE_ENOCONV);
     assert_true(shear(narrow, 0.5) == 0);
 }
@@ -172,7 +171,7 @@ CLAIM(what_is_refused_leaves_what_was_computed)
 /* Where nothing sticks there was no zone to begin from. */
 CLAIM(a_load_after_full_sliding_is_computed)
 {
-    rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-5);
+    rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-5);
     apply(whole, 4, 0, 0, 0);
     apply(parts, 4, 0, 0, 0);
     apply(whole, 4, 0, 2, 0);
@@ -188,7 +187,7 @@ CLAIM(a_load_after_full_sliding_is_computed)
 /* Q alone, farther than all that was computed: the way there is forgotten. */
 CLAIM(a_load_that_slips_past_all_that_was_computed_ends_it)
 {
-    rwedge_contact *contact = computed(), *direct = allowing(0);
+    rwedge_contact *contact = computed(), *direct = wedge(0);
     apply(contact, 4, 0, -0.4, -0.6);
     assert_true(rwedge_contact_error(contact) > 0);
     const double energy = rwedge_contact_dissipated_energy(contact);
@@ -211,7 +210,7 @@ CLAIM(a_closed_form_that_slips_elsewhere_is_not_returned_to)
     static const double OTHER[][4] = {
         {3, 0, 1.4, 0.3}, {4, 0, 1.9, 0.3}, {4, 0, -1.9, -0.4}, {4, 0, -1.95, 0.3}};
     for (size_t i = 0; i < sizeof OTHER / sizeof *OTHER; i++) {
-        rwedge_contact *contact = allowing(1e-2), *other = allowing(0), *direct = allowing(0);
+        rwedge_contact *contact = wedge(1e-2), *other = wedge(0), *direct = wedge(0);
         APPLY(contact, {4, 0, 0, 0}, {4, 0, 0.5, 0.9}, {4, 0, -0.4, -0.6});
         APPLY(other, {OTHER[i][0], 0, 0, 0}, {OTHER[i][0], OTHER[i][1], OTHER[i][2], OTHER[i][3]});
         rwedge_contact_destroy(contact->exact);
@@ -234,7 +233,7 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
         double tolerance;
     } cases[] = {{1, 1e-6}, {3, 1e-6}, {14, 1e-5}, {20, 1e-5}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        rwedge_contact *contact = allowing(cases[k].tolerance), *direct = allowing(0);
+        rwedge_contact *contact = wedge(cases[k].tolerance), *direct = wedge(0);
         apply(contact, 4, 0, 0, 0);
         for (int i = 0; i < cases[k].loads; i++)
             apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
@@ -251,7 +250,7 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
 /* A load that hardly changes anything, after more cycles than the fit has kinks for. */
 CLAIM(a_contact_of_many_corners_keeps_its_traction)
 {
-    rwedge_contact *contact = APPLY(allowing(1e-3), {4, 0, 0, 0});
+    rwedge_contact *contact = APPLY(wedge(1e-3), {4, 0, 0, 0});
     for (int i = 0; i < 30; i++)
         apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
     const rwedge_contact *before = copy_of(contact);
@@ -279,7 +278,7 @@ CLAIM(a_stress_history_is_that_of_its_loads)
                  Q[LOADS] = {0, 0.5, 0.2, 2, 1}, sigma[LOADS] = {0, 0.9, -0.4, 0, 0};
     const double x[POINTS] = {-2, 0.3, 2.3}, y[POINTS] = {0, 0.4, 0};
     double sxx[LOADS * POINTS], syy[LOADS * POINTS], txy[LOADS * POINTS];
-    rwedge_contact *contact = allowing(1e-4), *single = allowing(1e-4);
+    rwedge_contact *contact = wedge(1e-4), *single = wedge(1e-4);
     assert_ok(
         rwedge_contact_stress_history(contact, LOADS, P, M, Q, sigma, POINTS, x, y, sxx, syy, txy));
     for (int i = 0; i < LOADS; i++) {
@@ -295,7 +294,7 @@ CLAIM(a_stress_history_is_that_of_its_loads)
 /* What sticks moves until each place has slipped. */
 CLAIM(errors_are_forgotten_where_it_slips)
 {
-    rwedge_contact *contact = APPLY(allowing(1e-3), {4, 0, 0, 0});
+    rwedge_contact *contact = APPLY(wedge(1e-3), {4, 0, 0, 0});
     for (int i = 0; i < 20; i++)
         apply(contact, 4, 0, 0.5 + 0.3 * sin(0.6 * i), 0.9 + 0.3 * sin(0.6 * i - 0.8));
     APPLY(contact, {4, 0, 1.6, 1.6}, {4, 0, -1.6, 1.6}, {4, 0, 1.6, -1.6});
@@ -322,7 +321,7 @@ CLAIM(yield_is_found_and_the_energy_grows)
 /* The bodies touch under a shear and a tension that do not grow in proportion to the contact. */
 CLAIM(bodies_touch_under_shear_and_tension)
 {
-    rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-4);
+    rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-4);
     apply(whole, 4, 0.4, 0.8, 0.4);
     assert_true(rwedge_contact_error(whole) > 0);
     for (int i = 1; i <= 20; i++)
@@ -350,7 +349,7 @@ CLAIM(the_second_half_of_a_load_has_effort_left)
 /* Errors of the contact before were too large for the pressure of what is left: not converged. */
 CLAIM(a_contact_that_shrinks_to_nearly_nothing_is_computed)
 {
-    rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-4);
+    rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-4);
     rwedge_contact *both[] = {whole, parts};
     for (int i = 0; i < 2; i++) {
         apply(both[i], 1, 0, 0, 0);
@@ -373,7 +372,7 @@ CLAIM(a_contact_that_shrinks_to_nearly_nothing_is_computed)
 /* Tension alone, of many times what friction bears, as the bodies touch: it was refused. */
 CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
 {
-    rwedge_contact *contact = APPLY(allowing(1e-2), {4, 0, 0, 1e3});
+    rwedge_contact *contact = APPLY(wedge(1e-2), {4, 0, 0, 1e3});
     const double b = rwedge_contact_half_width(contact), error = rwedge_contact_error(contact);
     assert_within(error, 0, 0.1);
     for (int i = 1; i < 10; i++) {
@@ -388,7 +387,7 @@ CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
 CLAIM(a_contact_that_grows_by_many_loads_stays_small)
 {
     enum { LOADS = 600 };
-    rwedge_contact *contact = APPLY(allowing(1e-3), {4, 0, 0, 0});
+    rwedge_contact *contact = APPLY(wedge(1e-3), {4, 0, 0, 0});
     for (int i = 1; i <= LOADS; i++) {
         const double part = (double)i / LOADS, phase = 6 * PI * part;
         const double P = 4 + 8 * part + 0.12 * sin(17 * phase);

@@ -12,8 +12,7 @@ typedef struct {
 /* The last load once whole, once in four parts. */
 static void follow_hard(const hard_history *h)
 {
-    rwedge_contact *whole = create_wedge(1, 1, 1, h->f), *parts;
-    assert_ok(rwedge_contact_allow_error(whole, h->tolerance));
+    rwedge_contact *whole = allowing(create_wedge(1, 1, 1, h->f), h->tolerance), *parts;
     for (int i = 0; i + 1 < h->count; i++)
         apply(whole, h->loads[i][0], h->loads[i][1], h->loads[i][2], h->loads[i][3]);
     parts = copy_of(whole);
@@ -93,10 +92,7 @@ CLAIM(a_slip_zone_has_points_at_both_ends)
 
 static rwedge_contact *flat_pad(double tolerance)
 {
-    rwedge_contact *pad;
-    assert_ok(rwedge_contact_create_flat(1, 5, 4 * 0.91 / 210000, 0.5, &pad));
-    assert_ok(rwedge_contact_allow_error(owned(pad), tolerance));
-    return pad;
+    return allowing(create_flat(1, 5, 4 * 0.91 / 210000, 0.5), tolerance);
 }
 
 /* All of the contact slips, outwards or inwards, from a place that no grid resolves: it did not
@@ -293,8 +289,7 @@ CLAIM(a_contact_rolls_hundreds_of_widths_in_short_loads_alone)
 {
     for (int i = 0; i < 2; i++) {
         const double tolerance = i ? 1e-2 : 1e-3;
-        rwedge_contact *wedge = create_wedge(1, 1, 1, 0.5);
-        assert_ok(rwedge_contact_allow_error(wedge, tolerance));
+        rwedge_contact *wedge = allowing(create_wedge(1, 1, 1, 0.5), tolerance);
         APPLY(wedge, {1e-6, 0, 0, 0}, {1e-6, 0, 1e-7, 2.5e-4});
         const contact_state before = state_of(wedge);
         assert_int_equal(rwedge_contact_apply(wedge, 1e-6, 6e-7, 1e-7, 2.5e-4), RWEDGE_ENOCONV);

@@ -109,9 +109,7 @@ CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
 CLAIM(a_kink_beside_the_contact_makes_no_infinite_stress)
 {
     const double x[] = {0, 0, 1, 1}, slope[] = {-0.1, 0.05, 0.05, 0.1};
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create_profile(4, x, slope, A, 0.5, &contact));
-    load(owned(contact), 0.01, 0);
+    rwedge_contact *contact = APPLY(create_profile(4, x, slope, 0.5), {0.01, 0, 0, 0});
     assert_true(rwedge_contact_half_width(contact) < 1);
     assert_true(yield_factor(contact, 0.3, 1, NULL, NULL) == 0);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);

@@ -99,14 +99,6 @@ typedef struct {
     void *made, **made_at;
 } places;
 
-const entry *entry_named(const char *name)
-{
-    for (int i = 0; i < ENTRY_COUNT; i++)
-        if (strcmp(entries[i].name, name) == 0)
-            return &entries[i];
-    return NULL;
-}
-
 static void tell_sizes(const entry *e, places *p)
 {
     for (int j = 0; j < e->sizes; j++) {

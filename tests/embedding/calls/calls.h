@@ -35,9 +35,6 @@ extern const entry_argument which_object;
 /* The object of that number; it lives as long as the program. */
 void *object_of(const entry *e, double number);
 
-/* NULL if there is none of that name. */
-const entry *entry_named(const char *name);
-
 /* NULL, or what is told when the library begins to be called, and when it has returned. */
 extern void (*on_call)(bool begins);
 

@@ -61,9 +61,8 @@ extern struct poptOption place_option_table[];
 
 typedef struct {
     double *x, *y;
-    size_t count; /* 0 where no option gives any */
-    /* of a grid, whose points are row by row, x fastest; 0 and 0 for other places */
-    size_t columns, rows;
+    size_t count;   /* 0 where no option gives any */
+    size_t columns; /* of a grid, whose points are row by row, x fastest; 0 for other places */
 } places;
 
 /* Reads --at or --points; or --x with --depth, which is 0 by default. Free them. */

@@ -40,14 +40,11 @@ void history_source_check(const history_source *from, const input_texts *texts)
     if (from->list != NULL && from->file != NULL)
         usage_error("--history %s: given together with --load; allowed: one of the two",
                     from->file);
-    for (int i = INPUT_P; i <= INPUT_SIGMA && history_source_is_given(from); i++) {
-        char name[INPUT_NAME_SIZE];
+    for (int i = INPUT_P; i <= INPUT_SIGMA && history_source_is_given(from); i++)
         if (texts->text[i] != NULL)
             usage_error(
                 "%s %s: given together with --%s, which has the loads; allowed: one of the two",
-                input_name(texts, i, name), texts->text[i],
-                from->list != NULL ? "load" : "history");
-    }
+                input_name(texts, i), texts->text[i], from->list != NULL ? "load" : "history");
 }
 
 /* ---- Rows in memory ---- */

@@ -40,14 +40,12 @@ static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a 
 
 static void refuse_dimensional(const arguments *line, const input_texts *texts)
 {
-    for (int i = 0; i < INPUT_COUNT; i++) {
-        char name[INPUT_NAME_SIZE];
+    for (int i = 0; i < INPUT_COUNT; i++)
         if (texts->text[i] != NULL && i != INPUT_F && i != INPUT_NU1 && i != INPUT_M &&
             i != INPUT_SIGMA)
             usage_error("%s %s: given together with --a-over-b; allowed: --f, --nu1, --M, --sigma, "
                         "--q-over-fp, --c-over-b",
-                        input_name(texts, i, name), texts->text[i]);
-    }
+                        input_name(texts, i), texts->text[i]);
     if (line->value[OPTION_LOAD] != NULL || line->value[OPTION_HISTORY] != NULL)
         usage_error("--%s: given together with --a-over-b; allowed: --q-over-fp or --c-over-b",
                     line->value[OPTION_LOAD] != NULL ? "load" : "history");
@@ -93,10 +91,9 @@ static void apply_natural(const input_texts *texts, double f, load to, loaded_co
     const int32_t status = loads_apply_monotonic(to, loaded->contact);
     if (status == RWEDGE_OK)
         return;
-    char name[INPUT_NAME_SIZE];
     const load_fault fault = loads_fault(status, to, f, loaded->contact);
     const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
-    usage_error("%s%s%s: %s", named ? input_name(texts, fault.input, name) : "the loads",
+    usage_error("%s%s%s: %s", named ? input_name(texts, fault.input) : "the loads",
                 named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
 }
 

@@ -16,23 +16,15 @@ enum { STEPS = 24 }; /* from load to load, for smooth curves */
 typedef void visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
                      dataset *rows);
 
-static double part_of(double from, double to, int i)
-{
-    return i == STEPS ? to : from + (to - from) * i / STEPS;
-}
-
 /* The states before a load. Where one has no closed form, the curve is straight from there. */
 static void visit_between(const figure_case *inputs, size_t step, rwedge_contact *contact,
                           visitor *visit, dataset *rows)
 {
     rwedge_contact *trial = NULL;
-    load from, to = contact_history_load(inputs->history, step);
-    rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma);
+    const load from = loads_of(contact), to = contact_history_load(inputs->history, step);
     case_check(inputs, rwedge_contact_copy(contact, &trial));
     for (int i = 1; i < STEPS && from.P > 0; i++) {
-        if (rwedge_contact_apply(trial, part_of(from.P, to.P, i), part_of(from.M, to.M, i),
-                                 part_of(from.Q, to.Q, i),
-                                 part_of(from.sigma, to.sigma, i)) != RWEDGE_OK)
+        if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
             break;
         visit(inputs, (double)step + (double)i / STEPS, trial, rows);
     }
@@ -97,8 +89,7 @@ const figure figure_history = {
 static void add_displacement(const figure_case *inputs, double number,
                              const rwedge_contact *contact, dataset *rows)
 {
-    load now;
-    rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
+    const load now = loads_of(contact);
     dataset_add(rows,
                 (data_row){.number = {number, now.P, now.M, now.Q, now.sigma,
                                       rwedge_contact_displacement(contact, inputs->half_width),

@@ -24,9 +24,8 @@ static contact_case case_of(char text[INPUT_CELLS][EXAMPLE_SIZE])
     input_texts texts = {.tolerance = 0};
     contact_case setup;
     for (int i = 0; i < INPUT_CELLS; i++) {
-        char name[INPUT_NAME_SIZE];
         int k = 0;
-        while (strcmp(input_column(k, name), case_cells[i].column) != 0)
+        while (strcmp(input_kinds[k].column, case_cells[i].column) != 0)
             k++;
         texts.text[k] = text[i][0] != '\0' ? text[i] : NULL;
     }

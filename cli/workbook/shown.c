@@ -116,6 +116,6 @@ void case_formula(xlsx *book, int row, int column, int number, const case_values
     if (strcmp(case_cells[number].column, "yield_branch") == 0)
         xlsx_text_formula(book, row, column, formula, values->branch, style);
     else
-        formula_cell(book, row, column, formula, number < SHOWN_CELLS ? values->number[number] : NAN,
-                     style);
+        formula_cell(book, row, column, formula,
+                     number < SHOWN_CELLS ? values->number[number] : NAN, style);
 }

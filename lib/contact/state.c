@@ -150,26 +150,24 @@ static const rw_corner *last_shared(const rw_slip_origins *origins, size_t share
  * read straight to their final place. */
 static void pass_origin(stream *t, rw_slip_origins *origins, size_t i)
 {
-    rw_slip_origin o = {.corners = 0};
-    rw_branch branch = {.shared = rw_slip_origins_last_corners(origins),
-                        .first = origins->own.count};
-    if (!t->in) {
+    const size_t most = rw_slip_origins_last_corners(origins);
+    rw_slip_origin o = {.corners = most, .shared = most, .first = origins->own.count};
+    if (!t->in)
         o = origins->all[i];
-        branch = origins->branches[i];
-    }
+    const size_t count = o.corners - o.shared;
     pass_all(t,
              (double *const[]){&o.end, &o.from_load, &o.from_shear, &o.to_load, &o.to_shear, NULL});
-    const size_t shared = pass_number(t, branch.shared, branch.shared);
-    const size_t own = pass_count(t, o.corners - branch.shared, CORNER);
-    o.corners = shared + own;
+    o.shared = pass_number(t, o.shared, o.shared);
+    const size_t own = pass_count(t, count, CORNER);
+    o.corners = o.shared + own;
     require(t, o.corners > 0);
     if (!t->is_sound || (t->in && !has(t, rw_slip_origins_reserve(origins, 1, own))))
         return;
-    rw_corner *corners = origins->own.corners + branch.first;
-    pass_corners(t, corners, own, t->in ? last_shared(origins, shared) : NULL);
+    rw_corner *corners = origins->own.corners + o.first;
+    pass_corners(t, corners, own, t->in ? last_shared(origins, o.shared) : NULL);
     if (!t->in || !t->is_sound)
         return;
-    rw_slip_origins_keep(origins, o, corners, shared);
+    rw_slip_origins_keep(origins, o, corners);
     require(t, rw_is_origin_sound(origins, i));
 }
 

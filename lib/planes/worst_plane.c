@@ -485,11 +485,10 @@ rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *sever
     search w = {.severity = severity,
                 .cycle = cycle,
                 .noise = rw_plane_cycle_noise(cycle, severity),
-                .best = {.value = severity->is_sum ? -DBL_MAX : 0},
                 .chi = {1, 0},
                 .beta = {1, 0}};
-    rw_direction psi = {1, 0};
-    rw_equator_search(cycle, severity, w.noise, &w.best, &psi);
+    rw_direction psi;
+    rw_equator_search(cycle, severity, &w.best, &psi);
     w.best.angle = rw_plane_angle(psi.cosine, psi.sine);
     if (!rw_equator_has_worst(cycle, severity, w.best.value, w.noise))
         search_sphere(&w);

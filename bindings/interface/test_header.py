@@ -137,7 +137,6 @@ class Reader(unittest.TestCase):
         pairs = {f.array_of: f.name for f in interface.functions if f.array_of}
         self.assertLessEqual({("stress", "stresses"), ("elastic_limit", "elastic_limits")}, set(pairs.items()))
         self.assertEqual([name for name in pairs.values() if not interface[name].of("in array")], [])
-        self.assertNotIn("contact_permanent_stick", write_python.loops_h(interface).split("POINTS_ROWS")[1].split("\n\n")[0])
 
     def test_arrays_of_two_sizes_and_sizes_that_a_function_tells(self):
         function, _ = declared(

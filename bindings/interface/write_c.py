@@ -112,6 +112,25 @@ static inline int entry_allows(const entry_argument *a, double v)
     ENTRY(name, const char *const text = text_##name(object, v);                                   \\
           r[0][0] = text ? (double)strlen(text) : NAN; return RWEDGE_OK)
 """
+FOUND = """\
+/* By its name, or NULL. */
+static inline const entry *entry_named(const char *name)
+{
+    for (int i = 0; i < ENTRY_COUNT; i++)
+        if (strcmp(name, entries[i].name) == 0)
+            return &entries[i];
+    return NULL;
+}
+
+/* The function that gives the results of this one for many points, or NULL. */
+static inline const entry *entry_of_arrays(const char *name)
+{
+    for (int i = 0; i < ENTRY_COUNT; i++)
+        if (entries[i].array_of && strcmp(entries[i].array_of, name) == 0)
+            return &entries[i];
+    return NULL;
+}
+"""
 
 
 def number(value: float) -> str:
@@ -207,7 +226,7 @@ def texts(interface: Interface) -> dict[str, str]:
             "sizes": max(len(f.of("size")) for f in listed)}
     lines = [TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
              "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
-             "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "",
+             "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", FOUND,
              "/* By its number: the reason in an identifier of an error, rwedge:domain. */",
              f"static const char *const entry_reasons[] = {{{', '.join(quoted(reason(s)) for s in interface.statuses)}}};",
              "", "#endif", ""]

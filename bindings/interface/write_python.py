@@ -3,7 +3,7 @@
 
     _header.py   FUNCTIONS: types, domains, sources, and the docstrings
     _made.py     functions and methods that no module defines by hand
-    loops.h      the loops of the ufuncs, for src/loops.c
+    entries.h    the functions as src/loops.c calls them
     __init__.pyi the types for checkers
 """
 from __future__ import annotations
@@ -14,6 +14,7 @@ import sys
 import textwrap
 from itertools import starmap
 
+import write_c
 from domain import Domain
 from header import SENTENCE, Function, Interface, Parameter
 
@@ -58,11 +59,7 @@ def is_ufunc(f: Function) -> bool:
 
 def is_gufunc(f: Function) -> bool:
     """Is it of a cycle: arrays of one size, then numbers, which give numbers?"""
-    of_cycle = (f.result == "status" and not f.family and {p.role for p in f.parameters} == {"size", "in array", "in", "out"})
-    arrays = len(f.of("in array"))
-    if of_cycle and [p.role for p in f.inputs[:arrays]] != ["in array"] * arrays:
-        sys.exit(f"write_python.py: rwedge_{f.name}() takes a number before an array: src/loops.c has no loop for that")
-    return of_cycle
+    return f.result == "status" and not f.family and {p.role for p in f.parameters} == {"size", "in array", "in", "out"}
 
 
 def is_formula(f: Function) -> bool:
@@ -205,77 +202,6 @@ def header_py(interface: Interface) -> str:
             "doc": docstring(f, equation) if kind != "by hand" else ""}
         lines += [f"    {f.name!r}: {{", *(f"        {key!r}: {value!r}," for key, value in about.items()), "    },"]
     return "\n".join([*lines, "}", ""])
-
-
-def formula_loops(interface: Interface) -> list[str]:
-    """One loop for every signature of functions with a value: doubles first, integers after them."""
-    loops = {}
-    for f in interface.functions:
-        if is_ufunc(f) and f.result == "value":
-            kinds = [p.kind for p in f.parameters]
-            doubles = kinds.count("double")
-            if kinds != ["double"] * doubles + ["int32_t"] * (len(kinds) - doubles):
-                sys.exit(f"write_python.py: rwedge_{f.name}() takes an integer before a double: src/loops.c has no loop for that")
-            arguments = [f"IN({k})" if kind == "double" else f"narrow(AT(const int64_t, {k}))" for k, kind in enumerate(kinds)]
-            name = "".join(kind[0] for kind in kinds)
-            loops[name] = f"FORMULA_LOOP({name}, {len(kinds)}, {doubles}, ({', '.join(kinds)}), ({', '.join(arguments)}))"
-    return list(loops.values())
-
-
-def points(f: Function, many: Function) -> tuple[int, int, int, str]:
-    """The row of a function of points; many is the function that takes n of them, where there is one."""
-    inputs, outputs = many.inputs, many.outputs
-    roles = [p.role for p in inputs]
-    shared = roles.count("in") if many.pointwise else 0
-    at_once = many.pointwise and roles == ["in"] * shared + ["in array"] * (len(roles) - shared)
-    shared = shared if at_once else 0
-    objects = len(many.of("handle"))
-    passed = []
-    for p in many.parameters:
-        k = inputs.index(p) if p in inputs else outputs.index(p) if p in outputs else 0
-        value = f"s[{k}]" if k < shared else f"*in[{k - shared}]"
-        passed.append({"handle": "o", "size": "n", "in array": f"in[{k - shared}]", "out": f"out[{k}]", "out array": f"out[{k}]",
-                       "in": value if p.kind == "double" else f"(int32_t){value}"}[p.role])
-    call = f"rwedge_{many.name}({', '.join(passed)})"
-    count = len(outputs) or 1
-    if many.result == "value":
-        call = f"status_of(*out[0] = {call})"
-    sizes = f"{objects}, {shared}, {len(inputs) - shared}, {count}, {'BLOCK' if at_once else 1}"
-    return shared, len(inputs) - shared, count, f"POINTS({f.name}, {sizes},\n       {call})"
-
-
-def points_rows(interface: Interface) -> list[tuple[int, int, int, str]]:
-    rows = []
-    for f in interface.functions:
-        if is_ufunc(f) and f.result == "status" or is_of_points(f):
-            many = next((g for g in interface.functions if g.array_of == f.name), f)
-            rows.append(points(f, many))
-    return rows
-
-
-def cycles_rows(interface: Interface) -> list[str]:
-    """The rows of the functions of a cycle."""
-    rows = []
-    for f in filter(is_gufunc, interface.functions):
-        arrays, numbers = f.of("in array"), f.of("in")
-        passed = ["n", *(f"in[{k}]" for k in range(len(arrays))), *(f"s[{k}]" for k in range(len(numbers))),
-                  *(f"out[{k}]" for k in range(len(f.outputs)))]
-        rows.append(f"CYCLES({f.name}, {len(arrays)}, {len(numbers)}, {len(f.outputs)},\n       rwedge_{f.name}({', '.join(passed)}))")
-    return rows
-
-
-def loops_h(interface: Interface) -> str:
-    rows = points_rows(interface)
-    shared, inputs, outputs = (max(column) for column in list(zip(*rows))[:3])
-    cycle = max(len(f.of(role)) for f in interface.functions if is_gufunc(f) for role in ("in array", "in", "out"))
-    sizes = f"enum {{ MAX_SHARED = {shared}, MAX_INPUTS = {inputs}, MAX_OUTPUTS = {outputs}, MAX_CYCLE = {cycle} }};"
-    return "\n".join(["/* SPDX-License-Identifier: GPL-3.0-or-later */", "/* Made by bindings/interface from rwedge.h. */", sizes,
-                      macro("FORMULA_LOOPS", formula_loops(interface)), macro("POINTS_ROWS", [r[3] for r in rows]),
-                      macro("CYCLES_ROWS", cycles_rows(interface)), ""])
-
-
-def macro(name: str, lines: list[str]) -> str:
-    return " \\\n    ".join([f"#define {name}", *(line.replace("\n", " ") for line in lines)])
 
 
 MADE = '''# SPDX-License-Identifier: GPL-3.0-or-later
@@ -451,5 +377,5 @@ def init_pyi(interface: Interface) -> str:
 
 
 def texts(interface: Interface) -> dict[str, str]:
-    return {"_header.py": header_py(interface), "loops.h": loops_h(interface), "_made.py": made_py(interface),
+    return {**write_c.texts(interface), "_header.py": header_py(interface), "_made.py": made_py(interface),
             "__init__.pyi": init_pyi(interface)}

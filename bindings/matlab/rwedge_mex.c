@@ -233,22 +233,11 @@ static const double *numbers_of(const entry *call, int j, const mxArray *array)
     return mxGetPr(converted);
 }
 
-static const entry *entry_named(const char *name)
-{
-    for (int i = 0; i < ENTRY_COUNT; i++)
-        if (strcmp(name, entries[i].name) == 0)
-            return &entries[i];
-    return NULL;
-}
-
 /* The function that takes n points such as these at once: this one, or that of its arrays; or
  * NULL. */
 static const entry *array_function(const entry *call, const mxArray *const arguments[], size_t n)
 {
-    const entry *many = call->pointwise ? call : NULL;
-    for (int i = 0; !many && i < ENTRY_COUNT; i++)
-        if (entries[i].array_of && strcmp(entries[i].array_of, call->name) == 0)
-            many = &entries[i];
+    const entry *many = call->pointwise ? call : entry_of_arrays(call->name);
     for (int j = 0; many && j < many->arguments; j++)
         if (mxGetNumberOfElements(arguments[j]) != (many->argument[j].sizes[0] < 0 ? 1 : n))
             return NULL;

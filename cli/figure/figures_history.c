@@ -16,23 +16,15 @@ enum { STEPS = 24 }; /* from load to load, for smooth curves */
 typedef void visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
                      dataset *rows);
 
-static double part_of(double from, double to, int i)
-{
-    return i == STEPS ? to : from + (to - from) * i / STEPS;
-}
-
 /* The states before a load. Where one has no closed form, the curve is straight from there. */
 static void visit_between(const figure_case *inputs, size_t step, rwedge_contact *contact,
                           visitor *visit, dataset *rows)
 {
     rwedge_contact *trial = NULL;
-    load from, to = contact_history_load(inputs->history, step);
-    rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma);
+    const load from = loads_of(contact), to = contact_history_load(inputs->history, step);
     case_check(inputs, rwedge_contact_copy(contact, &trial));
     for (int i = 1; i < STEPS && from.P > 0; i++) {
-        if (rwedge_contact_apply(trial, part_of(from.P, to.P, i), part_of(from.M, to.M, i),
-                                 part_of(from.Q, to.Q, i),
-                                 part_of(from.sigma, to.sigma, i)) != RWEDGE_OK)
+        if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
             break;
         visit(inputs, (double)step + (double)i / STEPS, trial, rows);
     }
@@ -97,8 +89,7 @@ const figure figure_history = {
 static void add_displacement(const figure_case *inputs, double number,
                              const rwedge_contact *contact, dataset *rows)
 {
-    load now;
-    rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
+    const load now = loads_of(contact);
     dataset_add(rows,
                 (data_row){.number = {number, now.P, now.M, now.Q, now.sigma,
                                       rwedge_contact_displacement(contact, inputs->half_width),
@@ -124,21 +115,22 @@ const figure figure_any_loop = {
 /* ---- Smith, Watson and Topper's parameter along the surface ---- */
 
 /* Measures the cycle at the places by default. */
-static void measure_usual(const figure_case *inputs, const last_cycle *last, measured *result)
+static measured measure_usual(const figure_case *inputs, const last_cycle *last)
 {
-    case_check(inputs,
-               surface_usual(last, result) ? surface_measure(last, result) : RWEDGE_EABSENT);
+    const measured result = stops_usual(last);
+    case_check(inputs, result.count > 0 ? last_cycle_measure(last, result.count, result.place)
+                                        : RWEDGE_EABSENT);
+    return result;
 }
 
 static void compute_fretting(const figure_case *inputs, dataset *rows)
 {
     last_cycle last;
-    measured result;
     const criteria usual = criteria_usual(&inputs->history->setup);
     history_cycle(inputs->history, &usual, &last, NULL);
-    measure_usual(inputs, &last, &result);
+    const measured result = measure_usual(inputs, &last);
     for (size_t i = 0; i < result.count; i++) {
-        const double *v = result.place[i].at.value;
+        const double *v = result.place[i].value;
         dataset_add(rows,
                     (data_row){.number = {result.place[i].x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
                                           v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
@@ -165,18 +157,17 @@ enum { DEPTHS = 121, COLUMNS = 81, ROWS = 41 };
 static void measure_place(const figure_case *inputs, const last_cycle *last, double x, double y,
                           dataset *rows)
 {
-    measures at;
-    case_check(inputs, last_cycle_measure(last, 1, &x, &y, &at));
+    measured_place at = {.x = x, .y = y};
+    case_check(inputs, last_cycle_measure(last, 1, &at));
     dataset_add(rows, (data_row){.number = {x, y, at.value[inputs->measure]}});
 }
 
 static void measure_surface(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
-    measured result;
-    measure_usual(inputs, last, &result);
+    const measured result = measure_usual(inputs, last);
     for (size_t i = 0; i < result.count; i++)
         dataset_add(rows, (data_row){.number = {result.place[i].x, 0,
-                                                result.place[i].at.value[inputs->measure]}});
+                                                result.place[i].value[inputs->measure]}});
     free(result.place);
 }
 

@@ -99,8 +99,8 @@ static void compute_batch(void *of_plan, int64_t i)
 {
     plan *job = of_plan;
     const size_t size = batch_size(job), first = (size_t)i * size, left = job->result.count - first;
-    measured part = {.place = job->result.place + first, .count = left < size ? left : size};
-    job->status[i] = surface_measure(&job->last, &part);
+    job->status[i] =
+        last_cycle_measure(&job->last, left < size ? left : size, job->result.place + first);
 }
 
 static void compute(plan *job)
@@ -120,7 +120,7 @@ static void write_row(const criteria *asked, const measured_place *place, record
     records_value(rows, cell_number(place->y));
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(asked, i))
-            records_value(rows, cell_number(place->at.value[i]));
+            records_value(rows, cell_number(place->value[i]));
     records_end_row(rows);
     progress_step();
 }

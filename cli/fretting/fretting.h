@@ -5,37 +5,18 @@
 #include "history/history.h"
 #include "model/cycle/cycle.h"
 
-/* ---- surface ---- The last cycle of a history of loads that a command was given. */
+/* ---- surface ---- The last cycle of a history of loads that a command was given, and the places
+ * at which it is measured. */
 
 /* Goes through the history. Where doubts is not NULL it has those of the states after its loads. */
 void history_cycle(const contact_history *history, const criteria *asked, last_cycle *cycle,
                    doubts *all);
 
-/* ---- surface ---- The places at which a cycle is looked at, and its measures there. */
-
-typedef struct {
-    double x, y;
-    measures at;
-    bool is_shown; /* among the rows that are written */
-} measured_place;
-
-/* Lines along x, one after the other, each of so many places with one y and ascending x. There is
- * room for a worst place of each measure. */
-typedef struct {
-    measured_place *place;
-    size_t count, line; /* line: places of each; 0 where they are no lines */
-} measured;
-
 /* The places of --x or, where it is not given, from one side of the contact to the other, at each
- * of the depths; of --at or --points as they are. */
+ * of the depths; of --at or --points as they are. There is room for a worst place of each
+ * measure. */
 void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
                     measured *result);
-
-/* The places by default, on the surface. False where there are none. */
-bool surface_usual(const last_cycle *cycle, measured *result);
-
-/* The measures of all places at a time. Returns the library's status, or RWEDGE_ENOMEM. */
-int32_t surface_measure(const last_cycle *cycle, measured *result);
 
 /* ---- criteria_options ---- Options of criteria of fatigue: which are asked for, and their
  * constants. */

@@ -50,7 +50,7 @@ void history_cycle(const contact_history *history, const criteria *asked, last_c
 enum { PLACES_MAX = 1000000 };
 
 /* The places of --x. */
-static stops stops_of_range(const char *text, const last_cycle *cycle)
+static measured stops_of_range(const char *text, const last_cycle *cycle)
 {
     range x;
     range_option("x", text, &x);
@@ -59,28 +59,28 @@ static stops stops_of_range(const char *text, const last_cycle *cycle)
     double *value = memory_zeroed((size_t)x.count, sizeof *value);
     for (int64_t i = 0; i < x.count; i++)
         value[i] = range_value(&x, i);
-    const stops along = stops_at(cycle, (size_t)x.count, value);
+    const measured along = stops_at(cycle, (size_t)x.count, value);
     free(value);
     range_free(&x);
     return along;
 }
 
-static measured *begin(size_t count, size_t line, measured *result)
+static void make_room(size_t count, measured *result)
 {
-    *result = (measured){.count = count, .line = line};
-    result->place = memory_zeroed(count + COLUMN_COUNT, sizeof *result->place);
-    return result;
+    result->place = memory_resized(result->place, (count + COLUMN_COUNT) * sizeof *result->place);
+    result->count = count;
 }
 
-static void fill_lines(const stops *along, const range *depth, measured *result)
+/* The line at each depth. */
+static void repeat(const range *depth, measured *result)
 {
-    if ((double)along->count * (double)depth->count > PLACES_MAX)
+    if ((double)result->count * (double)depth->count > PLACES_MAX)
         usage_error("--depth: must not give more than %d places in all", PLACES_MAX);
-    begin(along->count * (size_t)depth->count, along->count, result);
-    for (size_t i = 0; i < result->count; i++)
-        result->place[i] = (measured_place){.x = along->stop[i % result->line].x,
-                                            .y = range_value(depth, (int64_t)(i / result->line)),
-                                            .is_shown = along->stop[i % result->line].is_shown};
+    make_room(result->count * (size_t)depth->count, result);
+    for (size_t i = 0; i < result->count; i++) {
+        result->place[i] = result->place[i % result->line];
+        result->place[i].y = range_value(depth, (int64_t)(i / result->line));
+    }
 }
 
 static void read_lines(const arguments *line, const last_cycle *cycle, measured *result)
@@ -90,9 +90,8 @@ static void read_lines(const arguments *line, const last_cycle *cycle, measured 
     places_read_depth(line, &depth);
     if (x == NULL && isnan(cycle->left))
         usage_error("--x: missing; there is no contact in the cycle to take places from");
-    const stops along = x != NULL ? stops_of_range(x, cycle) : stops_usual(cycle);
-    fill_lines(&along, &depth, result);
-    free(along.stop);
+    *result = x != NULL ? stops_of_range(x, cycle) : stops_usual(cycle);
+    repeat(&depth, result);
     range_free(&depth);
 }
 
@@ -105,34 +104,8 @@ void surface_places(const arguments *line, char decimal_sign, const last_cycle *
         return;
     }
     places_read(line, decimal_sign, &points);
-    begin(points.count, 0, result);
+    make_room(points.count, result);
     for (size_t i = 0; i < points.count; i++)
         result->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
     places_free(&points);
-}
-
-bool surface_usual(const last_cycle *cycle, measured *result)
-{
-    const range surface = {.count = 1};
-    const stops along = stops_usual(cycle);
-    fill_lines(&along, &surface, result);
-    free(along.stop);
-    return result->count > 0;
-}
-
-int32_t surface_measure(const last_cycle *cycle, measured *result)
-{
-    const size_t n = result->count;
-    double *x = memory_zeroed(2 * n, sizeof *x), *y = x + n;
-    measures *at = memory_zeroed(n, sizeof *at);
-    for (size_t i = 0; i < n; i++) {
-        x[i] = result->place[i].x;
-        y[i] = result->place[i].y;
-    }
-    const int32_t status = last_cycle_measure(cycle, n, x, y, at);
-    for (size_t i = 0; i < n; i++)
-        result->place[i].at = at[i];
-    free(x);
-    free(at);
-    return status;
 }

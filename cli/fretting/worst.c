@@ -10,27 +10,20 @@ static size_t best_place(const measured *result, int column)
 {
     size_t best = 0;
     for (size_t i = 0; i < result->count; i++) {
-        const double value = result->place[i].at.value[column];
-        if (isnan(result->place[best].at.value[column]) ||
-            value > result->place[best].at.value[column])
+        const double value = result->place[i].value[column];
+        if (isnan(result->place[best].value[column]) || value > result->place[best].value[column])
             best = i;
     }
     return best;
 }
 
 /* On the line of the best place, between the places too. */
-static void search_line(const last_cycle *last, const measured *result, int column, size_t first,
+static void search_line(const last_cycle *last, const measured *result, int column, size_t best,
                         worst_row *row)
 {
-    double *x = memory_zeroed(2 * result->line, sizeof *x), *value = x + result->line;
-    for (size_t i = 0; i < result->line; i++) {
-        x[i] = result->place[first + i].x;
-        value[i] = fmax(result->place[first + i].at.value[column], 0);
-    }
-    status_check(
-        last_cycle_worst(last, column, result->line, x, value, row->y, &row->x, &row->value),
-        "the worst place");
-    free(x);
+    status_check(last_cycle_worst(last, column, result->line,
+                                  result->place + best - best % result->line, &row->x, &row->value),
+                 "the worst place");
 }
 
 /* Wear is worst where the energy is. */
@@ -50,7 +43,7 @@ static bool is_damage(int column)
 
 static double cycles_at(const measured_place *place, int damage)
 {
-    return place->at.value[measure_column(measure_criterion(damage), PART_CYCLES)];
+    return place->value[measure_column(measure_criterion(damage), PART_CYCLES)];
 }
 
 void worst_find(const measured *result, worst_table *worst)
@@ -58,14 +51,14 @@ void worst_find(const measured *result, worst_table *worst)
     const last_cycle *last = worst->last;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const size_t best = best_place(result, i);
-        const double value = result->place[best].at.value[i];
+        const double value = result->place[best].value[i];
         const bool is_worst =
             value > 0 && measure_kinds[i].part == PART_VALUE && column_is_wanted(&last->asked, i);
         worst->row[i] =
             (worst_row){result->place[best].x, result->place[best].y, is_worst ? value : NAN,
                         is_damage(i) ? cycles_at(&result->place[best], i) : NAN};
         if (result->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
-            search_line(last, result, i, best - best % result->line, &worst->row[i]);
+            search_line(last, result, i, best, &worst->row[i]);
     }
     take_wear(&last->asked, worst->row);
 }
@@ -90,24 +83,18 @@ static bool is_there(const measured *result, double x, double y)
 
 void worst_add_places(const worst_table *worst, measured *result)
 {
-    double x[COLUMN_COUNT], y[COLUMN_COUNT];
-    measures at[COLUMN_COUNT];
     const size_t count = result->count;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const worst_row *row = &worst->row[i];
         if (isnan(row->value) || is_there(result, row->x, row->y))
             continue;
-        x[result->count - count] = row->x;
-        y[result->count - count] = row->y;
         result->place[result->count++] = /* there is room */
             (measured_place){.x = row->x, .y = row->y, .is_shown = true};
     }
     if (result->count == count)
         return;
-    status_check(last_cycle_measure(worst->last, result->count - count, x, y, at),
+    status_check(last_cycle_measure(worst->last, result->count - count, result->place + count),
                  "the worst places");
-    for (size_t i = count; i < result->count; i++)
-        result->place[i].at = at[i - count];
     qsort(result->place, result->count, sizeof *result->place, in_order);
 }
 
@@ -138,10 +125,10 @@ enum { COLUMNS = sizeof columns / sizeof columns[0] };
 
 /* The criteria below the worst place of the surface, of the stresses of each load there; the means
  * may not settle to 1e-10 of the stresses. */
-static measures measures_below(const last_cycle *cycle, const distance *below, double x)
+static measured_place measures_below(const last_cycle *cycle, const distance *below, double x)
 {
     const size_t n = cycle->loads;
-    measures at;
+    measured_place at;
     double *stress = memory_zeroed(3 * n, sizeof *stress);
     int32_t status = rwedge_contact_cycle_below(
         cycle->before, n, cycle->P, cycle->M, cycle->Q, cycle->sigma, x, below->angle * PI / 180,
@@ -162,14 +149,14 @@ static int damage_of(int criterion)
 }
 
 /* NAN where the criterion has no such part. */
-static double part_of(const measures *at, int criterion, measure_part part)
+static double part_of(const measured_place *at, int criterion, measure_part part)
 {
     const int column = measure_column(criterion, part);
     return column >= 0 ? at->value[column] : NAN;
 }
 
 /* In passes of the loads. */
-static void add_life(int criterion, const measures *at, cell cells[COLUMNS])
+static void add_life(int criterion, const measured_place *at, cell cells[COLUMNS])
 {
     if (criterion < CRITERION_SWT_DAMAGE)
         return;
@@ -184,11 +171,11 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
 {
     const bool is_below = !isnan(worst->below.length) && row->y == 0;
     const material *constants = worst->last->asked.constants;
-    measures at;
+    measured_place at = {.x = row->x, .y = row->y};
     if (is_below)
         at = measures_below(worst->last, &worst->below, row->x);
     else
-        status_check(last_cycle_measure(worst->last, 1, &row->x, &row->y, &at), "the worst place");
+        status_check(last_cycle_measure(worst->last, 1, &at), "the worst place");
     const double value = part_of(&at, criterion, PART_VALUE),
                  allowable = material_allowable(constants, criterion);
     cells[4] = cell_number(is_below ? worst->below.length : NAN);

@@ -34,9 +34,6 @@ typedef struct {
 void contact_history_read(const arguments *line, char decimal_sign, usual_cycles usage,
                           contact_history *history);
 
-/* The file the loads come from; NULL where there is none. */
-const char *history_file(const arguments *line);
-
 /* The row of the table that the load of this step stands in. */
 size_t contact_history_row(const contact_history *history, size_t step);
 load contact_history_load(const contact_history *history, size_t step);
@@ -61,9 +58,8 @@ extern struct poptOption place_option_table[];
 
 typedef struct {
     double *x, *y;
-    size_t count; /* 0 where no option gives any */
-    /* of a grid, whose points are row by row, x fastest; 0 and 0 for other places */
-    size_t columns, rows;
+    size_t count;   /* 0 where no option gives any */
+    size_t columns; /* of a grid, whose points are row by row, x fastest; 0 for other places */
 } places;
 
 /* Reads --at or --points; or --x with --depth, which is 0 by default. Free them. */

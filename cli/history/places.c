@@ -101,7 +101,6 @@ static void fill_grid(const char *text, const range *x, const range *y, places *
         for (int64_t i = 0; i < x->count; i++)
             add(to, range_value(x, i), range_value(y, j));
     to->columns = (size_t)x->count;
-    to->rows = (size_t)y->count;
 }
 
 static void read_grid(const arguments *line, places *to)

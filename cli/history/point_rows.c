@@ -12,9 +12,8 @@ const char *const point_columns[POINT_COLUMNS] = {"load", "x",  "y",  "sxx",    
 
 void passed_check(const load_history *loads, const char *result)
 {
-    char name[INPUT_NAME_SIZE];
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
-        if (strcmp(result, input_column(i, name)) == 0)
+        if (strcmp(result, input_kinds[i].column) == 0)
             return;
     if (header_has(&loads->names, result))
         failure("%s: column %s: a result has that name; allowed: any other", loads->name, result);

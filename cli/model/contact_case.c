@@ -20,10 +20,9 @@ enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
 static bool excluded(const input_texts *texts, int input, int alternative,
                      char complaint[COMPLAINT_SIZE])
 {
-    char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
     return complain(complaint, "%s %.60s: given together with %s; allowed: one of the two",
-                    input_name(texts, alternative, second), texts->text[alternative],
-                    input_name(texts, input, first));
+                    input_name(texts, alternative), texts->text[alternative],
+                    input_name(texts, input));
 }
 
 /* A radius is that of a cylinder where no angle is given. */
@@ -55,20 +54,17 @@ static bool is_needed(const input_texts *texts, int input, case_needs needs)
 /* Adds it to the list of what is missing. */
 static void add_missing(const input_texts *texts, int input, char complaint[COMPLAINT_SIZE])
 {
-    char first[INPUT_NAME_SIZE], second[INPUT_NAME_SIZE];
     const int other = input_alternative(input);
     const bool is_flat = input == INPUT_A && input_is_given(texts, INPUT_FLAT);
     const bool two = other >= 0 && !is_flat;
     list_add(complaint, COMPLAINT_SIZE, complaint[0] == '\0' ? "" : ", ", "%s%s%s%s",
-             complaint[0] == '\0' ? "missing: " : "",
-             input_name(texts, is_flat ? other : input, first), two ? " or " : "",
-             two ? input_name(texts, other, second) : "");
+             complaint[0] == '\0' ? "missing: " : "", input_name(texts, is_flat ? other : input),
+             two ? " or " : "", two ? input_name(texts, other) : "");
 }
 
 /* Body 2 is given whole or not at all: a guess would look like a result. */
 static bool second_body_is_whole(const input_texts *texts, char complaint[COMPLAINT_SIZE])
 {
-    char name[INPUT_NAME_SIZE], other[INPUT_NAME_SIZE];
     const bool E2 = input_is_given(texts, INPUT_E2), nu2 = input_is_given(texts, INPUT_NU2);
     if (E2 == nu2)
         return true;
@@ -78,9 +74,9 @@ static bool second_body_is_whole(const input_texts *texts, char complaint[COMPLA
     if (E2 && isinf(value)) /* a rigid body has no Poisson's ratio */
         return true;
     const int there = E2 ? INPUT_E2 : INPUT_NU2, absent = E2 ? INPUT_NU2 : INPUT_E2;
-    return complain(
-        complaint, "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
-        input_name(texts, there, name), texts->text[there], input_name(texts, absent, other));
+    return complain(complaint,
+                    "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
+                    input_name(texts, there), texts->text[there], input_name(texts, absent));
 }
 
 bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE])
@@ -196,8 +192,7 @@ static bool has_equilibrium(const input_texts *texts, const contact_case *setup,
     const load_fault fault = case_fault(setup);
     if (fault.input == INPUT_COUNT)
         return true;
-    char name[INPUT_NAME_SIZE];
-    return complain(complaint, "%s %.60s: %s%s", input_name(texts, fault.input, name),
+    return complain(complaint, "%s %.60s: %s%s", input_name(texts, fault.input),
                     texts->text[fault.input], fault.why,
                     fault.input != INPUT_Q || input_is_given(texts, INPUT_F) ? ""
                                                                              : "; f is missing");
@@ -206,11 +201,10 @@ static bool has_equilibrium(const input_texts *texts, const contact_case *setup,
 /* Only the tip of a wedge may be sharp. */
 static bool has_radius(const input_texts *texts, const pad *shape, char complaint[COMPLAINT_SIZE])
 {
-    char name[INPUT_NAME_SIZE];
     if (shape->kind == PAD_WEDGE || shape->radius != 0)
         return true;
     return complain(complaint, "%s %.60s: the radius must be a number above 0%s",
-                    input_name(texts, INPUT_RADIUS, name), texts->text[INPUT_RADIUS],
+                    input_name(texts, INPUT_RADIUS), texts->text[INPUT_RADIUS],
                     shape->kind == PAD_CYLINDER ? ", or an angle is missing" : "");
 }
 

@@ -25,13 +25,13 @@ static int32_t bits_of_factor(const contact_case *setup, const rwedge_contact *c
                               double factor)
 {
     const pad *shape = &setup->shape;
-    double P = 0, M, Q, sigma, left = 0, right = 0;
+    double left = 0, right = 0;
     rwedge_contact_edges(contact, &left, &right);
     if (!(factor < 1))
         return doubts_of(setup, left, right, NAN);
-    rwedge_contact_loads(contact, &P, &M, &Q, &sigma);
-    const double P_yield = /* not known of other pads */
-        rwedge_yield_load(shape->theta, shape->a, setup->A, setup->f, setup->nu1, setup->k);
+    const double P = loads_of(contact).P, P_yield = /* not known of other pads */
+                                          rwedge_yield_load(shape->theta, shape->a, setup->A,
+                                                            setup->f, setup->nu1, setup->k);
     return doubts_of(setup, left, right, P_yield / P) | (P > P_yield ? 0 : DOUBT_STATE);
 }
 

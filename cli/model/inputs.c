@@ -7,48 +7,53 @@
 #include <string.h>
 #include <strings.h>
 
+#define NAMES(name) name, "--" name, name
 #define ABOVE_0 0, HUGE_VAL, true, "a number above 0"
 #define ANY -HUGE_VAL, HUGE_VAL, false, "a number"
 #define NOT_BELOW_0 0, HUGE_VAL, false, "a number not below 0"
 
 const input_kind input_kinds[INPUT_COUNT] = {
-    [INPUT_E1] = {"E1", "Young's modulus of body 1, whose stresses are computed", "STRESS",
+    [INPUT_E1] = {NAMES("E1"), "Young's modulus of body 1, whose stresses are computed", "STRESS",
                   "stress", "Young's modulus of body 1", ABOVE_0},
-    [INPUT_NU1] = {"nu1", "Poisson's ratio of body 1, 0 to 0.5, or --nu", "NUMBER", "none",
+    [INPUT_NU1] = {NAMES("nu1"), "Poisson's ratio of body 1, 0 to 0.5, or --nu", "NUMBER", "none",
                    "Poisson's ratio", 0, 0.5, false, "a number from 0 to 0.5"},
-    [INPUT_E2] = {"E2", "Young's modulus of body 2, inf if it is rigid (default: as body 1)",
+    [INPUT_E2] = {NAMES("E2"), "Young's modulus of body 2, inf if it is rigid (default: as body 1)",
                   "STRESS", "stress", "Young's modulus", 0, HUGE_VAL, true,
                   "a number above 0, or inf"},
-    [INPUT_NU2] = {"nu2", "Poisson's ratio of body 2, 0 to 0.5 (default: as body 1)", "NUMBER",
-                   "none", "Poisson's ratio", 0, 0.5, false, "a number from 0 to 0.5"},
-    [INPUT_THETA] = {"theta", "Angle between flank and surface, in radians", "ANGLE", "rad",
+    [INPUT_NU2] = {NAMES("nu2"), "Poisson's ratio of body 2, 0 to 0.5 (default: as body 1)",
+                   "NUMBER", "none", "Poisson's ratio", 0, 0.5, false, "a number from 0 to 0.5"},
+    [INPUT_THETA] = {NAMES("theta"), "Angle between flank and surface, in radians", "ANGLE", "rad",
                      "the angle", 0, 1.5707963267948966, true,
                      "a number above 0 and below pi/2, in radians"},
-    [INPUT_THETA_DEG] = {"theta-deg", "The same in degrees", "ANGLE", "deg", "the angle", 0, 90,
-                         true, "a number above 0 and below 90, in degrees"},
-    [INPUT_A] = {"a", "Half-width of the rounding; 0 is the sharp wedge", "LENGTH", "length",
+    [INPUT_THETA_DEG] = {"theta-deg", "--theta-deg", "theta_deg", "The same in degrees", "ANGLE",
+                         "deg", "the angle", 0, 90, true,
+                         "a number above 0 and below 90, in degrees"},
+    [INPUT_A] = {NAMES("a"), "Half-width of the rounding; 0 is the sharp wedge", "LENGTH", "length",
                  "the half-width of the rounding", NOT_BELOW_0},
-    [INPUT_RADIUS] = {"radius", "Radius of the rounding instead, a/theta; alone, of a cylinder",
-                      "LENGTH", "length", "the radius", NOT_BELOW_0},
-    [INPUT_FLAT] = {"flat", "Half-width of the flat of a flat pad, whose edges have the radius",
-                    "LENGTH", "length", "the half-width of the flat", ABOVE_0},
-    [INPUT_PROFILE] = {"profile",
+    [INPUT_RADIUS] = {NAMES("radius"),
+                      "Radius of the rounding instead, a/theta; alone, of a cylinder", "LENGTH",
+                      "length", "the radius", NOT_BELOW_0},
+    [INPUT_FLAT] = {NAMES("flat"),
+                    "Half-width of the flat of a flat pad, whose edges have the radius", "LENGTH",
+                    "length", "the half-width of the flat", ABOVE_0},
+    [INPUT_PROFILE] = {NAMES("profile"),
                        "Any convex pad: a CSV file with the columns x, and slope or height", "FILE",
                        "name", "the profile", ANY},
-    [INPUT_P] = {"P", "Normal force per unit length", "FORCE", "force/length", "the normal force",
-                 ABOVE_0},
-    [INPUT_M] = {"M", "Moment per unit length, positive presses the side x > 0 (default 0)",
+    [INPUT_P] = {NAMES("P"), "Normal force per unit length", "FORCE", "force/length",
+                 "the normal force", ABOVE_0},
+    [INPUT_M] = {NAMES("M"), "Moment per unit length, positive presses the side x > 0 (default 0)",
                  "MOMENT", "force", "the moment", ANY},
-    [INPUT_Q] = {"Q", "Tangential force per unit length (default 0)", "FORCE", "force/length",
-                 "the tangential force", ANY},
-    [INPUT_SIGMA] = {"sigma", "Bulk tension of body 1 along the surface (default 0)", "STRESS",
-                     "stress", "the bulk tension", ANY},
-    [INPUT_F] = {"f", "Coefficient of friction, or --friction (default 0)", "NUMBER", "none",
+    [INPUT_Q] = {NAMES("Q"), "Tangential force per unit length (default 0)", "FORCE",
+                 "force/length", "the tangential force", ANY},
+    [INPUT_SIGMA] = {NAMES("sigma"), "Bulk tension of body 1 along the surface (default 0)",
+                     "STRESS", "stress", "the bulk tension", ANY},
+    [INPUT_F] = {NAMES("f"), "Coefficient of friction, or --friction (default 0)", "NUMBER", "none",
                  "the coefficient of friction", 0, 1e6, false, "a number from 0 to 1000000"},
-    [INPUT_K] = {"k", "Yield stress of body 1 in pure shear", "STRESS", "stress",
+    [INPUT_K] = {NAMES("k"), "Yield stress of body 1 in pure shear", "STRESS", "stress",
                  "the yield stress", ABOVE_0},
-    [INPUT_YIELD_STRESS] = {"yield-stress", "Yield stress in tension instead, sqrt(3) k", "STRESS",
-                            "stress", "the yield stress", ABOVE_0},
+    [INPUT_YIELD_STRESS] = {"yield-stress", "--yield-stress", "yield_stress",
+                            "Yield stress in tension instead, sqrt(3) k", "STRESS", "stress",
+                            "the yield stress", ABOVE_0},
 };
 
 const double usual_tolerance = 1e-4;
@@ -62,14 +67,6 @@ bool complain(char complaint[COMPLAINT_SIZE], const char *format, ...)
     return false;
 }
 
-const char *input_column(int input, char name[INPUT_NAME_SIZE])
-{
-    snprintf(name, INPUT_NAME_SIZE, "%s", input_kinds[input].option);
-    for (char *dash = strchr(name, '-'); dash != NULL; dash = strchr(dash, '-'))
-        *dash = '_';
-    return name;
-}
-
 int input_alternative(int input)
 {
     static const int pairs[][2] = {
@@ -81,12 +78,9 @@ int input_alternative(int input)
     return -1;
 }
 
-const char *input_name(const input_texts *texts, int input, char name[INPUT_NAME_SIZE])
+const char *input_name(const input_texts *texts, int input)
 {
-    if (texts->is_cell[input])
-        return input_column(input, name);
-    snprintf(name, INPUT_NAME_SIZE, "--%s", input_kinds[input].option);
-    return name;
+    return texts->is_cell[input] ? input_kinds[input].column : input_kinds[input].flag;
 }
 
 bool input_is_given(const input_texts *texts, int input)
@@ -124,10 +118,7 @@ static bool has_possible_size(int input, double value)
 
 static bool read_profile(const input_texts *texts, double *value, char complaint[COMPLAINT_SIZE])
 {
-    const pad_profile *places = NULL;
-    snprintf(complaint, COMPLAINT_SIZE, "profile: there are no files here");
-    if (texts->profile_named != NULL)
-        places = texts->profile_named(texts->text[INPUT_PROFILE], complaint);
+    const pad_profile *places = texts->profile_named(texts->text[INPUT_PROFILE], complaint);
     *value = places != NULL ? (double)places->count : NAN;
     return places != NULL;
 }
@@ -138,7 +129,6 @@ bool input_read(const input_texts *texts, int input, double *value, char complai
     const char decimal_sign = texts->is_cell[input] ? texts->cell_decimal_sign : '.';
     const input_kind *kind = &input_kinds[input];
     const bool rigid = strcasecmp(text, "inf") == 0;
-    char name[INPUT_NAME_SIZE];
     if (input == INPUT_PROFILE)
         return read_profile(texts, value, complaint);
     *value = HUGE_VAL;
@@ -147,12 +137,12 @@ bool input_read(const input_texts *texts, int input, double *value, char complai
         if (rigid || has_possible_size(input, *value))
             return true;
         return complain(complaint, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
-                        input_name(texts, input, name), text, kind->subject,
+                        input_name(texts, input), text, kind->subject,
                         is_in(0, kind) ? ", or 0" : "");
     }
     const char *shown = text[strspn(text, " \t")] != '\0' ? text : "''";
-    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s", input_name(texts, input, name),
-             shown, kind->subject, kind->domain);
+    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s", input_name(texts, input), shown,
+             kind->subject, kind->domain);
     add_hint(texts, input, complaint);
     return false;
 }

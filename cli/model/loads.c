@@ -4,30 +4,54 @@
 #include <math.h>
 #include <stdio.h>
 
-static int32_t apply(load to, rwedge_contact *contact)
+load loads_of(const rwedge_contact *contact)
+{
+    load now;
+    rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
+    return now;
+}
+
+static double between(double from, double to, int i, int n)
+{
+    return from + (to - from) * i / n;
+}
+
+load loads_between(load from, load to, int i, int n)
+{
+    return (load){between(from.P, to.P, i, n), between(from.M, to.M, i, n),
+                  between(from.Q, to.Q, i, n), between(from.sigma, to.sigma, i, n)};
+}
+
+int32_t loads_apply(load to, rwedge_contact *contact)
 {
     return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
 }
 
 int32_t loads_apply_monotonic(load to, rwedge_contact *contact)
 {
-    const int32_t status = apply((load){.P = to.P, .M = to.M}, contact);
-    return status == RWEDGE_OK ? apply(to, contact) : status;
+    const int32_t status = loads_apply((load){.P = to.P, .M = to.M}, contact);
+    return status == RWEDGE_OK ? loads_apply(to, contact) : status;
 }
 
 /* ---- What is wrong with a load ---- */
 
-/* Nothing is computed for it: near the largest moment that takes seconds. */
-static bool is_in_domain(load to, const rwedge_contact *contact)
+/* The library's status where an error is allowed; 0: nothing is computed. */
+static int32_t try_load(load to, const rwedge_contact *contact, double allowed)
 {
     rwedge_contact *trial = NULL;
     int32_t status = rwedge_contact_copy(contact, &trial);
-    if (status == RWEDGE_OK) {
-        rwedge_contact_allow_error(trial, 0);
-        status = apply(to, trial);
-    }
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_allow_error(trial, allowed);
+    if (status == RWEDGE_OK)
+        status = loads_apply(to, trial);
     rwedge_contact_destroy(trial);
-    return status != RWEDGE_EDOMAIN;
+    return status;
+}
+
+/* Nothing is computed for it: near the largest moment that takes seconds. */
+static bool is_in_domain(load to, const rwedge_contact *contact)
+{
+    return try_load(to, contact, 0) != RWEDGE_EDOMAIN;
 }
 
 /* Whatever has a size is 0 or at least this: the library's header. */
@@ -69,28 +93,16 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
     return fault;
 }
 
-/* Whether it is refused only because nothing may be computed. */
-static bool is_computable(load to, const rwedge_contact *contact)
-{
-    rwedge_contact *trial = NULL;
-    const bool is_answered = rwedge_contact_copy(contact, &trial) == RWEDGE_OK &&
-                             rwedge_contact_allow_error(trial, usual_tolerance) == RWEDGE_OK &&
-                             apply(to, trial) == RWEDGE_OK;
-    rwedge_contact_destroy(trial);
-    return is_answered;
-}
-
 static load_fault path_fault(load to, const rwedge_contact *contact)
 {
-    load last;
+    const load last = loads_of(contact);
     load_fault fault = {.input = INPUT_SIGMA};
-    rwedge_contact_loads(contact, &last.P, &last.M, &last.Q, &last.sigma);
     snprintf(fault.why, sizeof fault.why, "no closed form: %s",
              rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);
     if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most)
         list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %.6g with this Q", most);
-    if (is_computable(to, contact))
+    if (try_load(to, contact, usual_tolerance) == RWEDGE_OK)
         list_add(fault.why, sizeof fault.why, "; ", "without --exact it is computed");
     return fault;
 }
@@ -122,15 +134,15 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
 
 bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
 {
-    const int32_t status = apply(to, contact);
+    const int32_t status = loads_apply(to, contact);
     if (status == RWEDGE_OK)
         return true;
     const load_fault fault = loads_fault(status, to, f, contact);
-    char name[INPUT_NAME_SIZE], value[NUMBER_SIZE];
+    char value[NUMBER_SIZE];
     const double part[INPUT_COUNT] = {
         [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
     if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
         return complain(complaint, "%s", fault.why);
     number_write(part[fault.input], NUMBER_DIGITS, '.', value);
-    return complain(complaint, "%s %s: %s", input_column(fault.input, name), value, fault.why);
+    return complain(complaint, "%s %s: %s", input_kinds[fault.input].column, value, fault.why);
 }

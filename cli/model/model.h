@@ -37,9 +37,10 @@ enum {
 };
 
 typedef struct {
-    const char *option, *meaning, *argument; /* as the help of an option has them */
-    const char *unit;                        /* the dimension, as that of a result */
-    const char *subject;                     /* of a sentence */
+    const char *option, *flag, *column; /* "theta-deg", "--theta-deg", "theta_deg" */
+    const char *meaning, *argument;     /* as the help of an option has them */
+    const char *unit;                   /* the dimension, as that of a result */
+    const char *subject;                /* of a sentence */
     double lo, hi;
     bool open; /* the ends are not in the domain */
     const char *domain;
@@ -54,7 +55,7 @@ typedef struct {
     /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
      * where else inputs are given, "columns or options", or NULL */
     const char *how_comma, *where_else;
-    /* the profile of a name; NULL with the complaint where there is none. May itself be NULL */
+    /* the profile of a name; NULL with the complaint where there is none */
     const pad_profile *(*profile_named)(const char *name, char complaint[]);
     /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
     double tolerance;
@@ -64,20 +65,17 @@ typedef struct {
 extern const double usual_tolerance;
 
 /* What is wrong with the inputs: the line of a message, or the error of a row. */
-enum { COMPLAINT_SIZE = 400, INPUT_NAME_SIZE = 16 };
+enum { COMPLAINT_SIZE = 400 };
 
 /* Writes it as by printf; false. */
 bool complain(char complaint[COMPLAINT_SIZE], const char *format, ...) PRINTF_LIKE(2, 3);
-
-/* The name of its column, "theta_deg". */
-const char *input_column(int input, char name[INPUT_NAME_SIZE]);
 
 /* The input that is an alternative to this one, as radius is to a; -1 where there is none. */
 int input_alternative(int input);
 
 /* The name of an input as the source of its text spells it: "theta_deg" in a file, "--theta-deg" as
  * an option. */
-const char *input_name(const input_texts *texts, int input, char name[INPUT_NAME_SIZE]);
+const char *input_name(const input_texts *texts, int input);
 
 /* Whether a text is there; an empty cell is none. */
 bool input_is_given(const input_texts *texts, int input);
@@ -91,6 +89,15 @@ bool input_read(const input_texts *texts, int input, double *value, char complai
 typedef struct {
     double P, M, Q, sigma;
 } load;
+
+/* Those of a contact. */
+load loads_of(const rwedge_contact *contact);
+
+/* The load after i of n equal steps from one load to another. */
+load loads_between(load from, load to, int i, int n);
+
+/* Returns the library's status. */
+int32_t loads_apply(load to, rwedge_contact *contact);
 
 /* Applies P and M, then Q and sigma together under constant P and M; returns the library's
  * status. */

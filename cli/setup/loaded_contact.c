@@ -40,14 +40,12 @@ static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a 
 
 static void refuse_dimensional(const arguments *line, const input_texts *texts)
 {
-    for (int i = 0; i < INPUT_COUNT; i++) {
-        char name[INPUT_NAME_SIZE];
+    for (int i = 0; i < INPUT_COUNT; i++)
         if (texts->text[i] != NULL && i != INPUT_F && i != INPUT_NU1 && i != INPUT_M &&
             i != INPUT_SIGMA)
             usage_error("%s %s: given together with --a-over-b; allowed: --f, --nu1, --M, --sigma, "
                         "--q-over-fp, --c-over-b",
-                        input_name(texts, i, name), texts->text[i]);
-    }
+                        input_name(texts, i), texts->text[i]);
     if (line->value[OPTION_LOAD] != NULL || line->value[OPTION_HISTORY] != NULL)
         usage_error("--%s: given together with --a-over-b; allowed: --q-over-fp or --c-over-b",
                     line->value[OPTION_LOAD] != NULL ? "load" : "history");
@@ -93,10 +91,9 @@ static void apply_natural(const input_texts *texts, double f, load to, loaded_co
     const int32_t status = loads_apply_monotonic(to, loaded->contact);
     if (status == RWEDGE_OK)
         return;
-    char name[INPUT_NAME_SIZE];
     const load_fault fault = loads_fault(status, to, f, loaded->contact);
     const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
-    usage_error("%s%s%s: %s", named ? input_name(texts, fault.input, name) : "the loads",
+    usage_error("%s%s%s: %s", named ? input_name(texts, fault.input) : "the loads",
                 named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
 }
 
@@ -121,6 +118,7 @@ static void measure_natural(bool centred, loaded_contact *loaded)
 static void read_natural(const arguments *line, const input_texts *texts, loaded_contact *loaded)
 {
     refuse_dimensional(line, texts);
+    history_check(line);
     const double alpha = variable_read_one(&variables[A_OVER_B], line->value[OPTION_A_OVER_B]);
     const double f = read_input(texts, INPUT_F, 0);
     loaded->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
@@ -149,11 +147,10 @@ static void read_dimensional(const arguments *line, char decimal_sign, const inp
 {
     contact_case setup;
     char complaint[COMPLAINT_SIZE];
-    const history_source from = history_source_of(line);
     refuse_natural(line);
-    if (history_source_is_given(&from))
-        loaded->contact =
-            history_source_contact(&from, texts, CASE_LOADS_APART, decimal_sign, &setup);
+    history_check(line);
+    if (history_is_given(line))
+        loaded->contact = history_contact(line, texts, CASE_LOADS_APART, decimal_sign, &setup);
     else if (!case_read(texts, CASE_WITH_LOADS, &setup, complaint))
         usage_error("%s", complaint);
     else
@@ -174,8 +171,6 @@ void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contac
     *loaded = (loaded_contact){0};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
-    const history_source from = history_source_of(line);
-    history_source_check_encoding(&from);
     if (line->value[OPTION_A_OVER_B] != NULL)
         read_natural(line, &texts, loaded);
     else

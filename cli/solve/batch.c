@@ -39,12 +39,10 @@ typedef struct {
 static void check_constants(const run *r)
 {
     const input_texts *constants = &r->table.constants;
-    for (int i = 0; i < INPUT_COUNT; i++) {
-        char name[INPUT_NAME_SIZE];
+    for (int i = 0; i < INPUT_COUNT; i++)
         if (constants->text[i] != NULL && header_has_input(&r->table.names, i))
             usage_error("%s %s: %s has a column for it; allowed: one of the two",
-                        input_name(constants, i, name), constants->text[i], r->in->name);
-    }
+                        input_name(constants, i), constants->text[i], r->in->name);
 }
 
 static void write_header(run *r)

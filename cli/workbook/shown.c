@@ -14,9 +14,8 @@ static contact_case case_of(const double input[INPUT_CELLS])
     input_texts texts = {.tolerance = 0};
     contact_case setup;
     for (int i = 0; i < INPUT_CELLS; i++) {
-        char name[INPUT_NAME_SIZE];
         int k = 0;
-        while (strcmp(input_column(k, name), case_cells[i].column) != 0)
+        while (strcmp(input_kinds[k].column, case_cells[i].column) != 0)
             k++;
         number_write(input[i], NUMBER_DIGITS, '.', number[i]);
         texts.text[k] = isnan(input[i]) ? NULL : number[i];

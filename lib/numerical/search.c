@@ -294,13 +294,11 @@ static void end_slip_at_edges(rw_work *w, const rw_problem *p, rw_outcome *best)
     rw_outcome other;
     if (!stick_where_new(p, &zones))
         return;
-    const double wrong =
-        rw_rates_wrong(&w->fronts, &w->end, &best->state.zones, &best->state.zones);
-    if (wrong <= p->allowed * p->scale || !try_fronts(w, p, &zones, 0, &other))
+    if (rw_rates_wrong(&w->fronts, &w->end, &best->state.zones, &best->state.zones) <=
+            p->allowed * p->scale ||
+        !try_fronts(w, p, &zones, 0, &other))
         return;
-    const bool is_better =
-        other.violation <= p->allowed &&
-        rw_rates_wrong(&w->fronts, &w->end, &other.state.zones, &other.state.zones) < wrong;
+    const bool is_better = other.violation <= p->allowed;
     rw_shear_state_destroy(is_better ? &best->state : &other.state);
     if (is_better)
         *best = other;

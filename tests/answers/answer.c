@@ -39,15 +39,6 @@ static void replace(const entry *call, void *made)
     }
 }
 
-static const entry *entry_named(const char *name)
-{
-    const size_t length = strcspn(name, ":");
-    for (int i = 0; i < ENTRY_COUNT; i++)
-        if (strlen(entries[i].name) == length && strncmp(entries[i].name, name, length) == 0)
-            return &entries[i];
-    return NULL;
-}
-
 static numbers numbers_of(const char *text)
 {
     if (*text == '@')
@@ -119,7 +110,9 @@ static int answer(const char *line)
     double *r[ENTRY_RESULTS];
     size_t n[ENTRY_SIZES] = {0};
     void *made = NULL;
-    const entry *call = entry_named(line);
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(line, ":"), line);
+    const entry *call = entry_named(name);
     if (!call || !read_arguments(call, line, passed, n)) {
         fprintf(stderr, "%s: no such call\n", line);
         return 1;

@@ -148,10 +148,12 @@ double criteria_fatemi_socie(const contact_case *setup, double k);
 
 /* ---- last_cycle ---- The last cycle of a history of loads, and what it does to a place. */
 
-/* The measures at one place; NAN where a measure has no value. */
+/* A place of body 1, y the depth, with its measures: NAN where a measure has no value. */
 typedef struct {
+    double x, y;
+    bool is_shown; /* among the rows that are written */
     double value[COLUMN_COUNT];
-} measures;
+} measured_place;
 
 typedef struct {
     const contact_case *setup;
@@ -179,35 +181,32 @@ void last_cycle_free(last_cycle *cycle);
 
 /* The measures at n places. Returns the library's status, or RWEDGE_ENOMEM. Several threads may
  * call it at a time. */
-int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                           measures at[]);
+int32_t last_cycle_measure(const last_cycle *cycle, size_t n, measured_place at[]);
 
 /* The criteria, with the range, of stresses after all loads at n places: of each load one place
  * after the other, sxx of all first, then syy and txy. */
-int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[]);
+int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress,
+                            measured_place at[]);
 
-/* Where a measure is largest on a line along x of n ascending places. `value` has the measure at
- * the places, 0 where it is not known. Returns the library's status. */
-int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
-                         const double value[], double y, double *worst_x, double *worst_value);
+/* Where a measure is largest on a line along x of n ascending places, which have been measured.
+ * Returns the library's status. */
+int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const measured_place line[],
+                         double *worst_x, double *worst_value);
 
-/* ---- stops ---- The places along x at which a cycle is evaluated. The edges of contact and stick
+/* ---- stops ---- The places along x at which a cycle is measured. The edges of contact and stick
  * zone after each load are among them, because stresses and slip have their peaks there. */
 
+/* Lines along x, one after the other, each of so many places with one y and ascending x. */
 typedef struct {
-    double x;
-    bool is_shown;
-} stop;
+    measured_place *place; /* freed by free() */
+    size_t count, line;    /* line: places of each; 0 where they are no lines */
+} measured;
 
-typedef struct {
-    stop *stop; /* ascending; freed by free() */
-    size_t count;
-} stops;
-
-/* The places by default: across the contact and beyond. None where there is no contact. */
-stops stops_usual(const last_cycle *cycle);
+/* The places by default, of the surface: across the contact and beyond. None where there is no
+ * contact. */
+measured stops_usual(const last_cycle *cycle);
 
 /* The given places, in any order, and the edges between them, which are not shown. */
-stops stops_at(const last_cycle *cycle, size_t n, const double x[]);
+measured stops_at(const last_cycle *cycle, size_t n, const double x[]);
 
 #endif

@@ -62,7 +62,7 @@ void last_cycle_free(last_cycle *cycle)
 
 /* ---- Measures ---- */
 
-static void forget(measures *at)
+static void forget(measured_place *at)
 {
     for (int i = 0; i < COLUMN_COUNT; i++)
         at->value[i] = NAN;
@@ -122,7 +122,7 @@ static int32_t criterion_of(const last_cycle *cycle, int i, size_t n, const doub
 }
 
 static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
-                             double *work, measures at[])
+                             double *work, measured_place at[])
 {
     const int32_t status = criterion_of(cycle, i, n, stress, work);
     for (int part = PART_VALUE; part < PART_COUNT && status == RWEDGE_OK; part++) {
@@ -136,7 +136,7 @@ static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const dou
 }
 
 static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress, double *work,
-                         measures at[])
+                         measured_place at[])
 {
     const size_t all = cycle->loads * n;
     const int32_t status = rwedge_criterion_field(
@@ -147,7 +147,8 @@ static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress
     return status;
 }
 
-int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress, measures at[])
+int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress,
+                            measured_place at[])
 {
     double *work = malloc((4 * n + 1) * sizeof *work);
     int32_t status = work == NULL ? RWEDGE_ENOMEM : add_range(cycle, n, stress, work, at);
@@ -159,7 +160,7 @@ int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *str
 }
 
 static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                       measures at[])
+                       measured_place at[])
 {
     double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
     int32_t status = stress == NULL ? RWEDGE_ENOMEM : stresses_of(cycle, n, x, y, stress);
@@ -177,7 +178,7 @@ static bool is_rubbed(const last_cycle *cycle, double x, double y)
 }
 
 static int32_t friction(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                        double *work, measures at[])
+                        double *work, measured_place at[])
 {
     size_t count = 0;
     for (size_t i = 0; i < n; i++)
@@ -200,22 +201,22 @@ static int32_t friction(const last_cycle *cycle, size_t n, const double x[], con
 }
 
 /* Stresses are infinite at a sharp edge: another point is computed in its place, and forgotten. */
-int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                           measures at[])
+int32_t last_cycle_measure(const last_cycle *cycle, size_t n, measured_place at[])
 {
-    double *work = malloc((6 * n + 1) * sizeof *work);
+    double *work = malloc((7 * n + 1) * sizeof *work);
     if (work == NULL)
         return RWEDGE_ENOMEM;
-    double *depth = work + 5 * n;
+    double *x = work + 5 * n, *depth = x + n;
     for (size_t i = 0; i < n; i++) {
-        depth[i] = y[i] == 0 && pad_is_kink(&cycle->setup->shape, x[i]) ? 1 : y[i];
+        x[i] = at[i].x;
+        depth[i] = at[i].y == 0 && pad_is_kink(&cycle->setup->shape, x[i]) ? 1 : at[i].y;
         forget(&at[i]);
     }
     int32_t status = fatigue(cycle, n, x, depth, at);
     if (status == RWEDGE_OK)
         status = friction(cycle, n, x, depth, work, at);
     for (size_t i = 0; i < n; i++)
-        if (depth[i] != y[i])
+        if (depth[i] != at[i].y)
             forget(&at[i]);
     free(work);
     return status;
@@ -223,13 +224,20 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, const double x[], 
 
 /* ---- The worst ---- */
 
-int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const double x[],
-                         const double value[], double y, double *worst_x, double *worst_value)
+int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const measured_place line[],
+                         double *worst_x, double *worst_value)
 {
     const criteria *asked = &cycle->asked;
     const int criterion = measure_criterion(column);
-    return rwedge_contact_cycle_worst(
+    double *x = memory_zeroed(2 * n, sizeof *x), *value = x + n;
+    for (size_t i = 0; i < n; i++) {
+        x[i] = line[i].x;
+        value[i] = fmax(line[i].value[column], 0); /* 0 where it is not known */
+    }
+    const int32_t status = rwedge_contact_cycle_worst(
         cycle->before, measure_kinds[column].number, cycle->loads, cycle->P, cycle->M, cycle->Q,
-        cycle->sigma, n, x, value, y, cycle->setup->E1, asked->nu, asked->is_plane_stress,
+        cycle->sigma, n, x, value, line[0].y, cycle->setup->E1, asked->nu, asked->is_plane_stress,
         criterion >= 0 ? asked->constant[criterion] : 0, strength_of(asked), worst_x, worst_value);
+    free(x);
+    return status;
 }

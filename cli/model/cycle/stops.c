@@ -8,14 +8,14 @@
  * as far as its half-width. */
 enum { INSIDE = 200, OUTSIDE = 40 };
 
-static void add(stops *to, double x, bool is_shown)
+static void add(measured *to, double x, bool is_shown)
 {
-    to->stop[to->count++] = (stop){x, is_shown};
+    to->place[to->count++] = (measured_place){.x = x, .is_shown = is_shown};
 }
 
 static int ascending(const void *left, const void *right)
 {
-    const stop *a = left, *b = right;
+    const measured_place *a = left, *b = right;
     if (a->x != b->x)
         return a->x < b->x ? -1 : 1;
     return (int)b->is_shown - (int)a->is_shown;
@@ -23,24 +23,24 @@ static int ascending(const void *left, const void *right)
 
 /* Ascending, each once: edges of several loads are one but for rounding. Of two, one that is shown
  * stays. */
-static void sort(stops *all, double rounding)
+static void sort(measured *all, double rounding)
 {
     size_t kept = 0;
-    qsort(all->stop, all->count, sizeof *all->stop, ascending);
+    qsort(all->place, all->count, sizeof *all->place, ascending);
     for (size_t i = 0; i < all->count; i++)
-        if (kept == 0 || all->stop[i].x - all->stop[kept - 1].x > rounding)
-            all->stop[kept++] = all->stop[i];
-        else if (all->stop[i].is_shown)
-            all->stop[kept - 1] = all->stop[i];
-    all->count = kept;
+        if (kept == 0 || all->place[i].x - all->place[kept - 1].x > rounding)
+            all->place[kept++] = all->place[i];
+        else if (all->place[i].is_shown)
+            all->place[kept - 1] = all->place[i];
+    all->count = all->line = kept;
 }
 
 /* Many loads have edges everywhere. Then those that are close to another are left out: tops are
  * searched between the places too. */
-static void add_edges(const last_cycle *cycle, double from, double to, bool is_shown, stops *all)
+static void add_edges(const last_cycle *cycle, double from, double to, bool is_shown, measured *all)
 {
     enum { EDGES_MAX = 200 };
-    stops edges = {all->stop + all->count, 0};
+    measured edges = {.place = all->place + all->count};
     for (size_t i = 0; i < cycle->edge_count; i++)
         if (cycle->edges[i] >= from && cycle->edges[i] <= to)
             add(&edges, cycle->edges[i], is_shown);
@@ -51,14 +51,14 @@ static void add_edges(const last_cycle *cycle, double from, double to, bool is_s
     all->count += edges.count;
 }
 
-static stops with_room(size_t count, const last_cycle *cycle)
+static measured with_room(size_t count, const last_cycle *cycle)
 {
-    return (stops){memory_zeroed(count + cycle->edge_count, sizeof(stop)), 0};
+    return (measured){.place = memory_zeroed(count + cycle->edge_count, sizeof(measured_place))};
 }
 
-stops stops_usual(const last_cycle *cycle)
+measured stops_usual(const last_cycle *cycle)
 {
-    stops all = with_room(INSIDE + 2 * OUTSIDE, cycle);
+    measured all = with_room(INSIDE + 2 * OUTSIDE, cycle);
     const double left = cycle->left, right = cycle->right;
     const double middle = (left + right) / 2, half = (right - left) / 2;
     if (isnan(left))
@@ -75,9 +75,9 @@ stops stops_usual(const last_cycle *cycle)
     return all;
 }
 
-stops stops_at(const last_cycle *cycle, size_t n, const double x[])
+measured stops_at(const last_cycle *cycle, size_t n, const double x[])
 {
-    stops all = with_room(n, cycle);
+    measured all = with_room(n, cycle);
     double from = HUGE_VAL, to = -HUGE_VAL;
     for (size_t i = 0; i < n; i++) {
         add(&all, x[i], true);

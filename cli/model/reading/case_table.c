@@ -83,13 +83,10 @@ static bool is_rigid(const input_texts *texts)
 static bool has_no_gap(const case_table *table, const input_texts *texts,
                        char complaint[COMPLAINT_SIZE])
 {
-    for (int i = 0; i < INPUT_COUNT; i++) {
-        if (!header_has_input(&table->names, i) || input_is_given(texts, i) ||
-            (i == INPUT_NU2 && is_rigid(texts)))
-            continue;
-        char name[INPUT_NAME_SIZE];
-        return complain(complaint, "%s: the cell is empty", input_column(i, name));
-    }
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (header_has_input(&table->names, i) && !input_is_given(texts, i) &&
+            !(i == INPUT_NU2 && is_rigid(texts)))
+            return complain(complaint, "%s: the cell is empty", input_kinds[i].column);
     return true;
 }
 

@@ -29,14 +29,12 @@ bool header_has(const header *names, const char *name)
 
 static bool find_input(int input, header *names, char complaint[COMPLAINT_SIZE])
 {
-    char column[INPUT_NAME_SIZE];
-    input_column(input, column);
+    const char *column = input_kinds[input].column;
     for (size_t i = 0; i < names->count; i++) {
         if (strcmp(names->name[i], column) != 0)
             continue;
-        if (header_has_input(names, input)) {
+        if (header_has_input(names, input))
             return complain(complaint, "column %s: there twice; allowed: once", column);
-        }
         names->column[input] = i;
     }
     return true;
@@ -90,9 +88,9 @@ static bool is_given_somehow(const sources *from, int input)
 static int slip_for(const sources *from, const char *name, size_t length)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
-        char column[INPUT_NAME_SIZE];
+        const char *column = input_kinds[i].column;
         if (!from->wanted[i] || header_has_input(from->names, i) ||
-            !column_name_is_like(name, length, input_column(i, column)))
+            !column_name_is_like(name, length, column))
             continue;
         if (column[1] != '\0' || memchr(name, column[0], length) != NULL ||
             !is_given_somehow(from, i))
@@ -127,7 +125,7 @@ static int synonym_for(const sources *from, const char *name, size_t length)
  * 0 by default. */
 static bool check_other(const sources *from, const char *name, char complaint[COMPLAINT_SIZE])
 {
-    char plain[COLUMN_NAME_SIZE], allowed[INPUT_NAME_SIZE];
+    char plain[COLUMN_NAME_SIZE];
     const size_t length = column_name_make_plain(name, plain), stem = column_name_stem(plain);
     int meant = slip_for(from, plain, length); /* "theta (deg)" is theta_deg */
     const bool has_unit = meant == INPUT_COUNT && stem < length;
@@ -138,8 +136,7 @@ static bool check_other(const sources *from, const char *name, char complaint[CO
         meant = synonym_for(from, plain, stem);
     if (meant == INPUT_COUNT)
         return true;
-    return complain(complaint, "column '%.60s': allowed: %s%s%s", name,
-                    input_column(meant, allowed),
+    return complain(complaint, "column '%.60s': allowed: %s%s%s", name, input_kinds[meant].column,
                     has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
                     slip ? "" : ", or another name if it is something else");
 }
@@ -257,13 +254,12 @@ bool load_header_find(const char *const name[], size_t count, header *names,
 static bool read_cell(const char *text, int input, char decimal_sign, double *value,
                       char complaint[COMPLAINT_SIZE])
 {
-    char name[INPUT_NAME_SIZE];
     if (number_read_cell(text, decimal_sign, value))
         return true;
     if (text[strspn(text, " \t")] == '\0')
-        return complain(complaint, "%s: the cell is empty", input_column(input, name));
+        return complain(complaint, "%s: the cell is empty", input_kinds[input].column);
     return complain(complaint, "%s %.60s: must be a number, with a decimal %s",
-                    input_column(input, name), text, decimal_sign == ',' ? "comma" : "point");
+                    input_kinds[input].column, text, decimal_sign == ',' ? "comma" : "point");
 }
 
 /* Moment and tension are 0 where they have no column. */

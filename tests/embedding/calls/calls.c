@@ -104,12 +104,11 @@ static void tell_sizes(const entry *e, places *p)
 {
     for (int j = 0; j < e->sizes; j++) {
         p->n[j] = size_of(e);
-        for (int i = 0; e->size[j].teller != NULL && i < ENTRY_COUNT; i++)
-            if (strcmp(entries[i].name, e->size[j].teller) == 0) {
-                double told, *const result[] = {&told};
-                entries[i].call(p->object, NULL, NULL, result, NULL);
-                p->n[j] = told < CALL_OUTPUTS ? (size_t)told : 0;
-            }
+        if (e->size[j].teller != NULL) {
+            double told, *const result[] = {&told};
+            entry_named(e->size[j].teller)->call(p->object, NULL, NULL, result, NULL);
+            p->n[j] = told < CALL_OUTPUTS ? (size_t)told : 0;
+        }
     }
 }
 

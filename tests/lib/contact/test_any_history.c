@@ -418,78 +418,24 @@ CLAIM(a_contact_that_grows_by_many_loads_stays_small)
     assert_in_range(rwedge_contact_state_size(contact), 0, 12000);
 }
 
-/* ---- Programmes of tests/data/programmes.csv: N, mm, MPa ---- */
+/* ---- A log with noise of a fretting test: N, mm, MPa ---- */
 
-enum { CYCLE = 48 };
-
-typedef struct {
-    int family;
-    double value;
-    uint64_t state;
-} programme;
-
-static double noise(programme *p)
+/* A hundredth of a normal distribution. */
+static double noise(uint64_t *state)
 {
     double sum = -6;
     for (int i = 0; i < 12; i++)
-        sum += random_fraction(&p->state);
-    return p->value * sum;
+        sum += random_fraction(state);
+    return 0.01 * sum;
 }
 
-static int32_t apply_programme(rwedge_contact *contact, programme *p, int load, double b)
-{
-    const double P = 150, Q = 0.5 * 0.6 * P, phase = 2 * PI * load / CYCLE, wave = sin(phase);
-    switch (p->family) {
-    case 1: /* tension lags behind Q, in degrees */
-        return rwedge_contact_apply(contact, P, 0, Q * wave,
-                                    100 * sin(phase - p->value * PI / 180));
-    case 2: /* tension in phase, so many times 4 Q/(pi b) */
-        return rwedge_contact_apply(contact, P, 0, Q * wave, p->value * 4 * Q / (PI * b) * wave);
-    case 3: /* a moment with Q, so many times 3 b Q, and tension */
-        return rwedge_contact_apply(contact, P, 3 * p->value * b * Q * wave, Q * wave, 50 * wave);
-    case 4: /* P too, by such a part */
-        return rwedge_contact_apply(contact, P * (1 + p->value * sin(phase + 20 * p->value)), 0,
-                                    0.8 * Q * wave, 60 * sin(phase + 15 * p->value));
-    default: { /* a log with noise */
-        const double P_now = P * (1 + noise(p)), Q_now = Q * (wave + noise(p));
-        return rwedge_contact_apply(contact, P_now, 0, Q_now, 80 * (wave + noise(p)));
-    }
-    }
-}
+static const double P_LOGGED = 150;
 
-/* Under P; b is its half-width. */
-static rwedge_contact *pressed(double *b)
+static void apply_logged(rwedge_contact *contact, int load, uint64_t *state)
 {
-    const double compliance = rwedge_compliance(72e3, 0.33, 72e3, 0.33);
-    rwedge_contact *contact = create_wedge(0.01, 0.3, compliance, 0.6);
-    assert_ok(rwedge_contact_allow_error(contact, 1e-3));
-    apply(contact, 150, 0, 0, 0);
-    *b = rwedge_contact_half_width(contact);
-    return contact;
-}
-
-static void follow_programme(programme p, int loads)
-{
-    double b;
-    rwedge_contact *contact = pressed(&b);
-    for (int i = 0; i < loads; i++)
-        assert_int_equal(apply_programme(contact, &p, i, b), RWEDGE_OK);
-    for (int i = -9; i <= 9; i++)
-        assert_true(fabs(shear(contact, i * b / 10)) <=
-                    0.6 * fabs(pressure(contact, i * b / 10)) * (1 + 1e-3));
-    assert_true(isfinite(rwedge_contact_error(contact)));
-}
-
-/* RWEDGE_PROGRAMMES=1 follows all of them for a cycle; else every 16th for half of one. */
-CLAIM(realistic_programmes_are_answered)
-{
-    const bool all = getenv("RWEDGE_PROGRAMMES") != NULL;
-    reference table = reference_open("programmes.csv");
-    for (int row = 0; reference_next(&table); row++)
-        if (all || row % 16 == 5)
-            follow_programme(
-                (programme){(int)table.cell[0], table.cell[1], (uint64_t)table.cell[2] + 1},
-                all ? CYCLE : CYCLE / 2);
+    const double wave = sin(2 * PI * load / 48), P = P_LOGGED * (1 + noise(state));
+    const double Q = 0.3 * P_LOGGED * (wave + noise(state));
+    apply(contact, P, 0, Q, 80 * (wave + noise(state)));
 }
 
 #ifdef __SANITIZE_ADDRESS__
@@ -516,25 +462,26 @@ static long process_memory(const char *which)
 #endif
 }
 
-/* RWEDGE_LOADS=50000 takes so many; alone, as 10 MB are asked for then. The error was told where
+/* A number takes so many loads; alone, as 10 MB are asked for then. The error was told where
  * nothing slips too: it grew to 1.7e-3 here, and to 12e-3 after 10000 loads. */
 CLAIM(a_noisy_log_takes_no_more_memory_however_long_it_is_and_hardly_errs_more)
 {
-    const char *more = getenv("RWEDGE_LOADS");
-    const int loads = more ? atoi(more) : 600;
-    programme log = {5, 0.01, 1};
+    const int usual = 600, loads = (int)cases_or(usual);
+    uint64_t state = 1;
     long early = 0;
-    double b;
-    rwedge_contact *contact = pressed(&b);
+    rwedge_contact *contact =
+        create_wedge(0.01, 0.3, rwedge_compliance(72e3, 0.33, 72e3, 0.33), 0.6);
+    assert_ok(rwedge_contact_allow_error(contact, 1e-3));
+    apply(contact, P_LOGGED, 0, 0, 0);
     for (int i = 0; i < loads; i++) {
-        assert_ok(apply_programme(contact, &log, i, b));
+        apply_logged(contact, i, &state);
         assert_in_range(rwedge_contact_state_size(contact), 0, 4096);
         if (i == loads / 10)
             early = process_memory("VmRSS:");
     }
     assert_in_range(process_memory("VmRSS:"), 0, early + 3000); /* freed memory lies in pieces */
     assert_within(rwedge_contact_error(contact), 0, 1e-3 + 3e-5 * sqrt(loads));
-    if (more)
+    if (loads > usual)
         assert_in_range(process_memory("VmHWM:"), 0, 10000);
     if (early == 0) {
         print_message("    the system does not tell how much memory the process holds\n");

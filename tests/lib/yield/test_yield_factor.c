@@ -74,7 +74,7 @@ CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 }
 
 /* Around the apex of a tilted sharp wedge J2 is constant but for a ridge that turns, and rises by
- * 9e-6, beside the angles of the grid. The value is that of tests/proof/yield_survey.c, whose
+ * 9e-6, beside the angles of the grid. The value is that of tests/proof/test_yield_survey.c, whose
  * search is another. */
 CLAIM(a_ridge_beside_the_grid_is_followed)
 {

@@ -10,7 +10,6 @@ from __future__ import annotations
 import ctypes
 import importlib
 import inspect
-import threading
 import warnings
 from typing import Any, NoReturn
 
@@ -41,33 +40,25 @@ _table = ctypes.cast(_capsule_pointer(_ufunc_api, None), ctypes.POINTER(ctypes.c
 _from_func_and_data = ctypes.PYFUNCTYPE(
     ctypes.py_object, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_int, ctypes.c_int,
     ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_char_p)(_table[FROM_FUNC_AND_DATA_AND_SIGNATURE])
+_entry = getattr(_library, "rwedge_entry")
+_entry.restype, _entry.argtypes = ctypes.c_void_p, (ctypes.c_char_p,)
 _kept: list[object] = []  # what the ufuncs point to, for as long as the process lives
 
 
-def _address(symbol: str) -> ctypes.Array[ctypes.c_void_p]:
-    """An array with one pointer, to rwedge_symbol."""
-    return (ctypes.c_void_p * 1)(ctypes.addressof(ctypes.c_char.in_dll(_library, "rwedge_" + symbol)))
-
-
-def ufunc(name: str, manner: str = "") -> np.ufunc:
+def ufunc(name: str, loop: str = "points") -> np.ufunc:
     """The ufunc of rwedge_name(): of a formula; of a function with several results; of the points of an object, whose
-    address is then the first argument; or the generalized one of a function of a cycle. The manner "quiet_" is that of a formula
-    which tells nothing but by a NaN."""
+    address is then the first argument; or the generalized one of a function of a cycle. The loop "quiet" tells nothing but by
+    a NaN."""
     parameters = [kind for kind, _ in FUNCTIONS[name]["parameters"]]
     arguments = [kind for kind in parameters if kind in ARGUMENTS]
+    inputs = [ARGUMENTS[kind] for kind in arguments]
     outputs, signature = parameters.count("double *") or 1, None
     if FUNCTIONS[name]["made"] == "gufunc":
-        loop, data = "cycles", "cycles_" + name
-        inputs = [DOUBLE] * len(arguments)
+        loop, inputs = "cycles", [DOUBLE] * len(arguments)
         axes = ",".join("(n)" if kind == "const double *" else "()" for kind in arguments)
         signature = f"{axes}->{','.join(['()'] * outputs)}".encode()
-    elif "double *" in parameters or arguments[0] in OBJECTS:
-        loop, data = "points", "points_" + name
-        inputs = [ADDRESS if kind in OBJECTS else DOUBLE for kind in arguments]
-    else:
-        loop, data = manner + "".join(kind[0] for kind in arguments), name
-        inputs = [ARGUMENTS[kind] for kind in arguments]
-    pointers = _address("loop_" + loop), _address(data)
+    symbol = ctypes.c_char.in_dll(_library, "rwedge_loop_" + loop)
+    pointers = (ctypes.c_void_p * 1)(ctypes.addressof(symbol)), (ctypes.c_void_p * 1)(_entry(name.encode()))
     texts = bytes([*inputs, *[DOUBLE] * outputs]), name.encode(), FUNCTIONS[name]["doc"].encode()
     _kept.append((pointers, texts, signature))
     (loops, datas), (types, title, doc) = pointers, texts
@@ -84,43 +75,6 @@ def __getattr__(name: str) -> np.ufunc:
     return UFUNCS[name]
 
 
-_refused: dict[int, bool] = {}  # the threads whose call has refused something
-
-
-def _note(*_: Any) -> None:
-    _refused[threading.get_ident()] = True
-
-
-# numpy.errstate(invalid="call", call=_note), in a tenth of the time: where NumPy would warn, the warning is to name the line that called
-if np.lib.NumpyVersion(np.__version__) >= "2.0.0":
-    _config = importlib.import_module("numpy._core._ufunc_config")
-    _NOTED = _config._make_extobj(invalid="call", call=_note)
-    _enter, _leave = _config._extobj_contextvar.set, _config._extobj_contextvar.reset
-else:
-    _NOTED, _leave = [8192, 3 << 9, _note], getattr(np, "seterrobj")
-
-    def _enter(errors: Any) -> Any:
-        before = getattr(np, "geterrobj")()
-        _leave(errors)
-        return before
-
-
-def _tell(text: str) -> None:
-    """Warns or raises as numpy.errstate(invalid=...) asks for."""
-    mode: str = np.geterr()["invalid"]
-    told: Any = np.geterrcall()
-    if mode == "warn":
-        warnings.warn(text, RuntimeWarning, stacklevel=outside())
-    elif mode == "raise":
-        raise FloatingPointError(text)
-    elif mode == "call" and callable(told):
-        told("invalid value", 8)
-    elif mode == "log" and told is not None:
-        told.write(f"Warning: {text}\n")
-    elif mode == "print":
-        print(f"Warning: {text}")
-
-
 _are_numbers = {float, np.float64, int}.issuperset
 
 
@@ -133,31 +87,33 @@ class Formula:
         arguments = [(kind, name) for kind, name in FUNCTIONS[self.__name__]["parameters"] if kind in ARGUMENTS]
         self._names, self._core = [name for _, name in arguments], tuple(int("*" in kind) for kind, _ in arguments)
         # For plain numbers, as it costs less than to have the warnings told to us
-        self._quiet = ufunc(self.__name__, "quiet_") if FUNCTIONS[self.__name__]["result"] == "double" else None
+        self._quiet = ufunc(self.__name__, "quiet") if not any(self._core) else None
         self.__signature__ = inspect.Signature([inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD)
                                                 for name in self._names])
 
     def __call__(self, *values: Any, **options: Any) -> Any:
         if self._quiet and not options and _are_numbers(map(type, values)):
-            value = self._quiet(*values)
-            if value == value:
-                return value
+            results = self._quiet(*values)
+            first = results[0] if type(results) is tuple else results
+            if first == first:
+                return results
         return self._evaluated(values, options)
 
     def _evaluated(self, values: tuple[Any, ...], options: dict[str, Any]) -> Any:
-        """The result of the ufunc that says which point was refused."""
+        """The result of the ufunc. Where NumPy would warn or raise, that names the line that called, and says why."""
         if options:
             values, options = self._in_order(values, options)
-        before = _enter(_NOTED)
-        try:
+        mode, refused = np.geterr()["invalid"], list[Any]()
+        noted: Any = {"invalid": "call", "call": lambda *_: refused.append(_)} if mode in ("warn", "raise") else {}
+        with np.errstate(**noted):
             if np.ndarray in map(type, values) and not options:
                 results = in_blocks(self.ufunc, values, self._core)
             else:
                 results = self.ufunc(*values, **options)
-        finally:
-            _leave(before)
-        if _refused and _refused.pop(threading.get_ident(), False):
-            _tell(self._why(values, results))
+        if refused and mode == "raise":
+            raise FloatingPointError(self._why(values, results))
+        if refused:
+            warnings.warn(self._why(values, results), RuntimeWarning, stacklevel=outside())
         return results
 
     def _why(self, values: tuple[Any, ...], results: Any) -> str:

@@ -10,12 +10,11 @@
 static void write_input_words(void)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
-        char name[INPUT_NAME_SIZE], other_name[INPUT_NAME_SIZE];
         const int other = input_alternative(i);
-        json_add("{'inputs':{%t:{'option':%t,'unit':%t,'meaning':%t}}}", input_column(i, name),
+        json_add("{'inputs':{%t:{'option':%t,'unit':%t,'meaning':%t}}}", input_kinds[i].column,
                  input_kinds[i].option, input_kinds[i].unit, input_kinds[i].meaning);
         if (other > i)
-            json_add("{'alternatives':{%t:%t}}", name, input_column(other, other_name));
+            json_add("{'alternatives':{%t:%t}}", input_kinds[i].column, input_kinds[other].column);
     }
 }
 
@@ -60,8 +59,7 @@ static void keep(rwedge_contact *contact)
 
 static void refuse(int input, const char *complaint)
 {
-    char name[INPUT_NAME_SIZE];
-    json_fault(input < INPUT_COUNT ? input_column(input, name) : "", complaint);
+    json_fault(input < INPUT_COUNT ? input_kinds[input].column : "", complaint);
 }
 
 static void write_verdict(verdict result)
@@ -73,7 +71,7 @@ static void write_verdict(verdict result)
 /* The numbers of all inputs that are given, and a refusal of each that is none. */
 static bool write_inputs(const input_texts *texts)
 {
-    char complaint[COMPLAINT_SIZE], name[INPUT_NAME_SIZE], all[1000] = "";
+    char complaint[COMPLAINT_SIZE], all[1000] = "";
     for (int i = 0; i < INPUT_COUNT; i++) {
         double value;
         if (!input_is_given(texts, i))
@@ -83,7 +81,7 @@ static bool write_inputs(const input_texts *texts)
             list_add(all, sizeof all, "; ", "%s", complaint);
             continue;
         }
-        json_add("{'inputs':{%t:%n}}", input_column(i, name), value);
+        json_add("{'inputs':{%t:%n}}", input_kinds[i].column, value);
     }
     if (all[0] != '\0')
         write_verdict(verdict_of_fault(RWEDGE_OK, all));

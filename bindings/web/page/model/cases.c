@@ -48,11 +48,9 @@ static void write_head(const case_table *table)
     for (int i = 0; i < RESULT_COUNT; i++)
         if (table->shown[i])
             json_add("{'results':[%t]}", result_kinds[i].name);
-    for (int i = 0; i < INPUT_COUNT; i++) {
-        char name[INPUT_NAME_SIZE];
+    for (int i = 0; i < INPUT_COUNT; i++)
         if (input_is_given(&table->constants, i))
-            json_add("{'constants':{%t:%t}}", input_column(i, name), table->constants.text[i]);
-    }
+            json_add("{'constants':{%t:%t}}", input_kinds[i].column, table->constants.text[i]);
 }
 
 static void write_row(const case_table *table, const csv_row *row)

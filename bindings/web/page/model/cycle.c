@@ -15,9 +15,7 @@ typedef struct {
     load_list loads;
     last_cycle last;
     double error; /* the largest of its states */
-    size_t n;     /* places */
-    double *x;
-    measures *at;
+    measured along;
     double worst_x[COLUMN_COUNT], worst[COLUMN_COUNT]; /* NAN and 0 where nothing is above 0 */
     loop loop;
 } question;
@@ -28,8 +26,7 @@ static void forget(void)
 {
     load_list_free(&asked.loads);
     last_cycle_free(&asked.last);
-    free(asked.x);
-    free(asked.at);
+    free(asked.along.place);
     free(asked.loop.x);
     memset(&asked, 0, sizeof asked);
 }
@@ -167,28 +164,25 @@ static bool apply(const criteria *wanted, load form, const char *text, char deci
 /* At places along the surface. The pressure is infinite at none. */
 static int32_t measure(void)
 {
-    const stops along = stops_usual(&asked.last);
-    asked.x = memory_zeroed(2 * along.count, sizeof *asked.x);
-    asked.at = memory_zeroed(along.count, sizeof *asked.at);
-    for (size_t i = 0; i < along.count; i++)
-        if (!pad_is_kink(&asked.setup.shape, along.stop[i].x))
-            asked.x[asked.n++] = along.stop[i].x;
-    free(along.stop);
-    return last_cycle_measure(&asked.last, asked.n, asked.x, asked.x + along.count, asked.at);
+    size_t n = 0;
+    asked.along = stops_usual(&asked.last);
+    for (size_t i = 0; i < asked.along.count; i++)
+        if (!pad_is_kink(&asked.setup.shape, asked.along.place[i].x))
+            asked.along.place[n++] = asked.along.place[i];
+    asked.along.count = n;
+    return last_cycle_measure(&asked.last, n, asked.along.place);
 }
 
 static void find_worst(int column)
 {
-    double *known = memory_zeroed(asked.n, sizeof *known), highest = 0;
+    const measured *along = &asked.along;
+    double highest = 0;
     asked.worst_x[column] = NAN;
-    for (size_t i = 0; i < asked.n; i++) {
-        known[i] = fmax(asked.at[i].value[column], 0);
-        highest = fmax(highest, known[i]);
-    }
+    for (size_t i = 0; i < along->count; i++)
+        highest = fmax(highest, along->place[i].value[column]);
     if (highest > 0)
-        last_cycle_worst(&asked.last, column, asked.n, asked.x, known, 0, &asked.worst_x[column],
+        last_cycle_worst(&asked.last, column, along->count, along->place, &asked.worst_x[column],
                          &asked.worst[column]);
-    free(known);
 }
 
 /* ---- Answers ---- */
@@ -200,10 +194,16 @@ static void write_numbers(const double *numbers, size_t count, size_t distance)
              (double)distance);
 }
 
+/* One of each place along the surface; the number is that of the first. */
+static void write_along(const double *number)
+{
+    write_numbers(number, asked.along.count, sizeof *asked.along.place / sizeof *number);
+}
+
 static void write_column(int column)
 {
     json_add("{'measured':{%t:", measure_kinds[column].column);
-    write_numbers(&asked.at->value[column], asked.n, COLUMN_COUNT);
+    write_along(&asked.along.place->value[column]);
     json_add("}}");
 }
 
@@ -220,7 +220,7 @@ static void write_measures(void)
 {
     const bool is_usual = asked.column < MEASURE_COUNT;
     json_add("{'x':");
-    write_numbers(asked.x, asked.n, 1);
+    write_along(&asked.along.place->x);
     json_add("}");
     for (int i = 0; i < MEASURE_COUNT; i++) {
         write_column(i);
@@ -282,7 +282,7 @@ static void write_answer(void)
 {
     last_cycle_end(&asked.last);
     const int32_t status = measure();
-    if (asked.n == 0)
+    if (asked.along.count == 0)
         json_refuse("", "there is no contact in the cycle");
     else if (status != RWEDGE_OK) {
         char complaint[COMPLAINT_SIZE];

@@ -33,11 +33,9 @@ static void take(char *line, input_texts *texts)
         take_profile(sign + 1, line[0] == 'h', texts);
         return;
     }
-    for (int i = 0; i < INPUT_COUNT; i++) {
-        char name[INPUT_NAME_SIZE];
-        if (strcmp(line, input_column(i, name)) == 0)
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (strcmp(line, input_kinds[i].column) == 0)
             texts->text[i] = sign + 1;
-    }
 }
 
 /* Names and blanks are as those of cells. */

@@ -7,8 +7,7 @@ enum { STATES = 240, STEPS_MAX = 24 };
 
 static bool is_centred(const last_cycle *cycle)
 {
-    load before;
-    rwedge_contact_loads(cycle->before, &before.P, &before.M, &before.Q, &before.sigma);
+    const load before = loads_of(cycle->before);
     bool centred = cycle->setup->f > 0 && before.P > 0;
     for (size_t i = 0; i < cycle->loads; i++)
         centred = centred && cycle->P[i] == before.P && cycle->M[i] == 0 && cycle->sigma[i] == 0;
@@ -17,11 +16,9 @@ static bool is_centred(const last_cycle *cycle)
 
 static void note_whole(const last_cycle *cycle, const rwedge_contact *contact, loop *path)
 {
-    load at;
-    rwedge_contact_loads(contact, &at.P, &at.M, &at.Q, &at.sigma);
     path->x[path->count] =
         rwedge_contact_displacement(contact, rwedge_contact_half_width(cycle->before));
-    path->y[path->count++] = at.Q;
+    path->y[path->count++] = loads_of(contact).Q;
 }
 
 static void note_place(const rwedge_contact *contact, loop *path)
@@ -46,20 +43,14 @@ static void note(const last_cycle *cycle, const rwedge_contact *contact, loop *p
 static void note_way(const last_cycle *cycle, size_t next, int steps, rwedge_contact *contact,
                      loop *path)
 {
-    load from;
-    rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma);
+    const load from = loads_of(contact),
+               to = {cycle->P[next], cycle->M[next], cycle->Q[next], cycle->sigma[next]};
     for (int i = 1; i < steps; i++) {
-        const double share = (double)i / steps;
-        if (rwedge_contact_apply(contact, from.P + (cycle->P[next] - from.P) * share,
-                                 from.M + (cycle->M[next] - from.M) * share,
-                                 from.Q + (cycle->Q[next] - from.Q) * share,
-                                 from.sigma + (cycle->sigma[next] - from.sigma) * share) !=
-            RWEDGE_OK)
+        if (loads_apply(loads_between(from, to, i, steps), contact) != RWEDGE_OK)
             break;
         note(cycle, contact, path);
     }
-    rwedge_contact_apply(contact, cycle->P[next], cycle->M[next], cycle->Q[next],
-                         cycle->sigma[next]);
+    loads_apply(to, contact);
     note(cycle, contact, path);
 }
 

@@ -58,14 +58,6 @@ static inline double rw_severity_of(const rw_severity *v, double amplitude, doub
     return rw_larger(0, v->offset + v->gain * peak) * amplitude;
 }
 
-/* Moves load i to the front, behind the `kept` that are there. */
-static inline void rw_keep_load(rw_plane_cycle *cycle, size_t i, size_t kept)
-{
-    const rw_item load = cycle->item[i];
-    cycle->item[i] = cycle->item[kept];
-    cycle->item[kept] = load;
-}
-
 /* What counts as rounding of the severity. */
 double rw_plane_cycle_noise(const rw_plane_cycle *cycle, const rw_severity *severity);
 

@@ -64,13 +64,6 @@ static void compute_history(const figure_case *inputs, dataset *rows)
     visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
 }
 
-static void prepare_history(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    (void)rows;
-    script_number(script, "at_x", inputs->at->x[0]);
-    script_number(script, "at_y", inputs->at->y[0]);
-}
-
 const figure figure_history = {
     .name = "history",
     .summary = "stresses at a point, --at, in the last cycle of loads",
@@ -81,7 +74,6 @@ const figure figure_history = {
     .compute = compute_history,
     .drawn = 1 << 3 | 1 << 4 | 1 << 6, /* sxx, syy, txy */
     .nothing = "there is no stress",
-    .prepare = prepare_history,
     .script = history_lines};
 
 /* ---- The loop of Q over the displacement ---- */

@@ -4,7 +4,6 @@
 #include "figure.h"
 
 #include <math.h>
-#include <stdio.h>
 
 typedef struct {
     const figure_case *inputs;
@@ -14,7 +13,7 @@ typedef struct {
     dataset *rows;
 } loop_case;
 
-enum { LOOP_STEPS = 100 };
+enum { LOOP_STEPS = 100 }; /* as its script has it */
 
 /* Adds the loop from one turning point, or the origin, to the next. */
 static void add_part(const loop_case *loop, double from, double to, const char *part)

@@ -3,7 +3,6 @@
 #include "figure.h"
 
 #include <math.h>
-#include <stdio.h>
 
 /* x = sin t in equal steps of t: dense at the edges, where the tractions fall to 0 with a
  * vertical tangent. Below the first step there are eight places a decade, so many as the smallest

@@ -18,6 +18,7 @@ typedef struct {
 
 typedef struct {
     const table *table;
+    int order[AXES_MAX];        /* its variables, the slowest first */
     range axis[VARIABLE_COUNT]; /* those that the table depends on */
     bool grid;
     int quantity; /* that a grid shows */
@@ -54,28 +55,18 @@ static void refuse(const table *chosen, const double value[], int32_t status)
 static void set_combination(const plan *job, int64_t i, double value[])
 {
     for (int axis = job->table->axis_count - 1; axis >= 0; axis--) {
-        const int variable = job->table->axis[axis];
+        const int variable = job->order[axis];
         const range *values = &job->axis[variable];
         value[variable] = range_value(values, i % values->count);
         i /= values->count;
     }
 }
 
-/* The same for a grid: along its rows. */
-static void set_grid_combination(const plan *job, int64_t i, double value[])
-{
-    const range *across = &job->axis[job->table->across];
-    if (table_depends_on(job->table, NU))
-        value[NU] = range_value(&job->axis[NU], 0); /* its one value, unless it runs across */
-    value[A_OVER_B] = range_value(&job->axis[A_OVER_B], i / across->count);
-    value[job->table->across] = range_value(across, i % across->count);
-}
-
 static void compute(void *of_plan, int64_t i)
 {
     const plan *job = of_plan;
     computed *to = &job->ahead[i];
-    (job->grid ? set_grid_combination : set_combination)(job, job->first + i, to->value);
+    set_combination(job, job->first + i, to->value);
     to->status = job->table->row(to->value, to->row);
 }
 
@@ -144,18 +135,18 @@ static void write_grid_header(const plan *job, records *rows)
     records_end_header(rows);
 }
 
-static void write_grid_row(plan *job, records *rows, double a_over_b)
-{
-    records_value(rows, cell_number(a_over_b));
-    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++)
-        records_value(rows, next_row(job)->row[job->quantity]);
-    records_end_row(rows);
-}
-
+/* A grid has the results of a row across, behind a/b. */
 static void write_grid(plan *job, records *rows)
 {
-    for (int64_t i = 0; i < job->axis[A_OVER_B].count && records_go_on(rows); i++)
-        write_grid_row(job, rows, range_value(&job->axis[A_OVER_B], i));
+    const int64_t size = plan_size(job), across = job->axis[job->table->across].count;
+    for (int64_t i = 0; i < size && records_go_on(rows); i++) {
+        const computed *next = next_row(job);
+        if (i % across == 0)
+            records_value(rows, cell_number(next->value[A_OVER_B]));
+        records_value(rows, next->row[job->quantity]);
+        if ((i + 1) % across == 0)
+            records_end_row(rows);
+    }
 }
 
 static void plan_write(void *plan_to_write, records *rows)
@@ -246,7 +237,7 @@ static void choose_table(const arguments *line, plan *job)
         list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (line->operand == NULL || line->operand[0] == NULL)
         usage_error("the name of a table must follow; allowed: %s", allowed);
-    job->table = table_named(line->operand[0]);
+    job->table = table_named(line->operand[0], false);
     if (job->table == NULL)
         usage_error("%s: unknown table; allowed: %s", line->operand[0], allowed);
     if (line->operand[1] != NULL)
@@ -260,7 +251,7 @@ static void choose_pad(const arguments *line, plan *job)
         return;
     if (strcmp(text, "flat") != 0)
         usage_error("--pad %s: unknown pad; allowed: wedge, flat", text);
-    const table *of_flat = table_of_flat(job->table->name);
+    const table *of_flat = table_named(job->table->name, true);
     if (of_flat == NULL)
         usage_error("--pad flat: not for %s; allowed: elastic-limit, contact-law",
                     job->table->name);
@@ -313,6 +304,18 @@ static void check_grid(const arguments *line, const plan *job)
             line->value[OPTION_VARIABLE + NU]);
 }
 
+/* In a grid the variable across runs fastest. */
+static void order_axes(plan *job)
+{
+    const table *chosen = job->table;
+    int n = 0;
+    for (int i = 0; i < chosen->axis_count; i++)
+        if (!job->grid || chosen->axis[i] != chosen->across)
+            job->order[n++] = chosen->axis[i];
+    if (job->grid)
+        job->order[n] = chosen->across;
+}
+
 static void read_layout(const arguments *line, plan *job)
 {
     const char *text = line->value[OPTION_LAYOUT];
@@ -321,6 +324,7 @@ static void read_layout(const arguments *line, plan *job)
         usage_error("--layout %s: unknown layout; allowed: long, grid", text);
     if (job->grid)
         check_grid(line, job);
+    order_axes(job);
 }
 
 static void read_quantity(const arguments *line, plan *job)

@@ -207,8 +207,8 @@ static bool is_restored(contact_state s)
     return contact;
 }
 
-/* Each number in turn, and each length. How many damaged states are taken. (Of a path of one corner,
- * which has no slope, the stick zone was sought before the first.) */
+/* Each number in turn, and each length. How many damaged states are taken. (Of a path of one
+ * corner, which has no slope, the stick zone was sought before the first.) */
 static size_t damage_all(contact_state s, bool (*is_taken)(contact_state s))
 {
     static const double BAD[] = {NAN, -HUGE_VAL, -1, 0, 0.25, 1, 2, 1e300, HUGE_VAL};

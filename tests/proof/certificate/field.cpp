@@ -30,7 +30,7 @@ static double modulus(const complex_ball &z)
 {
     mag_t bound;
     mag_init(bound);
-    acb_get_mag(bound, z.acb());
+    acb_get_mag(bound, z.raw());
     const double m = mag_get_d(bound) * (1 + DBL_EPSILON);
     mag_clear(bound);
     return m;
@@ -187,7 +187,7 @@ double lower_bound(const ball &x)
 {
     arf_t bound;
     arf_init(bound);
-    arb_get_lbound_arf(bound, x.arb(), bits);
+    arb_get_lbound_arf(bound, x.raw(), bits);
     const double rounded = arf_get_d(bound, ARF_RND_FLOOR);
     arf_clear(bound);
     return rounded;

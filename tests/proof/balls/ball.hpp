@@ -27,10 +27,17 @@ class precision
     precision &operator=(const precision &) = delete;
 };
 
-/* A number of Arb, real or complex: its memory. */
-template <typename Struct, void (*begin)(Struct *), void (*end)(Struct *),
-          void (*copy)(Struct *, const Struct *), void (*exchange)(Struct *, Struct *)>
-class number
+/* Arb's names for real and for complex numbers are one here. */
+inline void begin(arb_ptr x) { arb_init(x); }
+inline void begin(acb_ptr z) { acb_init(z); }
+inline void end(arb_ptr x) { arb_clear(x); }
+inline void end(acb_ptr z) { acb_clear(z); }
+inline void copy(arb_ptr x, arb_srcptr y) { arb_set(x, y); }
+inline void copy(acb_ptr z, acb_srcptr w) { acb_set(z, w); }
+inline void exchange(arb_ptr x, arb_ptr y) { arb_swap(x, y); }
+inline void exchange(acb_ptr z, acb_ptr w) { acb_swap(z, w); }
+
+template <typename Struct> class number
 {
     Struct v[1];
 
@@ -50,7 +57,7 @@ class number
     const Struct *raw() const { return v; }
 };
 
-struct ball : number<arb_struct, arb_init, arb_clear, arb_set, arb_swap> {
+struct ball : number<arb_struct> {
     ball() = default;
     ball(double exact) { arb_set_d(raw(), exact); }
 };

@@ -6,7 +6,7 @@
 
 #include "balls/ball.hpp"
 
-struct complex_ball : number<acb_struct, acb_init, acb_clear, acb_set, acb_swap> {
+struct complex_ball : number<acb_struct> {
     complex_ball() = default;
     complex_ball(const ball &real) { acb_set_arb(raw(), real.raw()); }
     complex_ball(double real) { acb_set_d(raw(), real); }

@@ -40,14 +40,11 @@ struct tensor {
 /* sqrt(xx^2 + yy^2 + 2 xy^2) */
 ball norm_of(const tensor &s);
 
+tensor tensor_of(const superposition &at);
 tensor stresses_at(const traction &t, const complex_ball &z);
 
-/* J2 and its derivatives by x and y, y > 0; as many of them as orders 0, 1, 2 have. */
-struct J2_jet {
-    ball J2, x, y, xx, xy, yy;
-};
-
-J2_jet J2_at(const traction &t, const complex_ball &z, int order);
+/* c d/dc of a patch pressed to the half-width c. */
+potentials by_half_width(const patch &p, const complex_ball &z);
 
 /* A stationary point of J2. flatness is the smallest curvature times y^2 over J2. */
 struct extremum {

@@ -70,23 +70,23 @@ bool draw_limit_gradient(probe *call)
     return v[1] > 0 || v[2] < 0.5 || v[0] < 1;
 }
 
-/* d/df of J2 where the traction is f times the pressure, at a fixed point: D_f = i y G' + G, s_f
- * = -Re G. */
-ball J2_by_friction(const traction &t, const complex_ball &z)
+superposition sliding_at(const traction &t, const potentials &N)
 {
-    const complex_ball G = t.whole().potential(z), H = t.whole().depth_slope(z);
-    const complex_ball Df = times_i(H) + G, D = t.f * Df - H;
-    return 2 * (dot(D, Df) + t.kappa * (t.f * re(G) - im(G)) * re(G));
+    return superposed(N, t.f * N);
 }
 
-/* alpha d/dalpha of J2 at a place that keeps its x/a, y/a: dG is -(2/pi) (phi0/alpha)/X. */
-ball J2_by_rounding(const traction &t, const complex_ball &z)
+/* d/df of J2 where the traction is f times the pressure, at a fixed point. */
+ball J2_by_friction(const traction &t, const complex_ball &z)
 {
-    const complex_ball X = root(z - 1) * root(z + 1), W = -2 / pi() * t.whole().phi0 / t.a * inv(X),
-                       V = -im(z) * (z * W * inv(X) * inv(X)), G = t.whole().potential(z),
-                       H = t.whole().depth_slope(z);
-    const complex_ball D = t.f * G + times_i(t.f * H) - H, Da = t.f * W + times_i(t.f * V) - V;
-    return 2 * (dot(D, Da) + t.kappa * (im(G) - t.f * re(G)) * (im(W) - t.f * re(W)));
+    const potentials N = t.whole().at(z);
+    return J2_change(sliding_at(t, N), superposed({}, N), t.kappa);
+}
+
+/* -alpha d/dalpha of J2 at a place that keeps its x/a, y/a. */
+ball J2_by_half_width(const traction &t, const complex_ball &z)
+{
+    return J2_change(sliding_at(t, t.whole().at(z)), sliding_at(t, by_half_width(t.whole(), z)),
+                     t.kappa);
 }
 
 /* Over the derivative or the limit, the limit over alpha for that by alpha, and times the flatness
@@ -101,12 +101,11 @@ ball judge_limit_gradient(const probe &call)
     const traction t = sliding_contact(alpha, v[1], v[2]);
     const complex_ball z(at.x, at.y);
     const ball limit = limit_of(alpha, at.J2), half = limit / (2 * at.J2);
-    const ball mean = im(t.whole().potential(z)) - t.f * re(t.whole().potential(z));
     const angle phi = angle_of(alpha, 1);
     const ball of_load = limit / force(alpha, 1) * (alpha * phi.c0 - phi.phi0) / sqr(ball(alpha));
-    const ball by_alpha = v[0] < 1 ? of_load - half * J2_by_rounding(t, z) / alpha : ball(0);
+    const ball by_alpha = v[0] < 1 ? of_load + half * J2_by_half_width(t, z) / alpha : ball(0);
     const ball by_f = v[1] > 0 ? -half * J2_by_friction(t, z) : ball(0);
-    const ball by_nu = half * sqr(mean) * 4 * (1 - 2 * ball(v[2])) / 3;
+    const ball by_nu = half * sqr(sliding_at(t, t.whole().at(z)).s) * 4 * (1 - 2 * ball(v[2])) / 3;
     return max(error_over(r[3], by_alpha, max(abs(by_alpha), limit / alpha)),
                max(error_over(r[4], by_f, max(abs(by_f), limit)),
                    error_over(r[5], by_nu, max(abs(by_nu), limit)))) *

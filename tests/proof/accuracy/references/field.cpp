@@ -23,6 +23,8 @@ tensor stresses_at(const traction &t, const complex_ball &z)
     return tensor_of(superposed(N, T));
 }
 
+superposition sliding(const traction &t, const potentials &N) { return superposed(N, t.f * N); }
+
 /* (2/pi) (phi0/alpha)/X, the points over c in X. */
 potentials by_half_width(const patch &p, const complex_ball &point)
 {
@@ -30,8 +32,6 @@ potentials by_half_width(const patch &p, const complex_ball &point)
     const ball factor = 2 / pi() * (p.is_sharp() ? 1 : p.phi0 / p.alpha);
     return {factor * per_X, -im(z) * factor * (z * per_X * per_X * per_X)};
 }
-
-/* ---- J2 = |D|^2 + kappa s^2 ---- */
 
 namespace
 {
@@ -41,55 +41,30 @@ struct J2_jet {
     ball J2, x, y, xx, xy, yy;
 };
 
-/* A potential and its derivatives. */
-struct jet {
-    complex_ball G, d, dd, ddd;
-};
-
-jet jet_of(const patch &p, const complex_ball &z)
+/* In full sliding: products of the superposition and its derivatives. Those by y are i times those by
+ * x, and that of the y in y G'. */
+J2_jet J2_at(const traction &t, const complex_ball &z)
 {
-    const higher_derivatives bends = p.bends(z);
-    return {p.potential(z), p.slope(z), bends.second, bends.third};
-}
-
-void add(jet *sum, const ball &weight, const jet &j)
-{
-    sum->G += weight * j.G;
-    sum->d += weight * j.d;
-    sum->dd += weight * j.dd;
-    sum->ddd += weight * j.ddd;
+    const complex_ball d = t.whole().slope(z);
+    const higher_derivatives bends = t.whole().bends(z);
+    const complex_ball &dd = bends.second, bend = im(z) * dd, third = im(z) * bends.third;
+    const superposition S = sliding(t, t.whole().at(z)), x = sliding(t, {d, bend}),
+                        y = sliding(t, {times_i(d), d + times_i(bend)}),
+                        xx = sliding(t, {dd, third}),
+                        xy = sliding(t, {times_i(dd), dd + times_i(third)}),
+                        yy = sliding(t, {-dd, 2 * times_i(dd) - third});
+    const auto product = [&](const superposition &a, const superposition &b) {
+        return J2_change(a, b, t.kappa);
+    };
+    return {J2_of(S, t.kappa),
+            product(S, x),
+            product(S, y),
+            product(x, x) + product(S, xx),
+            product(x, y) + product(S, xy),
+            product(y, y) + product(S, yy)};
 }
 
 } // namespace
-
-/* d = i d/dx of what is analytic in z, and the explicit y; all products of derivatives of D and
- * of s. */
-static J2_jet J2_at(const traction &t, const complex_ball &z)
-{
-    jet N, T;
-    for (const traction::part &p : t.parts)
-        if (!is_zero(p.weight) || &p == &t.parts.back()) {
-            N = jet_of(p.shape, z); /* that of the whole is the last */
-            add(&T, t.f * p.weight, N);
-        }
-    const ball y = im(z), s = im(N.G) - re(T.G);
-    const complex_ball D = y * (times_i(T.d) - N.d) + T.G;
-    J2_jet J;
-    J.J2 = dot(D, D) + t.kappa * sqr(s);
-    const complex_ball bend = y * (times_i(T.dd) - N.dd), Dx = bend + T.d,
-                       Dy = times_i(bend + 2 * T.d) - N.d;
-    const ball sx = im(N.d) - re(T.d), sy = re(N.d) + im(T.d);
-    J.x = 2 * (dot(D, Dx) + t.kappa * s * sx);
-    J.y = 2 * (dot(D, Dy) + t.kappa * s * sy);
-    const complex_ball third = y * (times_i(T.ddd) - N.ddd), Dxx = third + T.dd,
-                       Dxy = times_i(third + 2 * T.dd) - N.dd,
-                       Dyy = -third - 2 * times_i(N.dd) - 3 * T.dd;
-    const ball sxx = im(N.dd) - re(T.dd), sxy = re(N.dd) + im(T.dd);
-    J.xx = 2 * (dot(Dx, Dx) + dot(D, Dxx) + t.kappa * (sqr(sx) + s * sxx));
-    J.xy = 2 * (dot(Dx, Dy) + dot(D, Dxy) + t.kappa * (sx * sy + s * sxy));
-    J.yy = 2 * (dot(Dy, Dy) + dot(D, Dyy) + t.kappa * (sqr(sy) - s * sxx));
-    return J;
-}
 
 /* ---- Its stationary points ---- */
 

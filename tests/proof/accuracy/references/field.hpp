@@ -43,6 +43,9 @@ ball norm_of(const tensor &s);
 tensor tensor_of(const superposition &at);
 tensor stresses_at(const traction &t, const complex_ball &z);
 
+/* In full sliding, f times the pressure. */
+superposition sliding(const traction &t, const potentials &N);
+
 /* c d/dc of a patch pressed to the half-width c. */
 potentials by_half_width(const patch &p, const complex_ball &z);
 

@@ -70,23 +70,17 @@ bool draw_limit_gradient(probe *call)
     return v[1] > 0 || v[2] < 0.5 || v[0] < 1;
 }
 
-superposition sliding_at(const traction &t, const potentials &N)
-{
-    return superposed(N, t.f * N);
-}
-
 /* d/df of J2 where the traction is f times the pressure, at a fixed point. */
 ball J2_by_friction(const traction &t, const complex_ball &z)
 {
     const potentials N = t.whole().at(z);
-    return J2_change(sliding_at(t, N), superposed({}, N), t.kappa);
+    return J2_change(sliding(t, N), superposed({}, N), t.kappa);
 }
 
 /* -alpha d/dalpha of J2 at a place that keeps its x/a, y/a. */
 ball J2_by_half_width(const traction &t, const complex_ball &z)
 {
-    return J2_change(sliding_at(t, t.whole().at(z)), sliding_at(t, by_half_width(t.whole(), z)),
-                     t.kappa);
+    return J2_change(sliding(t, t.whole().at(z)), sliding(t, by_half_width(t.whole(), z)), t.kappa);
 }
 
 /* Over the derivative or the limit, the limit over alpha for that by alpha, and times the flatness
@@ -105,7 +99,7 @@ ball judge_limit_gradient(const probe &call)
     const ball of_load = limit / force(alpha, 1) * (alpha * phi.c0 - phi.phi0) / sqr(ball(alpha));
     const ball by_alpha = v[0] < 1 ? of_load + half * J2_by_half_width(t, z) / alpha : ball(0);
     const ball by_f = v[1] > 0 ? -half * J2_by_friction(t, z) : ball(0);
-    const ball by_nu = half * sqr(sliding_at(t, t.whole().at(z)).s) * 4 * (1 - 2 * ball(v[2])) / 3;
+    const ball by_nu = half * sqr(sliding(t, t.whole().at(z)).s) * 4 * (1 - 2 * ball(v[2])) / 3;
     return max(error_over(r[3], by_alpha, max(abs(by_alpha), limit / alpha)),
                max(error_over(r[4], by_f, max(abs(by_f), limit)),
                    error_over(r[5], by_nu, max(abs(by_nu), limit)))) *

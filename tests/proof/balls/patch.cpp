@@ -15,6 +15,8 @@ potentials operator*(const ball &factor, const potentials &p)
     return {factor * p.G, factor * p.H};
 }
 
+potentials operator+(const potentials &a, const potentials &b) { return {a.G + b.G, a.H + b.H}; }
+
 potentials operator-(const potentials &a, const potentials &b) { return {a.G - b.G, a.H - b.H}; }
 
 superposition superposed(const potentials &N, const potentials &T)

@@ -21,6 +21,7 @@ struct potentials {
 };
 
 potentials operator*(const ball &factor, const potentials &p);
+potentials operator+(const potentials &a, const potentials &b);
 potentials operator-(const potentials &a, const potentials &b);
 
 /* The stresses from the potentials N of the pressure and T of the shear traction, or how they

@@ -7,23 +7,10 @@ ball norm_of(const tensor &s) { return sqrt(sqr(s.xx) + sqr(s.yy) + 2 * sqr(s.xy
 
 tensor tensor_of(const superposition &at) { return {at.s - re(at.D), at.s + re(at.D), im(at.D)}; }
 
-tensor stresses_at(const traction &t, const complex_ball &z)
+superposition sliding(const sliding_contact &t, const potentials &N)
 {
-    potentials N, T;
-    for (const traction::part &p : t.parts) {
-        const bool whole = &p == &t.parts.back();
-        if (is_zero(p.weight) && !whole)
-            continue;
-        const potentials at = p.shape.at(z);
-        T.G += t.f * p.weight * at.G;
-        T.H += t.f * p.weight * at.H;
-        if (whole && !t.shear_alone)
-            N = at;
-    }
-    return tensor_of(superposed(N, T));
+    return superposed(N, t.f * N);
 }
-
-superposition sliding(const traction &t, const potentials &N) { return superposed(N, t.f * N); }
 
 /* (2/pi) (phi0/alpha)/X, the points over c in X. */
 potentials by_half_width(const patch &p, const complex_ball &point)
@@ -43,12 +30,12 @@ struct J2_jet {
 
 /* In full sliding: products of the superposition and its derivatives. Those by y are i times those by
  * x, and that of the y in y G'. */
-J2_jet J2_at(const traction &t, const complex_ball &z)
+J2_jet J2_at(const sliding_contact &t, const complex_ball &z)
 {
-    const complex_ball d = t.whole().slope(z);
-    const higher_derivatives bends = t.whole().bends(z);
+    const complex_ball d = t.shape.slope(z);
+    const higher_derivatives bends = t.shape.bends(z);
     const complex_ball &dd = bends.second, bend = im(z) * dd, third = im(z) * bends.third;
-    const superposition S = sliding(t, t.whole().at(z)), x = sliding(t, {d, bend}),
+    const superposition S = sliding(t, t.shape.at(z)), x = sliding(t, {d, bend}),
                         y = sliding(t, {times_i(d), d + times_i(bend)}),
                         xx = sliding(t, {dd, third}),
                         xy = sliding(t, {times_i(dd), dd + times_i(third)}),
@@ -68,7 +55,7 @@ J2_jet J2_at(const traction &t, const complex_ball &z)
 
 /* ---- Its stationary points ---- */
 
-bool find_stationary(extremum *at, const traction &t, double x, double y)
+bool find_stationary(extremum *at, const sliding_contact &t, double x, double y)
 {
     column place;
     const auto gradient = [&](const column &z) -> residual {

@@ -28,8 +28,8 @@ struct J2_jet {
     ball J2, x, y, xx, xy, yy;
 };
 
-/* In full sliding: products of the superposition and its derivatives. Those by y are i times those by
- * x, and that of the y in y G'. */
+/* In full sliding: products of the superposition and its derivatives. Those by y are i times those
+ * by x, and that of the y in y G'. */
 J2_jet J2_at(const sliding_contact &t, const complex_ball &z)
 {
     const complex_ball d = t.shape.slope(z);

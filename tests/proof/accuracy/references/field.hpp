@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses in ball arithmetic, from the potentials of the pressure and of the shear traction. Natural
- * units. */
+/* Stresses in ball arithmetic, from the potentials of the pressure and of the shear traction.
+ * Natural units. */
 #ifndef FIELD_HPP
 #define FIELD_HPP
 

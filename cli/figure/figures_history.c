@@ -163,22 +163,12 @@ static void measure_surface(const figure_case *inputs, const last_cycle *last, d
     free(result.place);
 }
 
-static const data_row *worst_row_of(const dataset *rows)
-{
-    const data_row *best = rows->row;
-    for (size_t i = 0; i < rows->count; i++)
-        if (!(best->number[2] >= rows->row[i].number[2]) && !isnan(rows->row[i].number[2]))
-            best = &rows->row[i];
-    return best;
-}
-
 /* Down to the half-width, dense at the surface. */
 static void measure_depth(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
-    dataset along = {0};
-    measure_surface(inputs, last, &along);
-    const double x = worst_row_of(&along)->number[0];
-    free(along.row);
+    const measured along = measure_usual(inputs, last);
+    const double x = along.place[measured_best(&along, inputs->measure)].x;
+    free(along.place);
     for (int i = 0; i < DEPTHS; i++) {
         const double part = (double)i / (DEPTHS - 1);
         measure_place(inputs, last, x, inputs->half_width * part * part, rows);

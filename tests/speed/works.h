@@ -4,54 +4,7 @@
 #define WORKS_H
 
 #include <stdbool.h>
-
-/* Rows of the table. */
-enum {
-    SERIES,
-    SEARCH,
-    POINT,
-    POINT_SLIP,
-    ARRAY,
-    ARRAY_SLIP,
-    LONG_ARRAY,
-    WEDGE,
-    FLAT_PAD,
-    PROFILE,
-    LIMIT,
-    MANY_LIMITS,
-    LIMIT_ARRAY,
-    BRANCHES,
-    HALF_WIDTH,
-    PRESSURE,
-    TWO_CORNERS,
-    MANY_CORNERS,
-    MANY_OFF_CENTRE,
-    YIELD_ONE,
-    YIELD_TWO,
-    YIELD_MANY,
-    YIELD_OFF_CENTRE,
-    LOADS,
-    MANY_LOADS,
-    LAG,
-    LAG_FINE,
-    NOISY_LOG,
-    LONG_LOG,
-    ROCKING,
-    LAG_PROFILE,
-    CYCLE_BY_CALLS,
-    CYCLE,
-    CYCLE_TENSION,
-    CYCLE_LAG,
-    SHRINKING_BY_CALLS,
-    SHRINKING,
-    SWT,
-    FATEMI_SOCIE,
-    SWT_PLANES,
-    FINDLEY,
-    CROSSLAND,
-    DAMAGE,
-    WORKS
-};
+#include <stddef.h>
 
 /* Something to do, n times, with two numbers. It returns a number that depends on all of it. A call
  * that fails ends the program. */
@@ -64,7 +17,8 @@ struct work {
     long n;
 };
 
-extern const work works[WORKS];
+extern const work works[];
+extern const size_t works_count;
 
 /* Places, and the stresses of a cycle; false for lack of memory. */
 bool reserve_places(void);

@@ -11,6 +11,7 @@
 #include "works.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -138,15 +139,9 @@ static void print_times(const char *name)
 
 int main(int argc, char **argv)
 {
-    int status = 1;
-    if (!reserve_places())
-        fprintf(stderr, "bench: no memory\n");
-    else if (argc > 1 && strcmp(argv[1], "--test") == 0)
-        status = test();
-    else {
-        print_times(argc > 1 ? argv[1] : "");
-        status = 0;
-    }
-    release_places();
-    return status;
+    set_places();
+    if (argc > 1 && strcmp(argv[1], "--test") == 0)
+        return test();
+    print_times(argc > 1 ? argv[1] : "");
+    return 0;
 }

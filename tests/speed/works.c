@@ -6,13 +6,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-enum { POINTS = 20000, MANY = 1000000, PAPER_LIMITS = 650, CYCLE_LOADS = 40, PLACES = 1000 };
+enum { POINTS = 20000, PAPER_LIMITS = 650, CYCLE_LOADS = 40, PLACES = 1000 };
 
 static const double TURN = 2 * 3.14159265358979323846, P = 20000;
 
-double *xs, *ys, *out[3];
-static double *cycle[3]; /* stresses of a cycle of Q at the first places */
+double xs[MANY], ys[MANY], out[3][MANY];
+static double cycle[3][CYCLE_LOADS * PLACES]; /* stresses of a cycle of Q at the first places */
 
 static void must(int32_t status)
 {
@@ -377,30 +378,13 @@ const size_t works_count = sizeof works / sizeof works[0];
 
 /* ---- Places ---- */
 
-static double **const arrays[] = {&xs,     &ys,       &out[0],   &out[1],
-                                  &out[2], &cycle[0], &cycle[1], &cycle[2]};
-enum { ARRAYS = sizeof arrays / sizeof arrays[0], LONG = 5 };
-
-bool reserve_places(void)
+void set_places(void)
 {
-    for (int i = 0; i < ARRAYS; i++) {
-        const size_t n = i < LONG ? MANY : CYCLE_LOADS * PLACES;
-        if ((*arrays[i] = malloc(n * sizeof **arrays[i])) == NULL)
-            return false;
-    }
     for (int i = 0; i < MANY; i++) {
         xs[i] = 4 * fmod((double)i * 0.6180339887498949, 1) - 2;
         ys[i] = 2 * fmod((double)i * 0.7548776662466927, 1) + 1e-3;
     }
     history(&(work){"", history, OF_Q, PLACES, CYCLE_LOADS * PLACES});
     for (int k = 0; k < 3; k++)
-        for (int i = 0; i < CYCLE_LOADS * PLACES; i++)
-            cycle[k][i] = out[k][i];
-    return true;
-}
-
-void release_places(void)
-{
-    for (int i = 0; i < ARRAYS; i++)
-        free(*arrays[i]);
+        memcpy(cycle[k], out[k], sizeof cycle[k]);
 }

@@ -3,7 +3,6 @@
 #ifndef WORKS_H
 #define WORKS_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 /* Something to do, n times, with two numbers. It returns a number that depends on all of it. A call
@@ -20,9 +19,8 @@ struct work {
 extern const work works[];
 extern const size_t works_count;
 
-/* Places, and the stresses of a cycle; false for lack of memory. */
-bool reserve_places(void);
-void release_places(void);
+/* Places, and the stresses of a cycle. */
+void set_places(void);
 
 /* The plain way: J2 by the paper's series of 60 terms as it stands, at n points; elastic limits of
  * n frictions by a search on a grid. */
@@ -30,6 +28,7 @@ double plain_points(const work *w);
 double plain_limits(const work *w);
 
 /* Points below a contact and beside it, and room for what is computed of them. */
-extern double *xs, *ys, *out[3];
+enum { MANY = 1000000 };
+extern double xs[MANY], ys[MANY], out[3][MANY];
 
 #endif

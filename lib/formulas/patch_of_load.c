@@ -28,8 +28,8 @@ static double load_excess(double right, const void *context)
     return rw_arcs_pressing(at->arcs, (rw_patch){at->left, right}).load - at->P;
 }
 
-/* The right edge that goes with the left one under the load P: the load grows with the edge, without
- * bound, and is less than the width. That of a pad may be next to 0. */
+/* The right edge that goes with the left one under the load P: the load grows with the edge,
+ * without bound, and is less than the width. The edge of a pad may be next to 0. */
 static double right_edge(const search *at)
 {
     double lo = at->left + at->P * (1 - DBL_EPSILON), width = at->P;

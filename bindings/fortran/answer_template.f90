@@ -33,7 +33,7 @@ contains
         v = arguments(line)
         stat = rwedge_ok
         select case (line(:index(line, ':') - 1))
-{cases}
+        {cases}
         case default
             write (error_unit, '(2a)') line, ': no such call'
             error stop 1

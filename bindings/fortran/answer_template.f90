@@ -88,13 +88,9 @@ contains
         real(c_double), intent(in) :: value
         character(:), allocatable :: text
         character(16) :: digits
-        integer :: i
         text = ',nan'
         if (ieee_is_nan(value)) return
         write (digits, '(z16.16)') transfer(value, 0_int64)
-        do i = 1, len(digits) ! to lower case
-            if (digits(i:i) > '9') digits(i:i) = achar(iachar(digits(i:i)) + 32)
-        end do
         text = ',' // digits
     end function
 end program

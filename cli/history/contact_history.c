@@ -14,33 +14,17 @@ struct poptOption history_option_table[] = {
 
 enum { CYCLES_MAX = 1000000 };
 
-const char *history_file(const arguments *line)
+static void check_loads(const arguments *line)
 {
-    return line->operand != NULL && line->operand[0] != NULL ? line->operand[0]
-                                                             : line->value[OPTION_HISTORY];
-}
-
-static void find_loads(const arguments *line, const input_texts *texts, history_source *from,
-                       history_source *before)
-{
-    *from = history_source_of(line);
-    *before = (history_source){0};
-    if (history_file(line) != NULL) {
-        before->list = from->list;
-        from->list = NULL;
-    }
     const char *word = line->operand != NULL ? line->operand[0] : NULL;
     if (word != NULL && line->operand[1] != NULL)
         usage_error("%s: unexpected; allowed: one file of loads", line->operand[1]);
-    if (word != NULL && history_source_is_given(from))
+    if (word != NULL && line->value[OPTION_HISTORY] != NULL)
         usage_error("%s: given together with --history; allowed: one of the two", word);
-    if (word != NULL)
-        from->file = word;
-    if (!history_source_is_given(from))
+    if (!history_is_given(line))
         usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
                     "sigma; or --load P,Q for each");
-    history_source_check_encoding(from);
-    history_source_check(from, texts);
+    history_check(line);
 }
 
 static int64_t read_cycles(const arguments *line, int64_t usual)
@@ -114,18 +98,17 @@ void contact_history_read(const arguments *line, char decimal_sign, usual_cycles
                           contact_history *history)
 {
     input_texts texts;
-    history_source from, before;
     char complaint[COMPLAINT_SIZE];
     *history = (contact_history){0};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
-    find_loads(line, &texts, &from, &before);
+    check_loads(line);
     read_cycles(line, usage.cycles);
     if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, complaint))
         usage_error("%s", complaint);
-    load_history_read(&from, decimal_sign, &history->loads);
-    if (before.list != NULL)
-        load_history_read(&before, decimal_sign, &history->before);
+    load_history_read(line, decimal_sign, &history->loads);
+    if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL)
+        load_history_read_list(line, &history->before);
     const bool to_and_fro = usage.of_two > 0 && history->loads.count == 2;
     history->cycles = read_cycles(line, to_and_fro ? usage.of_two : usage.cycles);
     try_loads(history, line->value[OPTION_UNTIL] != NULL);

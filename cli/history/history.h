@@ -34,9 +34,6 @@ typedef struct {
 void contact_history_read(const arguments *line, char decimal_sign, usual_cycles usage,
                           contact_history *history);
 
-/* The file the loads come from; NULL where there is none. */
-const char *history_file(const arguments *line);
-
 /* The row of the table that the load of this step stands in. */
 size_t contact_history_row(const contact_history *history, size_t step);
 load contact_history_load(const contact_history *history, size_t step);

@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <jansson.h>
-
 /* ---- One load ---- */
 
 /* The stresses at the points, the contact being under the load. */
@@ -93,17 +91,6 @@ typedef struct {
     frames all;
 } list;
 
-/* The text as a string of JSON. */
-static char *quoted(const char *text)
-{
-    json_t *string = json_string(text);
-    char *json = string != NULL ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
-    if (json == NULL)
-        usage_error("--output %s: must be UTF-8, as the list of the files is", text);
-    json_decref(string);
-    return json;
-}
-
 static void write_list(void *of_list, records *rows)
 {
     const list *series = of_list;
@@ -111,7 +98,8 @@ static void write_list(void *of_list, records *rows)
     const char *file = slash != NULL ? slash + 1 : series->path;
     output_text(rows->out, "{\"file-series-version\": \"1.0\", \"files\": [");
     for (size_t i = 0; i < series->all.count; i++) {
-        char *name = frame_name(file, series->all.mark, i), *json = quoted(name), time[60];
+        char *name = frame_name(file, series->all.mark, i), time[60];
+        char *json = memory_checked(json_quoted(name));
         output_text(rows->out, i == 0 ? "\n{\"name\": " : ",\n{\"name\": ");
         output_text(rows->out, json);
         snprintf(time, sizeof time, ", \"time\": %zu}", i + 1);
@@ -138,7 +126,10 @@ void series_write(const point_rows *points, const arguments *line, const output_
 {
     const frames old = frames_of(how->path);
     list series = {how->path, {old.mark[0] == 'b' ? "" : "b", points->history->steps}};
-    free(quoted(how->path));
+    char *quoted = json_quoted(how->path);
+    if (quoted == NULL)
+        usage_error("--output %s: must be UTF-8, as the list of the files is", how->path);
+    free(quoted);
     spare_files(line, how, &series);
     rwedge_contact *contact = contact_history_begin(points->history);
     output_options file = *how;

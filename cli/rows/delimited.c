@@ -74,9 +74,5 @@ static void begin(records *rows)
         output_text(rows->out, "\xef\xbb\xbf");
 }
 
-static void nothing(records *rows)
-{
-    (void)rows;
-}
-
-const record_format delimited_format = {begin, put_name, end_row, put_value, end_row, nothing};
+const record_format delimited_format = {begin,     put_name, end_row,
+                                        put_value, end_row,  records_nothing};

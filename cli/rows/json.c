@@ -14,17 +14,23 @@
 
 #include <jansson.h>
 
-static void put_text(records *rows, const char *text)
+char *json_quoted(const char *text)
 {
     errno = 0;
     json_t *string = json_string(text);
     char *encoded = string != NULL ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
+    json_decref(string);
+    return encoded;
+}
+
+static void put_text(records *rows, const char *text)
+{
+    char *encoded = json_quoted(text);
     if (encoded != NULL)
         output_text(rows->out, encoded);
     else
         rows->problem = errno == ENOMEM ? "out of memory" : "a text is not UTF-8, which JSON needs";
     free(encoded);
-    json_decref(string);
 }
 
 static void begin(records *rows)
@@ -52,11 +58,6 @@ static void keep_name(records *rows, const char *name)
         notice("column '%.60s': there again; in JSON it is '%.70s'", name, key);
     rows->key = memory_for_one_more(rows->key, rows->key_count, sizeof *rows->key);
     rows->key[rows->key_count++] = key;
-}
-
-static void nothing(records *rows)
-{
-    (void)rows;
 }
 
 static void put_key(records *rows, const char *name)
@@ -95,4 +96,4 @@ static void end(records *rows)
     output_text(rows->out, "\n]\n");
 }
 
-const record_format json_format = {begin, keep_name, nothing, put_value, end_row, end};
+const record_format json_format = {begin, keep_name, records_nothing, put_value, end_row, end};

@@ -48,6 +48,9 @@ struct records {
     uint64_t described_kinds; /* a bit for each */
 };
 
+/* Of a format that writes nothing there. */
+void records_nothing(records *rows);
+
 /* To be called before the rows: meanings and units of columns by their names. */
 static inline void records_describe(records *rows, const column_kind kinds[], int count)
 {
@@ -75,6 +78,11 @@ bool records_go_on(const records *rows);
 /* Ends the file, if it has begun. Ends the command where a format could not write a text;
  * output_finish() reports failures of the output. */
 void records_end(records *rows);
+
+/* ---- json ---- */
+
+/* A text as a string of JSON. Free it. NULL where it is not UTF-8, or memory is short: errno. */
+char *json_quoted(const char *text);
 
 /* ---- spreadsheet ---- XLSX. */
 

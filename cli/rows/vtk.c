@@ -23,11 +23,6 @@ static void keep_value(records *rows, cell value)
     rows->kept[rows->kept_count++] = value.number;
 }
 
-static void nothing(records *rows)
-{
-    (void)rows;
-}
-
 /* ---- The file ---- */
 
 static double number_at(const records *rows, size_t row, size_t column)
@@ -139,4 +134,5 @@ static void write_file(records *rows)
     free(rows->name);
 }
 
-const record_format vtk_format = {nothing, keep_name, nothing, keep_value, nothing, write_file};
+const record_format vtk_format = {records_nothing, keep_name,       records_nothing,
+                                  keep_value,      records_nothing, write_file};

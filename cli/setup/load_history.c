@@ -15,36 +15,30 @@ struct poptOption load_option_table[] = {
     POPT_TABLEEND,
 };
 
-history_source history_source_of(const arguments *line)
+const char *history_file(const arguments *line)
 {
-    return (history_source){line->value[OPTION_HISTORY], line->value[OPTION_LOAD],
-                            line->value[OPTION_ENCODING]};
+    return line->operand != NULL && line->operand[0] != NULL ? line->operand[0]
+                                                             : line->value[OPTION_HISTORY];
 }
 
-bool history_source_is_given(const history_source *from)
+bool history_is_given(const arguments *line)
 {
-    return from->file != NULL || from->list != NULL;
+    return history_file(line) != NULL || line->value[OPTION_LOAD] != NULL;
 }
 
-void history_source_check_encoding(const history_source *from)
+void history_check(const arguments *line)
 {
-    if (from->encoding == NULL)
-        return;
-    if (from->file == NULL)
-        usage_error("--encoding %s: needs --history", from->encoding);
-    text_input_check(from->encoding);
-}
-
-void history_source_check(const history_source *from, const input_texts *texts)
-{
-    if (from->list != NULL && from->file != NULL)
-        usage_error("--history %s: given together with --load; allowed: one of the two",
-                    from->file);
-    for (int i = INPUT_P; i <= INPUT_SIGMA && history_source_is_given(from); i++)
-        if (texts->text[i] != NULL)
-            usage_error(
-                "%s %s: given together with --%s, which has the loads; allowed: one of the two",
-                input_name(texts, i), texts->text[i], from->list != NULL ? "load" : "history");
+    const char *encoding = line->value[OPTION_ENCODING];
+    if (encoding != NULL && history_file(line) == NULL)
+        usage_error("--encoding %s: needs --history", encoding);
+    if (encoding != NULL)
+        text_input_check(encoding);
+    for (int i = INPUT_P; i <= INPUT_SIGMA && history_is_given(line); i++)
+        if (line->value[OPTION_INPUT + i] != NULL)
+            usage_error("%s %s: given together with --%s, which has the loads; allowed: one of the "
+                        "two",
+                        input_kinds[i].flag, line->value[OPTION_INPUT + i],
+                        history_file(line) == NULL ? "load" : "history");
 }
 
 /* ---- Rows in memory ---- */
@@ -83,10 +77,11 @@ static void say_four_values(const char *line, int length)
                line, M, moment, P, line, M, moment);
 }
 
-static void read_list(const char *lines, load_history *loads)
+void load_history_read_list(const arguments *line, load_history *loads)
 {
     load to = {0};
-    loads->lines = lines;
+    const char *lines = line->value[OPTION_LOAD];
+    *loads = (load_history){.lines = lines};
     for (bool last = false; !last;) {
         const size_t length = strcspn(lines, "\n");
         last = lines[length] == '\0';
@@ -130,22 +125,19 @@ static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
         failure("%s: no loads; needed: rows of P and Q", in->name);
 }
 
-static void read_file(const history_source *from, char decimal_sign, load_history *loads)
+void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
 {
-    csv_input *in = csv_input_open(from->file, decimal_sign == ',' ? ';' : ',', from->encoding);
+    const char *file = history_file(line);
+    if (file == NULL) {
+        load_history_read_list(line, loads);
+        return;
+    }
+    csv_input *in =
+        csv_input_open(file, decimal_sign == ',' ? ';' : ',', line->value[OPTION_ENCODING]);
+    *loads = (load_history){.name = in->name};
     read_rows(in, decimal_sign, loads);
-    loads->name = in->name;
     loads->has_mark = in->has_mark;
     csv_input_close(in);
-}
-
-void load_history_read(const history_source *from, char decimal_sign, load_history *loads)
-{
-    *loads = (load_history){0};
-    if (from->file != NULL)
-        read_file(from, decimal_sign, loads);
-    else
-        read_list(from->list, loads);
 }
 
 /* ---- Columns that nothing uses ---- */
@@ -199,17 +191,19 @@ void load_history_apply_all(const load_history *loads, double f, rwedge_contact 
             load_history_fail(loads, i, "", complaint);
 }
 
-rwedge_contact *history_source_contact(const history_source *from, const input_texts *texts,
-                                       case_needs needs, char decimal_sign, contact_case *setup)
+rwedge_contact *history_contact(const arguments *line, const input_texts *texts, case_needs needs,
+                                char decimal_sign, contact_case *setup)
 {
     load_history loads;
     rwedge_contact *contact;
     char complaint[COMPLAINT_SIZE];
-    history_source_check(from, texts);
+    if (line->value[OPTION_HISTORY] != NULL && line->value[OPTION_LOAD] != NULL)
+        usage_error("--history %s: given together with --load; allowed: one of the two",
+                    line->value[OPTION_HISTORY]);
     if (!case_read(texts, needs, setup, complaint))
         usage_error("%s", complaint);
     status_check(case_contact(setup, &contact), "the contact");
-    load_history_read(from, decimal_sign, &loads);
+    load_history_read(line, decimal_sign, &loads);
     load_history_apply_all(&loads, setup->f, contact);
     load_history_say_unused(&loads);
     return contact;

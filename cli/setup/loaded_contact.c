@@ -118,6 +118,7 @@ static void measure_natural(bool centred, loaded_contact *loaded)
 static void read_natural(const arguments *line, const input_texts *texts, loaded_contact *loaded)
 {
     refuse_dimensional(line, texts);
+    history_check(line);
     const double alpha = variable_read_one(&variables[A_OVER_B], line->value[OPTION_A_OVER_B]);
     const double f = read_input(texts, INPUT_F, 0);
     loaded->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
@@ -146,11 +147,10 @@ static void read_dimensional(const arguments *line, char decimal_sign, const inp
 {
     contact_case setup;
     char complaint[COMPLAINT_SIZE];
-    const history_source from = history_source_of(line);
     refuse_natural(line);
-    if (history_source_is_given(&from))
-        loaded->contact =
-            history_source_contact(&from, texts, CASE_LOADS_APART, decimal_sign, &setup);
+    history_check(line);
+    if (history_is_given(line))
+        loaded->contact = history_contact(line, texts, CASE_LOADS_APART, decimal_sign, &setup);
     else if (!case_read(texts, CASE_WITH_LOADS, &setup, complaint))
         usage_error("%s", complaint);
     else
@@ -171,8 +171,6 @@ void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contac
     *loaded = (loaded_contact){0};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
-    const history_source from = history_source_of(line);
-    history_source_check_encoding(&from);
     if (line->value[OPTION_A_OVER_B] != NULL)
         read_natural(line, &texts, loaded);
     else

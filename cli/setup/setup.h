@@ -72,21 +72,17 @@ typedef struct {
     size_t count;
 } load_history;
 
-/* Where the loads come from; a file may be named by a word in place of the option. */
-typedef struct {
-    const char *file, *list, *encoding; /* NULL where not given */
-} history_source;
-history_source history_source_of(const arguments *line);
-bool history_source_is_given(const history_source *from);
+/* The file that the loads come from, a word or that of --history; NULL where there is none. */
+const char *history_file(const arguments *line);
+bool history_is_given(const arguments *line);
 
-/* Refuses an encoding without a file, or one that iconv does not know. */
-void history_source_check_encoding(const history_source *from);
+/* Refuses an encoding without a file, or one that iconv does not know; and loads beside those of a
+ * history. */
+void history_check(const arguments *line);
 
-/* Refuses a file beside a list, and loads that the texts give too. */
-void history_source_check(const history_source *from, const input_texts *texts);
-
-/* Reads the file or the list. */
-void load_history_read(const history_source *from, char decimal_sign, load_history *loads);
+/* Reads the file where there is one, else the list; or the list of --load. */
+void load_history_read(const arguments *line, char decimal_sign, load_history *loads);
+void load_history_read_list(const arguments *line, load_history *loads);
 
 /* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
 void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size);
@@ -99,10 +95,10 @@ void load_history_apply_all(const load_history *loads, double f, rwedge_contact 
 NO_RETURN void load_history_fail(const load_history *loads, size_t row, const char *word,
                                  const char *complaint);
 
-/* Reads a case and its loads, applies them all, and names columns with numbers that are not
- * used. */
-rwedge_contact *history_source_contact(const history_source *from, const input_texts *texts,
-                                       case_needs needs, char decimal_sign, contact_case *setup);
+/* Reads a case and its loads, from a file or a list, applies them all, and names columns with
+ * numbers that are not used. */
+rwedge_contact *history_contact(const arguments *line, const input_texts *texts, case_needs needs,
+                                char decimal_sign, contact_case *setup);
 
 /* Where it stands, as messages say it: "loads.csv: line 3". */
 enum { LOAD_PLACE_SIZE = 300 };

@@ -60,53 +60,52 @@ typedef struct {
     double safety, answer_for;
 } job;
 
+typedef struct {
+    const char *name, *meaning;
+    cell value;
+} shown;
+
 /* What was looked for comes first, unless it is a result anyway. */
-static bool shows_input(const job *task)
+static int collect(const job *task, shown all[RESULT_COUNT + 1])
 {
-    return task->looked_for == INPUT_P || task->looked_for == INPUT_F;
+    const bool shows_input = task->looked_for == INPUT_P || task->looked_for == INPUT_F;
+    int count = 0;
+    if (shows_input)
+        all[count++] =
+            (shown){input_kinds[task->looked_for].option, input_kinds[task->looked_for].meaning,
+                    cell_number(task->answer_for)};
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (results_include(task->wanted, i))
+            all[count++] =
+                (shown){result_kinds[i].name, result_kinds[i].meaning, task->answer.value[i]};
+    return count;
 }
 
-static void write_line(records *rows, const char *name, cell value, const char *meaning)
+static void write_row(const shown all[], int count, records *rows)
 {
-    records_row(rows, 3, (cell[]){cell_text(name), value, cell_text(meaning)});
+    records_describe(rows, result_kinds, RESULT_COUNT);
+    for (int i = 0; i < count; i++)
+        records_name(rows, all[i].name);
+    records_end_header(rows);
+    for (int i = 0; i < count; i++)
+        records_value(rows, all[i].value);
+    records_end_row(rows);
 }
 
-static void write_list(const job *task, records *rows)
+static void write_list(const shown all[], int count, records *rows)
 {
     static const char *const columns[] = {"quantity", "value", "meaning"};
     records_header(rows, 3, columns);
-    if (shows_input(task)) {
-        const input_kind *input = &input_kinds[task->looked_for];
-        write_line(rows, input->option, cell_number(task->answer_for), input->meaning);
-    }
-    for (int i = 0; i < RESULT_COUNT; i++)
-        if (results_include(task->wanted, i))
-            write_line(rows, result_kinds[i].name, task->answer.value[i], result_kinds[i].meaning);
-}
-
-static void write_row(const job *task, records *rows)
-{
-    const char *input = shows_input(task) ? input_kinds[task->looked_for].option : NULL;
-    if (input != NULL)
-        records_name(rows, input);
-    for (int i = 0; i < RESULT_COUNT; i++)
-        if (results_include(task->wanted, i))
-            records_name(rows, result_kinds[i].name);
-    records_end_header(rows);
-    if (input != NULL)
-        records_value(rows, cell_number(task->answer_for));
-    for (int i = 0; i < RESULT_COUNT; i++)
-        if (results_include(task->wanted, i))
-            records_value(rows, task->answer.value[i]);
-    records_end_row(rows);
+    for (int i = 0; i < count; i++)
+        records_row(rows, 3,
+                    (cell[]){cell_text(all[i].name), all[i].value, cell_text(all[i].meaning)});
 }
 
 static void write_rows(void *of_job, records *rows)
 {
     const job *task = of_job;
-    if (task->as_row)
-        records_describe(rows, result_kinds, RESULT_COUNT);
-    (task->as_row ? write_row : write_list)(task, rows);
+    shown all[RESULT_COUNT + 1];
+    (task->as_row ? write_row : write_list)(all, collect(task, all), rows);
 }
 
 static void write_answer_to(const contact_case *setup, job *task, const output_options *how)
@@ -137,17 +136,17 @@ static void solve_one(const input_texts *texts, job *task, const output_options 
 
 /* ---- After a history ---- */
 
-static void solve_history(const input_texts *texts, const history_source *from, job *task,
+static void solve_history(const arguments *line, const input_texts *texts, job *task,
                           const output_options *how)
 {
     contact_case setup;
     rwedge_contact *contact =
-        history_source_contact(from, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
+        history_contact(line, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
     rwedge_contact_loads(contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
     if (!(setup.P > 0))
         failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P above "
                 "0",
-                from->file != NULL ? from->file : "--load");
+                history_file(line) != NULL ? history_file(line) : "--load");
     setup.after = contact;
     write_answer_to(&setup, task, how);
     rwedge_contact_destroy(contact);
@@ -196,28 +195,26 @@ static void read_inverse(const arguments *line, const input_texts *texts, job *t
         usage_error("--for %s: it is given too; allowed: one of the two", name);
 }
 
-static void check_one_contact(const arguments *line, const job *task, const batch *many,
-                              const history_source *from)
+static void check_one_contact(const arguments *line, const job *task, const batch *many)
 {
     if (task->says_verdict && many->path != NULL)
         usage_error("--verdict: is of one contact, not with --input");
-    if (task->looked_for != INPUT_COUNT && (many->path != NULL || history_source_is_given(from)))
+    if (task->looked_for != INPUT_COUNT && (many->path != NULL || history_is_given(line)))
         usage_error("--for %s: is of one contact and its loads, not with --input, --load and "
                     "--history",
                     line->value[OPTION_FOR]);
 }
 
 /* A file of contacts, or one of loads. */
-static void check_files(const batch *many, const history_source *from)
+static void check_files(const arguments *line, const batch *many)
 {
-    if (many->path != NULL && history_source_is_given(from))
+    if (many->path != NULL && history_is_given(line))
         usage_error("--%s: given together with --input; allowed: one of the two",
-                    from->file != NULL ? "history" : "load");
-    if (many->encoding == NULL)
-        return;
-    if (many->path == NULL && from->file == NULL)
+                    history_file(line) != NULL ? "history" : "load");
+    if (many->encoding != NULL && many->path == NULL && history_file(line) == NULL)
         usage_error("--encoding %s: needs --input or --history", many->encoding);
-    text_input_check(many->encoding);
+    if (many->encoding != NULL && many->path != NULL)
+        text_input_check(many->encoding);
 }
 
 static void check_threads(const arguments *line, const batch *many)
@@ -231,31 +228,30 @@ static int solve(const arguments *line)
     output_options how;
     job task;
     batch many = {.path = line->value[OPTION_INPUT_FILE], .encoding = line->value[OPTION_ENCODING]};
-    const history_source from = history_source_of(line);
     input_texts_from_options(line, &many.constants);
     arguments_no_operand(line);
     output_options_read(line, &how);
-    output_options_spare(&how, many.path != NULL ? many.path : from.file);
+    output_options_spare(&how, many.path != NULL ? many.path : history_file(line));
     output_options_spare(&how, many.constants.text[INPUT_PROFILE]);
-    check_files(&many, &from);
+    check_files(line, &many);
     many.threads = threads_read(line);
     check_threads(line, &many);
     task.as_row = read_layout(line);
     task.wanted.yield_factor = read_yield_factor(line, &many.constants);
-    task.wanted.edges = history_source_is_given(&from) ||
-                        input_is_given(&many.constants, INPUT_M) ||
+    task.wanted.edges = history_is_given(line) || input_is_given(&many.constants, INPUT_M) ||
                         input_is_given(&many.constants, INPUT_SIGMA) ||
                         input_is_given(&many.constants, INPUT_PROFILE);
     many.wanted = task.wanted;
     task.says_verdict = line->value[OPTION_VERDICT] != NULL;
     read_inverse(line, &many.constants, &task);
-    check_one_contact(line, &task, &many, &from);
+    check_one_contact(line, &task, &many);
     many.takes_hull = line->value[OPTION_HULL] != NULL;
     if (many.path != NULL)
         return batch_run(&many, &how);
     input_options_check_hull(line);
-    if (history_source_is_given(&from))
-        solve_history(&many.constants, &from, &task, &how);
+    history_check(line);
+    if (history_is_given(line))
+        solve_history(line, &many.constants, &task, &how);
     else
         solve_one(&many.constants, &task, &how);
     return STATUS_DONE;

@@ -28,8 +28,8 @@ static void spread(bool left_out[], double apart[])
 }
 
 /* The error is at most this many times the difference of a step from its halves, in 97 of 100
- * histories (tests/proof/history_survey.c). Steps are of second order, or of a lower one where a
- * front runs back into a zone that slipped, and such errors add up. */
+ * histories (tests/proof/test_history_survey.c). Steps are of second order, or of a lower one where
+ * a front runs back into a zone that slipped, and such errors add up. */
 static const double DOUBT = 2;
 
 /* Of places that came into contact in the step and stick: each errs in this step alone, and the

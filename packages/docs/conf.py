@@ -6,6 +6,7 @@ from pathlib import Path
 
 from docutils import nodes
 from docutils.utils.math.latex2mathml import tex2mathml
+from pygments.lexers import TextLexer
 
 here = Path(__file__).resolve().parent
 
@@ -72,6 +73,7 @@ def search_in_texts(app, page, template, context, doctree):
 
 
 def setup(app):
+    app.add_lexer("csv", TextLexer)
     app.add_html_math_renderer("mathml", (set_formula, None), (set_formula, None))
     app.connect("html-page-context", search_in_texts)
     app.connect("build-finished", keep_texts)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The READMEs as pages: lays out what Sphinx reads. Each README that a link leads to is a page, other files are copied.
+"""The READMEs as pages: a copy of the tree for Sphinx, whose links lead on from the top.
 
-A file in pages/ takes a section of a README by the line
+A file in pages/, which stands at the top there, takes a section of a README by the line
 
     @README.md#get-it              with its heading
     @README.md#get-it as Title     with another
@@ -20,12 +20,10 @@ import sys
 from pathlib import Path, PurePosixPath
 
 LINK = re.compile(r"(\[[^\]]*\])\(([^()#\s:]*)(#[^()\s]*)?\)")
-TAKEN = re.compile(r"@([\w./-]+\.md)(?:#(\S+))?(?: as (.*))?")
+TAKEN = re.compile(r"^@([\w./-]+\.md)(?:#(\S+))?(?: as (.*))?$", re.MULTILINE)
 HEADING = re.compile(r"(#+) (.*)")
-FENCE = re.compile(r"```(\S+).*")
 FRONT = "README.md"
-PAGES = PurePosixPath("packages/docs/pages")
-WITHOUT_COLOURS = {"csv": "text"}
+PAGES = "packages/docs/pages"
 
 
 def slug(title: str) -> str:
@@ -57,88 +55,58 @@ def sections(text: str) -> dict[str, list[str]]:
 class Site:
     def __init__(self, top: Path, target: Path) -> None:
         self.top, self.target = top, target
-        self.room = sorted((top / PAGES).glob("*.md"))
-        self.shown: dict[str, str] = {}  # anchor of the front README -> page
-        self.waiting = [PAGES / p.name for p in self.room]
-        self.seen = set(self.waiting)
+        self.pages = {path.name: path.read_text(encoding="utf-8") for path in sorted((top / PAGES).glob("*.md"))}
+        self.shown = self.find_shown()
 
-    def text(self, path: PurePosixPath) -> str:
-        return (self.top / path).read_text(encoding="utf-8")
+    def parts(self, path: str) -> dict[str, list[str]]:
+        return sections((self.top / path).read_text(encoding="utf-8"))
 
-    @staticmethod
-    def place(path: PurePosixPath) -> str:
-        """Where a file is shown: those in pages/ at the top."""
-        return path.name if path.parent == PAGES else str(path)
+    def find_shown(self) -> dict[str, str]:
+        """The page of each anchor of the front README."""
+        parts, shown = self.parts(FRONT), {}
+        for page, text in self.pages.items():
+            for path, name, _ in TAKEN.findall(text):
+                if path == FRONT:
+                    headings = filter(None, map(HEADING.fullmatch, parts[name])) if name else ()
+                    shown.update({slug(heading[2]): page for heading in headings} or {"": page})
+        if lost := parts.keys() - shown.keys():
+            sys.exit(f"FAILED: no page of {PAGES} shows these sections of {FRONT}: {', '.join(sorted(lost))}")
+        return shown
 
-    def find_shown(self) -> None:
-        parts = sections(self.text(PurePosixPath(FRONT)))
-        for page in self.room:
-            for match in map(TAKEN.fullmatch, page.read_text(encoding="utf-8").split("\n")):
-                if match and match[1] == FRONT:
-                    headings = filter(None, map(HEADING.fullmatch, parts[match[2] or ""]))
-                    self.shown.update({"": page.name} if not match[2] else {slug(h[2]): page.name for h in headings})
-        lost = [name for name in parts if name not in self.shown]
-        if lost:
-            sys.exit(f"FAILED: no page of {PAGES} shows these sections of {FRONT}: {', '.join(lost)}")
+    def moved(self, text: str, link: str, anchor: str, origin: PurePosixPath) -> str:
+        """A link of the file origin, from the top."""
+        path = os.path.normpath(origin.parent / link) if link else str(origin)
+        return f"{text}(/{self.shown[anchor[1:]] if path == FRONT else path}{anchor})"
 
-    def moved(self, link: str, anchor: str, origin: PurePosixPath, page: str) -> str:
-        """A link of the file origin, as it is shown on the page."""
-        target = PurePosixPath(os.path.normpath(origin.parent / link)) if link else origin
-        if not (self.top / target).is_file():
-            sys.exit(f"FAILED: {origin}: the link {link} leads to no file")
-        if target not in self.seen and str(target) != FRONT:
-            self.seen.add(target)
-            self.waiting.append(target)
-        place = self.shown[anchor[1:]] if str(target) == FRONT else self.place(target)
-        return anchor if place == page and anchor else os.path.relpath(place, PurePosixPath(page).parent) + anchor
-
-    def shown_on(self, page: str, origin: PurePosixPath, lines: list[str]) -> list[str]:
-        """The lines of the file origin, with its links and blocks as the page needs them."""
+    def linked(self, origin: str, lines: list[str]) -> str:
         result = []
         for line, is_text in outside_of_blocks("\n".join(lines)):
             if is_text and not line.startswith("    "):
-                line = LINK.sub(lambda m: f"{m[1]}({self.moved(m[2], m[3] or '', origin, page)})", line)
+                line = LINK.sub(lambda m: self.moved(m[1], m[2], m[3] or "", PurePosixPath(origin)), line)
                 if HEADING.fullmatch(line) and (link := LINK.search(line)):
                     line = f"{LINK.sub(lambda m: m[1][1:-1], line)}\n\n{link[0]}"  # a heading cannot be a link
-            elif fence := FENCE.fullmatch(line):
-                line = "```" + WITHOUT_COLOURS.get(fence[1], fence[1])
             result.append(line)
-        return result
+        return "\n".join(result)
 
-    def taken(self, match: re.Match, page: str) -> list[str]:
-        path, name, title = PurePosixPath(match[1]), match[2] or "", match[3]
-        parts = sections(self.text(path))
+    def taken(self, match: re.Match) -> str:
+        path, name, title = match[1], match[2] or "", match[3]
+        parts = self.parts(path)
         if name not in parts:
-            sys.exit(f"FAILED: {page}: {path} has no section {name}")
-        lines = parts[name]
-        return self.shown_on(page, path, [f"## {title}", *lines[1:]] if title else lines)
-
-    def write_page(self, path: PurePosixPath) -> None:
-        page, lines = self.place(path), []
-        for line in self.text(path).split("\n"):
-            match = TAKEN.fullmatch(line) if path.parent == PAGES else None
-            lines += self.taken(match, page) if match else [line]
-        if path.parent != PAGES:
-            lines = self.shown_on(page, path, lines)
-        file = self.target / page
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text("\n".join(lines), encoding="utf-8")
+            sys.exit(f"FAILED: {PAGES}: {path} has no section {name}")
+        return self.linked(path, [f"## {title}", *parts[name][1:]] if title else parts[name])
 
     def write(self) -> None:
-        self.find_shown()
-        while self.waiting:
-            path = self.waiting.pop()
-            if path.suffix == ".md":
-                self.write_page(path)
-            else:
-                (self.target / path).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(self.top / path, self.target / path)
-        self.name_others()
-
-    def name_others(self) -> None:
-        named = {line for page in self.room for line in page.read_text(encoding="utf-8").split("\n")}
-        others = {self.place(p).removesuffix(".md") for p in self.seen if p.suffix == ".md"} - {p.stem for p in self.room} - named
-        for page in self.room:
-            text = (self.target / page.name).read_text(encoding="utf-8")
-            text = text.replace("\n@others\n", "\n".join(["", *sorted(others), ""]))
-            (self.target / page.name).write_text(text, encoding="utf-8")
+        built = {name for name in os.listdir(self.top) if name.startswith(("build", "."))}
+        shutil.copytree(self.top, self.target, dirs_exist_ok=True, ignore=lambda folder, _: built if folder == str(self.top) else ())
+        for folder in (PAGES, "packages/paper"):
+            shutil.rmtree(self.target / folder)
+        (self.target / FRONT).unlink()
+        others = []
+        for file in sorted(self.target.rglob("*.md")):
+            path = file.relative_to(self.target).as_posix()
+            file.write_text(self.linked(path, file.read_text(encoding="utf-8").split("\n")), encoding="utf-8")
+            others.append(path.removesuffix(".md"))
+        named = {line for text in self.pages.values() for line in text.split("\n")}
+        listed = "\n".join(other for other in others if other not in named)
+        for page, text in self.pages.items():
+            (self.target / page).write_text(TAKEN.sub(self.taken, text).replace("@others", listed), encoding="utf-8")

@@ -6,7 +6,7 @@
  * - The host's rounding mode does not matter.
  * - A stack of 64 KiB is enough.
  *
- *     test_calls [CALLS [TESTS]]
+ *     test_calls [CALLS] [PATTERN]
  *
  * CALLS is the number of calls of each function (60). If there are more combinations of
  * arguments, they are drawn at random. */
@@ -23,7 +23,13 @@
 #include <string.h>
 #include <unistd.h>
 
-static size_t most_calls = 60;
+static size_t limit = SIZE_MAX; /* of a claim */
+
+static size_t most_calls(void)
+{
+    const size_t cases = (size_t)cases_or(60);
+    return cases < limit ? cases : limit;
+}
 
 /* ---- All combinations of edges, or so many; a tenth of a function that takes milliseconds -- */
 
@@ -50,8 +56,8 @@ static combinations combinations_of(const public_call *call)
 {
     combinations c = {.call = call, .all = 1, .seed = 1};
     for (int i = 0; i < call->arguments; i++)
-        c.all = c.all > most_calls ? c.all : c.all * edge_count(call->argument[i]);
-    c.calls = c.all < most_calls ? c.all : most_calls / (takes_long(call->name) ? 10 : 1);
+        c.all = c.all > most_calls() ? c.all : c.all * edge_count(call->argument[i]);
+    c.calls = c.all < most_calls() ? c.all : most_calls() / (takes_long(call->name) ? 10 : 1);
     return c;
 }
 
@@ -102,7 +108,7 @@ static bool next(combinations *c, double v[])
     for (int i = 0; i < c->call->arguments; i++) {
         const entry_argument *a = c->call->argument[i];
         const bool any = random_fraction(&c->seed) < 0.03;
-        v[i] = c->all <= most_calls ? edge(a, rest % edge_count(a)) : draw(c, a, any);
+        v[i] = c->all <= most_calls() ? edge(a, rest % edge_count(a)) : draw(c, a, any);
         rest /= edge_count(a);
     }
     return true;
@@ -121,8 +127,7 @@ typedef const char *question(const public_call *call, const double v[]);
 
 static void ask_of_every_call(question *ask, size_t at_most)
 {
-    const size_t most = most_calls;
-    most_calls = most < at_most ? most : at_most;
+    limit = at_most;
     size_t asked = 0, wrong = 0, count;
     const public_call *calls = public_calls(&count);
     for (size_t i = 0; i < count; i++) {
@@ -137,7 +142,7 @@ static void ask_of_every_call(question *ask, size_t at_most)
                 show(&calls[i], v, answer);
         }
     }
-    most_calls = most;
+    limit = SIZE_MAX;
     print_message("    %zu calls of %zu functions\n", asked, count);
     if (wrong > 0)
         fail_msg("%zu of %zu calls", wrong, asked);
@@ -346,13 +351,4 @@ CLAIM(a_stack_of_64_KiB_is_enough)
         own = used < own ? used : own;
     }
     assert_true(most > own && most - own < MOST_OF_STACK);
-}
-
-int main(int argc, char **argv)
-{
-    if (argc > 1)
-        most_calls = (size_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        cmocka_set_test_filter(argv[2]);
-    return run_claims();
 }

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 
 enum { THREADS_MAX = 8, ARRAY = 21 };
-static int numbers = 4;
+static int numbers;
 
 /* The results of one thread: outputs of each call at each number. */
 typedef struct {
@@ -75,6 +75,8 @@ static void run_threads(int count, results r[])
 CLAIM(threads_give_the_bits_of_one)
 {
     results alone, r[THREADS_MAX];
+    numbers = (int)cases_or(4);
+    array_size = ARRAY;
     run_threads(1, &alone);
     for (int count = 2; count <= THREADS_MAX; count *= 4) {
         run_threads(count, r);
@@ -85,14 +87,4 @@ CLAIM(threads_give_the_bits_of_one)
         }
     }
     free(alone.out);
-}
-
-int main(int argc, char **argv)
-{
-    if (argc > 1)
-        numbers = atoi(argv[1]);
-    if (numbers < 1)
-        return 2;
-    array_size = ARRAY;
-    return run_claims();
 }

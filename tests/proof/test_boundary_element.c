@@ -6,7 +6,6 @@
 #include "histories.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { LEVELS = 3, COARSEST = 50, LEGS = 8, HISTORIES = 3 };
 
@@ -132,12 +131,11 @@ static difference mean_of(path kind, int histories, int level)
     return mean;
 }
 
-/* RWEDGE_HISTORIES=200 takes so many of loads that all change at once. */
+/* A number takes so many histories of loads that all change at once. */
 CLAIM(contacts_are_the_limit_of_boundary_elements)
 {
-    const char *more = getenv("RWEDGE_HISTORIES");
     for (path kind = 0; kind < KINDS; kind++) {
-        const int histories = kind == ALL && more ? atoi(more) : HISTORIES;
+        const int histories = kind == ALL ? (int)cases_or(HISTORIES) : HISTORIES;
         difference mean[LEVELS];
         for (int level = 0; level < LEVELS; level++)
             mean[level] = mean_of(kind, histories, level);

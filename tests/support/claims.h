@@ -28,9 +28,12 @@ void claim_add(const char *name, void (*claim)(void));
 /* The object lives to the end of the present claim, whether that holds or fails. */
 void free_after_claim(void *object, void (*destroy)(void *object));
 
-/* Runs the claims under the counting handler; the process' exit status. main.c does this alone, for
- * programs that have no main() of their own. */
+/* Runs the claims under the counting handler; the process' exit status. */
 int run_claims(void);
+
+/* How many random cases a claim takes, and their first seed, if the command line says so. */
+long cases_or(long usual);
+uint64_t seed_or(uint64_t usual);
 
 /* The call of the library gives the status RWEDGE_OK. */
 #define assert_ok(call) assert_int_equal((call), RWEDGE_OK)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page in the browsers of this machine: node browsers.mjs PAGE TOOL AXE [PYTHON [BROWSER [CLAIM ...]]]
+// The page in the browsers of this machine: node browsers.mjs PAGE TOOL AXE [BROWSER [CLAIM ...]]
 import * as claims from "./claims.mjs";
 import { browsers, openBrowser, openPage, programOf, reopen } from "./drive.mjs";
 
-const [file, tool, axe, python, only, ...wanted] = process.argv.slice(2);
+const [file, tool, axe, only, ...wanted] = process.argv.slice(2);
 const last = "nothing_is_said_and_nothing_asked_for"; // of all the others
 const order = [...Object.keys(claims).filter((name) => name !== last), last];
 let failed = 0,
@@ -20,7 +20,7 @@ for (const [name, about] of Object.entries(browsers).filter(([name]) => !only ||
             show = (...state) => reopen(page, file, ...state);
         try {
             await show();
-            const said = await claims[claim]({ page, show, session, tool, axe, python, dark: name === "chromium" });
+            const said = await claims[claim]({ page, show, session, tool, axe, dark: name === "chromium" });
             console.log(`ok: ${name}: ${claim}${said ? `: ${said}` : ""} (${Date.now() - began} ms)`);
         } catch (error) {
             failed++;

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page computes, beside the tool: numbers as they are pasted, refusals, unused columns.
+// What the page computes, beside the tool: cases of each pad, numbers as they are pasted, refusals, verdicts, cycles of loads.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { test } from "node:test";
 import { cycleOf } from "../src/answers/cycle.js";
-import { asPython } from "../src/export.js";
+import { asCommand, asFretting, asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/answers/solution.js";
 import { fieldOf, gridOf, measures, valuesAt } from "../src/answers/stresses.js";
 import { solveRows } from "../src/answers/tables.js";
 import { conversion } from "../src/units.js";
 import { inputs } from "../src/answers/words.js";
-import { assertNear, chance, optionsOf, randomCase, usual } from "./shared.mjs";
+import { assertNear, chance, ofPads, optionsOf, parabola, randomCase, rowsOf, usual } from "./shared.mjs";
 
 const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3" };
 const swt = { name: "swt", isPlaneStress: false, material: "" };
 
-function run(args, input) {
-    return spawnSync(process.env.TOOL, args, { encoding: "utf8", input });
-}
+const run = (args, input) => spawnSync(process.env.TOOL, args, { encoding: "utf8", input });
+
+/** A command that the page shows, in the folder of what it names. */
+const runCommand = (command, cwd) =>
+    spawnSync("sh", ["-c", command.replace("rwedge", `'${process.env.TOOL}'`)], { encoding: "utf8", cwd });
 
 /** What the tool says of a row of these texts. */
 function toolError(texts) {
@@ -86,17 +88,39 @@ test("an empty cell, too few cells and misplaced quotes cost their row alone", (
     );
 });
 
-test("forty cases by chance have the tool's results", () => {
-    const next = chance(20261122);
-    for (let i = 0; i < 40; i++) {
-        const texts = randomCase(next, i),
-            told = JSON.parse(run(["solve", ...optionsOf(texts), "--yield-factor", "--format", "json"]).stdout);
-        const { results } = solveHolding(texts, ".");
-        for (const { quantity, value } of told.filter(({ value }) => typeof value === "number"))
-            assertNear(results[quantity], value, 2e-13, `case ${i}, ${JSON.stringify(texts)}: ${quantity}`);
-        assert.equal(results.warnings ?? "", told.find(({ quantity }) => quantity === "warnings").value ?? "");
-        assert.ok(told.length > 12);
+/** The results and the sentence on strength, by the page and by the command that it shows. */
+function assertTold(pad, texts, folder) {
+    const options = optionsOf("profile" in texts ? { ...texts, profile: `${folder}/profile.csv` } : texts),
+        how = ["--verdict", "--format", "json", "--digits", "17"],
+        told = run(["solve", ...options, "--yield-factor", ...how]);
+    const { results, verdict, ...model } = solveHolding(texts, "."),
+        all = JSON.parse(told.stdout),
+        numbers = all.filter(({ value }) => typeof value === "number");
+    for (const { quantity, value } of numbers) assertNear(results[quantity], value, 2e-13, `${options}: ${quantity}`);
+    assert.ok(numbers.length > 12 && told.stderr.endsWith(`${verdict.strength}\n`), told.stderr);
+    assert.equal(results.warnings ?? "", all.find(({ quantity }) => quantity === "warnings").value ?? "");
+    assert.equal(runCommand(`${asCommand(model)} ${how.join(" ")}`, folder).stdout, told.stdout, asCommand(model));
+    return { ...model, pad, results };
+}
+
+/** What the program prints, a name and a number a line, where the package for Python is built. */
+function assertPrinted(model) {
+    const { stdout, stderr } = spawnSync(process.env.PYTHON, ["-c", asPython(model)], { encoding: "utf8" }),
+        lines = [...stdout.matchAll(/^(\w+) (.+)$/gm)];
+    assert.ok(lines.length >= 6, stderr);
+    for (const [line, name, value] of lines) assertNear(value, model.results[name], 1e-9, `${model.pad}: ${line}`);
+}
+
+test("cases by chance and of each pad have the tool's results; so have their commands and programs", () => {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`);
+    writeFileSync(`${folder}/profile.csv`, ofPads.profile.profile);
+    for (const [pad, texts] of Object.entries(ofPads)) {
+        const model = assertTold(pad, texts, folder);
+        if (process.env.PYTHON) assertPrinted(model);
     }
+    const next = chance(20261122);
+    for (let i = 0; i < 40; i++) assertTold("wedge", randomCase(next, i), folder);
+    rmSync(folder, { recursive: true });
 });
 
 test("twenty thousand digits are refused at once", () => {
@@ -142,24 +166,36 @@ test("all wrong fields are named at a time", () => {
     assert.ok(verdict.text.startsWith("CHECK THE INPUTS: P x: ") && verdict.text.includes("; f y: "));
 });
 
-test("what is doubtful or missing is the verdict", () => {
-    for (const [name, text, words] of [
-        ["P", "", "CHECK THE INPUTS: missing: P"],
-        ["Q", "50", "SLIDES: Q is above f P, there is no equilibrium."],
-        ["M", "1e12", "in magnitude: more lays a flank on the surface"],
-        ["sigma", "5000", "computed numerically: tractions to about"],
-        ["k", "", "CAUTION: no yield stress is given, so there is no safety"],
-    ])
-        assert.ok(solveHolding({ ...usual, [name]: text }, ".").verdict.text.includes(words), words);
-    const { verdict } = solveHolding({ ...usual, E2: "70000", nu2: "0.3" }, ".");
-    assert.ok(verdict.text.includes("CAUTION: Dundurs' beta is not 0"));
+test("what is doubtful, missing or too much is the verdict", () => {
+    for (const [texts, tone, words] of [
+        [{ k: "900" }, "green", /^OK$/],
+        [{ k: "330" }, "amber", /^CAUTION: .*full sliding; under these loads it does not yield$/],
+        [{ k: "" }, "amber", /^CAUTION: no yield stress is given, so there is no safety/],
+        [{ E2: "70000", nu2: "0.3" }, "amber", /CAUTION: Dundurs' beta is not 0/],
+        [{ k: "250" }, "red", /^YIELDS: the stress under these loads/],
+        [{ k: "250", theta: "0.5" }, "red", /^YIELDS: .* CAUTION: theta is above 0.1 rad/],
+        [{ P: "" }, "red", /^CHECK THE INPUTS: missing: P/],
+        [{ Q: "50" }, "red", /^SLIDES: Q is above f P, there is no equilibrium\./],
+        [{ M: "1e12" }, "red", /in magnitude: more lays a flank on the surface/],
+        [{ sigma: "5000" }, "red", /computed numerically: tractions to about/],
+    ]) {
+        const { colour, text } = solveHolding({ ...usual, ...texts }, ".").verdict;
+        assert.match(text, words);
+        assert.equal(colour, tone, text);
+    }
+});
+
+test("the sentence on strength has the unit and the decimal sign", () => {
+    const { strength, factor } = solveHolding(usual, ",", "mm").verdict;
+    assert.match(strength, /factor of \d,\d+ on the stress; .*, y = \d,\d+ mm, below/);
+    assert.equal(factor, solveHolding(usual, ".").results.yield_factor);
+    assert.equal(solveHolding({ ...usual, k: "" }, ".").verdict.factor, null);
 });
 
 test("a profile is read with tabs, spaces or decimal commas, with names or as x and height", () => {
-    const { theta, a, ...rest } = usual,
-        rows = Array.from({ length: 21 }, (_, i) => [(i - 10) / 10, ((i - 10) / 10) ** 2 / 20]);
+    const { theta, a, ...rest } = usual;
     const width = (between, head, sign) => {
-        const lines = rows.map((row) => row.map((cell) => String(cell).replace(".", sign)).join(between));
+        const lines = parabola.map((row) => row.map((cell) => String(cell).replace(".", sign)).join(between));
         const { results, verdict } = solveHolding({ ...rest, profile: [...head, ...lines].join("\n") }, sign);
         return results?.b ?? verdict.text;
     };
@@ -190,39 +226,6 @@ test("constants of a material are read as lines or JSON; what is unknown is name
     assert.match(read("dang_van_alpha -1", ".", "dang_van").complaint, /outside its domain/);
 });
 
-test("what yields under the loads and what would in full sliding are told apart", () => {
-    const told = (k) => solveHolding({ ...usual, k }, ".");
-    assert.ok(told("330").results.yield_factor > 1 && told("330").results.safety < 1);
-    assert.equal(told("330").verdict.colour, "amber");
-    assert.match(told("330").verdict.text, /^CAUTION: .*full sliding; under these loads it does not yield$/);
-    assert.match(told("250").verdict.text, /^YIELDS: the stress under these loads/);
-    const steep = solveHolding({ ...usual, theta: "0.5", k: "250" }, ".");
-    assert.match(steep.verdict.text, /^YIELDS: .* CAUTION: theta is above 0.1 rad/);
-    const { colour, text } = told("900").verdict;
-    assert.deepEqual([colour, text], ["green", "OK"]);
-});
-
-test("the sentence on strength has the numbers of the results, the unit and the decimal sign", () => {
-    const four = (value) => String(Number(value.toPrecision(4)));
-    const { verdict, results, hardest } = solveHolding(usual, ".", "mm");
-    assert.equal(
-        verdict.strength,
-        `Elastic with a factor of ${four(results.yield_factor)} on the stress; it yields first at x = ${four(hardest.x)}, ` +
-            `y = ${four(hardest.y)} mm, below the surface. ` +
-            `If it slid, it would be elastic with a factor of ${four(results.safety)} on P.`,
-    );
-    assert.equal(verdict.factor, results.yield_factor);
-    assert.match(solveHolding(usual, ",", "mm").verdict.strength, /factor of \d,\d+ on the stress/);
-    const weak = solveHolding({ ...usual, k: "250" }, ".").verdict;
-    assert.ok(weak.factor < 1 && /^It yields: the stress is 1\.\d+ times what body 1 bears/.test(weak.strength));
-    const { k, ...without } = usual;
-    const none = solveHolding(without, ".").verdict;
-    assert.deepEqual(
-        [none.factor, none.strength],
-        [null, "No yield stress is given, so nothing is known of its strength."],
-    );
-});
-
 test("a field and the hardest place have the stresses of their places", () => {
     const model = solveHolding(usual, "."),
         grid = gridOf(model.results, false),
@@ -234,16 +237,12 @@ test("a field and the hardest place have the stresses of their places", () => {
     assertNear(valuesAt(model, model.hardest).von_mises, model.hardest.von_mises, 1e-12, "the hardest");
 });
 
-test("what gives a safety is found: solved forwards it has it, and the tool finds the same", () => {
+test("what gives a safety is what the tool finds", () => {
     for (const name of ["radius", "a", "P", "f"]) {
         const texts = { ...usual };
-        const { value } = findInput(texts, ".", name, 1.5);
-        for (const other of name === "radius" ? ["a"] : [name]) delete texts[other];
-        const { safety } = solveHolding({ ...texts, [name]: String(value) }, ".").results;
-        assertNear(safety, 1.5, 1e-12, `${name} ${value}`);
+        delete texts[{ radius: "a" }[name] ?? name];
         const told = run(["solve", ...optionsOf(texts), "--for", name, "--safety", "1.5"]).stdout;
-        const line = told.split("\n").find((text) => text.startsWith(`${name},`));
-        assertNear(line.split(",")[1], value, 1e-12, name);
+        assertNear(findInput(usual, ".", name, 1.5).value, Number(told.match(`\n${name},([^,]*)`)[1]), 1e-12, name);
     }
     assert.match(findInput(usual, ".", "f", 9).complaint, /^no solution: even without friction the safety is \d/);
 });
@@ -281,28 +280,37 @@ test("bodies of two materials under tension: body 1 is stretched by its own comp
     assertNear((results.stick_left + results.stick_right) / 2, 0.6, 1e-6, "R strain sigma/f");
 });
 
-test("a cycle without a table is that of the tool after P and M", () => {
-    for (const texts of [{}, { M: "1" }, { sigma: "10" }]) {
-        const { P, Q, ...rest } = { ...usual, ...texts };
-        const { M = "0", sigma = "0", ...bodiesAlone } = rest;
-        const table = `P,M,Q,sigma\n${P},${M},${Q},${sigma}\n${P},${M},-${Q},-${sigma}\n`;
-        const told = run(["fretting", "-", "--load", `${P},${M},0,0`, ...optionsOf(bodiesAlone)], table);
-        const answer = cycleOf({ ...usual, ...texts }, "", ".", "3", swt);
-        assert.equal(answer.complaint, undefined);
-        assertNear(answer.worst.swt.value, Number(told.stderr.match(/swt (\S+) at/)[1]), 5e-6, told.stderr);
+test("a cycle, with a table or without, has the tool's worst places; so has its command", () => {
+    for (const [more, loads] of [
+        [{}, "P\tQ\n190\t20\n190\t-20"],
+        [{}, "P,Q\n100,10\n150,20\n60,-10\n"],
+        [{}, "P\tM\tQ\tsigma\n190\t2\t0\t0\n190\t2\t20\t0\n190\t2\t-20\t0"],
+        [{}, ""],
+        [{ M: "1" }, ""],
+        [{ sigma: "10" }, ""],
+        [{}, "P,Q,sigma\n190,20,0\n190,14,100\n190,-20,0\n190,-14,-100"], // a tension that lags has no closed form
+    ]) {
+        const texts = { ...usual, ...more },
+            { P, M = "0", Q, sigma = "0", ...bodiesAlone } = texts;
+        const table =
+                loads.replaceAll("\t", ",") || `P,M,Q,sigma\n${P},${M},${Q},${sigma}\n${P},${M},-${Q},-${sigma}\n`,
+            first = loads ? [] : ["--load", `${P},${M},0,0`];
+        const told = run(["fretting", "-", ...first, ...optionsOf(bodiesAlone)], table).stderr,
+            worst = [...told.matchAll(/(\w+) (\S+) at x = /g)];
+        const answer = cycleOf(texts, loads, ".", "3", swt);
+        assert.ok(worst.length >= 3, told);
+        for (const [line, name, value] of worst) assertNear(answer.worst[name]?.value, Number(value), 5e-6, line);
+        assert.equal(answer.error > 0, told.includes("computed numerically"), told);
+        const command = asFretting(solveHolding(texts, "."), answer, "3", loads !== "");
+        assert.equal(runCommand(command).stderr, told, command);
     }
     assert.match(cycleOf({ ...usual, Q: "0" }, "", ".", "3", swt).complaint, /both are 0$/);
 });
 
-/** The tool's cycle of these loads, of the usual contact. */
-function toldOf(loads, ...args) {
-    const { P, Q, ...rest } = usual;
-    return run(["fretting", "-", ...optionsOf(rest), ...args], loads);
-}
-
 test("a criterion comes to what the tool says: the worst value, the safety against its limit, the life", () => {
     const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
-        loads = "P,Q\n190,20\n190,-20";
+        loads = "P,Q\n190,20\n190,-20",
+        { P, Q, ...bodiesAlone } = usual;
     for (const [name, material, ...plane] of [
         ["swt", "swt_limit,0.05\nsf,1000\nb,-0.1\nef,0.5\nc,-0.6", "--plane-stress"],
         ["findley", "findley_k,0.3\nfindley_limit,200"],
@@ -311,7 +319,9 @@ test("a criterion comes to what the tool says: the worst value, the safety again
     ]) {
         writeFileSync(`${folder}/material.csv`, material);
         const args = ["--material", `${folder}/material.csv`, "--at-worst", "--format", "json", ...plane];
-        const told = JSON.parse(toldOf(loads, ...args).stdout).find((row) => row.measure === name);
+        const told = JSON.parse(run(["fretting", "-", ...optionsOf(bodiesAlone), ...args], loads).stdout).find(
+            (row) => row.measure === name,
+        );
         const chosen = { name, isPlaneStress: plane.length > 0, material },
             { worst, safety, life } = cycleOf(usual, loads, ".", "3", chosen);
         assertNear(worst[name].value, told.value, 1e-9, name);
@@ -323,12 +333,4 @@ test("a criterion comes to what the tool says: the worst value, the safety again
             else assert.equal(value, null, name);
     }
     rmSync(folder, { recursive: true });
-});
-
-test("a tension that lags behind Q has no closed form: it is computed, and its error is told", () => {
-    const loads = "P,Q,sigma\n190,20,0\n190,14,100\n190,-20,0\n190,-14,-100";
-    const { worst, error } = cycleOf(usual, loads, ".", "2", swt),
-        told = toldOf(loads, "--cycles", "2").stderr;
-    assertNear(worst.swt.value, Number(told.match(/swt (\S+) at/)[1]), 1e-4, "swt");
-    assert.ok(error > 0 && error < 1e-2 && /computed numerically/.test(told), told);
 });

@@ -4,6 +4,18 @@ import assert from "node:assert/strict";
 
 export const usual = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
 
+const body = { E1: "210000", nu1: "0.3", P: "300", Q: "40", f: "0.3", k: "400" };
+export const parabola = Array.from({ length: 41 }, (_, i) => [(i - 20) / 20, ((i - 20) / 20) ** 2 / 20]);
+export const rowsOf = (places) => ["x,height", ...places.map((row) => row.join())].join("\n");
+
+/** A case of each pad. */
+export const ofPads = {
+    wedge: { ...body, theta: "0.01", a: "0.05" },
+    cylinder: { ...body, radius: "10" },
+    flat: { ...body, flat: "0.5", radius: "10" },
+    profile: { ...body, profile: rowsOf(parabola) },
+};
+
 /** Of the tool, for texts of inputs by name. */
 export const optionsOf = (texts) => Object.entries(texts).flatMap(([name, text]) => [`--${name.replaceAll("_", "-")}`, text]);
 

@@ -4,7 +4,7 @@
  * a shear that is finite and within friction; one that is not leaves the contact as it was, to the
  * last bit.
  *
- *     random_loads HISTORIES [SEED]
+ *     test_random_loads HISTORIES [SEED]
  *
  * f = 0.1 to 1, A = 1. Of the rounded wedge (theta = a = 1) the mean P is 0.2 to 20, in the
  * logarithm: a/b from 0.1 to 3; of a flat pad and of a profile that is not symmetric, a tenth.
@@ -32,7 +32,6 @@ static const double LONGEST = 200;
 static const double LONGEST = 1;
 #endif
 
-static long histories = 3, first_seed = 3;
 static uint64_t seed;
 
 /* What the loads have come to so far. */
@@ -136,9 +135,10 @@ static int32_t timed_apply(rwedge_contact *contact, loads to)
     tally.loads++;
     tally.unsolved += status == RWEDGE_ENOCONV;
     if (status != RWEDGE_OK || seconds > LONGEST)
-        print_message("    random_loads 1 %ld: status %d after %.2f s at P %.17g M %.17g Q %.17g "
-                      "sigma %.17g\n",
-                      tally.history, (int)status, seconds, to.P, to.M, to.Q, to.sigma);
+        print_message(
+            "    test_random_loads 1 %ld: status %d after %.2f s at P %.17g M %.17g Q %.17g "
+            "sigma %.17g\n",
+            tally.history, (int)status, seconds, to.P, to.M, to.Q, to.sigma);
     return status;
 }
 
@@ -161,7 +161,8 @@ static void go_to(rwedge_contact *contact, double f, loads to)
 
 CLAIM(loads_as_tests_have_them_are_done)
 {
-    for (long i = first_seed; i < first_seed + histories; i++) {
+    const long first = (long)seed_or(3);
+    for (long i = first; i < first + cases_or(6); i++) {
         tally.history = i;
         seed = (uint64_t)i;
         const programme p = draw_programme((int)(i % KINDS), (int)(i / KINDS % PADS));
@@ -176,17 +177,4 @@ CLAIM(loads_as_tests_have_them_are_done)
         tally.loads, tally.computed, tally.unsolved, tally.slowest, tally.worst);
     assert_true(tally.unsolved <= tally.loads / LOADS_PER_UNSOLVED);
     assert_true(tally.slowest <= LONGEST);
-}
-
-int main(int argc, char **argv)
-{
-    if (argc > 1)
-        histories = strtol(argv[1], NULL, 10);
-    if (argc > 2)
-        first_seed = strtol(argv[2], NULL, 10);
-    if (histories < 1 || first_seed < 0 || argc > 3) {
-        fprintf(stderr, "usage: random_loads HISTORIES [SEED]\n");
-        return 2;
-    }
-    return run_claims();
 }

@@ -6,7 +6,7 @@
  * root. What else a computed shear obeys: ../random/random_loads.c,
  * ../lib/contact/test_shear_laws.c.
  *
- *     history_survey HISTORIES [SEED]
+ *     test_history_survey HISTORIES [SEED]
  *
  * The claim fails where the error that is told is not between the true one and 30 times that in 9
  * of 10 histories, but for one. A tenth of the tolerance counts as none. */
@@ -20,8 +20,6 @@ static const double TOLERANCE = 1e-3;
 
 enum { LOADS = 4, POINTS = 400 };
 
-static long histories;
-static uint64_t first_seed = 1;
 static int unsolved;
 
 typedef struct {
@@ -129,7 +127,7 @@ static bool is_honest(const rwedge_contact *contact, const rwedge_contact *bette
 
 static bool survey(long history)
 {
-    uint64_t state = first_seed + (uint64_t)history;
+    uint64_t state = seed_or(1) + (uint64_t)history;
     for (int i = 0; i < 4; i++)
         random_fraction(&state);
     const double f = random_between(&state, 0.2, 0.8), a = random_between(&state, 0.3, 1.8);
@@ -158,6 +156,7 @@ static bool survey(long history)
 
 CLAIM(the_error_that_is_told_is_honest)
 {
+    const long histories = cases_or(4);
     long honest = 0;
     for (long i = 0; i < histories; i++)
         honest += survey(i);
@@ -165,17 +164,4 @@ CLAIM(the_error_that_is_told_is_honest)
                   honest, unsolved);
     assert_in_range(unsolved, 0, histories / 10);
     assert_true((double)honest >= 0.9 * (double)histories - 1);
-}
-
-int main(int argc, char **argv)
-{
-    if (argc > 1)
-        histories = strtol(argv[1], NULL, 10);
-    if (argc > 2)
-        first_seed = (uint64_t)strtol(argv[2], NULL, 10);
-    if (histories < 1 || argc > 3) {
-        fprintf(stderr, "usage: history_survey HISTORIES [SEED]\n");
-        return 2;
-    }
-    return run_claims();
 }

@@ -49,7 +49,7 @@ bool reference_next(reference *table)
         *end = '\0';
         const double value = strtod(cell, &stop);
         table->cell[column] = stop == cell || *stop ? NAN : value;
-        snprintf(table->last, sizeof table->last, "%s", cell);
+        snprintf(table->last, sizeof table->last, "%.31s", cell);
         cell = next;
     }
     return true;

@@ -1,11 +1,6 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Python's source distribution, and of it the wheels: for each system another shared library in the same package.
-#     make.sh BUILD PACKAGES [TESTED]
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
 product='the wheels for Python'
-. "$here/../package.sh"
 work=$build/wheels
 sources=$build/excel/sources # as those of the zip for Windows
 quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; echo "FAILED: $*" >&2; exit 1; }; }
@@ -137,5 +132,3 @@ if ! lacks macOS clang "$(clang -print-prog-name=ld64.lld 2>/dev/null)"; then
         wheel "macosx_$(echo "$system" | tr .- __)" "$work/macos-$system/_rwedge.so" gsl
     done
 fi
-
-[ $# = 2 ] || sh "$here/test.sh" "$build" "$packages/python" "$tested"

@@ -74,9 +74,9 @@ double rw_pad_height(const rw_pad *pad, double x)
         const rw_arc arc = pad->arcs[i];
         if (arc.left >= 0 && arc.right > 0)
             sum += pad->weights[i] * rise(arc, x);
-        else if (arc.right >= 0 && x < arc.right) /* in the middle */
+        else if (arc.right > 0 && x < arc.right) /* in the middle */
             sum += pad->weights[i] * (x / arc.right * (x / 2));
-        else if (arc.right >= 0)
+        else if (arc.right > 0 || arc.left == 0) /* or a kink there */
             sum += pad->weights[i] * (x - arc.right / 2);
     }
     return sum;

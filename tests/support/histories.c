@@ -26,11 +26,31 @@ rwedge_contact *create(double a, double f)
     return create_wedge(THETA, a, A, f);
 }
 
+rwedge_contact *create_flat(double a, double R, double compliance, double f)
+{
+    rwedge_contact *contact = NULL;
+    assert_ok(rwedge_contact_create_flat(a, R, compliance, f, &contact));
+    return owned(contact);
+}
+
+rwedge_contact *create_profile(size_t n, const double x[], const double slope[], double f)
+{
+    rwedge_contact *contact = NULL;
+    assert_ok(rwedge_contact_create_profile(n, x, slope, A, f, &contact));
+    return owned(contact);
+}
+
 rwedge_contact *copy_of(const rwedge_contact *contact)
 {
     rwedge_contact *copy = NULL;
     assert_ok(rwedge_contact_copy(contact, &copy));
     return owned(copy);
+}
+
+rwedge_contact *allowing(rwedge_contact *contact, double tolerance)
+{
+    assert_ok(rwedge_contact_allow_error(contact, tolerance));
+    return contact;
 }
 
 contact_state state_of(const rwedge_contact *contact)
@@ -72,6 +92,13 @@ rwedge_contact *recorded(const double wedge[], const double loads[])
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
 {
     assert_ok(rwedge_contact_apply(contact, P, M, Q, sigma));
+}
+
+rwedge_contact *apply_all(rwedge_contact *contact, size_t count, const rw_loads loads[])
+{
+    for (size_t i = 0; i < count; i++)
+        apply(contact, loads[i].P, loads[i].M, loads[i].Q, loads[i].sigma);
+    return contact;
 }
 
 rw_patch edges_of(const rwedge_contact *contact)

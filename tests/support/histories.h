@@ -13,7 +13,10 @@ static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */
 rwedge_contact *owned(rwedge_contact *contact);
 rwedge_contact *create(double a, double f);
 rwedge_contact *create_wedge(double theta, double a, double A, double f);
+rwedge_contact *create_flat(double a, double R, double A, double f);
+rwedge_contact *create_profile(size_t n, const double x[], const double slope[], double f);
 rwedge_contact *copy_of(const rwedge_contact *contact);
+rwedge_contact *allowing(rwedge_contact *contact, double tolerance); /* the contact itself */
 
 /* A contact as numbers, to the end of the claim too; behind them there is room for one more. */
 typedef struct {
@@ -29,6 +32,11 @@ void load(rwedge_contact *contact, double P, double Q);
 /* The wedge of a row of tests/data/, theta, A, a, f, after its loads, whose number comes first. */
 rwedge_contact *recorded(const double wedge[], const double loads[]);
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma);
+/* Loads {P, M, Q, sigma}, one after another; gives the contact. */
+#define APPLY(contact, ...)                                                                        \
+    apply_all(contact, sizeof((rw_loads[]){__VA_ARGS__}) / sizeof(rw_loads),                       \
+              (const rw_loads[]){__VA_ARGS__})
+rwedge_contact *apply_all(rwedge_contact *contact, size_t count, const rw_loads loads[]);
 
 rw_patch edges_of(const rwedge_contact *contact);
 rw_patch stick_zone_of(const rwedge_contact *contact);

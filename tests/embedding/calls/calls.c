@@ -62,8 +62,7 @@ static rwedge_series *series_of_case(int i)
     return series;
 }
 
-/* They live as long as the program. */
-static void *object_of(const entry *e, double number)
+void *object_of(const entry *e, double number)
 {
     static rwedge_contact *contacts[OBJECTS];
     static rwedge_series *series[OBJECTS];
@@ -103,12 +102,10 @@ typedef struct {
 static void tell_sizes(const entry *e, places *p)
 {
     for (int j = 0; j < e->sizes; j++) {
-        p->n[j] = size_of(e);
-        if (e->size[j].teller != NULL) {
-            double told, *const result[] = {&told};
+        double told = (double)size_of(e), *const result[] = {&told};
+        if (e->size[j].teller != NULL)
             entry_named(e->size[j].teller)->call(p->object, NULL, NULL, result, NULL);
-            p->n[j] = told < CALL_OUTPUTS ? (size_t)told : 0;
-        }
+        p->n[j] = told < CALL_OUTPUTS ? (size_t)told : 0;
     }
 }
 

@@ -32,6 +32,9 @@ enum { OBJECTS = 9, COMPUTED = OBJECTS - 1 };
 /* The number in front of the arguments of a function that takes an object. */
 extern const entry_argument which_object;
 
+/* The object of that number; it lives as long as the program. */
+void *object_of(const entry *e, double number);
+
 /* NULL, or what is told when the library begins to be called, and when it has returned. */
 extern void (*on_call)(bool begins);
 
@@ -41,6 +44,7 @@ const public_call *public_calls(size_t *count);
 /* Arguments in the domain, mostly of the order of 1; the same on every machine. */
 void draw_inside(const public_call *call, uint64_t *state, double v[]);
 double draw_number(const entry_argument *a, uint64_t *state); /* one of them */
+double draw_argument(const entry *e, int j, uint64_t *state); /* with which there is a result */
 
 /* What is wrong with a call's answer, by the header's rules for errors: NULL if nothing. Calls it.
  * A call that is refused changes neither its outputs nor its object. */

@@ -20,14 +20,6 @@ static const struct {
     {"contact_cycle_worst", {NAN, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1, NAN}},
 };
 
-static const double *hint_of(const char *name)
-{
-    for (size_t i = 0; i < sizeof hints / sizeof hints[0]; i++)
-        if (strcmp(hints[i].name, name) == 0)
-            return hints[i].usual;
-    return NULL;
-}
-
 /* The next of a sequence in [0, 1): splitmix64. */
 static double fraction(uint64_t *state)
 {
@@ -54,6 +46,14 @@ double draw_number(const entry_argument *a, uint64_t *state)
     return a->low < 0 && side < 0.5 ? -size : size;
 }
 
+double draw_argument(const entry *e, int j, uint64_t *state)
+{
+    for (size_t i = 0; i < sizeof hints / sizeof hints[0]; i++)
+        if (strcmp(hints[i].name, e->name) == 0 && !isnan(hints[i].usual[j]))
+            return hints[i].usual[j];
+    return draw_number(&e->argument[j], state);
+}
+
 /* The places and the slopes of a profile rise. */
 static void sort_profile(const public_call *call, double v[])
 {
@@ -68,13 +68,11 @@ static void sort_profile(const public_call *call, double v[])
 
 void draw_inside(const public_call *call, uint64_t *state, double v[])
 {
-    const double *hint = hint_of(call->name);
     for (int i = 0; i < call->arguments; i++) {
         const entry_argument *a = call->argument[i];
-        const bool is_given = hint != NULL && a != &which_object;
-        v[i] = is_given ? hint[a - call->entry->argument] : NAN;
-        if (isnan(v[i]))
-            v[i] = draw_number(a, state);
+        v[i] = a == &which_object
+                   ? draw_number(a, state)
+                   : draw_argument(call->entry, (int)(a - call->entry->argument), state);
     }
     sort_profile(call, v);
 }

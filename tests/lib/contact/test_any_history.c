@@ -8,27 +8,23 @@
 
 static const double F = 0.5;
 
-static rwedge_contact *allowing(double tolerance)
+/* theta = A = a = 1 */
+static rwedge_contact *wedge(double tolerance)
 {
-    rwedge_contact *contact = create_wedge(1, 1, 1, F);
-    assert_ok(rwedge_contact_allow_error(contact, tolerance));
-    return contact;
+    return allowing(create_wedge(1, 1, 1, F), tolerance);
 }
 
 /* A contact that lost its closed form: tension of more than 4 Q/(pi b). */
 static rwedge_contact *computed(void)
 {
-    rwedge_contact *contact = allowing(1e-4);
-    apply(contact, 4, 0, 0, 0);
-    apply(contact, 4, 0, 0.5, 0.9);
+    rwedge_contact *contact = APPLY(wedge(1e-4), {4, 0, 0, 0}, {4, 0, 0.5, 0.9});
     assert_true(rwedge_contact_error(contact) > 0);
     return contact;
 }
 
 CLAIM(nothing_is_computed_unless_it_is_allowed)
 {
-    rwedge_contact *contact = allowing(0);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(wedge(0), {4, 0, 0, 0});
     assert_int_equal(rwedge_contact_apply(contact, 4, 0, 0.5, 0.9), RWEDGE_EPATH);
     assert_int_equal(rwedge_contact_allow_error(contact, 1e-7), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_allow_error(contact, 0.1), RWEDGE_EDOMAIN);
@@ -60,10 +56,9 @@ CLAIM(reference_histories)
         const double *v = table.cell;
         if (v[0] != number) {
             number = v[0];
-            contact = allowing(1e-5);
+            contact = wedge(1e-5);
             const double sigma = number == 1 ? 0.6 : number == 3 ? 0.3 * sin(0.8) : 0;
-            apply(contact, 0, 0, 0, sigma);
-            apply(contact, 4, 0, 0, sigma);
+            APPLY(contact, {0, 0, 0, sigma}, {4, 0, 0, sigma});
         }
         apply(contact, v[2], v[3], v[4], v[5]);
         double left, right, p, q;
@@ -119,7 +114,7 @@ CLAIM(zones_cover_the_contact)
 /* Of a contact in closed form they are the one patch that sticks and what is beside it. */
 CLAIM(zones_of_a_closed_form)
 {
-    rwedge_contact *contact = allowing(0);
+    rwedge_contact *contact = wedge(0);
     double left[3], right[3], slip[3];
     assert_ok(rwedge_contact_zone_count(contact));
     assert_ok(rwedge_contact_zone_count(NULL));
@@ -137,15 +132,13 @@ CLAIM(zones_of_a_closed_form)
 
 CLAIM(full_sliding_and_separation_end_it)
 {
-    rwedge_contact *contact = computed(), *fresh = allowing(0);
+    rwedge_contact *contact = computed(), *fresh = wedge(0);
     apply(contact, 4, 0, 2, 0.9);
     assert_true(rwedge_contact_error(contact) == 0);
-    apply(fresh, 4, 0, 0, 0);
-    apply(fresh, 4, 0, 2, 0);
+    APPLY(fresh, {4, 0, 0, 0}, {4, 0, 2, 0});
     for (int i = -9; i <= 9; i++)
         assert_true(shear(contact, i / 5.0) == shear(fresh, i / 5.0));
-    rwedge_contact *back = computed();
-    apply(back, 4, 0, -2, 0.9);
+    rwedge_contact *back = APPLY(computed(), {4, 0, -2, 0.9});
     for (int i = -9; i <= 9; i++)
         assert_true(shear(back, i / 5.0) == -shear(fresh, i / 5.0));
     contact = computed();
@@ -156,7 +149,7 @@ CLAIM(full_sliding_and_separation_end_it)
 
 CLAIM(what_is_refused_leaves_what_was_computed)
 {
-    rwedge_contact *contact = computed(), *bare = allowing(1e-2);
+    rwedge_contact *contact = computed(), *bare = wedge(1e-2);
     const contact_state before = state_of(contact);
     assert_int_equal(rwedge_contact_apply(contact, 4, 0, 2.1, 0), RWEDGE_ESLIDING);
     assert_int_equal(rwedge_contact_apply(contact, -4, 0, 0, 0), RWEDGE_EDOMAIN);
@@ -167,12 +160,10 @@ CLAIM(what_is_refused_leaves_what_was_computed)
     /* a patch that rounding leaves without a width */
     assert_int_equal(rwedge_contact_apply(bare, 1e-40, 5e-41, 1e-41, 0), RWEDGE_ERANGE);
     assert_true(rwedge_contact_half_width(bare) == 0);
-    apply(bare, 1e-30, 0, 0, 0);
-    apply(bare, 1e-30, 0, 1e-31, 2e-16);
+    APPLY(bare, {1e-30, 0, 0, 0}, {1e-30, 0, 1e-31, 2e-16});
     assert_int_equal(rwedge_contact_apply(bare, 1e-33, 5e-34, 0, 0), RWEDGE_ERANGE);
     /* and one with too little for places inside of it */
-    rwedge_contact *narrow = allowing(1e-2);
-    apply(narrow, 1e-28, 5e-29, 0, 0);
+    rwedge_contact *narrow = APPLY(wedge(1e-2), {1e-28, 5e-29, 0, 0});
     assert_int_equal(rwedge_contact_apply(narrow, 1e-28, 5e-29, 1e-29, 1e-13), RWEDGE_ENOCONV);
     assert_true(shear(narrow, 0.5) == 0);
 }
@@ -180,7 +171,7 @@ CLAIM(what_is_refused_leaves_what_was_computed)
 /* Where nothing sticks there was no zone to begin from. */
 CLAIM(a_load_after_full_sliding_is_computed)
 {
-    rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-5);
+    rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-5);
     apply(whole, 4, 0, 0, 0);
     apply(parts, 4, 0, 0, 0);
     apply(whole, 4, 0, 2, 0);
@@ -196,13 +187,12 @@ CLAIM(a_load_after_full_sliding_is_computed)
 /* Q alone, farther than all that was computed: the way there is forgotten. */
 CLAIM(a_load_that_slips_past_all_that_was_computed_ends_it)
 {
-    rwedge_contact *contact = computed(), *direct = allowing(0);
+    rwedge_contact *contact = computed(), *direct = wedge(0);
     apply(contact, 4, 0, -0.4, -0.6);
     assert_true(rwedge_contact_error(contact) > 0);
     const double energy = rwedge_contact_dissipated_energy(contact);
     apply(contact, 4, 0, 1.7, 0.3);
-    apply(direct, 4, 0, 0, 0);
-    apply(direct, 4, 0, 1.7, 0.3);
+    APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
     assert_true(rwedge_contact_error(contact) == 0);
     assert_true(rwedge_contact_dissipated_energy(contact) > energy);
     for (int i = -9; i <= 9; i++) {
@@ -220,17 +210,13 @@ CLAIM(a_closed_form_that_slips_elsewhere_is_not_returned_to)
     static const double OTHER[][4] = {
         {3, 0, 1.4, 0.3}, {4, 0, 1.9, 0.3}, {4, 0, -1.9, -0.4}, {4, 0, -1.95, 0.3}};
     for (size_t i = 0; i < sizeof OTHER / sizeof *OTHER; i++) {
-        rwedge_contact *contact = allowing(1e-2), *other = allowing(0), *direct = allowing(0);
-        apply(contact, 4, 0, 0, 0);
-        apply(contact, 4, 0, 0.5, 0.9);
-        apply(contact, 4, 0, -0.4, -0.6);
-        apply(other, OTHER[i][0], 0, 0, 0);
-        apply(other, OTHER[i][0], OTHER[i][1], OTHER[i][2], OTHER[i][3]);
+        rwedge_contact *contact = wedge(1e-2), *other = wedge(0), *direct = wedge(0);
+        APPLY(contact, {4, 0, 0, 0}, {4, 0, 0.5, 0.9}, {4, 0, -0.4, -0.6});
+        APPLY(other, {OTHER[i][0], 0, 0, 0}, {OTHER[i][0], OTHER[i][1], OTHER[i][2], OTHER[i][3]});
         rwedge_contact_destroy(contact->exact);
         assert_ok(rwedge_contact_copy(other, &contact->exact));
         apply(contact, 4, 0, 1.7, 0.3);
-        apply(direct, 4, 0, 0, 0);
-        apply(direct, 4, 0, 1.7, 0.3);
+        APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
         assert_true(rwedge_contact_error(contact) > 0);
         for (int k = -9; k <= 9; k++)
             assert_within(shear(contact, k / 5.0), shear(direct, k / 5.0), 1e-2 * F);
@@ -247,15 +233,14 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
         double tolerance;
     } cases[] = {{1, 1e-6}, {3, 1e-6}, {14, 1e-5}, {20, 1e-5}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        rwedge_contact *contact = allowing(cases[k].tolerance), *direct = allowing(0);
+        rwedge_contact *contact = wedge(cases[k].tolerance), *direct = wedge(0);
         apply(contact, 4, 0, 0, 0);
         for (int i = 0; i < cases[k].loads; i++)
             apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
         apply(contact, 4, 0, 0.5, 0.6);
         assert_true(rwedge_contact_error(contact) > 0);
         apply(contact, 4, 0, 1.7, 0.3);
-        apply(direct, 4, 0, 0, 0);
-        apply(direct, 4, 0, 1.7, 0.3);
+        APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
         for (int i = -20; i <= 20; i++)
             assert_within(shear(contact, i / 10.0), shear(direct, i / 10.0),
                           3 * cases[k].tolerance * F);
@@ -265,8 +250,7 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
 /* A load that hardly changes anything, after more cycles than the fit has kinks for. */
 CLAIM(a_contact_of_many_corners_keeps_its_traction)
 {
-    rwedge_contact *contact = allowing(1e-3);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(wedge(1e-3), {4, 0, 0, 0});
     for (int i = 0; i < 30; i++)
         apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
     const rwedge_contact *before = copy_of(contact);
@@ -294,7 +278,7 @@ CLAIM(a_stress_history_is_that_of_its_loads)
                  Q[LOADS] = {0, 0.5, 0.2, 2, 1}, sigma[LOADS] = {0, 0.9, -0.4, 0, 0};
     const double x[POINTS] = {-2, 0.3, 2.3}, y[POINTS] = {0, 0.4, 0};
     double sxx[LOADS * POINTS], syy[LOADS * POINTS], txy[LOADS * POINTS];
-    rwedge_contact *contact = allowing(1e-4), *single = allowing(1e-4);
+    rwedge_contact *contact = wedge(1e-4), *single = wedge(1e-4);
     assert_ok(
         rwedge_contact_stress_history(contact, LOADS, P, M, Q, sigma, POINTS, x, y, sxx, syy, txy));
     for (int i = 0; i < LOADS; i++) {
@@ -310,13 +294,10 @@ CLAIM(a_stress_history_is_that_of_its_loads)
 /* What sticks moves until each place has slipped. */
 CLAIM(errors_are_forgotten_where_it_slips)
 {
-    rwedge_contact *contact = allowing(1e-3);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(wedge(1e-3), {4, 0, 0, 0});
     for (int i = 0; i < 20; i++)
         apply(contact, 4, 0, 0.5 + 0.3 * sin(0.6 * i), 0.9 + 0.3 * sin(0.6 * i - 0.8));
-    apply(contact, 4, 0, 1.6, 1.6);
-    apply(contact, 4, 0, -1.6, 1.6);
-    apply(contact, 4, 0, 1.6, -1.6);
+    APPLY(contact, {4, 0, 1.6, 1.6}, {4, 0, -1.6, 1.6}, {4, 0, 1.6, -1.6});
     assert_true(rwedge_contact_error(contact) > 5e-4);
     apply(contact, 4, 0, -1.6, -1.6);
     assert_in_range(1e6 * rwedge_contact_error(contact), 1, 100);
@@ -340,7 +321,7 @@ CLAIM(yield_is_found_and_the_energy_grows)
 /* The bodies touch under a shear and a tension that do not grow in proportion to the contact. */
 CLAIM(bodies_touch_under_shear_and_tension)
 {
-    rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-4);
+    rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-4);
     apply(whole, 4, 0.4, 0.8, 0.4);
     assert_true(rwedge_contact_error(whole) > 0);
     for (int i = 1; i <= 20; i++)
@@ -358,8 +339,7 @@ CLAIM(the_second_half_of_a_load_has_effort_left)
         const double compliance = rwedge_compliance(72100, 0.33, 72100, 0.33);
         rwedge_contact *contact = create_wedge(0.05, 0.5, compliance, 0.3);
         assert_ok(rwedge_contact_allow_error(contact, i == 0 ? 1e-3 : 1e-4));
-        apply(contact, 100, 5, 20, 0);
-        apply(contact, 100, 40, 20, 0);
+        APPLY(contact, {100, 5, 20, 0}, {100, 40, 20, 0});
         stick[i] = stick_zone_of(contact);
     }
     assert_within(stick[0].left, stick[1].left, 1e-4);
@@ -369,7 +349,7 @@ CLAIM(the_second_half_of_a_load_has_effort_left)
 /* Errors of the contact before were too large for the pressure of what is left: not converged. */
 CLAIM(a_contact_that_shrinks_to_nearly_nothing_is_computed)
 {
-    rwedge_contact *whole = allowing(1e-4), *parts = allowing(1e-4);
+    rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-4);
     rwedge_contact *both[] = {whole, parts};
     for (int i = 0; i < 2; i++) {
         apply(both[i], 1, 0, 0, 0);
@@ -392,8 +372,7 @@ CLAIM(a_contact_that_shrinks_to_nearly_nothing_is_computed)
 /* Tension alone, of many times what friction bears, as the bodies touch: it was refused. */
 CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
 {
-    rwedge_contact *contact = allowing(1e-2);
-    apply(contact, 4, 0, 0, 1e3);
+    rwedge_contact *contact = APPLY(wedge(1e-2), {4, 0, 0, 1e3});
     const double b = rwedge_contact_half_width(contact), error = rwedge_contact_error(contact);
     assert_within(error, 0, 0.1);
     for (int i = 1; i < 10; i++) {
@@ -408,8 +387,7 @@ CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
 CLAIM(a_contact_that_grows_by_many_loads_stays_small)
 {
     enum { LOADS = 600 };
-    rwedge_contact *contact = allowing(1e-3);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(wedge(1e-3), {4, 0, 0, 0});
     for (int i = 1; i <= LOADS; i++) {
         const double part = (double)i / LOADS, phase = 6 * PI * part;
         const double P = 4 + 8 * part + 0.12 * sin(17 * phase);

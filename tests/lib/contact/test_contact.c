@@ -15,8 +15,7 @@ static double ellipse(double c, double b, double x)
 CLAIM(hertz_loading_unloading_reloading_is_mindlin)
 {
     const double f = 0.4, R = 5, a = THETA * R, P = 0.02;
-    rwedge_contact *contact = create(a, f);
-    load(contact, P, 0);
+    rwedge_contact *contact = APPLY(create(a, f), {P, 0, 0, 0});
     const double b = rwedge_contact_half_width(contact), p0 = 2 * P / (PI * b);
     assert_close(b, sqrt(2 * A * P * R / PI), 1e-14);
     const double Q1 = 0.7 * f * P, Q2 = -0.2 * f * P, Q3 = 0.4 * f * P;
@@ -77,9 +76,7 @@ CLAIM(what_slips_is_at_the_limit_and_slips_with_the_traction)
 
 CLAIM(pressing_without_slip_gives_no_slip)
 {
-    rwedge_contact *contact = create(0.1, 0.5);
-    load(contact, 0.1, 0.02);
-    load(contact, 0.2, -0.01);
+    rwedge_contact *contact = APPLY(create(0.1, 0.5), {0.1, 0, 0.02, 0}, {0.2, 0, -0.01, 0});
     load(contact, 0.15, 0.005); /* back along the last step */
     for (double x = 0; x < 0.37; x += 0.01)
         assert_true(slip(contact, x) == 0);
@@ -92,28 +89,16 @@ CLAIM(pressing_without_slip_gives_no_slip)
  * is lost. */
 CLAIM(a_steep_fall_of_the_load_is_refused)
 {
-    rwedge_contact *contact = create_wedge(0.05, 1, 1e-5, 0.5);
-    load(contact, 1e9, 0);
+    rwedge_contact *contact = APPLY(create_wedge(0.05, 1, 1e-5, 0.5), {1e9, 0, 0, 0});
     const double before = rwedge_contact_half_width(contact);
     assert_int_equal(rwedge_contact_load(contact, 1, 0.1), RWEDGE_ERANGE);
     assert_int_equal(rwedge_contact_load(contact, 1, 8), RWEDGE_ERANGE);
     assert_close(rwedge_contact_half_width(contact), before, 0);
-    load(contact, 3e4, 0);
-    load(contact, 1, 0);
-    load(contact, 1, 0.1);
+    APPLY(contact, {3e4, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0.1, 0});
     /* Q = 0.2 f P in the Hertz regime */
     assert_close(rwedge_contact_stick_half_width(contact) / rwedge_contact_half_width(contact),
                  sqrt(0.8), 1e-9);
     load(contact, 0, 0); /* separation is no fall */
-}
-
-CLAIM(no_points_need_no_arrays)
-{
-    rwedge_contact *contact = create(0.1, 0.5);
-    load(contact, 0.2, 0.05);
-    assert_ok(rwedge_contact_tractions(contact, 0, NULL, NULL, NULL));
-    assert_ok(rwedge_contact_slip(contact, 0, NULL, NULL));
-    assert_ok(rwedge_contact_stresses(contact, 0, NULL, NULL, NULL, NULL, NULL));
 }
 
 /* Of half-width, rounding over half-width, and pressure: a sharp wedge has b = A P/(2 theta), a
@@ -158,28 +143,4 @@ CLAIM(steps_of_the_steepest_slope_may_bend)
     const double x = b / 3, y = b / 4;
     double s[3];
     assert_ok(rwedge_contact_stresses(contact, 1, &x, &y, &s[0], &s[1], &s[2]));
-}
-
-CLAIM(arrays_are_points_one_by_one)
-{
-    enum { N = 70 };
-    rwedge_contact *contact = create(0.1, 0.5);
-    load(contact, 0.2, 0.05);
-    load(contact, 0.2, -0.02);
-    double x[N], y[N], p[N], q[N], slips[N], s[3][N];
-    for (int i = 0; i < N; i++) {
-        x[i] = rwedge_contact_half_width(contact) * (i - 35) / 36;
-        y[i] = 0.01 * i;
-    }
-    assert_ok(rwedge_contact_tractions(contact, N, x, p, q));
-    assert_ok(rwedge_contact_slip(contact, N, x, slips));
-    assert_ok(rwedge_contact_stresses(contact, N, x, y, s[0], s[1], s[2]));
-    for (int i = 0; i < N; i++) {
-        double alone[3];
-        assert_true(p[i] == pressure(contact, x[i]) && q[i] == shear(contact, x[i]) &&
-                    slips[i] == slip(contact, x[i]));
-        assert_ok(
-            rwedge_contact_stresses(contact, 1, &x[i], &y[i], &alone[0], &alone[1], &alone[2]));
-        assert_true(s[0][i] == alone[0] && s[1][i] == alone[1] && s[2][i] == alone[2]);
-    }
 }

@@ -32,9 +32,7 @@ CLAIM(a_copy_is_independent)
 CLAIM(a_refused_load_changes_nothing)
 {
     const double f = 0.5, P = 0.2;
-    rwedge_contact *contact = create(0.1, f);
-    load(contact, P, 0);
-    load(contact, P, 0.05);
+    rwedge_contact *contact = APPLY(create(0.1, f), {P, 0, 0, 0}, {P, 0, 0.05, 0});
     const contact_state before = state_of(contact);
     const struct {
         double P, Q;
@@ -67,9 +65,7 @@ CLAIM(equality_is_full_sliding_to_rounding)
         const double f = random_fraction(&seed), P = random_fraction(&seed);
         const double Q =
             f * P * (1 + (2 * random_fraction(&seed) - 1) * 4 * DBL_EPSILON) * (i % 2 ? 1 : -1);
-        rwedge_contact *contact = create(0.1, f);
-        load(contact, P, 0);
-        load(contact, P, Q);
+        rwedge_contact *contact = APPLY(create(0.1, f), {P, 0, 0, 0}, {P, 0, Q, 0});
         assert_true(rwedge_contact_stick_half_width(contact) == 0);
         const double x = 0.3 * rwedge_contact_half_width(contact);
         assert_close(shear(contact, x), (i % 2 ? 1 : -1) * f * pressure(contact, x), 1e-15);
@@ -83,8 +79,7 @@ CLAIM(a_ramp_between_two_sliding_loads_slides)
     for (int number = 0; number < 200; number++) {
         const double f = 0.05 + random_fraction(&seed), from = 0.1 + random_fraction(&seed),
                      to = from * 0.2 * random_fraction(&seed) + 1e-4, sign = number % 2 ? 1 : -1;
-        rwedge_contact *contact = create(0.1, f);
-        load(contact, from, sign * f * from);
+        rwedge_contact *contact = APPLY(create(0.1, f), {from, 0, sign * f * from, 0});
         for (int i = 1; i <= 49; i++) {
             const double t = i / 49.0;
             load(contact, from + t * (to - from), sign * (f * from + t * (f * to - f * from)));
@@ -102,9 +97,7 @@ CLAIM(a_ramp_between_two_sliding_loads_slides)
 CLAIM(a_ring_that_grows_by_roundings_does_not_slip)
 {
     const double f = 0.5;
-    rwedge_contact *contact = create(0.1, f);
-    load(contact, 1, 0);
-    load(contact, 1, 0.2 * f);
+    rwedge_contact *contact = APPLY(create(0.1, f), {1, 0, 0, 0}, {1, 0, 0.2 * f, 0});
     for (int i = 1; i <= 3000; i++)
         load(contact, 1 + 2 * i * DBL_EPSILON, (0.2 + 0.6 * i * DBL_EPSILON) * f);
     assert_close(rw_memory_end(&contact->memory)->ratio, 0.3, 0.02);
@@ -113,8 +106,7 @@ CLAIM(a_ring_that_grows_by_roundings_does_not_slip)
 
 CLAIM(without_friction_there_is_no_tangential_load)
 {
-    rwedge_contact *contact = create(0.1, 0);
-    load(contact, 0.2, 0);
+    rwedge_contact *contact = APPLY(create(0.1, 0), {0.2, 0, 0, 0});
     assert_int_equal(rwedge_contact_load(contact, 0.2, 1e-60), RWEDGE_ESLIDING);
     assert_true(shear(contact, 0.1) == 0 && slip(contact, 0.1) == 0);
 }

@@ -130,8 +130,7 @@ static contact_state worn_state(int number)
     const double b = 0.4, M = number % 3 == 0 ? 0 : 0.02 * (number % 5 - 2);
     for (int i = 0; i < 4 && M == 0; i++)
         go_on(&h, contact);
-    apply(contact, 0, 0, 0, 0);
-    apply(contact, b, M, 0, 0);
+    APPLY(contact, {0, 0, 0, 0}, {b, M, 0, 0});
     for (int i = 0; i < 4; i++) {
         const double Q = h.f * b * (i % 2 ? -0.7 : 0.7) / (1 + 0.2 * i);
         (void)rwedge_contact_apply(contact, b, M, Q, number % 2 * 0.1 * Q);
@@ -211,12 +210,8 @@ static size_t damage_all(contact_state s, bool (*is_taken)(contact_state s))
 CLAIM(damage_that_is_signed_does_no_harm)
 {
     rwedge_contact *centred = create(0.4, 0.5), *tilted = create(0.4, 0.5), *none = create(0.4, 0);
-    load(centred, 0.5, 0);
-    load(centred, 0.5, 0.1);
-    load(centred, 0.7, 0.1);
-    load(centred, 0.7, -0.1);
-    apply(tilted, 0.5, 0.1, 0, 0);
-    apply(tilted, 0.5, 0.1, 0.1, 0.01);
+    APPLY(centred, {0.5, 0, 0, 0}, {0.5, 0, 0.1, 0}, {0.7, 0, 0.1, 0}, {0.7, 0, -0.1, 0});
+    APPLY(tilted, {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.1, 0.01});
     (void)damage_all(state_of(centred), is_usable);
     (void)damage_all(state_of(tilted), is_usable);
     rwedge_contact *pad = NULL;
@@ -235,8 +230,7 @@ static rwedge_contact *computed(double P)
 {
     rwedge_contact *contact = create(0.4, 0.5);
     assert_ok(rwedge_contact_allow_error(contact, 1e-2));
-    apply(contact, P, 0, 0, 0);
-    apply(contact, P, 0, 0.1, 0.9);
+    APPLY(contact, {P, 0, 0, 0}, {P, 0, 0.1, 0.9});
     assert_true(rwedge_contact_error(contact) > 0);
     return contact;
 }
@@ -273,8 +267,7 @@ CLAIM(a_shear_of_another_contact_is_refused)
                    *layered = create(0.4, 0.5), *other = create(0.4, 0.5);
     load(bare, 0.5, 0);
     load(sheared, 0.5, 0.1);
-    load(layered, 0.3, 0);
-    load(layered, 0.5, 0.05);
+    APPLY(layered, {0.3, 0, 0, 0}, {0.5, 0, 0.05, 0});
     load(other, 0.6, 0);
     const contact_state whole = state_of(computed(0.5));
     const size_t from = rwedge_contact_state_size(bare) - 2; /* the tolerance, and what follows */
@@ -298,8 +291,7 @@ CLAIM(older_states_are_read)
 {
     /* its place; that of three numbers of the pad; numbers at the end */
     enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 2 };
-    rwedge_contact *contact = create(0.4, 0.5);
-    load(contact, 0.5, 0.1);
+    rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.5, 0, 0.1, 0});
     contact_state s = state_of(contact);
     s.size -= 3 + END;
     memmove(s.number + PAD, s.number + PAD + 3, (s.size + END - PAD) * sizeof *s.number);

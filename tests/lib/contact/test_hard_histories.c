@@ -12,8 +12,7 @@ typedef struct {
 /* The last load once whole, once in four parts. */
 static void follow_hard(const hard_history *h)
 {
-    rwedge_contact *whole = create_wedge(1, 1, 1, h->f), *parts;
-    assert_ok(rwedge_contact_allow_error(whole, h->tolerance));
+    rwedge_contact *whole = allowing(create_wedge(1, 1, 1, h->f), h->tolerance), *parts;
     for (int i = 0; i + 1 < h->count; i++)
         apply(whole, h->loads[i][0], h->loads[i][1], h->loads[i][2], h->loads[i][3]);
     parts = copy_of(whole);
@@ -93,10 +92,7 @@ CLAIM(a_slip_zone_has_points_at_both_ends)
 
 static rwedge_contact *flat_pad(double tolerance)
 {
-    rwedge_contact *pad;
-    assert_ok(rwedge_contact_create_flat(1, 5, 4 * 0.91 / 210000, 0.5, &pad));
-    assert_ok(rwedge_contact_allow_error(owned(pad), tolerance));
-    return pad;
+    return allowing(create_flat(1, 5, 4 * 0.91 / 210000, 0.5), tolerance);
 }
 
 /* All of the contact slips, outwards or inwards, from a place that no grid resolves: it did not
@@ -104,12 +100,9 @@ static rwedge_contact *flat_pad(double tolerance)
 CLAIM(a_contact_under_tension_may_lose_nearly_all_of_its_load)
 {
     const double sigma[] = {10, -20};
-    rwedge_contact *pad = flat_pad(1e-4);
-    apply(pad, 300, 0, 0, 0);
-    apply(pad, 300, 0, 50, 10);
+    rwedge_contact *pad = APPLY(flat_pad(1e-4), {300, 0, 0, 0}, {300, 0, 50, 10});
     for (int i = 0; i < 2; i++) {
-        rwedge_contact *next = copy_of(pad);
-        apply(next, 1e-4, 0, 0, sigma[i]);
+        rwedge_contact *next = APPLY(copy_of(pad), {1e-4, 0, 0, sigma[i]});
         assert_within(rwedge_contact_error(next), 0, 0.2);
         assert_within(shear(next, 0.9), -copysign(0.5, sigma[i]) * pressure(next, 0.9),
                       -0.1 * pressure(next, 0.9));
@@ -130,9 +123,8 @@ static const double NOISY[][3] = {{300.123, 0.232433, -19.4075},
 /* Each load in equal parts. */
 static rwedge_contact *follow_noisy(double tolerance, int parts)
 {
-    rwedge_contact *pad = flat_pad(tolerance);
-    apply(pad, NOISY[0][0], 0, 0, 0);
-    apply(pad, NOISY[0][0], 0, NOISY[0][1], NOISY[0][2]);
+    rwedge_contact *pad = APPLY(flat_pad(tolerance), {NOISY[0][0], 0, 0, 0},
+                                {NOISY[0][0], 0, NOISY[0][1], NOISY[0][2]});
     for (size_t i = 1; i < sizeof NOISY / sizeof *NOISY; i++)
         for (int k = 1; k <= parts; k++) {
             double to[3];
@@ -229,8 +221,7 @@ CLAIM(a_pad_that_touches_under_tension_and_sticks_keeps_its_strain)
  * minutes, as its hundreds of steps left more kinks than there is room for. */
 CLAIM(a_pad_that_touches_under_a_moment_and_a_tension_keeps_its_strain)
 {
-    rwedge_contact *pad = flat_pad(1e-6);
-    apply(pad, 300, 60, 0, 60);
+    rwedge_contact *pad = APPLY(flat_pad(1e-6), {300, 60, 0, 60});
     assert_within(rwedge_contact_error(pad), 0, 1.5e-6); /* of all parts of the load */
     for (int k = -9; k <= 9; k++)
         assert_within(relative_strain(pad, 0.1 * k, 60), 0, 3e-6 * 0.5 * -pressure(pad, 1));
@@ -280,8 +271,7 @@ CLAIM(slip_ends_at_an_edge_that_grows)
  * took minutes, and memory as it went. */
 CLAIM(a_pad_touches_under_a_tension_of_any_size)
 {
-    rwedge_contact *pad = flat_pad(1e-4);
-    apply(pad, 300, 0, 20, 1e14);
+    rwedge_contact *pad = APPLY(flat_pad(1e-4), {300, 0, 20, 1e14});
     const double error = rwedge_contact_error(pad);
     assert_within(error, 0, 0.1);
     for (int side = -1; side <= 1; side += 2)
@@ -299,10 +289,8 @@ CLAIM(a_contact_rolls_hundreds_of_widths_in_short_loads_alone)
 {
     for (int i = 0; i < 2; i++) {
         const double tolerance = i ? 1e-2 : 1e-3;
-        rwedge_contact *wedge = create_wedge(1, 1, 1, 0.5);
-        assert_ok(rwedge_contact_allow_error(wedge, tolerance));
-        apply(wedge, 1e-6, 0, 0, 0);
-        apply(wedge, 1e-6, 0, 1e-7, 2.5e-4);
+        rwedge_contact *wedge = allowing(create_wedge(1, 1, 1, 0.5), tolerance);
+        APPLY(wedge, {1e-6, 0, 0, 0}, {1e-6, 0, 1e-7, 2.5e-4});
         const contact_state before = state_of(wedge);
         assert_int_equal(rwedge_contact_apply(wedge, 1e-6, 6e-7, 1e-7, 2.5e-4), RWEDGE_ENOCONV);
         assert_state(wedge, before);

@@ -46,9 +46,7 @@ CLAIM(a_contact_without_shear_may_rock)
 /* The shear stays what it was, point by point, as long as the contact keeps the patch of 2000. */
 CLAIM(a_contact_may_move_around_its_last_sheared_patch)
 {
-    rwedge_contact *contact = example();
-    apply(contact, 2000, 0, 0, 0);
-    apply(contact, 2000, 0, 200, 0);
+    rwedge_contact *contact = APPLY(example(), {2000, 0, 0, 0}, {2000, 0, 200, 0});
     const rwedge_contact *before = copy_of(contact);
     apply(contact, 6000, 0, 200, 0);
     const double loads[][2] = {{6000, 1500}, {5000, -3000}, {5600, 2500}, {3500, 500}};
@@ -64,11 +62,8 @@ CLAIM(a_contact_may_move_around_its_last_sheared_patch)
 /* Both ends of the step have an edge outside of the patch, what is between has not. */
 CLAIM(an_edge_may_not_come_inside_on_the_way)
 {
-    rwedge_contact *contact = example();
-    apply(contact, 2000, 0, 0, 0);
-    apply(contact, 2000, 0, 200, 0);
-    apply(contact, 12000, 0, 200, 0);
-    apply(contact, 2001, 0, 200, 0);
+    rwedge_contact *contact =
+        APPLY(example(), {2000, 0, 0, 0}, {2000, 0, 200, 0}, {12000, 0, 200, 0}, {2001, 0, 200, 0});
     const rw_patch sheared = contact->memory.corners[2].patch;
     const double P = 12000;
     double kept = 0, lost = 12000; /* the moment that lets the left edge be where it was */
@@ -79,8 +74,7 @@ CLAIM(an_edge_may_not_come_inside_on_the_way)
     }
     rwedge_contact *one = copy_of(contact), *two = copy_of(contact);
     assert_int_equal(rwedge_contact_apply(one, P, 0.999999 * kept, 200, 0), RWEDGE_EPATH);
-    apply(two, P, 0, 200, 0);
-    apply(two, P, 0.999999 * kept, 200, 0);
+    APPLY(two, {P, 0, 200, 0}, {P, 0.999999 * kept, 200, 0});
 }
 
 /* ---- Rounding ---- */
@@ -121,8 +115,7 @@ CLAIM(tiny_contacts_are_refused_what_small_ones_are)
     int32_t last[2];
     for (int i = 0; i < 2; i++) {
         const double k = i == 0 ? 1 : 9e-13;
-        rwedge_contact *contact = example();
-        apply(contact, 15.707963267948966 * k * k, 0, 0, 0);
+        rwedge_contact *contact = APPLY(example(), {15.707963267948966 * k * k, 0, 0, 0});
         for (int j = 1; j < 4; j++)
             last[i] = rwedge_contact_apply(contact, 15.707963267948966 * k * k, 0, Q[j] * k * k,
                                            sigma[j] * k);
@@ -214,10 +207,8 @@ CLAIM(a_step_that_goes_in_parts_goes_in_one)
 CLAIM(a_line_may_pass_loads_without_a_closed_form)
 {
     const double R = 178, f = 0.65, P = 488, compliance = rwedge_compliance(74100, .33, 74100, .33);
-    rwedge_contact *contact = create_wedge(0.1, 17.8, compliance, f);
-    apply(contact, P, 0, 0, 0);
-    apply(contact, P, 0, 200, 100);
-    apply(contact, P, 0, 0, 0);
+    rwedge_contact *contact =
+        APPLY(create_wedge(0.1, 17.8, compliance, f), {P, 0, 0, 0}, {P, 0, 200, 100}, {P, 0, 0, 0});
     const double half = rwedge_contact_half_width(contact), strain = compliance / 4;
     const double older = half * sqrt(1 - 200 / (2 * f * P)),
                  older_middle = strain * 100 * R / f / 2;

@@ -1,28 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts of a cylinder, a flat pad with rounded edges, and any convex profile. */
+/* Contacts of a cylinder, a flat pad with rounded edges, and any convex profile; with loads that
+ * have a closed form and with others. */
 #include "histories.h"
 
-static const double F = 0.5, R = 10;
+static const double F = 0.5;
 
+/* R = 10 */
 static rwedge_contact *flat(double a)
 {
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create_flat(a, R, A, F, &contact));
-    return owned(contact);
+    return create_flat(a, 10, A, F);
 }
 
 static rwedge_contact *profile(size_t n, const double x[], const double slope[])
 {
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create_profile(n, x, slope, A, F, &contact));
-    return owned(contact);
+    return create_profile(n, x, slope, F);
 }
 
 /* The load of a flat that is in contact up to b: Ciavarella, Hills and Monno (1998). */
 static double flat_load(double a, double b)
 {
     const double alpha = a / b;
-    return b * b / (A * R) * (acos(alpha) - alpha * sqrt(1 - alpha * alpha));
+    return b * b / (A * 10) * (acos(alpha) - alpha * sqrt(1 - alpha * alpha));
 }
 
 CLAIM(a_flat_pad_has_its_edge_tension)
@@ -30,8 +28,7 @@ CLAIM(a_flat_pad_has_its_edge_tension)
     const double known[][2] = {{0.5, 1.6282}, {0.9, 3.4057}, {0.99, 10.6226}};
     for (int i = 0; i < 3; i++) {
         const double a = known[i][0], P = flat_load(a, 1);
-        rwedge_contact *contact = flat(a);
-        apply(contact, P, 0, F * P, 0);
+        rwedge_contact *contact = APPLY(flat(a), {P, 0, F * P, 0});
         double left, right;
         assert_close(edges_of(contact).right, 1, 1e-14);
         assert_ok(rwedge_contact_beyond_flat(contact, &left, &right));
@@ -59,84 +56,151 @@ CLAIM(edges_off_the_centre_are_counted_from_the_corners)
     assert_true(edges_of(pads[0]).left == -edges_of(pads[2]).right);
 }
 
-/* Steps of P, M, Q, sigma that all have a closed form. */
-static const double STEPS[][4] = {{0.2, 0.03, 0, 0},         {0.2, 0.03, 0.06, 0.002},
-                                  {0.2, 0.03, -0.02, -0.01}, {0.2, 0.03, 0.01, 0},
-                                  {0.3, 0.045, 0.01, 0},     {0.3, 0.045, 0.09, 0.02}};
-enum { COUNT = sizeof STEPS / sizeof *STEPS };
+/* ---- Pads that are the same ---- */
 
-static void assert_same(const rwedge_contact *first, const rwedge_contact *second)
+/* With a moment and a tension, in closed form. */
+static const rw_loads STEPS[] = {{0.2, 0.03, 0, 0},         {0.2, 0.03, 0.06, 0.002},
+                                 {0.2, 0.03, -0.02, -0.01}, {0.2, 0.03, 0.01, 0},
+                                 {0.3, 0.045, 0.01, 0},     {0.3, 0.045, 0.09, 0.02}};
+/* P and Q change together, up and down, to full sliding and to separation. */
+static const rw_loads TURNS[] = {{0.2, 0, 0, 0},     {0.2, 0, 0.04, 0},  {0.14, 0, 0.05, 0},
+                                 {0.3, 0, -0.05, 0}, {0.25, 0, 0.03, 0}, {0.4, 0, -0.02, 0},
+                                 {0.1, 0, 0.045, 0}, {0.1, 0, 0.05, 0},  {0.08, 0, 0.04, 0},
+                                 {0.3, 0, 0.1, 0},   {0.2, 0, 0.02, 0},  {0.2, 0, 0.02, 0},
+                                 {0, 0, 0, 0}};
+/* A tension that lags behind Q, which is computed. */
+static const rw_loads LAG[] = {
+    {0.5, 0, 0, 0}, {0.5, 0, 0.02, 0.06}, {0.5, 0, 0.12, 0.02}, {0.45, 0.02, 0.05, -0.05}};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* What may not be known, but then of both. */
+static void assert_alike(double actual, double expected, double relative, double absolute)
 {
-    const rw_patch edge = edges_of(first), stuck = stick_zone_of(first);
-    double k[2][4];
-    assert_within(edges_of(second).left, edge.left, 1e-15);
-    assert_within(edges_of(second).right, edge.right, 1e-15);
-    assert_within(stick_zone_of(second).left, stuck.left, 2e-15);
-    assert_within(stick_zone_of(second).right, stuck.right, 2e-15);
-    assert_close(rwedge_contact_tilt(second), rwedge_contact_tilt(first), 1e-13);
+    if (isnan(expected))
+        assert_nan(actual);
+    else
+        assert_within(actual, expected, relative * fabs(expected) + absolute);
+}
+
+static double known_slip(const rwedge_contact *contact, double x)
+{
+    double s;
+    return rwedge_contact_slip(contact, 1, &x, &s) == RWEDGE_OK ? s : NAN;
+}
+
+static void assert_same_patches(const rwedge_contact *first, const rwedge_contact *second,
+                                double tolerance)
+{
+    const rw_patch edge = edges_of(first), other = edges_of(second);
+    double stick[2][2] = {{NAN, NAN}, {NAN, NAN}};
+    assert_within(other.left, edge.left, 0.01 * tolerance);
+    assert_within(other.right, edge.right, 0.01 * tolerance);
+    assert_int_equal(rwedge_contact_stick_zone(first, &stick[0][0], &stick[0][1]),
+                     rwedge_contact_stick_zone(second, &stick[1][0], &stick[1][1]));
     for (int i = 0; i < 2; i++)
-        assert_ok(rwedge_contact_edge_asymptotes(i ? second : first, &k[i][0], &k[i][1], &k[i][2],
-                                                 &k[i][3]));
+        assert_alike(stick[1][i], stick[0][i], 0, 0.02 * tolerance);
+    assert_int_equal(rwedge_contact_zone_count(first), rwedge_contact_zone_count(second));
+    assert_alike(rwedge_contact_tilt(second), rwedge_contact_tilt(first), tolerance,
+                 tolerance * THETA);
+}
+
+static void assert_same_stresses(const rwedge_contact *first, const rwedge_contact *second,
+                                 double tolerance)
+{
+    double k[2][4], factor[2];
+    for (int i = 0; i < 2; i++) {
+        const rwedge_contact *contact = i ? second : first;
+        assert_ok(rwedge_contact_edge_asymptotes(contact, &k[i][0], &k[i][1], &k[i][2], &k[i][3]));
+        factor[i] = 0; /* its search takes long where the shear is computed */
+        if (rwedge_contact_error(contact) == 0)
+            assert_ok(rwedge_contact_yield_factor(contact, 0.3, 1, &factor[i], NULL, NULL));
+    }
     for (int i = 0; i < 4; i++)
-        assert_close(k[1][i], k[0][i], 1e-13);
+        assert_within(k[1][i], k[0][i], tolerance * fmax(fabs(k[0][i]), 0.1));
+    assert_close(factor[1], factor[0], tolerance);
     for (double x = -2; x < 2; x += 0.17) {
         const double y = fabs(x) < 0.5 ? 0 : 0.1;
         const stresses s = stress_at(first, x, y), t = stress_at(second, x, y);
         const double norm = fmax(fabs(s.xx) + fabs(s.yy) + fabs(s.xy), THETA / A / (1 + fabs(x)));
-        assert_within(apart(s, t), 0, 3e-14 * norm);
+        assert_within(apart(s, t), 0, 0.3 * tolerance * norm);
     }
 }
 
-CLAIM(the_rounded_wedge_is_a_profile)
+static void assert_same(const rwedge_contact *first, const rwedge_contact *second, double tolerance)
 {
-    const double a = 0.7, x[] = {-a, 0, a}, slope[] = {-THETA, 0, THETA};
-    const double ends[] = {-a, a}, outer[] = {-THETA, THETA};
-    rwedge_contact *wedge = create(a, F), *pads[] = {profile(3, x, slope), profile(2, ends, outer)};
-    for (int i = 0; i < COUNT; i++) {
-        const double *to = STEPS[i];
-        apply(wedge, to[0], to[1], to[2], to[3]);
-        double factor[3];
-        assert_ok(rwedge_contact_yield_factor(wedge, 0.3, 1, &factor[2], NULL, NULL));
-        for (int k = 0; k < 2; k++) {
-            apply(pads[k], to[0], to[1], to[2], to[3]);
-            assert_same(wedge, pads[k]);
-            assert_close(rwedge_contact_dissipated_energy(pads[k]),
-                         rwedge_contact_dissipated_energy(wedge), 1e-11);
-            assert_ok(rwedge_contact_yield_factor(pads[k], 0.3, 1, &factor[k], NULL, NULL));
-            assert_close(factor[k], factor[2], 1e-13);
-            const double at = edges_of(wedge).right * 0.9;
-            if (i < COUNT - 1)
-                assert_within(slip(pads[k], at), slip(wedge, at), 1e-12 * THETA);
-        }
+    assert_alike(rwedge_contact_dissipated_energy(second), rwedge_contact_dissipated_energy(first),
+                 100 * tolerance, tolerance * THETA);
+    if (first->loads.P == 0)
+        return;
+    const rw_patch edge = edges_of(first);
+    assert_same_patches(first, second, tolerance);
+    assert_same_stresses(first, second, tolerance);
+    for (int i = 1; i < 10; i++) {
+        const double x = edge.left + (edge.right - edge.left) * i / 10;
+        assert_alike(known_slip(second, x), known_slip(first, x), 0, 10 * tolerance * THETA);
     }
+    assert_alike(rwedge_contact_displacement(second, edge.right),
+                 rwedge_contact_displacement(first, edge.right), 1e-4, 0);
+}
+
+static void assert_same_history(rwedge_contact *first, rwedge_contact *second, size_t count,
+                                const rw_loads loads[], double tolerance)
+{
+    for (size_t i = 0; i < count; i++) {
+        apply_all(first, 1, &loads[i]);
+        apply_all(second, 1, &loads[i]);
+        assert_same(first, second, tolerance);
+    }
+}
+
+CLAIM(a_wedge_is_a_profile)
+{
+    const double a = 0.7, k = THETA / a, y = 0;
+    const struct {
+        double a;
+        size_t n;
+        double x[4], slope[4];
+    } pads[] = {{a, 2, {-a, a}, {-THETA, THETA}},
+                {a, 3, {-a, 0, a}, {-THETA, 0, THETA}},
+                {a, 4, {-a, -0.2, 0.2, a}, {-THETA, -0.2 * k, 0.2 * k, THETA}},
+                {0, 2, {0, 0}, {-THETA, THETA}}};
+    for (int i = 0; i < 4; i++) {
+        rwedge_contact *wedges[3], *profiles[3];
+        for (int j = 0; j < 3; j++) {
+            wedges[j] = create(pads[i].a, F);
+            profiles[j] = profile(pads[i].n, pads[i].x, pads[i].slope);
+        }
+        assert_same_history(wedges[0], profiles[0], COUNT(STEPS), STEPS, 1e-13);
+        assert_same_history(wedges[1], profiles[1], COUNT(TURNS), TURNS, 1e-12);
+        allowing(wedges[2], 1e-4);
+        allowing(profiles[2], 1e-4);
+        assert_same_history(wedges[2], profiles[2], COUNT(LAG), LAG, 1e-7);
+        assert_in_range(1e6 * rwedge_contact_error(wedges[2]), 1, 10000);
+    }
+    const rwedge_contact *kink =
+        APPLY(profile(2, pads[3].x, pads[3].slope), {0.2, 0, 0, 0}, {0.2, 0, 0.05, 0});
+    double s[3];
+    assert_int_equal(rwedge_contact_stresses(kink, 1, &y, &y, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
+}
+
+/* The arc that ends in the middle counted on both sides. Hertz: -f x^2/(2 R) where all slides. */
+CLAIM(a_profile_with_a_place_in_its_middle_slides_like_another)
+{
+    const double x[] = {-1, 0, 1}, slope[] = {-THETA, 0, THETA};
+    rwedge_contact *pad = APPLY(profile(3, x, slope), {0.1, 0, 0, 0}, {0.1, 0, F * 0.1, 0});
+    for (double at = -0.5; at < 0.6; at += 0.25)
+        assert_within(slip(pad, at), -F * THETA * at * at / 2, 1e-15);
 }
 
 /* The arcs beside it, of which one is longer, are out of contact: they have no part in anything. */
 CLAIM(a_pad_is_a_cylinder_where_one_arc_touches)
 {
     const double x[] = {-2, -1, 1, 3, 3}, slope[] = {-0.2, -0.1, 0.1, 0.2, 0.2}, P = 0.2;
+    const rw_loads loads[] = {{P, 0, 0, 0}, {P, 0, 0.05, 0}, {P, 0, -0.04, 0}};
     rwedge_contact *pad = profile(5, x, slope), *cylinder = flat(0);
-    const double Q[] = {0, 0.05, -0.04};
-    for (int i = 0; i < 3; i++) {
-        double factor[2], k[2][4];
-        apply(pad, P, 0, Q[i], 0);
-        apply(cylinder, P, 0, Q[i], 0);
-        assert_close(edges_of(pad).right, edges_of(cylinder).right, 1e-14);
-        assert_close(rw_patch_under_tilt(&pad->geometry, P, 0).right, edges_of(pad).right, 1e-14);
-        assert_close(stick_zone_of(pad).right, stick_zone_of(cylinder).right, 1e-14);
-        assert_close(pressure(pad, 0.3), pressure(cylinder, 0.3), 1e-13);
-        assert_within(shear(pad, 0.3), shear(cylinder, 0.3), 1e-13 * P);
-        assert_ok(rwedge_contact_edge_asymptotes(pad, &k[0][0], &k[0][1], &k[0][2], &k[0][3]));
-        assert_ok(rwedge_contact_edge_asymptotes(cylinder, &k[1][0], &k[1][1], &k[1][2], &k[1][3]));
-        for (int j = 0; j < 4; j++)
-            assert_within(k[0][j], k[1][j], 1e-13 * P);
-        assert_within(slip(pad, 0.7), slip(cylinder, 0.7), 1e-12 * THETA);
-        assert_within(rwedge_contact_dissipated_energy(pad),
-                      rwedge_contact_dissipated_energy(cylinder), 1e-12 * P * THETA);
-        assert_ok(rwedge_contact_yield_factor(pad, 0.3, 1, &factor[0], NULL, NULL));
-        assert_ok(rwedge_contact_yield_factor(cylinder, 0.3, 1, &factor[1], NULL, NULL));
-        assert_close(factor[0], factor[1], 1e-12);
-    }
+    assert_same_history(cylinder, pad, 3, loads, 1e-12);
+    assert_close(rw_patch_under_tilt(&pad->geometry, P, 0).right, edges_of(pad).right, 1e-14);
     const double energy = rwedge_contact_dissipated_energy(pad);
     load(pad, 0, 0);
     assert_nan(rwedge_contact_dissipated_energy(pad)); /* what slips on the way is not known */
@@ -144,50 +208,68 @@ CLAIM(a_pad_is_a_cylinder_where_one_arc_touches)
     assert_close(rwedge_contact_dissipated_energy(pad), energy, 1e-15);
 }
 
-/* P and Q alone: slip is then known along all of a history. */
-CLAIM(a_profile_slips_as_its_wedge)
+static const double WORN_X[] = {-1, -0.4, 0.1, 0.5, 0.8};
+static const double WORN[] = {-0.1, -0.02, -0.02, 0.05, 0.12};
+
+/* Seen in a mirror, M and Q turn and the tension does not. */
+static void assert_mirrored(rwedge_contact *pad, rwedge_contact *reflected, rw_loads to,
+                            double tolerance)
 {
-    const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
-    const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
-    const double loads[][2] = {{0.2, 0}, {0.2, 0.08}, {0.3, 0.05}, {0.25, -0.1}, {0.4, 0.15}};
-    const double kink[] = {0, 0}, sides[] = {-THETA, THETA};
-    rwedge_contact *wedges[] = {create(a, F), create(0, F)},
-                   *pads[] = {profile(4, x, slope), profile(2, kink, sides)};
-    for (int i = 0; i < 10; i++) {
-        rwedge_contact *wedge = wedges[i / 5], *pad = pads[i / 5];
-        load(wedge, loads[i % 5][0], loads[i % 5][1]);
-        load(pad, loads[i % 5][0], loads[i % 5][1]);
-        const double b = edges_of(wedge).right;
-        for (int j = -4; j < 5; j++)
-            assert_within(slip(pad, 0.24 * j * b), slip(wedge, 0.24 * j * b), 1e-12 * THETA);
-        assert_close(rwedge_contact_displacement(pad, b), rwedge_contact_displacement(wedge, b),
-                     1e-4);
+    apply(pad, to.P, to.M, to.Q, to.sigma);
+    apply(reflected, to.P, -to.M, -to.Q, to.sigma);
+    const rw_patch edge = edges_of(pad), mirrored = edges_of(reflected);
+    assert_within(edge.left, -mirrored.right, 0.01 * tolerance);
+    assert_within(edge.right, -mirrored.left, 0.01 * tolerance);
+    assert_within(stick_zone_of(pad).left, -stick_zone_of(reflected).right, tolerance);
+    assert_close(rwedge_contact_tilt(pad), -rwedge_contact_tilt(reflected), tolerance);
+    for (double at = -1.5; at < 1.5; at += 0.21) {
+        const stresses s = stress_at(pad, at, 0.03), t = stress_at(reflected, -at, 0.03);
+        assert_within(s.xx, t.xx, tolerance);
+        assert_within(s.xy, -t.xy, tolerance);
     }
 }
 
-/* P and Q change together, up and down, to full sliding and to separation. */
-CLAIM(a_symmetric_pad_dissipates_as_its_wedge_while_P_changes)
+CLAIM(a_mirrored_profile_mirrors_everything)
 {
-    const double a = 0.7, x[] = {-a, -0.2, 0.2, a}, k = THETA / a;
-    const double slope[] = {-THETA, -0.2 * k, 0.2 * k, THETA};
-    const double loads[][2] = {{0.2, 0},     {0.2, 0.04},  {0.14, 0.05}, {0.3, -0.05}, {0.25, 0.03},
-                               {0.4, -0.02}, {0.1, 0.045}, {0.1, 0.05},  {0.08, 0.04}, {0.3, 0.1},
-                               {0.2, 0.02},  {0.2, 0.02},  {0, 0}};
-    rwedge_contact *wedge = create(a, F), *pad = profile(4, x, slope);
-    for (int i = 0; i < 13; i++) {
-        load(wedge, loads[i][0], loads[i][1]);
-        load(pad, loads[i][0], loads[i][1]);
-        assert_close(rwedge_contact_dissipated_energy(pad), rwedge_contact_dissipated_energy(wedge),
-                     1e-10);
+    double x[5], slope[5];
+    for (int i = 0; i < 5; i++) {
+        x[i] = -WORN_X[4 - i];
+        slope[i] = -WORN[4 - i];
     }
+    rwedge_contact *pad = profile(5, WORN_X, WORN), *reflected = profile(5, x, slope);
+    const rw_loads closed[] = {{0.2, 0.03, 0, 0},
+                               {0.2, 0.03, 0.06, 2e-4},
+                               {0.2, 0.03, -0.02, -1e-3},
+                               {0.2, 0.03, 0.01, 0}},
+                   computed[] = {{0.1, 0, 0.01, 0.02},
+                                 {0.1, 0, 0.01, 0.06},
+                                 {0.1, 0, 0.04, 0.02},
+                                 {0.09, 0.01, 0.02, -0.04}};
+    for (int i = 0; i < 4; i++)
+        assert_mirrored(pad, reflected, closed[i], 1e-12);
+    load(pad, 0, 0);
+    load(reflected, 0, 0);
+    assert_mirrored(pad, reflected, (rw_loads){0.2, 0.3, 0, 0}, 1e-12);
+    pad = allowing(profile(5, WORN_X, WORN), 1e-4);
+    reflected = allowing(profile(5, x, slope), 1e-4);
+    for (int i = 0; i < 4; i++)
+        assert_mirrored(pad, reflected, computed[i], 2e-5);
+    assert_true(rwedge_contact_error(pad) > 0 && rwedge_contact_error(pad) < 1e-2);
+    const double even[] = {-1, 0, 1}, left[] = {-0.3, 0, 0.1}, right[] = {-0.1, 0, 0.3};
+    const rw_patch edge = edges_of(APPLY(profile(3, even, left), {0.1, 0, 0, 0})),
+                   mirrored = edges_of(APPLY(profile(3, even, right), {0.1, 0, 0, 0}));
+    assert_within(edge.left, -mirrored.right, 1e-14);
+    assert_within(edge.right, -mirrored.left, 1e-14);
+    assert_true(fabs(edge.left + edge.right) > 0.01);
 }
+
+/* ---- What they are by themselves ---- */
 
 /* Over a closed cycle of P and Q it is the area of the loop of Q over the displacement. */
 CLAIM(a_flat_pads_loop_encloses_its_energy)
 {
     enum { A_CYCLE = 100 };
-    rwedge_contact *contact = flat(0.7);
-    load(contact, 0.5, 0);
+    rwedge_contact *contact = APPLY(flat(0.7), {0.5, 0, 0, 0});
     double before = 0, area = 0, last = 0, Q_last = 0;
     for (int i = 0; i <= 2 * A_CYCLE; i++) {
         const double phase = 2 * PI * i / A_CYCLE, Q = 0.15 * sin(phase);
@@ -201,60 +283,6 @@ CLAIM(a_flat_pads_loop_encloses_its_energy)
         Q_last = Q;
     }
     assert_close(area, rwedge_contact_dissipated_energy(contact) - before, 1e-3);
-}
-
-CLAIM(the_sharp_wedge_is_a_kink)
-{
-    const double x[] = {0, 0}, slope[] = {-THETA, THETA}, y = 0;
-    rwedge_contact *wedge = create(0, F), *pad = profile(2, x, slope);
-    for (int i = 0; i < COUNT; i++) {
-        apply(wedge, STEPS[i][0], STEPS[i][1], STEPS[i][2], STEPS[i][3]);
-        apply(pad, STEPS[i][0], STEPS[i][1], STEPS[i][2], STEPS[i][3]);
-        assert_same(wedge, pad);
-    }
-    double s[3];
-    assert_int_equal(rwedge_contact_stresses(pad, 1, x, &y, &s[0], &s[1], &s[2]), RWEDGE_EDOMAIN);
-}
-
-static const double WORN_X[] = {-1, -0.4, 0.1, 0.5, 0.8};
-static const double WORN[] = {-0.1, -0.02, -0.02, 0.05, 0.12};
-
-CLAIM(a_mirrored_profile_mirrors_everything)
-{
-    double x[5], slope[5];
-    for (int i = 0; i < 5; i++) {
-        x[i] = -WORN_X[4 - i];
-        slope[i] = -WORN[4 - i];
-    }
-    rwedge_contact *pad = profile(5, WORN_X, WORN), *reflected = profile(5, x, slope);
-    const double far[] = {0.2, 0.3, 0, 0};
-    for (int i = 0; i < 5; i++) {
-        const double *to = i < 4 ? STEPS[i] : far;
-        if (i == 4) {
-            load(pad, 0, 0);
-            load(reflected, 0, 0);
-        }
-        apply(pad, to[0], to[1], to[2], to[3] / 10);
-        apply(reflected, to[0], -to[1], -to[2], to[3] / 10);
-        const rw_patch edge = edges_of(pad), mirrored = edges_of(reflected);
-        assert_within(edge.left, -mirrored.right, 1e-14);
-        assert_within(edge.right, -mirrored.left, 1e-14);
-        assert_within(stick_zone_of(pad).left, -stick_zone_of(reflected).right, 1e-12);
-        assert_close(rwedge_contact_tilt(pad), -rwedge_contact_tilt(reflected), 1e-12);
-        for (double at = -1.5; at < 1.5; at += 0.21) {
-            const stresses s = stress_at(pad, at, 0.03), t = stress_at(reflected, -at, 0.03);
-            assert_within(s.xx, t.xx, 1e-12);
-            assert_within(s.xy, -t.xy, 1e-12);
-        }
-    }
-    const double even[] = {-1, 0, 1}, left[] = {-0.3, 0, 0.1}, right[] = {-0.1, 0, 0.3};
-    rwedge_contact *steep_left = profile(3, even, left), *steep_right = profile(3, even, right);
-    load(steep_left, 0.1, 0);
-    load(steep_right, 0.1, 0);
-    const rw_patch edge = edges_of(steep_left), mirrored = edges_of(steep_right);
-    assert_within(edge.left, -mirrored.right, 1e-14);
-    assert_within(edge.right, -mirrored.left, 1e-14);
-    assert_true(fabs(edge.left + edge.right) > 0.01);
 }
 
 CLAIM(a_pad_is_stored_and_restored)
@@ -326,8 +354,7 @@ CLAIM(a_flat_pad_is_stronger_than_hertz_unless_its_edges_are_sharp)
     for (int i = 0; i < 8; i++) {
         const double a = alphas[i], P = flat_load(a, 1);
         double factor;
-        rwedge_contact *pad = flat(a);
-        apply(pad, P, 0, 0, 0);
+        rwedge_contact *pad = APPLY(flat(a), {P, 0, 0, 0});
         assert_ok(rwedge_contact_yield_factor(pad, 0.3, 1, &factor, NULL, NULL));
         assert_true((P * factor > 4.880036) == (a <= 0.5));
         if (a >= 0.4)
@@ -366,7 +393,7 @@ CLAIM(profiles_that_are_none_are_refused)
     assert_int_equal(rwedge_contact_create_profile(3, x, even, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(3, x, steep, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_profile(1, x, slope, A, F, &contact), RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_contact_create_flat(-1, R, A, F, &contact), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_create_flat(-1, 10, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_flat(1, 0, A, F, &contact), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_create_flat(1e60, 1e60, A, F, &contact), RWEDGE_EDOMAIN);
     assert_null(contact);

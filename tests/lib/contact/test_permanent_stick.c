@@ -9,9 +9,8 @@ CLAIM(the_slip_length_is_that_of_the_asymptotes)
 {
     static const double ratios[] = {0.001, 0.1}, within[] = {0.002, 0.1};
     for (int i = 0; i < 2; i++) {
-        rwedge_contact *contact = create(0.4, F);
-        apply(contact, 0.5, 0.1, 0, 0);
-        apply(contact, 0.5, 0.1, ratios[i] * F * 0.5, 0);
+        rwedge_contact *contact =
+            APPLY(create(0.4, F), {0.5, 0.1, 0, 0}, {0.5, 0.1, ratios[i] * F * 0.5, 0});
         double left, right, shear_left, shear_right;
         assert_ok(
             rwedge_contact_edge_asymptotes(contact, &left, &right, &shear_left, &shear_right));
@@ -25,12 +24,9 @@ CLAIM(the_slip_length_is_that_of_the_asymptotes)
 /* The stick zone after the third half-cycle, whatever came first. */
 CLAIM(what_never_slips_is_what_cycles_leave)
 {
-    rwedge_contact *contact = create(0.4, F);
-    apply(contact, 0.5, 0.1, 0, 0);
-    apply(contact, 0.5, 0.1, 0.2, 0.02);
-    apply(contact, 0.5, 0.1, -0.1, -0.03);
-    apply(contact, 0.5, 0.1, 0.2, 0.02);
-    apply(contact, 0.5, 0.1, -0.1, -0.03);
+    rwedge_contact *contact =
+        APPLY(create(0.4, F), {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.2, 0.02}, {0.5, 0.1, -0.1, -0.03},
+              {0.5, 0.1, 0.2, 0.02}, {0.5, 0.1, -0.1, -0.03});
     double left, right;
     assert_ok(rwedge_permanent_stick(THETA, 0.4, A, F, 0.5, 0.1, -0.1, -0.03, 0.5, 0.1, 0.2, 0.02,
                                      &left, &right));
@@ -55,15 +51,13 @@ CLAIM(the_whole_smaller_contact_may_stick)
     double left, right;
     assert_ok(rwedge_permanent_stick(.1, 17.8, 4.81e-5, .65, 300, 0, 140, 0, 488, 0, 60, 0, &left,
                                      &right));
-    rwedge_contact *contact = create_wedge(.1, 17.8, 4.81e-5, .65);
-    apply(contact, 300, 0, 0, 0);
+    rwedge_contact *contact = APPLY(create_wedge(.1, 17.8, 4.81e-5, .65), {300, 0, 0, 0});
     assert_within(right, edges_of(contact).right, 1e-14 * right);
     assert_within(left, edges_of(contact).left, 1e-14 * right);
     apply(contact, 300, 0, 140, 0);
     const double energy = rwedge_contact_dissipated_energy(contact);
     for (int i = 0; i < 3; i++) {
-        apply(contact, 488, 0, 60, 0);
-        apply(contact, 300, 0, 140, 0);
+        APPLY(contact, {488, 0, 60, 0}, {300, 0, 140, 0});
     }
     assert_true(rwedge_contact_dissipated_energy(contact) == energy);
 }

@@ -18,8 +18,7 @@ CLAIM(a_soft_body_under_a_rigid_one_has_twice_the_offset)
     const double compliance = rwedge_compliance(10, 0.5, HUGE_VAL, 0);
     rwedge_contact *contact = create_wedge(0.1, 10, compliance, F);
     assert_ok(rwedge_contact_set_strain(contact, 0.075));
-    apply(contact, 1, 0, 0, 0);
-    apply(contact, 1, 0, 0.2, 0.04);
+    APPLY(contact, {1, 0, 0, 0}, {1, 0, 0.2, 0.04});
     assert_within(rw_patch_middle(stick_zone_of(contact)), 0.6, 1e-14);
 }
 
@@ -54,9 +53,7 @@ CLAIM(strain_takes_the_place_of_tension)
 /* A rigid half-plane does not stretch: any tension leaves no slip. */
 CLAIM(a_tension_may_stretch_nothing)
 {
-    rwedge_contact *contact = with_strain(0);
-    apply(contact, 1, 0, 0, 0);
-    apply(contact, 1, 0, 0, 1e6);
+    rwedge_contact *contact = APPLY(with_strain(0), {1, 0, 0, 0}, {1, 0, 0, 1e6});
     assert_true(rwedge_contact_largest_tension_step(contact, 0.1) == HUGE_VAL);
     assert_true(rwedge_contact_dissipated_energy(contact) == 0);
 }
@@ -72,7 +69,6 @@ CLAIM(it_is_set_while_the_bodies_are_apart)
     assert_int_equal(rwedge_contact_set_strain(contact, A / 2), RWEDGE_EDOMAIN);
     apply(contact, 0, 0, 0, 0.02); /* is there before the contact, and slips nothing */
     assert_ok(rwedge_contact_set_strain(contact, A / 2));
-    apply(contact, 1, 0, 0, 0.02);
-    apply(contact, 1, 0, 0.2, 0.02);
+    APPLY(contact, {1, 0, 0, 0.02}, {1, 0, 0.2, 0.02});
     assert_true(rw_patch_middle(stick_zone_of(contact)) == 0);
 }

@@ -42,9 +42,7 @@ CLAIM(energy_does_not_depend_on_how_a_step_is_cut)
 CLAIM(energy_ends_with_the_domain)
 {
     const double f = 0.5;
-    rwedge_contact *unit = create(0.1, f);
-    load(unit, 0.2, 0.05);
-    load(unit, 0.2, -0.05);
+    rwedge_contact *unit = APPLY(create(0.1, f), {0.2, 0, 0.05, 0}, {0.2, 0, -0.05, 0});
     const double reversal = rwedge_contact_dissipated_energy(unit);
     static const double SHARES[] = {0.1, 4};
     for (int i = 0; i < 2; i++) {
@@ -69,15 +67,13 @@ CLAIM(energy_ends_with_the_domain)
 
 static void cycle_often(double P_low)
 {
-    rwedge_contact *contact = create(0.1, 0.6);
-    load(contact, 0.2, 0);
+    rwedge_contact *contact = APPLY(create(0.1, 0.6), {0.2, 0, 0, 0});
     size_t size = 0, entries = 0;
     double energy = 0, start = 0, slipped = 0;
     const int cycles = 30000;
     for (int i = 1; i <= cycles; i++) {
         const double before = rwedge_contact_dissipated_energy(contact);
-        load(contact, 0.2, 0.07);
-        load(contact, P_low, -0.06);
+        APPLY(contact, {0.2, 0, 0.07, 0}, {P_low, 0, -0.06, 0});
         if (i == 3) {
             size = rwedge_contact_memory(contact);
             entries = contact->origins.count;
@@ -105,8 +101,7 @@ CLAIM(equal_cycles_change_nothing)
 CLAIM(slip_is_continuous_where_its_front_meets_a_corner)
 {
     const double f = 0.5;
-    rwedge_contact *exact = create(0.1, f);
-    load(exact, 0.2, 0);
+    rwedge_contact *exact = APPLY(create(0.1, f), {0.2, 0, 0, 0});
     load(exact, 0.2, 0.5 * f * 0.2); /* a corner at half the load */
     load(exact, 0.25, 0.4 * f * 0.2);
     rwedge_contact *nearly = copy_of(exact);
@@ -126,9 +121,9 @@ CLAIM(a_rising_step_may_pass_the_end_of_the_rounding)
     const double theta = 0.09523331859380775, a = 0.00057589523786758271,
                  compliance = 0.0011329490948356104;
     const double f = 0.01627477655160316;
-    rwedge_contact *contact = create_wedge(theta, a, compliance, f);
-    load(contact, 1.8606804964605421, -0.030282159313821357);
-    load(contact, 0.01094142393406048, 0.00017627942780223447);
+    rwedge_contact *contact = APPLY(create_wedge(theta, a, compliance, f),
+                                    {1.8606804964605421, 0, -0.030282159313821357, 0},
+                                    {0.01094142393406048, 0, 0.00017627942780223447, 0});
     const double before = rwedge_contact_dissipated_energy(contact);
     load(contact, 0.92521132560419106, -0.015057607587220766);
     assert_close(rwedge_contact_dissipated_energy(contact) - before, 2.53243954849457824e-09,
@@ -137,9 +132,7 @@ CLAIM(a_rising_step_may_pass_the_end_of_the_rounding)
 
 CLAIM(separation_forgets_all_but_the_energy)
 {
-    rwedge_contact *contact = create(0.1, 0.6);
-    load(contact, 0.2, 0);
-    load(contact, 0.2, 0.1);
+    rwedge_contact *contact = APPLY(create(0.1, 0.6), {0.2, 0, 0, 0}, {0.2, 0, 0.1, 0});
     const double energy = rwedge_contact_dissipated_energy(contact);
     load(contact, 0, 0);
     assert_true(rwedge_contact_half_width(contact) == 0 && rwedge_contact_memory(contact) == 0);
@@ -174,9 +167,8 @@ CLAIM(slip_of_histories_is_the_reference_values)
 /* A contact under P and M, then Q and sigma: theta, a, A, P, M, f, Q, sigma of a row. */
 static rwedge_contact *after_one_load(const double row[])
 {
-    rwedge_contact *contact = create_wedge(row[0], row[1], row[2], row[5]);
-    apply(contact, row[3], row[4], 0, 0);
-    apply(contact, row[3], row[4], row[6], row[7]);
+    rwedge_contact *contact = APPLY(create_wedge(row[0], row[1], row[2], row[5]),
+                                    {row[3], row[4], 0, 0}, {row[3], row[4], row[6], row[7]});
     return contact;
 }
 
@@ -207,10 +199,9 @@ CLAIM(a_separation_that_slips_off_the_centre_has_no_energy)
 {
     static const double LAST[][2] = {{0, 0}, {0.1, 0}, {0, 0.02}, {0.1, 0.02}};
     for (int i = 1; i < 4; i++) {
-        rwedge_contact *contact = create(0.4, 0.5);
-        apply(contact, 0.5, LAST[i][0], 0, 0);
-        apply(contact, 0.5, LAST[i][0], 0.2, LAST[i][1]);
-        apply(contact, 0.5, LAST[i][0], -0.2, -LAST[i][1]);
+        rwedge_contact *contact =
+            APPLY(create(0.4, 0.5), {0.5, LAST[i][0], 0, 0}, {0.5, LAST[i][0], 0.2, LAST[i][1]},
+                  {0.5, LAST[i][0], -0.2, -LAST[i][1]});
         const double before = rwedge_contact_dissipated_energy(contact);
         assert_true(before > 0);
         apply(contact, 0, 0, 0, LAST[i][1]);
@@ -218,8 +209,7 @@ CLAIM(a_separation_that_slips_off_the_centre_has_no_energy)
         apply(contact, 0, 0, 0, 0); /* and counts again */
         apply(contact, 0.5, LAST[i][0], 0, 0);
         assert_true(rwedge_contact_dissipated_energy(contact) == before);
-        apply(contact, 0.5, LAST[i][0], 0.2, LAST[i][1]);
-        apply(contact, 0.5, LAST[i][0], -0.2, -LAST[i][1]);
+        APPLY(contact, {0.5, LAST[i][0], 0.2, LAST[i][1]}, {0.5, LAST[i][0], -0.2, -LAST[i][1]});
         assert_close(rwedge_contact_dissipated_energy(contact), 2 * before, 1e-12);
     }
 }
@@ -227,9 +217,7 @@ CLAIM(a_separation_that_slips_off_the_centre_has_no_energy)
 CLAIM(a_separation_without_shear_dissipates_nothing)
 {
     for (int parts = 1; parts <= 2; parts++) {
-        rwedge_contact *contact = create(0.4, 0.5);
-        apply(contact, 0, 0, 0, 0.3);
-        apply(contact, 0.5, 0.1, 0, 0.3);
+        rwedge_contact *contact = APPLY(create(0.4, 0.5), {0, 0, 0, 0.3}, {0.5, 0.1, 0, 0.3});
         if (parts > 1)
             apply(contact, 0.25, 0.05, 0, 0.3);
         apply(contact, 0, 0, 0, 0.3);

@@ -16,9 +16,8 @@ static const double F = 0.5;
 CLAIM(nowell_and_hills_cylinder)
 {
     const double compliance = rwedge_compliance(72.1e3, 0.33, 72.1e3, 0.33), R = 10, a = 3;
-    rwedge_contact *contact = create_wedge(a / R, a, compliance, 0.3);
-    apply(contact, 543 / 4.0, 0, 0, 0);
-    apply(contact, 543 / 4.0, 0, 155 / 4.0, 100);
+    rwedge_contact *contact = APPLY(create_wedge(a / R, a, compliance, 0.3), {543 / 4.0, 0, 0, 0},
+                                    {543 / 4.0, 0, 155 / 4.0, 100});
     const rw_patch whole = edges_of(contact), stick = stick_zone_of(contact);
     assert_within(whole.right, 0.206698, 5e-7);
     assert_within(-pressure(contact, 0), 418.104, 5e-4);
@@ -31,8 +30,7 @@ CLAIM(nowell_and_hills_cylinder)
 CLAIM(nafems_cylinder)
 {
     const double compliance = rwedge_compliance(210e3, 0.3, 70e3, 0.3), a = 20;
-    rwedge_contact *contact = create_wedge(a / 50, a, compliance, 0);
-    apply(contact, 35e3, 0, 0, 0);
+    rwedge_contact *contact = APPLY(create_wedge(a / 50, a, compliance, 0), {35e3, 0, 0, 0});
     assert_within(edges_of(contact).right, 6.2146, 5e-5);
     assert_within(-pressure(contact, 0), 3585.36, 5e-2); /* of 3585.37 by rounding of its inputs */
 }
@@ -79,8 +77,7 @@ CLAIM(tension_before_contact_only_adds)
     apply(with, 0, 0, 0, 0.7);
     load(with, 0.5, 0);
     load(with, 0.5, 0.1);
-    load(without, 0.5, 0);
-    load(without, 0.5, 0.1);
+    APPLY(without, {0.5, 0, 0, 0}, {0.5, 0, 0.1, 0});
     const stresses s = stress_at(with, 0.3, 0.1), t = stress_at(without, 0.3, 0.1);
     assert_within(s.xx, t.xx + 0.7, 1e-15);
     assert_true(s.yy == t.yy && s.xy == t.xy);
@@ -99,8 +96,7 @@ CLAIM(energy_is_friction_times_slip)
 {
     static const double moments[] = {0, 0.1, -0.2};
     for (int i = 0; i < 3; i++) {
-        rwedge_contact *contact = create(0.4, F);
-        apply(contact, 0.5, moments[i], 0, 0);
+        rwedge_contact *contact = APPLY(create(0.4, F), {0.5, moments[i], 0, 0});
         apply(contact, 0.5, moments[i], 0.2, 0.02); /* all slip has been one way */
         double points[64];
         const size_t n = marks(contact, points);
@@ -119,9 +115,7 @@ CLAIM(energy_is_friction_times_slip)
  * and after. */
 CLAIM(slip_may_leave_an_inner_ring_alone)
 {
-    rwedge_contact *contact = create(0.4, F);
-    apply(contact, 0.3, 0, 0.05, 0);
-    apply(contact, 0.5, 0, 0.09, 0);
+    rwedge_contact *contact = APPLY(create(0.4, F), {0.3, 0, 0.05, 0}, {0.5, 0, 0.09, 0});
     assert_true(rwedge_contact_dissipated_energy(contact) == 0);
     apply(contact, 0.5, 0, 0.11, 0.004);
     double points[64];
@@ -171,11 +165,8 @@ CLAIM(slip_has_one_origin_or_none)
  * was counted from before it. */
 CLAIM(places_that_came_after_the_first_slip_have_none)
 {
-    rwedge_contact *contact = create(0.4, F);
-    apply(contact, 0.01, 0, 0, 0);
-    apply(contact, 0.01, 0, 0.003, 0);
-    apply(contact, 1, 0, 0.003, 0);
-    apply(contact, 1, 0.35, 0.003, 0);
+    rwedge_contact *contact = APPLY(create(0.4, F), {0.01, 0, 0, 0}, {0.01, 0, 0.003, 0},
+                                    {1, 0, 0.003, 0}, {1, 0.35, 0.003, 0});
     assert_within(slip(contact, 0.4), 0, 0);
 }
 
@@ -199,10 +190,8 @@ CLAIM(slip_about_the_centre_goes_on_off_the_centre)
  * come into contact that slip at once, neither has the slip an origin. */
 CLAIM(energy_and_slip_say_where_they_are_not_known)
 {
-    rwedge_contact *contact = create(0.4, F);
-    apply(contact, 0.5, 0.1, 0, 0);
-    apply(contact, 0.5, 0.1, 0.15, 0.01);
-    apply(contact, 0.45, 0.09, 0.15, 0.01);
+    rwedge_contact *contact =
+        APPLY(create(0.4, F), {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.15, 0.01}, {0.45, 0.09, 0.15, 0.01});
     assert_nan(rwedge_contact_dissipated_energy(contact));
     double x = 0, w;
     assert_ok(rwedge_contact_slip(contact, 1, &x, &w));
@@ -211,12 +200,10 @@ CLAIM(energy_and_slip_say_where_they_are_not_known)
     apply(contact, 0.6, 0.12, -0.1, -0.01);
     assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
     apply(contact, 0, 0, 0, 0); /* all is forgotten */
-    apply(contact, 0.5, 0.1, 0, 0);
-    apply(contact, 0.5, 0.1, 0.1, 0.01);
+    APPLY(contact, {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.1, 0.01});
     apply(contact, 0.52, 0.104, 0.15, 0.01); /* the ring slips at once */
     assert_int_equal(rwedge_contact_slip(contact, 1, &x, &w), RWEDGE_EPATH);
-    apply(contact, 0, 0, 0, 0);
-    apply(contact, 0.5, 0.1, 0, 0);
+    APPLY(contact, {0, 0, 0, 0}, {0.5, 0.1, 0, 0});
     assert_ok(rwedge_contact_slip(contact, 1, &x, &w));
 }
 
@@ -232,8 +219,7 @@ CLAIM(the_energy_of_an_edge_that_stays_divides_by_nothing)
 {
     const double a = 1e-60, compliance = 0.9999, P = 1,
                  M = 0.25 * P * rwedge_half_width(1, a, compliance, P);
-    rwedge_contact *contact = create_wedge(1, a, compliance, 0.3);
-    apply(contact, P, M, 0, 0);
+    rwedge_contact *contact = APPLY(create_wedge(1, a, compliance, 0.3), {P, M, 0, 0});
     const double sigma = rwedge_contact_largest_tension_step(contact, 3e-9);
     feclearexcept(FE_ALL_EXCEPT);
     apply(contact, P, M, 3e-9, sigma);

@@ -19,8 +19,7 @@ static void refuse(rwedge_contact *contact, double P, double M, double Q, double
 
 CLAIM(what_has_no_closed_form_is_refused)
 {
-    rwedge_contact *contact = create(0.4, F);
-    apply(contact, 0.5, 0.1, 0, 0);
+    rwedge_contact *contact = APPLY(create(0.4, F), {0.5, 0.1, 0, 0});
     const double largest = rwedge_contact_largest_tension_step(contact, 0.1);
     refuse(contact, 0.5, 0.1, 0.1, 1.001 * largest, RWEDGE_EPATH); /* slips both ways */
     refuse(contact, 0.5, 0.1, 0, 1e-6, RWEDGE_EPATH);
@@ -40,10 +39,8 @@ CLAIM(what_has_no_closed_form_is_refused)
  * that sticks. */
 static rwedge_contact *contact_with_two_fronts(void)
 {
-    rwedge_contact *contact = create(0.46, 0.45);
-    apply(contact, .4779, 0, 0, 0);
-    apply(contact, .4779, 0, -.1494, -.0994);
-    apply(contact, .4779, 0, -.1029, -.0537);
+    rwedge_contact *contact = APPLY(create(0.46, 0.45), {.4779, 0, 0, 0},
+                                    {.4779, 0, -.1494, -.0994}, {.4779, 0, -.1029, -.0537});
     return contact;
 }
 
@@ -94,10 +91,8 @@ CLAIM(the_limit_is_where_slip_vanishes)
 /* Q returns to that of a corner, sigma does not. */
 CLAIM(a_corner_with_another_tilt_is_refused)
 {
-    rwedge_contact *contact = create(0.4, F);
-    apply(contact, 0.5, 0.1, 0, 0);
-    apply(contact, 0.5, 0.1, 0.2, 0.02);
-    apply(contact, 0.5, 0.1, -0.1, -0.03);
+    rwedge_contact *contact =
+        APPLY(create(0.4, F), {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.2, 0.02}, {0.5, 0.1, -0.1, -0.03});
     refuse(contact, 0.5, 0.1, 0.2, 0.025, RWEDGE_EPATH);
     apply(contact, 0.5, 0.1, 0.2, 0.02);
 }
@@ -114,9 +109,7 @@ CLAIM(rings_with_shear_need_a_constant_tilt)
     refuse(hertz, 0.55, 0.54, 0.015, 0, RWEDGE_EPATH);
     apply(hertz, 0.55, 0.55, 0.015, 0); /* along the same line */
     assert_true(stick_zone_of(hertz).left == edges_of(hertz).left);
-    apply(centred, 0.5, 0, 0, 0);
-    apply(centred, 0.5, 0, 0.1, 0.01);
-    apply(centred, 0.6, 0, 0.12, 0.01);
+    APPLY(centred, {0.5, 0, 0, 0}, {0.5, 0, 0.1, 0.01}, {0.6, 0, 0.12, 0.01});
     refuse(centred, 0.7, 0.001, 0.13, 0.01, RWEDGE_EPATH);
     apply(centred, 0.62, 0, 0.2, 0.012); /* and slips */
     hertz = create(6, F);
@@ -127,16 +120,13 @@ CLAIM(rings_with_shear_need_a_constant_tilt)
 /* What recedes leaves patches of the history at both edges at once, or not at all. */
 CLAIM(recession_is_refused_where_it_passes_a_patch_at_one_edge)
 {
-    rwedge_contact *contact = create(0.4, F);
-    apply(contact, 0.5, 0.1, 0, 0);
-    apply(contact, 0.5, 0.1, 0.1, 0.01);
-    apply(contact, 0.6, 0.12, 0.1, 0.01);
+    rwedge_contact *contact =
+        APPLY(create(0.4, F), {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.1, 0.01}, {0.6, 0.12, 0.1, 0.01});
     refuse(contact, 0.45, 0.09, 0.075, 0.01, RWEDGE_EPATH); /* past a corner */
     refuse(contact, 0.51, 0.06, 0.1, 0.01, RWEDGE_EPATH);   /* at one edge */
     apply(contact, 0.55, 0.1, 0.1, 0.01);
     apply(contact, 0.5, 0.1, 0.1, 0.01); /* to the corner, and on */
-    apply(contact, 0.45, 0.09, 0.1, 0.01);
-    apply(contact, 0.2, 0.03, 0.04, 0.01);
+    APPLY(contact, {0.45, 0.09, 0.1, 0.01}, {0.2, 0.03, 0.04, 0.01});
 }
 
 static void assert_same_state(const rwedge_contact *first, const rwedge_contact *second)
@@ -153,14 +143,11 @@ CLAIM(recession_passes_a_patch_at_both_edges_at_once)
     static const double moments[] = {0, 0.2}, ends[] = {0.45, 0.3};
     for (int i = 0; i < 4; i++) {
         const double arm = moments[i / 2], P = ends[i % 2], Q = 0.1;
-        rwedge_contact *direct = create(0.4, F);
-        apply(direct, 0.5, 0.5 * arm, 0, 0);
-        apply(direct, 0.5, 0.5 * arm, Q, 0.01);
-        apply(direct, 0.6, 0.6 * arm, Q, 0.01);
+        rwedge_contact *direct = APPLY(create(0.4, F), {0.5, 0.5 * arm, 0, 0},
+                                       {0.5, 0.5 * arm, Q, 0.01}, {0.6, 0.6 * arm, Q, 0.01});
         rwedge_contact *detour = copy_of(direct);
         apply(direct, P, P * arm, Q, 0.01);
-        apply(detour, 0.5, 0.5 * arm, Q, 0.01);
-        apply(detour, P, P * arm, Q, 0.01);
+        APPLY(detour, {0.5, 0.5 * arm, Q, 0.01}, {P, P * arm, Q, 0.01});
         assert_same_state(direct, detour);
     }
 }
@@ -169,13 +156,10 @@ CLAIM(recession_passes_a_patch_at_both_edges_at_once)
 CLAIM(an_edge_that_turns_outside_of_the_shear_moves_nothing)
 {
     for (int side = -1; side <= 1; side += 2) {
-        rwedge_contact *contact = create(0.4, 0.5);
-        apply(contact, 0.1, 0, 0, 0);
-        apply(contact, 0.1, 0, 0.02, 0);
+        rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.1, 0, 0, 0}, {0.1, 0, 0.02, 0});
         const double b = rwedge_contact_half_width(contact), at_edge = slip(contact, 0.99 * b),
                      before = shear(contact, 0.3 * b);
-        apply(contact, 1, -0.15 * side, 0.02, 0);
-        apply(contact, 1.31, 0.22 * side, 0.02, 0);
+        APPLY(contact, {1, -0.15 * side, 0.02, 0}, {1.31, 0.22 * side, 0.02, 0});
         assert_close(slip(contact, 0.99 * b), at_edge, 1e-12);
         assert_close(shear(contact, 0.3 * b), before, 1e-12);
     }
@@ -183,9 +167,7 @@ CLAIM(an_edge_that_turns_outside_of_the_shear_moves_nothing)
 
 CLAIM(a_tilted_contact_slides)
 {
-    rwedge_contact *contact = create(0.4, F);
-    apply(contact, 0.5, 0.1, 0, 0);
-    apply(contact, 0.5, 0.1, 0.25, 0.01);
+    rwedge_contact *contact = APPLY(create(0.4, F), {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.25, 0.01});
     double x = 0.2, w;
     assert_int_equal(rwedge_contact_stick_zone(contact, &x, &w), RWEDGE_EABSENT);
     assert_close(shear(contact, x), F * pressure(contact, x), 1e-15);
@@ -206,13 +188,10 @@ CLAIM(every_way_leads_to_sliding)
                                    {0.8, 0.1, 0.4, 1}};
     for (size_t i = 0; i < sizeof to / sizeof *to; i++) {
         rwedge_contact *contact = create(0.4, F), *fresh = create(0.4, F);
-        apply(contact, 0.5, 0.1, 0, 0);
-        apply(contact, 0.5, 0.1, 0.25, 0.01);
+        APPLY(contact, {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.25, 0.01});
         const double *l = to[i], sign = l[2] < 0 ? -1 : 1, P = l[0], M = l[1];
         apply(contact, P, M, l[2], l[3]);
-        apply(fresh, 0, 0, 0, l[3]);
-        apply(fresh, P, M, 0, l[3]);
-        apply(fresh, P, M, l[2], l[3]);
+        APPLY(fresh, {0, 0, 0, l[3]}, {P, M, 0, l[3]}, {P, M, l[2], l[3]});
         assert_int_equal(contact->memory.count, 2);
         assert_within(shear(contact, 0), sign * F * pressure(contact, 0), 1e-15);
         apply(contact, P, M, 0, l[3] - sign * 0.01);
@@ -224,11 +203,8 @@ CLAIM(every_way_leads_to_sliding)
 CLAIM(a_moment_may_be_taken_away)
 {
     rwedge_contact *contact = create(0.4, F), *fresh = create(0.4, F);
-    apply(contact, 0.5, 0.05, 0, 0);
-    apply(contact, 0.4, 0, 0, 0);
-    apply(contact, 0.4, 0, 0.1, 0);
-    apply(fresh, 0.4, 0, 0, 0);
-    apply(fresh, 0.4, 0, 0.1, 0);
+    APPLY(contact, {0.5, 0.05, 0, 0}, {0.4, 0, 0, 0}, {0.4, 0, 0.1, 0});
+    APPLY(fresh, {0.4, 0, 0, 0}, {0.4, 0, 0.1, 0});
     assert_true(edges_of(contact).left == edges_of(fresh).left);
     assert_within(stick_zone_of(contact).left, stick_zone_of(fresh).left, 1e-14);
 }
@@ -236,12 +212,9 @@ CLAIM(a_moment_may_be_taken_away)
 /* Without friction the history leaves nothing, and M may do what it will. */
 CLAIM(without_friction_all_is_exact)
 {
-    rwedge_contact *contact = create(0.4, 0);
-    apply(contact, 0.5, 0.1, 0, 0);
-    apply(contact, 0.5, -0.3, 0, 2);
-    apply(contact, 0.3, 0.2, 0, -1);
-    rwedge_contact *fresh = create(0.4, 0);
-    apply(fresh, 0.3, 0.2, 0, 0);
+    rwedge_contact *contact =
+        APPLY(create(0.4, 0), {0.5, 0.1, 0, 0}, {0.5, -0.3, 0, 2}, {0.3, 0.2, 0, -1});
+    rwedge_contact *fresh = APPLY(create(0.4, 0), {0.3, 0.2, 0, 0});
     assert_true(edges_of(contact).left == edges_of(fresh).left);
     assert_int_equal(rwedge_contact_memory(contact), 1);
     assert_true(rwedge_contact_largest_tension_step(contact, 0) == HUGE_VAL);
@@ -252,8 +225,7 @@ CLAIM(without_friction_all_is_exact)
 /* On the way the front of slip has the tilt of a flank: it once divided by nothing. */
 CLAIM(a_front_as_steep_as_a_flank_raises_nothing)
 {
-    rwedge_contact *contact = create_wedge(0.5, 0.3, 1, 0.5);
-    apply(contact, 4, 0, 0, 0);
+    rwedge_contact *contact = APPLY(create_wedge(0.5, 0.3, 1, 0.5), {4, 0, 0, 0});
     feclearexcept(FE_ALL_EXCEPT);
     refuse(contact, 2, 1e-16, 0.001, 2, RWEDGE_EPATH);
     assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);

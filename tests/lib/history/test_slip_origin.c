@@ -91,8 +91,7 @@ CLAIM(paths_that_are_kept_are_what_they_were)
 CLAIM(memory_grows_in_proportion_to_the_loads)
 {
     enum { LOADS = 4000 };
-    rwedge_contact *contact = create_wedge(0.01, 0.3, 0.001, 0.5);
-    load(contact, 10, 0);
+    rwedge_contact *contact = APPLY(create_wedge(0.01, 0.3, 0.001, 0.5), {10, 0, 0, 0});
     double P = 10, Q = 0;
     for (int i = 0; i < LOADS; i++) {
         const double sign = i % 4 < 2 ? 1 : -1;

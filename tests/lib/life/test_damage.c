@@ -279,32 +279,3 @@ CLAIM(refusals_leave_the_results_alone)
                      RWEDGE_ERANGE);
     assert_true(v == 1 && c == 2 && a == 3 && o == 4);
 }
-
-/* rwedge_smith_watson_topper_damage_field(), rwedge_fatemi_socie_damage_field() */
-CLAIM(a_field_has_the_bits_of_its_points)
-{
-    uint64_t seed = 8;
-    block k[2] = {{.is_shear = false}, {.is_shear = false}};
-    double s[3][2 * LOADS], v[2], c[2], a[2], o[2];
-    draw(&k[0], LOADS, &seed);
-    draw(&k[1], LOADS, &seed);
-    k[1].nu = k[0].nu, k[1].plane_stress = k[0].plane_stress;
-    for (size_t i = 0; i < 2 * LOADS; i++) {
-        s[0][i] = k[i % 2].sxx[i / 2];
-        s[1][i] = k[i % 2].syy[i / 2];
-        s[2][i] = k[i % 2].txy[i / 2];
-    }
-    for (int shear = 0; shear < 2; shear++) {
-        assert_ok(shear ? rwedge_fatemi_socie_damage_field(LOADS, 2, s[0], s[1], s[2], E, k[0].nu,
-                                                           k[0].plane_stress, K_OVER_SY, G, TF, B0,
-                                                           GF, C0, 0, v, c, a, o)
-                        : rwedge_smith_watson_topper_damage_field(LOADS, 2, s[0], s[1], s[2], E,
-                                                                  k[0].nu, k[0].plane_stress, SF, B,
-                                                                  EF, C, 0, v, c, a, o));
-        for (int i = 0; i < 2; i++) {
-            k[i].is_shear = shear;
-            const damage d = damage_of(&k[i]);
-            assert_true(d.value == v[i] && d.cycles == c[i] && d.angle == a[i] && d.out == o[i]);
-        }
-    }
-}

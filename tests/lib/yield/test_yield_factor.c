@@ -34,8 +34,7 @@ CLAIM(in_sliding_the_factor_is_the_elastic_limit_over_the_load)
             for (size_t m = 0; m < sizeof NUS / sizeof *NUS; m++) {
                 const double b = 0.7, a = ALPHAS[i] * b, f = FRICTIONS[j], k = 3;
                 const double P = rwedge_normal_load(THETA, a, A, b);
-                rwedge_contact *contact = create(a, f);
-                load(contact, P, f * P);
+                rwedge_contact *contact = APPLY(create(a, f), {P, 0, f * P, 0});
                 const double expected = rwedge_elastic_limit(ALPHAS[i], f, NUS[m]) * b * k / P;
                 assert_close(yield_factor(contact, NUS[m], k, NULL, NULL), expected, 1e-12);
                 load(contact, P, -f * P); /* the mirror image */
@@ -56,8 +55,7 @@ CLAIM(in_sliding_no_ridge_is_too_flat)
         const double f = kind < 0.2 ? 0 : pow(10, exponent);
         const double nu = i % 2 ? 0.5 : 0.5 - pow(10, -12 * random_fraction(&seed)) / 2;
         const double b = 0.7, P = rwedge_normal_load(THETA, alpha * b, A, b);
-        rwedge_contact *contact = create(alpha * b, f);
-        load(contact, P, f * P);
+        rwedge_contact *contact = APPLY(create(alpha * b, f), {P, 0, f * P, 0});
         const double expected = rwedge_elastic_limit(alpha, f, nu) * b / P;
         assert_close(yield_factor(contact, nu, 1, NULL, NULL), expected, 1e-13);
     }
@@ -66,10 +64,9 @@ CLAIM(in_sliding_no_ridge_is_too_flat)
 /* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
 CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 {
-    rwedge_contact *contact = create_wedge(0.01, 3, 0.001, 84.04542447034143);
-    load(contact, 5.88, -187.525);
-    load(contact, 5.88, -37.718);
-    load(contact, 5.88, -145.33);
+    rwedge_contact *contact =
+        APPLY(create_wedge(0.01, 3, 0.001, 84.04542447034143), {5.88, 0, -187.525, 0},
+              {5.88, 0, -37.718, 0}, {5.88, 0, -145.33, 0});
     assert_close(yield_factor(contact, 0.49, 1, NULL, NULL), 0.0085760777546354877, 1e-13);
 }
 
@@ -79,9 +76,8 @@ CLAIM(a_maximum_next_to_the_edge_is_not_missed)
 CLAIM(a_ridge_beside_the_grid_is_followed)
 {
     const double P = 0.98755269117723787, M = -0.16595399389051149;
-    rwedge_contact *contact = create_wedge(0.1, 0, 0.1, 0.01043908085530201);
-    apply(contact, P, M, 0, 0);
-    apply(contact, P, M, 0.0062538432218377021, 0.005317738877638669);
+    rwedge_contact *contact = APPLY(create_wedge(0.1, 0, 0.1, 0.01043908085530201), {P, M, 0, 0},
+                                    {P, M, 0.0062538432218377021, 0.005317738877638669});
     assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), 1.56740088124900, 1e-12);
 }
 
@@ -92,16 +88,15 @@ CLAIM(a_long_climb_is_broken_off_without_harm)
 {
     rwedge_contact *contact = create_wedge(0.11871519035629816, 4.8339965423190293e-15,
                                            3.9616415245691163e-08, 0.99667353322652019);
-    load(contact, 0.36913862821393151, 0);
-    load(contact, 0.36913862821393151, 0.13581005141048719);
+    APPLY(contact, {0.36913862821393151, 0, 0, 0},
+          {0.36913862821393151, 0, 0.13581005141048719, 0});
     const double factor = yield_factor(contact, 0.5, 1, NULL, NULL);
     assert_close(yield_factor(contact, 0.4999999, 1, NULL, NULL), factor, 1e-12);
 }
 
 CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
 {
-    rwedge_contact *contact = create(0, 0.5);
-    load(contact, 0.2, 0);
+    rwedge_contact *contact = APPLY(create(0, 0.5), {0.2, 0, 0, 0});
     assert_true(yield_factor(contact, 0.3, 1, NULL, NULL) == 0);
     assert_close(yield_factor(contact, 0.5, 1, NULL, NULL), PI / 2 * A / THETA, 1e-12);
     load(contact, 0.2, 0.05);
@@ -114,9 +109,7 @@ CLAIM(the_sharp_wedge_yields_at_once_unless_its_apex_sticks)
 CLAIM(a_kink_beside_the_contact_makes_no_infinite_stress)
 {
     const double x[] = {0, 0, 1, 1}, slope[] = {-0.1, 0.05, 0.05, 0.1};
-    rwedge_contact *contact;
-    assert_ok(rwedge_contact_create_profile(4, x, slope, A, 0.5, &contact));
-    load(owned(contact), 0.01, 0);
+    rwedge_contact *contact = APPLY(create_profile(4, x, slope, 0.5), {0.01, 0, 0, 0});
     assert_true(rwedge_contact_half_width(contact) < 1);
     assert_true(yield_factor(contact, 0.3, 1, NULL, NULL) == 0);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
@@ -126,8 +119,7 @@ CLAIM(a_kink_beside_the_contact_makes_no_infinite_stress)
 CLAIM(a_grid_that_meets_the_apex_raises_nothing)
 {
     const double P = 0.001, f = 0.3;
-    rwedge_contact *contact = create_wedge(0.3, 0, 0.001, f);
-    load(contact, P, 0);
+    rwedge_contact *contact = APPLY(create_wedge(0.3, 0, 0.001, f), {P, 0, 0, 0});
     load(contact, P, -0.3 * (f * P));
     feclearexcept(FE_ALL_EXCEPT);
     assert_true(yield_factor(contact, 0.5, 1, NULL, NULL) > 0);
@@ -147,8 +139,7 @@ CLAIM(a_factor_beyond_the_domain_is_refused)
 /* Many corners, off the centre where M is not 0: the patches that end far away count together. */
 static rwedge_contact *worn(double a, double M, int corners)
 {
-    rwedge_contact *contact = create(a, 0.5);
-    apply(contact, 0.5, M, 0, 0);
+    rwedge_contact *contact = APPLY(create(a, 0.5), {0.5, M, 0, 0});
     for (int i = 1; i < corners; i++)
         apply(contact, 0.5, M, (i % 2 ? 0.2 : -0.2) * (1 - i / (corners + 1.0)), 0);
     return contact;

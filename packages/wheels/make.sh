@@ -61,7 +61,7 @@ wheel()
         *) sh "$top/packages/licences.sh" "$sources" "$about/licenses" "$name" ;;
         esac
     done
-    chmod -R u=rwX,go=r "$parts" # whatever the umask is: the same bytes
+    chmod -R u=rwX,go=rX "$parts" # whatever the umask is: the same bytes
     quietly "$work/venv/bin/wheel" pack --dest-dir "$packages/python" "$parts"
 }
 # library FOLDER CMAKE-ARGUMENTS... - the shared library alone, into $work/FOLDER

@@ -27,60 +27,24 @@ rw_scaled_loads rw_contact_scaled_loads(const rwedge_contact *c, double P, doubl
 
 /* ---- The traction of a closed form ---- */
 
-/* Patches with their weights. */
-typedef struct {
-    double f;
-    size_t count;
-    double *weight;
-    rw_pad_potential *potential;
-} patches;
-
-static double traction_at(double x, const void *context)
+static void traction_at(const double x[], const void *context, double value[])
 {
-    const patches *p = context;
-    double sum = 0;
-    for (size_t i = 0; i < p->count; i++)
-        sum += p->weight[i] * rw_pad_pressure(&p->potential[i], x);
-    return p->f * sum;
-}
-
-static void free_patches(patches *p)
-{
-    for (size_t i = 0; i < p->count; i++)
-        rw_pad_potential_destroy(&p->potential[i]);
-    free(p->weight);
-    free(p->potential);
-}
-
-static bool make_patches(const rwedge_contact *c, patches *p)
-{
-    const size_t most = c->memory.count;
-    *p = (patches){.f = c->f,
-                   .weight = malloc(most * sizeof *p->weight),
-                   .potential = malloc(most * sizeof *p->potential)};
-    const rw_arcs arcs = rw_arcs_of(&c->geometry);
-    bool is_made = p->weight && p->potential;
-    for (size_t i = 1; is_made && i < most; i++) {
-        const double weight = rw_patch_weight(&c->memory, i);
-        if (weight == 0)
-            continue;
-        p->weight[p->count] = weight;
-        is_made =
-            rw_pad_potential_create(&p->potential[p->count], &arcs, c->memory.corners[i].patch);
-        p->count += is_made;
-    }
-    if (!is_made)
-        free_patches(p);
-    return is_made;
+    static const double surface[RW_TERMS] = {0};
+    const rwedge_contact *c = context;
+    rw_contact_fields fields;
+    rw_contact_fields_at(c, 1, c->memory.count, RW_TERMS, x, surface, &fields);
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = -c->f * fields.tangential.G_im[i];
 }
 
 /* The edges of the patches; if there are many, those of the widest patches. */
-static void note_kinks(const patches *p, rw_patch contact, rw_shear_state *s)
+static void note_kinks(const rwedge_contact *c, rw_patch contact, rw_shear_state *s)
 {
     s->kinks = 0;
-    for (size_t i = p->count; i-- > 0 && s->kinks + 2 <= RW_MOST_KINKS;) {
-        const double edge[2] = {p->potential[i].patch.left, p->potential[i].patch.right};
-        for (int k = 0; k < 2; k++)
+    for (size_t i = c->memory.count; i-- > 1 && s->kinks + 2 <= RW_MOST_KINKS;) {
+        const rw_patch patch = c->memory.corners[i].patch;
+        const double edge[2] = {patch.left, patch.right};
+        for (int k = 0; k < 2 && rw_patch_weight(&c->memory, i) != 0; k++)
             if (edge[k] > contact.left && edge[k] < contact.right)
                 s->kink[s->kinks++] = edge[k];
     }
@@ -106,10 +70,7 @@ static bool is_slip_known(const rwedge_contact *c)
 
 static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_numerical_state *now)
 {
-    patches p;
-    if (!make_patches(c, &p))
-        return false;
-    note_kinks(&p, now->contact, &now->shear);
+    note_kinks(c, now->contact, &now->shear);
     double at[RW_MOST_KINKS + RW_MOST_BENDS + 2];
     size_t n = 0;
     at[n++] = now->contact.left;
@@ -119,9 +80,7 @@ static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_nume
     n += (size_t)rw_bends_between(frame, now->contact.left, now->contact.right, at + n);
     rw_sort(at, n);
     const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
-    const bool is_done = rw_traction_fit(&now->shear.traction, traction_at, &p, n, at, tolerance);
-    free_patches(&p);
-    return is_done;
+    return rw_traction_fit_values(&now->shear.traction, traction_at, c, n, at, tolerance, 0);
 }
 
 static bool begin(const rwedge_contact *c, rw_numerical *numerical)

@@ -85,8 +85,6 @@ static void forget_shear(rwedge_contact *c, const rw_step *step)
     rw_memory_restart(&c->memory, pressed, 0);
     c->memory.corners[1].patch = step->patch;
     rw_slip_origins_destroy(&c->origins);
-    c->origins = (rw_slip_origins){0};
-    c->memory.shared = 0;
 }
 
 static void discard(rw_numerical *n)
@@ -103,14 +101,6 @@ static rw_numerical *copy_of(const rw_numerical *n)
         return copy;
     free(copy);
     return NULL;
-}
-
-/* The computed shear before the step; NULL where memory is short. */
-static rw_numerical *before_step(const rwedge_contact *c, const rw_step *step)
-{
-    return c->numerical           ? copy_of(c->numerical)
-           : c->memory.count == 1 ? rw_numerical_of_touching(c, scaled_loads_after(c, step))
-                                  : rw_numerical_of_closed_form(c);
 }
 
 enum { LOADS = 4 };
@@ -197,12 +187,21 @@ static bool keep_exact(rwedge_contact *c)
     return c->numerical || c->memory.count == 1 || rwedge_contact_copy(c, &c->exact) == RWEDGE_OK;
 }
 
+/* The computed shear where a new line begins; NULL where memory is short. */
+static rw_numerical *new_start(const rwedge_contact *c, const rw_step *step)
+{
+    return c->numerical           ? c->numerical
+           : c->memory.count == 1 ? rw_numerical_of_touching(c, scaled_loads_after(c, step))
+                                  : rw_numerical_of_closed_form(c);
+}
+
 /* The start of a line, its last state and how far loads strayed from it. */
 static void take(rwedge_contact *c, rw_numerical *start, rw_numerical *next, double strayed)
 {
     if (start != c->start)
         discard(c->start);
-    discard(c->numerical);
+    if (start != c->numerical)
+        discard(c->numerical);
     c->start = start;
     c->numerical = next;
     c->strayed = strayed;
@@ -217,18 +216,18 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
         strayed <= STRAY * c->tolerance ? reach(c, step, start, &next) : RWEDGE_ENOCONV;
     if (status == RWEDGE_ENOCONV) {
         strayed = 0;
-        start = before_step(c, step);
+        start = new_start(c, step);
         status = start ? reach(c, step, start, &next) : RWEDGE_ENOMEM;
     }
     if (status == RWEDGE_OK && !(rw_memory_reserve(&c->memory, 2) && keep_exact(c)))
         status = RWEDGE_ENOMEM;
     if (status != RWEDGE_OK) {
-        if (start != c->start)
+        if (start != c->start && start != c->numerical)
             discard(start);
         discard(next);
         return status;
     }
-    const double before = c->numerical ? c->numerical->now.energy : start->now.energy;
+    const double before = (c->numerical ? c->numerical : start)->now.energy;
     *energy = c->geometry.theta * rw_unit_stress(&c->geometry) * (next->now.energy - before);
     take(c, start, next, strayed);
     forget_shear(c, step);

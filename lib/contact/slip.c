@@ -12,7 +12,6 @@
  * both paths have in common is left out of both sums, because it would cancel. */
 #include "contact/contact.h"
 
-#include "base/always.h"
 #include "history/gap.h"
 #include "history/off_centre.h"
 
@@ -43,21 +42,13 @@ static double displacement(const rwedge_contact *contact, const rw_path *path, s
     return sum;
 }
 
+/* Of a patch that is no corner of the path. */
 static double departure_displacement(const rwedge_contact *contact, const rw_departure *left,
                                      double x)
 {
-    rw_corner corner = left->corner;
-    if (ALWAYS(isnan(corner.patch.left))) /* it is no corner of the path, which would have one */
-        corner.patch = rw_patch_under_tilt(&contact->geometry, corner.load, 0);
-    const rw_memory alone = {.corners = &corner, .count = 1};
-    const rw_path path = rw_memory_path(&alone);
-    return displacement(contact, &path, 0, 1, left->slip, x);
-}
-
-/* The load under which the edge of the contact is at x. */
-static double load_up_to(const rw_geometry *g, double x)
-{
-    return g->pad ? rw_normal_load(g, x) : rwedge_normal_load(g->theta, g->a, g->A, x);
+    const rw_corner *corner = &left->corner;
+    const double s = rw_patch_under_tilt(&contact->geometry, corner->load, 0).right;
+    return (corner->ratio - left->slip) * gap(&contact->geometry, s, x);
 }
 
 /* What is small last. */
@@ -72,7 +63,8 @@ static double slip_at(const rwedge_contact *contact, double x)
 {
     const rw_geometry *g = &contact->geometry;
     const rw_memory *now = &contact->memory;
-    const double u = fmin(load_up_to(g, x), rw_memory_end(now)->load);
+    /* the load under which the edge of the contact is at x */
+    const double u = fmin(rw_normal_load(g, x), rw_memory_end(now)->load);
     const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
     if (!origin || u == 0)
         return 0;
@@ -81,7 +73,7 @@ static double slip_at(const rwedge_contact *contact, double x)
     const size_t kept = left.kept;
     const bool is_corner = left.corner.load == rw_path_corner(&base, kept - 1)->load;
     const double after_kept = is_corner ? left.slip : left.corner.ratio;
-    const rw_path kept_part = {base.corners, base.branches, base.branch, kept};
+    const rw_path kept_part = {base.corners, base.origins, base.origin, kept};
     const size_t common = rw_memory_common(now, &kept_part), first = common > 1 ? common - 1 : 1;
     double w = displacement(contact, &path, first, path.count, 0, x) -
                displacement(contact, &base, first, kept, after_kept, x);

@@ -12,7 +12,8 @@
 /* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad. */
 static const double VERSION = 3;
 
-enum { HEAD = 2, CORNER = 9, ORIGIN = 7 };
+/* How many numbers they take, at least. */
+enum { HEAD = 2, CORNER = 9, ORIGIN = 7, ELEMENT = 5, ARC = 3 };
 
 /* Reads or writes one number after the other; `at` counts them. */
 typedef struct {
@@ -25,10 +26,15 @@ typedef struct {
     bool is_inner;           /* in a contact that another one keeps */
 } stream;
 
+static void require(stream *t, bool condition)
+{
+    t->is_sound = t->is_sound && condition;
+}
+
 static void pass(stream *t, double *value)
 {
     const bool is_over = t->in && t->at >= t->size;
-    t->is_sound = t->is_sound && !is_over;
+    require(t, !is_over);
     if (t->in)
         *value = is_over ? 0 : t->in[t->at];
     else if (t->out)
@@ -37,229 +43,208 @@ static void pass(stream *t, double *value)
 }
 
 /* Where memory is short, nothing is read any more, as where the numbers are not sound. */
-static void need(stream *t, bool has_memory)
+static bool has(stream *t, bool memory)
 {
-    if (has_memory)
-        return;
-    t->is_short = true;
-    t->is_sound = false;
+    t->is_short = t->is_short || !memory;
+    require(t, memory);
+    return t->is_sound;
 }
 
-/* A count or a flag, a whole number that is not above the limit. */
-static size_t pass_count(stream *t, size_t count, size_t limit)
+/* A whole number that is not above the limit. */
+static size_t pass_number(stream *t, size_t number, size_t limit)
 {
-    double value = (double)count;
+    double value = (double)number;
     pass(t, &value);
-    if (!(isgreaterequal(value, 0) && islessequal(value, (double)limit)) || value != floor(value)) {
-        t->is_sound = false;
-        return 0;
-    }
-    return (size_t)value;
+    const bool is_number = isgreaterequal(value, 0) && islessequal(value, (double)limit);
+    require(t, is_number && value == floor(value));
+    return is_number ? (size_t)value : 0;
+}
+
+/* How many things follow, each of so many numbers at least. */
+static size_t pass_count(stream *t, size_t count, size_t numbers)
+{
+    return pass_number(t, count, t->in ? t->size / numbers : count);
 }
 
 /* What is only read stays unwritten: other threads may read it too. */
 static void pass_int(stream *t, int *number, size_t limit)
 {
-    const size_t count = pass_count(t, (size_t)*number, limit);
+    const size_t count = pass_number(t, (size_t)*number, limit);
     if (t->in)
         *number = (int)count;
 }
 
 static void pass_flag(stream *t, bool *flag)
 {
-    const bool is_set = pass_count(t, *flag, 1) == 1;
+    int number = *flag;
+    pass_int(t, &number, 1);
     if (t->in)
-        *flag = is_set;
+        *flag = number == 1;
 }
 
 static void pass_finite(stream *t, double *number)
 {
     pass(t, number);
-    t->is_sound = t->is_sound && isfinite(*number);
+    require(t, isfinite(*number));
 }
 
-static void pass_all(stream *t, size_t count, double *const numbers[])
+/* The list ends with NULL. */
+static void pass_all(stream *t, double *const numbers[])
 {
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; numbers[i]; i++)
         pass_finite(t, numbers[i]);
 }
 
+static void pass_patch(stream *t, rw_patch *patch)
+{
+    pass_finite(t, &patch->left);
+    pass_finite(t, &patch->right);
+}
+
+/* ---- The path of the memory, and the origins of slip ---- */
+
 static void pass_corner(stream *t, rw_corner *c)
 {
-    double *const finite[] = {&c->load,  &c->shear,      &c->tilt,       &c->stretch,
-                              &c->ratio, &c->patch.left, &c->patch.right};
-    pass_all(t, sizeof finite / sizeof *finite, finite);
+    pass_all(t, (double *const[]){&c->load, &c->shear, &c->tilt, &c->stretch, &c->ratio, NULL});
+    pass_patch(t, &c->patch);
     pass(t, &c->least); /* infinite where nothing bounds the slope */
     pass(t, &c->most);
 }
-
-/* ---- Reading and writing ---- */
 
 /* Corners one after the other; `before` is the corner in front of them, or NULL. */
 static void pass_corners(stream *t, rw_corner corners[], size_t count, const rw_corner *before)
 {
     for (size_t i = 0; i < count; i++) {
         pass_corner(t, &corners[i]);
-        if (t->in && !rw_is_corner_sound(t->geometry, &corners[i], before))
-            t->is_sound = false;
+        require(t, !t->in || rw_is_corner_sound(t->geometry, &corners[i], before));
         before = &corners[i];
     }
 }
 
 static void pass_path(stream *t, rw_memory *memory)
 {
-    const size_t limit = t->in ? t->size / CORNER : memory->count;
-    const size_t count = pass_count(t, memory->count, limit);
-    const size_t shared = pass_count(t, memory->shared, count);
+    const size_t count = pass_count(t, memory->count, CORNER);
+    const size_t shared = pass_number(t, memory->shared, count);
+    require(t, count > 0);
+    if (!t->is_sound || (t->in && !has(t, rw_memory_reserve(memory, count))))
+        return;
     if (t->in) {
+        memory->count = count;
         memory->shared = shared;
-        t->is_sound = t->is_sound && count > 0;
-        if (t->is_sound)
-            need(t, rw_memory_reserve(memory, count));
-        memory->count = t->is_sound ? count : 0;
     }
-    pass_corners(t, memory->corners, memory->count, NULL);
-    if (t->in && memory->count > 0)
+    pass_corners(t, memory->corners, count, NULL);
+    if (t->in)
         rw_memory_relevel(memory);
 }
 
-/* An origin without its corners: how many it has, and how many it shares with the last origin. */
-static void pass_origin(stream *t, rw_slip_origin *o, size_t *shared, size_t most_shared)
+/* The last of the first corners that the path has in common with the last one that is kept. */
+static const rw_corner *last_shared(const rw_slip_origins *origins, size_t shared)
 {
-    double *const numbers[] = {&o->end, &o->from_load, &o->from_shear, &o->to_load, &o->to_shear};
-    pass_all(t, sizeof numbers / sizeof *numbers, numbers);
-    const size_t common = pass_count(t, *shared, most_shared);
-    const size_t own = pass_count(t, o->corners - common, t->in ? t->size / CORNER : o->corners);
-    if (t->in) {
-        *shared = common;
-        o->corners = common + own;
-    }
+    if (shared == 0)
+        return NULL;
+    const rw_path path = rw_slip_origin_path(origins, &origins->all[origins->count - 1]);
+    return rw_path_corner(&path, shared - 1);
 }
 
-static void write_origin(stream *t, const rw_slip_origins *origins, size_t i)
+/* An origin with the corners that its path does not share with that of the one before it. They are
+ * read straight to their final place. */
+static void pass_origin(stream *t, rw_slip_origins *origins, size_t i)
 {
-    rw_slip_origin origin = origins->all[i];
-    size_t shared = origins->branches[i].shared;
-    pass_origin(t, &origin, &shared, shared);
-    pass_corners(t, origins->own.corners + origins->branches[i].first, origin.corners - shared,
-                 NULL);
-}
-
-/* Reads the corners straight to their final place. */
-static void read_origin(stream *t, rw_slip_origins *origins)
-{
-    const size_t last = rw_slip_origins_last_corners(origins);
-    rw_slip_origin origin = {.corners = 0};
-    size_t shared = 0;
-    pass_origin(t, &origin, &shared, last);
-    t->is_sound = t->is_sound && origin.corners > 0;
-    if (t->is_sound)
-        need(t, rw_slip_origins_reserve(origins, 1, origin.corners - shared));
-    if (!t->is_sound)
+    const size_t most = rw_slip_origins_last_corners(origins);
+    rw_slip_origin o = {.corners = most, .shared = most, .first = origins->own.count};
+    if (!t->in)
+        o = origins->all[i];
+    const size_t count = o.corners - o.shared;
+    pass_all(t,
+             (double *const[]){&o.end, &o.from_load, &o.from_shear, &o.to_load, &o.to_shear, NULL});
+    o.shared = pass_number(t, o.shared, o.shared);
+    const size_t own = pass_count(t, count, CORNER);
+    o.corners = o.shared + own;
+    require(t, o.corners > 0);
+    if (!t->is_sound || (t->in && !has(t, rw_slip_origins_reserve(origins, 1, own))))
         return;
-    rw_corner *own = origins->own.corners + origins->own.count;
-    const rw_corner *before = NULL;
-    if (shared > 0) {
-        const rw_path path = rw_slip_origin_path(origins, &origins->all[origins->count - 1]);
-        before = rw_path_corner(&path, shared - 1);
-    }
-    pass_corners(t, own, origin.corners - shared, before);
-    if (!t->is_sound)
+    rw_corner *corners = origins->own.corners + o.first;
+    pass_corners(t, corners, own, t->in ? last_shared(origins, o.shared) : NULL);
+    if (!t->in || !t->is_sound)
         return;
-    rw_slip_origins_keep(origins, origin, own, shared);
-    t->is_sound = rw_is_origin_sound(origins, origins->count - 1);
+    rw_slip_origins_keep(origins, o, corners);
+    require(t, rw_is_origin_sound(origins, i));
 }
 
 static void pass_origins(stream *t, rw_slip_origins *origins)
 {
     pass_finite(t, &origins->fresh);
-    const size_t limit = t->in ? t->size / ORIGIN : origins->count;
-    const size_t count = pass_count(t, origins->count, limit);
+    const size_t count = pass_count(t, origins->count, ORIGIN);
     for (size_t i = 0; i < count && t->is_sound; i++)
-        if (t->in)
-            read_origin(t, origins);
-        else
-            write_origin(t, origins, i);
+        pass_origin(t, origins, i);
 }
 
 /* ---- The computed shear ---- */
 
+static void pass_element(stream *t, rw_traction *traction, size_t i)
+{
+    rw_element e = {.end = 0};
+    if (!t->in)
+        e = traction->elements[i];
+    pass_all(t, (double *const[]){&e.end, &e.scale, &e.first, &e.last, NULL});
+    pass_int(t, &e.terms, RW_TERMS);
+    for (int k = 0; k < e.terms; k++)
+        pass_finite(t, &e.coefficient[k]);
+    require(t, e.scale != 0 && e.first >= 0 && e.first < e.last && e.last <= 1);
+    if (!t->in || !t->is_sound || !has(t, rw_traction_append(traction, &e)))
+        return;
+    const rw_element *last = &traction->elements[i];
+    require(t, last->low < last->high && (i == 0 || last->low >= last[-1].low));
+}
+
 static void pass_elements(stream *t, rw_traction *traction)
 {
-    const size_t count = pass_count(t, traction->count, t->in ? t->size / 5 : traction->count);
-    double end = -HUGE_VAL;
-    for (size_t i = 0; i < count && t->is_sound; i++) {
-        rw_element e = {.end = 0};
-        if (!t->in)
-            e = traction->elements[i];
-        double *const shape[] = {&e.end, &e.scale, &e.first, &e.last};
-        pass_all(t, 4, shape);
-        pass_int(t, &e.terms, RW_TERMS);
-        for (int k = 0; k < e.terms; k++)
-            pass_finite(t, &e.coefficient[k]);
-        if (!t->in || !t->is_sound)
-            continue;
-        t->is_sound = e.scale != 0 && e.first >= 0 && e.first < e.last && e.last <= 1;
-        if (t->is_sound)
-            need(t, rw_traction_append(traction, &e));
-        if (!t->is_sound)
-            continue;
-        const rw_element *last = &traction->elements[i];
-        t->is_sound = last->low < last->high && last->low >= end;
-        end = last->low;
-    }
+    const size_t count = pass_count(t, traction->count, ELEMENT);
+    for (size_t i = 0; i < count && t->is_sound; i++)
+        pass_element(t, traction, i);
 }
 
 static void pass_zones(stream *t, rw_zones *z)
 {
     pass_int(t, &z->count, RW_MOST_ZONES);
     for (int i = 0; i < z->count; i++) {
-        double *const ends[] = {&z->zone[i].left, &z->zone[i].right};
-        pass_all(t, 2, ends);
-        int label = z->zone[i].label + 1;
+        rw_zone *zone = &z->zone[i];
+        int label = zone->label + 1;
+        pass_finite(t, &zone->left);
+        pass_finite(t, &zone->right);
         pass_int(t, &label, 2);
         if (t->in)
-            z->zone[i].label = label - 1;
-        if (!(z->zone[i].left < z->zone[i].right) ||
-            (i > 0 &&
-             (z->zone[i].left != z->zone[i - 1].right || z->zone[i].label == z->zone[i - 1].label)))
-            t->is_sound = false;
+            zone->label = label - 1;
+        require(t, zone->left < zone->right &&
+                       (i == 0 || (zone->left == zone[-1].right && zone->label != zone[-1].label)));
     }
-    t->is_sound = t->is_sound && z->count > 0;
-}
-
-static void pass_errors(stream *t, rw_numerical *n)
-{
-    for (int i = 0; i < RW_PLACES; i++) {
-        pass_finite(t, &n->error[i]);
-        t->is_sound = t->is_sound && n->error[i] >= 0;
-    }
+    require(t, z->count > 0);
 }
 
 static void pass_shear(stream *t, rw_numerical **shear)
 {
     if (t->in)
         *shear = calloc(1, sizeof **shear);
-    need(t, *shear);
-    if (!*shear)
+    if (!has(t, *shear))
         return;
     rw_numerical *n = *shear;
     rw_numerical_state *s = &n->now;
-    double *const finite[] = {&s->at.P,           &s->at.M,           &s->at.shear,
-                              &s->at.stretch,     &s->contact.left,   &s->contact.right,
-                              &s->move,           &s->energy,         &s->error,
-                              &s->unslipped.left, &s->unslipped.right};
-    pass_all(t, sizeof finite / sizeof *finite, finite);
+    pass_all(t, (double *const[]){&s->at.P, &s->at.M, &s->at.shear, &s->at.stretch, NULL});
+    pass_patch(t, &s->contact);
+    pass_all(t, (double *const[]){&s->move, &s->energy, &s->error, NULL});
+    pass_patch(t, &s->unslipped);
     pass_zones(t, &s->shear.zones);
     pass_int(t, &s->shear.kinks, RW_MOST_KINKS);
-    for (int i = 0; i < s->shear.kinks; i++) {
+    for (int i = 0; i < s->shear.kinks; i++)
         pass_finite(t, &s->shear.kink[i]);
-    }
     pass_elements(t, &s->shear.traction);
     pass_flag(t, &n->has_origin);
     pass_flag(t, &s->is_still);
     pass_elements(t, &n->origin);
-    pass_errors(t, n);
+    for (int i = 0; i < RW_PLACES; i++) {
+        pass_finite(t, &n->error[i]);
+        require(t, n->error[i] >= 0);
+    }
 }
 
 static void pass_contact(stream *t, rwedge_contact *c);
@@ -267,65 +252,73 @@ static void pass_contact(stream *t, rwedge_contact *c);
 /* The contact when it last had a closed form. */
 static void pass_exact(stream *t, rwedge_contact *c)
 {
-    const bool has_exact = pass_count(t, c->exact != NULL, 1) == 1;
-    if (!has_exact || !t->is_sound)
+    bool has_exact = c->exact;
+    pass_flag(t, &has_exact);
+    if (!has_exact)
         return;
-    if (t->in)
+    if (t->in && t->is_sound)
         c->exact = calloc(1, sizeof *c->exact);
-    need(t, c->exact);
     t->is_inner = true;
-    if (c->exact)
+    if (has(t, c->exact))
         pass_contact(t, c->exact);
 }
 
 static void pass_numerical(stream *t, rwedge_contact *c)
 {
+    int shears = c->numerical != NULL;
     pass(t, &c->tolerance);
-    const bool has_shear = pass_count(t, c->numerical != NULL, t->is_inner ? 0 : 1) == 1;
-    if (!has_shear || !t->is_sound)
+    pass_int(t, &shears, t->is_inner ? 0 : 1);
+    if (shears == 0)
         return;
     pass_finite(t, &c->strayed);
     pass_shear(t, &c->numerical);
-    if (!t->is_sound)
-        return;
-    pass_shear(t, &c->start);
-    pass_exact(t, c);
+    if (t->is_sound)
+        pass_shear(t, &c->start);
+    if (t->is_sound)
+        pass_exact(t, c);
+}
+
+/* ---- The contact ---- */
+
+static void pass_arc(stream *t, rw_pad *pad, size_t i)
+{
+    rw_arc arc = {0, 0};
+    double weight = 0;
+    if (!t->in) {
+        arc = pad->arcs[i];
+        weight = pad->weights[i];
+    }
+    pass_all(t, (double *const[]){&arc.left, &arc.right, &weight, NULL});
+    require(t, !t->in || rw_is_arc_sound(pad, arc, weight));
+    if (t->in && t->is_sound)
+        rw_pad_append(pad, arc, weight);
 }
 
 /* What the pad is, if it is not a wedge. */
 static void pass_pad(stream *t, rw_geometry *g)
 {
-    double *const finite[] = {&g->reach, &g->middle_slope};
-    pass_all(t, 2, finite);
-    t->is_sound = t->is_sound && rw_is_magnitude(g->reach);
-    const size_t count = pass_count(t, g->pad ? g->pad->count : 0, t->in ? t->size / 3 : SIZE_MAX);
-    if (t->in && t->is_sound && count > 0) {
+    pass_all(t, (double *const[]){&g->reach, &g->middle_slope, NULL});
+    require(t, rw_is_magnitude(g->reach));
+    const size_t count = pass_count(t, g->pad ? g->pad->count : 0, ARC);
+    if (count == 0 || !t->is_sound)
+        return;
+    if (t->in)
         g->pad = rw_pad_create(count);
-        need(t, g->pad);
-    }
-    for (size_t i = 0; i < count && t->is_sound; i++) {
-        rw_arc arc = {0, 0};
-        double weight = 0;
-        if (!t->in) {
-            arc = g->pad->arcs[i];
-            weight = g->pad->weights[i];
-        }
-        double *const numbers[] = {&arc.left, &arc.right, &weight};
-        pass_all(t, 3, numbers);
-        t->is_sound = t->is_sound && (!t->in || rw_is_arc_sound(g->pad, arc, weight));
-        if (t->in && t->is_sound)
-            rw_pad_append(g->pad, arc, weight);
-    }
-    t->is_sound = t->is_sound && (!g->pad || rw_is_pad_sound(g->pad));
+    if (!has(t, g->pad))
+        return;
+    for (size_t i = 0; i < count && t->is_sound; i++)
+        pass_arc(t, g->pad, i);
+    require(t, rw_is_pad_sound(g->pad));
 }
 
 static void pass_contact(stream *t, rwedge_contact *c)
 {
-    double *const finite[] = {
-        &c->geometry.theta, &c->geometry.a,   &c->geometry.A,   &c->f,
-        &c->loads.P,        &c->loads.M,      &c->loads.Q,      &c->loads.sigma,
-        &c->touched_at,     &c->settled.left, &c->settled.right};
-    pass_all(t, sizeof finite / sizeof *finite, finite);
+    rw_geometry *g = &c->geometry;
+    rw_loads *loads = &c->loads;
+    t->geometry = g;
+    pass_all(t, (double *const[]){&g->theta, &g->a, &g->A, &c->f, &loads->P, &loads->M, &loads->Q,
+                                  &loads->sigma, &c->touched_at, NULL});
+    pass_patch(t, &c->settled);
     pass(t, &c->energy_carry); /* NaN where the energy is not known */
     pass(t, &c->slid_from);
     if (t->version > 1)
@@ -333,19 +326,15 @@ static void pass_contact(stream *t, rwedge_contact *c)
     else
         c->strain = 1;
     pass(t, &c->energy); /* NaN in states of older libraries, where it was not known */
-    t->geometry = &c->geometry;
     if (t->version > 2)
-        pass_pad(t, &c->geometry);
-    if (t->in && !(rw_is_geometry(t->geometry) && rw_is_positive(rw_unit_stress(t->geometry))))
-        t->is_sound = false;
+        pass_pad(t, g);
+    require(t, !t->in || (rw_is_geometry(g) && rw_is_positive(rw_unit_stress(g))));
     pass_flag(t, &c->was_off_centre);
     pass_flag(t, &c->is_origin_known);
     pass_path(t, &c->memory);
     pass_origins(t, &c->origins);
     if (t->version > 2)
         pass_numerical(t, c);
-    else
-        c->tolerance = 0;
 }
 
 /* A number of 52 bits. */

@@ -78,7 +78,7 @@ bool rw_memory_reserve(rw_memory *memory, size_t more)
 
 rw_path rw_memory_path(const rw_memory *memory)
 {
-    static const rw_branch WHOLE = {0};
+    static const rw_slip_origin WHOLE = {0};
     return (rw_path){memory->corners, &WHOLE, 0, memory->count};
 }
 

@@ -50,29 +50,31 @@ typedef struct {
     size_t level;
 } rw_memory;
 
-/* A kept path as a branch of the path kept before it: it has the first `shared` corners of that
- * path, and then its own. `before` is the nearest earlier branch that shares fewer corners, `jump`
- * one farther back, so that any corner is found in a few jumps. */
+/* A kept path (slip_origin.h), as a branch of the path kept before it: it has the first `shared`
+ * corners of that path, and then its own. `before` is the nearest earlier branch that shares fewer
+ * corners, `jump` one farther back, so that any corner is found in a few jumps. */
 typedef struct {
-    size_t shared, first; /* first: the place of its first own corner in the row of all */
+    double end, from_load, from_shear, to_load, to_shear;
+    size_t corners, shared;
+    size_t first; /* the place of its first own corner in the row of all */
     size_t before, jump, depth;
-} rw_branch;
+} rw_slip_origin;
 
 /* A path to read: the present one, or one that was. */
 typedef struct {
     const rw_corner *corners;
-    const rw_branch *branches;
-    size_t branch, count;
+    const rw_slip_origin *origins;
+    size_t origin, count;
 } rw_path;
 
 rw_path rw_memory_path(const rw_memory *memory);
 
 static inline const rw_corner *rw_path_corner(const rw_path *path, size_t i)
 {
-    const rw_branch *branch = &path->branches[path->branch];
+    const rw_slip_origin *branch = &path->origins[path->origin];
     while (i < branch->shared) {
-        const rw_branch *far = &path->branches[branch->jump];
-        branch = i < far->shared ? far : &path->branches[branch->before];
+        const rw_slip_origin *far = &path->origins[branch->jump];
+        branch = i < far->shared ? far : &path->origins[branch->before];
     }
     return &path->corners[branch->first + (i - branch->shared)];
 }

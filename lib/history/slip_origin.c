@@ -21,10 +21,6 @@ bool rw_slip_origins_reserve(rw_slip_origins *origins, size_t more, size_t corne
     if (!grown)
         return false;
     origins->all = grown;
-    rw_branch *branches = realloc(origins->branches, capacity * sizeof *branches);
-    if (!branches)
-        return false;
-    origins->branches = branches;
     origins->capacity = capacity;
     return true;
 }
@@ -39,7 +35,6 @@ bool rw_slip_origins_copy(const rw_slip_origins *origins, rw_slip_origins *copy)
         return false;
     }
     memcpy(copy->all, origins->all, origins->count * sizeof *copy->all);
-    memcpy(copy->branches, origins->branches, origins->count * sizeof *copy->branches);
     memcpy(copy->own.corners, origins->own.corners, origins->own.count * sizeof *copy->own.corners);
     copy->count = origins->count;
     copy->own.count = origins->own.count;
@@ -49,36 +44,34 @@ bool rw_slip_origins_copy(const rw_slip_origins *origins, rw_slip_origins *copy)
 void rw_slip_origins_destroy(rw_slip_origins *origins)
 {
     free(origins->all);
-    free(origins->branches);
     rw_memory_destroy(&origins->own);
     *origins = (rw_slip_origins){0};
 }
 
 /* A new branch behind the last one. Where two jumps of equal length meet, the next one is as long
  * as both. */
-static rw_branch branch_off(const rw_slip_origins *origins, size_t shared)
+static void branch_off(const rw_slip_origins *origins, rw_slip_origin *branch)
 {
-    const size_t itself = origins->count;
-    rw_branch branch = {shared, origins->own.count, itself, itself, 0};
-    if (shared == 0)
-        return branch;
-    const rw_branch *all = origins->branches;
+    const rw_slip_origin *all = origins->all;
+    branch->first = origins->own.count;
+    branch->before = branch->jump = origins->count;
+    branch->depth = 0;
+    if (branch->shared == 0)
+        return;
     size_t before = origins->count - 1;
-    while (all[before].shared >= shared)
+    while (all[before].shared >= branch->shared)
         before = all[before].before;
     const size_t jump = all[before].jump, twice = all[jump].jump;
     const bool is_even = all[before].depth - all[jump].depth == all[jump].depth - all[twice].depth;
-    branch.before = before;
-    branch.jump = is_even ? twice : before;
-    branch.depth = all[before].depth + 1;
-    return branch;
+    branch->before = before;
+    branch->jump = is_even ? twice : before;
+    branch->depth = all[before].depth + 1;
 }
 
-void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const rw_corner own[],
-                          size_t shared)
+void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const rw_corner own[])
 {
-    const size_t more = origin.corners - shared;
-    origins->branches[origins->count] = branch_off(origins, shared);
+    const size_t more = origin.corners - origin.shared;
+    branch_off(origins, &origin);
     origins->all[origins->count++] = origin;
     memmove(origins->own.corners + origins->own.count, own, more * sizeof *own);
     origins->own.count += more;
@@ -87,7 +80,7 @@ void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const
 /* Removes the last origin. */
 static void pop(rw_slip_origins *origins, rw_memory *memory)
 {
-    const rw_branch *last = &origins->branches[--origins->count];
+    const rw_slip_origin *last = &origins->all[--origins->count];
     origins->own.count = last->first;
     if (memory->shared > last->shared)
         memory->shared = last->shared;
@@ -102,7 +95,7 @@ size_t rw_slip_origins_corners(const rw_slip_origins *origins)
 {
     size_t roots = 0;
     for (size_t i = 0; i < origins->count; i++)
-        roots += origins->branches[i].shared == 0;
+        roots += origins->all[i].shared == 0;
     return origins->own.count - roots;
 }
 
@@ -122,11 +115,16 @@ bool rw_slip_origins_advance(rw_slip_origins *origins, rw_memory *memory, bool s
 {
     const rw_corner *end = rw_memory_end(memory);
     if (slips && load > origins->fresh) {
-        const rw_slip_origin origin = {fmax(end->load, load), end->load, end->shear, load, shear,
-                                       memory->count};
+        const rw_slip_origin origin = {.end = fmax(end->load, load),
+                                       .from_load = end->load,
+                                       .from_shear = end->shear,
+                                       .to_load = load,
+                                       .to_shear = shear,
+                                       .corners = memory->count,
+                                       .shared = memory->shared};
         if (!rw_slip_origins_reserve(origins, 1, memory->count - memory->shared))
             return false;
-        rw_slip_origins_keep(origins, origin, memory->corners + memory->shared, memory->shared);
+        rw_slip_origins_keep(origins, origin, memory->corners + memory->shared);
         memory->shared = memory->count;
         origins->fresh = origin.end;
     }
@@ -152,7 +150,7 @@ const rw_slip_origin *rw_slip_origin_of(const rw_slip_origins *origins, double u
 
 rw_path rw_slip_origin_path(const rw_slip_origins *origins, const rw_slip_origin *origin)
 {
-    return (rw_path){origins->own.corners, origins->branches, (size_t)(origin - origins->all),
+    return (rw_path){origins->own.corners, origins->all, (size_t)(origin - origins->all),
                      origin->corners};
 }
 

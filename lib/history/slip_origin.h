@@ -21,17 +21,9 @@
 
 /* An origin serves the points u up to the load `end`, from the end of the origin before it. For u >
  * from_load the path goes on along the straight line from (from_load, from_shear) to (to_load,
- * to_shear). */
-typedef struct {
-    double end;
-    double from_load, from_shear, to_load, to_shear;
-    size_t corners; /* of its path */
-} rw_slip_origin;
-
-/* Points from `fresh` on have not slipped. */
+ * to_shear). Points from `fresh` on have not slipped. */
 typedef struct {
     rw_slip_origin *all;
-    rw_branch *branches; /* as many: their paths */
     size_t count, capacity;
     rw_memory own; /* all paths' own corners, in a row */
     double fresh;
@@ -49,10 +41,9 @@ bool rw_slip_origins_reserve(rw_slip_origins *origins, size_t more, size_t corne
 bool rw_slip_origins_advance(rw_slip_origins *origins, rw_memory *memory, bool slips, double load,
                              double shear);
 
-/* Adds an origin whose path shares its first corners with the last one, `shared` of them, and goes
- * on with its own. There must be room. */
-void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const rw_corner own[],
-                          size_t shared);
+/* Adds an origin whose path shares its first corners with the last one, and goes on with its own.
+ * There must be room. */
+void rw_slip_origins_keep(rw_slip_origins *origins, rw_slip_origin origin, const rw_corner own[]);
 
 /* How many corners the path has that was kept last; 0 where none is. */
 size_t rw_slip_origins_last_corners(const rw_slip_origins *origins);

@@ -78,8 +78,7 @@ static void stick_to_edge(rw_zones *z, int side)
 static bool seems_stuck(const rw_problem *p, const rw_zones *z, int side, double angle)
 {
     const rw_zone last = side ? z->zone[z->count - 1] : z->zone[0];
-    const double grown = side ? p->to.right - p->from.right : p->from.left - p->to.left;
-    return p->grows[side] && (last.label == 0 || width(last) < 6 * angle + 3 * grown);
+    return p->grows[side] && (last.label == 0 || width(last) < 6 * angle + 3 * p->growth[side]);
 }
 
 bool rw_pattern_variant(const rw_problem *p, const rw_zones *z, double angle, int number,

@@ -90,10 +90,9 @@ RWEDGE_API const char *rwedge_strerror(int32_t status);
 RWEDGE_API double rwedge_compliance(double E1, double nu1, double E2, double nu2);
 
 /* Dundurs' second constant for plane strain. It couples the normal and the tangential problem: the
- * theory with friction is exact where it is 0 (elastically similar bodies).
- *                                                                 Dundurs (1969), see lib/README.md
- *   arguments as for rwedge_compliance(); beta changes sign when the bodies are exchanged;
- *   |beta| <= 1/2 for nu >= 0
+ * theory with friction is exact where it is 0 (elastically similar bodies). Its sign changes when
+ * the bodies are exchanged; |beta| <= 1/2 for nu >= 0.            Dundurs (1969), see lib/README.md
+ *   others  as in rwedge_compliance()
  * NaN where rwedge_compliance() is. Error below 4 epsilon, absolutely. */
 RWEDGE_API double rwedge_dundurs_beta(double E1, double nu1, double E2, double nu2);
 
@@ -463,8 +462,9 @@ RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 
 /* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, in English; empty where it
  * would not. The text also names loads that lead there, or near, another way. They were tried on a
- * copy of the contact, which takes as long as some loads. Another way is another history.       new
- *   arguments as for rwedge_contact_apply(); the contact stays as it is
+ * copy: the contact stays as it is. That takes as long as some loads. Another way is another
+ * history.                                                                                      new
+ *   others  as in rwedge_contact_apply()
  * Static text, never NULL. */
 RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M,
                                                double Q, double sigma);

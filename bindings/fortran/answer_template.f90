@@ -33,7 +33,7 @@ contains
         v = arguments(line)
         stat = rwedge_ok
         select case (line(:index(line, ':') - 1))
-{cases}
+        {cases}
         case default
             write (error_unit, '(2a)') line, ': no such call'
             error stop 1
@@ -88,13 +88,9 @@ contains
         real(c_double), intent(in) :: value
         character(:), allocatable :: text
         character(16) :: digits
-        integer :: i
         text = ',nan'
         if (ieee_is_nan(value)) return
         write (digits, '(z16.16)') transfer(value, 0_int64)
-        do i = 1, len(digits) ! to lower case
-            if (digits(i:i) > '9') digits(i:i) = achar(iachar(digits(i:i)) + 32)
-        end do
         text = ',' // digits
     end function
 end program

@@ -24,10 +24,10 @@ module rwedge
     implicit none
     private
 
-{statuses}
+    {statuses}
 
     public :: rwedge_version, rwedge_error_text
-{public}
+    {public}
 
     ! An object of the library, and where its handle is when it is this one's own.
     type :: owner
@@ -40,7 +40,7 @@ module rwedge
     type, extends(owner), public :: rwedge_contact
         private
     contains
-{contact procedures}
+        {contact procedures}
         procedure, private :: assign_contact
         generic :: assignment(=) => assign_contact
         final :: finalize_contact
@@ -51,7 +51,7 @@ module rwedge
         private
         integer, pointer :: users => null()
     contains
-{series procedures}
+        {series procedures}
         procedure, private :: assign_series
         generic :: assignment(=) => assign_series
         final :: finalize_series
@@ -80,7 +80,7 @@ module rwedge
             type(c_ptr) :: address
         end function
 
-{interfaces}
+        {interfaces}
     end interface
 
 contains
@@ -358,5 +358,5 @@ contains
         call this%destroy()
     end subroutine
 
-{procedures}
+    {procedures}
 end module

@@ -40,7 +40,6 @@ TOKEN = re.compile(r"""
 EQUATION = re.compile(r"\s{2,}((?:Eqs?\.|Sec\.|Figs?\.|new\b|[A-Za-z][A-Za-z ,]*? \(\d{4}\)).*)$")
 ARGUMENT = re.compile(r"  (\w+(?:, \w+)*)  +(\S.*)")
 FURTHER = re.compile(r" {4,}(\S.*)")
-LIKE = re.compile(r"  arguments as for rwedge_(\w+)\(\); (.*)")
 SENTENCE = re.compile(r"(?<=\.)(?<!Fig\.)\s+")
 WITHOUT_SIZE = re.compile(r"These arguments have no size: (.*?)\.")
 REASON = re.compile(r"(RWEDGE_E[A-Z]+) ((?:after|in|off|when|where) [^;.:]*)")
@@ -233,7 +232,7 @@ class Reader:
         arguments: dict[str, tuple[str, set[str]]] = {}
         rest, names = [], []
         for line in lines:
-            if (match := ARGUMENT.fullmatch(EQUATION.sub("", line))) and not LIKE.match(line):
+            if (match := ARGUMENT.fullmatch(EQUATION.sub("", line))):
                 names = match[1].split(", ")
                 arguments.update((n, (match[2].strip(), set(names) - {n})) for n in names)
             elif names and (match := FURTHER.fullmatch(line)):
@@ -280,12 +279,6 @@ class Reader:
     def describe(self, function: Function) -> None:
         own, rest = self.listed(function.comment)
         before = self.interface.functions[-1] if rest[0].startswith("The same") and self.interface.functions else None
-        like = next((m for m in map(LIKE.match, rest) if m), None)
-        if like:
-            start = rest.index(like.string)
-            end = next(i for i in range(start + 1, len(rest)) if not rest[i].startswith("  "))
-            rest[start:end] = [f"{like[2]} {' '.join(x.strip() for x in rest[start + 1:end])}".strip().removesuffix(".") + "."]
-            before_like = self.interface[like[1]]
         equations = [m[1] for m in map(EQUATION.search, function.comment) if m]
         prose = [without for x in rest if (without := EQUATION.sub("", x)) or not x]
         function.text = "\n\n".join(" ".join(" ".join(p).split()) for p in paragraphs(prose))
@@ -300,7 +293,7 @@ class Reader:
             function.accuracy = before.accuracy
         function.may_be_infinite = function.returns == "double" and "HUGE_VAL" in function.text
         for p in function.parameters:
-            self.describe_parameter(function, p, own, before or (before_like if like else None))
+            self.describe_parameter(function, p, own, before)
         function.refuses_more = bool(REFUSES_MORE.search(function.text)) or bool(before and before.refuses_more) or \
             any(p.domain and p.domain.between for p in function.parameters) or \
             self.dimensional and function.returns == "double" and not function.family and "NaN" not in function.text

@@ -3,9 +3,12 @@
 subroutines with stat and errmsg; the comments are the header's."""
 from __future__ import annotations
 
+import itertools
 import math
+import re
 import sys
 import textwrap
+from operator import itemgetter
 
 from header import EQUATION, Function, Interface, Parameter, template
 
@@ -21,37 +24,22 @@ def name_of(p: Parameter) -> str:
     return NAMES.get(p.name, p.name)
 
 
-def folded(line: str, indent: int) -> str:
-    """A statement over as many lines as it takes, broken at ", ", outside of texts where it can be."""
-    margin, lines, in_text = " " * indent, [], False
-    while len(margin) + len(line) > WIDTH:
-        quoted, places = in_text, {True: 0, False: 0}
-        for i, letter in enumerate(line[:WIDTH - len(margin) - 2]):
-            quoted ^= letter == "'"
-            if line[i - 1:i + 1] == ", ":
-                places[quoted] = i + 1
-        in_text = places[False] == 0
-        best = places[in_text]
-        if best == 0:
-            sys.exit(f"write_fortran.py: no place to break the line {line}")
-        lines.append(margin + line[:best] + "&")
-        line, margin = "&" * in_text + line[best:], " " * (indent + 4)
-    return "\n".join([*lines, margin + line])
+def folded(line: str) -> str:
+    """A line over as many as it takes, broken behind spaces, within texts too; comments are short enough."""
+    if len(line) <= WIDTH or line.lstrip().startswith("!"):
+        return line
+    margin = line[:len(line) - len(line.lstrip())] + "    "
+    pieces = textwrap.wrap(line.strip(), WIDTH - len(margin) - 2, drop_whitespace=False, break_long_words=False, break_on_hyphens=False)
+    return margin[4:] + f"&\n{margin}&".join(pieces)
+
+
+def block(head: str, lines: list[str], end: str) -> list[str]:
+    return [head, *("    " + line for line in lines), end]
 
 
 def declarations(groups: list[tuple[str, str]]) -> list[str]:
     """(type, name): consecutive ones of a type on one line."""
-    lines: list[tuple[str, list[str]]] = []
-    for kind, name in groups:
-        if lines and lines[-1][0] == kind:
-            lines[-1][1].append(name)
-        else:
-            lines.append((kind, [name]))
-    return [f"{kind} :: {', '.join(names)}" for kind, names in lines]
-
-
-def is_pure(f: Function) -> bool:
-    return f.result == "value"
+    return [f"{kind} :: {', '.join(name for _, name in group)}" for kind, group in itertools.groupby(groups, itemgetter(0))]
 
 
 # ---- Interfaces to C ----
@@ -69,24 +57,21 @@ def in_c(p: Parameter) -> tuple[str, str]:
     return f"real(c_double), intent({intent})", name + ("(*)" if "array" in p.role else "")
 
 
-def interface_of(f: Function) -> str:
+def interface_of(f: Function) -> list[str]:
     result = {"status": "status", "nothing": ""}.get(f.result, "value")
     unit = "function" if result else "subroutine"
-    head = f"{'pure ' if is_pure(f) else ''}{unit} c_{f.name}({', '.join(name_of(p) for p in f.parameters)})"
+    head = f"{'pure ' * (f.result == 'value')}{unit} c_{f.name}({', '.join(name_of(p) for p in f.parameters)})"
     bind = f'bind(C, name="rwedge_{f.name}")' + (f" result({result})" if result else "")
-    lines = [f"        {head} {bind}"] if len(head) + len(bind) < 118 else [folded(f"{head} &", 8), f"            &{bind}"]
     groups = [in_c(p) for p in f.parameters] + ([(TYPES[f.returns], result)] if result else [])
     used = sorted({k for kind, _ in groups for k in ("c_double", "c_int32_t", "c_ptr", "c_size_t") if k in kind})
-    lines.append(f"            import :: {', '.join(used)}")
-    lines += [f"            {x}" for x in declarations(groups)]
-    return "\n".join([*lines, f"        end {unit}"])
+    return block(f"{head} {bind}", [f"import :: {', '.join(used)}", *declarations(groups)], f"end {unit}")
 
 
 # ---- Procedures ----
 
 
-def comment(f: Function) -> str:
-    return "\n".join(("    !> " + EQUATION.sub(r"   \1", line)).rstrip() for line in f.comment)
+def comment(f: Function) -> list[str]:
+    return [("!> " + EQUATION.sub(r"   \1", line)).rstrip() for line in f.comment]
 
 
 def in_fortran(p: Parameter) -> tuple[str, str]:
@@ -142,26 +127,15 @@ def in_message(names: list[Parameter], at: str = "") -> tuple[list[str], list[st
     return [name_of(p) for p in names], [f"real({w}, c_double)" if p.kind == "int32_t" else w for p, w in zip(names, words)]
 
 
-def reason(f: Function, indent: int) -> str:
-    """When there is no result, as a text of Fortran."""
-    pieces = textwrap.wrap("; ".join(filter(None, [f.reasons.get("RWEDGE_EABSENT", ""), f.path])), 90, drop_whitespace=False)
-    return f" // &\n{' ' * indent}".join(f"'{piece}'" for piece in pieces)
-
-
-def conclude(f: Function, status: str, names: list[str], values: list[str], more: str = "", at: str = "",
-             indent: int = 8, why: str = "") -> list[str]:
-    why = why or reason(f, indent + 8)
+def conclude(f: Function, status: str, names: list[str], values: list[str], more: str = "", at: str = "", why: str = "") -> str:
+    """Hands over the status with what its message needs; why there is no result is told by the function where nothing else does."""
+    absent = "; ".join(filter(None, [f.reasons.get("RWEDGE_EABSENT", ""), f.path]))
+    why = why or (f"'{absent}'" if absent else "")
     call_text = f"'{call_name(f)}({', '.join(names) if names or not f.inputs else '...'})'"
     array = f"[{', '.join(values)}]" if values else "[real(c_double) ::]"
-    why = f", why={why}" if why else ""
-    text, end = allowed(f) + more, f", stat, errmsg{', ' + at if at else ''}{why})"
-    head = f"call conclude({status}, {call_text}, {array}, "
-    if indent + len(head + text + end) + 2 <= WIDTH:
-        return [f"{' ' * indent}{head}'{text}'{end}"]
-    end = end.replace(", why=", f", &\n{' ' * (indent + 8)}why=")
-    margin = " " * (indent + 4)
-    pieces = textwrap.wrap(text.replace("'", "''"), 100 - indent, drop_whitespace=False, break_long_words=False) or [""]
-    return [folded(head, indent).rstrip() + " &", margin + f" // &\n{margin}".join(f"'{p}'" for p in pieces) + end]
+    given = ["stat", "errmsg", *[at] * bool(at), *[f"why={why}"] * bool(why)]
+    text = (allowed(f) + more).replace("'", "''")
+    return f"call conclude({status}, {call_text}, {array}, '{text}', {', '.join(given)})"
 
 
 def extent(f: Function, size: str, kind: str = "") -> tuple[Parameter, str]:
@@ -206,45 +180,39 @@ def search(f: Function) -> list[str]:
     arrays = f.of("in array")
     if f.pointwise:
         alone = passed(f, {f.of("size")[0].name: "1_c_size_t"}, "i")
-        return ["        if (status == rwedge_edomain) then", f"            do i = 1, size({name_of(arrays[0])})",
-                folded(f"if ({alone} == rwedge_ok) cycle", 16), *conclude(f, "status", *in_message(f.inputs, "i"), at="i", indent=16),
-                "                return", "            end do", "        end if"]
+        tried = [f"if ({alone} == rwedge_ok) cycle", conclude(f, "status", *in_message(f.inputs, "i"), at="i"), "return"]
+        return block("if (status == rwedge_edomain) then", block(f"do i = 1, size({name_of(arrays[0])})", tried, "end do"), "end if")
     lines = []
     for p in (p for p in arrays if len(p.size) == 1):
-        together = [q for q in arrays if q.size == p.size]
-        lines += [folded(f"i = first_outside({name_of(p)}, {bounds(p)})", 8), "        if (status == rwedge_edomain .and. i > 0) then",
-                  *conclude(f, "status", *in_message(together, "i"), at="i", indent=12), "            return", "        end if"]
+        told = conclude(f, "status", *in_message([q for q in arrays if q.size == p.size], "i"), at="i")
+        lines += [f"i = first_outside({name_of(p)}, {bounds(p)})",
+                  *block("if (status == rwedge_edomain .and. i > 0) then", [told, "return"], "end if")]
     return lines
 
 
 def body(f: Function) -> tuple[list[tuple[str, str]], list[str]]:
     """Local variables and statements of a subroutine."""
     local: list[tuple[str, str]] = []
-    arrays = f.of("in array", "out array")
     optional = [p for p in f.outputs if p.optional]
     if optional:
         local.append(("real(c_double)", f"place({len(optional)})"))
     if f.of("created"):
         local.append(("type(c_ptr)", "created"))
     call = passed(f, sizes_of(f))
-    if not (arrays or optional or f.of("created") or f.name == "contact_apply"):
-        return local, conclude(f, call, *in_message(f.inputs))
+    if not (f.of("in array", "out array", "created") or optional or f.name == "contact_apply"):
+        return local, [conclude(f, call, *in_message(f.inputs))]
     local.append(("integer(c_int32_t)", "status"))
     if f.name == "contact_apply":
-        return local, [f"        status = {call}", "        if (status == rwedge_epath) then",
-                       *conclude(f, "status", *in_message(f.inputs), indent=12, why="this%obstacle(P, M, Q, sigma)"),
-                       "            return", "        end if", *conclude(f, "status", *in_message(f.inputs))]
+        obstacle = conclude(f, "status", *in_message(f.inputs), why="this%obstacle(P, M, Q, sigma)")
+        return local, [f"status = {call}", *block("if (status == rwedge_epath) then", [obstacle, "return"], "end if"),
+                       conclude(f, "status", *in_message(f.inputs))]
     fits = agreement(f)
-    lines = [folded(f"status = {call}", 8)]
-    if fits:
-        lines = ["        status = rwedge_erange", folded(f"if ({' .and. '.join(fits)}) &", 8), folded(f"status = {call}", 12)]
+    lines = ["status = rwedge_erange", f"if ({' .and. '.join(fits)}) status = {call}"] if fits else [f"status = {call}"]
     if f.of("created"):
-        lines.append(f"        if (status == rwedge_ok) call own_{f.family}(this, created)")
-    for k, p in enumerate(optional, 1):
-        lines.append(f"        if (status == rwedge_ok .and. present({name_of(p)})) {name_of(p)} = place({k})")
-    if f.of("in array"):
-        if any(len(p.size) == 1 for p in f.of("in array")):
-            local.append(("integer", "i"))
+        lines.append(f"if (status == rwedge_ok) call own_{f.family}(this, created)")
+    lines += [f"if (status == rwedge_ok .and. present({name_of(p)})) {name_of(p)} = place({k})" for k, p in enumerate(optional, 1)]
+    if any(len(p.size) == 1 for p in f.of("in array")):
+        local.append(("integer", "i"))
         if f.pointwise:
             local.insert(0, ("real(c_double)", f"s({len(f.outputs)})"))
         lines += search(f)
@@ -252,35 +220,31 @@ def body(f: Function) -> tuple[list[tuple[str, str]], list[str]]:
     if f.of("in array") and not f.pointwise:
         counted = [extent(f, p.name)[1] for p in f.of("size")]
         names, numbers = counted + names, [f"real({c}, c_double)" for c in counted] + numbers
-    return local, [*lines, *conclude(f, "status", names, numbers, "; arrays of one size" if fits else "")]
+    return local, [*lines, conclude(f, "status", names, numbers, "; arrays of one size" if fits else "")]
 
 
-def procedure(f: Function) -> str:
+ERROR = [("integer, intent(out), optional", "stat"), ("character(*), intent(inout), optional", "errmsg")]
+
+
+def procedure(f: Function) -> list[str]:
     own = [(f"class(rwedge_{f.family}), intent({'in' if f.of('handle') and not f.of('created') else 'inout'})", "this")] \
         if f.family else []
     if f.of("created") and f.of("handle"):
-        own.append((f"type(rwedge_{f.family})" + ", intent(in)", "from"))
+        own.append((f"type(rwedge_{f.family}), intent(in)", "from"))
     name = f.name if f.family else f"rwedge_{f.name}"
-    parameters = [p for p in f.parameters if p in f.inputs or p in f.outputs]
-    dummies = own + [in_fortran(p) for p in parameters]
+    dummies = own + [in_fortran(p) for p in f.parameters if p in f.inputs or p in f.outputs]
     names = [n.split("(")[0] for _, n in dummies]
     check_names(f, names)
-    if f.result == "text":
-        lines = [*declarations(dummies + [("character(:), allocatable", "text")]), f"text = text_of({passed(f, {})})"]
-        return "\n".join([comment(f), folded(f"function {name}({', '.join(names)}) result(text)", 4),
-                          *(folded(x, 8) for x in lines), "    end function\n"])
-    if f.result == "value":
-        elemental = "elemental" if f.inputs or not f.family else "pure"
-        head = f"{elemental} function {name}({', '.join(names)}) result(value)"
-        lines = [*declarations(dummies + [(TYPES[f.returns], "value")]), f"value = {passed(f, {})}"]
-        inner = [folded(x, 8) for x in lines]
-        return "\n".join([comment(f), folded(head, 4), *inner, "    end function\n"])
+    if f.result in ("value", "text"):
+        elemental = "" if f.result == "text" else "elemental " if f.inputs or not f.family else "pure "
+        kind = "character(:), allocatable" if f.result == "text" else TYPES[f.returns]
+        value = passed(f, {}) if f.result == "value" else f"text_of({passed(f, {})})"
+        return [*comment(f), *block(f"{elemental}function {name}({', '.join(names)}) result({f.result})",
+                                    [*declarations([*dummies, (kind, f.result)]), f"{f.result} = {value}"], "end function"), ""]
     plain = bool(f.of("changed", "created", "in array", "out array") or any(p.optional for p in f.outputs))
     head = f"{'' if plain else 'impure elemental '}subroutine {name}({', '.join(names + ['stat', 'errmsg'])})"
     local, statements = body(f)
-    dummies += [("integer, intent(out), optional", "stat"), ("character(*), intent(inout), optional", "errmsg")]
-    return "\n".join([comment(f), folded(head, 4), *(folded(x, 8) for x in declarations(dummies) + declarations(local)),
-                      *statements, "    end subroutine\n"])
+    return [*comment(f), *block(head, [*declarations(dummies + ERROR), *declarations(local), *statements], "end subroutine"), ""]
 
 
 def check_names(f: Function, names: list[str]) -> None:
@@ -293,30 +257,27 @@ def check_names(f: Function, names: list[str]) -> None:
 # ---- The module ----
 
 
-def procedures(interface: Interface) -> str:
-    parts, section = [], ""
+def procedures(interface: Interface) -> list[str]:
+    lines, section = [], ""
     for f in interface.functions:
         if f.name in BY_HAND:
             continue
         if f.section != section:
             section = f.section
-            parts.append(f"    ! ---- {section} ".ljust(121, "-") + "\n")
-        parts.append(procedure(f))
-        if has_grid(f):
-            parts.append(grid(f))
-    return "\n".join(parts).rstrip("\n")
+            lines += [f"! ---- {section} ".ljust(117, "-"), ""]
+        lines += procedure(f) + (grid(f) if has_grid(f) else [])
+    return lines[:-1]
 
 
-def bound(interface: Interface, family: str) -> str:
+def bound(interface: Interface, family: str) -> list[str]:
     lines = []
     for f in (f for f in interface.functions if f.family == family):
         if has_grid(f):
-            lines += [f"        procedure, private :: {f.method}_of_list => {f.name}",
-                      f"        procedure, private :: {f.method}_of_grid => {f.name}_of_grid",
-                      f"        generic :: {f.method} => {f.method}_of_list, {f.method}_of_grid"]
+            lines += [f"procedure, private :: {f.method}_of_list => {f.name}", f"procedure, private :: {f.method}_of_grid => {f.name}_of_grid",
+                      f"generic :: {f.method} => {f.method}_of_list, {f.method}_of_grid"]
         else:
-            lines.append(f"        procedure :: {f.method} => {f.name}")
-    return "\n".join(lines)
+            lines.append(f"procedure :: {f.method} => {f.name}")
+    return lines
 
 
 def has_grid(f: Function) -> bool:
@@ -324,43 +285,40 @@ def has_grid(f: Function) -> bool:
     return bool(f.family) and f.pointwise and all(len(p.size) == 1 for p in f.inputs + f.outputs)
 
 
-def grid(f: Function) -> str:
+def grid(f: Function) -> list[str]:
     """The same of arrays of rank 2: those of the list, laid out again."""
-    names = [name_of(p) for p in f.inputs + f.outputs]
+    names, outputs = [name_of(p) for p in f.inputs + f.outputs], [name_of(p) for p in f.outputs]
     first, others = names[0], names[1:]
     fits = " .and. ".join(f"all([{', '.join(f'size({n}, {k})' for n in others)}] == size({first}, {k}))" for k in (1, 2))
-    lists = ", ".join(f"reshape({name_of(p)}, [size({name_of(p)})])" if p in f.inputs else f"list_{name_of(p)}"
-                      for p in f.inputs + f.outputs)
+    lists = [f"list_{n}" if n in outputs else f"reshape({n}, [size({n})])" for n in names]
     dummies = [(f"class(rwedge_{f.family}), intent(in)", "this")]
     dummies += [(in_fortran(p)[0], f"{name_of(p)}(:, :)") for p in f.inputs + f.outputs]
-    dummies += [("integer, intent(out), optional", "stat"), ("character(*), intent(inout), optional", "errmsg")]
-    dummies += [("real(c_double), allocatable", f"list_{name_of(p)}(:)") for p in f.outputs]
-    lines = declarations(dummies)
-    lines += [f"if (.not. ({fits})) then",
-              f"    call conclude(rwedge_erange, '{call_name(f)}(...)', [real(c_double) ::], 'arrays of one shape', stat, &",
-              "        &errmsg)",
-              "    return", "end if"]
-    lines += [f"list_{name_of(p)} = reshape({name_of(p)}, [size({name_of(p)})])" for p in f.outputs]
-    lines.append(f"call this%{f.method}({lists}, stat, errmsg)")
-    lines += [f"{name_of(p)} = reshape(list_{name_of(p)}, shape({name_of(p)}))" for p in f.outputs]
+    refused = f"call conclude(rwedge_erange, '{call_name(f)}(...)', [real(c_double) ::], 'arrays of one shape', stat, errmsg)"
+    lines = [*declarations([*dummies, *ERROR, *(("real(c_double), allocatable", f"list_{n}(:)") for n in outputs)]),
+             *block(f"if (.not. ({fits})) then", [refused, "return"], "end if"),
+             *(f"list_{n} = reshape({n}, [size({n})])" for n in outputs),
+             f"call this%{f.method}({', '.join(lists)}, stat, errmsg)",
+             *(f"{n} = reshape(list_{n}, shape({n}))" for n in outputs)]
     head = f"subroutine {f.name}_of_grid({', '.join(['this', *names, 'stat', 'errmsg'])})"
-    return "\n".join(["    !> The same of arrays of rank 2.", folded(head, 4),
-                      *(folded(x.lstrip(), 8 + len(x) - len(x.lstrip())) for x in lines), "    end subroutine\n"])
+    return ["!> The same of arrays of rank 2.", *block(head, lines, "end subroutine"), ""]
+
+
+def filled(path: str, parts: dict[str, list[str]]) -> str:
+    """The template with the parts in place of their marks, indented as these are."""
+    text = template(path)
+    for mark, lines in parts.items():
+        text = re.sub(rf"(?m)^( *)\{{{mark}\}}$", lambda m: textwrap.indent("\n".join(lines), m[1]), text)
+    return "\n".join(map(folded, text.split("\n")))
 
 
 def module(interface: Interface) -> str:
     statuses = ", ".join(f"{name.lower()} = {value}" for name, value in {**interface.statuses, **interface.bits}.items())
     public = [f"rwedge_{f.name}" for f in interface.functions if not f.family and f.name not in BY_HAND]
-    replaced = {
-        "{statuses}": folded(f"integer(c_int32_t), parameter, public :: {statuses}", 4),
-        "{public}": folded(f"public :: {', '.join(public)}", 4),
-        "{contact procedures}": bound(interface, "contact"), "{series procedures}": bound(interface, "series"),
-        "{interfaces}": "\n\n".join(map(interface_of, interface.functions)),
-        "{procedures}": procedures(interface)}
-    module_text = template("fortran/template.f90")
-    for mark, text in replaced.items():
-        module_text = module_text.replace(mark, text)
-    return module_text
+    return filled("fortran/template.f90", {
+        "statuses": [f"integer(c_int32_t), parameter, public :: {statuses}"], "public": [f"public :: {', '.join(public)}"],
+        "contact procedures": bound(interface, "contact"), "series procedures": bound(interface, "series"),
+        "interfaces": [line for f in interface.functions for line in [*interface_of(f), ""]][:-1],
+        "procedures": procedures(interface)})
 
 
 # ---- The program that answers: a case for each call of tests/answers/ ----
@@ -375,14 +333,19 @@ def in_answer(f: Function, p: Parameter) -> str:
     return f"int({value}, c_int32_t)" if p.kind == "int32_t" else value
 
 
-def answer_case(f: Function) -> str:
+def answer_case(f: Function) -> list[str]:
     arguments = [in_answer(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
     name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
-    lines = [f"case ('{f.name}')"]
+    case = f"case ('{f.name}')"
     if f.result in ("value", "text"):
         value = f"{name}({', '.join(arguments)})"
         value = f"len({value})" if f.result == "text" else value
-        return "\n".join([folded(lines[0], 8), folded(f"r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]", 12)])
+        return [case, f"    r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]"]
+    if f.of("created") and f.of("handle"):
+        return [case, f"    call other%{f.method}({f.family}, stat)", f"    {f.family} = other", "    r = [real(c_double) ::]"]
+    call = f"    call {name}({', '.join(arguments + ['stat'])})"
+    if not f.outputs:
+        return [case, call, "    r = [real(c_double) ::]"]
     shape = {}
     for k, p in enumerate(f.inputs, 1):
         if len(p.size) == 1:
@@ -390,20 +353,14 @@ def answer_case(f: Function) -> str:
         elif p.size:
             shape.update({p.size[0]: f"size(v({k})%xx, 2)", p.size[1]: f"size(v({k})%xx, 1)"})
     shape.update({p.name: f"int(contact%{p.given_by.removeprefix('contact_')}())" for p in f.of("size") if p.given_by})
-    if f.outputs:
-        dimensions = next((p.size for p in f.outputs if p.size), ())
-        lines.append(f"allocate (s({', '.join([shape[n] for n in reversed(dimensions)] + ['1'] * (2 - len(dimensions)))}, {len(f.outputs)}))")
-    if f.of("created") and f.of("handle"):
-        lines += [f"call other%{f.method}({f.family}, stat)", f"{f.family} = other"]
-    else:
-        lines.append(f"call {name}({', '.join(arguments + ['stat'])})")
-    lines.append("r = [s]" if f.outputs else "r = [real(c_double) ::]")
-    return "\n".join([folded(lines[0], 8), *(folded(x, 12) for x in lines[1:])])
+    dimensions = next((p.size for p in f.outputs if p.size), ())
+    extents = [shape[n] for n in reversed(dimensions)] + ["1"] * (2 - len(dimensions))
+    return [case, f"    allocate (s({', '.join(extents)}, {len(f.outputs)}))", call, "    r = [s]"]
 
 
 def answer(interface: Interface) -> str:
-    cases = [answer_case(f) for f in interface.functions if f.name not in BY_HAND]
-    return template("fortran/answer_template.f90").replace("{cases}", "\n".join(cases))
+    cases = [line for f in interface.functions if f.name not in BY_HAND for line in answer_case(f)]
+    return filled("fortran/answer_template.f90", {"cases": cases})
 
 
 def texts(interface: Interface) -> dict[str, str]:

@@ -216,30 +216,13 @@ from numpy.typing import NDArray
 from ._general import call
 from ._labels import Numbers
 from ._library import function
+from ._object import Object
 from ._ufuncs import Points
 
 __all__: list[str] = {names}
 {functions}
 
 {enumerations}
-
-
-class _Object:
-    def __init_subclass__(cls) -> None:
-        """A method without a text has that of the method it stands for."""
-        for name, member in vars(cls).items():
-            method = getattr(member, "__func__", member)
-            if callable(method) and not method.__doc__:
-                method.__doc__ = getattr(getattr(super(cls, cls), name, None), "__doc__", None)
-
-    def _call(self, name: str, *arguments: Any) -> Any:
-        raise NotImplementedError
-
-    def _read(self, read: Any) -> Any:
-        raise NotImplementedError
-
-    def _at(self, points: Points, *arguments: Any) -> Any:
-        raise NotImplementedError
 
 '''
 TYPES = {"in array": "Numbers", "double": "SupportsFloat", "int32_t": "SupportsIndex"}
@@ -295,7 +278,7 @@ def made_py(interface: Interface) -> str:
     for family in ("contact", "series"):
         methods = [definition(f, "    ") for f in made if f.family == family]
         methods += [inherited(interface[name]) for name in ADDED if interface[name].family == family]
-        text += f"\nclass {family.title()}Methods(_Object):\n" + ("\n".join(methods) or "    pass\n") + "\n"
+        text += f"\nclass {family.title()}Methods(Object):\n" + ("\n".join(methods) or "    pass\n") + "\n"
     return text
 
 

@@ -204,15 +204,16 @@ static void extend(shape *all, const entry *call, int j, const mxArray *array)
     }
 }
 
-/* The array as often in each dimension as the results go along it: it has as many elements then. */
-static const mxArray *repeated(const mxArray *array, const shape *all)
+/* The element of an array that goes with element i of the results. */
+static size_t place(const mxArray *array, const shape *all, size_t i)
 {
-    mxArray *times = mxCreateDoubleMatrix(1, all->count, mxREAL), *result = NULL;
-    for (mwSize k = 0; k < all->count; k++)
-        mxGetPr(times)[k] = size_in(array, k) == 1 ? (double)all->size[k] : 1;
-    mxArray *arguments[] = {(mxArray *)(uintptr_t)array, times}; /* not changed by it */
-    mexCallMATLAB(1, &result, 2, arguments, "repmat");
-    return result;
+    size_t at = 0, step = 1;
+    for (mwSize k = 0; k < all->count; k++, i /= (size_t)all->size[k - 1]) {
+        const size_t size = (size_t)size_in(array, k);
+        at += size == 1 ? 0 : i % size * step;
+        step *= size;
+    }
+    return at;
 }
 
 /* The numbers of an argument. Those of another class are converted by MATLAB, which frees them. */
@@ -274,29 +275,19 @@ static void map_element(const entry *call, void *object, const double *const v[]
         *s[j] = NAN;
 }
 
-/* The numbers of an argument that go with n elements, and from one of them to the next. */
-static size_t take(const entry *call, int j, const mxArray *array, const shape *all, size_t n,
-                   const double **v)
-{
-    const size_t elements = mxGetNumberOfElements(array);
-    const bool fits = elements == 1 || elements == n;
-    *v = numbers_of(call, j, fits ? array : repeated(array, all));
-    return elements == 1 ? 0 : 1;
-}
-
 static void map(const entry *call, void *object, const mxArray *const arguments[],
                 mxArray *results[])
 {
     const double *v[ENTRY_ARGUMENTS];
     double *r[ENTRY_RESULTS];
-    size_t n = 1, steps[ENTRY_ARGUMENTS], at[ENTRY_ARGUMENTS];
+    size_t n = 1, at[ENTRY_ARGUMENTS];
     shape all = {2, {1, 1}};
     for (int j = 0; j < call->arguments; j++)
         extend(&all, call, j, arguments[j]);
     for (mwSize k = 0; k < all.count; k++)
         n *= (size_t)all.size[k];
     for (int j = 0; j < call->arguments; j++)
-        steps[j] = take(call, j, arguments[j], &all, n, &v[j]);
+        v[j] = numbers_of(call, j, arguments[j]);
     for (int j = 0; j < call->results; j++) {
         results[j] = mxCreateNumericArray(all.count, all.size, mxDOUBLE_CLASS, mxREAL);
         r[j] = mxGetPr(results[j]);
@@ -307,7 +298,7 @@ static void map(const entry *call, void *object, const mxArray *const arguments[
         return;
     for (size_t i = 0; i < n; i++) {
         for (int j = 0; j < call->arguments; j++)
-            at[j] = i * steps[j];
+            at[j] = mxGetNumberOfElements(arguments[j]) == n ? i : place(arguments[j], &all, i);
         map_element(call, object, v, at, r, i, n);
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The only file that knows libcsv. Callers ask for one row after the other, but libcsv calls back
- * for whatever it is given. So it is given a line at a time, until one ends a row. */
+ * for whatever it is given. So it is given a byte at a time, until one ends a row. */
 #include "input.h"
 
 #include <inttypes.h>
@@ -133,15 +133,6 @@ static bool ends_line(char c)
     return c == '\n' || c == '\r';
 }
 
-/* The length of the first line with its end; a return and a line feed are two ends. */
-static size_t line_length(const char *bytes, size_t count)
-{
-    size_t i = 0;
-    while (i < count && !ends_line(bytes[i]))
-        i++;
-    return i + (i < count ? 1 : 0);
-}
-
 /* Whether there are tabs between the cells of the first row, but not the separator. */
 static bool has_tabs_only(const char *bytes, size_t count, char separator)
 {
@@ -161,9 +152,9 @@ static void find_separator(csv_input *in)
     static const char says[] = "sep=";
     struct csv_source *from = in->source;
     const char *line = from->block;
-    const size_t length = line_length(line, from->end), before = sizeof says - 1;
+    const size_t before = sizeof says - 1;
     from->at_start = false;
-    if (length > before + 1 && strncasecmp(line, says, before) == 0 &&
+    if (from->end > before + 1 && strncasecmp(line, says, before) == 0 &&
         strchr(",;\t|", line[before]) != NULL && strchr("\r\n", line[before + 1]) != NULL) {
         separate_by(in, line[before]);
         from->begin = before + 1; /* a blank line is left */
@@ -193,59 +184,62 @@ static csv_event not_closed(csv_input *in)
     return stop(in, "a quote that is not closed");
 }
 
-/* After misplaced quotes the rest of the line is left out. A blank line is a row, of no cells. */
-static void parse(csv_input *in, const char *bytes, size_t count)
+/* False at the end of the file, or where there is a problem. */
+static bool next_byte(csv_input *in, char *byte)
 {
     struct csv_source *from = in->source;
-    const bool is_end = ends_line(bytes[count - 1]);
+    if (from->begin == from->end && (!fill(in) || from->end == 0))
+        return false;
+    *byte = from->block[from->begin++];
+    from->next_line += ends_line(*byte) && !(from->after_return && *byte == '\n');
+    from->after_return = *byte == '\r';
+    return true;
+}
+
+/* After misplaced quotes the rest of the line is left out. */
+static void parse(csv_input *in, char byte)
+{
+    struct csv_source *from = in->source;
+    reserve(&from->row, &from->row_capacity, from->length, 2);
+    from->row[from->length++] = byte;
     from->is_broken =
-        from->is_broken || csv_parse(&from->parser, bytes, count, take_cell, take_end, in) != count;
+        from->is_broken || csv_parse(&from->parser, &byte, 1, take_cell, take_end, in) != 1;
     if (from->is_broken && csv_error(&from->parser) == CSV_ENOMEM) /* no fault of the row */
         failure("out of memory");
-    from->has_ended = from->has_ended || (is_end && (from->is_broken || from->length == 1));
+    from->has_ended = from->has_ended || (from->is_broken && ends_line(byte));
 }
 
-/* A line of the row, or what the block has of it. */
-static void take_line(csv_input *in)
+/* The bytes of a row that begins with this one. The last may lack its end. */
+static csv_event read_row(csv_input *in, char byte)
 {
     struct csv_source *from = in->source;
-    const char *bytes = from->block + from->begin;
-    const size_t count = line_length(bytes, from->end - from->begin);
-    const bool is_end = ends_line(bytes[count - 1]);
-    const bool same_end = from->after_return && bytes[0] == '\n';
-    reserve(&from->row, &from->row_capacity, from->length, count + 1);
-    memcpy(from->row + from->length, bytes, count);
-    from->length += count;
-    from->begin += count;
-    from->next_line += is_end && !same_end;
-    from->after_return = bytes[count - 1] == '\r';
-    parse(in, bytes, count);
-}
-
-/* The lines of a row; an empty one where there is a blank line. The last may lack its end. */
-static csv_event read_lines(csv_input *in)
-{
-    struct csv_source *from = in->source;
-    in->line = from->next_line;
-    in->count = from->length = from->used = 0;
-    from->has_ended = from->is_broken = from->too_many = false;
-    while (!from->has_ended) {
-        if (from->begin == from->end && !fill(in))
+    for (bool more = true;; more = next_byte(in, &byte)) {
+        if (in->problem[0] != '\0')
             return CSV_FAILED;
-        if (from->end > 0)
-            take_line(in);
-        else if (from->length == 0)
-            return CSV_END;
-        else {
-            parse(in, "\n", 1);
-            if (!from->has_ended)
-                return not_closed(in);
-        }
+        parse(in, more ? byte : '\n');
+        if (from->has_ended)
+            return CSV_ROW;
+        if (!more)
+            return not_closed(in);
         if (from->length > CSV_ROW_BYTES)
             return from->next_line > in->line ? not_closed(in)
                                               : stop(in, "a line of more than 1 MiB; allowed: CSV");
     }
-    return CSV_ROW;
+}
+
+/* Blank lines are no rows. */
+static csv_event begin_row(csv_input *in)
+{
+    struct csv_source *from = in->source;
+    char byte;
+    in->count = from->length = from->used = 0;
+    from->has_ended = from->is_broken = from->too_many = false;
+    do
+        if (!next_byte(in, &byte))
+            return in->problem[0] != '\0' ? CSV_FAILED : CSV_END;
+    while (ends_line(byte));
+    in->line = from->next_line;
+    return read_row(in, byte);
 }
 
 /* What the parser still holds of a row with misplaced quotes is thrown away. */
@@ -261,7 +255,7 @@ static csv_event refuse(csv_input *in)
 static csv_event next_row(csv_input *in)
 {
     struct csv_source *from = in->source;
-    csv_event event = read_lines(in);
+    csv_event event = begin_row(in);
     if (event != CSV_ROW)
         return event;
     if (from->is_broken)
@@ -316,8 +310,6 @@ const char *csv_input_row(csv_input *in)
 {
     size_t length = in->source->length;
     char *row = in->source->row;
-    if (row == NULL)
-        return "";
     while (length > 0 && ends_line(row[length - 1]))
         length--;
     row[length] = '\0';
@@ -336,30 +328,23 @@ void csv_input_close(csv_input *in)
 
 /* ---- A row that stays ---- */
 
-static const char *put(char **to, const char *text)
-{
-    const size_t length = strlen(text) + 1;
-    const char *start = memcpy(*to, text, length);
-    *to += length;
-    return start;
-}
-
 /* One piece of memory: the places of the cells, and their texts behind them. */
 void csv_row_keep(csv_input *in, bool malformed, csv_row *row)
 {
+    const struct csv_source *from = in->source;
     const char *whole = csv_input_row(in);
-    size_t bytes = (in->count + 1) * sizeof *row->cell + strlen(whole) + 1;
-    for (size_t i = 0; i < in->count; i++)
-        bytes += strlen(in->cell[i]) + 1;
+    const size_t places = (in->count + 1) * sizeof *row->cell, length = strlen(whole) + 1;
     *row = (csv_row){.malformed = malformed,
                      .line = in->line,
                      .count = in->count,
-                     .cell = memory_resized(NULL, bytes),
-                     .bytes = bytes};
-    char *to = (char *)(row->cell + in->count + 1);
+                     .bytes = places + from->used + length};
+    row->cell = memory_resized(NULL, row->bytes);
+    char *text = (char *)row->cell + places;
+    if (from->used > 0)
+        memcpy(text, from->cells, from->used);
     for (size_t i = 0; i < in->count; i++)
-        row->cell[i] = put(&to, in->cell[i]);
-    row->whole = put(&to, whole);
+        row->cell[i] = text + from->begins[i];
+    row->whole = memcpy(text + from->used, whole, length);
 }
 
 void csv_row_free(csv_row *row)

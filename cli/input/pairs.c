@@ -19,33 +19,20 @@ typedef struct {
 
 /* ---- The first row ---- */
 
-/* The column of that name; how many there are where it is not there. */
-static bool find_column(reading *r, const char *name, size_t *column)
+/* Either the second column or what may stand for it. */
+static bool find_second(reading *r, char complaint[COMPLAINT_SIZE])
 {
-    *column = r->names.count;
-    for (size_t c = 0; name != NULL && c < r->names.count; c++) {
-        if (strcmp(r->names.name[c], name) != 0)
-            continue;
-        if (*column < c)
-            return csv_input_stop(r->in, "column %s: there twice; allowed: once", name);
-        *column = c;
-        r->names.is_used[c] = true;
-    }
-    return true;
-}
-
-static bool find_second(reading *r)
-{
-    size_t instead;
-    if (!find_column(r, r->wanted->second, &r->column[1]) ||
-        !find_column(r, r->wanted->instead, &instead))
+    const char *second = r->wanted->second, *other = r->wanted->instead;
+    const size_t none = r->names.count;
+    size_t instead = none;
+    if (!header_column(&r->names, second, &r->column[1], complaint) ||
+        (other != NULL && !header_column(&r->names, other, &instead, complaint)))
         return false;
-    const bool is_there = r->column[1] < r->names.count, has_other = instead < r->names.count;
-    if (is_there && has_other)
-        return csv_input_stop(r->in, "column %s: given together with %s; allowed: one of the two",
-                              r->wanted->instead, r->wanted->second);
-    r->to->column = has_other ? r->wanted->instead : r->wanted->second;
-    r->column[1] = has_other ? instead : r->column[1];
+    if (r->column[1] < none && instead < none)
+        return complain(complaint, "column %s: given together with %s; allowed: one of the two",
+                        other, second);
+    r->to->column = instead < none ? other : second;
+    r->column[1] = instead < none ? instead : r->column[1];
     return true;
 }
 
@@ -54,13 +41,16 @@ static bool find_columns(reading *r, const csv_row *first)
     static const bool no_input[INPUT_COUNT] = {false};
     char complaint[COMPLAINT_SIZE];
     header_find(first->cell, first->count, no_input, NULL, &r->names, complaint);
-    if (!find_column(r, r->wanted->first, &r->column[0]) || !find_second(r))
-        return false;
-    for (int i = 0; i < 2; i++)
+    if (!header_column(&r->names, r->wanted->first, &r->column[0], complaint) ||
+        !find_second(r, complaint))
+        return csv_input_stop(r->in, "%s", complaint);
+    for (int i = 0; i < 2; i++) {
         if (r->column[i] == r->names.count)
             return csv_input_stop(r->in, "column %s: missing; needed: %s%s",
                                   i == 0 ? r->wanted->first : r->wanted->second, r->wanted->needed,
                                   header_separator_hint(r->names.name, r->names.count));
+        r->names.is_used[r->column[i]] = true;
+    }
     return true;
 }
 
@@ -88,15 +78,10 @@ static bool read_row(reading *r)
     const char *const *cells = r->in->cell;
     if (!header_fits(r->names.count, r->in->count, r->in->separator, complaint))
         return refuse_row(r, complaint);
-    for (int i = 0; i < 2; i++) {
-        const char *text = cells[r->column[i]];
-        if (number_read_cell(text, r->decimal_sign, &value[i]))
-            continue;
-        snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: must be a number, with a decimal %s",
-                 i == 0 ? r->wanted->first : r->to->column, text,
-                 r->decimal_sign == ',' ? "comma" : "point");
-        return refuse_row(r, complaint);
-    }
+    for (int i = 0; i < 2; i++)
+        if (!cell_read(cells[r->column[i]], i == 0 ? r->wanted->first : r->to->column,
+                       r->decimal_sign, &value[i], complaint))
+            return refuse_row(r, complaint);
     if (r->wanted->complaint_about != NULL &&
         r->wanted->complaint_about(value[0], value[1]) != NULL)
         return refuse_row(r, r->wanted->complaint_about(value[0], value[1]));

@@ -33,7 +33,7 @@ static void write_about(xlsx *book)
     for (int i = 0; i < (int)(sizeof lines / sizeof lines[0]); i++)
         xlsx_text(book, 4 + i, 0, lines[i], XLSX_PLAIN);
     xlsx_width(book, 0, 0, 100);
-    xlsx_print(book, (xlsx_page){7, 0, -1, true, NULL});
+    xlsx_print(book, (xlsx_area){0, 0, 7, 0}, 0, true);
 }
 
 static void begin_columns(xlsx *book)
@@ -50,13 +50,9 @@ static void begin_columns(xlsx *book)
     xlsx_freeze(book, 1, 0);
 }
 
-/* The sheet Columns follows those with rows. */
-static int sheet_of_columns(const records *rows)
+static void turn_to_rows(const records *rows)
 {
-    int count = 0;
-    while (rows->sheets != NULL && rows->sheets[count] != NULL)
-        count++;
-    return rows->sheets != NULL ? count : 1;
+    xlsx_sheet(rows->book, rows->sheets != NULL ? rows->sheets[rows->sheet] : "Rows");
 }
 
 /* The next row of the sheet Columns, for a name that is known and new. */
@@ -69,10 +65,10 @@ static void describe(records *rows, const char *name)
         const char *const texts[] = {name, kind->meaning, kind->unit};
         rows->described++;
         rows->described_kinds |= UINT64_C(1) << i;
-        xlsx_turn_to(rows->book, sheet_of_columns(rows));
+        xlsx_sheet(rows->book, "Columns");
         for (int j = 0; j < 3; j++)
             xlsx_text(rows->book, rows->described, j, texts[j], XLSX_PLAIN);
-        xlsx_turn_to(rows->book, rows->sheet);
+        turn_to_rows(rows);
         return;
     }
 }
@@ -90,7 +86,7 @@ static void begin(records *rows)
         begin_columns(rows->book);
     xlsx_sheet(rows->book, "About");
     write_about(rows->book);
-    xlsx_turn_to(rows->book, rows->sheet);
+    turn_to_rows(rows);
 }
 
 static bool has_room(records *rows)
@@ -166,8 +162,8 @@ static void end_header(records *rows)
 
 static void end_sheet(records *rows)
 {
-    xlsx_print(rows->book,
-               (xlsx_page){rows->row - 1, rows->last_column, 0, rows->last_column > 6, NULL});
+    xlsx_print(rows->book, (xlsx_area){0, 0, rows->row - 1, rows->last_column}, 1,
+               rows->last_column > 6);
 }
 
 void spreadsheet_next_sheet(records *rows)
@@ -176,7 +172,8 @@ void spreadsheet_next_sheet(records *rows)
         return;
     end_sheet(rows);
     rows->row = rows->column = 0;
-    xlsx_turn_to(rows->book, ++rows->sheet);
+    rows->sheet++;
+    turn_to_rows(rows);
 }
 
 static void end(records *rows)
@@ -185,8 +182,8 @@ static void end(records *rows)
         return;
     end_sheet(rows);
     if (rows->kinds != NULL) {
-        xlsx_turn_to(rows->book, sheet_of_columns(rows));
-        xlsx_print(rows->book, (xlsx_page){rows->described, 2, -1, false, NULL});
+        xlsx_sheet(rows->book, "Columns");
+        xlsx_print(rows->book, (xlsx_area){0, 0, rows->described, 2}, 0, false);
     }
     rows->problem = xlsx_finish(rows->book, rows->out);
     rows->book = NULL;

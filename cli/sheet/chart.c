@@ -2,6 +2,7 @@
 #include "parts.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* Curves of a family differ in dashes as well as in shade: they stay apart in print and for
  * every eye. */
@@ -13,107 +14,117 @@ static lxw_chart_line line_of_family(int index)
         .color = shades[index % 5], .width = 1.25F, .dash_type = dashes[(index / 5) % 2]};
 }
 
-static void draw_line(lxw_chart_series *series, int index, xlsx_drawing drawing)
-{
-    static const lxw_chart_line lines[] = {
-        [XLSX_THICK_LINE] = {.color = 0xE69F00, .width = 3},
-        [XLSX_DASHED_LINE] = {.color = 0x707070,
-                              .width = 1.5F,
-                              .dash_type = LXW_CHART_LINE_DASH_DASH},
-        [XLSX_MARK] = {.none = LXW_TRUE},
-        [XLSX_OUTLINE] = {.color = LXW_COLOR_BLACK, .width = 1.5F},
-        [XLSX_BAR_GROUND] = {.color = 0xE0E0E0, .width = 14},
-        [XLSX_BAR_GOOD] = {.color = 0x2E8B57, .width = 14},
-        [XLSX_BAR_BAD] = {.color = 0xC0392B, .width = 14},
-        [XLSX_LABEL] = {.none = LXW_TRUE},
-    };
-    lxw_chart_line line = drawing == XLSX_LINE ? line_of_family(index) : lines[drawing];
-    chart_series_set_line(series, &line);
-}
+static const struct {
+    const char *name;
+    lxw_chart_line line;
+} drawings[] = {
+    {"line", {0}}, /* of a family */
+    {"thick", {.color = 0xE69F00, .width = 3}},
+    {"dashed", {.color = 0x707070, .width = 1.5F, .dash_type = LXW_CHART_LINE_DASH_DASH}},
+    {"outline", {.color = LXW_COLOR_BLACK, .width = 1.5F}},
+    {"bar_ground", {.color = 0xE0E0E0, .width = 14}},
+    {"bar_good", {.color = 0x2E8B57, .width = 14}},
+    {"bar_bad", {.color = 0xC0392B, .width = 14}},
+    {"mark", {.none = LXW_TRUE}},
+    {"label", {.none = LXW_TRUE}},
+};
 
-static void draw_mark(lxw_chart_series *series, xlsx_drawing drawing)
+static void draw_mark(lxw_chart_series *curve)
 {
-    if (drawing != XLSX_MARK) {
-        chart_series_set_marker_type(series, LXW_CHART_MARKER_NONE);
-        return;
-    }
     lxw_chart_fill fill = {.color = 0xD00000};
-    chart_series_set_marker_type(series, LXW_CHART_MARKER_DIAMOND);
-    chart_series_set_marker_size(series, 11);
-    chart_series_set_marker_fill(series, &fill);
+    chart_series_set_marker_type(curve, LXW_CHART_MARKER_DIAMOND);
+    chart_series_set_marker_size(curve, 11);
+    chart_series_set_marker_fill(curve, &fill);
 }
 
-static void draw_series(xlsx *book, lxw_chart *drawn, const xlsx_series *from, int index)
+static void draw_label(xlsx *book, lxw_chart_series *curve, const char *text)
 {
-    lxw_chart_series *series = chart_add_series(drawn, from->x, from->y);
-    if (from->name != NULL && from->drawing != XLSX_LABEL)
-        chart_series_set_name(series, from->name);
-    draw_line(series, index, from->drawing);
-    draw_mark(series, from->drawing);
-    if (from->drawing == XLSX_LABEL) {
-        lxw_chart_font font = {.size = 10};
-        char name[60];
-        snprintf(name, sizeof name, "%s", from->name);
-        lxw_chart_data_label text = {.value = name}, *texts[] = {&text, NULL};
-        chart_series_set_labels(series);
-        chart_series_set_labels_position(series, LXW_CHART_LABEL_POSITION_CENTER);
-        chart_series_set_labels_font(series, &font);
-        xlsx_keep(book, chart_series_set_labels_custom(series, texts));
-    }
+    lxw_chart_font font = {.size = 10};
+    char name[60];
+    snprintf(name, sizeof name, "%s", text);
+    lxw_chart_data_label label = {.value = name}, *labels[] = {&label, NULL};
+    chart_series_set_labels(curve);
+    chart_series_set_labels_position(curve, LXW_CHART_LABEL_POSITION_CENTER);
+    chart_series_set_labels_font(curve, &font);
+    xlsx_keep(book, chart_series_set_labels_custom(curve, labels));
 }
 
-static void draw_axes(lxw_chart *drawn, const xlsx_chart *chart)
+/* The library takes no chart without a curve. */
+static void insert(xlsx *book)
+{
+    xlsx_keep(book, worksheet_insert_chart_opt(book->current, book->chart_row, book->chart_column,
+                                               book->chart, &book->chart_place));
+}
+
+void xlsx_curve(xlsx *book, const char *drawing, const char *name, const char *x, const char *y)
+{
+    int kind = 0;
+    while (strcmp(drawings[kind].name, drawing) != 0)
+        kind++;
+    const bool is_label = strcmp(drawing, "label") == 0;
+    lxw_chart_series *curve = chart_add_series(book->chart, x, y);
+    lxw_chart_line line = kind == 0 ? line_of_family(book->curves) : drawings[kind].line;
+    if (book->curves++ == 0)
+        insert(book);
+    if (name[0] != '\0' && !is_label)
+        chart_series_set_name(curve, name);
+    chart_series_set_line(curve, &line);
+    chart_series_set_marker_type(curve, LXW_CHART_MARKER_NONE);
+    if (strcmp(drawing, "mark") == 0)
+        draw_mark(curve);
+    if (is_label)
+        draw_label(book, curve, name);
+}
+
+static void draw_axis(lxw_chart_axis *axis, const xlsx_axis *as, const char *format)
 {
     lxw_chart_font font = {.size = 10, .bold = LXW_FALSE};
     lxw_chart_line grid = {.color = 0xE0E0E0, .width = 0.5F};
-    if (chart->x_title != NULL) {
-        chart_axis_set_name(drawn->x_axis, chart->x_title);
-        chart_axis_set_name(drawn->y_axis, chart->y_title);
-        chart_axis_set_name_font(drawn->x_axis, &font);
-        chart_axis_set_name_font(drawn->y_axis, &font);
+    if (as->title[0] != '\0') {
+        chart_axis_set_name(axis, as->title);
+        chart_axis_set_name_font(axis, &font);
     }
-    chart_axis_set_min(drawn->x_axis, chart->x_min);
-    chart_axis_set_max(drawn->x_axis, chart->x_max);
-    chart_axis_set_major_unit(drawn->x_axis, chart->x_step);
-    chart_axis_set_min(drawn->y_axis, chart->y_min);
-    chart_axis_set_max(drawn->y_axis, chart->y_max);
-    chart_axis_set_num_format(drawn->x_axis, chart->x_format != NULL ? chart->x_format : "0.0");
-    chart_axis_set_num_format(drawn->y_axis, "General");
-    if (chart->bare) {
-        if (chart->x_format == NULL)
-            chart_axis_off(drawn->x_axis);
-        chart_axis_major_gridlines_set_visible(drawn->x_axis, LXW_FALSE);
-        chart_axis_off(drawn->y_axis);
-        chart_axis_major_gridlines_set_visible(drawn->y_axis, LXW_FALSE);
-        return;
-    }
-    chart_axis_major_gridlines_set_visible(drawn->x_axis, LXW_TRUE);
-    chart_axis_major_gridlines_set_line(drawn->x_axis, &grid);
-    chart_axis_major_gridlines_set_line(drawn->y_axis, &grid);
+    chart_axis_set_min(axis, as->least);
+    chart_axis_set_max(axis, as->most);
+    if (as->step > 0)
+        chart_axis_set_major_unit(axis, as->step);
+    chart_axis_set_num_format(axis, as->format[0] != '\0' ? as->format : format);
+    chart_axis_major_gridlines_set_visible(axis, as->title[0] != '\0');
+    if (as->title[0] != '\0')
+        chart_axis_major_gridlines_set_line(axis, &grid);
+    else if (as->format[0] == '\0')
+        chart_axis_off(axis);
 }
 
-void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart)
+static void draw_title(lxw_chart *chart, const char *title)
+{
+    lxw_chart_font font = {.size = 11, .bold = LXW_TRUE}, small = {.size = 8};
+    if (title[0] != '\0') {
+        chart_title_set_name(chart, title);
+        chart_title_set_name_font(chart, &font);
+    } else
+        chart_title_off(chart);
+    chart_legend_set_position(chart,
+                              title[0] != '\0' ? LXW_CHART_LEGEND_BOTTOM : LXW_CHART_LEGEND_NONE);
+    chart_legend_set_font(chart, &small);
+}
+
+void xlsx_chart_begin(xlsx *book, xlsx_area at, const xlsx_chart *chart)
 {
     lxw_chart *drawn = workbook_add_chart(book->workbook, LXW_CHART_SCATTER_STRAIGHT);
     if (drawn == NULL) {
         xlsx_keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
         return;
     }
-    lxw_chart_font font = {.size = 11, .bold = LXW_TRUE}, small = {.size = 8};
-    for (int i = 0; i < chart->series_count; i++)
-        draw_series(book, drawn, &chart->series[i], i);
-    draw_axes(drawn, chart);
-    if (chart->title != NULL) {
-        chart_title_set_name(drawn, chart->title);
-        chart_title_set_name_font(drawn, &font);
-    } else
-        chart_title_off(drawn);
-    chart_legend_set_position(drawn, chart->bare ? LXW_CHART_LEGEND_NONE : LXW_CHART_LEGEND_BOTTOM);
-    chart_legend_set_font(drawn, &small);
-    lxw_chart_options place = {.x_scale = chart->width / 480.0,
-                               .y_scale = chart->height / 288.0,
-                               .x_offset = chart->right,
-                               .y_offset = chart->down};
-    xlsx_keep(book, worksheet_insert_chart_opt(book->current, (lxw_row_t)row, (lxw_col_t)column,
-                                               drawn, &place));
+    book->chart = drawn;
+    book->curves = 0;
+    book->chart_row = (lxw_row_t)at.row;
+    book->chart_column = (lxw_col_t)at.column;
+    book->chart_place = (lxw_chart_options){.x_scale = chart->width / 480.0,
+                                            .y_scale = chart->height / 288.0,
+                                            .x_offset = chart->right,
+                                            .y_offset = chart->down};
+    draw_axis(drawn->x_axis, &chart->x, "0.0");
+    draw_axis(drawn->y_axis, &chart->y, "General");
+    draw_title(drawn, chart->title);
 }

@@ -7,25 +7,31 @@
 
 #include <xlsxwriter.h>
 
-enum { SHEETS_MAX = 12, NAME_MAX_LENGTH = 40 };
-
 struct xlsx {
     lxw_workbook *workbook;
-    lxw_worksheet *sheet[SHEETS_MAX], *current;
-    char sheet_name[SHEETS_MAX][NAME_MAX_LENGTH];
-    int sheet_count, current_index;
-    lxw_format *style[XLSX_STYLE_COUNT], *colour[XLSX_COLOUR_COUNT];
+    lxw_worksheet *current;
+    lxw_format *style[XLSX_STYLE_COUNT];
+    lxw_chart *chart; /* the last, how many curves it has, and where it goes */
+    int curves;
+    lxw_row_t chart_row;
+    lxw_col_t chart_column;
+    lxw_chart_options chart_place;
     /* libxlsxwriter writes to a path, and seeks in the file. So it first writes a temporary
      * file. */
     spool spool;
     lxw_error error;
 };
 
+/* The four arguments that an area is for the library. */
+#define CELLS(area)                                                                                \
+    (lxw_row_t)(area).row, (lxw_col_t)(area).column, (lxw_row_t)(area).last_row,                   \
+        (lxw_col_t)(area).last_column
+
 /* Remembers what went wrong first. Where memory is short, or its temporary folder is full, the
  * library leaves things out. Not all of its functions say so, but errno is set. */
 void xlsx_keep(xlsx *book, lxw_error error);
 
-/* Adds the styles and the colours to a file that begins. False where memory is short. */
+/* Adds the styles to a file that begins. False where memory is short. */
 bool xlsx_make_styles(xlsx *book);
 
 #endif

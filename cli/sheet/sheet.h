@@ -32,10 +32,31 @@ typedef enum {
     XLSX_POWER,   /* six digits and an exponent */
     XLSX_VERDICT, /* a text in a frame over several cells, wrapped */
     XLSX_STRONG,  /* a result that matters */
+    /* of cells that a condition colours: */
+    XLSX_GREEN,
+    XLSX_AMBER,
+    XLSX_RED,
+    XLSX_YELLOW, /* as XLSX_INPUT and XLSX_RESULT */
+    XLSX_BLUE,
     XLSX_STYLE_COUNT
 } xlsx_style;
 
+/* By its name above, "fixed_4", which is one. */
+xlsx_style xlsx_style_named(const char *name);
+
 enum { XLSX_ROWS_MAX = 1048576, XLSX_COLUMNS_MAX = 16384, XLSX_TEXT_MAX = 32767 };
+
+/* Cells of a sheet. Rows and columns count from 0. */
+typedef struct {
+    int row, column, last_row, last_column;
+} xlsx_area;
+
+/* "B2", "A1:C9" */
+xlsx_area xlsx_area_of(const char *cells);
+
+/* "$AB" */
+enum { XLSX_COLUMN_SIZE = 8 };
+void xlsx_column_name(int column, char name[XLSX_COLUMN_SIZE]);
 
 /* NULL; or why this build cannot write such files. */
 const char *xlsx_missing(void);
@@ -44,11 +65,10 @@ const char *xlsx_missing(void);
  * where it cannot be begun. */
 xlsx *xlsx_begin(const char *title, bool in_order, const char **problem);
 
-/* Adds a sheet; what follows goes there, until the next or xlsx_turn_to(). */
+/* What follows goes to the sheet of this name, which is added where there is none. */
 void xlsx_sheet(xlsx *book, const char *name);
-void xlsx_turn_to(xlsx *book, int sheet);
 
-/* Rows and columns count from 0. A number that is not finite is an empty cell. */
+/* A number that is not finite is an empty cell. */
 void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style);
 
 /* A text that XML cannot hold spoils the file, and is said at the end. */
@@ -63,8 +83,7 @@ void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, con
 
 /* Gives cells of this sheet a name. Spreadsheets do not tell capitals from small letters in
  * names. */
-void xlsx_name(xlsx *book, const char *name, int row, int column);
-void xlsx_name_range(xlsx *book, const char *name, int row, int column, int rows, int columns);
+void xlsx_name(xlsx *book, const char *name, xlsx_area area);
 
 void xlsx_width(xlsx *book, int first_column, int last_column, double characters);
 /* the height of a row; programs do not all find it themselves */
@@ -78,23 +97,11 @@ void xlsx_protect(xlsx *book);
 /* Names that begin like this do not show in lists of names; those named so far. */
 void xlsx_hide_names(xlsx *book, const char *beginning);
 
-typedef struct {
-    int row, column, rows, columns;
-} xlsx_area;
-
 /* Makes one cell of an area. */
 void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style);
 
 /* The area has the colour where the formula, written for its first cell, is true. */
-typedef enum {
-    XLSX_GREEN,
-    XLSX_AMBER,
-    XLSX_RED,
-    XLSX_YELLOW, /* as XLSX_INPUT and XLSX_RESULT */
-    XLSX_BLUE,
-    XLSX_COLOUR_COUNT
-} xlsx_colour;
-void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_colour colour);
+void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_style colour);
 
 /* What is typed into the area must make the formula true, or is refused with the message; the hint
  * shows where the cell is selected. */
@@ -103,50 +110,35 @@ typedef struct {
 } xlsx_rule;
 void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule);
 
-/* What is printed, one page wide: the cells up to this one; one page high, or as many as it takes,
- * with the header on each. */
-typedef struct {
-    int last_row, last_column;
-    int header_row; /* -1: one page */
-    bool landscape;
-    const char *area; /* the cells instead, as a formula; or NULL */
-} xlsx_page;
-void xlsx_print(xlsx *book, xlsx_page page);
+/* What is printed, one page wide: these cells, or those of a formula; one page high, or, with so
+ * many rows as headers on each, as many pages as it takes. */
+void xlsx_print(xlsx *book, xlsx_area area, int headers, bool landscape);
+void xlsx_print_cells(xlsx *book, const char *formula, int headers, bool landscape);
 
 /* Ends the file and writes it to the output. NULL, or why it could not be made; output_finish()
  * reports failures of the output. */
 const char *xlsx_finish(xlsx *book, output *out);
 
-/* ---- chart ---- Charts of points with straight lines between them. */
+/* ---- chart ---- Charts of points with straight lines between them. Texts are "" for none. */
 
-enum { XLSX_SERIES_MAX = 24 };
-typedef enum {
-    XLSX_LINE,
-    XLSX_THICK_LINE,
-    XLSX_DASHED_LINE,
-    XLSX_MARK,
-    XLSX_OUTLINE,    /* black */
-    XLSX_BAR_GROUND, /* wide lines */
-    XLSX_BAR_GOOD,
-    XLSX_BAR_BAD,
-    XLSX_LABEL /* the name, at an invisible point */
-} xlsx_drawing;
 typedef struct {
-    const char *name;  /* in the legend, or a cell that has it, "='Sheet'!$A$1"; NULL for none */
-    const char *x, *y; /* ranges, "='Sheet'!$A$1:$A$9" */
-    xlsx_drawing drawing;
-} xlsx_series;
+    const char *title;  /* with it there are lines across the chart */
+    const char *format; /* of the numbers, which also show without a title then; "" for the usual */
+    double least, most, step; /* 0: the program's */
+} xlsx_axis;
+
 typedef struct {
-    const char *title, *x_title, *y_title; /* NULL for none */
-    double x_min, x_max, x_step, y_min, y_max;
-    int width, height; /* pixels */
-    int right, down;   /* pixels from the corner of the cell */
-    bool bare;         /* no axes, no legend */
-    const char
-        *x_format; /* of the numbers along x: a bare picture has them too; NULL for the usual */
-    xlsx_series series[XLSX_SERIES_MAX];
-    int series_count;
+    const char *title; /* with it there is a legend */
+    xlsx_axis x, y;
+    int width, height, right, down; /* pixels; from the corner of the cell */
 } xlsx_chart;
-void xlsx_draw(xlsx *book, int row, int column, const xlsx_chart *chart);
+
+/* Begins a chart; curves follow. */
+void xlsx_chart_begin(xlsx *book, xlsx_area at, const xlsx_chart *chart);
+
+/* Ranges are "='Sheet'!$A$1:$A$9". The drawing is line, thick, dashed, outline (black), bar_ground,
+ * bar_good, bar_bad (wide lines), mark, or label: the name at an invisible point. Other names, in
+ * the legend, are cells that have them. */
+void xlsx_curve(xlsx *book, const char *drawing, const char *name, const char *x, const char *y);
 
 #endif

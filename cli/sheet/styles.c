@@ -1,92 +1,106 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "parts.h"
 
-static void frame(lxw_format *style, lxw_color_t background)
-{
-    format_set_border(style, LXW_BORDER_THIN);
-    format_set_border_color(style, 0x808080);
-    format_set_bg_color(style, background);
-}
-
-static void style_texts(lxw_format *const style[])
-{
-    format_set_bold(style[XLSX_TITLE]);
-    format_set_font_size(style[XLSX_TITLE], 16);
-    format_set_bold(style[XLSX_HEADING]);
-    format_set_font_size(style[XLSX_HEADING], 12);
-    for (int i = XLSX_HEADER; i <= XLSX_UPRIGHT; i++) {
-        format_set_bold(style[i]);
-        format_set_bottom(style[i], LXW_BORDER_THIN);
-    }
-    format_set_rotation(style[XLSX_UPRIGHT], 90);
-    format_set_align(style[XLSX_UPRIGHT], LXW_ALIGN_CENTER);
-    format_set_text_wrap(style[XLSX_HEADER]);
-    format_set_align(style[XLSX_HEADER], LXW_ALIGN_RIGHT);
-    format_set_align(style[XLSX_HEADER], LXW_ALIGN_VERTICAL_BOTTOM);
-    format_set_font_size(style[XLSX_NOTE], 9);
-    format_set_font_color(style[XLSX_NOTE], 0x505050);
-    format_set_text_wrap(style[XLSX_WRAPPED]);
-    format_set_align(style[XLSX_WRAPPED], LXW_ALIGN_VERTICAL_TOP);
-}
+#include <string.h>
 
 /* Four to six digits; zero is 0. LibreOffice writes no minus in such parts. */
 #define RESULT_FORMAT "[=0]0;[<0.001]0.0000E+00;0.00###"
 
-static void style_cells(lxw_format *const style[])
+typedef struct {
+    const char *name, *format; /* of numbers */
+    double size;
+    lxw_color_t ink, ground; /* what has a ground has a frame */
+    enum lxw_format_alignments across, down;
+    bool bold, line_below, wrapped, upright, indented, unlocked;
+} look;
+
+static const lxw_color_t BLACK = 0x010101; /* 0 is none */
+
+static const look looks[XLSX_STYLE_COUNT] = {
+    [XLSX_PLAIN] = {"plain"},
+    [XLSX_TITLE] = {"title", .bold = true, .size = 16},
+    [XLSX_HEADING] = {"heading", .bold = true, .size = 12},
+    [XLSX_HEADER] = {"header", .bold = true, .line_below = true, .wrapped = true,
+                     .across = LXW_ALIGN_RIGHT, .down = LXW_ALIGN_VERTICAL_BOTTOM},
+    [XLSX_UPRIGHT] = {"upright", .bold = true, .line_below = true, .upright = true,
+                      .across = LXW_ALIGN_CENTER},
+    [XLSX_NOTE] = {"note", .size = 9, .ink = 0x505050},
+    [XLSX_WRAPPED] = {"wrapped", .wrapped = true, .down = LXW_ALIGN_VERTICAL_TOP},
+    [XLSX_INPUT] = {"input", .ground = 0xFFF8D0, .unlocked = true, .across = LXW_ALIGN_RIGHT},
+    [XLSX_BARE] = {"bare", .unlocked = true, .across = LXW_ALIGN_RIGHT},
+    [XLSX_RESULT] = {"result", RESULT_FORMAT, .ground = 0xE8F0F8, .across = LXW_ALIGN_RIGHT},
+    [XLSX_SIGNED] = {"signed", .ground = 0xE8F0F8, .across = LXW_ALIGN_RIGHT},
+    [XLSX_UNIT] = {"unit", .indented = true},
+    [XLSX_NUMBER] = {"number", "0.0#####"},
+    [XLSX_SMALL] = {"small", "0.0#######"},
+    [XLSX_LARGE] = {"large", "0.0##"},
+    [XLSX_FIXED_4] = {"fixed_4", "0.0000"},
+    [XLSX_FIXED_6] = {"fixed_6", "0.000000"},
+    [XLSX_POWER] = {"power", "0.00000E+00"},
+    [XLSX_VERDICT] = {"verdict", .ground = 0xFFFFFF, .bold = true, .size = 12, .wrapped = true,
+                      .down = LXW_ALIGN_VERTICAL_CENTER},
+    [XLSX_STRONG] = {"strong", "0.00", .ground = 0xE8F0F8, .bold = true, .size = 12,
+                     .across = LXW_ALIGN_RIGHT},
+    [XLSX_GREEN] = {"green", .ground = 0xC6EFCE, .ink = 0x006100},
+    [XLSX_AMBER] = {"amber", .ground = 0xFFEB9C, .ink = 0x7F4F00},
+    [XLSX_RED] = {"red", .ground = 0xFFC7CE, .ink = 0x9C0006},
+    [XLSX_YELLOW] = {"yellow", .ground = 0xFFF8D0, .ink = BLACK},
+    [XLSX_BLUE] = {"blue", .ground = 0xE8F0F8, .ink = BLACK},
+};
+
+xlsx_style xlsx_style_named(const char *name)
 {
-    frame(style[XLSX_INPUT], 0xFFF8D0);
-    for (int i = XLSX_INPUT; i <= XLSX_BARE; i++) {
-        format_set_unlocked(style[i]);
-        format_set_align(style[i], LXW_ALIGN_RIGHT);
-    }
-    frame(style[XLSX_RESULT], 0xE8F0F8);
-    format_set_num_format(style[XLSX_RESULT], RESULT_FORMAT);
-    format_set_align(style[XLSX_RESULT], LXW_ALIGN_RIGHT);
-    frame(style[XLSX_SIGNED], 0xE8F0F8);
-    format_set_align(style[XLSX_SIGNED], LXW_ALIGN_RIGHT);
-    frame(style[XLSX_STRONG], 0xE8F0F8);
-    format_set_num_format(style[XLSX_STRONG], "0.00");
-    format_set_align(style[XLSX_STRONG], LXW_ALIGN_RIGHT);
-    format_set_bold(style[XLSX_STRONG]);
-    format_set_font_size(style[XLSX_STRONG], 12);
-    frame(style[XLSX_VERDICT], 0xFFFFFF);
-    format_set_bold(style[XLSX_VERDICT]);
-    format_set_font_size(style[XLSX_VERDICT], 12);
-    format_set_text_wrap(style[XLSX_VERDICT]);
-    format_set_align(style[XLSX_VERDICT], LXW_ALIGN_VERTICAL_CENTER);
-    format_set_indent(style[XLSX_UNIT], 1);
-    format_set_num_format(style[XLSX_NUMBER], "0.0#####");
-    format_set_num_format(style[XLSX_SMALL], "0.0#######");
-    format_set_num_format(style[XLSX_LARGE], "0.0##");
-    format_set_num_format(style[XLSX_FIXED_4], "0.0000");
-    format_set_num_format(style[XLSX_FIXED_6], "0.000000");
-    format_set_num_format(style[XLSX_POWER], "0.00000E+00");
+    int i = 0;
+    while (strcmp(looks[i].name, name) != 0)
+        i++;
+    return (xlsx_style)i;
 }
 
-static bool make_colours(xlsx *book)
+static void frame(lxw_format *style, lxw_color_t ground)
 {
-    static const lxw_color_t shade[] = {0xC6EFCE, 0xFFEB9C, 0xFFC7CE, 0xFFF8D0, 0xE8F0F8},
-                             text[] = {0x006100, 0x7F4F00, 0x9C0006, 0x010101, 0x010101};
-    for (int i = 0; i < XLSX_COLOUR_COUNT; i++) {
-        book->colour[i] = workbook_add_format(book->workbook);
-        if (book->colour[i] == NULL)
-            return false;
-        format_set_bg_color(book->colour[i], shade[i]);
-        format_set_font_color(book->colour[i], text[i]);
-        format_set_border(book->colour[i], LXW_BORDER_THIN);
-        format_set_border_color(book->colour[i], 0x808080);
-    }
-    return true;
+    format_set_border(style, LXW_BORDER_THIN);
+    format_set_border_color(style, 0x808080);
+    format_set_bg_color(style, ground);
+}
+
+static void set_text(lxw_format *style, const look *as)
+{
+    if (as->bold)
+        format_set_bold(style);
+    if (as->size > 0)
+        format_set_font_size(style, as->size);
+    if (as->ink != 0)
+        format_set_font_color(style, as->ink);
+    if (as->format != NULL)
+        format_set_num_format(style, as->format);
+    if (as->unlocked)
+        format_set_unlocked(style);
+}
+
+static void set_place(lxw_format *style, const look *as)
+{
+    if (as->ground != 0)
+        frame(style, as->ground);
+    if (as->line_below)
+        format_set_bottom(style, LXW_BORDER_THIN);
+    if (as->wrapped)
+        format_set_text_wrap(style);
+    if (as->upright)
+        format_set_rotation(style, 90);
+    if (as->indented)
+        format_set_indent(style, 1);
+    format_set_align(style, as->across);
+    format_set_align(style, as->down);
 }
 
 bool xlsx_make_styles(xlsx *book)
 {
-    for (int i = 1; i < XLSX_STYLE_COUNT; i++) {
+    for (int i = XLSX_PLAIN + 1; i < XLSX_STYLE_COUNT; i++) {
         book->style[i] = workbook_add_format(book->workbook);
         if (book->style[i] == NULL)
             return false;
+        set_text(book->style[i], &looks[i]);
+        set_place(book->style[i], &looks[i]);
     }
-    style_texts(book->style);
-    style_cells(book->style);
-    return make_colours(book);
+    return true;
 }

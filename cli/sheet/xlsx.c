@@ -13,6 +13,19 @@
 
 #include <rwedge.h>
 
+xlsx_area xlsx_area_of(const char *cells)
+{
+    const char *colon = strchr(cells, ':');
+    const char *last = colon != NULL ? colon + 1 : cells;
+    return (xlsx_area){(int)lxw_name_to_row(cells), lxw_name_to_col(cells),
+                       (int)lxw_name_to_row(last), lxw_name_to_col(last)};
+}
+
+void xlsx_column_name(int column, char name[XLSX_COLUMN_SIZE])
+{
+    lxw_col_to_name(name, (lxw_col_t)column, LXW_TRUE);
+}
+
 const char *xlsx_missing(void)
 {
     return NULL;
@@ -88,22 +101,17 @@ xlsx *xlsx_begin(const char *title, bool in_order, const char **problem)
 
 void xlsx_sheet(xlsx *book, const char *name)
 {
-    lxw_worksheet *sheet =
-        book->sheet_count < SHEETS_MAX ? workbook_add_worksheet(book->workbook, name) : NULL;
+    lxw_worksheet *sheet = workbook_get_worksheet_by_name(book->workbook, name);
+    const bool is_new = sheet == NULL;
+    if (is_new)
+        sheet = workbook_add_worksheet(book->workbook, name);
     if (sheet == NULL) {
         xlsx_keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
         return;
     }
-    snprintf(book->sheet_name[book->sheet_count], NAME_MAX_LENGTH, "%s", name);
-    book->sheet[book->sheet_count] = sheet;
-    xlsx_turn_to(book, book->sheet_count++);
-    worksheet_set_paper(sheet, 9); /* A4 */
-}
-
-void xlsx_turn_to(xlsx *book, int sheet)
-{
-    book->current = book->sheet[sheet];
-    book->current_index = sheet;
+    if (is_new)
+        worksheet_set_paper(sheet, 9); /* A4 */
+    book->current = sheet;
 }
 
 static bool copy(FILE *from, output *out)
@@ -172,18 +180,13 @@ void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, con
                                                 formula, book->style[style], value));
 }
 
-void xlsx_name_range(xlsx *book, const char *name, int row, int column, int rows, int columns)
+void xlsx_name(xlsx *book, const char *name, xlsx_area area)
 {
-    char place[NAME_MAX_LENGTH + LXW_MAX_CELL_RANGE_LENGTH + 4], cells[LXW_MAX_CELL_RANGE_LENGTH];
-    lxw_rowcol_to_range_abs(cells, row_of(row), column_of(column), row_of(row + rows - 1),
-                            column_of(column + columns - 1));
-    snprintf(place, sizeof place, "='%s'!%s", book->sheet_name[book->current_index], cells);
+    char place[LXW_MAX_SHEETNAME_LENGTH + LXW_MAX_CELL_RANGE_LENGTH + 5],
+        cells[LXW_MAX_CELL_RANGE_LENGTH];
+    lxw_rowcol_to_range_abs(cells, CELLS(area));
+    snprintf(place, sizeof place, "='%s'!%s", book->current->name, cells);
     xlsx_keep(book, workbook_define_name(book->workbook, name, place));
-}
-
-void xlsx_name(xlsx *book, const char *name, int row, int column)
-{
-    xlsx_name_range(book, name, row, column, 1, 1);
 }
 
 /* ---- Sheets ---------------------------------------------------------------------------------- */
@@ -233,22 +236,16 @@ void xlsx_hide_names(xlsx *book, const char *beginning)
 
 void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style)
 {
-    xlsx_keep(book, worksheet_merge_range(book->current, row_of(area.row), column_of(area.column),
-                                          row_of(area.row + area.rows - 1),
-                                          column_of(area.column + area.columns - 1), "",
-                                          book->style[style]));
+    xlsx_keep(book, worksheet_merge_range(book->current, CELLS(area), "", book->style[style]));
 }
 
-void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_colour colour)
+void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_style colour)
 {
     char text[300];
     snprintf(text, sizeof text, "%s", formula);
     lxw_conditional_format when = {
-        .type = LXW_CONDITIONAL_TYPE_FORMULA, .value_string = text, .format = book->colour[colour]};
-    xlsx_keep(book, worksheet_conditional_format_range(
-                        book->current, row_of(area.row), column_of(area.column),
-                        row_of(area.row + area.rows - 1), column_of(area.column + area.columns - 1),
-                        &when));
+        .type = LXW_CONDITIONAL_TYPE_FORMULA, .value_string = text, .format = book->style[colour]};
+    xlsx_keep(book, worksheet_conditional_format_range(book->current, CELLS(area), &when));
 }
 
 void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
@@ -264,33 +261,31 @@ void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
                                  .input_message = hint,
                                  .error_title = title,
                                  .error_message = message};
-    xlsx_keep(book, worksheet_data_validation_range(
-                        book->current, row_of(area.row), column_of(area.column),
-                        row_of(area.row + area.rows - 1), column_of(area.column + area.columns - 1),
-                        &check));
+    xlsx_keep(book, worksheet_data_validation_range(book->current, CELLS(area), &check));
 }
 
-static void set_print_area(xlsx *book, const xlsx_page *page)
+static void set_page(xlsx *book, int headers, bool landscape)
 {
-    char name[NAME_MAX_LENGTH + 20];
-    if (page->area == NULL) {
-        xlsx_keep(book, worksheet_print_area(book->current, 0, 0, row_of(page->last_row),
-                                             column_of(page->last_column)));
-        return;
-    }
-    snprintf(name, sizeof name, "%s!_xlnm.Print_Area", book->sheet_name[book->current_index]);
-    xlsx_keep(book, workbook_define_name(book->workbook, name, page->area));
-}
-
-void xlsx_print(xlsx *book, xlsx_page page)
-{
-    set_print_area(book, &page);
-    worksheet_fit_to_pages(book->current, 1, (uint16_t)(page.header_row < 0));
-    if (page.header_row >= 0)
-        xlsx_keep(book, worksheet_repeat_rows(book->current, 0, row_of(page.header_row)));
-    if (page.landscape)
+    worksheet_fit_to_pages(book->current, 1, (uint16_t)(headers == 0));
+    if (headers > 0)
+        xlsx_keep(book, worksheet_repeat_rows(book->current, 0, (lxw_row_t)headers - 1));
+    if (landscape)
         worksheet_set_landscape(book->current);
     worksheet_set_margins(book->current, 0.4, 0.4, 0.6, 0.6);
     xlsx_keep(book,
               worksheet_set_footer(book->current, "&L&8rwedge " RWEDGE_VERSION "&C&8&A&R&8&P/&N"));
+}
+
+void xlsx_print(xlsx *book, xlsx_area area, int headers, bool landscape)
+{
+    xlsx_keep(book, worksheet_print_area(book->current, CELLS(area)));
+    set_page(book, headers, landscape);
+}
+
+void xlsx_print_cells(xlsx *book, const char *cells, int headers, bool landscape)
+{
+    char name[LXW_MAX_SHEETNAME_LENGTH + 20];
+    snprintf(name, sizeof name, "%s!_xlnm.Print_Area", book->current->name);
+    xlsx_keep(book, workbook_define_name(book->workbook, name, cells));
+    set_page(book, headers, landscape);
 }

@@ -4,23 +4,21 @@
 
 #include <string.h>
 
-const char *workbook_line(const char *const **next)
+bool workbook_line(const char *const **next, const char *field[FIELDS])
 {
     while (**next != NULL && ((**next)[0] == '#' || (**next)[0] == '\0'))
         ++*next;
-    return **next != NULL ? *(*next)++ : NULL;
-}
-
-/* "" for fields that a line does not have. */
-static void split(const char *line, int count, const char *field[])
-{
-    char *text = text_copy(line);
-    for (int i = 0; i < count; i++) {
+    if (**next == NULL)
+        return false;
+    const char *line = *(*next)++;
+    char *text = memcpy(memory_zeroed(strlen(line) + 1, 1), line, strlen(line));
+    for (int i = 0; i < FIELDS; i++) {
         field[i] = text;
         text += strcspn(text, "\t");
         if (*text != '\0')
             *text++ = '\0';
     }
+    return true;
 }
 
 case_cell *case_cells;
@@ -38,25 +36,21 @@ static size_t count_lines(const char *const lines[])
 
 void cells_read(void)
 {
-    const char *const *next = cells_lines, *line, *f[10];
+    const char *const *next = cells_lines, *f[FIELDS];
     case_cells = memory_zeroed(count_lines(cells_lines), sizeof *case_cells);
-    for (case_cell_count = 0; (line = workbook_line(&next)) != NULL; case_cell_count++) {
-        split(line, 10, f);
+    for (case_cell_count = 0; workbook_line(&next, f); case_cell_count++)
         case_cells[case_cell_count] =
             (case_cell){f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9]};
-    }
     next = templates_lines;
     formula_templates = memory_zeroed(count_lines(templates_lines), sizeof *formula_templates);
-    for (int i = 0; (line = workbook_line(&next)) != NULL; i++) {
-        split(line, 2, f);
+    for (int i = 0; workbook_line(&next, f); i++)
         formula_templates[i] = (formula_template){f[0], f[1]};
-    }
 }
 
 int cell_of_column(const char *column)
 {
-    int cell = 0;
-    while (strcmp(case_cells[cell].column, column) != 0)
-        cell++;
+    int cell = SHOWN_CELLS - 1;
+    while (cell >= 0 && strcmp(case_cells[cell].column, column) != 0)
+        cell--;
     return cell;
 }

@@ -7,18 +7,27 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Read as the tool reads it: the columns of Batch have the names of inputs. */
-static contact_case case_of(const double input[INPUT_CELLS])
+enum { EXAMPLE_SIZE = 32 };
+
+/* The part of a list between commas. */
+static void read_example(const char *list, int example, char text[EXAMPLE_SIZE])
 {
-    char number[INPUT_CELLS][NUMBER_SIZE], complaint[COMPLAINT_SIZE];
+    for (int i = 0; i < example; i++)
+        list += strcspn(list, ",") + 1;
+    snprintf(text, EXAMPLE_SIZE, "%.*s", (int)strcspn(list, ","), list);
+}
+
+/* Read as the tool reads it: the columns of Batch have the names of inputs. */
+static contact_case case_of(char text[INPUT_CELLS][EXAMPLE_SIZE])
+{
+    char complaint[COMPLAINT_SIZE];
     input_texts texts = {.tolerance = 0};
     contact_case setup;
     for (int i = 0; i < INPUT_CELLS; i++) {
         int k = 0;
         while (strcmp(input_kinds[k].column, case_cells[i].column) != 0)
             k++;
-        number_write(input[i], NUMBER_DIGITS, '.', number[i]);
-        texts.text[k] = isnan(input[i]) ? NULL : number[i];
+        texts.text[k] = text[i][0] != '\0' ? text[i] : NULL;
     }
     if (!case_read(&texts, CASE_OF_SOLVE, &setup, complaint))
         failure("the workbook's example: %s", complaint);
@@ -53,29 +62,60 @@ static void write_sentences(results *answer, case_values *shown)
         shown_number(shown, "b"), shown_number(shown, "p0"), shown_number(shown, "c_over_b"));
 }
 
-void shown_nothing(case_values *shown)
+/* Those of "solve", and two that it has not. */
+static void take_results(const contact_case *setup, results *answer, case_values *shown)
 {
-    for (int i = 0; i < SHOWN_CELLS; i++)
-        shown->number[i] = NAN;
-    shown->branch[0] = '\0';
-}
-
-void shown_values(const double input[INPUT_CELLS], case_values *shown)
-{
-    const contact_case setup = case_of(input);
-    char complaint[COMPLAINT_SIZE];
-    results answer;
-    if (!results_compute(&setup, (results_wanted){false, false}, &answer, complaint))
-        failure("the workbook's example: %s", complaint);
-    shown_nothing(shown);
-    for (int i = 0; i < INPUT_CELLS; i++)
-        shown->number[i] = input[i];
     for (int i = INPUT_CELLS; i < FIRST_REMARK; i++)
-        shown->number[i] = result_of(&answer, case_cells[i].column);
-    shown->number[cell_of_column("p_mean")] = setup.P / (2 * shown_number(shown, "b"));
+        shown->number[i] = result_of(answer, case_cells[i].column);
+    shown->number[cell_of_column("p_mean")] = setup->P / (2 * shown_number(shown, "b"));
     shown->number[cell_of_column("safety_strength")] =
         shown_number(shown, "P_over_bk") / shown_number(shown, "load_over_bk");
-    const char *branch = answer.value[RESULT_YIELD_BRANCH].text;
-    snprintf(shown->branch, sizeof shown->branch, "%s", branch);
-    write_sentences(&answer, shown);
+    snprintf(shown->branch, sizeof shown->branch, "%s", answer->value[RESULT_YIELD_BRANCH].text);
+    write_sentences(answer, shown);
+}
+
+void shown_values(int example, case_values *shown)
+{
+    char text[INPUT_CELLS][EXAMPLE_SIZE], complaint[COMPLAINT_SIZE];
+    results answer;
+    *shown = (case_values){.branch = ""};
+    for (int i = 0; i < SHOWN_CELLS; i++)
+        shown->number[i] = NAN;
+    if (example >= EXAMPLES)
+        return;
+    for (int i = 0; i < INPUT_CELLS; i++) {
+        read_example(case_cells[i].examples, example, text[i]);
+        number_read(text[i], &shown->number[i]);
+    }
+    const contact_case setup = case_of(text);
+    if (!results_compute(&setup, (results_wanted){false, false}, &answer, complaint))
+        failure("the workbook's example: %s", complaint);
+    take_results(&setup, &answer, shown);
+}
+
+/* ---- Cells ---- */
+
+double workbook_rounded(double value)
+{
+    return number_rounded(value, 10);
+}
+
+void formula_cell(xlsx *book, int row, int column, const char *formula, double value,
+                  xlsx_style style)
+{
+    if (isfinite(value))
+        xlsx_formula(book, row, column, formula, workbook_rounded(value), style);
+    else
+        xlsx_text_formula(book, row, column, formula, "", style);
+}
+
+void case_formula(xlsx *book, int row, int column, int number, const case_values *values,
+                  xlsx_style style, int batch_row)
+{
+    const char *formula = formula_of(case_cells[number].formula, 0, batch_row);
+    if (strcmp(case_cells[number].column, "yield_branch") == 0)
+        xlsx_text_formula(book, row, column, formula, values->branch, style);
+    else
+        formula_cell(book, row, column, formula,
+                     number < SHOWN_CELLS ? values->number[number] : NAN, style);
 }

@@ -14,8 +14,8 @@ typedef struct {
     double half, tangent;
 } rw_psi_arc;
 
-/* Takes the worst plane of the equator into best and psi if it is worse. */
-void rw_equator_search(rw_plane_cycle *cycle, const rw_severity *severity, double noise,
+/* The worst plane of the equator. */
+void rw_equator_search(const rw_plane_cycle *cycle, const rw_severity *severity,
                        rw_worst_plane *best, rw_direction *psi);
 
 /* Whether no plane is worse than the worst of the equator, which has `value`, by more than noise.

@@ -11,15 +11,12 @@ rw_plane_cycle *rw_plane_cycle_create(size_t loads)
     if (!cycle)
         return NULL;
     *cycle = (rw_plane_cycle){.loads = loads,
-                              .sxx = calloc(3 * loads, sizeof *cycle->sxx),
                               .item = calloc(loads, sizeof *cycle->item),
                               .local = calloc(loads, sizeof *cycle->local),
-                              .point = calloc(loads, sizeof *cycle->point)};
-    if (cycle->sxx && cycle->item && cycle->local && cycle->point) {
-        cycle->syy = cycle->sxx + loads;
-        cycle->txy = cycle->syy + loads;
+                              .point = calloc(loads, sizeof *cycle->point),
+                              .wave = calloc(RW_WAVE_KINDS * loads, sizeof *cycle->wave)};
+    if (cycle->item && cycle->local && cycle->point && cycle->wave)
         return cycle;
-    }
     rw_plane_cycle_destroy(cycle);
     return NULL;
 }
@@ -28,20 +25,19 @@ void rw_plane_cycle_destroy(rw_plane_cycle *cycle)
 {
     if (!cycle)
         return;
-    free(cycle->sxx);
     free(cycle->item);
     free(cycle->local);
     free(cycle->point);
+    free(cycle->wave);
     free(cycle);
 }
 
 void rw_plane_cycle_set(rw_plane_cycle *cycle, size_t i, const rw_plane_load *load,
                         const rw_severity *severity)
 {
-    cycle->sxx[i] = load->s - load->d;
-    cycle->syy[i] = load->s + load->d;
-    cycle->txy[i] = load->t;
-    cycle->item[i] = (rw_item){.d = load->d,
+    cycle->item[i] = (rw_item){.xx = load->s - load->d,
+                               .yy = load->s + load->d,
+                               .d = load->d,
                                .t = load->t,
                                .z = load->z,
                                .lift = load->z - load->s,

@@ -34,20 +34,21 @@ typedef struct {
     double base, pole, side, shear, twist, ring;
 } rw_tensor;
 
-/* A load: d, t, szz, szz - s, and the length of (d, t); the same less the middle of all loads, on
- * which no amplitude depends. The strain's amplitude is that of level - cos^2(beta) lift. */
+/* A load: sxx, syy, d, t, szz, szz - s, and the length of (d, t); the same less the middle of all
+ * loads, on which no amplitude depends. The strain's amplitude is that of level - cos^2(beta)
+ * lift. */
 typedef struct {
-    double d, t, z, lift, size;
+    double xx, yy, d, t, z, lift, size;
     double deviation_d, deviation_t, deviation_lift, level, deviation_size;
     rw_tensor all, deviation; /* the base of the second is that of the strain's amplitude */
 } rw_item;
 
 struct rw_plane_cycle {
     size_t loads;
-    double *sxx, *syy, *txy;
     rw_item *item;
     rw_local *local;
     rw_point *point;
+    rw_wave *wave;
 };
 
 static inline double rw_severity_of(const rw_severity *v, double amplitude, double peak)
@@ -55,14 +56,6 @@ static inline double rw_severity_of(const rw_severity *v, double amplitude, doub
     if (v->is_sum)
         return amplitude + v->gain * peak;
     return rw_larger(0, v->offset + v->gain * peak) * amplitude;
-}
-
-/* Moves load i to the front, behind the `kept` that are there. */
-static inline void rw_keep_load(rw_plane_cycle *cycle, size_t i, size_t kept)
-{
-    const rw_item load = cycle->item[i];
-    cycle->item[i] = cycle->item[kept];
-    cycle->item[kept] = load;
 }
 
 /* What counts as rounding of the severity. */

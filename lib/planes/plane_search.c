@@ -2,7 +2,7 @@
 /* Branch and bound over the circle of phi. On an arc a wave is a quotient of quadratic polynomials
  * of tan(phi/2). Its Bernstein coefficients are its values at the two ends and at the point where
  * the tangents of the ends meet. The largest coefficients of all loads bound the largest of their
- * waves, and the coefficients of a product bound a product, to the second order in the arc's
+ * waves, and the coefficients of a product or a sum bound it, to the second order in the arc's
  * length. An arc is left out when no plane in it can have more than the best plane so far. An arc
  * that is halved keeps only the waves that can matter in it. Where one wave of each kind is left,
  * the derivative is a polynomial with one root. So no plane exceeds the result by more than
@@ -14,9 +14,10 @@
 #include "base/select.h"
 
 #include <float.h>
-#include <stdbool.h>
 
-enum { ARCS = 16, CAPACITY = 64 };
+/* Without room, an arc has no more than FEW members of a kind. More are not compared with each
+ * other. */
+enum { ARCS = 16, FEW = 64 };
 
 /* Arcs never get this short: at 1e-7 the bound exceeds the products at the ends by less than
  * noise. */
@@ -32,7 +33,7 @@ typedef struct {
 
 /* The kinds of waves: the highest peak; the top of the range; its bottom, as the top of the waves
  * with opposite sign. */
-enum { PEAK, TOP, BOTTOM, KINDS };
+enum { PEAK, TOP, BOTTOM, KINDS = RW_WAVE_KINDS };
 
 /* Values at the ends and, in the middle, where the tangents of the ends meet. */
 typedef struct {
@@ -41,9 +42,10 @@ typedef struct {
 
 typedef struct {
     const rw_stress_cycle *cycle;
-    double best, noise; /* the largest product so far; what counts as none */
+    double best, noise; /* the largest product or sum so far; what counts as none */
     rw_direction where;
-    rw_wave member[KINDS][CAPACITY];
+    size_t capacity;
+    rw_wave *member[KINDS];
 } search;
 
 /* ---- Waves ---- */
@@ -82,13 +84,32 @@ static inline void raise(control *c, const control *other)
         c->at[i] = rw_larger(c->at[i], other->at[i]);
 }
 
+static inline double top_of(const control *c)
+{
+    return rw_larger(rw_larger(c->at[0], c->at[1]), c->at[2]);
+}
+
+static inline double bottom_of(const control *c)
+{
+    return -rw_larger(rw_larger(-c->at[0], -c->at[1]), -c->at[2]);
+}
+
 /* Below all; the sum of two is a number. */
 static const control LOWEST = {{-DBL_MAX / 2, -DBL_MAX / 2, -DBL_MAX / 2}};
 
 /* ---- Bounds ---- */
 
+static inline double bound_of_sum(const control *x, const control *y, const control *z)
+{
+    double most = -DBL_MAX;
+    for (int i = 0; i < 3; i++)
+        most = rw_larger(most, x->at[i] + y->at[i] + z->at[i]);
+    return most;
+}
+
 /* An upper bound of the products of a positive wave below x and a wave below the sum of y and z. */
-static inline double bound(const arc *a, const control *x, const control *y, const control *z)
+static inline double bound_of_product(const arc *a, const control *x, const control *y,
+                                      const control *z)
 {
     const double weight = 4 / (1 + a->tangent * a->tangent);
     double p[3], q[3];
@@ -101,17 +122,23 @@ static inline double bound(const arc *a, const control *x, const control *y, con
     return rw_larger(rw_larger(first, last), middle);
 }
 
+static inline double bound(const search *s, const arc *a, const control *x, const control *y,
+                           const control *z)
+{
+    return s->cycle->is_sum ? bound_of_sum(x, y, z) : bound_of_product(a, x, y, z);
+}
+
 static bool may_exceed(const search *s, const arc *a, const control c[KINDS])
 {
     return ALWAYS(a->tangent > SHORTEST) &&
-           bound(a, &c[PEAK], &c[TOP], &c[BOTTOM]) > s->best + s->noise;
+           bound(s, a, &c[PEAK], &c[TOP], &c[BOTTOM]) > s->best + s->noise;
 }
 
 static void record(search *s, rw_direction u, double peak, double range)
 {
-    const double product = rw_larger(0, peak) * range;
-    if (product > s->best) {
-        s->best = product;
+    const double value = s->cycle->is_sum ? peak + range : rw_larger(0, peak) * range;
+    if (value > s->best) {
+        s->best = value;
         s->where = u;
     }
 }
@@ -161,17 +188,22 @@ static quartic derivative(const rw_wave *v, const rw_wave *w)
          -v->sine * (w->mean - w->cosine) - w->sine * (v->mean - v->cosine)}};
 }
 
-/* The largest product on an arc where its derivative has at most one root; false where it may have
- * more. Without a root, or where the root is a minimum, the largest product is at an end, where it
- * is known already. */
+static rw_wave sum_of(const rw_wave *v, const rw_wave *w)
+{
+    return (rw_wave){v->mean + w->mean, v->cosine + w->cosine, v->sine + w->sine};
+}
+
+/* The largest value on an arc where its derivative has at most one root; false where it may have
+ * more. Without a root, or where the root is a minimum, the largest value is at an end, where it is
+ * known already. A sum is a product with 1. */
 static bool settle(search *s, const arc *a)
 {
     const rw_direction u = middle_of(a);
-    rw_wave range = s->member[TOP][0];
-    range.mean += s->member[BOTTOM][0].mean;
-    range.cosine += s->member[BOTTOM][0].cosine;
-    range.sine += s->member[BOTTOM][0].sine;
-    const rw_wave v = turned(&s->member[PEAK][0], u), w = turned(&range, u);
+    const rw_wave peak = s->member[PEAK][0],
+                  range = sum_of(&s->member[TOP][0], &s->member[BOTTOM][0]);
+    const rw_wave sum = sum_of(&peak, &range), one = {1, 0, 0};
+    const rw_wave v = s->cycle->is_sum ? one : turned(&peak, u),
+                  w = turned(s->cycle->is_sum ? &sum : &range, u);
     const quartic slope = derivative(&v, &w);
     const double *c = slope.coefficient;
     const double reach = half_of(a, u, u).tangent; /* x at the end of the arc */
@@ -180,31 +212,46 @@ static bool settle(search *s, const arc *a)
     const double x = rw_root(quartic_at, &slope, -reach, reach, DBL_EPSILON / 8);
     if (ALWAYS(!isnan(x))) { /* an arc without a root is not above its ends */
         const rw_direction there = rw_turned_by(u, x);
-        record(s, there, value_at(&s->member[PEAK][0], there), value_at(&range, there));
+        record(s, there, value_at(&peak, there), value_at(&range, there));
     }
     return true;
 }
 
 /* ---- A few waves ---- */
 
-/* Whether a member of that kind can have a part in a product larger than the best. */
+/* Whether a member of that kind can have a part in a value larger than the best. */
 static inline bool matters(const search *s, const arc *a, const control c[KINDS], int kind,
                            const control *own)
 {
     const control *p[KINDS] = {&c[PEAK], &c[TOP], &c[BOTTOM]};
     p[kind] = own;
-    return bound(a, p[PEAK], p[TOP], p[BOTTOM]) > s->best + s->noise;
+    return bound(s, a, p[PEAK], p[TOP], p[BOTTOM]) > s->best + s->noise;
+}
+
+/* A load of a cycle often comes again, exactly or to rounding. */
+static bool is_new(const search *s, int kind, size_t count, const rw_wave *w)
+{
+    const rw_wave *member = s->member[kind];
+    const double rounding = DBL_EPSILON * magnitude(w);
+    for (size_t i = 0; i < count; i++)
+        if (fabs(member[i].mean - w->mean) + fabs(member[i].cosine - w->cosine) +
+                fabs(member[i].sine - w->sine) <=
+            rounding)
+            return false;
+    return true;
 }
 
 /* Moves the members that matter to the front, and returns how many they are. */
-static size_t keep(search *s, const arc *a, const control c[KINDS], int kind, size_t count)
+static size_t keep(search *s, const arc *a, const control c[KINDS], int kind, size_t count,
+                   double least)
 {
     rw_wave *member = s->member[kind];
     size_t kept = 0;
     for (size_t i = 0; i < count; i++) {
         const rw_wave w = member[i];
         const control own = control_of(&w, a);
-        if (matters(s, a, c, kind, &own)) {
+        if (top_of(&own) >= least && matters(s, a, c, kind, &own) &&
+            (count > FEW || is_new(s, kind, kept, &w))) {
             member[i] = member[kept];
             member[kept++] = w;
         }
@@ -225,16 +272,18 @@ static double highest_at(const search *s, int kind, size_t count, rw_direction u
 static void refine(search *s, const arc *a, const size_t count[KINDS])
 {
     control c[KINDS] = {LOWEST, LOWEST, LOWEST};
+    double least[KINDS] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
     for (int kind = 0; kind < KINDS; kind++)
         for (size_t i = 0; i < count[kind]; i++) {
             const control own = control_of(&s->member[kind][i], a);
             raise(&c[kind], &own);
+            least[kind] = rw_larger(least[kind], bottom_of(&own));
         }
     if (!may_exceed(s, a, c))
         return;
     size_t kept[KINDS];
     for (int kind = 0; kind < KINDS; kind++)
-        kept[kind] = keep(s, a, c, kind, count[kind]);
+        kept[kind] = keep(s, a, c, kind, count[kind], least[kind]);
     if (kept[PEAK] == 0 || kept[TOP] == 0 || kept[BOTTOM] == 0)
         return;
     if (kept[PEAK] == 1 && kept[TOP] == 1 && kept[BOTTOM] == 1 && settle(s, a))
@@ -263,27 +312,9 @@ static void controls_of(const rw_stress_cycle *cycle, const arc *a, control c[KI
     }
 }
 
-static double top_of(const control *c)
+static double value_of(const search *s, double peak, double range)
 {
-    return rw_larger(rw_larger(c->at[0], c->at[1]), c->at[2]);
-}
-
-static double bottom_of(const control *c)
-{
-    return -rw_larger(rw_larger(-c->at[0], -c->at[1]), -c->at[2]);
-}
-
-/* A load of a cycle often comes again, exactly or to rounding. */
-static bool is_new(const search *s, int kind, size_t count, const rw_wave *w)
-{
-    const rw_wave *member = s->member[kind];
-    const double rounding = DBL_EPSILON * magnitude(w);
-    for (size_t i = 0; i < count; i++)
-        if (fabs(member[i].mean - w->mean) + fabs(member[i].cosine - w->cosine) +
-                fabs(member[i].sine - w->sine) <=
-            rounding)
-            return false;
-    return true;
+    return s->cycle->is_sum ? peak + range : peak * range;
 }
 
 /* The members that may matter in the arc, by a bound of the first order, which is quick; false
@@ -298,13 +329,14 @@ static bool gather(search *s, const arc *a, const control c[KINDS], size_t count
         rw_wave wave[KINDS];
         waves_of(s->cycle, i, wave);
         const control peak_of = control_of(&wave[PEAK], a), range_of = control_of(&wave[TOP], a);
-        const double most[KINDS] = {top_of(&peak_of) * (top + bottom),
-                                    (top_of(&range_of) + bottom) * peak,
-                                    (top - bottom_of(&range_of)) * peak};
+        const double most[KINDS] = {value_of(s, top_of(&peak_of), top + bottom),
+                                    value_of(s, peak, top_of(&range_of) + bottom),
+                                    value_of(s, peak, top - bottom_of(&range_of))};
         for (int kind = 0; kind < KINDS; kind++) {
-            if (most[kind] <= least || !is_new(s, kind, count[kind], &wave[kind]))
+            if (most[kind] <= least ||
+                (count[kind] <= FEW && !is_new(s, kind, count[kind], &wave[kind])))
                 continue;
-            if (count[kind] == CAPACITY)
+            if (count[kind] == s->capacity)
                 return false;
             s->member[kind][count[kind]++] = wave[kind];
         }
@@ -400,12 +432,12 @@ static void explore_all(search *s, const survey *v)
     arc a[ARCS];
     control c[ARCS][KINDS];
     int first = 0;
-    double most = 0;
+    double most = -DBL_MAX;
     for (int k = 0; k < ARCS; k++) {
         a[k] = (arc){start_of(k), start_of(k + 1), TANGENT};
         for (int kind = 0; kind < KINDS; kind++)
             c[k][kind] = control_between(v, kind, k);
-        const double limit = bound(&a[k], &c[k][PEAK], &c[k][TOP], &c[k][BOTTOM]);
+        const double limit = bound(s, &a[k], &c[k][PEAK], &c[k][TOP], &c[k][BOTTOM]);
         if (limit > most) {
             most = limit;
             first = k;
@@ -415,16 +447,24 @@ static void explore_all(search *s, const survey *v)
         explore(s, &a[k % ARCS], c[k % ARCS]);
 }
 
+static double noise_of(const rw_stress_cycle *cycle, const survey *v)
+{
+    const double range = v->magnitude[TOP] + v->magnitude[BOTTOM], peak = v->magnitude[PEAK];
+    return rw_larger(NOTHING, 8 * DBL_EPSILON * (cycle->is_sum ? peak + range : peak * range));
+}
+
 double rw_plane_search(const rw_stress_cycle *cycle, rw_direction *phi)
 {
+    rw_wave few[KINDS * FEW];
     survey v;
     survey_of(cycle, &v);
-    search s;
-    s.cycle = cycle;
-    s.best = 0;
-    s.where = start_of(0);
-    s.noise = rw_larger(NOTHING, 8 * DBL_EPSILON * v.magnitude[PEAK] *
-                                     (v.magnitude[TOP] + v.magnitude[BOTTOM]));
+    search s = {.cycle = cycle,
+                .best = cycle->is_sum ? -DBL_MAX : 0,
+                .noise = noise_of(cycle, &v),
+                .where = start_of(0),
+                .capacity = cycle->room ? cycle->loads : FEW};
+    for (int kind = 0; kind < KINDS; kind++)
+        s.member[kind] = (cycle->room ? cycle->room : few) + (size_t)kind * s.capacity;
     for (int k = 0; k < ARCS; k++)
         record(&s, start_of(k), v.highest[PEAK][k], v.highest[TOP][k] + v.highest[BOTTOM][k]);
     explore_all(&s, &v);

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plane on which a cycle of stresses has the largest product of two quantities: one that
- * counts by its maximum over the loads, and one that counts by its range. Each is, for each load,
- * a wave in phi, twice the angle of the plane: mean + cosine cos(phi) + sine sin(phi). */
+/* The plane on which a cycle of stresses has the largest product, or sum, of two quantities: one
+ * that counts by its maximum over the loads, and one that counts by its range. Each is, for each
+ * load, a wave in phi, twice the angle of the plane: mean + cosine cos(phi) + sine sin(phi). */
 #ifndef RW_PLANE_SEARCH_H
 #define RW_PLANE_SEARCH_H
 
 #include "base/domain.h"
 #include "base/logarithm.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct {
@@ -48,12 +49,17 @@ typedef struct {
 typedef struct {
     size_t loads, stride;
     const double *sxx, *syy, *txy;
+    bool is_sum;
     double offset, gain;
     double mean, normal, shear;
+    rw_wave *room; /* for RW_WAVE_KINDS waves a load; NULL: the time may grow like the square of the
+                      loads */
 } rw_stress_cycle;
 
-/* The largest max(0, max peak) (max range - min range), and its phi; phi is 0 where the product is
- * 0. */
+enum { RW_WAVE_KINDS = 3 };
+
+/* The largest max(0, max peak) (max range - min range), and its phi, which is 0 where the product
+ * is 0; or the largest max peak + max range - min range. */
 double rw_plane_search(const rw_stress_cycle *cycle, rw_direction *phi);
 
 /* Half the angle of the direction (cosine, sine), in (-pi/2, pi/2]: the angle between a plane's

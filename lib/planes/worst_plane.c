@@ -231,12 +231,16 @@ static double record(search *w, const cell *a, size_t n, double amplitude)
 /* Moves the loads that can matter in the cell to the front; how many. */
 static size_t keep(search *w, size_t n, const view *v)
 {
+    rw_item *load = w->cycle->item;
     size_t kept = 0;
     for (size_t i = 0; i < n; i++) {
         const rw_local *l = &w->cycle->local[i];
         const double least = rw_larger(0, v->least_amplitude - l->rest);
-        if (l->farthest >= least * least || l->highest >= v->least_peak)
-            rw_keep_load(w->cycle, i, kept++);
+        if (l->farthest >= least * least || l->highest >= v->least_peak) {
+            const rw_item kept_load = load[i];
+            load[i] = load[kept];
+            load[kept++] = kept_load;
+        }
     }
     return kept;
 }
@@ -485,11 +489,10 @@ rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *sever
     search w = {.severity = severity,
                 .cycle = cycle,
                 .noise = rw_plane_cycle_noise(cycle, severity),
-                .best = {.value = severity->is_sum ? -DBL_MAX : 0},
                 .chi = {1, 0},
                 .beta = {1, 0}};
-    rw_direction psi = {1, 0};
-    rw_equator_search(cycle, severity, w.noise, &w.best, &psi);
+    rw_direction psi;
+    rw_equator_search(cycle, severity, &w.best, &psi);
     w.best.angle = rw_plane_angle(psi.cosine, psi.sine);
     if (!rw_equator_has_worst(cycle, severity, w.best.value, w.noise))
         search_sphere(&w);

@@ -28,6 +28,19 @@ run() {
     "$rwedge" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
 }
 
+# shell TEXT: the same, of a command line.
+shell() {
+    called=$1
+    status=0
+    eval "$1" >"$scratch/out" 2>"$scratch/err" || status=$?
+}
+
+# memory_of KILOBYTES: sets $limit for ulimit -v, where that can be (an address sanitizer reserves more than any limit).
+memory_of() {
+    limit=$1
+    (ulimit -v "$limit" && "$rwedge" --version) >/dev/null 2>&1 || limit=unlimited
+}
+
 # does ARGUMENTS...: the same, with status 0; and with nothing on stderr.
 does() {
     run "$@"
@@ -88,8 +101,13 @@ fails_with_status() {
     esac
     shift 2
     run "$@"
-    status_is "$status_expected"
-    message_is "$expected"
+    ended "$status_expected" "$expected"
+}
+
+# ended STATUS MESSAGE
+ended() {
+    status_is "$1"
+    message_is "$2"
 }
 
 # close_rows WHAT RELATIVE ABSOLUTE: whether the two columns of the file "both", expected and got, agree row by row. Without

@@ -7,7 +7,7 @@
  * those of glibc in every shared library too, so allocations of GSL and LAPACK count. Without
  * PROGRAM_HEAP it is linked with --wrap, and sees only the allocations of the library. */
 #include "calls.h"
-#include "claims.h"
+#include "histories.h"
 
 #include <gsl/gsl_roots.h>
 #include <stdlib.h>
@@ -217,22 +217,18 @@ static bool may_allocate(const entry *e)
 /* A contact whose state allocates in every room. */
 static void assert_restored(const rwedge_contact *contact)
 {
-    enum { MOST = 20000 };
-    static double number[MOST];
-    const size_t n = rwedge_contact_state_size(contact);
-    assert_true(n <= MOST);
-    assert_ok(rwedge_contact_state(contact, n, number));
+    const contact_state state = state_of(contact);
     int32_t status = RWEDGE_ENOMEM;
     for (size_t k = 1; status != RWEDGE_OK; k++) {
-        rwedge_contact *restored = NULL;
+        rwedge_contact *made = NULL;
         const long before = heap.outstanding;
         arm(k, false);
         set_inside(true);
-        status = rwedge_contact_restore(n, number, &restored);
+        status = rwedge_contact_restore(state.size, state.number, &made);
         if (status == RWEDGE_OK)
-            rwedge_contact_destroy(restored);
+            rwedge_contact_destroy(made);
         set_inside(false);
-        assert_true(status == RWEDGE_OK || (status == RWEDGE_ENOMEM && restored == NULL));
+        assert_true(status == RWEDGE_OK || (status == RWEDGE_ENOMEM && made == NULL));
         assert_int_equal(heap.outstanding, before);
         assert_true(k < 1000);
     }
@@ -241,29 +237,21 @@ static void assert_restored(const rwedge_contact *contact)
 
 CLAIM(a_state_that_lacks_memory_is_not_restored)
 {
-    rwedge_contact *wedge, *pad;
-    assert_ok(rwedge_contact_create(0.1, 0.4, 0.5, 0.5, &wedge));
-    assert_ok(rwedge_contact_create_flat(0.4, 10, 0.5, 0.5, &pad));
-    rwedge_contact *contacts[] = {wedge, pad};
+    rwedge_contact *contacts[] = {create(0.4, 0.5), create_flat(0.4, 10, A, 0.5)};
     for (int i = 0; i < 2; i++) {
-        rwedge_contact *contact = contacts[i];
-        assert_ok(rwedge_contact_apply(contact, 0.2, 0.03, 0, 0));
-        assert_ok(rwedge_contact_apply(contact, 0.2, 0.03, 0.06, 0.002));
-        assert_restored(contact);
-        assert_ok(rwedge_contact_allow_error(contact, 1e-2));
-        assert_ok(rwedge_contact_apply(contact, 0.2, 0.01, 0.05, 0.02));
-        assert_true(rwedge_contact_error(contact) > 0);
-        assert_restored(contact);
-        rwedge_contact_destroy(contact);
+        assert_restored(APPLY(contacts[i], {0.2, 0.03, 0, 0}, {0.2, 0.03, 0.06, 0.002}));
+        APPLY(allowing(contacts[i], 1e-2), {0.2, 0.01, 0.05, 0.02});
+        assert_true(rwedge_contact_error(contacts[i]) > 0);
+        assert_restored(contacts[i]);
     }
 }
 
 CLAIM(every_failed_allocation_is_survived)
 {
-    size_t count, allocating = 0;
-    const public_call *calls = public_calls(&count);
+    size_t allocating = 0;
+    const public_call *calls = public_calls();
     on_call = set_inside;
-    for (size_t i = 0; i < 2 * count; i++) {
+    for (size_t i = 0; i < 2 * (size_t)ENTRY_COUNT; i++) {
         const entry *e = calls[i / 2].entry;
         if (i % 2 == 1 && !(e->takes_object && strcmp(e->family, "contact") == 0))
             continue;
@@ -288,7 +276,7 @@ static const struct {
     bool is_flat; /* or else a wedge */
     bool returns; /* to a closed form, unless memory is short */
     int last;
-    double load[4][4];
+    rw_loads load[4];
 } histories[] = {
     {false, false, 2, {{4, 0, 0, 0}, {4, 0, 0.5, 0.9}, {2, 1.2, -0.7, 3}}},
     {false, false, 2, {{4, 0, 0, 0}, {4, 0, 0.5, 0.9}, {0, 0, 0, 0}}},
@@ -302,22 +290,22 @@ static const struct {
 };
 
 /* By way of a history of stresses, which copies what is computed too. */
-static int32_t apply(rwedge_contact *contact, const double to[])
+static int32_t follow(rwedge_contact *contact, rw_loads to)
 {
-    return rwedge_contact_stress_history(contact, 1, &to[0], &to[1], &to[2], &to[3], 0, NULL, NULL,
+    return rwedge_contact_stress_history(contact, 1, &to.P, &to.M, &to.Q, &to.sigma, 0, NULL, NULL,
                                          NULL, NULL, NULL);
 }
 
 /* Whether the last load makes as many allocations. */
-static bool is_survived(const rwedge_contact *contact, const double to[], size_t failing,
-                        bool for_ever, bool returns)
+static bool is_survived(const rwedge_contact *contact, rw_loads to, size_t failing, bool for_ever,
+                        bool returns)
 {
     rwedge_contact *copy;
     assert_ok(rwedge_contact_copy(contact, &copy));
     arm(failing, for_ever);
     const long outstanding = heap.outstanding;
     set_inside(true);
-    const int32_t status = apply(copy, to);
+    const int32_t status = follow(copy, to);
     set_inside(false);
     const bool was_short = heap.calls >= failing;
     arm(0, false);
@@ -333,12 +321,9 @@ static bool is_survived(const rwedge_contact *contact, const double to[], size_t
 CLAIM(a_computed_load_that_lacks_memory_says_so)
 {
     for (size_t i = 0; i < sizeof histories / sizeof histories[0]; i++) {
-        rwedge_contact *contact;
-        assert_ok(histories[i].is_flat ? rwedge_contact_create_flat(0.4, 10, 0.5, 0.5, &contact)
-                                       : rwedge_contact_create(1, 1, 1, 0.5, &contact));
-        assert_ok(rwedge_contact_allow_error(contact, 1e-2));
-        for (int k = 0; k < histories[i].last; k++)
-            assert_ok(apply(contact, histories[i].load[k]));
+        rwedge_contact *contact =
+            histories[i].is_flat ? create_flat(0.4, 10, A, 0.5) : create_wedge(1, 1, 1, 0.5);
+        apply_all(allowing(contact, 1e-2), (size_t)histories[i].last, histories[i].load);
         for (int for_ever = 0; for_ever < 2; for_ever++) {
             size_t failing = 1;
             while (is_survived(contact, histories[i].load[histories[i].last], failing, for_ever,
@@ -347,6 +332,5 @@ CLAIM(a_computed_load_that_lacks_memory_says_so)
             print_message("    history %zu: %zu allocations\n", i, failing - 1);
             assert_true(failing > 4);
         }
-        rwedge_contact_destroy(contact);
     }
 }

@@ -89,6 +89,11 @@ rwedge_contact *recorded(const double wedge[], const double loads[])
     return contact;
 }
 
+int32_t try_load(rwedge_contact *contact, rw_loads to)
+{
+    return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
+}
+
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
 {
     assert_ok(rwedge_contact_apply(contact, P, M, Q, sigma));
@@ -97,7 +102,7 @@ void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
 rwedge_contact *apply_all(rwedge_contact *contact, size_t count, const rw_loads loads[])
 {
     for (size_t i = 0; i < count; i++)
-        apply(contact, loads[i].P, loads[i].M, loads[i].Q, loads[i].sigma);
+        assert_ok(try_load(contact, loads[i]));
     return contact;
 }
 

@@ -31,6 +31,7 @@ void assert_state(const rwedge_contact *contact, contact_state expected); /* bit
 void load(rwedge_contact *contact, double P, double Q);
 /* The wedge of a row of tests/data/, theta, A, a, f, after its loads, whose number comes first. */
 rwedge_contact *recorded(const double wedge[], const double loads[]);
+int32_t try_load(rwedge_contact *contact, rw_loads to); /* the status */
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma);
 /* Loads {P, M, Q, sigma}, one after another; gives the contact. */
 #define APPLY(contact, ...)                                                                        \

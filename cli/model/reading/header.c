@@ -21,21 +21,21 @@ bool header_is_input(const header *names, size_t column)
 
 bool header_has(const header *names, const char *name)
 {
-    for (size_t i = 0; i < names->count; i++)
-        if (strcmp(names->name[i], name) == 0)
-            return true;
-    return false;
+    char complaint[COMPLAINT_SIZE];
+    size_t column;
+    return !header_column(names, name, &column, complaint) || column < names->count;
 }
 
-static bool find_input(int input, header *names, char complaint[COMPLAINT_SIZE])
+bool header_column(const header *names, const char *name, size_t *column,
+                   char complaint[COMPLAINT_SIZE])
 {
-    const char *column = input_kinds[input].column;
+    *column = names->count;
     for (size_t i = 0; i < names->count; i++) {
-        if (strcmp(names->name[i], column) != 0)
+        if (strcmp(names->name[i], name) != 0)
             continue;
-        if (header_has_input(names, input))
-            return complain(complaint, "column %s: there twice; allowed: once", column);
-        names->column[input] = i;
+        if (*column < i)
+            return complain(complaint, "column %s: there twice; allowed: once", name);
+        *column = i;
     }
     return true;
 }
@@ -165,7 +165,7 @@ bool header_find(const char *const name[], size_t count, const bool wanted[INPUT
     for (int i = 0; i < INPUT_COUNT; i++)
         names->column[i] = count;
     for (int i = 0; i < INPUT_COUNT; i++)
-        if (wanted[i] && !find_input(i, names, complaint))
+        if (wanted[i] && !header_column(names, input_kinds[i].column, &names->column[i], complaint))
             return false;
     for (size_t i = 0; i < count; i++) {
         const bool is_input = header_is_input(names, i);
@@ -235,6 +235,17 @@ const char *header_separator_hint(const char *const name[], size_t count)
                : "";
 }
 
+bool cell_read(const char *text, const char *column, char decimal_sign, double *value,
+               char complaint[COMPLAINT_SIZE])
+{
+    if (number_read_cell(text, decimal_sign, value))
+        return true;
+    if (text[strspn(text, " \t")] == '\0')
+        return complain(complaint, "%s: the cell is empty", column);
+    return complain(complaint, "%s %.60s: must be a number, with a decimal %s", column, text,
+                    decimal_sign == ',' ? "comma" : "point");
+}
+
 /* ---- A row that is a load ---- */
 
 bool load_header_find(const char *const name[], size_t count, header *names,
@@ -251,17 +262,6 @@ bool load_header_find(const char *const name[], size_t count, header *names,
                     header_separator_hint(name, count));
 }
 
-static bool read_cell(const char *text, int input, char decimal_sign, double *value,
-                      char complaint[COMPLAINT_SIZE])
-{
-    if (number_read_cell(text, decimal_sign, value))
-        return true;
-    if (text[strspn(text, " \t")] == '\0')
-        return complain(complaint, "%s: the cell is empty", input_kinds[input].column);
-    return complain(complaint, "%s %.60s: must be a number, with a decimal %s",
-                    input_kinds[input].column, text, decimal_sign == ',' ? "comma" : "point");
-}
-
 /* Moment and tension are 0 where they have no column. */
 bool load_row_read(const header *names, const char *const cells[], size_t count, char separator,
                    char decimal_sign, load *to, char complaint[COMPLAINT_SIZE])
@@ -270,8 +270,8 @@ bool load_row_read(const header *names, const char *const cells[], size_t count,
     if (!header_fits(names->count, count, separator, complaint))
         return false;
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
-        if (header_has_input(names, i) &&
-            !read_cell(cells[names->column[i]], i, decimal_sign, &value[i], complaint))
+        if (header_has_input(names, i) && !cell_read(cells[names->column[i]], input_kinds[i].column,
+                                                     decimal_sign, &value[i], complaint))
             return false;
     *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
     return true;

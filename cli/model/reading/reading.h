@@ -50,8 +50,17 @@ bool header_has_input(const header *names, int input);
 bool header_is_input(const header *names, size_t column);
 bool header_has(const header *names, const char *name);
 
+/* The column of a name; the count where it is not there. False, with the complaint, where it is
+ * there twice. */
+bool header_column(const header *names, const char *name, size_t *column,
+                   char complaint[COMPLAINT_SIZE]);
+
 /* Whether a row has as many cells as the header; the complaint says so if not. */
 bool header_fits(size_t columns, size_t cells, char separator, char complaint[COMPLAINT_SIZE]);
+
+/* Reads a number. False, with the complaint, where the cell has none. */
+bool cell_read(const char *text, const char *column, char decimal_sign, double *value,
+               char complaint[COMPLAINT_SIZE]);
 
 /* Notes the columns that nothing uses but that have a number in this row: one of them may be meant
  * for an input, and nobody would notice. */

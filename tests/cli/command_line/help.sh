@@ -40,15 +40,13 @@ run table -h elastic-limit --friction 0.1
 same "help" "" "$(diff help out)"
 
 # Options may stand on either side of the table's name, wherever the environment would have them.
-called="POSIXLY_CORRECT=1 rwedge table contact-law --a-over-b 1"
-same "columns" 5 "$(POSIXLY_CORRECT=1 "$rwedge" table contact-law --a-over-b 1 | head -n 1 | tr , '\n' | wc -l | tr -d ' ')"
+shell 'POSIXLY_CORRECT=1 "$rwedge" table contact-law --a-over-b 1'
+same "columns" 5 "$(head -n 1 out | tr , '\n' | wc -l | tr -d ' ')"
 does_quietly table --a-over-b 1 contact-law
 
 # Help that cannot be written is an error.
 if [ -c /dev/full ]; then
-    called="rwedge --help >/dev/full"
-    status=0
-    "$rwedge" --help >/dev/full 2>"$scratch/err" || status=$?
+    shell '"$rwedge" --help >/dev/full'
     status_is 1
     message_has "standard output: No space left on device"
 fi

@@ -16,9 +16,7 @@ old_file_stays() {
 draw_with() {
     path=$1
     shift
-    called="PATH=$path rwedge figure $*"
-    status=0
-    PATH=$path "$rwedge" figure "$@" >out 2>err || status=$?
+    shell "PATH=$path '$rwedge' figure $*"
 }
 
 needed="; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo (package gnuplot-nox)"
@@ -29,8 +27,7 @@ fails_with() { # MESSAGE BODY
     chmod +x fake/gnuplot
     old_file
     draw_with "$scratch/fake:/usr/bin:/bin" field -o files/f.svg
-    status_is 1
-    message_is "rwedge figure: gnuplot $1$needed"
+    ended 1 "rwedge figure: gnuplot $1$needed"
     old_file_stays
     draw_with "$scratch/fake:/usr/bin:/bin" field
     status_is 1
@@ -40,8 +37,7 @@ fails_with() { # MESSAGE BODY
 # None at all.
 old_file
 draw_with /nonexistent 4 -o files/f.svg
-status_is 1
-message_is "rwedge figure: gnuplot: not found on PATH; it draws the figures: install it (on Debian and \
+ended 1 "rwedge figure: gnuplot: not found on PATH; it draws the figures: install it (on Debian and \
 Ubuntu the package gnuplot-nox), or use --data"
 old_file_stays
 
@@ -64,8 +60,7 @@ wc -c
 echo '</svg>'
 FAKE
 draw_with "$scratch/fake:/usr/bin:/bin" 2 -o files/f.svg
-status_is 0
-message_is ""
+ended 0 ""
 same "the whole script was read" yes "$([ "$(grep -o -E '[0-9]+$' files/f.svg)" -gt 65536 ] && echo yes)"
 same "spaces are kept" 1 "$(grep -c '<svg xml:space="preserve">' files/f.svg)"
 
@@ -80,8 +75,7 @@ output_is "<?xml?> C --default-settings /dev/stdin 0 UTC0</svg>"
 
 # The target is refused before gnuplot is asked.
 draw_with /nonexistent 4 -o none/f.svg
-status_is 1
-message_is "rwedge figure: none/f.svg: No such file or directory"
+ended 1 "rwedge figure: none/f.svg: No such file or directory"
 
 rm -r files
 if ! command -v gnuplot >/dev/null 2>&1; then

@@ -36,8 +36,7 @@ rm "files/$odd"
 
 # Permissions: those of open(), or the old file's.
 rm files/new.csv
-(umask 027 && "$rwedge" $small -o files/new.csv)
-called="rwedge $small -o FILE, umask 027"
+shell '(umask 027 && "$rwedge" $small -o files/new.csv)'
 same "permissions of a new file" "-rw-r-----" "$(ls -l files/new.csv | cut -c 1-10)"
 chmod 604 files/new.csv
 run $small -o files/new.csv
@@ -67,39 +66,25 @@ files_are new.csv
 # A full disk.
 if [ -c /dev/full ]; then
     cannot "/dev/full: No space left on device" $small -o /dev/full
-    called="rwedge $large >/dev/full"
-    status=0
-    "$rwedge" $large >/dev/full 2>err || status=$?
-    status_is 1
-    message_is "rwedge table: standard output: No space left on device"
+    shell '"$rwedge" $large >/dev/full'
+    ended 1 "rwedge table: standard output: No space left on device"
 fi
 
 # A limit on the size of files, with the signal that comes with it.
 echo old >files/new.csv
-called="rwedge $large -o files/new.csv, ulimit -f 8"
-status=0
-(ulimit -f 8 && "$rwedge" $large -o files/new.csv 2>err) || status=$?
-status_is 1
-message_is "rwedge table: files/new.csv: File too large"
+shell '(ulimit -f 8 && "$rwedge" $large -o files/new.csv)'
+ended 1 "rwedge table: files/new.csv: File too large"
 same "old file" old "$(cat files/new.csv)"
 files_are new.csv
 
 # A closed pipe, a closed standard output.
-called="rwedge $large | head -n 1"
-first=$( (
-    status=0
-    "$rwedge" $large 2>err || status=$?
-    echo "$status" >status
-) | head -n 1)
+shell '{ "$rwedge" $large; echo $? >status; } | head -n 1'
 status=$(cat status)
-status_is 1
-message_is "rwedge table: standard output: Broken pipe"
-same "first line" "a_over_b,f,b_sigma_over_P,b_sigma_over_fP" "$first"
+ended 1 "rwedge table: standard output: Broken pipe"
+output_is "a_over_b,f,b_sigma_over_P,b_sigma_over_fP"
 
 # With stderr closed, no message ends up in the file.
-called="rwedge $small -o files/new.csv 2>&-"
-status=0
-"$rwedge" $small -o files/new.csv <&- >&- 2>&- || status=$?
+shell '"$rwedge" $small -o files/new.csv <&- >&- 2>&-'
 status_is 0
 same "file written without standard streams" "$text" "$(cat files/new.csv)"
 
@@ -123,13 +108,9 @@ for name in "$PWD/input.csv" symbolic.csv hard.csv; do
     run solve --input input.csv $contact -o "$name"
     input_stays "$name"
 done
-called="rwedge solve --input - <input.csv -o input.csv"
-status=0
-"$rwedge" solve --input - $contact -o input.csv <input.csv >out 2>err || status=$?
+shell '"$rwedge" solve --input - $contact -o input.csv <input.csv'
 input_stays input.csv
-called="rwedge solve --input input.csv >>input.csv"
-status=0
-"$rwedge" solve --input input.csv $contact >>input.csv 2>err || status=$?
+shell '"$rwedge" solve --input input.csv $contact >>input.csv'
 input_stays -
 does solve --input input.csv $contact -o beside.csv
 
@@ -149,11 +130,8 @@ if { [ -n "$as_user" ] || [ "$(id -u)" != 0 ]; } && $as_user "$rwedge" --version
     chmod 666 closed/old.csv
     chmod 555 closed
     for file in closed/old.csv closed/new.csv open/old.csv; do
-        called="rwedge $small -o $file, protected"
-        status=0
-        $as_user "$rwedge" $small -o $file 2>err || status=$?
-        status_is 1
-        message_is "rwedge table: $file: Permission denied"
+        shell '$as_user "$rwedge" $small -o $file'
+        ended 1 "rwedge table: $file: Permission denied"
     done
     same "files in the closed folder" old.csv "$(ls -A closed)"
     same "files in the open folder" old.csv "$(ls -A open)"
@@ -167,9 +145,7 @@ if [ "$(id -u)" = 0 ] && setpriv --reuid=65534 --regid=65534 --clear-groups true
     echo old >open/theirs.csv
     chown 1234:2000 open/theirs.csv
     chmod 646 open/theirs.csv
-    called="rwedge $small -o open/theirs.csv"
-    status=0
-    setpriv --reuid=1235 --regid=1235 --groups 3000 "$rwedge" $small -o open/theirs.csv >out 2>err || status=$?
+    shell 'setpriv --reuid=1235 --regid=1235 --groups 3000 "$rwedge" $small -o open/theirs.csv'
     same "what it becomes" "0 1235:1235 604" "$status $(stat -c '%u:%g %a' open/theirs.csv)"
 fi
 

@@ -8,13 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The same sequence on every machine (splitmix64). */
+/* The bits of two numbers: each has 53 that are random. */
 static uint64_t next_random(uint64_t *state)
 {
-    uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
+    const uint64_t high = (uint64_t)ldexp(random_fraction(state), 32);
+    return high << 32 | (uint64_t)ldexp(random_fraction(state), 32);
 }
 
 CLAIM(every_double_reads_back)

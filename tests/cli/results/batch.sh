@@ -284,29 +284,22 @@ printf 'P,a\n100,1\n\000\001\002\n' >input
 hopeless "line 3, column 1: the character U+0000 belongs to no text; allowed: text, no binary files"
 { printf 'P,a\n100,1\n'; head -c 2000 /dev/zero | tr '\0' ,; } >input
 hopeless "line 3: more than 1000 cells in a row"
-called="an endless line"
 if command -v timeout >/dev/null; then
-    status=0
-    { printf 'P,a\n100,1\n'; tr '\0' 9 </dev/zero; } 2>/dev/null |
-        timeout 60 "$rwedge" solve -i - $fixed >out 2>err || status=$?
-    status_is 1
-    message_is "rwedge solve: standard input: line 3: a line of more than 1 MiB; allowed: CSV"
+    shell '{ printf "P,a\n100,1\n"; tr "\0" 9 </dev/zero; } 2>/dev/null | timeout 60 "$rwedge" solve -i - $fixed'
+    ended 1 "rwedge solve: standard input: line 3: a line of more than 1 MiB; allowed: CSV"
     same "on standard output, the rows before it, and that there may be more" 3 "$(wc -l <out | tr -d ' ')"
 fi
 
 # Many rows in little memory (an address sanitizer reserves more than any limit, and takes its time).
-limit=65536
-(ulimit -v $limit && "$rwedge" --version) >/dev/null 2>&1 || { limit=unlimited; rows=1000; }
+memory_of 65536
+[ $limit != unlimited ] || rows=1000
 awk -v rows=$rows 'BEGIN { srand(7); print "case,theta,a,P,Q,f,k"
     for (i = 1; i <= rows; i++) printf "%d,%.4g,%.4g,%.5g,%.3g,%.3g,300\n", i, 0.005 + 0.09 * rand(), 2 * rand(),
         10 + 300 * rand(), 0.5 * rand(), 0.05 + rand() / 2 }' >many.csv
-called="rwedge solve -i many.csv, $rows rows"
 started=$(date +%s)
-status=0
-(ulimit -v $limit; "$rwedge" solve -i many.csv --E1 210000 --nu1 0.3 -o many_solved.csv 2>err) || status=$?
+shell '(ulimit -v $limit; "$rwedge" solve -i many.csv --E1 210000 --nu1 0.3 -o many_solved.csv)'
 echo "$rows rows in $(($(date +%s) - started)) s"
-status_is 0
-message_is "rwedge solve: many.csv, in some rows: P is above P_yield: the contact yields in full sliding
+ended 0 "rwedge solve: many.csv, in some rows: P is above P_yield: the contact yields in full sliding
 rwedge solve: many.csv, in some rows: a/b is below 0.01 or above 10000: are the units consistent?"
 same "rows" "$((rows + 1))" "$(wc -l <many_solved.csv | tr -d ' ')"
 same "last case" "$rows" "$(tail -n 1 many_solved.csv | cut -d , -f 1)"

@@ -120,10 +120,8 @@ refuses "--x 0:1:1e-8: must not give the grid more than 1000000000 points in all
 refuses "--x: missing; after the last load there is no contact to lay a grid around" field $contact --load 0,0
 
 # Rows stream: the first of a thousand million comes at once, in little memory.
-limit=100000
-(ulimit -v $limit && "$rwedge" --version) >/dev/null 2>&1 || limit=unlimited
-called="rwedge field with 1e9 points"
-(ulimit -v $limit; "$rwedge" field --a-over-b 0.5 --x 1:100000:1 --y 1:10000:1 2>/dev/null) | head -n 5 >first
-same "lines" 5 "$(wc -l <first | tr -d ' ')"
+memory_of 100000
+shell '(ulimit -v $limit; "$rwedge" field --a-over-b 0.5 --x 1:100000:1 --y 1:10000:1) | head -n 5'
+same "lines" 5 "$(wc -l <out | tr -d ' ')"
 
 finish

@@ -40,9 +40,8 @@ refuses "--threads 2: needs --input" solve $contact --P 1 --threads 2
 refuses "--threads 257: must be a whole number from 1 to 256" table contact-law --threads 257
 
 # Rows that nobody takes are not kept, and threads end with the table.
-called="rwedge table ... | head -n 1"
-"$rwedge" table elastic-limit --friction 0:0.8:0.0000001 --threads 8 2>err | head -n 1 >out
-same "the first row" "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface" "$(cat out)"
+shell '"$rwedge" table elastic-limit --friction 0:0.8:0.0000001 --threads 8 | head -n 1'
+output_is "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface"
 
 # watch FIELD: the largest value of a field of its status while $process runs, in $most.
 watch()

@@ -246,13 +246,12 @@ static public_call call_of_entry(const entry *e)
     return call;
 }
 
-const public_call *public_calls(size_t *count)
+const public_call *public_calls(void)
 {
     static public_call calls[ENTRY_COUNT];
     if (calls[0].name == NULL)
         for (int i = ENTRY_COUNT - 1; i >= 0; i--)
             calls[i] = call_of_entry(&entries[i]);
-    *count = ENTRY_COUNT;
     return calls;
 }
 

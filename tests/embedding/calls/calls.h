@@ -38,8 +38,8 @@ void *object_of(const entry *e, double number);
 /* NULL, or what is told when the library begins to be called, and when it has returned. */
 extern void (*on_call)(bool begins);
 
-/* All calls. */
-const public_call *public_calls(size_t *count);
+/* All calls: ENTRY_COUNT. */
+const public_call *public_calls(void);
 
 /* Arguments in the domain, mostly of the order of 1; the same on every machine. */
 void draw_inside(const public_call *call, uint64_t *state, double v[]);

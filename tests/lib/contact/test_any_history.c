@@ -260,37 +260,6 @@ CLAIM(a_contact_of_many_corners_keeps_its_traction)
         assert_within(shear(contact, i / 50.0), shear(before, i / 50.0), 1e-3 * F);
 }
 
-CLAIM(a_copy_and_a_restored_contact_go_on_to_the_same_bits)
-{
-    rwedge_contact *contact = computed(),
-                   *twins[] = {copy_of(contact), restored(state_of(contact))};
-    apply(contact, 4.2, 0.2, -0.3, 0.4);
-    for (int i = 0; i < 2; i++) {
-        apply(twins[i], 4.2, 0.2, -0.3, 0.4);
-        assert_state(twins[i], state_of(contact));
-    }
-}
-
-CLAIM(a_stress_history_is_that_of_its_loads)
-{
-    enum { LOADS = 5, POINTS = 3 };
-    const double P[LOADS] = {4, 4, 4.5, 4, 4}, M[LOADS] = {0, 0, 0.3, 0, 0},
-                 Q[LOADS] = {0, 0.5, 0.2, 2, 1}, sigma[LOADS] = {0, 0.9, -0.4, 0, 0};
-    const double x[POINTS] = {-2, 0.3, 2.3}, y[POINTS] = {0, 0.4, 0};
-    double sxx[LOADS * POINTS], syy[LOADS * POINTS], txy[LOADS * POINTS];
-    rwedge_contact *contact = wedge(1e-4), *single = wedge(1e-4);
-    assert_ok(
-        rwedge_contact_stress_history(contact, LOADS, P, M, Q, sigma, POINTS, x, y, sxx, syy, txy));
-    for (int i = 0; i < LOADS; i++) {
-        double xx[POINTS], yy[POINTS], xy[POINTS];
-        apply(single, P[i], M[i], Q[i], sigma[i]);
-        assert_ok(rwedge_contact_stresses(single, POINTS, x, y, xx, yy, xy));
-        for (int j = 0; j < POINTS; j++)
-            assert_true(xx[j] == sxx[i * POINTS + j] && yy[j] == syy[i * POINTS + j] &&
-                        xy[j] == txy[i * POINTS + j]);
-    }
-}
-
 /* What sticks moves until each place has slipped. */
 CLAIM(errors_are_forgotten_where_it_slips)
 {

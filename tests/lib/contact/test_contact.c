@@ -12,37 +12,31 @@ static double ellipse(double c, double b, double x)
     return x < c ? sqrt((c - x) * (c + x)) / b : 0;
 }
 
+/* Q/(fP), the stick zone's half-width in b, and the factors of the ellipses of the contact and of
+ * the stick zones so far; at last the loop is closed and forgotten. */
 CLAIM(hertz_loading_unloading_reloading_is_mindlin)
 {
-    const double f = 0.4, R = 5, a = THETA * R, P = 0.02;
-    rwedge_contact *contact = APPLY(create(a, f), {P, 0, 0, 0});
+    const double f = 0.4, R = 5, P = 0.02;
+    rwedge_contact *contact = APPLY(create(THETA * R, f), {P, 0, 0, 0});
     const double b = rwedge_contact_half_width(contact), p0 = 2 * P / (PI * b);
+    const double c[] = {sqrt(1 - 0.7), sqrt(1 - 0.9 / 2), sqrt(1 - 0.6 / 2)};
+    const struct {
+        double Q, c, factor[4];
+    } loads[] = {{0.7, c[0], {-1, 1, 0, 0}},
+                 {-0.2, c[1], {1, 1, -2, 0}},
+                 {0.4, c[2], {-1, 1, -2, 2}},
+                 {0.7, c[0], {-1, 1, 0, 0}}};
     assert_close(b, sqrt(2 * A * P * R / PI), 1e-14);
-    const double Q1 = 0.7 * f * P, Q2 = -0.2 * f * P, Q3 = 0.4 * f * P;
-    const double c1 = b * sqrt(1 - 0.7), c2 = b * sqrt(1 - 0.9 / 2), c3 = b * sqrt(1 - 0.6 / 2);
-    load(contact, P, Q1);
-    assert_close(rwedge_contact_stick_half_width(contact), c1, 1e-14);
-    for (double x = 0; x < b; x += b / 37)
-        assert_within(shear(contact, x), -f * p0 * (ellipse(b, b, x) - ellipse(c1, b, x)),
-                      1e-14 * p0);
-    load(contact, P, Q2);
-    assert_close(rwedge_contact_stick_half_width(contact), c2, 1e-14);
-    for (double x = 0; x < b; x += b / 37)
-        assert_within(shear(contact, x),
-                      f * p0 * (ellipse(b, b, x) - 2 * ellipse(c2, b, x) + ellipse(c1, b, x)),
-                      1e-14 * p0);
-    load(contact, P, Q3);
-    assert_close(rwedge_contact_stick_half_width(contact), c3, 1e-14);
-    for (double x = 0; x < b; x += b / 37)
-        assert_within(shear(contact, x),
-                      -f * p0 *
-                          (ellipse(b, b, x) - 2 * ellipse(c3, b, x) + 2 * ellipse(c2, b, x) -
-                           ellipse(c1, b, x)),
-                      1e-14 * p0);
-    load(contact, P, Q1); /* the loop is closed and forgotten */
-    for (double x = 0; x < b; x += b / 37)
-        assert_within(shear(contact, x), -f * p0 * (ellipse(b, b, x) - ellipse(c1, b, x)),
-                      1e-14 * p0);
+    for (int i = 0; i < 4; i++) {
+        load(contact, P, loads[i].Q * f * P);
+        assert_close(rwedge_contact_stick_half_width(contact), loads[i].c * b, 1e-14);
+        for (double x = 0; x < b; x += b / 37) {
+            double sum = loads[i].factor[0] * ellipse(b, b, x);
+            for (int k = 0; k < 3; k++)
+                sum += loads[i].factor[k + 1] * ellipse(c[k] * b, b, x);
+            assert_within(shear(contact, x), f * p0 * sum, 1e-14 * p0);
+        }
+    }
 }
 
 /* ---- Equilibrium and Coulomb's law ---- */

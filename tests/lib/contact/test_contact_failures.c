@@ -1,33 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a contact refuses; a refusal leaves it unchanged. Copies; the ends of the domain. */
+/* What a contact refuses; a refusal leaves it unchanged. The ends of the domain. */
 #include "histories.h"
 
 #include <float.h>
-
-/* ---- Copies ---- */
-
-CLAIM(a_copy_is_independent)
-{
-    random_history h;
-    rwedge_contact *contact = begin(&h, 6), *copy = NULL;
-    for (int step = 0; step < 10; step++)
-        go_on(&h, contact);
-    assert_ok(rwedge_contact_copy(contact, &copy));
-    const contact_state before = state_of(contact);
-    assert_state(copy, before);
-    random_history other = h;
-    for (int step = 0; step < 10; step++)
-        go_on(&other, copy);
-    assert_state(contact, before);
-    const contact_state after = state_of(copy);
-    for (int step = 0; step < 10; step++)
-        go_on(&h, contact);
-    assert_state(contact, after); /* the same loads give the same bits */
-    rwedge_contact_destroy(copy);
-    assert_state(contact, after);
-}
-
-/* ---- Refusals ---- */
 
 CLAIM(a_refused_load_changes_nothing)
 {

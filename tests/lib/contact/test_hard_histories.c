@@ -2,90 +2,61 @@
 /* Histories without a closed form whose last load went wrong: each for its cause. */
 #include "histories.h"
 
-/* Loads that ended with a large error, although their zones can be found, and the error since. */
-typedef struct {
-    double f, tolerance, error;
-    int count;
-    double loads[8][4];
-} hard_history;
+/* ---- Loads that ended with a large error, although their zones can be found ---- */
 
-/* The last load once whole, once in four parts. */
-static void follow_hard(const hard_history *h)
+/* The last load once whole, once in four parts: the error is no larger. */
+static void follow_hard(double f, double tolerance, double error, size_t count,
+                        const rw_loads loads[])
 {
-    rwedge_contact *whole = allowing(create_wedge(1, 1, 1, h->f), h->tolerance), *parts;
-    for (int i = 0; i + 1 < h->count; i++)
-        apply(whole, h->loads[i][0], h->loads[i][1], h->loads[i][2], h->loads[i][3]);
-    parts = copy_of(whole);
-    const double *from = h->loads[h->count - 2], *to = h->loads[h->count - 1];
-    apply(whole, to[0], to[1], to[2], to[3]);
-    for (int k = 1; k <= 4; k++)
-        apply(parts, from[0] + k * (to[0] - from[0]) / 4, from[1] + k * (to[1] - from[1]) / 4,
-              from[2] + k * (to[2] - from[2]) / 4, from[3] + k * (to[3] - from[3]) / 4);
-    assert_within(rwedge_contact_error(whole), 0, h->error);
-    double left, right, p, q;
-    assert_ok(rwedge_contact_edges(whole, &left, &right));
+    rwedge_contact *whole = allowing(create_wedge(1, 1, 1, f), tolerance);
+    apply_all(whole, count - 1, loads);
+    rwedge_contact *parts = copy_of(whole);
+    apply_all(whole, 1, &loads[count - 1]);
+    for (int k = 1; k <= 4; k++) {
+        const rw_loads part = rw_loads_between(loads[count - 2], loads[count - 1], k / 4.0);
+        apply_all(parts, 1, &part);
+    }
+    assert_within(rwedge_contact_error(whole), 0, error);
+    const rw_patch edges = edges_of(whole);
     for (int i = 1; i < 20; i++) {
-        const double x = left + (right - left) * i / 20;
-        assert_ok(rwedge_contact_tractions(parts, 1, &x, &p, &q));
-        assert_within(shear(whole, x), q, h->error * h->f);
+        const double x = edges.left + (edges.right - edges.left) * i / 20;
+        assert_within(shear(whole, x), shear(parts, x), error * f);
     }
 }
+
+#define FOLLOW_HARD(f, tolerance, error, ...)                                                      \
+    follow_hard(f, tolerance, error, sizeof((rw_loads[]){__VA_ARGS__}) / sizeof(rw_loads),         \
+                (const rw_loads[]){__VA_ARGS__})
 
 /* The search for the zones of the whole load left no effort for its parts: the error was 0.03. */
 CLAIM(a_load_that_is_too_long_is_divided_before_its_zones_are_searched_to_the_end)
 {
-    const hard_history h = {0.83,
-                            1e-4,
-                            1e-4,
-                            4,
-                            {{2.179, -0.222, 0, 0},
-                             {2.009, -0.222, 0.341, -1.602},
-                             {1.974, -0.222, 0.011, 1.064},
-                             {2.374, -0.222, 0.958, 0.252}}};
-    follow_hard(&h);
+    FOLLOW_HARD(0.83, 1e-4, 1e-4, {2.179, -0.222, 0, 0}, {2.009, -0.222, 0.341, -1.602},
+                {1.974, -0.222, 0.011, 1.064}, {2.374, -0.222, 0.958, 0.252});
 }
 
 /* On one side of a kink the traction was too large for less than the distance of the points where
  * it is looked at: the error was 0.009. */
 CLAIM(slip_begins_on_both_sides_of_a_kink)
 {
-    const hard_history h = {0.65,
-                            1e-3,
-                            3e-3,
-                            5,
-                            {{1.658, 0.303, 0, 0},
-                             {1.705, 0.169, 0.216, 0.879},
-                             {1.817, 0.415, 0.167, 0.982},
-                             {1.584, 0.144, 0.045, 0.410},
-                             {1.592, 0.350, -0.951, -1.232}}};
-    follow_hard(&h);
+    FOLLOW_HARD(0.65, 1e-3, 3e-3, {1.658, 0.303, 0, 0}, {1.705, 0.169, 0.216, 0.879},
+                {1.817, 0.415, 0.167, 0.982}, {1.584, 0.144, 0.045, 0.410},
+                {1.592, 0.350, -0.951, -1.232});
 }
 
 /* What slips the wrong way was cut in parts at each kink, with slip between them: 0.003. */
 CLAIM(a_place_that_should_stick_goes_on_beyond_a_kink)
 {
-    const hard_history h = {0.336,
-                            1e-4,
-                            2e-3,
-                            8,
-                            {{2.61, 0.56, 0, 0},
-                             {2.48, 0.46, 0.05, -0.5},
-                             {2.67, 0.7, -0.75, -0.56},
-                             {2.49, 0.58, -0.26, -0.65},
-                             {2.82, 0.3, -0.1, 0.41},
-                             {2.4, 0.48, -0.72, -0.04},
-                             {2.55, 0.65, -0.29, 0.62},
-                             {2.64, 0.88, -0.8, -0.33}}};
-    follow_hard(&h);
+    FOLLOW_HARD(0.336, 1e-4, 2e-3, {2.61, 0.56, 0, 0}, {2.48, 0.46, 0.05, -0.5},
+                {2.67, 0.7, -0.75, -0.56}, {2.49, 0.58, -0.26, -0.65}, {2.82, 0.3, -0.1, 0.41},
+                {2.4, 0.48, -0.72, -0.04}, {2.55, 0.65, -0.29, 0.62}, {2.64, 0.88, -0.8, -0.33});
 }
 
 /* Points of the quadrature were too few at the end of a slip zone where no front is: 0.013, and two
  * seconds of smaller and smaller steps. */
 CLAIM(a_slip_zone_has_points_at_both_ends)
 {
-    const hard_history h = {
-        0.395, 1e-4, 1e-3, 2, {{0.85, 0.0137, 0, 0}, {0.909, 0.0555, 0.2415, 0.558}}};
-    follow_hard(&h);
+    FOLLOW_HARD(0.395, 1e-4, 1e-3, {0.85, 0.0137, 0, 0}, {0.909, 0.0555, 0.2415, 0.558});
 }
 
 /* ---- A load that is nearly lost ---- */

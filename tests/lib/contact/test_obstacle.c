@@ -16,20 +16,15 @@ static const struct {
     {"then apply sigma with P = 0, then P and M, then Q", ANEW},
 };
 
-static int32_t applied(rwedge_contact *contact, rw_loads to)
-{
-    return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
-}
-
 static int32_t follow(rwedge_contact *contact, int way, rw_loads to)
 {
     const rw_loads now = contact->loads;
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);
     int32_t status = RWEDGE_OK;
     if (way == PRESSING)
-        status = applied(contact, (rw_loads){to.P, to.M, now.Q, now.sigma});
+        status = try_load(contact, (rw_loads){to.P, to.M, now.Q, now.sigma});
     else if (way == SHEAR)
-        status = applied(contact, (rw_loads){now.P, now.M, to.Q, to.sigma});
+        status = try_load(contact, (rw_loads){now.P, now.M, to.Q, to.sigma});
     else if (way == TENSION) {
         const double change = to.sigma - now.sigma;
         assert_true(fabs(change) > 0);
@@ -38,10 +33,10 @@ static int32_t follow(rwedge_contact *contact, int way, rw_loads to)
         to = (rw_loads){2 * to.P - now.P, 2 * to.M - now.M, 2 * to.Q - now.Q,
                         2 * to.sigma - now.sigma};
     else {
-        status = applied(contact, (rw_loads){0, 0, 0, to.sigma});
-        assert_ok(applied(contact, (rw_loads){to.P, to.M, 0, to.sigma}));
+        status = try_load(contact, (rw_loads){0, 0, 0, to.sigma});
+        assert_ok(try_load(contact, (rw_loads){to.P, to.M, 0, to.sigma}));
     }
-    return status == RWEDGE_OK ? applied(contact, to) : status;
+    return status == RWEDGE_OK ? try_load(contact, to) : status;
 }
 
 /* The advice for a load that is refused, after it was followed. */
@@ -82,10 +77,10 @@ CLAIM(advice_leads_there)
     for (int number = 0; number < 60; number++) {
         rwedge_contact *contact = create(0.2 * (number % 4), f);
         if (number % 3 > 0)
-            assert_ok(applied(contact, (rw_loads){0.5, 0.05 * (number % 5), 0, 0}));
+            assert_ok(try_load(contact, (rw_loads){0.5, 0.05 * (number % 5), 0, 0}));
         for (int i = 0; i < 8; i++) {
             const rw_loads to = next_loads(contact, f, &seed);
-            if (applied(contact, to) == RWEDGE_EPATH)
+            if (try_load(contact, to) == RWEDGE_EPATH)
                 times[advice_for(contact, to)]++;
         }
     }
@@ -97,7 +92,7 @@ CLAIM(advice_leads_there)
 CLAIM(a_load_of_q_and_sigma_is_not_told_to_be_one)
 {
     rwedge_contact *contact = create(0.4, 0.5);
-    assert_ok(applied(contact, (rw_loads){0.5, 0.1, 0, 0}));
+    assert_ok(try_load(contact, (rw_loads){0.5, 0.1, 0, 0}));
     const rw_loads to = {0.5, 0.1, 0.1, 1};
     assert_int_equal(advice_for(contact, to), TENSION);
 }

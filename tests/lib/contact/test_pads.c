@@ -285,21 +285,6 @@ CLAIM(a_flat_pads_loop_encloses_its_energy)
     assert_close(area, rwedge_contact_dissipated_energy(contact) - before, 1e-3);
 }
 
-CLAIM(a_pad_is_stored_and_restored)
-{
-    rwedge_contact *pads[] = {flat(0), flat(0.4), profile(5, WORN_X, WORN)};
-    for (int i = 0; i < 3; i++) {
-        apply(pads[i], 0.2, 0.01, 0, 0);
-        apply(pads[i], 0.2, 0.01, 0.05, 0);
-        rwedge_contact *twins[] = {copy_of(pads[i]), restored(state_of(pads[i]))};
-        apply(pads[i], 0.2, 0.01, -0.02, 0);
-        for (int k = 0; k < 2; k++) {
-            apply(twins[k], 0.2, 0.01, -0.02, 0);
-            assert_state(twins[k], state_of(pads[i]));
-        }
-    }
-}
-
 /* What sticks for good under P, Q between -1 and 1 of a half is the contact of the load P - Q/f. */
 CLAIM(what_never_slips_on_a_flat)
 {

@@ -31,13 +31,6 @@ static rwedge_contact *after_a_cycle(const programme *p)
     return contact;
 }
 
-static double load_Q(const rwedge_contact *contact)
-{
-    double P, M, Q, sigma;
-    assert_ok(rwedge_contact_loads(contact, &P, &M, &Q, &sigma));
-    return Q;
-}
-
 /* Of q, and of x q: by Gauss's rule on the elements that q is kept on, x = end + scale u^2, where
  * it is smooth in u. */
 typedef struct {
@@ -100,7 +93,7 @@ static bool goes_on(const rwedge_contact *before, const rwedge_contact *after, d
 
 static void assert_laws(const rwedge_contact *before, const rwedge_contact *after, int *slipping)
 {
-    assert_within(resultant_of(after).force, -load_Q(after), 1e-10);
+    assert_within(resultant_of(after).force, -after->loads.Q, 1e-10);
     for (int j = 0; j < PLACES; j++) {
         const double x = place(common(before, after), j), q = shear(after, x);
         assert_true(fabs(q) <= F * (fabs(pressure(after, x)) + TOLERANCE));
@@ -160,7 +153,7 @@ CLAIM(the_energy_of_a_cycle_is_the_area_of_its_loops_and_the_work_of_its_slip)
             const double moment_before = moment;
             go(contact, &PROGRAMMES[k], i, LOADS);
             moment = resultant_of(contact).moment;
-            loop += (load_Q(before) + load_Q(contact)) / 2 * moved(before, contact);
+            loop += (before->loads.Q + contact->loads.Q) / 2 * moved(before, contact);
             stretch +=
                 (moment_before + moment) / 2 * (contact->loads.sigma - before->loads.sigma) / 4;
             slipped += friction_work(before, contact);

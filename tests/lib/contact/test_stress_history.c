@@ -32,25 +32,34 @@ static int32_t run(history *h, rwedge_contact *contact)
                                          h->y, h->sxx, h->syy, h->txy);
 }
 
+/* The stresses after the load of that number are those of the contact. */
+static void assert_bits(const history *h, int load, const rwedge_contact *contact)
+{
+    double sxx[POINTS], syy[POINTS], txy[POINTS];
+    assert_ok(rwedge_contact_stresses(contact, POINTS, h->x, h->y, sxx, syy, txy));
+    assert_memory_equal(sxx, h->sxx + load * POINTS, sizeof sxx);
+    assert_memory_equal(syy, h->syy + load * POINTS, sizeof syy);
+    assert_memory_equal(txy, h->txy + load * POINTS, sizeof txy);
+}
+
+/* The last tension is too great for a closed form. */
 CLAIM(gives_the_bits_of_single_calls)
 {
     static history h;
-    static const double cases[][3] = {
-        {0.4, 0, 0}, {0.4, 0, 0.02}, {0.4, 0.1, 0.02}, {0, 0.1, 0.02}, {9, 0.1, 0}};
+    static const double cases[][3] = {{0.4, 0, 0},    {0.4, 0, 0.02}, {0.4, 0.1, 0.02},
+                                      {0, 0.1, 0.02}, {9, 0.1, 0},    {0.4, 0, 0.9}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         fill(&h, cases[k][1], cases[k][2]);
         rwedge_contact *contact = create(cases[k][0], 0.5), *single = create(cases[k][0], 0.5);
+        allowing(contact, cases[k][2] > 0.5 ? 1e-3 : 0);
+        allowing(single, cases[k][2] > 0.5 ? 1e-3 : 0);
         assert_ok(run(&h, contact));
         for (int i = 0; i < LOADS; i++) {
-            double sxx[POINTS], syy[POINTS], txy[POINTS];
             apply(single, h.P[i], h.M[i], h.Q[i], h.sigma[i]);
-            assert_ok(rwedge_contact_stresses(single, POINTS, h.x, h.y, sxx, syy, txy));
-            assert_memory_equal(sxx, h.sxx + i * POINTS, sizeof sxx);
-            assert_memory_equal(syy, h.syy + i * POINTS, sizeof syy);
-            assert_memory_equal(txy, h.txy + i * POINTS, sizeof txy);
+            assert_bits(&h, i, single);
         }
-        assert_true(rwedge_contact_stick_half_width(contact) ==
-                    rwedge_contact_stick_half_width(single));
+        assert_state(contact, state_of(single));
+        assert_true((rwedge_contact_error(contact) > 0) == (cases[k][2] > 0.5));
     }
 }
 
@@ -79,7 +88,6 @@ CLAIM(gives_the_bits_of_single_calls_along_random_histories)
     for (int number = 0; number < 60; number++) {
         random_history random;
         rwedge_contact *single = begin(&random, number), *contact = copy_of(single);
-        double last[3][POINTS];
         for (int i = 0; i < LOADS; i++) {
             go_on(&random, single);
             h.P[i] = random.P;
@@ -87,11 +95,8 @@ CLAIM(gives_the_bits_of_single_calls_along_random_histories)
         }
         if (single->geometry.a == 0)
             h.x[POINTS / 2] = 0.01; /* not the apex */
-        assert_ok(rwedge_contact_stresses(single, POINTS, h.x, h.y, last[0], last[1], last[2]));
         assert_ok(run(&h, contact));
-        assert_memory_equal(last[0], h.sxx + (LOADS - 1) * POINTS, sizeof last[0]);
-        assert_memory_equal(last[1], h.syy + (LOADS - 1) * POINTS, sizeof last[1]);
-        assert_memory_equal(last[2], h.txy + (LOADS - 1) * POINTS, sizeof last[2]);
+        assert_bits(&h, LOADS - 1, single);
     }
 }
 
@@ -113,13 +118,10 @@ CLAIM(corners_of_one_slope_add_nothing)
         h.P[i] = P;
         h.Q[i] = 0.5 * ratio;
     }
-    double sxx[POINTS], syy[POINTS], txy[POINTS];
     load(single, P, 0.5 * ratio);
-    assert_ok(rwedge_contact_stresses(single, POINTS, h.x, h.y, sxx, syy, txy));
     assert_ok(run(&h, contact));
-    assert_memory_equal(sxx, h.sxx, sizeof sxx);
-    assert_memory_equal(syy, h.syy + POINTS, sizeof syy);
-    assert_memory_equal(txy, h.txy + 2 * POINTS, sizeof txy);
+    for (int i = 0; i < 3; i++)
+        assert_bits(&h, i, single);
 }
 
 /* Separated there is only the tension. */

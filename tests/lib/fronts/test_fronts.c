@@ -19,6 +19,14 @@ typedef struct {
     rw_fronts fronts;
 } step;
 
+static void destroy(void *of_step)
+{
+    step *s = of_step;
+    rw_fronts_destroy(&s->fronts);
+    rw_friction_destroy(&s->friction);
+    rwedge_contact_destroy(s->wedge);
+}
+
 static step *begin(void)
 {
     static step s;
@@ -33,14 +41,8 @@ static step *begin(void)
     rw_problem_init(&s.problem, &s.frame, &s.friction, &s.friction, &s.none, Q, 0);
     assert_true(rw_fronts_create(&s.fronts, TOLERANCE));
     s.fronts.budget = 1000;
+    free_after_claim(&s, destroy);
     return &s;
-}
-
-static void end(step *s)
-{
-    rw_fronts_destroy(&s->fronts);
-    rw_friction_destroy(&s->friction);
-    rwedge_contact_destroy(s->wedge);
 }
 
 /* As many zones as wide as each other, whose labels recur. */
@@ -75,7 +77,6 @@ CLAIM(the_fronts_are_those_of_partial_slip)
         assert_close(zones.zone[1].left, -c, TOLERANCE);
         assert_close(zones.zone[1].right, c, TOLERANCE);
     }
-    end(s);
 }
 
 CLAIM(a_search_ends_where_it_may_take_no_residual)
@@ -88,7 +89,6 @@ CLAIM(a_search_ends_where_it_may_take_no_residual)
         s->fronts.budget = budget;
         assert_false(rw_fronts_relax(&s->fronts));
     }
-    end(s);
 }
 
 /* No slip zone between two that slip opposite ways, too many zones, none that sticks. */
@@ -100,7 +100,6 @@ CLAIM(zones_that_have_no_fronts_are_refused)
     assert_false(begins(s, 2 * RW_MOST_STICK + 3, 2, SLIP_AND_STICK));
     assert_false(begins(s, 4, 3, BOTH_WAYS));
     assert_false(begins(s, 1, 1, SLIP));
-    end(s);
 }
 
 /* By the pressure of a flat punch. */
@@ -116,7 +115,6 @@ CLAIM(the_rate_of_friction_is_none_at_the_edges)
     rw_friction_after(&p, 3, x, rate);
     assert_true(rate[0] == 0 && rate[2] == 0);
     assert_close(rate[1], F * 2 / (PI * p.half), 1e-14);
-    end(s);
 }
 
 CLAIM(fronts_that_meet_have_no_residual)
@@ -129,7 +127,6 @@ CLAIM(fronts_that_meet_have_no_residual)
         s->fronts.y[zone] = s->fronts.y[zone - 1];
         assert_false(rw_fronts_residual(&s->fronts, residual));
     }
-    end(s);
 }
 
 /* Layers of a contact that has grown must differ at its edges. */
@@ -148,5 +145,4 @@ CLAIM(layers_that_are_alike_have_no_weights)
             s->problem.ratio[k][i / 2][i % 2] = 1;
     assert_false(rw_fronts_begin(&s->fronts, &s->problem, &stuck, ratio));
     rw_friction_destroy(&friction);
-    end(s);
 }

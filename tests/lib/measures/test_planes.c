@@ -272,6 +272,20 @@ CLAIM(a_static_stress_across_a_plane_without_strain_hides_no_worse_one)
     assert_worst(&c, SMITH_WATSON_TOPPER_ALL);
 }
 
+/* A shear that turns twice: on each plane that contains z, others of the loads are the worst. */
+CLAIM(each_of_many_loads_in_turn_is_the_worst)
+{
+    enum { N = 2048 };
+    static double sxx[N], syy[N], txy[N];
+    double value, angle, out_of_plane;
+    for (int i = 0; i < N; i++) {
+        const double t = 4 * PI * i / N;
+        syy[i] = 100 * cos(t), sxx[i] = -syy[i], txy[i] = 100 * sin(t);
+    }
+    assert_ok(rwedge_findley(N, sxx, syy, txy, 0.3, 0.25, &value, &angle, &out_of_plane));
+    assert_close(value, 125, 1e-14);
+}
+
 /* ---- Planes that contain z ---- */
 
 /* A path round a circle: as many planes are the worst as there are loads, all but rounding. */

@@ -2,11 +2,37 @@
 #include "claims.h"
 #include "rwedge.h"
 
+static void destroy(void *series)
+{
+    rwedge_series_destroy(series);
+}
+
 static rwedge_series *analytic(double alpha, int32_t terms)
 {
     rwedge_series *series = NULL;
     assert_ok(rwedge_series_create(alpha, terms, &series));
+    free_after_claim(series, destroy);
     return series;
+}
+
+enum { SAMPLES = 400 };
+
+static rwedge_series *fitted(const double x[SAMPLES], const double p[SAMPLES], int32_t terms)
+{
+    rwedge_series *series = NULL;
+    assert_ok(rwedge_series_fit(SAMPLES, x, p, terms, &series));
+    free_after_claim(series, destroy);
+    return series;
+}
+
+static void assert_stress(const rwedge_series *series, double alpha, double f, double x, double y,
+                          double tolerance)
+{
+    double a[3], b[3];
+    assert_ok(rwedge_series_stress(series, f, x, y, &a[0], &a[1], &a[2]));
+    assert_ok(rwedge_stress(alpha, f, 0, x, y, &b[0], &b[1], &b[2]));
+    for (int j = 0; j < 3; j++)
+        assert_within(a[j], b[j], tolerance);
 }
 
 /* The two routes to the stresses test each other: deep enough, 1000 terms leave nothing out. */
@@ -18,13 +44,8 @@ CLAIM(series_and_closed_form_agree)
         rwedge_series *series = analytic(alphas[i], alphas[i] < 1 ? 1000 : 1); /* Hertz has one */
         for (int k = 0; k < 50; k++) {
             const double x = 4 * random_fraction(&seed) - 2, y = 0.1 + 3 * random_fraction(&seed);
-            double a[3], b[3];
-            assert_ok(rwedge_series_stress(series, 0.4, x, y, &a[0], &a[1], &a[2]));
-            assert_ok(rwedge_stress(alphas[i], 0.4, 0, x, y, &b[0], &b[1], &b[2]));
-            for (int j = 0; j < 3; j++)
-                assert_within(a[j], b[j], 1e-13);
+            assert_stress(series, alphas[i], 0.4, x, y, 1e-13);
         }
-        rwedge_series_destroy(series);
     }
 }
 
@@ -32,14 +53,8 @@ CLAIM(far_away_the_series_is_the_closed_form)
 {
     rwedge_series *series = analytic(0.3, 40);
     const double far[] = {10, 1e4, 1e9, 1e40, 1e60};
-    for (size_t i = 0; i < sizeof far / sizeof far[0]; i++) {
-        double a[3], b[3];
-        assert_ok(rwedge_series_stress(series, 0.4, -far[i], far[i], &a[0], &a[1], &a[2]));
-        assert_ok(rwedge_stress(0.3, 0.4, 0, -far[i], far[i], &b[0], &b[1], &b[2]));
-        for (int j = 0; j < 3; j++)
-            assert_within(a[j], b[j], 1e-14 / far[i]);
-    }
-    rwedge_series_destroy(series);
+    for (size_t i = 0; i < sizeof far / sizeof far[0]; i++)
+        assert_stress(series, 0.3, 0.4, -far[i], far[i], 1e-14 / far[i]);
 }
 
 /* Eq. (32): s = 2 Re Phi; and Phi on the surface of the contact, -(i+f)(g + i p)/2. */
@@ -57,7 +72,6 @@ CLAIM(potential_is_equation_30)
         assert_ok(rwedge_series_stress(series, f, x, 0.4, &s[0], &s[1], &s[2]));
         assert_within((s[0] + s[1]) / 2, 2 * re, 1e-15);
     }
-    rwedge_series_destroy(series);
 }
 
 CLAIM(truncation_is_bounded)
@@ -75,16 +89,11 @@ CLAIM(truncation_is_bounded)
             for (double x = 0.05; x < 1; x += 0.1)
                 assert_within(rwedge_series_pressure(series, x), rwedge_pressure(alphas[i], x),
                               bound);
-            rwedge_series_destroy(series);
         }
     rwedge_series *hertz = analytic(1.5, 1), *sharp = analytic(0, 10);
     assert_within(rwedge_series_residual(hertz), 0, 0);
     assert_true(isinf(rwedge_series_residual(sharp)));
-    rwedge_series_destroy(hertz);
-    rwedge_series_destroy(sharp);
 }
-
-enum { SAMPLES = 400 };
 
 static void chebyshev_points(double x[SAMPLES])
 {
@@ -102,8 +111,7 @@ CLAIM(fit_recovers_an_uneven_pressure)
         const double t = acos(x[i]);
         p[i] = -(sin(t) + 0.3 * sin(2 * t) - 0.1 * sin(5 * t));
     }
-    rwedge_series *series = NULL;
-    assert_ok(rwedge_series_fit(SAMPLES, x, p, 12, &series));
+    rwedge_series *series = fitted(x, p, 12);
     assert_int_equal(rwedge_series_terms(series), 12);
     const double expected[12] = {1, 0.3, 0, 0, -0.1};
     for (int32_t k = 0; k < 12; k++)
@@ -116,7 +124,6 @@ CLAIM(fit_recovers_an_uneven_pressure)
     assert_within(surface[2], 0.2 * rwedge_series_pressure(series, 0.37), 1e-15);
     assert_ok(rwedge_series_stress(series, 0, 0, 1e6, &s[0], &s[1], &s[2]));
     assert_close(s[1], -2 / PI * (PI / 2) / 1e6, 1e-6); /* Flamant's -2P/(pi y); P = (pi/2) a_0 */
-    rwedge_series_destroy(series);
 }
 
 /* The paper's own procedure, on the pressure of a rounded wedge: what it gets is what the closed
@@ -128,15 +135,9 @@ CLAIM(fit_approaches_the_closed_form)
     for (int i = 0; i < SAMPLES; i++)
         p[i] = rwedge_pressure(0.4, x[i]);
     for (int k = 0; k < 2; k++) {
-        rwedge_series *series = NULL;
-        assert_ok(rwedge_series_fit(SAMPLES, x, p, k ? 121 : 31, &series));
+        rwedge_series *series = fitted(x, p, k ? 121 : 31);
         residual[k] = rwedge_series_residual(series);
-        double a[3], b[3];
-        assert_ok(rwedge_series_stress(series, 0.3, 0.2, 0.5, &a[0], &a[1], &a[2]));
-        assert_ok(rwedge_stress(0.4, 0.3, 0, 0.2, 0.5, &b[0], &b[1], &b[2]));
-        for (int j = 0; j < 3; j++)
-            assert_within(a[j], b[j], k ? 1e-5 : 1e-4);
-        rwedge_series_destroy(series);
+        assert_stress(series, 0.4, 0.3, 0.2, 0.5, k ? 1e-5 : 1e-4);
     }
     assert_true(residual[1] < residual[0] / 5 && residual[0] < 0.01);
 }
@@ -170,7 +171,6 @@ CLAIM(samples_are_as_many_as_terms_need_and_memory_holds)
     series = analytic(0.5, 4);
     assert_nan(rwedge_series_coefficient(series, -1));
     assert_within(rwedge_series_pressure(series, 1), 0, 0);
-    rwedge_series_destroy(series);
 }
 
 /* As long as 2n+1 is small beside 1/alpha, |b_n| is 4/(pi (2n+1)). The sum from n = N on is nearly
@@ -184,7 +184,6 @@ CLAIM(the_smallest_tips_have_a_bound_too)
                      bound = rwedge_series_residual(series);
         assert_true(bound >= sum);
         assert_close(bound, sum, 0.02);
-        rwedge_series_destroy(series);
     }
 }
 
@@ -198,12 +197,10 @@ CLAIM(fits_scale_with_the_samples)
         const double unit = ldexp(1, exponent);
         for (int i = 0; i < SAMPLES; i++)
             p[i] = -unit * (sin(acos(x[i])) + sin(3 * acos(x[i])));
-        rwedge_series *series = NULL;
-        assert_ok(rwedge_series_fit(SAMPLES, x, p, 2, &series));
+        rwedge_series *series = fitted(x, p, 2);
         assert_within(rwedge_series_coefficient(series, 0) / unit, 1, 1e-14);
         assert_within(rwedge_series_coefficient(series, 1) / unit, 0, 1e-14);
         assert_within(rwedge_series_residual(series) / unit, sqrt(0.5), 1e-13);
-        rwedge_series_destroy(series);
     }
 }
 
@@ -211,12 +208,10 @@ CLAIM(no_pressure_is_fitted_by_none)
 {
     double x[SAMPLES], p[SAMPLES] = {0};
     chebyshev_points(x);
-    rwedge_series *series = NULL;
-    assert_ok(rwedge_series_fit(SAMPLES, x, p, 5, &series));
+    rwedge_series *series = fitted(x, p, 5);
     for (int32_t k = 0; k < 5; k++)
         assert_true(rwedge_series_coefficient(series, k) == 0);
     assert_true(rwedge_series_residual(series) == 0);
-    rwedge_series_destroy(series);
     assert_int_equal(rwedge_series_fit(SAMPLES, x, p, (1 << 24) + 1, &series), RWEDGE_ERANGE);
     assert_int_equal(rwedge_series_fit((1 << 26) + 1, x, p, 2, &series), RWEDGE_ERANGE);
     /* both sides of what a minute suffices for: inside, the first sample is looked at */

@@ -6,7 +6,6 @@
 #define BALL_HPP
 
 #include <math.h>
-#include <utility>
 
 #ifdef BALLS_IN_FLINT /* FLINT 3 contains Arb */
 #include <flint/acb.h>
@@ -28,85 +27,66 @@ class precision
     precision &operator=(const precision &) = delete;
 };
 
-class ball
+/* Arb's names for real and for complex numbers are one here. */
+inline void begin(arb_ptr x) { arb_init(x); }
+inline void begin(acb_ptr z) { acb_init(z); }
+inline void end(arb_ptr x) { arb_clear(x); }
+inline void end(acb_ptr z) { acb_clear(z); }
+inline void copy(arb_ptr x, arb_srcptr y) { arb_set(x, y); }
+inline void copy(acb_ptr z, acb_srcptr w) { acb_set(z, w); }
+inline void exchange(arb_ptr x, arb_ptr y) { arb_swap(x, y); }
+inline void exchange(acb_ptr z, acb_ptr w) { acb_swap(z, w); }
+
+template <typename Struct> class number
 {
-    arb_t v;
+    Struct v[1];
 
   public:
-    ball() { arb_init(v); }
-    ball(double exact) : ball() { arb_set_d(v, exact); }
-    ball(const ball &x) : ball() { arb_set(v, x.v); }
-    ball(ball &&x) noexcept : ball() { arb_swap(v, x.v); }
-    ~ball() { arb_clear(v); }
-    ball &operator=(const ball &x)
+    number() { begin(v); }
+    number(const number &x) : number() { copy(v, x.v); }
+    number(number &&x) noexcept : number() { exchange(v, x.v); }
+    ~number() { end(v); }
+    number &operator=(number x) noexcept
     {
-        arb_set(v, x.v);
-        return *this;
-    }
-    ball &operator=(ball &&x) noexcept
-    {
-        arb_swap(v, x.v);
+        exchange(v, x.v);
         return *this;
     }
 
-    static ball copy(const arb_t x)
-    {
-        ball result;
-        arb_set(result.v, x);
-        return result;
-    }
-    arb_ptr arb() { return v; }
-    arb_srcptr arb() const { return v; }
+    /* As Arb's functions take it. */
+    Struct *raw() { return v; }
+    const Struct *raw() const { return v; }
+};
 
-    ball &operator+=(const ball &x)
-    {
-        arb_add(v, v, x.v, bits);
-        return *this;
-    }
-    ball &operator-=(const ball &x)
-    {
-        arb_sub(v, v, x.v, bits);
-        return *this;
-    }
-    ball &operator*=(const ball &x)
-    {
-        arb_mul(v, v, x.v, bits);
-        return *this;
-    }
-    ball &operator/=(const ball &x)
-    {
-        arb_div(v, v, x.v, bits);
-        return *this;
-    }
+struct ball : number<arb_struct> {
+    ball() = default;
+    ball(double exact) { arb_set_d(raw(), exact); }
 };
 
 /* f(result, arguments ..., bits) of Arb, or without bits where the result is exact */
-template <typename Function, typename... Balls> ball rounded(Function f, const Balls &...x)
+template <typename Function, typename Number, typename... Rest>
+Number rounded(Function f, const Number &x, const Rest &...rest)
 {
-    ball result;
-    f(result.arb(), x.arb()..., bits);
+    Number result;
+    f(result.raw(), x.raw(), rest.raw()..., bits);
     return result;
 }
 
-template <typename Function, typename... Balls> ball exactly(Function f, const Balls &...x)
+template <typename Function, typename Number> Number exactly(Function f, const Number &x)
 {
-    ball result;
-    f(result.arb(), x.arb()...);
+    Number result;
+    f(result.raw(), x.raw());
     return result;
 }
 
 inline ball operator+(const ball &x, const ball &y) { return rounded(arb_add, x, y); }
-inline ball operator+(ball &&x, const ball &y) { return std::move(x += y); }
 inline ball operator-(const ball &x, const ball &y) { return rounded(arb_sub, x, y); }
-inline ball operator-(ball &&x, const ball &y) { return std::move(x -= y); }
 inline ball operator*(const ball &x, const ball &y) { return rounded(arb_mul, x, y); }
-inline ball operator*(ball &&x, const ball &y) { return std::move(x *= y); }
 inline ball operator/(const ball &x, const ball &y) { return rounded(arb_div, x, y); }
-inline ball operator/(ball &&x, const ball &y) { return std::move(x /= y); }
+inline ball &operator+=(ball &x, const ball &y) { return x = x + y; }
 inline ball operator-(const ball &x) { return exactly(arb_neg, x); }
-inline bool operator<(const ball &x, const ball &y) { return arb_lt(x.arb(), y.arb()); }
+inline bool operator<(const ball &x, const ball &y) { return arb_lt(x.raw(), y.raw()); }
 inline bool operator>(const ball &x, const ball &y) { return y < x; }
-inline bool operator<=(const ball &x, const ball &y) { return arb_le(x.arb(), y.arb()); }
+inline bool operator<=(const ball &x, const ball &y) { return arb_le(x.raw(), y.raw()); }
 inline bool operator>=(const ball &x, const ball &y) { return y <= x; }
 
 inline ball abs(const ball &x) { return exactly(arb_abs, x); }
@@ -127,8 +107,20 @@ inline ball hypot(const ball &x, const ball &y) { return rounded(arb_hypot, x, y
 inline ball max(const ball &x, const ball &y) { return rounded(arb_max, x, y); }
 inline ball min(const ball &x, const ball &y) { return rounded(arb_min, x, y); }
 inline ball hull(const ball &x, const ball &y) { return rounded(arb_union, x, y); }
-inline ball pi() { return rounded(arb_const_pi); }
-inline ball unknown() { return exactly(arb_indeterminate); }
+
+inline ball pi()
+{
+    ball result;
+    arb_const_pi(result.raw(), bits);
+    return result;
+}
+
+inline ball unknown()
+{
+    ball result;
+    arb_indeterminate(result.raw());
+    return result;
+}
 
 struct direction {
     ball cosine, sine;
@@ -137,50 +129,50 @@ struct direction {
 inline direction direction_of(const ball &angle)
 {
     direction d;
-    arb_sin_cos(d.sine.arb(), d.cosine.arb(), angle.arb(), bits);
+    arb_sin_cos(d.sine.raw(), d.cosine.raw(), angle.raw(), bits);
     return d;
 }
 
 /* Of the middle, and of the radius. */
 inline ball midpoint(const ball &x) { return exactly(arb_get_mid_arb, x); }
-inline double middle(const ball &x) { return arf_get_d(arb_midref(x.arb()), ARF_RND_NEAR); }
-inline double radius(const ball &x) { return mag_get_d(arb_radref(x.arb())); }
+inline double middle(const ball &x) { return arf_get_d(arb_midref(x.raw()), ARF_RND_NEAR); }
+inline double radius(const ball &x) { return mag_get_d(arb_radref(x.raw())); }
 inline double upper_bound(const ball &x)
 {
     arf_t bound;
     arf_init(bound);
-    arb_get_ubound_arf(bound, x.arb(), 64);
+    arb_get_ubound_arf(bound, x.raw(), 64);
     const double upper = arf_get_d(bound, ARF_RND_UP);
     arf_clear(bound);
     return upper;
 }
-inline int sign(const ball &x) { return arf_sgn(arb_midref(x.arb())); }
+inline int sign(const ball &x) { return arf_sgn(arb_midref(x.raw())); }
 
 /* Whether x is below 2^-n of the scale, but for a factor of 2. */
 inline bool is_small(const ball &x, const ball &scale, slong n)
 {
-    const arf_srcptr a = arb_midref(x.arb()), b = arb_midref(scale.arb());
+    const arf_srcptr a = arb_midref(x.raw()), b = arb_midref(scale.raw());
     return arf_is_zero(a) || ARF_EXP(a) < ARF_EXP(b) - n;
 }
 
-inline bool is_zero(const ball &x) { return arb_is_zero(x.arb()); }
-inline bool is_finite(const ball &x) { return arb_is_finite(x.arb()); }
+inline bool is_zero(const ball &x) { return arb_is_zero(x.raw()); }
+inline bool is_finite(const ball &x) { return arb_is_finite(x.raw()); }
 inline bool contains(const ball &whole, const ball &part)
 {
-    return arb_contains(whole.arb(), part.arb());
+    return arb_contains(whole.raw(), part.raw());
 }
 
 /* x 2^n, and x with that radius added. */
 inline ball scaled(const ball &x, slong n)
 {
     ball result;
-    arb_mul_2exp_si(result.arb(), x.arb(), n);
+    arb_mul_2exp_si(result.raw(), x.raw(), n);
     return result;
 }
 
 inline ball widened(ball x, const ball &radius)
 {
-    arb_add_error(x.arb(), radius.arb());
+    arb_add_error(x.raw(), radius.raw());
     return x;
 }
 

@@ -10,6 +10,30 @@
  * i)) ln((iC+i)/z). */
 #include "balls/patch.hpp"
 
+potentials operator*(const ball &factor, const potentials &p)
+{
+    return {factor * p.G, factor * p.H};
+}
+
+potentials operator+(const potentials &a, const potentials &b) { return {a.G + b.G, a.H + b.H}; }
+
+potentials operator-(const potentials &a, const potentials &b) { return {a.G - b.G, a.H - b.H}; }
+
+superposition superposed(const potentials &N, const potentials &T)
+{
+    return {im(N.G) - re(T.G), T.G + times_i(T.H) - N.H};
+}
+
+ball J2_of(const superposition &at, const ball &kappa)
+{
+    return dot(at.D, at.D) + kappa * sqr(at.s);
+}
+
+ball J2_change(const superposition &at, const superposition &change, const ball &kappa)
+{
+    return 2 * (dot(at.D, change.D) + kappa * at.s * change.s);
+}
+
 patch::patch(const ball &a, const ball &c) : half_width(c), alpha(a / c)
 {
     if (a >= c) { /* Hertz */
@@ -156,6 +180,8 @@ complex_ball patch::depth_slope(const complex_ball &z) const
     const complex_ball H = times_slope({im(at.z), true}, at);
     return at.mirrored ? conj(H) : H;
 }
+
+potentials patch::at(const complex_ball &z) const { return {potential(z), depth_slope(z)}; }
 
 /* With q = z^2-alpha^2, X^2 = z^2-1 over the half-width, and the two parts A = c0/(X q), B =
  * phi0/(alpha X^3) of

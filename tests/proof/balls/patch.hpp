@@ -15,6 +15,28 @@
 
 #include "balls/complex_ball.hpp"
 
+/* G and y G' of a traction's potential G, or how both change. */
+struct potentials {
+    complex_ball G, H;
+};
+
+potentials operator*(const ball &factor, const potentials &p);
+potentials operator+(const potentials &a, const potentials &b);
+potentials operator-(const potentials &a, const potentials &b);
+
+/* The stresses from the potentials N of the pressure and T of the shear traction, or how they
+ * change: (sxx+syy)/2 and (syy-sxx)/2 + i txy. */
+struct superposition {
+    ball s;
+    complex_ball D;
+};
+
+superposition superposed(const potentials &N, const potentials &T);
+
+/* |D|^2 + kappa s^2, and how it changes as the stresses do. */
+ball J2_of(const superposition &at, const ball &kappa);
+ball J2_change(const superposition &at, const superposition &change, const ball &kappa);
+
 /* G'', G''', G''''. */
 struct higher_derivatives {
     complex_ball second, third, fourth;
@@ -36,6 +58,7 @@ class patch
     complex_ball potential(const complex_ball &z) const;
     complex_ball slope(const complex_ball &z) const;
     complex_ball depth_slope(const complex_ball &z) const;
+    potentials at(const complex_ball &z) const;
 
     /* The ball z is not to contain ±a and ±c. */
     higher_derivatives bends(const complex_ball &z) const;

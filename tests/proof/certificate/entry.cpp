@@ -29,7 +29,7 @@ static std::string next_cell(std::istringstream &line)
 static ball decimal(const std::string &text)
 {
     ball number;
-    if (text.empty() || arb_set_str(number.arb(), text.c_str(), bits) != 0 || !is_finite(number))
+    if (text.empty() || arb_set_str(number.raw(), text.c_str(), bits) != 0 || !is_finite(number))
         throw std::invalid_argument("not a number");
     return number;
 }
@@ -73,7 +73,7 @@ bool read_entries(std::vector<entry> *entries, const char *file)
 
 static bool comes_before(const entry &a, const entry &b)
 {
-    const int by_alpha = arf_cmp(arb_midref(a.alpha.arb()), arb_midref(b.alpha.arb()));
+    const int by_alpha = arf_cmp(arb_midref(a.alpha.raw()), arb_midref(b.alpha.raw()));
     if (by_alpha)
         return by_alpha < 0;
     const int by_file = strcmp(a.file, b.file);
@@ -96,7 +96,7 @@ bool is_rounded(const entry &e)
     enum { DIGITS = 10 };
     const auto unit = DIGITS - 1 - (ulong)floor(log10(lower_bound(e.limit)));
     ball power = 10;
-    arb_pow_ui(power.arb(), power.arb(), unit, bits);
+    arb_pow_ui(power.raw(), power.raw(), unit, bits);
     const ball half_unit = scaled(1 / power, -1);
     return e.most <= e.limit + half_unit && e.least >= e.limit - half_unit;
 }

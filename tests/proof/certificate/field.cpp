@@ -30,7 +30,7 @@ static double modulus(const complex_ball &z)
 {
     mag_t bound;
     mag_init(bound);
-    acb_get_mag(bound, z.acb());
+    acb_get_mag(bound, z.raw());
     const double m = mag_get_d(bound) * (1 + DBL_EPSILON);
     mag_clear(bound);
     return m;
@@ -46,8 +46,8 @@ static model constant(const ball &x)
 /* Near a singularity, where derivatives are of no use: constants. */
 static field constants_over(const contact &c, const complex_ball &z)
 {
-    const complex_ball G = c.shape.potential(z), H = c.shape.depth_slope(z);
-    return {constant(re(G)), constant(im(G)), constant(re(H)), constant(im(H))};
+    const potentials p = c.shape.at(z);
+    return {constant(re(p.G)), constant(im(p.G)), constant(re(p.H)), constant(im(p.H))};
 }
 
 /* The models of the real and the imaginary part, from complex coefficients of 1, xi, eta, xi^2,
@@ -167,12 +167,10 @@ field field_over(const contact &c, square s)
             sharper(taylor.q, plain.q)};
 }
 
-/* D = f (G + i H) - H, s = Im G - f Re G */
 ball J2_at(const contact &c, const complex_ball &z, const ball &f, const ball &kappa)
 {
-    const complex_ball G = c.shape.potential(z), H = c.shape.depth_slope(z);
-    const complex_ball D = (times_i(H) + G) * f - H;
-    return sqr(im(G) - f * re(G)) * kappa + dot(D, D);
+    const potentials N = c.shape.at(z);
+    return J2_of(superposed(N, f * N), kappa);
 }
 
 /* |G| and |H| are at most r = P/(pi distance) there, so that |D| <= (f + sqrt(1+f^2)) r and s^2
@@ -187,7 +185,7 @@ double lower_bound(const ball &x)
 {
     arf_t bound;
     arf_init(bound);
-    arb_get_lbound_arf(bound, x.arb(), bits);
+    arb_get_lbound_arf(bound, x.raw(), bits);
     const double rounded = arf_get_d(bound, ARF_RND_FLOOR);
     arf_clear(bound);
     return rounded;

@@ -15,10 +15,9 @@ from numpy.typing import NDArray
 
 from ._blocks import FEW, blocks
 from ._cycle import Cycle
-from ._general import call
 from ._header import FUNCTIONS
 from ._labels import Numbers, aligned
-from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, Handle, PathError, check, function, real
+from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, PathError, check, function, real
 from ._loads import Columns, History, Loads, columns, given_columns
 from ._made import ContactMethods, _contact_stresses
 from ._ufuncs import Points
@@ -96,7 +95,7 @@ class _Forks:
 _forks = _Forks()
 
 
-class Contact(ContactMethods, Handle):
+class Contact(ContactMethods):
     """One contact and what it remembers of its loads: exact where there is a closed form, computed where there is none.
 
     Any consistent set of units: x, y are lengths in the unit of a, stresses in that of 1/A, loads are forces per unit length;
@@ -381,20 +380,16 @@ class Contact(ContactMethods, Handle):
             check("contact_loads", _loads(self._address, *map(ctypes.byref, loads)))
         return Loads(*(load.value for load in loads))
 
-    def _read(self, read: Any) -> Any:
-        with self._lock:
-            return read(self._address)
-
     def _at(self, points: Points, *arguments: Any) -> Any:
         with self._lock:
             if EPATH in FUNCTIONS[points.name]["reasons"]:  # of the contact, not of a point: it is asked first
                 check(points.name, function(points.name)(self._address, 0, *[None] * (len(FUNCTIONS[points.name]["roles"]) - 2)))
-            return points(self._address, *arguments)
+            return super()._at(points, *arguments)
 
     def _call(self, name: str, *arguments: Any) -> Any:
         with self._lock:
             try:
-                return call(name, self._address, *arguments)
+                return super()._call(name, *arguments)
             except Error as error:
                 if name == "contact_stress_history" and error.status != ERANGE:  # arrays of one size
                     self._find_fault(tuple(map(np.asarray, arguments[:4])), arguments[4], arguments[5])

@@ -7,7 +7,6 @@ import importlib.util
 import math
 import operator
 import sys
-import weakref
 from pathlib import Path
 from typing import Any, Mapping, SupportsFloat, SupportsIndex
 
@@ -167,29 +166,3 @@ def integer(name: str, value: SupportsIndex) -> int:
     if abs(number) > INT32_MAX:
         raise Error(f"{name} = {number}: {_strerror(ERANGE).decode()}", ERANGE)
     return number
-
-
-def _free(cell: list[int | None], destroy: Any) -> None:
-    address, cell[0] = cell[0], None
-    destroy(address)
-
-
-class Handle:
-    """An object of the library, freed when the last reference to it goes; at the end of the process, with its memory.
-
-    In a cycle of references that is collected, another object's __del__ may still use this one after it has been freed. The
-    cell, which is shared with the finalizer, shows that."""
-
-    def _adopt(self, handle: ctypes.c_void_p, destroy: Any) -> None:
-        self._cell = [handle.value]
-        weakref.finalize(self, _free, self._cell, destroy).atexit = False
-
-    @property
-    def _address(self) -> int:
-        address = self._cell[0]
-        if address is None:
-            raise Error(f"this {type(self).__name__} has been freed: it is used after the end of its life", ENULL)
-        return address
-
-    def __reduce__(self) -> Any:
-        raise TypeError(f"a {type(self).__name__} cannot be pickled: send what it is made from, and make it there")

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._blocks import beside
-from ._general import call
 from ._labels import Numbers, aligned
-from ._library import EDOMAIN, Error, Handle, check, function, integer, real
+from ._library import EDOMAIN, Error, check, function, integer, real
 from ._made import SeriesMethods
 from ._ufuncs import Points
 
@@ -24,7 +23,7 @@ def _samples(numbers: Any) -> NDArray[Any]:
     return np.ascontiguousarray(np.asarray(numbers).astype(float, casting="safe"))
 
 
-class Series(SeriesMethods, Handle):
+class Series(SeriesMethods):
     """A pressure p = -sqrt(1-x^2) sum_k a_k U_k(x), k = 0 ... terms-1, and its stresses.
 
     ``Series(alpha, terms)`` is the rounded wedge's own, cut after the first terms coefficients (the paper's b_n is a_(2n));
@@ -80,15 +79,6 @@ class Series(SeriesMethods, Handle):
 
     def __repr__(self) -> str:
         return f"<rwedge.Series of {self.terms} terms, residual {self.residual}>"
-
-    def _call(self, name: str, *arguments: Any) -> Any:
-        return call(name, self._address, *arguments)
-
-    def _read(self, read: Any) -> Any:
-        return read(self._address)
-
-    def _at(self, points: Points, *arguments: Any) -> Any:
-        return points(self._address, *arguments)
 
     @property
     def coefficients(self) -> NDArray[Any]:

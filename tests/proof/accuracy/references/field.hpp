@@ -1,36 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses in ball arithmetic, from the potentials of the pressure and of the shear traction:
- * one is the contact's own, the other a sum of patches. Natural units, but lengths in any. */
+/* Stresses in ball arithmetic, from the potentials of the pressure and of the shear traction.
+ * Natural units. */
 #ifndef FIELD_HPP
 #define FIELD_HPP
 
-#include <deque>
-
 #include "balls/patch.hpp"
 
-/* The last patch is the contact; f times the weights times the patches' pressures make the shear
- * traction. */
-struct traction {
-    struct part {
-        patch shape;
-        ball weight;
+/* In full sliding, of half-width 1. */
+struct sliding_contact {
+    ball a, f, kappa; /* rounding; friction; (1-2nu)^2/3 */
+    patch shape;
 
-        part(const ball &a, const ball &c, const ball &w) : shape(a, c), weight(w) {}
-    };
-
-    ball a, f, kappa;         /* rounding; friction; (1-2nu)^2/3 */
-    bool shear_alone = false; /* the shear traction without the pressure; for stresses_at() */
-    std::deque<part> parts;
-
-    traction(const ball &rounding, const ball &friction, double nu)
-        : a(rounding), f(friction), kappa(sqr(2 * ball(nu) - 1) / 3)
+    sliding_contact(const ball &alpha, const ball &friction, double nu)
+        : a(alpha), f(friction), kappa(sqr(2 * ball(nu) - 1) / 3), shape(alpha, 1)
     {
     }
-    void add(const ball &half_width, const ball &weight)
-    {
-        parts.emplace_back(a, half_width, weight);
-    }
-    const patch &whole() const { return parts.back().shape; }
 };
 
 struct tensor {
@@ -40,14 +24,13 @@ struct tensor {
 /* sqrt(xx^2 + yy^2 + 2 xy^2) */
 ball norm_of(const tensor &s);
 
-tensor stresses_at(const traction &t, const complex_ball &z);
+tensor tensor_of(const superposition &at);
 
-/* J2 and its derivatives by x and y, y > 0; as many of them as orders 0, 1, 2 have. */
-struct J2_jet {
-    ball J2, x, y, xx, xy, yy;
-};
+/* The shear traction is f times the pressure. */
+superposition sliding(const sliding_contact &t, const potentials &N);
 
-J2_jet J2_at(const traction &t, const complex_ball &z, int order);
+/* c d/dc of a patch pressed to the half-width c. */
+potentials by_half_width(const patch &p, const complex_ball &z);
 
 /* A stationary point of J2. flatness is the smallest curvature times y^2 over J2. */
 struct extremum {
@@ -56,6 +39,6 @@ struct extremum {
 };
 
 /* The one next to (x, y), y > 0. False where none is proved. */
-bool find_stationary(extremum *at, const traction &t, double x, double y);
+bool find_stationary(extremum *at, const sliding_contact &t, double x, double y);
 
 #endif

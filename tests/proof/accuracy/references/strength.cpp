@@ -4,13 +4,6 @@
 #include "references/contact.hpp"
 #include "references/root.hpp"
 
-traction sliding_contact(const ball &alpha, const ball &f, double nu)
-{
-    traction t(alpha, f, nu);
-    t.add(1, 1);
-    return t;
-}
-
 ball limit_of(const ball &alpha, const ball &J2) { return force(alpha, 1) / sqrt(J2); }
 
 namespace
@@ -21,7 +14,7 @@ namespace
  * with cos(psi) = exp(-t). */
 
 /* J2 with the slope u and the pressure at x = alpha at: at u = sin(psi) both are the same. */
-ball surface_J2(const traction &t, const ball &u, const ball &at)
+ball surface_J2(const sliding_contact &t, const ball &u, const ball &at)
 {
     const ball P = -pressure(t.a, 1, t.a * at);
     return sqr(t.f) * (sqr(u) + sqr(P)) + t.kappa * sqr(P + t.f * u);
@@ -30,11 +23,11 @@ ball surface_J2(const traction &t, const ball &u, const ball &at)
 /* (1/2) dJ2/du = f^2 (u - P F) + kappa (P + f u)(f - F) with F = -dP/du = (2/pi) [phi0 x/s +
  * ln((s + c0 u)/v)], s = sqrt(1-x^2), and its derivative by psi, or by t: dpsi = (v/u) dt. */
 struct surface {
-    const traction &t;
-    const ball phi0 = t.whole().phi0, c0 = t.whole().c0;
+    const sliding_contact &t;
+    const ball phi0 = t.shape.phi0, c0 = t.shape.c0;
     bool at_corner = false;
 
-    explicit surface(const traction &of_contact) : t(of_contact) {}
+    explicit surface(const sliding_contact &of_contact) : t(of_contact) {}
 
     direction sine_and_cosine(const ball &parameter) const
     {
@@ -107,7 +100,7 @@ struct surface {
 };
 
 /* Hertz: f^2 + kappa (1 + f^2) at x = f/sqrt(1+f^2). */
-extremum hertz_maximum(const traction &t)
+extremum hertz_maximum(const sliding_contact &t)
 {
     const ball more = 1 + sqr(t.f);
     return {t.f / sqrt(more), 0, sqr(t.f) + more * t.kappa, 1};
@@ -115,9 +108,9 @@ extremum hertz_maximum(const traction &t)
 
 } // namespace
 
-bool find_surface_maximum(extremum *at, const traction &t, double guess)
+bool find_surface_maximum(extremum *at, const sliding_contact &t, double guess)
 {
-    if (is_zero(t.whole().c0)) {
+    if (is_zero(t.shape.c0)) {
         *at = hertz_maximum(t);
         return true;
     }

@@ -7,12 +7,9 @@
 
 #include "references/field.hpp"
 
-/* The contact of half-width 1 in full sliding. */
-traction sliding_contact(const ball &alpha, const ball &f, double nu);
-
 /* The maximum over the surface next to x = guess. False where none is proved. flatness is the
  * curvature of J2 over J2, by the angle whose sine is x/alpha. */
-bool find_surface_maximum(extremum *at, const traction &t, double guess);
+bool find_surface_maximum(extremum *at, const sliding_contact &t, double guess);
 
 /* P/(bk) of that maximum. */
 ball limit_of(const ball &alpha, const ball &J2);

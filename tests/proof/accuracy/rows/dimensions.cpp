@@ -72,7 +72,7 @@ bool excess_of_peak(const probe &call, const ball &alpha, ball *excess)
 {
     const double *v = call.value, *r = call.result;
     const ball tip = min(alpha, 1);
-    const traction t = sliding_contact(tip, v[3], v[4]);
+    const sliding_contact t(tip, v[3], v[4]);
     extremum at;
     if (!(r[3] > 0 ? find_stationary(&at, t, r[2], r[3]) : find_surface_maximum(&at, t, r[2])))
         return false;

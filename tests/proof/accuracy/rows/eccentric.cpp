@@ -4,6 +4,7 @@
  * the patch of the rounded load and moment is enclosed. */
 #include <math.h>
 
+#include "references/root.hpp"
 #include "rows/eccentric.hpp"
 #include "rows/rows.hpp"
 
@@ -51,7 +52,7 @@ carried carried_by(const ball &a, const ball_edges &e)
 namespace
 {
 
-/* ---- Which patch carries what: Krawczyk's operator ---- */
+/* ---- Which patch carries what ---- */
 
 struct wanted {
     std::function<carried(const ball_edges &)> carry;
@@ -59,26 +60,8 @@ struct wanted {
     bool by_moment;
 };
 
-struct column {
-    ball x, y;
-};
-
-struct square {
-    ball xx, xy, yx, yy;
-
-    column operator*(const column &v) const
-    {
-        return {xx * v.x + xy * v.y, yx * v.x + yy * v.y};
-    }
-};
-
 /* What the edges carry too much, and how that changes with them. */
-struct excess {
-    column F;
-    square J;
-};
-
-excess excess_at(const ball_edges &e, const wanted &to)
+residual excess_at(const ball_edges &e, const wanted &to)
 {
     const carried c = to.carry(e);
     if (to.by_moment) /* m dP + (pi s^2/2) d delta */
@@ -88,46 +71,14 @@ excess excess_at(const ball_edges &e, const wanted &to)
             {-c.v, c.u, c.v / (pi() * c.half), c.u / (pi() * c.half)}};
 }
 
-/* Of the middles; any numbers near it serve. */
-square inverse_of(const square &m)
-{
-    const ball determinant = m.xx * m.yy - m.xy * m.yx;
-    return {midpoint(m.yy / determinant), midpoint(-m.xy / determinant),
-            midpoint(-m.yx / determinant), midpoint(m.xx / determinant)};
-}
-
-/* x - F + (1 - A J(X)) (X - x) inside X, where F = A F(x). */
-bool is_proved(ball_edges *answer, const ball_edges &x, const column &F, const square &A,
-               const ball &width, const wanted &to)
-{
-    const ball_edges X = {widened(x.left, width), widened(x.right, width)};
-    const square J = excess_at(X, to).J;
-    const column first = A * column{J.xx, J.yx}, second = A * column{J.xy, J.yy};
-    const column rest = square{1 - first.x, -second.x, -first.y, 1 - second.y} *
-                        column{X.left - x.left, X.right - x.right};
-    *answer = {x.left - F.x + rest.x, x.right - F.y + rest.y};
-    return contains(X.left, answer->left) && contains(X.right, answer->right);
-}
-
 /* The patch near a guess; indeterminate where none is proved. */
 ball_edges patch_near(const wanted &to, double left, double right)
 {
-    ball_edges x = {left, right}, answer;
-    square A;
-    for (int i = 0; i < 12; i++) {
-        const excess at = excess_at(x, to);
-        const square &J = at.J;
-        A = inverse_of({midpoint(J.xx), midpoint(J.xy), midpoint(J.yx), midpoint(J.yy)});
-        const column step = A * at.F;
-        if (!is_finite(step.x) || !is_finite(step.y))
-            return {unknown(), unknown()};
-        x = {midpoint(x.left - step.x), midpoint(x.right - step.y)};
-    }
-    const column F = A * excess_at(x, to).F;
-    for (slong n = bits / 2; n > 8; n -= bits / 8)
-        if (is_proved(&answer, x, F, A, scaled(right - left, -n), to))
-            return answer;
-    return {unknown(), unknown()};
+    column edges;
+    const auto excess = [&](const column &e) { return excess_at({e.x, e.y}, to); };
+    if (!find_zero(&edges, {left, right}, right - left, excess))
+        return {unknown(), unknown()};
+    return {edges.x, edges.y};
 }
 
 } // namespace

@@ -95,26 +95,19 @@ term term_of(const breakpoint &end, const place &at)
             times_own_logarithm(A, ln_A) * times_i(B / at.q) / 2 - (at.sine - end.sine) * rest};
 }
 
-/* G, y G'. */
-complex_ball potential_at(const profile_patch &p, const complex_ball &z)
+potentials potentials_at(const profile_patch &p, const complex_ball &z)
 {
     const place at = place_of(p, z);
+    const bool is_surface = is_zero(im(z));
     complex_ball G = p.rate * (at.sine - times_i(at.cosine)); /* k_left */
-    for (const breakpoint &end : p.ends)
-        G += end.k * (i_over_pi(term_of(end, at).product - end.psi * at.cosine) - end.constant);
-    return p.half * G;
-}
-
-complex_ball depth_slope_at(const profile_patch &p, const complex_ball &z)
-{
-    if (is_zero(im(z)))
-        return 0;
-    const place at = place_of(p, z);
-    complex_ball slope = p.rate * (1 + times_i(at.sine / at.cosine)); /* k_left */
-    for (const breakpoint &end : p.ends)
-        slope +=
-            end.k * i_over_pi(term_of(end, at).L + (end.psi * at.sine + end.cosine) / at.cosine);
-    return im(z) * slope;
+    complex_ball slope = is_surface ? 0 : p.rate * (1 + times_i(at.sine / at.cosine));
+    for (const breakpoint &end : p.ends) {
+        const term of_end = term_of(end, at);
+        G += end.k * (i_over_pi(of_end.product - end.psi * at.cosine) - end.constant);
+        if (!is_surface)
+            slope += end.k * i_over_pi(of_end.L + (end.psi * at.sine + end.cosine) / at.cosine);
+    }
+    return {p.half * G, im(z) * slope};
 }
 
 /* ---- Rows ---- */
@@ -177,11 +170,9 @@ ball judge_stresses(const probe &call)
     const profile_patch whole = patch_found(v, r + WHOLE_LEFT),
                         stick = patch_found(v, r + STICK_LEFT);
     const ball f = v[SHEAR] < 0 ? -v[FRICTION] : v[FRICTION], unit = ball(v[THETA]) / v[COMPLIANCE];
-    const complex_ball z(v[X_AT], v[Y_AT]), G = potential_at(whole, z),
-                                            H = depth_slope_at(whole, z);
-    const complex_ball T = f * (G - potential_at(stick, z)), K = f * (H - depth_slope_at(stick, z));
-    const ball mean = im(G) - re(T), difference = re(T) - im(K) - re(H);
-    const tensor s = {mean - difference, mean + difference, im(T) + re(K) - im(H)};
+    const complex_ball z(v[X_AT], v[Y_AT]);
+    const potentials N = potentials_at(whole, z);
+    const tensor s = tensor_of(superposed(N, f * (N - potentials_at(stick, z))));
     const double b = (r[WHOLE_RIGHT] - r[WHOLE_LEFT]) / 2;
     const double far = 1 + hypot(v[X_AT] - (r[WHOLE_RIGHT] + r[WHOLE_LEFT]) / 2, v[Y_AT]) / b;
     const ball most = max(max(abs(s.xx), abs(s.yy)), abs(s.xy));

@@ -20,86 +20,51 @@ bool some_smooth_case(probe *call, double v[5])
     return v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0));
 }
 
-/* How G and H = y G' of a patch change. */
-struct change {
-    complex_ball G, H;
-};
-
-change operator*(const ball &factor, const change &c)
-{
-    return {factor * c.G, factor * c.H};
-}
-change operator-(const change &a, const change &b)
-{
-    return {a.G - b.G, a.H - b.H};
-}
-
 /* y G'', 0 on the surface. */
 complex_ball depth_bend(const patch &p, const complex_ball &z)
 {
     return is_zero(im(z)) ? complex_ball() : im(z) * p.bends(z).second;
 }
 
-change by_x(const patch &p, const complex_ball &z)
+potentials by_x(const patch &p, const complex_ball &z)
 {
     return {p.slope(z), depth_bend(p, z)};
 }
 
-change by_y(const patch &p, const complex_ball &z)
+potentials by_y(const patch &p, const complex_ball &z)
 {
-    const change x = by_x(p, z);
+    const potentials x = by_x(p, z);
     return {times_i(x.G), x.G + times_i(x.H)};
 }
 
-/* c d/dc; the points are over c in X. */
-change by_half_width(const patch &p, const complex_ball &point)
+potentials by_rounding(const patch &p, const complex_ball &z)
 {
-    const complex_ball z = point / p.half_width, X = root(z - 1) * root(z + 1);
-    const ball edge = is_zero(p.alpha) ? ball(1) : p.phi0 / p.alpha;
-    const ball factor = 2 / pi() * edge;
-    return {factor * inv(X), -im(z) * factor * (z * inv(X) * inv(X) * inv(X))};
-}
-
-change by_rounding(const patch &p, const complex_ball &z)
-{
-    const change x = by_x(p, z), width = by_half_width(p, z);
+    const potentials x = by_x(p, z), width = by_half_width(p, z);
     const ball y = im(z);
     return {-width.G - z * x.G, -width.H - y * x.G - z * x.H};
 }
 
-change value(const patch &p, const complex_ball &z)
-{
-    return {p.potential(z), p.depth_slope(z)};
-}
-
-tensor superposed(const change &N, const change &T)
-{
-    const complex_ball D = T.G + times_i(T.H) - N.H;
-    const ball s = im(N.G) - re(T.G);
-    return {s - re(D), s + re(D), im(D)};
-}
-
 /* The fields that add up, and what their parts have in magnitude. */
 struct fields {
-    change N, T;
+    potentials N, T;
     ball size;
 };
 
-ball size_of(const change &c)
+ball size_of(const potentials &c)
 {
     return abs(c.G) + abs(c.H);
 }
 
-typedef change (*derivative)(const patch &p, const complex_ball &z);
+typedef potentials (*derivative)(const patch &p, const complex_ball &z);
 
 fields changed(const probe &call, derivative by, const ball &factor)
 {
     const double *v = call.value;
     const complex_ball z(v[3], v[4]);
-    const change N = factor * by(patch(v[0], 1), z);
+    const potentials N = factor * by(patch(v[0], 1), z);
     if (v[2] == 0)
         return {N, ball(v[1]) * N, fmax(1, v[1]) * size_of(N)};
-    const change stick = factor * by(patch(v[0], v[2]), z);
+    const potentials stick = factor * by(patch(v[0], v[2]), z);
     return {N, ball(v[1]) * (N - stick), fmax(1, v[1]) * size_of(N) + v[1] * size_of(stick)};
 }
 
@@ -107,10 +72,10 @@ fields by_friction(const probe &call)
 {
     const double *v = call.value;
     const complex_ball z(v[3], v[4]);
-    const change N = value(patch(v[0], 1), z);
+    const potentials N = patch(v[0], 1).at(z);
     if (v[2] == 0)
         return {{}, N, size_of(N)};
-    const change stick = value(patch(v[0], v[2]), z);
+    const potentials stick = patch(v[0], v[2]).at(z);
     return {{}, N - stick, size_of(N) + size_of(stick)};
 }
 
@@ -119,12 +84,12 @@ fields by_stick_zone(const probe &call)
 {
     const double *v = call.value;
     const complex_ball z(v[3], v[4]);
-    change stick;
+    potentials stick;
     if (v[2] > 0)
         stick = ball(v[1]) / v[2] * by_half_width(patch(v[0], v[2]), z);
     else if (v[0] == 0)
-        stick = 2 / pi() * v[1] * change{inv(z), -im(z) * inv(sqr(z))};
-    return {{}, change{} - stick, size_of(stick)};
+        stick = 2 / pi() * v[1] * potentials{inv(z), -im(z) * inv(sqr(z))};
+    return {{}, potentials{} - stick, size_of(stick)};
 }
 
 /* The largest of the components' errors, over the size; 0 where all rightly are. */
@@ -132,7 +97,7 @@ ball error_of(const double *result, const fields &exact)
 {
     if (is_zero(exact.size) && result[0] == 0 && result[1] == 0 && result[2] == 0)
         return 0;
-    return error_over(result, superposed(exact.N, exact.T), exact.size);
+    return error_over(result, tensor_of(superposed(exact.N, exact.T)), exact.size);
 }
 
 bool draw_gradient(probe *call)

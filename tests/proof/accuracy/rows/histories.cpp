@@ -257,22 +257,21 @@ bool draw_stresses(probe *call)
     return x != 0 || y != 0;
 }
 
-/* The traction of the state, for nu. */
-traction traction_of(const state &s, double nu)
+/* The potentials of the patch of one corner, stretched. */
+potentials potentials_of(const state &s, int i, double stretch, const complex_ball &z)
 {
-    traction t(s.a, s.f, nu);
-    for (int i = 1; i < s.now.count(); i++)
-        t.add(width_of(s, s.now[i].load), weight_of(s.now, i));
-    return t;
+    return patch(s.a, width_of(s, s.now[i].load) * (1 + ball(stretch))).at(z);
 }
 
-/* The stresses of the patch of one corner, stretched. */
-tensor stresses_of_patch(const state &s, int i, double stretch, const complex_ball &z)
+/* That of the last corner is the pressure's too. */
+tensor stresses_at(const state &s, const complex_ball &z)
 {
-    traction t(s.a, s.f, 0);
-    t.add(width_of(s, s.now[i].load) * (1 + ball(stretch)), weight_of(s.now, i));
-    t.shear_alone = i + 1 < s.now.count();
-    return stresses_at(t, z);
+    potentials p, T;
+    for (int i = 1; i < s.now.count(); i++) {
+        p = potentials_of(s, i, 0, z);
+        T = T + s.f * weight_of(s.now, i) * p;
+    }
+    return tensor_of(superposed(p, T));
 }
 
 /* The norms of what half-widths off by 1e-14, and by what their load's rounding is, change in
@@ -282,9 +281,9 @@ ball stress_change_by_widths(const state &s, const complex_ball &z)
     ball sum;
     for (int i = 1; i < s.now.count(); i++) {
         const double off = 1e-14 * looseness(s, i);
-        const tensor less = stresses_of_patch(s, i, -off, z),
-                     more = stresses_of_patch(s, i, off, z);
-        sum += norm_of({less.xx - more.xx, less.yy - more.yy, less.xy - more.xy});
+        const potentials change = potentials_of(s, i, off, z) - potentials_of(s, i, -off, z);
+        const potentials pressing = i + 1 == s.now.count() ? change : potentials();
+        sum += norm_of(tensor_of(superposed(pressing, s.f * weight_of(s.now, i) * change)));
     }
     return sum;
 }
@@ -302,7 +301,7 @@ ball judge_stresses(const probe &call)
 {
     const state s = run_history(call);
     const complex_ball z(call.value[4], call.value[5]);
-    const tensor at = stresses_at(traction_of(s, 0), z);
+    const tensor at = stresses_at(s, z);
     return error_over(call.result, {at.xx * s.unit, at.yy * s.unit, at.xy * s.unit},
                       stress_scale(s, at, z) * closeness(call) * s.unit);
 }

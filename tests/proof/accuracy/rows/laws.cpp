@@ -46,7 +46,7 @@ std::function<bool(probe *)> of_bodies(double (*f)(double, double, double, doubl
 /* 2(1-nu^2)/E. */
 ball share(double E, double nu)
 {
-    return isinf(E) ? 0 : 2 * (1 - sqr(nu)) / E;
+    return isinf(E) ? 0 : 2 * (1 - sqr(ball(nu))) / E;
 }
 
 /* (l2 s2 - l1 s1)/(s1 + s2), l = (1-2nu)/(2(1-nu)), as Dundurs' own form with the moduli mu =

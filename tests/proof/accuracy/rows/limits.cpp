@@ -28,7 +28,7 @@ void some_strength(probe *call, double v[3])
 bool enclose(extremum *at, const probe &call)
 {
     const double *v = call.value, x = call.result[1], y = call.result[2];
-    const traction t = sliding_contact(fmin(v[0], 1), v[1], v[2]);
+    const sliding_contact t(fmin(v[0], 1), v[1], v[2]);
     return y > 0 ? find_stationary(at, t, x, y) : find_surface_maximum(at, t, x);
 }
 
@@ -70,23 +70,17 @@ bool draw_limit_gradient(probe *call)
     return v[1] > 0 || v[2] < 0.5 || v[0] < 1;
 }
 
-/* d/df of J2 where the traction is f times the pressure, at a fixed point: D_f = i y G' + G, s_f
- * = -Re G. */
-ball J2_by_friction(const traction &t, const complex_ball &z)
+/* d/df of J2 where the traction is f times the pressure, at a fixed point. */
+ball J2_by_friction(const sliding_contact &t, const complex_ball &z)
 {
-    const complex_ball G = t.whole().potential(z), H = t.whole().depth_slope(z);
-    const complex_ball Df = times_i(H) + G, D = t.f * Df - H;
-    return 2 * (dot(D, Df) + t.kappa * (t.f * re(G) - im(G)) * re(G));
+    const potentials N = t.shape.at(z);
+    return J2_change(sliding(t, N), superposed({}, N), t.kappa);
 }
 
-/* alpha d/dalpha of J2 at a place that keeps its x/a, y/a: dG is -(2/pi) (phi0/alpha)/X. */
-ball J2_by_rounding(const traction &t, const complex_ball &z)
+/* -alpha d/dalpha of J2 at a place that keeps its x/a, y/a. */
+ball J2_by_half_width(const sliding_contact &t, const complex_ball &z)
 {
-    const complex_ball X = root(z - 1) * root(z + 1), W = -2 / pi() * t.whole().phi0 / t.a * inv(X),
-                       V = -im(z) * (z * W * inv(X) * inv(X)), G = t.whole().potential(z),
-                       H = t.whole().depth_slope(z);
-    const complex_ball D = t.f * G + times_i(t.f * H) - H, Da = t.f * W + times_i(t.f * V) - V;
-    return 2 * (dot(D, Da) + t.kappa * (im(G) - t.f * re(G)) * (im(W) - t.f * re(W)));
+    return J2_change(sliding(t, t.shape.at(z)), sliding(t, by_half_width(t.shape, z)), t.kappa);
 }
 
 /* Over the derivative or the limit, the limit over alpha for that by alpha, and times the flatness
@@ -98,15 +92,14 @@ ball judge_limit_gradient(const probe &call)
     extremum at;
     if (!enclose(&at, call))
         return unknown();
-    const traction t = sliding_contact(alpha, v[1], v[2]);
+    const sliding_contact t(alpha, v[1], v[2]);
     const complex_ball z(at.x, at.y);
     const ball limit = limit_of(alpha, at.J2), half = limit / (2 * at.J2);
-    const ball mean = im(t.whole().potential(z)) - t.f * re(t.whole().potential(z));
     const angle phi = angle_of(alpha, 1);
     const ball of_load = limit / force(alpha, 1) * (alpha * phi.c0 - phi.phi0) / sqr(ball(alpha));
-    const ball by_alpha = v[0] < 1 ? of_load - half * J2_by_rounding(t, z) / alpha : ball(0);
+    const ball by_alpha = v[0] < 1 ? of_load + half * J2_by_half_width(t, z) / alpha : ball(0);
     const ball by_f = v[1] > 0 ? -half * J2_by_friction(t, z) : ball(0);
-    const ball by_nu = half * sqr(mean) * 4 * (1 - 2 * ball(v[2])) / 3;
+    const ball by_nu = half * sqr(sliding(t, t.shape.at(z)).s) * 4 * (1 - 2 * ball(v[2])) / 3;
     return max(error_over(r[3], by_alpha, max(abs(by_alpha), limit / alpha)),
                max(error_over(r[4], by_f, max(abs(by_f), limit)),
                    error_over(r[5], by_nu, max(abs(by_nu), limit)))) *
@@ -150,7 +143,7 @@ ball judge_place(const probe &call)
 bool excess_below(const probe &call, const ball &f, ball *excess, ball *slope)
 {
     const double *r = call.result;
-    const traction t = sliding_contact(fmin(call.value[0], 1), f, call.value[1]);
+    const sliding_contact t(fmin(call.value[0], 1), f, call.value[1]);
     extremum below, surface;
     if (!find_stationary(&below, t, r[1], r[2]) || !find_surface_maximum(&surface, t, r[3]))
         return false;

@@ -36,11 +36,9 @@ ball judge_stress(const probe &call)
 {
     const double *v = call.value;
     const complex_ball z(v[3], v[4]);
-    traction t(v[0], v[1], 0);
-    if (v[2] > 0)
-        t.add(v[2], -1); /* the stick zone's corrective traction */
-    t.add(1, 1);
-    const tensor s = stresses_at(t, z);
+    const potentials N = patch(v[0], 1).at(z);
+    const potentials slip = v[2] > 0 ? N - patch(v[0], v[2]).at(z) : N;
+    const tensor s = tensor_of(superposed(N, ball(v[1]) * slip));
     return error_over(call.result, s, max(norm_of(s), fmax(1, v[1]) / (abs(z) + 1)));
 }
 

@@ -1,0 +1,365 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the lines of data/sheets.tsv say is written here: a function for each kind of line. */
+#include "workbook.h"
+
+#include "table/table.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <rwedge.h>
+
+/* The fields of most lines. */
+enum { KIND, PLACE, STYLE, TEXT, NAME, LAST };
+
+typedef struct {
+    xlsx *book;
+    const yield_table *table;
+    case_values values; /* of the calculator's case */
+    xlsx_area at;       /* the cells of the line */
+    bool has_rows;      /* it is Batch: names are cells of a row */
+    range down, across; /* the last of these lines */
+} sheets;
+
+typedef void line_writer(sheets *on, const char *const f[]);
+
+static void name_cells(const sheets *on, const char *name)
+{
+    if (name[0] != '\0')
+        xlsx_name(on->book, name, on->at);
+}
+
+/* ---- Texts and formulas ---- */
+
+static void write_text(sheets *on, const char *const f[])
+{
+    xlsx_text(on->book, on->at.row, on->at.column, f[TEXT], xlsx_style_named(f[STYLE]));
+}
+
+/* Letters are narrower on average than the digits that widths count. */
+static void write_paragraph(sheets *on, const char *const f[])
+{
+    enum { LINE_LENGTH = 88 };
+    xlsx_lines(on->book, on->at.row, 1 + (int)strlen(f[TEXT]) / LINE_LENGTH);
+    write_text(on, f);
+}
+
+static void write_made(sheets *on, const char *const f[])
+{
+    char text[1200];
+    snprintf(text, sizeof text, "Written by rwedge %s with the command:  %s", rwedge_version(),
+             invocation());
+    write_paragraph(on, (const char *const[]){[STYLE] = f[STYLE], [TEXT] = text});
+}
+
+/* With a value that is a number, a result or a text. */
+static void write_formula(sheets *on, const char *const f[])
+{
+    const xlsx_style style = xlsx_style_named(f[STYLE]);
+    const char *text = strcmp(f[LAST], "strength") == 0  ? on->values.strength
+                       : strcmp(f[LAST], "figures") == 0 ? on->values.figures
+                                                         : f[LAST];
+    const int result = cell_of_column(text);
+    double value = result >= 0 ? on->values.number[result] : NAN;
+    const bool is_number = result >= 0 || number_read(text, &value);
+    for (int row = on->at.row; row <= on->at.last_row; row++) {
+        const char *formula = formula_of(f[TEXT], row + 1, 0);
+        if (is_number)
+            formula_cell(on->book, row, on->at.column, formula, value, style);
+        else
+            xlsx_text_formula(on->book, row, on->at.column, formula, text, style);
+    }
+    name_cells(on, f[NAME]);
+}
+
+static void write_case(sheets *on, const char *const f[])
+{
+    enum { LABEL, CELL, VALUE, UNIT, HINT };
+    const int row = on->at.row, number = cell_of_column(f[TEXT]);
+    const case_cell *as = &case_cells[number];
+    xlsx_text(on->book, row, LABEL, as->label, XLSX_PLAIN);
+    xlsx_text(on->book, row, CELL, as->name, XLSX_NOTE);
+    xlsx_text(on->book, row, UNIT, as->unit, XLSX_UNIT);
+    xlsx_text(on->book, row, HINT, as->hint, XLSX_NOTE);
+    const xlsx_area area = {row, VALUE, row, VALUE};
+    xlsx_name(on->book, as->name, area);
+    if (number >= INPUT_CELLS) {
+        case_formula(on->book, row, VALUE, number, &on->values, xlsx_style_named(f[STYLE]), 0);
+        return;
+    }
+    xlsx_number(on->book, row, VALUE, on->values.number[number], xlsx_style_named(f[STYLE]));
+    check_typing(on->book, area, number, 0);
+}
+
+/* The working cells of the calculator, side by side: label, name, formula. */
+static void write_working(sheets *on, const char *const f[])
+{
+    const int row = on->at.row, value_row = row + 2;
+    (void)f;
+    for (int i = FIRST_REMARK; i < case_cell_count; i++) {
+        const case_cell *as = &case_cells[i];
+        const int column = i - FIRST_REMARK;
+        xlsx_text(on->book, row, column, as->label, XLSX_NOTE);
+        xlsx_text(on->book, row + 1, column, as->name, XLSX_NOTE);
+        case_formula(on->book, value_row, column, i, &on->values, XLSX_PLAIN, 0);
+        xlsx_name(on->book, as->name, (xlsx_area){value_row, column, value_row, column});
+        if (i >= SHOWN_CELLS && as->column[0] != '\0')
+            xlsx_name(on->book, as->column, (xlsx_area){value_row, column, value_row, column + 2});
+    }
+}
+
+static void write_batch(sheets *on, const char *const f[])
+{
+    (void)f;
+    on->has_rows = true;
+    sheet_batch(on->book);
+}
+
+/* ---- Numbers ---- */
+
+/* So many rows and columns on from the place of the line; nothing where it is not finite. */
+static void put(const sheets *on, int down, int across, double value, const char *style)
+{
+    if (isfinite(value))
+        xlsx_number(on->book, on->at.row + down, on->at.column + across, value,
+                    xlsx_style_named(style));
+}
+
+static void write_list(sheets *on, const char *const f[], bool is_down, range *values)
+{
+    range_read(f[TEXT], values);
+    for (int i = 0; i < values->count; i++)
+        put(on, is_down ? i : 0, is_down ? 0 : i, range_value(values, i), f[STYLE]);
+    *(is_down ? &on->at.last_row : &on->at.last_column) += (int)values->count - 1;
+    name_cells(on, f[NAME]);
+}
+
+static void write_down(sheets *on, const char *const f[])
+{
+    write_list(on, f, true, &on->down);
+}
+
+static void write_across(sheets *on, const char *const f[])
+{
+    write_list(on, f, false, &on->across);
+}
+
+/* Numbers that are computed for it, or formulas that have these values. */
+static void write_data(sheets *on, const char *const f[])
+{
+    int rows, columns;
+    const double *value = yield_table_numbers(on->table, f[TEXT], &rows, &columns);
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++, value++)
+            if (f[LAST][0] == '\0')
+                put(on, i, j, *value, f[STYLE]);
+            else
+                formula_cell(on->book, on->at.row + i, on->at.column + j,
+                             formula_of(f[LAST], i + 1, 0), *value, xlsx_style_named(f[STYLE]));
+    on->at.last_row += rows - 1;
+    on->at.last_column += columns - 1;
+    name_cells(on, f[NAME]);
+}
+
+static int variable_named(const char *column)
+{
+    int i = 0;
+    while (i < VARIABLE_COUNT && strcmp(variables[i].column, column) != 0)
+        i++;
+    return i;
+}
+
+/* A quantity of "rwedge table" under normal load and for nu = 0.3 where these are no variables. */
+static double quantity(const table *from, const char *name, const double value[])
+{
+    cell row[COLUMNS_MAX];
+    int i = 0;
+    while (strcmp(from->quantity[i], name) != 0)
+        i++;
+    if (from->row(value, row) != RWEDGE_OK)
+        failure("the workbook: a value of its tables could not be computed");
+    return row[i].number;
+}
+
+static void write_grid(sheets *on, const char *const f[])
+{
+    enum { TABLE = TEXT, QUANTITY, DOWN, ACROSS, GRID_NAME };
+    const table *from = table_named(f[TABLE]);
+    const int down = variable_named(f[DOWN]), across = variable_named(f[ACROSS]);
+    const int columns = across < VARIABLE_COUNT ? (int)on->across.count : 1;
+    double value[VARIABLE_COUNT + 1] = {[NU] = 0.3};
+    for (int i = 0; i < on->down.count; i++)
+        for (int j = 0; j < columns; j++) {
+            value[down] = range_value(&on->down, i);
+            value[across] = across < VARIABLE_COUNT ? range_value(&on->across, j) : 0;
+            put(on, i, j, workbook_rounded(quantity(from, f[QUANTITY], value)), f[STYLE]);
+        }
+    on->at.last_row += (int)on->down.count - 1;
+    on->at.last_column += columns - 1;
+    name_cells(on, f[GRID_NAME]);
+}
+
+/* a/b, f, and the formula that interpolates the table. */
+static void write_look_up(sheets *on, const char *const f[])
+{
+    double tip = NAN, friction = NAN;
+    const bool is_given = number_read(f[STYLE], &tip) && number_read(f[TEXT], &friction);
+    for (int row = on->at.row; row <= on->at.last_row; row++) {
+        xlsx_number(on->book, row, 0, tip, XLSX_INPUT);
+        xlsx_number(on->book, row, 1, friction, XLSX_INPUT);
+        formula_cell(on->book, row, 2, formula_of("look_up(A~,B~)", row + 1, 0),
+                     is_given ? rwedge_elastic_limit(tip, friction, 0.3) : NAN, XLSX_RESULT);
+    }
+}
+
+/* ---- Properties ---- */
+
+static void turn_to_sheet(sheets *on, const char *const f[])
+{
+    xlsx_sheet(on->book, f[PLACE]);
+    on->has_rows = false;
+}
+
+static void set_width(sheets *on, const char *const f[])
+{
+    double width = 0;
+    number_read(f[STYLE], &width);
+    xlsx_width(on->book, on->at.column, on->at.last_column, width);
+}
+
+static void set_lines(sheets *on, const char *const f[])
+{
+    xlsx_lines(on->book, on->at.row, f[STYLE][0] - '0');
+}
+
+static void freeze(sheets *on, const char *const f[])
+{
+    (void)f;
+    xlsx_freeze(on->book, on->at.row, on->at.column);
+}
+
+static void merge(sheets *on, const char *const f[])
+{
+    xlsx_merge(on->book, on->at, xlsx_style_named(f[STYLE]));
+}
+
+static void protect(sheets *on, const char *const f[])
+{
+    (void)f;
+    xlsx_protect(on->book);
+}
+
+static void hide(sheets *on, const char *const f[])
+{
+    (void)f;
+    xlsx_hide_sheet(on->book);
+}
+
+static void print(sheets *on, const char *const f[])
+{
+    const int headers = f[STYLE][0] != '\0' ? f[STYLE][0] - '0' : 0;
+    const bool landscape = f[TEXT][0] != '\0';
+    if (strchr(f[PLACE], '!') != NULL)
+        xlsx_print_cells(on->book, formula_of(f[PLACE], 0, 0), headers, landscape);
+    else
+        xlsx_print(on->book, on->at, headers, landscape);
+}
+
+static void colour(sheets *on, const char *const f[])
+{
+    xlsx_colour_when(on->book, on->at, formula_of(f[TEXT], 0, on->has_rows ? on->at.row + 1 : 0),
+                     xlsx_style_named(f[STYLE]));
+}
+
+static void set_rule(sheets *on, const char *const f[])
+{
+    enum { CONDITION = STYLE, TITLE, HINT, MESSAGE };
+    xlsx_validate(on->book, on->at,
+                  &(xlsx_rule){formula_of(f[CONDITION], 0, 0), f[TITLE], f[HINT], f[MESSAGE]});
+}
+
+/* ---- Charts ---- */
+
+static xlsx_axis axis_of(const char *numbers, const char *title, const char *format)
+{
+    double value[3] = {0};
+    number_read_list(numbers, strlen(numbers), ':', 3, value);
+    return (xlsx_axis){title, format, value[0], value[1], value[2]};
+}
+
+static void begin_chart(sheets *on, const char *const f[])
+{
+    enum { PIXELS = STYLE, TITLE, X, Y, X_TITLE, Y_TITLE, X_FORMAT };
+    double pixel[4] = {0};
+    number_read_list(f[PIXELS], strlen(f[PIXELS]), ',', 4, pixel);
+    xlsx_chart_begin(on->book, on->at,
+                     &(xlsx_chart){f[TITLE], axis_of(f[X], f[X_TITLE], f[X_FORMAT]),
+                                   axis_of(f[Y], f[Y_TITLE], ""), (int)pixel[0], (int)pixel[1],
+                                   (int)pixel[2], (int)pixel[3]});
+}
+
+static void add_curve(sheets *on, const char *const f[])
+{
+    enum { DRAWING = PLACE, CURVE_NAME, X, Y };
+    xlsx_curve(on->book, f[DRAWING], f[CURVE_NAME], f[X], f[Y]);
+}
+
+/* ---- The lines ---- */
+
+static const struct {
+    const char *name;
+    line_writer *write;
+} kinds[] = {{"sheet", turn_to_sheet},
+             {"text", write_text},
+             {"paragraph", write_paragraph},
+             {"made", write_made},
+             {"formula", write_formula},
+             {"case", write_case},
+             {"working", write_working},
+             {"batch", write_batch},
+             {"down", write_down},
+             {"across", write_across},
+             {"data", write_data},
+             {"grid", write_grid},
+             {"look_up", write_look_up},
+             {"width", set_width},
+             {"lines", set_lines},
+             {"freeze", freeze},
+             {"merge", merge},
+             {"protect", protect},
+             {"hide", hide},
+             {"print", print},
+             {"colour", colour},
+             {"rule", set_rule},
+             {"chart", begin_chart},
+             {"curve", add_curve}};
+
+/* Cells as "A1" or "A1:C9", the cell below the last where there is no text; other texts are no
+ * place. */
+static void set_place(sheets *on, const char *text)
+{
+    const size_t letters = strspn(text, "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    if (letters > 0 && isdigit((unsigned char)text[letters]))
+        on->at = xlsx_area_of(text);
+    else if (text[0] == '\0')
+        on->at =
+            (xlsx_area){on->at.last_row + 1, on->at.column, on->at.last_row + 1, on->at.column};
+}
+
+void sheets_write(xlsx *book)
+{
+    sheets on = {.book = book};
+    const char *const *next = sheets_lines, *f[FIELDS];
+    shown_values(0, &on.values);
+    on.table = yield_table_make(&on.values);
+    while (workbook_line(&next, f)) {
+        int i = 0;
+        while (strcmp(kinds[i].name, f[KIND]) != 0)
+            i++;
+        set_place(&on, f[PLACE]);
+        kinds[i].write(&on, f);
+    }
+    xlsx_hide_names(book, "rwt_");
+}

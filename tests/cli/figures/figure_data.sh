@@ -161,10 +161,6 @@ for over in depth field; do
     column crossland out | paste -d ' ' - drawn | sed 's/ .*,/ /' >both
     close_rows "Crossland over the $over" 1e-12 0
 done
-if command -v gnuplot >/dev/null; then # words, not the name of a column
-    does figure measure --history loads.csv $specimen --cycles 2 --measure ruiz_f1
-    same "title and unit" "yes yes" "$(grep -q 'Ruiz parameter' out && echo yes) $(grep -q 'in units of force/length' out && echo yes)"
-fi
 refuses "--measure none: must be one of: stress_range, swt, fatemi_socie, slip_range, ruiz_f1, ruiz_f2, energy_per_area" \
     figure measure --history loads.csv $specimen --measure none
 refuses "--over field: slip_range is of the surface alone" figure measure --history loads.csv $specimen --measure slip_range --over field

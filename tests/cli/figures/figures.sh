@@ -147,6 +147,9 @@ peak=$(column A_sqrt_J2_over_theta out | sort -g | tail -n 1)
 close_to "the circle's stress is the largest" "$peak" "$top" 1e-2
 draws svg loop --q-over-fp 0.9
 has "Q/(fP)" "W = 1.10"
+printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
+draws svg measure --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --measure ruiz_f1
+has "Ruiz parameter" "in units of force/length"
 draws svg 4 --no-title
 same "title" 0 "$(grep -c 'Elastic limit' drawn.svg)"
 

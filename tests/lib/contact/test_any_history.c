@@ -168,22 +168,6 @@ CLAIM(what_is_refused_leaves_what_was_computed)
     assert_true(shear(narrow, 0.5) == 0);
 }
 
-/* Where nothing sticks there was no zone to begin from. */
-CLAIM(a_load_after_full_sliding_is_computed)
-{
-    rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-5);
-    apply(whole, 4, 0, 0, 0);
-    apply(parts, 4, 0, 0, 0);
-    apply(whole, 4, 0, 2, 0);
-    apply(parts, 4, 0, 2, 0);
-    apply(whole, 4, 0, 1.5, 0.4);
-    for (int i = 1; i <= 5; i++)
-        apply(parts, 4, 0, 2 - 0.1 * i, 0.08 * i);
-    assert_true(rwedge_contact_error(whole) > 0);
-    for (int i = -9; i <= 9; i++)
-        assert_within(shear(whole, i / 5.0), shear(parts, i / 5.0), 3e-4 * F);
-}
-
 /* Q alone, farther than all that was computed: the way there is forgotten. */
 CLAIM(a_load_that_slips_past_all_that_was_computed_ends_it)
 {
@@ -231,12 +215,12 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
     static const struct {
         int loads;
         double tolerance;
-    } cases[] = {{1, 1e-6}, {3, 1e-6}, {14, 1e-5}, {20, 1e-5}};
+    } cases[] = {{1, 1e-6}, {3, 1e-6}, {14, 1e-5}, {20, 1e-5}, {60, 1e-5}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         rwedge_contact *contact = wedge(cases[k].tolerance), *direct = wedge(0);
         apply(contact, 4, 0, 0, 0);
         for (int i = 0; i < cases[k].loads; i++)
-            apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
+            apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.015 * i), 0);
         apply(contact, 4, 0, 0.5, 0.6);
         assert_true(rwedge_contact_error(contact) > 0);
         apply(contact, 4, 0, 1.7, 0.3);
@@ -251,8 +235,8 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
 CLAIM(a_contact_of_many_corners_keeps_its_traction)
 {
     rwedge_contact *contact = APPLY(wedge(1e-3), {4, 0, 0, 0});
-    for (int i = 0; i < 30; i++)
-        apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.03 * i), 0);
+    for (int i = 0; i < 70; i++)
+        apply(contact, 4, 0, (i % 2 ? -1 : 1) * (1.2 - 0.015 * i), 0);
     const rwedge_contact *before = copy_of(contact);
     apply(contact, 4, 0, contact->loads.Q, 1e-7);
     assert_true(rwedge_contact_error(contact) > 0);

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._header import FUNCTIONS
-from ._labels import refuse_labels
+from ._labels import plain, refuse_labels
 from ._library import EDOMAIN, ERANGE, Error, check, function, integer, real
 
 _TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
@@ -17,7 +17,7 @@ _TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
 
 def _numbers(name: str, value: Any, dimensions: int) -> NDArray[Any]:
     refuse_labels(name, value)
-    array = np.ascontiguousarray(np.asarray(value).astype(float, casting="safe", copy=False))
+    array = np.atleast_1d(plain(value))
     if array.ndim != dimensions:
         raise Error(f"{name} has the shape {array.shape}: the number of its dimensions must be {dimensions}", ERANGE)
     for place in np.argwhere(np.isnan(array)):

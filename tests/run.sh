@@ -23,14 +23,13 @@ cd "$top"
 accept_path "$top"
 . tests/support/compilers.sh
 
-compilers=no sanitize=no strict=no long=
+sanitize=no strict=no long=
 for option; do
     case $option in
-    --compilers) compilers=yes long="${long:+$long|}compilers" ;;
     --sanitize) sanitize=yes ;;
-    --campaign | --packages | --elsewhere) long="${long:+$long|}${option#--}" ;;
+    --compilers | --campaign | --packages | --elsewhere) long="${long:+$long|}${option#--}" ;;
     --strict) strict=yes ;;
-    --all) compilers=yes sanitize=yes long="compilers|campaign|packages${long:+|$long}" ;;
+    --all) sanitize=yes long="compilers|campaign|packages${long:+|$long}" ;;
     -h | --help) sed -n '3,/^set/s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "$0: $option: unknown option; see $0 --help" >&2; exit 2 ;;
     esac
@@ -49,6 +48,7 @@ wish command:gfortran=gfortran command:octave-cli=octave command:mkoctfile=octav
 # JavaScript, WebAssembly, the page; clang is below. Browsers and gcovr are for the long run alone
 wish command:node=nodejs command:npm=npm command:wasm-ld=lld file:/usr/lib/wasm32-wasi/libc.a=wasi-libc \
     file:/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a=libclang-rt-dev-wasm32
+case $long in *compilers*) wish command:gcc=gcc ;; esac
 case $long in *campaign*) wish command:chromium=chromium command:firefox-esr=firefox-esr command:gcovr=gcovr ;; esac
 # finite elements, for a worked case in Python
 wish command:ccx=calculix-ccx
@@ -58,7 +58,6 @@ wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-
 # ball arithmetic: in FLINT 3, beside FLINT 2
 have header:arb.h || wish file:/usr/include/flint/flint.h=libflint-dev
 have header:flint/arb.h || wish header:arb.h=libflint-arb-dev
-[ $compilers = no ] || wish command:gcc=gcc
 # what is compiled twice in a run is compiled once: the library for the bindings, for hosts that embed it
 wish command:ccache=ccache
 if have command:ccache; then
@@ -107,59 +106,8 @@ run_tests()
     fi
 }
 
-# step NAME COMMAND... - a check that is not a ctest.
-step()
-{
-    name=$1 started=$(date +%s)
-    shift
-    echo "== $name"
-    "$@" >"$output" 2>&1 && ended=0 || ended=$?
-    cat "$output"
-    echo "   $(($(date +%s) - started)) s"
-    if [ $ended = 0 ]; then
-        passed=$((passed + 1))
-    elif [ $ended = 77 ]; then
-        skipped=$((skipped + 1))
-        grep 'SKIPPED: ' "$output" | sed "s/^/$name: /" >>"$skips"
-    else
-        echo "== FAILED: $name"
-        failed=$((failed + 1))
-    fi
-}
-
-# Left out where another compiler or the sanitizers are tried: what builds the library itself, or needs another language than C.
-of_another_compiler='^(package|reproducible|abi|answers|bindings_.*)$'
-
-without_warnings()
-{
-    cmake -S . -B "build/$1" -DCMAKE_C_COMPILER="$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-Werror \
-        -DRWEDGE_BUILD_CLI=ON -DRWEDGE_BUILD_TESTS=ON >/dev/null &&
-        cmake --build "build/$1" --parallel "$(processors)" >/dev/null
-}
-
-the_same_tables()
-{
-    rm -rf "build/$1/tables"
-    mkdir -p "build/$1/tables"
-    ./tables/generate.sh "build/$1/tables" "build/$1/cli/rwedge" >/dev/null || return 1
-    for table in tables/*.csv; do
-        cmp "$table" "build/$1/$table" || return 1
-    done
-}
-
 build build -DCMAKE_BUILD_TYPE=Release
 run_tests build
-if [ $compilers = yes ]; then
-    for compiler in $(compilers_here); do
-        step "no warning from $compiler" without_warnings "$compiler"
-        # the compiler of build/ has just been through the tests
-        [ "$(realpath "$(command -v "$compiler")")" != "$(realpath "$(sed -n 's/^CMAKE_C_COMPILER:[A-Z]*=//p' build/CMakeCache.txt)")" ] ||
-            continue
-        step "the tests as $compiler builds them" ctest --test-dir "build/$compiler" --exclude-regex "$of_another_compiler" \
-            --output-on-failure --parallel "$(processors)"
-        step "the tables from what $compiler built" the_same_tables "$compiler"
-    done
-fi
 if [ $sanitize = yes ]; then
     echo "== Under the sanitizers"
     # The tool leaves its memory to the system when it ends.

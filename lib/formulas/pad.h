@@ -49,22 +49,17 @@ bool rw_pad_is_kink(const rw_pad *pad, double x);
 /* The half-width of the centred patch of a symmetric pad under a load P > 0. */
 double rw_pad_half_width(const rw_pad *pad, double P);
 
-/* The same as rw_patch_of_moment() and rw_patch_of_tilt(), for a pad; P may be 0 in the middle of a
- * symmetric one. */
-rw_patch rw_pad_patch_of_moment(const rw_pad *pad, double P, double M);
-rw_patch rw_pad_patch_of_tilt(const rw_pad *pad, double P, double tilt);
-
-/* Load, moment and tilt of a patch; and the patch of a load P > 0 and a moment. */
+/* Load, moment and tilt of a patch. */
 static inline rw_pressing rw_arcs_pressing(const rw_arcs *arcs, rw_patch patch)
 {
     return arcs->pad ? rw_pad_pressing(arcs->pad, patch)
                      : rw_patch_pressing(arcs->rounding.right, patch);
 }
 
-static inline rw_patch rw_arcs_patch_of_moment(const rw_arcs *arcs, double P, double M)
-{
-    return arcs->pad ? rw_pad_patch_of_moment(arcs->pad, P, M)
-                     : rw_patch_of_moment(arcs->rounding.right, P, M);
-}
+/* The patch of a load P > 0 and a moment M; of a load and a tilt |delta| < 1. Edges to 1e-14 of the
+ * width. -M or -delta gives the mirror image to the last bit where the profile is symmetric. NaN
+ * where the tilt is 1 to rounding. */
+rw_patch rw_arcs_patch_of_moment(const rw_arcs *arcs, double P, double M);
+rw_patch rw_arcs_patch_of_tilt(const rw_arcs *arcs, double P, double delta);
 
 #endif

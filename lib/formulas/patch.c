@@ -1,19 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "formulas/patch.h"
 
-#include "base/always.h"
 #include "base/domain.h"
 #include "base/logarithm.h"
-#include "rwedge.h"
-#include "base/root.h"
 
 #include <float.h>
 
 /* A smaller alpha is lost in rounding beside 1, and its square beside any number. */
 static const double SHARP = 0x1p-260;
-
-/* A width that cannot be multiplied. */
-static const double LARGEST = 1e250;
 
 /* The rounding of an edge, over the width: an edge at the same place counts as inside. */
 static const double SLACK = 1e-12;
@@ -131,109 +125,4 @@ rw_pressing rw_patch_pressing(double a, rw_patch patch)
     if (side != 0)
         carried.tilt += side;
     return carried;
-}
-
-/* ---- The patch of a load ---- */
-
-/* For M, delta >= 0. */
-typedef struct {
-    double a, P, wanted;
-    bool by_moment;
-    double left;
-} search;
-
-static double load_excess(double right, const void *context)
-{
-    const search *s = context;
-    return rw_patch_pressing(s->a, (rw_patch){s->left, right}).load - s->P;
-}
-
-/* The right edge that goes with the left one, left < a, under the load P: it grows with the edge,
- * without bound, and is less than the width. */
-static double right_edge(const search *at)
-{
-    double lo = at->left + at->P * (1 - DBL_EPSILON), width = at->P;
-    /* always: the load grows with the width */
-    while (load_excess(at->left + width, at) < 0 && ALWAYS(width < LARGEST)) {
-        lo = at->left + width;
-        width *= 2;
-    }
-    return rw_root(load_excess, at, lo, at->left + width, 0);
-}
-
-/* Under one load both edges move to the same side, and the moment and the tilt grow with them. */
-static double excess(double left, const void *context)
-{
-    search at = *(const search *)context;
-    at.left = left;
-    const rw_pressing carried = rw_patch_pressing(at.a, (rw_patch){left, right_edge(&at)});
-    return (at.by_moment ? carried.moment : carried.tilt) - at.wanted;
-}
-
-/* From the centred patch to one whose left edge is at the end of the rounding, where M is infinite
- * and delta is 1. */
-static rw_patch search_patch(search *s, double centred)
-{
-    if (isnan(centred)) /* a/b is not in the domain */
-        return (rw_patch){NAN, NAN};
-    double lo = -centred * (1 + 4 * DBL_EPSILON), distance = s->a - lo;
-    do {
-        distance /= 2;
-        if (!(s->a - distance < s->a))
-            return (rw_patch){NAN, NAN};
-    } while (excess(s->a - distance, s) < 0);
-    s->left = rw_root(excess, s, lo, s->a - distance, DBL_EPSILON * centred / 4);
-    return (rw_patch){s->left, right_edge(s)};
-}
-
-static rw_patch hertz(double m, double s)
-{
-    return (rw_patch){m - s, m + s};
-}
-
-/* The sharp wedge, m >= 0: where the edges differ much, the one nearer to the apex is small. */
-static rw_patch sharp(double m, double P)
-{
-    const double s = hypot(m, P / 2);
-    return (rw_patch){-(P / 2) * (P / 2 / (m + s)), m + s};
-}
-
-static rw_patch of_moment(double a, double P, double M)
-{
-    if (a == 0)
-        return sharp(2 * (M / P), P);
-    const double s = sqrt(2 / RW_PI * a) * sqrt(P), m = M / P;
-    if (m >
-        2 * RW_LARGEST * fmin(a, 1)) /* m is inside the contact: it, or a/b, is not in the domain */
-        return (rw_patch){NAN, NAN};
-    if (m + s <= a)
-        return hertz(m, s);
-    search wanted = {.a = a, .P = P, .wanted = M, .by_moment = true};
-    return search_patch(&wanted, s <= a ? s : a / rwedge_a_over_b(P / a));
-}
-
-static rw_patch of_tilt(double a, double P, double delta)
-{
-    if (a == 0)
-        return sharp(P / 2 * tan(RW_HALF_PI * delta), P);
-    const double s = sqrt(2 / RW_PI * a) * sqrt(P), m = delta * a;
-    if (m + s <= a)
-        return hertz(m, s);
-    search wanted = {.a = a, .P = P, .wanted = delta};
-    return search_patch(&wanted, s <= a ? s : a / rwedge_a_over_b(P / a));
-}
-
-static rw_patch mirrored(double sign, rw_patch patch)
-{
-    return sign < 0 ? (rw_patch){-patch.right, -patch.left} : patch;
-}
-
-rw_patch rw_patch_of_moment(double a, double P, double M)
-{
-    return mirrored(M, of_moment(a, P, fabs(M)));
-}
-
-rw_patch rw_patch_of_tilt(double a, double P, double delta)
-{
-    return mirrored(delta, of_tilt(a, P, fabs(delta)));
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A patch of contact off the centre, as a moment or a bulk tension makes it: the wedge's profile,
- * of rounding a, pressed to left < x < right. This file has the load, moment and tilt of a patch,
- * and finds the patch that has given ones.
+ * of rounding a, pressed to left < x < right: the load, moment and tilt of a patch.
  *
  * With x = m + s sin(phi), m = (left + right)/2, s = (right - left)/2, all of it is a mean over the
  * rounding: <> is over |x| < a, phi staying at +-pi/2 beyond the edges. In theta/A and theta,
@@ -116,11 +115,5 @@ typedef struct {
 } rw_edge_rates;
 
 rw_edge_rates rw_patch_edge_rates(const rw_arc_ends *ends);
-
-/* The patch of the load P > 0 and the moment M; of the load P > 0 and the tilt |delta| < 1. Edges
- * to 1e-14 of the width. -M or -delta gives the mirror image to the last bit. NaN where the tilt is
- * 1 to rounding. */
-rw_patch rw_patch_of_moment(double a, double P, double M);
-rw_patch rw_patch_of_tilt(double a, double P, double delta);
 
 #endif

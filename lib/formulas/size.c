@@ -78,21 +78,19 @@ static rw_patch centred(const rw_geometry *g, double P)
 
 rw_patch rw_patch_under_moment(const rw_geometry *g, double P, double M)
 {
-    if (g->pad && P > 0)
-        return rw_pad_patch_of_moment(g->pad, rw_as_length(g, P), rw_as_length(g, M));
-    return M == 0 ? centred(g, P)
-                  : rw_patch_of_moment(g->a, rw_as_length(g, P), rw_as_length(g, M));
+    const rw_arcs arcs = rw_arcs_of(g);
+    return M == 0 && (P == 0 || rw_is_symmetric(g))
+               ? centred(g, P)
+               : rw_arcs_patch_of_moment(&arcs, rw_as_length(g, P), rw_as_length(g, M));
 }
 
 rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
 {
+    const rw_arcs arcs = rw_arcs_of(g);
     if (tilt == 0 && rw_is_symmetric(g))
         return centred(g, P);
-    if (!(fabs(tilt) < 1))
-        return (rw_patch){NAN, NAN};
-    const double length = rw_as_length(g, P);
-    return g->pad ? rw_pad_patch_of_tilt(g->pad, length, tilt)
-                  : rw_patch_of_tilt(g->a, length, tilt);
+    return fabs(tilt) < 1 ? rw_arcs_patch_of_tilt(&arcs, rw_as_length(g, P), tilt)
+                          : (rw_patch){NAN, NAN};
 }
 
 rw_edge_rates rw_edge_rates_of(const rw_geometry *g, rw_patch patch)

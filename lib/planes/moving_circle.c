@@ -36,28 +36,11 @@ static rw_vector rate_of_centre(const rw_ball *ball, const rw_point points[],
                        (xx * right.y - xy * right.x) / determinant};
 }
 
-/* The smallest circle around points on a line. */
-static rw_ball interval_of(size_t n, const rw_point points[])
-{
-    size_t low = 0, high = 0;
-    for (size_t i = 1; i < n; i++) {
-        low = points[i].x[0] < points[low].x[0] ? i : low;
-        high = points[i].x[0] > points[high].x[0] ? i : high;
-    }
-    const double bottom = points[low].x[0], top = points[high].x[0];
-    return (rw_ball){.centre = {{(bottom + top) / 2, 0, 0}},
-                     .radius = (top - bottom) / 2,
-                     .count = 2, /* also where both are one point */
-                     .support = {low, high},
-                     .weight = {0.5, 0.5}};
-}
-
-rw_circle rw_circle_of(rw_plane_cycle *cycle, bool is_strain, size_t n)
+rw_circle rw_circle_of(rw_plane_cycle *cycle, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         cycle->point[i] = (rw_point){{cycle->local[i].at.x, cycle->local[i].at.y, 0}};
-    rw_circle c = {.ball = is_strain ? interval_of(n, cycle->point)
-                                     : rw_smallest_ball(n, cycle->point)};
+    rw_circle c = {.ball = rw_smallest_ball(n, cycle->point)};
     rw_vector by_chi[RW_SUPPORT], by_beta[RW_SUPPORT];
     for (int i = 0; i < c.ball.count; i++) {
         by_chi[i] = cycle->local[c.ball.support[i]].by_chi;

@@ -10,8 +10,7 @@ typedef struct {
     rw_vector by_chi, by_beta; /* rates of its centre */
 } rw_circle;
 
-/* The circle around the components of the first n loads, which must be set; those of a strain lie
- * on a line. */
-rw_circle rw_circle_of(rw_plane_cycle *cycle, bool is_strain, size_t n);
+/* The circle around the components of the first n loads, which must be set. */
+rw_circle rw_circle_of(rw_plane_cycle *cycle, size_t n);
 
 #endif

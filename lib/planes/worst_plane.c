@@ -193,7 +193,7 @@ static double bound_of(const rw_severity *v, const corners *amplitude, const cor
 static void look(search *w, const cell *a, size_t n, view *v)
 {
     set_local(w->cycle, w->severity->is_strain, n, *a);
-    v->around = rw_circle_of(w->cycle, w->severity->is_strain, n);
+    v->around = rw_circle_of(w->cycle, n);
     static const corners LOWEST = {{-DBL_MAX, -DBL_MAX, -DBL_MAX, -DBL_MAX}};
     v->amplitude = v->peak = LOWEST;
     v->least_peak = -DBL_MAX;
@@ -373,7 +373,7 @@ static double value_at(search *w, const cell *from, const step *s, double t)
               .beta = rw_turned_by(from->beta, t * s->beta)};
     const size_t n = w->cycle->loads;
     set_local(w->cycle, w->severity->is_strain, n, a);
-    return record(w, &a, n, rw_circle_of(w->cycle, w->severity->is_strain, n).ball.radius);
+    return record(w, &a, n, rw_circle_of(w->cycle, n).ball.radius);
 }
 
 static cell best_plane(const search *w)

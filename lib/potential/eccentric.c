@@ -106,38 +106,13 @@ void rw_eccentric_init_arc(rw_eccentric *p, rw_arc arc, rw_patch patch)
 
 /* ---- Far away ---- */
 
-/* The sums of far[n] R^n and of n far[n] R^n, by Horner. */
-static rw_field series_field(const rw_eccentric *p, rw_complex R, rw_complex y_over_X)
-{
-    rw_complex sum = {0, 0}, steep = {0, 0};
-    for (int n = RW_SERIES_TERMS; n > 0; n--) {
-        sum = rw_product(sum, R);
-        sum.re += p->far[n - 1];
-        steep = rw_product(steep, R);
-        steep.re += n * p->far[n - 1];
-    }
-    const rw_complex G = rw_product(sum, R), H = rw_product(rw_product(steep, R), y_over_X);
-    return (rw_field){2 / RW_PI * G.re, 2 / RW_PI * G.im, -2 / RW_PI * H.re, -2 / RW_PI * H.im};
-}
-
 static rw_field far_field(const rw_eccentric *p, double x, double y)
 {
     const double sign = x < p->middle ? -1 : 1;
-    const rw_half_view *v = &p->view[sign < 0];
-    const rw_side_place at = rw_side_place_of(p, v, sign, x, y);
-    rw_field field;
-    if (rw_is_remote(at.x, at.y)) {
-        const rw_ray ray = rw_ray_to(at.x, at.y);
-        const rw_complex R = {sign * ray.R_re, ray.R_im};
-        field =
-            series_field(p, R, (rw_complex){sign * ray.sine * ray.cosine, -(ray.sine * ray.sine)});
-    } else {
-        const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
-        const double shrink = rw_elliptic_shrink(&e);
-        const rw_complex per_X = rw_over_X(&e, at.y, 1, 0);
-        field = series_field(p, (rw_complex){sign * shrink * e.sin_v, -shrink * e.cos_v},
-                             (rw_complex){sign * per_X.re, per_X.im});
-    }
+    const rw_side_place at = rw_side_place_of(p, &p->view[sign < 0], sign, x, y);
+    rw_field field = rw_field_multiple(
+        2 / RW_PI,
+        rw_series_field(RW_SERIES_TERMS, p->far, rw_outer_place_of(at.x, at.y, at.beyond, sign)));
     if (y == 0)
         field.G_im = 0; /* no pressure, to the last bit */
     return field;

@@ -4,7 +4,8 @@
 #ifndef RW_ELLIPTIC_H
 #define RW_ELLIPTIC_H
 
-#include "base/select.h"
+#include "base/complex.h"
+#include "potential/potential.h"
 
 #include <float.h>
 #include <math.h>
@@ -67,6 +68,39 @@ RW_INLINE double rw_elliptic_shrink(const rw_elliptic *e)
 RW_INLINE double rw_elliptic_RX_re(const rw_elliptic *e, double shrink)
 {
     return shrink * (e->sin_v * e->sin_v * e->sinh_w - e->cos_v * e->cos_v * e->cosh_w);
+}
+
+/* R and y/X at x >= 0, y >= 0, or at the mirror image of that place, sign = -1. */
+typedef struct {
+    rw_complex R, y_over_X;
+} rw_outer_place;
+
+static inline rw_outer_place rw_outer_place_of(double x, double y, double beyond, double sign)
+{
+    if (rw_is_remote(x, y)) { /* X = z */
+        const rw_ray ray = rw_ray_to(x, y);
+        return (rw_outer_place){{sign * ray.R_re, ray.R_im},
+                                {sign * ray.sine * ray.cosine, -(ray.sine * ray.sine)}};
+    }
+    const rw_elliptic e = rw_elliptic_at(x, y, beyond);
+    const double shrink = rw_elliptic_shrink(&e), scale = y / e.cos2;
+    return (rw_outer_place){{sign * shrink * e.sin_v, -shrink * e.cos_v},
+                            {sign * (scale * (e.sin_v * e.sinh_w)), -scale * (e.cos_v * e.cosh_w)}};
+}
+
+/* The field of G = sum a_k R^(k+1), by Horner's rule: -X G' is the sum with the weights (k+1)
+ * a_k. */
+static inline rw_field rw_series_field(size_t terms, const double a[], rw_outer_place at)
+{
+    rw_complex sum = {0, 0}, steep = {0, 0};
+    for (size_t k = terms; k > 0; k--) {
+        sum.re += a[k - 1];
+        steep.re += (double)k * a[k - 1];
+        sum = rw_product(sum, at.R);
+        steep = rw_product(steep, at.R);
+    }
+    const rw_complex H = rw_product(steep, at.y_over_X);
+    return (rw_field){sum.re, sum.im, -H.re, -H.im};
 }
 
 #endif

@@ -161,24 +161,6 @@ double rwedge_series_residual(const rwedge_series *series)
     return series ? series->residual : NAN;
 }
 
-/* Two sums by Horner's rule: G = sum a_k R^(k+1), and -X dG/dz, whose weights are (k+1) a_k. */
-typedef struct {
-    double G_re, G_im, weighted_re, weighted_im;
-} sums;
-
-static sums sum_powers(const rwedge_series *series, double R_re, double R_im)
-{
-    sums s = {0, 0, 0, 0};
-    for (int32_t k = series->terms - 1; k >= 0; k--) {
-        const double G = s.G_re + series->a[k], weighted = s.weighted_re + (k + 1) * series->a[k];
-        s.G_re = G * R_re - s.G_im * R_im;
-        s.G_im = G * R_im + s.G_im * R_re;
-        s.weighted_re = weighted * R_re - s.weighted_im * R_im;
-        s.weighted_im = weighted * R_im + s.weighted_im * R_re;
-    }
-    return s;
-}
-
 double rwedge_series_pressure(const rwedge_series *series, double x)
 {
     if (!series || !rw_is_signed(x))
@@ -186,34 +168,15 @@ double rwedge_series_pressure(const rwedge_series *series, double x)
     if (fabs(x) >= 1)
         return 0;
     /* R_n = T_n - i sqrt(1-x^2) U_(n-1) on y = 0 (E3) */
-    return sum_powers(series, x, -rw_cos_asin(x)).G_im;
+    const rw_outer_place at = {{x, -rw_cos_asin(x)}, {0, 0}};
+    return rw_series_field((size_t)series->terms, series->a, at).G_im;
 }
 
-/* G and y G' = -y (weighted sum)/X at any point of the half-plane. In the left half R and X are
- * the mirror images of those in the right half. */
 static rw_field field_at(const rwedge_series *series, double x, double y)
 {
-    const double right = fabs(x), sign = x < 0 ? -1 : 1;
-    double R_re, R_im, y_per_X_re, y_per_X_im;
-    if (rw_is_remote(right, y)) { /* X = z */
-        const rw_ray ray = rw_ray_to(right, y);
-        R_re = ray.R_re;
-        R_im = ray.R_im;
-        y_per_X_re = ray.sine * ray.cosine;
-        y_per_X_im = -ray.sine * ray.sine;
-    } else {
-        const rw_elliptic e = rw_elliptic_at(right, y, right - 1);
-        const double shrink = rw_elliptic_shrink(&e);
-        const double scale = y / (e.cos_v * e.cos_v + e.sinh_w * e.sinh_w);
-        R_re = shrink * e.sin_v;
-        R_im = -shrink * e.cos_v;
-        y_per_X_re = scale * e.sin_v * e.sinh_w;
-        y_per_X_im = -scale * e.cos_v * e.cosh_w;
-    }
-    const sums s = sum_powers(series, sign * R_re, R_im);
-    y_per_X_re *= sign;
-    return (rw_field){s.G_re, s.G_im, -(s.weighted_re * y_per_X_re - s.weighted_im * y_per_X_im),
-                      -(s.weighted_re * y_per_X_im + s.weighted_im * y_per_X_re)};
+    const double right = fabs(x);
+    return rw_series_field((size_t)series->terms, series->a,
+                           rw_outer_place_of(right, y, right - 1, x < 0 ? -1 : 1));
 }
 
 static int32_t check(const rwedge_series *series, double f, double x, double y)

@@ -6,13 +6,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-enum { POINTS = 20000, MANY = 1000000, PAPER_LIMITS = 650, CYCLE_LOADS = 40, PLACES = 1000 };
+enum { POINTS = 20000, PAPER_LIMITS = 650, CYCLE_LOADS = 40, PLACES = 1000 };
 
 static const double TURN = 2 * 3.14159265358979323846, P = 20000;
 
-double *xs, *ys, *out[3];
-static double *cycle[3]; /* stresses of a cycle of Q at the first places */
+double xs[MANY], ys[MANY], out[3][MANY];
+static double cycle[3][CYCLE_LOADS * PLACES]; /* stresses of a cycle of Q at the first places */
 
 static void must(int32_t status)
 {
@@ -327,82 +328,63 @@ static double damage(const work *w)
     return value[0];
 }
 
-const work works[WORKS] = {
-    [SERIES] = {"J2 by the plain series", plain_points, 0, 0, POINTS},
-    [SEARCH] = {"elastic limit by a plain search", plain_limits, 0, 0, 3},
-    [POINT] = {"stress at a point, full sliding", points_one_by_one, 0, 0, POINTS},
-    [POINT_SLIP] = {"stress at a point, partial slip", points_one_by_one, 0.4, 0, POINTS},
-    [ARRAY] = {"stress in an array, full sliding", array_of_points, 0, 0, POINTS},
-    [ARRAY_SLIP] = {"stress in an array, partial slip", array_of_points, 0.4, 0, POINTS},
-    [LONG_ARRAY] = {"stress in an array of 10^6", array_of_points, 0, 0, MANY},
-    [WEDGE] = {"stress in an array, of a contact", points_of_a_wedge, 0, 0, POINTS},
-    [FLAT_PAD] = {"stress in an array, of a flat pad", points_of_a_flat_pad, 0, 0, POINTS},
-    [PROFILE] = {"stress in an array, 99 arcs", points_of_a_profile, 0, 0, POINTS / 4},
-    [LIMIT] = {"elastic limit, cold", limits_one_by_one, 0, 0, PAPER_LIMITS / 5},
-    [MANY_LIMITS] = {"elastic limit, 2600 of them", limits_one_by_one, 0, 0, 4 * PAPER_LIMITS},
-    [LIMIT_ARRAY] = {"elastic limit, in an array", limits_in_array, 0, 0, PAPER_LIMITS},
-    [BRANCHES] = {"both branches, cold", branches, 0, 0, PAPER_LIMITS},
-    [HALF_WIDTH] = {"half-width from the load", inverses, 0, 0, POINTS},
-    [PRESSURE] = {"pressure", pressures, 0, 0, POINTS},
-    [TWO_CORNERS] = {"stress after P and then Q", points_of_corners, 2, 0, POINTS},
-    [MANY_CORNERS] = {"stress, 250 corners", points_of_corners, 250, 0, POINTS / 2},
-    [MANY_OFF_CENTRE] = {"stress, 250 corners off the centre", points_of_corners, 250, 8000,
-                         POINTS / 2},
-    [YIELD_ONE] = {"yield factor, one load", yield_factors, 1, 0, 100},
-    [YIELD_TWO] = {"yield factor, P and then Q", yield_factors, 2, 0, 20},
-    [YIELD_MANY] = {"yield factor, 250 corners", yield_factors, 250, 0, 1},
-    [YIELD_OFF_CENTRE] = {"yield factor, off the centre", yield_factors, 250, 8000, 1},
-    [LOADS] = {"load that grows, of 2000", growing_loads, 0, 0, MOST_LOADS},
-    [MANY_LOADS] = {"load that grows, of 40000", growing_loads, 0, 0, 20 * MOST_LOADS},
-    [LAG] = {"load, tension lags, to 1e-3", lagging, 1e-3, 0, 48},
-    [LAG_FINE] = {"load, tension lags, to 1e-6", lagging, 1e-6, 0, 48},
-    [NOISY_LOG] = {"load of a noisy log, to 1e-3", lagging, 1e-3, 0.03, 48},
-    [LONG_LOG] = {"load of a noisy log of 1000 loads", lagging, 1e-3, 0.03, 1000},
-    [ROCKING] = {"load that rocks, to 1e-6", rocking, 1e-6, 0, 12},
-    [LAG_PROFILE] = {"load of 100 places, to 1e-3", lagging_profile, 1e-3, 0, 12},
-    [CYCLE_BY_CALLS] = {"stresses through a cycle, by calls", history_by_calls, OF_Q, PLACES,
-                        CYCLE_LOADS *PLACES},
-    [CYCLE] = {"stresses through a cycle of Q", history, OF_Q, PLACES, CYCLE_LOADS *PLACES},
-    [CYCLE_TENSION] = {"stresses through one with tension", history, IN_PHASE, PLACES,
-                       CYCLE_LOADS *PLACES},
-    [CYCLE_LAG] = {"stresses through one that lags", history, LAGGING, 300, 48 * 300},
-    [SHRINKING_BY_CALLS] = {"2 points, 2000 corners, by calls", history_by_calls, REVERSALS, 2,
-                            2 * MOST_LOADS},
-    [SHRINKING] = {"2 points, 2000 corners, in one call", history, REVERSALS, 2, 2 * MOST_LOADS},
-    [SWT] = {"Smith-Watson-Topper of 40 loads", smith_watson_topper, 0, 0, PLACES},
-    [FATEMI_SOCIE] = {"Fatemi-Socie of 40 loads", fatemi_socie, 0.001, 0, PLACES},
-    [SWT_PLANES] = {"Smith-Watson-Topper, all planes", criterion, RWEDGE_MEASURE_SWT, 0, PLACES},
-    [FINDLEY] = {"Findley of 40 loads", criterion, RWEDGE_MEASURE_FINDLEY, 0, PLACES},
-    [CROSSLAND] = {"Crossland of 40 loads", criterion, RWEDGE_MEASURE_CROSSLAND, 0, PLACES},
-    [DAMAGE] = {"damage of 40 loads, by SWT", damage, 0, 0, PLACES},
+const work works[] = {
+    {"J2 by the plain series", plain_points, 0, 0, POINTS},
+    {"elastic limit by a plain search", plain_limits, 0, 0, 3},
+    {"stress at a point, full sliding", points_one_by_one, 0, 0, POINTS},
+    {"stress at a point, partial slip", points_one_by_one, 0.4, 0, POINTS},
+    {"stress in an array, full sliding", array_of_points, 0, 0, POINTS},
+    {"stress in an array, partial slip", array_of_points, 0.4, 0, POINTS},
+    {"stress in an array of 10^6", array_of_points, 0, 0, MANY},
+    {"stress in an array, of a contact", points_of_a_wedge, 0, 0, POINTS},
+    {"stress in an array, of a flat pad", points_of_a_flat_pad, 0, 0, POINTS},
+    {"stress in an array, 99 arcs", points_of_a_profile, 0, 0, POINTS / 4},
+    {"elastic limit, cold", limits_one_by_one, 0, 0, PAPER_LIMITS / 5},
+    {"elastic limit, 2600 of them", limits_one_by_one, 0, 0, 4 * PAPER_LIMITS},
+    {"elastic limit, in an array", limits_in_array, 0, 0, PAPER_LIMITS},
+    {"both branches, cold", branches, 0, 0, PAPER_LIMITS},
+    {"half-width from the load", inverses, 0, 0, POINTS},
+    {"pressure", pressures, 0, 0, POINTS},
+    {"stress after P and then Q", points_of_corners, 2, 0, POINTS},
+    {"stress, 250 corners", points_of_corners, 250, 0, POINTS / 2},
+    {"stress, 250 corners off the centre", points_of_corners, 250, 8000, POINTS / 2},
+    {"yield factor, one load", yield_factors, 1, 0, 100},
+    {"yield factor, P and then Q", yield_factors, 2, 0, 20},
+    {"yield factor, 250 corners", yield_factors, 250, 0, 1},
+    {"yield factor, off the centre", yield_factors, 250, 8000, 1},
+    {"load that grows, of 2000", growing_loads, 0, 0, MOST_LOADS},
+    {"load that grows, of 40000", growing_loads, 0, 0, 20 * MOST_LOADS},
+    {"load, tension lags, to 1e-3", lagging, 1e-3, 0, 48},
+    {"load, tension lags, to 1e-6", lagging, 1e-6, 0, 48},
+    {"load of a noisy log, to 1e-3", lagging, 1e-3, 0.03, 48},
+    {"load of a noisy log of 1000 loads", lagging, 1e-3, 0.03, 1000},
+    {"load that rocks, to 1e-6", rocking, 1e-6, 0, 12},
+    {"load of 100 places, to 1e-3", lagging_profile, 1e-3, 0, 12},
+    {"stresses through a cycle, by calls", history_by_calls, OF_Q, PLACES, CYCLE_LOADS *PLACES},
+    {"stresses through a cycle of Q", history, OF_Q, PLACES, CYCLE_LOADS *PLACES},
+    {"stresses through one with tension", history, IN_PHASE, PLACES, CYCLE_LOADS *PLACES},
+    {"stresses through one that lags", history, LAGGING, 300, 48 * 300},
+    {"2 points, 2000 corners, by calls", history_by_calls, REVERSALS, 2, 2 * MOST_LOADS},
+    {"2 points, 2000 corners, in one call", history, REVERSALS, 2, 2 * MOST_LOADS},
+    {"Smith-Watson-Topper of 40 loads", smith_watson_topper, 0, 0, PLACES},
+    {"Fatemi-Socie of 40 loads", fatemi_socie, 0.001, 0, PLACES},
+    {"Smith-Watson-Topper, all planes", criterion, RWEDGE_MEASURE_SWT, 0, PLACES},
+    {"Findley of 40 loads", criterion, RWEDGE_MEASURE_FINDLEY, 0, PLACES},
+    {"Crossland of 40 loads", criterion, RWEDGE_MEASURE_CROSSLAND, 0, PLACES},
+    {"damage of 40 loads, by SWT", damage, 0, 0, PLACES},
 };
+
+const size_t works_count = sizeof works / sizeof works[0];
 
 /* ---- Places ---- */
 
-static double **const arrays[] = {&xs,     &ys,       &out[0],   &out[1],
-                                  &out[2], &cycle[0], &cycle[1], &cycle[2]};
-enum { ARRAYS = sizeof arrays / sizeof arrays[0], LONG = 5 };
-
-bool reserve_places(void)
+void set_places(void)
 {
-    for (int i = 0; i < ARRAYS; i++) {
-        const size_t n = i < LONG ? MANY : CYCLE_LOADS * PLACES;
-        if ((*arrays[i] = malloc(n * sizeof **arrays[i])) == NULL)
-            return false;
-    }
     for (int i = 0; i < MANY; i++) {
         xs[i] = 4 * fmod((double)i * 0.6180339887498949, 1) - 2;
         ys[i] = 2 * fmod((double)i * 0.7548776662466927, 1) + 1e-3;
     }
-    history(&works[CYCLE]);
+    history(&(work){"", history, OF_Q, PLACES, CYCLE_LOADS * PLACES});
     for (int k = 0; k < 3; k++)
-        for (int i = 0; i < CYCLE_LOADS * PLACES; i++)
-            cycle[k][i] = out[k][i];
-    return true;
-}
-
-void release_places(void)
-{
-    for (int i = 0; i < ARRAYS; i++)
-        free(*arrays[i]);
+        memcpy(cycle[k], out[k], sizeof cycle[k]);
 }

@@ -3,55 +3,7 @@
 #ifndef WORKS_H
 #define WORKS_H
 
-#include <stdbool.h>
-
-/* Rows of the table. */
-enum {
-    SERIES,
-    SEARCH,
-    POINT,
-    POINT_SLIP,
-    ARRAY,
-    ARRAY_SLIP,
-    LONG_ARRAY,
-    WEDGE,
-    FLAT_PAD,
-    PROFILE,
-    LIMIT,
-    MANY_LIMITS,
-    LIMIT_ARRAY,
-    BRANCHES,
-    HALF_WIDTH,
-    PRESSURE,
-    TWO_CORNERS,
-    MANY_CORNERS,
-    MANY_OFF_CENTRE,
-    YIELD_ONE,
-    YIELD_TWO,
-    YIELD_MANY,
-    YIELD_OFF_CENTRE,
-    LOADS,
-    MANY_LOADS,
-    LAG,
-    LAG_FINE,
-    NOISY_LOG,
-    LONG_LOG,
-    ROCKING,
-    LAG_PROFILE,
-    CYCLE_BY_CALLS,
-    CYCLE,
-    CYCLE_TENSION,
-    CYCLE_LAG,
-    SHRINKING_BY_CALLS,
-    SHRINKING,
-    SWT,
-    FATEMI_SOCIE,
-    SWT_PLANES,
-    FINDLEY,
-    CROSSLAND,
-    DAMAGE,
-    WORKS
-};
+#include <stddef.h>
 
 /* Something to do, n times, with two numbers. It returns a number that depends on all of it. A call
  * that fails ends the program. */
@@ -64,11 +16,11 @@ struct work {
     long n;
 };
 
-extern const work works[WORKS];
+extern const work works[];
+extern const size_t works_count;
 
-/* Places, and the stresses of a cycle; false for lack of memory. */
-bool reserve_places(void);
-void release_places(void);
+/* Places, and the stresses of a cycle. */
+void set_places(void);
 
 /* The plain way: J2 by the paper's series of 60 terms as it stands, at n points; elastic limits of
  * n frictions by a search on a grid. */
@@ -76,6 +28,7 @@ double plain_points(const work *w);
 double plain_limits(const work *w);
 
 /* Points below a contact and beside it, and room for what is computed of them. */
-extern double *xs, *ys, *out[3];
+enum { MANY = 1000000 };
+extern double xs[MANY], ys[MANY], out[3][MANY];
 
 #endif

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by what builds the library without CMake. Runs in the top folder.
+# Sourced by what builds the library in other ways. Runs in the top folder.
 
 # The options of lib/CMakeLists.txt on which bits depend, for gcc and clang.
 library_options='-std=c99 -ffp-contract=off -fno-math-errno'
+
+# Left out where another compiler or the sanitizers are tried: what builds the library itself, or needs another language than C.
+of_another_compiler='^(package|reproducible|abi|answers|bindings_.*)$'
 
 # compilers_here - gcc, gcc-*, clang, clang-* on this machine, each once whatever its names.
 compilers_here()

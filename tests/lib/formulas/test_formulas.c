@@ -2,7 +2,7 @@
 /* The paper's formulas and the patches off the centre against their integrals. How accurate they
  * are, proof/accuracy shows. */
 #include "claims.h"
-#include "formulas/patch.h"
+#include "formulas/pad.h"
 #include "quadrature.h"
 #include "rwedge.h"
 
@@ -106,5 +106,6 @@ CLAIM(laws_are_means_over_the_rounding)
 /* A tilt of 1 is a flank on the surface: it has no edges. */
 CLAIM(a_flank_on_the_surface_has_no_patch)
 {
-    assert_nan(rw_patch_of_moment(1, 1e-3, 1e40).left);
+    const rw_arcs wedge = {.count = 1, .rounding = rw_rounding(1)};
+    assert_nan(rw_arcs_patch_of_moment(&wedge, 1e-3, 1e40).left);
 }

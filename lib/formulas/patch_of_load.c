@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The patch of a load and a moment or a tilt. Under one load both edges move to the same side, and
+ * the moment and the tilt grow with them. */
+#include "formulas/pad.h"
+
+#include "base/always.h"
+#include "base/domain.h"
+#include "base/root.h"
+#include "rwedge.h"
+
+#include <float.h>
+
+/* A width that cannot be multiplied. */
+static const double LARGEST = 1e250;
+
+static const rw_patch NONE = {NAN, NAN};
+
+typedef struct {
+    const rw_arcs *arcs;
+    double P, wanted;
+    bool by_moment;
+    double left;
+} search;
+
+static double load_excess(double right, const void *context)
+{
+    const search *at = context;
+    return rw_arcs_pressing(at->arcs, (rw_patch){at->left, right}).load - at->P;
+}
+
+/* The right edge that goes with the left one under the load P: the load grows with the edge,
+ * without bound, and is less than the width. The edge of a pad may be next to 0. */
+static double right_edge(const search *at)
+{
+    double lo = at->left + at->P * (1 - DBL_EPSILON), width = at->P;
+    /* always: the load grows with the width */
+    while (load_excess(at->left + width, at) < 0 && ALWAYS(width < LARGEST)) {
+        lo = at->left + width;
+        width *= 2;
+    }
+    return rw_root(load_excess, at, lo, at->left + width,
+                   at->arcs->pad ? DBL_EPSILON / 4 * width : 0);
+}
+
+/* The rounded edges of a narrow patch far from x = 0 have a load that differs: the moment of a pad,
+ * which may be there, is corrected for it. */
+static double excess(double left, const void *context)
+{
+    search at = *(const search *)context;
+    at.left = left;
+    const rw_pressing carried = rw_arcs_pressing(at.arcs, (rw_patch){left, right_edge(&at)});
+    if (!at.by_moment)
+        return carried.tilt - at.wanted;
+    if (!at.arcs->pad)
+        return carried.moment - at.wanted;
+    /* rounding may leave no width, and so no load */
+    return (carried.load > 0 ? carried.moment / carried.load : left) * at.P - at.wanted;
+}
+
+/* From a left edge that is too far to the left towards the end of the profile, where M is infinite
+ * and the tilt is 1. */
+static rw_patch search_patch(search *s, double lo, double end, double nearest)
+{
+    double distance = end - lo;
+    do {
+        distance /= 2;
+        if (!(end - distance < end))
+            return NONE;
+    } while (excess(end - distance, s) < 0);
+    s->left = rw_root(excess, s, lo, end - distance, nearest);
+    return (rw_patch){s->left, right_edge(s)};
+}
+
+/* ---- The wedge, wanted >= 0 ---- */
+
+/* The sharp wedge, m >= 0: where the edges differ much, the one nearer to the apex is small. */
+static rw_patch sharp(double m, double P)
+{
+    const double s = hypot(m, P / 2);
+    return (rw_patch){-(P / 2) * (P / 2 / (m + s)), m + s};
+}
+
+/* From the centred patch. */
+static rw_patch patch_of_wedge(search *wanted)
+{
+    const double a = wanted->arcs->rounding.right, P = wanted->P, delta = wanted->wanted;
+    const double arm = wanted->by_moment ? delta / P : 0;
+    if (a == 0)
+        return sharp(wanted->by_moment ? 2 * arm : P / 2 * tan(RW_HALF_PI * delta), P);
+    if (arm > 2 * RW_LARGEST * fmin(a, 1)) /* it is inside the contact: it, or a/b, is too large */
+        return NONE;
+    const double s = sqrt(2 / RW_PI * a) * sqrt(P), m = wanted->by_moment ? arm : delta * a;
+    if (m + s <= a) /* Hertz */
+        return (rw_patch){m - s, m + s};
+    const double centred = s <= a ? s : a / rwedge_a_over_b(P / a);
+    if (isnan(centred)) /* a/b is not in the domain */
+        return NONE;
+    return search_patch(wanted, -centred * (1 + 4 * DBL_EPSILON), a, DBL_EPSILON * centred / 4);
+}
+
+/* ---- A pad ---- */
+
+static double half_load_excess(double s, const void *context)
+{
+    const search *at = context;
+    return rw_arcs_pressing(at->arcs, (rw_patch){-s, s}).load - at->P;
+}
+
+/* The load is less than the width: the slope changes by 2 at most. */
+double rw_pad_half_width(const rw_pad *pad, double P)
+{
+    const rw_arcs arcs = {.count = pad->count, .pad = pad};
+    const search at = {.arcs = &arcs, .P = P};
+    double lo = P / 2 * (1 - DBL_EPSILON), hi = 2 * lo;
+    if (P == 0)
+        return 0;
+    for (; half_load_excess(hi, &at) < 0 && ALWAYS(hi < LARGEST); hi *= 2)
+        lo = hi;
+    return rw_root(half_load_excess, &at, lo, hi, 0);
+}
+
+/* The left edge is between -infinity, where the tilt is -1, and the right end of the profile. */
+static rw_patch patch_of_pad(search *s)
+{
+    const rw_pad *pad = s->arcs->pad;
+    const double end = pad->arcs[pad->count - 1].right;
+    if (pad->is_symmetric && s->wanted == 0) {
+        const double b = rw_pad_half_width(pad, s->P);
+        return (rw_patch){-b, b};
+    }
+    double lo = pad->arcs[0].left - s->P, step = s->P;
+    for (; excess(lo, s) > 0; step *= 2)
+        lo -= step;
+    return search_patch(s, lo, end, DBL_EPSILON / 4 * (s->P + (end - lo)));
+}
+
+/* That of -M or -delta is the mirror image to the last bit. */
+static rw_patch patch_of(const rw_arcs *arcs, double P, double wanted, bool by_moment)
+{
+    const bool is_mirrored = wanted < 0 && (!arcs->pad || arcs->pad->is_symmetric);
+    search s = {
+        .arcs = arcs, .P = P, .wanted = is_mirrored ? -wanted : wanted, .by_moment = by_moment};
+    const rw_patch patch = arcs->pad ? patch_of_pad(&s) : patch_of_wedge(&s);
+    return is_mirrored ? (rw_patch){-patch.right, -patch.left} : patch;
+}
+
+rw_patch rw_arcs_patch_of_moment(const rw_arcs *arcs, double P, double M)
+{
+    return patch_of(arcs, P, M, true);
+}
+
+rw_patch rw_arcs_patch_of_tilt(const rw_arcs *arcs, double P, double tilt)
+{
+    return patch_of(arcs, P, tilt, false);
+}

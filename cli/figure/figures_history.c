@@ -64,13 +64,6 @@ static void compute_history(const figure_case *inputs, dataset *rows)
     visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
 }
 
-static void prepare_history(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    (void)rows;
-    script_number(script, "at_x", inputs->at->x[0]);
-    script_number(script, "at_y", inputs->at->y[0]);
-}
-
 const figure figure_history = {
     .name = "history",
     .summary = "stresses at a point, --at, in the last cycle of loads",
@@ -81,7 +74,6 @@ const figure figure_history = {
     .compute = compute_history,
     .drawn = 1 << 3 | 1 << 4 | 1 << 6, /* sxx, syy, txy */
     .nothing = "there is no stress",
-    .prepare = prepare_history,
     .script = history_lines};
 
 /* ---- The loop of Q over the displacement ---- */
@@ -171,22 +163,12 @@ static void measure_surface(const figure_case *inputs, const last_cycle *last, d
     free(result.place);
 }
 
-static const data_row *worst_row_of(const dataset *rows)
-{
-    const data_row *best = rows->row;
-    for (size_t i = 0; i < rows->count; i++)
-        if (!(best->number[2] >= rows->row[i].number[2]) && !isnan(rows->row[i].number[2]))
-            best = &rows->row[i];
-    return best;
-}
-
 /* Down to the half-width, dense at the surface. */
 static void measure_depth(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
-    dataset along = {0};
-    measure_surface(inputs, last, &along);
-    const double x = worst_row_of(&along)->number[0];
-    free(along.row);
+    const measured along = measure_usual(inputs, last);
+    const double x = along.place[measured_best(&along, inputs->measure)].x;
+    free(along.place);
     for (int i = 0; i < DEPTHS; i++) {
         const double part = (double)i / (DEPTHS - 1);
         measure_place(inputs, last, x, inputs->half_width * part * part, rows);

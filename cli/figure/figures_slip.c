@@ -4,7 +4,6 @@
 #include "figure.h"
 
 #include <math.h>
-#include <stdio.h>
 
 typedef struct {
     const figure_case *inputs;
@@ -14,7 +13,7 @@ typedef struct {
     dataset *rows;
 } loop_case;
 
-enum { LOOP_STEPS = 100 };
+enum { LOOP_STEPS = 100 }; /* as its script has it */
 
 /* Adds the loop from one turning point, or the origin, to the next. */
 static void add_part(const loop_case *loop, double from, double to, const char *part)
@@ -47,22 +46,6 @@ static void compute_loop(const figure_case *inputs, dataset *rows)
     }
 }
 
-/* Dissipated from the first turn to the end: a whole cycle. */
-static double energy_of_cycle(const dataset *rows, int n)
-{
-    size_t first;
-    const size_t count = dataset_curve(rows, n, &first);
-    return rows->row[first + count - 1].number[5] - rows->row[first + LOOP_STEPS].number[5];
-}
-
-static void prepare_loop(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    char energies[FIGURE_NAMES_SIZE] = "";
-    for (int n = 0; n < inputs->value[Q_OVER_FP].count; n++)
-        list_add(energies, sizeof energies, " ", "%.7g", energy_of_cycle(rows, n));
-    script_text(script, "energies", energies);
-}
-
 const figure figure_loop = {
     .name = "loop",
     .summary = "hysteresis loops of a cycle of Q under constant P",
@@ -74,7 +57,6 @@ const figure figure_loop = {
     .compute = compute_loop,
     .drawn = 1 << 3,
     .nothing = "without an amplitude nothing slips",
-    .prepare = prepare_loop,
     .script = loop_lines};
 
 /* ---- Shear tractions under a bulk tension ---- */

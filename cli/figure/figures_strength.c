@@ -79,16 +79,6 @@ static void compute_normal(const figure_case *inputs, dataset *rows)
     }
 }
 
-/* Where the depth jumps, and from which depth; 0 where it does not. */
-static void prepare_normal(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    size_t first;
-    (void)inputs;
-    const bool jumps = dataset_curve(rows, 0, &first) >= 2 && dataset_curve(rows, 1, &first) > 0;
-    script_number(script, "jump", jumps ? rows->row[first].number[0] : 0);
-    script_number(script, "jump_depth", jumps ? rows->row[first].number[3] : 0);
-}
-
 const figure figure_normal = {
     .name = "3",
     .summary = "elastic limit under a normal load, and depth of yield, over a/b",
@@ -96,7 +86,6 @@ const figure figure_normal = {
     .column = (const char *const[]){"a_over_b", "nu", "P_over_bk", "y_over_b", NULL},
     .text_column = "branch",
     .compute = compute_normal,
-    .prepare = prepare_normal,
     .script = normal_lines};
 
 /* ---- Fig. 4 ---- */
@@ -192,10 +181,10 @@ static void compute_yield_point(const figure_case *inputs, dataset *rows)
 /* Which values of a/b have a path, by their numbers, and which have none. */
 static void prepare_yield_point(const figure_case *inputs, const dataset *rows, FILE *script)
 {
+    (void)rows;
     char drawn[4 * FIGURE_CURVES_MAX] = "", missing[sizeof drawn] = "";
     for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
-        size_t first;
-        const bool has_path = dataset_curve(rows, n, &first) > 0;
+        const bool has_path = critical_friction(inputs, n) > 0;
         list_add(has_path ? drawn : missing, sizeof drawn, " ", "%d", n + 1);
     }
     script_text(script, "drawn", drawn);

@@ -3,7 +3,6 @@
 #include "figure.h"
 
 #include <math.h>
-#include <stdio.h>
 
 /* x = sin t in equal steps of t: dense at the edges, where the tractions fall to 0 with a
  * vertical tangent. Below the first step there are eight places a decade, so many as the smallest
@@ -57,33 +56,12 @@ static void compute_pressure(const figure_case *inputs, dataset *rows)
     }
 }
 
-/* An infinite peak is cut, at least so high. */
-enum { SHARP = 10 };
-
-/* Of the finite peaks. */
-static double top_of_pressures(const figure_case *inputs)
-{
-    double top = 0;
-    for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
-        const double alpha = range_value(&inputs->value[A_OVER_B], n);
-        top = fmax(top, alpha == 0 ? SHARP : PI * rwedge_peak_pressure(alpha));
-    }
-    return top;
-}
-
-static void prepare_pressure(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    (void)rows;
-    script_number(script, "top", top_of_pressures(inputs));
-}
-
 const figure figure_pressure = {
     .name = "2",
     .summary = "contact pressure over x/b",
     .use = {[A_OVER_B] = {"0:1:0.1", FIGURE_CURVES_MAX}},
     .column = (const char *const[]){"a_over_b", "x_over_b", "minus_pi_A_p_over_theta", NULL},
     .compute = compute_pressure,
-    .prepare = prepare_pressure,
     .script = pressure_lines};
 
 /* ---- Fig. 6 ---- */
@@ -130,24 +108,6 @@ static void compute_shear(const figure_case *inputs, dataset *rows)
         add_shear(inputs, range_value(&inputs->value[C_OVER_B], n), n, rows);
 }
 
-/* Of the finite peaks. The kinks at the stick zones are to be seen. */
-static double top_of_shear(const figure_case *inputs, const dataset *rows)
-{
-    static const double LITTLE_ABOVE = 1.02;
-    const bool sharp = case_value(inputs, A_OVER_B) == 0;
-    double top = 0;
-    for (size_t i = 0; i < rows->count; i++) {
-        const double c = rows->row[i].number[0], q = rows->row[i].number[2];
-        top = fmax(top, c == 0 && sharp ? SHARP : LITTLE_ABOVE * q);
-    }
-    return top;
-}
-
-static void prepare_shear(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    script_number(script, "top", top_of_shear(inputs, rows));
-}
-
 const figure figure_shear = {
     .name = "7",
     .summary = "shear tractions in partial slip over x/b",
@@ -157,5 +117,4 @@ const figure figure_shear = {
     .compute = compute_shear,
     .drawn = 1 << 2,
     .nothing = "without slip there is no shear traction",
-    .prepare = prepare_shear,
     .script = shear_lines};

@@ -6,7 +6,7 @@
 
 /* ---- The search ---- */
 
-static size_t best_place(const measured *result, int column)
+size_t measured_best(const measured *result, int column)
 {
     size_t best = 0;
     for (size_t i = 0; i < result->count; i++) {
@@ -50,7 +50,7 @@ void worst_find(const measured *result, worst_table *worst)
 {
     const last_cycle *last = worst->last;
     for (int i = 0; i < COLUMN_COUNT; i++) {
-        const size_t best = best_place(result, i);
+        const size_t best = measured_best(result, i);
         const double value = result->place[best].value[i];
         const bool is_worst =
             value > 0 && measure_kinds[i].part == PART_VALUE && column_is_wanted(&last->asked, i);

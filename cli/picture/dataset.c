@@ -9,17 +9,6 @@ void dataset_add(dataset *to, data_row row)
     to->row[to->count++] = row;
 }
 
-size_t dataset_curve(const dataset *data, int number, size_t *first)
-{
-    size_t start = 0, end;
-    while (start < data->count && data->row[start].curve != number)
-        start++;
-    for (end = start; end < data->count && data->row[end].curve == number; end++)
-        continue;
-    *first = start;
-    return end - start;
-}
-
 double dataset_largest(const dataset *data, int column)
 {
     double most = 0;

@@ -31,9 +31,6 @@ typedef struct {
 
 void dataset_add(dataset *to, data_row row);
 
-/* The rows of a curve: where they start, and how many. */
-size_t dataset_curve(const dataset *data, int number, size_t *first);
-
 /* The largest finite number of a column; at least 0. */
 double dataset_largest(const dataset *data, int column);
 

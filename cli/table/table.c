@@ -18,12 +18,13 @@ typedef struct {
 
 typedef struct {
     const table *table;
+    int order[AXES_MAX];        /* its variables, the slowest first */
     range axis[VARIABLE_COUNT]; /* those that the table depends on */
     bool grid;
     int quantity; /* that a grid shows */
     int threads;
-    computed *ahead; /* results, computed by the threads: from index first on */
-    int64_t first, count, taken;
+    computed *ahead; /* by the threads, from index first on */
+    int64_t first;
 } plan;
 
 /* How many values the table computes. */
@@ -48,75 +49,28 @@ static void refuse(const table *chosen, const double value[], int32_t status)
     failure("%s at %s: %s", chosen->name, where, rwedge_strerror(status));
 }
 
-/* ---- What is computed ahead ---- */
+/* ---- Results ---- */
 
 /* The combination of index i; the last axis runs fastest. */
 static void set_combination(const plan *job, int64_t i, double value[])
 {
     for (int axis = job->table->axis_count - 1; axis >= 0; axis--) {
-        const int variable = job->table->axis[axis];
+        const int variable = job->order[axis];
         const range *values = &job->axis[variable];
         value[variable] = range_value(values, i % values->count);
         i /= values->count;
     }
 }
 
-/* The same for a grid: along its rows. */
-static void set_grid_combination(const plan *job, int64_t i, double value[])
-{
-    const range *across = &job->axis[job->table->across];
-    if (table_depends_on(job->table, NU))
-        value[NU] = range_value(&job->axis[NU], 0); /* its one value, unless it runs across */
-    value[A_OVER_B] = range_value(&job->axis[A_OVER_B], i / across->count);
-    value[job->table->across] = range_value(across, i % across->count);
-}
-
 static void compute(void *of_plan, int64_t i)
 {
     const plan *job = of_plan;
     computed *to = &job->ahead[i];
-    (job->grid ? set_grid_combination : set_combination)(job, job->first + i, to->value);
+    set_combination(job, job->first + i, to->value);
     to->status = job->table->row(to->value, to->row);
 }
 
-enum { AHEAD = 128 }; /* results for each thread: they take longer than to begin it */
-
-static void compute_ahead(plan *job)
-{
-    const int64_t most = AHEAD * (int64_t)job->threads;
-    if (job->ahead == NULL)
-        job->ahead = memory_zeroed((size_t)most, sizeof *job->ahead);
-    job->first += job->count;
-    job->count = plan_size(job) - job->first < most ? plan_size(job) - job->first : most;
-    job->taken = 0;
-    threads_run(job->threads, job->count, compute, job);
-}
-
-/* The next row in order; ends the command where it could not be computed. */
-static const computed *next_row(plan *job)
-{
-    if (job->taken == job->count)
-        compute_ahead(job);
-    const computed *next = &job->ahead[job->taken++];
-    progress_step();
-    if (next->status != RWEDGE_OK)
-        refuse(job->table, next->value, next->status);
-    return next;
-}
-
 /* ---- Layouts ---- */
-
-static void write_long(plan *job, records *rows)
-{
-    const int64_t size = plan_size(job);
-    for (int64_t i = 0; i < size && records_go_on(rows); i++) {
-        const computed *next = next_row(job);
-        for (int k = 0; k < VARIABLE_COUNT; k++)
-            if (table_depends_on(job->table, k))
-                records_value(rows, cell_number(next->value[k]));
-        records_row(rows, (size_t)job->table->quantity_count, next->row);
-    }
-}
 
 static void write_long_header(const plan *job, records *rows)
 {
@@ -126,45 +80,65 @@ static void write_long_header(const plan *job, records *rows)
     records_header(rows, (size_t)job->table->quantity_count, job->table->quantity);
 }
 
-/* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
-static void name_across(const plan *job, const records *rows, int64_t i, char name[NUMBER_SIZE])
+static void write_long(const plan *job, records *rows, const computed *result)
 {
-    number_write(range_value(&job->axis[job->table->across], i), NUMBER_DIGITS, rows->decimal_sign,
-                 name);
+    for (int k = 0; k < VARIABLE_COUNT; k++)
+        if (table_depends_on(job->table, k))
+            records_value(rows, cell_number(result->value[k]));
+    records_row(rows, (size_t)job->table->quantity_count, result->row);
 }
 
+/* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
 static void write_grid_header(const plan *job, records *rows)
 {
+    const range *across = &job->axis[job->table->across];
     records_name(rows, job->table->quantity[job->quantity]);
-    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++) {
+    for (int64_t i = 0; i < across->count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
-        name_across(job, rows, i, name);
+        number_write(range_value(across, i), NUMBER_DIGITS, rows->decimal_sign, name);
         records_name(rows, name);
     }
     records_end_header(rows);
 }
 
-static void write_grid_row(plan *job, records *rows, double a_over_b)
+/* The result of index i: those of a row stand across, behind a/b. */
+static void write_in_grid(const plan *job, records *rows, const computed *result, int64_t i)
 {
-    records_value(rows, cell_number(a_over_b));
-    for (int64_t i = 0; i < job->axis[job->table->across].count && records_go_on(rows); i++)
-        records_value(rows, next_row(job)->row[job->quantity]);
-    records_end_row(rows);
+    const int64_t across = job->axis[job->table->across].count;
+    if (i % across == 0)
+        records_value(rows, cell_number(result->value[A_OVER_B]));
+    records_value(rows, result->row[job->quantity]);
+    if ((i + 1) % across == 0)
+        records_end_row(rows);
 }
 
-static void write_grid(plan *job, records *rows)
+static void write_result(const plan *job, records *rows, int64_t i)
 {
-    for (int64_t i = 0; i < job->axis[A_OVER_B].count && records_go_on(rows); i++)
-        write_grid_row(job, rows, range_value(&job->axis[A_OVER_B], i));
+    const computed *result = &job->ahead[i - job->first];
+    if (result->status != RWEDGE_OK)
+        refuse(job->table, result->value, result->status);
+    if (job->grid)
+        write_in_grid(job, rows, result, i);
+    else
+        write_long(job, rows, result);
+    progress_step();
 }
 
 static void plan_write(void *plan_to_write, records *rows)
 {
+    enum { AHEAD = 128 }; /* results for each thread: they take longer than to begin it */
     plan *job = plan_to_write;
-    progress_start(rows->show_progress, plan_size(job), job->grid ? "values" : "rows");
+    const int64_t size = plan_size(job), most = AHEAD * (int64_t)job->threads;
+    job->ahead = memory_zeroed((size_t)most, sizeof *job->ahead);
+    progress_start(rows->show_progress, size, job->grid ? "values" : "rows");
     records_describe(rows, table_columns, COLUMN_KINDS);
     (job->grid ? write_grid_header : write_long_header)(job, rows);
-    (job->grid ? write_grid : write_long)(job, rows);
+    for (job->first = 0; job->first < size && records_go_on(rows); job->first += most) {
+        const int64_t end = size - job->first < most ? size : job->first + most;
+        threads_run(job->threads, end - job->first, compute, job);
+        for (int64_t i = job->first; i < end && records_go_on(rows); i++)
+            write_result(job, rows, i);
+    }
 }
 
 /* ---- The command ---- */
@@ -246,7 +220,7 @@ static void choose_table(const arguments *line, plan *job)
         list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (line->operand == NULL || line->operand[0] == NULL)
         usage_error("the name of a table must follow; allowed: %s", allowed);
-    job->table = table_named(line->operand[0]);
+    job->table = table_named(line->operand[0], false);
     if (job->table == NULL)
         usage_error("%s: unknown table; allowed: %s", line->operand[0], allowed);
     if (line->operand[1] != NULL)
@@ -260,7 +234,7 @@ static void choose_pad(const arguments *line, plan *job)
         return;
     if (strcmp(text, "flat") != 0)
         usage_error("--pad %s: unknown pad; allowed: wedge, flat", text);
-    const table *of_flat = table_of_flat(job->table->name);
+    const table *of_flat = table_named(job->table->name, true);
     if (of_flat == NULL)
         usage_error("--pad flat: not for %s; allowed: elastic-limit, contact-law",
                     job->table->name);
@@ -313,6 +287,18 @@ static void check_grid(const arguments *line, const plan *job)
             line->value[OPTION_VARIABLE + NU]);
 }
 
+/* In a grid the variable across runs fastest. */
+static void order_axes(plan *job)
+{
+    const table *chosen = job->table;
+    int n = 0;
+    for (int i = 0; i < chosen->axis_count; i++)
+        if (!job->grid || chosen->axis[i] != chosen->across)
+            job->order[n++] = chosen->axis[i];
+    if (job->grid)
+        job->order[n] = chosen->across;
+}
+
 static void read_layout(const arguments *line, plan *job)
 {
     const char *text = line->value[OPTION_LAYOUT];
@@ -321,6 +307,7 @@ static void read_layout(const arguments *line, plan *job)
         usage_error("--layout %s: unknown layout; allowed: long, grid", text);
     if (job->grid)
         check_grid(line, job);
+    order_axes(job);
 }
 
 static void read_quantity(const arguments *line, plan *job)

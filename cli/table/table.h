@@ -31,9 +31,8 @@ extern const table tables[TABLE_COUNT];
 /* Of all tables. */
 extern const column_kind table_columns[COLUMN_KINDS];
 
-/* The table of a name; NULL where there is none. The second function is for a flat pad. */
-const table *table_named(const char *name);
-const table *table_of_flat(const char *name);
+/* The table of a name, of the wedge or of a flat pad; NULL where there is none. */
+const table *table_named(const char *name, bool is_flat);
 
 /* One of its variables. */
 const table_variable *table_variable_of(const table *chosen, int variable);

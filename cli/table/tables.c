@@ -279,22 +279,12 @@ const column_kind table_columns[COLUMN_KINDS] = {
     {"middle_pressure", "pressure at x = 0", "b/(A R)"},
 };
 
-static const table *named(const char *name, int from, int to)
+const table *table_named(const char *name, bool is_flat)
 {
-    for (int i = from; i < to; i++)
-        if (strcmp(tables[i].name, name) == 0)
+    for (int i = 0; i < TABLE_COUNT; i++)
+        if (strcmp(tables[i].name, name) == 0 && (tables[i].ratio != NULL) == is_flat)
             return &tables[i];
     return NULL;
-}
-
-const table *table_named(const char *name)
-{
-    return named(name, 0, WEDGE_TABLES);
-}
-
-const table *table_of_flat(const char *name)
-{
-    return named(name, WEDGE_TABLES, TABLE_COUNT);
 }
 
 const table_variable *table_variable_of(const table *chosen, int variable)

@@ -186,7 +186,7 @@ static double quantity(const table *from, const char *name, const double value[]
 static void write_grid(sheets *on, const char *const f[])
 {
     enum { TABLE = TEXT, QUANTITY, DOWN, ACROSS, GRID_NAME };
-    const table *from = table_named(f[TABLE]);
+    const table *from = table_named(f[TABLE], false);
     const int down = variable_named(f[DOWN]), across = variable_named(f[ACROSS]);
     const int columns = across < VARIABLE_COUNT ? (int)on->across.count : 1;
     double value[VARIABLE_COUNT + 1] = {[NU] = 0.3};

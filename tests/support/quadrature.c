@@ -6,6 +6,8 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum { INTERVALS = 2000 };
 static const double PI = 3.14159265358979323846;
@@ -51,12 +53,20 @@ static int cauchy(gsl_function *f, const double *where, gsl_integration_workspac
                                 error);
 }
 
+static int compare(const void *first, const void *second)
+{
+    const double a = *(const double *)first, b = *(const double *)second;
+    return (a > b) - (a < b);
+}
+
 double integral(integrand f, const void *context, size_t n, const double points[])
 {
-    double sum = 0;
+    double sum = 0, at[64];
+    memcpy(at, points, (n + 1) * sizeof *at);
+    qsort(at, n + 1, sizeof *at, compare);
     for (size_t i = 0; i < n; i++)
-        if (points[i] < points[i + 1])
-            sum += quietly(piece, f, context, &points[i]);
+        if (at[i] < at[i + 1])
+            sum += quietly(piece, f, context, &at[i]);
     return sum;
 }
 
@@ -91,12 +101,6 @@ void flamant_stress(const tractions_case *tractions, double x, double y, double 
                  here = asin(fmax(-1, fmin(1, x)));
     double points[] = {-PI / 2, -a, -c, 0, c, a, PI / 2, here};
     enum { N = sizeof points / sizeof points[0] };
-    for (int i = 1; i < N; i++) /* sorted by insertion */
-        for (int j = i; j > 0 && points[j - 1] > points[j]; j--) {
-            const double swap = points[j];
-            points[j] = points[j - 1];
-            points[j - 1] = swap;
-        }
     flamant context = {*tractions, x, y, 0};
     for (context.component = 0; context.component < 3; context.component++)
         stress[context.component] = integral(point_force, &context, N - 1, points);

@@ -8,8 +8,8 @@
 
 typedef double (*integrand)(double t, const void *context);
 
-/* int f over the pieces between n+1 ascending points; ends of pieces may be integrably singular.
- * To about 1e-13 relative. */
+/* int f over the pieces between n+1 <= 64 points, in any order; ends of pieces may be integrably
+ * singular. To about 1e-13 relative. */
 double integral(integrand f, const void *context, size_t n, const double points[]);
 
 /* Cauchy principal value of int f(t)/(t-x) dt over [a, b], a < x < b. */

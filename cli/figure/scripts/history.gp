@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+stats $rows using 2:3 nooutput
+at_x = STATS_min_x
+at_y = STATS_min_y
 title = "Stresses at ".it("x")." = ".said("%.6g", at_x).", ".it("y")." = ".said("%.6g", at_y)
 xtext = "load"
 ytext = "stress"

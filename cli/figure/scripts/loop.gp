@@ -5,6 +5,14 @@ xtext = "displacement by slip / (".it("f")."θ".it("b").")"
 ytext = it("Q")."/(".it("fP").")"
 stats $rows using 4 nooutput
 reach = STATS_max
+# dissipated from the first turn, the row 100, to the end: a whole cycle
+energies = ""
+do for [n=1:words(Q_over_fP)] {
+    stats $rows index n - 1 using 6 nooutput
+    all = STATS_max
+    stats $rows index n - 1 every ::100::100 using 6 nooutput
+    energies = energies.sprintf(" %.7g", all - STATS_max)
+}
 set xrange [-1.05*reach:1.05*reach]
 set xtics tic(2.1*reach)
 set yrange [-1.1:1.1]

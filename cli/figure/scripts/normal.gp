@@ -2,6 +2,15 @@
 title = "Elastic limit under a normal load, ν = ".nu
 xtext = it("a")."/".it("b")
 ytext = it("P")."/(".it("bk").")"
+# where the depth jumps, and from which depth: the first curve is of the surface, and begins with the sharp wedge
+jump = jump_depth = 0
+stats $rows using 1 nooutput
+if (STATS_blocks > 1) {
+    stats $rows index 0 using 1 nooutput
+    records = STATS_records
+    stats $rows index 1 every ::0::0 using 1:4 nooutput
+    if (records > 1) { jump = STATS_min_x; jump_depth = STATS_min_y }
+}
 limit = depth = last = NaN # at some a/b
 stats $rows using (limit = (limit == limit || $1 < 0.42 ? limit : $3)) nooutput
 stats $rows using (depth = (depth == depth || $1 < 0.66 ? depth : $4)) nooutput

@@ -126,15 +126,10 @@ run fretting cycle.csv $specimen --load 135.75,0 --yield-stress 500 --at 0,0
 same "within its strength" 1 "$(wc -l <err | tr -d ' ')"
 run fretting cycle.csv $specimen --load 2000,0 --load 135.75,0 --yield-stress 500 --at 0,0
 message_has "rwedge fretting: P is above P_yield: the contact yields in full sliding"
-for load in 135.75 135.75,0,0 nan,0 135.75,x; do
-    refuses "--load $load: must be numbers P,Q or P,M,Q,sigma" fretting cycle.csv $specimen --load 135.75,0 --load $load
-done
 refuses "--load 135.75,41: Q 41: must not exceed f P = 40.725: there is no equilibrium" \
     fretting cycle.csv $specimen --until --load 135.75,0 --load 135.75,41
 refuses "cycle.csv: given together with --history; allowed: one of the two" \
     fretting cycle.csv $specimen --history all.csv --load 135.75,0
-refuses "--P 3: given together with --history, which has the loads; allowed: one of the two" \
-    fretting cycle.csv $specimen --load 135.75,0 --P 3
 cannot "cycle.csv: line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma; without --exact it is computed" \
     fretting cycle.csv $specimen --load 135.75,0 --load 0,0 --exact
 
@@ -301,7 +296,6 @@ refuses "--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx"
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
 cannot "bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
 refuses "--fs-k 1: needs --k or --yield-stress" fretting sharp.csv $specimen --fs-k 1
-refuses "--threads 0: must be a whole number from 1 to 256" fretting sharp.csv $specimen --threads 0
 refuses "--depth -1: depths must not be below 0" fretting sharp.csv $specimen --depth=-1
 refuses "--x: missing; there is no contact in the cycle to take places from" fretting $specimen --load 0,0
 

@@ -109,8 +109,6 @@ does history bad.csv $specimen --exact --until
 message_has "bad.csv: line 3: no closed form: one edge"
 message_has "; the results end before it"
 same "rows" 2 "$(wc -l <out | tr -d ' ')"
-fails "line 3: Q 31: must not exceed f P = 30: there is no equilibrium" 'P,Q\n100,0\n100,31\n'
-fails "line 2: P -100: must not be below 0, and Q must be 0 where P is" 'P,Q\n-100,0\n'
 printf 'P,Q,T\n100,10,5\n100,-10,x\n' >unused.csv
 run history unused.csv $specimen
 message_is "rwedge history: unused.csv: columns with numbers that are not used: 'T'"

@@ -82,7 +82,7 @@ same "points by default" 202 "$(wc -l <out | tr -d ' ')"
 # A history that cannot be.
 refuses "--load 300,100: Q 100: must not exceed f P = 90: there is no equilibrium" profile $wedge --load 300,0 --load 300,100
 refuses "--load -1,0: P -1: must not be below 0, and Q must be 0 where P is" profile $wedge --load -1,0
-for text in 300 300, ,1 300,1,2 300,1,2,3,4 300:1 "300, 1" "" a,b; do
+for text in 300 300, ,1 nan,0 300,x 300,1,2 300,1,2,3,4 300:1 "300, 1" "" a,b; do
     refuses "--load $text: must be numbers P,Q or P,M,Q,sigma" profile $wedge --load 300,0 --load "$text"
 done
 history_fails() { # MESSAGE TEXT
@@ -90,6 +90,7 @@ history_fails() { # MESSAGE TEXT
     cannot "bad.csv: $1" profile $wedge --history bad.csv
     output_is ""
 }
+history_fails "line 3: Q 100: must not exceed f P = 90: there is no equilibrium" 'P,Q\n300,0\n300,100\n'
 history_fails "line 3: Q x: must be a number, with a decimal point" 'P,Q\n300,0\n300,x\n'
 history_fails "line 2: 1 cells in this row, 2 in the header" 'P,Q\n300\n'
 history_fails "line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" \

@@ -168,22 +168,6 @@ CLAIM(what_is_refused_leaves_what_was_computed)
     assert_true(shear(narrow, 0.5) == 0);
 }
 
-/* Where nothing sticks there was no zone to begin from. */
-CLAIM(a_load_after_full_sliding_is_computed)
-{
-    rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-5);
-    apply(whole, 4, 0, 0, 0);
-    apply(parts, 4, 0, 0, 0);
-    apply(whole, 4, 0, 2, 0);
-    apply(parts, 4, 0, 2, 0);
-    apply(whole, 4, 0, 1.5, 0.4);
-    for (int i = 1; i <= 5; i++)
-        apply(parts, 4, 0, 2 - 0.1 * i, 0.08 * i);
-    assert_true(rwedge_contact_error(whole) > 0);
-    for (int i = -9; i <= 9; i++)
-        assert_within(shear(whole, i / 5.0), shear(parts, i / 5.0), 3e-4 * F);
-}
-
 /* Q alone, farther than all that was computed: the way there is forgotten. */
 CLAIM(a_load_that_slips_past_all_that_was_computed_ends_it)
 {

@@ -66,29 +66,39 @@ double rw_root(rw_function f, const void *context, double lo, double hi, double 
 
 /* ---- Integrals ---- */
 
-enum { PAIRS = 8 };
+/* Zeros below 0 of the Legendre polynomials P_8 and P_16, and half of the weights 2/((1-x^2)
+ * P'(x)^2). */
+typedef double half_rule[2];
+static const half_rule OF_8[] = {{-0.96028985649753623168, 0.050614268145188129576},
+                                 {-0.79666647741362673959, 0.11119051722668723527},
+                                 {-0.52553240991632898582, 0.15685332293894364367},
+                                 {-0.18343464249564980494, 0.18134189168918099148}};
+static const half_rule OF_16[] = {{-0.9894009349916499326, 0.013576229705877047426},
+                                  {-0.94457502307323257608, 0.031126761969323946431},
+                                  {-0.86563120238783174388, 0.047579255841246392405},
+                                  {-0.7554044083550030339, 0.062314485627766936026},
+                                  {-0.61787624440264374845, 0.074797994408288366041},
+                                  {-0.45801677765722738634, 0.084578259697501269095},
+                                  {-0.28160355077925891323, 0.091301707522461794433},
+                                  {-0.095012509837637440185, 0.094725305227534248143}};
 
-/* Positive zeros of the Legendre polynomial P_16, and their weights 2/((1-x^2) P'(x)^2). */
-static const struct {
-    double node, weight;
-} RULE[PAIRS] = {
-    {0.095012509837637440185, 0.18945061045506849629},
-    {0.28160355077925891323, 0.18260341504492358887},
-    {0.45801677765722738634, 0.16915651939500253819},
-    {0.61787624440264374845, 0.14959598881657673208},
-    {0.7554044083550030339, 0.12462897125553387205},
-    {0.86563120238783174388, 0.09515851168249278481},
-    {0.94457502307323257608, 0.062253523938647892863},
-    {0.9894009349916499326, 0.027152459411754094852},
-};
+void rw_gauss(int n, double node[], double weight[])
+{
+    const half_rule *rule = n == 16 ? OF_16 : OF_8;
+    for (int i = 0; i < n / 2; i++) {
+        node[i] = (1 + rule[i][0]) / 2;
+        node[n - 1 - i] = (1 - rule[i][0]) / 2;
+        weight[i] = weight[n - 1 - i] = rule[i][1];
+    }
+}
 
 double rw_integral(rw_function f, const void *context, double lo, double hi)
 {
     const double middle = lo + (hi - lo) / 2, half = (hi - lo) / 2;
     double sum = 0;
-    for (int i = 0; i < PAIRS; i++) {
-        const double offset = half * RULE[i].node;
-        sum += RULE[i].weight * (f(middle - offset, context) + f(middle + offset, context));
+    for (int i = 8; i-- > 0;) {
+        const double offset = half * -OF_16[i][0];
+        sum += OF_16[i][1] * (f(middle - offset, context) + f(middle + offset, context));
     }
-    return half * sum;
+    return half * sum * 2;
 }

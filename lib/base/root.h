@@ -11,6 +11,9 @@ typedef double (*rw_function)(double x, const void *context);
  * finite. */
 double rw_root(rw_function f, const void *context, double lo, double hi, double nearest);
 
+/* Gauss's nodes and weights for 0 to 1; n is 8 or 16. */
+void rw_gauss(int n, double node[], double weight[]);
+
 /* The integral of f over [lo, hi] by Gauss and Legendre with 16 points. It is exact for polynomials
  * of degree 31. It is exact to the last bits if the nearest singularity of f is at least half the
  * length of the interval away from it. */

@@ -20,22 +20,6 @@ int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact 
     return RWEDGE_OK;
 }
 
-int32_t rw_contact_create_like(const rwedge_contact *contact, rwedge_contact **like)
-{
-    rw_geometry geometry = contact->geometry;
-    if (geometry.pad) {
-        geometry.pad = rw_pad_copy(geometry.pad);
-        if (!geometry.pad)
-            return RWEDGE_ENOMEM;
-    }
-    const int32_t status = rw_contact_create(&geometry, contact->f, like);
-    if (status != RWEDGE_OK)
-        rw_pad_destroy(geometry.pad);
-    else
-        (*like)->strain = contact->strain;
-    return status;
-}
-
 int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
 {
     const rw_geometry geometry = {.theta = theta, .a = a, .A = A};

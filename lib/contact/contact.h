@@ -71,9 +71,6 @@ void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b);
 /* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);
 
-/* A contact like another, without load, with its own copy of the pad. */
-int32_t rw_contact_create_like(const rwedge_contact *contact, rwedge_contact **like);
-
 /* A pad with room for `count` arcs. NULL where memory is short. */
 rw_pad *rw_pad_create(size_t count);
 rw_pad *rw_pad_copy(const rw_pad *pad);

@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What never slips in a straight cycle between two loads. */
-#include "contact/contact.h"
+#include "contact/numerical.h"
 
-/* The first tension acts before the bodies touch, and so moves nothing. */
+/* A contact like another, in closed form from touching on. The first tension acts before the bodies
+ * touch, and so moves nothing. */
 static int32_t load_once(const rwedge_contact *like, rw_loads to, rwedge_contact **contact)
 {
-    int32_t status = rw_contact_create_like(like, contact);
-    if (status == RWEDGE_OK)
+    int32_t status = rwedge_contact_copy(like, contact);
+    if (status == RWEDGE_OK) {
+        rw_numerical_end(*contact);
+        (*contact)->tolerance = (*contact)->energy = 0;
         status = rwedge_contact_apply(*contact, 0, 0, 0, to.sigma);
+    }
     if (status == RWEDGE_OK)
         status = rwedge_contact_apply(*contact, to.P, to.M, 0, to.sigma);
     return status == RWEDGE_OK ? rwedge_contact_apply(*contact, to.P, to.M, to.Q, to.sigma)

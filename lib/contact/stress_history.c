@@ -7,7 +7,6 @@
 #include "stress/stress.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 typedef struct {
     rw_patch patch;
@@ -56,14 +55,9 @@ static bool reserve(pieces *p, size_t more)
     return true;
 }
 
-static bool is_same_patch(rw_patch a, rw_patch b)
-{
-    return memcmp(&a, &b, sizeof a) == 0;
-}
-
 static bool is_same(const piece *a, const piece *b)
 {
-    return a->weight == b->weight && is_same_patch(a->patch, b->patch);
+    return a->weight == b->weight && rw_patch_is_same(a->patch, b->patch);
 }
 
 static bool note(record *r, const rwedge_contact *contact)
@@ -113,7 +107,7 @@ typedef struct {
 static void add_piece(const block *b, size_t at, const piece *next)
 {
     level *l = &b->levels[at];
-    if (!is_same_patch(l->patch, next->patch)) {
+    if (!rw_patch_is_same(l->patch, next->patch)) {
         l->patch = next->patch;
         rw_patch_fields(b->geometry, next->patch, b->n, b->x, b->y, &l->field);
     }
@@ -125,7 +119,7 @@ static void add_piece(const block *b, size_t at, const piece *next)
 static void move_contact(const block *b, size_t to, const piece *contact)
 {
     const level *from = &b->levels[b->top];
-    if (to == b->top || !is_same_patch(from->patch, contact->patch))
+    if (to == b->top || !rw_patch_is_same(from->patch, contact->patch))
         return;
     b->levels[to].patch = from->patch;
     b->levels[to].field = from->field;

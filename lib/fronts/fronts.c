@@ -25,10 +25,9 @@ static bool find_layers(rw_fronts *f, const double ratio[2])
     for (int side = 0; side < 2; side++) {
         if (!f->sticks_to_edge[side])
             continue;
-        const double growth = side ? p->to.right - p->from.right : p->from.left - p->to.left;
         row_side[n] = side, row_after[n] = 1;
         B[column++][n++] = 1;
-        if (!isfinite(ratio[side]) || growth < LEAST_GROWTH * p->half)
+        if (!isfinite(ratio[side]) || p->growth[side] < LEAST_GROWTH * p->half)
             continue;
         row_side[n] = side, row_after[n] = 0;
         B[0][n++] = ratio[side];

@@ -78,15 +78,6 @@ static double angle_of(const rw_grid *g, int i)
     return RW_PI * (i + 0.5) / g->n;
 }
 
-static int old_label(const rw_problem *p, double x)
-{
-    const rw_zones *zones = &p->old->zones;
-    for (int i = 0; i < zones->count; i++)
-        if (x <= zones->zone[i].right)
-            return x >= zones->zone[i].left ? zones->zone[i].label : 0;
-    return 0;
-}
-
 /* After full sliding all places stick at first. */
 static void release_where_nothing_sticks(rw_grid *g)
 {
@@ -114,7 +105,9 @@ static double prepare(rw_grid *g, const rw_problem *p, const rw_layers *layers, 
         g->upper[i] = (friction - base) * stretching;
         g->lower[i] = (-friction - base) * stretching;
         g->strain[i] = stretch * (x - p->middle);
-        g->label[i] = friction > 0 ? old_label(p, x) : RW_GONE;
+        g->label[i] = !(friction > 0)            ? RW_GONE
+                      : rw_patch_has(p->from, x) ? rw_zones_label(&p->old->zones, x)
+                                                 : 0;
         scale = fmax(scale, fmax(fabs(g->upper[i]), fabs(g->lower[i])));
     }
     release_where_nothing_sticks(g);

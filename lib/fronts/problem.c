@@ -16,6 +16,26 @@ void rw_zones_insert(rw_zones *z, int i, rw_zone zone)
     z->count++;
 }
 
+int rw_zones_label(const rw_zones *z, double x)
+{
+    int i = 0;
+    while (i + 1 < z->count && x > z->zone[i].right)
+        i++;
+    return z->zone[i].label;
+}
+
+rw_patch rw_zones_widest_stick(const rw_zones *z, rw_patch patch)
+{
+    rw_patch widest = {patch.left, patch.left};
+    for (int i = 0; i < z->count; i++) {
+        const rw_patch part = {fmax(patch.left, z->zone[i].left),
+                               fmin(patch.right, z->zone[i].right)};
+        if (z->zone[i].label == 0 && part.right - part.left > widest.right - widest.left)
+            widest = part;
+    }
+    return widest;
+}
+
 /* Edges that differ by less than this, over the width, count as one place. */
 static const double SAME_EDGE = 1e-12;
 
@@ -193,12 +213,14 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
                       .before = before,
                       .after = after,
                       .is_still = rw_patch_is_same(from, to),
-                      .grows = {to.left<from.left - slack, to.right> from.right + slack},
+                      .growth = {from.left - to.left, to.right - from.right},
                       .middle = rw_patch_middle(to),
                       .half = rw_patch_half_width(to),
                       .shear = shear,
                       .stretch = stretch,
                       .old = old};
+    for (int i = 0; i < 2; i++)
+        p->grows[i] = p->growth[i] > slack;
     for (int i = 0; i < 2 && (p->grows[0] || p->grows[1]); i++)
         note_patch(p, i);
 }

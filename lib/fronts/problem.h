@@ -35,6 +35,11 @@ typedef struct {
  * found. */
 void rw_zones_insert(rw_zones *zones, int i, rw_zone zone);
 
+/* The label at a place of the contact; the widest part of a patch that sticks, without width where
+ * none does. */
+int rw_zones_label(const rw_zones *zones, double x);
+rw_patch rw_zones_widest_stick(const rw_zones *zones, rw_patch patch);
+
 /* A shear traction that has no closed form, with its zones. Kinks are places where it is not
  * smooth. */
 typedef struct {
@@ -53,7 +58,8 @@ typedef struct {
     rw_patch from, to, both; /* the contact before and after the step; both: their union */
     const rw_friction *before, *after;
     bool is_still;                           /* from and to are the same */
-    bool grows[2];                           /* at the left, right edge */
+    double growth[2];                        /* at the left, right edge: how far it moves */
+    bool grows[2];                           /* outwards, by more than rounding */
     double load[RW_LAYERS], tilt[RW_LAYERS]; /* of the layers: lengths, theta */
     rw_layer_rest rest[RW_LAYERS][2];        /* before and after */
     double ratio[RW_LAYERS][2][2]; /* layers over friction: at the edges, before and after */

@@ -109,18 +109,10 @@ void rw_numerical_rescale(rw_numerical *n, double factor)
         n->error[i] = fmin(MOST_ERROR, factor * n->error[i]);
 }
 
-static bool sticks_at(const rw_zones *zones, double x)
-{
-    int i = 0;
-    while (i + 1 < zones->count && x > zones->zone[i].right)
-        i++;
-    return zones->zone[i].label == 0;
-}
-
 void rw_numerical_add_error(rw_numerical *n, double error)
 {
     for (int i = 0; i < RW_PLACES; i++)
-        if (sticks_at(&n->now.shear.zones, rw_place(n->now.contact, i)))
+        if (rw_zones_label(&n->now.shear.zones, rw_place(n->now.contact, i)) == 0)
             n->error[i] = hypot(n->error[i], error);
 }
 
@@ -144,7 +136,7 @@ static void note_error(rw_numerical *n, const rw_numerical_state *s, double tole
     const double fit = ELEMENTS * tolerance, random = hypot(s->error, fit);
     for (int i = 0; i < RW_PLACES; i++) {
         const double x = rw_place(s->contact, i), before = error_at(n, x);
-        error[i] = !sticks_at(&s->shear.zones, x)  ? random
+        error[i] = rw_zones_label(&s->shear.zones, x) != 0 ? random
                    : rw_patch_has(s->unslipped, x) ? fmax(hypot(before, fit), random + s->apart[i])
                                                    : hypot(before, random) + s->apart[i];
     }
@@ -174,7 +166,8 @@ static double origin_between(const rw_numerical_state *from, const rw_numerical_
 static double new_origin(double x, const void *context)
 {
     const growth *g = context;
-    if (sticks_at(&g->half->shear.zones, x) && sticks_at(&g->now->shear.zones, x))
+    if (rw_zones_label(&g->half->shear.zones, x) == 0 &&
+        rw_zones_label(&g->now->shear.zones, x) == 0)
         return -displacement(g->now, x);
     return rw_patch_has(g->half->contact, x) ? origin_between(&g->numerical->now, g->half, x)
                                              : origin_between(g->half, g->now, x);

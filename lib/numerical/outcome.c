@@ -46,19 +46,11 @@ typedef struct {
     const rw_layers *layers; /* of the grid */
 } after;
 
-static int label_at(const rw_zones *zones, double x)
-{
-    int i = 0;
-    while (i + 1 < zones->count && x > zones->zone[i].right)
-        i++;
-    return zones->zone[i].label;
-}
-
 /* The places are of one zone: its ends are breaks. */
 static void traction_after(const double x[], const void *context, double t[])
 {
     const after *n = context;
-    const int label = label_at(n->zones, x[RW_TERMS / 2]);
+    const int label = rw_zones_label(n->zones, x[RW_TERMS / 2]);
     double F[RW_TERMS];
     if (label == 0 && !n->grid) {
         rw_fronts_stick_traction(n->fronts, &n->stuck, RW_TERMS, x, t);
@@ -198,29 +190,15 @@ static void check_friction(const rw_problem *p, rw_outcome *o, double from, doub
         add_slip(o, label, begun, to);
 }
 
-/* A place that sticks and was in contact before: its dw is the constant of all that sticks. */
-static bool anchor(const rw_problem *p, const rw_zones *zones, double *x)
-{
-    double widest = 0;
-    for (int i = 0; i < zones->count; i++) {
-        const double left = fmax(zones->zone[i].left, p->from.left);
-        const double right = fmin(zones->zone[i].right, p->from.right);
-        if (zones->zone[i].label == 0 && right - left > widest) {
-            widest = right - left;
-            *x = left + 0.37 * widest;
-        }
-    }
-    return widest > 0;
-}
-
-/* NaN where no such place is left. */
+/* That of a place that sticks and was in contact before: dw is the constant of all that sticks. NaN
+ * where no such place is left. */
 static double rigid_move(const rw_problem *p, const rw_shear_state *s)
 {
-    double x = p->middle;
-    return anchor(p, &s->zones, &x)
-               ? rw_traction_displacement(&s->traction, x) -
-                     rw_traction_displacement(&p->old->traction, x) + p->stretch * x
-               : NAN;
+    const rw_patch stuck = rw_zones_widest_stick(&s->zones, p->from);
+    const double width = stuck.right - stuck.left, x = stuck.left + 0.37 * width;
+    return width > 0 ? rw_traction_displacement(&s->traction, x) -
+                           rw_traction_displacement(&p->old->traction, x) + p->stretch * x
+                     : NAN;
 }
 
 /* ---- Slip ---- */
@@ -369,7 +347,7 @@ static bool complete(const after *n, rw_outcome *o)
     if (!o->is_short) {
         balance(p, &o->state);
         for (int i = 0; i + 1 < breaks; i++)
-            if (label_at(n->zones, at[i] / 2 + at[i + 1] / 2) == 0)
+            if (rw_zones_label(n->zones, at[i] / 2 + at[i + 1] / 2) == 0)
                 check_friction(p, o, at[i], at[i + 1]);
         check_slips(n, o);
         o->move = rigid_move(p, &o->state); /* a sum over all elements, as the energy is */

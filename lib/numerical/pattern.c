@@ -15,6 +15,24 @@ static void remove_at(rw_zones *z, int i)
     memmove(z->zone + i, z->zone + i + 1, (size_t)(z->count - i) * sizeof *z->zone);
 }
 
+/* Gives a part of the zones its label. */
+static void insert_part(rw_zones *z, rw_zone part)
+{
+    rw_zones new = {.count = 0};
+    for (int i = 0; i < z->count; i++) {
+        const rw_zone zone = z->zone[i];
+        const double left = fmax(zone.left, part.left), right = fmin(zone.right, part.right);
+        const bool is_changed = left < right && zone.label != part.label;
+        const rw_zone pieces[3] = {{zone.label, zone.left, is_changed ? left : zone.right},
+                                   {part.label, left, right},
+                                   {zone.label, right, zone.right}};
+        for (int k = 0; k < (is_changed ? 3 : 1); k++)
+            if (pieces[k].right > pieces[k].left)
+                rw_zones_insert(&new, new.count, pieces[k]);
+    }
+    *z = new;
+}
+
 void rw_pattern_clean(rw_zones *z, double least)
 {
     for (int i = 0; i + 1 < z->count;) {
@@ -44,42 +62,24 @@ static int edge_sign(const rw_problem *p, int side)
     return from_load - (side ? 1 : -1) * from_stretch > 0 ? 1 : -1;
 }
 
-/* One zone as wide as an angle or so slips; `sign` 0: none. */
+/* One zone as wide as an angle or so slips. false where it does already, for a flipped sign. */
 static bool slip_at_edge(const rw_problem *p, rw_zones *z, int side, bool flipped, double angle)
 {
-    rw_zone *last = side ? &z->zone[z->count - 1] : &z->zone[0];
-    if (last->label != 0)
+    const rw_zone last = z->zone[side ? z->count - 1 : 0];
+    if (last.label != 0)
         return !flipped;
     const int label = flipped ? -edge_sign(p, side) : edge_sign(p, side);
-    const double part = fmin(0.3 * angle, 0.3 * width(*last));
-    if (side) {
-        last->right -= part;
-        rw_zones_insert(z, z->count, (rw_zone){label, last->right, last->right + part});
-    } else {
-        last->left += part;
-        rw_zones_insert(z, 0, (rw_zone){label, last->left - part, last->left});
-    }
+    const double part = fmin(0.3 * angle, 0.3 * width(last));
+    insert_part(z, side ? (rw_zone){label, last.right - part, last.right}
+                        : (rw_zone){label, last.left, last.left + part});
     return true;
-}
-
-static void stick_to_edge(rw_zones *z, int side)
-{
-    const int at = side ? z->count - 1 : 0, next = side ? at - 1 : 1;
-    if (z->zone[at].label == 0)
-        return;
-    if (side)
-        z->zone[next].right = z->zone[at].right;
-    else
-        z->zone[next].left = z->zone[at].left;
-    remove_at(z, at);
 }
 
 /* Whether a growing edge sticks at first trial: its slip is only a few angles wide. */
 static bool seems_stuck(const rw_problem *p, const rw_zones *z, int side, double angle)
 {
     const rw_zone last = side ? z->zone[z->count - 1] : z->zone[0];
-    const double grown = side ? p->to.right - p->from.right : p->from.left - p->to.left;
-    return p->grows[side] && (last.label == 0 || width(last) < 6 * angle + 3 * grown);
+    return p->grows[side] && (last.label == 0 || width(last) < 6 * angle + 3 * p->growth[side]);
 }
 
 bool rw_pattern_variant(const rw_problem *p, const rw_zones *z, double angle, int number,
@@ -93,7 +93,7 @@ bool rw_pattern_variant(const rw_problem *p, const rw_zones *z, double angle, in
         if ((!may_stick && (bits & 2) != 0) || (sticks && flipped))
             return false;
         if (sticks)
-            stick_to_edge(variant, side);
+            variant->zone[side ? variant->count - 1 : 0].label = 0;
         else if (!slip_at_edge(p, variant, side, flipped, angle))
             return false;
     }
@@ -129,23 +129,6 @@ bool rw_pattern_simpler(const rw_problem *p, rw_zones *z, double least)
     }
     rw_pattern_clean(z, least);
     return true;
-}
-
-static void insert_part(rw_zones *z, rw_zone part)
-{
-    rw_zones new = {.count = 0};
-    for (int i = 0; i < z->count; i++) {
-        const rw_zone zone = z->zone[i];
-        const double left = fmax(zone.left, part.left), right = fmin(zone.right, part.right);
-        const bool is_changed = left < right && zone.label != part.label;
-        const rw_zone pieces[3] = {{zone.label, zone.left, is_changed ? left : zone.right},
-                                   {part.label, left, right},
-                                   {zone.label, right, zone.right}};
-        for (int k = 0; k < (is_changed ? 3 : 1); k++)
-            if (pieces[k].right > pieces[k].left)
-                rw_zones_insert(&new, new.count, pieces[k]);
-    }
-    *z = new;
 }
 
 void rw_pattern_insert(rw_zones *z, const rw_zones *parts, double least)

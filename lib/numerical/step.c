@@ -41,19 +41,6 @@ static bool set_problem(rw_work *w, const rw_numerical_state *from, rw_scaled_lo
     return before && after;
 }
 
-/* The widest part of a patch that sticks. */
-static rw_patch stuck_part(rw_patch patch, const rw_zones *zones)
-{
-    rw_patch widest = {patch.left, patch.left};
-    for (int i = 0; i < zones->count; i++) {
-        const rw_patch part = {fmax(patch.left, zones->zone[i].left),
-                               fmin(patch.right, zones->zone[i].right)};
-        if (zones->zone[i].label == 0 && part.right - part.left > widest.right - widest.left)
-            widest = part;
-    }
-    return widest;
-}
-
 /* What had not slipped before the step, with the places that come into contact beside it. */
 static rw_patch never_slipped(const rw_numerical_state *from, const rw_problem *p)
 {
@@ -109,15 +96,15 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
     rw_fronts_forget(&w->fronts);
     if (!rw_search(w, p, guess, coarse || w->effort > w->most_effort, &outcome))
         return false;
-    *there =
-        (rw_numerical_state){.shear = outcome.state,
-                             .contact = p->to,
-                             .at = to,
-                             .is_still = from->is_still && p->is_still,
-                             .unslipped = stuck_part(never_slipped(from, p), &outcome.state.zones),
-                             .move = from->move + outcome.move,
-                             .energy = from->energy + outcome.energy,
-                             .error = outcome.violation};
+    *there = (rw_numerical_state){
+        .shear = outcome.state,
+        .contact = p->to,
+        .at = to,
+        .is_still = from->is_still && p->is_still,
+        .unslipped = rw_zones_widest_stick(&outcome.state.zones, never_slipped(from, p)),
+        .move = from->move + outcome.move,
+        .energy = from->energy + outcome.energy,
+        .error = outcome.violation};
     there->rate_error = rate_error(w, p, from, there);
     there->is_exact = is_exact(w, p, from, there);
     return true;

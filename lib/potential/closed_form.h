@@ -41,8 +41,9 @@ RW_INLINE rw_place rw_place_of(const rw_potential *p, double x, double y)
 }
 
 /* Hertz: G = R/alpha, y G' = -y R/(X alpha). */
-RW_INLINE rw_field rw_hertz_field_at(const rw_potential *p, rw_place at, rw_elliptic e)
+RW_INLINE rw_field rw_hertz_field(const rw_potential *p, rw_place at)
 {
+    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double shrink = rw_elliptic_shrink(&e), factor = -at.y / e.cos2 * p->per_alpha;
     return (rw_field){shrink * e.sin_v * p->per_alpha, -shrink * e.cos_v * p->per_alpha,
                       factor * rw_elliptic_RX_re(&e, shrink), factor * -(e.sin_v * e.cos_v)};
@@ -86,8 +87,9 @@ RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, do
 
 /* For alpha < 1. E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all three nonnegative, and
  * |E|^2 - 1 = -2 c0 cos(v)/E_size. */
-RW_INLINE rw_field rw_rounded_field_at(const rw_potential *p, rw_place at, rw_elliptic e)
+RW_INLINE rw_field rw_rounded_field(const rw_potential *p, rw_place at)
 {
+    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double shrink = rw_elliptic_shrink(&e), alpha = p->alpha, c0 = p->c0;
     const double A_im = log_part_of_A(p, &e, at.past),
                  A_re = angle_part_of_A(p, &e, shrink, from_corner_of(p, &e));
@@ -105,16 +107,6 @@ RW_INLINE rw_field rw_rounded_field_at(const rw_potential *p, rw_place at, rw_el
     const double D_im = A_im - per_cos2 * (e.sin_v * e.cos_v);
     const double y = -(2 / RW_PI) * at.y;
     return (rw_field){2 / RW_PI * G_re, 2 / RW_PI * G_im, y * D_re, y * D_im};
-}
-
-RW_INLINE rw_field rw_hertz_field(const rw_potential *p, rw_place at)
-{
-    return rw_hertz_field_at(p, at, rw_elliptic_at(at.x, at.y, at.beyond));
-}
-
-RW_INLINE rw_field rw_rounded_field(const rw_potential *p, rw_place at)
-{
-    return rw_rounded_field_at(p, at, rw_elliptic_at(at.x, at.y, at.beyond));
 }
 
 /* The field at the point itself, from that at its mirror image in the right half: p is even, so

@@ -19,8 +19,9 @@ static double complex y_over(double y, double complex a)
 /* G''  =  (2/pi) [ c0/(X q) + (phi0/alpha)/X^3 ],   q = (z-alpha)(z+alpha),
  * G''' = -(2/pi) z [ c0/(X^3 q) + 2 c0/(X q^2) + 3 (phi0/alpha)/X^5 ],
  * They are written in y/X and y/(z -+ alpha), which neither under- nor overflow. Hertz: c0 = 0. */
-static rw_curvature curvature_at(const rw_potential *p, rw_place at, rw_elliptic e)
+static rw_curvature curvature_at(const rw_potential *p, rw_place at)
 {
+    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double complex per_X = y_over(1, number(e.sin_v * e.sinh_w, e.cos_v * e.cosh_w));
     const double complex y2_per_X2 = at.y * at.y * (per_X * per_X);
     const double complex y2_per_q =
@@ -37,9 +38,6 @@ rw_field rw_potential_with_curvature(const rw_potential *potential, double x, do
                                      rw_curvature *curvature)
 {
     const rw_place at = rw_place_of(potential, x, y);
-    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
-    *curvature = curvature_at(potential, at, e);
-    if (potential->alpha >= 1)
-        return rw_hertz_field_at(potential, at, e);
-    return rw_rounded_field_at(potential, at, e);
+    *curvature = curvature_at(potential, at);
+    return potential->alpha < 1 ? rw_rounded_field(potential, at) : rw_hertz_field(potential, at);
 }

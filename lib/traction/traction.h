@@ -30,9 +30,6 @@ typedef struct {
     size_t count, capacity;
 } rw_traction;
 
-/* Gauss's nodes and weights for 0 to 1; n is 8 or 16. */
-void rw_gauss(int n, double node[], double weight[]);
-
 bool rw_traction_copy(const rw_traction *traction, rw_traction *copy);
 void rw_traction_destroy(rw_traction *traction);
 

@@ -4,22 +4,16 @@
 #     dependencies.sh SOURCES FOLDER PREFIX     sources.sh's folder -> FOLDER/libgsl.a, liblapack.a, include/gsl/, by PREFIXgcc,
 #                                               PREFIXgfortran, PREFIXar and PREFIXnm
 set -eu
+here=$(cd "$(dirname "$0")" && pwd)
 sources=$(cd "$1" && pwd)
 prefix=$3
 mkdir -p "$2"
 cd "$2"
 [ -f liblapack.a ] && exit 0
 
-# GSL: its root-finders and what they stand on. Its configure asks here only for functions that C99 has.
-mkdir -p gsl-objects lapack-objects include/gsl
-cp "$sources"/gsl/gsl_*.h "$sources"/gsl/*/gsl_*.h include/gsl
-sed 's/^#undef \(HAVE_DECL_[A-Z0-9]*\)$/#define \1 1/' "$sources/gsl/config.h.in" >include/config.h
-for file in "$sources"/gsl/roots/*.c "$sources"/gsl/sys/*.c; do
-    case ${file##*/} in test*) continue ;; esac
-    "${prefix}gcc" -O2 -ffp-contract=off -fPIC -ffile-prefix-map="$sources"=. -Iinclude -I"$sources/gsl" \
-        -c "$file" -o "gsl-objects/$(basename "$(dirname "$file")")-$(basename "$file" .c).o"
-done
-"${prefix}ar" rcsD libgsl.a gsl-objects/*.o
+sh "$here/gsl.sh" "$sources" "${prefix}gcc" -O2 -ffp-contract=off -fPIC -ffile-prefix-map="$sources"=.
+"${prefix}ar" rcsD libgsl.a gsl/*.o
+mkdir -p lapack-objects
 
 # LAPACK: dgelsd, then what that calls, and so on; a routine's file has its name. What has no file (Fortran's run-time, libm) is
 # for the linker to find. xerbla is the library's own.

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiles GSL's root-finder, and its singular values, on which dgelsd.c stands: for systems that no Fortran compiler is here for.
+# Compiles GSL's root-finder, and its singular values, on which dgelsd.c stands where no Fortran compiler is here for a system. GSL's
+# configure asks here only for functions that C99 has.
 #     gsl.sh SOURCES COMPILER OPTIONS...     sources.sh's folder -> gsl/*.o and include/gsl/ where it is called
 set -eu
 sources=$1

@@ -31,7 +31,7 @@ set -- "$tested"
 for step in source windows matlab npm debian docs wheels recipes; do
     echo "== $step"
     ! command -v python3 >/dev/null || python3 -B "$here/who.py"
-    sh "$here/$step/make.sh" "$build" "$build/packages" "$@" && status=0 || status=$?
+    sh "$here/package.sh" $step "$build" "$build/packages" "$@" && status=0 || status=$?
     case $status in
     0) ;;
     77) [ $ended = 1 ] || ended=77 ;;

@@ -245,7 +245,7 @@ export function call(name, object, ordered) {
         const returned = library[`rwedge_${name}`](...passed);
         if (about.result === "status" && returned !== 0) {
             if (returned === statuses.RWEDGE_EDOMAIN && about.pointwise && !single) blame(name, about, passed, values, length);
-            const why = returned === statuses.RWEDGE_EPATH ? obstacle(name, handle, values) : "";
+            const why = returned === statuses.RWEDGE_EPATH && /^contact_(apply|load)$/.test(name) ? obstacle(object, values) : "";
             check(name, about, returned, () => (single ? point(values, 0) : values), "", why || undefined);
         }
         return answer(about, returned, places, (p, place) =>
@@ -269,14 +269,10 @@ function blame(name, about, passed, values, length) {
     }
 }
 
-/** Why these loads have no closed form, and what to do instead. */
-function obstacle(name, contact, values) {
-    if (name !== "contact_apply" && name !== "contact_load") return "";
-    const block = library.malloc(32), places = [0, 8, 16, 24].map((k) => block + k);
-    library.rwedge_contact_loads(contact, ...places);
-    const [, M, , sigma] = memory().slice(block / 8, block / 8 + 4);
-    library.free(block);
-    return textAt(library.rwedge_contact_obstacle(contact, values.get("P"), values.get("M") ?? M, values.get("Q"), values.get("sigma") ?? sigma));
+/** Why these loads have no closed form, and what to do instead. Moment and tension that are not given stay. */
+function obstacle(object, values) {
+    const { P, M, Q, sigma } = { ...call("contact_loads", object, []), ...Object.fromEntries(values) };
+    return call("contact_obstacle", object, [P, M, Q, sigma]);
 }
 
 // ---- Objects ----

@@ -1,12 +1,7 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Debian packages of the source archive, for the release and the processor of this machine: made in a clean system with what
 # debian/control asks for, looked at by lintian, and tested by debian/tests in another clean system.
-#     make.sh BUILD PACKAGES [TESTED]
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
 product='the packages for Debian'
-. "$here/../package.sh"
 . "$top/tests/support/install.sh"
 . "$top/tests/support/clean_system.sh"
 archive=$packages/rwedge-$version.tar.gz
@@ -14,7 +9,7 @@ release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
 work=$build/debian
 place=/srv/$(echo "$build" | cksum | cut -d " " -f 1) # another folder makes them in another place
 source=$place/rwedge-$version
-fail() { tail -n 40 "$work/log"; echo "FAILED: the Debian packages: $*"; exit 1; }
+fail() { tail -n 40 "$work/log"; echo "FAILED: $product: $*"; exit 1; }
 [ -f "$archive" ] || leave_out "there is no source archive"
 ! reason=$(cannot_make_system) || leave_out "$reason"
 
@@ -57,7 +52,7 @@ in_copy making 'get build-essential
     DEB_BUILD_OPTIONS="parallel=$(nproc) noautodbgsym" dpkg-buildpackage -us -uc' || fail "as they are made"
 mkdir "$packages/debian-$release"
 (cd "$work/making$place" && cp ./*.deb ./*.dsc ./*.debian.tar.* ./*.orig.tar.gz "$packages/debian-$release")
-[ $# = 3 ] || exit 0 # untested
+has_tests || exit 0
 
 in_copy making 'get lintian
     lintian --allow-root --fail-on error ../*.changes' || fail "as lintian sees them"

@@ -1,12 +1,7 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The folder for MATLAB and Octave: functions, the source of the MEX file, and the library with its GSL and LAPACK inside, for the
 # Linux of this machine and, after windows/make.sh, for Windows.
-#     make.sh BUILD PACKAGES [TESTED]
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
 product='the folder for MATLAB'
-. "$here/../package.sh"
 name=rwedge-$version-matlab
 sources=$build/excel/sources # as those of the zip for Windows
 work=$build/for-matlab
@@ -46,5 +41,3 @@ fi
 # shellcheck disable=SC2086
 python3 -B "$top/packages/sbom.py" "$version" "$epoch" "$sources" matlab $inside >"$folder/sbom.spdx.json"
 python3 -B "$top/packages/zip.py" "$packages/$name.zip" "$epoch" "$folder"
-
-[ $# = 2 ] || sh "$here/test.sh" "$build" "$packages/$name.zip" "$tested"

@@ -1,11 +1,6 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The npm package. With TESTED it is the one that the tests of the binding have packed and installed.
-#     make.sh BUILD PACKAGES [TESTED]
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
 product='the npm package'
-. "$here/../package.sh"
 log=$build/npm.log
 need node npm python3
 made_and_packed()
@@ -13,11 +8,8 @@ made_and_packed()
     sh "$top/bindings/web/build.sh" "$build" && cd "$build/web/package" && mkdir -p ../packed &&
         npm pack --silent --pack-destination ../packed
 )
-if [ $# = 3 ]; then
-    set -- sh "$top/bindings/web/test.sh" "$build"
-else
-    set -- made_and_packed
-fi
+set -- made_and_packed
+! has_tests || set -- sh "$top/bindings/web/test.sh" "$build"
 "$@" >"$log" 2>&1 && status=0 || status=$?
 case $status in
 0) ;;

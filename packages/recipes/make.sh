@@ -1,11 +1,6 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The recipes for others' package managers, filled in with the version, the place and the checksum of the source archive.
-#     make.sh BUILD PACKAGES [TESTED]
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
 product='the recipes'
-. "$here/../package.sh"
 archive=rwedge-$version.tar.gz
 who() { python3 -B "$top/packages/who.py" "$1"; }
 need python3
@@ -26,7 +21,7 @@ url=$(who url)
 url=${url:-https://example.invalid}
 fill "$packages/recipes" "$url/releases/$archive"
 python3 -m json.tool "$packages/recipes/vcpkg/vcpkg.json" >/dev/null
-[ $# = 3 ] || exit 0
+has_tests || exit 0
 
 if command -v ruby >/dev/null; then
     ruby -c "$packages/recipes/homebrew/rwedge.rb" >/dev/null

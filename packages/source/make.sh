@@ -1,11 +1,6 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The source archive of what is committed, and the list of what it is built with: the same bytes for the same commit.
-#     make.sh BUILD PACKAGES [TESTED]
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
 product='the source archive'
-. "$here/../package.sh"
 git -C "$top" rev-parse HEAD >/dev/null 2>&1 || leave_out "these files are no clone"
 archive=$packages/rwedge-$version.tar.gz
 python3 -B "$top/packages/sbom.py" "$version" "$epoch" >"$packages/rwedge-$version.spdx.json"
@@ -13,7 +8,6 @@ python3 -B "$top/packages/sbom.py" "$version" "$epoch" >"$packages/rwedge-$versi
 made=$build/source-made
 rm -rf "$made"
 python3 -B "$top/bindings/interface/generate.py" "$made" c excel fortran matlab
-asked=$# # what follows takes the arguments' place
 set --
 for file in "$made"/*/*; do
     set -- "$@" --prefix="rwedge-$version/bindings/made/$(basename "$(dirname "$file")")/" --add-file="$file"
@@ -29,7 +23,7 @@ else
     echo "not made: the licences of what it is linked with, as their sources cannot be fetched" | tee -a "$tested"
 fi
 
-[ $asked = 3 ] || exit 0 # untested
+has_tests || exit 0
 # It builds and passes tests without git, and without Python.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,11 +1,6 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Python's source distribution, and of it the wheels: for each system another shared library in the same package.
-#     make.sh BUILD PACKAGES [TESTED]
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
 product='the wheels for Python'
-. "$here/../package.sh"
 work=$build/wheels
 sources=$build/excel/sources # as those of the zip for Windows
 quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; echo "FAILED: $*" >&2; exit 1; }; }
@@ -43,22 +38,31 @@ CMAKE_ARGS="-DCMAKE_OBJCOPY=$work/objcopy -DCMAKE_MODULE_LINKER_FLAGS=-s" quietl
     --no-build-isolation --no-deps --no-index --wheel-dir "$work/base" "$packages/python/rwedge-$version.tar.gz"
 (cd "$work/base" && python3 -m zipfile -e ./*.whl .)
 
-# wheel PLATFORM LIBRARY NAME... - of what is linked in, with Debian's packages of compilers whose run-time libraries are
+# wheel PLATFORM LIBRARY NAME... - the base with another library and another tag, and what is linked in: NAMEs are Debian's packages,
+# also of compilers whose run-time libraries are
 wheel()
 {
-    platform=$1 library=$2 added=$work/added
+    platform=$1 library=$2 parts=$work/parts/rwedge-$version
+    about=$parts/rwedge-$version.dist-info
     shift 2
-    rm -rf "$added"
-    mkdir -p "$added/sboms" "$added/licenses"
-    python3 -B "$top/packages/sbom.py" "$version" "$epoch" "$sources" "$platform" "$@" >"$added/sboms/rwedge.spdx.json"
+    rm -rf "$work/parts"
+    quietly "$work/venv/bin/wheel" unpack --dest "$work/parts" "$work"/base/*.whl
+    rm "$parts"/rwedge/_rwedge.*
+    cp "$library" "$parts/rwedge"
+    sed -i '/^Tag: /d; /^$/d' "$about/WHEEL"
+    # shellcheck disable=SC2046
+    printf 'Tag: py3-none-%s\n' $(echo "$platform" | tr . ' ') >>"$about/WHEEL"
+    mkdir -p "$about/sboms" "$about/licenses"
+    python3 -B "$top/packages/sbom.py" "$version" "$epoch" "$sources" "$platform" "$@" >"$about/sboms/rwedge.spdx.json"
     for name; do
         case $name in
-        mingw-w64-x86-64-dev) cp /usr/share/doc/mingw-w64-common/copyright "$added/licenses/mingw-w64.txt" ;;
-        gcc-mingw-w64-x86-64) cp /usr/share/doc/gcc-mingw-w64-base/copyright "$added/licenses/gcc.txt" ;;
-        *) sh "$top/packages/licences.sh" "$sources" "$added/licenses" "$name" ;;
+        mingw-w64-x86-64-dev) cp /usr/share/doc/mingw-w64-common/copyright "$about/licenses/mingw-w64.txt" ;;
+        gcc-mingw-w64-x86-64) cp /usr/share/doc/gcc-mingw-w64-base/copyright "$about/licenses/gcc.txt" ;;
+        *) sh "$top/packages/licences.sh" "$sources" "$about/licenses" "$name" ;;
         esac
     done
-    python3 -B "$here/wheel.py" "$work"/base/*.whl "$library" "$platform" "$epoch" "$added" "$packages/python"
+    chmod -R u=rwX,go=rX "$parts" # whatever the umask is: the same bytes
+    quietly "$work/venv/bin/wheel" pack --dest-dir "$packages/python" "$parts"
 }
 # library FOLDER CMAKE-ARGUMENTS... - the shared library alone, into $work/FOLDER
 library()
@@ -128,5 +132,3 @@ if ! lacks macOS clang "$(clang -print-prog-name=ld64.lld 2>/dev/null)"; then
         wheel "macosx_$(echo "$system" | tr .- __)" "$work/macos-$system/_rwedge.so" gsl
     done
 fi
-
-[ $# = 2 ] || sh "$here/test.sh" "$build" "$packages/python" "$tested"

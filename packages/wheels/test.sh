@@ -1,22 +1,29 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the wheels and the source distribution as they are installed.
-#     test.sh BUILD FOLDER TESTED
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
-top=$(cd "$here/../.." && pwd)
-build=$1 folder=$2 tested=$3
+folder=$packages/python
 work=$build/wheels/test
 source=$top/bindings/python
 tests="$source/tests/test_formulas.py $source/tests/test_contact.py $source/tests/test_cycle.py $source/tests/test_series.py"
-fail() { echo "FAILED: $*"; exit 1; }
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
 export PYTHONPYCACHEPREFIX="$work/pycache" MPLCONFIGDIR="$work/matplotlib" PIP_DISABLE_PIP_VERSION_CHECK=1
 
 # What each holds: its records fit, the library is one for that system, and nothing names a folder of this machine.
-python3 -B "$here/check.py" "$build" "$folder"/*.whl
+for wheel in "$folder"/*.whl; do
+    rm -rf parts
+    "$build/wheels/venv/bin/wheel" unpack --dest parts "$wheel" >log 2>&1 || { cat log; fail "$wheel: its records"; }
+    format=$(llvm-readobj --file-headers parts/*/rwedge/_rwedge.* | sed -n 's/^Format: //p')
+    case "${wheel##*-} $format" in
+    *linux*_x86_64.whl\ elf64-x86-64 | *linux*_aarch64.whl\ elf64-littleaarch64 | win_amd64.whl\ COFF-x86-64) texts=lapack.txt ;;
+    macosx*_arm64.whl\ "Mach-O arm64" | macosx*_x86_64.whl\ "Mach-O 64-bit x86-64") texts='' ;;
+    *) fail "$wheel has a library for $format" ;;
+    esac
+    for text in licenses/LICENSE licenses/NOTICE licenses/gsl.txt sboms/rwedge.spdx.json ${texts:+licenses/$texts}; do
+        [ -s parts/*/*.dist-info/"$text" ] || fail "$wheel has no $text"
+    done
+    ! grep -rlF "$build" parts || fail "$wheel names $build"
+done
 for wheel in "$folder"/*manylinux*.whl; do
     "$build/wheels/venv/bin/auditwheel" show "$wheel" >shown 2>&1 || { cat shown; fail "auditwheel"; }
     grep -qE '"manylinux_2_([0-9]|1[0-7])_' shown || { cat shown; fail "auditwheel finds no manylinux_2_17"; }

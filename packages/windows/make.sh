@@ -1,11 +1,6 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The zip for Windows: tool, DLL, module for Excel, workbook and tables, with the licences and a list of what is linked in.
-#     make.sh BUILD PACKAGES [TESTED]
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
 product='the zip for Windows'
-. "$here/../package.sh"
 name=rwedge-$version-windows-x64
 work=$build/excel # as the test of the module has it: one DLL
 need x86_64-w64-mingw32-gcc x86_64-w64-mingw32-gfortran dpkg-source python3
@@ -34,5 +29,3 @@ cp /usr/share/doc/gcc-mingw-w64-base/copyright "$folder/licences/gcc.txt"
 python3 -B "$here/../sbom.py" "$version" "$epoch" "$work/sources" windows-x64 $inside mingw-w64-x86-64-dev gcc-mingw-w64-x86-64 \
     >"$folder/sbom.spdx.json"
 python3 -B "$here/../zip.py" "$packages/$name.zip" "$epoch" "$folder"
-
-[ $# = 2 ] || sh "$here/test.sh" "$build" "$packages/$name.zip" "$tested"

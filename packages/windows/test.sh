@@ -1,14 +1,6 @@
-#!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the zip as it is unpacked, under Wine: in a folder with a space and letters beyond ASCII.
-#     test.sh BUILD ZIP TESTED
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
-top=$(cd "$here/../.." && pwd)
-build=$1 zip=$2 tested=$3
-name=$(basename "$zip" .zip)
 work=$build/windows
-fail() { echo "FAILED: $*"; exit 1; }
 rm -rf "$work"
 mkdir -p "$work/the größe folder"
 . "$here/wine.sh"
@@ -16,7 +8,7 @@ if [ -z "$wine" ] || [ -z "$server" ]; then
     echo "not tested: $name.zip, for lack of wine64" | tee -a "$tested"
     exit 77
 fi
-(cd "$work/the größe folder" && cmake -E tar xf "$zip")
+(cd "$work/the größe folder" && cmake -E tar xf "$packages/$name.zip")
 folder="$work/the größe folder/$name"
 cd "$folder"
 trap end_wine EXIT

@@ -87,8 +87,7 @@ typedef struct {
 } position;
 
 /* The pressure of the elements from `first` to end - 1 in contact, under P and M. */
-static position press(const boundary_element *s, size_t first, size_t end, boundary_loads to,
-                      double p[])
+static position press(const boundary_element *s, size_t first, size_t end, rw_loads to, double p[])
 {
     const size_t m = end - first;
     equations.n = m + 2;
@@ -115,7 +114,7 @@ static bool overlaps(const boundary_element *s, size_t i, size_t first, size_t e
 
 /* Moves the edges until no element in contact is pulled, and none beside it overlaps; whether it
  * came to an end. */
-static bool find_contact(boundary_element *s, boundary_loads to, double p[])
+static bool find_contact(boundary_element *s, rw_loads to, double p[])
 {
     size_t first = s->first, end = s->end;
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
@@ -145,7 +144,7 @@ static bool find_contact(boundary_element *s, boundary_loads to, double p[])
 /* The shear traction of the elements in contact, in their present motion. Returns the rigid
  * displacement. */
 static double solve_tangential(const boundary_element *s, const double p[], const motion moves[],
-                               boundary_loads to, double q[])
+                               rw_loads to, double q[])
 {
     const size_t m = s->end - s->first;
     equations.n = m + 1;
@@ -201,7 +200,7 @@ static void accept(boundary_element *s, const double p[], const double q[], cons
     }
 }
 
-static int take_step(boundary_element *s, boundary_loads to)
+static int take_step(boundary_element *s, rw_loads to)
 {
     double p[SIZE], q[SIZE], moved[SIZE];
     motion moves[SIZE] = {STICKS};
@@ -221,15 +220,15 @@ static int take_step(boundary_element *s, boundary_loads to)
     return 1;
 }
 
-int boundary_element_go(boundary_element *solver, int steps, boundary_loads to)
+int boundary_element_go(boundary_element *solver, int steps, rw_loads to)
 {
-    const boundary_loads from = solver->loads;
+    const rw_loads from = solver->loads;
     int failed = 0;
     for (int i = 1; i <= steps && !failed; i++) {
         const double t = (double)i / steps;
-        const boundary_loads at = {from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
-                                   from.Q + t * (to.Q - from.Q),
-                                   from.sigma + t * (to.sigma - from.sigma)};
+        const rw_loads at = {from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
+                             from.Q + t * (to.Q - from.Q),
+                             from.sigma + t * (to.sigma - from.sigma)};
         failed = take_step(solver, at);
     }
     return failed;

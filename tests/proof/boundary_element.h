@@ -10,12 +10,6 @@
 
 enum { BOUNDARY_ELEMENTS_MAX = 200 };
 
-/* Per unit thickness: forces, the moment about x = 0, positive where it presses the right side;
- * the bulk tension in the half-plane, a stress. */
-typedef struct {
-    double P, M, Q, sigma;
-} boundary_loads;
-
 typedef enum { STICKS, FORWARD, BACKWARD } motion;
 
 typedef struct {
@@ -30,7 +24,7 @@ typedef struct {
     double tilt;                                /* rad, positive lowers the right side */
     double rigid;                               /* tangential displacement */
     double energy;
-    boundary_loads loads;
+    rw_loads loads;
 } boundary_element;
 
 /* The elements of -half < x < half. */
@@ -39,7 +33,7 @@ void boundary_element_start(boundary_element *solver, double theta, double a, do
 
 /* To these loads in so many equal, straight steps; |Q| < f P. 0, or 1 where the iteration for the
  * edges or the zones of slip did not end. */
-int boundary_element_go(boundary_element *solver, int steps, boundary_loads to);
+int boundary_element_go(boundary_element *solver, int steps, rw_loads to);
 
 /* Differences summed up over the legs of a history, relative to friction's limit and to the largest
  * slip there could be; of the energy the last. */

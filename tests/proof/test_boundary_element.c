@@ -22,28 +22,27 @@ static const char *const NAMES[KINDS] = {"P and Q alone",
                                          "all of P, M, Q, sigma at once"};
 
 /* All of them at once, the tension up to where Q could have brought it. */
-static boundary_loads draw_all(boundary_loads now, double f, double half, uint64_t *seed)
+static rw_loads draw_all(rw_loads now, double f, double half, uint64_t *seed)
 {
     const double P = now.P * (0.9 + 0.2 * random_fraction(seed));
-    return (boundary_loads){.P = P,
-                            .M = 0.1 * P * half * random_between(seed, -1, 1),
-                            .Q = 0.9 * f * P * random_between(seed, -1, 1),
-                            .sigma = 4 / (PI * half) * f * P * random_between(seed, -1, 1)};
+    return (rw_loads){.P = P,
+                      .M = 0.1 * P * half * random_between(seed, -1, 1),
+                      .Q = 0.9 * f * P * random_between(seed, -1, 1),
+                      .sigma = 4 / (PI * half) * f * P * random_between(seed, -1, 1)};
 }
 
 /* Every third leg under a constant P. */
-static boundary_loads draw_centred(int leg, boundary_loads now, double f, double P_max,
-                                   uint64_t *seed)
+static rw_loads draw_centred(int leg, rw_loads now, double f, double P_max, uint64_t *seed)
 {
     const double P = leg % 3 == 2 ? now.P : P_max * (0.2 + 0.8 * random_fraction(seed));
-    return (boundary_loads){.P = P, .Q = leg == 0 ? 0 : 0.95 * f * P * random_between(seed, -1, 1)};
+    return (rw_loads){.P = P, .Q = leg == 0 ? 0 : 0.95 * f * P * random_between(seed, -1, 1)};
 }
 
 /* The next loads of a history. */
-static boundary_loads draw_leg(path kind, int leg, boundary_loads now, double f, double theta_a,
-                               double half, uint64_t *seed)
+static rw_loads draw_leg(path kind, int leg, rw_loads now, double f, double theta_a, double half,
+                         uint64_t *seed)
 {
-    boundary_loads to = now;
+    rw_loads to = now;
     const double start_P = 4 * theta_a * THETA, limit = 4 / (PI * half);
     if (kind == CENTRED)
         return draw_centred(leg, now, f, start_P, seed);
@@ -89,7 +88,7 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
     static boundary_element solver;
     difference sum = {0};
     uint64_t seed = number;
-    boundary_loads now = {0};
+    rw_loads now = {0};
     const double reach = 3 * a;
     boundary_element_start(&solver, THETA, a, A, f, (size_t)COARSEST << level, 1.4 * reach);
     rwedge_contact *contact = create(a, f);
@@ -97,7 +96,7 @@ static difference along_a_history(path kind, uint64_t number, double a, double f
         assert_ok(rwedge_contact_allow_error(contact, 1e-3));
     double half = 2 * a;
     for (int leg = 0; leg < (kind == ALL ? 5 : LEGS); leg++) {
-        const boundary_loads to = draw_leg(kind, leg, now, f, a / A, half, &seed);
+        const rw_loads to = draw_leg(kind, leg, now, f, a / A, half, &seed);
         const int32_t status = rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
         if (status == RWEDGE_EPATH || status == RWEDGE_ESLIDING)
             continue;
@@ -156,11 +155,11 @@ CLAIM(contacts_are_the_limit_of_boundary_elements)
  * slips. */
 CLAIM(what_sticks_between_two_fronts_has_no_closed_form)
 {
-    static const boundary_loads loads[] = {{.4779, 0, 0, 0},
-                                           {.4779, 0, -.1494, -.0994},
-                                           {.4779, 0, -.1029, -.0537},
-                                           {.4779, 0, -.1845, -.0204},
-                                           {.4779, 0, -.2008, -.0137}};
+    static const rw_loads loads[] = {{.4779, 0, 0, 0},
+                                     {.4779, 0, -.1494, -.0994},
+                                     {.4779, 0, -.1029, -.0537},
+                                     {.4779, 0, -.1845, -.0204},
+                                     {.4779, 0, -.2008, -.0137}};
     const double a = 0.46, f = 0.45;
     static boundary_element solver;
     boundary_element_start(&solver, THETA, a, A, f, BOUNDARY_ELEMENTS_MAX, 1.4);
@@ -205,18 +204,18 @@ static double worn_height(double x)
 }
 
 /* In closed form; and where the tension lags behind Q and the contact rocks: computed. */
-static const boundary_loads IN_STEP[PAD_LEGS] = {{0.08, 0.006, 0, 0},
-                                                 {0.08, 0.006, 0.03, 0.012},
-                                                 {0.08, 0.006, -0.02, -0.01},
-                                                 {0.08, 0.006, 0.01, 0.005},
-                                                 {0.1, 0.0075, 0.01, 0.005}},
-                            LAGGING[PAD_LEGS] = {{0.08, 0.006, 0, 0},
-                                                 {0.08, 0.006, 0.01, 0.05},
-                                                 {0.08, 0.006, 0.03, 0.02},
-                                                 {0.09, 0.002, 0.01, -0.04},
-                                                 {0.08, 0.006, -0.02, -0.02}};
+static const rw_loads IN_STEP[PAD_LEGS] = {{0.08, 0.006, 0, 0},
+                                           {0.08, 0.006, 0.03, 0.012},
+                                           {0.08, 0.006, -0.02, -0.01},
+                                           {0.08, 0.006, 0.01, 0.005},
+                                           {0.1, 0.0075, 0.01, 0.005}},
+                      LAGGING[PAD_LEGS] = {{0.08, 0.006, 0, 0},
+                                           {0.08, 0.006, 0.01, 0.05},
+                                           {0.08, 0.006, 0.03, 0.02},
+                                           {0.09, 0.002, 0.01, -0.04},
+                                           {0.08, 0.006, -0.02, -0.02}};
 
-static difference of_pad(bool is_flat, const boundary_loads loads[PAD_LEGS], size_t n)
+static difference of_pad(bool is_flat, const rw_loads loads[PAD_LEGS], size_t n)
 {
     static boundary_element solver;
     difference sum = {0};
@@ -228,7 +227,7 @@ static difference of_pad(bool is_flat, const boundary_loads loads[PAD_LEGS], siz
     boundary_element_start(&solver, THETA, 1, A, F, n, 1);
     solver.height = is_flat ? flat_height : worn_height;
     for (int leg = 0; leg < PAD_LEGS; leg++) {
-        const boundary_loads to = loads[leg];
+        const rw_loads to = loads[leg];
         apply(contact, to.P, to.M, to.Q, to.sigma);
         assert_int_equal(boundary_element_go(&solver, leg == 0 ? 1 : 20, to), 0);
         add_difference(contact, &solver, F, &sum);
@@ -240,7 +239,7 @@ static difference of_pad(bool is_flat, const boundary_loads loads[PAD_LEGS], siz
 CLAIM(flat_and_worn_pads_are_the_limit_of_boundary_elements)
 {
     for (int i = 0; i < 4; i++) {
-        const boundary_loads *loads = i < 2 ? IN_STEP : LAGGING;
+        const rw_loads *loads = i < 2 ? IN_STEP : LAGGING;
         const difference coarse = of_pad(i % 2, loads, 60), fine = of_pad(i % 2, loads, 180);
         printf("pad %d: pressure %.1e shear %.1e slip %.1e energy %.1e\n", i, fine.pressure,
                fine.shear, fine.slip, fine.energy);

@@ -22,10 +22,6 @@ enum { LOADS = 4, POINTS = 400 };
 
 static int unsolved;
 
-typedef struct {
-    double P, M, Q, sigma;
-} loads;
-
 static rwedge_contact *pressed(double a, double f, double tolerance, double P)
 {
     rwedge_contact *contact = create_wedge(1, a, 1, f);
@@ -35,17 +31,17 @@ static rwedge_contact *pressed(double a, double f, double tolerance, double P)
 }
 
 /* In a straight line, to these parts of it; whether it was done. */
-static bool go(rwedge_contact *contact, loads to, int parts, const double part[])
+static bool go(rwedge_contact *contact, rw_loads to, int parts, const double part[])
 {
-    loads from;
+    rw_loads from;
     assert_ok(rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma));
     for (int i = 0; i < parts; i++) {
         const double u = part[i];
-        const loads at =
-            u == 1
-                ? to
-                : (loads){from.P + u * (to.P - from.P), from.M + u * (to.M - from.M),
-                          from.Q + u * (to.Q - from.Q), from.sigma + u * (to.sigma - from.sigma)};
+        const rw_loads at =
+            u == 1 ? to
+                   : (rw_loads){from.P + u * (to.P - from.P), from.M + u * (to.M - from.M),
+                                from.Q + u * (to.Q - from.Q),
+                                from.sigma + u * (to.sigma - from.sigma)};
         const int32_t status = rwedge_contact_apply(contact, at.P, at.M, at.Q, at.sigma);
         unsolved += status == RWEDGE_ENOCONV;
         if (status == RWEDGE_ENOCONV)
@@ -139,7 +135,7 @@ static bool survey(long history)
     const double whole = 1;
     double part[PARTS];
     set_parts(part);
-    loads to = {P, 0, 0, 0};
+    rw_loads to = {P, 0, 0, 0};
     for (int i = 0; i < LOADS; i++) {
         const double b = rwedge_contact_half_width(contact);
         to.P = is_still ? P : P * random_between(&state, 0.9, 1.1);

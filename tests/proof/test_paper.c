@@ -74,19 +74,6 @@ CLAIM(tension_between_sharp_and_hertz)
         assert_true(rwedge_max_tension(alpha) < rwedge_max_tension(alpha + 0.05));
 }
 
-/* Fig. 7: a/b = 0.25, c/b = 0, 1/6, 1/2. */
-CLAIM(partial_slip_of_figure_7)
-{
-    const double c[] = {0, 1.0 / 6, 0.5};
-    for (int i = 0; i < 3; i++) {
-        const double Q = rwedge_shear_ratio(0.25, c[i]);
-        assert_within(rwedge_stick_width(0.25, Q), c[i], 1e-14);
-        assert_close(rwedge_shear(0.25, c[i], 0.8), rwedge_pressure(0.25, 0.8), 0);
-    }
-    /* c/a, Eq. (23) */
-    assert_close(rwedge_shear(0.25, 1.0 / 6, 0), rwedge_pressure(0.25, 0) + 2.0 / 3, 1e-14);
-}
-
 /* Sec. 5.3: full sliding is "likely" the worst: J2 at its yield point and around is lower in
  * partial slip. */
 CLAIM(sliding_is_weaker_than_partial_slip)

@@ -41,13 +41,9 @@ static struct {
 } tally;
 
 typedef struct {
-    double P, M, Q, sigma;
-} loads;
-
-typedef struct {
     int kind;
     double f, tolerance, swing, lag, scatter; /* swing: of Q over f P */
-    loads first;
+    rw_loads first;
     double b; /* under the first P */
     rwedge_contact *contact;
 } programme;
@@ -86,10 +82,10 @@ static programme draw_programme(int kind, int pad)
     return p;
 }
 
-static loads draw_loads(const programme *p, int number)
+static rw_loads draw_loads(const programme *p, int number)
 {
     const double reach = 4 * p->f * p->first.P / (PI * p->b), turn = 2 * PI * number / 16;
-    loads to = p->first;
+    rw_loads to = p->first;
     if (p->kind == LOG) {
         to.P *= 1 + p->scatter * sign_and_size();
         to.M += p->scatter * p->first.P * p->b * sign_and_size();
@@ -126,7 +122,7 @@ static void assert_possible(const rwedge_contact *contact, double f)
             assert_true(isfinite(s[i]));
 }
 
-static int32_t timed_apply(rwedge_contact *contact, loads to)
+static int32_t timed_apply(rwedge_contact *contact, rw_loads to)
 {
     const clock_t start = clock();
     const int32_t status = rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
@@ -142,7 +138,7 @@ static int32_t timed_apply(rwedge_contact *contact, loads to)
     return status;
 }
 
-static void go_to(rwedge_contact *contact, double f, loads to)
+static void go_to(rwedge_contact *contact, double f, rw_loads to)
 {
     const contact_state before = state_of(contact);
     const double energy = rwedge_contact_dissipated_energy(contact);

@@ -5,40 +5,24 @@
 #include "rwedge.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { COLUMNS = 9, MOST_ROWS = 7000 };
 
-/* A CSV file; an empty cell or a word is NaN. */
-typedef struct {
+static struct {
     int rows;
     double cell[MOST_ROWS][COLUMNS];
-} sheet;
-
-static sheet loaded;
+} loaded;
 
 static void load(const char *name)
 {
-    char path[1024], line[1024];
-    snprintf(path, sizeof path, "%s/%s.csv", TABLES, name);
-    FILE *stream = fopen(path, "r");
-    if (!stream || !fgets(line, sizeof line, stream))
-        fail_msg("cannot read %s", path);
-    loaded.rows = 0;
-    while (fgets(line, sizeof line, stream)) {
+    char path[64];
+    snprintf(path, sizeof path, "../../tables/%s.csv", name);
+    reference table = reference_open(path);
+    for (loaded.rows = 0; reference_next(&table); loaded.rows++) {
         assert_true(loaded.rows < MOST_ROWS);
-        double *row = loaded.cell[loaded.rows++];
-        const char *cell = line;
-        for (int i = 0; i < COLUMNS; i++) {
-            char *end;
-            const double value = strtod(cell, &end);
-            row[i] = end > cell && strchr(",\n", *end) ? value : NAN;
-            cell += strcspn(cell, ",\n");
-            cell += *cell == ',';
-        }
+        memcpy(loaded.cell[loaded.rows], table.cell, sizeof loaded.cell[0]);
     }
-    fclose(stream);
 }
 
 /* Columns of the elastic-limit tables. */

@@ -44,12 +44,13 @@ bool reference_next(reference *table)
     }
     table->row++;
     size_t column = 0;
-    for (char *cell = strtok(line, ",\r\n"); cell && column < REFERENCE_COLUMNS;
-         cell = strtok(NULL, ",\r\n")) {
-        char *end;
-        const double value = strtod(cell, &end);
-        table->cell[column++] = *end ? NAN : value;
-        snprintf(table->last, sizeof table->last, "%s", cell);
+    for (char *cell = line; cell && column < REFERENCE_COLUMNS; column++) {
+        char *end = cell + strcspn(cell, ",\r\n"), *stop, *next = *end == ',' ? end + 1 : NULL;
+        *end = '\0';
+        const double value = strtod(cell, &stop);
+        table->cell[column] = stop == cell || *stop ? NAN : value;
+        snprintf(table->last, sizeof table->last, "%.31s", cell);
+        cell = next;
     }
     return true;
 }

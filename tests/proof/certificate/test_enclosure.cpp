@@ -78,38 +78,6 @@ CLAIM(products_and_sums_contain_those_of_the_values)
     }
 }
 
-/* Of G' over the spacing 2^-14. */
-static higher_derivatives differences(const patch &p, const complex_ball &z)
-{
-    complex_ball slope[5];
-    for (int i = 0; i < 5; i++)
-        slope[i] = p.slope(z + ldexp(i - 2, -14));
-    const complex_ball near = slope[3] - slope[1], far = slope[4] - slope[0];
-    return {near * ldexp(1, 14 - 1), (slope[3] + slope[1] - 2 * slope[2]) * ldexp(1, 2 * 14),
-            (far - 2 * near) * ldexp(1, 3 * 14 - 1)};
-}
-
-static void assert_near(const complex_ball &difference, const complex_ball &derivative)
-{
-    const double x = middle(re(derivative)), y = middle(im(derivative));
-    assert_within(middle(re(difference)), x, 1e-5 * hypot(x, y));
-    assert_within(middle(im(difference)), y, 1e-5 * hypot(x, y));
-}
-
-CLAIM(the_higher_derivatives_are_those_of_the_slope)
-{
-    for (const double alpha : {0.05, 0.3, 0.99, 1.0, 2.0})
-        for (const double half_width : {1.0, 0.75})
-            for (int j = 0; j < 20; j++) {
-                const patch p(alpha * half_width, half_width);
-                const complex_ball z(-1.27 + 0.13 * j, 0.1 + 0.1 * (j % 7));
-                const higher_derivatives exact = p.bends(z), approximate = differences(p, z);
-                assert_near(approximate.second, exact.second);
-                assert_near(approximate.third, exact.third);
-                assert_near(approximate.fourth, exact.fourth);
-            }
-}
-
 /* A square of any size down to 1e-7, next to the surface or one of the special places as often
  * as not. */
 static square random_square(uint64_t *seed, double alpha)

@@ -84,45 +84,39 @@ def commented(lines: list[str], margin: str) -> str:
     return "".join(f"{margin}%   {line}".rstrip() + "\n" for line in lines)
 
 
-def enough(count: int, form: str, margin: str) -> str:
-    """What refuses a call with fewer arguments: it would end in words about the function's own lines."""
-    if not count:
-        return ""
-    return f"{margin}if nargin < {count}\n{margin}    error('rwedge:arguments', 'too few arguments: {form}');\n{margin}end\n"
+def routine(head: str, name: str, form: str, text: list[str], count: int, body: list[str], step: str = "") -> str:
+    """A function with its help. A call with fewer arguments is refused: it would end in words about the function's own lines."""
+    few = [f"if nargin < {count}", f"    error('rwedge:arguments', 'too few arguments: {form}');", "end"] if count else []
+    return (f"function {head}\n%{name.upper()}  {form}\n" + commented(text, "") +
+            "".join(f"{step}{line}\n" for line in [*few, *body]) + "end\n")
 
 
 def function_text(f: Function) -> str:
     name = "rwedge_" + f.name
     form = call(outputs(f), name, inputs(f))
     lines = help_lines(f)
-    notes = ["", ARRAYS] if inputs(f) and not f.of("in array", "out array") else []
+    lines += ["", ARRAYS] if inputs(f) and not f.of("in array", "out array") else []
     if any("rwedge:absent" in line for line in lines):
-        notes.append("Where rwedge:absent is said above, the results are NaN, and no error.")
-    return (f"function {form}\n%{name.upper()}  {form}\n" + commented(lines + notes, "") + enough(len(inputs(f)), form, "") +
-            call(outputs(f), "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";\nend\n" + LICENCE)
+        lines.append("Where rwedge:absent is said above, the results are NaN, and no error.")
+    return routine(form, name, form, lines, len(inputs(f)), [call(outputs(f), "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";"]) + LICENCE
 
 
 def method_text(f: Function) -> str:
     form = call(outputs(f), f"{f.family}.{f.method}", inputs(f))
-    margin = " " * 8
     loads = bool(f.of("changed")) and "P" in inputs(f)
-    body = (call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if loads and not f.of("in array") else
-            call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)]))
-    doubt = "warn_of_size()" if loads and f.of("in array") else "warn('safety', factor)" if "factor" in outputs(f) else ""
-    doubt = doubt and f"{margin}    {f.family}.{doubt};\n"
-    return (f"\n{margin}function {call(outputs(f), f.method, [f.family, *inputs(f)])}\n{margin}%{f.method.upper()}  {form}\n" +
-            commented(help_lines(f), margin) + enough(len(inputs(f)) and len(inputs(f)) + 1, form, margin + "    ") +
-            f"{margin}    {body};\n{doubt}{margin}end\n")
+    body = [call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if loads and not f.of("in array") else
+            call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)])]
+    body += [f"{f.family}.warn_of_size()"] if loads and f.of("in array") else []
+    body += [f"{f.family}.warn('safety', factor)"] if "factor" in outputs(f) else []
+    head = call(outputs(f), f.method, [f.family, *inputs(f)])
+    return "\n" + routine(head, f.method, form, help_lines(f), len(inputs(f)) and len(inputs(f)) + 1, [f"{line};" for line in body], "    ")
 
 
 def maker_text(f: Function) -> str:
     """A function that makes an object other than by the class's own name: a static method."""
     form = call([f.family], f"rwedge_{f.family}.{f.method}", inputs(f))
-    margin = " " * 8
-    return (f"{margin}function {call([f.family], f.method, inputs(f))}\n{margin}%{f.method.upper()}  {form}\n" +
-            commented(help_lines(f), margin) + enough(len(inputs(f)), form, margin + "    ") +
-            f"{margin}    {f.family} = rwedge_{f.family}();\n"
-            f"{margin}    {call([f.family + '.number'], 'rwedge_mex', [repr(f.name), *inputs(f)])};\n{margin}end\n")
+    body = [f"{f.family} = rwedge_{f.family}();", call([f"{f.family}.number"], "rwedge_mex", [repr(f.name), *inputs(f)]) + ";"]
+    return routine(call([f.family], f.method, inputs(f)), f.method, form, help_lines(f), len(inputs(f)), body, "    ")
 
 
 def class_text(interface: Interface, family: str, template: str) -> str:
@@ -131,8 +125,8 @@ def class_text(interface: Interface, family: str, template: str) -> str:
     forms = "".join(f"%   {call(outputs(f), family[0] + '.' + f.method, inputs(f))}\n" for f in own if is_method(f))
     text = re.sub(r"^% SPDX[^\n]*\n", "", template)
     text = text.replace("%@forms\n", forms)
-    text = text.replace("        %@methods\n", "".join(method_text(f) for f in own if is_method(f)))
-    static = "    methods (Static)\n" + "\n".join(map(maker_text, makers)) + "    end\n" if makers else ""
+    text = text.replace("        %@methods\n", textwrap.indent("".join(method_text(f) for f in own if is_method(f)), " " * 8))
+    static = "    methods (Static)\n" + textwrap.indent("\n".join(map(maker_text, makers)), " " * 8) + "    end\n" if makers else ""
     text = text.replace("    %@static\n", static)
     for f in own:
         text = re.sub(rf"(?m)^( *)%@{f.name}\n", lambda m: commented(help_lines(f), m[1]), text)
@@ -143,12 +137,11 @@ def enumeration_text(kind: str, numbers: dict[str, int]) -> str:
     """A function that gives a number by its name."""
     name, names = f"rwedge_{kind.lower()}", textwrap.wrap(", ".join(numbers), 100)
     pairs = textwrap.wrap(", ".join(f"'{each}', {value}" for each, value in numbers.items()), 100, break_long_words=False)
-    return (f"function number = {name}(name)\n%{name.upper()}  number = {name}(name)\n" +
-            commented(["The number that the library has for a name, one of", *names], "") +
-            enough(1, f"{name}(name)", "") + "numbers = struct(" + ", ...\n    ".join(x.rstrip(",") for x in pairs) + ");\n"
-            f"if ~isfield(numbers, name)\n"
-            f"    error('rwedge:domain', '{name}: name = %s; allowed is %s', name, strjoin(fieldnames(numbers)', ', '));\nend\n"
-            f"number = numbers.(name);\nend\n" + LICENCE)
+    body = ["numbers = struct(" + ", ...\n    ".join(x.rstrip(",") for x in pairs) + ");", "if ~isfield(numbers, name)",
+            f"    error('rwedge:domain', '{name}: name = %s; allowed is %s', name, strjoin(fieldnames(numbers)', ', '));", "end",
+            "number = numbers.(name);"]
+    text = ["The number that the library has for a name, one of", *names]
+    return routine(f"number = {name}(name)", name, f"number = {name}(name)", text, 1, body) + LICENCE
 
 
 def texts(interface: Interface) -> dict[str, str]:

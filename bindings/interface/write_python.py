@@ -194,12 +194,11 @@ def header_py(interface: Interface) -> str:
             "roles": tuple(p.role for p in f.parameters),
             "sizes": {p.name: p.size for p in f.parameters if p.size},
             "given by": {p.name: p.given_by for p in f.parameters if p.given_by},
-            "source": equation,
             "reasons": {interface.statuses[status]: replaced(why, IN_PYTHON) for status, why in f.reasons.items()},
             "domains": {p.name: allowed(p.domain) for p in f.parameters if allowed(p.domain)},
             "bounds": {p.name: bounds(p.domain) for p in f.inputs if not p.domain.any},
             "made": kind, "family": f.family, "status": f.result == "status",
-            "doc": docstring(f, equation) if kind != "by hand" else ""}
+            "doc": docstring(f, equation) if is_formula(f) else ""}
         lines += [f"    {f.name!r}: {{", *(f"        {key!r}: {value!r}," for key, value in about.items()), "    },"]
     return "\n".join([*lines, "}", ""])
 

@@ -87,13 +87,10 @@ end
 end
 
 function remove_folder(folder)
-files = dir(folder);
-for i = 1:numel(files)
-    if ~files(i).isdir
-        delete(fullfile(folder, files(i).name));
-    end
+if exist('OCTAVE_VERSION', 'builtin')
+    confirm_recursive_rmdir(false, 'local');
 end
-rmdir(folder);
+rmdir(folder, 's');
 end
 
 % Does the MEX file load? Not where the library needs a GSL and LAPACK of its own still.

@@ -52,9 +52,9 @@ bool workbook_line(const char *const **next, const char *field[FIELDS]);
 /* ---- formula ---- Formulas in which calls of templates are expanded. */
 
 /* The cells of a case in Batch follow its name. */
-static inline int batch_column(int cell)
+static inline int batch_column(int number)
 {
-    return 1 + cell;
+    return 1 + number;
 }
 
 /* The formula with "=" in front, valid until the next. It has the number instead of ~; in a row of
@@ -63,7 +63,7 @@ static inline int batch_column(int cell)
 const char *formula_of(const char *formula, int number, int row);
 
 /* The condition that what is typed into an input is sound: on a row of Batch, or by its name. */
-void check_typing(xlsx *book, xlsx_area area, int cell, int row);
+void check_typing(xlsx *book, xlsx_area area, int number, int row);
 
 /* ---- shown ---- The numbers that the file shows until a spreadsheet computes: those of "rwedge
  * solve". */

@@ -45,7 +45,8 @@ static void pass(stream *t, double *value)
 /* Where memory is short, nothing is read any more, as where the numbers are not sound. */
 static bool has(stream *t, bool memory)
 {
-    t->is_short = t->is_short || !memory;
+    if (!memory)
+        t->is_short = true;
     require(t, memory);
     return t->is_sound;
 }
@@ -256,7 +257,7 @@ static void pass_exact(stream *t, rwedge_contact *c)
     pass_flag(t, &has_exact);
     if (!has_exact)
         return;
-    if (t->in && t->is_sound)
+    if (t->in)
         c->exact = calloc(1, sizeof *c->exact);
     t->is_inner = true;
     if (has(t, c->exact))

@@ -16,19 +16,14 @@
 #include "rwedge.h"
 #include "potential/closed_form.h"
 
-/* Two potentials of the right half. */
-typedef struct {
-    rw_complex G, H;
-} pair;
-
 static rw_complex root_of(const rw_elliptic *e)
 {
     return (rw_complex){e->sin_v * e->sinh_w, e->cos_v * e->cosh_w};
 }
 
-static rw_field mirrored(const rw_potential *p, double x, double y, pair right)
+static rw_field field_of(rw_complex G, rw_complex H)
 {
-    return rw_mirrored(p, x, y, (rw_field){right.G.re, right.G.im, right.H.re, right.H.im});
+    return (rw_field){G.re, G.im, H.re, H.im};
 }
 
 /* ---- By the place ---- */
@@ -73,30 +68,31 @@ static rw_complex y_over_cube(double y, rw_complex X)
     return rw_quotient(rw_quotient(rw_quotient((rw_complex){y, 0}, X), X), X);
 }
 
-static pair by_x(const rw_potential *p, rw_place at)
+static rw_field by_x(const rw_potential *p, rw_place at)
 {
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const rw_complex X = root_of(&e);
     const rw_complex edge = rw_multiple(p->phi0_over_alpha, y_over_cube(at.y, X));
-    return (pair){slope_of(p, at, &e), rw_multiple(2 / RW_PI, rw_sum(corner_of(p, at, X), edge))};
+    return field_of(slope_of(p, at, &e), rw_multiple(2 / RW_PI, rw_sum(corner_of(p, at, X), edge)));
 }
 
 /* G' = -b_0/(2 z^2), y G'' = 2 y b_0/(2 z^3); H = -y b_0/(2 z^2). */
-static pair remote_by_x(const rw_potential *p, rw_place at)
+static rw_field remote_by_x(const rw_potential *p, rw_place at)
 {
     const rw_ray ray = rw_ray_to(at.x, at.y);
     const rw_complex turn = {ray.cosine, -ray.sine}, R = {ray.R_re, ray.R_im};
     const double b0 = rw_first_coefficient(p), per_z = 2 * sqrt(R.re * R.re + R.im * R.im);
     const rw_complex slope = rw_multiple(-b0 * per_z, rw_product(R, turn));
-    return (pair){slope, rw_multiple(-2 * ray.sine, rw_product(slope, turn))};
+    return field_of(slope, rw_multiple(-2 * ray.sine, rw_product(slope, turn)));
 }
 
 rw_field rw_potential_by_x(const rw_potential *potential, double x, double y)
 {
     const rw_place at = rw_place_of(potential, x, y);
-    const pair right = rw_is_remote(at.x, at.y) ? remote_by_x(potential, at) : by_x(potential, at);
+    const rw_field right =
+        rw_is_remote(at.x, at.y) ? remote_by_x(potential, at) : by_x(potential, at);
     const double turned = x < 0 ? -potential->per_half_width : potential->per_half_width;
-    return rw_field_multiple(turned, mirrored(potential, x, y, right));
+    return rw_field_multiple(turned, rw_mirrored(potential, x, y, right));
 }
 
 /* ---- By the rounding ---- */
@@ -126,7 +122,7 @@ static rw_complex kernel_integral(rw_complex per_z2, bool of_H, double phi0)
 }
 
 /* Where |z| > 2 alpha. */
-static pair by_rounding_outside(const rw_potential *p, rw_place at)
+static rw_field by_rounding_outside(const rw_potential *p, rw_place at)
 {
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double factor = -2 / RW_PI * p->per_alpha, phi0 = p->phi0_over_alpha * p->alpha;
@@ -135,11 +131,11 @@ static pair by_rounding_outside(const rw_potential *p, rw_place at)
     const rw_complex per_z2 = rw_product(per_z, per_z);
     const rw_complex G = rw_product(rw_product(X, per_z), per_z);
     const rw_complex H = rw_quotient(rw_multiple(at.y, per_z), X);
-    return (pair){rw_multiple(factor, rw_product(G, kernel_integral(per_z2, false, phi0))),
-                  rw_multiple(factor, rw_product(H, kernel_integral(per_z2, true, phi0)))};
+    return field_of(rw_multiple(factor, rw_product(G, kernel_integral(per_z2, false, phi0))),
+                    rw_multiple(factor, rw_product(H, kernel_integral(per_z2, true, phi0))));
 }
 
-static pair by_rounding_inside(const rw_potential *p, rw_place at)
+static rw_field by_rounding_inside(const rw_potential *p, rw_place at)
 {
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const rw_complex z = {at.x, at.y}, shrink = {rw_elliptic_shrink(&e), 0};
@@ -147,8 +143,9 @@ static pair by_rounding_inside(const rw_potential *p, rw_place at)
     const rw_complex zA = rw_product(z, A_over_alpha(p, at, &e));
     const rw_complex bend = rw_product(z, corner_of(p, at, root_of(&e)));
     const rw_complex slope = slope_of(p, at, &e);
-    return (pair){rw_multiple(2 / RW_PI, rw_sum(zA, rw_multiple(-p->phi0_over_alpha, R))),
-                  rw_multiple(-1, rw_sum(rw_multiple(at.y, slope), rw_multiple(2 / RW_PI, bend)))};
+    return field_of(
+        rw_multiple(2 / RW_PI, rw_sum(zA, rw_multiple(-p->phi0_over_alpha, R))),
+        rw_multiple(-1, rw_sum(rw_multiple(at.y, slope), rw_multiple(2 / RW_PI, bend))));
 }
 
 /* a d/da of ln b_0, b_0 = (2/pi) (phi0/alpha + c0). c0 has digits next to alpha = 1 that alpha has
@@ -171,33 +168,33 @@ rw_field rw_potential_by_rounding(const rw_potential *potential, double x, doubl
     if (rw_is_remote(at.x, at.y)) /* G = b_0/(2z) */
         return rw_field_multiple(rate_of_force(potential), rw_potential_at(potential, x, y));
     const bool outside = at.x * at.x + at.y * at.y > 4 * alpha * alpha;
-    return mirrored(potential, x, y,
-                    outside ? by_rounding_outside(potential, at)
-                            : by_rounding_inside(potential, at));
+    return rw_mirrored(potential, x, y,
+                       outside ? by_rounding_outside(potential, at)
+                               : by_rounding_inside(potential, at));
 }
 
 /* ---- By the half-width ---- */
 
-static pair flat_punch(rw_place at)
+static rw_field flat_punch(rw_place at)
 {
     const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const rw_complex X = root_of(&e), z = {at.x, at.y};
-    return (pair){rw_quotient((rw_complex){1, 0}, X),
-                  rw_multiple(-1, rw_product(z, y_over_cube(at.y, X)))};
+    return field_of(rw_quotient((rw_complex){1, 0}, X),
+                    rw_multiple(-1, rw_product(z, y_over_cube(at.y, X))));
 }
 
 /* 1/z, -y/z^2. */
-static pair remote_force(rw_place at)
+static rw_field remote_force(rw_place at)
 {
     const rw_ray ray = rw_ray_to(at.x, at.y);
     const rw_complex R = {2 * ray.R_re, 2 * ray.R_im}, turn = {ray.cosine, -ray.sine};
-    return (pair){R, rw_multiple(-ray.sine, rw_product(R, turn))};
+    return field_of(R, rw_multiple(-ray.sine, rw_product(R, turn)));
 }
 
 rw_field rw_potential_by_half_width(const rw_potential *potential, double x, double y)
 {
     const rw_place at = rw_place_of(potential, x, y);
-    const pair right = rw_is_remote(at.x, at.y) ? remote_force(at) : flat_punch(at);
+    const rw_field right = rw_is_remote(at.x, at.y) ? remote_force(at) : flat_punch(at);
     return rw_field_multiple(2 / RW_PI * potential->phi0_over_alpha,
-                             mirrored(potential, x, y, right));
+                             rw_mirrored(potential, x, y, right));
 }

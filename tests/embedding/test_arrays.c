@@ -27,13 +27,13 @@ static size_t count_of(const signed char sizes[2], const size_t n[])
     return (sizes[0] < 0 ? 1 : n[(int)sizes[0]]) * (sizes[1] < 0 ? 1 : n[(int)sizes[1]]);
 }
 
-static int32_t call(const entry *e, const void *object, const size_t n[], double *const v[],
+static int32_t call(const entry *e, void *object, const size_t n[], double *const v[],
                     double *const r[])
 {
     const double *in[ENTRY_ARGUMENTS];
     memcpy(in, v, sizeof in);
     if (!e->changes_object)
-        return e->call((void *)(uintptr_t)object, n, in, r, NULL);
+        return e->call(object, n, in, r, NULL);
     rwedge_contact *copy = NULL;
     assert_ok(rwedge_contact_copy(object, &copy));
     const int32_t status = e->call(copy, n, in, r, NULL);
@@ -52,15 +52,12 @@ static void take_point(const signed char sizes[2], int dimension, int point, con
                        double alone[])
 {
     const bool has_points = sizes[0] == dimension || sizes[1] == dimension;
-    for (int i = 0; i < (sizes[1] >= 0 ? LOADS : 1); i++)
-        alone[i] = all[i * POINTS + point];
-    if (!has_points)
-        memcpy(alone, all, LOADS * sizeof *alone);
+    for (int i = 0; i < LOADS; i++)
+        alone[i] = has_points ? all[i * POINTS + point] : all[i];
 }
 
 /* By the function itself, or by that of one point. */
-static void assert_alone(const entry *e, const entry *one, const void *object, arrays in,
-                         arrays out)
+static void assert_alone(const entry *e, const entry *one, void *object, arrays in, arrays out)
 {
     static arrays v, got, expected;
     double *to_v[ENTRY_ARGUMENTS], *to_got[ENTRY_ARGUMENTS];
@@ -82,7 +79,7 @@ static void assert_alone(const entry *e, const entry *one, const void *object, a
 }
 
 /* Each result is written over the last argument that is as long and is free. */
-static void assert_in_place(const entry *e, const void *object, const size_t n[], arrays in)
+static void assert_in_place(const entry *e, void *object, const size_t n[], arrays in)
 {
     static arrays v, out, own;
     double *to_v[ENTRY_ARGUMENTS], *to_out[ENTRY_ARGUMENTS], *over[ENTRY_ARGUMENTS];
@@ -101,7 +98,7 @@ static void assert_in_place(const entry *e, const void *object, const size_t n[]
 }
 
 /* No points need no arrays, unless their loads are arrays of stresses. */
-static void assert_none(const entry *e, const void *object, arrays in, arrays out)
+static void assert_none(const entry *e, void *object, arrays in, arrays out)
 {
     const bool is_field = !e->pointwise && !e->takes_object;
     size_t n[ENTRY_SIZES] = {LOADS, 0};
@@ -125,7 +122,7 @@ static const entry *of_one_point(const entry *e)
     return one != NULL ? one : e;
 }
 
-static bool try_arrays(const entry *e, const void *object, uint64_t *seed)
+static bool try_arrays(const entry *e, void *object, uint64_t *seed)
 {
     static arrays in, out;
     double *to_in[ENTRY_ARGUMENTS], *to_out[ENTRY_ARGUMENTS];

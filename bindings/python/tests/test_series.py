@@ -23,12 +23,6 @@ def test_a_copy_is_the_series_itself():
         pickle.dumps(series)
 
 
-def test_nan_gives_nan():
-    series = rwedge.Series(0.5, 20)
-    assert np.isnan(series.pressure([np.nan, 0.1])).tolist() == [True, False]
-    assert np.isnan(series.potential(0.3, np.nan, 1.0))
-
-
 MANY = np.linspace(-0.9, 0.9, 2**14)
 
 

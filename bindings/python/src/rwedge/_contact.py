@@ -2,6 +2,7 @@
 """A contact with a load history."""
 from __future__ import annotations
 
+import contextlib
 import copyreg
 import ctypes
 import math
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from ._blocks import FEW, blocks
 from ._cycle import Cycle
 from ._header import FUNCTIONS
-from ._labels import Numbers, aligned
+from ._labels import Numbers, aligned, plain
 from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, PathError, check, function, real
 from ._loads import Columns, History, Loads, columns, given_columns
 from ._made import ContactMethods, _contact_stresses
@@ -65,34 +66,23 @@ def _pad_of(state: NDArray[Any]) -> _Pad:
     return wedge._replace(kind=".profile") if arcs else wedge._replace(kind=".cylinder", other={"R": wedge.a})
 
 
-class _Forks:
+_contacts: weakref.WeakSet[Any] = weakref.WeakSet()
+_adding, _held = threading.RLock(), contextlib.ExitStack()
+
+
+def _hold_all() -> None:
     """os.fork waits until no contact is in a call: the new process would wait for a thread that it does not have."""
-
-    def __init__(self) -> None:
-        self._lock, self._contacts = threading.RLock(), weakref.WeakSet[Any]()
-        self._held: list[Any] = []
-        if hasattr(os, "register_at_fork"):
-            os.register_at_fork(before=self._before, after_in_parent=self._after, after_in_child=self._after)
-
-    def add(self, contact: Any) -> None:
-        """Not to be called while holding a contact's lock: a fork takes this lock first, and then those of the contacts."""
-        with self._lock:
-            self._contacts.add(contact)
-
-    def _before(self) -> None:
-        self._lock.acquire()
-        self._held = [contact._lock for contact in self._contacts]
-        for lock in self._held:
-            lock.acquire()
-
-    def _after(self) -> None:
-        for lock in self._held:
-            lock.release()
-        self._held = []
-        self._lock.release()
+    _held.enter_context(_adding)  # before the locks of contacts: _begin, which takes it too, has none of these
+    for contact in _contacts:
+        _held.enter_context(contact._lock)
 
 
-_forks = _Forks()
+def _let_all_go() -> None:
+    _held.pop_all().close()  # of another stack, as the next fork may use this one before the last lock is open
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(before=_hold_all, after_in_parent=_let_all_go, after_in_child=_let_all_go)
 
 
 class Contact(ContactMethods):
@@ -172,7 +162,7 @@ class Contact(ContactMethods):
     @classmethod
     def profile(cls: type[Self], x: Numbers, slope: Numbers, A: SupportsFloat, f: SupportsFloat,
                 tolerance: SupportsFloat = 1e-4) -> Self:
-        places, slopes = (np.ascontiguousarray(np.asarray(column).astype(float, casting="safe")).ravel() for column in (x, slope))
+        places, slopes = (plain(column).ravel() for column in (x, slope))
         if places.size != slopes.size:
             raise Error(f"x has {places.size} places, and slope {slopes.size}", EDOMAIN)
         if not 2 <= places.size <= 1000 or slopes[0] == slopes[-1]:
@@ -189,15 +179,15 @@ class Contact(ContactMethods):
         values, handle = {key: real(key, value) for key, value in numbers.items()}, ctypes.c_void_p()
         check(name, function(name)(*arrays, *values.values(), ctypes.byref(handle)), values)
         self._begin(handle)
-        is_wedge = name == "contact_create"
-        self._pad = _Pad(values["theta"], values["a"], values["A"], values["f"]) if is_wedge else _pad_of(self.state())
+        self._pad = _pad_of(self.state())
         self.allow_error(tolerance)
         return self
 
     def _begin(self, handle: ctypes.c_void_p) -> None:
         self._lock = threading.RLock()
         self._adopt(handle, _destroy)
-        _forks.add(self)
+        with _adding:
+            _contacts.add(self)
 
     def copy(self: Self) -> Self:
         """An independent copy, history and all: to try a load and go back. The attributes of a subclass are shared."""
@@ -335,7 +325,7 @@ class Contact(ContactMethods):
         (3, 2)
         """
         points, labelled = aligned((x, y))
-        x, y = np.broadcast_arrays(*(np.asarray(place).astype(float, casting="safe") for place in points))
+        x, y = np.broadcast_arrays(*map(plain, points))
         labels = None if labelled is None else labelled(np.zeros(x.shape))
         known, arrays = ~(np.isnan(x) | np.isnan(y)), given_columns(loads)
         with self._lock:
@@ -357,7 +347,7 @@ class Contact(ContactMethods):
 
     @classmethod
     def restore(cls: type[Self], state: Numbers) -> Self:
-        numbers = np.ascontiguousarray(np.asarray(state).astype(float, casting="safe")).ravel()
+        numbers = plain(state).ravel()
         handle = ctypes.c_void_p()
         status = _restore(numbers.size, numbers.ctypes.data, ctypes.byref(handle))
         if status == EDOMAIN:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._header import FUNCTIONS
-from ._labels import refuse_labels
+from ._labels import plain, refuse_labels
 from ._library import EDOMAIN, ERANGE, Error, check, function, integer, real
 
 _TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
@@ -17,7 +17,7 @@ _TYPES: dict[str, Any] = {"double": real, "int32_t": integer}
 
 def _numbers(name: str, value: Any, dimensions: int) -> NDArray[Any]:
     refuse_labels(name, value)
-    array = np.ascontiguousarray(np.asarray(value).astype(float, casting="safe", copy=False))
+    array = np.atleast_1d(plain(value))
     if array.ndim != dimensions:
         raise Error(f"{name} has the shape {array.shape}: the number of its dimensions must be {dimensions}", ERANGE)
     for place in np.argwhere(np.isnan(array)):
@@ -25,54 +25,37 @@ def _numbers(name: str, value: Any, dimensions: int) -> NDArray[Any]:
     return array
 
 
-class _Call:
-    """One call: the arguments of C, from those of Python."""
+def _inputs(about: dict[str, Any], given: tuple[Any, ...]) -> dict[str, Any]:
+    """The numbers and arrays by their names."""
+    inputs = [(*parameter, role) for parameter, role in zip(about["parameters"], about["roles"]) if role in ("in", "in array")]
+    return {name: _numbers(name, value, len(about["sizes"][name])) if role == "in array" else _TYPES[kind](name, value)
+            for (kind, name, role), value in zip(inputs, given)}
 
-    def __init__(self, name: str, address: Any, arguments: tuple[Any, ...]) -> None:
-        self.name, self.about, self.address = name, FUNCTIONS[name], address
-        inputs = [n for (_, n), role in zip(self.about["parameters"], self.about["roles"]) if role in ("in", "in array")]
-        self.values, self.sizes = dict(zip(inputs, arguments)), self._told_sizes()
-        self.outputs: dict[str, NDArray[Any]] = {}
 
-    def _told_sizes(self) -> dict[str, int]:
-        return {size: function(teller)(self.address) for size, teller in self.about["given by"].items()}
-
-    def _measure(self, name: str, array: NDArray[Any]) -> None:
-        for size, count in zip(self.about["sizes"][name], array.shape):
-            if self.sizes.setdefault(size, count) != count:
-                raise Error(f"{name} has the shape {array.shape}, where others have {self.sizes[size]} in place of {count}", ERANGE)
-
-    def arguments(self) -> list[Any]:
-        for (kind, name), role in zip(self.about["parameters"], self.about["roles"]):
-            if role == "in array":
-                self.values[name] = _numbers(name, self.values[name], len(self.about["sizes"][name]))
-                self._measure(name, self.values[name])
-            elif role == "in":
-                self.values[name] = _TYPES[kind](name, self.values[name])
-        return [self._argument(name, role) for (_, name), role in zip(self.about["parameters"], self.about["roles"])]
-
-    def _argument(self, name: str, role: str) -> Any:
-        if role in ("in", "in array"):
-            value = self.values[name]
-            return value if role == "in" else value.ctypes.data
-        if role == "size":
-            return self.sizes[name]
-        if role in ("handle", "changed"):
-            return self.address
-        self.outputs[name] = np.empty([self.sizes[n] for n in self.about["sizes"].get(name, ())])
-        return self.outputs[name].ctypes.data
-
-    def results(self) -> Any:
-        result = function(self.name)(*self.arguments())
-        if self.about["result"] == "const char *":
-            return (result.decode(), *map(float, self.outputs.values())) if self.outputs else result.decode()
-        if not self.outputs and not self.about["status"]:
-            return result
-        check(self.name, result, {n: v for n, v in self.values.items() if not isinstance(v, np.ndarray)})
-        results = tuple(array if array.ndim else float(array) for array in self.outputs.values())
-        return results if len(results) > 1 else results[0] if results else None
+def _sizes(about: dict[str, Any], address: Any, values: dict[str, Any]) -> dict[str, int]:
+    """The sizes, which a function tells or the arrays have: they must agree."""
+    sizes: dict[str, int] = {size: function(teller)(address) for size, teller in about["given by"].items()}
+    for name, value in values.items():
+        for size, count in zip(about["sizes"].get(name, ()), np.shape(value)):
+            if sizes.setdefault(size, count) != count:
+                raise Error(f"{name} has the shape {value.shape}, where others have {sizes[size]} in place of {count}", ERANGE)
+    return sizes
 
 
 def call(name: str, address: Any, *arguments: Any) -> Any:
     """The results of rwedge_name(): a number, an array, or a tuple of them."""
-    return _Call(name, address, arguments).results()
+    about = FUNCTIONS[name]
+    values = _inputs(about, arguments)
+    sizes = _sizes(about, address, values)
+    outputs = {output: np.empty([sizes[n] for n in about["sizes"].get(output, ())])
+               for (_, output), role in zip(about["parameters"], about["roles"]) if role in ("out", "out array")}
+    own = {**values, **sizes, **outputs}
+    passed = [own.get(parameter, address) for _, parameter in about["parameters"]]
+    result = function(name)(*(value.ctypes.data if isinstance(value, np.ndarray) else value for value in passed))
+    if about["result"] == "const char *":
+        return (result.decode(), *map(float, outputs.values())) if outputs else result.decode()
+    if not outputs and not about["status"]:
+        return result
+    check(name, result, {n: v for n, v in values.items() if not isinstance(v, np.ndarray)})
+    results = tuple(array if array.ndim else float(array) for array in outputs.values())
+    return results if len(results) > 1 else results[0] if results else None

@@ -33,6 +33,11 @@ def refuse_units(value: Any) -> None:
         raise TypeError(f"{value!r} has a unit, which would be lost: give the number alone, in the units of the other arguments")
 
 
+def plain(value: Any) -> NDArray[np.float64]:
+    """Numbers as the ufuncs accept them: a TypeError for strings, objects and complex numbers."""
+    return np.asarray(value).astype(float, order="C", casting="safe")
+
+
 def _numbers(value: Any) -> NDArray[Any]:
     """As a plain array; a missing value of pandas is NaN."""
     return value.to_numpy(dtype=float, na_value=np.nan) if hasattr(value, "to_numpy") and hasattr(value, "index") else np.asarray(value)

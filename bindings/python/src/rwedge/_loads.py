@@ -9,7 +9,7 @@ from typing import Any, Mapping, NamedTuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._labels import Numbers, SupportsArray, refuse_units
+from ._labels import Numbers, SupportsArray, plain, refuse_units
 from ._library import EDOMAIN, ERANGE, Error
 
 
@@ -31,7 +31,7 @@ History = Union[Mapping[str, Any], SupportsArray, Numbers]
 
 def _numbers(name: str, column: Any) -> NDArray[np.float64]:
     refuse_units(column)
-    array = np.asarray(column).astype(float, casting="safe")
+    array = plain(column)
     if array.ndim > 1:
         raise Error(f"{name} has the shape {array.shape}: a history has one dimension", ERANGE)
     if np.isnan(array).any():
@@ -51,7 +51,7 @@ def _named(loads: Any) -> dict[str, Any]:
 
 
 def _by_place(loads: Any) -> dict[str, Any]:
-    array = np.asarray(loads).astype(float, casting="safe")
+    array = plain(loads)
     if array.ndim != 2 or array.shape[1] not in (2, 4):
         raise Error(f"loads has the shape {array.shape}: a row for each load, of P, Q or of P, M, Q, sigma", ERANGE)
     return dict(zip(("P", "Q") if array.shape[1] == 2 else Loads._fields, array.T))

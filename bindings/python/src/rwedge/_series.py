@@ -9,18 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._blocks import beside
-from ._labels import Numbers, aligned
+from ._labels import Numbers, aligned, plain
 from ._library import EDOMAIN, Error, check, function, integer, real
 from ._made import SeriesMethods
 from ._ufuncs import Points
 
 _create, _fit, _destroy = (function("series_" + name) for name in ("create", "fit", "destroy"))
 _coefficient, _potential = Points("series_coefficient"), Points("series_potential")
-
-
-def _samples(numbers: Any) -> NDArray[Any]:
-    """Numbers as the ufuncs accept them: a TypeError for strings, objects and complex numbers."""
-    return np.ascontiguousarray(np.asarray(numbers).astype(float, casting="safe"))
 
 
 class Series(SeriesMethods):
@@ -59,7 +54,7 @@ class Series(SeriesMethods):
     @classmethod
     def fit(cls, x: Numbers, p: Numbers, terms: SupportsIndex) -> Series:
         terms = integer("terms", terms)
-        places, pressures = map(_samples, aligned((x, p))[0])
+        places, pressures = (np.atleast_1d(plain(samples)) for samples in aligned((x, p))[0])
         if places.ndim != 1 or places.shape != pressures.shape:
             raise Error(f"x has the shape {places.shape}, p {pressures.shape}: they must be of one dimension and the same length")
         series, handle = cls.__new__(cls), ctypes.c_void_p()

@@ -18,7 +18,7 @@
 
 #include <stdio.h>
 
-enum { ANGLES = 25, RADII = 190, MARKS_MAX = 40 };
+enum { ANGLES = 25, RADII = 190, MARKS_MAX = 40, TURNS = 5000 };
 static const double FALL = 0.83, COARSE = 0.04, FINE = 1e-8, WORTH = 0.8;
 
 static const double THETA = 0.1, A = 0.1;
@@ -62,10 +62,12 @@ static void evaluate(search *s, double mark, place at[AROUND])
     }
 }
 
-/* To the highest of the eight places around, at ever smaller distances. */
+/* To the highest of the eight places around, at ever smaller distances. Along a narrow ridge that
+ * took hours. */
 static place climb(search *s, double mark, place top)
 {
-    for (double step = COARSE; step > FINE;) {
+    double step = COARSE;
+    for (int turn = 0; turn < TURNS && step > FINE; turn++) {
         place at[AROUND];
         for (int i = 0; i < AROUND; i++)
             at[i] =
@@ -326,14 +328,11 @@ static double survey_sliding(uint64_t *seed)
     return above;
 }
 
-/* Of both claims, which draw one after the other. */
-static uint64_t seed;
-
 CLAIM(no_yield_factor_misses_a_maximum)
 {
     long missed = 0, searched = 0;
     double worst = -1;
-    seed = seed_or(1);
+    uint64_t seed = seed_or(1);
     for (long i = 0; i < cases_or(60); i++) {
         const uint64_t drawn = seed;
         double nu, factor, x, y;
@@ -360,6 +359,7 @@ CLAIM(no_yield_factor_misses_a_maximum)
 CLAIM(no_elastic_limit_misses_a_maximum)
 {
     double worst = -1;
+    uint64_t seed = seed_or(1);
     for (long i = 0; i < cases_or(60); i++)
         worst = fmax(worst, survey_sliding(&seed));
     printf("in full sliding: at most %.1e\n", worst);

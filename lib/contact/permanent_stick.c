@@ -9,7 +9,7 @@ static int32_t load_once(const rwedge_contact *like, rw_loads to, rwedge_contact
     int32_t status = rwedge_contact_copy(like, contact);
     if (status == RWEDGE_OK) {
         rw_numerical_end(*contact);
-        (*contact)->tolerance = (*contact)->energy = 0;
+        (*contact)->tolerance = (*contact)->energy = (*contact)->energy_carry = 0;
         status = rwedge_contact_apply(*contact, 0, 0, 0, to.sigma);
     }
     if (status == RWEDGE_OK)

@@ -81,21 +81,21 @@ static rw_patch sharp(double m, double P)
 }
 
 /* From the centred patch. */
-static rw_patch patch_of_wedge(search *wanted)
+static rw_patch patch_of_wedge(search *s)
 {
-    const double a = wanted->arcs->rounding.right, P = wanted->P, delta = wanted->wanted;
-    const double arm = wanted->by_moment ? delta / P : 0;
+    const double a = s->arcs->rounding.right, P = s->P, wanted = s->wanted;
+    const double arm = s->by_moment ? wanted / P : 0;
     if (a == 0)
-        return sharp(wanted->by_moment ? 2 * arm : P / 2 * tan(RW_HALF_PI * delta), P);
+        return sharp(s->by_moment ? 2 * arm : P / 2 * tan(RW_HALF_PI * wanted), P);
     if (arm > 2 * RW_LARGEST * fmin(a, 1)) /* it is inside the contact: it, or a/b, is too large */
         return NONE;
-    const double s = sqrt(2 / RW_PI * a) * sqrt(P), m = wanted->by_moment ? arm : delta * a;
-    if (m + s <= a) /* Hertz */
-        return (rw_patch){m - s, m + s};
-    const double centred = s <= a ? s : a / rwedge_a_over_b(P / a);
+    const double half = sqrt(2 / RW_PI * a) * sqrt(P), m = s->by_moment ? arm : wanted * a;
+    if (m + half <= a) /* Hertz */
+        return (rw_patch){m - half, m + half};
+    const double centred = half <= a ? half : a / rwedge_a_over_b(P / a);
     if (isnan(centred)) /* a/b is not in the domain */
         return NONE;
-    return search_patch(wanted, -centred * (1 + 4 * DBL_EPSILON), a, DBL_EPSILON * centred / 4);
+    return search_patch(s, -centred * (1 + 4 * DBL_EPSILON), a, DBL_EPSILON * centred / 4);
 }
 
 /* ---- A pad ---- */
@@ -119,7 +119,9 @@ double rw_pad_half_width(const rw_pad *pad, double P)
     return rw_root(half_load_excess, &at, lo, hi, 0);
 }
 
-/* The left edge is between -infinity, where the tilt is -1, and the right end of the profile. */
+/* The left edge is between -infinity, where the tilt is -1, and the right end of the profile. The
+ * first loop ends: steps that begin with P > 0 reach any distance. Without P there is no moment,
+ * and at the left end of the profile the tilt is -1 already. */
 static rw_patch patch_of_pad(search *s)
 {
     const rw_pad *pad = s->arcs->pad;

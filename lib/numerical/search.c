@@ -298,9 +298,9 @@ static void end_slip_at_edges(rw_work *w, const rw_problem *p, rw_outcome *best)
             p->allowed * p->scale ||
         !try_fronts(w, p, &zones, 0, &other))
         return;
-    const bool is_better = other.violation <= p->allowed;
-    rw_shear_state_destroy(is_better ? &best->state : &other.state);
-    if (is_better)
+    const bool is_allowed = other.violation <= p->allowed;
+    rw_shear_state_destroy(is_allowed ? &best->state : &other.state);
+    if (is_allowed)
         *best = other;
 }
 

@@ -134,8 +134,10 @@ static bool has_worst_product(const rw_plane_cycle *cycle, double value)
     return r * z + p * beyond <= 2 * value;
 }
 
+enum { ARCS = 8 };
+
 /* How often an arc is halved to show that no plane away from it is worse. */
-enum { ARCS = 8, DEPTH = 7 };
+enum { DEPTH = 7 };
 
 #define DIAGONAL 0.70710678118654752
 static const rw_direction CENTRES[ARCS] = {

@@ -94,8 +94,8 @@ static inline double bottom_of(const control *c)
     return -rw_larger(rw_larger(-c->at[0], -c->at[1]), -c->at[2]);
 }
 
-/* Below all; the sum of two is a number. */
-static const control LOWEST = {{-DBL_MAX / 2, -DBL_MAX / 2, -DBL_MAX / 2}};
+/* Below all; the sum of three is a number. */
+static const control LOWEST = {{-DBL_MAX / 4, -DBL_MAX / 4, -DBL_MAX / 4}};
 
 /* ---- Bounds ---- */
 
@@ -201,8 +201,8 @@ static bool settle(search *s, const arc *a)
     const rw_direction u = middle_of(a);
     const rw_wave peak = s->member[PEAK][0],
                   range = sum_of(&s->member[TOP][0], &s->member[BOTTOM][0]);
-    const rw_wave sum = sum_of(&peak, &range), one = {1, 0, 0};
-    const rw_wave v = s->cycle->is_sum ? one : turned(&peak, u),
+    const rw_wave sum = sum_of(&peak, &range), unit = {1, 0, 0};
+    const rw_wave v = s->cycle->is_sum ? unit : turned(&peak, u),
                   w = turned(s->cycle->is_sum ? &sum : &range, u);
     const quartic slope = derivative(&v, &w);
     const double *c = slope.coefficient;

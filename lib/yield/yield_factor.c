@@ -140,8 +140,8 @@ static bool is_maximum(const double J2[], int rows, int i, int j, double *lowest
 
 /* A top between the points of a grid with the step h is at most h/2 away. A parabola falls 8 times
  * as far to the neighbour on the other side as it rises to its top: so the rise that is allowed is
- * 8 times that. This is an estimate, not a bound. tests/proof/test_yield_survey.c checks it,
- * which leaves nothing out on grids three times as fine: it found no higher J2 in 1500 random
+ * 8 times that. This is an estimate, not a bound. tests/proof/test_yield_survey.c checks it: it
+ * leaves no start out, on grids three times as fine. It found no higher J2 in 1500 random
  * histories, once climb_ridge() was there. */
 static void note_starts(search *s, const polar_grid *grid, int side)
 {

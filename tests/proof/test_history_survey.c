@@ -3,7 +3,7 @@
  * every other one of P and M too. The error that is told is held against a contact that goes there
  * in twenty parts, the shorter the earlier, to a hundredth of the tolerance. Within a hundredth of
  * the half-width of a front of slip, at or within any of the loads, it is not: q rises there like a
- * root. What else a computed shear obeys: ../random/random_loads.c,
+ * root. What else a computed shear obeys: ../random/test_random_loads.c,
  * ../lib/contact/test_shear_laws.c.
  *
  *     test_history_survey HISTORIES [SEED]

@@ -6,6 +6,7 @@
  * with so many random cases, from that seed, where a claim draws them. */
 #include "claims.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 static long asked[2]; /* cases, seed; 0 where the command says nothing */
@@ -29,8 +30,10 @@ int main(int argc, char **argv)
             cmocka_set_test_filter(argv[i]);
         else if (number > 0 && numbers < 2)
             asked[numbers++] = number;
-        else
+        else {
+            fprintf(stderr, "usage: %s [CASES [SEED]] [PATTERN], both numbers from 1\n", argv[0]);
             return 2;
+        }
     }
     return run_claims();
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "quadrature.h"
 
+#include "claims.h"
 #include "rwedge.h"
 
 #include <gsl/gsl_errno.h>
@@ -10,7 +11,6 @@
 #include <string.h>
 
 enum { INTERVALS = 2000 };
-static const double PI = 3.14159265358979323846;
 
 typedef struct {
     integrand f;
@@ -62,6 +62,7 @@ static int compare(const void *first, const void *second)
 double integral(integrand f, const void *context, size_t n, const double points[])
 {
     double sum = 0, at[64];
+    assert_true(n < sizeof at / sizeof *at);
     memcpy(at, points, (n + 1) * sizeof *at);
     qsort(at, n + 1, sizeof *at, compare);
     for (size_t i = 0; i < n; i++)

@@ -62,6 +62,7 @@ static double work_of_slip(const rwedge_contact *contact)
     const rw_patch whole = edges_of(contact);
     double points[32] = {-contact->geometry.a, contact->geometry.a};
     size_t n = 2;
+    assert_true(2 * contact->memory.count <= sizeof points / sizeof *points);
     for (size_t i = 1; i < contact->memory.count; i++) {
         points[n++] = contact->memory.corners[i].patch.left;
         points[n++] = contact->memory.corners[i].patch.right;

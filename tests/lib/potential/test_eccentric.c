@@ -7,7 +7,9 @@
 static const struct {
     double a;
     rw_patch patch;
-} CASES[] = {{0.3, {-0.8, 1.2}}, {0.3, {-0.2, 1.8}}, {3, {-0.8, 1.2}}};
+} CASES[] = {{0, {-0.8, 1.2}}, {0.3, {-0.8, 1.2}},  {0.3, {-0.2, 1.8}},
+             {3, {-0.8, 1.2}}, {1e-9, {-0.7, 0.9}}, {1, {-0.95, 1.001}}};
+enum { COUNT = sizeof CASES / sizeof *CASES };
 
 /* G = (1/pi) int p/(t-z) dt, along t = m + s sin(v). */
 typedef struct {
@@ -27,7 +29,7 @@ static double kernel(double v, const void *context)
 
 CLAIM(is_the_integral_of_the_pressure)
 {
-    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
+    for (int i = 1; i < 4; i++) {
         rw_eccentric p;
         rw_eccentric_init_arc(&p, rw_rounding(CASES[i].a), CASES[i].patch);
         const double points[][2] = {{0.4, 0.7}, {-1.3, 0.5}, {1.2, 0.9}, {3, 2}};
@@ -40,6 +42,29 @@ CLAIM(is_the_integral_of_the_pressure)
             assert_within(is.G_re, integral(kernel, &c, 3, v), 1e-12);
             c.imaginary = true;
             assert_within(is.G_im, integral(kernel, &c, 3, v), 1e-12);
+        }
+    }
+}
+
+CLAIM(a_batch_has_the_bits_of_its_points)
+{
+    for (int i = 0; i < COUNT; i++) {
+        rw_eccentric potential;
+        rw_eccentric_init_arc(&potential, rw_rounding(CASES[i].a), CASES[i].patch);
+        uint64_t seed = 11;
+        double x[RW_BATCH], y[RW_BATCH];
+        for (int k = 0; k < RW_BATCH; k++) {
+            x[k] = 8 * random_fraction(&seed) - 4;
+            y[k] = k % 5 ? 3 * random_fraction(&seed) : 0;
+        }
+        for (int n = 1; n <= RW_BATCH; n += 7) {
+            rw_fields fields;
+            rw_eccentric_fields(&potential, n, x, y, &fields);
+            for (int k = 0; k < n; k++) {
+                const rw_field alone = rw_eccentric_at(&potential, x[k], y[k]),
+                               of_batch = rw_field_in(&fields, k);
+                assert_memory_equal(&alone, &of_batch, sizeof alone);
+            }
         }
     }
 }

@@ -462,8 +462,8 @@ RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 
 /* Why rwedge_contact_apply() would return RWEDGE_EPATH for these loads, in English; empty where it
  * would not. The text also names loads that lead there, or near, another way. They were tried on a
- * copy: the contact stays as it is. That takes as long as some loads. Another way is another
- * history.                                                                                      new
+ * copy: the contact stays as it is. These trials take as long as some loads. Another way is
+ * another history.                                                                              new
  *   others  as in rwedge_contact_apply()
  * Static text, never NULL. */
 RWEDGE_API const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, double M,

@@ -55,7 +55,8 @@ typedef struct {
     /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
      * where else inputs are given, "columns or options", or NULL */
     const char *how_comma, *where_else;
-    /* the profile of a name; NULL with the complaint where there is none */
+    /* the profile of a name; NULL with the complaint where there is none. NULL itself where no text
+     * is that of a profile. */
     const pad_profile *(*profile_named)(const char *name, char complaint[]);
     /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
     double tolerance;

@@ -58,6 +58,8 @@ static void insert(xlsx *book)
 
 void xlsx_curve(xlsx *book, const char *drawing, const char *name, const char *x, const char *y)
 {
+    if (book->chart == NULL) /* for lack of memory, which is noted */
+        return;
     int kind = 0;
     while (strcmp(drawings[kind].name, drawing) != 0)
         kind++;
@@ -112,11 +114,11 @@ static void draw_title(lxw_chart *chart, const char *title)
 void xlsx_chart_begin(xlsx *book, xlsx_area at, const xlsx_chart *chart)
 {
     lxw_chart *drawn = workbook_add_chart(book->workbook, LXW_CHART_SCATTER_STRAIGHT);
+    book->chart = drawn;
     if (drawn == NULL) {
         xlsx_keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
         return;
     }
-    book->chart = drawn;
     book->curves = 0;
     book->chart_row = (lxw_row_t)at.row;
     book->chart_column = (lxw_col_t)at.column;

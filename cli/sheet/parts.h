@@ -11,7 +11,7 @@ struct xlsx {
     lxw_workbook *workbook;
     lxw_worksheet *current;
     lxw_format *style[XLSX_STYLE_COUNT];
-    lxw_chart *chart; /* the last, how many curves it has, and where it goes */
+    lxw_chart *chart; /* the last, NULL for lack of memory; its curves, and where it goes */
     int curves;
     lxw_row_t chart_row;
     lxw_col_t chart_column;

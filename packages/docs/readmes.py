@@ -16,6 +16,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import subprocess
 import sys
 from pathlib import Path, PurePosixPath
 
@@ -95,9 +96,18 @@ class Site:
             sys.exit(f"FAILED: {PAGES}: {path} has no section {name}")
         return self.linked(path, [f"## {title}", *parts[name][1:]] if title else parts[name])
 
+    def files(self) -> list[str]:
+        """What is committed; where there is no clone, all files."""
+        committed = subprocess.run(["git", "-C", str(self.top), "ls-files", "-z"], capture_output=True, text=True, check=False).stdout
+        if committed:
+            return [file for file in committed.split("\0")[:-1] if (self.top / file).is_file()]
+        present = (file.relative_to(self.top).as_posix() for file in self.top.rglob("*") if file.is_file())
+        return [file for file in present if not file.startswith(("build", "."))]
+
     def write(self) -> None:
-        built = {name for name in os.listdir(self.top) if name.startswith(("build", "."))}
-        shutil.copytree(self.top, self.target, dirs_exist_ok=True, ignore=lambda folder, _: built if folder == str(self.top) else ())
+        for file in self.files():
+            (self.target / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(self.top / file, self.target / file)
         for folder in (PAGES, "packages/paper"):
             shutil.rmtree(self.target / folder)
         (self.target / FRONT).unlink()

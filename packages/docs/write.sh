@@ -30,6 +30,7 @@ mkdir "$tools/source"
 "$tools/venv/bin/python" -B -m sphinx -b html -nWEq --keep-going -c "$here" -d "$tools/doctrees" "$tools/source" "$build/docs"
 rm "$build/docs/.buildinfo"
 cd "$build/docs"
+find . -type d -empty -delete # Sphinx leaves one, which no zip has
 if grep -rnoE '<(img|script|link|iframe|source|object)[^>]* (src|href|data)="(https?:)?//[^"]*|url\(.?(https?:)?//[^)]*|\\(frac|varphi).{0,20}' \
     --include='*.html' --include='*.css' .; then
     echo "FAILED: this is loaded from elsewhere, or no formula"

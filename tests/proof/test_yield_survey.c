@@ -62,8 +62,8 @@ static void evaluate(search *s, double mark, place at[AROUND])
     }
 }
 
-/* To the highest of the eight places around, at ever smaller distances. Along a narrow ridge that
- * took hours. */
+/* To the highest of the eight places around, at ever smaller distances. A climb along a
+ * narrow ridge would take hours: it ends after TURNS turns. */
 static place climb(search *s, double mark, place top)
 {
     double step = COARSE;

@@ -196,10 +196,11 @@ int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const me
 /* ---- stops ---- The places along x at which a cycle is measured. The edges of contact and stick
  * zone after each load are among them, because stresses and slip have their peaks there. */
 
-/* Lines along x, one after the other, each of so many places with one y and ascending x. */
+/* Lines along x, one after the other: each line has `line` places, all of one depth y, x
+ * ascending. */
 typedef struct {
     measured_place *place; /* freed by free() */
-    size_t count, line;    /* line: places of each; 0 where they are no lines */
+    size_t count, line;    /* line is 0 where they are no lines */
 } measured;
 
 /* The places by default, of the surface: across the contact and beyond. None where there is no

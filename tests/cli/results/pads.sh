@@ -132,6 +132,7 @@ bad "line 3: height 0.1: not convex at 1 place, x = 0; the convex hull is lower 
 bad "line 3: slope -0.2: less than the slope before it: the profile is not convex there; allowed: slopes that do not fall" \
     'x,slope\n-1,-0.1\n0,-0.2\n1,0\n'
 bad "line 3: slope b: must be a number, with a decimal point" 'x,slope\n-1,0\n0,b\n'
+bad "line 3: x: the cell is empty" 'x,slope\n-1,0\n,1\n'
 bad "line 3: slope 1.6: must be below pi/2 in magnitude" 'x,slope\n-1,0\n0,1.6\n'
 bad "line 3: x 0: there twice; heights need places apart" 'x,height\n0,0\n0,1\n'
 bad "line 3: slope 0.1: all slopes are equal: a plane" 'x,slope\n-1,0.1\n0,0.1\n'

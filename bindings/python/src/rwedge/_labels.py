@@ -34,7 +34,7 @@ def refuse_units(value: Any) -> None:
 
 
 def plain(value: Any) -> NDArray[np.float64]:
-    """Numbers as the ufuncs accept them: a TypeError for strings, objects and complex numbers."""
+    """A copy, which a Cycle may keep, of numbers as the ufuncs accept them: a TypeError for strings, objects and complex."""
     return np.asarray(value).astype(float, order="C", casting="safe")
 
 

@@ -23,7 +23,7 @@ cmake -S "$source" -B . -DCMAKE_C_COMPILER="$clang" -DCMAKE_BUILD_TYPE=None -DCM
     -DRWEDGE_FUZZ=ON -DRWEDGE_BUILD_TESTS=ON -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_INSTALL=OFF >log 2>&1 &&
     cmake --build . --parallel "$(nproc 2>/dev/null || echo 2)" --target fuzz_calls >>log 2>&1 || { cat log; exit 1; }
 
-extent='-seed=1 -runs=12000'
+extent='-seed=1 -runs=8000'
 [ $# -lt 2 ] || extent="-max_total_time=$2 found"
 # shellcheck disable=SC2086
 ASAN_OPTIONS=quarantine_size_mb=8 tests/random/fuzz_calls -max_len=512 -timeout=120 $extent >log 2>&1 || { tail -n 40 log; exit 1; }

@@ -40,6 +40,10 @@ if [ "$whole" = lib ]; then # each README lists the files of its room
     for file in */*.c; do
         grep -q "^|.*\`$(basename "$file")\`.*|" "$(dirname "$file")/README.md" || wrong "the README of its room does not name $file"
     done
+    for file in $(cd ../tests/lib && ls */test_*.c); do
+        idea=$(echo "${file%.c}" | sed 's/test_//')
+        grep -qE "(^| )$idea( |\)|$)" ../tests/lib/CMakeLists.txt || wrong "tests/lib/CMakeLists.txt does not name $file"
+    done
 else # other rooms see one header, of the room's name
     for room in $rooms; do
         own=$room/${room##*/}.h

@@ -155,14 +155,15 @@ static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     return false;
 }
 
-/* Notes where memory was short for an outcome. */
+/* Notes the effort of an outcome, about a residual for each element, and where memory was short. */
 static bool noted(rw_work *w, bool is_done, const rw_outcome *outcome)
 {
     w->is_short = w->is_short || outcome->is_short;
+    if (is_done)
+        w->effort += (int)(outcome->state.traction.count * w->fronts.count);
     return is_done;
 }
 
-/* A traction and its conditions take about a residual for each element. */
 static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                        rw_outcome *outcome)
 {
@@ -171,7 +172,6 @@ static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, d
     if (!noted(w, rw_outcome_of_fronts(&w->fronts, outcome), outcome))
         return false;
     w->search -= OUTCOME;
-    w->effort += (int)(outcome->state.traction.count * w->fronts.count);
     return true;
 }
 

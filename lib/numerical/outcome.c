@@ -336,14 +336,14 @@ static void balance(const rw_problem *p, rw_shear_state *s)
     }
 }
 
-static bool complete(const after *n, rw_outcome *o)
+static bool complete(const after *n, double tolerance, rw_outcome *o)
 {
     const rw_problem *p = n->problem;
     double at[MOST_BREAKS];
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
     o->is_short = !rw_traction_fit_values(&o->state.traction, traction_after, n, (size_t)breaks, at,
-                                          fit_tolerance(p), NOISE);
+                                          tolerance, NOISE);
     if (!o->is_short) {
         balance(p, &o->state);
         for (int i = 0; i + 1 < breaks; i++)
@@ -371,7 +371,7 @@ static after prepare(rw_fronts *f, rw_outcome *o)
 bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
 {
     const after n = prepare(f, o);
-    return complete(&n, o);
+    return complete(&n, fit_tolerance(f->problem), o);
 }
 
 void rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
@@ -380,11 +380,15 @@ void rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
     check_slips(&n, o);
 }
 
+/* The error of a grid of n places, times n, over friction: told, and fitted no finer than needed. */
+static const double GRID_ERROR = 0.3;
+
 bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *p,
                         const rw_layers *layers, rw_outcome *o)
 {
-    *o = (rw_outcome){.violation = 0};
+    const double error = GRID_ERROR / g->n;
+    *o = (rw_outcome){.violation = error};
     rw_grid_zones(g, p, &o->state.zones);
     const after n = {p, &o->state.zones, {.count = 0}, f, g, layers};
-    return complete(&n, o);
+    return complete(&n, fmax(fit_tolerance(p), FIT * error * p->scale), o);
 }

@@ -333,10 +333,8 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         if (is_known && best->violation <= p->allowed)
             return true;
         if (coarse && trial + 1 == RW_TRIALS &&
-            noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome), &outcome)) {
-            outcome.violation = fmax(outcome.violation, 0.3 / n);
+            noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome), &outcome))
             keep_better(best, &is_known, &outcome);
-        }
     }
     if (is_known && !coarse && best->violation > w->frame->tolerance) {
         rw_shear_state_destroy(&best->state);

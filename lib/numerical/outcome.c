@@ -380,7 +380,7 @@ void rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
     check_slips(&n, o);
 }
 
-/* The error of a grid of n places, times n, over friction: told, and fitted no finer than needed. */
+/* The error of a grid of n places, times n, over friction. No fit needs to be finer. */
 static const double GRID_ERROR = 0.3;
 
 bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *p,

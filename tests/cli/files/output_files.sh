@@ -122,8 +122,8 @@ if [ "$(id -u)" = 0 ]; then
     cp "$rwedge" "$scratch/rwedge" && chmod 755 "$scratch/rwedge"
     rwedge=$scratch/rwedge
 fi
+mkdir closed open
 if { [ -n "$as_user" ] || [ "$(id -u)" != 0 ]; } && $as_user "$rwedge" --version >/dev/null 2>&1; then
-    mkdir closed open
     echo old | tee closed/old.csv >open/old.csv
     chmod 777 open
     chmod 444 open/old.csv

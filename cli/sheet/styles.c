@@ -10,7 +10,7 @@ typedef struct {
     const char *name, *format; /* of numbers */
     double size;
     lxw_color_t ink, ground; /* what has a ground has a frame */
-    enum lxw_format_alignments across, down;
+    uint8_t across, down;    /* of lxw_format_alignments */
     bool bold, line_below, wrapped, upright, indented, unlocked;
 } look;
 

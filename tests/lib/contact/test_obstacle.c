@@ -4,10 +4,12 @@
 
 #include <string.h>
 
+enum { PRESSING, SHEAR, TENSION, FARTHER, ANEW };
+
 /* What the text may advise, and the loads that do it. */
 static const struct {
     const char *words;
-    enum { PRESSING, SHEAR, TENSION, FARTHER, ANEW } way;
+    int way;
 } ADVICE[] = {
     {"apply it as two loads: first P and M, then Q and sigma", PRESSING},
     {"apply it as two loads: first Q and sigma, then P and M", SHEAR},

@@ -114,7 +114,7 @@ if [ $sanitize = yes ]; then
     printf 'leak:%s\n' '/rwedge$' libpopt >"$output.leaks"
     export LSAN_OPTIONS="suppressions='$output.leaks':print_suppressions=0"
     build build/debug --preset debug
-    run_tests build/debug --exclude-regex "$of_another_compiler|^(example|speed)\$"
+    run_tests build/debug --exclude-regex "$of_another_compiler|^example\$"
     unset LSAN_OPTIONS
 fi
 if [ -n "$long" ]; then

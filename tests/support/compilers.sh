@@ -4,8 +4,9 @@
 # The options of lib/CMakeLists.txt on which bits depend, for gcc and clang.
 library_options='-std=c99 -ffp-contract=off -fno-math-errno'
 
-# Left out where another compiler or the sanitizers are tried: what builds the library itself, or needs another language than C.
-of_another_compiler='^(package|reproducible|abi|answers|bindings_.*)$'
+# Left out where another compiler or the sanitizers are tried: what builds the library itself, needs another language than C, or
+# holds times against those of gcc.
+of_another_compiler='^(package|reproducible|abi|answers|speed|bindings_.*)$'
 
 # compilers_here - gcc, gcc-*, clang, clang-* on this machine, each once whatever its names.
 compilers_here()

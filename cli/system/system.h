@@ -113,6 +113,9 @@ void signals_install(void);
  * Both are kept, not copied. */
 void signals_on_end(const char *unfinished_file, const char *message);
 
+/* Does so, for a handler: only calls that are safe there. */
+void signals_end(const char *why);
+
 /* Hold signals back while a file and what is known of it change together. Threads begun in between
  * leave signals to the one that begins them. */
 void signals_hold(void);

@@ -40,7 +40,7 @@ static void put_number(records *rows, double value, bool last)
 {
     char text[NUMBER_SIZE];
     if (isfinite(value))
-        output_write(rows->out, text, number_write(value, rows->digits, '.', text));
+        output_write(rows->out, text, number_write(value, rows->how->digits, '.', text));
     else
         output_text(rows->out, "nan");
     output_text(rows->out, last ? "\n" : " ");

@@ -137,24 +137,14 @@ const char *xlsx_finish(xlsx *book, output *out)
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
 
-static lxw_row_t row_of(int row)
-{
-    return (lxw_row_t)row;
-}
-
-static lxw_col_t column_of(int column)
-{
-    return (lxw_col_t)column;
-}
-
 void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style)
 {
     if (isfinite(value))
-        xlsx_keep(book, worksheet_write_number(book->current, row_of(row), column_of(column), value,
+        xlsx_keep(book, worksheet_write_number(book->current, CELL_AT(row, column), value,
                                                book->style[style]));
     else
-        xlsx_keep(book, worksheet_write_blank(book->current, row_of(row), column_of(column),
-                                              book->style[style]));
+        xlsx_keep(book,
+                  worksheet_write_blank(book->current, CELL_AT(row, column), book->style[style]));
 }
 
 void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
@@ -162,22 +152,22 @@ void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style sty
     if (!utf8_is_whole(text))
         xlsx_keep(book, LXW_ERROR_PARAMETER_VALIDATION);
     else
-        xlsx_keep(book, worksheet_write_string(book->current, row_of(row), column_of(column), text,
+        xlsx_keep(book, worksheet_write_string(book->current, CELL_AT(row, column), text,
                                                book->style[style]));
 }
 
 void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value,
                   xlsx_style style)
 {
-    xlsx_keep(book, worksheet_write_formula_num(book->current, row_of(row), column_of(column),
-                                                formula, book->style[style], value));
+    xlsx_keep(book, worksheet_write_formula_num(book->current, CELL_AT(row, column), formula,
+                                                book->style[style], value));
 }
 
 void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value,
                        xlsx_style style)
 {
-    xlsx_keep(book, worksheet_write_formula_str(book->current, row_of(row), column_of(column),
-                                                formula, book->style[style], value));
+    xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
+                                                book->style[style], value));
 }
 
 void xlsx_name(xlsx *book, const char *name, xlsx_area area)
@@ -193,19 +183,19 @@ void xlsx_name(xlsx *book, const char *name, xlsx_area area)
 
 void xlsx_width(xlsx *book, int first_column, int last_column, double characters)
 {
-    xlsx_keep(book, worksheet_set_column(book->current, column_of(first_column),
-                                         column_of(last_column), characters, NULL));
+    xlsx_keep(book, worksheet_set_column(book->current, (lxw_col_t)first_column,
+                                         (lxw_col_t)last_column, characters, NULL));
 }
 
 void xlsx_lines(xlsx *book, int row, int lines)
 {
     xlsx_keep(book,
-              worksheet_set_row(book->current, row_of(row), lines * LXW_DEF_ROW_HEIGHT, NULL));
+              worksheet_set_row(book->current, (lxw_row_t)row, lines * LXW_DEF_ROW_HEIGHT, NULL));
 }
 
 void xlsx_freeze(xlsx *book, int rows, int columns)
 {
-    worksheet_freeze_panes(book->current, row_of(rows), column_of(columns));
+    worksheet_freeze_panes(book->current, CELL_AT(rows, columns));
 }
 
 void xlsx_hide_sheet(xlsx *book)
@@ -216,8 +206,8 @@ void xlsx_hide_sheet(xlsx *book)
 void xlsx_hide_columns(xlsx *book, int first_column, int last_column)
 {
     lxw_row_col_options options = {.hidden = LXW_TRUE};
-    xlsx_keep(book, worksheet_set_column_opt(book->current, column_of(first_column),
-                                             column_of(last_column), 12, NULL, &options));
+    xlsx_keep(book, worksheet_set_column_opt(book->current, (lxw_col_t)first_column,
+                                             (lxw_col_t)last_column, 12, NULL, &options));
 }
 
 void xlsx_protect(xlsx *book)

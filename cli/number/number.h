@@ -10,12 +10,12 @@
 /* ---- number ---- Numbers as text, the same in every locale: the tool never calls setlocale(), so
  * the decimal sign is a point unless asked otherwise. */
 
-/* How many characters at the start of text are a decimal number: sign, digits, point, exponent. 0
- * where no number starts there. Spaces, "inf", "nan" and hexadecimal numbers, which strtod() would
- * accept, are no part of a number here. */
-size_t number_length(const char *text);
+/* Reads the finite number that a text begins with, correctly rounded; -0 becomes 0. How many
+ * characters it has; 0 where no number starts there. Spaces, "inf", "nan" and hexadecimal numbers,
+ * which strtod() accepts, are none here. */
+size_t number_begin(const char *text, double *value);
 
-/* Reads a whole text as a finite number, correctly rounded; -0 becomes 0. */
+/* Reads a whole text as a number. */
 bool number_read(const char *text, double *value);
 
 /* The same with blanks around it, and with that decimal sign: the text of a cell. */
@@ -24,9 +24,6 @@ bool number_read_cell(const char *text, char decimal_sign, double *value);
 /* Whether a cell is a number that is written as it stands: "007", "0.10", "1E5", "+49" and twenty
  * digits are meant as texts. */
 bool number_survives(const char *text, char decimal_sign, double *value);
-
-/* The same as number_read() for the first length characters, which number_length() has found. */
-bool number_read_part(const char *text, size_t length, double *value);
 
 /* Reads numbers between separators, all of the first `length` characters. How many there are; 0
  * where it is not that, or more than `most`. */

@@ -81,8 +81,8 @@ static const char *read_list(const char *text, range *values)
         commas += *c == ',' ? 1 : 0;
     values->items = memory_zeroed(commas + 1, sizeof *values->items);
     for (;; text++) {
-        const size_t length = number_length(text);
-        if (!number_read_part(text, length, &values->items[values->count]))
+        const size_t length = number_begin(text, &values->items[values->count]);
+        if (length == 0)
             return not_a_range;
         if (!number_is_size(values->items[values->count]))
             return impossible;

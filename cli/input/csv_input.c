@@ -22,11 +22,9 @@ struct csv_source {
     bool at_start, after_return;
     bool has_ended, too_many; /* of the row */
     int64_t next_line;
-    char *row; /* as it stands in the file */
-    size_t length, row_capacity;
-    char *cells; /* of the row, each with its 0 */
-    size_t used, capacity;
-    size_t begins[CSV_ROW_CELLS]; /* where each starts */
+    size_t length, used;
+    char row[CSV_ROW_BYTES + 2];   /* as it stands in the file */
+    char cells[CSV_ROW_BYTES + 2]; /* each with a 0, which takes the place of what ended it */
     const char *cell[CSV_ROW_CELLS];
 };
 
@@ -39,14 +37,6 @@ static int is_space(unsigned char c)
     return 0;
 }
 
-static void reserve(char **text, size_t *capacity, size_t used, size_t more)
-{
-    if (*capacity - used >= more)
-        return;
-    *text = memory_resized(*text, 2 * (used + more));
-    *capacity = 2 * (used + more);
-}
-
 static void take_cell(void *bytes, size_t length, void *of_input)
 {
     csv_input *in = of_input;
@@ -54,11 +44,11 @@ static void take_cell(void *bytes, size_t length, void *of_input)
     from->too_many = in->row.count == CSV_ROW_CELLS;
     if (from->too_many)
         return;
-    reserve(&from->cells, &from->capacity, from->used, length + 1);
-    from->begins[in->row.count++] = from->used;
+    char *text = from->cells + from->used;
+    from->cell[in->row.count++] = text;
     if (length > 0)
-        memcpy(from->cells + from->used, bytes, length);
-    from->cells[from->used + length] = '\0';
+        memcpy(text, bytes, length);
+    text[length] = '\0';
     from->used += length + 1;
 }
 
@@ -98,6 +88,7 @@ csv_input *csv_input_try(const char *path, char separator, const char *encoding)
     in->source->at_start = true;
     in->source->next_line = 1;
     in->row.cell = in->source->cell;
+    in->row.whole = in->source->row;
     in->name = in->source->text->name;
     in->separator = is_tsv(path) ? '\t' : separator;
     start_parser(in);
@@ -200,7 +191,6 @@ static void parse(csv_input *in, char byte)
 {
     struct csv_source *from = in->source;
     bool *malformed = &in->row.malformed;
-    reserve(&from->row, &from->row_capacity, from->length, 2);
     from->row[from->length++] = byte;
     *malformed = *malformed || csv_parse(&from->parser, &byte, 1, take_cell, take_end, in) != 1;
     if (*malformed && csv_error(&from->parser) == CSV_ENOMEM) /* no fault of the row */
@@ -248,9 +238,6 @@ static void finish_row(csv_input *in)
     while (from->length > 0 && ends_line(from->row[from->length - 1]))
         from->length--;
     from->row[from->length] = '\0';
-    in->row.whole = from->row;
-    for (size_t i = 0; i < in->row.count; i++)
-        from->cell[i] = from->cells + from->begins[i];
 }
 
 /* What the parser still holds of a row with misplaced quotes is thrown away. */
@@ -311,8 +298,6 @@ void csv_input_close(csv_input *in)
 {
     csv_free(&in->source->parser);
     text_input_close(in->source->text);
-    free(in->source->row);
-    free(in->source->cells);
     free(in->source);
     free(in);
 }
@@ -336,7 +321,7 @@ void csv_row_keep(const csv_input *in, csv_row *row)
     if (from->used > 0)
         memcpy(text, from->cells, from->used);
     for (size_t i = 0; i < row->count; i++)
-        row->cell[i] = text + from->begins[i];
+        row->cell[i] = text + (from->cell[i] - from->cells);
     row->whole = memcpy(text + from->used, from->row, length);
 }
 

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "parts.h"
 
-#include "text/text.h"
-#include "number/number.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -57,9 +54,8 @@ static bool creation_date(time_t *date)
 
 static void set_properties(xlsx *book, const char *title, time_t date)
 {
-    char heading[120], version[] = "rwedge " RWEDGE_VERSION;
-    snprintf(heading, sizeof heading, "%s", title);
-    lxw_doc_properties properties = {.title = heading, .author = version, .created = date};
+    lxw_doc_properties properties = {
+        .title = (char *)title, .author = "rwedge " RWEDGE_VERSION, .created = date};
     xlsx_keep(book, workbook_set_properties(book->workbook, &properties));
 }
 
@@ -156,18 +152,16 @@ void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style sty
                                                book->style[style]));
 }
 
-void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value,
+void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
                   xlsx_style style)
 {
-    xlsx_keep(book, worksheet_write_formula_num(book->current, CELL_AT(row, column), formula,
-                                                book->style[style], value));
-}
-
-void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value,
-                       xlsx_style style)
-{
-    xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
-                                                book->style[style], value));
+    lxw_format *look = book->style[style];
+    if (value.text != NULL)
+        xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
+                                                    look, value.text));
+    else
+        xlsx_keep(book, worksheet_write_formula_num(book->current, CELL_AT(row, column), formula,
+                                                    look, value.number));
 }
 
 void xlsx_name(xlsx *book, const char *name, xlsx_area area)
@@ -231,26 +225,22 @@ void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style)
 
 void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_style colour)
 {
-    char text[300];
-    snprintf(text, sizeof text, "%s", formula);
-    lxw_conditional_format when = {
-        .type = LXW_CONDITIONAL_TYPE_FORMULA, .value_string = text, .format = book->style[colour]};
+    lxw_conditional_format when = {.type = LXW_CONDITIONAL_TYPE_FORMULA,
+                                   .value_string = (char *)formula,
+                                   .format = book->style[colour]};
     xlsx_keep(book, worksheet_conditional_format_range(book->current, CELLS(area), &when));
 }
 
 void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
 {
-    char formula[256], title[33], hint[256], message[256];
-    snprintf(formula, sizeof formula, "%s", rule->formula);
+    char title[33]; /* more is refused */
     snprintf(title, sizeof title, "%s", rule->title);
-    snprintf(hint, sizeof hint, "%s", rule->hint);
-    snprintf(message, sizeof message, "%s", rule->message);
     lxw_data_validation check = {.validate = LXW_VALIDATION_TYPE_CUSTOM_FORMULA,
-                                 .value_formula = formula,
+                                 .value_formula = (char *)rule->formula,
                                  .input_title = title,
-                                 .input_message = hint,
+                                 .input_message = (char *)rule->hint,
                                  .error_title = title,
-                                 .error_message = message};
+                                 .error_message = (char *)rule->message};
     xlsx_keep(book, worksheet_data_validation_range(book->current, CELLS(area), &check));
 }
 

@@ -69,7 +69,7 @@ static void write_formula(sheets *on, const char *const f[])
         if (is_number)
             formula_cell(on->book, row, on->at.column, formula, value, style);
         else
-            xlsx_text_formula(on->book, row, on->at.column, formula, text, style);
+            xlsx_formula(on->book, row, on->at.column, formula, cell_text(text), style);
     }
     name_cells(on, f[NAME]);
 }

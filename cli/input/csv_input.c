@@ -80,7 +80,7 @@ static bool is_tsv(const char *path)
     return ending != NULL && strcasecmp(ending, ".tsv") == 0;
 }
 
-csv_input *csv_input_try(const char *path, char separator, const char *encoding)
+csv_input *csv_input_open(const char *path, char separator, const char *encoding)
 {
     csv_input *in = memory_zeroed(1, sizeof *in);
     in->source = memory_zeroed(1, sizeof *in->source);
@@ -93,13 +93,6 @@ csv_input *csv_input_try(const char *path, char separator, const char *encoding)
     in->separator = is_tsv(path) ? '\t' : separator;
     start_parser(in);
     strcpy(in->problem, in->source->text->problem);
-    return in;
-}
-
-csv_input *csv_input_open(const char *path, char separator, const char *encoding)
-{
-    csv_input *in = csv_input_try(path, separator, encoding);
-    csv_input_check(in);
     return in;
 }
 

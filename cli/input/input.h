@@ -58,11 +58,9 @@ typedef struct {
 
 /* Opens a file, or standard input where path is "-". Tabs separate where the name ends in .tsv, or
  * where the first line has tabs but no separator; another separator where the first line names it,
- * as "sep=;". The encoding is that of text_input. Ends the command where it cannot be read. */
+ * as "sep=;". The encoding is that of text_input. Where it cannot be opened there is a problem, and
+ * no next row. */
 csv_input *csv_input_open(const char *path, char separator, const char *encoding);
-
-/* The same, but where it cannot be read only the problem says so, and there is no next row. */
-csv_input *csv_input_try(const char *path, char separator, const char *encoding);
 
 /* Reads the next row. False at the end, or where there is a problem. Blank lines, and rows of empty
  * cells, are no rows. A quote that is not closed ends the file: what it has taken may have been

@@ -109,7 +109,7 @@ void pairs_read(const char *path, const char *encoding, char decimal_sign,
                 const pair_columns *wanted, pairs *to)
 {
     *to = (pairs){.count = 0};
-    reading r = {.in = csv_input_try(path, decimal_sign == ',' ? ';' : ',', encoding),
+    reading r = {.in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', encoding),
                  .wanted = wanted,
                  .decimal_sign = decimal_sign,
                  .to = to};

@@ -61,13 +61,11 @@ bool number_read_cell(const char *text, char decimal_sign, double *value)
 
 bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value)
 {
-    const size_t length = strspn(text, "0123456789");
-    int64_t read = 0;
-    for (size_t i = 0; i < length && read <= hi; i++)
-        read = 10 * read + (text[i] - '0');
-    if (length == 0 || text[length] != '\0' || read < lo || read > hi)
+    double read;
+    if (text[strspn(text, "0123456789")] != '\0' || !number_read(text, &read) ||
+        read < (double)lo || read > (double)hi)
         return false;
-    *value = read;
+    *value = (int64_t)read;
     return true;
 }
 

@@ -29,7 +29,7 @@ bool number_survives(const char *text, char decimal_sign, double *value);
  * where it is not that, or more than `most`. */
 int number_read_list(const char *text, size_t length, char separator, int most, double value[]);
 
-/* Reads a whole number without a sign, lo to hi. */
+/* Reads a whole number without a sign, lo to hi, which are below 2^53. */
 bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value);
 
 /* Whether a number is in the library's domain of all that has a size. */
@@ -92,11 +92,10 @@ typedef struct {
 
 typedef struct {
     int64_t count;
-    double *items; /* of a list; NULL for START:STOP:STEP */
+    double *items; /* of a list, and of range_between(); NULL for START:STOP:STEP */
     double first, last, step;
     double
         power; /* of ten: the values are whole numbers over it; 0 where they have too many digits */
-    int64_t parts; /* of range_between; otherwise 0 */
 } range;
 
 /* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the

@@ -160,7 +160,6 @@ static void write_loads(plan *job, records *rows)
     rwedge_contact *contact = contact_history_begin(&job->history);
     passed_names(&job->history.loads, rows);
     records_columns(rows, columns, AFTER_COUNT);
-    records_end_header(rows);
     for (size_t step = 0; step < job->history.steps && records_go_on(rows); step++) {
         contact_history_go_on(&job->history, step, contact);
         write_load(job, step, contact, rows);

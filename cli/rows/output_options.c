@@ -172,7 +172,7 @@ void output_options_write(const output_options *how, rows_writer *write_rows, vo
     output_open(&out, how->path);
     records rows = {.how = how,
                     .out = &out,
-                    .show_progress = !how->quiet && progress_wanted(output_is_stdout(&out))};
+                    .show_progress = !how->quiet && progress_wanted(out.stream == stdout)};
     write_rows(context, &rows);
     records_end(&rows);
     progress_erase();

@@ -37,6 +37,7 @@ void records_columns(records *rows, const column_kind kinds[], int count)
 {
     for (int i = 0; i < count; i++)
         records_name(rows, kinds[i].name);
+    records_end_header(rows);
 }
 
 void columns_describe(const column_kind kinds[], int count, int width, FILE *stream)

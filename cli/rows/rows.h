@@ -71,7 +71,7 @@ static inline void records_describe(records *rows, const column_kind kinds[], in
 void records_name(records *rows, const char *name);
 void records_end_header(records *rows);
 void records_header(records *rows, size_t count, const char *const names[]);
-void records_columns(records *rows, const column_kind kinds[], int count); /* without its end */
+void records_columns(records *rows, const column_kind kinds[], int count);
 
 /* The columns with their meanings, for a help text; names in so many characters. */
 void columns_describe(const column_kind kinds[], int count, int width, FILE *stream);

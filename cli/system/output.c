@@ -78,11 +78,6 @@ void output_open(output *out, const char *path)
     unsettled = out;
 }
 
-bool output_is_stdout(const output *out)
-{
-    return out->stream == stdout;
-}
-
 static void remember(output *out, bool done)
 {
     if (!done && out->error == 0)

@@ -130,16 +130,14 @@ typedef struct {
     const char *name; /* as the user knows it */
     char *target;     /* the file to replace, links followed; NULL where written to directly */
     char *unfinished; /* the file beside it */
-    FILE *stream;
-    int error; /* errno of the first failure; nothing is written after it */
+    FILE *stream;     /* `stdout` itself where that is written to */
+    int error;        /* errno of the first failure; nothing is written after it */
 } output;
 
 /* Opens the output; NULL or "-" is standard output. One output is open at a time. If the command
  * ends by a mistake, a file is left as it was; rows for standard output, a pipe or a device are
  * written up to there. */
 void output_open(output *out, const char *path);
-
-bool output_is_stdout(const output *out);
 
 /* Add bytes, a text, or a text as by printf. */
 void output_write(output *out, const char *bytes, size_t count);

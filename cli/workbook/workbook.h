@@ -113,11 +113,7 @@ enum { BATCH_ROWS = 200 };
 
 void sheet_batch(xlsx *book);
 
-/* ---- sheets ---- The sheets as data/sheets.tsv has them. */
-
-void sheets_write(xlsx *book);
-
-/* ---- book ---- The workbook as a file. */
+/* ---- sheets ---- The workbook as a file, with the sheets as data/sheets.tsv has them. */
 
 void book_write(output *out);
 

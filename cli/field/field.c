@@ -24,7 +24,6 @@ void point_columns_write(records *rows, const char *title, size_t across)
     records_name(rows, "x");
     records_name(rows, "y");
     records_columns(rows, tensor_kinds, TENSOR_COUNT);
-    records_end_header(rows);
 }
 
 void point_write(records *rows, double x, double y, const tensor *at)

@@ -111,7 +111,6 @@ static void write_profile(void *of_plan, records *rows)
     const int64_t count = job->points > 0 ? job->points : job->x.count;
     progress_start(rows->show_progress, count, "rows");
     records_columns(rows, columns, COLUMN_COUNT);
-    records_end_header(rows);
     for (int64_t i = 0; i < count && records_go_on(rows); i++)
         write_row(job, rows, x_of(job, i));
 }

@@ -175,10 +175,6 @@ typedef struct {
     figure_case inputs;
     const char *format; /* of the picture; NULL for the numbers */
     bool no_title;
-    contact_history history;
-    places at;
-    criteria asked;
-    material constants;
     dataset rows;
 } work;
 
@@ -269,18 +265,16 @@ static void read_point(const arguments *line, char decimal_sign, work *to_do)
     const char *text = line->value[OPTION_AT];
     if (to_do->chosen->needs_point && text == NULL)
         usage_error("--at: missing; figure %s needs a point x,y", to_do->chosen->name);
-    places_read(line, decimal_sign, &to_do->at);
-    if (to_do->at.count > 1)
+    places_read(line, decimal_sign, &to_do->inputs.at);
+    if (to_do->inputs.at.count > 1)
         usage_error("--at %s: must be one point", text);
 }
 
 /* To be called when the contact is read. */
-static void read_measure_and_place(const arguments *line, work *to_do)
+static void read_measure_and_place(const arguments *line, figure_case *inputs)
 {
-    figure_case *inputs = &to_do->inputs;
-    criteria_read_strength(line, &to_do->history.setup, &to_do->asked);
-    inputs->asked = &to_do->asked;
-    inputs->measure = read_measure(line->value[OPTION_MEASURE], inputs->asked);
+    criteria_read_strength(line, &inputs->history.setup, &inputs->asked);
+    inputs->measure = read_measure(line->value[OPTION_MEASURE], &inputs->asked);
     inputs->over = read_over(line->value[OPTION_OVER]);
     const bool is_of_friction = inputs->measure >= MEASURE_SLIP_RANGE &&
                                 measure_kinds[inputs->measure].criterion == NO_CRITERION;
@@ -292,11 +286,12 @@ static void read_measure_and_place(const arguments *line, work *to_do)
 static void read_history(const arguments *line, char decimal_sign, work *to_do)
 {
     const figure *chosen = to_do->chosen;
+    figure_case *inputs = &to_do->inputs;
     const bool has_measure = chosen == &figure_measure;
     arguments bodies = with_bodies(line);
     if (has_measure) {
-        material_read(bodies.value[OPTION_MATERIAL], &bodies, &to_do->constants);
-        criteria_read(&bodies, &to_do->constants, &to_do->asked);
+        material_read(bodies.value[OPTION_MATERIAL], &bodies, &inputs->constants);
+        criteria_read(&bodies, &inputs->constants, &inputs->asked);
     } else
         refuse_criteria(line, chosen);
     refuse_other_variables(line, chosen);
@@ -304,12 +299,10 @@ static void read_history(const arguments *line, char decimal_sign, work *to_do)
     contact_history_read(
         &bodies, decimal_sign,
         (usual_cycles){.cycles = chosen->cycles, .of_two = chosen->cycles > 2 ? 0 : 2},
-        &to_do->history);
-    to_do->inputs = (figure_case){.history = &to_do->history,
-                                  .at = &to_do->at,
-                                  .half_width = largest_half_width(&to_do->history)};
+        &inputs->history);
+    inputs->half_width = largest_half_width(&inputs->history);
     if (has_measure)
-        read_measure_and_place(&bodies, to_do);
+        read_measure_and_place(&bodies, inputs);
 }
 
 static const char *read_picture_format(const arguments *line, output_options *how)
@@ -401,7 +394,7 @@ static int write_command(const arguments *line)
     output_options_spare(&how, line->value[OPTION_HISTORY]);
     output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     output_options_write(&how, write_figure, &to_do);
-    doubts_say((doubts){.error = to_do.history.error}, "");
+    doubts_say((doubts){.error = to_do.inputs.history.error}, "");
     return STATUS_DONE;
 }
 

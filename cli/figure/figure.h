@@ -27,11 +27,12 @@ enum { OVER_SURFACE, OVER_DEPTH, OVER_FIELD, OVER_COUNT };
 typedef struct {
     const char *name; /* of the figure */
     range value[FIGURE_VARIABLES];
-    const contact_history *history; /* of a figure that has one; NULL otherwise */
-    const places *at;
+    contact_history history; /* of a figure that has one */
+    places at;
     double half_width; /* the largest of the contact, in its cycles */
-    const criteria *asked;
-    int measure, over; /* of figure measure: a column of "rwedge fretting", and where */
+    criteria asked;    /* of figure measure, which also has a column of "rwedge fretting" */
+    material constants;
+    int measure, over;
 } figure_case;
 
 double case_value(const figure_case *inputs, int variable);

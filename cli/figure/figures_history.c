@@ -21,7 +21,7 @@ static void visit_between(const figure_case *inputs, size_t step, rwedge_contact
                           visitor *visit, dataset *rows)
 {
     rwedge_contact *trial = NULL;
-    const load from = loads_of(contact), to = contact_history_load(inputs->history, step);
+    const load from = loads_of(contact), to = contact_history_load(&inputs->history, step);
     case_check(inputs, rwedge_contact_copy(contact, &trial));
     for (int i = 1; i < STEPS && from.P > 0; i++) {
         if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
@@ -34,11 +34,11 @@ static void visit_between(const figure_case *inputs, size_t step, rwedge_contact
 /* Of the loads from the first on. Those before the first cycle have no number and no place. */
 static void visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)
 {
-    rwedge_contact *contact = contact_history_begin(inputs->history);
-    for (size_t step = 0; step < inputs->history->steps; step++) {
+    rwedge_contact *contact = contact_history_begin(&inputs->history);
+    for (size_t step = 0; step < inputs->history.steps; step++) {
         if (step > first)
             visit_between(inputs, step, contact, visit, rows);
-        contact_history_go_on(inputs->history, step, contact);
+        contact_history_go_on(&inputs->history, step, contact);
         if (step >= first)
             visit(inputs, (double)step + 1, contact, rows);
     }
@@ -50,17 +50,17 @@ static void visit_all(const figure_case *inputs, size_t first, visitor *visit, d
 static void add_stress(const figure_case *inputs, double number, const rwedge_contact *contact,
                        dataset *rows)
 {
-    const double x = inputs->at->x[0], y = inputs->at->y[0];
+    const double x = inputs->at.x[0], y = inputs->at.y[0];
     double sxx, syy, txy;
     case_check(inputs, rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy));
-    const tensor at = tensor_of(sxx, syy, txy, inputs->history->setup.nu1);
+    const tensor at = tensor_of(sxx, syy, txy, inputs->history.setup.nu1);
     dataset_add(rows, (data_row){.number = {number, x, y, sxx, syy, at.value[TENSOR_SZZ], txy}});
 }
 
 /* The last cycle, from the load before it. */
 static void compute_history(const figure_case *inputs, dataset *rows)
 {
-    const size_t loads = inputs->history->loads.count, steps = inputs->history->steps;
+    const size_t loads = inputs->history.loads.count, steps = inputs->history.steps;
     visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
 }
 
@@ -118,8 +118,8 @@ static measured measure_usual(const figure_case *inputs, const last_cycle *last)
 static void compute_fretting(const figure_case *inputs, dataset *rows)
 {
     last_cycle last;
-    const criteria usual = criteria_usual(&inputs->history->setup);
-    history_cycle(inputs->history, &usual, &last, NULL);
+    const criteria usual = criteria_usual(&inputs->history.setup);
+    history_cycle(&inputs->history, &usual, &last, NULL);
     const measured result = measure_usual(inputs, &last);
     for (size_t i = 0; i < result.count; i++) {
         const double *v = result.place[i].value;
@@ -190,7 +190,7 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
     static void (*const ways[OVER_COUNT])(const figure_case *, const last_cycle *, dataset *) = {
         measure_surface, measure_depth, measure_field};
     last_cycle last;
-    history_cycle(inputs->history, inputs->asked, &last, NULL);
+    history_cycle(&inputs->history, &inputs->asked, &last, NULL);
     case_check(inputs, isnan(last.left) ? RWEDGE_EABSENT : RWEDGE_OK);
     ways[inputs->over](inputs, &last, rows);
 }

@@ -215,15 +215,15 @@ static void read_json(const char *path, material *constants)
 static void read_csv(const char *path, const char *encoding, material *constants)
 {
     csv_input *in = csv_input_open(path, ',', encoding);
-    while (csv_input_next(in) == CSV_ROW) {
-        const char *const *cells = in->cell;
+    while (csv_input_next(in)) {
+        const char **cells = in->row.cell;
         double value;
-        if (in->count < 2)
-            failure("%s: line %" PRId64 ": must be a name and a number", path, in->line);
+        if (in->row.count < 2)
+            failure("%s: line %" PRId64 ": must be a name and a number", path, in->row.line);
         if (material_is_remark(cells[0]))
             continue;
         if (!number_read_cell(cells[1], '.', &value))
-            failure("%s: line %" PRId64 ": %.60s: must be a number", path, in->line, cells[0]);
+            failure("%s: line %" PRId64 ": %.60s: must be a number", path, in->row.line, cells[0]);
         set(path, cells[0], value, constants);
     }
     csv_input_check(in);

@@ -7,7 +7,12 @@
 
 /* ---- What a contact is after a load ---- */
 
-static const column_kind columns[] = {
+/* The columns: the load and the zones, then what they lead to. */
+enum { LOAD, P, M, Q, SIGMA, LEFT, RIGHT, STICK_LEFT, STICK_RIGHT, TILT, AFTER_ZONES };
+enum { PRESSURE = AFTER_ZONES, TENSION_LEFT, TENSION_RIGHT, SLIP, ENERGY, AFTER_ENERGY };
+enum { YIELD_FACTOR = AFTER_ENERGY, YIELD_X, YIELD_Y, WARNINGS, ESTIMATE, AFTER_COUNT };
+
+static const column_kind columns[AFTER_COUNT] = {
     {"load", "its number, from 1", NULL},
     {"P", "normal force", NULL},
     {"M", "moment", NULL},
@@ -30,8 +35,6 @@ static const column_kind columns[] = {
     {"error", "estimated, of q over f p0, where it is computed; 0 is exact", NULL},
 };
 
-enum { AFTER_COUNT = sizeof columns / sizeof columns[0] };
-
 /* The row of a load. */
 typedef struct {
     cell value[AFTER_COUNT];
@@ -39,78 +42,57 @@ typedef struct {
     doubts doubts;
 } after_load;
 
-/* What there is to tell of a contact that touches; NAN of another one. */
-typedef struct {
-    double left, right, stick_left, stick_right, tilt, pressure, tension[2], slip;
-    double factor, x, y; /* of yield */
-} touching;
-
 static double slip_size_at(const void *contact, double x)
 {
     double slip;
     return rwedge_contact_slip(contact, 1, &x, &slip) == RWEDGE_OK ? fabs(slip) : NAN;
 }
 
-static int32_t find_yield(const contact_case *setup, const rwedge_contact *contact, touching *at)
+static int32_t find_yield(const contact_case *setup, const rwedge_contact *contact, double value[])
 {
     if (isnan(setup->k))
         return RWEDGE_OK;
-    const int32_t status =
-        rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &at->factor, &at->x, &at->y);
-    yield_place_settle(&at->x, &at->y);
+    const int32_t status = rwedge_contact_yield_factor(
+        contact, setup->nu1, setup->k, &value[YIELD_FACTOR], &value[YIELD_X], &value[YIELD_Y]);
+    yield_place_settle(&value[YIELD_X], &value[YIELD_Y]);
     return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
 }
 
-static int32_t touch(const contact_case *setup, const rwedge_contact *contact, touching *at)
+/* What there is to tell of a contact that touches. */
+static int32_t touch(const contact_case *setup, const rwedge_contact *contact, double value[])
 {
     const double surface[2] = {0, 0};
     double syy[2], txy[2];
-    if (rwedge_contact_edges(contact, &at->left, &at->right) != RWEDGE_OK)
+    if (rwedge_contact_edges(contact, &value[LEFT], &value[RIGHT]) != RWEDGE_OK)
         return RWEDGE_OK;
-    rwedge_contact_stick_zone(contact, &at->stick_left, &at->stick_right);
-    at->tilt = rwedge_contact_tilt(contact);
-    at->pressure = peak_pressure(setup, contact);
-    at->slip = peak_over(at->left, at->right, slip_size_at, contact);
-    const double edge[2] = {at->left, at->right};
+    rwedge_contact_stick_zone(contact, &value[STICK_LEFT], &value[STICK_RIGHT]);
+    value[TILT] = rwedge_contact_tilt(contact);
+    value[PRESSURE] = peak_pressure(setup, contact);
+    value[SLIP] = peak_over(value[LEFT], value[RIGHT], slip_size_at, contact);
     const int32_t status =
-        rwedge_contact_stresses(contact, 2, edge, surface, at->tension, syy, txy);
-    return status == RWEDGE_OK ? find_yield(setup, contact, at) : status;
+        rwedge_contact_stresses(contact, 2, &value[LEFT], surface, &value[TENSION_LEFT], syy, txy);
+    return status == RWEDGE_OK ? find_yield(setup, contact, value) : status;
 }
 
 static void compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
                     after_load *row)
 {
-    const load to = loads_of(contact);
-    touching at = {NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}, NAN, NAN, NAN, NAN};
-    const int32_t status = touch(setup, contact, &at);
+    double value[AFTER_COUNT];
+    for (int i = 0; i < AFTER_COUNT; i++)
+        value[i] = NAN;
+    value[LOAD] = (double)number;
+    rwedge_contact_loads(contact, &value[P], &value[M], &value[Q], &value[SIGMA]);
+    const int32_t status = touch(setup, contact, value);
     if (status != RWEDGE_OK)
         failure("load %zu: %s", number, rwedge_strerror(status));
-    row->doubts = doubts_of_factor(setup, contact, at.factor);
-    const double value[AFTER_COUNT] = {(double)number,
-                                       to.P,
-                                       to.M,
-                                       to.Q,
-                                       to.sigma,
-                                       at.left,
-                                       at.right,
-                                       at.stick_left,
-                                       at.stick_right,
-                                       at.tilt,
-                                       at.pressure,
-                                       at.tension[0],
-                                       at.tension[1],
-                                       at.slip,
-                                       rwedge_contact_dissipated_energy(contact),
-                                       at.factor,
-                                       at.x,
-                                       at.y,
-                                       NAN,
-                                       row->doubts.error};
+    value[ENERGY] = rwedge_contact_dissipated_energy(contact);
+    row->doubts = doubts_of_factor(setup, contact, value[YIELD_FACTOR]);
+    value[ESTIMATE] = row->doubts.error;
     for (int i = 0; i < AFTER_COUNT; i++)
         row->value[i] = cell_number(value[i]);
     row->warnings[0] = '\0';
     doubts_write(row->doubts, row->warnings, sizeof row->warnings);
-    row->value[AFTER_COUNT - 2] = cell_text(row->warnings);
+    row->value[WARNINGS] = cell_text(row->warnings);
 }
 
 /* ---- The command ---- */
@@ -178,7 +160,6 @@ static void write_loads(plan *job, records *rows)
     rwedge_contact *contact = contact_history_begin(&job->history);
     passed_names(&job->history.loads, rows);
     records_columns(rows, columns, AFTER_COUNT);
-    records_end_header(rows);
     for (size_t step = 0; step < job->history.steps && records_go_on(rows); step++) {
         contact_history_go_on(&job->history, step, contact);
         write_load(job, step, contact, rows);

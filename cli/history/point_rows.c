@@ -37,7 +37,7 @@ void passed_cells(const load_history *loads, size_t row, records *rows)
 {
     for (size_t i = 0; i < loads->names.count; i++)
         if (!header_is_input(&loads->names, i))
-            records_value(rows, passed_cell(loads->row[row].cell[i], rows->decimal_sign));
+            records_value(rows, passed_cell(loads->row[row].cell[i], rows->how->decimal_sign));
 }
 
 /* ---- Rows ---- */

@@ -98,12 +98,10 @@ static void write_list(void *of_list, records *rows)
     const char *file = slash != NULL ? slash + 1 : series->path;
     output_text(rows->out, "{\"file-series-version\": \"1.0\", \"files\": [");
     for (size_t i = 0; i < series->all.count; i++) {
-        char *name = frame_name(file, series->all.mark, i), time[60];
+        char *name = frame_name(file, series->all.mark, i);
         char *json = memory_checked(json_quoted(name));
-        output_text(rows->out, i == 0 ? "\n{\"name\": " : ",\n{\"name\": ");
-        output_text(rows->out, json);
-        snprintf(time, sizeof time, ", \"time\": %zu}", i + 1);
-        output_text(rows->out, time);
+        output_print(rows->out, "%s\n{\"name\": %s, \"time\": %zu}", i == 0 ? "" : ",", json,
+                     i + 1);
         free(json);
         free(name);
     }

@@ -20,13 +20,11 @@ struct csv_source {
     char block[BLOCK];
     size_t begin, end; /* what of the block has not been parsed */
     bool at_start, after_return;
-    bool has_ended, is_broken, too_many; /* of the row; broken by misplaced quotes */
+    bool has_ended, too_many; /* of the row */
     int64_t next_line;
-    char *row; /* as it stands in the file */
-    size_t length, row_capacity;
-    char *cells; /* of the row, each with its 0 */
-    size_t used, capacity;
-    size_t begins[CSV_ROW_CELLS]; /* where each starts */
+    size_t length, used;
+    char row[CSV_ROW_BYTES + 2];   /* as it stands in the file */
+    char cells[CSV_ROW_BYTES + 2]; /* each with a 0, which takes the place of what ended it */
     const char *cell[CSV_ROW_CELLS];
 };
 
@@ -39,26 +37,18 @@ static int is_space(unsigned char c)
     return 0;
 }
 
-static void reserve(char **text, size_t *capacity, size_t used, size_t more)
-{
-    if (*capacity - used >= more)
-        return;
-    *text = memory_resized(*text, 2 * (used + more));
-    *capacity = 2 * (used + more);
-}
-
 static void take_cell(void *bytes, size_t length, void *of_input)
 {
     csv_input *in = of_input;
     struct csv_source *from = in->source;
-    from->too_many = in->count == CSV_ROW_CELLS;
+    from->too_many = in->row.count == CSV_ROW_CELLS;
     if (from->too_many)
         return;
-    reserve(&from->cells, &from->capacity, from->used, length + 1);
-    from->begins[in->count++] = from->used;
+    char *text = from->cells + from->used;
+    from->cell[in->row.count++] = text;
     if (length > 0)
-        memcpy(from->cells + from->used, bytes, length);
-    from->cells[from->used + length] = '\0';
+        memcpy(text, bytes, length);
+    text[length] = '\0';
     from->used += length + 1;
 }
 
@@ -90,25 +80,19 @@ static bool is_tsv(const char *path)
     return ending != NULL && strcasecmp(ending, ".tsv") == 0;
 }
 
-csv_input *csv_input_try(const char *path, char separator, const char *encoding)
+csv_input *csv_input_open(const char *path, char separator, const char *encoding)
 {
     csv_input *in = memory_zeroed(1, sizeof *in);
     in->source = memory_zeroed(1, sizeof *in->source);
     in->source->text = text_input_open(path, encoding);
     in->source->at_start = true;
     in->source->next_line = 1;
-    in->cell = in->source->cell;
+    in->row.cell = in->source->cell;
+    in->row.whole = in->source->row;
     in->name = in->source->text->name;
     in->separator = is_tsv(path) ? '\t' : separator;
     start_parser(in);
     strcpy(in->problem, in->source->text->problem);
-    return in;
-}
-
-csv_input *csv_input_open(const char *path, char separator, const char *encoding)
-{
-    csv_input *in = csv_input_try(path, separator, encoding);
-    csv_input_check(in);
     return in;
 }
 
@@ -122,10 +106,9 @@ bool csv_input_stop(csv_input *in, const char *format, ...)
     return false;
 }
 
-static csv_event stop(csv_input *in, const char *why)
+static bool stop(csv_input *in, const char *why)
 {
-    csv_input_stop(in, "line %" PRId64 ": %s", in->line, why);
-    return CSV_FAILED;
+    return csv_input_stop(in, "line %" PRId64 ": %s", in->row.line, why);
 }
 
 static bool ends_line(char c)
@@ -179,7 +162,7 @@ static bool fill(csv_input *in)
 /* ---- Rows ---- */
 
 /* A quote that is closed nowhere, or where it cannot be: no one knows which rows it has taken. */
-static csv_event not_closed(csv_input *in)
+static bool not_closed(csv_input *in)
 {
     return stop(in, "a quote that is not closed");
 }
@@ -200,104 +183,102 @@ static bool next_byte(csv_input *in, char *byte)
 static void parse(csv_input *in, char byte)
 {
     struct csv_source *from = in->source;
-    reserve(&from->row, &from->row_capacity, from->length, 2);
+    bool *malformed = &in->row.malformed;
     from->row[from->length++] = byte;
-    from->is_broken =
-        from->is_broken || csv_parse(&from->parser, &byte, 1, take_cell, take_end, in) != 1;
-    if (from->is_broken && csv_error(&from->parser) == CSV_ENOMEM) /* no fault of the row */
+    *malformed = *malformed || csv_parse(&from->parser, &byte, 1, take_cell, take_end, in) != 1;
+    if (*malformed && csv_error(&from->parser) == CSV_ENOMEM) /* no fault of the row */
         failure("out of memory");
-    from->has_ended = from->has_ended || (from->is_broken && ends_line(byte));
+    from->has_ended = from->has_ended || (*malformed && ends_line(byte));
 }
 
 /* The bytes of a row that begins with this one. The last may lack its end. */
-static csv_event read_row(csv_input *in, char byte)
+static bool read_row(csv_input *in, char byte)
 {
     struct csv_source *from = in->source;
     for (bool more = true;; more = next_byte(in, &byte)) {
         if (in->problem[0] != '\0')
-            return CSV_FAILED;
+            return false;
         parse(in, more ? byte : '\n');
         if (from->has_ended)
-            return CSV_ROW;
+            return true;
         if (!more)
             return not_closed(in);
         if (from->length > CSV_ROW_BYTES)
-            return from->next_line > in->line ? not_closed(in)
-                                              : stop(in, "a line of more than 1 MiB; allowed: CSV");
+            return from->next_line > in->row.line
+                       ? not_closed(in)
+                       : stop(in, "a line of more than 1 MiB; allowed: CSV");
     }
 }
 
 /* Blank lines are no rows. */
-static csv_event begin_row(csv_input *in)
+static bool begin_row(csv_input *in)
 {
     struct csv_source *from = in->source;
     char byte;
-    in->count = from->length = from->used = 0;
-    from->has_ended = from->is_broken = from->too_many = false;
+    in->row.count = from->length = from->used = 0;
+    in->row.malformed = from->has_ended = from->too_many = false;
     do
         if (!next_byte(in, &byte))
-            return in->problem[0] != '\0' ? CSV_FAILED : CSV_END;
+            return false;
     while (ends_line(byte));
-    in->line = from->next_line;
+    in->row.line = from->next_line;
     return read_row(in, byte);
 }
 
+static void finish_row(csv_input *in)
+{
+    struct csv_source *from = in->source;
+    while (from->length > 0 && ends_line(from->row[from->length - 1]))
+        from->length--;
+    from->row[from->length] = '\0';
+}
+
 /* What the parser still holds of a row with misplaced quotes is thrown away. */
-static csv_event refuse(csv_input *in)
+static bool take_malformed(csv_input *in)
 {
     csv_free(&in->source->parser);
     start_parser(in);
-    if (csv_input_spans_lines(in))
+    if (csv_row_spans_lines(&in->row))
         return not_closed(in);
-    return in->takes_malformed ? CSV_MALFORMED : stop(in, "misplaced quotes");
+    return in->takes_malformed || stop(in, "misplaced quotes");
 }
 
-static csv_event next_row(csv_input *in)
+static bool next_row(csv_input *in)
 {
-    struct csv_source *from = in->source;
-    csv_event event = begin_row(in);
-    if (event != CSV_ROW)
-        return event;
-    if (from->is_broken)
-        event = refuse(in);
-    if (from->too_many)
+    if (!begin_row(in))
+        return false;
+    finish_row(in);
+    if (in->source->too_many)
         return stop(in, "more than 1000 cells in a row");
-    for (size_t i = 0; i < in->count; i++)
-        from->cell[i] = from->cells + from->begins[i];
-    return event;
+    return !in->row.malformed || take_malformed(in);
 }
 
-static bool is_blank(const csv_input *in)
+static bool is_blank(const csv_row *row)
 {
-    for (size_t i = 0; i < in->count; i++)
-        if (in->cell[i][strspn(in->cell[i], " \t")] != '\0')
+    for (size_t i = 0; i < row->count; i++)
+        if (row->cell[i][strspn(row->cell[i], " \t")] != '\0')
             return false;
+    return !row->malformed;
+}
+
+bool csv_input_next(csv_input *in)
+{
+    bool there = in->problem[0] == '\0' && next_row(in);
+    while (there && is_blank(&in->row))
+        there = next_row(in);
+    return there;
+}
+
+bool csv_input_header(csv_input *in, csv_row *row)
+{
+    const bool there = csv_input_next(in);
+    if (in->problem[0] != '\0')
+        return false;
+    if (!there || in->row.malformed)
+        return csv_input_stop(in, "%s; needed: a header row with the names of the columns",
+                              there ? "misplaced quotes in the first row" : "empty");
+    csv_row_keep(in, row);
     return true;
-}
-
-csv_event csv_input_next(csv_input *in)
-{
-    csv_event event = CSV_FAILED;
-    if (in->problem[0] == '\0')
-        do
-            event = next_row(in);
-        while (event == CSV_ROW && is_blank(in));
-    return event;
-}
-
-void csv_input_header(csv_input *in, csv_row *row)
-{
-    const csv_event event = csv_input_next(in);
-    if (event == CSV_END || event == CSV_MALFORMED)
-        csv_input_stop(in, "%s; needed: a header row with the names of the columns",
-                       event == CSV_END ? "empty" : "misplaced quotes in the first row");
-    if (event == CSV_ROW)
-        csv_row_keep(in, false, row);
-}
-
-bool csv_input_spans_lines(csv_input *in)
-{
-    return strpbrk(csv_input_row(in), "\r\n") != NULL;
 }
 
 void csv_input_check(const csv_input *in)
@@ -306,45 +287,35 @@ void csv_input_check(const csv_input *in)
         failure("%s", in->problem);
 }
 
-const char *csv_input_row(csv_input *in)
-{
-    size_t length = in->source->length;
-    char *row = in->source->row;
-    while (length > 0 && ends_line(row[length - 1]))
-        length--;
-    row[length] = '\0';
-    return row;
-}
-
 void csv_input_close(csv_input *in)
 {
     csv_free(&in->source->parser);
     text_input_close(in->source->text);
-    free(in->source->row);
-    free(in->source->cells);
     free(in->source);
     free(in);
+}
+
+bool csv_row_spans_lines(const csv_row *row)
+{
+    return strpbrk(row->whole, "\r\n") != NULL;
 }
 
 /* ---- A row that stays ---- */
 
 /* One piece of memory: the places of the cells, and their texts behind them. */
-void csv_row_keep(csv_input *in, bool malformed, csv_row *row)
+void csv_row_keep(const csv_input *in, csv_row *row)
 {
     const struct csv_source *from = in->source;
-    const char *whole = csv_input_row(in);
-    const size_t places = (in->count + 1) * sizeof *row->cell, length = strlen(whole) + 1;
-    *row = (csv_row){.malformed = malformed,
-                     .line = in->line,
-                     .count = in->count,
-                     .bytes = places + from->used + length};
+    const size_t places = (in->row.count + 1) * sizeof *row->cell, length = from->length + 1;
+    *row = in->row;
+    row->bytes = places + from->used + length;
     row->cell = memory_resized(NULL, row->bytes);
     char *text = (char *)row->cell + places;
     if (from->used > 0)
         memcpy(text, from->cells, from->used);
-    for (size_t i = 0; i < in->count; i++)
-        row->cell[i] = text + from->begins[i];
-    row->whole = memcpy(text + from->used, whole, length);
+    for (size_t i = 0; i < row->count; i++)
+        row->cell[i] = text + (from->cell[i] - from->cells);
+    row->whole = memcpy(text + from->used, from->row, length);
 }
 
 void csv_row_free(csv_row *row)

@@ -38,61 +38,43 @@ void text_input_close(text_input *in);
 enum { CSV_ROW_BYTES = 1 << 20, CSV_ROW_CELLS = 1000 };
 
 typedef struct {
-    const char *name; /* of the file, in messages */
-    char separator;   /* of the cells: a comma, a semicolon, a tab, or what the file names */
-    bool has_mark;    /* whether it begins with the mark of Unicode */
-    bool takes_malformed;
-    int64_t line; /* of the row that was read last: on which it starts, from 1, and its cells */
+    bool malformed; /* quotes are misplaced: the cells before that */
+    int64_t line;   /* of the file, on which it starts, from 1 */
     size_t count;
-    const char *const *cell; /* they live until the next row is read */
-    char problem[600];       /* why it cannot be read on, with the name and the line; or "" */
+    const char **cell;
+    const char *whole; /* as it stands in the file, quotes and all */
+    size_t bytes;      /* that one takes which is kept */
+} csv_row;
+
+typedef struct {
+    const char *name;     /* of the file, in messages */
+    char separator;       /* of the cells: a comma, a semicolon, a tab, or what the file names */
+    bool has_mark;        /* whether it begins with the mark of Unicode */
+    bool takes_malformed; /* rows; the next line starts afresh. Otherwise one is a problem */
+    csv_row row;          /* that was read last; its texts live until the next is read */
+    char problem[600];    /* why it cannot be read on, with the name and the line; or "" */
     struct csv_source *source;
 } csv_input;
 
-typedef enum {
-    CSV_ROW,
-    CSV_MALFORMED, /* quotes are misplaced: the cells before that; the next line starts afresh. A
-                      problem where no such row is taken */
-    CSV_END,
-    CSV_FAILED /* it cannot be read on: see the problem */
-} csv_event;
-
-/* A row that stays while others are read. */
-typedef struct {
-    bool malformed;
-    int64_t line; /* of the file, on which it starts */
-    size_t count;
-    const char **cell;
-    const char *whole; /* as it stands in the file */
-    size_t bytes;      /* that it takes */
-} csv_row;
-
 /* Opens a file, or standard input where path is "-". Tabs separate where the name ends in .tsv, or
  * where the first line has tabs but no separator; another separator where the first line names it,
- * as "sep=;". The encoding is that of text_input. Ends the command where it cannot be read. */
+ * as "sep=;". The encoding is that of text_input. Where it cannot be opened there is a problem, and
+ * no next row. */
 csv_input *csv_input_open(const char *path, char separator, const char *encoding);
 
-/* The same, but where it cannot be read only the problem says so, and there is no next row. */
-csv_input *csv_input_try(const char *path, char separator, const char *encoding);
+/* Reads the next row. False at the end, or where there is a problem. Blank lines, and rows of empty
+ * cells, are no rows. A quote that is not closed ends the file: what it has taken may have been
+ * rows. */
+bool csv_input_next(csv_input *in);
 
-/* Reads the next row. Blank lines, and rows of empty cells, are no rows. A quote that is not closed
- * ends the file: what it has taken may have been rows. */
-csv_event csv_input_next(csv_input *in);
-
-/* Whether the row has a quote over several lines. */
-bool csv_input_spans_lines(csv_input *in);
-
-/* Reads the first row, which is kept; otherwise there is a problem. */
-void csv_input_header(csv_input *in, csv_row *row);
+/* Reads the first row, which is kept. False where there is a problem. */
+bool csv_input_header(csv_input *in, csv_row *row);
 
 /* Ends the file with a problem, made as by printf, after its name. False. */
 bool csv_input_stop(csv_input *in, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /* Ends the command where there is a problem. */
 void csv_input_check(const csv_input *in);
-
-/* The whole row as it stands in the file, quotes and all. */
-const char *csv_input_row(csv_input *in);
 
 /* The option that names the encoding, for a command's own table. It is checked by
  * text_input_check(). */
@@ -102,8 +84,11 @@ const char *csv_input_row(csv_input *in);
 
 void csv_input_close(csv_input *in);
 
-/* Keeps the row that was read last. */
-void csv_row_keep(csv_input *in, bool malformed, csv_row *row);
+/* Whether a row has a quote over several lines. */
+bool csv_row_spans_lines(const csv_row *row);
+
+/* Copies the row that was read last: it stays while others are read. Free it. */
+void csv_row_keep(const csv_input *in, csv_row *row);
 void csv_row_free(csv_row *row);
 
 /* ---- pairs ---- A CSV file of which two columns are numbers: points, or a profile. */

@@ -68,18 +68,18 @@ static void add(pairs *to, double first, double second, int64_t line)
 
 static bool refuse_row(const reading *r, const char *complaint)
 {
-    return csv_input_stop(r->in, "line %" PRId64 ": %s", r->in->line, complaint);
+    return csv_input_stop(r->in, "line %" PRId64 ": %s", r->in->row.line, complaint);
 }
 
 static bool read_row(reading *r)
 {
     double value[2];
     char complaint[COMPLAINT_SIZE];
-    const char *const *cells = r->in->cell;
-    if (!header_fits(r->names.count, r->in->count, r->in->separator, complaint))
+    const csv_row *row = &r->in->row;
+    if (!header_fits(r->names.count, row->count, r->in->separator, complaint))
         return refuse_row(r, complaint);
     for (int i = 0; i < 2; i++)
-        if (!cell_read(cells[r->column[i]], i == 0 ? r->wanted->first : r->to->column,
+        if (!cell_read(row->cell[r->column[i]], i == 0 ? r->wanted->first : r->to->column,
                        r->decimal_sign, &value[i], complaint))
             return refuse_row(r, complaint);
     if (r->wanted->complaint_about != NULL &&
@@ -87,17 +87,16 @@ static bool read_row(reading *r)
         return refuse_row(r, r->wanted->complaint_about(value[0], value[1]));
     if (r->to->count == r->wanted->most)
         return csv_input_stop(r->in, "more than %zu %s", r->wanted->most, r->wanted->rows);
-    header_note_unused(&r->names, cells, r->unused);
-    add(r->to, value[0], value[1], r->in->line);
+    header_note_unused(&r->names, row->cell, r->unused);
+    add(r->to, value[0], value[1], r->in->row.line);
     return true;
 }
 
 static void read_rows(reading *r)
 {
     csv_row first = {.cell = NULL};
-    csv_input_header(r->in, &first);
-    if (r->in->problem[0] == '\0' && find_columns(r, &first))
-        while (csv_input_next(r->in) == CSV_ROW && read_row(r))
+    if (csv_input_header(r->in, &first) && find_columns(r, &first))
+        while (csv_input_next(r->in) && read_row(r))
             continue;
     if (r->in->problem[0] == '\0' && r->to->count == 0)
         csv_input_stop(r->in, "no %s; needed: rows of %s and %s", r->wanted->rows, r->wanted->first,
@@ -110,7 +109,7 @@ void pairs_read(const char *path, const char *encoding, char decimal_sign,
                 const pair_columns *wanted, pairs *to)
 {
     *to = (pairs){.count = 0};
-    reading r = {.in = csv_input_try(path, decimal_sign == ',' ? ';' : ',', encoding),
+    reading r = {.in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', encoding),
                  .wanted = wanted,
                  .decimal_sign = decimal_sign,
                  .to = to};

@@ -11,7 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <unistd.h>
 
 #include <iconv.h>
 
@@ -21,7 +20,7 @@ enum { BLOCK = 1 << 16 };
 typedef struct {
     text_input seen;
     const char *encoding; /* NULL for UTF-8 */
-    int file;
+    FILE *file;
     iconv_t converter; /* from UTF-8 too: it knows what is none */
     bool has_converter, started, at_end;
     char block[BLOCK];    /* as it is in the file */
@@ -69,8 +68,8 @@ text_input *text_input_open(const char *path, const char *encoding)
     in->seen.name = standard ? "standard input" : path;
     in->encoding = encoding;
     in->line = in->column = 1;
-    in->file = standard ? STDIN_FILENO : file_to_read(path);
-    if (in->file < 0)
+    in->file = standard ? stdin : file_to_read(path);
+    if (in->file == NULL)
         stop(in, "%s: %s", path, file_problem(errno));
     return &in->seen;
 }
@@ -83,14 +82,10 @@ static bool fill(source *in)
     memmove(in->block, in->block + in->begin, in->end - in->begin);
     in->end -= in->begin;
     in->begin = 0;
-    while (!in->at_end && in->end < BLOCK) {
-        const ssize_t got = read(in->file, in->block + in->end, (unsigned)(BLOCK - in->end));
-        if (got < 0 && errno != EINTR)
-            return stop(in, "%s: %s", in->seen.name, file_problem(errno));
-        in->at_end = got == 0;
-        in->end += got > 0 ? (size_t)got : 0;
-    }
-    return true;
+    if (!in->at_end)
+        in->end += fread(in->block + in->end, 1, BLOCK - in->end, in->file);
+    in->at_end = in->end < BLOCK;
+    return !ferror(in->file) || stop(in, "%s: %s", in->seen.name, file_problem(errno));
 }
 
 static bool begins_with(const source *in, const char *mark, size_t length)
@@ -212,7 +207,7 @@ void text_input_close(text_input *seen)
     source *in = (source *)seen;
     if (in->has_converter)
         iconv_close(in->converter);
-    if (in->file > STDERR_FILENO)
-        close(in->file);
+    if (in->file != NULL && in->file != stdin)
+        fclose(in->file);
     free(in);
 }

@@ -6,66 +6,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-static size_t digits_length(const char *text)
-{
-    return strspn(text, "0123456789");
-}
-
-static size_t sign_length(const char *text)
-{
-    return *text == '+' || *text == '-' ? 1 : 0;
-}
-
-/* The length of an exponent such as "e-5"; 0 where there is none. */
-static size_t exponent_length(const char *text)
-{
-    if (*text != 'e' && *text != 'E')
-        return 0;
-    const size_t before = 1 + sign_length(text + 1);
-    const size_t digits = digits_length(text + before);
-    return digits > 0 ? before + digits : 0;
-}
-
-size_t number_length(const char *text)
-{
-    const char *c = text + sign_length(text);
-    const size_t whole = digits_length(c);
-    c += whole;
-    size_t fraction = 0;
-    if (*c == '.') {
-        fraction = digits_length(c + 1);
-        c += 1 + fraction;
-    }
-    if (whole + fraction == 0)
-        return 0;
-    return (size_t)(c - text) + exponent_length(c);
-}
-
-bool number_read_part(const char *text, size_t length, double *value)
+size_t number_begin(const char *text, double *value)
 {
     char *end;
     const double read = strtod(text, &end);
-    if (length == 0 || end != text + length || !isfinite(read))
-        return false;
+    const size_t length = (size_t)(end - text);
+    if (length == 0 || length > strspn(text, "+-.0123456789eE") || !isfinite(read))
+        return 0;
     *value = read == 0 ? 0 : read;
-    return true;
+    return length;
 }
 
 bool number_read(const char *text, double *value)
 {
-    const size_t length = number_length(text);
-    return text[length] == '\0' && number_read_part(text, length, value);
+    double read;
+    const size_t length = number_begin(text, &read);
+    if (length == 0 || text[length] != '\0')
+        return false;
+    *value = read;
+    return true;
 }
 
 int number_read_list(const char *text, size_t length, char separator, int most, double value[])
 {
     for (int n = 0; n < most; n++) {
-        const size_t own = number_length(text);
-        if (!number_read_part(text, own, &value[n]))
-            return 0;
-        if (own == length)
+        const size_t own = number_begin(text, &value[n]);
+        if (own > 0 && own == length)
             return n + 1;
-        if (own > length || text[own] != separator)
+        if (own == 0 || own > length || text[own] != separator)
             return 0;
         text += own + 1;
         length -= own + 1;
@@ -93,13 +61,11 @@ bool number_read_cell(const char *text, char decimal_sign, double *value)
 
 bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value)
 {
-    const size_t length = digits_length(text);
-    int64_t read = 0;
-    for (size_t i = 0; i < length && read <= hi; i++)
-        read = 10 * read + (text[i] - '0');
-    if (length == 0 || text[length] != '\0' || read < lo || read > hi)
+    double read;
+    if (text[strspn(text, "0123456789")] != '\0' || !number_read(text, &read) ||
+        read < (double)lo || read > (double)hi)
         return false;
-    *value = read;
+    *value = (int64_t)read;
     return true;
 }
 

@@ -10,12 +10,12 @@
 /* ---- number ---- Numbers as text, the same in every locale: the tool never calls setlocale(), so
  * the decimal sign is a point unless asked otherwise. */
 
-/* How many characters at the start of text are a decimal number: sign, digits, point, exponent. 0
- * where no number starts there. Spaces, "inf", "nan" and hexadecimal numbers, which strtod() would
- * accept, are no part of a number here. */
-size_t number_length(const char *text);
+/* Reads the finite number that a text begins with, correctly rounded; -0 becomes 0. How many
+ * characters it has; 0 where no number starts there. Spaces, "inf", "nan" and hexadecimal numbers,
+ * which strtod() accepts, are none here. */
+size_t number_begin(const char *text, double *value);
 
-/* Reads a whole text as a finite number, correctly rounded; -0 becomes 0. */
+/* Reads a whole text as a number. */
 bool number_read(const char *text, double *value);
 
 /* The same with blanks around it, and with that decimal sign: the text of a cell. */
@@ -25,14 +25,11 @@ bool number_read_cell(const char *text, char decimal_sign, double *value);
  * digits are meant as texts. */
 bool number_survives(const char *text, char decimal_sign, double *value);
 
-/* The same as number_read() for the first length characters, which number_length() has found. */
-bool number_read_part(const char *text, size_t length, double *value);
-
 /* Reads numbers between separators, all of the first `length` characters. How many there are; 0
  * where it is not that, or more than `most`. */
 int number_read_list(const char *text, size_t length, char separator, int most, double value[]);
 
-/* Reads a whole number without a sign, lo to hi. */
+/* Reads a whole number without a sign, lo to hi, which are below 2^53. */
 bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value);
 
 /* Whether a number is in the library's domain of all that has a size. */
@@ -95,11 +92,10 @@ typedef struct {
 
 typedef struct {
     int64_t count;
-    double *items; /* of a list; NULL for START:STOP:STEP */
+    double *items; /* of a list, and of range_between(); NULL for START:STOP:STEP */
     double first, last, step;
     double
         power; /* of ten: the values are whole numbers over it; 0 where they have too many digits */
-    int64_t parts; /* of range_between; otherwise 0 */
 } range;
 
 /* Reads text; returns NULL, or what is wrong with it as the end of a sentence that names the

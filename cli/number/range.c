@@ -81,8 +81,8 @@ static const char *read_list(const char *text, range *values)
         commas += *c == ',' ? 1 : 0;
     values->items = memory_zeroed(commas + 1, sizeof *values->items);
     for (;; text++) {
-        const size_t length = number_length(text);
-        if (!number_read_part(text, length, &values->items[values->count]))
+        const size_t length = number_begin(text, &values->items[values->count]);
+        if (length == 0)
             return not_a_range;
         if (!number_is_size(values->items[values->count]))
             return impossible;
@@ -131,28 +131,23 @@ void range_say_two_values(const char *option, const char *text)
     range_say_pair(option, text, text, strlen(text));
 }
 
+/* Counted from the middle where that is 0: first + i * step would miss it by its rounding. */
 range range_between(double first, double last, int64_t count)
 {
-    return (range){.count = count, .first = first, .last = last, .parts = count - 1};
-}
-
-/* Counted from the middle where that is 0: first + i * step would miss it by its rounding. */
-static double value_between(const range *values, int64_t i)
-{
-    const double parts = (double)values->parts;
-    if (i == 0 || i == values->parts)
-        return i == 0 ? values->first : values->last;
-    if (values->first == -values->last)
-        return values->last * (double)(2 * i - values->parts) / parts;
-    return values->first + (values->last - values->first) * (double)i / parts;
+    range values = {.count = count, .items = memory_zeroed((size_t)count, sizeof(double))};
+    const double parts = (double)(count - 1);
+    for (int64_t i = 0; i < count; i++)
+        values.items[i] = first == -last ? last * ((double)(2 * i) - parts) / parts
+                                         : first + (last - first) * (double)i / parts;
+    values.items[0] = first;
+    values.items[count - 1] = last;
+    return values;
 }
 
 double range_value(const range *values, int64_t i)
 {
     if (values->items != NULL)
         return values->items[i];
-    if (values->parts > 0)
-        return value_between(values, i);
     return i == values->count - 1 ? values->last : after_steps(values, (double)i);
 }
 

@@ -23,13 +23,13 @@ static bool is_formula(const records *rows, const char *text)
 {
     double number;
     return text[0] != '\0' && strchr("=+-@\t\r", text[0]) != NULL &&
-           !number_read_cell(text, rows->decimal_sign, &number);
+           !number_read_cell(text, rows->how->decimal_sign, &number);
 }
 
 static void put_text(const records *rows, const char *text)
 {
-    const char special[] = {rows->separator, '"', '\n', '\r', '\0'};
-    const char *guard = rows->no_formulas && is_formula(rows, text) ? "'" : "";
+    const char special[] = {rows->how->separator, '"', '\n', '\r', '\0'};
+    const char *guard = rows->how->no_formulas && is_formula(rows, text) ? "'" : "";
     if (strpbrk(text, special) != NULL) {
         put_quoted(rows->out, guard, text);
         return;
@@ -41,7 +41,7 @@ static void put_text(const records *rows, const char *text)
 static void separate(records *rows)
 {
     if (rows->row_begun)
-        output_write(rows->out, &rows->separator, 1);
+        output_write(rows->out, &rows->how->separator, 1);
     rows->row_begun = true;
 }
 
@@ -59,7 +59,7 @@ static void put_value(records *rows, cell value)
         put_text(rows, value.text);
     else if (isfinite(value.number))
         output_write(rows->out, text,
-                     number_write(value.number, rows->digits, rows->decimal_sign, text));
+                     number_write(value.number, rows->how->digits, rows->how->decimal_sign, text));
 }
 
 static void end_row(records *rows)

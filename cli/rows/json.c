@@ -75,7 +75,7 @@ static void put_value(records *rows, cell value)
 {
     put_key(rows, rows->key[rows->next_key++]);
     char text[NUMBER_SIZE];
-    const int digits = value.text != NULL ? NUMBER_DIGITS : rows->digits;
+    const int digits = value.text != NULL ? NUMBER_DIGITS : rows->how->digits;
     if (isfinite(value.number))
         output_write(rows->out, text, number_write(value.number, digits, '.', text));
     else if (value.text != NULL && value.text[0] != '\0')

@@ -166,22 +166,13 @@ void output_options_spare(const output_options *how, const char *input)
         usage_error("--output %s: it is the input; allowed: another file", path);
 }
 
-static records records_for(const output_options *how, output *out)
-{
-    return (records){.format = how->format,
-                     .out = out,
-                     .digits = how->digits,
-                     .decimal_sign = how->decimal_sign,
-                     .separator = how->separator,
-                     .no_formulas = how->no_formulas};
-}
-
 void output_options_write(const output_options *how, rows_writer *write_rows, void *context)
 {
     output out;
     output_open(&out, how->path);
-    records rows = records_for(how, &out);
-    rows.show_progress = !how->quiet && progress_wanted(output_is_stdout(&out));
+    records rows = {.how = how,
+                    .out = &out,
+                    .show_progress = !how->quiet && progress_wanted(out.stream == stdout)};
     write_rows(context, &rows);
     records_end(&rows);
     progress_erase();

@@ -16,14 +16,14 @@ void records_nothing(records *rows)
 void records_name(records *rows, const char *name)
 {
     if (!rows->is_begun)
-        rows->format->begin(rows);
+        rows->how->format->begin(rows);
     rows->is_begun = true;
-    rows->format->name(rows, name);
+    rows->how->format->name(rows, name);
 }
 
 void records_end_header(records *rows)
 {
-    rows->format->end_header(rows);
+    rows->how->format->end_header(rows);
 }
 
 void records_header(records *rows, size_t count, const char *const names[])
@@ -37,6 +37,7 @@ void records_columns(records *rows, const column_kind kinds[], int count)
 {
     for (int i = 0; i < count; i++)
         records_name(rows, kinds[i].name);
+    records_end_header(rows);
 }
 
 void columns_describe(const column_kind kinds[], int count, int width, FILE *stream)
@@ -47,12 +48,12 @@ void columns_describe(const column_kind kinds[], int count, int width, FILE *str
 
 void records_value(records *rows, cell value)
 {
-    rows->format->value(rows, value);
+    rows->how->format->value(rows, value);
 }
 
 void records_end_row(records *rows)
 {
-    rows->format->end_row(rows);
+    rows->how->format->end_row(rows);
 }
 
 void records_row(records *rows, size_t count, const cell values[])
@@ -65,7 +66,7 @@ void records_row(records *rows, size_t count, const cell values[])
 void records_end(records *rows)
 {
     if (rows->is_begun)
-        rows->format->end(rows);
+        rows->how->format->end(rows);
     rows->is_begun = false;
     if (rows->problem != NULL)
         failure("%s: %s", rows->out->name, rows->problem);

@@ -24,13 +24,22 @@ typedef struct {
 /* CSV and TSV; JSON; XLSX; VTK. Each is in the file of its name, XLSX in spreadsheet. */
 extern const record_format delimited_format, json_format, xlsx_format, vtk_format;
 
-struct records {
-    const record_format *format;
-    output *out;
-    int digits; /* significant ones; NUMBER_DIGITS to read back the same */
+/* How rows are written, and where: as the options of a command say. */
+typedef struct {
+    const char *format_name;
+    const record_format *format; /* NULL for a command's own format */
+    int digits;                  /* significant ones; NUMBER_DIGITS to read back the same */
     char decimal_sign, separator;
+    const char *path; /* NULL for standard output */
+    bool quiet;
+    bool no_formulas; /* CSV: a ' before texts that a spreadsheet would compute */
+} output_options;
+
+struct records {
+    const output_options *how;
+    output *out;
     bool mark; /* of Unicode, in front of a text file */
-    bool no_formulas, show_progress, is_begun;
+    bool show_progress, is_begun;
     const column_kind *kinds; /* for a format that has room to say it; NULL for none */
     int kind_count;
     bool row_begun, any_row;
@@ -62,7 +71,7 @@ static inline void records_describe(records *rows, const column_kind kinds[], in
 void records_name(records *rows, const char *name);
 void records_end_header(records *rows);
 void records_header(records *rows, size_t count, const char *const names[]);
-void records_columns(records *rows, const column_kind kinds[], int count); /* without its end */
+void records_columns(records *rows, const column_kind kinds[], int count);
 
 /* The columns with their meanings, for a help text; names in so many characters. */
 void columns_describe(const column_kind kinds[], int count, int width, FILE *stream);
@@ -91,16 +100,6 @@ void spreadsheet_next_sheet(records *rows);
 
 /* ---- output_options ---- The options that every command with rows of results has: how they are
  * written, and where. */
-
-typedef struct {
-    const char *format_name;
-    const record_format *format; /* NULL for a command's own format */
-    int digits;
-    char decimal_sign, separator;
-    const char *path; /* NULL for standard output */
-    bool quiet;
-    bool no_formulas; /* CSV: a ' before texts that a spreadsheet would compute */
-} output_options;
 
 /* Tables to include (POPT_ARG_INCLUDE_TABLE): of a command that writes rows; of one whose rows are
  * places, which VTK can have too; the same without --format, for a command with formats of its

@@ -134,9 +134,10 @@ static void put_value(records *rows, cell value)
     if (!has_room(rows))
         return;
     if (isfinite(value.number))
-        xlsx_number(rows->book, rows->row, rows->column,
-                    number_rounded(value.number, value.text != NULL ? NUMBER_DIGITS : rows->digits),
-                    style_for(value.number));
+        xlsx_number(
+            rows->book, rows->row, rows->column,
+            number_rounded(value.number, value.text != NULL ? NUMBER_DIGITS : rows->how->digits),
+            style_for(value.number));
     else if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
         rows->problem =
             "a text has more than 32767 bytes, which XLSX cannot hold; allowed: csv, tsv, json";

@@ -40,22 +40,15 @@ static void put_number(records *rows, double value, bool last)
 {
     char text[NUMBER_SIZE];
     if (isfinite(value))
-        output_write(rows->out, text, number_write(value, rows->digits, '.', text));
+        output_write(rows->out, text, number_write(value, rows->how->digits, '.', text));
     else
         output_text(rows->out, "nan");
     output_text(rows->out, last ? "\n" : " ");
 }
 
-static void put_line(records *rows, const char *format, size_t first, size_t second)
+static void put_axis(records *rows, char axis, size_t count, size_t column, size_t stride)
 {
-    char line[160];
-    snprintf(line, sizeof line, format, first, second);
-    output_text(rows->out, line);
-}
-
-static void put_axis(records *rows, const char *heading, size_t count, size_t column, size_t stride)
-{
-    put_line(rows, heading, count, 0);
+    output_print(rows->out, "%c_COORDINATES %zu double\n", axis, count);
     for (size_t i = 0; i < count && records_go_on(rows); i++)
         put_number(rows, number_at(rows, i * stride, column), i == count - 1);
 }
@@ -63,33 +56,32 @@ static void put_axis(records *rows, const char *heading, size_t count, size_t co
 static void put_grid(records *rows)
 {
     const size_t depths = count_of(rows) / rows->across;
-    put_line(rows, "DATASET RECTILINEAR_GRID\nDIMENSIONS %zu %zu 1\n", rows->across, depths);
-    put_axis(rows, "X_COORDINATES %zu double\n", rows->across, 0, 1);
-    put_axis(rows, "Y_COORDINATES %zu double\n", depths, 1, rows->across);
+    output_print(rows->out, "DATASET RECTILINEAR_GRID\nDIMENSIONS %zu %zu 1\n", rows->across,
+                 depths);
+    put_axis(rows, 'X', rows->across, 0, 1);
+    put_axis(rows, 'Y', depths, 1, rows->across);
     output_text(rows->out, "Z_COORDINATES 1 double\n0\n");
 }
 
 static void put_points(records *rows)
 {
     const size_t count = count_of(rows);
-    put_line(rows, "DATASET POLYDATA\nPOINTS %zu double\n", count, 0);
+    output_print(rows->out, "DATASET POLYDATA\nPOINTS %zu double\n", count);
     for (size_t i = 0; i < count && records_go_on(rows); i++) {
         put_number(rows, number_at(rows, i, 0), false);
         put_number(rows, number_at(rows, i, 1), false);
         put_number(rows, 0, true);
     }
-    put_line(rows, "VERTICES %zu %zu\n", count, 2 * count);
+    output_print(rows->out, "VERTICES %zu %zu\n", count, 2 * count);
     for (size_t i = 0; i < count && records_go_on(rows); i++)
-        put_line(rows, "1 %zu\n", i, 0);
+        output_print(rows->out, "1 %zu\n", i);
 }
 
 /* A number at every point, under its name. */
 static void put_scalars(records *rows, size_t column)
 {
     const size_t count = count_of(rows), across = rows->across > 0 ? rows->across : count;
-    output_text(rows->out, "SCALARS ");
-    output_text(rows->out, rows->name[column]);
-    output_text(rows->out, " double 1\nLOOKUP_TABLE default\n");
+    output_print(rows->out, "SCALARS %s double 1\nLOOKUP_TABLE default\n", rows->name[column]);
     for (size_t i = 0; i < count && records_go_on(rows); i++)
         put_number(rows, number_at(rows, i, column), (i + 1) % across == 0);
 }
@@ -122,11 +114,9 @@ static void put_tensors(records *rows)
 
 static void write_file(records *rows)
 {
-    output_text(rows->out, "# vtk DataFile Version 3.0\n");
-    output_text(rows->out, rows->title);
-    output_text(rows->out, "\nASCII\n");
+    output_print(rows->out, "# vtk DataFile Version 3.0\n%s\nASCII\n", rows->title);
     (rows->across > 0 ? put_grid : put_points)(rows);
-    put_line(rows, "POINT_DATA %zu\n", count_of(rows), 0);
+    output_print(rows->out, "POINT_DATA %zu\n", count_of(rows));
     for (size_t column = 2; column < rows->names; column++)
         put_scalars(rows, column);
     put_tensors(rows);

@@ -103,11 +103,11 @@ static void take_row(csv_input *in, char decimal_sign, load_history *loads)
     load to;
     csv_row row;
     char complaint[COMPLAINT_SIZE];
-    if (!load_row_read(&loads->names, in->cell, in->count, in->separator, decimal_sign, &to,
+    if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign, &to,
                        complaint))
-        failure("%s: line %" PRId64 ": %s", in->name, in->line, complaint);
-    header_note_unused(&loads->names, in->cell, loads->unused);
-    csv_row_keep(in, false, &row);
+        failure("%s: line %" PRId64 ": %s", in->name, in->row.line, complaint);
+    header_note_unused(&loads->names, in->row.cell, loads->unused);
+    csv_row_keep(in, &row);
     add(loads, to, row);
 }
 
@@ -118,7 +118,7 @@ static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
     csv_input_check(in);
     if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, complaint))
         failure("%s: %s", in->name, complaint);
-    while (csv_input_next(in) == CSV_ROW)
+    while (csv_input_next(in))
         take_row(in, decimal_sign, loads);
     csv_input_check(in);
     if (loads->count == 0)

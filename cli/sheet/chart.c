@@ -40,9 +40,7 @@ static void draw_mark(lxw_chart_series *curve)
 static void draw_label(xlsx *book, lxw_chart_series *curve, const char *text)
 {
     lxw_chart_font font = {.size = 10};
-    char name[60];
-    snprintf(name, sizeof name, "%s", text);
-    lxw_chart_data_label label = {.value = name}, *labels[] = {&label, NULL};
+    lxw_chart_data_label label = {.value = (char *)text}, *labels[] = {&label, NULL};
     chart_series_set_labels(curve);
     chart_series_set_labels_position(curve, LXW_CHART_LABEL_POSITION_CENTER);
     chart_series_set_labels_font(curve, &font);

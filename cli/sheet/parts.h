@@ -22,7 +22,8 @@ struct xlsx {
     lxw_error error;
 };
 
-/* The four arguments that an area is for the library. */
+/* The arguments that a cell and an area are for the library. */
+#define CELL_AT(row, column) (lxw_row_t)(row), (lxw_col_t)(column)
 #define CELLS(area)                                                                                \
     (lxw_row_t)(area).row, (lxw_col_t)(area).column, (lxw_row_t)(area).last_row,                   \
         (lxw_col_t)(area).last_column

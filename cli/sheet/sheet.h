@@ -2,6 +2,7 @@
 #ifndef CLI_SHEET_H
 #define CLI_SHEET_H
 
+#include "number/number.h"
 #include "system/system.h"
 
 #include <stdbool.h>
@@ -76,10 +77,8 @@ void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style sty
 
 /* A formula, in English with commas, and the value that it has: programs that do not compute
  * show that. */
-void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value,
+void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
                   xlsx_style style);
-void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value,
-                       xlsx_style style);
 
 /* Gives cells of this sheet a name. Spreadsheets do not tell capitals from small letters in
  * names. */

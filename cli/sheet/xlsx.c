@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "parts.h"
 
-#include "text/text.h"
-#include "number/number.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -57,9 +54,8 @@ static bool creation_date(time_t *date)
 
 static void set_properties(xlsx *book, const char *title, time_t date)
 {
-    char heading[120], version[] = "rwedge " RWEDGE_VERSION;
-    snprintf(heading, sizeof heading, "%s", title);
-    lxw_doc_properties properties = {.title = heading, .author = version, .created = date};
+    lxw_doc_properties properties = {
+        .title = (char *)title, .author = "rwedge " RWEDGE_VERSION, .created = date};
     xlsx_keep(book, workbook_set_properties(book->workbook, &properties));
 }
 
@@ -137,24 +133,14 @@ const char *xlsx_finish(xlsx *book, output *out)
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
 
-static lxw_row_t row_of(int row)
-{
-    return (lxw_row_t)row;
-}
-
-static lxw_col_t column_of(int column)
-{
-    return (lxw_col_t)column;
-}
-
 void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style)
 {
     if (isfinite(value))
-        xlsx_keep(book, worksheet_write_number(book->current, row_of(row), column_of(column), value,
+        xlsx_keep(book, worksheet_write_number(book->current, CELL_AT(row, column), value,
                                                book->style[style]));
     else
-        xlsx_keep(book, worksheet_write_blank(book->current, row_of(row), column_of(column),
-                                              book->style[style]));
+        xlsx_keep(book,
+                  worksheet_write_blank(book->current, CELL_AT(row, column), book->style[style]));
 }
 
 void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
@@ -162,22 +148,20 @@ void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style sty
     if (!utf8_is_whole(text))
         xlsx_keep(book, LXW_ERROR_PARAMETER_VALIDATION);
     else
-        xlsx_keep(book, worksheet_write_string(book->current, row_of(row), column_of(column), text,
+        xlsx_keep(book, worksheet_write_string(book->current, CELL_AT(row, column), text,
                                                book->style[style]));
 }
 
-void xlsx_formula(xlsx *book, int row, int column, const char *formula, double value,
+void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
                   xlsx_style style)
 {
-    xlsx_keep(book, worksheet_write_formula_num(book->current, row_of(row), column_of(column),
-                                                formula, book->style[style], value));
-}
-
-void xlsx_text_formula(xlsx *book, int row, int column, const char *formula, const char *value,
-                       xlsx_style style)
-{
-    xlsx_keep(book, worksheet_write_formula_str(book->current, row_of(row), column_of(column),
-                                                formula, book->style[style], value));
+    lxw_format *look = book->style[style];
+    if (value.text != NULL)
+        xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
+                                                    look, value.text));
+    else
+        xlsx_keep(book, worksheet_write_formula_num(book->current, CELL_AT(row, column), formula,
+                                                    look, value.number));
 }
 
 void xlsx_name(xlsx *book, const char *name, xlsx_area area)
@@ -193,19 +177,19 @@ void xlsx_name(xlsx *book, const char *name, xlsx_area area)
 
 void xlsx_width(xlsx *book, int first_column, int last_column, double characters)
 {
-    xlsx_keep(book, worksheet_set_column(book->current, column_of(first_column),
-                                         column_of(last_column), characters, NULL));
+    xlsx_keep(book, worksheet_set_column(book->current, (lxw_col_t)first_column,
+                                         (lxw_col_t)last_column, characters, NULL));
 }
 
 void xlsx_lines(xlsx *book, int row, int lines)
 {
     xlsx_keep(book,
-              worksheet_set_row(book->current, row_of(row), lines * LXW_DEF_ROW_HEIGHT, NULL));
+              worksheet_set_row(book->current, (lxw_row_t)row, lines * LXW_DEF_ROW_HEIGHT, NULL));
 }
 
 void xlsx_freeze(xlsx *book, int rows, int columns)
 {
-    worksheet_freeze_panes(book->current, row_of(rows), column_of(columns));
+    worksheet_freeze_panes(book->current, CELL_AT(rows, columns));
 }
 
 void xlsx_hide_sheet(xlsx *book)
@@ -216,8 +200,8 @@ void xlsx_hide_sheet(xlsx *book)
 void xlsx_hide_columns(xlsx *book, int first_column, int last_column)
 {
     lxw_row_col_options options = {.hidden = LXW_TRUE};
-    xlsx_keep(book, worksheet_set_column_opt(book->current, column_of(first_column),
-                                             column_of(last_column), 12, NULL, &options));
+    xlsx_keep(book, worksheet_set_column_opt(book->current, (lxw_col_t)first_column,
+                                             (lxw_col_t)last_column, 12, NULL, &options));
 }
 
 void xlsx_protect(xlsx *book)
@@ -241,26 +225,22 @@ void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style)
 
 void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_style colour)
 {
-    char text[300];
-    snprintf(text, sizeof text, "%s", formula);
-    lxw_conditional_format when = {
-        .type = LXW_CONDITIONAL_TYPE_FORMULA, .value_string = text, .format = book->style[colour]};
+    lxw_conditional_format when = {.type = LXW_CONDITIONAL_TYPE_FORMULA,
+                                   .value_string = (char *)formula,
+                                   .format = book->style[colour]};
     xlsx_keep(book, worksheet_conditional_format_range(book->current, CELLS(area), &when));
 }
 
 void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
 {
-    char formula[256], title[33], hint[256], message[256];
-    snprintf(formula, sizeof formula, "%s", rule->formula);
+    char title[33]; /* more is refused */
     snprintf(title, sizeof title, "%s", rule->title);
-    snprintf(hint, sizeof hint, "%s", rule->hint);
-    snprintf(message, sizeof message, "%s", rule->message);
     lxw_data_validation check = {.validate = LXW_VALIDATION_TYPE_CUSTOM_FORMULA,
-                                 .value_formula = formula,
+                                 .value_formula = (char *)rule->formula,
                                  .input_title = title,
-                                 .input_message = hint,
+                                 .input_message = (char *)rule->hint,
                                  .error_title = title,
-                                 .error_message = message};
+                                 .error_message = (char *)rule->message};
     xlsx_keep(book, worksheet_data_validation_range(book->current, CELLS(area), &check));
 }
 

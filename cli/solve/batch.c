@@ -132,15 +132,16 @@ static void write_broken_end(run *r)
 }
 
 /* A quote that is left open may close in a later row, and take the rows between. */
-static csv_event next_row(const run *r)
+static bool next_row(const run *r)
 {
-    const csv_event event = csv_input_next(r->in);
-    if (event != CSV_ROW || r->in->count == r->table.names.count || !csv_input_spans_lines(r->in))
-        return event;
-    csv_input_stop(r->in,
-                   "line %" PRId64 ": a quote over several lines, and too few or too many cells",
-                   r->in->line);
-    return CSV_FAILED;
+    const csv_row *row = &r->in->row;
+    if (!csv_input_next(r->in))
+        return false;
+    if (row->malformed || row->count == r->table.names.count || !csv_row_spans_lines(row))
+        return true;
+    return csv_input_stop(
+        r->in, "line %" PRId64 ": a quote over several lines, and too few or too many cells",
+        row->line);
 }
 
 static void release_held(run *r)
@@ -160,23 +161,21 @@ static void read_profile(const run *r, const csv_row *row)
         notice_if_any(profiles_read(row->cell[column], style));
 }
 
-/* Reads rows until there are enough for the threads; the event is that of the row that is none.
- * Where memory is too short for a row the command ends, before threads begin. */
-static csv_event hold_rows(run *r)
+/* Reads rows until there are enough for the threads; false where no more follow. Where memory is
+ * too short for a row the command ends, before threads begin. */
+static bool hold_rows(run *r)
 {
     size_t bytes = 0;
-    csv_event event = CSV_ROW;
     for (r->held_count = 0; r->held_count < HELD_ROWS && bytes < HELD_BYTES; r->held_count++) {
-        event = next_row(r);
-        if (event == CSV_END || event == CSV_FAILED)
-            return event;
+        if (!next_row(r))
+            return false;
         csv_row *row = &r->held[r->held_count];
-        csv_row_keep(r->in, event == CSV_MALFORMED, row);
+        csv_row_keep(r->in, row);
         if (header_has_input(&r->table.names, INPUT_PROFILE))
             read_profile(r, row);
         bytes += row->bytes;
     }
-    return event;
+    return true;
 }
 
 static void write_held(run *r)
@@ -191,15 +190,15 @@ static void write_held(run *r)
 static void write_rows(void *of_run, records *rows)
 {
     run *r = of_run;
-    csv_event event = CSV_ROW;
+    bool more = true;
     r->rows = rows;
     progress_start(rows->show_progress, PROGRESS_NO_TOTAL, "rows");
     write_header(r);
-    while (records_go_on(r->rows) && event != CSV_END && event != CSV_FAILED) {
-        event = hold_rows(r);
+    while (more && records_go_on(r->rows)) {
+        more = hold_rows(r);
         write_held(r);
     }
-    if (event != CSV_FAILED)
+    if (r->in->problem[0] == '\0')
         return;
     write_broken_end(r);
     records_end(r->rows);

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "system.h"
 
-#include "text/text.h"
-
 #include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static const char stdout_name[] = "standard output";
 
@@ -15,11 +14,11 @@ NO_RETURN static void refuse(const output *out, int reason)
     failure("%s: %s", out->name, file_problem(reason));
 }
 
-static void open_directly(output *out, int descriptor)
+static void open_directly(output *out, FILE *stream)
 {
-    if (descriptor < 0)
+    if (stream == NULL)
         refuse(out, errno);
-    out->descriptor = descriptor;
+    out->stream = stream;
     signals_on_end(NULL, "; the output is not complete");
 }
 
@@ -29,12 +28,12 @@ static void open_beside(output *out, const char *path)
     if (out->target == NULL)
         refuse(out, errno);
     signals_hold();
-    out->descriptor = target_open_beside(out->target, &out->unfinished);
+    out->stream = target_open_beside(out->target, &out->unfinished);
     const int reason = errno;
-    if (out->descriptor >= 0)
+    if (out->stream != NULL)
         signals_on_end(out->unfinished, "; the output file is as it was before");
     signals_release();
-    if (out->descriptor < 0)
+    if (out->stream == NULL)
         refuse(out, reason);
 }
 
@@ -69,10 +68,9 @@ void output_open(output *out, const char *path)
     is_prepared = true;
     out->target = out->unfinished = NULL;
     out->error = 0;
-    out->used = 0;
     if (path == NULL || strcmp(path, "-") == 0) {
         out->name = stdout_name;
-        open_directly(out, STDOUT_FILENO);
+        open_directly(out, stdout);
     } else {
         out->name = path;
         open_by_name(out, path);
@@ -80,60 +78,39 @@ void output_open(output *out, const char *path)
     unsettled = out;
 }
 
-bool output_is_stdout(const output *out)
+static void remember(output *out, bool done)
 {
-    return out->descriptor == STDOUT_FILENO;
+    if (!done && out->error == 0)
+        out->error = errno;
 }
 
-static void flush(output *out)
-{
-    const char *bytes = out->buffer;
-    while (out->used > 0 && out->error == 0) {
-        const ssize_t written = write(out->descriptor, bytes, (unsigned)out->used);
-        if (written < 0) {
-            if (errno != EINTR)
-                out->error = errno;
-            continue;
-        }
-        bytes += written;
-        out->used -= (size_t)written;
-    }
-}
-
-bool output_write(output *out, const char *bytes, size_t count)
-{
-    while (count > 0 && out->error == 0) {
-        const size_t free_bytes = sizeof out->buffer - out->used;
-        const size_t now = count < free_bytes ? count : free_bytes;
-        memcpy(out->buffer + out->used, bytes, now);
-        out->used += now;
-        bytes += now;
-        count -= now;
-        if (out->used == sizeof out->buffer)
-            flush(out);
-    }
-    return out->error == 0;
-}
-
-bool output_text(output *out, const char *text)
-{
-    return output_write(out, text, strlen(text));
-}
-
-static void remember(output *out, int reason)
+void output_write(output *out, const char *bytes, size_t count)
 {
     if (out->error == 0)
-        out->error = reason;
+        remember(out, fwrite(bytes, 1, count, out->stream) == count);
 }
 
-/* A disk may report at close() what it did not at write(). */
+void output_text(output *out, const char *text)
+{
+    output_write(out, text, strlen(text));
+}
+
+void output_print(output *out, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    if (out->error == 0)
+        remember(out, vfprintf(out->stream, format, values) >= 0);
+    va_end(values);
+}
+
+/* A disk may report at fclose() what it did not before. */
 static void close_checked(output *out)
 {
+    remember(out, fflush(out->stream) == 0);
     if (out->unfinished != NULL && out->error == 0)
-        remember(out, target_sync(out->descriptor));
-    if (close(out->descriptor) != 0)
-        remember(out, errno);
-    out->descriptor = -1;
+        out->error = target_sync(out->stream);
+    remember(out, fclose(out->stream) == 0);
 }
 
 /* The unfinished file replaces the target. After an error it is removed. */
@@ -141,7 +118,7 @@ static void settle(output *out)
 {
     signals_hold();
     if (out->unfinished != NULL && out->error != 0)
-        target_remove(out->unfinished);
+        remove(out->unfinished);
     else if (out->unfinished != NULL)
         out->error = target_replace(out->target, out->unfinished);
     signals_on_end(NULL, NULL);
@@ -157,16 +134,13 @@ static void give_up(void)
     if (out == NULL)
         return;
     unsettled = NULL;
-    if (out->unfinished == NULL)
-        flush(out);
-    close(out->descriptor);
+    fclose(out->stream);
     out->error = ECANCELED;
     settle(out);
 }
 
 void output_finish(output *out)
 {
-    flush(out);
     close_checked(out);
     settle(out);
     unsettled = NULL;

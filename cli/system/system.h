@@ -2,6 +2,8 @@
 #ifndef CLI_SYSTEM_H
 #define CLI_SYSTEM_H
 
+#include "text/text.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -33,10 +35,10 @@ typedef enum {
 /* The kind of the file that path leads to, links followed. */
 file_kind file_kind_of(const char *path);
 
-/* Opens an existing file for reading, or a pipe or a device for writing. Returns the descriptor,
- * which other programs do not inherit; -1 with errno. */
-int file_to_read(const char *path);
-int file_to_write(const char *path);
+/* Opens an existing file for reading, or a pipe or a device for writing. Other programs do not
+ * inherit it. NULL with errno. */
+FILE *file_to_read(const char *path);
+FILE *file_to_write(const char *path);
 
 /* What errno says of a file, for a message. */
 const char *file_problem(int reason);
@@ -90,15 +92,11 @@ char *target_of_links(const char *path);
 bool target_is_input(const char *to, const char *from);
 
 /* Opens a new file in the folder of target, with the permissions that opening target would give, or
- * that target has; its name is in *unfinished. Returns the descriptor; -1 with errno, and nothing
- * left behind. */
-int target_open_beside(const char *target, char **unfinished);
+ * that target has; its name is in *unfinished. NULL with errno, and nothing left behind. */
+FILE *target_open_beside(const char *target, char **unfinished);
 
-/* Writes what the file holds to the disk. 0, or errno. */
-int target_sync(int descriptor);
-
-/* Removes the unfinished file. */
-void target_remove(const char *unfinished);
+/* Writes what the file, which is flushed, holds to the disk. 0, or errno. */
+int target_sync(FILE *file);
 
 /* The unfinished file, closed, takes the place of the target. 0, or errno; it is removed where it
  * cannot. */
@@ -115,6 +113,9 @@ void signals_install(void);
  * Both are kept, not copied. */
 void signals_on_end(const char *unfinished_file, const char *message);
 
+/* Does so, for a handler: only calls that are safe there. */
+void signals_end(const char *why);
+
 /* Hold signals back while a file and what is known of it change together. Threads begun in between
  * leave signals to the one that begins them. */
 void signals_hold(void);
@@ -125,16 +126,12 @@ void signals_release(void);
  * the old file stays as it was. Standard output, pipes and devices are written to directly; their
  * errors are noticed too. */
 
-enum { OUTPUT_BUFFER = 1 << 14 }; /* it is on the stack */
-
 typedef struct {
     const char *name; /* as the user knows it */
     char *target;     /* the file to replace, links followed; NULL where written to directly */
     char *unfinished; /* the file beside it */
-    int descriptor;
-    int error; /* errno of the first failure; nothing is written after it */
-    size_t used;
-    char buffer[OUTPUT_BUFFER];
+    FILE *stream;     /* `stdout` itself where that is written to */
+    int error;        /* errno of the first failure; nothing is written after it */
 } output;
 
 /* Opens the output; NULL or "-" is standard output. One output is open at a time. If the command
@@ -142,11 +139,10 @@ typedef struct {
  * written up to there. */
 void output_open(output *out, const char *path);
 
-bool output_is_stdout(const output *out);
-
-/* Adds bytes; false once something has gone wrong. */
-bool output_write(output *out, const char *bytes, size_t count);
-bool output_text(output *out, const char *text);
+/* Add bytes, a text, or a text as by printf. */
+void output_write(output *out, const char *bytes, size_t count);
+void output_text(output *out, const char *text);
+void output_print(output *out, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /* Makes the result appear. */
 void output_finish(output *out);

@@ -95,7 +95,7 @@ static void write_grid_header(const plan *job, records *rows)
     records_name(rows, job->table->quantity[job->quantity]);
     for (int64_t i = 0; i < across->count && records_go_on(rows); i++) {
         char name[NUMBER_SIZE];
-        number_write(range_value(across, i), NUMBER_DIGITS, rows->decimal_sign, name);
+        number_write(range_value(across, i), NUMBER_DIGITS, rows->how->decimal_sign, name);
         records_name(rows, name);
     }
     records_end_header(rows);

@@ -8,19 +8,19 @@ enum { HEADER_ROW, FIRST_ROW };
 static void write_header(xlsx *book)
 {
     xlsx_text(book, HEADER_ROW, 0, "case", XLSX_HEADER);
-    for (int cell = 0; cell < case_cell_count; cell++)
-        xlsx_text(book, HEADER_ROW, batch_column(cell),
-                  cell < SHOWN_CELLS ? case_cells[cell].column : case_cells[cell].name,
-                  cell < FIRST_REMARK ? XLSX_UPRIGHT : XLSX_HEADER);
+    for (int i = 0; i < case_cell_count; i++)
+        xlsx_text(book, HEADER_ROW, batch_column(i),
+                  i < SHOWN_CELLS ? case_cells[i].column : case_cells[i].name,
+                  i < FIRST_REMARK ? XLSX_UPRIGHT : XLSX_HEADER);
 }
 
 static void write_row(xlsx *book, int row, const case_values *values)
 {
     xlsx_text(book, row, 0, "", XLSX_BARE);
-    for (int cell = 0; cell < INPUT_CELLS; cell++)
-        xlsx_number(book, row, batch_column(cell), values->number[cell], XLSX_BARE);
-    for (int cell = INPUT_CELLS; cell < case_cell_count; cell++)
-        case_formula(book, row, batch_column(cell), cell, values, XLSX_PLAIN, row + 1);
+    for (int i = 0; i < INPUT_CELLS; i++)
+        xlsx_number(book, row, batch_column(i), values->number[i], XLSX_BARE);
+    for (int i = INPUT_CELLS; i < case_cell_count; i++)
+        case_formula(book, row, batch_column(i), i, values, XLSX_PLAIN, row + 1);
 }
 
 /* The last row that has an input, beside the hidden names. */
@@ -43,9 +43,8 @@ void sheet_batch(xlsx *book)
     }
     write_used(book);
     /* what is typed or pasted is checked: typing at once, pasting by the column "error" */
-    for (int cell = 0; cell < INPUT_CELLS; cell++)
-        check_typing(book,
-                     (xlsx_area){FIRST_ROW, batch_column(cell), BATCH_ROWS, batch_column(cell)},
-                     cell, FIRST_ROW + 1);
+    for (int i = 0; i < INPUT_CELLS; i++)
+        check_typing(book, (xlsx_area){FIRST_ROW, batch_column(i), BATCH_ROWS, batch_column(i)}, i,
+                     FIRST_ROW + 1);
     xlsx_hide_columns(book, batch_column(SHOWN_CELLS), batch_column(case_cell_count));
 }

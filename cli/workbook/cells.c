@@ -49,8 +49,8 @@ void cells_read(void)
 
 int cell_of_column(const char *column)
 {
-    int cell = SHOWN_CELLS - 1;
-    while (cell >= 0 && strcmp(case_cells[cell].column, column) != 0)
-        cell--;
-    return cell;
+    int i = SHOWN_CELLS - 1;
+    while (i >= 0 && strcmp(case_cells[i].column, column) != 0)
+        i--;
+    return i;
 }

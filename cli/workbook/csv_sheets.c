@@ -69,7 +69,7 @@ typedef struct {
 
 static void refuse(const sheet *from, const char *complaint)
 {
-    failure("%s: line %" PRId64 ": %s", from->in->name, from->in->line, complaint);
+    failure("%s: line %" PRId64 ": %s", from->in->name, from->in->row.line, complaint);
 }
 
 /* A number with the other decimal sign is hardly meant as a text, unless commas separate the
@@ -91,8 +91,8 @@ static cell cell_of(const sheet *from, const char *text)
 
 static void write_header(sheet *from, records *rows)
 {
-    const char *const *cells = from->in->cell;
-    from->columns = from->in->count;
+    const char *const *cells = from->in->row.cell;
+    from->columns = from->in->row.count;
     const char *hint = header_separator_hint(cells, from->columns);
     if (hint[0] != '\0')
         failure("%s: one column%s", from->in->name, hint);
@@ -102,17 +102,17 @@ static void write_header(sheet *from, records *rows)
 static void write_row(const sheet *from, records *rows)
 {
     char complaint[COMPLAINT_SIZE];
-    const size_t count = from->in->count;
+    const size_t count = from->in->row.count;
     if (!header_fits(from->columns, count, from->in->separator, complaint))
         refuse(from, complaint);
     for (size_t i = 0; i < count; i++)
-        records_value(rows, cell_of(from, from->in->cell[i]));
+        records_value(rows, cell_of(from, from->in->row.cell[i]));
     records_end_row(rows);
 }
 
 static void write_rows(sheet *from, records *rows)
 {
-    while (records_go_on(rows) && csv_input_next(from->in) == CSV_ROW)
+    while (records_go_on(rows) && csv_input_next(from->in))
         if (from->columns == 0)
             write_header(from, rows);
         else

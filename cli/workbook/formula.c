@@ -101,9 +101,9 @@ static const formula_template *find_template(const char *name, size_t length)
     return each->name != NULL ? each : NULL;
 }
 
-static bool is_named(const char *name, size_t length, const char *cell)
+static bool is_named(const char *word, size_t length, const char *name)
 {
-    return strncmp(name, cell, length) == 0 && cell[length] == '\0';
+    return strncmp(word, name, length) == 0 && name[length] == '\0';
 }
 
 /* The cells of the row for the name of a cell, or of three side by side; other words as they
@@ -162,9 +162,9 @@ const char *formula_of(const char *formula, int number, int row)
     return room;
 }
 
-void check_typing(xlsx *book, xlsx_area area, int cell, int row)
+void check_typing(xlsx *book, xlsx_area area, int number, int row)
 {
-    const case_cell *input = &case_cells[cell];
+    const case_cell *input = &case_cells[number];
     char condition[FORMULA_SIZE], message[FORMULA_SIZE];
     snprintf(condition, sizeof condition, "NOT(%s)", input->wrong);
     snprintf(message, sizeof message, "%s must be %s.", input->column, input->must);

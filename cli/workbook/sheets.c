@@ -69,7 +69,7 @@ static void write_formula(sheets *on, const char *const f[])
         if (is_number)
             formula_cell(on->book, row, on->at.column, formula, value, style);
         else
-            xlsx_text_formula(on->book, row, on->at.column, formula, text, style);
+            xlsx_formula(on->book, row, on->at.column, formula, cell_text(text), style);
     }
     name_cells(on, f[NAME]);
 }
@@ -348,7 +348,7 @@ static void set_place(sheets *on, const char *text)
             (xlsx_area){on->at.last_row + 1, on->at.column, on->at.last_row + 1, on->at.column};
 }
 
-void sheets_write(xlsx *book)
+static void write_sheets(xlsx *book)
 {
     sheets on = {.book = book};
     const char *const *next = sheets_lines, *f[FIELDS];
@@ -362,4 +362,17 @@ void sheets_write(xlsx *book)
         kinds[i].write(&on, f);
     }
     xlsx_hide_names(book, "rwt_");
+}
+
+void book_write(output *out)
+{
+    const char *problem;
+    cells_read();
+    xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false, &problem);
+    if (book != NULL) {
+        write_sheets(book);
+        problem = xlsx_finish(book, out);
+    }
+    if (problem != NULL)
+        failure("%s: %s", out->name, problem);
 }

@@ -103,10 +103,8 @@ double workbook_rounded(double value)
 void formula_cell(xlsx *book, int row, int column, const char *formula, double value,
                   xlsx_style style)
 {
-    if (isfinite(value))
-        xlsx_formula(book, row, column, formula, workbook_rounded(value), style);
-    else
-        xlsx_text_formula(book, row, column, formula, "", style);
+    xlsx_formula(book, row, column, formula,
+                 isfinite(value) ? cell_number(workbook_rounded(value)) : cell_empty(), style);
 }
 
 void case_formula(xlsx *book, int row, int column, int number, const case_values *values,
@@ -114,7 +112,7 @@ void case_formula(xlsx *book, int row, int column, int number, const case_values
 {
     const char *formula = formula_of(case_cells[number].formula, 0, batch_row);
     if (strcmp(case_cells[number].column, "yield_branch") == 0)
-        xlsx_text_formula(book, row, column, formula, values->branch, style);
+        xlsx_formula(book, row, column, formula, cell_text(values->branch), style);
     else
         formula_cell(book, row, column, formula,
                      number < SHOWN_CELLS ? values->number[number] : NAN, style);

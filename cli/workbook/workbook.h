@@ -92,7 +92,7 @@ void formula_cell(xlsx *book, int row, int column, const char *formula, double v
                   xlsx_style style);
 
 /* A cell of a case with its formula: in a row of Batch, or, for 0, under its name. */
-void case_formula(xlsx *book, int row, int column, int cell, const case_values *values,
+void case_formula(xlsx *book, int row, int column, int number, const case_values *values,
                   xlsx_style style, int batch_row);
 
 /* ---- yield_table ---- The table of (A sqrt(J2)/theta)^2, the largest in the half-plane, for each
@@ -113,11 +113,7 @@ enum { BATCH_ROWS = 200 };
 
 void sheet_batch(xlsx *book);
 
-/* ---- sheets ---- The sheets as data/sheets.tsv has them. */
-
-void sheets_write(xlsx *book);
-
-/* ---- book ---- The workbook as a file. */
+/* ---- sheets ---- The workbook as a file, with the sheets as data/sheets.tsv has them. */
 
 void book_write(output *out);
 

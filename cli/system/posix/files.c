@@ -15,14 +15,19 @@ file_kind file_kind_of(const char *path)
     return S_ISREG(file.st_mode) ? FILE_REGULAR : S_ISDIR(file.st_mode) ? FILE_FOLDER : FILE_OTHER;
 }
 
-int file_to_read(const char *path)
+static FILE *stream_of(int descriptor, const char *mode)
 {
-    return open(path, O_RDONLY | O_CLOEXEC);
+    return descriptor >= 0 ? fdopen(descriptor, mode) : NULL;
 }
 
-int file_to_write(const char *path)
+FILE *file_to_read(const char *path)
 {
-    return open(path, O_WRONLY | O_CLOEXEC);
+    return stream_of(open(path, O_RDONLY | O_CLOEXEC), "rb");
+}
+
+FILE *file_to_write(const char *path)
+{
+    return stream_of(open(path, O_WRONLY | O_CLOEXEC), "wb");
 }
 
 const char *file_problem(int reason)

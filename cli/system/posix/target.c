@@ -61,7 +61,7 @@ static mode_t mode_like(int descriptor, const struct stat *existing)
     return kept ? mode : (mode & 0700) | (mode & 07 & (mode >> 3));
 }
 
-static int give_up(char *name, int descriptor)
+static FILE *give_up(char *name, int descriptor)
 {
     const int reason = errno;
     if (descriptor >= 0) {
@@ -70,27 +70,23 @@ static int give_up(char *name, int descriptor)
     }
     free(name);
     errno = reason;
-    return -1;
+    return NULL;
 }
 
-int target_open_beside(const char *target, char **unfinished)
+FILE *target_open_beside(const char *target, char **unfinished)
 {
     struct stat existing;
     const bool exists = stat(target, &existing) == 0;
     if ((!exists && errno != ENOENT) || (exists && access(target, W_OK) != 0))
-        return -1; /* renaming would replace a file that is protected from writing */
+        return NULL; /* renaming would replace a file that is protected from writing */
     char *name = in_folder_of(target, ".rwedge-XXXXXX");
     const int descriptor = name != NULL ? mkstemp(name) : -1;
     if (descriptor < 0 || fcntl(descriptor, F_SETFD, FD_CLOEXEC) != 0 ||
         fchmod(descriptor, exists ? mode_like(descriptor, &existing) : usual_mode()) != 0)
         return give_up(name, descriptor);
+    FILE *file = fdopen(descriptor, "wb");
     *unfinished = name;
-    return descriptor;
-}
-
-void target_remove(const char *unfinished)
-{
-    unlink(unfinished);
+    return file != NULL ? file : give_up(name, descriptor);
 }
 
 int target_replace(const char *target, const char *unfinished)
@@ -98,11 +94,11 @@ int target_replace(const char *target, const char *unfinished)
     if (rename(unfinished, target) == 0)
         return 0;
     const int reason = errno;
-    target_remove(unfinished);
+    remove(unfinished);
     return reason;
 }
 
-int target_sync(int descriptor)
+int target_sync(FILE *file)
 {
-    return fsync(descriptor) == 0 ? 0 : errno;
+    return fsync(fileno(file)) == 0 ? 0 : errno;
 }

@@ -3,7 +3,6 @@
 #include "system/system.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <io.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,24 +21,24 @@ file_kind file_kind_of(const char *path)
     return is_folder ? FILE_FOLDER : on_disk ? FILE_REGULAR : FILE_OTHER;
 }
 
-static int open_by_name(const char *path, DWORD access, int mode)
+static FILE *open_by_name(const char *path, DWORD access, const char *mode)
 {
     if (file_kind_of(path) == FILE_FOLDER) {
         errno = EISDIR;
-        return -1;
+        return NULL;
     }
     const HANDLE file = open_shared(path, access, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL);
-    return file != INVALID_HANDLE_VALUE ? _open_osfhandle((intptr_t)file, mode | _O_BINARY) : -1;
+    return file != INVALID_HANDLE_VALUE ? stream_of(file, mode) : NULL;
 }
 
-int file_to_read(const char *path)
+FILE *file_to_read(const char *path)
 {
-    return open_by_name(path, GENERIC_READ, _O_RDONLY);
+    return open_by_name(path, GENERIC_READ, "rb");
 }
 
-int file_to_write(const char *path)
+FILE *file_to_write(const char *path)
 {
-    return open_by_name(path, GENERIC_WRITE, _O_WRONLY);
+    return open_by_name(path, GENERIC_WRITE, "wb");
 }
 
 const char *file_problem(int reason)

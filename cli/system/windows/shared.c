@@ -2,6 +2,8 @@
 #include "shared.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <io.h>
 
 int errno_of(DWORD error)
 {
@@ -34,4 +36,10 @@ HANDLE open_shared(const char *path, DWORD access, DWORD disposition, DWORD flag
     if (file == INVALID_HANDLE_VALUE)
         errno = errno_of(GetLastError());
     return file;
+}
+
+FILE *stream_of(HANDLE file, const char *mode)
+{
+    const int descriptor = _open_osfhandle((intptr_t)file, _O_BINARY);
+    return descriptor >= 0 ? _fdopen(descriptor, mode) : NULL;
 }

@@ -3,6 +3,7 @@
 #ifndef CLI_SHARED_H
 #define CLI_SHARED_H
 
+#include <stdio.h>
 #include <windows.h>
 
 /* errno for an error of Windows. */
@@ -11,5 +12,8 @@ int errno_of(DWORD error);
 /* As CreateFile(), for anyone else to read, write and remove the file too. Not inherited. It sets
  * errno. */
 HANDLE open_shared(const char *path, DWORD access, DWORD disposition, DWORD flags);
+
+/* The file as a stream of bytes. */
+FILE *stream_of(HANDLE file, const char *mode);
 
 #endif

@@ -3,7 +3,6 @@
 #include "system/system.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <io.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -96,23 +95,17 @@ static bool may_be_written(const char *target)
     return true;
 }
 
-int target_open_beside(const char *target, char **unfinished)
+FILE *target_open_beside(const char *target, char **unfinished)
 {
     if (!may_be_written(target))
-        return -1;
+        return NULL;
     const HANDLE file = open_new(target, unfinished);
-    return file != INVALID_HANDLE_VALUE ? _open_osfhandle((intptr_t)file, _O_WRONLY | _O_BINARY)
-                                        : -1;
+    return file != INVALID_HANDLE_VALUE ? stream_of(file, "wb") : NULL;
 }
 
-int target_sync(int descriptor)
+int target_sync(FILE *file)
 {
-    return _commit(descriptor) == 0 ? 0 : errno;
-}
-
-void target_remove(const char *unfinished)
-{
-    DeleteFileA(unfinished);
+    return _commit(_fileno(file)) == 0 ? 0 : errno;
 }
 
 /* ReplaceFile() keeps the attributes of the file that was there. It does not work where there is
@@ -123,6 +116,6 @@ int target_replace(const char *target, const char *unfinished)
         MoveFileExA(unfinished, target, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH))
         return 0;
     const int reason = errno_of(GetLastError());
-    target_remove(unfinished);
+    remove(unfinished);
     return reason;
 }

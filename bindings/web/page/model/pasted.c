@@ -61,12 +61,9 @@ csv_input *pasted_open(const char *text)
 
 bool pasted_next(csv_input *in, csv_row *row, const char **problem)
 {
-    *problem = "";
-    const csv_event event = csv_input_next(in);
-    if (event == CSV_FAILED)
-        *problem = in->problem;
-    if (event != CSV_ROW && event != CSV_MALFORMED)
-        return false;
-    csv_row_keep(in, event == CSV_MALFORMED, row);
-    return true;
+    const bool there = csv_input_next(in);
+    *problem = in->problem;
+    if (there)
+        csv_row_keep(in, row);
+    return there;
 }

@@ -158,7 +158,7 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
     return status;
 }
 
-load case_load(const contact_case *setup)
+static load case_load(const contact_case *setup)
 {
     return (load){setup->P, setup->M, setup->Q, setup->sigma};
 }

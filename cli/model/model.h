@@ -162,8 +162,6 @@ int32_t case_loaded(const contact_case *setup, rwedge_contact **contact);
 /* What is wrong with the loads of a case; nothing where they can be applied. */
 load_fault case_fault(const contact_case *setup);
 
-load case_load(const contact_case *setup);
-
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
 double case_shear_ratio(const contact_case *setup);
 

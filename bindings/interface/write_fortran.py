@@ -5,23 +5,17 @@ from __future__ import annotations
 
 import itertools
 import math
-import re
 import sys
 import textwrap
 from operator import itemgetter
 
-from header import EQUATION, Function, Interface, Parameter, template
+from header import EQUATION, NAMES, Function, Interface, Parameter, filled, name_of
 
 WIDTH = 128
 # Written in the template: what has another name here or no handle, and what frees.
 BY_HAND = {"version", "strerror", "contact_destroy", "series_destroy"}
-NAMES = {"A": "compliance"}  # Fortran takes a and A for one name
 TYPES = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "size_t": "integer(c_size_t)", "const char *": "type(c_ptr)"}
 OWN_NAMES = {"this", "stat", "errmsg", "created", "from", "s", "i", "status", "place"}
-
-
-def name_of(p: Parameter) -> str:
-    return NAMES.get(p.name, p.name)
 
 
 def folded(line: str) -> str:
@@ -251,7 +245,7 @@ def check_names(f: Function, names: list[str]) -> None:
     lower = [n.lower() for n in names]
     clash = {n for n in lower if lower.count(n) > 1} | {p.name for p in f.inputs + f.outputs if name_of(p).lower() in OWN_NAMES}
     if clash:
-        sys.exit(f"write_fortran.py: rwedge_{f.name}(): Fortran takes {', '.join(sorted(clash))} for another name: see NAMES")
+        sys.exit(f"write_fortran.py: rwedge_{f.name}(): Fortran takes {', '.join(sorted(clash))} for another name: see NAMES of header.py")
 
 
 # ---- The module ----
@@ -271,7 +265,7 @@ def procedures(interface: Interface) -> list[str]:
 
 def bound(interface: Interface, family: str) -> list[str]:
     lines = []
-    for f in (f for f in interface.functions if f.family == family):
+    for f in interface.of(family):
         if has_grid(f):
             lines += [f"procedure, private :: {f.method}_of_list => {f.name}", f"procedure, private :: {f.method}_of_grid => {f.name}_of_grid",
                       f"generic :: {f.method} => {f.method}_of_list, {f.method}_of_grid"]
@@ -301,14 +295,6 @@ def grid(f: Function) -> list[str]:
              *(f"{n} = reshape(list_{n}, shape({n}))" for n in outputs)]
     head = f"subroutine {f.name}_of_grid({', '.join(['this', *names, 'stat', 'errmsg'])})"
     return ["!> The same of arrays of rank 2.", *block(head, lines, "end subroutine"), ""]
-
-
-def filled(path: str, parts: dict[str, list[str]]) -> str:
-    """The template with the parts in place of their marks, indented as these are."""
-    text = template(path)
-    for mark, lines in parts.items():
-        text = re.sub(rf"(?m)^( *)\{{{mark}\}}$", lambda m: textwrap.indent("\n".join(lines), m[1]), text)
-    return "\n".join(map(folded, text.split("\n")))
 
 
 def module(interface: Interface) -> str:
@@ -364,4 +350,5 @@ def answer(interface: Interface) -> str:
 
 
 def texts(interface: Interface) -> dict[str, str]:
-    return {"rwedge.f90": module(interface), "answer.f90": answer(interface)}
+    made = {"rwedge.f90": module(interface), "answer.f90": answer(interface)}
+    return {name: "\n".join(map(folded, text.split("\n"))) for name, text in made.items()}

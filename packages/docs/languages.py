@@ -2,7 +2,6 @@
 """How a function is called from each language: by the names of its arguments, or with numbers."""
 from __future__ import annotations
 
-import re
 import textwrap
 from pathlib import Path
 
@@ -33,6 +32,7 @@ OTHERS = {
     ("contact_create_flat", "Python"): "contact = rwedge.Contact.flat({})",
     ("contact_create_profile", "Python"): "contact = rwedge.Contact.profile({})",
     ("contact_copy", "Python"): "copy = contact.copy()",
+    ("contact_loads", "Python"): "P, M, Q, sigma = contact.loads",
     ("contact_restore", "Python"): "contact = rwedge.Contact.restore({})",
     ("series_create", "Python"): "series = rwedge.Series({})",
     ("series_fit", "Python"): "series = rwedge.Series.fit({})",
@@ -48,15 +48,6 @@ OTHERS = {
     ("version", "Excel"): "=RWEDGE_VERSION()",
     ("contact_load", "Excel"): "=RWEDGE_CONTACT_HISTORY(theta, a, compliance, f, P_history, Q_history)",
 }
-
-
-def properties() -> set[str]:
-    """What Python's classes have without brackets, besides what is made from the header."""
-    text = "".join((TOP / f"bindings/python/src/rwedge/_{name}.py").read_text(encoding="utf-8") for name in ("contact", "series"))
-    return set(re.findall(r"@property\n    def (\w+)", text))
-
-
-PROPERTIES = properties()
 
 
 def flat(numbers: list) -> list:
@@ -128,7 +119,7 @@ class Python(Language):
     name, lexer = "Python", "python"
 
     def rule(self, f: Function, values: list[str]) -> str:
-        bare = not f.inputs and (write_python.is_general(f) and bool(f.of("handle")) or f.method in PROPERTIES)
+        bare = not f.inputs and write_python.is_general(f) and bool(f.of("handle"))
         left = f"{', '.join(p.name for p in f.outputs)} = " if f.outputs else ""
         return f"{left}{f.family or 'rwedge'}.{f.method}" + ("" if bare else f"({', '.join(values)})")
 

@@ -248,6 +248,11 @@ def check_names(f: Function, names: list[str]) -> None:
         sys.exit(f"write_fortran.py: rwedge_{f.name}(): Fortran takes {', '.join(sorted(clash))} for another name: see NAMES of header.py")
 
 
+def called(f: Function, arguments: list[str]) -> str:
+    """How a user calls it, but for what stands before."""
+    return f"{f'{f.family}%' if f.family else 'rwedge_'}{f.method}({', '.join(arguments)})"
+
+
 # ---- The module ----
 
 
@@ -321,15 +326,13 @@ def in_answer(f: Function, p: Parameter) -> str:
 
 def answer_case(f: Function) -> list[str]:
     arguments = [in_answer(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
-    name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
     case = f"case ('{f.name}')"
     if f.result in ("value", "text"):
-        value = f"{name}({', '.join(arguments)})"
-        value = f"len({value})" if f.result == "text" else value
+        value = f"len({called(f, arguments)})" if f.result == "text" else called(f, arguments)
         return [case, f"    r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]"]
     if f.of("created") and f.of("handle"):
         return [case, f"    call other%{f.method}({f.family}, stat)", f"    {f.family} = other", "    r = [real(c_double) ::]"]
-    call = f"    call {name}({', '.join(arguments + ['stat'])})"
+    call = f"    call {called(f, [*arguments, 'stat'])}"
     if not f.outputs:
         return [case, call, "    r = [real(c_double) ::]"]
     shape = {}

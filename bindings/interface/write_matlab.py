@@ -39,6 +39,13 @@ def call(results: list[str], name: str, arguments: list[str]) -> str:
     return f"{left}{name}({', '.join(arguments)})"
 
 
+def called(f: Function, values: list[str]) -> str:
+    """How a user calls it."""
+    if f.of("created"):
+        return call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), values)
+    return call(outputs(f), f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}", values)
+
+
 def without_pointers(text: str, method: bool) -> str:
     """A method's object may have been deleted, which is rwedge:handle; nothing else can be NULL."""
     text = text.replace("RWEDGE_ENULL", "rwedge:handle") if method else re.sub(r"(?m)[,;] RWEDGE_ENULL|^RWEDGE_ENULL, ", "", text)
@@ -90,31 +97,27 @@ def routine(head: str, name: str, form: str, text: list[str], count: int, body: 
 
 
 def function_text(f: Function) -> str:
-    name = "rwedge_" + f.name
-    form = call(outputs(f), name, inputs(f))
-    lines = help_lines(f)
+    form, lines = called(f, inputs(f)), help_lines(f)
     lines += ["", ARRAYS] if inputs(f) and not f.of("in array", "out array") else []
     if any("rwedge:absent" in line for line in lines):
         lines.append("Where rwedge:absent is said above, the results are NaN, and no error.")
-    return routine(form, name, form, lines, len(inputs(f)), [call(outputs(f), "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";"]) + LICENCE
+    return routine(form, f"rwedge_{f.name}", form, lines, len(inputs(f)), [call(outputs(f), "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";"]) + LICENCE
 
 
 def method_text(f: Function) -> str:
-    form = call(outputs(f), f"{f.family}.{f.method}", inputs(f))
     loads = bool(f.of("changed")) and "P" in inputs(f)
     body = [call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if loads and not f.of("in array") else
             call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)])]
     body += [f"{f.family}.warn_of_size()"] if loads and f.of("in array") else []
     body += [f"{f.family}.warn('safety', factor)"] if "factor" in outputs(f) else []
     head = call(outputs(f), f.method, [f.family, *inputs(f)])
-    return "\n" + routine(head, f.method, form, help_lines(f), len(inputs(f)) and len(inputs(f)) + 1, [f"{line};" for line in body], "    ")
+    return "\n" + routine(head, f.method, called(f, inputs(f)), help_lines(f), len(inputs(f)) and len(inputs(f)) + 1, [f"{line};" for line in body], "    ")
 
 
 def maker_text(f: Function) -> str:
     """A function that makes an object other than by the class's own name: a static method."""
-    form = call([f.family], f"rwedge_{f.family}.{f.method}", inputs(f))
     body = [f"{f.family} = rwedge_{f.family}();", call([f"{f.family}.number"], "rwedge_mex", [repr(f.name), *inputs(f)]) + ";"]
-    return routine(call([f.family], f.method, inputs(f)), f.method, form, help_lines(f), len(inputs(f)), body, "    ")
+    return routine(call([f.family], f.method, inputs(f)), f.method, called(f, inputs(f)), help_lines(f), len(inputs(f)), body, "    ")
 
 
 def class_text(interface: Interface, family: str) -> str:

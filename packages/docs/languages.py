@@ -134,10 +134,7 @@ class Matlab(Language):
         return f"[{'; '.join(' '.join(map(plain, row)) for row in rows)}]"
 
     def rule(self, f: Function, values: list[str]) -> str:
-        if f.of("created"):
-            return write_matlab.call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), values)
-        name = f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}"
-        return write_matlab.call(write_matlab.outputs(f), name, values)
+        return write_matlab.called(f, values)
 
 
 class Fortran(Language):
@@ -154,11 +151,10 @@ class Fortran(Language):
         return number if p.kind == "int32_t" or isinstance(value, str) else number.replace("e", "d") + "d0" * ("e" not in number)
 
     def rule(self, f: Function, values: list[str]) -> str:
-        name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
         if f.result in ("value", "text"):
-            return f"{f.result} = {name}({', '.join(values)})"
+            return f"{f.result} = {write_fortran.called(f, values)}"
         passed = dict(zip([p.name for p in f.inputs], values))
-        return f"call {name}({', '.join(passed.get(p.name, p.name) for p in f.parameters if p in f.inputs or p in f.outputs)})"
+        return "call " + write_fortran.called(f, [passed.get(p.name, p.name) for p in f.parameters if p in f.inputs + f.outputs])
 
 
 class JavaScript(Language):

@@ -17,6 +17,7 @@ from functions import Pages  # noqa: E402
 from header import read  # noqa: E402
 from readmes import Site  # noqa: E402
 
+
 def check(interface) -> int:
     pages = Pages(interface, None)
     for f in interface.functions:

@@ -25,7 +25,7 @@ Option Explicit
 Private Enum rwedge_status
     LIBRARY_MISSING = -2
     NOT_A_COLUMN = -1
-{statuses}
+    {statuses}
 End Enum
 
 Private Type one_double

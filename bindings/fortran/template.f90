@@ -138,7 +138,7 @@ contains
         character(*), intent(in), optional :: why
         character(:), allocatable :: text
         character(24) :: number
-        integer :: i
+        integer :: i, first, last
         text = call
         if (present(element)) then
             write (number, '(i0)') element
@@ -146,29 +146,15 @@ contains
         end if
         text = text // ': ' // rwedge_error_text(status)
         if (status == rwedge_enull) text = text // ' (create it first; a copy by firstprivate or SOURCE= is none)'
+        first = index(call, '(') + 1
         do i = 1, size(values)
+            last = first - 2 + index(call(first:len(call) - 1) // ',', ',')
             write (number, '(g0.15)') values(i)
-            text = text // merge(': ', ', ', i == 1) // name_in(call, i) // trim(number)
+            text = text // merge(': ', ', ', i == 1) // call(first:last) // ' = ' // trim(number)
+            first = last + 3
         end do
         if (any(status == [rwedge_edomain, rwedge_erange, rwedge_esliding])) text = text // '; allowed is ' // allowed
         if (present(why) .and. (status == rwedge_epath .or. status == rwedge_eabsent)) text = text // '; ' // why
-    end function
-
-    ! The i-th name in "name(arguments)", with " = " behind it; nothing where there are no names.
-    pure function name_in(call, i) result(text)
-        character(*), intent(in) :: call
-        integer, intent(in) :: i
-        character(:), allocatable :: text
-        integer :: k, first, last
-        first = index(call, '(') + 1
-        do k = 2, i
-            first = first + index(call(first:), ',')
-        end do
-        last = first - 1 + index(call(first:), ',')
-        if (last < first) last = len(call)
-        text = adjustl(call(first:last - 1))
-        text = trim(text) // ' = '
-        if (call(first:last - 1) == '...' .or. i > 1 .and. index(call, ',') == 0) text = ''
     end function
 
     ! The first element that is not between the bounds, 0 where there is none. A NaN is not compared: the host may trap that.

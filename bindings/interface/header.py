@@ -13,6 +13,7 @@ import dataclasses
 import json
 import re
 import sys
+import textwrap
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -132,6 +133,10 @@ class Interface:
 
     def __contains__(self, name: str) -> bool:
         return any(f.name == name for f in self.functions)
+
+    def of(self, family: str) -> list[Function]:
+        """The functions of an object; of none where the family is empty."""
+        return [f for f in self.functions if f.family == family]
 
     @property
     def enumerations(self) -> dict[str, dict[str, int]]:
@@ -374,9 +379,30 @@ def read(path: str | Path) -> Interface:
     return Reader(Path(path)).read()
 
 
-def template(path: str) -> str:
-    """What stands by hand around the functions of a language: a file of bindings/."""
-    return (Path(__file__).resolve().parents[1] / path).read_text(encoding="ascii")
+# ---- For those that write a language ----
+
+NAMES = {"A": "compliance"}  # where a and A are one name
+WITHOUT_NULL = (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?\b0 for NULL", "")
+
+
+def name_of(p: Parameter) -> str:
+    """In a language that does not tell a from A."""
+    return NAMES.get(p.name, p.name)
+
+
+def replaced(text: str, pairs: tuple[tuple[str, str], ...]) -> str:
+    """Text of the header in the words of another language: patterns of C, and what stands for them."""
+    for c, own in pairs:
+        text = re.sub(c, own, text)
+    return text
+
+
+def filled(path: str, parts: dict[str, list[str]]) -> str:
+    """What stands by hand around the functions, a file of bindings/: lines in place of its marks, {mark}, indented as these."""
+    text = (Path(__file__).resolve().parents[1] / path).read_text(encoding="ascii")
+    for mark, lines in parts.items():
+        text = re.sub(rf"(?m)^( *)\{{{mark}\}}$", lambda m: textwrap.indent("\n".join(lines), m[1]), text)
+    return text
 
 
 def main() -> None:

@@ -12,7 +12,7 @@ import re
 import sys
 import textwrap
 
-from header import EQUATION, Function, Interface, Parameter, template
+from header import EQUATION, Function, Interface, Parameter, filled, name_of
 
 WIDTH = 128
 # Only one way to make a series is offered, histories are of P and Q, nobody copies or keeps what he cannot hold, and a point of a
@@ -22,8 +22,6 @@ NOT_DECLARED = {"contact_create_flat", "contact_create_profile", "contact_copy",
                 "contact_keep_cycle", "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms"}
 # Declared for the template's own functions.
 NOT_IN_CELLS = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "series_fit", "series_destroy"}
-# Basic does not tell a from A.
-NAMES = {"A": "compliance"}
 
 # What a handle is made of: worksheet arguments, and the template's function that makes it.
 HANDLES = {
@@ -38,10 +36,6 @@ DECLARED = {"in": {"double": "ByVal {} As Double", "int32_t": "ByVal {} As Long"
 RETURNS = {"double": "Double", "int32_t": "Long", "size_t": "LongPtr", "const char *": "LongPtr", "void": None}
 
 
-def name_of(p: Parameter) -> str:
-    return NAMES.get(p.name, p.name)
-
-
 def declared(p: Parameter) -> str:
     form = DECLARED[p.role]
     return (form[p.kind] if isinstance(form, dict) else form).format(name_of(p))
@@ -51,7 +45,7 @@ def names_of(f: Function, *roles: str) -> list[str]:
     return [name_of(p) for p in f.of(*roles)]
 
 
-def filled(items, width):
+def broken(items, width):
     """Lines of items with commas between them, none of them broken."""
     lines = textwrap.wrap(", ".join(i.replace(" ", "\0") for i in items), width, break_on_hyphens=False)
     return [x.replace("\0", " ") for x in lines]
@@ -62,7 +56,7 @@ def wrapped(start, items, end, indent=8):
     line = f"{start}({', '.join(items)}){end}"
     if len(line) <= WIDTH:
         return line
-    lines = filled(items, WIDTH - indent - max(2, len(end) + 1))
+    lines = broken(items, WIDTH - indent - max(2, len(end) + 1))
     return f"{start}( _\n" + " _\n".join(" " * indent + x for x in lines) + f"){end}"
 
 
@@ -120,7 +114,7 @@ def statements(f, name, handle):
     lines += ["If status = RWEDGE_OK Then", f"    {name} = {result}", "Else", f'    {name} = failure(status, "{f.path}")', "End If"]
     if handle:
         lines.append(f"If {handle} <> 0 Then c_{handle}_destroy {handle}")
-    dims = ["Dim " + line.rstrip(",") for line in filled(variables + ["status As Long"], WIDTH - 8)]
+    dims = ["Dim " + line.rstrip(",") for line in broken(variables + ["status As Long"], WIDTH - 8)]
     return [f"    {line}" for line in dims + lines]
 
 
@@ -166,9 +160,10 @@ def texts(interface: Interface) -> dict[str, str]:
     if unfit:
         sys.exit(f"no cell can have {', '.join(unfit)}: name them in NOT_DECLARED or NOT_IN_CELLS of bindings/interface/write_excel.py")
     first = interface.functions[0]
-    text = (template("excel/template.bas").replace("{introduction}", "\n".join(f"' {line}".rstrip() for line in interface.introduction))
-            .replace("{statuses}", "\n".join(f"    {name} = {value}" for name, value in interface.statuses.items()))
-            .replace("{declares}", "\n".join(declaration(f) for f in declared))
-            .replace("{functions}", "\n\n".join(map(worksheet_function, offered, [first] + offered))))
+    text = filled("excel/template.bas", {
+        "introduction": [f"' {line}".rstrip() for line in interface.introduction],
+        "statuses": [f"{name} = {value}" for name, value in interface.statuses.items()],
+        "declares": list(map(declaration, declared)),
+        "functions": ["\n\n".join(map(worksheet_function, offered, [first] + offered))]})
     # Basic's editor takes no other ends of lines
     return {"rwedge.bas": "".join(line + "\r\n" for line in text.rstrip("\n").split("\n"))}

@@ -5,23 +5,17 @@ from __future__ import annotations
 
 import itertools
 import math
-import re
 import sys
 import textwrap
 from operator import itemgetter
 
-from header import EQUATION, Function, Interface, Parameter, template
+from header import EQUATION, NAMES, Function, Interface, Parameter, filled, name_of
 
 WIDTH = 128
 # Written in the template: what has another name here or no handle, and what frees.
 BY_HAND = {"version", "strerror", "contact_destroy", "series_destroy"}
-NAMES = {"A": "compliance"}  # Fortran takes a and A for one name
 TYPES = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "size_t": "integer(c_size_t)", "const char *": "type(c_ptr)"}
 OWN_NAMES = {"this", "stat", "errmsg", "created", "from", "s", "i", "status", "place"}
-
-
-def name_of(p: Parameter) -> str:
-    return NAMES.get(p.name, p.name)
 
 
 def folded(line: str) -> str:
@@ -251,7 +245,12 @@ def check_names(f: Function, names: list[str]) -> None:
     lower = [n.lower() for n in names]
     clash = {n for n in lower if lower.count(n) > 1} | {p.name for p in f.inputs + f.outputs if name_of(p).lower() in OWN_NAMES}
     if clash:
-        sys.exit(f"write_fortran.py: rwedge_{f.name}(): Fortran takes {', '.join(sorted(clash))} for another name: see NAMES")
+        sys.exit(f"write_fortran.py: rwedge_{f.name}(): Fortran takes {', '.join(sorted(clash))} for another name: see NAMES of header.py")
+
+
+def called(f: Function, arguments: list[str]) -> str:
+    """How a user calls it, but for what stands before."""
+    return f"{f'{f.family}%' if f.family else 'rwedge_'}{f.method}({', '.join(arguments)})"
 
 
 # ---- The module ----
@@ -271,7 +270,7 @@ def procedures(interface: Interface) -> list[str]:
 
 def bound(interface: Interface, family: str) -> list[str]:
     lines = []
-    for f in (f for f in interface.functions if f.family == family):
+    for f in interface.of(family):
         if has_grid(f):
             lines += [f"procedure, private :: {f.method}_of_list => {f.name}", f"procedure, private :: {f.method}_of_grid => {f.name}_of_grid",
                       f"generic :: {f.method} => {f.method}_of_list, {f.method}_of_grid"]
@@ -303,14 +302,6 @@ def grid(f: Function) -> list[str]:
     return ["!> The same of arrays of rank 2.", *block(head, lines, "end subroutine"), ""]
 
 
-def filled(path: str, parts: dict[str, list[str]]) -> str:
-    """The template with the parts in place of their marks, indented as these are."""
-    text = template(path)
-    for mark, lines in parts.items():
-        text = re.sub(rf"(?m)^( *)\{{{mark}\}}$", lambda m: textwrap.indent("\n".join(lines), m[1]), text)
-    return "\n".join(map(folded, text.split("\n")))
-
-
 def module(interface: Interface) -> str:
     statuses = ", ".join(f"{name.lower()} = {value}" for name, value in {**interface.statuses, **interface.bits}.items())
     public = [f"rwedge_{f.name}" for f in interface.functions if not f.family and f.name not in BY_HAND]
@@ -335,15 +326,13 @@ def in_answer(f: Function, p: Parameter) -> str:
 
 def answer_case(f: Function) -> list[str]:
     arguments = [in_answer(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
-    name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
     case = f"case ('{f.name}')"
     if f.result in ("value", "text"):
-        value = f"{name}({', '.join(arguments)})"
-        value = f"len({value})" if f.result == "text" else value
+        value = f"len({called(f, arguments)})" if f.result == "text" else called(f, arguments)
         return [case, f"    r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]"]
     if f.of("created") and f.of("handle"):
         return [case, f"    call other%{f.method}({f.family}, stat)", f"    {f.family} = other", "    r = [real(c_double) ::]"]
-    call = f"    call {name}({', '.join(arguments + ['stat'])})"
+    call = f"    call {called(f, [*arguments, 'stat'])}"
     if not f.outputs:
         return [case, call, "    r = [real(c_double) ::]"]
     shape = {}
@@ -364,4 +353,5 @@ def answer(interface: Interface) -> str:
 
 
 def texts(interface: Interface) -> dict[str, str]:
-    return {"rwedge.f90": module(interface), "answer.f90": answer(interface)}
+    made = {"rwedge.f90": module(interface), "answer.f90": answer(interface)}
+    return {name: "\n".join(map(folded, text.split("\n"))) for name, text in made.items()}

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 import textwrap
 
-from header import ARGUMENT, EQUATION, FURTHER, Function, Interface, template
+from header import ARGUMENT, EQUATION, FURTHER, Function, Interface, filled, replaced
 from write_c import reason
 
 ARRAYS = "The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension."
@@ -37,6 +37,13 @@ def call(results: list[str], name: str, arguments: list[str]) -> str:
     """[p, q] = name(x)"""
     left = f"[{', '.join(results)}] = " if len(results) > 1 else f"{results[0]} = " if results else ""
     return f"{left}{name}({', '.join(arguments)})"
+
+
+def called(f: Function, values: list[str]) -> str:
+    """How a user calls it."""
+    if f.of("created"):
+        return call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), values)
+    return call(outputs(f), f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}", values)
 
 
 def without_pointers(text: str, method: bool) -> str:
@@ -74,63 +81,54 @@ def help_lines(f: Function) -> list[str]:
     text = re.sub(r"Unless\s+RWEDGE_OK, the contact is as before\.", "After an error the contact is as before;\n"
                   "of vectors, all loads are taken or none.", text)
     text = "\n".join([*without_sizes(f, text.split("\n")), *shared(f)])
-    for c, matlab in IN_MATLAB:
-        text = re.sub(c, matlab, text)
-    text = re.sub(r"RWEDGE_E[A-Z]+", lambda m: f"rwedge:{reason(m[0])}", text)
+    text = re.sub(r"RWEDGE_E[A-Z]+", lambda m: f"rwedge:{reason(m[0])}", replaced(text, IN_MATLAB))
     return text.replace("HUGE_VAL", "Inf").split("\n")
 
 
-def commented(lines: list[str], margin: str) -> str:
-    return "".join(f"{margin}%   {line}".rstrip() + "\n" for line in lines)
+def commented(lines: list[str]) -> list[str]:
+    return [f"%   {line}".rstrip() for line in lines]
 
 
 def routine(head: str, name: str, form: str, text: list[str], count: int, body: list[str], step: str = "") -> str:
     """A function with its help. A call with fewer arguments is refused: it would end in words about the function's own lines."""
     few = [f"if nargin < {count}", f"    error('rwedge:arguments', 'too few arguments: {form}');", "end"] if count else []
-    return (f"function {head}\n%{name.upper()}  {form}\n" + commented(text, "") +
-            "".join(f"{step}{line}\n" for line in [*few, *body]) + "end\n")
+    lines = [f"function {head}", f"%{name.upper()}  {form}", *commented(text), *(step + line for line in [*few, *body]), "end", ""]
+    return "\n".join(lines)
 
 
 def function_text(f: Function) -> str:
-    name = "rwedge_" + f.name
-    form = call(outputs(f), name, inputs(f))
-    lines = help_lines(f)
+    form, lines = called(f, inputs(f)), help_lines(f)
     lines += ["", ARRAYS] if inputs(f) and not f.of("in array", "out array") else []
     if any("rwedge:absent" in line for line in lines):
         lines.append("Where rwedge:absent is said above, the results are NaN, and no error.")
-    return routine(form, name, form, lines, len(inputs(f)), [call(outputs(f), "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";"]) + LICENCE
+    return routine(form, f"rwedge_{f.name}", form, lines, len(inputs(f)), [call(outputs(f), "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";"]) + LICENCE
 
 
 def method_text(f: Function) -> str:
-    form = call(outputs(f), f"{f.family}.{f.method}", inputs(f))
     loads = bool(f.of("changed")) and "P" in inputs(f)
     body = [call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if loads and not f.of("in array") else
             call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)])]
     body += [f"{f.family}.warn_of_size()"] if loads and f.of("in array") else []
     body += [f"{f.family}.warn('safety', factor)"] if "factor" in outputs(f) else []
     head = call(outputs(f), f.method, [f.family, *inputs(f)])
-    return "\n" + routine(head, f.method, form, help_lines(f), len(inputs(f)) and len(inputs(f)) + 1, [f"{line};" for line in body], "    ")
+    return "\n" + routine(head, f.method, called(f, inputs(f)), help_lines(f), len(inputs(f)) and len(inputs(f)) + 1, [f"{line};" for line in body], "    ")
 
 
 def maker_text(f: Function) -> str:
     """A function that makes an object other than by the class's own name: a static method."""
-    form = call([f.family], f"rwedge_{f.family}.{f.method}", inputs(f))
     body = [f"{f.family} = rwedge_{f.family}();", call([f"{f.family}.number"], "rwedge_mex", [repr(f.name), *inputs(f)]) + ";"]
-    return routine(call([f.family], f.method, inputs(f)), f.method, form, help_lines(f), len(inputs(f)), body, "    ")
+    return routine(call([f.family], f.method, inputs(f)), f.method, called(f, inputs(f)), help_lines(f), len(inputs(f)), body, "    ")
 
 
-def class_text(interface: Interface, family: str, template: str) -> str:
-    own = [f for f in interface.functions if f.family == family]
+def class_text(interface: Interface, family: str) -> str:
+    own = interface.of(family)
     makers = [f for f in own if f.of("created") and not f.of("handle") and f.method != "create"]
-    forms = "".join(f"%   {call(outputs(f), family[0] + '.' + f.method, inputs(f))}\n" for f in own if is_method(f))
-    text = re.sub(r"^% SPDX[^\n]*\n", "", template)
-    text = text.replace("%@forms\n", forms)
-    text = text.replace("        %@methods\n", textwrap.indent("".join(method_text(f) for f in own if is_method(f)), " " * 8))
-    static = "    methods (Static)\n" + textwrap.indent("\n".join(map(maker_text, makers)), " " * 8) + "    end\n" if makers else ""
-    text = text.replace("    %@static\n", static)
-    for f in own:
-        text = re.sub(rf"(?m)^( *)%@{f.name}\n", lambda m: commented(help_lines(f), m[1]), text)
-    return text + LICENCE
+    text = filled(f"matlab/rwedge_{family}.m.in", {
+        "forms": [f"%   {call(outputs(f), family[0] + '.' + f.method, inputs(f))}" for f in own if is_method(f)],
+        "methods": ["".join(method_text(f) for f in own if is_method(f)).removesuffix("\n")],
+        "static": ["\n".join(map(maker_text, makers)).removesuffix("\n")],
+        **{f.name: commented(help_lines(f)) for f in own}})
+    return re.sub(r"^% SPDX[^\n]*\n", "", text) + LICENCE
 
 
 def enumeration_text(kind: str, numbers: dict[str, int]) -> str:
@@ -147,6 +145,5 @@ def enumeration_text(kind: str, numbers: dict[str, int]) -> str:
 def texts(interface: Interface) -> dict[str, str]:
     made = {f"rwedge_{f.name}.m": function_text(f) for f in interface.functions if not f.family and not f.array_of}
     made.update({f"rwedge_{kind.lower()}.m": enumeration_text(kind, numbers) for kind, numbers in interface.enumerations.items()})
-    made.update({f"rwedge_{family}.m": class_text(interface, family, template(f"matlab/rwedge_{family}.m.in"))
-                 for family in ("contact", "series")})
+    made.update({f"rwedge_{family}.m": class_text(interface, family) for family in ("contact", "series")})
     return made

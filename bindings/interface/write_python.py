@@ -16,11 +16,11 @@ from itertools import starmap
 
 import write_c
 from domain import Domain
-from header import SENTENCE, Function, Interface, Parameter
+from header import SENTENCE, WITHOUT_NULL, Function, Interface, Parameter, replaced
 
 IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     (r"Unless RWEDGE_OK, the contact", "After an error the contact"), (r",? ?RWEDGE_ENOMEM", ""), (r"Free with rwedge_\w+_destroy\(\)\.", ""),
-    (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?never NULL", ""), (r"Static text\.| ?Nothing is written unless every\s+point is in the domain\.", ""), (r"\bat n points\b", "at points"),
+    WITHOUT_NULL, (r",? ?never NULL", ""), (r"Static text\.| ?Nothing is written unless every\s+point is in the domain\.", ""), (r"\bat n points\b", "at points"),
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
     ("0, which a new contact has,", "0"), ("RWEDGE_EPATH", "PathError"), ("RWEDGE_ESLIDING", "SlidingError"), ("RWEDGE_(EDOMAIN|ERANGE)", "ValueError"),
     (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
@@ -44,12 +44,6 @@ ADDED = {"contact_load": ALL_OR_NONE, "contact_apply": ALL_OR_NONE + " What has 
 
 def one_line(text: str) -> str:
     return " ".join(text.split())
-
-
-def replaced(text: str, pairs: tuple) -> str:
-    for c, python in pairs:
-        text = re.sub(c, python, text)
-    return text
 
 
 def is_ufunc(f: Function) -> bool:
@@ -275,7 +269,7 @@ def made_py(interface: Interface) -> str:
                        enumerations="\n\n\n".join(starmap(enumeration, interface.enumerations.items())))
     text += "\n".join(definition(f, "") + "\n" for f in made if not f.family)
     for family in ("contact", "series"):
-        methods = [definition(f, "    ") for f in made if f.family == family]
+        methods = [definition(f, "    ") for f in interface.of(family) if is_general(f)]
         methods += [inherited(interface[name]) for name in ADDED if interface[name].family == family]
         text += f"\nclass {family.title()}Methods(Object):\n" + ("\n".join(methods) or "    pass\n") + "\n"
     return text

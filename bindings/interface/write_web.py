@@ -9,17 +9,16 @@ from __future__ import annotations
 
 import json
 import math
-import re
 import textwrap
 
-from header import Function, Interface, Parameter
+from header import WITHOUT_NULL, Function, Interface, Parameter, replaced
 
 TOP = """\
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Made by bindings/interface from rwedge.h: do not edit.
 """
 IN_JAVASCRIPT = (  # statuses, pointers and limits, in the words of JavaScript
-    (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?\b0 for NULL", ""), (r"(; |, )?RWEDGE_ENULL", ""),
+    WITHOUT_NULL, (r"(; |, )?RWEDGE_ENULL", ""),
     (r"rwedge_(?:contact|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"), ("RWEDGE_MEASURE_", "Measure."))
 
 
@@ -95,9 +94,9 @@ def module(interface: Interface) -> str:
     parts = [TOP, 'import { adopt, call, formula, free } from "./runtime.mjs";\n\n'
              'export { statuses } from "./description.mjs";\nexport { RwedgeError } from "./runtime.mjs";\n']
     parts += [f"export const {kind} = Object.freeze({json.dumps(numbers)});" for kind, numbers in interface.enumerations.items()]
-    parts += [definition(f) for f in interface.functions if not f.family]
+    parts += [definition(f) for f in interface.of("")]
     for family in ("contact", "series"):
-        methods = [definition(f) for f in interface.functions if f.family == family]
+        methods = [definition(f) for f in interface.of(family)]
         parts.append(f"export class {family.title()} {{\n" + "\n".join(methods) + "}\n")
     return "\n".join(parts)
 
@@ -106,9 +105,7 @@ def module(interface: Interface) -> str:
 
 
 def words(text: str) -> str:
-    for c, javascript in IN_JAVASCRIPT:
-        text = re.sub(c, javascript, text)
-    return " ".join(text.split())
+    return " ".join(replaced(text, IN_JAVASCRIPT).split())
 
 
 def domain_text(p: Parameter) -> str:
@@ -185,14 +182,12 @@ def types(interface: Interface) -> str:
     for kind, numbers in interface.enumerations.items():
         of_kind = "; ".join(f"readonly {name}: {value}" for name, value in numbers.items())
         lines += [f"/** The numbers RWEDGE_{kind.upper()}_... of the header. */", f"export const {kind}: {{ {of_kind} }};", ""]
-    for f in interface.functions:
-        if not f.family:
-            lines += [*comment(f, ""), *declarations(f), ""]
+    for f in interface.of(""):
+        lines += [*comment(f, ""), *declarations(f), ""]
     for family in ("contact", "series"):
         lines.append(f"export class {family.title()} {{")
-        for f in interface.functions:
-            if f.family == family:
-                lines += [*comment(f, "    "), *(f"    {line}" for line in declarations(f)), ""]
+        for f in interface.of(family):
+            lines += [*comment(f, "    "), *(f"    {line}" for line in declarations(f)), ""]
         lines += ["}", ""]
     return "\n".join(lines)
 

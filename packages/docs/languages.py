@@ -2,7 +2,6 @@
 """How a function is called from each language: by the names of its arguments, or with numbers."""
 from __future__ import annotations
 
-import re
 import textwrap
 from pathlib import Path
 
@@ -33,6 +32,7 @@ OTHERS = {
     ("contact_create_flat", "Python"): "contact = rwedge.Contact.flat({})",
     ("contact_create_profile", "Python"): "contact = rwedge.Contact.profile({})",
     ("contact_copy", "Python"): "copy = contact.copy()",
+    ("contact_loads", "Python"): "P, M, Q, sigma = contact.loads",
     ("contact_restore", "Python"): "contact = rwedge.Contact.restore({})",
     ("series_create", "Python"): "series = rwedge.Series({})",
     ("series_fit", "Python"): "series = rwedge.Series.fit({})",
@@ -48,15 +48,6 @@ OTHERS = {
     ("version", "Excel"): "=RWEDGE_VERSION()",
     ("contact_load", "Excel"): "=RWEDGE_CONTACT_HISTORY(theta, a, compliance, f, P_history, Q_history)",
 }
-
-
-def properties() -> set[str]:
-    """What Python's classes have without brackets, besides what is made from the header."""
-    text = "".join((TOP / f"bindings/python/src/rwedge/_{name}.py").read_text(encoding="utf-8") for name in ("contact", "series"))
-    return set(re.findall(r"@property\n    def (\w+)", text))
-
-
-PROPERTIES = properties()
 
 
 def flat(numbers: list) -> list:
@@ -128,7 +119,7 @@ class Python(Language):
     name, lexer = "Python", "python"
 
     def rule(self, f: Function, values: list[str]) -> str:
-        bare = not f.inputs and (write_python.is_general(f) and bool(f.of("handle")) or f.method in PROPERTIES)
+        bare = not f.inputs and write_python.is_general(f) and bool(f.of("handle"))
         left = f"{', '.join(p.name for p in f.outputs)} = " if f.outputs else ""
         return f"{left}{f.family or 'rwedge'}.{f.method}" + ("" if bare else f"({', '.join(values)})")
 
@@ -143,10 +134,7 @@ class Matlab(Language):
         return f"[{'; '.join(' '.join(map(plain, row)) for row in rows)}]"
 
     def rule(self, f: Function, values: list[str]) -> str:
-        if f.of("created"):
-            return write_matlab.call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), values)
-        name = f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}"
-        return write_matlab.call(write_matlab.outputs(f), name, values)
+        return write_matlab.called(f, values)
 
 
 class Fortran(Language):
@@ -163,11 +151,10 @@ class Fortran(Language):
         return number if p.kind == "int32_t" or isinstance(value, str) else number.replace("e", "d") + "d0" * ("e" not in number)
 
     def rule(self, f: Function, values: list[str]) -> str:
-        name = f"{f.family}%{f.method}" if f.family else f"rwedge_{f.name}"
         if f.result in ("value", "text"):
-            return f"{f.result} = {name}({', '.join(values)})"
+            return f"{f.result} = {write_fortran.called(f, values)}"
         passed = dict(zip([p.name for p in f.inputs], values))
-        return f"call {name}({', '.join(passed.get(p.name, p.name) for p in f.parameters if p in f.inputs or p in f.outputs)})"
+        return "call " + write_fortran.called(f, [passed.get(p.name, p.name) for p in f.parameters if p in f.inputs + f.outputs])
 
 
 class JavaScript(Language):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drawing of the contact: the pad as it touches and as it was, its loads, the stick zone; the pressure apart. Heights are stretched.
-import { escaped } from "../parts.js";
 import { heightOf, pads } from "../pads.js";
+import { plotText } from "../plot/axes.js";
 import { placesAcross } from "../answers/stresses.js";
 
 const box = { width: 640, height: 372, middle: 320, surface: 150, up: 88, down: 56, floor: 258, base: 362, high: 62 };
@@ -158,10 +158,7 @@ function drawingText(shape) {
         mark(624, box.floor - 10, "not to scale", "end"),
         `<g class="worst">${worstText(shape.worst, toX)}</g>`,
     ];
-    return (
-        `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
-        `${parts.join("")}</svg>`
-    );
+    return plotText(box, title, parts);
 }
 
 const schematic = { a: 0.4, radius: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 0, sigma: 0 };

@@ -25,6 +25,11 @@ export function roomy([lo, hi], share = 0.05) {
     return [lo === 0 ? 0 : lo - room, hi === 0 ? 0 : hi + room];
 }
 
+/** A whole plot, of the size of a box, as the text of an SVG. */
+export const plotText = ({ width, height }, title, parts) =>
+    `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${escaped(title)}">` +
+    `<title>${escaped(title)}</title>${parts.join("")}</svg>`;
+
 const superscript = (n) =>
     String(n).replace(/./g, (c) => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[c] ?? "\u207b");
 

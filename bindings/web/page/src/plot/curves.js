@@ -3,7 +3,7 @@
 import { extent as extentOf, minIndex } from "d3-array";
 import { line } from "d3-shape";
 import { escaped } from "../parts.js";
-import { axes, frame, narrow, roomy, scales } from "./axes.js";
+import { axes, frame, narrow, plotText, roomy, scales } from "./axes.js";
 
 /** Of the numbers that are finite. */
 const extent = (numbers) => extentOf(numbers, (v) => (Number.isFinite(v) ? v : NaN));
@@ -89,17 +89,7 @@ export function curvesText(spec) {
     const paths = [...pinned.map((c) => ({ ...c, style: `${c.style} pinned` })), ...curves].map(
         (c) => `<path class="curve ${c.style}" d="${path(Array.from(c.x, (u, i) => [u, c.y[i]])) ?? ""}"/>`,
     );
-    const marks = points.map((point) => markText(point, scale, box));
-    return (
-        `<svg class="plot" viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(title)}"><title>${escaped(title)}</title>` +
-        areas.join("") +
-        axes(scale, xLabel, yLabel, box) +
-        paths.join("") +
-        legend(
-            curves.filter((c) => c.name),
-            box,
-        ) +
-        marks.join("") +
-        "</svg>"
-    );
+    const marks = points.map((point) => markText(point, scale, box)),
+        named = curves.filter((c) => c.name);
+    return plotText(box, title, [...areas, axes(scale, xLabel, yLabel, box), ...paths, legend(named, box), ...marks]);
 }

@@ -24,6 +24,14 @@ const run = (args, input) => spawnSync(process.env.TOOL, args, { encoding: "utf8
 const runCommand = (command, cwd) =>
     spawnSync("sh", ["-c", command.replace("rwedge", `'${process.env.TOOL}'`)], { encoding: "utf8", cwd });
 
+/** What the tool says of a row of these texts. */
+function toolError(texts) {
+    const rows = [Object.keys(texts), Object.values(texts)].map((cells) => cells.join("\t"));
+    const told = run(["solve", "--input", "-", "--format", "tsv"], `${rows.join("\n")}\n`).stdout.split("\n");
+    const [names, cells] = told.map((line) => line.split("\t"));
+    return cells[names.indexOf("error")];
+}
+
 test("a thousands comma in pasted rows is refused, not read as a decimal comma", () => {
     const { rows } = solveRows("P\tQ\n12,000\t1,200\n", { ...bodies, yield_stress: "900" }, ".");
     assert.match(rows[0].error, /^P 12,000: the normal force must be a number above 0; the decimal sign is a point/);
@@ -120,6 +128,33 @@ test("twenty thousand digits are refused at once", () => {
     assert.ok(Number.isNaN(readNumber("1".repeat(20000) + "x", ".")));
     assert.equal(solveHolding({ ...usual, P: "9".repeat(20000) }, ".").verdict.colour, "red");
     assert.ok(Date.now() - began < 500);
+});
+
+const wrong = [
+    ["E1", "-1"],
+    ["E1", "inf"],
+    ["nu1", "0.6"],
+    ["E2", "70000"],
+    ["theta", "2"],
+    ["a", "-0.1"],
+    ["P", "0"],
+    ["M", "1.2.3"],
+    ["M", "1e12"],
+    ["Q", "20 N"],
+    ["Q", "50"],
+    ["f", "-0.1"],
+    ["k", "1e61"],
+];
+
+test("refusals are the tool's", () => {
+    for (const [name, text] of wrong) {
+        const { faults } = solveHolding({ ...usual, [name]: text }, ".");
+        assert.deepEqual(
+            [faults.length, faults[0].text],
+            [1, toolError({ ...usual, [name]: text })],
+            `${name} = ${text}`,
+        );
+    }
 });
 
 test("all wrong fields are named at a time", () => {
@@ -227,9 +262,22 @@ test("converted to other units a case is the same", () => {
     assert.equal(conversion("mm", "any", "length"), 1);
 });
 
-test("the program for bodies of two materials stretches body 1 by its own compliance", () => {
-    const answer = solveHolding({ ...usual, E2: "inf", sigma: "2" }, ".");
+test("bodies of two materials under tension: body 1 is stretched by its own compliance", () => {
+    const texts = {
+        E1: "10",
+        nu1: ".5",
+        E2: "inf",
+        theta: ".1",
+        radius: "100",
+        P: "1",
+        Q: ".2",
+        f: ".5",
+        sigma: ".04",
+    };
+    const answer = solveHolding(texts, "."),
+        { results } = answer;
     assert.match(asPython({ ...answer, pad: "wedge" }), /^contact\.set_strain\(\(1 - nu1\*\*2\) \/ E1\)/m);
+    assertNear((results.stick_left + results.stick_right) / 2, 0.6, 1e-6, "R strain sigma/f");
 });
 
 test("a cycle, with a table or without, has the tool's worst places; so has its command", () => {

@@ -130,6 +130,7 @@ static void write_hardest(const contact_case *setup, results *answer)
         return;
     if (strong)
         answer->value[RESULT_YIELD_FACTOR] = cell_number(factor);
+    yield_place_settle(&x, &y);
     answer->hardest_x = x;
     answer->hardest_y = y;
     if (!(factor > 0)) /* infinite at a sharp apex */

@@ -19,7 +19,7 @@ from domain import Domain
 from header import SENTENCE, WITHOUT_NULL, Function, Interface, Parameter, replaced
 
 IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
-    (r"Unless RWEDGE_OK, the contact", "After an error the contact"), (r"[,;]? ?RWEDGE_ENOMEM", ""), (r"Free with rwedge_\w+_destroy\(\)\.", ""),
+    (r"Unless RWEDGE_OK, the contact", "After an error the contact"), (r"([,;.]? ?RWEDGE_ENULL)?[,;]? ?RWEDGE_ENOMEM", ""), (r"Free with rwedge_\w+_destroy\(\)\.", ""),
     WITHOUT_NULL, (r",? ?never NULL", ""), (r"Static text\.| ?Nothing is written unless every\s+point is in the domain\.", ""), (r"\bat n points\b", "at points"),
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
     ("0, which a new contact has,", "0"), ("RWEDGE_EPATH", "PathError"), ("RWEDGE_ESLIDING", "SlidingError"), ("RWEDGE_(EDOMAIN|ERANGE)", "ValueError"),

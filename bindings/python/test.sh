@@ -54,8 +54,9 @@ import rwedge
 assert rwedge.__file__ == '$source/src/rwedge/__init__.py', rwedge.__file__
 print('editable:', rwedge.load(0.25))"
 
-# The source distribution is whole: its own tests pass from it, with what it is built to.
-rm -rf sdist
+# The source distribution is whole: its own tests pass from it, with what it is built to. Its files have old dates: an earlier build
+# would count as newer.
+rm -rf sdist package_sdist
 mkdir sdist
 (cd "$source" && python -c "from scikit_build_core.build import build_sdist; build_sdist('$folder/sdist')" >/dev/null)
 rm -r "$source/library" # what went into it

@@ -2,7 +2,6 @@
 #include "numerical/numerical.h"
 
 #include "base/domain.h"
-#include "numerical/compare.h"
 #include "traction/transform.h"
 
 #include <stdlib.h>

@@ -27,15 +27,6 @@ static double origin_at_first(double x, const void *context)
     return b->slip(x, b->context) - displacement(&b->numerical->now, x);
 }
 
-/* The contact's edges, and bends. */
-static size_t breaks_of(const rw_frame *frame, const rw_numerical_state *s, double at[])
-{
-    const int bends = rw_bends_between(frame, s->contact.left, s->contact.right, at + 1);
-    at[0] = s->contact.left;
-    at[bends + 1] = s->contact.right;
-    return (size_t)bends + 2;
-}
-
 /* The tolerance of the fit of the slip, over that of the tractions. */
 static const double FIT = 0.03;
 
@@ -56,7 +47,7 @@ bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_numeric
         return true;
     double at[RW_MOST_BENDS + 2];
     const beginning b = {n, slip, context};
-    const size_t breaks = breaks_of(frame, now, at);
+    const size_t breaks = rw_breaks_of(frame, now->contact, 0, NULL, at);
     if (rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at, slip_tolerance(frame, now)))
         return true;
     rw_traction_destroy(&n->origin);

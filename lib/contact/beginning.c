@@ -168,7 +168,7 @@ static bool begin_flat(const rw_frame *frame, double stretch, rw_numerical_state
     now->at.stretch = stretch;
     if (!begin_stuck(frame, 0, 0, now, n))
         return false;
-    if (rw_numerical_step(n, frame, at, &effort) != RW_STEP_NO_MEMORY)
+    if (rw_numerical_step(n, frame, at, &effort) != RWEDGE_ENOMEM)
         return true;
     rw_numerical_destroy(n);
     return false;

@@ -378,15 +378,14 @@ static void keep_friction(rw_work *w, rw_numerical *n)
         }
 }
 
-static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
-                               int *effort)
+static int32_t try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
     load_work *j = malloc(sizeof *j);
     if (!j || !rw_work_create(&j->work, frame, *effort)) {
         free(j);
-        return RW_STEP_NO_MEMORY;
+        return RWEDGE_ENOMEM;
     }
-    rw_step_result result = RW_STEP_NO_MEMORY;
+    int32_t status = RWEDGE_ENOMEM;
     if (rw_numerical_copy(n, &j->next)) {
         double error;
         lend_friction(&j->next, &j->work);
@@ -400,27 +399,26 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
         rw_numerical_destroy(is_done ? n : &j->next);
         if (is_done)
             *n = j->next;
-        result = is_done ? RW_STEP_DONE : j->work.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+        status = is_done ? RWEDGE_OK : j->work.is_short ? RWEDGE_ENOMEM : RWEDGE_ENOCONV;
     }
     rw_work_destroy(&j->work);
     free(j);
-    return result;
+    return status;
 }
 
 /* A load that fails is tried once more with ten times the tolerance and a quarter of the effort;
  * rwedge_contact_error() then says so. */
-rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
-                                 int *effort)
+int32_t rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
     static const double LOOSEST = 1e-2;
     rw_frame looser = rw_frame_of(frame->arcs, frame->f, fmin(10 * frame->tolerance, LOOSEST));
     looser.far_off = frame->far_off;
     int rest = *effort / 4;
-    const rw_step_result result = try_load(n, frame, to, effort);
-    if (result != RW_STEP_FAILED || !(looser.tolerance > frame->tolerance))
-        return result;
+    const int32_t status = try_load(n, frame, to, effort);
+    if (status != RWEDGE_ENOCONV || !(looser.tolerance > frame->tolerance))
+        return status;
     *effort -= rest;
-    const rw_step_result second = try_load(n, &looser, to, &rest);
+    const int32_t second = try_load(n, &looser, to, &rest);
     *effort += rest;
     return second;
 }

@@ -72,13 +72,7 @@ static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_nume
 {
     note_kinks(c, now->contact, &now->shear);
     double at[RW_MOST_KINKS + RW_MOST_BENDS + 2];
-    size_t n = 0;
-    at[n++] = now->contact.left;
-    at[n++] = now->contact.right;
-    for (int i = 0; i < now->shear.kinks; i++)
-        at[n++] = now->shear.kink[i];
-    n += (size_t)rw_bends_between(frame, now->contact.left, now->contact.right, at + n);
-    rw_sort(at, n);
+    const size_t n = rw_breaks_of(frame, now->contact, now->shear.kinks, now->shear.kink, at);
     const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
     return rw_traction_fit_values(&now->shear.traction, traction_at, c, n, at, tolerance, 0);
 }
@@ -174,7 +168,7 @@ static bool begin_flat(const rw_frame *frame, double stretch, rw_numerical_state
     now->at.stretch = stretch;
     if (!begin_stuck(frame, 0, 0, now, n))
         return false;
-    if (rw_numerical_step(n, frame, at, &effort) != RW_STEP_NO_MEMORY)
+    if (rw_numerical_step(n, frame, at, &effort) != RWEDGE_ENOMEM)
         return true;
     rw_numerical_destroy(n);
     return false;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a contact ends and sticks: its edges, and the pressure and the shear there. */
-#include "contact/contact.h"
+/* Where a contact ends and sticks: its edges, the pressure and the shear there, and its zones. */
+#include "contact/numerical.h"
 
 static int32_t give_edges(rw_patch patch, double *left, double *right)
 {
@@ -18,24 +18,75 @@ int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double
     return give_edges(rw_memory_end(&contact->memory)->patch, left, right);
 }
 
-/* The patch from the first zone that sticks to the last one. */
-static rw_patch stick_hull(const rw_zones *zones)
+/* ---- Zones that stick and that slip ---- */
+
+void rw_closed_form_zones(const rwedge_contact *c, rw_zones *z)
 {
-    int first = 0, last = zones->count - 1;
-    while (first < last && zones->zone[first].label != 0)
-        first++;
-    while (last > first && zones->zone[last].label != 0)
-        last--;
-    return (rw_patch){zones->zone[first].left, zones->zone[last].right};
+    const rw_corner *end = rw_memory_end(&c->memory);
+    const rw_patch contact = end->patch;
+    rw_patch stick = contact;
+    int label = 0;
+    if (fabs(end->ratio) == 1) {
+        label = end->ratio > 0 ? 1 : -1;
+        stick = end[-1].patch;
+    }
+    if (end[-1].load == 0 && label != 0) /* it slides */
+        stick.left = stick.right = contact.right;
+    const rw_zone all[] = {{label, contact.left, stick.left},
+                           {0, stick.left, stick.right},
+                           {label, stick.right, contact.right}};
+    z->count = 0;
+    for (int i = 0; i < 3; i++)
+        if (all[i].right > all[i].left)
+            z->zone[z->count++] = all[i];
 }
 
-/* The patch inside the fronts of slip; the contact where nothing slips. */
+static void zones_of(const rwedge_contact *contact, rw_zones *zones)
+{
+    zones->count = 0;
+    if (contact->numerical)
+        *zones = contact->numerical->now.shear.zones;
+    else if (contact->memory.count > 1)
+        rw_closed_form_zones(contact, zones);
+}
+
+size_t rwedge_contact_zone_count(const rwedge_contact *contact)
+{
+    rw_zones zones = {0};
+    if (contact)
+        zones_of(contact, &zones);
+    return (size_t)zones.count;
+}
+
+int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[], double right[],
+                             double slip[])
+{
+    if (!contact || !left || !right || !slip)
+        return RWEDGE_ENULL;
+    rw_zones zones;
+    zones_of(contact, &zones);
+    if (n != (size_t)zones.count)
+        return RWEDGE_ERANGE;
+    for (size_t i = 0; i < n; i++) {
+        left[i] = zones.zone[i].left;
+        right[i] = zones.zone[i].right;
+        slip[i] = -zones.zone[i].label;
+    }
+    return RWEDGE_OK;
+}
+
+/* The patch from the first zone that sticks to the last one; without width where none does. */
 static rw_patch stick_zone(const rwedge_contact *contact)
 {
-    if (contact->numerical)
-        return stick_hull(&contact->numerical->now.shear.zones);
-    const rw_corner *end = rw_memory_end(&contact->memory);
-    return (fabs(end->ratio) == 1 ? end - 1 : end)->patch;
+    rw_zones zones;
+    zones_of(contact, &zones);
+    int first = 0, last = zones.count - 1;
+    while (first <= last && zones.zone[first].label != 0)
+        first++;
+    while (last > first && zones.zone[last].label != 0)
+        last--;
+    return first <= last ? (rw_patch){zones.zone[first].left, zones.zone[last].right}
+                         : (rw_patch){0, 0};
 }
 
 int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left, double *right)
@@ -47,6 +98,8 @@ int32_t rwedge_contact_stick_zone(const rwedge_contact *contact, double *left, d
         return RWEDGE_EABSENT;
     return give_edges(sticks, left, right);
 }
+
+/* ---- Sizes ---- */
 
 double rwedge_contact_half_width(const rwedge_contact *contact)
 {

@@ -9,13 +9,6 @@ static const double LAST_TOUCH = 0.01, LAST_STICK = 1.0 / 32;
 
 /* ---- The next load ---- */
 
-static int32_t status_of(rw_step_result result)
-{
-    return result == RW_STEP_DONE        ? RWEDGE_OK
-           : result == RW_STEP_NO_MEMORY ? RWEDGE_ENOMEM
-                                         : RWEDGE_ENOCONV;
-}
-
 /* P grows or falls so many times at most in one step of the numerical shear: a contact that becomes
  * much larger or smaller errs in parts of each peak pressure that it has on the way. */
 static const double FOLD = 4;
@@ -27,8 +20,8 @@ static double peak_of(const rw_frame *frame, rw_scaled_loads at)
 
 /* An error while the load is small counts less at the end of the step: by the ratio of the peak
  * pressures. */
-static rw_step_result advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at,
-                                   double peak, double last_peak, int *effort)
+static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at, double peak,
+                            double last_peak, int *effort)
 {
     static const double LOOSEST = 1e-2;
     const double times = fmax(1, last_peak / peak);
@@ -39,25 +32,23 @@ static rw_step_result advance_part(rw_numerical *n, const rw_frame *frame, rw_sc
 }
 
 /* To loads under which this is the contact. */
-static rw_step_result advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
-                              rw_patch contact)
+static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, rw_patch contact)
 {
     const rw_scaled_loads from = n->now.at;
     const double last_peak = rw_peak_friction(frame, contact);
     const double folds = fabs(log(to.P / from.P)) / log(FOLD);
     const int parts = (int)fmax(1, ceil(folds - 1e-9));
-    rw_step_result result = RW_STEP_DONE;
+    int32_t status = RWEDGE_OK;
     int effort = RW_MOST_EFFORT;
-    for (int i = 1; i < parts && result == RW_STEP_DONE; i++) {
+    for (int i = 1; i < parts && status == RWEDGE_OK; i++) {
         int share = effort / (parts - i + 1);
         effort -= share;
         const double P = from.P * pow(to.P / from.P, (double)i / parts);
         const rw_scaled_loads at = rw_part_of_line(from, to, (P - from.P) / (to.P - from.P));
-        result = advance_part(n, frame, at, peak_of(frame, at), last_peak, &share);
+        status = advance_part(n, frame, at, peak_of(frame, at), last_peak, &share);
         effort += share;
     }
-    return result == RW_STEP_DONE ? advance_part(n, frame, to, last_peak, last_peak, &effort)
-                                  : result;
+    return status == RWEDGE_OK ? advance_part(n, frame, to, last_peak, last_peak, &effort) : status;
 }
 
 static rw_scaled_loads scaled_loads_after(const rwedge_contact *c, const rw_step *step)
@@ -145,8 +136,7 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
     *next = is_on_line_from_touching(c, from, to) ? rw_numerical_of_touching(c, to) : copy_of(from);
     if (!*next)
         return RWEDGE_ENOMEM;
-    const int32_t status =
-        is_at(*next, to) ? RWEDGE_OK : status_of(advance(*next, &frame, to, step->patch));
+    const int32_t status = is_at(*next, to) ? RWEDGE_OK : advance(*next, &frame, to, step->patch);
     if (status != RWEDGE_OK) {
         discard(*next);
         *next = NULL;
@@ -244,15 +234,15 @@ int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energ
     const rw_scaled_loads away = {0, 0, 0, n.now.at.stretch}, from = n.now.at;
     double left = 1;
     int effort = RW_MOST_EFFORT;
-    rw_step_result result = RW_STEP_DONE;
-    while (left > LAST_TOUCH && result == RW_STEP_DONE) {
-        result = rw_numerical_step(&n, &frame, rw_part_of_line(away, from, left / 2), &effort);
-        left = result == RW_STEP_DONE ? left / 2 : left;
+    int32_t status = RWEDGE_OK;
+    while (left > LAST_TOUCH && status == RWEDGE_OK) {
+        status = rw_numerical_step(&n, &frame, rw_part_of_line(away, from, left / 2), &effort);
+        left = status == RWEDGE_OK ? left / 2 : left;
     }
     const double work = n.now.energy - before;
     rw_numerical_destroy(&n);
     *energy = left <= LAST_STICK ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
-    return result == RW_STEP_NO_MEMORY ? RWEDGE_ENOMEM : RWEDGE_OK;
+    return status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : RWEDGE_OK;
 }
 
 bool rw_numerical_is_passed(const rwedge_contact *c)

@@ -3,10 +3,9 @@
  * leaves the first patches as they were, and the record notes the patches that follow, with their
  * weights. Then the points are computed, block by block: the sums over the first patches, and the
  * field of the contact itself, are kept from load to load. */
+#include "base/array.h"
 #include "contact/contact.h"
 #include "stress/stress.h"
-
-#include <stdlib.h>
 
 typedef struct {
     rw_patch patch;
@@ -44,15 +43,10 @@ static void discard(record *r)
 
 static bool reserve(pieces *p, size_t more)
 {
-    if (p->capacity - p->count >= more)
-        return true;
-    const size_t capacity = p->count + p->count / 2 + more;
-    piece *grown = realloc(p->all, capacity * sizeof *grown);
-    if (!grown)
-        return false;
-    p->all = grown;
-    p->capacity = capacity;
-    return true;
+    piece *all = rw_grown(p->all, p->count, &p->capacity, more, sizeof *all);
+    if (all)
+        p->all = all;
+    return all;
 }
 
 static bool is_same(const piece *a, const piece *b)

@@ -76,6 +76,18 @@ int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
     return n;
 }
 
+size_t rw_breaks_of(const rw_frame *frame, rw_patch contact, int kinks, const double kink[],
+                    double at[])
+{
+    int n = rw_bends_between(frame, contact.left, contact.right, at);
+    at[n++] = contact.left;
+    at[n++] = contact.right;
+    for (int i = 0; i < kinks; i++)
+        at[n++] = kink[i];
+    rw_sort(at, (size_t)n);
+    return (size_t)n;
+}
+
 /* ---- Friction ---- */
 
 double rw_exact_friction(const rw_frame *frame, rw_patch contact, double x)
@@ -122,11 +134,10 @@ bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double s
                   rw_traction *traction)
 {
     const pressed p = {frame, contact, mean, slope};
-    double at[RW_MOST_BENDS + 2] = {contact.left};
-    const int inside = rw_bends_between(frame, contact.left, contact.right, at + 1);
-    at[inside + 1] = contact.right;
+    double at[RW_MOST_BENDS + 2];
+    const size_t breaks = rw_breaks_of(frame, contact, 0, NULL, at);
     *traction = (rw_traction){0};
-    const bool is_done = rw_traction_fit_values(traction, traction_at, &p, (size_t)inside + 2, at,
+    const bool is_done = rw_traction_fit_values(traction, traction_at, &p, breaks, at,
                                                 FIT * frame->tolerance * peak, 0);
     if (!is_done)
         rw_traction_destroy(traction);

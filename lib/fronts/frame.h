@@ -26,6 +26,11 @@ rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance);
  * all. */
 int rw_bends_between(const rw_frame *frame, double from, double to, double at[]);
 
+/* Writes to `at` the edges of a contact, some kinks, and the bends between, in order, and returns
+ * how many; `at` has room for all. */
+size_t rw_breaks_of(const rw_frame *frame, rw_patch contact, int kinks, const double kink[],
+                    double at[]);
+
 /* f times the pressure at a place, in theta/A, and its peak. */
 double rw_exact_friction(const rw_frame *frame, rw_patch contact, double x);
 double rw_peak_friction(const rw_frame *frame, rw_patch contact);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fronts/fronts.h"
 
+#include "base/complex.h"
 #include "base/domain.h"
 #include "base/linear.h"
 #include "base/processor.h"
@@ -104,19 +105,9 @@ static int most_terms(const rw_stuck *s, int gap, double middle, double half, do
 }
 
 /* A row of angles takes one sine and one cosine, and a product for each angle. */
-typedef struct {
-    double cosine, sine;
-} direction;
-
-static direction direction_of(double angle)
+static rw_complex direction_of(double angle)
 {
-    return (direction){cos(angle), sin(angle)};
-}
-
-static direction turned(direction a, direction by)
-{
-    return (direction){a.cosine * by.cosine - a.sine * by.sine,
-                       a.sine * by.cosine + a.cosine * by.sine};
+    return (rw_complex){cos(angle), sin(angle)};
 }
 
 /* X in the gap between two zones that stick, over the half-length of the gap, as a sum of sines.
@@ -127,12 +118,12 @@ static int expand_gap(const rw_stuck *s, int gap, double least, double middle, d
     double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0;
     int terms = 1;
     const int n = most_terms(s, gap, middle, half, least), turn = 2 * (n + 1);
-    const direction step = direction_of(2 * RW_PI / turn);
-    direction at_point = {1, 0};
-    for (int i = 0; i < turn; i++, at_point = turned(at_point, step)) {
-        sine[i] = at_point.sine;
+    const rw_complex step = direction_of(2 * RW_PI / turn);
+    rw_complex at_point = {1, 0};
+    for (int i = 0; i < turn; i++, at_point = rw_product(at_point, step)) {
+        sine[i] = at_point.im;
         if (i > 0 && i <= n)
-            sampled[i - 1] = 4.0 / turn / half * rw_X_at(s, middle + half * at_point.cosine);
+            sampled[i - 1] = 4.0 / turn / half * rw_X_at(s, middle + half * at_point.re);
     }
     for (int k = 0; k < n; k++) {
         c[k] = 0;
@@ -258,10 +249,10 @@ static void conditions_of_gaps(const rw_fronts *f, const rw_stuck *s, double A[]
     for (int k = 0; k + 1 < m; k++) {
         const double a = s->end[2 * k + 1], b = s->end[2 * k + 2], half = (b - a) / 2;
         double *row = A + (m + 1 + k) * n;
-        const direction step = direction_of(RW_PI / GAP_POINTS);
-        direction point = direction_of(RW_HALF_PI / GAP_POINTS);
-        for (int i = 0; i < GAP_POINTS; i++, point = turned(point, step)) {
-            const double x = (a + b) / 2 + half * point.cosine;
+        const rw_complex step = direction_of(RW_PI / GAP_POINTS);
+        rw_complex point = direction_of(RW_HALF_PI / GAP_POINTS);
+        for (int i = 0; i < GAP_POINTS; i++, point = rw_product(point, step)) {
+            const double x = (a + b) / 2 + half * point.re;
             const double at = (x - s->middle) / s->half;
             double share = sqrt((x - a) * (b - x)) / rw_X_at(s, x) * RW_PI / GAP_POINTS / half;
             for (int j = 0; j < n; j++, share *= at)

@@ -10,11 +10,10 @@
 #include "history/memory.h"
 
 #include "base/always.h"
+#include "base/array.h"
 #include "base/domain.h"
 
 #include <float.h>
-#include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* A corner is where two lines meet whose ends are rounded by epsilon/2 of the load: four
@@ -63,17 +62,11 @@ void rw_memory_destroy(rw_memory *memory)
 
 bool rw_memory_reserve(rw_memory *memory, size_t more)
 {
-    if (memory->capacity - memory->count >= more)
-        return true;
-    if (NEVER(memory->count > SIZE_MAX / sizeof *memory->corners / 2 - more)) /* RAM ends before */
-        return false;
-    const size_t capacity = memory->count + memory->count / 2 + more;
-    rw_corner *corners = realloc(memory->corners, capacity * sizeof *corners);
-    if (!corners)
-        return false;
-    memory->corners = corners;
-    memory->capacity = capacity;
-    return true;
+    rw_corner *corners =
+        rw_grown(memory->corners, memory->count, &memory->capacity, more, sizeof *corners);
+    if (corners)
+        memory->corners = corners;
+    return corners != NULL;
 }
 
 rw_path rw_memory_path(const rw_memory *memory)

@@ -1,28 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "history/slip_origin.h"
 
-#include "base/always.h"
+#include "base/array.h"
 #include "base/domain.h"
 
-#include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 bool rw_slip_origins_reserve(rw_slip_origins *origins, size_t more, size_t corners)
 {
-    if (!rw_memory_reserve(&origins->own, corners))
-        return false;
-    if (origins->capacity - origins->count >= more)
-        return true;
-    if (NEVER(origins->count > SIZE_MAX / sizeof *origins->all / 2 - more)) /* memory ends before */
-        return false;
-    const size_t capacity = origins->count + origins->count / 2 + more;
-    rw_slip_origin *grown = realloc(origins->all, capacity * sizeof *grown);
-    if (!grown)
-        return false;
-    origins->all = grown;
-    origins->capacity = capacity;
-    return true;
+    rw_slip_origin *all =
+        rw_grown(origins->all, origins->count, &origins->capacity, more, sizeof *all);
+    if (all)
+        origins->all = all;
+    return all && rw_memory_reserve(&origins->own, corners);
 }
 
 bool rw_slip_origins_copy(const rw_slip_origins *origins, rw_slip_origins *copy)

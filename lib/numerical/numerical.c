@@ -2,7 +2,6 @@
 #include "numerical/numerical.h"
 
 #include "base/domain.h"
-#include "numerical/compare.h"
 #include "traction/transform.h"
 
 #include <stdlib.h>
@@ -28,15 +27,6 @@ static double origin_at_first(double x, const void *context)
     return b->slip(x, b->context) - displacement(&b->numerical->now, x);
 }
 
-/* The contact's edges, and bends. */
-static size_t breaks_of(const rw_frame *frame, const rw_numerical_state *s, double at[])
-{
-    const int bends = rw_bends_between(frame, s->contact.left, s->contact.right, at + 1);
-    at[0] = s->contact.left;
-    at[bends + 1] = s->contact.right;
-    return (size_t)bends + 2;
-}
-
 /* The tolerance of the fit of the slip, over that of the tractions. */
 static const double FIT = 0.03;
 
@@ -57,7 +47,7 @@ bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_numeric
         return true;
     double at[RW_MOST_BENDS + 2];
     const beginning b = {n, slip, context};
-    const size_t breaks = breaks_of(frame, now, at);
+    const size_t breaks = rw_breaks_of(frame, now->contact, 0, NULL, at);
     if (rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at, slip_tolerance(frame, now)))
         return true;
     rw_traction_destroy(&n->origin);
@@ -388,15 +378,14 @@ static void keep_friction(rw_work *w, rw_numerical *n)
         }
 }
 
-static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
-                               int *effort)
+static int32_t try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
     load_work *j = malloc(sizeof *j);
     if (!j || !rw_work_create(&j->work, frame, *effort)) {
         free(j);
-        return RW_STEP_NO_MEMORY;
+        return RWEDGE_ENOMEM;
     }
-    rw_step_result result = RW_STEP_NO_MEMORY;
+    int32_t status = RWEDGE_ENOMEM;
     if (rw_numerical_copy(n, &j->next)) {
         double error;
         lend_friction(&j->next, &j->work);
@@ -410,27 +399,26 @@ static rw_step_result try_load(rw_numerical *n, const rw_frame *frame, rw_scaled
         rw_numerical_destroy(is_done ? n : &j->next);
         if (is_done)
             *n = j->next;
-        result = is_done ? RW_STEP_DONE : j->work.is_short ? RW_STEP_NO_MEMORY : RW_STEP_FAILED;
+        status = is_done ? RWEDGE_OK : j->work.is_short ? RWEDGE_ENOMEM : RWEDGE_ENOCONV;
     }
     rw_work_destroy(&j->work);
     free(j);
-    return result;
+    return status;
 }
 
 /* A load that fails is tried once more with ten times the tolerance and a quarter of the effort;
  * rwedge_contact_error() then says so. */
-rw_step_result rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
-                                 int *effort)
+int32_t rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
     static const double LOOSEST = 1e-2;
     rw_frame looser = rw_frame_of(frame->arcs, frame->f, fmin(10 * frame->tolerance, LOOSEST));
     looser.far_off = frame->far_off;
     int rest = *effort / 4;
-    const rw_step_result result = try_load(n, frame, to, effort);
-    if (result != RW_STEP_FAILED || !(looser.tolerance > frame->tolerance))
-        return result;
+    const int32_t status = try_load(n, frame, to, effort);
+    if (status != RWEDGE_ENOCONV || !(looser.tolerance > frame->tolerance))
+        return status;
     *effort -= rest;
-    const rw_step_result second = try_load(n, &looser, to, &rest);
+    const int32_t second = try_load(n, &looser, to, &rest);
     *effort += rest;
     return second;
 }

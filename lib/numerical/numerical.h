@@ -6,6 +6,7 @@
 #define RW_NUMERICAL_H
 
 #include "numerical/step.h"
+#include "rwedge.h"
 
 typedef struct {
     rw_numerical_state now;
@@ -18,8 +19,6 @@ typedef struct {
 /* For a load: within a second. */
 enum { RW_MOST_EFFORT = 20000000 };
 
-typedef enum { RW_STEP_DONE, RW_STEP_NO_MEMORY, RW_STEP_FAILED } rw_step_result;
-
 /* Begins from `now`, whose traction is set. `slip` gives the slip so far of each place, NULL where
  * it is not known. false where memory is short; then only `now` is to be freed. */
 bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame,
@@ -28,10 +27,10 @@ bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame,
 bool rw_numerical_copy(const rw_numerical *numerical, rw_numerical *copy);
 void rw_numerical_destroy(rw_numerical *numerical);
 
-/* A straight line to new loads. Unless RW_STEP_DONE, all is as before.
+/* A straight line to new loads. RWEDGE_ENOMEM; RWEDGE_ENOCONV; then all is as before.
  *   effort  what it may take (rw_work), less what it has taken on return: it may be below 0 */
-rw_step_result rw_numerical_step(rw_numerical *numerical, const rw_frame *frame, rw_scaled_loads to,
-                                 int *effort);
+int32_t rw_numerical_step(rw_numerical *numerical, const rw_frame *frame, rw_scaled_loads to,
+                          int *effort);
 
 /* The estimated error of q over f times the peak pressure. */
 double rw_numerical_error(const rw_numerical *numerical);

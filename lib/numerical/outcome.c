@@ -134,14 +134,9 @@ void rw_shear_state_smooth(rw_shear_state *s, rw_patch contact, double tolerance
 static int breaks_of(const rw_problem *p, const rw_shear_state *s, double at[])
 {
     double all[MOST_BREAKS];
-    int n = 0, kept = 0;
-    all[n++] = p->to.left;
-    for (int i = 0; i < s->kinks; i++)
-        all[n++] = s->kink[i];
-    n += rw_bends_between(p->frame, p->to.left, p->to.right, all + n);
-    all[n++] = p->to.right;
-    rw_sort(all, (size_t)n);
-    for (int i = 0; i < n; i++)
+    const size_t n = rw_breaks_of(p->frame, p->to, s->kinks, s->kink, all);
+    int kept = 0;
+    for (size_t i = 0; i < n; i++)
         if (kept == 0 || all[i] - at[kept - 1] > SAME_BREAK * (p->to.right - p->to.left))
             at[kept++] = all[i];
     at[kept - 1] = p->to.right;

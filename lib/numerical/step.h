@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One implicit step of the shear. */
+/* One implicit step of the shear, and its error. */
 #ifndef RW_STEP_H
 #define RW_STEP_H
 
@@ -48,5 +48,11 @@ bool rw_implicit_step(rw_work *work, const rw_numerical_state *from, rw_scaled_l
  * Whether the step from the one to the other has the end `there` too: then the whole is exact, and
  * its energy is set to the sum of both halves. */
 bool rw_step_goes_on(rw_work *work, const rw_numerical_state *from, rw_numerical_state *there);
+
+/* Compares both halves of a step, the first of which ends at `half`, with the step as a whole. It
+ * began in the contact `before`. The difference bounds the error of the halves, which is noted
+ * there. Returns it, or that of the energies, over what is allowed. */
+double rw_compare(const rw_frame *frame, rw_patch before, const rw_numerical_state *whole,
+                  const rw_numerical_state *half, rw_numerical_state *both);
 
 #endif

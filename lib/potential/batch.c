@@ -3,7 +3,6 @@
 #include "potential/batch.h"
 
 #include "potential/closed_form.h"
-#include "potential/lanes.h"
 
 void rw_clear_fields(int count, rw_fields *fields)
 {

@@ -3,7 +3,7 @@
 #ifndef RW_BATCH_H
 #define RW_BATCH_H
 
-#include "base/select.h"
+#include "base/processor.h"
 #include "potential/potential.h"
 
 /* The bits of rw_potential_at(), at count <= RW_BATCH points: several times faster. */
@@ -31,5 +31,15 @@ void rw_add_fields(const rw_fields *fields, double weight, int count, rw_fields 
 
 void rw_potential_fields(const rw_potential *potential, int count, const double x[],
                          const double y[], rw_fields *fields);
+
+/* The loops over many points take so many at a time, a multiple of the numbers in a vector. */
+enum { RW_LANES = 8 };
+
+/* Defines NAME(potential, count, x, y, fields), which does LOOP for the processor at hand. */
+#define RW_BEST_PROCESSOR(NAME, LOOP, POTENTIAL)                                                   \
+    RW_DISPATCH(                                                                                   \
+        NAME, LOOP,                                                                                \
+        (const POTENTIAL *p, int count, const double x[], const double y[], rw_fields *fields),    \
+        (p, count, x, y, fields))
 
 #endif

@@ -66,21 +66,13 @@ static void make_series(rw_eccentric *p)
         p->far[n - 1] = (part[n - 1] - part[n + 1]) / n;
 }
 
-/* Sets the potential as if the patch were within the rounding. */
-static void begin(rw_eccentric *p, rw_patch patch)
+void rw_eccentric_init_far(rw_eccentric *p, rw_patch patch)
 {
     const double s = rw_patch_half_width(patch);
     *p = (rw_eccentric){
         .patch = patch, .middle = rw_patch_middle(patch), .half_width = s, .per_half_width = 1 / s};
     p->view[0] = plain_view(p, 1);
     p->view[1] = plain_view(p, -1);
-}
-
-void rw_eccentric_init_series(rw_eccentric *p, rw_patch patch, const double far[RW_SERIES_TERMS])
-{
-    begin(p, patch);
-    for (int n = 0; n < RW_SERIES_TERMS; n++)
-        p->far[n] = far[n];
 }
 
 void rw_eccentric_init_arc(rw_eccentric *p, rw_arc arc, rw_patch patch)
@@ -91,7 +83,7 @@ void rw_eccentric_init_arc(rw_eccentric *p, rw_arc arc, rw_patch patch)
         rw_potential_init_patch(&p->centred, a, s);
         return;
     }
-    begin(p, patch);
+    rw_eccentric_init_far(p, patch);
     p->a = a;
     if (rw_arc_covers(arc, patch)) {
         p->far[0] = RW_HALF_PI * (s / a);

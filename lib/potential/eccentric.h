@@ -38,9 +38,9 @@ typedef struct {
 /* The potential of an arc that is partly inside the patch. */
 void rw_eccentric_init_arc(rw_eccentric *potential, rw_arc arc, rw_patch patch);
 
-/* The potential of any sum of arcs at points that are far: the series (2/pi) sum far[n - 1] R^n. */
-void rw_eccentric_init_series(rw_eccentric *potential, rw_patch patch,
-                              const double far[RW_SERIES_TERMS]);
+/* The potential of any sum of arcs at points that are far: the series (2/pi) sum far[n - 1] R^n.
+ * Its coefficients are 0 at first. */
+void rw_eccentric_init_far(rw_eccentric *potential, rw_patch patch);
 
 /* G, and H = y G' in the unit of the patch. Error below 20 epsilon max(|G|, 1/(1+|z|)), z from the
  * middle in half-widths, over 1 - |delta|. */

@@ -4,7 +4,6 @@
 #include "potential/eccentric.h"
 
 #include "potential/eccentric_form.h"
-#include "potential/lanes.h"
 
 /* Inlined for each formula and processor, the loop becomes vector instructions. */
 RW_INLINE void apply(rw_side_formula *right_field, const rw_eccentric *restrict p, int count,

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "traction/traction.h"
 
+#include "base/array.h"
 #include "base/domain.h"
 #include "base/processor.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Elements are divided at most DEPTH times, and not into parts shorter than SHORTEST of the whole:
@@ -104,26 +104,15 @@ static void complete(rw_element *e, const rule *r)
     }
 }
 
-static bool reserve(rw_traction *t)
-{
-    if (t->count < t->capacity)
-        return true;
-    const size_t capacity = 2 * t->capacity + 16;
-    rw_element *elements = realloc(t->elements, capacity * sizeof *elements);
-    if (!elements)
-        return false;
-    t->elements = elements;
-    t->capacity = capacity;
-    return true;
-}
-
 /* Appends an element that is complete. */
 static bool append(rw_traction *t, const rw_element *e)
 {
-    const bool has_room = reserve(t);
-    if (has_room)
-        t->elements[t->count++] = *e;
-    return has_room;
+    rw_element *elements = rw_grown(t->elements, t->count, &t->capacity, 1, sizeof *elements);
+    if (!elements)
+        return false;
+    t->elements = elements;
+    t->elements[t->count++] = *e;
+    return true;
 }
 
 bool rw_traction_append(rw_traction *t, const rw_element *e)

@@ -93,7 +93,7 @@ static void go(pair *c, double P, double M, double Q, double sigma)
     assert_int_equal(rw_numerical_step(&c->numerical, &c->frame,
                                        (rw_scaled_loads){P, M, Q, sigma / 4},
                                        &(int){RW_MOST_EFFORT}),
-                     RW_STEP_DONE);
+                     RWEDGE_OK);
     assert_within(difference(c), 0, c->frame.tolerance);
     assert_within(rw_traction_total(&c->numerical.now.shear.traction), Q, 0.1 * c->frame.tolerance);
 }
@@ -213,7 +213,7 @@ CLAIM(a_step_in_which_all_that_sticks_stuck_all_the_time_is_exact)
         }
         assert_int_equal(
             rw_numerical_step(&c->numerical, &c->frame, noisy(i), &(int){RW_MOST_EFFORT}),
-            RW_STEP_DONE);
+            RWEDGE_OK);
     }
     assert_in_range(exact, LOADS * 2 / 3, LOADS - 2); /* not where an edge sticks */
 }
@@ -267,7 +267,7 @@ CLAIM(a_load_that_is_too_far_off_has_not_converged)
     c->frame.far_off = 1e-9;
     const rw_scaled_loads to = {4.2, 0, 0.5, 0.2};
     assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, to, &(int){RW_MOST_EFFORT}),
-                     RW_STEP_FAILED);
+                     RWEDGE_ENOCONV);
     assert_true(c->numerical.now.at.P == 4 && rw_numerical_error(&c->numerical) == 0);
 }
 
@@ -281,7 +281,7 @@ CLAIM(a_front_passes_places_that_have_slipped_before)
         const double phase = i * PI / 12;
         const rw_scaled_loads to = {4, 0, 1.4 * sin(phase), 0.15 * sin(phase - 0.9)};
         int left = RW_MOST_EFFORT;
-        assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, to, &left), RW_STEP_DONE);
+        assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, to, &left), RWEDGE_OK);
         before = spent;
         spent = RW_MOST_EFFORT - left;
     }
@@ -340,7 +340,7 @@ static rw_scaled_loads cyclic_loads(int i)
 static int effort_of(pair *c, rw_scaled_loads to)
 {
     int effort = RW_MOST_EFFORT;
-    assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, to, &effort), RW_STEP_DONE);
+    assert_int_equal(rw_numerical_step(&c->numerical, &c->frame, to, &effort), RWEDGE_OK);
     return RW_MOST_EFFORT - effort;
 }
 

@@ -32,8 +32,6 @@ RW_INLINE rw_field difference(rw_field a, rw_field b)
     return (rw_field){a.G_re - b.G_re, a.G_im - b.G_im, a.H_re - b.H_re, a.H_im - b.H_im};
 }
 
-static const rw_field NO_FIELD = {0, 0, 0, 0};
-
 /* normal: the field of the whole contact; stick: that of the stick zone's patch, or 0. */
 RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, double *syy,
                        double *txy)
@@ -47,13 +45,12 @@ RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, d
 static void stresses_at(const tractions *t, int count, const double x[], const double y[],
                         double sxx[], double syy[], double txy[])
 {
-    rw_fields normal, stick;
+    rw_fields normal, stick = {{0}, {0}, {0}, {0}};
     rw_potential_fields(&t->contact, count, x, y, &normal);
     if (t->c > 0)
         rw_potential_fields(&t->stick, count, x, y, &stick);
     for (int i = 0; i < count; i++)
-        combine(t->f, rw_field_in(&normal, i), t->c > 0 ? rw_field_in(&stick, i) : NO_FIELD,
-                &sxx[i], &syy[i], &txy[i]);
+        combine(t->f, rw_field_in(&normal, i), rw_field_in(&stick, i), &sxx[i], &syy[i], &txy[i]);
 }
 
 /* ---- Derivatives: they add up as the stresses do ---- */
@@ -68,6 +65,8 @@ static tensor tensor_of(double f, rw_field normal, rw_field stick)
     combine(f, normal, stick, &t.sxx, &t.syy, &t.txy);
     return t;
 }
+
+static const rw_field NO_FIELD = {0, 0, 0, 0};
 
 typedef rw_field (*change)(const rw_potential *potential, double x, double y);
 
@@ -118,7 +117,16 @@ static bool is_point(double alpha, double x, double y)
 int32_t rwedge_stress(double alpha, double f, double c, double x, double y, double *sxx,
                       double *syy, double *txy)
 {
-    return rwedge_stresses(alpha, f, c, 1, &x, &y, sxx, syy, txy);
+    if (!is_contact(alpha, f, c))
+        return RWEDGE_EDOMAIN;
+    if (!sxx || !syy || !txy)
+        return RWEDGE_ENULL;
+    if (!is_point(alpha, x, y))
+        return RWEDGE_EDOMAIN;
+    const tractions t = make_tractions(alpha, f, c);
+    const rw_field normal = rw_potential_at(&t.contact, x, y), none = {0, 0, 0, 0};
+    combine(f, normal, c > 0 ? rw_potential_at(&t.stick, x, y) : none, sxx, syy, txy);
+    return RWEDGE_OK;
 }
 
 int32_t rwedge_stresses(double alpha, double f, double c, size_t n, const double x[],

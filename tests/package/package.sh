@@ -52,7 +52,8 @@ try "C++ links" c++ -x c++ "$consumer/main.c" -x none -I"$prefix/include" -o "$w
 try "C99 compiles the header" cc -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$prefix/include" "$consumer/main.c"
 
 if command -v gfortran >/dev/null 2>&1; then
-    try "Fortran takes the module" gfortran -std=f2008 -Wall -Wextra -pedantic -Werror -J"$work" -fsyntax-only "$prefix/include/rwedge.f90"
+    # Without -Werror: what is not of 2008 is an error, and gfortran 14 warns of finalizers (bindings/fortran/test.sh).
+    try "Fortran takes the module" gfortran -std=f2008 -Wall -Wextra -pedantic -J"$work" -fsyntax-only "$prefix/include/rwedge.f90"
     cmake -S "$source" -B "$work/since" -DRWEDGE_HAS_GFORTRAN= >"$work/log"
     try "Fortran that came after the first configuration is linked" grep -q ' -lgfortran' "$work/since/lib/rwedge.pc"
 fi

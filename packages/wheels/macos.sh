@@ -20,6 +20,8 @@ options='-O2 -DNDEBUG -ffp-contract=off -fvisibility=hidden'
 sh "$source/packages/gsl.sh" "$sources" "$PWD/compiler" -std=gnu99 $options
 # The library's objects, with the options that it is always built with; CMake's own ways with macOS need Apple's tools.
 # RW_BASELINE: a run-time library that is not linked here would tell which vectors a processor has. The results are the same.
+# From nothing: every object in the folder is linked, so none may be left of a source that is gone.
+rm -rf library
 cmake -S "$source" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER="$PWD/compiler" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_C_FLAGS=-DRW_BASELINE -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_GSL_INCLUDE="$PWD/include" -DRWEDGE_GSL_ARCHIVE=none \
     -DRWEDGE_LAPACK_ARCHIVE=none -DRWEDGE_BLAS_ARCHIVE=none -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF

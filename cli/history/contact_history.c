@@ -49,8 +49,7 @@ load contact_history_load(const contact_history *history, size_t step)
 rwedge_contact *contact_history_begin(const contact_history *history)
 {
     rwedge_contact *contact;
-    status_check(case_contact(&history->setup, &contact), "the contact");
-    load_history_apply_all(&history->before, history->setup.f, contact);
+    status_check(rwedge_contact_copy(history->setup.contact, &contact), "the contact");
     return contact;
 }
 
@@ -106,9 +105,13 @@ void contact_history_read(const arguments *line, char decimal_sign, usual_cycles
     read_cycles(line, usage.cycles);
     if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, complaint))
         usage_error("%s", complaint);
+    status_check(history->setup.status, "the contact");
     load_history_read(line, decimal_sign, &history->loads);
-    if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL)
-        load_history_read_list(line, &history->before);
+    if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL) {
+        load_history before;
+        load_history_read_list(line, &before);
+        load_history_apply_all(&before, &history->setup, &history->doubts_before);
+    }
     const bool to_and_fro = usage.of_two > 0 && history->loads.count == 2;
     history->cycles = read_cycles(line, to_and_fro ? usage.of_two : usage.cycles);
     try_loads(history, line->value[OPTION_UNTIL] != NULL);

@@ -61,16 +61,13 @@ static int32_t find_yield(const contact_case *setup, const rwedge_contact *conta
 /* What there is to tell of a contact that touches. */
 static int32_t touch(const contact_case *setup, const rwedge_contact *contact, double value[])
 {
-    const double surface[2] = {0, 0};
-    double syy[2], txy[2];
-    if (rwedge_contact_edges(contact, &value[LEFT], &value[RIGHT]) != RWEDGE_OK)
+    const int32_t status = edge_tensions(contact, &value[LEFT], &value[TENSION_LEFT]);
+    if (isnan(value[LEFT]))
         return RWEDGE_OK;
     rwedge_contact_stick_zone(contact, &value[STICK_LEFT], &value[STICK_RIGHT]);
     value[TILT] = rwedge_contact_tilt(contact);
     value[PRESSURE] = peak_pressure(setup, contact);
     value[SLIP] = peak_over(value[LEFT], value[RIGHT], slip_size_at, contact);
-    const int32_t status =
-        rwedge_contact_stresses(contact, 2, &value[LEFT], surface, &value[TENSION_LEFT], syy, txy);
     return status == RWEDGE_OK ? find_yield(setup, contact, value) : status;
 }
 

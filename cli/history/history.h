@@ -19,8 +19,8 @@ typedef struct {
 } usual_cycles;
 
 typedef struct {
-    contact_case setup;
-    load_history before; /* applied once, before the first cycle; perhaps none */
+    contact_case setup; /* the contact is that before the first cycle */
+    doubts doubts_before;
     load_history loads;
     int64_t cycles; /* how often the table is gone through */
     size_t steps;   /* how many loads are applied: all, or with --until those before the first that
@@ -38,7 +38,7 @@ void contact_history_read(const arguments *line, char decimal_sign, usual_cycles
 size_t contact_history_row(const contact_history *history, size_t step);
 load contact_history_load(const contact_history *history, size_t step);
 
-/* The contact before its first cycle. */
+/* A copy of the contact before its first cycle. */
 rwedge_contact *contact_history_begin(const contact_history *history);
 
 /* Applies the load of a step, which has been tried. */

@@ -183,28 +183,30 @@ void load_history_fail(const load_history *loads, size_t row, const char *word,
     usage_error("%s%s: %s", place, word, complaint);
 }
 
-void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact)
+void load_history_apply_all(const load_history *loads, const contact_case *setup, doubts *all)
 {
     char complaint[COMPLAINT_SIZE];
-    for (size_t i = 0; i < loads->count; i++)
-        if (!loads_apply_next(loads->load[i], f, contact, complaint))
+    for (size_t i = 0; i < loads->count; i++) {
+        if (!loads_apply_next(loads->load[i], setup->f, setup->contact, complaint))
             load_history_fail(loads, i, "", complaint);
+        if (all != NULL)
+            doubts_add(all, doubts_of_state(setup, setup->contact));
+    }
 }
 
-rwedge_contact *history_contact(const arguments *line, const input_texts *texts, case_needs needs,
-                                char decimal_sign, contact_case *setup)
+void history_case(const arguments *line, const input_texts *texts, case_needs needs,
+                  char decimal_sign, contact_case *setup)
 {
     load_history loads;
-    rwedge_contact *contact;
     char complaint[COMPLAINT_SIZE];
     if (line->value[OPTION_HISTORY] != NULL && line->value[OPTION_LOAD] != NULL)
         usage_error("--history %s: given together with --load; allowed: one of the two",
                     line->value[OPTION_HISTORY]);
     if (!case_read(texts, needs, setup, complaint))
         usage_error("%s", complaint);
-    status_check(case_contact(setup, &contact), "the contact");
+    status_check(setup->status, "the contact");
     load_history_read(line, decimal_sign, &loads);
-    load_history_apply_all(&loads, setup->f, contact);
+    load_history_apply_all(&loads, setup, NULL);
     load_history_say_unused(&loads);
-    return contact;
+    setup->has_history = true;
 }

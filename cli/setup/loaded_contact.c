@@ -150,11 +150,11 @@ static void read_dimensional(const arguments *line, char decimal_sign, const inp
     refuse_natural(line);
     history_check(line);
     if (history_is_given(line))
-        loaded->contact = history_contact(line, texts, CASE_LOADS_APART, decimal_sign, &setup);
+        history_case(line, texts, CASE_LOADS_APART, decimal_sign, &setup);
     else if (!case_read(texts, CASE_WITH_LOADS, &setup, complaint))
         usage_error("%s", complaint);
-    else
-        status_check(case_loaded(&setup, &loaded->contact), "the loads cannot be applied");
+    status_check(setup.status, "the loads cannot be applied");
+    loaded->contact = setup.contact;
     loaded->nu = setup.nu1;
     loaded->shape = setup.shape;
     find_zones(loaded);

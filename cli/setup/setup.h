@@ -88,17 +88,18 @@ void load_history_read_list(const arguments *line, load_history *loads);
 void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size);
 void load_history_say_unused(const load_history *loads);
 
-/* Applies them all, in order; the first refusal ends the command. */
-void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact);
+/* Applies them all, in order, to the contact of a case; the first refusal ends the command. Where
+ * doubts is not NULL those of the states are added. */
+void load_history_apply_all(const load_history *loads, const contact_case *setup, doubts *all);
 
 /* Ends the command as a load cannot be applied, after a word such as ", cycle 2", or "". */
 NO_RETURN void load_history_fail(const load_history *loads, size_t row, const char *word,
                                  const char *complaint);
 
-/* Reads a case and its loads, from a file or a list, applies them all, and names columns with
- * numbers that are not used. */
-rwedge_contact *history_contact(const arguments *line, const input_texts *texts, case_needs needs,
-                                char decimal_sign, contact_case *setup);
+/* Reads a case and its loads, from a file or a list, applies them all to its contact, and names
+ * columns with numbers that are not used. */
+void history_case(const arguments *line, const input_texts *texts, case_needs needs,
+                  char decimal_sign, contact_case *setup);
 
 /* Where it stands, as messages say it: "loads.csv: line 3". */
 enum { LOAD_PLACE_SIZE = 300 };

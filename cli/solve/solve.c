@@ -132,6 +132,7 @@ static void solve_one(const input_texts *texts, job *task, const output_options 
                              complaint))
         failure("%s", complaint);
     write_answer_to(&setup, task, how);
+    rwedge_contact_destroy(setup.contact);
 }
 
 /* ---- After a history ---- */
@@ -140,16 +141,14 @@ static void solve_history(const arguments *line, const input_texts *texts, job *
                           const output_options *how)
 {
     contact_case setup;
-    rwedge_contact *contact =
-        history_contact(line, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
-    rwedge_contact_loads(contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
+    history_case(line, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
+    rwedge_contact_loads(setup.contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
     if (!(setup.P > 0))
         failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P above "
                 "0",
                 history_file(line) != NULL ? history_file(line) : "--load");
-    setup.after = contact;
     write_answer_to(&setup, task, how);
-    rwedge_contact_destroy(contact);
+    rwedge_contact_destroy(setup.contact);
 }
 
 /* ---- The command ---- */

@@ -107,9 +107,12 @@ bool case_table_solve(const case_table *table, const char *const row[], size_t c
         text[i] = header_has_input(&table->names, i) ? row[table->names.column[i]] : NULL;
     const input_texts texts = texts_of(table, text);
     contact_case setup;
-    if (!has_no_gap(table, &texts, complaint) ||
-        !case_read(&texts, CASE_OF_SOLVE, &setup, complaint) ||
-        !results_compute(&setup, table->wanted, answer, complaint))
+    if (!has_no_gap(table, &texts, complaint))
+        return false;
+    const bool solved = case_read(&texts, CASE_OF_SOLVE, &setup, complaint) &&
+                        results_compute(&setup, table->wanted, answer, complaint);
+    rwedge_contact_destroy(setup.contact);
+    if (!solved)
         return false;
     if (texts.text[INPUT_F] == NULL)
         results_warn(answer, "no friction given");

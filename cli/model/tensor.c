@@ -44,9 +44,8 @@ int32_t edge_tensions(const rwedge_contact *contact, double edge[2], double sxx[
     const double surface[2] = {0, 0};
     double syy[2], txy[2];
     const int32_t status = rwedge_contact_edges(contact, &edge[0], &edge[1]);
-    return status == RWEDGE_OK
-               ? rwedge_contact_stresses(contact, 2, edge, surface, sxx, syy, txy)
-               : status;
+    return status == RWEDGE_OK ? rwedge_contact_stresses(contact, 2, edge, surface, sxx, syy, txy)
+                               : status;
 }
 
 void yield_place_settle(double *x, double *y)

@@ -248,8 +248,7 @@ static bool compute(const contact_case *setup, double b, results *answer,
 static bool yield_factor(const contact_case *setup, results *answer, char complaint[COMPLAINT_SIZE])
 {
     const int32_t status = results_find_hardest(setup, answer);
-    return status == RWEDGE_OK ||
-           complain(complaint, "yield_factor: %s", rwedge_strerror(status));
+    return status == RWEDGE_OK || complain(complaint, "yield_factor: %s", rwedge_strerror(status));
 }
 
 bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,

@@ -98,23 +98,23 @@ static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
 static bool to_and_fro(load form, char complaint[COMPLAINT_SIZE])
 {
     const load before = {.P = form.P, .M = form.M};
-    snprintf(complaint, COMPLAINT_SIZE,
-             "Q or sigma of the form goes to and fro where no loads are given; both are 0");
-    if ((form.Q == 0 && form.sigma == 0) ||
-        !loads_apply_next(before, asked.setup.f, asked.setup.contact, complaint))
+    if (form.Q == 0 && form.sigma == 0)
+        return complain(complaint, "Q or sigma of the form goes to and fro where no loads are "
+                                   "given; both are 0");
+    if (!loads_apply_next(before, asked.setup.f, asked.setup.contact, complaint))
         return false;
     load_list_add(&asked.loads, form, 0);
     load_list_add(&asked.loads, (load){form.P, form.M, -form.Q, -form.sigma}, 0);
     return true;
 }
 
-static void refuse_load(int line, size_t cycle, const char *why, char complaint[COMPLAINT_SIZE])
+static bool refuse_load(int line, size_t cycle, const char *why, char complaint[COMPLAINT_SIZE])
 {
     char place[60] = "";
     if (line > 0)
         snprintf(place, sizeof place, cycle > 1 ? "line %d, cycle %zu: " : "line %d: ", line,
                  cycle);
-    snprintf(complaint, COMPLAINT_SIZE, "%s%.300s", place, why);
+    return complain(complaint, "%s%.300s", place, why);
 }
 
 static bool go_through(const criteria *wanted, int64_t cycles, char complaint[COMPLAINT_SIZE])
@@ -126,10 +126,8 @@ static bool go_through(const criteria *wanted, int64_t cycles, char complaint[CO
         const listed_load *next = &asked.loads.load[i % n];
         if (i == last)
             last_cycle_begin(&asked.setup, wanted, contact, n, &asked.last);
-        if (!loads_apply_next(next->to, asked.setup.f, contact, why)) {
-            refuse_load(next->line, i / n + 1, why, complaint);
-            return false;
-        }
+        if (!loads_apply_next(next->to, asked.setup.f, contact, why))
+            return refuse_load(next->line, i / n + 1, why, complaint);
         if (i >= last)
             last_cycle_add(contact, &asked.last);
     }

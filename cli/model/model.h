@@ -109,7 +109,6 @@ int32_t loads_apply_monotonic(load to, rwedge_contact *contact);
 typedef struct {
     int input;
     char why[COMPLAINT_SIZE - 100]; /* a name and a text have room in front of it */
-    int32_t status;                 /* of the library */
 } load_fault;
 
 /* What is wrong with a load that the contact has refused with this status. The contact is as before

@@ -81,7 +81,7 @@ void load_history_read_list(const arguments *line, load_history *loads)
 {
     load to = {0};
     const char *lines = line->value[OPTION_LOAD];
-    *loads = (load_history){.lines = lines};
+    *loads = (load_history){.name = NULL};
     for (bool last = false; !last;) {
         const size_t length = strcspn(lines, "\n");
         last = lines[length] == '\0';
@@ -90,7 +90,7 @@ void load_history_read_list(const arguments *line, load_history *loads)
                         (int)(length < 60 ? length : 60), lines);
         if (loads->count == 0)
             say_four_values(lines, (int)length);
-        add(loads, to, (csv_row){0});
+        add(loads, to, (csv_row){.whole = lines});
         lines += length + 1;
     }
 }
@@ -166,10 +166,8 @@ const char *load_history_place(const load_history *loads, size_t row, char place
                  loads->row[row].line);
         return place;
     }
-    const char *line = loads->lines;
-    for (size_t i = 0; i < row; i++)
-        line += strcspn(line, "\n") + 1;
-    snprintf(place, LOAD_PLACE_SIZE, "--load %.*s", (int)strcspn(line, "\n"), line);
+    const char *text = loads->row[row].whole;
+    snprintf(place, LOAD_PLACE_SIZE, "--load %.*s", (int)strcspn(text, "\n"), text);
     return place;
 }
 

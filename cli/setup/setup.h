@@ -61,14 +61,13 @@ enum {
 extern struct poptOption load_option_table[];
 
 typedef struct {
-    const char *name;  /* of the file, as messages call it; NULL where --load gave the loads */
-    const char *lines; /* what --load gave, one to a line */
-    csv_row first;     /* of the file, and what its columns are */
+    const char *name; /* of the file, as messages call it; NULL where --load gave the loads */
+    csv_row first;    /* of the file, and what its columns are */
     header names;
     bool unused[HEADER_COLUMNS]; /* columns with numbers that are not used */
     bool has_mark;               /* whether the file begins with the mark of Unicode */
     load *load;
-    csv_row *row; /* of the file, where each stands */
+    csv_row *row; /* of the file, where each stands; of --load its text and what follows */
     size_t count;
 } load_history;
 

@@ -144,17 +144,13 @@ static bool check_other(const sources *from, const char *name, char complaint[CO
 /* A column that says which row it is, not what is computed. A capital T may be a force. */
 static bool is_label(const char *name)
 {
-    static const char *const labels[] = {"case", "id",    "key",    "line",  "load", "name",
-                                         "no",   "nr",    "number", "row",   "step", "time",
-                                         "t",    "cycle", "point",  "label", "node"};
+    static const char labels[] =
+        "case id key line load name no nr number row step time cycle point label node";
     char plain[COLUMN_NAME_SIZE];
     column_name_make_plain(name, plain);
     const size_t stem = column_name_stem(plain);
-    for (size_t i = 0; i < sizeof labels / sizeof labels[0]; i++)
-        if (column_name_is_like(plain, stem, labels[i]) &&
-            (labels[i][1] != '\0' || memchr(plain, labels[i][0], stem) != NULL))
-            return true;
-    return false;
+    return is_among(labels, plain, stem) ||
+           (is_among("t", plain, stem) && memchr(plain, 't', stem) != NULL);
 }
 
 bool header_find(const char *const name[], size_t count, const bool wanted[INPUT_COUNT],

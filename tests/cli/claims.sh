@@ -51,6 +51,20 @@ does_quietly() {
     message_is ""
 }
 
+# kept FILE ARGUMENTS...: the same, and the output stays in a file. prints_kept WHAT FILE ARGUMENTS...: the output is that file.
+kept() {
+    file=$1
+    shift
+    does "$@"
+    cp out "$file"
+}
+prints_kept() {
+    what=$1 file=$2
+    shift 2
+    does "$@"
+    same "$what" "" "$(cmp "$file" out 2>&1)"
+}
+
 # Every assertion comes down to this: whether the two texts are the same.
 same() { # what expected got
     checks=$((checks + 1))

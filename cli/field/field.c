@@ -53,7 +53,8 @@ static void write_point(const grid *points, records *rows, double x, double y)
 {
     const loaded_contact *loaded = &points->loaded;
     const double unit = loaded->length_unit;
-    const tensor at = point_stress(loaded->contact, &loaded->shape, loaded->nu, x * unit, y * unit);
+    const tensor at = point_stress(loaded->setup.contact, &loaded->setup.shape, loaded->setup.nu1,
+                                   x * unit, y * unit);
     point_write(rows, x, y, &at);
     progress_step();
 }

@@ -122,10 +122,8 @@ typedef struct {
 } zone;
 
 typedef struct {
-    rwedge_contact *contact;
+    contact_case setup;   /* in natural units its shape, friction, nu1 and contact alone */
     zone touches, sticks; /* in the contact's own unit */
-    pad shape;
-    double nu;
     /* half-width and edges of the contact, as they are written: 1, -1 and 1 in natural units; 0
      * when separated */
     double b, left, right;

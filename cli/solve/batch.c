@@ -19,7 +19,7 @@ typedef struct {
 
 /* The state of the run, from row to row. */
 typedef struct {
-    const batch *many;
+    const arguments *line;
     const output_options *how;
     csv_input *in;
     csv_row first;
@@ -156,7 +156,7 @@ static void release_held(run *r)
 static void read_profile(const run *r, const csv_row *row)
 {
     const size_t column = r->table.names.column[INPUT_PROFILE];
-    const profile_style style = {r->how->decimal_sign, r->many->takes_hull};
+    const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL};
     if (column < row->count && row->cell[column][0] != '\0')
         notice_if_any(profiles_read(row->cell[column], style));
 }
@@ -180,7 +180,7 @@ static bool hold_rows(run *r)
 
 static void write_held(run *r)
 {
-    threads_run(r->many->threads, r->held_count, compute_answer, r);
+    threads_run(threads_read(r->line), r->held_count, compute_answer, r);
     for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
         write_row(r, &r->held[i], &r->answers[i]);
     release_held(r);
@@ -237,7 +237,7 @@ static void read_header(run *r)
                      complaint))
         failure("%s: %s", r->in->name, complaint);
     check_constants(r);
-    if (r->many->takes_hull && r->table.constants.text[INPUT_PROFILE] == NULL &&
+    if (r->line->value[OPTION_HULL] != NULL && r->table.constants.text[INPUT_PROFILE] == NULL &&
         !header_has_input(&r->table.names, INPUT_PROFILE))
         usage_error("--hull: needs --profile, or a column profile");
     r->table.separator = r->in->separator;
@@ -245,12 +245,14 @@ static void read_header(run *r)
         failure("%s: %s", r->in->name, complaint);
 }
 
-int batch_run(const batch *many, const output_options *how)
+int batch_run(const arguments *line, const char *path, const input_texts *constants,
+              results_wanted wanted, const output_options *how)
 {
-    run r = {.many = many,
+    run r = {.line = line,
              .how = how,
-             .table = {.constants = many->constants, .wanted = many->wanted},
-             .in = csv_input_open(many->path, how->decimal_sign == ',' ? ';' : ',', many->encoding),
+             .table = {.constants = *constants, .wanted = wanted},
+             .in = csv_input_open(path, how->decimal_sign == ',' ? ';' : ',',
+                                  line->value[OPTION_ENCODING]),
              .constant_profiles = profiles_count(),
              .held = memory_zeroed(HELD_ROWS, sizeof *r.held),
              .answers = memory_zeroed(HELD_ROWS, sizeof *r.answers)};

@@ -187,7 +187,7 @@ static void read_plan(arguments *line, plan *job, output_options *how)
     material_read(line->value[OPTION_MATERIAL], line, &job->constants);
     criteria_read(line, &job->constants, &asked);
     job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
-    contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 3}, &job->history);
+    contact_history_read(line, how->decimal_sign, 3, 3, &job->history);
     criteria_read_strength(line, &job->history.setup, &asked);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
     surface_places(line, how->decimal_sign, &job->last, &job->result);

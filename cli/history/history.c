@@ -206,7 +206,7 @@ static void read_plan(const arguments *line, plan *job, output_options *how)
         usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
     places_read(line, how->decimal_sign, &job->at);
     check_series(job, how);
-    contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 1}, &job->history);
+    contact_history_read(line, how->decimal_sign, 1, 1, &job->history);
     check_names(job);
 }
 

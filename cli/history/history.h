@@ -12,12 +12,6 @@ enum { OPTION_CYCLES = OPTION_AFTER_LOADS, OPTION_UNTIL, OPTION_AFTER_HISTORY };
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
 extern struct poptOption history_option_table[];
 
-/* How often a command goes through the loads where --cycles is not given. */
-typedef struct {
-    int64_t cycles;
-    int64_t of_two; /* through two loads, to and fro; 0 where that makes no difference */
-} usual_cycles;
-
 typedef struct {
     contact_case setup; /* the contact is that before the first cycle */
     doubts doubts_before;
@@ -30,9 +24,10 @@ typedef struct {
 
 /* Reads the options, and a file that stands in place of --history, and tries every load: a load
  * that cannot be applied ends the command, unless --until is given. Beside a file, --load gives
- * loads before the first cycle. */
-void contact_history_read(const arguments *line, char decimal_sign, usual_cycles usage,
-                          contact_history *history);
+ * loads before the first cycle. The cycles are those where --cycles is not given, and where there
+ * are two loads, to and fro. */
+void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,
+                          int64_t cycles_of_two, contact_history *history);
 
 /* The row of the table that the load of this step stands in. */
 size_t contact_history_row(const contact_history *history, size_t step);

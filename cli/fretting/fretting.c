@@ -176,13 +176,19 @@ static bool is_for_paraview(const output_options *how)
     return how->format == &vtk_format;
 }
 
+static void spare_files(const arguments *line, const output_options *how)
+{
+    places_spare_files(line, how);
+    output_options_spare(how, line->value[OPTION_MATERIAL]);
+}
+
 static void read_plan(arguments *line, plan *job, output_options *how)
 {
     criteria asked;
     output_options_read_of(line, grid_formats, "", how);
     if (is_for_paraview(how) && line->value[OPTION_AT_WORST] != NULL)
         usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
-    places_spare_files(line, how);
+    spare_files(line, how);
     job->threads = threads_read(line);
     material_read(line->value[OPTION_MATERIAL], line, &job->constants);
     criteria_read(line, &job->constants, &asked);
@@ -203,7 +209,7 @@ static void read_worst(const arguments *line, const output_options *how, output_
     its.value[OPTION_OUTPUT] = line->value[OPTION_WORST];
     its.value[OPTION_FORMAT] = NULL;
     output_options_read(&its, worst);
-    places_spare_files(line, worst);
+    spare_files(line, worst);
     output_options_spare(worst, how->path);
 }
 

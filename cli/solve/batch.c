@@ -157,8 +157,10 @@ static void read_profile(const run *r, const csv_row *row)
 {
     const size_t column = r->table.names.column[INPUT_PROFILE];
     const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL};
-    if (column < row->count && row->cell[column][0] != '\0')
-        notice_if_any(profiles_read(row->cell[column], style));
+    if (column >= row->count || row->cell[column][0] == '\0')
+        return;
+    output_options_spare(r->how, row->cell[column]);
+    notice_if_any(profiles_read(row->cell[column], style));
 }
 
 /* Reads rows until there are enough for the threads; false where no more follow. Where memory is

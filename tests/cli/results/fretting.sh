@@ -241,6 +241,8 @@ for metal in "$here"/../../../tables/materials/*.json; do
     close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
         -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9
 done
+refuses "--output metal.csv: it is the input; allowed: another file" fretting cycle.csv $shape --material metal.csv -o metal.csv
+refuses "--output metal.csv: it is the input; allowed: another file" fretting cycle.csv $shape --material metal.csv --worst metal.csv
 refuses "swt-damage: needs sf, b, ef, c of --material" fretting cycle.csv $shape --E1 72100 --nu1 0.33 --criteria swt-damage
 refuses "--method line: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --method line
 refuses "--length 1: needs --at-worst or --worst" fretting cycle.csv $specimen --length 1

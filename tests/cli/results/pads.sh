@@ -85,6 +85,9 @@ run solve -i cases.csv $steel --hull
 message_has "dent.csv: line 4: height 0.03: not convex at 1 place"
 same "rows that are solved" 2 "$(column b out | grep -c '^[0-9]')"
 
+printf 'profile,P\nworn.csv,300\n' >cases.csv
+refuses "--output worn.csv: it is the input; allowed: another file" solve -i cases.csv $steel -o worn.csv
+
 # What is no pad.
 refuses "missing: --radius" solve $steel $loads --flat 1
 refuses "--flat -1: the half-width of the flat must be a number above 0" solve $steel $loads --flat -1 --radius 1

@@ -141,8 +141,6 @@ static int field(const arguments *line)
     output_options how;
     arguments_no_operand(line);
     output_options_read_of(line, grid_formats, "", &how);
-    output_options_spare(&how, line->value[OPTION_HISTORY]);
-    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     loaded_contact_read(line, how.decimal_sign, &points.loaded);
     const double b = points.loaded.b, middle = (points.loaded.left + points.loaded.right) / 2;
     read_axis("x", line->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);

@@ -140,8 +140,6 @@ static int profile(const arguments *line)
     output_options how;
     arguments_no_operand(line);
     output_options_read(line, &how);
-    output_options_spare(&how, line->value[OPTION_HISTORY]);
-    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     read_points(line, &job);
     loaded_contact_read(line, how.decimal_sign, &job.loaded);
     if (job.points > 0 && job.loaded.b == 0)

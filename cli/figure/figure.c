@@ -389,9 +389,7 @@ static int write_command(const arguments *line)
         refuse_criteria(line, to_do.chosen);
         read_case(line, to_do.chosen, &to_do.inputs);
     }
-    output_options_spare(&how, line->value[OPTION_HISTORY]);
-    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
-    output_options_spare(&how, line->value[OPTION_MATERIAL]);
+    output_options_spare_files(line, &how);
     output_options_write(&how, write_figure, &to_do);
     doubts_say((doubts){.error = to_do.inputs.history.error}, "");
     return STATUS_DONE;

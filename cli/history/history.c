@@ -201,7 +201,6 @@ static void check_names(const plan *job)
 static void read_plan(const arguments *line, plan *job, output_options *how)
 {
     output_options_read_of(line, formats, "", how);
-    places_spare_files(line, how);
     if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
         usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
     places_read(line, how->decimal_sign, &job->at);

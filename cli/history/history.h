@@ -61,9 +61,6 @@ typedef struct {
 void places_read(const arguments *line, char decimal_sign, places *to);
 void places_free(places *at);
 
-/* Refuses an output that is the file of loads or of points. */
-void places_spare_files(const arguments *line, const output_options *how);
-
 /* Reads --depth alone: 0 by default. Free the range. */
 void places_read_depth(const arguments *line, range *depth);
 

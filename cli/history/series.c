@@ -112,7 +112,7 @@ static void spare_files(const arguments *line, const output_options *how, const 
     for (size_t step = 0; step < series->count; step++) {
         output_options frame = *how;
         frame.path = frame_name(series, step);
-        places_spare_files(line, &frame);
+        output_options_spare_files(line, &frame);
         free((char *)frame.path);
     }
 }

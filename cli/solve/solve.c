@@ -233,8 +233,6 @@ static int solve(const arguments *line)
     input_texts_from_options(line, &texts);
     arguments_no_operand(line);
     output_options_read(line, &how);
-    output_options_spare(&how, file != NULL ? file : history_file(line));
-    output_options_spare(&how, texts.text[INPUT_PROFILE]);
     check_files(line, file);
     check_threads(line, file);
     task.as_row = read_layout(line);

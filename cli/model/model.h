@@ -129,12 +129,11 @@ typedef struct {
     double A;         /* composite compliance */
     double beta;      /* Dundurs' second constant */
     double tolerance; /* as the texts have it */
-    /* under these loads, as loads_apply_monotonic() has them, or a history; where the library has
-     * refused them, its status says why, and which input is at fault, INPUT_COUNT for none */
+    /* under these loads, which come as loads_apply_monotonic() has them, or by a history */
     rwedge_contact *contact;
-    int32_t status;
-    int at_fault;
     bool has_history;
+    int32_t status; /* of the library, when it was asked to apply the loads */
+    int at_fault;   /* the input that it refused them for; INPUT_COUNT for none */
 } contact_case;
 
 /* What must be given beside the bodies and their shape. */
@@ -150,8 +149,8 @@ typedef enum {
 bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE]);
 
 /* Reads a case, and makes its contact; loads and f are 0 where they are not given. False, with the
- * complaint, where a value is wrong. Destroy the contact also then. Of the library's refusals only
- * those are wrong values that an input is at fault for. */
+ * complaint, where a value is wrong. Loads that the library refuses for no input are no wrong
+ * value: the status tells them. Destroy the contact also after an error. */
 bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
                char complaint[COMPLAINT_SIZE]);
 

@@ -38,9 +38,8 @@ static bool find_second(reading *r, char complaint[COMPLAINT_SIZE])
 
 static bool find_columns(reading *r, const csv_row *first)
 {
-    static const bool no_input[INPUT_COUNT] = {false};
     char complaint[COMPLAINT_SIZE];
-    header_find(first->cell, first->count, no_input, NULL, &r->names, complaint);
+    header_find(first->cell, first->count, 0, 0, NULL, &r->names, complaint);
     if (!header_column(&r->names, r->wanted->first, &r->column[0], complaint) ||
         !find_second(r, complaint))
         return csv_input_stop(r->in, "%s", complaint);

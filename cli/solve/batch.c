@@ -228,15 +228,12 @@ static int write_output(run *r)
 
 static void read_header(run *r)
 {
-    bool wanted[INPUT_COUNT];
     char complaint[COMPLAINT_SIZE];
-    for (int i = 0; i < INPUT_COUNT; i++)
-        wanted[i] = true;
     r->in->takes_malformed = true;
     csv_input_header(r->in, &r->first);
     csv_input_check(r->in);
-    if (!header_find(r->first.cell, r->first.count, wanted, &r->table.constants, &r->table.names,
-                     complaint))
+    if (!header_find(r->first.cell, r->first.count, 0, INPUT_COUNT, &r->table.constants,
+                     &r->table.names, complaint))
         failure("%s: %s", r->in->name, complaint);
     check_constants(r);
     if (r->line->value[OPTION_HULL] != NULL && r->table.constants.text[INPUT_PROFILE] == NULL &&

@@ -66,7 +66,7 @@ static const struct {
 /* Where inputs come from that may stand for a column. */
 typedef struct {
     const header *names;
-    const bool *wanted;
+    int first, end; /* of the wanted inputs */
     const input_texts *options;
 } sources;
 
@@ -87,10 +87,9 @@ static bool is_given_somehow(const sources *from, int input)
  * beside f, may be another thing; so is what stands beside the input's own column. */
 static int slip_for(const sources *from, const char *name, size_t length)
 {
-    for (int i = 0; i < INPUT_COUNT; i++) {
+    for (int i = from->first; i < from->end; i++) {
         const char *column = input_kinds[i].column;
-        if (!from->wanted[i] || header_has_input(from->names, i) ||
-            !column_name_is_like(name, length, column))
+        if (header_has_input(from->names, i) || !column_name_is_like(name, length, column))
             continue;
         if (column[1] != '\0' || memchr(name, column[0], length) != NULL ||
             !is_given_somehow(from, i))
@@ -114,10 +113,12 @@ static bool is_among(const char *names, const char *name, size_t length)
 
 static int synonym_for(const sources *from, const char *name, size_t length)
 {
-    for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
-        if (from->wanted[synonyms[i].input] && !is_given_somehow(from, synonyms[i].input) &&
+    for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++) {
+        const int input = synonyms[i].input;
+        if (input >= from->first && input < from->end && !is_given_somehow(from, input) &&
             is_among(synonyms[i].names, name, length))
-            return synonyms[i].input;
+            return input;
+    }
     return INPUT_COUNT;
 }
 
@@ -153,15 +154,15 @@ static bool is_label(const char *name)
            (is_among("t", plain, stem) && memchr(plain, 't', stem) != NULL);
 }
 
-bool header_find(const char *const name[], size_t count, const bool wanted[INPUT_COUNT],
+bool header_find(const char *const name[], size_t count, int first, int end,
                  const input_texts *options, header *names, char complaint[COMPLAINT_SIZE])
 {
-    const sources from = {names, wanted, options};
+    const sources from = {names, first, end, options};
     *names = (header){.name = name, .count = count};
     for (int i = 0; i < INPUT_COUNT; i++)
         names->column[i] = count;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (wanted[i] && !header_column(names, input_kinds[i].column, &names->column[i], complaint))
+    for (int i = first; i < end; i++)
+        if (!header_column(names, input_kinds[i].column, &names->column[i], complaint))
             return false;
     for (size_t i = 0; i < count; i++) {
         const bool is_input = header_is_input(names, i);
@@ -247,9 +248,7 @@ bool cell_read(const char *text, const char *column, char decimal_sign, double *
 bool load_header_find(const char *const name[], size_t count, header *names,
                       char complaint[COMPLAINT_SIZE])
 {
-    static const bool wanted[INPUT_COUNT] = {
-        [INPUT_P] = true, [INPUT_M] = true, [INPUT_Q] = true, [INPUT_SIGMA] = true};
-    if (!header_find(name, count, wanted, NULL, names, complaint))
+    if (!header_find(name, count, INPUT_P, INPUT_SIGMA + 1, NULL, names, complaint))
         return false;
     if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
         return true;

@@ -38,12 +38,13 @@ typedef struct {
     bool is_used[HEADER_COLUMNS]; /* inputs, and labels of the rows */
 } header;
 
-/* Finds the wanted inputs among the names; other names are columns like any other. An input that
- * the options give needs no column; the options may be NULL. False, with the complaint,
+/* Finds the inputs from `first` on, before `end`, among the names; other names are columns like any
+ * other. An input that the options give needs no column; the options may be NULL. False, with the
+ * complaint,
  *   - where an input is there twice,
  *   - where a name is nearly that of an input, or is followed by a unit, as "Q [N]" or "Q in N",
  *   - where a name usually means an input that nothing gives. */
-bool header_find(const char *const name[], size_t count, const bool wanted[INPUT_COUNT],
+bool header_find(const char *const name[], size_t count, int first, int end,
                  const input_texts *options, header *names, char complaint[COMPLAINT_SIZE]);
 
 bool header_has_input(const header *names, int input);

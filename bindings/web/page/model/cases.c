@@ -25,12 +25,9 @@ static void leave_to_columns(const header *names, input_texts *constants)
 static bool begin(const csv_row *first, char *lines, char decimal_sign, case_table *table,
                   char complaint[COMPLAINT_SIZE])
 {
-    bool wanted[INPUT_COUNT];
-    for (int i = 0; i < INPUT_COUNT; i++)
-        wanted[i] = true;
     table->constants = field_texts(lines);
     /* the form stands for no column that is nearly named: nothing is given but the columns */
-    if (!header_find(first->cell, first->count, wanted, NULL, &table->names, complaint))
+    if (!header_find(first->cell, first->count, 0, INPUT_COUNT, NULL, &table->names, complaint))
         return false;
     leave_to_columns(&table->names, &table->constants);
     for (int i = 0; i < INPUT_COUNT; i++)

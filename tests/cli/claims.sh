@@ -152,6 +152,9 @@ cannot() {
     fails_with_status 1 "$@"
 }
 
+# A cylinder that several scripts press, as Nowell and Hills did: off_centre.sh has its sizes.
+specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
+
 # What reads a file whose columns ';' separates.
 semicolons='--decimal-comma reads that, or, where numbers have a point, a first line "sep=;"'
 

@@ -2,8 +2,6 @@
 # Loads without a closed form: computed, with the error; refused with --exact.
 . "$(dirname "$0")/../claims.sh"
 
-specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
-
 # A tension that lags behind Q. What has a closed form is the same with and without computing, to the last digit.
 awk 'BEGIN { print "P,Q,sigma\n135.75,0,0"; for (i = 1; i <= 6; i++) { w = 6.283185307 * i / 12
     printf "135.75,%.6g,%.6g\n", 30 * sin(w), 100 * sin(w - 0.7) } }' >lags.csv

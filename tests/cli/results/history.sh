@@ -8,7 +8,6 @@ cells() {
 }
 
 # The tests of Nowell and Hills: a cylinder on a specimen under bulk tension in phase with Q. Their numbers as in off_centre.sh.
-specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 printf 'time,P,Q,sigma,name\n0,135.75,0,0,press\n0.5,135.75,38.75,100,pull\n1,135.75,-38.75,-100,push\n1.5,135.75,38.75,100,"pull, again"\n' >loads.csv
 does_quietly history loads.csv $specimen
 same "columns" "time,name,load,P,M,Q,sigma,left,right,stick_left,stick_right,tilt,peak_pressure,tension_left,tension_right,largest_slip,energy,yield_factor,yield_x,yield_y,warnings,error" \

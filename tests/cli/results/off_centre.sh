@@ -5,7 +5,6 @@
 # A cylinder on a specimen under bulk tension (Nowell and Hills), N and mm: 4 mm wide, E = 72.1 GPa, nu = 0.33, 543 N, 155 N,
 # R = 10, f = 0.3, 100 MPa. The stick zone has the half-width c = b sqrt(1 - Q/(fP)) = 0.045519 and the middle e = b sigma/(4 f
 # p0) = 0.041197. The tension at the trailing edge is 2 f p0 (1 - (d - sqrt(d^2 - c^2))/b) + sigma, d = b + e.
-specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 does_quietly solve $specimen --P 135.75 --Q 38.75 --sigma 100
 close_to b 0.206698 "$(value b)" 3e-6
 close_to p0 418.104 "$(value p0)" 2e-6

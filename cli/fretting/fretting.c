@@ -211,7 +211,7 @@ static void say_what_is_doubtful(const plan *job)
     if (!job->last.slip_known)
         notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
                "energy_per_area are empty");
-    load_history_say_unused(&job->history.loads);
+    unused_say(&job->history.loads.names, job->history.loads.name);
 }
 
 static bool is_deep(const measured *result)

@@ -139,13 +139,15 @@ typedef struct {
 static void write_load(plan *job, size_t step, const rwedge_contact *contact, records *rows)
 {
     after_load row;
+    const load_history *loads = &job->history.loads;
+    const size_t place = contact_history_row(&job->history, step);
     compute(&job->history.setup, contact, step + 1, &row);
-    load_history_write_unused(&job->history.loads, contact_history_row(&job->history, step),
-                              row.warnings, sizeof row.warnings);
+    header_write_unused_of(&loads->names, loads->row[place].cell, row.warnings,
+                           sizeof row.warnings);
     doubts_add(&job->doubts, row.doubts);
-    passed_cells(&job->history.loads, contact_history_row(&job->history, step), rows);
+    passed_cells(loads, place, rows);
     records_row(rows, AFTER_COUNT, row.value);
-    if ((step + 1) % job->history.loads.count == 0) {
+    if (place + 1 == loads->count) {
         job->energy[0] = job->energy[1];
         job->energy[1] = rwedge_contact_dissipated_energy(contact);
     }
@@ -217,7 +219,7 @@ static void say_doubts(const plan *job)
     doubts all = job->doubts;
     doubts_add(&all, (doubts){.error = job->history.error}); /* with points no row says it */
     doubts_say(all, where);
-    load_history_say_unused(&job->history.loads);
+    unused_say(&job->history.loads.names, job->history.loads.name);
     const double energy = job->energy[1] - job->energy[0]; /* NAN where it is not known */
     if (job->history.cycles > 1 && job->at.count == 0 && !isnan(energy))
         notice("dissipated in the last cycle: %.6g", energy);

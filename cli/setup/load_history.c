@@ -106,7 +106,7 @@ static void take_row(csv_input *in, char decimal_sign, load_history *loads)
     if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign, &to,
                        complaint))
         failure("%s: line %" PRId64 ": %s", in->name, in->row.line, complaint);
-    header_note_unused(&loads->names, in->row.cell, loads->unused);
+    header_note_unused(&loads->names, in->row.cell);
     csv_row_keep(in, &row);
     add(loads, to, row);
 }
@@ -138,23 +138,6 @@ void load_history_read(const arguments *line, char decimal_sign, load_history *l
     read_rows(in, decimal_sign, loads);
     loads->has_mark = in->has_mark;
     csv_input_close(in);
-}
-
-/* ---- Columns that nothing uses ---- */
-
-void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size)
-{
-    bool unused[HEADER_COLUMNS] = {false};
-    if (loads->name == NULL)
-        return;
-    header_note_unused(&loads->names, loads->row[row].cell, unused);
-    header_write_unused(&loads->names, unused, text, size);
-}
-
-void load_history_say_unused(const load_history *loads)
-{
-    if (loads->name != NULL)
-        unused_say(&loads->names, loads->unused, loads->name);
 }
 
 /* ---- Applied ---- */
@@ -205,6 +188,6 @@ void history_case(const arguments *line, const input_texts *texts, case_needs ne
     status_check(setup->status, "the contact");
     load_history_read(line, decimal_sign, &loads);
     load_history_apply_all(&loads, setup, NULL);
-    load_history_say_unused(&loads);
+    unused_say(&loads.names, loads.name);
     setup->has_history = true;
 }

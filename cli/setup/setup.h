@@ -16,8 +16,8 @@ void notice_if_any(const char *text);
 /* Ends the command where the library has not answered about the subject. */
 void status_check(int32_t status, const char *subject);
 
-/* Which columns of a file have numbers that nothing uses. */
-void unused_say(const header *names, const bool unused[HEADER_COLUMNS], const char *file);
+/* Which columns of a file have numbers that nothing uses, in the rows that were noted. */
+void unused_say(const header *names, const char *file);
 
 /* ---- input_options ---- The inputs of a contact as options of a command. */
 
@@ -64,8 +64,7 @@ typedef struct {
     const char *name; /* of the file, as messages call it; NULL where --load gave the loads */
     csv_row first;    /* of the file, and what its columns are */
     header names;
-    bool unused[HEADER_COLUMNS]; /* columns with numbers that are not used */
-    bool has_mark;               /* whether the file begins with the mark of Unicode */
+    bool has_mark; /* whether the file begins with the mark of Unicode */
     load *load;
     csv_row *row; /* of the file, where each stands; of --load its text and what follows */
     size_t count;
@@ -82,10 +81,6 @@ void history_check(const arguments *line);
 /* Reads the file where there is one, else the list; or the list of --load. */
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads);
 void load_history_read_list(const arguments *line, load_history *loads);
-
-/* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
-void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size);
-void load_history_say_unused(const load_history *loads);
 
 /* Applies them all, in order, to the contact of a case; the first refusal ends the command. Where
  * doubts is not NULL those of the states are added. */

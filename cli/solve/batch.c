@@ -24,7 +24,6 @@ typedef struct {
     csv_input *in;
     csv_row first;
     case_table table;
-    bool unused[HEADER_COLUMNS]; /* columns with numbers in any row that are not used */
     records *rows;
     int64_t count, failed;
     doubts doubts; /* of any row */
@@ -113,7 +112,7 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
     write_error(r, row, solution->complaint);
     records_end_row(r->rows);
     if (row->count == r->table.names.count)
-        header_note_unused(&r->table.names, row->cell, r->unused);
+        header_note_unused(&r->table.names, row->cell);
     r->count++;
     r->failed += solution->solved ? 0 : 1;
     if (solution->solved)
@@ -218,7 +217,7 @@ static void say_doubts(const run *r)
 static int write_output(run *r)
 {
     output_options_write(r->how, write_rows, r);
-    unused_say(&r->table.names, r->unused, r->in->name);
+    unused_say(&r->table.names, r->in->name);
     if (r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                r->in->name, r->failed, r->count);

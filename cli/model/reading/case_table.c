@@ -90,13 +90,6 @@ static bool has_no_gap(const case_table *table, const input_texts *texts,
     return true;
 }
 
-static void warn_of_unused(const case_table *table, const char *const row[], results *answer)
-{
-    bool unused[HEADER_COLUMNS] = {false};
-    header_note_unused(&table->names, row, unused);
-    header_write_unused(&table->names, unused, answer->warnings, sizeof answer->warnings);
-}
-
 bool case_table_solve(const case_table *table, const char *const row[], size_t count,
                       results *answer, char complaint[COMPLAINT_SIZE])
 {
@@ -116,6 +109,6 @@ bool case_table_solve(const case_table *table, const char *const row[], size_t c
         return false;
     if (texts.text[INPUT_F] == NULL)
         results_warn(answer, "no friction given");
-    warn_of_unused(table, row, answer);
+    header_write_unused_of(&table->names, row, answer->warnings, sizeof answer->warnings);
     return true;
 }

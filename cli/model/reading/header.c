@@ -187,22 +187,29 @@ static bool looks_like_number(const char *text)
     return number_read_cell(bare, '.', &number) || number_read_cell(bare, ',', &number);
 }
 
-void header_note_unused(const header *names, const char *const cells[], bool unused[HEADER_COLUMNS])
+void header_note_unused(header *names, const char *const cells[])
 {
     for (size_t i = 0; i < names->count; i++)
-        if (!names->is_used[i] && !unused[i])
-            unused[i] = looks_like_number(cells[i]);
+        if (!names->is_used[i] && !names->has_number[i])
+            names->has_number[i] = looks_like_number(cells[i]);
 }
 
-void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS], char *text,
-                         size_t size)
+void header_write_unused(const header *names, char *text, size_t size)
 {
     char list[400] = "";
     for (size_t i = 0; i < names->count; i++)
-        if (unused[i])
+        if (names->has_number[i])
             list_add(list, sizeof list, ", ", "'%.60s'", names->name[i]);
     if (list[0] != '\0')
         list_add(text, size, "; ", "columns with numbers that are not used: %s", list);
+}
+
+void header_write_unused_of(const header *names, const char *const cells[], char *text, size_t size)
+{
+    header row = *names;
+    memset(row.has_number, 0, sizeof row.has_number);
+    header_note_unused(&row, cells);
+    header_write_unused(&row, text, size);
 }
 
 /* ---- Rows ---- */

@@ -71,16 +71,15 @@ static void write_row(const case_table *table, const csv_row *row)
 }
 
 /* The rows below the names; or the problem, where they cannot be read on. */
-static void write_rows(csv_input *in, const case_table *table)
+static void write_rows(csv_input *in, case_table *table)
 {
-    bool is_unused[HEADER_COLUMNS] = {false};
     char unused[COMPLAINT_SIZE] = "";
     while (csv_input_next(in)) {
         write_row(table, &in->row);
         if (in->row.count == table->names.count)
-            header_note_unused(&table->names, in->row.cell, is_unused);
+            header_note_unused(&table->names, in->row.cell);
     }
-    header_write_unused(&table->names, is_unused, unused, sizeof unused);
+    header_write_unused(&table->names, unused, sizeof unused);
     json_add("{'unused':%t}", unused);
     if (in->problem[0] != '\0')
         json_refuse("", in->problem);

@@ -57,7 +57,6 @@ static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, lo
                       char complaint[COMPLAINT_SIZE])
 {
     header names;
-    bool unused[HEADER_COLUMNS] = {false};
     const bool bare = usual_names(first->count) != NULL && is_load(first, decimal_sign);
     bool taken = load_header_find(bare ? usual_names(first->count) : first->cell, first->count,
                                   &names, complaint) &&
@@ -65,10 +64,10 @@ static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, lo
     while (taken && csv_input_next(in)) {
         taken = take_row(&names, &in->row, decimal_sign, loads, complaint);
         if (taken)
-            header_note_unused(&names, in->row.cell, unused);
+            header_note_unused(&names, in->row.cell);
     }
     if (taken)
-        header_write_unused(&names, unused, loads->unused, sizeof loads->unused);
+        header_write_unused(&names, loads->unused, sizeof loads->unused);
     return taken && (loads->count > 0 || complain(complaint, "no loads below the names"));
 }
 

@@ -53,7 +53,8 @@ static void write_point(const grid *points, records *rows, double x, double y)
 {
     const loaded_contact *loaded = &points->loaded;
     const double unit = loaded->length_unit;
-    const tensor at = point_stress(loaded->contact, &loaded->shape, loaded->nu, x * unit, y * unit);
+    const tensor at = point_stress(loaded->setup.contact, &loaded->setup.shape, loaded->setup.nu1,
+                                   x * unit, y * unit);
     point_write(rows, x, y, &at);
     progress_step();
 }
@@ -140,8 +141,6 @@ static int field(const arguments *line)
     output_options how;
     arguments_no_operand(line);
     output_options_read_of(line, grid_formats, "", &how);
-    output_options_spare(&how, line->value[OPTION_HISTORY]);
-    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     loaded_contact_read(line, how.decimal_sign, &points.loaded);
     const double b = points.loaded.b, middle = (points.loaded.left + points.loaded.right) / 2;
     read_axis("x", line->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);

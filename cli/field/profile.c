@@ -63,7 +63,7 @@ static int32_t slip_at(const loaded_contact *loaded, double at, double *slip)
 {
     if (loaded->b == 0 || at < loaded->touches.left || at > loaded->touches.right)
         return RWEDGE_OK;
-    const int32_t status = rwedge_contact_slip(loaded->contact, 1, &at, slip);
+    const int32_t status = rwedge_contact_slip(loaded->setup.contact, 1, &at, slip);
     return status == RWEDGE_EPATH ? RWEDGE_OK : status;
 }
 
@@ -75,11 +75,11 @@ static int32_t look(const loaded_contact *loaded, double at, double value[])
     double syy, txy;
     int32_t status = RWEDGE_OK;
     value[P] = value[Q] = value[SXX] = value[SLIP] = NAN;
-    if (loaded->b == 0 || !pad_is_kink(&loaded->shape, at)) {
-        status = rwedge_contact_tractions(loaded->contact, 1, &at, &value[P], &value[Q]);
+    if (loaded->b == 0 || !pad_is_kink(&loaded->setup.shape, at)) {
+        status = rwedge_contact_tractions(loaded->setup.contact, 1, &at, &value[P], &value[Q]);
         if (status == RWEDGE_OK)
-            status =
-                rwedge_contact_stresses(loaded->contact, 1, &at, &surface, &value[SXX], &syy, &txy);
+            status = rwedge_contact_stresses(loaded->setup.contact, 1, &at, &surface, &value[SXX],
+                                             &syy, &txy);
     }
     return status == RWEDGE_OK ? slip_at(loaded, at, &value[SLIP]) : status;
 }
@@ -130,7 +130,7 @@ static void read_points(const arguments *line, plan *job)
 static void say_unknown_slip(const loaded_contact *loaded)
 {
     double slip;
-    if (rwedge_contact_slip(loaded->contact, 1, &loaded->touches.left, &slip) == RWEDGE_EPATH)
+    if (rwedge_contact_slip(loaded->setup.contact, 1, &loaded->touches.left, &slip) == RWEDGE_EPATH)
         notice("the slip has no closed form after these loads: the column slip is empty");
 }
 
@@ -140,8 +140,6 @@ static int profile(const arguments *line)
     output_options how;
     arguments_no_operand(line);
     output_options_read(line, &how);
-    output_options_spare(&how, line->value[OPTION_HISTORY]);
-    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
     read_points(line, &job);
     loaded_contact_read(line, how.decimal_sign, &job.loaded);
     if (job.points > 0 && job.loaded.b == 0)

@@ -296,10 +296,8 @@ static void read_history(const arguments *line, char decimal_sign, work *to_do)
         refuse_criteria(line, chosen);
     refuse_other_variables(line, chosen);
     read_point(&bodies, decimal_sign, to_do);
-    contact_history_read(
-        &bodies, decimal_sign,
-        (usual_cycles){.cycles = chosen->cycles, .of_two = chosen->cycles > 2 ? 0 : 2},
-        &inputs->history);
+    contact_history_read(&bodies, decimal_sign, chosen->cycles,
+                         chosen->cycles > 2 ? chosen->cycles : 2, &inputs->history);
     inputs->half_width = largest_half_width(&inputs->history);
     if (has_measure)
         read_measure_and_place(&bodies, inputs);
@@ -391,8 +389,7 @@ static int write_command(const arguments *line)
         refuse_criteria(line, to_do.chosen);
         read_case(line, to_do.chosen, &to_do.inputs);
     }
-    output_options_spare(&how, line->value[OPTION_HISTORY]);
-    output_options_spare(&how, line->value[OPTION_INPUT + INPUT_PROFILE]);
+    output_options_spare_files(line, &how);
     output_options_write(&how, write_figure, &to_do);
     doubts_say((doubts){.error = to_do.inputs.history.error}, "");
     return STATUS_DONE;

@@ -146,9 +146,8 @@ static void read_damage(int criterion, int damage, const char *needed, criteria 
     if (asked->is_wanted[damage] && !has_life)
         usage_error("%s: needs %s of --material", criterion_kinds[damage].name, needed);
     asked->is_wanted[damage] =
-        asked->is_wanted[damage] || asked->is_wanted[criterion] || !asked->is_listed;
-    asked->is_wanted[damage] =
-        asked->is_wanted[damage] && has_life && !isnan(asked->constant[criterion]);
+        (asked->is_wanted[damage] || asked->is_wanted[criterion] || !asked->is_listed) &&
+        has_life && !isnan(asked->constant[criterion]);
     asked->constant[damage] = asked->is_wanted[damage] ? asked->constant[criterion] : NAN;
 }
 

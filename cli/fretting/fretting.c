@@ -182,12 +182,11 @@ static void read_plan(arguments *line, plan *job, output_options *how)
     output_options_read_of(line, grid_formats, "", how);
     if (is_for_paraview(how) && line->value[OPTION_AT_WORST] != NULL)
         usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
-    places_spare_files(line, how);
     job->threads = threads_read(line);
     material_read(line->value[OPTION_MATERIAL], line, &job->constants);
     criteria_read(line, &job->constants, &asked);
     job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
-    contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 3}, &job->history);
+    contact_history_read(line, how->decimal_sign, 3, 3, &job->history);
     criteria_read_strength(line, &job->history.setup, &asked);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
     surface_places(line, how->decimal_sign, &job->last, &job->result);
@@ -195,16 +194,15 @@ static void read_plan(arguments *line, plan *job, output_options *how)
 
 /* The output options of --worst: those of the rows, with its own file and the format of its
  * ending. */
-static void read_worst(const arguments *line, const output_options *how, output_options *worst)
+static void read_worst(const arguments *line, output_options *worst)
 {
     arguments its = *line;
     if (line->value[OPTION_WORST] == NULL)
         return;
     its.value[OPTION_OUTPUT] = line->value[OPTION_WORST];
+    its.value[OPTION_WORST] = line->value[OPTION_OUTPUT]; /* another file */
     its.value[OPTION_FORMAT] = NULL;
     output_options_read(&its, worst);
-    places_spare_files(line, worst);
-    output_options_spare(worst, how->path);
 }
 
 static void say_what_is_doubtful(const plan *job)
@@ -213,7 +211,7 @@ static void say_what_is_doubtful(const plan *job)
     if (!job->last.slip_known)
         notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
                "energy_per_area are empty");
-    load_history_say_unused(&job->history.loads);
+    unused_say(&job->history.loads.names, job->history.loads.name);
 }
 
 static bool is_deep(const measured *result)
@@ -241,7 +239,7 @@ static int fretting(const arguments *typed)
     output_options how, how_worst = {.path = NULL};
     char worst[2400];
     read_plan(&line, &job, &how);
-    read_worst(&line, &how, &how_worst);
+    read_worst(&line, &how_worst);
     compute(&job);
     worst_find(&job.result, &job.worst);
     worst_write(&job.worst, is_deep(&job.result), worst, sizeof worst);

@@ -67,9 +67,6 @@ typedef struct {
     worst_row row[COLUMN_COUNT];
 } worst_table;
 
-/* The place with the largest value of a column, the first of several. */
-size_t measured_best(const measured *result, int column);
-
 void worst_find(const measured *result, worst_table *worst);
 
 /* Those between the places become places too. */

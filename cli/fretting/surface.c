@@ -6,31 +6,13 @@
 
 /* ---- The last cycle ---- */
 
-static void note(const contact_case *setup, const rwedge_contact *contact, doubts *all)
-{
-    if (all != NULL)
-        doubts_add(all, doubts_of_state(setup, contact));
-}
-
-/* Loads before the first cycle that the contact may yield under. */
-static void note_before(const contact_history *history, doubts *all)
-{
-    char complaint[COMPLAINT_SIZE];
-    rwedge_contact *contact;
-    if (case_contact(&history->setup, &contact) != RWEDGE_OK)
-        return;
-    for (size_t i = 0; i < history->before.count; i++)
-        if (loads_apply_next(history->before.load[i], history->setup.f, contact, complaint))
-            note(&history->setup, contact, all);
-    rwedge_contact_destroy(contact);
-}
-
 void history_cycle(const contact_history *history, const criteria *asked, last_cycle *cycle,
                    doubts *all)
 {
     const size_t steps = history->steps, rows = history->loads.count;
     const size_t first = steps > rows ? steps - rows : 0;
-    note_before(history, all);
+    if (all != NULL)
+        doubts_add(all, history->doubts_before);
     rwedge_contact *contact = contact_history_begin(history);
     for (size_t step = 0; step < steps; step++) {
         if (step == first)
@@ -39,7 +21,8 @@ void history_cycle(const contact_history *history, const criteria *asked, last_c
         if (step < first)
             continue;
         last_cycle_add(contact, cycle);
-        note(&history->setup, contact, all);
+        if (all != NULL)
+            doubts_add(all, doubts_of_state(&history->setup, contact));
     }
     rwedge_contact_destroy(contact);
     last_cycle_end(cycle);

@@ -6,17 +6,6 @@
 
 /* ---- The search ---- */
 
-size_t measured_best(const measured *result, int column)
-{
-    size_t best = 0;
-    for (size_t i = 0; i < result->count; i++) {
-        const double value = result->place[i].value[column];
-        if (isnan(result->place[best].value[column]) || value > result->place[best].value[column])
-            best = i;
-    }
-    return best;
-}
-
 /* On the line of the best place, between the places too. */
 static void search_line(const last_cycle *last, const measured *result, int column, size_t best,
                         worst_row *row)

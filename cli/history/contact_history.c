@@ -49,16 +49,15 @@ load contact_history_load(const contact_history *history, size_t step)
 rwedge_contact *contact_history_begin(const contact_history *history)
 {
     rwedge_contact *contact;
-    status_check(case_contact(&history->setup, &contact), "the contact");
-    load_history_apply_all(&history->before, history->setup.f, contact);
+    status_check(rwedge_contact_copy(history->setup.contact, &contact), "the contact");
     return contact;
 }
 
 /* Where there are several cycles, the word says in which it was. */
-static void refuse(const contact_history *history, size_t step, bool until, const char *complaint)
+static void refuse(const contact_history *history, bool until, const char *complaint)
 {
     char word[40] = "", place[LOAD_PLACE_SIZE];
-    const size_t row = contact_history_row(history, step);
+    const size_t step = history->steps, row = contact_history_row(history, step);
     if (step >= history->loads.count)
         snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
     if (!until || step == 0)
@@ -67,35 +66,29 @@ static void refuse(const contact_history *history, size_t step, bool until, cons
            word, complaint);
 }
 
-static bool try_load(const contact_history *history, size_t step, bool until,
-                     rwedge_contact *contact)
-{
-    char complaint[COMPLAINT_SIZE];
-    const bool is_applied =
-        loads_apply_next(contact_history_load(history, step), history->setup.f, contact, complaint);
-    if (!is_applied)
-        refuse(history, step, until, complaint);
-    return is_applied;
-}
-
 void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact)
 {
-    try_load(history, step, false, contact);
+    status_check(loads_apply(contact_history_load(history, step), contact), "the loads");
 }
 
 static void try_loads(contact_history *history, bool until)
 {
     const size_t wanted = history->loads.count * (size_t)history->cycles;
+    char complaint[COMPLAINT_SIZE] = "";
     rwedge_contact *contact = contact_history_begin(history);
-    while (history->steps < wanted && try_load(history, history->steps, until, contact)) {
+    while (history->steps < wanted &&
+           loads_apply_next(contact_history_load(history, history->steps), history->setup.f,
+                            contact, complaint)) {
         history->steps++;
         history->error = fmax(history->error, rwedge_contact_error(contact));
     }
     rwedge_contact_destroy(contact);
+    if (complaint[0] != '\0')
+        refuse(history, until, complaint);
 }
 
-void contact_history_read(const arguments *line, char decimal_sign, usual_cycles usage,
-                          contact_history *history)
+void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,
+                          int64_t cycles_of_two, contact_history *history)
 {
     input_texts texts;
     char complaint[COMPLAINT_SIZE];
@@ -103,13 +96,16 @@ void contact_history_read(const arguments *line, char decimal_sign, usual_cycles
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
     check_loads(line);
-    read_cycles(line, usage.cycles);
+    read_cycles(line, cycles);
     if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, complaint))
         usage_error("%s", complaint);
+    status_check(history->setup.status, "the contact");
     load_history_read(line, decimal_sign, &history->loads);
-    if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL)
-        load_history_read_list(line, &history->before);
-    const bool to_and_fro = usage.of_two > 0 && history->loads.count == 2;
-    history->cycles = read_cycles(line, to_and_fro ? usage.of_two : usage.cycles);
+    if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL) {
+        load_history before;
+        load_history_read_list(line, &before);
+        load_history_apply_all(&before, &history->setup, &history->doubts_before);
+    }
+    history->cycles = read_cycles(line, history->loads.count == 2 ? cycles_of_two : cycles);
     try_loads(history, line->value[OPTION_UNTIL] != NULL);
 }

@@ -61,16 +61,13 @@ static int32_t find_yield(const contact_case *setup, const rwedge_contact *conta
 /* What there is to tell of a contact that touches. */
 static int32_t touch(const contact_case *setup, const rwedge_contact *contact, double value[])
 {
-    const double surface[2] = {0, 0};
-    double syy[2], txy[2];
-    if (rwedge_contact_edges(contact, &value[LEFT], &value[RIGHT]) != RWEDGE_OK)
+    const int32_t status = edge_tensions(contact, &value[LEFT], &value[TENSION_LEFT]);
+    if (isnan(value[LEFT]))
         return RWEDGE_OK;
     rwedge_contact_stick_zone(contact, &value[STICK_LEFT], &value[STICK_RIGHT]);
     value[TILT] = rwedge_contact_tilt(contact);
     value[PRESSURE] = peak_pressure(setup, contact);
     value[SLIP] = peak_over(value[LEFT], value[RIGHT], slip_size_at, contact);
-    const int32_t status =
-        rwedge_contact_stresses(contact, 2, &value[LEFT], surface, &value[TENSION_LEFT], syy, txy);
     return status == RWEDGE_OK ? find_yield(setup, contact, value) : status;
 }
 
@@ -142,13 +139,15 @@ typedef struct {
 static void write_load(plan *job, size_t step, const rwedge_contact *contact, records *rows)
 {
     after_load row;
+    const load_history *loads = &job->history.loads;
+    const size_t place = contact_history_row(&job->history, step);
     compute(&job->history.setup, contact, step + 1, &row);
-    load_history_write_unused(&job->history.loads, contact_history_row(&job->history, step),
-                              row.warnings, sizeof row.warnings);
+    header_write_unused_of(&loads->names, loads->row[place].cell, row.warnings,
+                           sizeof row.warnings);
     doubts_add(&job->doubts, row.doubts);
-    passed_cells(&job->history.loads, contact_history_row(&job->history, step), rows);
+    passed_cells(loads, place, rows);
     records_row(rows, AFTER_COUNT, row.value);
-    if ((step + 1) % job->history.loads.count == 0) {
+    if (place + 1 == loads->count) {
         job->energy[0] = job->energy[1];
         job->energy[1] = rwedge_contact_dissipated_energy(contact);
     }
@@ -204,12 +203,11 @@ static void check_names(const plan *job)
 static void read_plan(const arguments *line, plan *job, output_options *how)
 {
     output_options_read_of(line, formats, "", how);
-    places_spare_files(line, how);
     if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
         usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
     places_read(line, how->decimal_sign, &job->at);
     check_series(job, how);
-    contact_history_read(line, how->decimal_sign, (usual_cycles){.cycles = 1}, &job->history);
+    contact_history_read(line, how->decimal_sign, 1, 1, &job->history);
     check_names(job);
 }
 
@@ -221,7 +219,7 @@ static void say_doubts(const plan *job)
     doubts all = job->doubts;
     doubts_add(&all, (doubts){.error = job->history.error}); /* with points no row says it */
     doubts_say(all, where);
-    load_history_say_unused(&job->history.loads);
+    unused_say(&job->history.loads.names, job->history.loads.name);
     const double energy = job->energy[1] - job->energy[0]; /* NAN where it is not known */
     if (job->history.cycles > 1 && job->at.count == 0 && !isnan(energy))
         notice("dissipated in the last cycle: %.6g", energy);

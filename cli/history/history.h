@@ -12,15 +12,9 @@ enum { OPTION_CYCLES = OPTION_AFTER_LOADS, OPTION_UNTIL, OPTION_AFTER_HISTORY };
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
 extern struct poptOption history_option_table[];
 
-/* How often a command goes through the loads where --cycles is not given. */
 typedef struct {
-    int64_t cycles;
-    int64_t of_two; /* through two loads, to and fro; 0 where that makes no difference */
-} usual_cycles;
-
-typedef struct {
-    contact_case setup;
-    load_history before; /* applied once, before the first cycle; perhaps none */
+    contact_case setup; /* the contact is that before the first cycle */
+    doubts doubts_before;
     load_history loads;
     int64_t cycles; /* how often the table is gone through */
     size_t steps;   /* how many loads are applied: all, or with --until those before the first that
@@ -30,15 +24,16 @@ typedef struct {
 
 /* Reads the options, and a file that stands in place of --history, and tries every load: a load
  * that cannot be applied ends the command, unless --until is given. Beside a file, --load gives
- * loads before the first cycle. */
-void contact_history_read(const arguments *line, char decimal_sign, usual_cycles usage,
-                          contact_history *history);
+ * loads before the first cycle. The cycles are those where --cycles is not given, and where there
+ * are two loads, to and fro. */
+void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,
+                          int64_t cycles_of_two, contact_history *history);
 
 /* The row of the table that the load of this step stands in. */
 size_t contact_history_row(const contact_history *history, size_t step);
 load contact_history_load(const contact_history *history, size_t step);
 
-/* The contact before its first cycle. */
+/* A copy of the contact before its first cycle. */
 rwedge_contact *contact_history_begin(const contact_history *history);
 
 /* Applies the load of a step, which has been tried. */
@@ -65,9 +60,6 @@ typedef struct {
 /* Reads --at or --points; or --x with --depth, which is 0 by default. Free them. */
 void places_read(const arguments *line, char decimal_sign, places *to);
 void places_free(places *at);
-
-/* Refuses an output that is the file of loads or of points. */
-void places_spare_files(const arguments *line, const output_options *how);
 
 /* Reads --depth alone: 0 by default. Free the range. */
 void places_read_depth(const arguments *line, range *depth);

@@ -134,10 +134,3 @@ void places_read(const arguments *line, char decimal_sign, places *to)
     else if (x != NULL)
         read_grid(line, to);
 }
-
-void places_spare_files(const arguments *line, const output_options *how)
-{
-    output_options_spare(how, history_file(line));
-    output_options_spare(how, line->value[OPTION_INPUT + INPUT_PROFILE]);
-    output_options_spare(how, line->value[OPTION_POINTS]);
-}

@@ -49,22 +49,24 @@ static size_t stem_length(const char *path)
 /* The files of a series and of the one that it replaces have other names: an interruption leaves
  * the old series whole. */
 typedef struct {
+    const char *path; /* of their list */
     const char *mark; /* "" or "b", in the names */
     size_t count;
 } frames;
 
-static char *frame_name(const char *path, const char *mark, size_t step)
+static char *frame_name(const frames *all, size_t step)
 {
-    const size_t size = strlen(path) + 40;
+    const size_t size = strlen(all->path) + 40;
     char *name = memory_zeroed(size, 1);
-    snprintf(name, size, "%.*s_%s%04zu.vtk", (int)stem_length(path), path, mark, step + 1);
+    snprintf(name, size, "%.*s_%s%04zu.vtk", (int)stem_length(all->path), all->path, all->mark,
+             step + 1);
     return name;
 }
 
 /* The files that the present series names; none where there is no series. */
 static frames frames_of(const char *path)
 {
-    frames old = {"b", 0};
+    frames old = {path, "b", 0};
     char line[4096];
     FILE *list = fopen(path, "rb");
     while (list != NULL && fgets(line, sizeof line, list) != NULL)
@@ -75,10 +77,10 @@ static frames frames_of(const char *path)
     return old;
 }
 
-static void remove_frames(const char *path, frames old)
+static void remove_frames(const frames *old)
 {
-    for (size_t step = 0; step < old.count; step++) {
-        char *name = frame_name(path, old.mark, step);
+    for (size_t step = 0; step < old->count; step++) {
+        char *name = frame_name(old, step);
         remove(name);
         free(name);
     }
@@ -86,19 +88,14 @@ static void remove_frames(const char *path, frames old)
 
 /* ---- The list ---- */
 
-typedef struct {
-    const char *path;
-    frames all;
-} list;
-
-static void write_list(void *of_list, records *rows)
+static void write_list(void *of_frames, records *rows)
 {
-    const list *series = of_list;
-    const char *slash = strrchr(series->path, '/');
-    const char *file = slash != NULL ? slash + 1 : series->path;
+    frames series = *(const frames *)of_frames;
+    const char *slash = strrchr(series.path, '/');
+    series.path = slash != NULL ? slash + 1 : series.path;
     output_text(rows->out, "{\"file-series-version\": \"1.0\", \"files\": [");
-    for (size_t i = 0; i < series->all.count; i++) {
-        char *name = frame_name(file, series->all.mark, i);
+    for (size_t i = 0; i < series.count; i++) {
+        char *name = frame_name(&series, i);
         char *json = memory_checked(json_quoted(name));
         output_print(rows->out, "%s\n{\"name\": %s, \"time\": %zu}", i == 0 ? "" : ",", json,
                      i + 1);
@@ -110,12 +107,12 @@ static void write_list(void *of_list, records *rows)
 
 /* ---- All ---- */
 
-static void spare_files(const arguments *line, const output_options *how, const list *series)
+static void spare_files(const arguments *line, const output_options *how, const frames *series)
 {
-    for (size_t step = 0; step < series->all.count; step++) {
+    for (size_t step = 0; step < series->count; step++) {
         output_options frame = *how;
-        frame.path = frame_name(series->path, series->all.mark, step);
-        places_spare_files(line, &frame);
+        frame.path = frame_name(series, step);
+        output_options_spare_files(line, &frame);
         free((char *)frame.path);
     }
 }
@@ -123,7 +120,7 @@ static void spare_files(const arguments *line, const output_options *how, const 
 void series_write(const point_rows *points, const arguments *line, const output_options *how)
 {
     const frames old = frames_of(how->path);
-    list series = {how->path, {old.mark[0] == 'b' ? "" : "b", points->history->steps}};
+    frames series = {how->path, old.mark[0] == 'b' ? "" : "b", points->history->steps};
     char *quoted = json_quoted(how->path);
     if (quoted == NULL)
         usage_error("--output %s: must be UTF-8, as the list of the files is", how->path);
@@ -132,8 +129,8 @@ void series_write(const point_rows *points, const arguments *line, const output_
     rwedge_contact *contact = contact_history_begin(points->history);
     output_options file = *how;
     file.format = &vtk_format;
-    for (points_after under = {points, contact, 0}; under.step < series.all.count; under.step++) {
-        char *name = frame_name(how->path, series.all.mark, under.step);
+    for (points_after under = {points, contact, 0}; under.step < series.count; under.step++) {
+        char *name = frame_name(&series, under.step);
         contact_history_go_on(points->history, under.step, contact);
         file.path = name;
         output_options_write(&file, write_frame, &under);
@@ -141,5 +138,5 @@ void series_write(const point_rows *points, const arguments *line, const output_
     }
     rwedge_contact_destroy(contact);
     output_options_write(how, write_list, &series);
-    remove_frames(how->path, old);
+    remove_frames(&old);
 }

@@ -14,7 +14,9 @@
 
 enum { BLOCK = 1 << 16 };
 
-struct csv_source {
+/* What callers see comes first. */
+typedef struct {
+    csv_input seen;
     text_input *text;
     struct csv_parser parser;
     char block[BLOCK];
@@ -26,7 +28,7 @@ struct csv_source {
     char row[CSV_ROW_BYTES + 2];   /* as it stands in the file */
     char cells[CSV_ROW_BYTES + 2]; /* each with a 0, which takes the place of what ended it */
     const char *cell[CSV_ROW_CELLS];
-};
+} reader;
 
 /* ---- What libcsv calls ---- */
 
@@ -37,40 +39,39 @@ static int is_space(unsigned char c)
     return 0;
 }
 
-static void take_cell(void *bytes, size_t length, void *of_input)
+static void take_cell(void *bytes, size_t length, void *of_reader)
 {
-    csv_input *in = of_input;
-    struct csv_source *from = in->source;
-    from->too_many = in->row.count == CSV_ROW_CELLS;
-    if (from->too_many)
+    reader *in = of_reader;
+    in->too_many = in->seen.row.count == CSV_ROW_CELLS;
+    if (in->too_many)
         return;
-    char *text = from->cells + from->used;
-    from->cell[in->row.count++] = text;
+    char *text = in->cells + in->used;
+    in->cell[in->seen.row.count++] = text;
     if (length > 0)
         memcpy(text, bytes, length);
     text[length] = '\0';
-    from->used += length + 1;
+    in->used += length + 1;
 }
 
-static void take_end(int end, void *of_input)
+static void take_end(int end, void *of_reader)
 {
     (void)end;
-    ((csv_input *)of_input)->source->has_ended = true;
+    ((reader *)of_reader)->has_ended = true;
 }
 
 /* ---- Opening and reading ---- */
 
-static void separate_by(csv_input *in, char separator)
+static void separate_by(reader *in, char separator)
 {
-    in->separator = separator;
-    csv_set_delim(&in->source->parser, (unsigned char)separator);
+    in->seen.separator = separator;
+    csv_set_delim(&in->parser, (unsigned char)separator);
 }
 
-static void start_parser(csv_input *in)
+static void start_parser(reader *in)
 {
-    csv_init(&in->source->parser, CSV_STRICT);
-    csv_set_space_func(&in->source->parser, is_space);
-    separate_by(in, in->separator);
+    csv_init(&in->parser, CSV_STRICT);
+    csv_set_space_func(&in->parser, is_space);
+    separate_by(in, in->seen.separator);
 }
 
 /* The ending of a file whose columns are separated by tabs. */
@@ -82,18 +83,17 @@ static bool is_tsv(const char *path)
 
 csv_input *csv_input_open(const char *path, char separator, const char *encoding)
 {
-    csv_input *in = memory_zeroed(1, sizeof *in);
-    in->source = memory_zeroed(1, sizeof *in->source);
-    in->source->text = text_input_open(path, encoding);
-    in->source->at_start = true;
-    in->source->next_line = 1;
-    in->row.cell = in->source->cell;
-    in->row.whole = in->source->row;
-    in->name = in->source->text->name;
-    in->separator = is_tsv(path) ? '\t' : separator;
+    reader *in = memory_zeroed(1, sizeof *in);
+    in->text = text_input_open(path, encoding);
+    in->at_start = true;
+    in->next_line = 1;
+    in->seen.row.cell = in->cell;
+    in->seen.row.whole = in->row;
+    in->seen.name = in->text->name;
+    in->seen.separator = is_tsv(path) ? '\t' : separator;
     start_parser(in);
-    strcpy(in->problem, in->source->text->problem);
-    return in;
+    strcpy(in->seen.problem, in->text->problem);
+    return &in->seen;
 }
 
 bool csv_input_stop(csv_input *in, const char *format, ...)
@@ -106,9 +106,9 @@ bool csv_input_stop(csv_input *in, const char *format, ...)
     return false;
 }
 
-static bool stop(csv_input *in, const char *why)
+static bool stop(reader *in, const char *why)
 {
-    return csv_input_stop(in, "line %" PRId64 ": %s", in->row.line, why);
+    return csv_input_stop(&in->seen, "line %" PRId64 ": %s", in->seen.row.line, why);
 }
 
 static bool ends_line(char c)
@@ -130,31 +130,29 @@ static bool has_tabs_only(const char *bytes, size_t count, char separator)
 }
 
 /* The first line of a file may say how its columns are separated, as "sep=;" does for Excel. */
-static void find_separator(csv_input *in)
+static void find_separator(reader *in)
 {
     static const char says[] = "sep=";
-    struct csv_source *from = in->source;
-    const char *line = from->block;
+    const char *line = in->block;
     const size_t before = sizeof says - 1;
-    from->at_start = false;
-    if (from->end > before + 1 && strncasecmp(line, says, before) == 0 &&
+    in->at_start = false;
+    if (in->end > before + 1 && strncasecmp(line, says, before) == 0 &&
         strchr(",;\t|", line[before]) != NULL && strchr("\r\n", line[before + 1]) != NULL) {
         separate_by(in, line[before]);
-        from->begin = before + 1; /* a blank line is left */
-    } else if (has_tabs_only(line, from->end, in->separator))
+        in->begin = before + 1; /* a blank line is left */
+    } else if (has_tabs_only(line, in->end, in->seen.separator))
         separate_by(in, '\t');
 }
 
-static bool fill(csv_input *in)
+static bool fill(reader *in)
 {
-    struct csv_source *from = in->source;
-    from->begin = 0;
-    if (!text_input_read(from->text, from->block, BLOCK, &from->end)) {
-        strcpy(in->problem, from->text->problem);
+    in->begin = 0;
+    if (!text_input_read(in->text, in->block, BLOCK, &in->end)) {
+        strcpy(in->seen.problem, in->text->problem);
         return false;
     }
-    in->has_mark = from->text->has_mark;
-    if (from->at_start)
+    in->seen.has_mark = in->text->has_mark;
+    if (in->at_start)
         find_separator(in);
     return true;
 }
@@ -162,95 +160,90 @@ static bool fill(csv_input *in)
 /* ---- Rows ---- */
 
 /* A quote that is closed nowhere, or where it cannot be: no one knows which rows it has taken. */
-static bool not_closed(csv_input *in)
+static bool not_closed(reader *in)
 {
     return stop(in, "a quote that is not closed");
 }
 
 /* False at the end of the file, or where there is a problem. */
-static bool next_byte(csv_input *in, char *byte)
+static bool next_byte(reader *in, char *byte)
 {
-    struct csv_source *from = in->source;
-    if (from->begin == from->end && (!fill(in) || from->end == 0))
+    if (in->begin == in->end && (!fill(in) || in->end == 0))
         return false;
-    *byte = from->block[from->begin++];
-    from->next_line += ends_line(*byte) && !(from->after_return && *byte == '\n');
-    from->after_return = *byte == '\r';
+    *byte = in->block[in->begin++];
+    in->next_line += ends_line(*byte) && !(in->after_return && *byte == '\n');
+    in->after_return = *byte == '\r';
     return true;
 }
 
 /* After misplaced quotes the rest of the line is left out. */
-static void parse(csv_input *in, char byte)
+static void parse(reader *in, char byte)
 {
-    struct csv_source *from = in->source;
-    bool *malformed = &in->row.malformed;
-    from->row[from->length++] = byte;
-    *malformed = *malformed || csv_parse(&from->parser, &byte, 1, take_cell, take_end, in) != 1;
-    if (*malformed && csv_error(&from->parser) == CSV_ENOMEM) /* no fault of the row */
+    bool *malformed = &in->seen.row.malformed;
+    in->row[in->length++] = byte;
+    *malformed = *malformed || csv_parse(&in->parser, &byte, 1, take_cell, take_end, in) != 1;
+    if (*malformed && csv_error(&in->parser) == CSV_ENOMEM) /* no fault of the row */
         failure("out of memory");
-    from->has_ended = from->has_ended || (*malformed && ends_line(byte));
+    in->has_ended = in->has_ended || (*malformed && ends_line(byte));
 }
 
 /* The bytes of a row that begins with this one. The last may lack its end. */
-static bool read_row(csv_input *in, char byte)
+static bool read_row(reader *in, char byte)
 {
-    struct csv_source *from = in->source;
     for (bool more = true;; more = next_byte(in, &byte)) {
-        if (in->problem[0] != '\0')
+        if (in->seen.problem[0] != '\0')
             return false;
         parse(in, more ? byte : '\n');
-        if (from->has_ended)
+        if (in->has_ended)
             return true;
         if (!more)
             return not_closed(in);
-        if (from->length > CSV_ROW_BYTES)
-            return from->next_line > in->row.line
+        if (in->length > CSV_ROW_BYTES)
+            return in->next_line > in->seen.row.line
                        ? not_closed(in)
                        : stop(in, "a line of more than 1 MiB; allowed: CSV");
     }
 }
 
 /* Blank lines are no rows. */
-static bool begin_row(csv_input *in)
+static bool begin_row(reader *in)
 {
-    struct csv_source *from = in->source;
     char byte;
-    in->row.count = from->length = from->used = 0;
-    in->row.malformed = from->has_ended = from->too_many = false;
+    in->seen.row.count = in->length = in->used = 0;
+    in->seen.row.malformed = in->has_ended = in->too_many = false;
     do
         if (!next_byte(in, &byte))
             return false;
     while (ends_line(byte));
-    in->row.line = from->next_line;
+    in->seen.row.line = in->next_line;
     return read_row(in, byte);
 }
 
-static void finish_row(csv_input *in)
+static void finish_row(reader *in)
 {
-    struct csv_source *from = in->source;
-    while (from->length > 0 && ends_line(from->row[from->length - 1]))
-        from->length--;
-    from->row[from->length] = '\0';
+    while (in->length > 0 && ends_line(in->row[in->length - 1]))
+        in->length--;
+    in->row[in->length] = '\0';
 }
 
 /* What the parser still holds of a row with misplaced quotes is thrown away. */
-static bool take_malformed(csv_input *in)
+static bool take_malformed(reader *in)
 {
-    csv_free(&in->source->parser);
+    csv_free(&in->parser);
     start_parser(in);
-    if (csv_row_spans_lines(&in->row))
+    if (csv_row_spans_lines(&in->seen.row))
         return not_closed(in);
-    return in->takes_malformed || stop(in, "misplaced quotes");
+    return in->seen.takes_malformed || stop(in, "misplaced quotes");
 }
 
-static bool next_row(csv_input *in)
+static bool next_row(reader *in)
 {
     if (!begin_row(in))
         return false;
     finish_row(in);
-    if (in->source->too_many)
+    if (in->too_many)
         return stop(in, "more than 1000 cells in a row");
-    return !in->row.malformed || take_malformed(in);
+    return !in->seen.row.malformed || take_malformed(in);
 }
 
 static bool is_blank(const csv_row *row)
@@ -263,9 +256,9 @@ static bool is_blank(const csv_row *row)
 
 bool csv_input_next(csv_input *in)
 {
-    bool there = in->problem[0] == '\0' && next_row(in);
+    bool there = in->problem[0] == '\0' && next_row((reader *)in);
     while (there && is_blank(&in->row))
-        there = next_row(in);
+        there = next_row((reader *)in);
     return there;
 }
 
@@ -287,11 +280,11 @@ void csv_input_check(const csv_input *in)
         failure("%s", in->problem);
 }
 
-void csv_input_close(csv_input *in)
+void csv_input_close(csv_input *seen)
 {
-    csv_free(&in->source->parser);
-    text_input_close(in->source->text);
-    free(in->source);
+    reader *in = (reader *)seen;
+    csv_free(&in->parser);
+    text_input_close(in->text);
     free(in);
 }
 
@@ -303,19 +296,19 @@ bool csv_row_spans_lines(const csv_row *row)
 /* ---- A row that stays ---- */
 
 /* One piece of memory: the places of the cells, and their texts behind them. */
-void csv_row_keep(const csv_input *in, csv_row *row)
+void csv_row_keep(const csv_input *seen, csv_row *row)
 {
-    const struct csv_source *from = in->source;
-    const size_t places = (in->row.count + 1) * sizeof *row->cell, length = from->length + 1;
-    *row = in->row;
-    row->bytes = places + from->used + length;
+    const reader *in = (const reader *)seen;
+    const size_t places = (seen->row.count + 1) * sizeof *row->cell, length = in->length + 1;
+    *row = seen->row;
+    row->bytes = places + in->used + length;
     row->cell = memory_resized(NULL, row->bytes);
     char *text = (char *)row->cell + places;
-    if (from->used > 0)
-        memcpy(text, from->cells, from->used);
+    if (in->used > 0)
+        memcpy(text, in->cells, in->used);
     for (size_t i = 0; i < row->count; i++)
-        row->cell[i] = text + (from->cell[i] - from->cells);
-    row->whole = memcpy(text + from->used, from->row, length);
+        row->cell[i] = text + (in->cell[i] - in->cells);
+    row->whole = memcpy(text + in->used, in->row, length);
 }
 
 void csv_row_free(csv_row *row)

@@ -53,7 +53,6 @@ typedef struct {
     bool takes_malformed; /* rows; the next line starts afresh. Otherwise one is a problem */
     csv_row row;          /* that was read last; its texts live until the next is read */
     char problem[600];    /* why it cannot be read on, with the name and the line; or "" */
-    struct csv_source *source;
 } csv_input;
 
 /* Opens a file, or standard input where path is "-". Tabs separate where the name ends in .tsv, or

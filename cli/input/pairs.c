@@ -12,7 +12,6 @@ typedef struct {
     const pair_columns *wanted;
     char decimal_sign;
     header names;
-    bool unused[HEADER_COLUMNS];
     size_t column[2];
     pairs *to;
 } reading;
@@ -38,9 +37,8 @@ static bool find_second(reading *r, char complaint[COMPLAINT_SIZE])
 
 static bool find_columns(reading *r, const csv_row *first)
 {
-    static const bool no_input[INPUT_COUNT] = {false};
     char complaint[COMPLAINT_SIZE];
-    header_find(first->cell, first->count, no_input, NULL, &r->names, complaint);
+    header_find(first->cell, first->count, 0, 0, NULL, &r->names, complaint);
     if (!header_column(&r->names, r->wanted->first, &r->column[0], complaint) ||
         !find_second(r, complaint))
         return csv_input_stop(r->in, "%s", complaint);
@@ -87,7 +85,7 @@ static bool read_row(reading *r)
         return refuse_row(r, r->wanted->complaint_about(value[0], value[1]));
     if (r->to->count == r->wanted->most)
         return csv_input_stop(r->in, "more than %zu %s", r->wanted->most, r->wanted->rows);
-    header_note_unused(&r->names, row->cell, r->unused);
+    header_note_unused(&r->names, row->cell);
     add(r->to, value[0], value[1], r->in->row.line);
     return true;
 }
@@ -101,7 +99,7 @@ static void read_rows(reading *r)
     if (r->in->problem[0] == '\0' && r->to->count == 0)
         csv_input_stop(r->in, "no %s; needed: rows of %s and %s", r->wanted->rows, r->wanted->first,
                        r->to->column);
-    header_write_unused(&r->names, r->unused, r->to->unused, sizeof r->to->unused);
+    header_write_unused(&r->names, r->to->unused, sizeof r->to->unused);
     csv_row_free(&first);
 }
 

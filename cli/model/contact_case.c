@@ -139,7 +139,6 @@ static void fill(const input_texts *texts, const double value[INPUT_COUNT], cont
     setup->A = rwedge_compliance(setup->E1, setup->nu1, setup->E2, setup->nu2);
     setup->beta = rwedge_dundurs_beta(setup->E1, setup->nu1, setup->E2, setup->nu2);
     setup->tolerance = texts->tolerance;
-    setup->after = NULL;
 }
 
 /* How much a tension stretches body 1. Of two bodies of one material it is the library's A/4. */
@@ -158,38 +157,16 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
     return status;
 }
 
-static load case_load(const contact_case *setup)
+/* Results beyond the range of numbers are refused later. */
+static bool apply_loads(const input_texts *texts, contact_case *setup,
+                        char complaint[COMPLAINT_SIZE])
 {
-    return (load){setup->P, setup->M, setup->Q, setup->sigma};
-}
-
-int32_t case_loaded(const contact_case *setup, rwedge_contact **contact)
-{
-    if (setup->after != NULL)
-        return rwedge_contact_copy(setup->after, contact);
-    const int32_t status = case_contact(setup, contact);
-    return status == RWEDGE_OK ? loads_apply_monotonic(case_load(setup), *contact) : status;
-}
-
-/* The library is asked to apply the loads, and so its tolerance counts. */
-load_fault case_fault(const contact_case *setup)
-{
-    rwedge_contact *contact = NULL;
-    load_fault fault = {.input = INPUT_COUNT};
-    if (case_contact(setup, &contact) == RWEDGE_OK) {
-        const int32_t status = loads_apply_monotonic(case_load(setup), contact);
-        if (status != RWEDGE_OK)
-            fault = loads_fault(status, case_load(setup), setup->f, contact);
-    }
-    rwedge_contact_destroy(contact);
-    return fault;
-}
-
-/* Whether the loads can be applied. Results beyond the range of numbers are refused later. */
-static bool has_equilibrium(const input_texts *texts, const contact_case *setup,
-                            char complaint[COMPLAINT_SIZE])
-{
-    const load_fault fault = case_fault(setup);
+    const load to = {setup->P, setup->M, setup->Q, setup->sigma};
+    setup->status = loads_apply_monotonic(to, setup->contact);
+    if (setup->status == RWEDGE_OK)
+        return true;
+    const load_fault fault = loads_fault(setup->status, to, setup->f, setup->contact);
+    setup->at_fault = fault.input;
     if (fault.input == INPUT_COUNT)
         return true;
     return complain(complaint, "%s %.60s: %s%s", input_name(texts, fault.input),
@@ -208,20 +185,13 @@ static bool has_radius(const input_texts *texts, const pad *shape, char complain
                     shape->kind == PAD_CYLINDER ? ", or an angle is missing" : "");
 }
 
-static bool is_in_range(const contact_case *setup)
-{
-    rwedge_contact *contact = NULL;
-    const int32_t status = case_contact(setup, &contact);
-    rwedge_contact_destroy(contact);
-    return status != RWEDGE_EDOMAIN;
-}
-
 bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
                char complaint[COMPLAINT_SIZE])
 {
+    double value[INPUT_COUNT];
+    *setup = (contact_case){.at_fault = INPUT_COUNT};
     if (!case_is_complete(texts, needs, complaint))
         return false;
-    double value[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++) {
         value[i] = NAN;
         if (input_is_given(texts, i) && !input_read(texts, i, &value[i], complaint))
@@ -232,12 +202,12 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
         setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], complaint));
     if (!has_radius(texts, &setup->shape, complaint))
         return false;
-    if (!is_in_range(setup)) {
+    setup->status = case_contact(setup, &setup->contact);
+    if (setup->status == RWEDGE_EDOMAIN)
         return complain(
             complaint,
             "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60");
-    }
-    return has_equilibrium(texts, setup, complaint);
+    return setup->status != RWEDGE_OK || apply_loads(texts, setup, complaint);
 }
 
 double case_shear_ratio(const contact_case *setup)

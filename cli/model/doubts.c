@@ -21,23 +21,19 @@ int32_t doubts_of(const contact_case *setup, double left, double right, double s
     return bits | (is_steep ? DOUBT_SLOPE : 0);
 }
 
-static int32_t bits_of_factor(const contact_case *setup, const rwedge_contact *contact,
-                              double factor)
+doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
 {
     const pad *shape = &setup->shape;
     double left = 0, right = 0;
     rwedge_contact_edges(contact, &left, &right);
+    const double error = rwedge_contact_error(contact);
     if (!(factor < 1))
-        return doubts_of(setup, left, right, NAN);
+        return (doubts){doubts_of(setup, left, right, NAN), error};
     const double P = loads_of(contact).P, P_yield = /* not known of other pads */
                                           rwedge_yield_load(shape->theta, shape->a, setup->A,
                                                             setup->f, setup->nu1, setup->k);
-    return doubts_of(setup, left, right, P_yield / P) | (P > P_yield ? 0 : DOUBT_STATE);
-}
-
-doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
-{
-    return (doubts){bits_of_factor(setup, contact, factor), rwedge_contact_error(contact)};
+    const int32_t bits = doubts_of(setup, left, right, P_yield / P);
+    return (doubts){bits | (P > P_yield ? 0 : DOUBT_STATE), error};
 }
 
 doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact)

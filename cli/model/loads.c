@@ -2,6 +2,7 @@
 #include "model.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 
 load loads_of(const rwedge_contact *contact)
@@ -71,34 +72,40 @@ static double largest_moment(load to, const rwedge_contact *contact)
     return fabs(allowed);
 }
 
+static load_fault fault_at(int input, const char *format, ...) PRINTF_LIKE(2, 3);
+
+static load_fault fault_at(int input, const char *format, ...)
+{
+    load_fault fault = {.input = input};
+    va_list values;
+    va_start(values, format);
+    vsnprintf(fault.why, sizeof fault.why, format, values);
+    va_end(values);
+    return fault;
+}
+
 static load_fault domain_fault(load to, const rwedge_contact *contact)
 {
-    load_fault fault = {.input = INPUT_COUNT};
     load level = to;
     level.M = 0;
     if (to.P < 0)
-        fault = (load_fault){.input = INPUT_P,
-                             .why = "must not be below 0, and Q must be 0 where P is"};
-    else if (to.P == 0 && to.M != 0)
-        fault = (load_fault){.input = INPUT_M, .why = "must be 0 where P is"};
-    else if (is_in_domain(level, contact)) {
-        fault.input = INPUT_M;
-        const double most = largest_moment(to, contact);
-        snprintf(fault.why, sizeof fault.why,
-                 most > 0 ? "must be below %.6g in magnitude: more lays a flank on the surface"
-                          : "must be %.6g: any other lays a flank on the surface",
-                 most);
-    } else
-        snprintf(fault.why, sizeof fault.why, "%s", rwedge_strerror(RWEDGE_EDOMAIN));
-    return fault;
+        return fault_at(INPUT_P, "must not be below 0, and Q must be 0 where P is");
+    if (to.P == 0 && to.M != 0)
+        return fault_at(INPUT_M, "must be 0 where P is");
+    if (!is_in_domain(level, contact))
+        return fault_at(INPUT_COUNT, "%s", rwedge_strerror(RWEDGE_EDOMAIN));
+    const double most = largest_moment(to, contact);
+    return fault_at(INPUT_M,
+                    most > 0 ? "must be below %.6g in magnitude: more lays a flank on the surface"
+                             : "must be %.6g: any other lays a flank on the surface",
+                    most);
 }
 
 static load_fault path_fault(load to, const rwedge_contact *contact)
 {
     const load last = loads_of(contact);
-    load_fault fault = {.input = INPUT_SIGMA};
-    snprintf(fault.why, sizeof fault.why, "no closed form: %s",
-             rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
+    load_fault fault = fault_at(INPUT_SIGMA, "no closed form: %s",
+                                rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);
     if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most)
         list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %.6g with this Q", most);
@@ -107,29 +114,16 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
     return fault;
 }
 
-static load_fault fault_of(int32_t status, load to, double f, const rwedge_contact *contact)
+load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact)
 {
-    load_fault fault = {.input = INPUT_Q};
     if (status == RWEDGE_EDOMAIN)
         return domain_fault(to, contact);
     if (status == RWEDGE_EPATH)
         return path_fault(to, contact);
     if (status == RWEDGE_ESLIDING)
-        snprintf(fault.why, sizeof fault.why, "must not exceed f P = %.6g: there is no equilibrium",
-                 f * to.P);
-    else {
-        fault.input = INPUT_COUNT;
-        snprintf(fault.why, sizeof fault.why, "%s%s", rwedge_strerror(status),
-                 status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
-    }
-    return fault;
-}
-
-load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact)
-{
-    load_fault fault = fault_of(status, to, f, contact);
-    fault.status = status;
-    return fault;
+        return fault_at(INPUT_Q, "must not exceed f P = %.6g: there is no equilibrium", f * to.P);
+    return fault_at(INPUT_COUNT, "%s%s", rwedge_strerror(status),
+                    status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
 }
 
 bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])

@@ -109,7 +109,6 @@ int32_t loads_apply_monotonic(load to, rwedge_contact *contact);
 typedef struct {
     int input;
     char why[COMPLAINT_SIZE - 100]; /* a name and a text have room in front of it */
-    int32_t status;                 /* of the library */
 } load_fault;
 
 /* What is wrong with a load that the contact has refused with this status. The contact is as before
@@ -130,9 +129,11 @@ typedef struct {
     double A;         /* composite compliance */
     double beta;      /* Dundurs' second constant */
     double tolerance; /* as the texts have it */
-    /* the contact that a history has brought to these loads; NULL: the loads came as
-     * loads_apply_monotonic() has them */
-    const rwedge_contact *after;
+    /* under these loads, which come as loads_apply_monotonic() has them, or by a history */
+    rwedge_contact *contact;
+    bool has_history;
+    int32_t status; /* of the library, when it was asked to apply the loads */
+    int at_fault;   /* the input that it refused them for; INPUT_COUNT for none */
 } contact_case;
 
 /* What must be given beside the bodies and their shape. */
@@ -147,20 +148,15 @@ typedef enum {
  * needed one is missing. */
 bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE]);
 
-/* Reads a case; loads and f are 0 where they are not given. False, with the complaint, where a
- * value is wrong. */
+/* Reads a case, and makes its contact; loads and f are 0 where they are not given. False, with the
+ * complaint, where a value is wrong. Loads that the library refuses for no input are no wrong
+ * value: the status tells them. Destroy the contact also after an error. */
 bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
                char complaint[COMPLAINT_SIZE]);
 
 /* Makes the contact of a case, without loads; returns the library's status. Destroy the contact
  * also after an error. */
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact);
-
-/* Makes the contact under the loads of the case. */
-int32_t case_loaded(const contact_case *setup, rwedge_contact **contact);
-
-/* What is wrong with the loads of a case; nothing where they can be applied. */
-load_fault case_fault(const contact_case *setup);
 
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
 double case_shear_ratio(const contact_case *setup);
@@ -217,6 +213,9 @@ typedef struct {
 } tensor;
 
 tensor tensor_of(double sxx, double syy, double txy, double nu);
+
+/* The edges of a contact, and sxx there. Returns the library's status. */
+int32_t edge_tensions(const rwedge_contact *contact, double edge[2], double sxx[2]);
 
 /* A place of first yield is found within rounding: what is rounding beside its other coordinate is
  * 0, so that the middle and the surface are told as such. */

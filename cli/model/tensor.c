@@ -39,6 +39,15 @@ tensor tensor_of(double sxx, double syy, double txy, double nu)
     return at_point;
 }
 
+int32_t edge_tensions(const rwedge_contact *contact, double edge[2], double sxx[2])
+{
+    const double surface[2] = {0, 0};
+    double syy[2], txy[2];
+    const int32_t status = rwedge_contact_edges(contact, &edge[0], &edge[1]);
+    return status == RWEDGE_OK ? rwedge_contact_stresses(contact, 2, edge, surface, sxx, syy, txy)
+                               : status;
+}
+
 void yield_place_settle(double *x, double *y)
 {
     const double rounding = 1e-9;

@@ -140,7 +140,7 @@ static void keep(arguments *line, const syntax *grammar, int number, char *value
 bool arguments_read(arguments *line, const syntax *grammar, int argc, const char **argv)
 {
     int number;
-    *line = (arguments){0};
+    *line = (arguments){.grammar = grammar};
     errno = 0;
     const poptContext context =
         memory_checked(poptGetContext(NULL, argc, argv, grammar->options, 0));
@@ -159,6 +159,14 @@ bool arguments_read(arguments *line, const syntax *grammar, int argc, const char
     line->operand = poptGetArgs(context);
     check_memory();
     return true;
+}
+
+const char *arguments_file(const arguments *line, int number)
+{
+    const struct poptOption *option = find(line->grammar->options, number);
+    const char *kind = option != NULL ? option->argDescrip : NULL;
+    const bool is_file = kind != NULL && strcmp(kind, "FILE") == 0 && number != OPTION_OUTPUT;
+    return is_file ? line->value[number] : NULL;
 }
 
 void arguments_no_operand(const arguments *line)

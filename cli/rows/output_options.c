@@ -152,6 +152,7 @@ void output_options_read_of(const arguments *line, const char *const formats[], 
     use_format(how);
     how->digits = read_digits(line->value[OPTION_DIGITS]);
     read_decimal_comma(line->value[OPTION_DECIMAL_COMMA] != NULL, how);
+    output_options_spare_files(line, how);
 }
 
 void output_options_read(const arguments *line, output_options *how)
@@ -164,6 +165,16 @@ void output_options_spare(const output_options *how, const char *input)
     const char *path = how->path != NULL ? how->path : "-";
     if (input != NULL && target_is_input(path, input))
         usage_error("--output %s: it is the input; allowed: another file", path);
+}
+
+/* Of words those are files whose usage says so, as "LOADS.csv". */
+void output_options_spare_files(const arguments *line, const output_options *how)
+{
+    const bool has_words = line->operand != NULL && strstr(line->grammar->operands, ".csv") != NULL;
+    for (int i = 1; i < OPTION_LIMIT; i++)
+        output_options_spare(how, arguments_file(line, i));
+    for (const char **word = line->operand; has_words && *word != NULL; word++)
+        output_options_spare(how, *word);
 }
 
 void output_options_write(const output_options *how, rows_writer *write_rows, void *context)

@@ -130,8 +130,10 @@ void output_options_read_of(const arguments *line, const char *const formats[], 
 const char *output_format_choose(const arguments *line, const char *const formats[],
                                  const char *hint);
 
-/* Refuses an output that is the input, NULL for none. */
+/* Refuses an output that is the input, NULL for none; or one of the files that the command line
+ * names, which output_options_read() does too. */
 void output_options_spare(const output_options *how, const char *input);
+void output_options_spare_files(const arguments *line, const output_options *how);
 
 /* Writes rows. */
 typedef void rows_writer(void *context, records *rows);

@@ -81,7 +81,7 @@ void load_history_read_list(const arguments *line, load_history *loads)
 {
     load to = {0};
     const char *lines = line->value[OPTION_LOAD];
-    *loads = (load_history){.lines = lines};
+    *loads = (load_history){.name = NULL};
     for (bool last = false; !last;) {
         const size_t length = strcspn(lines, "\n");
         last = lines[length] == '\0';
@@ -90,7 +90,7 @@ void load_history_read_list(const arguments *line, load_history *loads)
                         (int)(length < 60 ? length : 60), lines);
         if (loads->count == 0)
             say_four_values(lines, (int)length);
-        add(loads, to, (csv_row){0});
+        add(loads, to, (csv_row){.whole = lines});
         lines += length + 1;
     }
 }
@@ -106,7 +106,7 @@ static void take_row(csv_input *in, char decimal_sign, load_history *loads)
     if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign, &to,
                        complaint))
         failure("%s: line %" PRId64 ": %s", in->name, in->row.line, complaint);
-    header_note_unused(&loads->names, in->row.cell, loads->unused);
+    header_note_unused(&loads->names, in->row.cell);
     csv_row_keep(in, &row);
     add(loads, to, row);
 }
@@ -140,23 +140,6 @@ void load_history_read(const arguments *line, char decimal_sign, load_history *l
     csv_input_close(in);
 }
 
-/* ---- Columns that nothing uses ---- */
-
-void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size)
-{
-    bool unused[HEADER_COLUMNS] = {false};
-    if (loads->name == NULL)
-        return;
-    header_note_unused(&loads->names, loads->row[row].cell, unused);
-    header_write_unused(&loads->names, unused, text, size);
-}
-
-void load_history_say_unused(const load_history *loads)
-{
-    if (loads->name != NULL)
-        unused_say(&loads->names, loads->unused, loads->name);
-}
-
 /* ---- Applied ---- */
 
 const char *load_history_place(const load_history *loads, size_t row, char place[LOAD_PLACE_SIZE])
@@ -166,10 +149,8 @@ const char *load_history_place(const load_history *loads, size_t row, char place
                  loads->row[row].line);
         return place;
     }
-    const char *line = loads->lines;
-    for (size_t i = 0; i < row; i++)
-        line += strcspn(line, "\n") + 1;
-    snprintf(place, LOAD_PLACE_SIZE, "--load %.*s", (int)strcspn(line, "\n"), line);
+    const char *text = loads->row[row].whole;
+    snprintf(place, LOAD_PLACE_SIZE, "--load %.*s", (int)strcspn(text, "\n"), text);
     return place;
 }
 
@@ -183,28 +164,30 @@ void load_history_fail(const load_history *loads, size_t row, const char *word,
     usage_error("%s%s: %s", place, word, complaint);
 }
 
-void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact)
+void load_history_apply_all(const load_history *loads, const contact_case *setup, doubts *all)
 {
     char complaint[COMPLAINT_SIZE];
-    for (size_t i = 0; i < loads->count; i++)
-        if (!loads_apply_next(loads->load[i], f, contact, complaint))
+    for (size_t i = 0; i < loads->count; i++) {
+        if (!loads_apply_next(loads->load[i], setup->f, setup->contact, complaint))
             load_history_fail(loads, i, "", complaint);
+        if (all != NULL)
+            doubts_add(all, doubts_of_state(setup, setup->contact));
+    }
 }
 
-rwedge_contact *history_contact(const arguments *line, const input_texts *texts, case_needs needs,
-                                char decimal_sign, contact_case *setup)
+void history_case(const arguments *line, const input_texts *texts, case_needs needs,
+                  char decimal_sign, contact_case *setup)
 {
     load_history loads;
-    rwedge_contact *contact;
     char complaint[COMPLAINT_SIZE];
     if (line->value[OPTION_HISTORY] != NULL && line->value[OPTION_LOAD] != NULL)
         usage_error("--history %s: given together with --load; allowed: one of the two",
                     line->value[OPTION_HISTORY]);
     if (!case_read(texts, needs, setup, complaint))
         usage_error("%s", complaint);
-    status_check(case_contact(setup, &contact), "the contact");
+    status_check(setup->status, "the contact");
     load_history_read(line, decimal_sign, &loads);
-    load_history_apply_all(&loads, setup->f, contact);
-    load_history_say_unused(&loads);
-    return contact;
+    load_history_apply_all(&loads, setup, NULL);
+    unused_say(&loads.names, loads.name);
+    setup->has_history = true;
 }

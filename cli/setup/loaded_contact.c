@@ -86,50 +86,37 @@ static load read_natural_load(const arguments *line, const input_texts *texts, d
     return to;
 }
 
-static void apply_natural(const input_texts *texts, double f, load to, loaded_contact *loaded)
+static void apply_natural(const input_texts *texts, load to, const contact_case *setup)
 {
-    const int32_t status = loads_apply_monotonic(to, loaded->contact);
+    const int32_t status = loads_apply_monotonic(to, setup->contact);
     if (status == RWEDGE_OK)
         return;
-    const load_fault fault = loads_fault(status, to, f, loaded->contact);
+    const load_fault fault = loads_fault(status, to, setup->f, setup->contact);
     const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
     usage_error("%s%s%s: %s", named ? input_name(texts, fault.input) : "the loads",
                 named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
 }
 
-static void find_zones(loaded_contact *loaded)
-{
-    zone *touches = &loaded->touches, *sticks = &loaded->sticks;
-    rwedge_contact_edges(loaded->contact, &touches->left, &touches->right);
-    rwedge_contact_stick_zone(loaded->contact, &sticks->left, &sticks->right);
-}
-
-/* Without a moment the half-width is 1 to rounding, and the edges are at 1 exactly. */
-static void measure_natural(bool centred, loaded_contact *loaded)
-{
-    const double b = rwedge_contact_half_width(loaded->contact);
-    loaded->b = centred ? 1 : b;
-    loaded->left = centred ? -1 : loaded->touches.left;
-    loaded->right = centred ? 1 : loaded->touches.right;
-    loaded->length_unit = centred ? b : 1;
-    loaded->slip_unit = NATURAL_THETA * loaded->length_unit;
-}
-
 static void read_natural(const arguments *line, const input_texts *texts, loaded_contact *loaded)
 {
+    contact_case *setup = &loaded->setup;
     refuse_dimensional(line, texts);
     history_check(line);
     const double alpha = variable_read_one(&variables[A_OVER_B], line->value[OPTION_A_OVER_B]);
-    const double f = read_input(texts, INPUT_F, 0);
-    loaded->nu = read_input(texts, INPUT_NU1, NATURAL_NU);
-    loaded->shape = pad_wedge(NATURAL_THETA, alpha);
+    const double f = read_input(texts, INPUT_F, 0), nu = read_input(texts, INPUT_NU1, NATURAL_NU);
+    *setup = (contact_case){.shape = pad_wedge(NATURAL_THETA, alpha),
+                            .A = NATURAL_A,
+                            .f = f,
+                            .nu1 = nu,
+                            .nu2 = nu,
+                            .tolerance = texts->tolerance};
     const load to = read_natural_load(line, texts, alpha, f);
-    status_check(pad_contact(&loaded->shape, NATURAL_A, f, &loaded->contact), "the contact");
-    rwedge_contact_allow_error(loaded->contact, texts->tolerance);
-    apply_natural(texts, f, to, loaded);
-    find_zones(loaded);
-    measure_natural(to.M == 0, loaded);
-    doubts_say((doubts){.error = rwedge_contact_error(loaded->contact)}, "");
+    status_check(case_contact(setup, &setup->contact), "the contact");
+    apply_natural(texts, to, setup);
+    if (to.M == 0) /* else it is 1 to rounding */
+        loaded->length_unit = rwedge_contact_half_width(setup->contact);
+    loaded->slip_unit = NATURAL_THETA * loaded->length_unit;
+    doubts_say((doubts){.error = rwedge_contact_error(setup->contact)}, "");
 }
 
 /* ---- Dimensional ---- */
@@ -143,36 +130,34 @@ static void refuse_natural(const arguments *line)
 }
 
 static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
-                             loaded_contact *loaded)
+                             contact_case *setup)
 {
-    contact_case setup;
     char complaint[COMPLAINT_SIZE];
     refuse_natural(line);
     history_check(line);
     if (history_is_given(line))
-        loaded->contact = history_contact(line, texts, CASE_LOADS_APART, decimal_sign, &setup);
-    else if (!case_read(texts, CASE_WITH_LOADS, &setup, complaint))
+        history_case(line, texts, CASE_LOADS_APART, decimal_sign, setup);
+    else if (!case_read(texts, CASE_WITH_LOADS, setup, complaint))
         usage_error("%s", complaint);
-    else
-        status_check(case_loaded(&setup, &loaded->contact), "the loads cannot be applied");
-    loaded->nu = setup.nu1;
-    loaded->shape = setup.shape;
-    find_zones(loaded);
-    loaded->b = rwedge_contact_half_width(loaded->contact);
-    loaded->left = loaded->touches.left;
-    loaded->right = loaded->touches.right;
-    loaded->length_unit = loaded->slip_unit = 1;
-    doubts_say(doubts_of_state(&setup, loaded->contact), "");
+    status_check(setup->status, "the loads cannot be applied");
+    doubts_say(doubts_of_state(setup, setup->contact), "");
 }
 
 void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contact *loaded)
 {
     input_texts texts;
-    *loaded = (loaded_contact){0};
+    zone *touches = &loaded->touches, *sticks = &loaded->sticks;
+    *loaded = (loaded_contact){.length_unit = 1, .slip_unit = 1};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
     if (line->value[OPTION_A_OVER_B] != NULL)
         read_natural(line, &texts, loaded);
     else
-        read_dimensional(line, decimal_sign, &texts, loaded);
+        read_dimensional(line, decimal_sign, &texts, &loaded->setup);
+    const rwedge_contact *contact = loaded->setup.contact;
+    rwedge_contact_edges(contact, &touches->left, &touches->right);
+    rwedge_contact_stick_zone(contact, &sticks->left, &sticks->right);
+    loaded->b = rwedge_contact_half_width(contact) / loaded->length_unit;
+    loaded->left = touches->left / loaded->length_unit;
+    loaded->right = touches->right / loaded->length_unit;
 }

@@ -20,10 +20,10 @@ void status_check(int32_t status, const char *subject)
         failure("%s: %s", subject, rwedge_strerror(status));
 }
 
-void unused_say(const header *names, const bool unused[HEADER_COLUMNS], const char *file)
+void unused_say(const header *names, const char *file)
 {
     char text[600] = "";
-    header_write_unused(names, unused, text, sizeof text);
+    header_write_unused(names, text, sizeof text);
     if (text[0] != '\0')
         notice("%s: %s", file, text);
 }

@@ -16,8 +16,8 @@ void notice_if_any(const char *text);
 /* Ends the command where the library has not answered about the subject. */
 void status_check(int32_t status, const char *subject);
 
-/* Which columns of a file have numbers that nothing uses. */
-void unused_say(const header *names, const bool unused[HEADER_COLUMNS], const char *file);
+/* Which columns of a file have numbers that nothing uses, in the rows that were noted. */
+void unused_say(const header *names, const char *file);
 
 /* ---- input_options ---- The inputs of a contact as options of a command. */
 
@@ -61,14 +61,12 @@ enum {
 extern struct poptOption load_option_table[];
 
 typedef struct {
-    const char *name;  /* of the file, as messages call it; NULL where --load gave the loads */
-    const char *lines; /* what --load gave, one to a line */
-    csv_row first;     /* of the file, and what its columns are */
+    const char *name; /* of the file, as messages call it; NULL where --load gave the loads */
+    csv_row first;    /* of the file, and what its columns are */
     header names;
-    bool unused[HEADER_COLUMNS]; /* columns with numbers that are not used */
-    bool has_mark;               /* whether the file begins with the mark of Unicode */
+    bool has_mark; /* whether the file begins with the mark of Unicode */
     load *load;
-    csv_row *row; /* of the file, where each stands */
+    csv_row *row; /* of the file, where each stands; of --load its text and what follows */
     size_t count;
 } load_history;
 
@@ -84,21 +82,18 @@ void history_check(const arguments *line);
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads);
 void load_history_read_list(const arguments *line, load_history *loads);
 
-/* Columns with numbers that are not used, of a row for a list of warnings; of all, said. */
-void load_history_write_unused(const load_history *loads, size_t row, char *text, size_t size);
-void load_history_say_unused(const load_history *loads);
-
-/* Applies them all, in order; the first refusal ends the command. */
-void load_history_apply_all(const load_history *loads, double f, rwedge_contact *contact);
+/* Applies them all, in order, to the contact of a case; the first refusal ends the command. Where
+ * doubts is not NULL those of the states are added. */
+void load_history_apply_all(const load_history *loads, const contact_case *setup, doubts *all);
 
 /* Ends the command as a load cannot be applied, after a word such as ", cycle 2", or "". */
 NO_RETURN void load_history_fail(const load_history *loads, size_t row, const char *word,
                                  const char *complaint);
 
-/* Reads a case and its loads, from a file or a list, applies them all, and names columns with
- * numbers that are not used. */
-rwedge_contact *history_contact(const arguments *line, const input_texts *texts, case_needs needs,
-                                char decimal_sign, contact_case *setup);
+/* Reads a case and its loads, from a file or a list, applies them all to its contact, and names
+ * columns with numbers that are not used. */
+void history_case(const arguments *line, const input_texts *texts, case_needs needs,
+                  char decimal_sign, contact_case *setup);
 
 /* Where it stands, as messages say it: "loads.csv: line 3". */
 enum { LOAD_PLACE_SIZE = 300 };
@@ -122,10 +117,8 @@ typedef struct {
 } zone;
 
 typedef struct {
-    rwedge_contact *contact;
+    contact_case setup;   /* in natural units its shape, friction, nu1 and contact alone */
     zone touches, sticks; /* in the contact's own unit */
-    pad shape;
-    double nu;
     /* half-width and edges of the contact, as they are written: 1, -1 and 1 in natural units; 0
      * when separated */
     double b, left, right;

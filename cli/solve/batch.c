@@ -19,12 +19,11 @@ typedef struct {
 
 /* The state of the run, from row to row. */
 typedef struct {
-    const batch *many;
+    const arguments *line;
     const output_options *how;
     csv_input *in;
     csv_row first;
     case_table table;
-    bool unused[HEADER_COLUMNS]; /* columns with numbers in any row that are not used */
     records *rows;
     int64_t count, failed;
     doubts doubts; /* of any row */
@@ -113,7 +112,7 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
     write_error(r, row, solution->complaint);
     records_end_row(r->rows);
     if (row->count == r->table.names.count)
-        header_note_unused(&r->table.names, row->cell, r->unused);
+        header_note_unused(&r->table.names, row->cell);
     r->count++;
     r->failed += solution->solved ? 0 : 1;
     if (solution->solved)
@@ -156,9 +155,11 @@ static void release_held(run *r)
 static void read_profile(const run *r, const csv_row *row)
 {
     const size_t column = r->table.names.column[INPUT_PROFILE];
-    const profile_style style = {r->how->decimal_sign, r->many->takes_hull};
-    if (column < row->count && row->cell[column][0] != '\0')
-        notice_if_any(profiles_read(row->cell[column], style));
+    const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL};
+    if (column >= row->count || row->cell[column][0] == '\0')
+        return;
+    output_options_spare(r->how, row->cell[column]);
+    notice_if_any(profiles_read(row->cell[column], style));
 }
 
 /* Reads rows until there are enough for the threads; false where no more follow. Where memory is
@@ -180,7 +181,7 @@ static bool hold_rows(run *r)
 
 static void write_held(run *r)
 {
-    threads_run(r->many->threads, r->held_count, compute_answer, r);
+    threads_run(threads_read(r->line), r->held_count, compute_answer, r);
     for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
         write_row(r, &r->held[i], &r->answers[i]);
     release_held(r);
@@ -216,7 +217,7 @@ static void say_doubts(const run *r)
 static int write_output(run *r)
 {
     output_options_write(r->how, write_rows, r);
-    unused_say(&r->table.names, r->unused, r->in->name);
+    unused_say(&r->table.names, r->in->name);
     if (r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                r->in->name, r->failed, r->count);
@@ -226,18 +227,15 @@ static int write_output(run *r)
 
 static void read_header(run *r)
 {
-    bool wanted[INPUT_COUNT];
     char complaint[COMPLAINT_SIZE];
-    for (int i = 0; i < INPUT_COUNT; i++)
-        wanted[i] = true;
     r->in->takes_malformed = true;
     csv_input_header(r->in, &r->first);
     csv_input_check(r->in);
-    if (!header_find(r->first.cell, r->first.count, wanted, &r->table.constants, &r->table.names,
-                     complaint))
+    if (!header_find(r->first.cell, r->first.count, 0, INPUT_COUNT, &r->table.constants,
+                     &r->table.names, complaint))
         failure("%s: %s", r->in->name, complaint);
     check_constants(r);
-    if (r->many->takes_hull && r->table.constants.text[INPUT_PROFILE] == NULL &&
+    if (r->line->value[OPTION_HULL] != NULL && r->table.constants.text[INPUT_PROFILE] == NULL &&
         !header_has_input(&r->table.names, INPUT_PROFILE))
         usage_error("--hull: needs --profile, or a column profile");
     r->table.separator = r->in->separator;
@@ -245,12 +243,14 @@ static void read_header(run *r)
         failure("%s: %s", r->in->name, complaint);
 }
 
-int batch_run(const batch *many, const output_options *how)
+int batch_run(const arguments *line, const char *path, const input_texts *constants,
+              results_wanted wanted, const output_options *how)
 {
-    run r = {.many = many,
+    run r = {.line = line,
              .how = how,
-             .table = {.constants = many->constants, .wanted = many->wanted},
-             .in = csv_input_open(many->path, how->decimal_sign == ',' ? ';' : ',', many->encoding),
+             .table = {.constants = *constants, .wanted = wanted},
+             .in = csv_input_open(path, how->decimal_sign == ',' ? ';' : ',',
+                                  line->value[OPTION_ENCODING]),
              .constant_profiles = profiles_count(),
              .held = memory_zeroed(HELD_ROWS, sizeof *r.held),
              .answers = memory_zeroed(HELD_ROWS, sizeof *r.answers)};

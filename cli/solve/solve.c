@@ -132,6 +132,7 @@ static void solve_one(const input_texts *texts, job *task, const output_options 
                              complaint))
         failure("%s", complaint);
     write_answer_to(&setup, task, how);
+    rwedge_contact_destroy(setup.contact);
 }
 
 /* ---- After a history ---- */
@@ -140,16 +141,14 @@ static void solve_history(const arguments *line, const input_texts *texts, job *
                           const output_options *how)
 {
     contact_case setup;
-    rwedge_contact *contact =
-        history_contact(line, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
-    rwedge_contact_loads(contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
+    history_case(line, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
+    rwedge_contact_loads(setup.contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
     if (!(setup.P > 0))
         failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P above "
                 "0",
                 history_file(line) != NULL ? history_file(line) : "--load");
-    setup.after = contact;
     write_answer_to(&setup, task, how);
-    rwedge_contact_destroy(contact);
+    rwedge_contact_destroy(setup.contact);
 }
 
 /* ---- The command ---- */
@@ -195,31 +194,33 @@ static void read_inverse(const arguments *line, const input_texts *texts, job *t
         usage_error("--for %s: it is given too; allowed: one of the two", name);
 }
 
-static void check_one_contact(const arguments *line, const job *task, const batch *many)
+static void check_one_contact(const arguments *line, const job *task, const char *file)
 {
-    if (task->says_verdict && many->path != NULL)
+    if (task->says_verdict && file != NULL)
         usage_error("--verdict: is of one contact, not with --input");
-    if (task->looked_for != INPUT_COUNT && (many->path != NULL || history_is_given(line)))
+    if (task->looked_for != INPUT_COUNT && (file != NULL || history_is_given(line)))
         usage_error("--for %s: is of one contact and its loads, not with --input, --load and "
                     "--history",
                     line->value[OPTION_FOR]);
 }
 
 /* A file of contacts, or one of loads. */
-static void check_files(const arguments *line, const batch *many)
+static void check_files(const arguments *line, const char *file)
 {
-    if (many->path != NULL && history_is_given(line))
+    const char *encoding = line->value[OPTION_ENCODING];
+    if (file != NULL && history_is_given(line))
         usage_error("--%s: given together with --input; allowed: one of the two",
                     history_file(line) != NULL ? "history" : "load");
-    if (many->encoding != NULL && many->path == NULL && history_file(line) == NULL)
-        usage_error("--encoding %s: needs --input or --history", many->encoding);
-    if (many->encoding != NULL && many->path != NULL)
-        text_input_check(many->encoding);
+    if (encoding != NULL && file == NULL && history_file(line) == NULL)
+        usage_error("--encoding %s: needs --input or --history", encoding);
+    if (encoding != NULL && file != NULL)
+        text_input_check(encoding);
 }
 
-static void check_threads(const arguments *line, const batch *many)
+static void check_threads(const arguments *line, const char *file)
 {
-    if (line->value[OPTION_THREADS] != NULL && many->path == NULL)
+    threads_read(line);
+    if (line->value[OPTION_THREADS] != NULL && file == NULL)
         usage_error("--threads %s: needs --input", line->value[OPTION_THREADS]);
 }
 
@@ -227,33 +228,29 @@ static int solve(const arguments *line)
 {
     output_options how;
     job task;
-    batch many = {.path = line->value[OPTION_INPUT_FILE], .encoding = line->value[OPTION_ENCODING]};
-    input_texts_from_options(line, &many.constants);
+    input_texts texts;
+    const char *file = line->value[OPTION_INPUT_FILE];
+    input_texts_from_options(line, &texts);
     arguments_no_operand(line);
     output_options_read(line, &how);
-    output_options_spare(&how, many.path != NULL ? many.path : history_file(line));
-    output_options_spare(&how, many.constants.text[INPUT_PROFILE]);
-    check_files(line, &many);
-    many.threads = threads_read(line);
-    check_threads(line, &many);
+    check_files(line, file);
+    check_threads(line, file);
     task.as_row = read_layout(line);
-    task.wanted.yield_factor = read_yield_factor(line, &many.constants);
-    task.wanted.edges = history_is_given(line) || input_is_given(&many.constants, INPUT_M) ||
-                        input_is_given(&many.constants, INPUT_SIGMA) ||
-                        input_is_given(&many.constants, INPUT_PROFILE);
-    many.wanted = task.wanted;
+    task.wanted.yield_factor = read_yield_factor(line, &texts);
+    task.wanted.edges = history_is_given(line) || input_is_given(&texts, INPUT_M) ||
+                        input_is_given(&texts, INPUT_SIGMA) ||
+                        input_is_given(&texts, INPUT_PROFILE);
     task.says_verdict = line->value[OPTION_VERDICT] != NULL;
-    read_inverse(line, &many.constants, &task);
-    check_one_contact(line, &task, &many);
-    many.takes_hull = line->value[OPTION_HULL] != NULL;
-    if (many.path != NULL)
-        return batch_run(&many, &how);
+    read_inverse(line, &texts, &task);
+    check_one_contact(line, &task, file);
+    if (file != NULL)
+        return batch_run(line, file, &texts, task.wanted, &how);
     input_options_check_hull(line);
     history_check(line);
     if (history_is_given(line))
-        solve_history(line, &many.constants, &task, &how);
+        solve_history(line, &texts, &task, &how);
     else
-        solve_one(&many.constants, &task, &how);
+        solve_one(&texts, &task, &how);
     return STATUS_DONE;
 }
 

@@ -90,6 +90,7 @@ void shown_values(int example, case_values *shown)
     const contact_case setup = case_of(text);
     if (!results_compute(&setup, (results_wanted){false, false}, &answer, complaint))
         failure("the workbook's example: %s", complaint);
+    rwedge_contact_destroy(setup.contact);
     take_results(&setup, &answer, shown);
 }
 

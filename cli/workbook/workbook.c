@@ -36,9 +36,7 @@ static void write_sheets(const arguments *line)
     others.value[OPTION_DECIMAL_COMMA] = NULL;
     output_options_read_of(&others, formats, "", &how);
     for (int i = 0; files.path[i] != NULL; i++)
-        if (i < CSV_SHEETS_MAX)
-            output_options_spare(&how, files.path[i]);
-        else
+        if (i >= CSV_SHEETS_MAX)
             usage_error("%s: unexpected; allowed: up to %d files", files.path[i], CSV_SHEETS_MAX);
     output_options_write(&how, csv_sheets_write, &files);
 }

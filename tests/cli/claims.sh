@@ -51,6 +51,20 @@ does_quietly() {
     message_is ""
 }
 
+# kept FILE ARGUMENTS...: the same, and the output stays in a file. prints_kept WHAT FILE ARGUMENTS...: the output is that file.
+kept() {
+    file=$1
+    shift
+    does "$@"
+    cp out "$file"
+}
+prints_kept() {
+    what=$1 file=$2
+    shift 2
+    does "$@"
+    same "$what" "" "$(cmp "$file" out 2>&1)"
+}
+
 # Every assertion comes down to this: whether the two texts are the same.
 same() { # what expected got
     checks=$((checks + 1))
@@ -137,6 +151,9 @@ value() {
 cannot() {
     fails_with_status 1 "$@"
 }
+
+# A cylinder that several scripts press, as Nowell and Hills did: off_centre.sh has its sizes.
+specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 
 # What reads a file whose columns ';' separates.
 semicolons='--decimal-comma reads that, or, where numbers have a point, a first line "sep=;"'

@@ -164,6 +164,7 @@ typedef struct {
     double *edges;             /* of contact and stick zone, in no order */
     size_t edge_count;
     double left, right; /* the outermost; NAN where there is no contact */
+    double error;       /* the largest rwedge_contact_error() of its states */
     bool slip_known;    /* it has a closed form after every load */
 } last_cycle;
 
@@ -206,6 +207,9 @@ typedef struct {
 /* The places by default, of the surface: across the contact and beyond. None where there is no
  * contact. */
 measured stops_usual(const last_cycle *cycle);
+
+/* The place with the largest value of a column, the first of several. */
+size_t measured_best(const measured *result, int column);
 
 /* The given places, in any order, and the edges between them, which are not shown. */
 measured stops_at(const last_cycle *cycle, size_t n, const double x[]);

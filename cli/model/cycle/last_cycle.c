@@ -6,10 +6,11 @@
 
 /* ---- The loads ---- */
 
-/* A state after a load: its edges. */
-static void note_edges(const rwedge_contact *contact, last_cycle *cycle)
+/* A state before or after a load: its error and edges. */
+static void note(const rwedge_contact *contact, last_cycle *cycle)
 {
     double *edge = cycle->edges + cycle->edge_count;
+    cycle->error = fmax(cycle->error, rwedge_contact_error(contact));
     if (rwedge_contact_edges(contact, &edge[0], &edge[1]) != RWEDGE_OK)
         return;
     cycle->left = fmin(cycle->left, edge[0]);
@@ -33,14 +34,14 @@ void last_cycle_begin(const contact_case *setup, const criteria *asked,
     cycle->sigma = cycle->Q + most;
     rwedge_contact_copy(before, &cycle->before);
     memory_checked(cycle->before);
-    note_edges(before, cycle);
+    note(before, cycle);
 }
 
 void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle)
 {
     const size_t i = cycle->loads++;
     rwedge_contact_loads(contact, &cycle->P[i], &cycle->M[i], &cycle->Q[i], &cycle->sigma[i]);
-    note_edges(contact, cycle);
+    note(contact, cycle);
 }
 
 /* Where memory is too short for the states, the measures go through the cycle again. */

@@ -88,3 +88,14 @@ measured stops_at(const last_cycle *cycle, size_t n, const double x[])
     sort(&all, 0);
     return all;
 }
+
+size_t measured_best(const measured *result, int column)
+{
+    size_t best = 0;
+    for (size_t i = 0; i < result->count; i++) {
+        const double value = result->place[i].value[column];
+        if (isnan(result->place[best].value[column]) || value > result->place[best].value[column])
+            best = i;
+    }
+    return best;
+}

@@ -90,13 +90,6 @@ static bool has_no_gap(const case_table *table, const input_texts *texts,
     return true;
 }
 
-static void warn_of_unused(const case_table *table, const char *const row[], results *answer)
-{
-    bool unused[HEADER_COLUMNS] = {false};
-    header_note_unused(&table->names, row, unused);
-    header_write_unused(&table->names, unused, answer->warnings, sizeof answer->warnings);
-}
-
 bool case_table_solve(const case_table *table, const char *const row[], size_t count,
                       results *answer, char complaint[COMPLAINT_SIZE])
 {
@@ -107,12 +100,15 @@ bool case_table_solve(const case_table *table, const char *const row[], size_t c
         text[i] = header_has_input(&table->names, i) ? row[table->names.column[i]] : NULL;
     const input_texts texts = texts_of(table, text);
     contact_case setup;
-    if (!has_no_gap(table, &texts, complaint) ||
-        !case_read(&texts, CASE_OF_SOLVE, &setup, complaint) ||
-        !results_compute(&setup, table->wanted, answer, complaint))
+    if (!has_no_gap(table, &texts, complaint))
+        return false;
+    const bool solved = case_read(&texts, CASE_OF_SOLVE, &setup, complaint) &&
+                        results_compute(&setup, table->wanted, answer, complaint);
+    rwedge_contact_destroy(setup.contact);
+    if (!solved)
         return false;
     if (texts.text[INPUT_F] == NULL)
         results_warn(answer, "no friction given");
-    warn_of_unused(table, row, answer);
+    header_write_unused_of(&table->names, row, answer->warnings, sizeof answer->warnings);
     return true;
 }

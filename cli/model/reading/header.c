@@ -66,7 +66,7 @@ static const struct {
 /* Where inputs come from that may stand for a column. */
 typedef struct {
     const header *names;
-    const bool *wanted;
+    int first, end; /* of the wanted inputs */
     const input_texts *options;
 } sources;
 
@@ -87,10 +87,9 @@ static bool is_given_somehow(const sources *from, int input)
  * beside f, may be another thing; so is what stands beside the input's own column. */
 static int slip_for(const sources *from, const char *name, size_t length)
 {
-    for (int i = 0; i < INPUT_COUNT; i++) {
+    for (int i = from->first; i < from->end; i++) {
         const char *column = input_kinds[i].column;
-        if (!from->wanted[i] || header_has_input(from->names, i) ||
-            !column_name_is_like(name, length, column))
+        if (header_has_input(from->names, i) || !column_name_is_like(name, length, column))
             continue;
         if (column[1] != '\0' || memchr(name, column[0], length) != NULL ||
             !is_given_somehow(from, i))
@@ -114,10 +113,12 @@ static bool is_among(const char *names, const char *name, size_t length)
 
 static int synonym_for(const sources *from, const char *name, size_t length)
 {
-    for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
-        if (from->wanted[synonyms[i].input] && !is_given_somehow(from, synonyms[i].input) &&
+    for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++) {
+        const int input = synonyms[i].input;
+        if (input >= from->first && input < from->end && !is_given_somehow(from, input) &&
             is_among(synonyms[i].names, name, length))
-            return synonyms[i].input;
+            return input;
+    }
     return INPUT_COUNT;
 }
 
@@ -144,28 +145,24 @@ static bool check_other(const sources *from, const char *name, char complaint[CO
 /* A column that says which row it is, not what is computed. A capital T may be a force. */
 static bool is_label(const char *name)
 {
-    static const char *const labels[] = {"case", "id",    "key",    "line",  "load", "name",
-                                         "no",   "nr",    "number", "row",   "step", "time",
-                                         "t",    "cycle", "point",  "label", "node"};
+    static const char labels[] =
+        "case id key line load name no nr number row step time cycle point label node";
     char plain[COLUMN_NAME_SIZE];
     column_name_make_plain(name, plain);
     const size_t stem = column_name_stem(plain);
-    for (size_t i = 0; i < sizeof labels / sizeof labels[0]; i++)
-        if (column_name_is_like(plain, stem, labels[i]) &&
-            (labels[i][1] != '\0' || memchr(plain, labels[i][0], stem) != NULL))
-            return true;
-    return false;
+    return is_among(labels, plain, stem) ||
+           (is_among("t", plain, stem) && memchr(plain, 't', stem) != NULL);
 }
 
-bool header_find(const char *const name[], size_t count, const bool wanted[INPUT_COUNT],
+bool header_find(const char *const name[], size_t count, int first, int end,
                  const input_texts *options, header *names, char complaint[COMPLAINT_SIZE])
 {
-    const sources from = {names, wanted, options};
+    const sources from = {names, first, end, options};
     *names = (header){.name = name, .count = count};
     for (int i = 0; i < INPUT_COUNT; i++)
         names->column[i] = count;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (wanted[i] && !header_column(names, input_kinds[i].column, &names->column[i], complaint))
+    for (int i = first; i < end; i++)
+        if (!header_column(names, input_kinds[i].column, &names->column[i], complaint))
             return false;
     for (size_t i = 0; i < count; i++) {
         const bool is_input = header_is_input(names, i);
@@ -190,22 +187,29 @@ static bool looks_like_number(const char *text)
     return number_read_cell(bare, '.', &number) || number_read_cell(bare, ',', &number);
 }
 
-void header_note_unused(const header *names, const char *const cells[], bool unused[HEADER_COLUMNS])
+void header_note_unused(header *names, const char *const cells[])
 {
     for (size_t i = 0; i < names->count; i++)
-        if (!names->is_used[i] && !unused[i])
-            unused[i] = looks_like_number(cells[i]);
+        if (!names->is_used[i] && !names->has_number[i])
+            names->has_number[i] = looks_like_number(cells[i]);
 }
 
-void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS], char *text,
-                         size_t size)
+void header_write_unused(const header *names, char *text, size_t size)
 {
     char list[400] = "";
     for (size_t i = 0; i < names->count; i++)
-        if (unused[i])
+        if (names->has_number[i])
             list_add(list, sizeof list, ", ", "'%.60s'", names->name[i]);
     if (list[0] != '\0')
         list_add(text, size, "; ", "columns with numbers that are not used: %s", list);
+}
+
+void header_write_unused_of(const header *names, const char *const cells[], char *text, size_t size)
+{
+    header row = *names;
+    memset(row.has_number, 0, sizeof row.has_number);
+    header_note_unused(&row, cells);
+    header_write_unused(&row, text, size);
 }
 
 /* ---- Rows ---- */
@@ -251,9 +255,7 @@ bool cell_read(const char *text, const char *column, char decimal_sign, double *
 bool load_header_find(const char *const name[], size_t count, header *names,
                       char complaint[COMPLAINT_SIZE])
 {
-    static const bool wanted[INPUT_COUNT] = {
-        [INPUT_P] = true, [INPUT_M] = true, [INPUT_Q] = true, [INPUT_SIGMA] = true};
-    if (!header_find(name, count, wanted, NULL, names, complaint))
+    if (!header_find(name, count, INPUT_P, INPUT_SIGMA + 1, NULL, names, complaint))
         return false;
     if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
         return true;

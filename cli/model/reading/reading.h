@@ -34,16 +34,18 @@ enum { HEADER_COLUMNS = 1000 };
 typedef struct {
     const char *const *name; /* as they stand in the table; they must outlive this */
     size_t count;
-    size_t column[INPUT_COUNT];   /* where each input is; count where it is not there */
-    bool is_used[HEADER_COLUMNS]; /* inputs, and labels of the rows */
+    size_t column[INPUT_COUNT];      /* where each input is; count where it is not there */
+    bool is_used[HEADER_COLUMNS];    /* inputs, and labels of the rows */
+    bool has_number[HEADER_COLUMNS]; /* columns that are not used, in a row that was noted */
 } header;
 
-/* Finds the wanted inputs among the names; other names are columns like any other. An input that
- * the options give needs no column; the options may be NULL. False, with the complaint,
+/* Finds the inputs from `first` on, before `end`, among the names; other names are columns like any
+ * other. An input that the options give needs no column; the options may be NULL. False, with the
+ * complaint,
  *   - where an input is there twice,
  *   - where a name is nearly that of an input, or is followed by a unit, as "Q [N]" or "Q in N",
  *   - where a name usually means an input that nothing gives. */
-bool header_find(const char *const name[], size_t count, const bool wanted[INPUT_COUNT],
+bool header_find(const char *const name[], size_t count, int first, int end,
                  const input_texts *options, header *names, char complaint[COMPLAINT_SIZE]);
 
 bool header_has_input(const header *names, int input);
@@ -64,12 +66,13 @@ bool cell_read(const char *text, const char *column, char decimal_sign, double *
 
 /* Notes the columns that nothing uses but that have a number in this row: one of them may be meant
  * for an input, and nobody would notice. */
-void header_note_unused(const header *names, const char *const cells[],
-                        bool unused[HEADER_COLUMNS]);
+void header_note_unused(header *names, const char *const cells[]);
 
-/* Adds "columns with numbers that are not used: 'T'" to a list, where there are any. */
-void header_write_unused(const header *names, const bool unused[HEADER_COLUMNS], char *text,
-                         size_t size);
+/* Adds "columns with numbers that are not used: 'T'" to a list, where there are any: in the rows
+ * that were noted, or in this one. */
+void header_write_unused(const header *names, char *text, size_t size);
+void header_write_unused_of(const header *names, const char *const cells[], char *text,
+                            size_t size);
 
 /* "; the columns seem to be separated by ';': ..." of the names of a header where the wrong
  * separator may be why it has one only; or nothing. */

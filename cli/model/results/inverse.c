@@ -135,5 +135,6 @@ bool inverse_find(const input_texts *texts, int input, double safety, contact_ca
         return false;
     number_write(*value, NUMBER_DIGITS, '.', text);
     put(&all, input, text);
+    rwedge_contact_destroy(setup->contact);
     return case_read(&all, CASE_OF_SOLVE, setup, complaint);
 }

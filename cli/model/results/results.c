@@ -4,86 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-/* ---- Under a moment or a tension, or after a history ---- */
-
-/* The pressure's top and its values at x = -a and a have no closed form under a moment. */
-static void tilted(const contact_case *setup, double b, cell row[])
-{
-    row[RESULT_B] = cell_number(b);
-    if (setup->shape.kind == PAD_WEDGE) {
-        row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
-        row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));
-    }
-    row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_empty();
-}
-
-static void of_pad(const contact_case *setup, const rwedge_contact *contact, double b, cell row[])
-{
-    row[RESULT_A] = cell_number(setup->A);
-    row[RESULT_BETA] = cell_number(setup->beta);
-    row[RESULT_RADIUS] = cell_number(setup->shape.radius);
-    row[RESULT_B] = cell_number(b);
-    row[RESULT_P0] = cell_number(peak_pressure(setup, contact));
-}
-
-/* Without friction there is neither stick nor slip to speak of. */
-static void friction_of_state(const contact_case *setup, const rwedge_contact *contact, double b,
-                              cell row[])
-{
-    if (setup->f == 0)
-        return;
-    const double c = rwedge_contact_stick_half_width(contact);
-    double left, right;
-    row[RESULT_Q_OVER_FP] = cell_number(case_shear_ratio(setup));
-    row[RESULT_C] = cell_number(c);
-    row[RESULT_C_OVER_B] = cell_number(c / b);
-    if (rwedge_contact_stick_zone(contact, &left, &right) != RWEDGE_OK)
-        return;
-    row[RESULT_STICK_LEFT] = cell_number(left);
-    row[RESULT_STICK_RIGHT] = cell_number(right);
-}
-
-/* The larger of the two edges' is that of the trailing edge. */
-static int32_t tension(const rwedge_contact *contact, const double edge[2], cell row[])
-{
-    const double surface[2] = {0, 0};
-    double sxx[2], syy[2], txy[2];
-    const int32_t status = rwedge_contact_stresses(contact, 2, edge, surface, sxx, syy, txy);
-    if (status == RWEDGE_OK)
-        row[RESULT_TENSION] = cell_number(fmax(sxx[0], sxx[1]));
-    return status;
-}
-
-/* Corrects the results that were computed without moment and tension; those that do not hold become
- * empty. Returns the library's status, and rwedge_contact_error() in *error. */
-static int32_t results_of_state(const contact_case *setup, cell row[], double *error)
-{
-    rwedge_contact *contact = NULL;
-    double edge[2];
-    int32_t status = case_loaded(setup, &contact);
-    if (status == RWEDGE_OK)
-        status = rwedge_contact_edges(contact, &edge[0], &edge[1]);
-    if (status == RWEDGE_OK) {
-        const double b = rwedge_contact_half_width(contact);
-        if (!pad_has_formulas(&setup->shape))
-            of_pad(setup, contact, b, row);
-        else if (setup->M != 0)
-            tilted(setup, b, row);
-        row[RESULT_LEFT] = cell_number(edge[0]);
-        row[RESULT_RIGHT] = cell_number(edge[1]);
-        row[RESULT_TILT] = cell_number(rwedge_contact_tilt(contact));
-        friction_of_state(setup, contact, b, row);
-        if (!isnan(setup->k))
-            row[RESULT_LOAD_OVER_BK] = cell_number(setup->P / b / setup->k);
-        *error = rwedge_contact_error(contact);
-        status = tension(contact, edge, row);
-    }
-    rwedge_contact_destroy(contact);
-    return status;
-}
-
-/* ---- Together ---- */
-
 const column_kind result_kinds[RESULT_COUNT] = {
     [RESULT_A] = {"A", "composite compliance", "1/stress"},
     [RESULT_BETA] = {"dundurs_beta", "Dundurs' beta; 0 for elastically similar bodies", "none"},
@@ -129,6 +49,7 @@ bool results_include(results_wanted wanted, int result)
     return wanted.edges || result < RESULT_LEFT || result > RESULT_TILT;
 }
 
+/* Of the contact under P alone, whose half-width is b. */
 static void geometry(const contact_case *setup, double b, cell row[])
 {
     const pad *shape = &setup->shape;
@@ -137,21 +58,77 @@ static void geometry(const contact_case *setup, double b, cell row[])
     row[RESULT_BETA] = cell_number(setup->beta);
     row[RESULT_RADIUS] = cell_number(shape->radius);
     row[RESULT_B] = cell_number(b);
-    row[RESULT_P0] = cell_number(unit * rwedge_peak_pressure(alpha));
+    row[RESULT_P0] = cell_number(unit * rwedge_peak_pressure(alpha)); /* empty of other pads */
     if (shape->kind == PAD_WEDGE) {
         row[RESULT_ROUNDING] = cell_number(shape->a);
         row[RESULT_A_OVER_B] = cell_number(alpha);
         row[RESULT_AP_OVER_THETA_B] = cell_number(rwedge_load(alpha));
         row[RESULT_P_TRANSITION] = cell_number(unit * rwedge_transition_pressure(alpha));
     }
-    row[RESULT_LEFT] = cell_number(-b);
-    row[RESULT_RIGHT] = cell_number(b);
-    row[RESULT_TILT] = cell_number(0);
+}
+
+static void put_contact(double left, double right, double tilt, cell row[])
+{
+    row[RESULT_LEFT] = cell_number(left);
+    row[RESULT_RIGHT] = cell_number(right);
+    row[RESULT_TILT] = cell_number(tilt);
 }
 
 /* Without friction there is neither stick nor slip to speak of. */
-static bool friction(const contact_case *setup, double b, cell row[],
-                     char complaint[COMPLAINT_SIZE])
+static void put_friction(const contact_case *setup, double c, double c_over_b, double left,
+                         double right, cell row[])
+{
+    if (setup->f == 0)
+        return;
+    row[RESULT_Q_OVER_FP] = cell_number(case_shear_ratio(setup));
+    row[RESULT_C] = cell_number(c);
+    row[RESULT_C_OVER_B] = cell_number(c_over_b);
+    if (!(left < right))
+        return;
+    row[RESULT_STICK_LEFT] = cell_number(left);
+    row[RESULT_STICK_RIGHT] = cell_number(right);
+}
+
+/* ---- Under a moment or a tension, after a history, and of pads without formulas ---- */
+
+/* The pressure's top and its values at x = -a and a have no closed form under a moment. */
+static void geometry_of_state(const contact_case *setup, double b, cell row[])
+{
+    row[RESULT_B] = cell_number(b);
+    row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_empty();
+    if (setup->shape.kind == PAD_WEDGE) {
+        row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
+        row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));
+    } else if (!pad_has_formulas(&setup->shape))
+        row[RESULT_P0] = cell_number(peak_pressure(setup, setup->contact));
+}
+
+/* Corrects the results of geometry(). Returns the library's status. */
+static int32_t results_of_state(const contact_case *setup, cell row[])
+{
+    const rwedge_contact *contact = setup->contact;
+    double edge[2], sxx[2], left = 0, right = 0;
+    const int32_t status =
+        setup->status == RWEDGE_OK ? edge_tensions(contact, edge, sxx) : setup->status;
+    if (status != RWEDGE_OK)
+        return status;
+    const double b = rwedge_contact_half_width(contact),
+                 c = rwedge_contact_stick_half_width(contact);
+    if (setup->M != 0 || !pad_has_formulas(&setup->shape))
+        geometry_of_state(setup, b, row);
+    rwedge_contact_stick_zone(contact, &left, &right);
+    put_contact(edge[0], edge[1], rwedge_contact_tilt(contact), row);
+    put_friction(setup, c, c / b, left, right, row);
+    row[RESULT_TENSION] = cell_number(fmax(sxx[0], sxx[1])); /* that of the trailing edge */
+    if (!isnan(setup->k))
+        row[RESULT_LOAD_OVER_BK] = cell_number(setup->P / b / setup->k);
+    return RWEDGE_OK;
+}
+
+/* ---- By formulas ---- */
+
+static bool state_by_formulas(const contact_case *setup, double b, cell row[],
+                              char complaint[COMPLAINT_SIZE])
 {
     const double alpha = setup->shape.a / b, ratio = case_shear_ratio(setup);
     const double c = rwedge_stick_width(alpha, fabs(ratio));
@@ -161,12 +138,8 @@ static bool friction(const contact_case *setup, double b, cell row[],
         if (status != RWEDGE_OK)
             return complain(complaint, "max_tension: %s", rwedge_strerror(status));
     }
-    const bool rough = setup->f > 0;
-    row[RESULT_Q_OVER_FP] = rough ? cell_number(ratio) : cell_empty();
-    row[RESULT_C] = rough ? cell_number(c * b) : cell_empty();
-    row[RESULT_C_OVER_B] = rough ? cell_number(c) : cell_empty();
-    row[RESULT_STICK_LEFT] = rough && c > 0 ? cell_number(-c * b) : cell_empty();
-    row[RESULT_STICK_RIGHT] = rough && c > 0 ? cell_number(c * b) : cell_empty();
+    put_contact(-b, b, 0, row);
+    put_friction(setup, c * b, c, -c * b, c * b, row);
     row[RESULT_TENSION] = cell_number(setup->shape.theta / setup->A * sxx);
     return true;
 }
@@ -232,20 +205,21 @@ static bool strength(const contact_case *setup, double b, cell row[],
     return isinf(P_yield) ? true : yield_place(setup, P_yield, row, complaint);
 }
 
-static bool yield_factor(const contact_case *setup, results *answer, char complaint[COMPLAINT_SIZE])
+int32_t results_find_hardest(const contact_case *setup, results *answer)
 {
-    rwedge_contact *contact = NULL;
+    const bool strong = !isnan(setup->k);
+    const double k = strong ? setup->k : 1 / setup->A;
     double factor;
-    int32_t status = case_loaded(setup, &contact);
+    int32_t status = setup->status;
     if (status == RWEDGE_OK)
-        status = rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor,
+        status = rwedge_contact_yield_factor(setup->contact, setup->nu1, k, &factor,
                                              &answer->hardest_x, &answer->hardest_y);
-    rwedge_contact_destroy(contact);
     if (status != RWEDGE_OK)
-        return complain(complaint, "yield_factor: %s", rwedge_strerror(status));
+        return status;
     yield_place_settle(&answer->hardest_x, &answer->hardest_y);
-    answer->value[RESULT_YIELD_FACTOR] = cell_number(factor);
-    return true;
+    answer->value[RESULT_YIELD_FACTOR] = strong ? cell_number(factor) : cell_empty();
+    answer->hardest_von_mises = SQRT_3 * k / factor;
+    return RWEDGE_OK;
 }
 
 static const char beyond_pad[] = "the contact would reach farther than the radius, or results "
@@ -257,18 +231,24 @@ static bool compute(const contact_case *setup, double b, results *answer,
     cell *row = answer->value;
     const bool centred = setup->M == 0 && setup->sigma == 0;
     const bool has_formulas = pad_has_formulas(&setup->shape);
-    if (has_formulas)
-        geometry(setup, b, row);
-    if (has_formulas && centred && setup->after == NULL)
-        return friction(setup, b, row, complaint) && strength(setup, b, row, complaint);
-    int32_t status = results_of_state(setup, row, &answer->doubts.error);
+    geometry(setup, b, row);
+    if (has_formulas && centred && !setup->has_history)
+        return state_by_formulas(setup, b, row, complaint) && strength(setup, b, row, complaint);
+    int32_t status = results_of_state(setup, row);
     if (status == RWEDGE_OK && centred && !has_formulas)
         status = results_of_sliding(setup, row);
     if (status != RWEDGE_OK)
         return complain(complaint, "left: %s",
                         status == RWEDGE_ERANGE && !has_formulas ? beyond_pad
                                                                  : rwedge_strerror(status));
+    answer->doubts.error = rwedge_contact_error(setup->contact);
     return !centred || !has_formulas || strength(setup, b, row, complaint);
+}
+
+static bool yield_factor(const contact_case *setup, results *answer, char complaint[COMPLAINT_SIZE])
+{
+    const int32_t status = results_find_hardest(setup, answer);
+    return status == RWEDGE_OK || complain(complaint, "yield_factor: %s", rwedge_strerror(status));
 }
 
 bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,

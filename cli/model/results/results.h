@@ -53,7 +53,7 @@ bool results_include(results_wanted wanted, int result);
  * are doubts of the contact. */
 typedef struct {
     cell value[RESULT_COUNT];
-    double hardest_x, hardest_y; /* the place of the yield factor, where that is known */
+    double hardest_x, hardest_y, hardest_von_mises; /* of results_find_hardest() */
     char warnings[512], bound[32];
     doubts doubts;
 } results;
@@ -61,6 +61,10 @@ typedef struct {
 /* False, with the complaint, where one cannot be computed. */
 bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,
                      char complaint[COMPLAINT_SIZE]);
+
+/* Adds the yield factor, where k is known, and where the stress under the loads is hardest. Returns
+ * the library's status. */
+int32_t results_find_hardest(const contact_case *setup, results *answer);
 
 /* Adds to the warnings. */
 void results_warn(results *answer, const char *warning);
@@ -99,7 +103,8 @@ extern const char inverse_names[];
 
 /* Finds the radius, a, P or f with which P_yield/P, in full sliding, is `safety`, and reads the
  * case with it. The texts give the other inputs; their text of this input and of its alternative is
- * ignored. False, with the complaint, where there is no such value. */
+ * ignored. False, with the complaint, where there is no such value. Destroy the contact also
+ * then. */
 bool inverse_find(const input_texts *texts, int input, double safety, contact_case *setup,
                   double *value, char complaint[COMPLAINT_SIZE]);
 

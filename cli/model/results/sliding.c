@@ -20,11 +20,8 @@ typedef struct {
 
 static int32_t look(const contact_case *setup, double k, const rwedge_contact *contact, sliding *at)
 {
-    double edge[2], sxx[2], syy[2], txy[2], factor = 0;
-    const double surface[2] = {0, 0};
-    int32_t status = rwedge_contact_edges(contact, &edge[0], &edge[1]);
-    if (status == RWEDGE_OK)
-        status = rwedge_contact_stresses(contact, 2, edge, surface, sxx, syy, txy);
+    double edge[2], sxx[2], factor = 0;
+    int32_t status = edge_tensions(contact, edge, sxx);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, setup->nu1, k, &factor, &at->x, &at->y);
     if (status != RWEDGE_OK)

@@ -47,9 +47,7 @@ refuses "--frcition=1: unknown option; the nearest is --friction; \"rwedge table
 for words in "table max-tension --a-over-b 1 --friction 0.3" "table critical-friction --a-over-b 1 --nu 0.25" \
     "figure field --data --x 1 --friction 0.3 --nu 0.25" "profile --a-over-b 1 --f 0.3 --nu1 0.25 --points 2" \
     "solve --E1 2e5 --nu1 0.3 --theta 0.01 --a 1 --P 100 --f 0.3"; do
-    run $(echo "$words" | sed 's/ --x 1//')
-    cp out first
-    status_is 0
+    kept first $(echo "$words" | sed 's/ --x 1//')
     run $(echo "$words" | sed 's/ --x 1//; s/--friction /--F /; s/--f /--friction /; s/--F /--f /
         s/--nu /--NU /; s/--nu1 /--nu /; s/--NU /--nu1 /')
     status_is 0
@@ -105,8 +103,7 @@ refuses "--quantity f: not a quantity of elastic-limit; allowed: $quantities" $l
 table="table contact-law --a-over-b 1"
 field="field --a-over-b 1 --x 0 --y 1"
 for format in csv tsv json; do
-    run $table --format $format
-    cp out wanted
+    kept wanted $table --format $format
     prints "" $table -o chosen.$format
     same "the ending chooses" "" "$(cmp wanted chosen.$format 2>&1)"
 done

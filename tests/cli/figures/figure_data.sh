@@ -130,7 +130,6 @@ refuses "--digits 5: not for a picture; allowed with: --data" figure 2 --digits 
 
 # Figures of a contact and its loads. The loop: its area is the energy of the cycle, it closes, and its end on first loading is that
 # of a cylinder, A f P/pi (r + (1 - r) ln(1 - r))/2, r = Q/(fP).
-specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
 does figure loop --history loads.csv $specimen --data
 awk -F, 'BEGIN { nu = 0.33; r = 30 / (0.3 * 135.75); end = 4 * (1 - nu * nu) / 72100 * 0.3 * 135.75 / 3.14159265358979324 * (r + (1 - r) * log(1 - r)) / 2 }

@@ -107,12 +107,11 @@ run solve -i numbers.csv $fixed --format json --digits 2
 same "what a number would not keep" \
     '"+49" "12345678901234567890" -0.5 1e-05 "0.10" "1E5" "1e5" ".5" "5." "-0"' \
     "$(sed -n 's/.*"n": \([^,]*\).*/\1/p' out | paste -s -d ' ' -)"
+same "with all its digits" 10 "$(grep -c '"f": 0.1234,' out)"
 printf 'P,Q\n0.10,0\n' | "$rwedge" history - $fixed --a 1 --f 0.3 --format json >out
 same "a load is a number as it is" 1 "$(grep -c '"P": 0.1,' out)"
 printf 'P,Q,label\n100,0,0.10\n' | "$rwedge" history - $fixed --a 1 --f 0.3 --format json >out
 same "and a label a text" 1 "$(grep -c '"label": "0.10",' out)"
-run solve -i numbers.csv $fixed --format json --digits 2
-same "with all its digits" 10 "$(grep -c '"f": 0.1234,' out)"
 
 # A text that a spreadsheet would compute gets a ' in front, if that is wished for. Numbers are not texts.
 printf 'a,P,f,=n,x\n1,100,0.1,=1+1,x\n1,100,0.1,"@a,b",x\n1,100,0.1,-5,x\n1,100,0.1,+49,x\n1,100,0.1,-x,x\n' >formulas.csv

@@ -34,12 +34,10 @@ done <rows
 # What is not an input passes through, with its quotes, spaces and line breaks; blank lines and rows of empty cells are no rows;
 # CR LF and a missing last line end change nothing. The mark in front of UTF-8 stays there.
 printf 'note,P,a\n"one, ""1""",100,1\n two ,200, 1\n"three\nlines",1e2,1\n' >plain.csv
-run solve -i plain.csv $fixed
-cp out plain_solved
+kept plain_solved solve -i plain.csv $fixed
 { printf '\357\273\277'; cat out; } >marked_solved
 printf '\357\273\277note,P,a\r\n"one, ""1""",100,1\r\n\r\n two ,200, 1\r\n,,\r\n"", ,\r\n"three\nlines",1e2,1' >marked.csv
-run solve -i marked.csv $fixed
-same "mark, CR LF, blank lines" "" "$(diff marked_solved out)"
+prints_kept "mark, CR LF, blank lines" marked_solved solve -i marked.csv $fixed
 same "errors" 0 "$(grep -c 'must be\|quotes\|cells' out)"
 
 # The comma as decimal sign goes for what is read and what is written; options keep the point.

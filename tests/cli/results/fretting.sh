@@ -3,8 +3,6 @@
 # life; here it is that the right ones stand in the right columns, by closed forms and other commands.
 . "$(dirname "$0")/../claims.sh"
 
-specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
-
 # worst NAME: the place and the value of a measure in the last line of stderr, "x value".
 worst() {
     sed -n "s/.*worst: \(.*; \)\{0,1\}$1 \([^ ]*\) at x = \([^;]*\).*/\3 \2/p" err
@@ -16,15 +14,15 @@ at() {
 }
 
 # The test of Nowell and Hills through a whole cycle, Q and the bulk tension in phase.
-printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
-does fretting cycle.csv $specimen --yield-stress 500
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >hills.csv
+does fretting hills.csv $specimen --yield-stress 500
 same "columns" "x,y,stress_range,swt,swt_angle,fatemi_socie,fs_angle,slip_range,ruiz_f1,ruiz_f2,energy_per_area" "$(head -n 1 out)"
 same "places ascend" "" "$(column x out | awk 'NR > 1 && !($1 > last) { print } { last = $1 }')"
 cp out whole
 cp err said
 
 # The edges of contact and stick zone after each load are places.
-run history cycle.csv $specimen --cycles 2
+run history hills.csv $specimen --cycles 2
 tail -n 3 out | cut -d , -f 6-9 | tr , '\n' | sort -u >edges
 cp out states
 cp whole out
@@ -72,19 +70,15 @@ same "F2 in compression" 0 "$(sed -n 3p out | cut -d , -f 10)"
 # Under constant P the second cycle is like the third, the first is not; there are two unless P changes.
 printf 'P,Q\n135.75,10\n135.75,30\n135.75,-20\n' >cycle.csv
 for cycles in 1 2 3; do
-    run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles $cycles
-    cp out after_$cycles
+    kept after_$cycles fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles $cycles
 done
 paste -d , after_2 after_3 | awk -F, 'NR > 1 { for (i = 3; i <= 11; i++) if ($i != "" && i != 5 && i != 7) print $i, $(i + 11) }' >both
 close_rows "the second cycle and the third" 1e-9 1e-12
 same "the first cycle" differs "$(cmp -s after_1 after_2 || echo differs)"
-run fretting cycle.csv $specimen --x=-0.25:0.25:0.01
-same "two cycles by default" "" "$(cmp out after_2 2>&1)"
+prints_kept "two cycles by default" after_2 fretting cycle.csv $specimen --x=-0.25:0.25:0.01
 printf 'P,Q\n100,10\n150,40\n110,-20\n' >cycle.csv
-run fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles 3
-cp out after_3
-run fretting cycle.csv $specimen --x=-0.25:0.25:0.01
-same "three by default where P changes" "" "$(cmp out after_3 2>&1)"
+kept after_3 fretting cycle.csv $specimen --x=-0.25:0.25:0.01 --cycles 3
+prints_kept "three by default where P changes" after_3 fretting cycle.csv $specimen --x=-0.25:0.25:0.01
 
 # Loads before the first cycle, once. A tangential force of 38 leaves its mark: the stresses and the slip are those of history and
 # profile, where the loads and five cycles stand in one file; the parameter outside the contact, where sxx acts alone, from them.
@@ -104,8 +98,7 @@ for file in but_one all; do
     column slip out | tail -n 5 >slip_$file
 done
 paste -d , tensions slip_but_one slip_all >other_route
-does fretting cycle.csv $specimen $once --x=$places
-cp out marked
+kept marked fretting cycle.csv $specimen $once --x=$places
 tail -n 5 out | paste -d , other_route - | awk -F, 'function size(v) { return v < 0 ? -v : v }
     { printf "%.17g %s\n", size($1 - $2), $7
       if ($12 != "") printf "%.17g %s\n", size($3 - $4), $12
@@ -142,8 +135,7 @@ for threads in 1 2 64; do
 done
 
 # A coarse grid of the user's stays as it is, and the last line still finds the edge.
-printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
-run fretting cycle.csv $specimen --x=-0.3:0.3:0.1
+run fretting hills.csv $specimen --x=-0.3:0.3:0.1
 same "rows" "-0.3 -0.2 -0.1 0 0.1 0.2 0.3" "$(column x out | paste -s -d ' ' -)"
 close_to "the worst SWT of the line" "$(awk 'BEGIN { printf "%.17g", 345.747 ^ 2 * (1 - 0.33 ^ 2) / 72100 }')" "$(worst swt | cut -d ' ' -f 2)" 1e-5
 same "no slip below the surface, or outside" "- -" "$(column slip_range out | sed -n '1p;$p' | paste -s -d ' ' -)"
@@ -172,21 +164,20 @@ same "60 loads take seconds" yes "$([ $(($(date +%s) - begun)) -lt 20 ] && echo 
 same "a few hundred places" yes "$([ "$(wc -l <out)" -lt 700 ] && echo yes)"
 
 # Plane stress by the constants of plane strain: the shear strain of Fatemi and Socie has 1 + nu, which nu = 0 leaves out.
-printf 'P,Q\n135.75,0\n135.75,38\n135.75,-38\n' >cycle.csv
+printf 'P,Q\n135.75,0\n135.75,38\n135.75,-38\n' >shear.csv
 shape="--theta 0.05 --radius 10 --f 0.3 --yield-stress 500 --at -0.21,0"
-run fretting cycle.csv --E1 72100 --nu1 0 $shape
+run fretting shear.csv --E1 72100 --nu1 0 $shape
 wrong=$(column fatemi_socie out)
-run fretting cycle.csv --E1 72100 --nu1 0.33 --plane-stress $shape
+run fretting shear.csv --E1 72100 --nu1 0.33 --plane-stress $shape
 close_to "Fatemi-Socie in plane stress" "$(awk -v w="$wrong" 'BEGIN { printf "%.17g", 1.33 * w }')" "$(column fatemi_socie out)" 1e-9
 
 # Criteria: only columns that are asked for. At the trailing edge sxx alone acts, from -345.747 to 345.747, in plane strain:
 # s1, szz = nu s1 and 0. So the largest shear amplitude is half of 345.747, on planes with the normal stress of its half;
 # Findley's is (k + sqrt(1 + k^2))/2 of it; the deviator swings by sqrt((1 - nu + nu^2)/3) of it.
-printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
 usual=$(head -n 1 whole)
-run fretting cycle.csv $specimen --at 0,0 --criteria crossland,swt --crossland-alpha 0.3
+run fretting hills.csv $specimen --at 0,0 --criteria crossland,swt --crossland-alpha 0.3
 same "columns that are asked for" "$usual,swt_out_of_plane,crossland" "$(head -n 1 out)"
-run fretting cycle.csv $specimen --findley-k 0.3 --kappa 30 --t-a 160 --su 500 --crossland-alpha 0.3 --dang-van-alpha 0.2 --worst worst.csv
+run fretting hills.csv $specimen --findley-k 0.3 --kappa 30 --t-a 160 --su 500 --crossland-alpha 0.3 --dang-van-alpha 0.2 --worst worst.csv
 same "columns whose constants are given" "findley,findley_angle,findley_out_of_plane,modified_wohler,modified_wohler_angle,modified_wohler_out_of_plane,mcdiarmid,mcdiarmid_angle,mcdiarmid_out_of_plane,crossland,dang_van" \
     "$(head -n 1 out | cut -d , -f 12-)"
 expect="findley modified_wohler mcdiarmid crossland dang_van"
@@ -208,7 +199,6 @@ run fretting phase.csv --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --f 0.6 --yield-s
 same "off z" yes "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "fs_out_of_plane") c = i; next } $6 > m { m = $6; o = $c }
     END { if (o > 20 && o < 70) print "yes"; else print o }' out)"
 # Verdicts: at the worst place of the surface, at half of a length below it, as the mean over twice of it.
-printf 'P,Q,sigma\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
 printf 'name,value\nE,72100\nnu,0.33\ncrossland_alpha,0.3\ncrossland_limit,100\nsf,475.4\nb,-0.078\nef,0.612\nc,-0.62\nswt_limit,0.6\ndK_th,60\nds0,250\n' >metal.csv
 printf '{"source": "none", "E": 72100, "nu": 0.33, "crossland_alpha": 0.3, "crossland_limit": 100, "dK_th": 60, "ds0": 250}' >metal.json
 shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0"
@@ -246,6 +236,8 @@ for metal in "$here"/../../../tables/materials/*.json; do
     close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
         -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9
 done
+refuses "--output metal.csv: it is the input; allowed: another file" fretting cycle.csv $shape --material metal.csv -o metal.csv
+refuses "--output metal.csv: it is the input; allowed: another file" fretting cycle.csv $shape --material metal.csv --worst metal.csv
 refuses "swt-damage: needs sf, b, ef, c of --material" fretting cycle.csv $shape --E1 72100 --nu1 0.33 --criteria swt-damage
 refuses "--method line: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --method line
 refuses "--length 1: needs --at-worst or --worst" fretting cycle.csv $specimen --length 1
@@ -255,42 +247,40 @@ cannot "short.csv: c: missing; needed beside ef" fretting cycle.csv $specimen --
 cannot "nowhere.json: No such file or directory" fretting cycle.csv $specimen --material nowhere.json
 printf '{"sy": 475}' >short.json
 cannot "short.json: sy: no constant that is known here; see rwedge fretting in its manual" fretting cycle.csv $specimen --material short.json
-printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >cycle.csv
 
-refuses "findley: needs --findley-k" fretting cycle.csv $specimen --criteria findley
-refuses "mcdiarmid: needs --t-a" fretting cycle.csv $specimen --su 500
-refuses "fatemi-socie: needs --yield-stress" fretting cycle.csv $specimen --criteria swt,fatemi-socie
-refuses "--kappa -1: must be a number, 0 or 1e-60 to 1e60" fretting cycle.csv $specimen --kappa=-1
+refuses "findley: needs --findley-k" fretting hills.csv $specimen --criteria findley
+refuses "mcdiarmid: needs --t-a" fretting hills.csv $specimen --su 500
+refuses "fatemi-socie: needs --yield-stress" fretting hills.csv $specimen --criteria swt,fatemi-socie
+refuses "--kappa -1: must be a number, 0 or 1e-60 to 1e60" fretting hills.csv $specimen --kappa=-1
 refuses "--criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van, swt-damage, fatemi-socie-damage" \
-    fretting cycle.csv $specimen --criteria swt,fs
+    fretting hills.csv $specimen --criteria swt,fs
 
 # Wear is K times the energy, at the places and in the last line; the angle of a critical distance is to the normal.
-run fretting cycle.csv $specimen --archard 1e-5
+run fretting hills.csv $specimen --archard 1e-5
 column wear_depth out >worn
 column energy_per_area out | paste -d ' ' worn - | awk '$1 != "-" { printf "%.17g %s\n", $2 * 1e-5, $1 }' >both
 close_rows "wear" 1e-14 0
 close_to "worst wear" "$(awk -v e="$(worst energy_per_area | cut -d ' ' -f 2)" 'BEGIN { printf "%.17g", e * 1e-5 }')" "$(worst wear_depth | cut -d ' ' -f 2)" 1e-5
-run fretting cycle.csv $specimen --at-worst --length 0.02 --angle 30
+run fretting hills.csv $specimen --at-worst --length 0.02 --angle 30
 x=$(verdict swt x)
 at_length=$(verdict swt at_length)
-run fretting cycle.csv $specimen --at "$(awk -v x="$x" 'BEGIN { pi = 3.14159265358979324; printf "%.17g,%.17g", x + 0.01 * sin(pi / 6), 0.01 * cos(pi / 6) }')"
+run fretting hills.csv $specimen --at "$(awk -v x="$x" 'BEGIN { pi = 3.14159265358979324; printf "%.17g,%.17g", x + 0.01 * sin(pi / 6), 0.01 * cos(pi / 6) }')"
 close_to "the point at an angle" "$(column swt out)" "$at_length" 1e-10
-refuses "--angle 86: must be a number from -85 to 85" fretting cycle.csv $specimen --at-worst --length 1 --angle 86
-refuses "--angle 8: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --angle 8
+refuses "--angle 86: must be a number from -85 to 85" fretting hills.csv $specimen --at-worst --length 1 --angle 86
+refuses "--angle 8: needs --length, or dK_th and ds0 of --material" fretting hills.csv $specimen --at-worst --angle 8
 
 # For ParaView: a grid of the places of the rows, with each column; points otherwise.
-run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt
-cp out rows
-run fretting cycle.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt --format vtk
+kept rows fretting hills.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt
+run fretting hills.csv $specimen --x=-0.3:0.3:0.1 --depth 0,0.05 --criteria swt --format vtk
 same "the grid" "DIMENSIONS 7 2 1 POINT_DATA 14" "$(grep -E '^(DIMENSIONS|POINT_DATA)' out | paste -s -d ' ' -)"
 same "its columns" "$(head -n 1 rows | tr , '\n' | sed '1,2d' | paste -s -d ' ' -)" "$(awk '/^SCALARS/ { print $2 }' out | paste -s -d ' ' -)"
 awk '/^SCALARS/ { on = $2 == "swt"; next } on && !/^LOOKUP/ { for (i = 1; i <= NF; i++) print $i }' out >swt
 cp rows out
 same "its numbers" "$(column swt out)" "$(cat swt)"
-run fretting cycle.csv $specimen --at '0.1,0;0.2,0.1' --format vtk
+run fretting hills.csv $specimen --at '0.1,0;0.2,0.1' --format vtk
 same "points" "POINTS 2 double 0.1 0 0 0.2 0.1 0" "$(grep -A 2 '^POINTS' out | paste -s -d ' ' -)"
 same "what has no value" "nan" "$(awk '/^SCALARS slip_range/ { on = 1; next } on && !/^LOOKUP/ { print $2; exit }' out)"
-refuses "--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx" fretting cycle.csv $specimen --at-worst --format vtk
+refuses "--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx" fretting hills.csv $specimen --at-worst --format vtk
 
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv

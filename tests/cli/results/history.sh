@@ -8,7 +8,6 @@ cells() {
 }
 
 # The tests of Nowell and Hills: a cylinder on a specimen under bulk tension in phase with Q. Their numbers as in off_centre.sh.
-specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 printf 'time,P,Q,sigma,name\n0,135.75,0,0,press\n0.5,135.75,38.75,100,pull\n1,135.75,-38.75,-100,push\n1.5,135.75,38.75,100,"pull, again"\n' >loads.csv
 does_quietly history loads.csv $specimen
 same "columns" "time,name,load,P,M,Q,sigma,left,right,stick_left,stick_right,tilt,peak_pressure,tension_left,tension_right,largest_slip,energy,yield_factor,yield_x,yield_y,warnings,error" \
@@ -73,10 +72,8 @@ same "columns" "time,name,load,x,y,sxx,syy,szz,txy,s1,s2,von_mises,tau_max" "$(h
 same "field" "$(cat expected)" "$(tail -n 4 out | sed 's/"pull, again"/again/' | awk -F, -v OFS=, '{ print $6, $7, $9, $12, $10, $8, $11, $13 }')"
 cp out listed
 printf 'name,x,y\na,-0.2,0\nb,0.1,0\nc,-0.2,0.05\nd,0.1,0.05\n' >points.csv
-run history loads.csv $specimen --points points.csv
-same "a file of points" "" "$(diff listed out)"
-run history loads.csv $specimen --x -0.2,0.1 --depth 0,0.05
-same "a grid" "" "$(diff listed out)"
+prints_kept "a file of points" listed history loads.csv $specimen --points points.csv
+prints_kept "a grid" listed history loads.csv $specimen --x -0.2,0.1 --depth 0,0.05
 run history --E1 72100 --nu1 0.33 --theta 0.05 --a 0 --f 0.3 --load 100,0 --at 0,0
 same "the sharp apex" "1,0,0,,,,,,,," "$(tail -n 1 out)"
 

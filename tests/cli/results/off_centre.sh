@@ -5,7 +5,6 @@
 # A cylinder on a specimen under bulk tension (Nowell and Hills), N and mm: 4 mm wide, E = 72.1 GPa, nu = 0.33, 543 N, 155 N,
 # R = 10, f = 0.3, 100 MPa. The stick zone has the half-width c = b sqrt(1 - Q/(fP)) = 0.045519 and the middle e = b sigma/(4 f
 # p0) = 0.041197. The tension at the trailing edge is 2 f p0 (1 - (d - sqrt(d^2 - c^2))/b) + sigma, d = b + e.
-specimen="--E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3"
 does_quietly solve $specimen --P 135.75 --Q 38.75 --sigma 100
 close_to b 0.206698 "$(value b)" 3e-6
 close_to p0 418.104 "$(value p0)" 2e-6
@@ -26,8 +25,7 @@ printf 'time,P,Q,sigma\n0,135.75,0,0\n1,135.75,38.75,100\n' >loads.csv
 prints "$(cat once)" solve $specimen --history loads.csv
 # Otherwise as "history" has it; what takes the contact to slide does not depend on the way.
 turned="--load 135.75,0 --load 135.75,38.75 --load 135.75,-10"
-run solve $specimen --yield-stress 500 --P 135.75 --Q -10
-cp out slides
+kept slides solve $specimen --yield-stress 500 --P 135.75 --Q -10
 run history $specimen --yield-stress 500 $turned
 tail -n 1 out >last
 does_quietly solve $specimen --yield-stress 500 $turned --yield-factor
@@ -60,8 +58,7 @@ close_to "and of the profile, whose slip is 0 there" 0.6 \
 
 # What is there only with moment or tension comes after c_over_b. Zero is as good as none.
 plain="--E1 210000 --nu1 0.3 --theta 0.05 --a 0.1 --f 0.3 --P 300 --Q 40 --k 300 --yield-factor --layout row"
-run solve $plain
-cp out without
+kept without solve $plain
 run solve $plain --M 0 --sigma 0
 same "columns" left,right,stick_left,stick_right,tilt "$(head -n 1 out | cut -d , -f 13-17)"
 same "the others" "" "$(cut -d , -f 1-12,18- out | diff without - 2>&1)"
@@ -77,8 +74,7 @@ run solve --E1 210000 --nu1 0.3 --theta 0.05 --radius 100 --P 100 --f 0.3 --k 30
 close_to "yield factor, the same" "$(value yield_factor)" "$factor" 1e-12
 
 # The ends of the profile are the edges that solve gives.
-run solve $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50
-cp out solved
+kept solved solve $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50
 does_quietly profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --points 2001
 same "edges" "$(awk -F, '$1 == "left" || $1 == "right" { print $2 }' solved | paste -s -d ' ' -)" "$(column x out | sed -n '1p;$p' | paste -s -d ' ' -)"
 same "zones" "free slip stick slip free" "$(column zone out | uniq | paste -s -d ' ' -)"
@@ -94,8 +90,7 @@ run profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --x 0.1
 close_to "field and profile" "$(column sxx out)" "$sxx" 1e-12
 
 # Natural units with a moment and tension: the same contact in units of its own, b = 0.2 without the moment.
-does profile --a-over-b 0.5 --f 0.3 --nu1 0.33 --q-over-fp 0.5 --M 0.3 --sigma 0.1 --points 41
-cp out natural
+kept natural profile --a-over-b 0.5 --f 0.3 --nu1 0.33 --q-over-fp 0.5 --M 0.3 --sigma 0.1 --points 41
 run table contact-law --a-over-b 0.5
 set -- $(awk -F, 'NR == 2 { A = 4 * (1 - 0.33 ^ 2) / 72100; u = 0.05 / A; P = $2 * u * 0.2
     printf "%.17g %.17g %.17g %.17g", P, 0.3 * 0.5 * P, 0.3 * u * 0.04, 0.1 * u }' out)
@@ -105,10 +100,8 @@ paste -d , natural out | awk -F, 'NR > 1 { u = 0.05 * 72100 / (4 * (1 - 0.33 ^ 2
 close_rows "natural units" 1e-9 1e-9
 
 # A history by options and from a file; two numbers keep moment and tension, a file without their columns has none.
-run profile $specimen --load 100,5,0,0 --load 100,5,20,40 --load 100,-10 --points 21
-cp out listed
-run profile $specimen --load 100,5,0,0 --load 100,5,20,40 --load 100,5,-10,40 --points 21
-same "P,Q keeps M and sigma" "" "$(diff listed out)"
+kept listed profile $specimen --load 100,5,0,0 --load 100,5,20,40 --load 100,-10 --points 21
+prints_kept "P,Q keeps M and sigma" listed profile $specimen --load 100,5,0,0 --load 100,5,20,40 --load 100,5,-10,40 --points 21
 printf 'Q,sigma,P,M\n0,0,100,5\n20,40,100,5\n-10,40,100,5\n' >history.csv
 does_quietly profile $specimen --history history.csv --points 21
 same "from a file" "" "$(diff listed out)"

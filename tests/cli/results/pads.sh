@@ -11,8 +11,7 @@ same_results() { # WHAT RELATIVE FILE FILE: numbers of both lists, and what is e
 }
 
 # A cylinder is a wedge of which only the rounding touches.
-run solve $steel --theta 0.1 --radius 10 $loads --k 500 --yield-factor
-cp out wedge
+kept wedge solve $steel --theta 0.1 --radius 10 $loads --k 500 --yield-factor
 does_quietly solve $steel --radius 10 $loads --k 500 --yield-factor
 same_results "cylinder" 1e-13 out wedge
 same "what only a wedge has" "a a_over_b AP_over_theta_b p_transition" \
@@ -21,13 +20,10 @@ printf 'P,M,Q,sigma\n300,0,0,0\n300,0,50,20\n300,0,-40,-10\n' >loads.csv
 for command in "profile --history loads.csv --points 9" "field --history loads.csv --x -0.1,0.2 --y 0,0.1" \
     "history loads.csv --k 500" "fretting loads.csv --x -0.1:0.1:0.05" "figure fretting --data --history loads.csv" \
     "figure loop --data --history loads.csv --load 100,0"; do
-    run $command $steel --f 0.3 --theta 0.1 --radius 10 --digits 5
-    cp out wedge
-    does $command $steel --f 0.3 --radius 10 --digits 5
-    same "$command" "" "$(diff wedge out)"
+    kept wedge $command $steel --f 0.3 --theta 0.1 --radius 10 --digits 5
+    prints_kept "$command" wedge $command $steel --f 0.3 --radius 10 --digits 5
 done
-run solve $steel --theta 0.1 --P 300 --f 0.3 --k 500 --for radius --safety 2
-cp out wedge
+kept wedge solve $steel --theta 0.1 --P 300 --f 0.3 --k 500 --for radius --safety 2
 run solve $steel --P 300 --f 0.3 --k 500 --for radius --safety 2
 same_results "radius that is looked for" 1e-13 out wedge
 
@@ -49,14 +45,12 @@ close_to "safety at P_yield" 1 "$(value safety)" 1e-11
 # The same pad by its slopes, and by heights of its arcs: parabolas, whose slopes half-way are exact.
 printf 'x;slope\n-101;-1\n-1;0\n1;0\n101;1\n' >slopes.csv
 awk 'BEGIN { print "x,height"; for (i = -100; i <= 100; i++) { x = i / 10; print x "," x * x / 200 } }' >heights.csv
-run solve $steel --flat 1 --radius 100 $loads --k 500 --yield-factor
-cp out first
+kept first solve $steel --flat 1 --radius 100 $loads --k 500 --yield-factor
 run solve $steel --profile slopes.csv $loads --k 500 --yield-factor --decimal-comma
 sed 's/,/./g; s/;/,/g' out >second
 mv second out
 same_results "flat pad by its slopes" 1e-10 out first
-run solve $steel --radius 100 $loads
-cp out first
+kept first solve $steel --radius 100 $loads
 does solve $steel --profile heights.csv $loads
 same_results "cylinder by heights" 1e-10 out first
 
@@ -70,8 +64,7 @@ same "measures at a sharp edge" "0,0,,,,,,,,," "$(sed -n 2p out)"
 # The convex hull of heights.
 printf 'x,height,note\n-1,0.1,1\n-0.5,0.02,2\n0,0.03,3\n0.3,0.001,4\n0.5,0.02,5\n1,0.1,6\n' >dent.csv
 printf 'x,height\n-1,0.1\n-0.5,0.02\n0,0.008125\n0.3,0.001\n0.5,0.02\n1,0.1\n' >filled.csv
-run solve $steel --profile filled.csv $loads
-cp out first
+kept first solve $steel --profile filled.csv $loads
 run solve $steel --profile dent.csv --hull $loads
 message_is "rwedge solve: dent.csv: line 4: height 0.03: not convex at 1 place, x = 0; the convex hull that is taken is lower by up to \
 0.021875, at x = 0; dent.csv: columns with numbers that are not used: 'note'"
@@ -91,6 +84,9 @@ same "errors" "profile dent.csv: line 4: height 0.03: not convex at 1 place|-|pr
 run solve -i cases.csv $steel --hull
 message_has "dent.csv: line 4: height 0.03: not convex at 1 place"
 same "rows that are solved" 2 "$(column b out | grep -c '^[0-9]')"
+
+printf 'profile,P\nworn.csv,300\n' >cases.csv
+refuses "--output worn.csv: it is the input; allowed: another file" solve -i cases.csv $steel -o worn.csv
 
 # What is no pad.
 refuses "missing: --radius" solve $steel $loads --flat 1

@@ -22,18 +22,14 @@ does profile $wedge --P 300 --Q 40 --points 2001
 same "zones" "free slip stick slip free" \
     "$(column zone out | uniq | paste -s -d ' ' -)"
 same "ends and middle" "0 0" "$(awk -F, 'NR == 2 { a = $1 } NR == 1002 { m = $1 } END { print a + $1, m }' out)"
-run profile $wedge --load 300,0 --load 300,60 --load 300,-30 --load 200,10 --points 2001
-cp out listed
+kept listed profile $wedge --load 300,0 --load 300,60 --load 300,-30 --load 200,10 --points 2001
 printf 'step,P,Q\n1,300,0\n2,300,60\n3,300,-30\n4,200,10\n' >history.csv
-run profile $wedge --history history.csv --points 2001
-same "history from a file" "" "$(diff listed out)"
+prints_kept "history from a file" listed profile $wedge --history history.csv --points 2001
 tr ',' ';' <history.csv >comma.csv
 run profile $wedge --history - --points 2001 --decimal-comma <comma.csv
 same "history from standard input, with commas" "" "$(tr ';,' ',.' <out | diff listed -)"
-run profile $wedge --load 300,0 --load 300,40 --points 2001
-cp out twice
-run profile $wedge --P 300 --Q 40 --points 2001
-same "--P and --Q are Q under constant P" "" "$(diff twice out)"
+kept twice profile $wedge --load 300,0 --load 300,40 --points 2001
+prints_kept "--P and --Q are Q under constant P" twice profile $wedge --P 300 --Q 40 --points 2001
 
 # Mindlin: loading to Q1 = 45, and back to Q2 = -9, f P = 90. In b: c = sqrt(1 - Q1/(fP)), and the reversal reaches
 # c' = sqrt(1 - (Q1 - Q2)/(2 f P)); q(0) = -f p0 ((1 - c) - 2 (1 - c')).
@@ -49,8 +45,7 @@ same "signs of q from the middle outwards: friction resists the last motion" "+"
     "$(awk -F, '$4 == "slip" { print ($3 > 0 ? "+" : "-") }' out | uniq | paste -s -d ' ' -)"
 
 # Natural and dimensional are one: x in b, p and q in theta/A, slip in theta b.
-run profile $wedge --P 300 --Q 40 --points 21
-cp out dimensional
+kept dimensional profile $wedge --P 300 --Q 40 --points 21
 run solve $wedge --P 300 --Q 40
 b=$(value b) A=$(value A) alpha=$(value a_over_b) c=$(value c_over_b)
 for natural in "--q-over-fp 0.44444444444444442" "--c-over-b $c"; do

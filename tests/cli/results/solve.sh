@@ -60,10 +60,8 @@ same safety 0 "$(value safety)"
 same yield_branch surface "$(value yield_branch)"
 
 # The same contact given in another way is the same.
-run solve $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.2 --k 100
-cp out first
-run solve $steel --E2 210000 --nu2 0.3 --theta 0.1 --a 1 --P 1e2 --Q 5 --f 0.2 --k 100
-same "second body of the same material" "" "$(diff first out)"
+kept first solve $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.2 --k 100
+prints_kept "second body of the same material" first solve $steel --E2 210000 --nu2 0.3 --theta 0.1 --a 1 --P 1e2 --Q 5 --f 0.2 --k 100
 value_like() { # WHAT OPTIONS...
     what=$1
     shift
@@ -77,8 +75,7 @@ value_like radius $steel --theta 0.1 --radius 10 --P 100 --Q 5 --f 0.2 --k 100
 value_like "yield stress" $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.2 --yield-stress 173.20508075688772
 
 # Q < 0 is the mirror image.
-run solve $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.5 --k 100
-cp out first
+kept first solve $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.5 --k 100
 run solve $steel --theta 0.1 --a 1 --P 100 --Q -5 --f 0.5 --k 100
 same "what changes with the sign of Q" "Q_over_fP yield_x" \
     "$(diff first out | sed -n 's/^> \([^,]*\),.*/\1/p' | paste -s -d ' ' -)"

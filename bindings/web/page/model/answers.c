@@ -51,12 +51,6 @@ EXPORTED rwedge_contact *page_contact(void)
     return contact;
 }
 
-static void keep(rwedge_contact *contact)
-{
-    rwedge_contact_destroy(page_contact());
-    loaded = contact;
-}
-
 static void refuse(int input, const char *complaint)
 {
     json_fault(input < INPUT_COUNT ? input_kinds[input].column : "", complaint);
@@ -105,51 +99,36 @@ static void write_setup(const contact_case *setup)
 static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
 {
     char complaint[COMPLAINT_SIZE];
-    load_fault fault = {.input = INPUT_COUNT, .status = RWEDGE_OK};
-    bool there = case_is_complete(texts, needs, complaint);
-    if (there && !case_read(texts, needs, setup, complaint)) {
-        fault = case_fault(setup);
-        there = false;
-    }
-    if (!there) {
-        refuse(fault.input, complaint);
-        write_verdict(verdict_of_fault(fault.status, complaint));
+    if (!case_read(texts, needs, setup, complaint)) {
+        refuse(setup->at_fault, complaint);
+        write_verdict(verdict_of_fault(setup->status, complaint));
         return false;
     }
     write_setup(setup);
     return true;
 }
 
-/* Where the stress under the loads is hardest: any k gives the place. */
 static void write_hardest(const contact_case *setup, results *answer)
 {
-    const bool strong = !isnan(setup->k);
-    const double k = strong ? setup->k : 1 / setup->A;
-    double factor, x, y;
-    if (rwedge_contact_yield_factor(loaded, setup->nu1, k, &factor, &x, &y) != RWEDGE_OK)
-        return;
-    if (strong)
-        answer->value[RESULT_YIELD_FACTOR] = cell_number(factor);
-    yield_place_settle(&x, &y);
-    answer->hardest_x = x;
-    answer->hardest_y = y;
-    if (!(factor > 0)) /* infinite at a sharp apex */
-        return;
-    json_add("{'hardest':{'factor':%n,'x':%n,'y':%n,'von_mises':%n}}", factor, x, y,
-             SQRT_3 * k / factor);
+    const bool there = results_find_hardest(setup, answer) == RWEDGE_OK;
+    if (there && isfinite(answer->hardest_von_mises)) /* not at a sharp apex */
+        json_add("{'hardest':{'factor':%n,'x':%n,'y':%n,'von_mises':%n}}",
+                 answer->value[RESULT_YIELD_FACTOR].number, answer->hardest_x, answer->hardest_y,
+                 answer->hardest_von_mises);
 }
 
-static void write_results(const contact_case *setup, verdict_style style)
+static bool write_results(const contact_case *setup, verdict_style style)
 {
     results answer;
     char complaint[COMPLAINT_SIZE];
     const results_wanted wanted = {.edges = true};
-    if (case_loaded(setup, &loaded) != RWEDGE_OK ||
-        !results_compute(setup, wanted, &answer, complaint)) {
-        keep(NULL);
+    bool there = results_compute(setup, wanted, &answer, complaint);
+    if (there && setup->status != RWEDGE_OK)
+        there = complain(complaint, "%s", rwedge_strerror(setup->status));
+    if (!there) {
         refuse(INPUT_COUNT, complaint);
         write_verdict(verdict_of_fault(RWEDGE_OK, complaint));
-        return;
+        return false;
     }
     write_hardest(setup, &answer);
     for (int i = 0; i < RESULT_COUNT; i++) {
@@ -161,18 +140,22 @@ static void write_results(const contact_case *setup, verdict_style style)
                      value->text == NULL ? value->number : NAN);
     }
     write_verdict(verdict_of(&answer, style));
+    return true;
 }
 
 /* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict, with the
  * unit of lengths. */
 EXPORTED const char *page_answer(char *lines, const char *length, int decimal_sign)
 {
-    contact_case setup;
+    contact_case setup = {.contact = NULL};
     const input_texts texts = field_texts(lines);
-    keep(NULL);
+    rwedge_contact_destroy(page_contact());
     json_begin();
-    if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup))
-        write_results(&setup, (verdict_style){(char)decimal_sign, length});
+    if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup) &&
+        write_results(&setup, (verdict_style){(char)decimal_sign, length}))
+        loaded = setup.contact;
+    else
+        rwedge_contact_destroy(setup.contact);
     return json_end();
 }
 
@@ -206,14 +189,14 @@ EXPORTED const char *page_find(char *lines, const char *name, double safety)
 {
     const input_texts texts = field_texts(lines);
     const int input = inverse_input(name);
-    contact_case setup;
+    contact_case setup = {.contact = NULL};
     double value;
     char complaint[COMPLAINT_SIZE];
-    if (!inverse_find(&texts, input, safety, &setup, &value, complaint)) {
-        json_refuse("", complaint);
-        return json_end();
-    }
     json_begin();
-    json_add("{'value':%n}", value);
+    if (inverse_find(&texts, input, safety, &setup, &value, complaint))
+        json_add("{'value':%n}", value);
+    else
+        json_fault("", complaint);
+    rwedge_contact_destroy(setup.contact);
     return json_end();
 }

@@ -25,12 +25,9 @@ static void leave_to_columns(const header *names, input_texts *constants)
 static bool begin(const csv_row *first, char *lines, char decimal_sign, case_table *table,
                   char complaint[COMPLAINT_SIZE])
 {
-    bool wanted[INPUT_COUNT];
-    for (int i = 0; i < INPUT_COUNT; i++)
-        wanted[i] = true;
     table->constants = field_texts(lines);
     /* the form stands for no column that is nearly named: nothing is given but the columns */
-    if (!header_find(first->cell, first->count, wanted, NULL, &table->names, complaint))
+    if (!header_find(first->cell, first->count, 0, INPUT_COUNT, NULL, &table->names, complaint))
         return false;
     leave_to_columns(&table->names, &table->constants);
     for (int i = 0; i < INPUT_COUNT; i++)
@@ -73,41 +70,37 @@ static void write_row(const case_table *table, const csv_row *row)
     json_add("]}]}");
 }
 
-/* The rows below the names; false, with the problem, where they cannot be read on. */
-static bool write_rows(csv_input *in, const case_table *table, const char **problem)
+/* The rows below the names; or the problem, where they cannot be read on. */
+static void write_rows(csv_input *in, case_table *table)
 {
-    bool is_unused[HEADER_COLUMNS] = {false};
     char unused[COMPLAINT_SIZE] = "";
-    csv_row row;
-    while (pasted_next(in, &row, problem)) {
-        write_row(table, &row);
-        if (row.count == table->names.count)
-            header_note_unused(&table->names, row.cell, is_unused);
-        csv_row_free(&row);
+    while (csv_input_next(in)) {
+        write_row(table, &in->row);
+        if (in->row.count == table->names.count)
+            header_note_unused(&table->names, in->row.cell);
     }
-    header_write_unused(&table->names, is_unused, unused, sizeof unused);
+    header_write_unused(&table->names, unused, sizeof unused);
     json_add("{'unused':%t}", unused);
-    return (*problem)[0] == '\0';
+    if (in->problem[0] != '\0')
+        json_refuse("", in->problem);
 }
 
 /* Of pasted rows, and the case of the form for the columns that they lack: columns, results,
  * constants, rows with their colour and fault, columns that are not used. */
 EXPORTED const char *page_rows(const char *text, char *lines, int decimal_sign)
 {
-    csv_input *in = pasted_open(text);
-    csv_row first = {0};
-    const char *problem;
+    csv_row first;
+    csv_input *in = pasted_open(text, &first);
     char complaint[COMPLAINT_SIZE];
     case_table table = {0};
     json_begin();
-    if (!pasted_next(in, &first, &problem))
-        json_refuse("", problem);
+    if (first.cell == NULL)
+        json_refuse("", in->problem);
     else if (!begin(&first, lines, (char)decimal_sign, &table, complaint))
         json_refuse("", complaint);
     else {
         write_head(&table);
-        if (!write_rows(in, &table, &problem))
-            json_refuse("", problem);
+        write_rows(in, &table);
     }
     csv_row_free(&first);
     csv_input_close(in);

@@ -14,7 +14,6 @@ typedef struct {
     int criterion, column; /* that is chosen, and its column */
     load_list loads;
     last_cycle last;
-    double error; /* the largest of its states */
     measured along;
     double worst_x[COLUMN_COUNT], worst[COLUMN_COUNT]; /* NAN and 0 where nothing is above 0 */
     loop loop;
@@ -24,6 +23,7 @@ static question asked; /* JavaScript reads its arrays until the next one */
 
 static void forget(void)
 {
+    rwedge_contact_destroy(asked.setup.contact);
     load_list_free(&asked.loads);
     last_cycle_free(&asked.last);
     free(asked.along.place);
@@ -95,47 +95,41 @@ static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
 /* ---- The loads ---- */
 
 /* P and M come first; then Q and sigma go to and fro. */
-static bool to_and_fro(load form, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
+static bool to_and_fro(load form, char complaint[COMPLAINT_SIZE])
 {
     const load before = {.P = form.P, .M = form.M};
-    snprintf(complaint, COMPLAINT_SIZE,
-             "Q or sigma of the form goes to and fro where no loads are given; both are 0");
-    if ((form.Q == 0 && form.sigma == 0) ||
-        !loads_apply_next(before, asked.setup.f, contact, complaint))
+    if (form.Q == 0 && form.sigma == 0)
+        return complain(complaint, "Q or sigma of the form goes to and fro where no loads are "
+                                   "given; both are 0");
+    if (!loads_apply_next(before, asked.setup.f, asked.setup.contact, complaint))
         return false;
     load_list_add(&asked.loads, form, 0);
     load_list_add(&asked.loads, (load){form.P, form.M, -form.Q, -form.sigma}, 0);
     return true;
 }
 
-static void refuse_load(int line, size_t cycle, const char *why, char complaint[COMPLAINT_SIZE])
+static bool refuse_load(int line, size_t cycle, const char *why, char complaint[COMPLAINT_SIZE])
 {
     char place[60] = "";
     if (line > 0)
         snprintf(place, sizeof place, cycle > 1 ? "line %d, cycle %zu: " : "line %d: ", line,
                  cycle);
-    snprintf(complaint, COMPLAINT_SIZE, "%s%.300s", place, why);
+    return complain(complaint, "%s%.300s", place, why);
 }
 
-static bool go_through(const criteria *wanted, int64_t cycles, rwedge_contact *contact,
-                       char complaint[COMPLAINT_SIZE])
+static bool go_through(const criteria *wanted, int64_t cycles, char complaint[COMPLAINT_SIZE])
 {
+    rwedge_contact *contact = asked.setup.contact;
     const size_t n = asked.loads.count, last = (size_t)(cycles - 1) * n;
     char why[COMPLAINT_SIZE];
     for (size_t i = 0; i < last + n; i++) {
         const listed_load *next = &asked.loads.load[i % n];
-        if (i == last) {
+        if (i == last)
             last_cycle_begin(&asked.setup, wanted, contact, n, &asked.last);
-            asked.error = rwedge_contact_error(contact);
-        }
-        if (!loads_apply_next(next->to, asked.setup.f, contact, why)) {
-            refuse_load(next->line, i / n + 1, why, complaint);
-            return false;
-        }
-        if (i >= last) {
+        if (!loads_apply_next(next->to, asked.setup.f, contact, why))
+            return refuse_load(next->line, i / n + 1, why, complaint);
+        if (i >= last)
             last_cycle_add(contact, &asked.last);
-            asked.error = fmax(asked.error, rwedge_contact_error(contact));
-        }
     }
     return true;
 }
@@ -144,19 +138,14 @@ static bool go_through(const criteria *wanted, int64_t cycles, rwedge_contact *c
 static bool apply(const criteria *wanted, load form, const char *text, char decimal_sign,
                   const char *times, char complaint[COMPLAINT_SIZE])
 {
-    rwedge_contact *contact = NULL;
     int64_t cycles;
-    bool gone = false;
-    snprintf(complaint, COMPLAINT_SIZE, "cycles must be a whole number from 1 to 1000000");
     if (!number_read_whole(times, 1, 1000000, &cycles))
-        return false;
-    snprintf(complaint, COMPLAINT_SIZE, "the contact cannot be made");
-    if (case_contact(&asked.setup, &contact) == RWEDGE_OK)
-        gone = (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads, complaint)
-                                : to_and_fro(form, contact, complaint)) &&
-               go_through(wanted, cycles, contact, complaint);
-    rwedge_contact_destroy(contact);
-    return gone;
+        return complain(complaint, "cycles must be a whole number from 1 to 1000000");
+    if (asked.setup.status != RWEDGE_OK)
+        return complain(complaint, "the contact cannot be made");
+    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads, complaint)
+                            : to_and_fro(form, complaint)) &&
+           go_through(wanted, cycles, complaint);
 }
 
 /* ---- The measures ---- */
@@ -176,11 +165,8 @@ static int32_t measure(void)
 static void find_worst(int column)
 {
     const measured *along = &asked.along;
-    double highest = 0;
     asked.worst_x[column] = NAN;
-    for (size_t i = 0; i < along->count; i++)
-        highest = fmax(highest, along->place[i].value[column]);
-    if (highest > 0)
+    if (along->place[measured_best(along, column)].value[column] > 0)
         last_cycle_worst(&asked.last, column, along->count, along->place, &asked.worst_x[column],
                          &asked.worst[column]);
 }
@@ -291,7 +277,7 @@ static void write_answer(void)
         json_refuse("", complaint);
     } else {
         load_list_write(&asked.loads);
-        json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.error);
+        json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.last.error);
         write_measures();
         write_verdict();
         write_loop();

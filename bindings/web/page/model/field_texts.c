@@ -49,11 +49,7 @@ input_texts field_texts(char *lines)
     remark = "";
     for (int i = 0; i < INPUT_COUNT; i++)
         texts.is_cell[i] = true;
-    for (char *end = lines; end != NULL; lines = end + 1) {
-        end = strchr(lines, '\n');
-        if (end != NULL)
-            *end = '\0';
-        take(lines, &texts);
-    }
+    for (char *line = strtok(lines, "\n"); line != NULL; line = strtok(NULL, "\n"))
+        take(line, &texts);
     return texts;
 }

@@ -46,53 +46,41 @@ static bool take_row(const header *names, const csv_row *row, char decimal_sign,
 {
     load to;
     char why[COMPLAINT_SIZE] = "misplaced quotes";
-    if (!row->malformed &&
-        load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, why)) {
-        load_list_add(loads, to, (int)row->line);
-        return true;
-    }
-    snprintf(complaint, COMPLAINT_SIZE, "line %" PRId64 ": %.300s", row->line, why);
-    return false;
+    if (row->malformed ||
+        !load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, why))
+        return complain(complaint, "line %" PRId64 ": %.300s", row->line, why);
+    load_list_add(loads, to, (int)row->line);
+    return true;
 }
 
 static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, load_list *loads,
                       char complaint[COMPLAINT_SIZE])
 {
     header names;
-    csv_row row;
-    const char *problem;
-    bool unused[HEADER_COLUMNS] = {false};
     const bool bare = usual_names(first->count) != NULL && is_load(first, decimal_sign);
     bool taken = load_header_find(bare ? usual_names(first->count) : first->cell, first->count,
                                   &names, complaint) &&
                  (!bare || take_row(&names, first, decimal_sign, loads, complaint));
-    while (taken && pasted_next(in, &row, &problem)) {
-        taken = take_row(&names, &row, decimal_sign, loads, complaint);
+    while (taken && csv_input_next(in)) {
+        taken = take_row(&names, &in->row, decimal_sign, loads, complaint);
         if (taken)
-            header_note_unused(&names, row.cell, unused);
-        csv_row_free(&row);
+            header_note_unused(&names, in->row.cell);
     }
-    if (taken && problem[0] != '\0')
-        snprintf(complaint, COMPLAINT_SIZE, "%s", problem);
-    else if (taken && loads->count == 0)
-        snprintf(complaint, COMPLAINT_SIZE, "no loads below the names");
-    else if (taken)
-        header_write_unused(&names, unused, loads->unused, sizeof loads->unused);
-    return taken && problem[0] == '\0' && loads->count > 0;
+    if (taken)
+        header_write_unused(&names, loads->unused, sizeof loads->unused);
+    return taken && (loads->count > 0 || complain(complaint, "no loads below the names"));
 }
 
 bool load_list_read(const char *text, char decimal_sign, load_list *loads,
                     char complaint[COMPLAINT_SIZE])
 {
-    csv_input *in = pasted_open(text);
-    csv_row first = {0};
-    const char *problem;
-    bool read = pasted_next(in, &first, &problem);
-    if (read)
-        read = take_rows(in, &first, decimal_sign, loads, complaint);
-    else
-        snprintf(complaint, COMPLAINT_SIZE, "%s", problem);
+    csv_row first;
+    csv_input *in = pasted_open(text, &first);
+    const bool read = first.cell != NULL && take_rows(in, &first, decimal_sign, loads, complaint);
+    if (in->problem[0] != '\0' || first.cell == NULL)
+        snprintf(complaint, COMPLAINT_SIZE, "%s", in->problem);
+    const bool whole = read && in->problem[0] == '\0';
     csv_row_free(&first);
     csv_input_close(in);
-    return read;
+    return whole;
 }

@@ -53,15 +53,11 @@ bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, loa
 /* ---- pasted ---- Rows that were pasted, read as the tool reads a file. */
 
 /* Cells stand between tabs as a spreadsheet gives them, or between ; or , as a file has them. The
- * text must outlive the input. */
-csv_input *pasted_open(const char *text);
+ * text must outlive the input. The first row is kept; it has no cells where there is none. */
+csv_input *pasted_open(const char *text, csv_row *first);
 
 /* What a file that is opened next has in it, whatever its name. */
 void pasted_offer(const char *text);
-
-/* The next row, kept: with its fault in place of cells where its quotes are misplaced. False at the
- * end; problem says why where that is before the text's. */
-bool pasted_next(csv_input *in, csv_row *row, const char **problem);
 
 /* ---- load_list ---- Loads one after the other, pasted as a table. */
 

@@ -45,7 +45,7 @@ void pasted_offer(const char *text)
     pasted = text;
 }
 
-csv_input *pasted_open(const char *text)
+csv_input *pasted_open(const char *text, csv_row *first)
 {
     text += strncmp(text, MARK, 3) == 0 ? 3 : 0;
     text += strspn(text, "\r\n");
@@ -56,14 +56,8 @@ csv_input *pasted_open(const char *text)
     pasted = text;
     csv_input *in = csv_input_open("", separator, NULL);
     in->takes_malformed = true;
+    *first = (csv_row){.cell = NULL};
+    if (csv_input_next(in))
+        csv_row_keep(in, first);
     return in;
-}
-
-bool pasted_next(csv_input *in, csv_row *row, const char **problem)
-{
-    const bool there = csv_input_next(in);
-    *problem = in->problem;
-    if (there)
-        csv_row_keep(in, row);
-    return there;
 }

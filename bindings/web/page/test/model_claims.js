@@ -155,6 +155,8 @@ test("refusals are the tool's", () => {
             `${name} = ${text}`,
         );
     }
+    const tiny = { ...bodies, P: "1e-58", M: "1e-59" }; // refused by the library, with no input at fault
+    assert.equal(solveHolding(tiny, ".").faults[0].text, toolError(tiny));
 });
 
 test("all wrong fields are named at a time", () => {

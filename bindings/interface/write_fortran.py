@@ -312,46 +312,5 @@ def module(interface: Interface) -> str:
         "procedures": procedures(interface)})
 
 
-# ---- The program that answers: a case for each call of tests/answers/ ----
-
-
-def in_answer(f: Function, p: Parameter) -> str:
-    if p in f.outputs:
-        k = f.outputs.index(p) + 1
-        return {0: f"s(1, 1, {k})", 1: f"s(:, 1, {k})", 2: f"s(:, :, {k})"}[len(p.size)]
-    value = f"v({f.inputs.index(p) + 1})%x"
-    value += {0: "(1)", 1: "", 2: "x"}[len(p.size)]
-    return f"int({value}, c_int32_t)" if p.kind == "int32_t" else value
-
-
-def answer_case(f: Function) -> list[str]:
-    arguments = [in_answer(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
-    case = f"case ('{f.name}')"
-    if f.result in ("value", "text"):
-        value = f"len({called(f, arguments)})" if f.result == "text" else called(f, arguments)
-        return [case, f"    r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]"]
-    if f.of("created") and f.of("handle"):
-        return [case, f"    call other%{f.method}({f.family}, stat)", f"    {f.family} = other", "    r = [real(c_double) ::]"]
-    call = f"    call {called(f, [*arguments, 'stat'])}"
-    if not f.outputs:
-        return [case, call, "    r = [real(c_double) ::]"]
-    shape = {}
-    for k, p in enumerate(f.inputs, 1):
-        if len(p.size) == 1:
-            shape.setdefault(p.size[0], f"size(v({k})%x)")
-        elif p.size:
-            shape.update({p.size[0]: f"size(v({k})%xx, 2)", p.size[1]: f"size(v({k})%xx, 1)"})
-    shape.update({p.name: f"int(contact%{p.given_by.removeprefix('contact_')}())" for p in f.of("size") if p.given_by})
-    dimensions = next((p.size for p in f.outputs if p.size), ())
-    extents = [shape[n] for n in reversed(dimensions)] + ["1"] * (2 - len(dimensions))
-    return [case, f"    allocate (s({', '.join(extents)}, {len(f.outputs)}))", call, "    r = [s]"]
-
-
-def answer(interface: Interface) -> str:
-    cases = [line for f in interface.functions if f.name not in BY_HAND for line in answer_case(f)]
-    return filled("fortran/answer_template.f90", {"cases": cases})
-
-
 def texts(interface: Interface) -> dict[str, str]:
-    made = {"rwedge.f90": module(interface), "answer.f90": answer(interface)}
-    return {name: "\n".join(map(folded, text.split("\n"))) for name, text in made.items()}
+    return {"rwedge.f90": "\n".join(map(folded, module(interface).split("\n")))}

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a function is called from each language: by the names of its arguments, or with numbers."""
+"""How a function is called from each language: by the names of its arguments, or with numbers. The pages of packages/docs show it,
+and tests/answers/ makes its calls by it."""
 from __future__ import annotations
 
+import math
 import textwrap
 from pathlib import Path
 
@@ -55,8 +57,9 @@ def flat(numbers: list) -> list:
 
 
 def plain(value) -> str:
-    """A number as most languages read it; a name stays."""
-    return value if isinstance(value, str) else f"{value:g}"
+    """A number as most languages read it, to the last bit; a name stays."""
+    short = str(value) if isinstance(value, (int, str)) else f"{value:g}"
+    return short if isinstance(value, (int, str)) or float(short) == value else repr(value)
 
 
 class C:
@@ -148,7 +151,8 @@ class Fortran(Language):
             text = f"[{', '.join(self.text(v, p) for v in flat(value))}]"
             return f"reshape({text}, [{len(value[0])}, {len(value)}])" if len(p.size) == 2 else text
         number = plain(value)
-        return number if p.kind == "int32_t" or isinstance(value, str) else number.replace("e", "d") + "d0" * ("e" not in number)
+        named = isinstance(value, str) or not math.isfinite(value)
+        return number if p.kind == "int32_t" or named else number.replace("e", "d") + "d0" * ("e" not in number)
 
     def rule(self, f: Function, values: list[str]) -> str:
         if f.result in ("value", "text"):

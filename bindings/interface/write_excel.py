@@ -126,7 +126,7 @@ def is_declared(f: Function) -> bool:
 def fits_cells(f: Function) -> bool:
     outputs = f.outputs
     return not (f.returns not in ("double", "int32_t", "const char *") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
-            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result in ("value", "text") or outputs))
+            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not f.results)
 
 
 def cell_name(f):

@@ -154,7 +154,7 @@ def docstring(f: Function, equation: str) -> str:
     lines = [f"{f.method}({', '.join(p.name for p in inputs)})", "", *textwrap.wrap(first, 100), ""]
     if inputs:
         lines += ["Parameters", "----------", *listed(inputs, f), ""]
-    if f.outputs or f.result in ("value", "text"):
+    if f.results:
         lines += ["Returns", "-------", f"{', '.join(outputs) or f.method} : {returned(f)}"]
     lines += [] if is_formula(f) else raised(f)
     end = [*(refused(f) if is_formula(f) else []), *[CYCLES] * is_gufunc(f), units(f)]

@@ -1,6 +1,6 @@
 % SPDX-License-Identifier: GPL-3.0-or-later
-% Answers what tests/answers/calls.py matlab prints, from standard input, as tests/answers/answer.c does: the calls are as they stand in
-% the documentation.
+% Answers what tests/answers/calls.py matlab prints, from standard input, as the program in C does: the calls are as they
+% stand in the documentation.
 1;
 
 function text = bits(value)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the calls that a program in each language answers: calls.py [python | matlab] > CALLS, calls.py fortran > PROGRAM
+"""Prints the calls that a program in each language answers: calls.py [LANGUAGE] > CALLS
 
 A line is NAME:RESULTS:NUMBERS,ARGUMENT,...: the function without rwedge_, how many results it has, how many numbers they are
 in all, and its arguments. The number of a text is its length. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the
 array of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about.
-With a language, the call in this language comes behind a tab, as the documentation shows it, and behind another the names of its
-results; for Fortran, which evaluates no text, all of it is a program.
+With python or matlab the call as these write it comes behind a tab. With c or fortran all of it is a program, as these evaluate
+no text.
 
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
 unnoticed; then come the ends of the domains.
@@ -18,9 +18,9 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "bindings" / "interface"))
 
-from header import filled, read  # noqa: E402
-from languages import Fortran, Matlab, Python  # noqa: E402
-from write_fortran import folded  # noqa: E402
+from header import read  # noqa: E402
+
+from programs import FORMS, program  # noqa: E402
 
 VARIANTS = 7  # calls of a function with numbers from the middle of their domains
 POINTS = 3  # the numbers of an array
@@ -92,7 +92,7 @@ OBJECTS = {
 }
 interface = read(TOP / "include" / "rwedge.h")
 LANGUAGE = "".join(sys.argv[1:])
-blocks = []  # of Fortran's program
+written = []
 
 
 def inside(domain, value):
@@ -135,49 +135,10 @@ def call(function, arguments):
     for p in function.outputs:
         known = [counts.get(size, 0) for size in p.size]
         numbers += math.prod(known)
-    results = len(function.outputs) or int(function.result in ("value", "text"))
+    results = len(function.results)
     line = ",".join([f"{function.name}:{results}:{numbers or results}", *map(text_of, arguments)])
     values = {p.name: "before" if value == "@" else value for p, value in zip(function.inputs, arguments)}
-    if LANGUAGE == "fortran":
-        blocks.append(fortran_block(function, line, values, counts))
-    elif LANGUAGE:
-        text = {"python": Python, "matlab": Matlab}[LANGUAGE]().call(function, values)
-        if LANGUAGE == "python" and function.name.startswith("contact_create"):
-            text = f"{text[:-1]}, tolerance=0)"  # as in all other languages
-        print(line, text, ", ".join(names_of(function)), sep="\t")
-    else:
-        print(line)
-
-
-def names_of(function):
-    return [p.name for p in function.outputs] or ["value"] * (function.result in ("value", "text"))
-
-
-def fortran_block(function, line, values, counts):
-    """The call, with the variables for its results, whose sizes come last to first; and what tells them."""
-    text = Fortran().call(function, values)
-    if function.result in ("value", "text"):
-        value = text.partition(" = ")[2]
-        value = f"len({value})" if function.result == "text" else value
-        return [f"call tell('{line}', [real({value}, c_double)], rwedge_ok)"]
-    known = {**{p.name: p.given_by.replace("_", "%", 1) + "()" for p in function.of("size")}, **counts}
-    sizes = [[str(known[size]) for size in reversed(p.size)] for p in function.outputs]
-    declared = [f"real(c_double) :: {p.name}" + f"({', '.join(own)})" * bool(own) for p, own in zip(function.outputs, sizes)]
-    if function.method == "copy":
-        declared, text = ["stat = rwedge_ok", text], "contact = copy"
-    else:
-        text = f"{text[:-1]}, stat)"
-    return ["block", *(f"    {x}" for x in [*declared, text]),
-            f"    call tell('{line}', [{', '.join(names_of(function)) or 'real(c_double) ::'}], stat)", "end block"]
-
-
-def fortran_program():
-    """In parts, as compilers take the longer for a procedure the longer it is."""
-    parts = [blocks[i:i + 100] for i in range(0, len(blocks), 100)]
-    lines = [x for k, part in enumerate(parts)
-             for x in [f"subroutine part_{k}()", *(f"    {line}" for block in part for line in block), "end subroutine", ""]]
-    text = filled("fortran/answer_template.f90", {"calls": [f"call part_{k}()" for k in range(len(parts))], "parts": lines})
-    print("\n".join(map(folded, text.split("\n"))))
+    written.append(FORMS[LANGUAGE](function, line, values, counts))
 
 
 def text_of(value):
@@ -274,8 +235,7 @@ def main():
     formulas()
     objects()
     ends()
-    if LANGUAGE == "fortran":
-        fortran_program()
+    print(program(LANGUAGE, written))
 
 
 main()

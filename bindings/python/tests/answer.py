@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Answers what tests/answers/calls.py python prints, from standard input: each call with the bits of its results, as 16 hexadecimal
-digits, "nan" for every NaN, "error" where it is refused. Prints what tests/answers/answer.c prints."""
+digits, "nan" for every NaN, "error" where it is refused. Prints what the program in C prints."""
 import math
 import struct
 import sys
@@ -26,7 +26,7 @@ def main():
     known = {"rwedge": rwedge, "inf": math.inf, "nan": math.nan, "before": np.array([])}
     with np.errstate(all="ignore"):  # outside the domain is among the calls
         for line in map(str.rstrip, sys.stdin):
-            call, text, *_ = line.split("\t")
+            call, text = line.split("\t")
             try:
                 result = eval(text.rpartition(" = ")[2], known)
             except (rwedge.Error, IndexError):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Answers the calls of tests/answers/calls.py from standard input: each line back with the bits of its results, as 16 hexadecimal
-// digits, "nan" for every NaN, "error" where it is refused. Prints what tests/answers/answer.c prints.    answer.mjs PACKAGE
+// digits, "nan" for every NaN, "error" where it is refused. Prints what the program in C prints.    answer.mjs PACKAGE
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";

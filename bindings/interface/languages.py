@@ -30,14 +30,7 @@ NO_OBJECT = "No cell holds an object."
 # What is not called by the rule.
 OTHERS = {
     ("version", "Python"): "rwedge.__version__",
-    ("contact_create", "Python"): "contact = rwedge.Contact({})",
-    ("contact_create_flat", "Python"): "contact = rwedge.Contact.flat({})",
-    ("contact_create_profile", "Python"): "contact = rwedge.Contact.profile({})",
-    ("contact_copy", "Python"): "copy = contact.copy()",
     ("contact_loads", "Python"): "P, M, Q, sigma = contact.loads",
-    ("contact_restore", "Python"): "contact = rwedge.Contact.restore({})",
-    ("series_create", "Python"): "series = rwedge.Series({})",
-    ("series_fit", "Python"): "series = rwedge.Series.fit({})",
     ("series_coefficient", "Python"): "series.coefficients[{}]",
     ("series_potential", "Python"): "re_plus_i_im = series.potential({})",
     ("elastic_limits", "Python"): "limit = rwedge.elastic_limit({})",
@@ -123,8 +116,10 @@ class Python(Language):
 
     def rule(self, f: Function, values: list[str]) -> str:
         bare = not f.inputs and write_python.is_general(f) and bool(f.of("handle"))
-        left = f"{', '.join(p.name for p in f.outputs)} = " if f.outputs else ""
-        return f"{left}{f.family or 'rwedge'}.{f.method}" + ("" if bare else f"({', '.join(values)})")
+        names = ", ".join(p.name for p in f.outputs + f.of("created"))
+        owner = f"rwedge.{f.family.title()}" if f.of("created") and not f.of("handle") else f.family or "rwedge"
+        called = ".".join(filter(None, [owner, f.method.removeprefix("create").lstrip("_")]))
+        return f"{names} = " * bool(names) + called + ("" if bare else f"({', '.join(values)})")
 
 
 class Matlab(Language):

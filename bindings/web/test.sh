@@ -48,7 +48,7 @@ cd ..
 # Equal bits with C, but for what another libm and, in a fit, another LAPACK change.
 sh "$top/tests/answers/answers.sh" "$build"
 answers=$build/private/answers
-node installed/answer.mjs $installed <"$answers/calls.csv" >answers.csv
+node installed/answer.mjs $installed <"$answers/calls.javascript" >answers.csv
 python3 -B "$top/tests/answers/compare.py" "$answers/answers.csv" answers.csv 1e-12
 [ $long = yes ] || exit 0
 

@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Prints the calls that a program in each language answers: calls.py [LANGUAGE] > CALLS
 
-A line is NAME:RESULTS:NUMBERS,ARGUMENT,...: the function without rwedge_, how many results it has, how many numbers they are
-in all, and its arguments. The number of a text is its length. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the
-array of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about.
-With python or matlab the call as these write it comes behind a tab. With c or fortran all of it is a program, as these evaluate
-no text.
+A line is NAME:NUMBERS,ARGUMENT,...: the function without rwedge_, how many numbers its results are, and its arguments. The number
+of a text is its length. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the array
+of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about. With a
+language, programs.py writes them for it.
 
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
 unnoticed; then come the ends of the domains.
@@ -20,7 +19,7 @@ sys.path.insert(0, str(TOP / "bindings" / "interface"))
 
 from header import read  # noqa: E402
 
-from programs import FORMS, program  # noqa: E402
+from programs import program, written  # noqa: E402
 
 VARIANTS = 7  # calls of a function with numbers from the middle of their domains
 POINTS = 3  # the numbers of an array
@@ -92,7 +91,7 @@ OBJECTS = {
 }
 interface = read(TOP / "include" / "rwedge.h")
 LANGUAGE = "".join(sys.argv[1:])
-written = []
+calls = []  # the lines of each
 
 
 def inside(domain, value):
@@ -135,10 +134,9 @@ def call(function, arguments):
     for p in function.outputs:
         known = [counts.get(size, 0) for size in p.size]
         numbers += math.prod(known)
-    results = len(function.results)
-    line = ",".join([f"{function.name}:{results}:{numbers or results}", *map(text_of, arguments)])
+    line = ",".join([f"{function.name}:{numbers or len(function.results)}", *map(text_of, arguments)])
     values = {p.name: "before" if value == "@" else value for p, value in zip(function.inputs, arguments)}
-    written.append(FORMS[LANGUAGE](function, line, values, counts))
+    calls.append(written(LANGUAGE, function, line, values, counts))
 
 
 def text_of(value):
@@ -235,7 +233,7 @@ def main():
     formulas()
     objects()
     ends()
-    print(program(LANGUAGE, written))
+    print(program(LANGUAGE, calls))
 
 
 main()

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How the calls of calls.py are written for a language: as the documentation shows them, with what tells their results. For C and
-Fortran they make a program."""
+Fortran they make a program; others evaluate a text, which stands behind the call and a tab."""
 from header import Function, filled
-from languages import C, Fortran, Matlab, Python
+from languages import C, Fortran, JavaScript, Matlab, Python
 from write_fortran import folded
 
 TEMPLATES = {"c": "../tests/answers/answer.c.in", "fortran": "fortran/answer.f90.in"}
 # A procedure of some calls, and how it is called: compilers take the longer for one the longer it is.
 PARTS = {"c": ("static void part_{}(void)\n{{", "}}", "part_{}();"), "fortran": ("subroutine part_{}()", "end subroutine", "call part_{}()")}
 LENGTH = 100
+TEXTS = {"javascript": JavaScript(), "matlab": Matlab(), "python": Python()}  # which evaluate a text
 
 
 def in_c(f: Function, line: str, values: dict, counts: dict[str, int]) -> list[str]:
@@ -39,22 +40,16 @@ def in_fortran(f: Function, line: str, values: dict, counts: dict[str, int]) -> 
     return ["block", *(f"    {x}" for x in lines), "end block"]
 
 
-def in_python(f: Function, line: str, values: dict, counts: dict[str, int]) -> list[str]:
-    text = Python().call(f, values)
-    if f.name.startswith("contact_create"):
+def written(language: str, f: Function, line: str, values: dict, counts: dict[str, int]) -> list[str]:
+    """The lines of a call."""
+    if language in PARTS:
+        return (in_c if language == "c" else in_fortran)(f, line, values, counts)
+    if language not in TEXTS:
+        return [line]
+    text = TEXTS[language].call(f, values)
+    if language == "python" and f.name.startswith("contact_create"):
         text = f"{text[:-1]}, tolerance=0)"  # as in all other languages
-    return [f"{line}\t{text}"]
-
-
-def in_matlab(f: Function, line: str, values: dict, counts: dict[str, int]) -> list[str]:
-    return [f"{line}\t{Matlab().call(f, values)}\t{', '.join(f.results)}"]
-
-
-def in_none(f: Function, line: str, values: dict, counts: dict[str, int]) -> list[str]:
-    return [line]
-
-
-FORMS = {"": in_none, "c": in_c, "fortran": in_fortran, "matlab": in_matlab, "python": in_python}
+    return ["\t".join([line, text, *[", ".join(f.results)] * (language == "matlab")])]
 
 
 def program(language: str, calls: list[list[str]]) -> str:

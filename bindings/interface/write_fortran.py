@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import sys
 import textwrap
 from operator import itemgetter
 
@@ -15,7 +14,6 @@ WIDTH = 128
 # Written in the template: what has another name here or no handle, and what frees.
 BY_HAND = {"version", "strerror", "contact_destroy", "series_destroy"}
 TYPES = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "size_t": "integer(c_size_t)", "const char *": "type(c_ptr)"}
-OWN_NAMES = {"this", "stat", "errmsg", "created", "from", "s", "i", "status", "place"}
 
 
 def folded(line: str) -> str:
@@ -228,7 +226,6 @@ def procedure(f: Function) -> list[str]:
     name = f.name if f.family else f"rwedge_{f.name}"
     dummies = own + [in_fortran(p) for p in f.parameters if p in f.inputs or p in f.outputs]
     names = [n.split("(")[0] for _, n in dummies]
-    check_names(f, names)
     if f.result in ("value", "text"):
         elemental = "" if f.result == "text" else "elemental " if f.inputs or not f.family else "pure "
         kind = "character(:), allocatable" if f.result == "text" else TYPES[f.returns]
@@ -239,13 +236,6 @@ def procedure(f: Function) -> list[str]:
     head = f"{'' if plain else 'impure elemental '}subroutine {name}({', '.join(names + ['stat', 'errmsg'])})"
     local, statements = body(f)
     return [*comment(f), *block(head, [*declarations(dummies + ERROR), *declarations(local), *statements], "end subroutine"), ""]
-
-
-def check_names(f: Function, names: list[str]) -> None:
-    lower = [n.lower() for n in names]
-    clash = {n for n in lower if lower.count(n) > 1} | {p.name for p in f.inputs + f.outputs if name_of(p).lower() in OWN_NAMES}
-    if clash:
-        sys.exit(f"write_fortran.py: rwedge_{f.name}(): Fortran takes {', '.join(sorted(clash))} for another name: see NAMES of header.py")
 
 
 def called(f: Function, arguments: list[str]) -> str:

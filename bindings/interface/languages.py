@@ -202,8 +202,7 @@ class Excel(Language):
         return self.form(f, self.MADE_OF[f.family] + texts)
 
     def rule(self, f: Function, values: list[str]) -> str:
-        absent = not write_excel.is_declared(f) or f.name in write_excel.NOT_IN_CELLS
-        return "" if absent else f"={write_excel.cell_name(f)}({', '.join(values)})"
+        return f"={write_excel.cell_name(f)}({', '.join(values)})" if write_excel.is_offered(f) else ""
 
 
 LANGUAGES = (C(), Python(), Matlab(), Fortran(), JavaScript(), Excel())

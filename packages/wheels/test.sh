@@ -104,7 +104,7 @@ with_musl()
     [ -f "$musl" ] || return 0 # make.sh has said it
     unpacked "$musl"
     [ "$(readelf -d there/rwedge/_rwedge.so | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')" = libc.so ] || fail "$musl needs more than musl"
-    "$compiler" -std=c99 -O2 -I"$top/include" "$answers/answer.c" there/rwedge/_rwedge.so \
+    "$compiler" -std=c99 -I"$top/include" "$answers/answer.c" there/rwedge/_rwedge.so \
         -Wl,-rpath,"$work/there/rwedge" -o there/answer
     "$@" there/answer >answers-there
     [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "two machines differ, both with musl's mathematics"
@@ -148,7 +148,7 @@ else
     [ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "$windows needs other DLLs"
     grep -o 'rwedge_[a-z_]*' tables | sort -u >offered
     LC_ALL=C sort offered | cmp - wanted || fail "the library for Windows offers other functions than that for Linux"
-    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" "$answers/answer.c" there/rwedge/_rwedge.dll -o there/rwedge/answer.exe
+    x86_64-w64-mingw32-gcc -std=c99 -I"$top/include" "$answers/answer.c" there/rwedge/_rwedge.dll -o there/rwedge/answer.exe
     trap end_wine EXIT
     start_wine
     on_windows there/rwedge/answer.exe | tr -d '\r' >answers-there

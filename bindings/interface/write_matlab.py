@@ -15,7 +15,7 @@ IN_MATLAB = (  # arrays have sizes and two dimensions, results need no place
     (r"each receives loads \* n numbers, the n of the first load first(; not one of the\s+inputs)?", "results, a column for each load"),
     (r"(?:each )?receives? n numbers: ", "result: "), (r"each receives? n numbers", "results, n numbers each"),
     (r"receives? n numbers", "result, n numbers"), (r"receives? one number", "result"), (r"loads \* n stresses", "points by loads, stresses"),
-    (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"), (r"NaN for NULL and when", "NaN when"),
+    (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"),
     (r"RWEDGE_MEASURE_(\w+)", r"rwedge_measure('\1')"))
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
 

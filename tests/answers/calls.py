@@ -127,13 +127,8 @@ def call(function, arguments):
     counts = {}
     for p, value in zip(function.inputs, arguments):
         if p.size and value != "@":
-            counts[p.size[0]] = len(value)
-            if len(p.size) == 2:
-                counts[p.size[1]] = len(value[0])
-    numbers = 0
-    for p in function.outputs:
-        known = [counts.get(size, 0) for size in p.size]
-        numbers += math.prod(known)
+            counts.update(zip(p.size, (len(value), len(value[0]) if isinstance(value[0], list) else 0)))
+    numbers = sum(math.prod(counts.get(size, 0) for size in p.size) for p in function.outputs)
     line = ",".join([f"{function.name}:{numbers or len(function.results)}", *map(text_of, arguments)])
     values = {p.name: "before" if value == "@" else value for p, value in zip(function.inputs, arguments)}
     calls.append(written(LANGUAGE, function, line, values, counts))

@@ -132,7 +132,7 @@ class Pages:
 def number(result: object) -> str:
     if isinstance(result, list):
         return ", ".join(map(number, result))
-    return f"{result:.6g}" if isinstance(result, (int, float)) else result.decode() if isinstance(result, bytes) else str(result)
+    return f"{result:.6g}" if isinstance(result, (int, float)) else str(result)
 
 
 def measured() -> dict[str, list[tuple[str, str]]]:

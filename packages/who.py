@@ -17,13 +17,6 @@ known = json.loads((top / "packages" / "who.json").read_text())
 who = {field: known[field] or INSTEAD[field] for field in INSTEAD}
 assert known.keys() == INSTEAD.keys(), "who.json has other fields"
 
-DESCRIPTION = (
-    "Contact of a wedge with a rounded apex, a cylinder, a flat pad with rounded edges or any convex profile and an elastically similar "
-    "half-plane: pressure, partial slip, stresses, elastic limit, maximum tension and histories of load in closed form; criteria and "
-    "life of fatigue. A C library, a command-line tool, and bindings to Python, MATLAB, Octave, Fortran, JavaScript and Excel."
-)
-KEYWORDS = ["contact mechanics", "flat and rounded pad", "fretting", "half-plane", "partial slip", "wedge"]
-
 
 def empty():
     """The sentences that each packaging step says."""
@@ -40,29 +33,18 @@ def citation():
 
 
 def codemeta(title, version, date):
-    return {
-        "@context": "https://w3id.org/codemeta/3.0",
-        "@type": "SoftwareSourceCode",
-        "name": "rwedge",
-        "alternateName": title,
-        "description": DESCRIPTION,
-        "version": version,
-        "dateModified": date,
-        "license": "https://spdx.org/licenses/GPL-3.0-or-later",
-        "author": [{"@type": "Organization", "name": who["name"], **({"email": known["address"]} if known["address"] else {})}],
-        "programmingLanguage": ["C", "Python", "Fortran", "MATLAB", "JavaScript"],
-        "softwareRequirements": ["GSL", "LAPACK"],
-        "keywords": KEYWORDS,
-        **({"codeRepository": who["url"]} if who["url"] else {}),
-        **({"identifier": f"https://doi.org/{who['doi']}"} if who["doi"] else {}),
-    }
+    """codemeta.json with these; its other fields stand there alone."""
+    author = {"@type": "Organization", "name": who["name"], **({"email": known["address"]} if known["address"] else {})}
+    fields = {**json.loads((top / "codemeta.json").read_text()), "alternateName": title, "version": version, "dateModified": date,
+              "author": [author], "codeRepository": who["url"], "identifier": who["doi"] and f"https://doi.org/{who['doi']}"}
+    return json.dumps({name: value for name, value in fields.items() if value}, indent=1) + "\n"
 
 
 def papers():
     """Each file and its text, as the version, the date and who.json make it."""
     text = citation()
     facts = [re.search(rf'^{key}: "?(.*?)"?$', text, flags=re.M).group(1) for key in ("title", "version", "date-released")]
-    return {"CITATION.cff": text, "codemeta.json": json.dumps(codemeta(*facts), indent=1) + "\n"}
+    return {"CITATION.cff": text, "codemeta.json": codemeta(*facts)}
 
 
 request = sys.argv[1:]

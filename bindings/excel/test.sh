@@ -18,7 +18,7 @@ done
 sh "$top/packages/sources.sh" "$work/sources" gsl lapack musl >"$work/log" 2>&1 ||
     skip "the sources of GSL, LAPACK and musl cannot be fetched: $(grep '^E: ' "$work/log" | head -n 1)"
 sh "$top/packages/windows/build.sh" "$work"
-sh "$top/bindings/private.sh" "$folder"
+sh "$top/tests/answers/answers.sh" "$folder"
 made=$folder/private/made
 cd "$work"
 dll=windows/bin/rwedge.dll
@@ -67,21 +67,15 @@ x87=$(awk -F '\t' '$2 ~ /^f[a-z]/ { split($2, word, " "); print word[1] }' code 
 [ -n "$wine" ] && [ -n "$server" ] || skip "wine64 is not here; the module and the DLL's code were checked"
 trap end_wine EXIT
 start_wine
-x86_64-w64-mingw32-gcc -std=c99 -O2 -Iwindows/include -I"$made/c" "$top/tests/answers/answer.c" -o windows/bin/answer.exe -Lwindows/lib -lrwedge
-# of the functions that the module declares
-python3 -B "$top/tests/answers/calls.py" >all-calls
-sed -n 's/^Private Declare .* c_\([a-z_]*\) Lib.*/\1/p' rwedge.bas >offered
-awk -F : 'NR == FNR { offered[$1]; next } $1 in offered' offered all-calls >calls
-[ -s calls ] || fail "no calls"
-on_windows windows/bin/answer.exe <calls | tr -d '\r' >answers-windows
+answers=$folder/private/answers
+x86_64-w64-mingw32-gcc -std=c99 -Iwindows/include "$answers/answer.c" -o windows/bin/answer.exe -Lwindows/lib -lrwedge
+on_windows windows/bin/answer.exe | tr -d '\r' >answers-windows
 
 # The library of this machine, with its own libm and with that of the DLL.
 sh "$top/packages/libm.sh" sources linux
 prefix=$folder/private/prefix
-cc -std=c99 -O2 -I"$prefix/include" -I"$made/c" "$top/tests/answers/answer.c" -o linux/answer "$prefix/lib/librwedge.a" -lm
-cc -std=c99 -O2 -I"$prefix/include" -I"$made/c" "$top/tests/answers/answer.c" -o linux/answer-same "$prefix/lib/librwedge.a" linux/libm.a -lm
-linux/answer <calls >answers-linux
-linux/answer-same <calls >answers-same
+cc -std=c99 -I"$prefix/include" "$answers/answer.c" -o linux/answer-same "$prefix/lib/librwedge.a" linux/libm.a -lm
+linux/answer-same >answers-same
 cmp answers-same answers-windows || fail "Windows and Linux differ, with the same libm"
 echo "$(wc -l <answers-windows) calls: the same bits on Windows and here with the same libm"
-echo "with this machine's libm, $(python3 -B "$top/tests/answers/compare.py" answers-linux answers-windows 1e-12)"
+echo "with this machine's libm, $(python3 -B "$top/tests/answers/compare.py" "$answers/answers.csv" answers-windows 1e-12)"

@@ -10,7 +10,7 @@ for tool in gfortran python3; do
 done
 sh "$top/tests/answers/answers.sh" "$1"
 prefix=$(cd "$1/private/prefix" && pwd)
-made=$(cd "$1/private/made" && pwd)
+answers=$prefix/../answers
 mkdir -p "$1/fortran"
 cd "$1/fortran"
 
@@ -24,24 +24,23 @@ fail()
 # scope, of a rule of 2008 about other objects. That an allocatable array may be used uninitialised is a false alarm of gfortran.
 strict='-std=f2018 -Wall -Wextra -pedantic -Werror -Wno-maybe-uninitialized'
 
-# fortran PROGRAM OPTIONS... - builds it with the module; the program that answers is made.
+# fortran FOLDER/PROGRAM OPTIONS... - builds it with the module
 fortran()
 {
-    program=$1 place=$here
+    program=$1
     shift
-    [ $program != answer ] || place=$made/fortran
     # shellcheck disable=SC2086
-    gfortran $strict "$@" "$place/$program.f90" rwedge.o "$prefix/lib/librwedge.a" -lm -o "$program"
+    gfortran $strict "$@" "$program.f90" rwedge.o "$prefix/lib/librwedge.a" -lm -o "${program##*/}"
 }
 
 # shellcheck disable=SC2086
 gfortran $strict -O2 -fopenmp -c "$prefix/include/rwedge.f90"
-fortran answer -O0
-./answer <"$prefix/../answers/calls.csv" | tr A-F a-f >answers.csv
-cmp answers.csv "$prefix/../answers/answers.csv" || fail "the answers differ from those in C"
+fortran "$answers/answer" -O0
+./answer | tr A-F a-f >answers.csv
+cmp answers.csv "$answers/answers.csv" || fail "the answers differ from those in C"
 echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 
-fortran example_fretting -O2
+fortran "$here/example_fretting" -O2
 ./example_fretting >example.txt
 sed '$d; s/E\([-+]\)/e\1/' example.txt | diff - "$top/tests/data/example_fretting.txt" ||
     fail "the example differs from that in C"
@@ -50,7 +49,7 @@ echo "the example prints what it does in C; $(tail -n 1 example.txt)"
 # where equality is asserted, it is meant
 # shellcheck disable=SC2086
 gfortran $strict -g -fopenmp -fsanitize=address -c "$prefix/include/rwedge.f90"
-fortran test_module -g -fopenmp -fsanitize=address -Wno-compare-reals
+fortran "$here/test_module" -g -fopenmp -fsanitize=address -Wno-compare-reals
 ./test_module
 ASAN_OPTIONS=detect_leaks=0 ./test_module threads
 if ./test_module stop 2>stopped.txt; then

@@ -11,8 +11,7 @@ NUMBER = r"-?[\d.]+(?:e-?\d+)?|pi/2|2\^\d+|\S+"
 WITHIN = re.compile(rf"({NUMBER}) (<=?) (.+?) (<=?) ({NUMBER})")
 BEYOND = re.compile(rf"(\|?\w*\|?) ?([<>]=?) ({NUMBER})(?: .*)?")
 TO = re.compile(rf"(0,? or )?({NUMBER}) to ({NUMBER})(?: .*)?")
-AT_LEAST = re.compile(rf"(0,? or )?at least ({NUMBER})")
-AT_LEAST_OF = re.compile(rf"(?:0,? or )?at least (?:{NUMBER}) of the .*")
+AT_LEAST = re.compile(rf"(0,? or )?at least ({NUMBER})( of the .*)?")
 AT_MOST = re.compile(rf"(?:of )?at most ({NUMBER})(?: in magnitude)")
 SMALLEST, LARGEST = 1e-60, 1e60  # the domain of whatever has a size
 
@@ -97,15 +96,12 @@ def domain_of(text: str, name: str, others: set[str]) -> Domain:
                 continue
             limits = [(match[2].replace("<", ">"), match[1], 1), (match[4], match[5], 1)]
         elif match := TO.fullmatch(clause):
-            magnitude = clause.endswith("in magnitude")
-            domain.or_zero |= bool(match[1]) and not magnitude
-            limits = [(">=", match[3], -1) if magnitude else (">=", match[2], 1), ("<=", match[3], 1)]
-        elif match := AT_LEAST.fullmatch(clause):
             domain.or_zero |= bool(match[1])
-            limits = [(">=", match[2], 1)]
-        elif AT_LEAST_OF.fullmatch(clause):
-            domain.between = True
-            limits = [(">=", "0", 1)]
+            limits = [(">=", match[2], 1), ("<=", match[3], 1)]
+        elif match := AT_LEAST.fullmatch(clause):
+            domain.between |= bool(match[3])
+            domain.or_zero |= bool(match[1]) and not match[3]
+            limits = [(">=", "0" if match[3] else match[2], 1)]
         elif match := AT_MOST.fullmatch(clause):
             limits = [("<=", match[1], 1), (">=", match[1], -1)]
         elif match := BEYOND.fullmatch(clause):

@@ -31,13 +31,8 @@ def main() -> None:
         interface = read(HEADER)
     except Refused as error:
         sys.exit(f"REFUSED: {error}")
-    lacking = []
     for language in languages or LANGUAGES:
-        try:
-            write(Path(folder) / language, import_module(f"write_{language}").texts(interface))
-        except SystemExit as lack:
-            lacking.append(str(lack))
-    sys.exit("\n".join(lacking) or 0)
+        write(Path(folder) / language, import_module(f"write_{language}").texts(interface))
 
 
 if __name__ == "__main__":

@@ -107,6 +107,11 @@ class Function:
         return self.of("out", "out array")
 
     @property
+    def results(self) -> list[str]:
+        """The names of what it gives; what it returns is the value, but for a status."""
+        return [p.name for p in self.outputs] or ["value"] * (self.result in ("value", "text"))
+
+    @property
     def path(self) -> str:
         """When there is no closed form, where that is not said by rwedge_contact_obstacle()."""
         why = self.reasons.get("RWEDGE_EPATH", "")

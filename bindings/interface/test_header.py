@@ -138,19 +138,6 @@ class Reader(unittest.TestCase):
         self.assertLessEqual({("stress", "stresses"), ("elastic_limit", "elastic_limits")}, set(pairs.items()))
         self.assertEqual([name for name in pairs.values() if not interface[name].of("in array")], [])
 
-    def test_arrays_of_two_sizes_and_sizes_that_a_function_tells(self):
-        function, _ = declared(
-            "/* V.\n *   P  any integer\n *   x  finite\n *   sxx  receives loads * n numbers: load i, point j at [i n + j] */",
-            "RWEDGE_API int32_t rwedge_contact_v(const rwedge_contact *contact, size_t loads, const double P[], size_t n,\n"
-            "    const double x[], double sxx[]);")
-        self.assertEqual([p.size for p in function.parameters if p.size], [("loads",), ("n",), ("loads", "n")])
-        function, _ = declared("/* V.\n *   n      rwedge_contact_memory()\n *   state  receives n numbers */",
-                               "RWEDGE_API int32_t rwedge_contact_v(const rwedge_contact *contact, size_t n, double state[]);")
-        self.assertEqual(function.of("size")[0].given_by, "contact_memory")
-        function, _ = declared("/* V.\n *   state  finite */", "RWEDGE_API int32_t rwedge_contact_v(size_t n, "
-                               "const double state[], rwedge_contact **contact);")
-        self.assertEqual([p.role for p in function.parameters], ["size", "in array", "created"])
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -186,26 +186,21 @@ def adapter(f: Function) -> str:
     return textwrap.fill(f"{'TEXT_' if f.result == 'text' else ''}ENTRY({f.name}, {call(f)})", 100, subsequent_indent="      ", break_long_words=False) + "\n"
 
 
-def has_value(f: Function) -> bool:
-    return f.result in ("value", "text")
-
-
 def row(f: Function, statuses: dict[str, int]) -> str:
     arguments, sizes = f.inputs, f.of("size")
     flags = [bool(f.of("handle", "changed")), bool(f.of("changed")), bool(f.of("created")), f.result == "status", f.pointwise,
              f.refuses_more, f.may_be_infinite]
-    results = f.outputs or ([None] if has_value(f) else [])
     text = f"text_{f.name}" if f.result == "text" else "NULL"
     errors = sum(1 << statuses[e] for e in f.errors)
     lists = [f"{f.name}_{part}" if count else "NULL"
-             for part, count in (("arguments", arguments), ("results", results), ("sizes", sizes))]
+             for part, count in (("arguments", arguments), ("results", f.results), ("sizes", sizes))]
     return (f'    {{"{f.name}", "{f.family}", entry_{f.name}, {text}, {", ".join(str(int(x)) for x in flags)}, {errors:#x},\n'
-            f"     {quoted(f.array_of)}, {len(arguments)}, {len(results)}, {len(sizes)}, {', '.join(lists)},\n"
+            f"     {quoted(f.array_of)}, {len(arguments)}, {len(f.results)}, {len(sizes)}, {', '.join(lists)},\n"
             f"     {quoted(f.path)}}},")
 
 
 def tables(f: Function) -> str:
-    results = [result(f, p.name, p.size, p.optional) for p in f.outputs] or ([result(f, "value", ())] if has_value(f) else [])
+    results = [result(f, p.name, p.size, p.optional) for p in f.outputs] or [result(f, name, ()) for name in f.results]
     return "".join(f"static const entry_{kind} {f.name}_{kind}s[] = {{\n    " + ",\n    ".join(items) + "};\n"
                    for kind, items in (("argument", [argument(f, p) for p in f.inputs]), ("result", results),
                                        ("size", [size(p) for p in f.of("size")])) if items)

@@ -9,19 +9,15 @@ history, or the samples, that it is made of.
 from __future__ import annotations
 
 import re
-import sys
 import textwrap
 
 from header import EQUATION, Function, Interface, Parameter, filled, name_of
 
 WIDTH = 128
-# Only one way to make a series is offered, histories are of P and Q, nobody copies or keeps what he cannot hold, and a point of a
-# field has its own cells.
-NOT_DECLARED = {"contact_create_flat", "contact_create_profile", "contact_copy", "contact_set_strain", "contact_allow_error", "contact_error", "contact_zone_count",
-                "contact_zones", "contact_memory", "contact_apply", "contact_obstacle", "contact_stress_history",
-                "contact_keep_cycle", "contact_state_size", "contact_state", "contact_restore", "series_create", "series_terms"}
 # Declared for the template's own functions.
-NOT_IN_CELLS = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "series_fit", "series_destroy"}
+FOR_TEMPLATE = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "series_fit", "series_destroy"}
+# Histories are of P and Q, and who fits a series says how many terms.
+NOT_OFFERED = {"contact_error", "contact_obstacle", "series_terms"}
 
 # What a handle is made of: worksheet arguments, and the template's function that makes it.
 HANDLES = {
@@ -118,15 +114,19 @@ def statements(f, name, handle):
     return [f"    {line}" for line in dims + lines]
 
 
-def is_declared(f: Function) -> bool:
-    """A cell has no array of two sizes, so no field."""
-    return f.name not in NOT_DECLARED and not f.name.endswith("_field")
-
-
 def fits_cells(f: Function) -> bool:
-    outputs = f.outputs
-    return not (f.returns not in ("double", "int32_t", "const char *") or f.of("created", "changed") or any(p.given_by for p in f.of("size"))
-            or any(len(p.size) == 2 for p in f.inputs) or len({(p.role, p.size) for p in outputs}) > 1 or not (f.result in ("value", "text") or outputs))
+    """A cell holds and changes no object, and has no array of two sizes nor one whose size a function tells."""
+    return f.returns in ("double", "int32_t", "const char *") and bool(f.results) and not f.of("created", "changed") and \
+        not any(p.given_by for p in f.of("size")) and not any(len(p.size) == 2 for p in f.inputs) and \
+        len({(p.role, p.size) for p in f.outputs}) < 2
+
+
+def is_offered(f: Function) -> bool:
+    return fits_cells(f) and f.name not in FOR_TEMPLATE | NOT_OFFERED
+
+
+def is_declared(f: Function) -> bool:
+    return f.name in FOR_TEMPLATE or is_offered(f)
 
 
 def cell_name(f):
@@ -154,16 +154,12 @@ def worksheet_function(f: Function, before: Function) -> str:
 
 
 def texts(interface: Interface) -> dict[str, str]:
-    declared = list(filter(is_declared, interface.functions))
-    offered = [f for f in declared if f.name not in NOT_IN_CELLS]
-    unfit = [f"rwedge_{f.name}()" for f in offered if not fits_cells(f)]
-    if unfit:
-        sys.exit(f"no cell can have {', '.join(unfit)}: name them in NOT_DECLARED or NOT_IN_CELLS of bindings/interface/write_excel.py")
+    offered = list(filter(is_offered, interface.functions))
     first = interface.functions[0]
     text = filled("excel/template.bas", {
         "introduction": [f"' {line}".rstrip() for line in interface.introduction],
         "statuses": [f"{name} = {value}" for name, value in interface.statuses.items()],
-        "declares": list(map(declaration, declared)),
+        "declares": list(map(declaration, filter(is_declared, interface.functions))),
         "functions": ["\n\n".join(map(worksheet_function, offered, [first] + offered))]})
     # Basic's editor takes no other ends of lines
     return {"rwedge.bas": "".join(line + "\r\n" for line in text.rstrip("\n").split("\n"))}

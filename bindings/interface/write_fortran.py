@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import sys
 import textwrap
 from operator import itemgetter
 
@@ -15,7 +14,6 @@ WIDTH = 128
 # Written in the template: what has another name here or no handle, and what frees.
 BY_HAND = {"version", "strerror", "contact_destroy", "series_destroy"}
 TYPES = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "size_t": "integer(c_size_t)", "const char *": "type(c_ptr)"}
-OWN_NAMES = {"this", "stat", "errmsg", "created", "from", "s", "i", "status", "place"}
 
 
 def folded(line: str) -> str:
@@ -228,7 +226,6 @@ def procedure(f: Function) -> list[str]:
     name = f.name if f.family else f"rwedge_{f.name}"
     dummies = own + [in_fortran(p) for p in f.parameters if p in f.inputs or p in f.outputs]
     names = [n.split("(")[0] for _, n in dummies]
-    check_names(f, names)
     if f.result in ("value", "text"):
         elemental = "" if f.result == "text" else "elemental " if f.inputs or not f.family else "pure "
         kind = "character(:), allocatable" if f.result == "text" else TYPES[f.returns]
@@ -239,13 +236,6 @@ def procedure(f: Function) -> list[str]:
     head = f"{'' if plain else 'impure elemental '}subroutine {name}({', '.join(names + ['stat', 'errmsg'])})"
     local, statements = body(f)
     return [*comment(f), *block(head, [*declarations(dummies + ERROR), *declarations(local), *statements], "end subroutine"), ""]
-
-
-def check_names(f: Function, names: list[str]) -> None:
-    lower = [n.lower() for n in names]
-    clash = {n for n in lower if lower.count(n) > 1} | {p.name for p in f.inputs + f.outputs if name_of(p).lower() in OWN_NAMES}
-    if clash:
-        sys.exit(f"write_fortran.py: rwedge_{f.name}(): Fortran takes {', '.join(sorted(clash))} for another name: see NAMES of header.py")
 
 
 def called(f: Function, arguments: list[str]) -> str:
@@ -312,46 +302,5 @@ def module(interface: Interface) -> str:
         "procedures": procedures(interface)})
 
 
-# ---- The program that answers: a case for each call of tests/answers/ ----
-
-
-def in_answer(f: Function, p: Parameter) -> str:
-    if p in f.outputs:
-        k = f.outputs.index(p) + 1
-        return {0: f"s(1, 1, {k})", 1: f"s(:, 1, {k})", 2: f"s(:, :, {k})"}[len(p.size)]
-    value = f"v({f.inputs.index(p) + 1})%x"
-    value += {0: "(1)", 1: "", 2: "x"}[len(p.size)]
-    return f"int({value}, c_int32_t)" if p.kind == "int32_t" else value
-
-
-def answer_case(f: Function) -> list[str]:
-    arguments = [in_answer(f, p) for p in f.parameters if p in f.inputs or p in f.outputs]
-    case = f"case ('{f.name}')"
-    if f.result in ("value", "text"):
-        value = f"len({called(f, arguments)})" if f.result == "text" else called(f, arguments)
-        return [case, f"    r = [{value if f.returns == 'double' else f'real({value}, c_double)'}]"]
-    if f.of("created") and f.of("handle"):
-        return [case, f"    call other%{f.method}({f.family}, stat)", f"    {f.family} = other", "    r = [real(c_double) ::]"]
-    call = f"    call {called(f, [*arguments, 'stat'])}"
-    if not f.outputs:
-        return [case, call, "    r = [real(c_double) ::]"]
-    shape = {}
-    for k, p in enumerate(f.inputs, 1):
-        if len(p.size) == 1:
-            shape.setdefault(p.size[0], f"size(v({k})%x)")
-        elif p.size:
-            shape.update({p.size[0]: f"size(v({k})%xx, 2)", p.size[1]: f"size(v({k})%xx, 1)"})
-    shape.update({p.name: f"int(contact%{p.given_by.removeprefix('contact_')}())" for p in f.of("size") if p.given_by})
-    dimensions = next((p.size for p in f.outputs if p.size), ())
-    extents = [shape[n] for n in reversed(dimensions)] + ["1"] * (2 - len(dimensions))
-    return [case, f"    allocate (s({', '.join(extents)}, {len(f.outputs)}))", call, "    r = [s]"]
-
-
-def answer(interface: Interface) -> str:
-    cases = [line for f in interface.functions if f.name not in BY_HAND for line in answer_case(f)]
-    return filled("fortran/answer_template.f90", {"cases": cases})
-
-
 def texts(interface: Interface) -> dict[str, str]:
-    made = {"rwedge.f90": module(interface), "answer.f90": answer(interface)}
-    return {name: "\n".join(map(folded, text.split("\n"))) for name, text in made.items()}
+    return {"rwedge.f90": "\n".join(map(folded, module(interface).split("\n")))}

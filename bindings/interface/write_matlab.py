@@ -15,13 +15,9 @@ IN_MATLAB = (  # arrays have sizes and two dimensions, results need no place
     (r"each receives loads \* n numbers, the n of the first load first(; not one of the\s+inputs)?", "results, a column for each load"),
     (r"(?:each )?receives? n numbers: ", "result: "), (r"each receives? n numbers", "results, n numbers each"),
     (r"receives? n numbers", "result, n numbers"), (r"receives? one number", "result"), (r"loads \* n stresses", "points by loads, stresses"),
-    (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"), (r"NaN for NULL and when", "NaN when"),
+    (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"),
     (r"RWEDGE_MEASURE_(\w+)", r"rwedge_measure('\1')"))
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
-
-
-def outputs(f: Function) -> list[str]:
-    return [p.name for p in f.outputs] or (["value"] if f.result in ("value", "text") else [])
 
 
 def inputs(f: Function) -> list[str]:
@@ -43,7 +39,7 @@ def called(f: Function, values: list[str]) -> str:
     """How a user calls it."""
     if f.of("created"):
         return call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), values)
-    return call(outputs(f), f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}", values)
+    return call(f.results, f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}", values)
 
 
 def without_pointers(text: str, method: bool) -> str:
@@ -101,16 +97,16 @@ def function_text(f: Function) -> str:
     lines += ["", ARRAYS] if inputs(f) and not f.of("in array", "out array") else []
     if any("rwedge:absent" in line for line in lines):
         lines.append("Where rwedge:absent is said above, the results are NaN, and no error.")
-    return routine(form, f"rwedge_{f.name}", form, lines, len(inputs(f)), [call(outputs(f), "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";"]) + LICENCE
+    return routine(form, f"rwedge_{f.name}", form, lines, len(inputs(f)), [call(f.results, "rwedge_mex", [f"'{f.name}'", *inputs(f)]) + ";"]) + LICENCE
 
 
 def method_text(f: Function) -> str:
     loads = bool(f.of("changed")) and "P" in inputs(f)
     body = [call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if loads and not f.of("in array") else
-            call(outputs(f), "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)])]
+            call(f.results, "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)])]
     body += [f"{f.family}.warn_of_size()"] if loads and f.of("in array") else []
-    body += [f"{f.family}.warn('safety', factor)"] if "factor" in outputs(f) else []
-    head = call(outputs(f), f.method, [f.family, *inputs(f)])
+    body += [f"{f.family}.warn('safety', factor)"] if "factor" in f.results else []
+    head = call(f.results, f.method, [f.family, *inputs(f)])
     return "\n" + routine(head, f.method, called(f, inputs(f)), help_lines(f), len(inputs(f)) and len(inputs(f)) + 1, [f"{line};" for line in body], "    ")
 
 
@@ -124,7 +120,7 @@ def class_text(interface: Interface, family: str) -> str:
     own = interface.of(family)
     makers = [f for f in own if f.of("created") and not f.of("handle") and f.method != "create"]
     text = filled(f"matlab/rwedge_{family}.m.in", {
-        "forms": [f"%   {call(outputs(f), family[0] + '.' + f.method, inputs(f))}" for f in own if is_method(f)],
+        "forms": [f"%   {call(f.results, family[0] + '.' + f.method, inputs(f))}" for f in own if is_method(f)],
         "methods": ["".join(method_text(f) for f in own if is_method(f)).removesuffix("\n")],
         "static": ["\n".join(map(maker_text, makers)).removesuffix("\n")],
         **{f.name: commented(help_lines(f)) for f in own}})

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 import re
-import sys
 import textwrap
 from itertools import starmap
 
@@ -26,10 +25,9 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
     ("HUGE_VAL", "inf"), ("RWEDGE_MEASURE_", "Measure."))
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
-# What the classes of src/rwedge/ define by hand, as it does more than to call the library.
-BY_HAND = {"contact_create", "contact_create_flat", "contact_create_profile", "contact_copy", "contact_destroy", "contact_load",
-           "contact_apply", "contact_yield_factor", "contact_loads", "contact_state", "contact_restore", "series_create", "series_fit",
-           "series_destroy", "series_coefficient", "series_potential", "stresses", "elastic_limits", "version", "strerror",
+# What the classes of src/rwedge/ define by hand, as it does more than to call the library; besides what makes or frees an object.
+BY_HAND = {"contact_load", "contact_apply", "contact_yield_factor", "contact_loads", "contact_state", "series_coefficient",
+           "series_potential", "stresses", "elastic_limits", "version", "strerror",
            # generalized ufuncs take any number of points
            "smith_watson_topper_field", "fatemi_socie_field"}
 # Of these the methods that have the header's text, with what Python adds to it.
@@ -62,11 +60,7 @@ def is_formula(f: Function) -> bool:
 
 def is_general(f: Function) -> bool:
     """Is it made from its description alone?"""
-    made = not is_formula(f) and f.name not in BY_HAND
-    if made and (f.of("created") or f.result == "nothing"):
-        sys.exit(f"write_python.py: rwedge_{f.name}() makes or frees an object: write its method in src/rwedge/_{f.family}.py, and "
-                 "name it in BY_HAND")
-    return made
+    return not (is_formula(f) or f.of("created") or f.result == "nothing" or f.name in BY_HAND)
 
 
 def is_reading(f: Function) -> bool:
@@ -154,7 +148,7 @@ def docstring(f: Function, equation: str) -> str:
     lines = [f"{f.method}({', '.join(p.name for p in inputs)})", "", *textwrap.wrap(first, 100), ""]
     if inputs:
         lines += ["Parameters", "----------", *listed(inputs, f), ""]
-    if f.outputs or f.result in ("value", "text"):
+    if f.results:
         lines += ["Returns", "-------", f"{', '.join(outputs) or f.method} : {returned(f)}"]
     lines += [] if is_formula(f) else raised(f)
     end = [*(refused(f) if is_formula(f) else []), *[CYCLES] * is_gufunc(f), units(f)]

@@ -33,12 +33,6 @@ static void fail(const char *reason, const char *format, ...)
     mexErrMsgIdAndTxt(id, "%s", text);
 }
 
-static const char *reason_of(int32_t status)
-{
-    enum { COUNT = sizeof entry_reasons / sizeof entry_reasons[0] };
-    return status > 0 && status < COUNT ? entry_reasons[status] : "unknown";
-}
-
 /* A whole number as the library takes it; false where it is none. */
 static bool is_int32(double v)
 {
@@ -122,7 +116,7 @@ static void fail_with(int32_t status, const entry *call, const void *object,
         add_arguments(call, v, at, n);
     if (element >= 0)
         add(" (element %ld)", element + 1);
-    fail(reason_of(status), "%s", message);
+    fail(entry_reasons[status], "%s", message);
 }
 
 /* ---- Handles: two numbers that a class holds, and forgets when it is deleted --------------- */

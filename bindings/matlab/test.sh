@@ -70,7 +70,7 @@ mxIsDouble mxIsLogical mxIsNumeric mxIsSparse
 END
 diff called.txt known.txt || fail "< called, > known to be in MATLAB's C Matrix API"
 
-octave "$here/answer.m" <"$prefix/../answers/calls.csv" >answers.csv
+octave "$here/answer.m" <"$prefix/../answers/calls.matlab" >answers.csv
 cmp answers.csv "$prefix/../answers/answers.csv" || fail "the answers differ from those in C"
 echo "$(wc -l <answers.csv) calls answered as in C, to the last bit"
 

@@ -48,7 +48,7 @@ cd ..
 # Equal bits with C, but for what another libm and, in a fit, another LAPACK change.
 sh "$top/tests/answers/answers.sh" "$build"
 answers=$build/private/answers
-node installed/answer.mjs $installed <"$answers/calls.csv" >answers.csv
+node installed/answer.mjs $installed <"$answers/calls.javascript" >answers.csv
 python3 -B "$top/tests/answers/compare.py" "$answers/answers.csv" answers.csv 1e-12
 [ $long = yes ] || exit 0
 
@@ -57,11 +57,11 @@ sh "$here/page/packages.sh" "$here/test" tools >npm.log 2>&1 || skip "npm cannot
 (cd installed && ../tools/node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext types.ts) || fail "the types"
 sh "$top/packages/sources.sh" sources musl >log 2>&1 || skip "the sources of musl cannot be fetched: $(grep '^E: ' log | head -n 1)"
 sh "$top/packages/libm.sh" sources linux
-cc -I"$top/include" -I"$build/private/made/c" "$top/tests/answers/answer.c" "$build/private/prefix/lib/librwedge.a" linux/libm.a -o answer-same
+cc -I"$top/include" "$answers/answer.c" "$build/private/prefix/lib/librwedge.a" linux/libm.a -o answer-same
 # what follows a fit is of another LAPACK
 without_fits() { awk -F: '$1 == "series_fit" { fitted = 1 } $1 == "series_create" { fitted = 0 } !fitted || $1 !~ /^series_/' "$1"; }
 without_fits answers.csv >answers-same.csv
-./answer-same <"$answers/calls.csv" >expected-same.csv
+./answer-same >expected-same.csv
 without_fits expected-same.csv | cmp - answers-same.csv || fail "other bits than in C, with the same libm"
 echo "$(wc -l <answers-same.csv) calls: the same bits as in C with the same libm"
 node installed/speed.mjs "$build/tests/speed/bench"

@@ -30,6 +30,6 @@ def answers(f: Function) -> dict[str, object]:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of examples that show what is doubtful
         result = eval(call.rpartition(" = ")[2], objects(f))
-    names = [p.name for p in f.outputs] or ["value"] * (f.result in ("value", "text"))
+    names = f.results
     results = (result.real, result.imag) if np.iscomplexobj(result) else result if len(names) > 1 else [result]
     return {name: value if isinstance(value, str) else np.ravel(value).tolist() for name, value in zip(names, results)}

@@ -51,7 +51,7 @@ class Pages:
         """The results, with those of the example."""
         shown = self.answers(f) if self.answers and f.name != "contact_state" else {}
         said = {name: text for name, (text, _) in Reader.listed(f.comment)[0].items()}
-        names = [p.name for p in f.outputs] or ["value"] * (f.result in ("value", "text"))
+        names = f.results
         rows = [(f"| `{n}` |", f" {self.marked(self.meaning(f, n, said.get(n, '')))} |", f" {number(shown.get(n, ''))} |") for n in names]
         title = ("| result |", " meaning and unit |", " of the calls below |")
         used = [k for k in range(3) if any(row[k] != "  |" for row in rows)]
@@ -132,7 +132,7 @@ class Pages:
 def number(result: object) -> str:
     if isinstance(result, list):
         return ", ".join(map(number, result))
-    return f"{result:.6g}" if isinstance(result, (int, float)) else result.decode() if isinstance(result, bytes) else str(result)
+    return f"{result:.6g}" if isinstance(result, (int, float)) else str(result)
 
 
 def measured() -> dict[str, list[tuple[str, str]]]:

@@ -75,8 +75,8 @@ for wheel in "$folder"/*.whl; do
 done
 
 # The libraries for other kinds of Linux answer as that of this machine does, but for the last bits that their mathematics differ in.
-cp "$build/private/answers/calls.csv" calls
-environment/bin/python -W ignore "$source/tests/answer.py" <calls >answers
+answers=$build/private/answers
+environment/bin/python -W ignore "$source/tests/answer.py" <"$answers/calls.python" >answers
 # alike WHEEL - as answered in answers-there
 alike()
 {
@@ -93,7 +93,7 @@ elif ! sh "$here/arm.sh" "$build/wheels/arm" >log 2>&1; then
     echo "not tested: the wheel for Linux on ARM: its Python cannot be fetched: $(tail -n 1 log)" | tee -a "$tested"
 else
     unpacked "$arm"
-    PYTHONPATH=$work/there "$build/wheels/arm/python" -W ignore "$source/tests/answer.py" <calls >answers-there
+    PYTHONPATH=$work/there "$build/wheels/arm/python" -W ignore "$source/tests/answer.py" <"$answers/calls.python" >answers-there
     alike "$(basename "$arm"), with a Python for ARM under qemu"
 fi
 # with_musl MACHINE COMPILER [EMULATOR...] - from C, as no Python with musl is here
@@ -104,9 +104,9 @@ with_musl()
     [ -f "$musl" ] || return 0 # make.sh has said it
     unpacked "$musl"
     [ "$(readelf -d there/rwedge/_rwedge.so | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')" = libc.so ] || fail "$musl needs more than musl"
-    "$compiler" -std=c99 -O2 -I"$top/include" -I"$build/private/made/c" "$top/tests/answers/answer.c" there/rwedge/_rwedge.so \
+    "$compiler" -std=c99 -I"$top/include" "$answers/answer.c" there/rwedge/_rwedge.so \
         -Wl,-rpath,"$work/there/rwedge" -o there/answer
-    "$@" there/answer <calls >answers-there
+    "$@" there/answer >answers-there
     [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "two machines differ, both with musl's mathematics"
     cp answers-there answers-musl
     alike "$(basename "$musl"), its library from C with musl, not in a Python"
@@ -148,11 +148,10 @@ else
     [ "$(sed -n 's/.*DLL Name: //p' tables | sort | tr '\n' ' ')" = "KERNEL32.dll msvcrt.dll " ] || fail "$windows needs other DLLs"
     grep -o 'rwedge_[a-z_]*' tables | sort -u >offered
     LC_ALL=C sort offered | cmp - wanted || fail "the library for Windows offers other functions than that for Linux"
-    x86_64-w64-mingw32-gcc -std=c99 -O2 -I"$top/include" -I"$build/private/made/c" "$top/tests/answers/answer.c" \
-        there/rwedge/_rwedge.dll -o there/rwedge/answer.exe
+    x86_64-w64-mingw32-gcc -std=c99 -I"$top/include" "$answers/answer.c" there/rwedge/_rwedge.dll -o there/rwedge/answer.exe
     trap end_wine EXIT
     start_wine
-    on_windows there/rwedge/answer.exe <calls | tr -d '\r' >answers-there
+    on_windows there/rwedge/answer.exe | tr -d '\r' >answers-there
     [ ! -f answers-musl ] || cmp answers-there answers-musl || fail "Windows and Linux differ, both with musl's mathematics"
     alike "$(basename "$windows"), its library from C under Wine, not in a Python"
 fi

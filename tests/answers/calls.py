@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the calls that a program in each language answers: calls.py > CALLS
+"""Prints the calls that a program in each language answers: calls.py [LANGUAGE] > CALLS
 
-A line is NAME:RESULTS:NUMBERS,ARGUMENT,...: the function without rwedge_, how many results it has, how many numbers they are
-in all, and its arguments. The number of a text is its length. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the
-array of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about.
+A line is NAME:NUMBERS,ARGUMENT,...: the function without rwedge_, how many numbers its results are, and its arguments. The number
+of a text is its length. The numbers of an array have spaces between them, and ; between the loads of one of two sizes. @ is the array
+of the numbers that the line before gave. A function that makes an object makes the one that the following lines are about. With a
+language, programs.py writes them for it.
 
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
 unnoticed; then come the ends of the domains.
@@ -17,6 +18,8 @@ TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "bindings" / "interface"))
 
 from header import read  # noqa: E402
+
+from programs import program, written  # noqa: E402
 
 VARIANTS = 7  # calls of a function with numbers from the middle of their domains
 POINTS = 3  # the numbers of an array
@@ -87,6 +90,8 @@ OBJECTS = {
     "series": [],
 }
 interface = read(TOP / "include" / "rwedge.h")
+LANGUAGE = "".join(sys.argv[1:])
+calls = []  # the lines of each
 
 
 def inside(domain, value):
@@ -122,15 +127,11 @@ def call(function, arguments):
     counts = {}
     for p, value in zip(function.inputs, arguments):
         if p.size and value != "@":
-            counts[p.size[0]] = len(value)
-            if len(p.size) == 2:
-                counts[p.size[1]] = len(value[0])
-    numbers = 0
-    for p in function.outputs:
-        known = [counts.get(size, 0) for size in p.size]
-        numbers += math.prod(known)
-    results = len(function.outputs) or int(function.result in ("value", "text"))
-    print(",".join([f"{function.name}:{results}:{numbers or results}", *map(text_of, arguments)]))
+            counts.update(zip(p.size, (len(value), len(value[0]) if isinstance(value[0], list) else 0)))
+    numbers = sum(math.prod(counts.get(size, 0) for size in p.size) for p in function.outputs)
+    line = ",".join([f"{function.name}:{numbers or len(function.results)}", *map(text_of, arguments)])
+    values = {p.name: "before" if value == "@" else value for p, value in zip(function.inputs, arguments)}
+    calls.append(written(LANGUAGE, function, line, values, counts))
 
 
 def text_of(value):
@@ -227,6 +228,7 @@ def main():
     formulas()
     objects()
     ends()
+    print(program(LANGUAGE, calls))
 
 
 main()

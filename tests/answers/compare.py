@@ -17,7 +17,7 @@ SEARCHED = {"contact_cycle_worst": 1e-8}
 def results(line):
     """The numbers of an answer: the last words, of which the second field of the line has the count."""
     call, *words = line.split(",")
-    count = int(call.split(":")[2])
+    count = int(call.split(":")[1])
     if "error" in words[-1:]:
         return ["error"]
     return [math.nan if word == "nan" else struct.unpack(">d", bytes.fromhex(word))[0] for word in words[len(words) - count:]]

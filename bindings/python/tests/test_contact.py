@@ -98,17 +98,6 @@ def test_one_contact_in_many_threads(contact):
     assert not errors and seen <= allowed
 
 
-def test_a_pickled_contact_goes_on_to_the_same_bits():
-    contact = rwedge.Contact(0.1, 0.4, 0.5, 0.5)
-    contact.apply(0.5, 0.1, 0, 0)
-    contact.apply(0.5, 0.1, 0.15, 0.02)
-    twin = pickle.loads(pickle.dumps(contact))
-    assert twin.loads == contact.loads == (0.5, 0.1, 0.15, 0.02)
-    for c in (contact, twin):
-        c.apply(0.5, 0.1, -0.1, -0.01)
-    assert (twin.state() == contact.state()).all() and repr(twin) == repr(contact)
-
-
 def test_a_path_without_closed_form_is_refused_and_explained():
     contact = rwedge.Contact(0.1, 0.4, 0.5, 0.5, tolerance=0)
     contact.apply(0.5, 0.1, 0, 0)

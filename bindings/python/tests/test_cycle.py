@@ -87,14 +87,6 @@ def test_a_refused_load_is_named_with_what_is_allowed_and_no_more(pad, loads, me
     assert len(str(caught.value)) < 400
 
 
-def test_loads_that_cannot_begin_together_say_what_comes_first():
-    apart = rwedge.Contact(0.01, 2.0, 1.82e-5, 0.3, tolerance=0)
-    with pytest.raises(rwedge.PathError, match=r"sigma\[0\] = 50.0: no closed form: .*apply it as two loads: first P and M"):
-        apart.cycle({"P": 2000, "Q": [300, -300], "sigma": [50, -50]}, 0, 1)
-    apart.apply(2000, 0, 0, 0)
-    apart.cycle({"P": 2000, "Q": [300, -300], "sigma": [50, -50]}, 0, 1)
-
-
 def test_nan_among_the_points_gives_nan(pad):
     x = np.array([0.1, np.nan, 0.3])
     stress = pad.copy().cycle({"Q": Q}, x, 0.5).stress

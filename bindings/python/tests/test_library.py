@@ -20,7 +20,7 @@ def test_version_is_that_of_the_header():
 
 @pytest.mark.skipif("RWEDGE_ANSWERS" not in os.environ, reason="test.sh says where the answers of C are")
 def test_answer_prints_the_bits_of_the_c_library(run):
-    calls, expected = (Path(os.environ["RWEDGE_ANSWERS"], name).read_text() for name in ("calls.csv", "answers.csv"))
+    calls, expected = (Path(os.environ["RWEDGE_ANSWERS"], name).read_text() for name in ("calls.python", "answers.csv"))
     assert expected.count("\n") == calls.count("\n") > 900
     assert run(PACKAGE / "tests/answer.py", input=calls) == expected
 

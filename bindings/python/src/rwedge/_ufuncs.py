@@ -144,8 +144,6 @@ class Formula:
         return values, options
 
     def __getattr__(self, name: str) -> Any:
-        if name == "ufunc":  # before it has one: while it is copied or unpickled
-            raise AttributeError(name)
         return getattr(self.ufunc, name)
 
     def __reduce__(self) -> str:

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a function is called from each language: by the names of its arguments, or with numbers."""
+"""How a function is called from each language: by the names of its arguments, or with numbers. The pages of packages/docs show it,
+and tests/answers/ makes its calls by it."""
 from __future__ import annotations
 
+import math
 import textwrap
 from pathlib import Path
 
@@ -28,14 +30,7 @@ NO_OBJECT = "No cell holds an object."
 # What is not called by the rule.
 OTHERS = {
     ("version", "Python"): "rwedge.__version__",
-    ("contact_create", "Python"): "contact = rwedge.Contact({})",
-    ("contact_create_flat", "Python"): "contact = rwedge.Contact.flat({})",
-    ("contact_create_profile", "Python"): "contact = rwedge.Contact.profile({})",
-    ("contact_copy", "Python"): "copy = contact.copy()",
     ("contact_loads", "Python"): "P, M, Q, sigma = contact.loads",
-    ("contact_restore", "Python"): "contact = rwedge.Contact.restore({})",
-    ("series_create", "Python"): "series = rwedge.Series({})",
-    ("series_fit", "Python"): "series = rwedge.Series.fit({})",
     ("series_coefficient", "Python"): "series.coefficients[{}]",
     ("series_potential", "Python"): "re_plus_i_im = series.potential({})",
     ("elastic_limits", "Python"): "limit = rwedge.elastic_limit({})",
@@ -55,8 +50,9 @@ def flat(numbers: list) -> list:
 
 
 def plain(value) -> str:
-    """A number as most languages read it; a name stays."""
-    return value if isinstance(value, str) else f"{value:g}"
+    """A number as most languages read it, to the last bit; a name stays."""
+    short = str(value) if isinstance(value, (int, str)) else f"{value:g}"
+    return short if isinstance(value, (int, str)) or float(short) == value else repr(value)
 
 
 class C:
@@ -120,8 +116,10 @@ class Python(Language):
 
     def rule(self, f: Function, values: list[str]) -> str:
         bare = not f.inputs and write_python.is_general(f) and bool(f.of("handle"))
-        left = f"{', '.join(p.name for p in f.outputs)} = " if f.outputs else ""
-        return f"{left}{f.family or 'rwedge'}.{f.method}" + ("" if bare else f"({', '.join(values)})")
+        names = ", ".join(p.name for p in f.outputs + f.of("created"))
+        owner = f"rwedge.{f.family.title()}" if f.of("created") and not f.of("handle") else f.family or "rwedge"
+        called = ".".join(filter(None, [owner, f.method.removeprefix("create").lstrip("_")]))
+        return f"{names} = " * bool(names) + called + ("" if bare else f"({', '.join(values)})")
 
 
 class Matlab(Language):
@@ -148,7 +146,8 @@ class Fortran(Language):
             text = f"[{', '.join(self.text(v, p) for v in flat(value))}]"
             return f"reshape({text}, [{len(value[0])}, {len(value)}])" if len(p.size) == 2 else text
         number = plain(value)
-        return number if p.kind == "int32_t" or isinstance(value, str) else number.replace("e", "d") + "d0" * ("e" not in number)
+        named = isinstance(value, str) or not math.isfinite(value)
+        return number if p.kind == "int32_t" or named else number.replace("e", "d") + "d0" * ("e" not in number)
 
     def rule(self, f: Function, values: list[str]) -> str:
         if f.result in ("value", "text"):
@@ -203,8 +202,7 @@ class Excel(Language):
         return self.form(f, self.MADE_OF[f.family] + texts)
 
     def rule(self, f: Function, values: list[str]) -> str:
-        absent = not write_excel.is_declared(f) or f.name in write_excel.NOT_IN_CELLS
-        return "" if absent else f"={write_excel.cell_name(f)}({', '.join(values)})"
+        return f"={write_excel.cell_name(f)}({', '.join(values)})" if write_excel.is_offered(f) else ""
 
 
 LANGUAGES = (C(), Python(), Matlab(), Fortran(), JavaScript(), Excel())

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn: the solved case, how it is written, and in which units.
-import { shown, writeNumber } from "./number.js";
 import { textsOfPad } from "./pads.js";
 import { solveHolding } from "./answers/solution.js";
+import { written } from "./state.js";
 import { unitSystems } from "./units.js";
 
 export function makeModel(state) {
-    Object.assign(shown, { sign: state.sign, name: state.name });
     const { unit } = unitSystems[state.units],
         texts = textsOfPad(state.texts, state.pad);
     return {
@@ -14,9 +13,7 @@ export function makeModel(state) {
         texts,
         pad: state.pad,
         unit,
-        sign: state.sign,
-        write: (value) =>
-            typeof value === "number" ? writeNumber(value, Number(state.digits), state.sign) : (value ?? ""),
+        write: (value) => (typeof value === "number" ? written(value, Number(state.digits)) : (value ?? "")),
     };
 }
 

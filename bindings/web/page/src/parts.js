@@ -2,6 +2,7 @@
 // Small parts of the page, and what the browser does with texts: downloads, the clipboard.
 import { html } from "lit-html";
 import { live } from "lit-html/directives/live.js";
+import { state } from "./state.js";
 
 /** The options of a choice: titles by value. */
 export const options = (titles, chosen) =>
@@ -21,6 +22,12 @@ export function remembered(f) {
         return value;
     };
 }
+
+const quoted = (cell) => (/[",;\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);
+
+/** Lines of cells, with ; between these where the decimal sign is a comma. */
+export const csvText = (lines) =>
+    lines.map((line) => line.map(quoted).join(state.sign === "," ? ";" : ",")).join("\n") + "\n";
 
 /** Hands a file to the browser's downloads. */
 export function download(name, content, type) {

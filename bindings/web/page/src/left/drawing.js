@@ -98,9 +98,9 @@ function tipText({ pad, a, flat, left, right }, toX, toY, free) {
     return tip + path("sizes", `M${u},${v}l34,26`) + mark(u + 38, v + 36, "R");
 }
 
-function stickText({ stickLeft, stickRight }, toX) {
-    if (!(stickRight > stickLeft)) return "";
-    const [from, to] = [toX(stickLeft), toX(stickRight)];
+function stickText({ stick_left, stick_right }, toX) {
+    if (!(stick_right > stick_left)) return "";
+    const [from, to] = [toX(stick_left), toX(stick_right)];
     return path("stuck", `M${from},${box.surface}H${to}`) + mark((from + to) / 2, box.surface + 16, "sticks", "middle");
 }
 
@@ -132,7 +132,7 @@ function placed(shape) {
     return { reach, pressed, free, toX, toY };
 }
 
-/** shape: { pad, height, a, flat, left, right, tilt, stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma, hardest, worst }. */
+/** shape: { pad, height, a, flat, left, right, tilt, stick_left, stick_right, pressure: [[x, share of the highest]], M, Q, sigma, hardest, worst }. */
 function drawingText(shape) {
     const { reach, pressed, free, toX, toY } = placed(shape);
     const outline = Array.from({ length: 121 }, (_, i) => reach * (i / 60 - 1)).map(
@@ -179,16 +179,12 @@ export function drawingOf({ pad, setup, contact, results, hardest }, worst) {
     const { p } = contact.tractions(x),
         most = Math.max(...p.map(Math.abs));
     return drawingText({
+        ...results,
         ...setup,
         pad,
         worst,
         hardest: setup.k === null ? null : hardest,
         height: heightOf(setup),
-        left: results.left,
-        right: results.right,
-        tilt: results.tilt,
-        stickLeft: results.stick_left,
-        stickRight: results.stick_right,
         pressure: Array.from(x, (v, i) => [v, Math.abs(p[i]) / most]),
     });
 }

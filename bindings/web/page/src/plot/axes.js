@@ -2,7 +2,7 @@
 // Axes of a plot: scales, ticks, grid and labels, as SVG text.
 import { scaleLinear } from "d3-scale";
 import { escaped } from "../parts.js";
-import { shortNumber } from "../number.js";
+import { shortNumber } from "../state.js";
 
 /** On a narrow screen fewer units across make letters larger. */
 export const narrow = matchMedia("(max-width: 520px)");
@@ -10,7 +10,8 @@ const frames = [
     { width: 640, height: 400, left: 70, right: 16, top: 28, bottom: 48 },
     { width: 420, height: 340, left: 62, right: 12, top: 28, bottom: 46 },
 ];
-export const frame = () => frames[narrow.matches ? 1 : 0];
+export const ofWidth = ([wide, small]) => (narrow.matches ? small : wide);
+export const frame = () => ofWidth(frames);
 
 /** Scales from the domains of x and y to the frame; y may run downwards. */
 export function scales(x, y, box, down = false) {

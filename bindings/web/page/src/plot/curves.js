@@ -45,12 +45,9 @@ function markText(point, scale, box) {
 
 /** The scales of a plot; pinned curves have room too. */
 function scalesOf({ curves, pinned = [], points = [], xDomain, yDomain }, box) {
-    const all = [...curves, ...pinned],
-        reach = pinned.length > 0 && yDomain ? [0, ...pinned.flatMap((c) => extent(c.y)), ...yDomain] : null;
-    const x =
-        !xDomain || pinned.length > 0 ? extent([...(xDomain ?? []), ...all.flatMap((c) => extent(c.x))]) : xDomain;
-    const room = roomy(extent([0, ...all.flatMap((c) => extent(c.y)), ...points.map((p) => p.y)]), 0.08);
-    return scales(x, reach ? extent(reach) : (yDomain ?? room), box);
+    const reach = (axis, more = []) => extent([...more, ...[...curves, ...pinned].flatMap((c) => extent(c[axis]))]);
+    const y = yDomain ? reach("y", yDomain) : roomy(reach("y", [0, ...points.map((p) => p.y)]), 0.08);
+    return scales(reach("x", xDomain), y, box);
 }
 
 const isAlongX = ({ x }) => x.every((v, i) => i === 0 || v >= x[i - 1]);
@@ -74,7 +71,7 @@ export function valuesUnder(spec, u, v) {
 
 /**
  * title, xLabel, yLabel: texts; curves: [{ name, style, x: numbers, y: numbers }];
- * pinned: curves of another case, thin; bands: [{ from, to, style, name }] along x; points: [{ x, y, name, below }]; xDomain, yDomain where they are not those of the curves.
+ * pinned: curves of another case, thin; bands: [{ from, to, style, name }] along x; points: [{ x, y, name, below }]; xDomain, yDomain: what the axes show besides the curves.
  */
 export function curvesText(spec) {
     const { title, xLabel, yLabel, curves, pinned = [], bands = [], points = [] } = spec;

@@ -23,11 +23,8 @@ export function remembered(f) {
     };
 }
 
-const quoted = (cell) => (/[",;\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);
-
 /** Lines of cells, with ; between these where the decimal sign is a comma. */
-export const csvText = (lines) =>
-    lines.map((line) => line.map(quoted).join(state.sign === "," ? ";" : ",")).join("\n") + "\n";
+export const csvText = (lines) => lines.map((line) => line.join(state.sign === "," ? ";" : ",")).join("\n") + "\n";
 
 /** Hands a file to the browser's downloads. */
 export function download(name, content, type) {

@@ -57,7 +57,7 @@ const fileOf = (name, form) =>
     `${[state.name.replace(/[^\p{L}\p{N}.-]+/gu, "-"), name].filter(Boolean).join("-")}.${form.toLowerCase()}`;
 
 /** Buttons for the plot in the element plot-NAME; columns() are those of its table, [{ name, unit, numbers }]. */
-export const saveButtons = (name, columns, isDrawn, more = "") => html`<p class="save" ?hidden=${!isDrawn}>Save as
+export const saveButtons = (name, columns, isDrawn, more = "") => html`<p class="tools save" ?hidden=${!isDrawn}>Save as
     ${Object.entries(forms).map(
         ([form, save]) => html`<button type="button" aria-label="Save ${name} as ${form}"
             @click=${() => save(fileOf(name, form), document.querySelector(`#plot-${name} svg`), columns)}>${form}</button> `,

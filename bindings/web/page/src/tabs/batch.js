@@ -28,6 +28,8 @@ const asText = (lines) => lines.map((line) => line.join("\t")).join("\n") + "\n"
 
 /** A text that a spreadsheet would compute gets a ' in front. */
 const harmless = (cell) => (/^[=+@-]/.test(cell) && !/^[+-]?[\d.,]/.test(cell) ? `'${cell}` : cell);
+const quoted = (cell) => (/[",;\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);
+const fileText = (lines) => csvText(lines.map((line) => line.map((cell) => quoted(harmless(cell)))));
 
 /** Drawn beside the first column: what one looks for. The files have the tool's order. */
 function tableOf({ columns, results, rows }, write) {
@@ -70,7 +72,7 @@ function remarkOf(solved) {
         .join(" ");
 }
 
-const save = (solved) => download("solved.csv", csvText(linesOf(solved).map((line) => line.map(harmless))), "text/csv");
+const save = (solved) => download("solved.csv", fileText(linesOf(solved)), "text/csv");
 
 export const aside = new Aside("rows", redraw);
 

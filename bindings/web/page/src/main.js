@@ -56,21 +56,17 @@ function exported(name, model, write) {
         <pre id="as-${name.toLowerCase()}" tabindex="0">${text()}</pre>`;
 }
 
-let solved; // the last model with results: its picture stays, greyed
 const drawing = remembered(drawingOf);
 
-function theCase(model) {
-    if (model.results) solved = model;
-    return html`
-        <div class="drawing ${model.results || !solved ? "" : "old"}" .innerHTML=${drawing(solved ?? model, worstPlace())}></div>
-        ${form(model)} ${finder(model)}
-        <p class="note">${unitsRemark}</p>
-        <details>
-            <summary>This case as a command and in Python</summary>
-            ${exported("Command", model, asCommand)} ${exported("Python", model, asPython)}
-        </details>
-    `;
-}
+const theCase = (model) => html`
+    <div class="drawing ${model.pictured === model ? "" : "old"}" .innerHTML=${drawing(model.pictured, worstPlace())}></div>
+    ${form(model)} ${finder(model)}
+    <p class="note">${unitsRemark}</p>
+    <details>
+        <summary>This case as a command and in Python</summary>
+        ${exported("Command", model, asCommand)} ${exported("Python", model, asPython)}
+    </details>
+`;
 
 const onPaper = () =>
     [state.name, new Date().toLocaleDateString(), `rwedge ${rwedge.version()}`].filter(Boolean).join(", ");

@@ -296,14 +296,16 @@ export async function rows_that_no_link_takes_are_told_and_saved({ page, show })
     assert.equal((await page.$eval("#batch", (area) => area.value)).split("\n").length, 3001);
 }
 
-/** Wrong inputs: the last picture stays, greyed. */
+/** Wrong inputs: the pictures of the last case stay, greyed, and show what is chosen. */
 export async function a_wrong_input_keeps_the_last_picture({ page }) {
     const drawnNow = () => page.$eval("#panel-contact svg", (svg) => [svg.outerHTML, Boolean(svg.closest(".old"))]);
     const [drawn, greyed] = await drawnNow();
     await enter(page, { "in-P": "x" });
     assert.deepEqual([greyed, await drawnNow()], [false, [drawn, true]]);
     await openTab(page, "stress"); // which has not been drawn yet
-    await page.hover("#panel-stress");
+    await enter(page, { measure: "txy" });
+    const field = await page.$eval("#panel-stress svg", (svg) => [svg.ariaLabel, Boolean(svg.closest(".old"))]);
+    assert.deepEqual(field, ["shear stress txy below the surface", true]);
     await enter(page, { "in-P": "190" });
     await openTab(page, "contact");
     assert.deepEqual(await drawnNow(), [drawn, false]);

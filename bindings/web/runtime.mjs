@@ -3,6 +3,7 @@
 import { functions, statuses } from "./description.mjs";
 import { wasm } from "./wasm.mjs";
 
+// It imports nothing: an instance of another module could not be made so.
 export const library = new WebAssembly.Instance(new WebAssembly.Module(wasm)).exports;
 library._initialize();
 

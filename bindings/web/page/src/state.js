@@ -76,9 +76,7 @@ export function take(texts) {
     state.texts = inputNames.some((name) => name in texts)
         ? Object.fromEntries(filled.map((name) => [name, texts[name]]))
         : { ...example };
-    state.way = Object.fromEntries(
-        ["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]),
-    );
+    state.way = { ...state.texts };
     for (const [name, usual] of Object.entries(settings)) {
         const text = texts[name] ?? usual;
         state[name] = !allowed[name] || Object.hasOwn(allowed[name], text) ? text : usual;

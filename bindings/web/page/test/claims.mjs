@@ -394,12 +394,3 @@ export async function a_safety_is_asked_for({ page, show }) {
         assertNear((await shownNumbers(page)).safety, 1.5, 1e-8, name);
     }
 }
-
-/** What was said and asked for in all the others: axe-core's own letters are data, and ask no one. */
-export function nothing_is_said_and_nothing_asked_for({ session }) {
-    assert.deepEqual(session.said, []);
-    assert.deepEqual(
-        session.asked.filter((url) => !/^(file:\/\/[^#]*rounded-wedge\.html|about:|data:|blob:)/.test(url)),
-        [],
-    );
-}

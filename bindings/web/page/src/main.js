@@ -36,12 +36,10 @@ function choice(name, label, titles, change) {
     return html`<span><label for=${id}>${label}</label><select id=${id} @change=${change}>${options(titles, state[name])}</select></span>`;
 }
 
-const unitTitles = Object.fromEntries(Object.entries(unitSystems).map(([key, { name }]) => [key, name]));
-
 const settings = () => html`
     <span><label for="case-name">Name</label><input type="text" id="case-name" size="14" autocomplete="off"
         .value=${live(state.name)} @input=${setter("name")}></span>
-    ${choice("units", "Units", unitTitles, ({ target }) => states.setUnits(target.value, converts()))}
+    ${choice("units", "Units", unitSystems, ({ target }) => states.setUnits(target.value, converts()))}
     ${choice("digits", "Digits", states.digits, setter("digits"))}
     ${choice("sign", "Decimal sign", states.signs, ({ target }) => states.setSign(target.value))}
     <span><input type="checkbox" id="convert"><label for="convert">convert numbers with the units</label></span>

@@ -4,10 +4,11 @@ import { html } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { state } from "./state.js";
 
-/** The options of a choice: titles by value. */
-export const options = (titles, chosen) =>
-    Object.entries(titles).map(
-        ([value, title]) => html`<option value=${value} .selected=${live(value === chosen)}>${title}</option>`,
+/** The options of a choice: names, or objects that have one, by value. */
+export const options = (choices, chosen) =>
+    Object.entries(choices).map(
+        ([value, { name = choices[value] }]) =>
+            html`<option value=${value} .selected=${live(value === chosen)}>${name}</option>`,
     );
 
 export const escaped = (text) =>

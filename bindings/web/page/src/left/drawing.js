@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drawing of the contact: the pad as it touches and as it was, its loads, the stick zone; the pressure apart. Heights are stretched.
 import { heightOf, pads } from "../pads.js";
-import { plotText } from "../plot/axes.js";
+import { mark, plotText, point, tenth } from "../plot/axes.js";
 import { placesAcross } from "../answers/stresses.js";
 
 const box = { width: 640, height: 372, middle: 320, surface: 150, up: 88, down: 56, floor: 258, base: 362, high: 62 };
 
-/** To a tenth of a pixel. */
-const tenth = (number) => Math.round(10 * number) / 10;
 const path = (style, d) => `<path class="${style}" d="${d}"/>`;
-const mark = (x, y, text, anchor = "start") =>
-    `<text class="mark" x="${tenth(x)}" y="${tenth(y)}" text-anchor="${anchor}">${text}</text>`;
-const point = (x, y, radius) => `<circle class="point" cx="${x}" cy="${tenth(y)}" r="${radius}"/>`;
 
 /** Its heights over the surface where it is pressed on between two edges, and as it was, which reaches below. */
 function profilesOf(shape) {
@@ -138,7 +133,7 @@ function drawingText(shape) {
     const outline = Array.from({ length: 121 }, (_, i) => reach * (i / 60 - 1)).map(
         (x) => `${toX(x)},${toY(pressed(x))}`,
     );
-    const { title: name } = pads[shape.pad],
+    const { name } = pads[shape.pad],
         marked = markedOf(shape);
     const title = `Body 2, a ${name}, on a half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
     const parts = [

@@ -24,10 +24,8 @@ function takeHull({ target }) {
     set({ texts: target.checked ? { ...texts, hull: "yes" } : texts });
 }
 
-const titles = Object.fromEntries(Object.entries(pads).map(([pad, { title }]) => [pad, title]));
-
 export const padChoice = (model) => html`<div class="field"><label for="pad">Shape</label>
-    <select id="pad" @change=${({ target }) => choose(target.value, model)}>${options(titles, state.pad)}</select>
+    <select id="pad" @change=${({ target }) => choose(target.value, model)}>${options(pads, state.pad)}</select>
     <p class="tools" ?hidden=${state.pad !== "profile"}>
         <input id="hull" type="checkbox" .checked=${live("hull" in state.texts)} @change=${takeHull}>
         <label for="hull">take the convex hull</label></p></div>`;

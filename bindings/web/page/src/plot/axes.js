@@ -31,6 +31,13 @@ export const plotText = ({ width, height }, title, parts) =>
     `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${escaped(title)}">` +
     `<title>${escaped(title)}</title>${parts.join("")}</svg>`;
 
+/** To a tenth of a pixel. */
+export const tenth = (number) => Math.round(10 * number) / 10;
+export const mark = (x, y, text, anchor = "start") =>
+    `<text class="mark" x="${tenth(x)}" y="${tenth(y)}" text-anchor="${anchor}">${escaped(text)}</text>`;
+export const point = (x, y, radius, name = "") =>
+    `<circle class="point" cx="${tenth(x)}" cy="${tenth(y)}" r="${radius}">${name && `<title>${escaped(name)}</title>`}</circle>`;
+
 const superscript = (n) =>
     String(n).replace(/./g, (c) => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[c] ?? "\u207b");
 

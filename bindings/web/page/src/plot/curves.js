@@ -3,7 +3,7 @@
 import { extent as extentOf, minIndex } from "d3-array";
 import { line } from "d3-shape";
 import { escaped } from "../parts.js";
-import { axes, frame, narrow, plotText, roomy, scales } from "./axes.js";
+import { axes, frame, mark, narrow, plotText, point, roomy, scales } from "./axes.js";
 
 /** Of the numbers that are finite. */
 const extent = (numbers) => extentOf(numbers, (v) => (Number.isFinite(v) ? v : NaN));
@@ -33,14 +33,10 @@ function bandText({ from, to, style, name }, scale, top, bottom) {
 }
 
 /** A point with its name, which stands on the side that has more room. */
-function markText(point, scale, box) {
-    const [u, v] = [scale.x(point.x), scale.y(point.y)],
-        isRight = u > 0.6 * box.width;
-    const [textX, textY] = [u + (isRight ? -9 : 9), v + (point.below ? 20 : -9)].map((at) => at.toFixed(1));
-    return (
-        `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="5"/>` +
-        `<text class="mark" x="${textX}" y="${textY}" text-anchor="${isRight ? "end" : "start"}">${escaped(point.name)}</text>`
-    );
+function markText({ x, y, name, below }, scale, box) {
+    const [u, v] = [scale.x(x), scale.y(y)],
+        dv = below ? 20 : -9;
+    return point(u, v, 5) + (u > 0.6 * box.width ? mark(u - 9, v + dv, name, "end") : mark(u + 9, v + dv, name));
 }
 
 /** The scales of a plot; pinned curves have room too. */
@@ -86,7 +82,7 @@ export function curvesText(spec) {
     const paths = [...pinned.map((c) => ({ ...c, style: `${c.style} pinned` })), ...curves].map(
         (c) => `<path class="curve ${c.style}" d="${path(Array.from(c.x, (u, i) => [u, c.y[i]])) ?? ""}"/>`,
     );
-    const marks = points.map((point) => markText(point, scale, box)),
+    const marks = points.map((each) => markText(each, scale, box)),
         named = curves.filter((c) => c.name);
     return plotText(box, title, [...areas, axes(scale, xLabel, yLabel, box), ...paths, legend(named, box), ...marks]);
 }

@@ -5,7 +5,7 @@ import { contours } from "d3-contour";
 import { extent, ticks } from "d3-array";
 import { line } from "d3-shape";
 import { escaped } from "../parts.js";
-import { axes, ofWidth, scales } from "./axes.js";
+import { axes, ofWidth, point, scales } from "./axes.js";
 import { colourOf } from "./colours.js";
 
 const frames = [
@@ -62,11 +62,6 @@ function bandTexts({ levels, colours }, { values, nx, ny, x0, x1, depth }, scale
     return levels.slice(1).map((level, i) => `<path class="level" fill="${colours[i + 1]}" d="${path(level)}"/>`);
 }
 
-function pointText({ x, y, name }, scale) {
-    const [u, v] = [scale.x(x).toFixed(1), scale.y(y).toFixed(1)];
-    return `<circle class="point" cx="${u}" cy="${v}" r="5"><title>${escaped(name)}</title></circle>`;
-}
-
 /** A line above the frame. */
 function barText({ from, to, style, name }, scale, box) {
     const [u1, u2] = [scale.x(from).toFixed(1), scale.x(to).toFixed(1)],
@@ -90,7 +85,7 @@ export function fieldText(grid, { xLabel, yLabel, unit, points, surface }) {
         axes(scale, xLabel, yLabel, box) +
         surface.map((bar) => barText(bar, scale, box)).join("") +
         key(bands.levels, bands.colours, box, unit) +
-        points.map((point) => pointText(point, scale)).join("")
+        points.map(({ x, y, name }) => point(scale.x(x), scale.y(y), 5, name)).join("")
     );
 }
 

@@ -140,7 +140,7 @@ export async function an_address_brings_the_state_back({ page, show }) {
             }),
             seen,
         );
-    await enter(page, { ...numbers, "set-units": "in", "set-digits": "14", "set-sign": "," });
+    await enter(page, { ...numbers, "set-units": "in", "set-digits": "14", "set-sign": ",", "find-input": "f" });
     await openTab(page, "stress");
     await enter(page, { measure: "tau_max", "probe-x": "0,01", "probe-y": "0,02" });
     await pause(600);

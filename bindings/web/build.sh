@@ -23,27 +23,18 @@ clang $options -mexec-model=reactor -x c /dev/null -o probe.wasm >log 2>&1 ||
     skip "clang has no libc.a or libclang_rt.builtins-wasm32.a for wasm32-wasi: $(tail -n 1 log)"
 sh "$top/packages/sources.sh" sources gsl >log 2>&1 || skip "the sources of GSL cannot be fetched: $(grep '^E: ' log | head -n 1)"
 
-# without_sources FOLDER - objects of files that are gone since they were compiled
-without_sources()
-{
-    (cd "$1" && find . -name '*.c.obj') | while read -r object; do
-        [ -f "$top/lib/${object%.obj}" ] || echo "$1/$object"
-    done
-}
-
 if ! {
     # shellcheck disable=SC2086
     sh "$top/packages/gsl.sh" sources clang $options &&
-        # the library's objects, with the options that it is always built with
+        # the library, with the options that it is always built with
         cmake -S "$top" -B library -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=clang -DCMAKE_C_COMPILER_TARGET=wasm32-wasi \
             -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE='-O2 -msimd128 -DNDEBUG' -DRWEDGE_PRIVATE_DEPS=ON -DRWEDGE_HARDENING=OFF \
             -DRWEDGE_GSL_INCLUDE="$PWD/include" -DRWEDGE_GSL_ARCHIVE=none -DRWEDGE_LAPACK_ARCHIVE=none -DRWEDGE_BLAS_ARCHIVE=none \
             -DRWEDGE_BUILD_CLI=OFF -DRWEDGE_BUILD_TESTS=OFF -DRWEDGE_INSTALL=OFF &&
-        cmake --build library --target rwedge_objects &&
-        without_sources library/lib/CMakeFiles/rwedge_objects.dir | xargs -r rm &&
+        cmake --build library --target rwedge_inside &&
         exports=$(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h" | sed 's/^/-Wl,--export=/') &&
         # shellcheck disable=SC2086
-        sh "$here/link.sh" rwedge.wasm $exports
+        sh "$here/link.sh" . $exports
 } >log 2>&1; then
     cat log >&2
     exit 1
@@ -52,13 +43,7 @@ fi
 rm -rf made
 python3 -B "$top/bindings/interface/generate.py" made web
 made=$PWD/made/web
-{
-    echo '// SPDX-License-Identifier: GPL-3.0-or-later'
-    echo '// Made by build.sh: the library as WebAssembly. It is text here, so that a page or a program needs no other file.'
-    echo "const text = \"$(base64 -w 0 rwedge.wasm)\";"
-    echo 'export const wasm = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));'
-} >"$made/wasm.mjs"
-cp "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" "$made"
+cp wasm.mjs "$here/runtime.mjs" "$here/README.md" "$here/NOTICE" "$top/LICENSE" "$made"
 version=$(sed -n 's/^#define RWEDGE_VERSION "\(.*\)"$/\1/p' "$top/include/rwedge.h")
 sed "s/@VERSION@/$version/" "$here/package.json.in" >"$made/package.json"
 # A package that is the same stays as it is: a test may be reading it.

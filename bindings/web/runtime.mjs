@@ -3,20 +3,21 @@
 import { functions, statuses } from "./description.mjs";
 import { wasm } from "./wasm.mjs";
 
+// It imports nothing: an instance of another module could not be made so.
 export const library = new WebAssembly.Instance(new WebAssembly.Module(wasm)).exports;
 library._initialize();
 
 // The library's memory as doubles. It is another array after the memory has grown.
 let doubles = new Float64Array(library.memory.buffer);
-function memory() {
+export function memory() {
     if (doubles.buffer !== library.memory.buffer) doubles = new Float64Array(library.memory.buffer);
     return doubles;
 }
 
-/** The text at an address: ASCII, with a 0 at its end. */
-function textAt(address) {
+/** The text at an address, with a 0 at its end. */
+export function textAt(address) {
     const bytes = new Uint8Array(library.memory.buffer);
-    return String.fromCharCode(...bytes.subarray(address, bytes.indexOf(0, address)));
+    return new TextDecoder().decode(bytes.subarray(address, bytes.indexOf(0, address)));
 }
 
 /** What a status of the library other than RWEDGE_OK becomes. */
@@ -68,7 +69,7 @@ function byName(about, values) {
 
 /** The arguments of points: numbers among arrays are repeated. Gives the arrays, or undefined where all are numbers. */
 function asPoints(name, parameters, values) {
-    const arrays = values.map((value, i) => (isArray(value) ? asDoubles(name, parameters[i], value) : checkNumber(name, parameters[i], value)));
+    const arrays = parameters.map((p, i) => (isArray(values[i]) ? asDoubles(name, p, values[i]) : checkNumber(name, p, values[i])));
     const lengths = arrays.filter(Boolean).map((array) => array.length);
     if (lengths.some((n) => n !== lengths[0])) {
         throw new TypeError(`${name}(): arrays of ${lengths.join(" and ")} numbers: all must have the same length`);
@@ -127,46 +128,44 @@ function prepare(name) {
     const about = functions[name];
     const inputs = about.parameters.filter((p) => p.role === "in"), outputs = about.parameters.filter((p) => p.role === "out");
     const address = outputs.length ? library.malloc(8 * outputs.length) : 0;
-    const prepared = { about, inputs, outputs, address, called: library[`rwedge_${name}`], places: outputs.map((_, k) => address + 8 * k),
-        whole: inputs.map((p) => p.kind !== "double") };
+    const prepared = { about, inputs, outputs, address, called: library[`rwedge_${name}`], isValue: about.result === "value",
+        places: outputs.map((_, k) => address + 8 * k), whole: inputs.map((p) => p.kind !== "double") };
     formulas.set(name, prepared);
     return prepared;
 }
 
-/** One call, of numbers alone: the value, or the results by their names. */
-function ofNumbers(name, { about, outputs, address, called, places }, numbers, place) {
-    if (about.result === "value") return called(...numbers);
-    const status = called(...numbers, ...places);
-    if (status !== 0) check(name, about, status, () => byName(about, numbers), place);
-    const written = memory();
-    return results(outputs, (_, k) => written[address / 8 + k]);
+/** One call of numbers and of the places of its results; i where they are a point of arrays. */
+function once(name, { about, called }, passed, i) {
+    const status = called(...passed);
+    if (status !== 0) check(name, about, status, () => byName(about, passed), i === undefined ? "" : `[${i}]`);
+    return memory();
 }
 
 export function formula(name, ordered) {
-    const prepared = formulas.get(name) ?? prepare(name), { inputs, whole } = prepared;
-    for (let k = 0; k < inputs.length; k++) {
+    const prepared = formulas.get(name) ?? prepare(name), { outputs, address, called, isValue, places, whole } = prepared;
+    for (let k = 0; k < whole.length; k++) {
         if (typeof ordered[k] !== "number" || whole[k] && !isWhole(ordered[k])) return ofPoints(name, prepared, ordered);
     }
-    return ofNumbers(name, prepared, ordered);
+    if (isValue) return called(...ordered);
+    const written = once(name, prepared, [...ordered, ...places]);
+    return results(outputs, (_, k) => written[address / 8 + k]);
 }
 
 /** A call for each point: numbers go with every one. */
 function ofPoints(name, prepared, ordered) {
-    const { about, inputs, outputs, address, called, places } = prepared, numbers = inputs.map((_, k) => ordered[k]);
-    const { arrays, length } = asPoints(name, inputs, numbers);
+    const { inputs, outputs, address, called, isValue, places } = prepared, passed = [...inputs.map((_, k) => ordered[k]), ...places];
+    const { arrays, length } = asPoints(name, inputs, passed);
     const changing = inputs.map((_, k) => k).filter((k) => arrays[k]);
-    const columns = Array.from({ length: outputs.length || 1 }, () => new Float64Array(length));
+    const columns = Array.from({ length: isValue ? 1 : outputs.length }, () => new Float64Array(length));
     for (let i = 0; i < length; i++) {
-        for (const k of changing) numbers[k] = arrays[k][i];
-        if (about.result === "value") {
-            columns[0][i] = called(...numbers);
-            continue;
+        for (const k of changing) passed[k] = arrays[k][i];
+        if (isValue) columns[0][i] = called(...passed);
+        else {
+            const written = once(name, prepared, passed, i);
+            for (let k = 0; k < columns.length; k++) columns[k][i] = written[address / 8 + k];
         }
-        const status = called(...numbers, ...places);
-        if (status !== 0) check(name, about, status, () => byName(about, numbers), `[${i}]`);
-        for (let k = 0; k < columns.length; k++) columns[k][i] = memory()[address / 8 + k];
     }
-    return outputs.length ? results(outputs, (_, k) => columns[k]) : columns[0];
+    return isValue ? columns[0] : results(outputs, (_, k) => columns[k]);
 }
 
 // ---- All other functions: arrays and objects ----

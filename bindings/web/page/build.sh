@@ -16,14 +16,16 @@ done
 sh "$here/../build.sh" "$folder"
 sh "$here/packages.sh" "$here" "$folder/page" || skip "the packages of the page cannot be fetched"
 
-# The library with the model, which is the tool's too.
+# The package with another library: it has the model, which is the tool's too.
 cd "$folder/web"
+cp package/*.mjs ../page
 sh "$top/packages/sources.sh" sources libcsv >log 2>&1 || skip "the sources of libcsv cannot be fetched: $(grep '^E: ' log | head -n 1)"
 exports=$(sed -n 's/^EXPORTED.* \**\([a-z_]*\)(.*/\1/p' "$here"/model/*.c)
 exports="$exports $(python3 -B "$top/bindings/interface/header.py" --names "$top/include/rwedge.h")"
 cli=$top/cli
 # shellcheck disable=SC2046
-sh "$here/../link.sh" ../page/page.wasm -D_XOPEN_SOURCE=700 -I"$top/include" -I"$cli" -Isources/libcsv \
+sh "$here/../link.sh" ../page -D_XOPEN_SOURCE=700 -I"$top/include" -I"$cli" -Isources/libcsv \
     "$here"/model/*.c "$cli"/model/*.c "$cli"/model/*/*.c "$cli"/pad/*.c "$cli"/input/pairs.c "$cli"/input/profiles.c "$cli"/text/list.c "$cli"/text/memory.c "$cli"/number/number.c "$cli"/text/utf8.c \
     "$cli"/input/csv_input.c sources/libcsv/libcsv.c $(printf -- '-Wl,--export=%s ' $exports)
+node "$here/make/texts.mjs" "$top" "$folder" >../page/texts.mjs
 node "$here/make/page.mjs" "$folder" "$output" "$(clang --version | head -n 1)"

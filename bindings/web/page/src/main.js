@@ -36,12 +36,10 @@ function choice(name, label, titles, change) {
     return html`<span><label for=${id}>${label}</label><select id=${id} @change=${change}>${options(titles, state[name])}</select></span>`;
 }
 
-const unitTitles = Object.fromEntries(Object.entries(unitSystems).map(([key, { name }]) => [key, name]));
-
 const settings = () => html`
     <span><label for="case-name">Name</label><input type="text" id="case-name" size="14" autocomplete="off"
         .value=${live(state.name)} @input=${setter("name")}></span>
-    ${choice("units", "Units", unitTitles, ({ target }) => states.setUnits(target.value, converts()))}
+    ${choice("units", "Units", unitSystems, ({ target }) => states.setUnits(target.value, converts()))}
     ${choice("digits", "Digits", states.digits, setter("digits"))}
     ${choice("sign", "Decimal sign", states.signs, ({ target }) => states.setSign(target.value))}
     <span><input type="checkbox" id="convert"><label for="convert">convert numbers with the units</label></span>
@@ -56,21 +54,17 @@ function exported(name, model, write) {
         <pre id="as-${name.toLowerCase()}" tabindex="0">${text()}</pre>`;
 }
 
-let solved; // the last model with results: its picture stays, greyed
 const drawing = remembered(drawingOf);
 
-function theCase(model) {
-    if (model.results) solved = model;
-    return html`
-        <div class="drawing ${model.results || !solved ? "" : "old"}" .innerHTML=${drawing(solved ?? model, worstPlace())}></div>
-        ${form(model)} ${finder(model)}
-        <p class="note">${unitsRemark}</p>
-        <details>
-            <summary>This case as a command and in Python</summary>
-            ${exported("Command", model, asCommand)} ${exported("Python", model, asPython)}
-        </details>
-    `;
-}
+const theCase = (model) => html`
+    <div class="drawing ${model.pictured === model ? "" : "old"}" .innerHTML=${drawing(model.pictured, worstPlace())}></div>
+    ${form(model)} ${finder(model)}
+    <p class="note">${unitsRemark}</p>
+    <details>
+        <summary>This case as a command and in Python</summary>
+        ${exported("Command", model, asCommand)} ${exported("Python", model, asPython)}
+    </details>
+`;
 
 const onPaper = () =>
     [state.name, new Date().toLocaleDateString(), `rwedge ${rwedge.version()}`].filter(Boolean).join(", ");

@@ -25,12 +25,6 @@ export function writeNumber(value, digits, sign = ".") {
     return `${withoutZeros(mantissa).replace(".", sign)}e${exponent[0]}${exponent.slice(1).padStart(2, "0")}`;
 }
 
-/** The decimal sign that was chosen and the name of the case, where something is drawn or saved without it. */
-export const shown = { sign: ".", name: "" };
-
-/** As short as it is, for ticks and files. */
-export const shortNumber = (value) => String(value).replace(".", shown.sign);
-
 const withoutZeros = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
 
 /** All digits: what reads back as the same number, for commands and addresses. */

@@ -2,10 +2,10 @@
 // The shapes of body 2: which inputs give each, what each begins with, its heights.
 
 export const pads = {
-    wedge: { title: "wedge", names: ["theta", "theta_deg", "a", "radius"] },
-    cylinder: { title: "cylinder", names: ["radius"] },
-    flat: { title: "flat and rounded", names: ["flat", "radius"] },
-    profile: { title: "profile, pasted", names: ["profile", "hull"] },
+    wedge: { name: "wedge", names: ["theta", "theta_deg", "a", "radius"] },
+    cylinder: { name: "cylinder", names: ["radius"] },
+    flat: { name: "flat and rounded", names: ["flat", "radius"] },
+    profile: { name: "profile, pasted", names: ["profile", "hull"] },
 };
 /** The inputs that give a shape. */
 export const ofShapes = new Set(Object.values(pads).flatMap(({ names }) => names));

@@ -2,11 +2,13 @@
 // Small parts of the page, and what the browser does with texts: downloads, the clipboard.
 import { html } from "lit-html";
 import { live } from "lit-html/directives/live.js";
+import { state } from "./state.js";
 
-/** The options of a choice: titles by value. */
-export const options = (titles, chosen) =>
-    Object.entries(titles).map(
-        ([value, title]) => html`<option value=${value} .selected=${live(value === chosen)}>${title}</option>`,
+/** The options of a choice: names, or objects that have one, by value. */
+export const options = (choices, chosen) =>
+    Object.entries(choices).map(
+        ([value, { name = choices[value] }]) =>
+            html`<option value=${value} .selected=${live(value === chosen)}>${name}</option>`,
     );
 
 export const escaped = (text) =>
@@ -21,6 +23,9 @@ export function remembered(f) {
         return value;
     };
 }
+
+/** Lines of cells, with ; between these where the decimal sign is a comma. */
+export const csvText = (lines) => lines.map((line) => line.join(state.sign === "," ? ";" : ",")).join("\n") + "\n";
 
 /** Hands a file to the browser's downloads. */
 export function download(name, content, type) {

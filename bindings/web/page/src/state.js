@@ -24,6 +24,8 @@ const settings = {
     plane: "",
     material: "",
     batch: "",
+    find: "radius",
+    safety: "2",
 };
 export const tabs = {
     contact: "Contact",
@@ -34,9 +36,19 @@ export const tabs = {
     about: "About",
 };
 export const signs = { ".": "point", ",": "comma" };
+/** What can be found for a safety. */
+export const findable = { radius: "Radius R", a: "Half-width of rounding a", P: "Load P", f: "Friction f" };
 export const digits = { 4: "4", 6: "6", 10: "10", 14: "14" };
 /** What a setting may be; another word is the usual one. */
-const allowed = { units: unitSystems, digits, sign: signs, tab: tabs, measure: measures, criterion: criteria };
+const allowed = {
+    units: unitSystems,
+    digits,
+    sign: signs,
+    tab: tabs,
+    measure: measures,
+    criterion: criteria,
+    find: findable,
+};
 const LONGEST = 20000; // characters of an address that every browser takes
 
 /** texts: of the inputs, by name; way: which of the ways to give an input is chosen. */
@@ -64,9 +76,7 @@ export function take(texts) {
     state.texts = inputNames.some((name) => name in texts)
         ? Object.fromEntries(filled.map((name) => [name, texts[name]]))
         : { ...example };
-    state.way = Object.fromEntries(
-        ["theta_deg", "radius", "yield_stress"].filter((name) => state.texts[name]).map((name) => [name, true]),
-    );
+    state.way = { ...state.texts };
     for (const [name, usual] of Object.entries(settings)) {
         const text = texts[name] ?? usual;
         state[name] = !allowed[name] || Object.hasOwn(allowed[name], text) ? text : usual;
@@ -76,14 +86,23 @@ export function take(texts) {
     draw();
 }
 
-/** The places that are looked at are numbers too. */
-const places = ["probe_x", "probe_y"];
+/** A number as it is typed and shown: with the chosen decimal sign. */
+export const typed = (text) => readNumber(text, state.sign);
+export const written = (value, digits) => writeNumber(value, digits, state.sign);
+
+/** As short as it is, for ticks and files. */
+export const shortNumber = (value) => String(value).replace(".", state.sign);
+
+/** Changes the numbers of the form and the place that is looked at, by their dimensions; pasted tables stay. */
+function changeNumbers(changed) {
+    for (const [name, text] of Object.entries(state.texts))
+        if (name !== "profile") state.texts[name] = changed(text, inputs[name]?.unit);
+    for (const name of ["probe_x", "probe_y"]) state[name] = changed(state[name], "length");
+}
 
 function rewriteNumbers() {
     const [from, to] = state.sign === "," ? [".", ","] : [",", "."];
-    const rewritten = (text) => (text.split(from).length === 2 && !text.includes(to) ? text.replace(from, to) : text);
-    for (const [name, text] of Object.entries(state.texts)) if (name !== "profile") state.texts[name] = rewritten(text);
-    for (const name of places) state[name] = rewritten(state[name]);
+    changeNumbers((text) => (text.split(from).length === 2 && !text.includes(to) ? text.replace(from, to) : text));
 }
 
 /** What is typed has the chosen decimal sign too. */
@@ -93,15 +112,12 @@ export function setSign(sign) {
     draw();
 }
 
-/** Where it converts, the numbers of the form and the place that is looked at; pasted tables stay. */
 export function setUnits(units, converts) {
-    const converted = (text, dimension) => {
+    changeNumbers((text, dimension) => {
         const factor = converts ? conversion(state.units, units, dimension) : 1,
-            value = readNumber(text, state.sign);
-        return factor === 1 || Number.isNaN(value) ? text : writeNumber(value * factor, 12, state.sign);
-    };
-    for (const [name, text] of Object.entries(state.texts)) state.texts[name] = converted(text, inputs[name]?.unit);
-    for (const name of places) state[name] = converted(state[name], "length");
+            value = typed(text);
+        return factor === 1 || Number.isNaN(value) ? text : written(value * factor, 12);
+    });
     set({ units });
 }
 

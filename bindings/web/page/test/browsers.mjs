@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page in the browsers of this machine: node browsers.mjs PAGE TOOL AXE [BROWSER [CLAIM ...]]
+// The page in the browsers of this machine: node [--test-name-pattern=CLAIM] browsers.mjs PAGE TOOL AXE
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
 import * as claims from "./claims.mjs";
 import { browsers, openBrowser, openPage, programOf, reopen } from "./drive.mjs";
 
-const [file, tool, axe, only, ...wanted] = process.argv.slice(2);
-const last = "nothing_is_said_and_nothing_asked_for"; // of all the others
-const order = [...Object.keys(claims).filter((name) => name !== last), last];
-let failed = 0,
-    tried = 0;
-for (const [name, about] of Object.entries(browsers).filter(([name]) => !only || name === only)) {
-    if (!programOf(about)) {
-        console.log(`SKIPPED: ${name} is not here`);
-        continue;
-    }
-    const session = await openBrowser(about);
-    for (const claim of order.filter((name) => wanted.length === 0 || wanted.includes(name))) {
-        const began = Date.now(),
-            page = await openPage(session),
-            show = (...state) => reopen(page, file, ...state);
-        try {
-            await show();
-            const said = await claims[claim]({ page, show, session, tool, axe, dark: name === "chromium" });
-            console.log(`ok: ${name}: ${claim}${said ? `: ${said}` : ""} (${Date.now() - began} ms)`);
-        } catch (error) {
-            failed++;
-            console.log(`FAILED: ${name}: ${claim}: ${error.message.slice(0, 1500)}`);
-        }
-        tried++;
-        await page.close();
-    }
-    await session.browser.close();
+const [file, tool, axe] = process.argv.slice(2);
+
+async function tryClaim(name, session, browser) {
+    const page = await openPage(session),
+        show = (...state) => reopen(page, file, ...state);
+    await show();
+    const said = await claims[name]({ page, show, tool, axe, dark: browser === "chromium" });
+    if (said) console.log(`${browser}: ${name}: ${said}`);
+    await page.close();
 }
-process.exit(failed > 0 ? 1 : tried > 0 ? 0 : 77);
+
+for (const [browser, about] of Object.entries(browsers))
+    describe(browser, { skip: !programOf(about) && `SKIPPED: ${browser} is not here` }, () => {
+        let session;
+        before(async () => (session = await openBrowser(about)));
+        for (const name of Object.keys(claims)) test(name, () => tryClaim(name, session, browser));
+
+        /** In all the others: axe-core's own letters are data, and ask no one. */
+        test("nothing_is_said_and_nothing_asked_for", () => {
+            const allowed = /^(file:\/\/[^#]*rounded-wedge\.html|about:|data:|blob:)/;
+            assert.deepEqual([session.said, session.asked.filter((url) => !allowed.test(url))], [[], []]);
+        });
+        after(() => session.browser.close());
+    });
+if (!Object.values(browsers).some(programOf)) process.exit(77);

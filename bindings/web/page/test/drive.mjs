@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A browser of the system with the page in it, opened as a file.
-import { spawnSync } from "node:child_process";
+import { existsSync } from "node:fs";
 import puppeteer from "puppeteer-core";
 
 export const browsers = {
@@ -13,12 +13,8 @@ export const browsers = {
 };
 
 /** Its program; nothing where this machine does not have it. */
-export function programOf({ names }) {
-    const search = spawnSync("sh", ["-c", names.map((name) => `command -v ${name}`).join(" || ")], {
-        encoding: "utf8",
-    });
-    return search.stdout.trim().split("\n")[0];
-}
+export const programOf = ({ names }) =>
+    names.flatMap((name) => process.env.PATH.split(":").map((folder) => `${folder}/${name}`)).find(existsSync);
 
 /** The browser, and what it said and asked for since it began. */
 export async function openBrowser(about) {
@@ -76,16 +72,18 @@ export async function shownNumbers(page) {
     );
 }
 
-/** The text of the file that a button saves; nothing is downloaded. */
+/** The files that buttons save, [{ name, text }]; nothing is downloaded. */
 export const savedBy = (page, selector) =>
-    page.evaluate(async (button) => {
-        let blob;
-        URL.createObjectURL = (saved) => ((blob = saved), "#");
+    page.evaluate(async (selector) => {
+        const files = [],
+            buttons = document.querySelectorAll(selector);
+        URL.createObjectURL = (blob) => (files.push({ blob }), "#");
         HTMLAnchorElement.prototype.click = function () {
-            window.savedAs = this.download;
+            files.at(-1).name = this.download;
         };
-        document.querySelector(button).click();
-        return blob.text();
+        buttons.forEach((button) => button.click());
+        while (files.length < buttons.length) await new Promise((done) => setTimeout(done, 50));
+        return Promise.all(files.map(async ({ name, blob }) => ({ name, text: await blob.text() })));
     }, selector);
 
 export const statusOf = (page) =>

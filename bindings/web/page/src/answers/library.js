@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The library as WebAssembly, with the model of the tool.
 import * as rwedge from "rwedge";
-import { adopt, library } from "rwedge-runtime";
+import { adopt, library, memory, textAt } from "rwedge-runtime";
 
 export { rwedge };
 
@@ -17,19 +17,11 @@ export function orNull(action) {
 
 // ---- The model: ../model/*.c ----
 
-const bytes = () => new Uint8Array(library.memory.buffer);
-
 function placed(text) {
-    const letters = new TextEncoder().encode(text),
-        address = library.malloc(letters.length + 1);
-    bytes().set(letters, address);
-    bytes()[address + letters.length] = 0;
+    const letters = new TextEncoder().encode(`${text}\0`),
+        address = library.malloc(letters.length);
+    new Uint8Array(library.memory.buffer).set(letters, address);
     return address;
-}
-
-function textAt(address) {
-    const from = bytes().subarray(address);
-    return new TextDecoder().decode(from.subarray(0, from.indexOf(0)));
 }
 
 /** Calls a function of the model with texts and numbers. */
@@ -48,10 +40,8 @@ function call(name, values) {
 }
 
 /** Numbers that an answer has left in memory. */
-const numbersAt = ({ address, length, distance }) => {
-    const all = new Float64Array(library.memory.buffer);
-    return Float64Array.from({ length }, (_, i) => all[address / 8 + i * distance]);
-};
+const numbersAt = ({ address, length, distance }) =>
+    Float64Array.from({ length }, (_, i) => memory()[address / 8 + i * distance]);
 
 /** Members of an answer: lists are continued, objects too. */
 function join(all, part) {

@@ -16,6 +16,9 @@ export function linesOf({ hull, ...texts }, sign) {
 /** What an answer of the model has where nothing is said of it. */
 const none = { inputs: {}, faults: [], setup: null, hardest: null, results: null, verdict: null, remark: "" };
 
+/** The factor by which the yield stress may fall, as in the workbook. */
+const safetyOnStrength = (r) => (r.load_over_bk && r.P_over_bk !== null ? r.P_over_bk / r.load_over_bk : null);
+
 let held = null;
 
 /**
@@ -28,7 +31,11 @@ export function solveHolding(texts, sign, length = "") {
     if (!answer.results) return { ...answer, contact: null };
     held?.free();
     held = answeredContact();
-    return { ...answer, contact: held };
+    return {
+        ...answer,
+        results: { ...answer.results, safety_strength: safetyOnStrength(answer.results) },
+        contact: held,
+    };
 }
 
 /** The radius, a, P or f with which the case has a safety in full sliding: { value } or { complaint }. */
@@ -38,6 +45,3 @@ export function findInput(texts, sign, name, safety) {
 }
 
 export const isOffCentre = ({ M, sigma }) => M !== 0 || sigma !== 0;
-
-/** The factor by which the yield stress may fall, as in the workbook. */
-export const safetyOnStrength = (r) => (r.load_over_bk && r.P_over_bk !== null ? r.P_over_bk / r.load_over_bk : null);

@@ -2,12 +2,12 @@
 // Where stresses are looked at, and what of them: places across the contact, a grid below it, one number or all of a place.
 import { orNull, rwedge } from "./library.js";
 
-/** One number of the stresses on a grid. The largest principal stress is written out: the library has it for one point at a time. */
+/** One number of the stresses, at a place or on a grid. */
 export const measures = {
     von_mises: { name: "von Mises", along: ({ sxx, syy, txy }, nu) => rwedge.von_mises(sxx, syy, txy, nu) },
     s1: {
         name: "largest principal stress s1",
-        along: ({ sxx, syy, txy }) => sxx.map((s, i) => (s + syy[i]) / 2 + Math.hypot((s - syy[i]) / 2, txy[i])),
+        along: ({ sxx, syy, txy }) => rwedge.principal_stresses(sxx, syy, txy).s1,
     },
     tau_max: {
         name: "largest shear stress \u03c4max",
@@ -61,14 +61,11 @@ export function fieldOf({ contact, setup }, grid, measure) {
 export function valuesAt({ contact, setup }, place) {
     const s = orNull(() => contact.stresses(place.x, place.y));
     if (!s) return null;
-    const { s1, s2, angle } = rwedge.principal_stresses(s.sxx, s.syy, s.txy);
+    const { s2, angle } = rwedge.principal_stresses(s.sxx, s.syy, s.txy);
     return {
-        ...s,
+        ...Object.fromEntries(Object.entries(measures).map(([name, { along }]) => [name, along(s, setup.nu1)])),
         szz: rwedge.out_of_plane_stress(s.sxx, s.syy, setup.nu1),
-        s1,
         s2,
         angle: (angle * 180) / Math.PI,
-        tau_max: rwedge.largest_shear(s.sxx, s.syy, s.txy, setup.nu1),
-        von_mises: rwedge.von_mises(s.sxx, s.syy, s.txy, setup.nu1),
     };
 }

@@ -2,9 +2,21 @@
 // The words of the model: inputs, results of "rwedge solve", measures of "rwedge fretting".
 import { ask } from "./library.js";
 
-/** By name, in the tool's order; the other of two ways to give the same, by the first; the results, a list. */
-export const { inputs, alternatives, results: resultKinds, measures } = ask("words");
+const { inputs, alternatives, results, measures } = ask("words");
+/** By name, in the tool's order. */
+export { inputs, measures };
 export const inputNames = Object.keys(inputs);
+
+/** The names by which an input can be given: of two ways to give the same, both. */
+export const waysOf = (name) => Object.entries(alternatives).find((ways) => ways.includes(name)) ?? [name];
+
+/** All that "rwedge solve" says, and the workbook's safety on strength, by name. */
+export const resultKinds = {};
+for (const { name, ...kind } of results) {
+    resultKinds[name] = kind;
+    if (name === "safety")
+        resultKinds.safety_strength = { unit: "none", meaning: "k or Y may fall by this factor under this P" };
+}
 
 /** Titles of the criteria that are offered, by their columns. */
 export const criteria = {

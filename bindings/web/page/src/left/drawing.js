@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drawing of the contact: the pad as it touches and as it was, its loads, the stick zone; the pressure apart. Heights are stretched.
 import { heightOf, pads } from "../pads.js";
-import { plotText } from "../plot/axes.js";
+import { mark, plotText, point, tenth } from "../plot/axes.js";
 import { placesAcross } from "../answers/stresses.js";
 
 const box = { width: 640, height: 372, middle: 320, surface: 150, up: 88, down: 56, floor: 258, base: 362, high: 62 };
 
-/** To a tenth of a pixel. */
-const tenth = (number) => Math.round(10 * number) / 10;
 const path = (style, d) => `<path class="${style}" d="${d}"/>`;
-const mark = (x, y, text, anchor = "start") =>
-    `<text class="mark" x="${tenth(x)}" y="${tenth(y)}" text-anchor="${anchor}">${text}</text>`;
-const point = (x, y, radius) => `<circle class="point" cx="${x}" cy="${tenth(y)}" r="${radius}"/>`;
 
 /** Its heights over the surface where it is pressed on between two edges, and as it was, which reaches below. */
 function profilesOf(shape) {
@@ -98,9 +93,9 @@ function tipText({ pad, a, flat, left, right }, toX, toY, free) {
     return tip + path("sizes", `M${u},${v}l34,26`) + mark(u + 38, v + 36, "R");
 }
 
-function stickText({ stickLeft, stickRight }, toX) {
-    if (!(stickRight > stickLeft)) return "";
-    const [from, to] = [toX(stickLeft), toX(stickRight)];
+function stickText({ stick_left, stick_right }, toX) {
+    if (!(stick_right > stick_left)) return "";
+    const [from, to] = [toX(stick_left), toX(stick_right)];
     return path("stuck", `M${from},${box.surface}H${to}`) + mark((from + to) / 2, box.surface + 16, "sticks", "middle");
 }
 
@@ -132,13 +127,13 @@ function placed(shape) {
     return { reach, pressed, free, toX, toY };
 }
 
-/** shape: { pad, height, a, flat, left, right, tilt, stickLeft, stickRight, pressure: [[x, share of the highest]], M, Q, sigma, hardest, worst }. */
+/** shape: { pad, height, a, flat, left, right, tilt, stick_left, stick_right, pressure: [[x, share of the highest]], M, Q, sigma, hardest, worst }. */
 function drawingText(shape) {
     const { reach, pressed, free, toX, toY } = placed(shape);
     const outline = Array.from({ length: 121 }, (_, i) => reach * (i / 60 - 1)).map(
         (x) => `${toX(x)},${toY(pressed(x))}`,
     );
-    const { title: name } = pads[shape.pad],
+    const { name } = pads[shape.pad],
         marked = markedOf(shape);
     const title = `Body 2, a ${name}, on a half-plane: contact from ${shape.left.toPrecision(4)} to ${shape.right.toPrecision(4)}`;
     const parts = [
@@ -179,16 +174,12 @@ export function drawingOf({ pad, setup, contact, results, hardest }, worst) {
     const { p } = contact.tractions(x),
         most = Math.max(...p.map(Math.abs));
     return drawingText({
+        ...results,
         ...setup,
         pad,
         worst,
         hardest: setup.k === null ? null : hardest,
         height: heightOf(setup),
-        left: results.left,
-        right: results.right,
-        tilt: results.tilt,
-        stickLeft: results.stick_left,
-        stickRight: results.stick_right,
         pressure: Array.from(x, (v, i) => [v, Math.abs(p[i]) / most]),
     });
 }

@@ -3,11 +3,10 @@
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { rwedge } from "../answers/library.js";
-import { writeNumber } from "../number.js";
 import { ofShapes, pads } from "../pads.js";
 import { options } from "../parts.js";
-import { set, state } from "../state.js";
-import { alternatives, inputs } from "../answers/words.js";
+import { set, state, written } from "../state.js";
+import { inputs, waysOf } from "../answers/words.js";
 import { padChoice } from "./pad_choice.js";
 import { slider } from "./slider.js";
 
@@ -57,8 +56,6 @@ function converted(from, numbers) {
     }[from];
 }
 
-const waysOf = (field) => (alternatives[field] ? [field, alternatives[field]] : [field]);
-
 /** Those that the pad has. */
 const openWays = (field) => waysOf(field).filter((way) => !ofShapes.has(way) || pads[state.pad].names.includes(way));
 
@@ -77,15 +74,14 @@ function type(field, text) {
 
 /** The text of one of the ways, which is chosen. */
 export function put(way, text) {
-    const field = Object.keys(alternatives).find((name) => alternatives[name] === way) ?? way;
-    for (const each of waysOf(field)) state.way[each] = each === way;
-    type(field, text);
+    for (const each of waysOf(way)) state.way[each] = each === way;
+    type(waysOf(way)[0], text);
 }
 
 /** To 15 digits; what is no number stays as it is. */
-function choose(way, from, { inputs: numbers, sign }) {
+function choose(way, from, { inputs: numbers }) {
     const other = from in numbers ? converted(from, numbers) : NaN;
-    put(way, Number.isFinite(other) ? writeNumber(other, 15, sign) : (state.texts[from] ?? ""));
+    put(way, Number.isFinite(other) ? written(other, 15) : (state.texts[from] ?? ""));
 }
 
 function chooser(field, name, model) {

@@ -2,7 +2,7 @@
 // A slider beside a field. Where the number has a sign or a limit it runs between limits; else by a factor of ten to both sides of a power of ten.
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { writeNumber } from "../number.js";
+import { written } from "../state.js";
 
 const steps = 200;
 
@@ -25,17 +25,17 @@ let dragged = null; // { field, base }: the base stays while it moves
 export const isMoving = () => dragged !== null;
 
 /** Nothing where the input has none. name: of the input as it is given now; type(text) takes what is dragged to. */
-export function slider(field, name, { inputs, texts, sign }, type) {
+export function slider(field, name, { inputs, texts }, type) {
     if (!ways[field]) return nothing;
     const { to, from } = ways[field],
         base = dragged?.field === field ? dragged.base : baseOf(field, inputs[name], inputs),
         share = from(base, inputs[name] || (field === "Q" || field === "f" ? 0 : NaN));
     const place = Number.isFinite(share) ? Math.round(Math.max(-1, Math.min(1, share)) * steps) : 0,
-        ends = [-1, 1].map((end) => writeNumber(to(base, end), 4, sign));
+        ends = [-1, 1].map((end) => written(to(base, end), 4));
     const drag = ({ target }) => {
         dragged ??= { field, base };
         const value = to(base, target.valueAsNumber / steps);
-        if (Number.isFinite(value)) type(writeNumber(value, 4, sign));
+        if (Number.isFinite(value)) type(written(value, 4));
     };
     const letGo = () => {
         dragged = null;

@@ -2,7 +2,7 @@
 // Axes of a plot: scales, ticks, grid and labels, as SVG text.
 import { scaleLinear } from "d3-scale";
 import { escaped } from "../parts.js";
-import { shortNumber } from "../number.js";
+import { shortNumber } from "../state.js";
 
 /** On a narrow screen fewer units across make letters larger. */
 export const narrow = matchMedia("(max-width: 520px)");
@@ -10,7 +10,8 @@ const frames = [
     { width: 640, height: 400, left: 70, right: 16, top: 28, bottom: 48 },
     { width: 420, height: 340, left: 62, right: 12, top: 28, bottom: 46 },
 ];
-export const frame = () => frames[narrow.matches ? 1 : 0];
+export const ofWidth = ([wide, small]) => (narrow.matches ? small : wide);
+export const frame = () => ofWidth(frames);
 
 /** Scales from the domains of x and y to the frame; y may run downwards. */
 export function scales(x, y, box, down = false) {
@@ -29,6 +30,13 @@ export function roomy([lo, hi], share = 0.05) {
 export const plotText = ({ width, height }, title, parts) =>
     `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${escaped(title)}">` +
     `<title>${escaped(title)}</title>${parts.join("")}</svg>`;
+
+/** To a tenth of a pixel. */
+export const tenth = (number) => Math.round(10 * number) / 10;
+export const mark = (x, y, text, anchor = "start") =>
+    `<text class="mark" x="${tenth(x)}" y="${tenth(y)}" text-anchor="${anchor}">${escaped(text)}</text>`;
+export const point = (x, y, radius, name = "") =>
+    `<circle class="point" cx="${tenth(x)}" cy="${tenth(y)}" r="${radius}">${name && `<title>${escaped(name)}</title>`}</circle>`;
 
 const superscript = (n) =>
     String(n).replace(/./g, (c) => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[c] ?? "\u207b");

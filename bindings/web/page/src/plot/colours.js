@@ -16,6 +16,5 @@ const blueToRed = along("#1c4f8c #3f7fbd #7fb1da #bcd8ec #f3f3f3 #f7cdb5 #ea9a78
 /** The colour of a value in a field from lo to hi. */
 export function colourOf(value, lo, hi) {
     if (lo >= 0) return darkToLight(1 - value / hi);
-    if (hi <= 0) return blueToRed(0.5 - 0.5 * (value / lo));
     return blueToRed(0.5 + (0.5 * value) / Math.max(-lo, hi));
 }

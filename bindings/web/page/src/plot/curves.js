@@ -3,7 +3,7 @@
 import { extent as extentOf, minIndex } from "d3-array";
 import { line } from "d3-shape";
 import { escaped } from "../parts.js";
-import { axes, frame, narrow, plotText, roomy, scales } from "./axes.js";
+import { axes, frame, mark, narrow, plotText, point, roomy, scales } from "./axes.js";
 
 /** Of the numbers that are finite. */
 const extent = (numbers) => extentOf(numbers, (v) => (Number.isFinite(v) ? v : NaN));
@@ -33,24 +33,17 @@ function bandText({ from, to, style, name }, scale, top, bottom) {
 }
 
 /** A point with its name, which stands on the side that has more room. */
-function markText(point, scale, box) {
-    const [u, v] = [scale.x(point.x), scale.y(point.y)],
-        isRight = u > 0.6 * box.width;
-    const [textX, textY] = [u + (isRight ? -9 : 9), v + (point.below ? 20 : -9)].map((at) => at.toFixed(1));
-    return (
-        `<circle class="point" cx="${u.toFixed(1)}" cy="${v.toFixed(1)}" r="5"/>` +
-        `<text class="mark" x="${textX}" y="${textY}" text-anchor="${isRight ? "end" : "start"}">${escaped(point.name)}</text>`
-    );
+function markText({ x, y, name, below }, scale, box) {
+    const [u, v] = [scale.x(x), scale.y(y)],
+        dv = below ? 20 : -9;
+    return point(u, v, 5) + (u > 0.6 * box.width ? mark(u - 9, v + dv, name, "end") : mark(u + 9, v + dv, name));
 }
 
 /** The scales of a plot; pinned curves have room too. */
 function scalesOf({ curves, pinned = [], points = [], xDomain, yDomain }, box) {
-    const all = [...curves, ...pinned],
-        reach = pinned.length > 0 && yDomain ? [0, ...pinned.flatMap((c) => extent(c.y)), ...yDomain] : null;
-    const x =
-        !xDomain || pinned.length > 0 ? extent([...(xDomain ?? []), ...all.flatMap((c) => extent(c.x))]) : xDomain;
-    const room = roomy(extent([0, ...all.flatMap((c) => extent(c.y)), ...points.map((p) => p.y)]), 0.08);
-    return scales(x, reach ? extent(reach) : (yDomain ?? room), box);
+    const reach = (axis, more = []) => extent([...more, ...[...curves, ...pinned].flatMap((c) => extent(c[axis]))]);
+    const y = yDomain ? reach("y", yDomain) : roomy(reach("y", [0, ...points.map((p) => p.y)]), 0.08);
+    return scales(reach("x", xDomain), y, box);
 }
 
 const isAlongX = ({ x }) => x.every((v, i) => i === 0 || v >= x[i - 1]);
@@ -74,7 +67,7 @@ export function valuesUnder(spec, u, v) {
 
 /**
  * title, xLabel, yLabel: texts; curves: [{ name, style, x: numbers, y: numbers }];
- * pinned: curves of another case, thin; bands: [{ from, to, style, name }] along x; points: [{ x, y, name, below }]; xDomain, yDomain where they are not those of the curves.
+ * pinned: curves of another case, thin; bands: [{ from, to, style, name }] along x; points: [{ x, y, name, below }]; xDomain, yDomain: what the axes show besides the curves.
  */
 export function curvesText(spec) {
     const { title, xLabel, yLabel, curves, pinned = [], bands = [], points = [] } = spec;
@@ -89,7 +82,7 @@ export function curvesText(spec) {
     const paths = [...pinned.map((c) => ({ ...c, style: `${c.style} pinned` })), ...curves].map(
         (c) => `<path class="curve ${c.style}" d="${path(Array.from(c.x, (u, i) => [u, c.y[i]])) ?? ""}"/>`,
     );
-    const marks = points.map((point) => markText(point, scale, box)),
+    const marks = points.map((each) => markText(each, scale, box)),
         named = curves.filter((c) => c.name);
     return plotText(box, title, [...areas, axes(scale, xLabel, yLabel, box), ...paths, legend(named, box), ...marks]);
 }

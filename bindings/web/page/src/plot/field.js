@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contours of a field on a grid, as the text of an SVG: bands of colour, and what they mean.
-import { shortNumber } from "../number.js";
+import { shortNumber } from "../state.js";
 import { contours } from "d3-contour";
 import { extent, ticks } from "d3-array";
 import { line } from "d3-shape";
 import { escaped } from "../parts.js";
-import { axes, narrow, scales } from "./axes.js";
+import { axes, ofWidth, point, scales } from "./axes.js";
 import { colourOf } from "./colours.js";
 
 const frames = [
     { width: 640, height: 424, left: 60, right: 96, top: 14, bottom: 48 },
     { width: 420, height: 290, left: 58, right: 74, top: 14, bottom: 46 },
 ];
-const fieldFrame = () => frames[narrow.matches ? 1 : 0];
+const fieldFrame = () => ofWidth(frames);
 export const viewBox = () => `0 0 ${fieldFrame().width} ${fieldFrame().height}`;
 const scalesOf = ({ x0, x1, depth }) => scales([x0, x1], [0, depth], fieldFrame(), true);
 const LEVELS = 10;
@@ -62,11 +62,6 @@ function bandTexts({ levels, colours }, { values, nx, ny, x0, x1, depth }, scale
     return levels.slice(1).map((level, i) => `<path class="level" fill="${colours[i + 1]}" d="${path(level)}"/>`);
 }
 
-function pointText({ x, y, name }, scale) {
-    const [u, v] = [scale.x(x).toFixed(1), scale.y(y).toFixed(1)];
-    return `<circle class="point" cx="${u}" cy="${v}" r="5"><title>${escaped(name)}</title></circle>`;
-}
-
 /** A line above the frame. */
 function barText({ from, to, style, name }, scale, box) {
     const [u1, u2] = [scale.x(from).toFixed(1), scale.x(to).toFixed(1)],
@@ -87,10 +82,10 @@ export function fieldText(grid, { xLabel, yLabel, unit, points, surface }) {
     return (
         `<clipPath id="inside"><rect ${frame}/></clipPath>` +
         `<g clip-path="url(#inside)"><rect ${frame} fill="${bands.colours[0]}"/>${bandTexts(bands, grid, scale).join("")}</g>` +
-        axes(scale, xLabel, yLabel, box).replaceAll('class="grid"', 'class="none"') +
+        axes(scale, xLabel, yLabel, box) +
         surface.map((bar) => barText(bar, scale, box)).join("") +
         key(bands.levels, bands.colours, box, unit) +
-        points.map((point) => pointText(point, scale)).join("")
+        points.map(({ x, y, name }) => point(scale.x(x), scale.y(y), 5, name)).join("")
     );
 }
 

@@ -2,8 +2,7 @@
 // A plot of curves on the page: it is saved, it tells the values under the pointer, and its curves can be pinned beside the next case.
 import { html } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { shown, writeNumber } from "../number.js";
-import { redraw } from "../state.js";
+import { redraw, written } from "../state.js";
 import { curvesText, valuesUnder } from "./curves.js";
 import { saveButtons } from "./save.js";
 
@@ -14,7 +13,7 @@ export function inViewBox(svg, { clientX, clientY }) {
 }
 
 function valuesText(values) {
-    const number = (value) => writeNumber(value, 4, shown.sign);
+    const number = (value) => written(value, 4);
     const places = new Set(values.map(({ x }) => number(x)));
     const each = values.map(({ name, x, y }) => `${name} ${number(y)}${places.size > 1 ? ` at ${number(x)}` : ""}`);
     return `${places.size === 1 ? `at ${[...places][0]}: ` : ""}${each.join("; ")}`;

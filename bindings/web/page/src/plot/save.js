@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A plot as a file: SVG and PNG as it is drawn, in light colours and with white ground; CSV with all digits.
 import { html } from "lit-html";
-import { shortNumber, shown } from "../number.js";
-import { download } from "../parts.js";
+import { csvText, download } from "../parts.js";
+import { shortNumber, state } from "../state.js";
 import plotStyle from "./plot.css";
 
 /** The style with its colours written out, those of light mode: few programs that open an SVG know variables. */
@@ -39,27 +39,25 @@ function savePng(name, svg) {
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svgText(svg))}`;
 }
 
-/** Columns as the tool writes them, with ; between cells where the decimal sign is a comma. */
-function csvText(columns) {
-    const between = shown.sign === "," ? ";" : ",";
+/** Columns as the tool writes them. */
+function linesOf(columns) {
     const heads = columns.map(({ name, unit }) => (unit ? `${name} [${unit}]` : name));
     const cell = (value) => (Number.isNaN(value) ? "" : shortNumber(value));
-    const rows = Array.from(columns[0].numbers, (_, i) => columns.map(({ numbers }) => cell(numbers[i])));
-    return [heads, ...rows].map((row) => row.join(between)).join("\n") + "\n";
+    return [heads, ...Array.from(columns[0].numbers, (_, i) => columns.map(({ numbers }) => cell(numbers[i])))];
 }
 
 const forms = {
     SVG: (name, svg) => download(name, svgText(svg), "image/svg+xml"),
     PNG: savePng,
-    CSV: (name, _, columns) => download(name, csvText(columns()), "text/csv"),
+    CSV: (name, _, columns) => download(name, csvText(linesOf(columns())), "text/csv"),
 };
 
 /** A file of a plot is named for the case. */
 const fileOf = (name, form) =>
-    `${[shown.name.replace(/[^\p{L}\p{N}.-]+/gu, "-"), name].filter(Boolean).join("-")}.${form.toLowerCase()}`;
+    `${[state.name.replace(/[^\p{L}\p{N}.-]+/gu, "-"), name].filter(Boolean).join("-")}.${form.toLowerCase()}`;
 
 /** Buttons for the plot in the element plot-NAME; columns() are those of its table, [{ name, unit, numbers }]. */
-export const saveButtons = (name, columns, isDrawn, more = "") => html`<p class="save" ?hidden=${!isDrawn}>Save as
+export const saveButtons = (name, columns, isDrawn, more = "") => html`<p class="tools save" ?hidden=${!isDrawn}>Save as
     ${Object.entries(forms).map(
         ([form, save]) => html`<button type="button" aria-label="Save ${name} as ${form}"
             @click=${() => save(fileOf(name, form), document.querySelector(`#plot-${name} svg`), columns)}>${form}</button> `,

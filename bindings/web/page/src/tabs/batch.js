@@ -3,7 +3,7 @@
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { Aside } from "../answers/aside.js";
-import { copyButton, download } from "../parts.js";
+import { copyButton, csvText, download } from "../parts.js";
 import { redraw, set, setter, state } from "../state.js";
 
 const SHOWN = 100; // rows that are drawn; all are copied
@@ -11,14 +11,14 @@ const example =
     "case\tE1\tnu1\ttheta_deg\tradius\tP\tQ\tf\tyield_stress\nsteel on steel\t210000\t0.3\t2\t10\t300\t40\t0.3\t900\na sharper one\t210000\t0.3\t2\t2\t70\t15\t0.3\t900";
 
 /** All digits; the decimal sign is that of the page, and as in the tool ; stands between cells where it is a comma. */
-const valueText = (text, sign) => (isNumber(text) ? text.replace(".", sign) : text);
+const valueText = (text) => (isNumber(text) ? text.replace(".", state.sign) : text);
 const isNumber = (text) => text !== "" && Number.isFinite(Number(text));
 
-function linesOf({ columns, results, rows }, sign) {
+function linesOf({ columns, results, rows }) {
     const width = results.length;
     const cells = rows.map(({ cells, values, error }) => [
         ...cells,
-        ...Array.from({ length: width }, (_, i) => valueText(values[i] ?? "", sign)),
+        ...Array.from({ length: width }, (_, i) => valueText(values[i] ?? "")),
         error,
     ]);
     return [[...columns, ...results, "error"], ...cells];
@@ -29,11 +29,7 @@ const asText = (lines) => lines.map((line) => line.join("\t")).join("\n") + "\n"
 /** A text that a spreadsheet would compute gets a ' in front. */
 const harmless = (cell) => (/^[=+@-]/.test(cell) && !/^[+-]?[\d.,]/.test(cell) ? `'${cell}` : cell);
 const quoted = (cell) => (/[",;\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);
-
-function csvOf(lines, sign) {
-    const between = sign === "," ? ";" : ",";
-    return lines.map((line) => line.map((cell) => quoted(harmless(cell))).join(between)).join("\n") + "\n";
-}
+const fileText = (lines) => csvText(lines.map((line) => line.map((cell) => quoted(harmless(cell)))));
 
 /** Drawn beside the first column: what one looks for. The files have the tool's order. */
 function tableOf({ columns, results, rows }, write) {
@@ -63,7 +59,9 @@ function remarkOf(solved) {
     if (solved.complaint !== undefined) return solved.complaint;
     const { rows, constants, unused } = solved;
     const errors = rows.filter(({ error }) => error !== "").length;
-    const from = Object.entries(constants).map(([name, text]) => `${name} = ${text}`).join(", ");
+    const from = Object.entries(constants)
+        .map(([name, text]) => `${name} = ${text}`)
+        .join(", ");
     return [
         `${rows.length} rows, ${errors} could not be solved. ${faultsOf(solved)}`,
         unused && `${unused[0].toUpperCase()}${unused.slice(1)}.`,
@@ -74,12 +72,12 @@ function remarkOf(solved) {
         .join(" ");
 }
 
-const save = (solved, sign) => download("solved.csv", csvOf(linesOf(solved, sign), sign), "text/csv");
+const save = (solved) => download("solved.csv", fileText(linesOf(solved)), "text/csv");
 
 export const aside = new Aside("rows", redraw);
 
-export function batch({ texts, sign, write }) {
-    const solved = aside.ask([state.batch, texts, sign]) ?? { complaint: "" },
+export function batch({ texts, write }) {
+    const solved = aside.ask([state.batch, texts, state.sign]) ?? { complaint: "" },
         isBad = solved.complaint !== undefined;
     return html`<label for="batch">Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does</label>
         <textarea id="batch" rows="8" wrap="off" spellcheck="false" aria-describedby="batch-note" placeholder=${example}
@@ -87,8 +85,8 @@ export function batch({ texts, sign, write }) {
         <p class="tools"><button type="button" @click=${() => set({ batch: example })}>Try an example</button>
             <span>What the rows lack is taken from the case of the form.</span></p>
         <p id="batch-note" class="note ${isBad ? "bad" : ""}" aria-live="polite">${remarkOf(solved)}</p>
-        <p class="tools" ?hidden=${isBad}>${copyButton("Copy the solved rows", () => asText(linesOf(solved, sign)))}
-            <button type="button" @click=${() => save(solved, sign)}>Save as CSV</button></p>
+        <p class="tools" ?hidden=${isBad}>${copyButton("Copy the solved rows", () => asText(linesOf(solved)))}
+            <button type="button" @click=${() => save(solved)}>Save as CSV</button></p>
         <div class="wide" tabindex="0" role="region" aria-label="Solved rows" ?hidden=${isBad}
             >${isBad ? nothing : tableOf(solved, write)}</div>`;
 }

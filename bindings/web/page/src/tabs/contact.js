@@ -2,13 +2,13 @@
 // The tab Contact: pressure and shear along the surface, the stick zone, and all results.
 import { html } from "lit-html";
 import { remembered } from "../parts.js";
-import { isOffCentre, safetyOnStrength } from "../answers/solution.js";
+import { isOffCentre } from "../answers/solution.js";
 import { groups, ofEdges, symbols } from "./symbols.js";
 import { resultKinds } from "../answers/words.js";
 import { curvePlot, noResults } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { placesAcross } from "../answers/stresses.js";
-import { table } from "./table.js";
+import { resultRow, table } from "./table.js";
 
 const minus = (numbers) => numbers.map((v) => -v + 0);
 
@@ -29,52 +29,26 @@ function tractions({ contact, setup, results }) {
 function plotOf(model, curves) {
     const { left, right, stick_left: from, stick_right: to } = model.results;
     const sticks = from !== null && to > from;
-    const bands =
-        model.setup.f === 0
-            ? []
-            : sticks
-              ? [
-                    { from: left, to: from, style: "slip", name: "slips" },
-                    { from, to, style: "stick", name: "sticks" },
-                    { from: to, to: right, style: "slip", name: "slips" },
-                ]
-              : [{ from: left, to: right, style: "slip", name: "slides" }];
+    const slip = (from, to, name = "slips") => ({ from, to, style: "slip", name });
+    const partial = [slip(left, from), { from, to, style: "stick", name: "sticks" }, slip(to, right)];
+    const bands = sticks ? partial : [slip(left, right, "slides")];
     return {
         title: "Pressure and shear traction along the surface",
         curves,
-        bands,
+        bands: model.setup.f === 0 ? [] : bands,
         xLabel: withUnit("x", model.unit.length),
         yLabel: withUnit("traction", model.unit.stress),
     };
 }
 
-/** All that "rwedge solve" says, and the workbook's safety on strength. */
-function resultRows(model) {
-    const rows = resultKinds.map(({ name, meaning, unit }) => ({
-        name,
-        meaning,
-        unit: model.unit[unit],
-        value: model.write(model.results[name]),
-    }));
-    const at = rows.findIndex((row) => row.name === "safety") + 1;
-    rows.splice(at, 0, {
-        name: "safety_strength",
-        meaning: "k or Y may fall by this factor under this P",
-        value: model.write(safetyOnStrength(model.results)),
-    });
-    return rows;
-}
-
 /** The results of a group as people write them; the rows of all quantities have the tool's names. */
 function groupPart(model, { title, names }) {
     const shown = names.filter((name) => isOffCentre(model.setup) || !ofEdges.includes(name));
-    const rows = shown.map((name) => {
-        const { unit, meaning } = resultKinds.find((kind) => kind.name === name);
-        return { symbol: symbols[name], value: model.write(model.results[name]), unit: model.unit[unit], meaning };
-    });
+    const rows = shown.map((name) => ({ ...resultRow(model, name), symbol: symbols[name] }));
     return rows.some(({ value }) => value !== "") ? html`<h2>${title}</h2>${table(title, rows)}` : "";
 }
 
+const allRows = (model) => Object.keys(resultKinds).map((name) => resultRow(model, name));
 const tractionsOf = remembered(tractions);
 
 export function contact(model) {
@@ -88,5 +62,5 @@ export function contact(model) {
         <p class="note">Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.</p>
         <div class="wide few">${curves && groups.map((group) => groupPart(model, group))}</div>
         <details><summary>All quantities, by the tool\u2019s names</summary>
-            <div class="wide">${curves && table("All quantities", resultRows(model))}</div></details>`;
+            <div class="wide">${curves && table("All quantities", allRows(model))}</div></details>`;
 }

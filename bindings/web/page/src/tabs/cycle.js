@@ -8,8 +8,7 @@ import { copyButton, options } from "../parts.js";
 import { roomy } from "../plot/axes.js";
 import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
-import { writeNumber } from "../number.js";
-import { redraw, set, setter, state } from "../state.js";
+import { redraw, set, setter, state, written } from "../state.js";
 import { bar } from "../verdict.js";
 import { criteria, measures } from "../answers/words.js";
 import { table } from "./table.js";
@@ -102,7 +101,7 @@ function remarkOf(answer) {
     if (answer.complaint !== undefined) return answer.complaint;
     const usual = "No table is given: P and M of the case come first, then its Q and \u03c3 go to and fro";
     const slip = "No slip is known after these loads";
-    const computed = `Computed numerically: tractions to about ${writeNumber(answer.error, 1, state.sign)} of f p0`;
+    const computed = `Computed numerically: tractions to about ${written(answer.error, 1)} of f p0`;
     return [!state.loads.trim() && usual, answer.unused, !answer.slipKnown && slip, answer.error > 0 && computed]
         .filter(Boolean)
         .join(". ");

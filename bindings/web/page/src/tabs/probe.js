@@ -2,10 +2,9 @@
 // The stresses at a place: typed in, or pointed at in the drawing.
 import { html } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { readNumber, writeNumber } from "../number.js";
 import { inViewBox } from "../plot/live.js";
 import { placeAt, probeText } from "../plot/field.js";
-import { set, setter, state } from "../state.js";
+import { set, setter, state, typed, written } from "../state.js";
 import { valuesAt } from "../answers/stresses.js";
 import { table } from "./table.js";
 
@@ -21,7 +20,7 @@ const meanings = {
     von_mises: "von Mises\u2019 equivalent stress",
 };
 
-const place = () => ({ x: readNumber(state.probe_x, state.sign), y: readNumber(state.probe_y, state.sign) });
+const place = () => ({ x: typed(state.probe_x), y: typed(state.probe_y) });
 
 /** null where there are none. */
 function stressesOf(model) {
@@ -33,7 +32,7 @@ function stressesOf(model) {
 export function follow(event, grid) {
     const at = placeAt(...inViewBox(event.currentTarget, event), grid);
     if (!at) return;
-    const [probe_x, probe_y] = [at.x, at.y].map((value) => writeNumber(value, 5, state.sign));
+    const [probe_x, probe_y] = [at.x, at.y].map((value) => written(value, 5));
     set({ probe_x, probe_y });
 }
 

@@ -3,9 +3,9 @@
 import { html } from "lit-html";
 import { orNull, rwedge } from "../answers/library.js";
 import { remembered } from "../parts.js";
-import { isOffCentre, safetyOnStrength } from "../answers/solution.js";
+import { isOffCentre } from "../answers/solution.js";
 import { curvePlot, noResults } from "../plot/live.js";
-import { table } from "./table.js";
+import { resultRow, table } from "./table.js";
 
 const COUNT = 101;
 
@@ -82,17 +82,11 @@ function reasonFor({ pad, results }) {
     return results.a_over_b < 1e-14 ? "a/b must be 0 or at least 1e-14 here." : "";
 }
 
-function numbers({ results, unit, write }) {
-    const values = { ...results, safety_strength: safetyOnStrength(results) };
-    const units = { P_yield: unit["force/length"], yield_x: unit.length, yield_y: unit.length };
-    const rows = Object.entries(shownRows).map(([name, meaning]) => ({
-        name,
-        meaning,
-        value: write(values[name]),
-        unit: units[name],
-    }));
-    return table("Strength", rows);
-}
+const numbers = (model) =>
+    table(
+        "Strength",
+        Object.entries(shownRows).map(([name, meaning]) => ({ ...resultRow(model, name), meaning })),
+    );
 
 const offCentreRemark =
     "Moment and bulk tension are not in these limits: they are those of full sliding under P alone. The yield factor has them.";

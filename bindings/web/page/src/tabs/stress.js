@@ -55,12 +55,10 @@ const seenOf = remembered((model, measure, isFine) => {
 });
 const textOf = remembered(plotOf);
 
-const titles = Object.fromEntries(Object.entries(measures).map(([key, { name }]) => [key, name]));
-
 export function stress(model) {
     const { measure } = state,
         seen = model.results && seenOf(model, measure, !isMoving()),
-        title = `${titles[measure]} below the surface`;
+        title = `${measures[measure].name} below the surface`;
     const point = (event) => follow(event, seen.grid);
     const plot =
         seen &&
@@ -68,7 +66,7 @@ export function stress(model) {
             ><title .textContent=${title}></title><g .innerHTML=${textOf(model, seen, narrow.matches)}></g>
             <g class="probe" .innerHTML=${crossOf(model, seen.grid)}></g></svg>`;
     return html`<p class="tools"><label for="measure">Contours of</label>
-            <select id="measure" @change=${setter("measure")}>${options(titles, measure)}</select></p>
+            <select id="measure" @change=${setter("measure")}>${options(measures, measure)}</select></p>
         <div id="plot-stress">${plot ?? html`<p>${noResults}</p>`}</div>
         ${saveButtons("stress", () => columnsOf(model, seen, measure), Boolean(seen))}
         <p>${seen && hardestText(model)}</p>

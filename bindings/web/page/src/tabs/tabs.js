@@ -14,22 +14,19 @@ const views = { contact, stress, strength, cycle, batch, about };
 const asides = { cycle: history, batch: rows };
 const names = Object.keys(tabs);
 
-/** By name, as they were drawn last: { content, whole: of a case with results, old }. */
-const drawn = Object.fromEntries(names.map((name) => [name, {}]));
+/** By name, as they were drawn last. */
+const drawn = {};
 
-/** These show the case: without results their last picture stays, greyed. */
+/** These show the case. */
 const ofCase = ["contact", "stress", "strength"];
 
 /** Draws the tab that is seen. What cannot be computed, far beyond the usual sizes, is said in the tab. */
-function drawTab(model) {
-    const tab = drawn[state.tab];
-    Object.assign(tab, { fault: "", old: ofCase.includes(state.tab) && !model.results && tab.whole });
-    if (tab.old) return;
-    tab.whole = Boolean(model.results);
+function faultOfDrawing(model) {
     try {
-        tab.content = views[state.tab](model);
+        drawn[state.tab] = views[state.tab](model);
+        return "";
     } catch (error) {
-        tab.fault = `This cannot be computed: ${error.message}`;
+        return `This cannot be computed: ${error.message}`;
     }
 }
 
@@ -49,11 +46,12 @@ export const tabList = () =>
     )}</div>`;
 
 export function tabPanels(model) {
-    drawTab(model);
+    const seen = ofCase.includes(state.tab) ? model.pictured : model,
+        fault = faultOfDrawing(seen);
     return names.map(
         (name) => html`<div role="tabpanel" id="panel-${name}" aria-labelledby="tab-${name}"
             aria-busy=${asides[name]?.busy || nothing} ?hidden=${name !== state.tab}>
-            <p class="note bad" role="alert">${drawn[name].fault}</p>
-            <div class=${drawn[name].old ? "old" : ""}>${drawn[name].content}</div></div>`,
+            <p class="note bad" role="alert">${name === state.tab ? fault : ""}</p>
+            <div class=${seen === model ? "" : "old"}>${drawn[name]}</div></div>`,
     );
 }

@@ -353,26 +353,15 @@ static bool complete(const after *n, double tolerance, rw_outcome *o)
     return false;
 }
 
-/* The zones of fronts, with the quadrature for what is between them. */
-static after prepare(rw_fronts *f, rw_outcome *o)
+bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
 {
     *o = (rw_outcome){.violation = 0};
     const rw_layers layers = rw_fronts_zones(f, &o->state.zones);
+    const rw_stuck stuck = rw_stuck_of(f, &o->state.zones);
     rw_fronts_collect(f, &o->state.zones, &layers, f->finest);
     rw_fronts_prepare(f);
-    return (after){f->problem, &o->state.zones, rw_stuck_of(f, &o->state.zones), f, NULL, NULL};
-}
-
-bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
-{
-    const after n = prepare(f, o);
-    return complete(&n, fit_tolerance(f->problem), o);
-}
-
-void rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
-{
-    const after n = prepare(f, o);
-    check_slips(&n, o);
+    return complete(&(after){f->problem, &o->state.zones, stuck, f, NULL, NULL},
+                    fit_tolerance(f->problem), o);
 }
 
 /* The error of a grid of n places, times n, over friction. No fit needs to be finer. */

@@ -9,9 +9,9 @@
 /* Angles of the grid; at a second trial twice as many. */
 enum { ANGLES = 96 };
 
-/* How many residuals the search for the fronts of one pattern may take: front by front in all, by
- * Newton's method for each unknown and one more. It succeeds with fewer, if at all. */
-enum { BUDGET = 120, TURNS = 10 };
+/* How many residuals the search for the fronts of one pattern may take, for each unknown and one
+ * more. It succeeds with fewer, if at all. */
+enum { TURNS = 10 };
 
 /* How many residuals the search for the zones of a step may take, and how many each outcome counts.
  * Beyond that a shorter step is better: its zones are nearer to the old ones, and found at once. */
@@ -19,47 +19,6 @@ enum { SEARCH = 500, OUTCOME = 20 };
 
 /* The residual at which Newton's method ends, over the tolerance. */
 static const double RESIDUAL = 1e-5;
-
-/* A front near one of the state before starts just inside the old zone that stuck, where the
- * residual is steep; for side -1 just outside. Whether any front was moved. */
-static bool start_beside(const rw_problem *p, rw_fronts *f, double angle, int side)
-{
-    const rw_zones *old = &p->old->zones;
-    bool is_moved = false;
-    for (int j = 0; j < f->fronts; j++)
-        for (int i = 0; i + 1 < old->count; i++) {
-            const int left = old->zone[i].label, right = old->zone[i + 1].label;
-            const int slip = f->label[j] != 0 ? f->label[j] : f->label[j + 1];
-            if ((left != 0 ? left : right) != slip || (left == 0) != (f->label[j] == 0))
-                continue;
-            const double at = rw_angle_of(p, old->zone[i].right);
-            if (fabs(at - f->y[j]) < 2.5 * angle) {
-                f->y[j] = at + side * (f->label[j] != 0 ? 1 : -1) * 0.05 * angle;
-                is_moved = true;
-            }
-        }
-    return is_moved;
-}
-
-static bool is_ordered(const rw_fronts *f)
-{
-    for (int j = 0; j <= f->fronts; j++)
-        if (!((j > 0 ? f->y[j - 1] : 0) < (j < f->fronts ? f->y[j] : RW_PI)))
-            return false;
-    return true;
-}
-
-/* Whether a zone inside is narrower than `least` over the half-width: the equations do not
- * determine it, and its effect is below the tolerance. A zone that sticks between two ways of slip
- * may be a point. */
-static bool has_sliver(const rw_work *w, const rw_fronts *f)
-{
-    const double least = 0.1 * pow(w->frame->tolerance, 2.0 / 3);
-    for (int i = 1; i + 1 < f->zones; i++)
-        if (f->y[i] - f->y[i - 1] < least && f->label[i - 1] == f->label[i + 1])
-            return true;
-    return false;
-}
 
 /* A residual takes values at all points, for each zone that sticks. */
 static void add_effort(rw_work *w, int residuals)
@@ -74,14 +33,6 @@ static bool newton(rw_work *w, double residual)
     w->fronts.budget = budget;
     const bool is_done = rw_fronts_newton(&w->fronts, residual);
     add_effort(w, budget - w->fronts.budget);
-    return is_done;
-}
-
-static bool relax(rw_work *w)
-{
-    w->fronts.budget = BUDGET;
-    const bool is_done = rw_fronts_relax(&w->fronts);
-    add_effort(w, BUDGET - w->fronts.budget);
     return is_done;
 }
 
@@ -128,31 +79,13 @@ static bool settle_ratios(rw_work *w, const rw_problem *p, double D[2], double r
     return is_done;
 }
 
-static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
+static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones)
 {
-    rw_fronts *f = &w->fronts;
     const double residual = fmax(1e-12, RESIDUAL * w->frame->tolerance) * p->scale;
     double D[2];
     ratios_at_start(w, p, zones, D);
-    for (int side = 1; side >= -1; side -= 2) {
-        if (w->search <= 0 || !rw_fronts_begin(f, p, zones, D))
-            return false;
-        const bool is_moved = start_beside(p, f, angle, side);
-        if (side < 0 && !is_moved)
-            return false;
-        if (!is_ordered(f))
-            rw_fronts_begin(f, p, zones, D);
-        double start[RW_MOST_FRONTS];
-        memcpy(start, f->y, sizeof start);
-        bool is_done = newton(w, residual);
-        if (!is_done && angle > 0) {
-            memcpy(f->y, start, sizeof start);
-            is_done = relax(w) && newton(w, residual);
-        }
-        if (is_done)
-            return settle_ratios(w, p, D, residual) && !has_sliver(w, f);
-    }
-    return false;
+    return w->search > 0 && rw_fronts_begin(&w->fronts, p, zones, D) && newton(w, residual) &&
+           settle_ratios(w, p, D, residual);
 }
 
 /* Notes the effort of an outcome, about a residual for each element, and where memory was short. */
@@ -164,10 +97,9 @@ static bool noted(rw_work *w, bool is_done, const rw_outcome *outcome)
     return is_done;
 }
 
-static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
-                       rw_outcome *outcome)
+static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, rw_outcome *outcome)
 {
-    if (!find_fronts(w, p, zones, angle))
+    if (!find_fronts(w, p, zones))
         return false;
     if (!noted(w, rw_outcome_of_fronts(&w->fronts, outcome), outcome))
         return false;
@@ -177,16 +109,17 @@ static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, d
 
 /* The outcome of a pattern. Parts that turn out to have the wrong label get the other one, and the
  * pattern is tried again. */
-static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
-                        double least, rw_outcome *best)
+static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double least,
+                        rw_outcome *best)
 {
-    if (!try_fronts(w, p, zones, angle, best))
+    if (!try_fronts(w, p, zones, best))
         return false;
     for (int turn = 0; turn < 3 && best->violation > p->allowed; turn++) {
         rw_zones mended = best->state.zones;
         rw_outcome other;
-        rw_pattern_insert(&mended, &best->wrong, least);
-        if (!try_fronts(w, p, &mended, angle, &other))
+        for (int i = 0; i < best->wrong.count; i++)
+            rw_pattern_insert(&mended, best->wrong.zone[i], least);
+        if (!try_fronts(w, p, &mended, &other))
             break;
         rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
         if (!(other.violation < best->violation))
@@ -231,20 +164,18 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
     rw_zones pattern = *zones;
     bool is_known = false;
     rw_pattern_clean(&pattern, width);
-    do {
-        for (int number = 0; number < RW_VARIANTS; number++) {
-            rw_zones variant;
-            if (!rw_pattern_variant(p, &pattern, width, number, &variant))
-                continue;
-            rw_pattern_clean(&variant, width);
-            rw_outcome outcome;
-            if (!try_pattern(w, p, &variant, angle, width, &outcome))
-                continue;
-            keep_better(best, &is_known, &outcome);
-            if (best->violation <= p->allowed)
-                return true;
-        }
-    } while (rw_pattern_simpler(p, &pattern, width));
+    for (int number = 0; number < RW_VARIANTS; number++) {
+        rw_zones variant;
+        rw_outcome outcome;
+        if (!rw_pattern_variant(p, &pattern, width, number, &variant))
+            continue;
+        rw_pattern_clean(&variant, width);
+        if (!try_pattern(w, p, &variant, width, &outcome))
+            continue;
+        keep_better(best, &is_known, &outcome);
+        if (best->violation <= p->allowed)
+            return true;
+    }
     return is_known;
 }
 
@@ -270,20 +201,19 @@ static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw
     if (!guess && (old->count < 2 || rw_rates_wrong(&w->fronts, &w->start, old, old) > 0))
         return false;
     const rw_zones zones = moved_to(guess ? *guess : *old, p->to);
-    return try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
+    return try_pattern(w, p, &zones, p->half * 1e-3, best);
 }
 
-/* The zones, but places that are new in contact stick. Whether there are any that slip. */
+/* Slip at the edges becomes stick where all that slips is new in contact. Whether there is any. */
 static bool stick_where_new(const rw_problem *p, rw_zones *zones)
 {
-    const rw_zone first = zones->zone[0], last = zones->zone[zones->count - 1];
-    rw_zones new = {.count = 0};
-    if (first.label != 0 && p->grows[0] && first.right <= p->from.left)
-        new.zone[new.count++] = (rw_zone){0, first.left, first.right};
-    if (last.label != 0 && p->grows[1] && last.left >= p->from.right)
-        new.zone[new.count++] = (rw_zone){0, last.left, last.right};
-    rw_pattern_insert(zones, &new, 0);
-    return new.count > 0;
+    rw_zone *first = zones->zone, *last = first + zones->count - 1;
+    const bool at_left = first->label != 0 && p->grows[0] && first->right <= p->from.left;
+    const bool at_right = last->label != 0 && p->grows[1] && last->left >= p->from.right;
+    first->label = at_left ? 0 : first->label;
+    last->label = at_right ? 0 : last->label;
+    rw_pattern_clean(zones, 0);
+    return at_left || at_right;
 }
 
 /* Slip that ends at an edge that grows: where all that slips is new in contact, its slip is too
@@ -296,7 +226,7 @@ static void end_slip_at_edges(rw_work *w, const rw_problem *p, rw_outcome *best)
         return;
     if (rw_rates_wrong(&w->fronts, &w->end, &best->state.zones, &best->state.zones) <=
             p->allowed * p->scale ||
-        !try_fronts(w, p, &zones, 0, &other))
+        !try_fronts(w, p, &zones, &other))
         return;
     const bool is_allowed = other.violation <= p->allowed;
     rw_shear_state_destroy(is_allowed ? &best->state : &other.state);

@@ -142,21 +142,6 @@ static void keep_better(rw_outcome *best, bool *is_known, const rw_outcome *othe
     *is_known = true;
 }
 
-/* A guess of the layers of a growing contact, as if all of it stuck. */
-static rw_layers guess_layers(rw_work *w)
-{
-    const rw_zones stuck = {1, {{0, w->start.to.left, w->start.to.right}}};
-    double ratio[2], sum = 0;
-    int known = 0;
-    rw_rates_ratio(&w->fronts, &w->start, &stuck, ratio);
-    for (int side = 0; side < 2; side++)
-        if (isfinite(ratio[side])) {
-            sum += ratio[side];
-            known++;
-        }
-    return (rw_layers){known > 0, {known > 0 ? sum / known : 0}};
-}
-
 static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                     rw_outcome *best)
 {
@@ -243,7 +228,6 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         end_slip_at_edges(w, p, best);
         return true;
     }
-    const rw_layers layers = p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};
     for (int trial = 0; trial < RW_TRIALS; trial++) {
         rw_grid *grid = &w->grid[trial];
         const int n = ANGLES << trial;
@@ -253,7 +237,7 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         }
         rw_zones zones;
         rw_outcome outcome;
-        const bool is_solved = rw_grid_solve(grid, p, &layers);
+        const bool is_solved = rw_grid_solve(grid, p);
         w->effort += n * n * n / 250 + n * n * grid->turns / 50; /* as measured */
         if (!is_solved)
             continue;
@@ -263,7 +247,7 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         if (is_known && best->violation <= p->allowed)
             return true;
         if (coarse && trial + 1 == RW_TRIALS &&
-            noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome), &outcome))
+            noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &outcome), &outcome))
             keep_better(best, &is_known, &outcome);
     }
     if (is_known && !coarse && best->violation > w->frame->tolerance) {

@@ -95,15 +95,6 @@ rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
 /* Smaller terms, over the largest and the tolerance, are left out. */
 static const double LEAST_TERM = 1e-7;
 
-/* How many terms the series of a gap has at most. It falls by rho from term to term, the faster the
- * further the zones beside the gap reach. */
-static int most_terms(const rw_stuck *s, int gap, double middle, double half, double least)
-{
-    const double reach = fmin(middle - s->end[2 * gap], s->end[2 * gap + 3] - middle) / half;
-    const double rho = reach + sqrt(fmax(0, reach * reach - 1));
-    return (int)fmax(4, fmin(GAP_TERMS, 1 - log(least) / log(rho)));
-}
-
 /* A row of angles takes one sine and one cosine, and a product for each angle. */
 static rw_complex direction_of(double angle)
 {
@@ -112,12 +103,11 @@ static rw_complex direction_of(double angle)
 
 /* X in the gap between two zones that stick, over the half-length of the gap, as a sum of sines.
  * Returns how many terms count, an even number. */
-static int expand_gap(const rw_stuck *s, int gap, double least, double middle, double half,
-                      double c[])
+static int expand_gap(const rw_stuck *s, double least, double middle, double half, double c[])
 {
     double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0;
     int terms = 1;
-    const int n = most_terms(s, gap, middle, half, least), turn = 2 * (n + 1);
+    const int n = GAP_TERMS, turn = 2 * (n + 1);
     const rw_complex step = direction_of(2 * RW_PI / turn);
     rw_complex at_point = {1, 0};
     for (int i = 0; i < turn; i++, at_point = rw_product(at_point, step)) {
@@ -178,7 +168,7 @@ static double gap_of_change(const rw_fronts *f, const rw_stuck *s, int gap)
     const double half = (b - a) / 2, middle = (a + b) / 2;
     double c[GAP_TERMS];
     const double least = LEAST_TERM * f->problem->frame->tolerance;
-    const int terms = expand_gap(s, gap, least, middle, half, c);
+    const int terms = expand_gap(s, least, middle, half, c);
     double sum = 0;
     for (size_t first = 0; first < f->count; first += LANES) {
         double eta[LANES], kernel[LANES];

@@ -20,6 +20,22 @@ enum { SEARCH = 500, OUTCOME = 20 };
 /* The residual at which Newton's method ends, over the tolerance. */
 static const double RESIDUAL = 1e-5;
 
+/* Fronts near those before start just inside of what stuck, where the residual is steep. */
+static void start_beside(const rw_problem *p, double angle, rw_zones *zones)
+{
+    const rw_zones *old = &p->old->zones;
+    for (int j = 0; j + 1 < zones->count; j++)
+        for (int i = 0; i + 1 < old->count; i++) {
+            rw_zone *left = &zones->zone[j], *right = left + 1;
+            const double at = rw_angle_of(p, old->zone[i].right);
+            const double x = rw_place_of(p, at + (left->label != 0 ? 0.05 : -0.05) * angle);
+            if (old->zone[i].label == left->label && old->zone[i + 1].label == right->label &&
+                fabs(at - rw_angle_of(p, left->right)) < 2.5 * angle && x > left->left &&
+                x < right->right)
+                left->right = right->left = x;
+        }
+}
+
 /* A residual takes values at all points, for each zone that sticks. */
 static void add_effort(rw_work *w, int residuals)
 {
@@ -97,9 +113,12 @@ static bool noted(rw_work *w, bool is_done, const rw_outcome *outcome)
     return is_done;
 }
 
-static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, rw_outcome *outcome)
+static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                       rw_outcome *outcome)
 {
-    if (!find_fronts(w, p, zones))
+    rw_zones start = *zones;
+    start_beside(p, angle, &start);
+    if (!find_fronts(w, p, &start))
         return false;
     if (!noted(w, rw_outcome_of_fronts(&w->fronts, outcome), outcome))
         return false;
@@ -109,17 +128,17 @@ static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, r
 
 /* The outcome of a pattern. Parts that turn out to have the wrong label get the other one, and the
  * pattern is tried again. */
-static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double least,
-                        rw_outcome *best)
+static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                        double least, rw_outcome *best)
 {
-    if (!try_fronts(w, p, zones, best))
+    if (!try_fronts(w, p, zones, angle, best))
         return false;
     for (int turn = 0; turn < 3 && best->violation > p->allowed; turn++) {
         rw_zones mended = best->state.zones;
         rw_outcome other;
         for (int i = 0; i < best->wrong.count; i++)
             rw_pattern_insert(&mended, best->wrong.zone[i], least);
-        if (!try_fronts(w, p, &mended, &other))
+        if (!try_fronts(w, p, &mended, angle, &other))
             break;
         rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
         if (!(other.violation < best->violation))
@@ -155,7 +174,7 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
         if (!rw_pattern_variant(p, &pattern, width, number, &variant))
             continue;
         rw_pattern_clean(&variant, width);
-        if (!try_pattern(w, p, &variant, width, &outcome))
+        if (!try_pattern(w, p, &variant, angle, width, &outcome))
             continue;
         keep_better(best, &is_known, &outcome);
         if (best->violation <= p->allowed)
@@ -186,7 +205,7 @@ static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw
     if (!guess && (old->count < 2 || rw_rates_wrong(&w->fronts, &w->start, old, old) > 0))
         return false;
     const rw_zones zones = moved_to(guess ? *guess : *old, p->to);
-    return try_pattern(w, p, &zones, p->half * 1e-3, best);
+    return try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
 }
 
 /* Slip at the edges becomes stick where all that slips is new in contact. Whether there is any. */
@@ -211,7 +230,7 @@ static void end_slip_at_edges(rw_work *w, const rw_problem *p, rw_outcome *best)
         return;
     if (rw_rates_wrong(&w->fronts, &w->end, &best->state.zones, &best->state.zones) <=
             p->allowed * p->scale ||
-        !try_fronts(w, p, &zones, &other))
+        !try_fronts(w, p, &zones, 0, &other))
         return;
     const bool is_allowed = other.violation <= p->allowed;
     rw_shear_state_destroy(is_allowed ? &best->state : &other.state);

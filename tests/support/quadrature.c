@@ -2,7 +2,6 @@
 #include "quadrature.h"
 
 #include "claims.h"
-#include "rwedge.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -75,34 +74,4 @@ double principal_value(integrand f, const void *context, double a, double b, dou
 {
     const double where[3] = {a, b, x};
     return quietly(cauchy, f, context, where);
-}
-
-typedef struct {
-    tractions_case tractions;
-    double x, y;
-    int component;
-} flamant;
-
-/* A force N into the half-plane and S along +x at t, Johnson, Contact Mechanics, Sec. 2.5; p =
- * -N, q = -S. t = sin(phi) takes the square roots from the edges. */
-static double point_force(double phi, const void *context)
-{
-    const flamant *c = context;
-    const double t = sin(phi), dx = c->x - t, r2 = dx * dx + c->y * c->y;
-    const double N = -rwedge_pressure(c->tractions.alpha, t);
-    const double S = -c->tractions.f * rwedge_shear(c->tractions.alpha, c->tractions.c, t);
-    const double along = N * c->y + S * dx; /* every component is this times a square */
-    const double square = c->component == 0 ? dx * dx : c->component == 1 ? c->y * c->y : dx * c->y;
-    return -2 / PI * along * square / (r2 * r2) * cos(phi);
-}
-
-void flamant_stress(const tractions_case *tractions, double x, double y, double stress[3])
-{
-    const double a = asin(fmin(tractions->alpha, 1)), c = asin(tractions->c),
-                 here = asin(fmax(-1, fmin(1, x)));
-    double points[] = {-PI / 2, -a, -c, 0, c, a, PI / 2, here};
-    enum { N = sizeof points / sizeof points[0] };
-    flamant context = {*tractions, x, y, 0};
-    for (context.component = 0; context.component < 3; context.component++)
-        stress[context.component] = integral(point_force, &context, N - 1, points);
 }

@@ -15,13 +15,4 @@ double integral(integrand f, const void *context, size_t n, const double points[
 /* Cauchy principal value of int f(t)/(t-x) dt over [a, b], a < x < b. */
 double principal_value(integrand f, const void *context, double a, double b, double x);
 
-/* A contact in natural units, its tractions taken from rwedge_pressure() and rwedge_shear(). */
-typedef struct {
-    double alpha, f, c;
-} tractions_case;
-
-/* Stresses at (x, y), y > 0, from Flamant's point forces integrated over the tractions: sxx,
- * syy, txy. */
-void flamant_stress(const tractions_case *tractions, double x, double y, double stress[3]);
-
 #endif

@@ -267,26 +267,6 @@ CLAIM(a_mirrored_profile_mirrors_everything)
 
 /* ---- What they are by themselves ---- */
 
-/* Over a closed cycle of P and Q it is the area of the loop of Q over the displacement. */
-CLAIM(a_flat_pads_loop_encloses_its_energy)
-{
-    enum { A_CYCLE = 100 };
-    rwedge_contact *contact = APPLY(flat(0.7), {0.5, 0, 0, 0});
-    double before = 0, area = 0, last = 0, Q_last = 0;
-    for (int i = 0; i <= 2 * A_CYCLE; i++) {
-        const double phase = 2 * PI * i / A_CYCLE, Q = 0.15 * sin(phase);
-        load(contact, 0.5 + 0.1 * cos(phase), Q);
-        const double now = rwedge_contact_displacement(contact, 10);
-        if (i > A_CYCLE)
-            area += (Q + Q_last) / 2 * (now - last);
-        if (i == A_CYCLE)
-            before = rwedge_contact_dissipated_energy(contact);
-        last = now;
-        Q_last = Q;
-    }
-    assert_close(area, rwedge_contact_dissipated_energy(contact) - before, 1e-3);
-}
-
 /* What sticks for good under P, Q between -1 and 1 of a half is the contact of the load P - Q/f. */
 CLAIM(what_never_slips_on_a_flat)
 {

@@ -94,6 +94,15 @@ int32_t try_load(rwedge_contact *contact, rw_loads to)
     return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
 }
 
+int32_t try_parts(rwedge_contact *contact, rw_loads to, int n, const double ends[])
+{
+    const rw_loads from = contact->loads;
+    int32_t status = RWEDGE_OK;
+    for (int i = 1; i <= n && status == RWEDGE_OK; i++)
+        status = try_load(contact, rw_loads_between(from, to, ends ? ends[i - 1] : (double)i / n));
+    return status;
+}
+
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
 {
     assert_ok(rwedge_contact_apply(contact, P, M, Q, sigma));
@@ -139,6 +148,19 @@ double slip(const rwedge_contact *contact, double x)
     double s;
     assert_ok(rwedge_contact_slip(contact, 1, &x, &s));
     return s;
+}
+
+void assert_same_shear(const rwedge_contact *actual, const rwedge_contact *expected, double within)
+{
+    enum { PLACES = 199 };
+    const rw_patch edges = edges_of(expected);
+    double x[PLACES], p[PLACES], q[2][PLACES];
+    for (int i = 0; i < PLACES; i++)
+        x[i] = edges.left + (edges.right - edges.left) * (i + 1) / (PLACES + 1);
+    assert_ok(rwedge_contact_tractions(actual, PLACES, x, p, q[0]));
+    assert_ok(rwedge_contact_tractions(expected, PLACES, x, p, q[1]));
+    for (int i = 0; i < PLACES; i++)
+        assert_within(q[0][i], q[1][i], within);
 }
 
 stresses stress_at(const rwedge_contact *contact, double x, double y)

@@ -143,7 +143,7 @@ CLAIM(E3_R_has_an_imaginary_part_on_the_contact)
     }
 }
 
-static double corrective(double t, const void *unused)
+static double corrective(double t, void *unused)
 {
     (void)unused;
     return -sqrt(1 - t * t) / (t + 3); /* q*(t)/(t - z) at z = -3, with b_0 = 1 */
@@ -180,7 +180,7 @@ typedef struct {
     double alpha, c, x;
 } slip_case;
 
-static double shear_at(double t, const void *context)
+static double shear_at(double t, void *context)
 {
     const slip_case *s = context;
     return rwedge_shear(s->alpha, s->c, t);

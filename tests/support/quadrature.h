@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-typedef double (*integrand)(double t, const void *context);
+typedef double (*integrand)(double t, void *context);
 
 /* int f over the pieces between n+1 <= 64 points, in any order; ends of pieces may be integrably
  * singular. To about 1e-13 relative. */

@@ -431,7 +431,7 @@ CLAIM(a_mean_that_does_not_settle_is_refused)
 
 /* ---- Displacement ---- */
 
-static double punch(double s, const void *b)
+static double punch(double s, void *b)
 {
     const double h = 1e-5 * s;
     const double rate =

@@ -11,7 +11,7 @@ typedef struct {
 } inversion;
 
 /* Eq. (3) with t = sin(tau); the factor makes the kernel 1/(tau - at). */
-static double profile_in_tau(double tau, const void *context)
+static double profile_in_tau(double tau, void *context)
 {
     const inversion *c = context;
     const double slope = -fmax(-1, fmin(1, sin(tau) / c->alpha));

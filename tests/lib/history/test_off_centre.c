@@ -34,7 +34,7 @@ CLAIM(tension_before_contact_only_adds)
 
 /* The loop of Q and sigma: each cycle dissipates as much, and twice as much as the slip at its ends
  * times the traction, which is f p all the time. */
-static double friction_times_slip(double x, const void *contact)
+static double friction_times_slip(double x, void *contact)
 {
     return F * fabs(pressure(contact, x) * slip(contact, x));
 }

@@ -2,6 +2,7 @@
 #include "histories.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static void destroy(void *contact)
 {
@@ -106,6 +107,15 @@ int32_t try_parts(rwedge_contact *contact, rw_loads to, int n, const double ends
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
 {
     assert_ok(rwedge_contact_apply(contact, P, M, Q, sigma));
+}
+
+void refuse(rwedge_contact *contact, double P, double M, double Q, double sigma, int32_t status)
+{
+    const contact_state before = state_of(contact);
+    assert_int_equal(rwedge_contact_apply(contact, P, M, Q, sigma), status);
+    const bool is_explained = strlen(rwedge_contact_obstacle(contact, P, M, Q, sigma)) > 0;
+    assert_true(is_explained == (status == RWEDGE_EPATH) || contact->tolerance > 0);
+    assert_state(contact, before);
 }
 
 rwedge_contact *apply_all(rwedge_contact *contact, size_t count, const rw_loads loads[])

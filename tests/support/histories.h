@@ -35,6 +35,8 @@ int32_t try_load(rwedge_contact *contact, rw_loads to); /* the status */
 /* In a straight line, to these parts of it, or to n equal ones; the first status that is not OK. */
 int32_t try_parts(rwedge_contact *contact, rw_loads to, int n, const double ends[]);
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma);
+/* The load has that status and leaves all as it was; that it has no closed form is explained. */
+void refuse(rwedge_contact *contact, double P, double M, double Q, double sigma, int32_t status);
 /* Loads {P, M, Q, sigma}, one after another; gives the contact. */
 #define APPLY(contact, ...)                                                                        \
     apply_all(contact, sizeof((rw_loads[]){__VA_ARGS__}) / sizeof(rw_loads),                       \

@@ -80,10 +80,8 @@ CLAIM(pressing_without_slip_gives_no_slip)
 CLAIM(a_steep_fall_of_the_load_is_refused)
 {
     rwedge_contact *contact = APPLY(create_wedge(0.05, 1, 1e-5, 0.5), {1e9, 0, 0, 0});
-    const double before = rwedge_contact_half_width(contact);
-    assert_int_equal(rwedge_contact_load(contact, 1, 0.1), RWEDGE_ERANGE);
-    assert_int_equal(rwedge_contact_load(contact, 1, 8), RWEDGE_ERANGE);
-    assert_close(rwedge_contact_half_width(contact), before, 0);
+    refuse(contact, 1, 0, 0.1, 0, RWEDGE_ERANGE);
+    refuse(contact, 1, 0, 8, 0, RWEDGE_ERANGE);
     APPLY(contact, {3e4, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0.1, 0});
     /* Q = 0.2 f P in the Hertz regime */
     assert_close(rwedge_contact_stick_half_width(contact) / rwedge_contact_half_width(contact),
@@ -105,11 +103,9 @@ CLAIM(results_beyond_the_domain_are_refused)
         {1, 1e-3, 1e-60, 1e59},      /* the pressure is 3e60 */
         {1e-8, 1e20, 1e40, 1.6e-58}, /* the pressure is 1e-63 */
     };
-    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
-        rwedge_contact *contact = create_wedge(CASES[i].theta, CASES[i].a, CASES[i].A, 0.5);
-        assert_int_equal(rwedge_contact_load(contact, CASES[i].P, 0), RWEDGE_ERANGE);
-        assert_true(rwedge_contact_half_width(contact) == 0);
-    }
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++)
+        refuse(create_wedge(CASES[i].theta, CASES[i].a, CASES[i].A, 0.5), CASES[i].P, 0, 0, 0,
+               RWEDGE_ERANGE);
 }
 
 /* Many steps of slope f, each of it to rounding. Together they bend the path by more than rounding,

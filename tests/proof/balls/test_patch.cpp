@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential in balls, compared with the reference stresses, and with its own derivative and
- * limits. */
+/* The potential in balls, compared with the reference stresses, and with its own derivatives. */
 #include "balls/patch.hpp"
 
 #include <initializer_list>

@@ -224,13 +224,8 @@ int boundary_element_go(boundary_element *solver, int steps, rw_loads to)
 {
     const rw_loads from = solver->loads;
     int failed = 0;
-    for (int i = 1; i <= steps && !failed; i++) {
-        const double t = (double)i / steps;
-        const rw_loads at = {from.P + t * (to.P - from.P), from.M + t * (to.M - from.M),
-                             from.Q + t * (to.Q - from.Q),
-                             from.sigma + t * (to.sigma - from.sigma)};
-        failed = take_step(solver, at);
-    }
+    for (int i = 1; i <= steps && !failed; i++)
+        failed = take_step(solver, rw_loads_between(from, to, (double)i / steps));
     return failed;
 }
 

@@ -148,35 +148,6 @@ CLAIM(contacts_are_the_limit_of_boundary_elements)
     }
 }
 
-/* In the third step the front of slip passes the first step's front at the right edge, and not
- * yet at the left. There slip begins anew at the old front, inside, and spreads outwards: until
- * it meets that from the edge, a part between them sticks, and there is no closed form, although
- * the front that the closed form names is within the old one at both edges. A little later all
- * slips. */
-CLAIM(what_sticks_between_two_fronts_has_no_closed_form)
-{
-    static const rw_loads loads[] = {{.4779, 0, 0, 0},
-                                     {.4779, 0, -.1494, -.0994},
-                                     {.4779, 0, -.1029, -.0537},
-                                     {.4779, 0, -.1845, -.0204},
-                                     {.4779, 0, -.2008, -.0137}};
-    const double a = 0.46, f = 0.45;
-    static boundary_element solver;
-    boundary_element_start(&solver, THETA, a, A, f, BOUNDARY_ELEMENTS_MAX, 1.4);
-    rwedge_contact *contact = create(a, f);
-    for (int i = 0; i < 5; i++) {
-        assert_int_equal(boundary_element_go(&solver, i == 0 ? 1 : 20, loads[i]), 0);
-        const int32_t status =
-            rwedge_contact_apply(contact, loads[i].P, loads[i].M, loads[i].Q, loads[i].sigma);
-        assert_int_equal(status, i == 3 ? RWEDGE_EPATH : RWEDGE_OK);
-        if (status == RWEDGE_OK) {
-            difference d = {0};
-            add_difference(contact, &solver, f, &d);
-            assert_true(d.shear < 3e-3);
-        }
-    }
-}
-
 /* ---- Other pads ---- */
 
 enum { PAD_LEGS = 5 };

@@ -30,25 +30,13 @@ static rwedge_contact *pressed(double a, double f, double tolerance, double P)
     return contact;
 }
 
-/* In a straight line, to these parts of it; whether it was done. */
+/* Whether it was done. */
 static bool go(rwedge_contact *contact, rw_loads to, int parts, const double part[])
 {
-    rw_loads from;
-    assert_ok(rwedge_contact_loads(contact, &from.P, &from.M, &from.Q, &from.sigma));
-    for (int i = 0; i < parts; i++) {
-        const double u = part[i];
-        const rw_loads at =
-            u == 1 ? to
-                   : (rw_loads){from.P + u * (to.P - from.P), from.M + u * (to.M - from.M),
-                                from.Q + u * (to.Q - from.Q),
-                                from.sigma + u * (to.sigma - from.sigma)};
-        const int32_t status = rwedge_contact_apply(contact, at.P, at.M, at.Q, at.sigma);
-        unsolved += status == RWEDGE_ENOCONV;
-        if (status == RWEDGE_ENOCONV)
-            return false;
-        assert_ok(status);
-    }
-    return true;
+    const int32_t status = try_parts(contact, to, parts, part);
+    unsolved += status == RWEDGE_ENOCONV;
+    assert_true(status == RWEDGE_OK || status == RWEDGE_ENOCONV);
+    return status == RWEDGE_OK;
 }
 
 /* 1/256 ... 1/32, then 1/16 ... 1. */
@@ -132,7 +120,6 @@ static bool survey(long history)
     rwedge_contact *contact = pressed(a, f, TOLERANCE, P);
     rwedge_contact *better = pressed(a, f, TOLERANCE / 100, P);
     fronts seen = {0};
-    const double whole = 1;
     double part[PARTS];
     set_parts(part);
     rw_loads to = {P, 0, 0, 0};
@@ -142,7 +129,7 @@ static bool survey(long history)
         to.M = is_still ? 0 : 0.1 * to.P * b * random_between(&state, -1, 1);
         to.Q = 0.9 * f * to.P * random_between(&state, -1, 1);
         to.sigma = 4.8 * f * to.P / (PI * b) * random_between(&state, -1, 1);
-        if (!go(contact, to, 1, &whole) || !go(better, to, PARTS, part))
+        if (!go(contact, to, 1, NULL) || !go(better, to, PARTS, part))
             return true;
         note_fronts(contact, &seen);
         note_fronts(better, &seen);

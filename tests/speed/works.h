@@ -22,11 +22,6 @@ extern const size_t works_count;
 /* Places, and the stresses of a cycle. */
 void set_places(void);
 
-/* The plain way: J2 by the paper's series of 60 terms as it stands, at n points; elastic limits of
- * n frictions by a search on a grid. */
-double plain_points(const work *w);
-double plain_limits(const work *w);
-
 /* Points below a contact and beside it, and room for what is computed of them. */
 enum { MANY = 1000000 };
 extern double xs[MANY], ys[MANY], out[3][MANY];

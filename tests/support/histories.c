@@ -2,6 +2,7 @@
 #include "histories.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static void destroy(void *contact)
 {
@@ -94,9 +95,27 @@ int32_t try_load(rwedge_contact *contact, rw_loads to)
     return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
 }
 
+int32_t try_parts(rwedge_contact *contact, rw_loads to, int n, const double ends[])
+{
+    const rw_loads from = contact->loads;
+    int32_t status = RWEDGE_OK;
+    for (int i = 1; i <= n && status == RWEDGE_OK; i++)
+        status = try_load(contact, rw_loads_between(from, to, ends ? ends[i - 1] : (double)i / n));
+    return status;
+}
+
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
 {
     assert_ok(rwedge_contact_apply(contact, P, M, Q, sigma));
+}
+
+void refuse(rwedge_contact *contact, double P, double M, double Q, double sigma, int32_t status)
+{
+    const contact_state before = state_of(contact);
+    assert_int_equal(rwedge_contact_apply(contact, P, M, Q, sigma), status);
+    const bool is_explained = strlen(rwedge_contact_obstacle(contact, P, M, Q, sigma)) > 0;
+    assert_true(is_explained == (status == RWEDGE_EPATH) || contact->tolerance > 0);
+    assert_state(contact, before);
 }
 
 rwedge_contact *apply_all(rwedge_contact *contact, size_t count, const rw_loads loads[])
@@ -139,6 +158,19 @@ double slip(const rwedge_contact *contact, double x)
     double s;
     assert_ok(rwedge_contact_slip(contact, 1, &x, &s));
     return s;
+}
+
+void assert_same_shear(const rwedge_contact *actual, const rwedge_contact *expected, double within)
+{
+    enum { PLACES = 199 };
+    const rw_patch edges = edges_of(expected);
+    double x[PLACES], p[PLACES], q[2][PLACES];
+    for (int i = 0; i < PLACES; i++)
+        x[i] = edges.left + (edges.right - edges.left) * (i + 1) / (PLACES + 1);
+    assert_ok(rwedge_contact_tractions(actual, PLACES, x, p, q[0]));
+    assert_ok(rwedge_contact_tractions(expected, PLACES, x, p, q[1]));
+    for (int i = 0; i < PLACES; i++)
+        assert_within(q[0][i], q[1][i], within);
 }
 
 stresses stress_at(const rwedge_contact *contact, double x, double y)

@@ -32,7 +32,11 @@ void load(rwedge_contact *contact, double P, double Q);
 /* The wedge of a row of tests/data/, theta, A, a, f, after its loads, whose number comes first. */
 rwedge_contact *recorded(const double wedge[], const double loads[]);
 int32_t try_load(rwedge_contact *contact, rw_loads to); /* the status */
+/* In a straight line, to these parts of it, or to n equal ones; the first status that is not OK. */
+int32_t try_parts(rwedge_contact *contact, rw_loads to, int n, const double ends[]);
 void apply(rwedge_contact *contact, double P, double M, double Q, double sigma);
+/* The load has that status and leaves all as it was; that it has no closed form is explained. */
+void refuse(rwedge_contact *contact, double P, double M, double Q, double sigma, int32_t status);
 /* Loads {P, M, Q, sigma}, one after another; gives the contact. */
 #define APPLY(contact, ...)                                                                        \
     apply_all(contact, sizeof((rw_loads[]){__VA_ARGS__}) / sizeof(rw_loads),                       \
@@ -46,6 +50,9 @@ rw_patch stick_zone_of(const rwedge_contact *contact);
 double pressure(const rwedge_contact *contact, double x);
 double shear(const rwedge_contact *contact, double x);
 double slip(const rwedge_contact *contact, double x);
+
+/* At 199 places between the edges. */
+void assert_same_shear(const rwedge_contact *actual, const rwedge_contact *expected, double within);
 
 typedef struct {
     double xx, yy, xy;

@@ -2,107 +2,44 @@
 #include "quadrature.h"
 
 #include "claims.h"
-#include "rwedge.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
-#include <math.h>
-#include <stdlib.h>
+#include <gsl/gsl_sort.h>
 #include <string.h>
 
-enum { INTERVALS = 2000 };
-
-typedef struct {
-    integrand f;
-    const void *context;
-} call;
-
-static double forward(double t, void *params)
-{
-    const call *c = params;
-    return c->f(t, c->context);
-}
+enum { INTERVALS = 2000, MOST_POINTS = 64 };
 
 /* GSL says that it met rounding where a tolerance is asked that is close to it. The caller's
  * assertion judges the value, so the message is kept from the handler that counts. */
-static double quietly(int (*rule)(gsl_function *, const double *, gsl_integration_workspace *,
-                                  double *, double *),
-                      integrand f, const void *context, const double *where)
+static double quietly(integrand f, const void *context, double points[], size_t count,
+                      const double *pole)
 {
-    call c = {f, context};
-    gsl_function function = {forward, &c};
+    gsl_function function = {f, (void *)context};
     gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(INTERVALS);
     double value = 0, error = 0;
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    rule(&function, where, workspace, &value, &error);
+    if (pole)
+        gsl_integration_qawc(&function, points[0], points[1], *pole, 1e-13, 1e-12, INTERVALS,
+                             workspace, &value, &error);
+    else
+        gsl_integration_qagp(&function, points, count, 1e-15, 1e-13, INTERVALS, workspace, &value,
+                             &error);
     gsl_set_error_handler(handler);
     gsl_integration_workspace_free(workspace);
     return value;
 }
 
-static int piece(gsl_function *f, const double *ends, gsl_integration_workspace *w, double *value,
-                 double *error)
-{
-    return gsl_integration_qags(f, ends[0], ends[1], 1e-15, 1e-13, INTERVALS, w, value, error);
-}
-
-static int cauchy(gsl_function *f, const double *where, gsl_integration_workspace *w, double *value,
-                  double *error)
-{
-    return gsl_integration_qawc(f, where[0], where[1], where[2], 1e-13, 1e-12, INTERVALS, w, value,
-                                error);
-}
-
-static int compare(const void *first, const void *second)
-{
-    const double a = *(const double *)first, b = *(const double *)second;
-    return (a > b) - (a < b);
-}
-
 double integral(integrand f, const void *context, size_t n, const double points[])
 {
-    double sum = 0, at[64];
-    assert_true(n < sizeof at / sizeof *at);
-    memcpy(at, points, (n + 1) * sizeof *at);
-    qsort(at, n + 1, sizeof *at, compare);
-    for (size_t i = 0; i < n; i++)
-        if (at[i] < at[i + 1])
-            sum += quietly(piece, f, context, &at[i]);
-    return sum;
+    double sorted[MOST_POINTS];
+    assert_true(n < MOST_POINTS);
+    memcpy(sorted, points, (n + 1) * sizeof *sorted);
+    gsl_sort(sorted, 1, n + 1);
+    return quietly(f, context, sorted, n + 1, NULL);
 }
 
 double principal_value(integrand f, const void *context, double a, double b, double x)
 {
-    const double where[3] = {a, b, x};
-    return quietly(cauchy, f, context, where);
-}
-
-typedef struct {
-    tractions_case tractions;
-    double x, y;
-    int component;
-} flamant;
-
-/* A force N into the half-plane and S along +x at t, Johnson, Contact Mechanics, Sec. 2.5; p =
- * -N, q = -S. t = sin(phi) takes the square roots from the edges. */
-static double point_force(double phi, const void *context)
-{
-    const flamant *c = context;
-    const double t = sin(phi), dx = c->x - t, r2 = dx * dx + c->y * c->y;
-    const double N = -rwedge_pressure(c->tractions.alpha, t);
-    const double S = -c->tractions.f * rwedge_shear(c->tractions.alpha, c->tractions.c, t);
-    const double along = N * c->y + S * dx; /* every component is this times a square */
-    const double square = c->component == 0 ? dx * dx : c->component == 1 ? c->y * c->y : dx * c->y;
-    return -2 / PI * along * square / (r2 * r2) * cos(phi);
-}
-
-void flamant_stress(const tractions_case *tractions, double x, double y, double stress[3])
-{
-    const double a = asin(fmin(tractions->alpha, 1)), c = asin(tractions->c),
-                 here = asin(fmax(-1, fmin(1, x)));
-    double points[] = {-PI / 2, -a, -c, 0, c, a, PI / 2, here};
-    enum { N = sizeof points / sizeof points[0] };
-    flamant context = {*tractions, x, y, 0};
-    for (context.component = 0; context.component < 3; context.component++)
-        stress[context.component] = integral(point_force, &context, N - 1, points);
+    return quietly(f, context, (double[]){a, b}, 2, &x);
 }

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-typedef double (*integrand)(double t, const void *context);
+typedef double (*integrand)(double t, void *context);
 
 /* int f over the pieces between n+1 <= 64 points, in any order; ends of pieces may be integrably
  * singular. To about 1e-13 relative. */
@@ -14,14 +14,5 @@ double integral(integrand f, const void *context, size_t n, const double points[
 
 /* Cauchy principal value of int f(t)/(t-x) dt over [a, b], a < x < b. */
 double principal_value(integrand f, const void *context, double a, double b, double x);
-
-/* A contact in natural units, its tractions taken from rwedge_pressure() and rwedge_shear(). */
-typedef struct {
-    double alpha, f, c;
-} tractions_case;
-
-/* Stresses at (x, y), y > 0, from Flamant's point forces integrated over the tractions: sxx,
- * syy, txy. */
-void flamant_stress(const tractions_case *tractions, double x, double y, double stress[3]);
 
 #endif

@@ -25,7 +25,7 @@ static rwedge_contact *computed(void)
 CLAIM(nothing_is_computed_unless_it_is_allowed)
 {
     rwedge_contact *contact = APPLY(wedge(0), {4, 0, 0, 0});
-    assert_int_equal(rwedge_contact_apply(contact, 4, 0, 0.5, 0.9), RWEDGE_EPATH);
+    refuse(contact, 4, 0, 0.5, 0.9, RWEDGE_EPATH);
     assert_int_equal(rwedge_contact_allow_error(contact, 1e-7), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_allow_error(contact, 0.1), RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_allow_error(contact, NAN), RWEDGE_EDOMAIN);
@@ -136,11 +136,8 @@ CLAIM(full_sliding_and_separation_end_it)
     apply(contact, 4, 0, 2, 0.9);
     assert_true(rwedge_contact_error(contact) == 0);
     APPLY(fresh, {4, 0, 0, 0}, {4, 0, 2, 0});
-    for (int i = -9; i <= 9; i++)
-        assert_true(shear(contact, i / 5.0) == shear(fresh, i / 5.0));
-    rwedge_contact *back = APPLY(computed(), {4, 0, -2, 0.9});
-    for (int i = -9; i <= 9; i++)
-        assert_true(shear(back, i / 5.0) == -shear(fresh, i / 5.0));
+    assert_same_shear(contact, fresh, 0);
+    assert_same_shear(APPLY(computed(), {4, 0, -2, 0.9}), APPLY(fresh, {4, 0, -2, 0}), 0);
     contact = computed();
     apply(contact, 0, 0, 0, 0);
     assert_true(rwedge_contact_error(contact) == 0);
@@ -151,21 +148,19 @@ CLAIM(what_is_refused_leaves_what_was_computed)
 {
     rwedge_contact *contact = computed(), *bare = wedge(1e-2);
     const contact_state before = state_of(contact);
-    assert_int_equal(rwedge_contact_apply(contact, 4, 0, 2.1, 0), RWEDGE_ESLIDING);
-    assert_int_equal(rwedge_contact_apply(contact, -4, 0, 0, 0), RWEDGE_EDOMAIN);
+    refuse(contact, 4, 0, 2.1, 0, RWEDGE_ESLIDING);
+    refuse(contact, -4, 0, 0, 0, RWEDGE_EDOMAIN);
     assert_int_equal(rwedge_contact_restore(before.size, before.number, NULL), RWEDGE_ENULL);
     assert_int_equal(rwedge_contact_restore(before.size, NULL, &contact), RWEDGE_ENULL);
     assert_state(contact, before);
     assert_true(rwedge_contact_memory(contact) > 0);
     /* a patch that rounding leaves without a width */
-    assert_int_equal(rwedge_contact_apply(bare, 1e-40, 5e-41, 1e-41, 0), RWEDGE_ERANGE);
-    assert_true(rwedge_contact_half_width(bare) == 0);
+    refuse(bare, 1e-40, 5e-41, 1e-41, 0, RWEDGE_ERANGE);
     APPLY(bare, {1e-30, 0, 0, 0}, {1e-30, 0, 1e-31, 2e-16});
-    assert_int_equal(rwedge_contact_apply(bare, 1e-33, 5e-34, 0, 0), RWEDGE_ERANGE);
+    refuse(bare, 1e-33, 5e-34, 0, 0, RWEDGE_ERANGE);
     /* and one with too little for places inside of it */
     rwedge_contact *narrow = APPLY(wedge(1e-2), {1e-28, 5e-29, 0, 0});
-    assert_int_equal(rwedge_contact_apply(narrow, 1e-28, 5e-29, 1e-29, 1e-13), RWEDGE_ENOCONV);
-    assert_true(shear(narrow, 0.5) == 0);
+    refuse(narrow, 1e-28, 5e-29, 1e-29, 1e-13, RWEDGE_ENOCONV);
 }
 
 /* Q alone, farther than all that was computed: the way there is forgotten. */
@@ -179,10 +174,9 @@ CLAIM(a_load_that_slips_past_all_that_was_computed_ends_it)
     APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
     assert_true(rwedge_contact_error(contact) == 0);
     assert_true(rwedge_contact_dissipated_energy(contact) > energy);
-    for (int i = -9; i <= 9; i++) {
-        assert_true(shear(contact, i / 5.0) == shear(direct, i / 5.0));
+    assert_same_shear(contact, direct, 0);
+    for (int i = -9; i <= 9; i++)
         assert_true(slip(contact, i / 5.0) == slip(direct, i / 5.0));
-    }
     apply(contact, 4, 0, 1.6, 0.9); /* and it is lost again */
     assert_true(rwedge_contact_error(contact) > 0);
 }
@@ -202,8 +196,7 @@ CLAIM(a_closed_form_that_slips_elsewhere_is_not_returned_to)
         apply(contact, 4, 0, 1.7, 0.3);
         APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
         assert_true(rwedge_contact_error(contact) > 0);
-        for (int k = -9; k <= 9; k++)
-            assert_within(shear(contact, k / 5.0), shear(direct, k / 5.0), 1e-2 * F);
+        assert_same_shear(contact, direct, 1e-2 * F);
     }
 }
 
@@ -225,9 +218,7 @@ CLAIM(slip_passes_the_corners_of_earlier_cycles)
         assert_true(rwedge_contact_error(contact) > 0);
         apply(contact, 4, 0, 1.7, 0.3);
         APPLY(direct, {4, 0, 0, 0}, {4, 0, 1.7, 0.3});
-        for (int i = -20; i <= 20; i++)
-            assert_within(shear(contact, i / 10.0), shear(direct, i / 10.0),
-                          3 * cases[k].tolerance * F);
+        assert_same_shear(contact, direct, 3 * cases[k].tolerance * F);
     }
 }
 
@@ -240,8 +231,7 @@ CLAIM(a_contact_of_many_corners_keeps_its_traction)
     const rwedge_contact *before = copy_of(contact);
     apply(contact, 4, 0, contact->loads.Q, 1e-7);
     assert_true(rwedge_contact_error(contact) > 0);
-    for (int i = -99; i <= 99; i++)
-        assert_within(shear(contact, i / 50.0), shear(before, i / 50.0), 1e-3 * F);
+    assert_same_shear(contact, before, 1e-3 * F);
 }
 
 /* What sticks moves until each place has slipped. */
@@ -277,10 +267,8 @@ CLAIM(bodies_touch_under_shear_and_tension)
     rwedge_contact *whole = wedge(1e-4), *parts = wedge(1e-4);
     apply(whole, 4, 0.4, 0.8, 0.4);
     assert_true(rwedge_contact_error(whole) > 0);
-    for (int i = 1; i <= 20; i++)
-        apply(parts, 4 * i / 20.0, 0.4 * i / 20, 0.8 * i / 20, 0.4 * i / 20);
-    for (int i = -9; i <= 9; i++)
-        assert_within(shear(whole, i / 5.0), shear(parts, i / 5.0), 1e-3 * F);
+    assert_ok(try_parts(parts, whole->loads, 20, NULL));
+    assert_same_shear(whole, parts, 1e-3 * F);
 }
 
 /* A load that rocks the contact by more than its half-width, N and mm: what it sticks in is the
@@ -309,17 +297,13 @@ CLAIM(a_contact_that_shrinks_to_nearly_nothing_is_computed)
         apply(both[i], 1, 0.45, 0.1, 0.1);
     }
     apply(whole, 1e-3, 0, 0, 0);
-    for (int i = 9; i >= 0; i--) { /* halved each time */
-        const double u = i == 0 ? 0 : (ldexp(1, i - 10) - 1e-3) / (1 - 1e-3);
-        apply(parts, 1e-3 + u * (1 - 1e-3), 0.45 * u, 0.1 * u, 0.1 * u);
-    }
+    double ends[10]; /* P is halved each time */
+    for (int i = 0; i < 10; i++)
+        ends[i] = i == 9 ? 1 : (1 - ldexp(1, -1 - i)) / (1 - 1e-3);
+    assert_ok(try_parts(parts, whole->loads, 10, ends));
     const double error = rwedge_contact_error(whole) + rwedge_contact_error(parts);
     assert_within(error, 0, 0.02);
-    const double b = rwedge_contact_half_width(whole), middle = 0;
-    double p, q;
-    assert_ok(rwedge_contact_tractions(whole, 1, &middle, &p, &q));
-    for (int i = -9; i <= 9; i++)
-        assert_within(shear(whole, b * i / 10), shear(parts, b * i / 10), error * F * -p);
+    assert_same_shear(whole, parts, error * F * -pressure(whole, 0));
 }
 
 /* Tension alone, of many times what friction bears, as the bodies touch: it was refused. */

@@ -54,21 +54,6 @@ CLAIM(twins_go_on_to_the_same_bits)
     assert_twins(computed(0.5), (rw_loads){0.52, 0.02, -0.03, 0.4});
 }
 
-CLAIM(moment_and_tension_are_in_it)
-{
-    rwedge_contact *contact = create(0.4, 0.5);
-    const double loads[][4] = {{0.5, 0.1, 0, 0}, {0.5, 0.1, 0.15, 0.02}, {0.45, 0.09, 0.15, 0.02}};
-    for (size_t i = 0; i < sizeof loads / sizeof *loads; i++) {
-        apply(contact, loads[i][0], loads[i][1], loads[i][2], loads[i][3]);
-        const rwedge_contact *twin = restored(state_of(contact));
-        assert_state(twin, state_of(contact));
-        double P, M, Q, sigma;
-        assert_ok(rwedge_contact_loads(twin, &P, &M, &Q, &sigma));
-        assert_true(P == loads[i][0] && M == loads[i][1] && Q == loads[i][2] &&
-                    sigma == loads[i][3]);
-    }
-}
-
 /* Each number, changed; each length but the right one. */
 CLAIM(damage_is_noticed)
 {

@@ -11,17 +11,6 @@ static rwedge_contact *with_strain(double strain)
     return contact;
 }
 
-/* Nowell and Hills (1987): the stick zone of a cylinder is off the centre by the strain times R/f.
- * E = 10 and nu = 0.5 against a rigid cylinder of R = 100: (1 - nu^2)/E 0.04 R/f = 0.6. */
-CLAIM(a_soft_body_under_a_rigid_one_has_twice_the_offset)
-{
-    const double compliance = rwedge_compliance(10, 0.5, HUGE_VAL, 0);
-    rwedge_contact *contact = create_wedge(0.1, 10, compliance, F);
-    assert_ok(rwedge_contact_set_strain(contact, 0.075));
-    APPLY(contact, {1, 0, 0, 0}, {1, 0, 0.2, 0.04});
-    assert_within(rw_patch_middle(stick_zone_of(contact)), 0.6, 1e-14);
-}
-
 /* The strain alone matters to the tractions: twice the strain is half the tension. */
 CLAIM(strain_takes_the_place_of_tension)
 {

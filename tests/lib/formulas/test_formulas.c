@@ -11,7 +11,7 @@ typedef struct {
 } inversion;
 
 /* Eq. (3) with t = sin(tau); the factor makes the kernel 1/(tau - at). */
-static double profile_in_tau(double tau, const void *context)
+static double profile_in_tau(double tau, void *context)
 {
     const inversion *c = context;
     const double slope = -fmax(-1, fmin(1, sin(tau) / c->alpha));
@@ -53,53 +53,6 @@ CLAIM(round_trips_stay_in_the_domain)
         const double ratio = rwedge_shear_ratio(alpha, pow(10, -60 * random_fraction(&seed)));
         assert_true(ratio >= 0 && ratio <= 1);
         assert_true(rwedge_stick_width(alpha, ratio) >= 0);
-    }
-}
-
-/* ---- Patches off the centre: what they carry ---- */
-
-typedef struct {
-    double a;
-    rw_patch patch;
-} pressed;
-
-/* Along x = m + s sin(v): the load is the mean of 2 s cos(phi) over the rounding, as all that the
- * slope's rise 1/a at x weighs is the load of a sharp wedge there; likewise tilt and moment. */
-static double load_of_rise(double x, const void *context)
-{
-    const pressed *p = context;
-    const double inside = (x - p->patch.left) * (p->patch.right - x);
-    return inside > 0 ? 2 * sqrt(inside) / (2 * p->a) : 0;
-}
-
-static double moment_of_rise(double x, const void *context)
-{
-    const pressed *p = context;
-    return (rw_patch_middle(p->patch) + x) / 2 * load_of_rise(x, context);
-}
-
-static double tilt_of_rise(double x, const void *context)
-{
-    const pressed *p = context;
-    const double t = (x - rw_patch_middle(p->patch)) / rw_patch_half_width(p->patch);
-    return -2 / PI * asin(fmax(-1, fmin(1, t))) / (2 * p->a);
-}
-
-CLAIM(laws_are_means_over_the_rounding)
-{
-    uint64_t seed = 3;
-    for (int i = 0; i < 40; i++) {
-        const double a = 0.2 + random_fraction(&seed), middle = 2 * random_fraction(&seed) - 1;
-        const double half = fabs(middle) - a + 0.05 + 2 * random_fraction(&seed);
-        if (half <= 0.05)
-            continue;
-        const pressed p = {a, {middle - half, middle + half}};
-        const rw_pressing is = rw_patch_pressing(a, p.patch);
-        const double ends[] = {fmax(-a, p.patch.left), fmin(a, p.patch.right)};
-        assert_close(is.load, integral(load_of_rise, &p, 1, ends), 1e-12);
-        assert_within(is.moment, integral(moment_of_rise, &p, 1, ends), 1e-12 * is.load);
-        const double beyond = (ends[0] + a) - (a - ends[1]); /* what is held at +-pi/2 */
-        assert_within(is.tilt, integral(tilt_of_rise, &p, 1, ends) + beyond / (2 * a), 1e-12);
     }
 }
 

@@ -43,29 +43,6 @@ static void assert_corner(const rw_memory *path, size_t i, double load, double s
     assert_within(path->corners[i].shear, shear, 1e-15);
 }
 
-/* Mindlin: under a constant load each reversal adds a layer half as thick as the change of
- * shear. */
-CLAIM(reversals_add_layers_that_larger_ones_wipe_out)
-{
-    rw_memory *path = new_path();
-    advance(path, 1, 0);
-    advance(path, 1, 0.5);
-    assert_corner(path, 1, 0.5, 0);
-    advance(path, 1, 0.1); /* back by 0.4 */
-    assert_corner(path, 2, 0.8, 0.3);
-    advance(path, 1, 0.2); /* forth by 0.1 */
-    assert_corner(path, 3, 0.95, 0.15);
-    assert_int_equal(path->count, 5);
-    advance(path, 1, 0.1); /* closes the inner loop */
-    assert_int_equal(path->count, 4);
-    advance(path, 1, -0.5); /* and the outer one */
-    assert_int_equal(path->count, 3);
-    assert_corner(path, 1, 0.5, 0);
-    advance(path, 1, -1); /* slides: nothing is left */
-    assert_int_equal(path->count, 2);
-    assert_true(path->corners[1].ratio == -1);
-}
-
 /* After a first load in proportion, Q goes through a cycle. P is constant but for rounding. What
  * slips must have |D| = 1 to the last bit; else the stick zone would end at the edge. */
 CLAIM(rounding_of_the_load_hides_no_slip)
@@ -96,31 +73,6 @@ CLAIM(a_slip_of_a_rounding_ends_at_the_corner)
     advance(path, 0.5, 0.5);
     assert_int_equal(path->count, 2);
     assert_corner(path, 1, 0.5, 0.5);
-}
-
-CLAIM(a_rising_load_sticks_where_it_can)
-{
-    rw_memory *path = new_path();
-    advance(path, 1, 0.25);
-    advance(path, 2, -0.25);
-    assert_int_equal(path->count, 3);
-    assert_close(path->corners[2].ratio, -0.5, 1e-15);
-    /* steeper than friction: the line of slope 1 goes back to where it meets the path */
-    advance(path, 3, 1.75);
-    assert_corner(path, 2, 1 + 1.0 / 3, 0.25 - 0.5 / 3);
-    assert_true(path->corners[3].ratio == 1);
-}
-
-CLAIM(a_falling_load_cuts_off_what_it_need_not_slip)
-{
-    rw_memory *path = new_path();
-    advance(path, 1, 0.25);
-    advance(path, 2, -0.25);
-    advance(path, 1.5, 0);
-    assert_int_equal(path->count, 3);
-    assert_corner(path, 2, 1.5, 0);
-    advance(path, 0, 0);
-    assert_int_equal(path->count, 1);
 }
 
 CLAIM(collinear_steps_are_one)
@@ -169,14 +121,6 @@ CLAIM(creep_below_rounding_is_not_lost)
     assert_true(path->count <= 4);
 }
 
-static void random_load(uint64_t *seed, double *load, double *shear)
-{
-    if (random_fraction(seed) < 0.7)
-        *load = 0.1 + 0.9 * random_fraction(seed);
-    const double kind = random_fraction(seed);
-    *shear = kind < 0.1 ? *load : kind < 0.2 ? -*load : *load * (2 * random_fraction(seed) - 1);
-}
-
 /* Loads around a point, as far from it as any number of roundings: a corner stays only if it is the
  * highest or lowest of all since, so that there are about as many as digits in their number. */
 CLAIM(dithering_leaves_few_corners)
@@ -223,34 +167,6 @@ CLAIM(each_load_adds_two_corners_at_most)
     assert_int_equal(path->count, 1001);
     advance(path, 1, 0.95);
     assert_int_equal(path->count, 3);
-}
-
-/* A step in one and in parts gives the same, also where the sign of slip changes inside it. */
-CLAIM(a_step_is_the_sum_of_its_parts)
-{
-    uint64_t seed = 5;
-    for (int history = 0; history < 300; history++) {
-        rw_memory *whole = new_path(), *parts = new_path();
-        double load = 0, shear = 0;
-        for (int leg = 0; leg < 20; leg++) {
-            const double from_load = load, from_shear = shear;
-            random_load(&seed, &load, &shear);
-            if (load == 0)
-                continue;
-            advance(whole, load, shear);
-            for (int i = 1; i < 8; i++)
-                advance(parts, from_load + i * (load - from_load) / 8,
-                        from_shear + i * (shear - from_shear) / 8);
-            advance(parts, load, shear);
-            assert_true(rw_memory_end(whole)->load == load && rw_memory_end(parts)->load == load);
-            for (int i = 0; i <= 20; i++)
-                assert_within(shear_at(whole, load * i / 20), shear_at(parts, load * i / 20),
-                              1e-13);
-            for (size_t i = 1; i < whole->count; i++)
-                assert_true(fabs(whole->corners[i].ratio) <= 1 &&
-                            whole->corners[i].load > whole->corners[i - 1].load);
-        }
-    }
 }
 
 /* ---- The displacement of a patch ---- */

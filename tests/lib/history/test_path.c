@@ -3,19 +3,8 @@
 #include "histories.h"
 
 #include <fenv.h>
-#include <string.h>
 
 static const double F = 0.5;
-
-static void refuse(rwedge_contact *contact, double P, double M, double Q, double sigma,
-                   int32_t expected)
-{
-    const contact_state before = state_of(contact);
-    assert_int_equal(rwedge_contact_apply(contact, P, M, Q, sigma), expected);
-    assert_true((strlen(rwedge_contact_obstacle(contact, P, M, Q, sigma)) > 0) ==
-                (expected == RWEDGE_EPATH));
-    assert_state(contact, before);
-}
 
 CLAIM(what_has_no_closed_form_is_refused)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Damage of blocks against lives, sums by hand, and a scan of planes whose cycles are taken out one
- * by one, the smallest first. */
+/* Damage of blocks against lives, and a scan of planes whose cycles are taken out one by one, the
+ * smallest first. */
 #include "claims.h"
 #include "rwedge.h"
 
@@ -94,22 +94,6 @@ CLAIM(a_block_of_three_equal_cycles_has_three_times_the_damage)
         assert_close(three.value, 3 * once.value, 1e-9);
         assert_close(three.cycles, 3, 0);
     }
-}
-
-/* Tension alone, in plane stress: 300 to -280, in it 200 to -50 and 120 to 60. Each cycle has its
- * own top. */
-CLAIM(a_spectrum_of_tension_is_summed_by_hand)
-{
-    const block k = {.n = 6, .nu = 0.3, .plane_stress = 1, .sxx = {300, -50, 200, -280, 120, 60}};
-    const double tops[3] = {300, 200, 120}, ranges[3] = {580, 250, 60};
-    double sum = 0;
-    for (int i = 0; i < 3; i++)
-        sum += 1 / life_of(&k, tops[i] * ranges[i] / 2 / E);
-    const damage d = damage_of(&k);
-    assert_close(d.value, sum, 1e-9);
-    assert_close(d.cycles, 3, 0);
-    assert_within(fabs(d.angle), PI / 2, 1e-4);
-    assert_within(d.out, 0, 1e-4);
 }
 
 CLAIM(cycles_below_the_limit_do_no_damage)

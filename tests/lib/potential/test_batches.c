@@ -3,6 +3,7 @@
  * The bits are those of the points one by one, for every length, and for every mixture of points;
  * nothing is written behind the last. No exception is raised on which a host may trap. */
 #include "claims.h"
+#include "potential/eccentric.h"
 #include "rwedge.h"
 
 #include <fenv.h>
@@ -84,4 +85,29 @@ CLAIM(every_length_is_filled)
     make_points(x, y, 2, 0.2, 0.4);
     for (size_t n = 1; n <= 140; n++)
         assert_alike(0.2, 0.4, n, x + n, y + n);
+}
+
+static const struct {
+    double a;
+    rw_patch patch;
+} patches[] = {{0, {-0.8, 1.2}}, {0.3, {-0.8, 1.2}},  {0.3, {-0.2, 1.8}},
+               {3, {-0.8, 1.2}}, {1e-9, {-0.7, 0.9}}, {1, {-0.95, 1.001}}};
+
+CLAIM(batches_off_the_centre_have_the_bits_of_their_points)
+{
+    double x[N], y[N];
+    make_points(x, y, 1, 0.3, 1.2);
+    for (size_t i = 0; i < COUNT(patches); i++) {
+        rw_eccentric potential;
+        rw_eccentric_init_arc(&potential, rw_rounding(patches[i].a), patches[i].patch);
+        for (int n = 1; n <= RW_BATCH; n += 7) {
+            rw_fields fields;
+            rw_eccentric_fields(&potential, n, x + n, y + n, &fields);
+            for (int k = 0; k < n; k++) {
+                const rw_field alone = rw_eccentric_at(&potential, x[n + k], y[n + k]),
+                               of_batch = rw_field_in(&fields, k);
+                assert_memory_equal(&alone, &of_batch, sizeof alone);
+            }
+        }
+    }
 }

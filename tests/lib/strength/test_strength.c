@@ -2,22 +2,6 @@
 #include "claims.h"
 #include "rwedge.h"
 
-/* At f = 0 the surface takes over at a finite tip, a jump that the paper does not show. */
-CLAIM(small_tips_yield_at_the_surface_without_friction)
-{
-    const double takeover[][2] = {{0.3, 0.0176467}, {0.25, 0.1173}, {0.2, 0.5542}}; /* nu, alpha */
-    for (int i = 0; i < 3; i++) {
-        const double nu = takeover[i][0], alpha = takeover[i][1];
-        double limit, x, y;
-        assert_ok(rwedge_yield_point(alpha * 1.001, 0, nu, &limit, &x, &y));
-        assert_true(x == 0 && y > 0.1 * alpha);
-        assert_true(rwedge_critical_friction(alpha * 1.001, nu) > 0);
-        assert_ok(rwedge_yield_point(alpha * 0.999, 0, nu, &limit, &x, &y));
-        assert_true(x == 0 && y == 0);
-        assert_within(rwedge_critical_friction(alpha * 0.999, nu), 0, 0);
-    }
-}
-
 /* The reversal of the smallest tips: at the surface without friction, below it with a little, at
  * the surface with more. */
 CLAIM(tiny_tips_yield_below_with_a_little_friction)
@@ -143,21 +127,6 @@ CLAIM(the_maximum_may_be_at_the_end_of_the_rounding)
     assert_ok(rwedge_surface_yield(1 - 1e-8, 1e6, 0.3, &limit, &x));
     assert_close(limit, PI / 2 / sqrt(1e12 * (1 + 0.16 / 3)), 1e-5);
     assert_close(x, 1 - 1e-8, 1e-15);
-}
-
-CLAIM(the_gradient_jumps_at_the_critical_friction)
-{
-    const double f = rwedge_critical_friction(0.25, 0.3);
-    assert_within(f, 0.2019, 1e-4);
-    double d_alpha, d_f, d_nu, at_surface;
-    assert_ok(rwedge_elastic_limit_gradient(0.25, f * (1 - 1e-9), 0.3, &d_alpha, &d_f, &d_nu,
-                                            &at_surface));
-    assert_within(d_f, -1.86, 0.01);
-    assert_true(at_surface == 0);
-    assert_ok(rwedge_elastic_limit_gradient(0.25, f * (1 + 1e-9), 0.3, &d_alpha, &d_f, &d_nu,
-                                            &at_surface));
-    assert_within(d_f, -7.12, 0.01);
-    assert_true(at_surface == 1);
 }
 
 /* ---- The load at which a given contact first yields, in full sliding ---- */

@@ -37,7 +37,6 @@ static std::vector<double> measure(const row *claim, uint64_t seed, size_t count
             for (size_t i = begin; i < begin + BLOCK && i < count; i++) {
                 probe call;
                 errors[i] = probe_error(claim, seed, i, &call);
-                probe_release(&call);
             }
         flint_cleanup();
     };
@@ -93,7 +92,6 @@ static bool report(const row *claim, size_t calls, uint64_t seed)
     fflush(stdout);
     if (!kept)
         print_breach(claim, &call, error);
-    probe_release(&call);
     return kept;
 }
 

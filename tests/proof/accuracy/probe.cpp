@@ -253,7 +253,6 @@ double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call)
     for (int draws = 1; !claim->draw(call); draws++) {
         if (draws == MOST_DRAWS)
             return HUGE_VAL;
-        probe_release(call);
         const uint64_t random = call->random;
         *call = {};
         call->random = random;
@@ -267,11 +266,4 @@ double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call)
             return fmax(0, upper_bound(error));
     }
     return HUGE_VAL;
-}
-
-void probe_release(probe *call)
-{
-    if (call->object)
-        call->release(call->object);
-    call->object = 0;
 }

@@ -25,8 +25,6 @@ struct probe {
     int loads; /* of a history */
     double P[LOADS_MAX], Q[LOADS_MAX];
     double result[RESULTS_MAX]; /* of the library; NaN where it refused what is in the domain */
-    void *object;               /* that the judge needs, and how it is freed */
-    void (*release)(void *object);
 };
 
 struct row {
@@ -42,7 +40,6 @@ struct row {
 
 /* The error of the call number `index` of a row; HUGE_VAL where no number of bits could tell it. */
 double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call);
-void probe_release(probe *call);
 
 /* Records an argument; returns it. */
 double argument(probe *call, const char *name, double value);

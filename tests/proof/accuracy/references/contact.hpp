@@ -19,7 +19,7 @@ ball force(const ball &a, const ball &b);
  * far off. */
 ball half_width(const ball &a, const ball &wanted, double guess);
 
-/* A p/theta at |x| < c, pressed to the half-width c, Eq. (8), (12), (14); 0 beyond. */
+/* A p/theta at |x| < c, pressed to the half-width c: the potential on the surface; 0 beyond. */
 ball pressure(const ball &a, const ball &c, const ball &x);
 
 #endif

@@ -154,17 +154,20 @@ bool some_pressing(probe *call)
     return P > 1e-40;
 }
 
-/* A contact under the drawn P and M; NULL where M tilts too far, to be drawn again. */
-rwedge_contact *pressed(const probe *call, double f)
+/* A contact under these loads; none where M tilts too far, to be drawn again. */
+shared_contact pressed(const probe *call, double f, double P, double M)
 {
     const double *v = call->value;
-    rwedge_contact *contact = NULL;
-    if (rwedge_contact_create(v[THETA], v[ROUNDING], v[COMPLIANCE], f, &contact) != RWEDGE_OK ||
-        rwedge_contact_apply(contact, v[LOAD], v[MOMENT], 0, 0) != RWEDGE_OK) {
-        rwedge_contact_destroy(contact);
-        return NULL;
-    }
-    return contact;
+    rwedge_contact *made = NULL;
+    const int32_t status = rwedge_contact_create(v[THETA], v[ROUNDING], v[COMPLIANCE], f, &made);
+    const shared_contact contact = shared(made);
+    return status == RWEDGE_OK && rwedge_contact_apply(made, P, M, 0, 0) == RWEDGE_OK ? contact
+                                                                                      : NULL;
+}
+
+shared_contact pressed(const probe *call, double f)
+{
+    return pressed(call, f, call->value[LOAD], call->value[MOMENT]);
 }
 
 /* The contact's patch in balls, and what it carries; per_stress is A/theta. */
@@ -219,17 +222,14 @@ ball edges_error(const double answer[2], const ball_edges &e, const ball &scale)
 
 bool draw_edges(probe *call)
 {
-    rwedge_contact *contact = some_pressing(call) ? pressed(call, 0.5) : NULL;
+    const shared_contact contact = some_pressing(call) ? pressed(call, 0.5) : NULL;
     if (!contact)
         return false;
-    if (rwedge_contact_edges(contact, &call->result[0], &call->result[1]) != RWEDGE_OK)
-        call->result[0] = NAN;
-    call->result[2] = rwedge_contact_tilt(contact);
     double *r = call->result;
-    if (rwedge_contact_edge_asymptotes(contact, &r[3], &r[4], &r[5], &r[6]) != RWEDGE_OK)
-        r[3] = NAN;
-    rwedge_contact_destroy(contact);
-    return true;
+    r[2] = rwedge_contact_tilt(contact.get());
+    gives_if(call, rwedge_contact_edges(contact.get(), &r[0], &r[1]));
+    return gives_if(call,
+                    rwedge_contact_edge_asymptotes(contact.get(), &r[3], &r[4], &r[5], &r[6]));
 }
 
 ball judge_edges(const probe &call)
@@ -260,31 +260,26 @@ ball judge_asymptotes(const probe &call)
 
 } // namespace
 
-bool draw_slipping(probe *call, rwedge_contact **made)
+shared_contact draw_slipping(probe *call)
 {
     if (!some_pressing(call))
-        return false;
-    const double f = argument(call, "f", log_between(call, 0.01, 2));
-    rwedge_contact *contact = pressed(call, f);
+        return NULL;
+    const double f = argument(call, "f", log_between(call, 0.01, 2)), *v = call->value;
+    const shared_contact contact = pressed(call, f);
     if (!contact)
-        return false;
+        return NULL;
     const double part = chance(call, 0.3) ? log_between(call, 1e-12, 0.9) : 0.9 * uniform(call);
-    const double Q = argument(call, "Q", either_sign(call, part * f * call->value[LOAD]));
-    const double most = rwedge_contact_largest_tension_step(contact, Q);
+    const double Q = argument(call, "Q", either_sign(call, part * f * v[LOAD]));
+    const double most = rwedge_contact_largest_tension_step(contact.get(), Q);
     const double sigma = argument(
         call, "sigma", most * (chance(call, 0.2) ? either_sign(call, 1) : 2 * uniform(call) - 1));
     double *r = call->result;
-    if (rwedge_contact_edges(contact, &r[2], &r[3]) != RWEDGE_OK ||
-        rwedge_contact_apply(contact, call->value[LOAD], call->value[MOMENT], Q, sigma) !=
-            RWEDGE_OK ||
-        rwedge_contact_stick_zone(contact, &r[0], &r[1]) != RWEDGE_OK)
+    if (rwedge_contact_edges(contact.get(), &r[2], &r[3]) != RWEDGE_OK ||
+        rwedge_contact_apply(contact.get(), v[LOAD], v[MOMENT], Q, sigma) != RWEDGE_OK ||
+        rwedge_contact_stick_zone(contact.get(), &r[0], &r[1]) != RWEDGE_OK)
         r[0] = NAN;
     r[4] = most;
-    if (made)
-        *made = contact;
-    else
-        rwedge_contact_destroy(contact);
-    return true;
+    return contact;
 }
 
 namespace
@@ -292,7 +287,7 @@ namespace
 
 bool draw_stick_zone(probe *call)
 {
-    return draw_slipping(call, NULL);
+    return draw_slipping(call) != NULL;
 }
 
 /* |T| = (|Q|/f A/theta, -+A sigma/(4 theta f)), the sign that of Q. */
@@ -355,25 +350,16 @@ bool draw_permanent(probe *call)
     const double M = argument(call, "M2", v[MOMENT] * grown);
     const double least = f * fmin(P, v[LOAD]);
     double *r = call->result;
-    rwedge_contact *contact = pressed(call, f), *other = NULL;
+    const shared_contact contact = pressed(call, f), other = pressed(call, f, P, M);
     const double one = argument(call, "Q1", least * (1.8 * uniform(call) - 0.9));
     const double two = argument(call, "Q2", least * (1.8 * uniform(call) - 0.9));
-    const double most = contact ? rwedge_contact_largest_tension_step(contact, two - one) : 0;
+    const double most = contact ? rwedge_contact_largest_tension_step(contact.get(), two - one) : 0;
     const double from = argument(call, "sigma1", 0.3 * most * uniform(call));
     const double to = argument(call, "sigma2", from + most * (1.8 * uniform(call) - 0.9));
-    bool is_drawn =
-        contact &&
-        rwedge_contact_create(v[THETA], v[ROUNDING], v[COMPLIANCE], f, &other) == RWEDGE_OK &&
-        rwedge_contact_apply(other, P, M, 0, 0) == RWEDGE_OK &&
-        rwedge_permanent_stick(v[THETA], v[ROUNDING], v[COMPLIANCE], f, v[LOAD], v[MOMENT], one,
-                               from, P, M, two, to, &r[0], &r[1]) == RWEDGE_OK;
-    if (is_drawn) {
-        rwedge_contact_edges(contact, &r[2], &r[3]);
-        rwedge_contact_edges(other, &r[4], &r[5]);
-    }
-    rwedge_contact_destroy(contact);
-    rwedge_contact_destroy(other);
-    return is_drawn;
+    return contact && other && rwedge_contact_edges(contact.get(), &r[2], &r[3]) == RWEDGE_OK &&
+           rwedge_contact_edges(other.get(), &r[4], &r[5]) == RWEDGE_OK &&
+           rwedge_permanent_stick(v[THETA], v[ROUNDING], v[COMPLIANCE], f, v[LOAD], v[MOMENT], one,
+                                  from, P, M, two, to, &r[0], &r[1]) == RWEDGE_OK;
 }
 
 /* (N1 + N2 - |T2 - T1|)/2; all of the smaller contact where that patch is larger than it. */

@@ -25,9 +25,9 @@ ball_edges patch_carrying(const std::function<carried(const ball_edges &)> &carr
                           const ball &M, const double guess[2]);
 
 /* Arguments of a contact that slips in one step of Q and sigma, the latter up to its limit.
- * result: the edges of the stick zone and of the contact, as the library finds them. false where
- * the arguments leave the domain. `made` receives the contact, if not NULL. */
+ * result: the edges of the stick zone and of the contact, as the library finds them. None where the
+ * arguments leave the domain. */
 enum { THETA, ROUNDING, COMPLIANCE, LOAD, MOMENT, FRICTION, SHEAR, TENSION };
-bool draw_slipping(probe *call, rwedge_contact **made);
+shared_contact draw_slipping(probe *call);
 
 #endif

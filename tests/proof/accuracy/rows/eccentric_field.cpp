@@ -127,31 +127,18 @@ double some_x(probe *call)
     return marks[which] + either_sign(call, width * log_between(call, 1e-14, 1));
 }
 
-bool draw_slipping_rounded(probe *call, rwedge_contact **contact)
-{
-    *contact = NULL;
-    if (!draw_slipping(call, contact))
-        return false;
-    const double *r = call->result;
-    if (call->value[ROUNDING] > 0 && r[STICK_LEFT] < r[STICK_RIGHT])
-        return true;
-    rwedge_contact_destroy(*contact);
-    return false;
-}
-
 bool draw_stresses(probe *call)
 {
-    rwedge_contact *contact;
-    if (!draw_slipping_rounded(call, &contact))
-        return false;
+    const shared_contact contact = draw_slipping(call);
     double *r = call->result;
+    if (!contact || call->value[ROUNDING] == 0 || !(r[STICK_LEFT] < r[STICK_RIGHT]))
+        return false;
     const double width = r[WHOLE_RIGHT] - r[WHOLE_LEFT], x = argument(call, "x", some_x(call));
     const double y =
         argument(call, "y", chance(call, 0.3) ? 0 : width * log_between(call, 1e-14, 10));
-    if (rwedge_contact_stresses(contact, 1, &x, &y, r + FOUND, r + FOUND + 1, r + FOUND + 2) !=
-        RWEDGE_OK)
+    if (rwedge_contact_stresses(contact.get(), 1, &x, &y, r + FOUND, r + FOUND + 1,
+                                r + FOUND + 2) != RWEDGE_OK)
         r[FOUND] = NAN;
-    rwedge_contact_destroy(contact);
     return true;
 }
 

@@ -9,15 +9,19 @@
 namespace
 {
 
-/* alpha, f, c, x, y; false on the surface at an edge. */
-bool some_smooth_case(probe *call, double v[5])
+/* alpha, f, c, x, y; not on the surface at an edge. */
+std::function<bool(probe *)> of_smooth_case(int32_t (*derivatives)(const double *v, double *d))
 {
-    v[0] = argument(call, "alpha", some_alpha(call));
-    v[1] = argument(call, "f", some_friction(call));
-    v[2] = argument(call, "c", chance(call, 0.3) ? 0 : some_fraction(call, fmin(v[0], 1)));
-    some_point(call, v[0], v[2], &v[3], &v[4]);
-    const double place = fabs(v[3]);
-    return v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0));
+    return [=](probe *call) {
+        double v[5];
+        v[0] = argument(call, "alpha", some_alpha(call));
+        v[1] = argument(call, "f", some_friction(call));
+        v[2] = argument(call, "c", chance(call, 0.3) ? 0 : some_fraction(call, fmin(v[0], 1)));
+        some_point(call, v[0], v[2], &v[3], &v[4]);
+        const double place = fabs(v[3]);
+        return (v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0))) &&
+               gives_if(call, derivatives(v, call->result), call->result[0]);
+    };
 }
 
 /* y G'', 0 on the surface. */
@@ -100,32 +104,10 @@ ball error_of(const double *result, const fields &exact)
     return error_over(result, tensor_of(superposed(exact.N, exact.T)), exact.size);
 }
 
-bool draw_gradient(probe *call)
-{
-    double v[5], *d = call->result;
-    if (!some_smooth_case(call, v))
-        return false;
-    if (rwedge_stress_gradient(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3], &d[4],
-                               &d[5]) != RWEDGE_OK)
-        d[0] = NAN;
-    return true;
-}
-
 ball judge_gradient(const probe &call)
 {
     return max(error_of(call.result, changed(call, by_x, 1)),
                error_of(call.result + 3, changed(call, by_y, 1)));
-}
-
-bool draw_sensitivity(probe *call)
-{
-    double v[5], *d = call->result;
-    if (!some_smooth_case(call, v))
-        return false;
-    if (rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3], &d[4],
-                                  &d[5], &d[6], &d[7], &d[8]) != RWEDGE_OK)
-        d[0] = NAN;
-    return true;
 }
 
 /* How fast the load of a patch grows with the rounding, but for a factor; over the distance. */
@@ -159,8 +141,17 @@ ball judge_sensitivity(const probe &call)
 } // namespace
 
 const row GRADIENT_ROWS[] = {
-    {"stress_gradient", PLACES, "of the parts", 1e-12, "1e-12", 1, draw_gradient, judge_gradient},
-    {"stress_sensitivity", PLACES, "of the parts", 1e-12, "1e-12", 1, draw_sensitivity,
+    {"stress_gradient", PLACES, "of the parts", 1e-12, "1e-12", 1,
+     of_smooth_case([](const double *v, double *d) {
+         return rwedge_stress_gradient(v[0], v[1], v[2], v[3], v[4], d, d + 1, d + 2, d + 3, d + 4,
+                                       d + 5);
+     }),
+     judge_gradient},
+    {"stress_sensitivity", PLACES, "of the parts", 1e-12, "1e-12", 1,
+     of_smooth_case([](const double *v, double *d) {
+         return rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], d, d + 1, d + 2, d + 3,
+                                          d + 4, d + 5, d + 6, d + 7, d + 8);
+     }),
      judge_sensitivity},
     {},
 };

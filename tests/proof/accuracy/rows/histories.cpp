@@ -45,14 +45,9 @@ void some_loads(probe *call, double f, double unit)
 
 enum { THETA, COMPLIANCE, ROUNDING, FRICTION };
 
-void destroy(void *contact)
-{
-    rwedge_contact_destroy(static_cast<rwedge_contact *>(contact));
-}
-
-/* The contact under its last load. Where a load is refused, NULL and the result NaN: a failure,
+/* The contact under its last load. Where a load is refused, none and the result NaN: a failure,
  * because all that is drawn is in the domain. */
-rwedge_contact *some_contact(probe *call)
+shared_contact some_contact(probe *call)
 {
     const double theta = argument(call, "theta", log_between(call, 1e-4, 1)),
                  A = argument(call, "A", log_between(call, 1e-6, 1));
@@ -64,15 +59,12 @@ rwedge_contact *some_contact(probe *call)
     const double f = argument(call, "f", log_between(call, 0.01, 3));
     some_loads(call, f, theta / A * b);
     call->result[0] = NAN;
-    rwedge_contact *contact = NULL;
-    if (rwedge_contact_create(theta, a, A, f, &contact) != RWEDGE_OK)
-        return NULL;
-    call->object = contact;
-    call->release = destroy;
-    for (int i = 0; i < call->loads; i++)
-        if (rwedge_contact_load(contact, call->P[i], call->Q[i]) != RWEDGE_OK)
-            return NULL;
-    return contact;
+    rwedge_contact *made = NULL;
+    int32_t status = rwedge_contact_create(theta, a, A, f, &made);
+    const shared_contact contact = shared(made);
+    for (int i = 0; i < call->loads && status == RWEDGE_OK; i++)
+        status = rwedge_contact_load(made, call->P[i], call->Q[i]);
+    return status == RWEDGE_OK ? contact : NULL;
 }
 
 /* Next to an edge of some load, of slip, of the rounding; or anywhere in the contact. */
@@ -91,7 +83,7 @@ double some_contact_place(probe *call, const rwedge_contact *contact)
 
 template <double (*measured)(const rwedge_contact *)> bool draw_measured(probe *call)
 {
-    return gives(call, measured(some_contact(call)));
+    return gives(call, measured(some_contact(call).get()));
 }
 
 /* ---- The exact state ---- */
@@ -195,12 +187,12 @@ ball judge_stick(const probe &call)
 
 template <bool shear> bool draw_tractions(probe *call)
 {
-    const rwedge_contact *contact = some_contact(call);
+    const shared_contact contact = some_contact(call);
     if (!contact)
         return true;
-    const double x = argument(call, "x", some_contact_place(call, contact));
+    const double x = argument(call, "x", some_contact_place(call, contact.get()));
     double p, q;
-    if (rwedge_contact_tractions(contact, 1, &x, &p, &q) != RWEDGE_OK)
+    if (rwedge_contact_tractions(contact.get(), 1, &x, &p, &q) != RWEDGE_OK)
         p = q = NAN;
     call->result[0] = shear ? q : p;
     return x != 0;
@@ -239,11 +231,11 @@ template <bool shear> ball judge_tractions(const probe &call)
 
 bool draw_stresses(probe *call)
 {
-    const rwedge_contact *contact = some_contact(call);
+    const shared_contact contact = some_contact(call);
     if (!contact)
         return true;
-    const double b = rwedge_contact_half_width(contact), kind = uniform(call);
-    double x = some_contact_place(call, contact),
+    const double b = rwedge_contact_half_width(contact.get()), kind = uniform(call);
+    double x = some_contact_place(call, contact.get()),
            y = kind < 0.2 ? 0 : b * log_between(call, 1e-15, 3);
     if (kind > 0.9) {
         x *= log_between(call, 1, 1e4);
@@ -252,7 +244,7 @@ bool draw_stresses(probe *call)
     argument(call, "x", x);
     argument(call, "y", y);
     double *r = call->result;
-    if (rwedge_contact_stresses(contact, 1, &x, &y, &r[0], &r[1], &r[2]) != RWEDGE_OK)
+    if (rwedge_contact_stresses(contact.get(), 1, &x, &y, &r[0], &r[1], &r[2]) != RWEDGE_OK)
         r[0] = NAN;
     return x != 0 || y != 0;
 }

@@ -131,45 +131,29 @@ bool some_pad(probe *call, int kinds)
     return P > 1e-30;
 }
 
-rwedge_contact *made(const double v[])
+shared_contact pressed(const double v[])
 {
     const profile p = profile_of(v);
-    rwedge_contact *contact = NULL;
-    const int32_t status = p.x.empty()
-                               ? rwedge_contact_create_flat(p.a, p.R, 1, 0.5, &contact)
-                               : rwedge_contact_create_profile(p.x.size(), p.x.data(),
-                                                               p.slope.data(), 1, 0.5, &contact);
-    if (status == RWEDGE_OK &&
-        rwedge_contact_apply(contact, v[PAD_LOAD], v[PAD_MOMENT], 0, 0) == RWEDGE_OK)
-        return contact;
-    rwedge_contact_destroy(contact);
-    return NULL;
+    rwedge_contact *made = NULL;
+    const int32_t status =
+        p.x.empty()
+            ? rwedge_contact_create_flat(p.a, p.R, 1, 0.5, &made)
+            : rwedge_contact_create_profile(p.x.size(), p.x.data(), p.slope.data(), 1, 0.5, &made);
+    const shared_contact contact = shared(made);
+    return status == RWEDGE_OK &&
+                   rwedge_contact_apply(made, v[PAD_LOAD], v[PAD_MOMENT], 0, 0) == RWEDGE_OK
+               ? contact
+               : NULL;
 }
 
 /* ---- Edges ---- */
 
-bool draw_edges(probe *call)
+template <int kinds> bool draw_edges(probe *call)
 {
-    rwedge_contact *contact = some_pad(call, KINDS) ? made(call->value) : NULL;
-    if (!contact)
-        return false;
+    const shared_contact contact = some_pad(call, kinds) ? pressed(call->value) : NULL;
     double *r = call->result;
-    if (rwedge_contact_edges(contact, &r[0], &r[1]) != RWEDGE_OK ||
-        rwedge_contact_beyond_flat(contact, &r[2], &r[3]) != RWEDGE_OK)
-        r[0] = NAN;
-    rwedge_contact_destroy(contact);
-    return true;
-}
-
-bool draw_beyond_flat(probe *call)
-{
-    rwedge_contact *contact = some_pad(call, 1) ? made(call->value) : NULL;
-    double *r = call->result;
-    if (!contact || rwedge_contact_edges(contact, &r[0], &r[1]) != RWEDGE_OK ||
-        rwedge_contact_beyond_flat(contact, &r[2], &r[3]) != RWEDGE_OK)
-        r[0] = r[2] = NAN;
-    rwedge_contact_destroy(contact);
-    return contact != NULL;
+    return contact && gives_if(call, rwedge_contact_edges(contact.get(), &r[0], &r[1])) &&
+           gives_if(call, rwedge_contact_beyond_flat(contact.get(), &r[2], &r[3]));
 }
 
 ball_edges edges_near(const profile &p, const double v[], const double guess[2])
@@ -215,8 +199,8 @@ ball judge_beyond_flat(const probe &call)
 const row PAD_ROWS[] = {
     {"contact_edges, of pads", PADS ", P and M; edges at places",
      "of the width or \\|x\\|, over 1 - \\|delta\\| and the root of 1 - a/b", 1e-14, "1e-14", 0.2,
-     draw_edges, judge_edges},
+     draw_edges<KINDS>, judge_edges},
     {"contact_beyond_flat", "flat, a/b 0.01 to 1 - 1e-9; P", "relative", 1e-14, "1e-14", 1,
-     draw_beyond_flat, judge_beyond_flat},
+     draw_edges<1>, judge_beyond_flat},
     {},
 };

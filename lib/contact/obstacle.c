@@ -41,14 +41,15 @@ static rw_loads with_less_tension(const rwedge_contact *contact, rw_loads to)
     return to;
 }
 
-static bool leads_there(const rwedge_contact *contact, const rw_loads loads[LOADS])
+/* What the loads would return. */
+static int32_t status_of(const rwedge_contact *contact, const rw_loads loads[LOADS])
 {
     rwedge_contact *trial = NULL;
     int32_t status = rwedge_contact_copy(contact, &trial);
     for (int i = 0; i < LOADS && status == RWEDGE_OK; i++)
         status = rwedge_contact_apply(trial, loads[i].P, loads[i].M, loads[i].Q, loads[i].sigma);
     rwedge_contact_destroy(trial);
-    return status == RWEDGE_OK;
+    return status;
 }
 
 static way first_that_leads_there(const rwedge_contact *contact, rw_loads to)
@@ -62,7 +63,7 @@ static way first_that_leads_there(const rwedge_contact *contact, rw_loads to)
         [FARTHER] = {far, far, far},
     };
     way i = 0;
-    while (i < SEPARATED && !leads_there(contact, ways[i]))
+    while (i < SEPARATED && status_of(contact, ways[i]) != RWEDGE_OK)
         i++;
     return i;
 }
@@ -72,7 +73,7 @@ const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, dou
 {
     const rw_loads to = {P, M, Q, sigma}, itself[LOADS] = {to, to, to};
     const rw_obstacle obstacle = contact ? rw_contact_obstacle(contact, to) : RW_NO_OBSTACLE;
-    if (obstacle == RW_NO_OBSTACLE || leads_there(contact, itself))
+    if (obstacle == RW_NO_OBSTACLE || status_of(contact, itself) != RWEDGE_EPATH)
         return "";
     return TEXTS[obstacle][first_that_leads_there(contact, to)];
 }

@@ -151,6 +151,14 @@ double range_value(const range *values, int64_t i)
     return i == values->count - 1 ? values->last : after_steps(values, (double)i);
 }
 
+int64_t range_product(int count, const range values[])
+{
+    double size = 1;
+    for (int i = 0; i < count; i++)
+        size *= (double)values[i].count;
+    return size < 9e18 ? (int64_t)size : INT64_MAX;
+}
+
 /* A range is monotonic: its ends tell. */
 bool range_within(const range *values, double lo, double hi, double *outside)
 {

@@ -192,22 +192,11 @@ void xlsx_freeze(xlsx *book, int rows, int columns)
     worksheet_freeze_panes(book->current, CELL_AT(rows, columns));
 }
 
-void xlsx_hide_sheet(xlsx *book)
-{
-    worksheet_hide(book->current);
-}
-
 void xlsx_hide_columns(xlsx *book, int first_column, int last_column)
 {
     lxw_row_col_options options = {.hidden = LXW_TRUE};
     xlsx_keep(book, worksheet_set_column_opt(book->current, (lxw_col_t)first_column,
                                              (lxw_col_t)last_column, 12, NULL, &options));
-}
-
-void xlsx_protect(xlsx *book)
-{
-    lxw_protection may = {.format_columns = LXW_TRUE, .format_rows = LXW_TRUE};
-    worksheet_protect(book->current, NULL, &may);
 }
 
 void xlsx_hide_names(xlsx *book, const char *beginning)
@@ -216,56 +205,4 @@ void xlsx_hide_names(xlsx *book, const char *beginning)
     TAILQ_FOREACH(name, book->workbook->defined_names, list_pointers)
     if (strncmp(name->name, beginning, strlen(beginning)) == 0)
         name->hidden = LXW_TRUE;
-}
-
-void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style)
-{
-    xlsx_keep(book, worksheet_merge_range(book->current, CELLS(area), "", book->style[style]));
-}
-
-void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_style colour)
-{
-    lxw_conditional_format when = {.type = LXW_CONDITIONAL_TYPE_FORMULA,
-                                   .value_string = (char *)formula,
-                                   .format = book->style[colour]};
-    xlsx_keep(book, worksheet_conditional_format_range(book->current, CELLS(area), &when));
-}
-
-void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
-{
-    char title[33]; /* more is refused */
-    snprintf(title, sizeof title, "%s", rule->title);
-    lxw_data_validation check = {.validate = LXW_VALIDATION_TYPE_CUSTOM_FORMULA,
-                                 .value_formula = (char *)rule->formula,
-                                 .input_title = title,
-                                 .input_message = (char *)rule->hint,
-                                 .error_title = title,
-                                 .error_message = (char *)rule->message};
-    xlsx_keep(book, worksheet_data_validation_range(book->current, CELLS(area), &check));
-}
-
-static void set_page(xlsx *book, int headers, bool landscape)
-{
-    worksheet_fit_to_pages(book->current, 1, (uint16_t)(headers == 0));
-    if (headers > 0)
-        xlsx_keep(book, worksheet_repeat_rows(book->current, 0, (lxw_row_t)headers - 1));
-    if (landscape)
-        worksheet_set_landscape(book->current);
-    worksheet_set_margins(book->current, 0.4, 0.4, 0.6, 0.6);
-    xlsx_keep(book,
-              worksheet_set_footer(book->current, "&L&8rwedge " RWEDGE_VERSION "&C&8&A&R&8&P/&N"));
-}
-
-void xlsx_print(xlsx *book, xlsx_area area, int headers, bool landscape)
-{
-    xlsx_keep(book, worksheet_print_area(book->current, CELLS(area)));
-    set_page(book, headers, landscape);
-}
-
-void xlsx_print_cells(xlsx *book, const char *cells, int headers, bool landscape)
-{
-    char name[LXW_MAX_SHEETNAME_LENGTH + 20];
-    snprintf(name, sizeof name, "%s!_xlnm.Print_Area", book->current->name);
-    xlsx_keep(book, workbook_define_name(book->workbook, name, cells));
-    set_page(book, headers, landscape);
 }

@@ -23,9 +23,13 @@ enum { FIGURE_CURVES_MAX = 12, FIGURE_DIGITS = 6 };
 /* Where a measure is drawn: along the surface, below its worst place, below the contact. */
 enum { OVER_SURFACE, OVER_DEPTH, OVER_FIELD, OVER_COUNT };
 
+typedef struct figure figure;
+
 /* What is asked for; a count of 0 where a variable is not given. */
 typedef struct {
-    const char *name; /* of the figure */
+    const figure *kind;
+    const char *format; /* of the picture; NULL for the numbers */
+    bool no_title;
     range value[FIGURE_VARIABLES];
     contact_history history; /* of a figure that has one */
     places at;
@@ -45,7 +49,7 @@ void case_check(const figure_case *inputs, int32_t status);
 enum { FIGURE_NAMES_SIZE = FIGURE_CURVES_MAX * NUMBER_SIZE };
 void case_names(const figure_case *inputs, int variable, char names[FIGURE_NAMES_SIZE]);
 
-typedef struct {
+struct figure {
     const char *name, *summary;
     figure_use use[FIGURE_VARIABLES];
     bool has_history; /* it needs a contact and a table of loads in place of variables */
@@ -61,7 +65,7 @@ typedef struct {
     /* Gives the script what it cannot find in the rows, by name; NULL where it can find all. */
     void (*prepare)(const figure_case *inputs, const dataset *rows, FILE *script);
     const char *const *script; /* the lines of its file in scripts/, which draw the rows */
-} figure;
+};
 
 /* Those of the paper, 2 to 7, and more. Each is defined in a file of its subject. */
 extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point,

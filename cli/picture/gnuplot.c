@@ -207,7 +207,8 @@ static void run(FILE *const stream[])
 }
 
 /* Files, not pipes: neither side waits for the other. */
-void gnuplot_draw(const char *name, script_writer *write, const void *context, output *out)
+void gnuplot_draw(const char *name, script_writer *write, const void *context, const dataset *rows,
+                  output *out)
 {
     const picture_format *format = picture_formats;
     while (strcmp(format->name, name) != 0)
@@ -221,7 +222,7 @@ void gnuplot_draw(const char *name, script_writer *write, const void *context, o
     script_text(stream[SCRIPT], "terminal", format->terminal);
     script_number(stream[SCRIPT], "paper", format->width);
     script_number(stream[SCRIPT], "line", format->line);
-    write(context, stream[SCRIPT]);
+    write(context, rows, stream[SCRIPT]);
     if (fflush(stream[SCRIPT]) != 0 || ferror(stream[SCRIPT]))
         failure("gnuplot: its script cannot be written: %s", strerror(errno));
     rewind(stream[SCRIPT]);

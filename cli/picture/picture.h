@@ -34,8 +34,8 @@ void dataset_add(dataset *to, data_row row);
 /* The largest finite number of a column; at least 0. */
 double dataset_largest(const dataset *data, int column);
 
-/* A rows_writer for a dataset. */
-void dataset_write(void *of_dataset, records *rows);
+/* Writes it as rows. */
+void dataset_write(const dataset *data, records *rows);
 
 /* ---- gnuplot ---- gnuplot draws the pictures. It is looked for on PATH when one is drawn; nothing
  * else needs it, and no other file runs it. What it draws is said in its own language. */
@@ -43,8 +43,9 @@ void dataset_write(void *of_dataset, records *rows);
 /* Has gnuplot draw a picture, as svg, png or pdf, into the output. What writes the script finds
  * `terminal` in it, a format of the paper's width and height, and `paper` and `line`: that width,
  * and the height of a line of text over it. */
-typedef void script_writer(const void *context, FILE *script);
-void gnuplot_draw(const char *format, script_writer *write, const void *context, output *out);
+typedef void script_writer(const void *context, const dataset *rows, FILE *script);
+void gnuplot_draw(const char *format, script_writer *write, const void *context,
+                  const dataset *rows, output *out);
 
 /* The lines of a script that stands in a file; a line "frame" stands for the lines of `frame`. */
 void script_lines(FILE *script, const char *const lines[], const char *const frame[]);

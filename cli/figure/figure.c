@@ -328,9 +328,8 @@ static bool has_anything(const dataset *rows, int columns)
     return false;
 }
 
-static void write_script(const void *of_case, const dataset *rows, FILE *script)
+void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const figure_case *inputs = of_case;
     const figure *kind = inputs->kind;
     if (kind->nothing != NULL && !has_anything(rows, kind->drawn))
         failure("figure %s: nothing to draw: %s", kind->name, kind->nothing);
@@ -352,7 +351,7 @@ static void write_figure(void *of_case, records *rows)
     if (inputs->format == NULL)
         dataset_write(&numbers, rows);
     else
-        gnuplot_draw(inputs->format, write_script, inputs, &numbers, rows->out);
+        gnuplot_draw(inputs, &numbers, rows->out);
 }
 
 static int write_command(const arguments *line)

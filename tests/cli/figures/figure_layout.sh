@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of usual and unusual choices show what they are of, and can be read: no text is cut, none lies on another or on the mark of first yield. Names
-# of curves stand below the picture. What would be empty axes is refused.
+# Pictures of usual and unusual choices show what they are of, and can be read: no text is cut, none lies on another or on the mark
+# of first yield. Names of curves stand below the picture. What would be empty axes is refused.
 . "$(dirname "$0")/../claims.sh"
 
 # Nothing to draw; the numbers are still there.

@@ -75,8 +75,11 @@ void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style
 /* A text that XML cannot hold spoils the file, and is said at the end. */
 void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style);
 
+/* In so many, a last bit that differs between math libraries does not show. */
+enum { XLSX_DIGITS = 10 };
+
 /* A formula, in English with commas, and the value that it has: programs that do not compute
- * show that. */
+ * show that. A number is rounded to these digits; one that is not finite is an empty text. */
 void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
                   xlsx_style style);
 

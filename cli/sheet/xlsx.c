@@ -156,12 +156,13 @@ void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell val
                   xlsx_style style)
 {
     lxw_format *look = book->style[style];
-    if (value.text != NULL)
-        xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
-                                                    look, value.text));
+    if (value.text == NULL && isfinite(value.number))
+        xlsx_keep(book,
+                  worksheet_write_formula_num(book->current, CELL_AT(row, column), formula, look,
+                                              number_rounded(value.number, XLSX_DIGITS)));
     else
-        xlsx_keep(book, worksheet_write_formula_num(book->current, CELL_AT(row, column), formula,
-                                                    look, value.number));
+        xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
+                                                    look, value.text != NULL ? value.text : ""));
 }
 
 void xlsx_name(xlsx *book, const char *name, xlsx_area area)

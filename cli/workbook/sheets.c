@@ -64,13 +64,9 @@ static void write_formula(sheets *on, const char *const f[])
     const int result = cell_of_column(text);
     double value = result >= 0 ? on->values.number[result] : NAN;
     const bool is_number = result >= 0 || number_read(text, &value);
-    for (int row = on->at.row; row <= on->at.last_row; row++) {
-        const char *formula = formula_of(f[TEXT], row + 1, 0);
-        if (is_number)
-            formula_cell(on->book, row, on->at.column, formula, value, style);
-        else
-            xlsx_formula(on->book, row, on->at.column, formula, cell_text(text), style);
-    }
+    for (int row = on->at.row; row <= on->at.last_row; row++)
+        xlsx_formula(on->book, row, on->at.column, formula_of(f[TEXT], row + 1, 0),
+                     is_number ? cell_number(value) : cell_text(text), style);
     name_cells(on, f[NAME]);
 }
 
@@ -127,23 +123,16 @@ static void put(const sheets *on, int down, int across, double value, const char
                     xlsx_style_named(style));
 }
 
-static void write_list(sheets *on, const char *const f[], bool is_down, range *values)
+/* Down, or across. */
+static void write_list(sheets *on, const char *const f[])
 {
+    const bool is_down = strcmp(f[KIND], "down") == 0;
+    range *values = is_down ? &on->down : &on->across;
     range_read(f[TEXT], values);
     for (int i = 0; i < values->count; i++)
         put(on, is_down ? i : 0, is_down ? 0 : i, range_value(values, i), f[STYLE]);
     *(is_down ? &on->at.last_row : &on->at.last_column) += (int)values->count - 1;
     name_cells(on, f[NAME]);
-}
-
-static void write_down(sheets *on, const char *const f[])
-{
-    write_list(on, f, true, &on->down);
-}
-
-static void write_across(sheets *on, const char *const f[])
-{
-    write_list(on, f, false, &on->across);
 }
 
 /* Numbers that are computed for it, or formulas that have these values. */
@@ -156,8 +145,9 @@ static void write_data(sheets *on, const char *const f[])
             if (f[LAST][0] == '\0')
                 put(on, i, j, *value, f[STYLE]);
             else
-                formula_cell(on->book, on->at.row + i, on->at.column + j,
-                             formula_of(f[LAST], i + 1, 0), *value, xlsx_style_named(f[STYLE]));
+                xlsx_formula(on->book, on->at.row + i, on->at.column + j,
+                             formula_of(f[LAST], i + 1, 0), cell_number(*value),
+                             xlsx_style_named(f[STYLE]));
     on->at.last_row += rows - 1;
     on->at.last_column += columns - 1;
     name_cells(on, f[NAME]);
@@ -194,7 +184,8 @@ static void write_grid(sheets *on, const char *const f[])
         for (int j = 0; j < columns; j++) {
             value[down] = range_value(&on->down, i);
             value[across] = across < VARIABLE_COUNT ? range_value(&on->across, j) : 0;
-            put(on, i, j, workbook_rounded(quantity(from, f[QUANTITY], value)), f[STYLE]);
+            put(on, i, j, number_rounded(quantity(from, f[QUANTITY], value), XLSX_DIGITS),
+                f[STYLE]);
         }
     on->at.last_row += (int)on->down.count - 1;
     on->at.last_column += columns - 1;
@@ -209,8 +200,9 @@ static void write_look_up(sheets *on, const char *const f[])
     for (int row = on->at.row; row <= on->at.last_row; row++) {
         xlsx_number(on->book, row, 0, tip, XLSX_INPUT);
         xlsx_number(on->book, row, 1, friction, XLSX_INPUT);
-        formula_cell(on->book, row, 2, formula_of("look_up(A~,B~)", row + 1, 0),
-                     is_given ? rwedge_elastic_limit(tip, friction, 0.3) : NAN, XLSX_RESULT);
+        xlsx_formula(on->book, row, 2, formula_of("look_up(A~,B~)", row + 1, 0),
+                     cell_number(is_given ? rwedge_elastic_limit(tip, friction, 0.3) : NAN),
+                     XLSX_RESULT);
     }
 }
 
@@ -241,8 +233,8 @@ static const struct {
 } kinds[] = {
     {"sheet", turn_to_sheet},   {"text", write_text},       {"paragraph", write_paragraph},
     {"made", write_made},       {"formula", write_formula}, {"case", write_case},
-    {"working", write_working}, {"batch", write_batch},     {"down", write_down},
-    {"across", write_across},   {"data", write_data},       {"grid", write_grid},
+    {"working", write_working}, {"batch", write_batch},     {"down", write_list},
+    {"across", write_list},     {"data", write_data},       {"grid", write_grid},
     {"look_up", write_look_up}, {NULL, set_property},
 };
 

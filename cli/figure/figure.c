@@ -159,9 +159,10 @@ static void read_case(const arguments *line, figure_case *inputs)
     const figure *chosen = inputs->kind;
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
         const char *text = line->value[OPTION_FIGURE_VARIABLE + i];
+        const bool is_of_contact = chosen->has_history && (i == FRICTION || i == NU);
         if (chosen->use[i].usual != NULL)
             read_variable(chosen, i, text, &inputs->value[i]);
-        else if (text != NULL)
+        else if (text != NULL && !is_of_contact)
             refuse_variable(chosen, i, text);
     }
     if (inputs->value[C_OVER_B].count > 0 && inputs->value[Q_OVER_FP].count > 0)
@@ -245,23 +246,6 @@ static arguments with_bodies(const arguments *line)
     return bodies;
 }
 
-static void refuse_other_variables(const arguments *line, const figure *chosen)
-{
-    for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (i != FRICTION && i != NU && line->value[OPTION_FIGURE_VARIABLE + i] != NULL)
-            refuse_variable(chosen, i, line->value[OPTION_FIGURE_VARIABLE + i]);
-}
-
-static void read_point(const arguments *line, char decimal_sign, figure_case *inputs)
-{
-    const char *text = line->value[OPTION_AT];
-    if (inputs->kind->needs_point && text == NULL)
-        usage_error("--at: missing; figure %s needs a point x,y", inputs->kind->name);
-    places_read(line, decimal_sign, &inputs->at);
-    if (inputs->at.count > 1)
-        usage_error("--at %s: must be one point", text);
-}
-
 /* To be called when the contact is read. */
 static void read_measure_and_place(const arguments *line, figure_case *inputs)
 {
@@ -284,8 +268,12 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
         material_read(bodies.value[OPTION_MATERIAL], &bodies, &inputs->constants);
         criteria_read(&bodies, &inputs->constants, &inputs->asked);
     }
-    refuse_other_variables(line, chosen);
-    read_point(&bodies, decimal_sign, inputs);
+    read_case(line, inputs);
+    if (chosen == &figure_history && line->value[OPTION_AT] == NULL)
+        usage_error("--at: missing; figure history needs a point x,y");
+    places_read(&bodies, decimal_sign, &inputs->at);
+    if (inputs->at.count > 1)
+        usage_error("--at %s: must be one point", line->value[OPTION_AT]);
     contact_history_read(&bodies, decimal_sign, chosen->cycles,
                          chosen->cycles > 2 ? chosen->cycles : 2, &inputs->history);
     inputs->half_width = largest_half_width(&inputs->history);

@@ -85,7 +85,6 @@ struct figure {
     const char *name, *summary;
     figure_use use[FIGURE_VARIABLES];
     bool has_history; /* it needs a contact and a table of loads in place of variables */
-    bool needs_point; /* and one point */
     int64_t cycles;   /* how often it goes through the table by default */
     const char *const *column;
     const char *text_column;

@@ -68,7 +68,6 @@ const figure figure_history = {
     .name = "history",
     .summary = "stresses at a point, --at, in the last cycle of loads",
     .has_history = true,
-    .needs_point = true,
     .cycles = 1,
     .column = (const char *const[]){"load", "x", "y", "sxx", "syy", "szz", "txy", NULL},
     .compute = compute_history,

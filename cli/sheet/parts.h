@@ -8,6 +8,7 @@
 #include <xlsxwriter.h>
 
 struct xlsx {
+    output *out;
     lxw_workbook *workbook;
     lxw_worksheet *current;
     lxw_format *style[XLSX_STYLE_COUNT];

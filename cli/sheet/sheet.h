@@ -62,9 +62,8 @@ void xlsx_column_name(int column, char name[XLSX_COLUMN_SIZE]);
 /* NULL; or why this build cannot write such files. */
 const char *xlsx_missing(void);
 
-/* With in_order, cells come row by row from the left, and take no memory. NULL, with the problem,
- * where it cannot be begun. */
-xlsx *xlsx_begin(const char *title, bool in_order, const char **problem);
+/* For the output. With in_order, cells come row by row from the left, and take no memory. */
+xlsx *xlsx_begin(output *out, const char *title, bool in_order);
 
 /* What follows goes to the sheet of this name, which is added where there is none. */
 void xlsx_sheet(xlsx *book, const char *name);
@@ -100,9 +99,9 @@ void xlsx_hide_names(xlsx *book, const char *beginning);
  * each, as many pages as it takes. */
 void xlsx_print(xlsx *book, xlsx_area area, int headers, bool landscape);
 
-/* Ends the file and writes it to the output. NULL, or why it could not be made; output_finish()
- * reports failures of the output. */
-const char *xlsx_finish(xlsx *book, output *out);
+/* Ends the file and writes it to the output, or ends the command where it could not be made;
+ * output_finish() reports failures of the output. */
+void xlsx_finish(xlsx *book);
 
 /* ---- properties ---- What cells and sheets have besides their contents, by names and texts, ""
  * where there is none. The first text is the place as the user of this room wrote it. Then, for

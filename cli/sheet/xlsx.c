@@ -68,31 +68,20 @@ static bool open_workbook(xlsx *book, bool in_order)
     return book->workbook != NULL && xlsx_make_styles(book);
 }
 
-static void release(xlsx *book)
-{
-    spool_end(&book->spool);
-    free(book);
-}
-
-xlsx *xlsx_begin(const char *title, bool in_order, const char **problem)
+xlsx *xlsx_begin(output *out, const char *title, bool in_order)
 {
     time_t date;
-    *problem =
-        "the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to 253402300799, "
-        "the end of the year 9999";
     if (!creation_date(&date))
-        return NULL;
-    *problem = "a temporary file for the spreadsheet cannot be made";
+        failure("%s: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to "
+                "253402300799, the end of the year 9999",
+                out->name);
+    xlsx *book = memory_zeroed(1, sizeof *book);
+    book->out = out;
     errno = 0;
-    xlsx *book = calloc(1, sizeof *book);
-    if (book != NULL && open_workbook(book, in_order)) {
-        *problem = NULL;
-        set_properties(book, title, date);
-        return book;
-    }
-    if (book != NULL)
-        release(book);
-    return NULL;
+    if (!open_workbook(book, in_order))
+        failure("%s: a temporary file for the spreadsheet cannot be made", out->name);
+    set_properties(book, title, date);
+    return book;
 }
 
 void xlsx_sheet(xlsx *book, const char *name)
@@ -120,15 +109,17 @@ static bool copy(FILE *from, output *out)
     return !ferror(from);
 }
 
-const char *xlsx_finish(xlsx *book, output *out)
+void xlsx_finish(xlsx *book)
 {
     errno = 0;
     xlsx_keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
-    if (problem == NULL && !copy(spool_read(&book->spool), out))
+    if (problem == NULL && !copy(spool_read(&book->spool), book->out))
         problem = strerror(errno);
-    release(book);
-    return problem;
+    if (problem != NULL)
+        failure("%s: %s", book->out->name, problem);
+    spool_end(&book->spool);
+    free(book);
 }
 
 /* ---- Cells ----------------------------------------------------------------------------------- */

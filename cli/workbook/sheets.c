@@ -268,13 +268,8 @@ static void write_sheets(xlsx *book)
 
 void book_write(output *out)
 {
-    const char *problem;
     cells_read();
-    xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false, &problem);
-    if (book != NULL) {
-        write_sheets(book);
-        problem = xlsx_finish(book, out);
-    }
-    if (problem != NULL)
-        failure("%s: %s", out->name, problem);
+    xlsx *book = xlsx_begin(out, "rwedge: contact of a rounded wedge", false);
+    write_sheets(book);
+    xlsx_finish(book);
 }

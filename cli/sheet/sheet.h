@@ -105,22 +105,24 @@ void xlsx_finish(xlsx *book);
 
 /* ---- properties ---- What cells and sheets have besides their contents, by names and texts, ""
  * where there is none. The first text is the place as the user of this room wrote it. Then, for
- * width, lines   characters of a column, lines of a row
- * freeze, hide   what is above and left of the cell does not scroll; the sheet does not show
- * merge          the style of the one cell that the area becomes
- * protect        but cells of XLSX_INPUT none can be typed into; there is no password
- * print          as xlsx_print(): headers, and a text for landscape; a place with "=" is a formula
- * colour         the style that the area has where the formula, written for its first cell, is true
- * rule           the formula that what is typed must make true, a title, the hint that shows where
- *                the cell is selected, the message with which it is refused
- * chart          points with straight lines between them: its width and height in pixels, and how
- *                far it is right of and below the corner of the cell; a title, with which there is a
- *                legend; least, most and step of x, and of y, 0 for the program's; their titles,
- *                with which there are lines across; the format of x
- * curve          the next one of the chart, its place being a drawing: line, thick, dashed, outline
- *                (black), bar_ground, bar_good, bar_bad (wide lines), mark, or label, the name at an
- *                invisible point; the name, otherwise a cell that has it; the ranges of x and y,
- *                "='Sheet'!$A$1:$A$9" */
+ *
+ * width, lines:  characters of a column, lines of a row.
+ * freeze, hide:  what is above and left of the cell does not scroll; the sheet does not show.
+ * merge:         the style of the one cell that the area becomes.
+ * protect:       but cells of XLSX_INPUT none can be typed into; there is no password.
+ * print:         as xlsx_print(): headers, and a text for landscape; a place with "=" is a formula.
+ * colour:        the style that the area has where the formula, which follows, is true; it is
+ *                written for the first cell.
+ * rule:          the formula that what is typed must make true, a title, the hint that shows where
+ *                the cell is selected, the message with which it is refused.
+ * chart:         points with straight lines between them. Its width and height in pixels, and how
+ *                far it is right of and below the corner of the cell; a title, with which there is
+ *                a legend; least, most and step of x, and of y, 0 for the program's; their titles,
+ *                with which there are lines across; the format of x.
+ * curve:         the next one of the chart. Its place is a drawing: line, thick, dashed, outline
+ *                (black), bar_ground, bar_good, bar_bad (wide lines), mark, or label, the name at
+ *                an invisible point. Then the name, or the cell that has it; the ranges of x and y,
+ *                "='Sheet'!$A$1:$A$9". */
 void xlsx_property(xlsx *book, const char *name, xlsx_area at, const char *const text[]);
 
 #endif

@@ -37,17 +37,13 @@ void point_write(records *rows, double x, double y, const tensor *at)
 
 /* ---- The grid ---- */
 
+enum { X, Y, AXES };
+static const char *const axis_names[AXES] = {"x", "y"};
+
 typedef struct {
     loaded_contact loaded;
-    range x, y;
+    range axis[AXES];
 } grid;
-
-static int64_t grid_size(const grid *points)
-{
-    /* the product may not fit an integer */
-    const double size = (double)points->x.count * (double)points->y.count;
-    return size < 9e18 ? (int64_t)size : INT64_MAX;
-}
 
 static void write_point(const grid *points, records *rows, double x, double y)
 {
@@ -63,23 +59,23 @@ static void write_point(const grid *points, records *rows, double x, double y)
 static void write_rows(void *of_grid, records *rows)
 {
     const grid *points = of_grid;
-    progress_start(rows->show_progress, grid_size(points), "points");
-    point_columns_write(rows, "rwedge field: y is the depth below the surface",
-                        (size_t)points->x.count);
-    for (int64_t j = 0; j < points->y.count; j++)
-        for (int64_t i = 0; i < points->x.count && records_go_on(rows); i++)
-            write_point(points, rows, range_value(&points->x, i), range_value(&points->y, j));
+    const range *x = &points->axis[X], *y = &points->axis[Y];
+    progress_start(rows->show_progress, range_product(AXES, points->axis), "points");
+    point_columns_write(rows, "rwedge field: y is the depth below the surface", (size_t)x->count);
+    for (int64_t j = 0; j < y->count; j++)
+        for (int64_t i = 0; i < x->count && records_go_on(rows); i++)
+            write_point(points, rows, range_value(x, i), range_value(y, j));
 }
 
 /* ---- The command ---- */
 
-enum { OPTION_X = OPTION_AFTER_LOADED, OPTION_Y };
+enum { OPTION_AXIS = OPTION_AFTER_LOADED };
 
 static const struct poptOption options[] = {
     {INCLUDED(loaded_contact_option_table), NULL, NULL},
-    {VALUE("x", OPTION_X), "Columns of the grid (default: 81 within 2 b of the contact's middle)",
-     "RANGE"},
-    {VALUE("y", OPTION_Y), "Its rows, depths below the surface (default: 41 from 0 to 2 b)",
+    {VALUE("x", OPTION_AXIS + X),
+     "Columns of the grid (default: 81 within 2 b of the contact's middle)", "RANGE"},
+    {VALUE("y", OPTION_AXIS + Y), "Its rows, depths below the surface (default: 41 from 0 to 2 b)",
      "RANGE"},
     {INCLUDED(grid_output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
@@ -98,16 +94,16 @@ static void describe(FILE *stream)
 }
 
 /* The text of an axis, or its default between two multiples of b. */
-static void read_axis(const char *name, const char *text, double from, double to, int64_t count,
-                      range *values)
+static range read_axis(int axis, const char *text, double from, double to, int64_t count)
 {
+    range values;
     if (text == NULL && from == to)
         usage_error("--%s: missing; after the last load there is no contact to lay a grid around",
-                    name);
-    if (text != NULL)
-        range_option(name, text, values);
-    else
-        *values = range_between(from, to, count);
+                    axis_names[axis]);
+    if (text == NULL)
+        return range_between(from, to, count);
+    range_option(axis_names[axis], text, &values);
+    return values;
 }
 
 static bool ascends(const range *values)
@@ -119,20 +115,18 @@ static bool ascends(const range *values)
     return true;
 }
 
-static void check_grid(const arguments *line, const grid *points, bool vtk)
+static void check_grid(char *const text[], const range axis[], bool vtk)
 {
-    const char *const text[] = {line->value[OPTION_X], line->value[OPTION_Y]};
+    const int wider = axis[X].count > axis[Y].count ? X : Y;
     double outside;
-    if (!range_within(&points->y, 0, HUGE_VAL, &outside))
-        usage_error("--y %s: depths must not be below 0", text[1]);
-    if (grid_size(points) > RANGE_VALUES_MAX)
+    if (!range_within(&axis[Y], 0, HUGE_VAL, &outside))
+        usage_error("--y %s: depths must not be below 0", text[Y]);
+    if (range_product(AXES, axis) > RANGE_VALUES_MAX)
         usage_error("--%s %s: must not give the grid more than 1000000000 points in all",
-                    points->x.count > points->y.count ? "x" : "y",
-                    text[points->x.count > points->y.count ? 0 : 1]);
-    for (int i = 0; i < 2 && vtk; i++)
-        if (!ascends(i == 0 ? &points->x : &points->y))
-            usage_error("--%s %s: must ascend; so the format vtk wants it", i == 0 ? "x" : "y",
-                        text[i]);
+                    axis_names[wider], text[wider]);
+    for (int i = 0; i < AXES && vtk; i++)
+        if (!ascends(&axis[i]))
+            usage_error("--%s %s: must ascend; so the format vtk wants it", axis_names[i], text[i]);
 }
 
 static int field(const arguments *line)
@@ -143,9 +137,10 @@ static int field(const arguments *line)
     output_options_read_of(line, grid_formats, "", &how);
     loaded_contact_read(line, how.decimal_sign, &points.loaded);
     const double b = points.loaded.b, middle = (points.loaded.left + points.loaded.right) / 2;
-    read_axis("x", line->value[OPTION_X], middle - 2 * b, middle + 2 * b, 81, &points.x);
-    read_axis("y", line->value[OPTION_Y], 0, 2 * b, 41, &points.y);
-    check_grid(line, &points, how.format == &vtk_format);
+    char *const *text = &line->value[OPTION_AXIS];
+    points.axis[X] = read_axis(X, text[X], middle - 2 * b, middle + 2 * b, 81);
+    points.axis[Y] = read_axis(Y, text[Y], 0, 2 * b, 41);
+    check_grid(text, points.axis, how.format == &vtk_format);
     output_options_write(&how, write_rows, &points);
     return STATUS_DONE;
 }

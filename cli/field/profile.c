@@ -84,7 +84,7 @@ static int32_t look(const loaded_contact *loaded, double at, double value[])
     return status == RWEDGE_OK ? slip_at(loaded, at, &value[SLIP]) : status;
 }
 
-static void compute(const loaded_contact *loaded, double x, cell row[])
+static void write_row(const loaded_contact *loaded, records *rows, double x)
 {
     const double at = x * loaded->length_unit;
     double value[COLUMN_COUNT];
@@ -94,14 +94,8 @@ static void compute(const loaded_contact *loaded, double x, cell row[])
     value[X] = x;
     value[SLIP] /= loaded->slip_unit;
     for (int i = 0; i < COLUMN_COUNT; i++)
-        row[i] = i == ZONE ? cell_text(zone_of(loaded, at)) : cell_number(value[i]);
-}
-
-static void write_row(const plan *job, records *rows, double x)
-{
-    cell row[COLUMN_COUNT];
-    compute(&job->loaded, x, row);
-    records_row(rows, COLUMN_COUNT, row);
+        records_value(rows, i == ZONE ? cell_text(zone_of(loaded, at)) : cell_number(value[i]));
+    records_end_row(rows);
     progress_step();
 }
 
@@ -112,7 +106,7 @@ static void write_profile(void *of_plan, records *rows)
     progress_start(rows->show_progress, count, "rows");
     records_columns(rows, columns, COLUMN_COUNT);
     for (int64_t i = 0; i < count && records_go_on(rows); i++)
-        write_row(job, rows, x_of(job, i));
+        write_row(&job->loaded, rows, x_of(job, i));
 }
 
 static void read_points(const arguments *line, plan *job)

@@ -154,13 +154,15 @@ static void read_variable(const figure *chosen, int i, const char *text, range *
                     variable_of(i)->option, text, most);
 }
 
-static void read_case(const arguments *line, const figure *chosen, figure_case *inputs)
+static void read_case(const arguments *line, figure_case *inputs)
 {
+    const figure *chosen = inputs->kind;
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
         const char *text = line->value[OPTION_FIGURE_VARIABLE + i];
+        const bool is_of_contact = chosen->has_history && (i == FRICTION || i == NU);
         if (chosen->use[i].usual != NULL)
             read_variable(chosen, i, text, &inputs->value[i]);
-        else if (text != NULL)
+        else if (text != NULL && !is_of_contact)
             refuse_variable(chosen, i, text);
     }
     if (inputs->value[C_OVER_B].count > 0 && inputs->value[Q_OVER_FP].count > 0)
@@ -168,15 +170,6 @@ static void read_case(const arguments *line, const figure *chosen, figure_case *
             "--c-over-b %s: not with --q-over-fp, which says the same; allowed: one of the two",
             line->value[OPTION_FIGURE_VARIABLE + C_OVER_B]);
 }
-
-/* The figure to draw or write, and how. */
-typedef struct {
-    const figure *chosen;
-    figure_case inputs;
-    const char *format; /* of the picture; NULL for the numbers */
-    bool no_title;
-    dataset rows;
-} work;
 
 /* ---- A contact and its loads ---- */
 
@@ -253,23 +246,6 @@ static arguments with_bodies(const arguments *line)
     return bodies;
 }
 
-static void refuse_other_variables(const arguments *line, const figure *chosen)
-{
-    for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (i != FRICTION && i != NU && line->value[OPTION_FIGURE_VARIABLE + i] != NULL)
-            refuse_variable(chosen, i, line->value[OPTION_FIGURE_VARIABLE + i]);
-}
-
-static void read_point(const arguments *line, char decimal_sign, work *to_do)
-{
-    const char *text = line->value[OPTION_AT];
-    if (to_do->chosen->needs_point && text == NULL)
-        usage_error("--at: missing; figure %s needs a point x,y", to_do->chosen->name);
-    places_read(line, decimal_sign, &to_do->inputs.at);
-    if (to_do->inputs.at.count > 1)
-        usage_error("--at %s: must be one point", text);
-}
-
 /* To be called when the contact is read. */
 static void read_measure_and_place(const arguments *line, figure_case *inputs)
 {
@@ -283,19 +259,21 @@ static void read_measure_and_place(const arguments *line, figure_case *inputs)
                     measure_kinds[inputs->measure].column);
 }
 
-static void read_history(const arguments *line, char decimal_sign, work *to_do)
+static void read_history(const arguments *line, char decimal_sign, figure_case *inputs)
 {
-    const figure *chosen = to_do->chosen;
-    figure_case *inputs = &to_do->inputs;
+    const figure *chosen = inputs->kind;
     const bool has_measure = chosen == &figure_measure;
     arguments bodies = with_bodies(line);
     if (has_measure) {
         material_read(bodies.value[OPTION_MATERIAL], &bodies, &inputs->constants);
         criteria_read(&bodies, &inputs->constants, &inputs->asked);
-    } else
-        refuse_criteria(line, chosen);
-    refuse_other_variables(line, chosen);
-    read_point(&bodies, decimal_sign, to_do);
+    }
+    read_case(line, inputs);
+    if (chosen == &figure_history && line->value[OPTION_AT] == NULL)
+        usage_error("--at: missing; figure history needs a point x,y");
+    places_read(&bodies, decimal_sign, &inputs->at);
+    if (inputs->at.count > 1)
+        usage_error("--at %s: must be one point", line->value[OPTION_AT]);
     contact_history_read(&bodies, decimal_sign, chosen->cycles,
                          chosen->cycles > 2 ? chosen->cycles : 2, &inputs->history);
     inputs->half_width = largest_half_width(&inputs->history);
@@ -316,14 +294,6 @@ static const char *read_picture_format(const arguments *line, output_options *ho
 }
 
 /* ---- What is written ---- */
-
-static void compute(work *to_do)
-{
-    to_do->rows.column = to_do->chosen->column;
-    to_do->rows.text_column = to_do->chosen->text_column;
-    to_do->inputs.name = to_do->chosen->name;
-    to_do->chosen->compute(&to_do->inputs, &to_do->rows);
-}
 
 static void write_values(const figure_case *inputs, FILE *script)
 {
@@ -346,52 +316,54 @@ static bool has_anything(const dataset *rows, int columns)
     return false;
 }
 
-static void write_script(const void *of_work, FILE *script)
+void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const work *to_do = of_work;
-    const figure *chosen = to_do->chosen;
-    if (chosen->nothing != NULL && !has_anything(&to_do->rows, chosen->drawn))
-        failure("figure %s: nothing to draw: %s", chosen->name, chosen->nothing);
+    const figure *kind = inputs->kind;
+    if (kind->nothing != NULL && !has_anything(rows, kind->drawn))
+        failure("figure %s: nothing to draw: %s", kind->name, kind->nothing);
     script_lines(script, head_lines, NULL);
-    write_values(&to_do->inputs, script);
-    script_number(script, "titled", !to_do->no_title);
-    script_rows(script, "$rows", &to_do->rows);
-    if (chosen->prepare != NULL)
-        chosen->prepare(&to_do->inputs, &to_do->rows, script);
-    script_lines(script, chosen->script, frame_lines);
+    write_values(inputs, script);
+    script_number(script, "titled", !inputs->no_title);
+    script_rows(script, "$rows", rows);
+    if (kind->prepare != NULL)
+        kind->prepare(inputs, rows, script);
+    script_lines(script, kind->script, frame_lines);
 }
 
 /* A rows_writer: a picture goes where rows would. */
-static void write_figure(void *of_work, records *rows)
+static void write_figure(void *of_case, records *rows)
 {
-    work *to_do = of_work;
-    compute(to_do);
-    if (to_do->format == NULL)
-        dataset_write(&to_do->rows, rows);
+    const figure_case *inputs = of_case;
+    dataset numbers = {.column = inputs->kind->column, .text_column = inputs->kind->text_column};
+    inputs->kind->compute(inputs, &numbers);
+    if (inputs->format == NULL)
+        dataset_write(&numbers, rows);
     else
-        gnuplot_draw(to_do->format, write_script, to_do, rows->out);
+        gnuplot_draw(inputs, &numbers, rows->out);
 }
 
 static int write_command(const arguments *line)
 {
-    work to_do = {.chosen = choose_figure(line), .no_title = line->value[OPTION_NO_TITLE] != NULL};
+    figure_case inputs = {.kind = choose_figure(line),
+                          .no_title = line->value[OPTION_NO_TITLE] != NULL};
     output_options how;
-    if (to_do.chosen == &figure_loop && has_loads(line))
-        to_do.chosen = &figure_any_loop;
+    if (inputs.kind == &figure_loop && has_loads(line))
+        inputs.kind = &figure_any_loop;
     if (line->value[OPTION_DATA] != NULL)
         output_options_read(line, &how);
     else
-        to_do.format = read_picture_format(line, &how);
-    if (to_do.chosen->has_history)
-        read_history(line, how.decimal_sign, &to_do);
-    else {
-        refuse_history(line, to_do.chosen);
-        refuse_criteria(line, to_do.chosen);
-        read_case(line, to_do.chosen, &to_do.inputs);
-    }
+        inputs.format = read_picture_format(line, &how);
+    if (!inputs.kind->has_history)
+        refuse_history(line, inputs.kind);
+    if (inputs.kind != &figure_measure)
+        refuse_criteria(line, inputs.kind);
+    if (inputs.kind->has_history)
+        read_history(line, how.decimal_sign, &inputs);
+    else
+        read_case(line, &inputs);
     output_options_spare_files(line, &how);
-    output_options_write(&how, write_figure, &to_do);
-    doubts_say((doubts){.error = to_do.inputs.history.error}, "");
+    output_options_write(&how, write_figure, &inputs);
+    doubts_say((doubts){.error = inputs.history.error}, "");
     return STATUS_DONE;
 }
 

@@ -4,9 +4,41 @@
 
 #include "history/history.h"
 #include "model/cycle/cycle.h"
-#include "picture/picture.h"
+#include "rows/rows.h"
 
-/* A kind of figure: what it depends on, the numbers behind it, and the script that draws them. */
+#include <stdio.h>
+
+/* ---- dataset ---- The numbers behind a figure: rows in memory, in groups of one curve each. What
+ * is drawn and what --data writes are the same rows. */
+
+enum { DATA_COLUMNS_MAX = 8 };
+
+typedef struct {
+    int curve;        /* which group it belongs to */
+    const char *text; /* of the text column, where there is one; not copied */
+    /* of the others, in their order; what is not finite is empty */
+    double number[DATA_COLUMNS_MAX];
+} data_row;
+
+/* All zero is empty. */
+typedef struct {
+    const char *const *column; /* the names of the numbers; NULL after the last */
+    const char *text_column;   /* the name of the text column, the last; NULL where there is none */
+    size_t across;             /* of a grid: how many rows are side by side; 0 for curves */
+    data_row *row;
+    size_t count;
+} dataset;
+
+void dataset_add(dataset *to, data_row row);
+
+/* The largest finite number of a column; at least 0. */
+double dataset_largest(const dataset *data, int column);
+
+/* Writes it as rows. */
+void dataset_write(const dataset *data, records *rows);
+
+/* ---- kind ---- A kind of figure: what it depends on, the numbers behind it, and the script that
+ * draws them. */
 
 /* Those of tables, and two more. */
 enum { C_OVER_B = VARIABLE_COUNT, SIGMA_OVER_MAX, FIGURE_VARIABLES };
@@ -23,9 +55,13 @@ enum { FIGURE_CURVES_MAX = 12, FIGURE_DIGITS = 6 };
 /* Where a measure is drawn: along the surface, below its worst place, below the contact. */
 enum { OVER_SURFACE, OVER_DEPTH, OVER_FIELD, OVER_COUNT };
 
+typedef struct figure figure;
+
 /* What is asked for; a count of 0 where a variable is not given. */
 typedef struct {
-    const char *name; /* of the figure */
+    const figure *kind;
+    const char *format; /* of the picture; NULL for the numbers */
+    bool no_title;
     range value[FIGURE_VARIABLES];
     contact_history history; /* of a figure that has one */
     places at;
@@ -45,11 +81,10 @@ void case_check(const figure_case *inputs, int32_t status);
 enum { FIGURE_NAMES_SIZE = FIGURE_CURVES_MAX * NUMBER_SIZE };
 void case_names(const figure_case *inputs, int variable, char names[FIGURE_NAMES_SIZE]);
 
-typedef struct {
+struct figure {
     const char *name, *summary;
     figure_use use[FIGURE_VARIABLES];
     bool has_history; /* it needs a contact and a table of loads in place of variables */
-    bool needs_point; /* and one point */
     int64_t cycles;   /* how often it goes through the table by default */
     const char *const *column;
     const char *text_column;
@@ -61,7 +96,7 @@ typedef struct {
     /* Gives the script what it cannot find in the rows, by name; NULL where it can find all. */
     void (*prepare)(const figure_case *inputs, const dataset *rows, FILE *script);
     const char *const *script; /* the lines of its file in scripts/, which draw the rows */
-} figure;
+};
 
 /* Those of the paper, 2 to 7, and more. Each is defined in a file of its subject. */
 extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point,
@@ -77,5 +112,29 @@ extern script_line head_lines[], frame_lines[], pressure_lines[], normal_lines[]
 
 /* A round step that gives 8 to 20 levels up to the top. */
 double step_of_levels(double top);
+
+/* ---- figure ---- */
+
+/* Writes the script that draws the rows. */
+void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *script);
+
+/* ---- gnuplot ---- gnuplot draws the pictures. It is looked for on PATH when one is drawn; nothing
+ * else needs it, and no other file runs it. What it draws is said in its own language. */
+
+/* Has gnuplot draw a picture into the output. The script finds `terminal` in it, the format of the
+ * case with the paper's width and height, and `paper` and `line`: that width, and the height of a
+ * line of text over it. */
+void gnuplot_draw(const figure_case *inputs, const dataset *rows, output *out);
+
+/* The lines of a script that stands in a file; a line "frame" stands for the lines of `frame`. */
+void script_lines(FILE *script, const char *const lines[], const char *const frame[]);
+
+/* The name is a number from then on; or a text, in which *a* is italic and _c a subscript. */
+void script_number(FILE *script, const char *name, double value);
+void script_text(FILE *script, const char *name, const char *text);
+
+/* The name is the rows from then on, all columns of them: an index for each curve, a blank line
+ * after each row of a grid. */
+void script_rows(FILE *script, const char *name, const dataset *rows);
 
 #endif

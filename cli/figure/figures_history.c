@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- Along the loads ---- */
@@ -68,7 +67,6 @@ const figure figure_history = {
     .name = "history",
     .summary = "stresses at a point, --at, in the last cycle of loads",
     .has_history = true,
-    .needs_point = true,
     .cycles = 1,
     .column = (const char *const[]){"load", "x", "y", "sxx", "syy", "szz", "txy", NULL},
     .compute = compute_history,
@@ -160,7 +158,6 @@ static void measure_surface(const figure_case *inputs, const last_cycle *last, d
     for (size_t i = 0; i < result.count; i++)
         dataset_add(rows, (data_row){.number = {result.place[i].x, 0,
                                                 result.place[i].value[inputs->measure]}});
-    free(result.place);
 }
 
 /* Down to the half-width, dense at the surface. */
@@ -168,7 +165,6 @@ static void measure_depth(const figure_case *inputs, const last_cycle *last, dat
 {
     const measured along = measure_usual(inputs, last);
     const double x = along.place[measured_best(&along, inputs->measure)].x;
-    free(along.place);
     for (int i = 0; i < DEPTHS; i++) {
         const double part = (double)i / (DEPTHS - 1);
         measure_place(inputs, last, x, inputs->half_width * part * part, rows);

@@ -13,7 +13,7 @@ double case_value(const figure_case *inputs, int variable)
 void case_check(const figure_case *inputs, int32_t status)
 {
     if (status != RWEDGE_OK)
-        failure("figure %s: %s", inputs->name, rwedge_strerror(status));
+        failure("figure %s: %s", inputs->kind->name, rwedge_strerror(status));
 }
 
 /* A value as text, with at most `digits` digits; 1/6 for a sixth. */

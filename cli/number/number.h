@@ -116,6 +116,9 @@ range range_between(double first, double last, int64_t count);
 /* The value of index i, 0 <= i < count. */
 double range_value(const range *values, int64_t i);
 
+/* How many combinations of their values there are; INT64_MAX where that fits no integer. */
+int64_t range_product(int count, const range values[]);
+
 /* Whether lo <= value <= hi for every value; otherwise *outside is one that is not. */
 bool range_within(const range *values, double lo, double hi, double *outside);
 

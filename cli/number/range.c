@@ -76,23 +76,15 @@ static const char *read_steps(const char *text, range *values)
 
 static const char *read_list(const char *text, range *values)
 {
-    size_t commas = 0;
+    int most = 1;
     for (const char *c = text; *c != '\0'; c++)
-        commas += *c == ',' ? 1 : 0;
-    values->items = memory_zeroed(commas + 1, sizeof *values->items);
-    for (;; text++) {
-        const size_t length = number_begin(text, &values->items[values->count]);
-        if (length == 0)
-            return not_a_range;
-        if (!number_is_size(values->items[values->count]))
+        most += *c == ',';
+    values->items = memory_zeroed((size_t)most, sizeof *values->items);
+    values->count = number_read_list(text, strlen(text), ',', most, values->items);
+    for (int64_t i = 0; i < values->count; i++)
+        if (!number_is_size(values->items[i]))
             return impossible;
-        values->count++;
-        text += length;
-        if (*text == '\0')
-            return NULL;
-        if (*text != ',')
-            return not_a_range;
-    }
+    return values->count > 0 ? NULL : not_a_range;
 }
 
 const char *range_read(const char *text, range *values)
@@ -149,6 +141,14 @@ double range_value(const range *values, int64_t i)
     if (values->items != NULL)
         return values->items[i];
     return i == values->count - 1 ? values->last : after_steps(values, (double)i);
+}
+
+int64_t range_product(int count, const range values[])
+{
+    double size = 1;
+    for (int i = 0; i < count; i++)
+        size *= (double)values[i].count;
+    return size < 9e18 ? (int64_t)size : INT64_MAX;
 }
 
 /* A range is monotonic: its ends tell. */

@@ -26,10 +26,10 @@ char *json_quoted(const char *text)
 static void put_text(records *rows, const char *text)
 {
     char *encoded = json_quoted(text);
-    if (encoded != NULL)
-        output_text(rows->out, encoded);
-    else
-        rows->problem = errno == ENOMEM ? "out of memory" : "a text is not UTF-8, which JSON needs";
+    if (encoded == NULL)
+        failure("%s: %s", rows->out->name,
+                errno == ENOMEM ? "out of memory" : "a text is not UTF-8, which JSON needs");
+    output_text(rows->out, encoded);
     free(encoded);
 }
 

@@ -63,21 +63,13 @@ static const char *ending_of(const char *path)
     return point != NULL && point != name ? point + 1 : "";
 }
 
-static void refuse_ending(const char *path, const char *const formats[], const char *hint)
+/* "csv, tsv", or ".csv, .tsv". */
+static const char *list_of(const char *const formats[], const char *point)
 {
-    char allowed[80] = "";
+    static char list[80];
     for (int i = 0; formats[i] != NULL; i++)
-        list_add(allowed, sizeof allowed, ", ", ".%s", formats[i]);
-    usage_error("--output %s: the ending .%s belongs to no format here; allowed: %s%s", path,
-                ending_of(path), allowed, hint);
-}
-
-static void refuse_format(const char *text, const char *const formats[], const char *hint)
-{
-    char allowed[80] = "";
-    for (int i = 0; formats[i] != NULL; i++)
-        list_add(allowed, sizeof allowed, ", ", "%s", formats[i]);
-    usage_error("--format %s: unknown format; allowed: %s%s", text, allowed, hint);
+        list_add(list, sizeof list, ", ", "%s%s", point, formats[i]);
+    return list;
 }
 
 const char *output_format_choose(const arguments *line, const char *const formats[],
@@ -88,12 +80,13 @@ const char *output_format_choose(const arguments *line, const char *const format
     const int asked = place_of(text != NULL ? text : formats[0], formats);
     const int named = place_of(ending, formats);
     if (asked < 0)
-        refuse_format(text, formats, hint);
+        usage_error("--format %s: unknown format; allowed: %s%s", text, list_of(formats, ""), hint);
     const char *format = formats[text == NULL && named >= 0 ? named : asked];
     if (ending[0] == '\0' || named == place_of(format, formats))
         return format;
     if (text == NULL)
-        refuse_ending(path, formats, hint);
+        usage_error("--output %s: the ending .%s belongs to no format here; allowed: %s%s", path,
+                    ending, list_of(formats, "."), hint);
     if (place_of(ending, all_formats) >= 0)
         usage_error("--output %s: its ending contradicts --format %s; allowed: .%s", path, text,
                     format);

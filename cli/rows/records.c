@@ -5,7 +5,7 @@
 
 bool records_go_on(const records *rows)
 {
-    return rows->out->error == 0 && rows->problem == NULL;
+    return rows->out->error == 0;
 }
 
 void records_nothing(records *rows)
@@ -68,6 +68,4 @@ void records_end(records *rows)
     if (rows->is_begun)
         rows->how->format->end(rows);
     rows->is_begun = false;
-    if (rows->problem != NULL)
-        failure("%s: %s", rows->out->name, rows->problem);
 }

@@ -50,7 +50,6 @@ struct records {
     const char **name; /* of the columns; not copied */
     double *kept;      /* all numbers, row by row */
     size_t names, kept_count;
-    const char *problem;       /* what a format could not write */
     struct xlsx *book;         /* of xlsx_format: a file that is written when it is whole */
     const char *const *sheets; /* the names of several, ending with NULL; NULL for one */
     int sheet, row, column, last_column, described;
@@ -76,7 +75,7 @@ void records_columns(records *rows, const column_kind kinds[], int count);
 /* The columns with their meanings, for a help text; names in so many characters. */
 void columns_describe(const column_kind kinds[], int count, int width, FILE *stream);
 
-/* A row: cells one by one, and its end; or whole. */
+/* A row: cells one by one, and its end; or whole. What the format cannot hold ends the command. */
 void records_value(records *rows, cell value);
 void records_end_row(records *rows);
 void records_row(records *rows, size_t count, const cell values[]);
@@ -84,8 +83,7 @@ void records_row(records *rows, size_t count, const cell values[]);
 /* Whether to go on writing: after a failure of the output no more rows are written. */
 bool records_go_on(const records *rows);
 
-/* Ends the file, if it has begun. Ends the command where a format could not write a text;
- * output_finish() reports failures of the output. */
+/* Ends the file, if it has begun; output_finish() reports failures of the output. */
 void records_end(records *rows);
 
 /* ---- json ---- */

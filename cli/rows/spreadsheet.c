@@ -75,9 +75,7 @@ static void describe(records *rows, const char *name)
 
 static void begin(records *rows)
 {
-    rows->book = xlsx_begin(message_speaker(), true, &rows->problem);
-    if (rows->book == NULL)
-        return;
+    rows->book = xlsx_begin(rows->out, message_speaker(), true);
     const char *const single[] = {"Rows", NULL}, *const *names =
                                                      rows->sheets != NULL ? rows->sheets : single;
     for (int i = 0; names[i] != NULL; i++)
@@ -89,13 +87,17 @@ static void begin(records *rows)
     turn_to_rows(rows);
 }
 
-static bool has_room(records *rows)
+NO_RETURN static void refuse(const records *rows, const char *excess)
 {
-    if (rows->problem == NULL && rows->column >= XLSX_COLUMNS_MAX)
-        rows->problem = "more than 16384 columns, which XLSX cannot hold; allowed: csv, tsv, json";
-    if (rows->problem == NULL && rows->row >= XLSX_ROWS_MAX)
-        rows->problem = "more than 1048575 rows, which XLSX cannot hold; allowed: csv, tsv, json";
-    return rows->problem == NULL;
+    failure("%s: %s, which XLSX cannot hold; allowed: csv, tsv, json", rows->out->name, excess);
+}
+
+static void check_room(const records *rows)
+{
+    if (rows->column >= XLSX_COLUMNS_MAX)
+        refuse(rows, "more than 16384 columns");
+    if (rows->row >= XLSX_ROWS_MAX)
+        refuse(rows, "more than 1048575 rows");
 }
 
 static double width_for(const char *name)
@@ -107,8 +109,7 @@ static double width_for(const char *name)
 static void put_name(records *rows, const char *name)
 {
     double number;
-    if (!has_room(rows))
-        return;
+    check_room(rows);
     xlsx_width(rows->book, rows->column, rows->column, width_for(name));
     if (number_read(name, &number))
         xlsx_number(rows->book, rows->row, rows->column, number, XLSX_HEADER);
@@ -131,16 +132,14 @@ static xlsx_style style_for(double value)
 
 static void put_value(records *rows, cell value)
 {
-    if (!has_room(rows))
-        return;
+    check_room(rows);
     if (isfinite(value.number))
         xlsx_number(
             rows->book, rows->row, rows->column,
             number_rounded(value.number, value.text != NULL ? NUMBER_DIGITS : rows->how->digits),
             style_for(value.number));
     else if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
-        rows->problem =
-            "a text has more than 32767 bytes, which XLSX cannot hold; allowed: csv, tsv, json";
+        refuse(rows, "a text has more than 32767 bytes");
     else if (value.text != NULL && value.text[0] != '\0')
         xlsx_text(rows->book, rows->row, rows->column, value.text, XLSX_UNIT);
     rows->column++;
@@ -154,10 +153,8 @@ static void end_row(records *rows)
 
 static void end_header(records *rows)
 {
-    if (rows->problem == NULL) {
-        xlsx_freeze(rows->book, 1, 1);
-        rows->last_column = rows->column - 1;
-    }
+    xlsx_freeze(rows->book, 1, 1);
+    rows->last_column = rows->column - 1;
     end_row(rows);
 }
 
@@ -169,8 +166,6 @@ static void end_sheet(records *rows)
 
 void spreadsheet_next_sheet(records *rows)
 {
-    if (rows->problem != NULL)
-        return;
     end_sheet(rows);
     rows->row = rows->column = 0;
     rows->sheet++;
@@ -179,15 +174,12 @@ void spreadsheet_next_sheet(records *rows)
 
 static void end(records *rows)
 {
-    if (rows->problem != NULL)
-        return;
     end_sheet(rows);
     if (rows->kinds != NULL) {
         xlsx_sheet(rows->book, "Columns");
         xlsx_print(rows->book, (xlsx_area){0, 0, rows->described, 2}, 0, false);
     }
-    rows->problem = xlsx_finish(rows->book, rows->out);
-    rows->book = NULL;
+    xlsx_finish(rows->book);
 }
 
 const record_format xlsx_format = {begin, put_name, end_header, put_value, end_row, end};

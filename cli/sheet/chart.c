@@ -50,49 +50,56 @@ static void draw_label(xlsx *book, lxw_chart_series *curve, const char *text)
 /* The library takes no chart without a curve. */
 static void insert(xlsx *book)
 {
-    xlsx_keep(book, worksheet_insert_chart_opt(book->current, book->chart_row, book->chart_column,
+    const xlsx_area at = book->chart_cell;
+    xlsx_keep(book, worksheet_insert_chart_opt(book->current, CELL_AT(at.row, at.column),
                                                book->chart, &book->chart_place));
 }
 
-void xlsx_curve(xlsx *book, const char *drawing, const char *name, const char *x, const char *y)
+void xlsx_curve(xlsx *book, xlsx_area at, const char *const text[])
 {
+    enum { DRAWING, NAME, X, Y };
+    (void)at;
     if (book->chart == NULL) /* for lack of memory, which is noted */
         return;
     int kind = 0;
-    while (strcmp(drawings[kind].name, drawing) != 0)
+    while (strcmp(drawings[kind].name, text[DRAWING]) != 0)
         kind++;
-    const bool is_label = strcmp(drawing, "label") == 0;
-    lxw_chart_series *curve = chart_add_series(book->chart, x, y);
+    const bool is_label = strcmp(text[DRAWING], "label") == 0;
+    lxw_chart_series *curve = chart_add_series(book->chart, text[X], text[Y]);
     lxw_chart_line line = kind == 0 ? line_of_family(book->curves) : drawings[kind].line;
     if (book->curves++ == 0)
         insert(book);
-    if (name[0] != '\0' && !is_label)
-        chart_series_set_name(curve, name);
+    if (text[NAME][0] != '\0' && !is_label)
+        chart_series_set_name(curve, text[NAME]);
     chart_series_set_line(curve, &line);
     chart_series_set_marker_type(curve, LXW_CHART_MARKER_NONE);
-    if (strcmp(drawing, "mark") == 0)
+    if (strcmp(text[DRAWING], "mark") == 0)
         draw_mark(curve);
     if (is_label)
-        draw_label(book, curve, name);
+        draw_label(book, curve, text[NAME]);
 }
 
-static void draw_axis(lxw_chart_axis *axis, const xlsx_axis *as, const char *format)
+/* Its numbers show where it has a title or a format. */
+static void draw_axis(lxw_chart_axis *axis, const char *numbers, const char *title,
+                      const char *format, const char *usual_format)
 {
     lxw_chart_font font = {.size = 10, .bold = LXW_FALSE};
     lxw_chart_line grid = {.color = 0xE0E0E0, .width = 0.5F};
-    if (as->title[0] != '\0') {
-        chart_axis_set_name(axis, as->title);
+    double value[3] = {0};
+    number_read_list(numbers, strlen(numbers), ':', 3, value);
+    if (title[0] != '\0') {
+        chart_axis_set_name(axis, title);
         chart_axis_set_name_font(axis, &font);
     }
-    chart_axis_set_min(axis, as->least);
-    chart_axis_set_max(axis, as->most);
-    if (as->step > 0)
-        chart_axis_set_major_unit(axis, as->step);
-    chart_axis_set_num_format(axis, as->format[0] != '\0' ? as->format : format);
-    chart_axis_major_gridlines_set_visible(axis, as->title[0] != '\0');
-    if (as->title[0] != '\0')
+    chart_axis_set_min(axis, value[0]);
+    chart_axis_set_max(axis, value[1]);
+    if (value[2] > 0)
+        chart_axis_set_major_unit(axis, value[2]);
+    chart_axis_set_num_format(axis, format[0] != '\0' ? format : usual_format);
+    chart_axis_major_gridlines_set_visible(axis, title[0] != '\0');
+    if (title[0] != '\0')
         chart_axis_major_gridlines_set_line(axis, &grid);
-    else if (as->format[0] == '\0')
+    else if (format[0] == '\0')
         chart_axis_off(axis);
 }
 
@@ -109,22 +116,24 @@ static void draw_title(lxw_chart *chart, const char *title)
     chart_legend_set_font(chart, &small);
 }
 
-void xlsx_chart_begin(xlsx *book, xlsx_area at, const xlsx_chart *chart)
+void xlsx_chart(xlsx *book, xlsx_area at, const char *const text[])
 {
+    enum { PIXELS = 1, TITLE, X, Y, X_TITLE, Y_TITLE, X_FORMAT };
+    double pixel[4] = {0};
     lxw_chart *drawn = workbook_add_chart(book->workbook, LXW_CHART_SCATTER_STRAIGHT);
     book->chart = drawn;
     if (drawn == NULL) {
         xlsx_keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
         return;
     }
+    number_read_list(text[PIXELS], strlen(text[PIXELS]), ',', 4, pixel);
     book->curves = 0;
-    book->chart_row = (lxw_row_t)at.row;
-    book->chart_column = (lxw_col_t)at.column;
-    book->chart_place = (lxw_chart_options){.x_scale = chart->width / 480.0,
-                                            .y_scale = chart->height / 288.0,
-                                            .x_offset = chart->right,
-                                            .y_offset = chart->down};
-    draw_axis(drawn->x_axis, &chart->x, "0.0");
-    draw_axis(drawn->y_axis, &chart->y, "General");
-    draw_title(drawn, chart->title);
+    book->chart_cell = at;
+    book->chart_place = (lxw_chart_options){.x_scale = pixel[0] / 480,
+                                            .y_scale = pixel[1] / 288,
+                                            .x_offset = (int32_t)pixel[2],
+                                            .y_offset = (int32_t)pixel[3]};
+    draw_axis(drawn->x_axis, text[X], text[X_TITLE], text[X_FORMAT], "0.0");
+    draw_axis(drawn->y_axis, text[Y], text[Y_TITLE], "", "General");
+    draw_title(drawn, text[TITLE]);
 }

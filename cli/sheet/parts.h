@@ -8,13 +8,13 @@
 #include <xlsxwriter.h>
 
 struct xlsx {
+    output *out;
     lxw_workbook *workbook;
     lxw_worksheet *current;
     lxw_format *style[XLSX_STYLE_COUNT];
     lxw_chart *chart; /* the last, NULL for lack of memory; its curves, and where it goes */
     int curves;
-    lxw_row_t chart_row;
-    lxw_col_t chart_column;
+    xlsx_area chart_cell;
     lxw_chart_options chart_place;
     /* libxlsxwriter writes to a path, and seeks in the file. So it first writes a temporary
      * file. */
@@ -31,6 +31,10 @@ struct xlsx {
 /* Remembers what went wrong first. Where memory is short, or its temporary folder is full, the
  * library leaves things out. Not all of its functions say so, but errno is set. */
 void xlsx_keep(xlsx *book, lxw_error error);
+
+/* Properties of the file chart. */
+void xlsx_chart(xlsx *book, xlsx_area at, const char *const text[]);
+void xlsx_curve(xlsx *book, xlsx_area at, const char *const text[]);
 
 /* Adds the styles to a file that begins. False where memory is short. */
 bool xlsx_make_styles(xlsx *book);

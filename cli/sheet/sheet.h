@@ -62,9 +62,8 @@ void xlsx_column_name(int column, char name[XLSX_COLUMN_SIZE]);
 /* NULL; or why this build cannot write such files. */
 const char *xlsx_missing(void);
 
-/* With in_order, cells come row by row from the left, and take no memory. NULL, with the problem,
- * where it cannot be begun. */
-xlsx *xlsx_begin(const char *title, bool in_order, const char **problem);
+/* For the output. With in_order, cells come row by row from the left, and take no memory. */
+xlsx *xlsx_begin(output *out, const char *title, bool in_order);
 
 /* What follows goes to the sheet of this name, which is added where there is none. */
 void xlsx_sheet(xlsx *book, const char *name);
@@ -75,8 +74,11 @@ void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style
 /* A text that XML cannot hold spoils the file, and is said at the end. */
 void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style);
 
+/* In so many, a last bit that differs between math libraries does not show. */
+enum { XLSX_DIGITS = 10 };
+
 /* A formula, in English with commas, and the value that it has: programs that do not compute
- * show that. */
+ * show that. A number is rounded to these digits; one that is not finite is an empty text. */
 void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
                   xlsx_style style);
 
@@ -89,55 +91,38 @@ void xlsx_width(xlsx *book, int first_column, int last_column, double characters
 void xlsx_lines(xlsx *book, int row, int lines);
 void xlsx_freeze(xlsx *book, int rows, int columns);
 
-void xlsx_hide_sheet(xlsx *book);
 void xlsx_hide_columns(xlsx *book, int first_column, int last_column);
-/* Cells but those of XLSX_INPUT cannot be typed into; there is no password. */
-void xlsx_protect(xlsx *book);
 /* Names that begin like this do not show in lists of names; those named so far. */
 void xlsx_hide_names(xlsx *book, const char *beginning);
 
-/* Makes one cell of an area. */
-void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style);
-
-/* The area has the colour where the formula, written for its first cell, is true. */
-void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_style colour);
-
-/* What is typed into the area must make the formula true, or is refused with the message; the hint
- * shows where the cell is selected. */
-typedef struct {
-    const char *formula, *title, *hint, *message;
-} xlsx_rule;
-void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule);
-
-/* What is printed, one page wide: these cells, or those of a formula; one page high, or, with so
- * many rows as headers on each, as many pages as it takes. */
+/* What is printed, one page wide: these cells; one page high, or, with so many rows as headers on
+ * each, as many pages as it takes. */
 void xlsx_print(xlsx *book, xlsx_area area, int headers, bool landscape);
-void xlsx_print_cells(xlsx *book, const char *formula, int headers, bool landscape);
 
-/* Ends the file and writes it to the output. NULL, or why it could not be made; output_finish()
- * reports failures of the output. */
-const char *xlsx_finish(xlsx *book, output *out);
+/* Ends the file and writes it to the output, or ends the command where it could not be made;
+ * output_finish() reports failures of the output. */
+void xlsx_finish(xlsx *book);
 
-/* ---- chart ---- Charts of points with straight lines between them. Texts are "" for none. */
-
-typedef struct {
-    const char *title;  /* with it there are lines across the chart */
-    const char *format; /* of the numbers, which also show without a title then; "" for the usual */
-    double least, most, step; /* 0: the program's */
-} xlsx_axis;
-
-typedef struct {
-    const char *title; /* with it there is a legend */
-    xlsx_axis x, y;
-    int width, height, right, down; /* pixels; from the corner of the cell */
-} xlsx_chart;
-
-/* Begins a chart; curves follow. */
-void xlsx_chart_begin(xlsx *book, xlsx_area at, const xlsx_chart *chart);
-
-/* Ranges are "='Sheet'!$A$1:$A$9". The drawing is line, thick, dashed, outline (black), bar_ground,
- * bar_good, bar_bad (wide lines), mark, or label: the name at an invisible point. Other names, in
- * the legend, are cells that have them. */
-void xlsx_curve(xlsx *book, const char *drawing, const char *name, const char *x, const char *y);
+/* ---- properties ---- What cells and sheets have besides their contents, by names and texts, ""
+ * where there is none. The first text is the place as the user of this room wrote it. Then, for
+ *
+ * width, lines:  characters of a column, lines of a row.
+ * freeze, hide:  what is above and left of the cell does not scroll; the sheet does not show.
+ * merge:         the style of the one cell that the area becomes.
+ * protect:       but cells of XLSX_INPUT none can be typed into; there is no password.
+ * print:         as xlsx_print(): headers, and a text for landscape; a place with "=" is a formula.
+ * colour:        the style that the area has where the formula, which follows, is true; it is
+ *                written for the first cell.
+ * rule:          the formula that what is typed must make true, a title, the hint that shows where
+ *                the cell is selected, the message with which it is refused.
+ * chart:         points with straight lines between them. Its width and height in pixels, and how
+ *                far it is right of and below the corner of the cell; a title, with which there is
+ *                a legend; least, most and step of x, and of y, 0 for the program's; their titles,
+ *                with which there are lines across; the format of x.
+ * curve:         the next one of the chart. Its place is a drawing: line, thick, dashed, outline
+ *                (black), bar_ground, bar_good, bar_bad (wide lines), mark, or label, the name at
+ *                an invisible point. Then the name, or the cell that has it; the ranges of x and y,
+ *                "='Sheet'!$A$1:$A$9". */
+void xlsx_property(xlsx *book, const char *name, xlsx_area at, const char *const text[]);
 
 #endif

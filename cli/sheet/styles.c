@@ -56,13 +56,6 @@ xlsx_style xlsx_style_named(const char *name)
     return (xlsx_style)i;
 }
 
-static void frame(lxw_format *style, lxw_color_t ground)
-{
-    format_set_border(style, LXW_BORDER_THIN);
-    format_set_border_color(style, 0x808080);
-    format_set_bg_color(style, ground);
-}
-
 static void set_text(lxw_format *style, const look *as)
 {
     if (as->bold)
@@ -79,8 +72,11 @@ static void set_text(lxw_format *style, const look *as)
 
 static void set_place(lxw_format *style, const look *as)
 {
-    if (as->ground != 0)
-        frame(style, as->ground);
+    if (as->ground != 0) {
+        format_set_border(style, LXW_BORDER_THIN);
+        format_set_border_color(style, 0x808080);
+        format_set_bg_color(style, as->ground);
+    }
     if (as->line_below)
         format_set_bottom(style, LXW_BORDER_THIN);
     if (as->wrapped)

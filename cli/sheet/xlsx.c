@@ -68,31 +68,20 @@ static bool open_workbook(xlsx *book, bool in_order)
     return book->workbook != NULL && xlsx_make_styles(book);
 }
 
-static void release(xlsx *book)
-{
-    spool_end(&book->spool);
-    free(book);
-}
-
-xlsx *xlsx_begin(const char *title, bool in_order, const char **problem)
+xlsx *xlsx_begin(output *out, const char *title, bool in_order)
 {
     time_t date;
-    *problem =
-        "the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to 253402300799, "
-        "the end of the year 9999";
     if (!creation_date(&date))
-        return NULL;
-    *problem = "a temporary file for the spreadsheet cannot be made";
+        failure("%s: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to "
+                "253402300799, the end of the year 9999",
+                out->name);
+    xlsx *book = memory_zeroed(1, sizeof *book);
+    book->out = out;
     errno = 0;
-    xlsx *book = calloc(1, sizeof *book);
-    if (book != NULL && open_workbook(book, in_order)) {
-        *problem = NULL;
-        set_properties(book, title, date);
-        return book;
-    }
-    if (book != NULL)
-        release(book);
-    return NULL;
+    if (!open_workbook(book, in_order))
+        failure("%s: a temporary file for the spreadsheet cannot be made", out->name);
+    set_properties(book, title, date);
+    return book;
 }
 
 void xlsx_sheet(xlsx *book, const char *name)
@@ -120,15 +109,17 @@ static bool copy(FILE *from, output *out)
     return !ferror(from);
 }
 
-const char *xlsx_finish(xlsx *book, output *out)
+void xlsx_finish(xlsx *book)
 {
     errno = 0;
     xlsx_keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
-    if (problem == NULL && !copy(spool_read(&book->spool), out))
+    if (problem == NULL && !copy(spool_read(&book->spool), book->out))
         problem = strerror(errno);
-    release(book);
-    return problem;
+    if (problem != NULL)
+        failure("%s: %s", book->out->name, problem);
+    spool_end(&book->spool);
+    free(book);
 }
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
@@ -156,12 +147,13 @@ void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell val
                   xlsx_style style)
 {
     lxw_format *look = book->style[style];
-    if (value.text != NULL)
-        xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
-                                                    look, value.text));
+    if (value.text == NULL && isfinite(value.number))
+        xlsx_keep(book,
+                  worksheet_write_formula_num(book->current, CELL_AT(row, column), formula, look,
+                                              number_rounded(value.number, XLSX_DIGITS)));
     else
-        xlsx_keep(book, worksheet_write_formula_num(book->current, CELL_AT(row, column), formula,
-                                                    look, value.number));
+        xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
+                                                    look, value.text != NULL ? value.text : ""));
 }
 
 void xlsx_name(xlsx *book, const char *name, xlsx_area area)
@@ -192,22 +184,11 @@ void xlsx_freeze(xlsx *book, int rows, int columns)
     worksheet_freeze_panes(book->current, CELL_AT(rows, columns));
 }
 
-void xlsx_hide_sheet(xlsx *book)
-{
-    worksheet_hide(book->current);
-}
-
 void xlsx_hide_columns(xlsx *book, int first_column, int last_column)
 {
     lxw_row_col_options options = {.hidden = LXW_TRUE};
     xlsx_keep(book, worksheet_set_column_opt(book->current, (lxw_col_t)first_column,
                                              (lxw_col_t)last_column, 12, NULL, &options));
-}
-
-void xlsx_protect(xlsx *book)
-{
-    lxw_protection may = {.format_columns = LXW_TRUE, .format_rows = LXW_TRUE};
-    worksheet_protect(book->current, NULL, &may);
 }
 
 void xlsx_hide_names(xlsx *book, const char *beginning)
@@ -216,56 +197,4 @@ void xlsx_hide_names(xlsx *book, const char *beginning)
     TAILQ_FOREACH(name, book->workbook->defined_names, list_pointers)
     if (strncmp(name->name, beginning, strlen(beginning)) == 0)
         name->hidden = LXW_TRUE;
-}
-
-void xlsx_merge(xlsx *book, xlsx_area area, xlsx_style style)
-{
-    xlsx_keep(book, worksheet_merge_range(book->current, CELLS(area), "", book->style[style]));
-}
-
-void xlsx_colour_when(xlsx *book, xlsx_area area, const char *formula, xlsx_style colour)
-{
-    lxw_conditional_format when = {.type = LXW_CONDITIONAL_TYPE_FORMULA,
-                                   .value_string = (char *)formula,
-                                   .format = book->style[colour]};
-    xlsx_keep(book, worksheet_conditional_format_range(book->current, CELLS(area), &when));
-}
-
-void xlsx_validate(xlsx *book, xlsx_area area, const xlsx_rule *rule)
-{
-    char title[33]; /* more is refused */
-    snprintf(title, sizeof title, "%s", rule->title);
-    lxw_data_validation check = {.validate = LXW_VALIDATION_TYPE_CUSTOM_FORMULA,
-                                 .value_formula = (char *)rule->formula,
-                                 .input_title = title,
-                                 .input_message = (char *)rule->hint,
-                                 .error_title = title,
-                                 .error_message = (char *)rule->message};
-    xlsx_keep(book, worksheet_data_validation_range(book->current, CELLS(area), &check));
-}
-
-static void set_page(xlsx *book, int headers, bool landscape)
-{
-    worksheet_fit_to_pages(book->current, 1, (uint16_t)(headers == 0));
-    if (headers > 0)
-        xlsx_keep(book, worksheet_repeat_rows(book->current, 0, (lxw_row_t)headers - 1));
-    if (landscape)
-        worksheet_set_landscape(book->current);
-    worksheet_set_margins(book->current, 0.4, 0.4, 0.6, 0.6);
-    xlsx_keep(book,
-              worksheet_set_footer(book->current, "&L&8rwedge " RWEDGE_VERSION "&C&8&A&R&8&P/&N"));
-}
-
-void xlsx_print(xlsx *book, xlsx_area area, int headers, bool landscape)
-{
-    xlsx_keep(book, worksheet_print_area(book->current, CELLS(area)));
-    set_page(book, headers, landscape);
-}
-
-void xlsx_print_cells(xlsx *book, const char *cells, int headers, bool landscape)
-{
-    char name[LXW_MAX_SHEETNAME_LENGTH + 20];
-    snprintf(name, sizeof name, "%s!_xlnm.Print_Area", book->current->name);
-    xlsx_keep(book, workbook_define_name(book->workbook, name, cells));
-    set_page(book, headers, landscape);
 }

@@ -37,22 +37,16 @@ static void open_beside(output *out, const char *path)
         refuse(out, reason);
 }
 
+/* What is not known is also a link that the system does not follow. */
 static void open_by_name(output *out, const char *path)
 {
-    switch (file_kind_of(path)) {
-    case FILE_REGULAR:
-    case FILE_ABSENT:
+    const file_kind kind = file_kind_of(path);
+    if (kind == FILE_REGULAR || kind == FILE_ABSENT)
         open_beside(out, path);
-        return;
-    case FILE_FOLDER:
-        refuse(out, EISDIR);
-    case FILE_OTHER:
+    else if (kind == FILE_OTHER)
         open_directly(out, file_to_write(path));
-        return;
-    case FILE_NOT_KNOWN: /* also a link that the system does not follow */
-        break;
-    }
-    refuse(out, errno);
+    else
+        refuse(out, kind == FILE_FOLDER ? EISDIR : errno);
 }
 
 /* The one that is open; NULL for none. */

@@ -18,8 +18,7 @@ typedef struct {
 
 typedef struct {
     const table *table;
-    int order[AXES_MAX];        /* its variables, the slowest first */
-    range axis[VARIABLE_COUNT]; /* those that the table depends on */
+    range axis[VARIABLE_COUNT]; /* one value where the table does not depend on it */
     bool grid;
     int quantity; /* that a grid shows */
     int threads;
@@ -27,23 +26,20 @@ typedef struct {
     int64_t first;
 } plan;
 
-/* How many values the table computes. */
-static int64_t plan_size(const plan *job)
-{
-    double size = 1; /* the product of the counts may not fit an integer */
-    for (int i = 0; i < job->table->axis_count; i++)
-        size *= (double)job->axis[job->table->axis[i]].count;
-    return size < 9e18 ? (int64_t)size : INT64_MAX;
-}
+/* The variables, the one that runs fastest first: of rows; and of a grid, which has one Poisson's
+ * ratio, or has it across. */
+static const int orders[2][VARIABLE_COUNT] = {{Q_OVER_FP, FRICTION, A_OVER_B, NU},
+                                              {NU, Q_OVER_FP, FRICTION, A_OVER_B}};
 
 static void refuse(const table *chosen, const double value[], int32_t status)
 {
     char where[160] = "";
-    for (int i = 0; i < chosen->axis_count; i++) {
+    for (int k = VARIABLE_COUNT - 1; k >= 0; k--) {
         char text[NUMBER_SIZE];
-        const int variable = chosen->axis[i];
+        const int variable = orders[false][k];
         number_write(value[variable], NUMBER_DIGITS, '.', text);
-        list_add(where, sizeof where, ", ", "%s = %s", variables[variable].column, text);
+        if (chosen->has[variable])
+            list_add(where, sizeof where, ", ", "%s = %s", variables[variable].column, text);
     }
     progress_erase();
     failure("%s at %s: %s", chosen->name, where, rwedge_strerror(status));
@@ -51,11 +47,11 @@ static void refuse(const table *chosen, const double value[], int32_t status)
 
 /* ---- Results ---- */
 
-/* The combination of index i; the last axis runs fastest. */
+/* The combination of index i. */
 static void set_combination(const plan *job, int64_t i, double value[])
 {
-    for (int axis = job->table->axis_count - 1; axis >= 0; axis--) {
-        const int variable = job->order[axis];
+    for (int k = 0; k < VARIABLE_COUNT; k++) {
+        const int variable = orders[job->grid][k];
         const range *values = &job->axis[variable];
         value[variable] = range_value(values, i % values->count);
         i /= values->count;
@@ -75,17 +71,21 @@ static void compute(void *of_plan, int64_t i)
 static void write_long_header(const plan *job, records *rows)
 {
     for (int k = 0; k < VARIABLE_COUNT; k++)
-        if (table_depends_on(job->table, k))
+        if (job->table->has[k])
             records_name(rows, variables[k].column);
-    records_header(rows, (size_t)job->table->quantity_count, job->table->quantity);
+    for (int k = 0; job->table->quantity[k] != NULL; k++)
+        records_name(rows, job->table->quantity[k]);
+    records_end_header(rows);
 }
 
 static void write_long(const plan *job, records *rows, const computed *result)
 {
     for (int k = 0; k < VARIABLE_COUNT; k++)
-        if (table_depends_on(job->table, k))
+        if (job->table->has[k])
             records_value(rows, cell_number(result->value[k]));
-    records_row(rows, (size_t)job->table->quantity_count, result->row);
+    for (int k = 0; job->table->quantity[k] != NULL; k++)
+        records_value(rows, result->row[k]);
+    records_end_row(rows);
 }
 
 /* The names of a grid's columns are numbers, and never rounded: they stay apart, and read back. */
@@ -128,7 +128,8 @@ static void plan_write(void *plan_to_write, records *rows)
 {
     enum { AHEAD = 128 }; /* results for each thread: they take longer than to begin it */
     plan *job = plan_to_write;
-    const int64_t size = plan_size(job), most = AHEAD * (int64_t)job->threads;
+    const int64_t size = range_product(VARIABLE_COUNT, job->axis),
+                  most = AHEAD * (int64_t)job->threads;
     job->ahead = memory_zeroed((size_t)most, sizeof *job->ahead);
     progress_start(rows->show_progress, size, job->grid ? "values" : "rows");
     records_describe(rows, table_columns, COLUMN_KINDS);
@@ -177,9 +178,9 @@ static void list_columns(const table *chosen, FILE *stream)
 {
     int width = fprintf(stream, "    columns:");
     for (int i = 0; i < VARIABLE_COUNT; i++)
-        if (table_depends_on(chosen, i))
+        if (chosen->has[i])
             width += fprintf(stream, " %s", variables[i].column);
-    for (int i = 0; i < chosen->quantity_count; i++) {
+    for (int i = 0; chosen->quantity[i] != NULL; i++) {
         if (width + (int)strlen(chosen->quantity[i]) > 76)
             width = fprintf(stream, "\n            ") - 1;
         width += fprintf(stream, " %s", chosen->quantity[i]);
@@ -192,8 +193,9 @@ static void describe_table(const table *chosen, FILE *stream)
             chosen->summary);
     list_columns(chosen, stream);
     fprintf(stream, "\n    options:");
-    for (int i = chosen->axis_count - 1; i >= 0; i--)
-        fprintf(stream, " --%s", variables[chosen->axis[i]].option);
+    for (int k = 0; k < VARIABLE_COUNT; k++)
+        if (chosen->has[orders[false][k]])
+            fprintf(stream, " --%s", variables[orders[false][k]].option);
     fprintf(stream, "\n");
 }
 
@@ -244,8 +246,9 @@ static void choose_pad(const arguments *line, plan *job)
 static void refuse_variable(const table *chosen, int variable, const char *text)
 {
     char allowed[160] = "";
-    for (int i = chosen->axis_count - 1; i >= 0; i--)
-        list_add(allowed, sizeof allowed, ", ", "--%s", variables[chosen->axis[i]].option);
+    for (int k = 0; k < VARIABLE_COUNT; k++)
+        if (chosen->has[orders[false][k]])
+            list_add(allowed, sizeof allowed, ", ", "--%s", variables[orders[false][k]].option);
     usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option, text,
                 chosen->name, allowed);
 }
@@ -254,7 +257,8 @@ static void read_variables(const arguments *line, plan *job)
 {
     for (int i = 0; i < VARIABLE_COUNT; i++) {
         const char *text = line->value[OPTION_VARIABLE + i];
-        if (table_depends_on(job->table, i))
+        job->axis[i].count = 1;
+        if (job->table->has[i])
             variable_read(table_variable_of(job->table, i), text, &job->axis[i]);
         else if (text != NULL)
             refuse_variable(job->table, i, text);
@@ -264,7 +268,7 @@ static void read_variables(const arguments *line, plan *job)
 /* The variable with the most values is the one to name. */
 static void check_size(const arguments *line, const plan *job)
 {
-    if (plan_size(job) <= RANGE_VALUES_MAX)
+    if (range_product(VARIABLE_COUNT, job->axis) <= RANGE_VALUES_MAX)
         return;
     int widest = A_OVER_B;
     for (int i = 0; i < VARIABLE_COUNT; i++)
@@ -281,22 +285,10 @@ static void check_grid(const arguments *line, const plan *job)
     if (job->table->across == VARIABLE_COUNT)
         usage_error("--layout grid: %s has one variable, and nothing to go across; allowed: long",
                     job->table->name);
-    if (job->table->across != NU && table_depends_on(job->table, NU) && job->axis[NU].count > 1)
+    if (job->table->across != NU && job->axis[NU].count > 1)
         usage_error(
             "--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
             line->value[OPTION_VARIABLE + NU]);
-}
-
-/* In a grid the variable across runs fastest. */
-static void order_axes(plan *job)
-{
-    const table *chosen = job->table;
-    int n = 0;
-    for (int i = 0; i < chosen->axis_count; i++)
-        if (!job->grid || chosen->axis[i] != chosen->across)
-            job->order[n++] = chosen->axis[i];
-    if (job->grid)
-        job->order[n] = chosen->across;
 }
 
 static void read_layout(const arguments *line, plan *job)
@@ -307,7 +299,6 @@ static void read_layout(const arguments *line, plan *job)
         usage_error("--layout %s: unknown layout; allowed: long, grid", text);
     if (job->grid)
         check_grid(line, job);
-    order_axes(job);
 }
 
 static void read_quantity(const arguments *line, plan *job)
@@ -319,7 +310,7 @@ static void read_quantity(const arguments *line, plan *job)
     if (!job->grid)
         usage_error("--quantity %s: it chooses what a grid shows; allowed with: --layout grid",
                     text);
-    for (int i = 0; i < job->table->quantity_count; i++) {
+    for (int i = 0; job->table->quantity[i] != NULL; i++) {
         list_add(allowed, sizeof allowed, ", ", "%s", job->table->quantity[i]);
         job->quantity = i;
         if (strcmp(text, job->table->quantity[i]) == 0)

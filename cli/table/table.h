@@ -8,17 +8,16 @@
 
 /* ---- tables ---- The tables: what each depends on, its columns, and how a row is computed. */
 
-enum { AXES_MAX = 3, COLUMNS_MAX = 10, COLUMN_KINDS = 22 };
+enum { COLUMNS_MAX = 10, COLUMN_KINDS = 22 };
 
 typedef struct {
     const char *name;
     const char *summary;
-    int axis[AXES_MAX]; /* the variables, the slowest first */
-    int axis_count;
+    bool has[VARIABLE_COUNT]; /* the variables that it depends on, a/b among them */
     /* the variable that a grid has across, a/b being down; VARIABLE_COUNT where it has no grid */
     int across;
-    const char *quantity[COLUMNS_MAX]; /* the columns behind those of the variables */
-    int quantity_count;
+    /* the columns behind those of the variables; NULL after the last */
+    const char *quantity[COLUMNS_MAX];
     /* Fills the quantities from the values of the variables. RWEDGE_OK, or the library's status. */
     int32_t (*row)(const double value[VARIABLE_COUNT], cell row[COLUMNS_MAX]);
     const table_variable *ratio; /* a/b of another pad than the wedge; NULL */
@@ -36,8 +35,6 @@ const table *table_named(const char *name, bool is_flat);
 
 /* One of its variables. */
 const table_variable *table_variable_of(const table *chosen, int variable);
-
-bool table_depends_on(const table *chosen, int variable);
 
 /* In place of a/b of a wedge: that of a flat pad, whose a is half the width of the flat. */
 extern const table_variable flat_over_b;

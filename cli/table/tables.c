@@ -86,69 +86,33 @@ static int32_t flat_contact_law(const double value[], cell row[])
 
 /* ---- Of the wedge ---- */
 
-/* One end of the elastic limit: at a point below the surface, or on it. */
-typedef struct {
-    double limit, x, y;
-    const char *name; /* NULL where it does not exist */
-} branch;
-
 /* RWEDGE_EABSENT is an answer: the branch does not exist there. */
-static int32_t existing(int32_t status, const char *name, branch *end)
+static int32_t existing(int32_t status)
 {
-    end->name = status == RWEDGE_OK ? name : NULL;
     return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
 }
 
-static int32_t find_branches(const double value[], branch *below, branch *surface)
-{
-    const double alpha = value[A_OVER_B], f = value[FRICTION], nu = value[NU];
-    *below = *surface = (branch){0};
-    if (alpha == 0) /* it yields at the apex, and has no branches */
-        return RWEDGE_OK;
-    const int32_t status =
-        existing(rwedge_subsurface_yield(alpha, f, nu, &below->limit, &below->x, &below->y),
-                 "subsurface", below);
-    if (status != RWEDGE_OK)
-        return status;
-    return existing(rwedge_surface_yield(alpha, f, nu, &surface->limit, &surface->x), "surface",
-                    surface);
-}
-
-static int32_t decisive(const double value[], const branch *below, const branch *surface,
-                        branch *first)
-{
-    if (below->name != NULL && (surface->name == NULL || below->limit <= surface->limit))
-        *first = *below;
-    else if (surface->name != NULL)
-        *first = *surface;
-    else {
-        first->name = "surface";
-        return rwedge_yield_point(value[A_OVER_B], value[FRICTION], value[NU], &first->limit,
-                                  &first->x, &first->y);
-    }
-    return RWEDGE_OK;
-}
-
-static cell limit_of(const branch *end)
-{
-    return end->name != NULL ? cell_number(end->limit) : cell_empty();
-}
-
+/* It yields at the end of the lower branch. The sharp wedge yields at its apex, and has none. */
 static int32_t elastic_limit(const double value[], cell row[])
 {
-    branch below, surface, first;
-    int32_t status = find_branches(value, &below, &surface);
-    if (status == RWEDGE_OK)
-        status = decisive(value, &below, &surface, &first);
-    if (status != RWEDGE_OK)
-        return status;
-    row[0] = cell_number(first.limit);
-    row[1] = cell_number(first.x);
-    row[2] = cell_number(first.y);
-    row[3] = cell_text(first.name);
-    row[4] = limit_of(&below);
-    row[5] = limit_of(&surface);
-    return RWEDGE_OK;
+    const double alpha = value[A_OVER_B], f = value[FRICTION], nu = value[NU];
+    double below = NAN, surface = NAN, x = 0, y = 0, x_below = 0, y_below = 0;
+    int32_t status = RWEDGE_OK;
+    if (alpha > 0)
+        status = existing(rwedge_subsurface_yield(alpha, f, nu, &below, &x_below, &y_below));
+    if (alpha > 0 && status == RWEDGE_OK)
+        status = existing(rwedge_surface_yield(alpha, f, nu, &surface, &x));
+    double limit = fmin(below, surface);
+    const bool is_below = limit == below;
+    if (status == RWEDGE_OK && isnan(limit))
+        status = rwedge_yield_point(alpha, f, nu, &limit, &x, &y);
+    row[0] = cell_number(limit);
+    row[1] = cell_number(is_below ? x_below : x);
+    row[2] = cell_number(is_below ? y_below : y);
+    row[3] = cell_text(is_below ? "subsurface" : "surface");
+    row[4] = cell_number(below);
+    row[5] = cell_number(surface);
+    return status;
 }
 
 static int32_t max_tension(const double value[], cell row[])
@@ -191,65 +155,51 @@ static int32_t stick_zone(const double value[], cell row[])
 const table tables[TABLE_COUNT] = {
     {"elastic-limit",
      "load at first yield P/(bk), where, and on which branch",
-     {NU, A_OVER_B, FRICTION},
-     3,
+     {[A_OVER_B] = true, [FRICTION] = true, [NU] = true},
      FRICTION,
      {"P_over_bk", "x_over_b", "y_over_b", "branch", "P_over_bk_subsurface", "P_over_bk_surface"},
-     6,
      elastic_limit,
      NULL},
     {"max-tension",
      "tension at the trailing edge, b sigma/P and b sigma/(fP)",
-     {A_OVER_B, FRICTION},
-     2,
+     {[A_OVER_B] = true, [FRICTION] = true},
      FRICTION,
      {"b_sigma_over_P", "b_sigma_over_fP"},
-     2,
      max_tension,
      NULL},
     {"contact-law",
      "load, peak pressure, and pressure where the rounding ends",
-     {A_OVER_B},
-     1,
+     {[A_OVER_B] = true},
      VARIABLE_COUNT,
      {"AP_over_theta_b", "AP_over_theta_a", "peak_pressure", "transition_pressure"},
-     4,
      contact_law,
      NULL},
     {"critical-friction",
      "friction at which yield jumps to the surface, and its load",
-     {NU, A_OVER_B},
-     2,
+     {[A_OVER_B] = true, [NU] = true},
      NU,
      {"f_critical", "P_over_bk"},
-     2,
      critical_friction,
      NULL},
     {"stick-zone",
      "half-width of the stick zone c/b",
-     {A_OVER_B, Q_OVER_FP},
-     2,
+     {[A_OVER_B] = true, [Q_OVER_FP] = true},
      Q_OVER_FP,
      {"c_over_b"},
-     1,
      stick_zone,
      NULL},
     {"elastic-limit",
      "load at first yield P/(bk) of a flat pad, and where",
-     {NU, A_OVER_B, FRICTION},
-     3,
+     {[A_OVER_B] = true, [FRICTION] = true, [NU] = true},
      FRICTION,
      {"P_over_bk", "x_over_b", "y_over_b", "branch"},
-     4,
      flat_elastic_limit,
      &flat_over_b},
     {"contact-law",
      "load of a flat pad, largest and middle pressure",
-     {A_OVER_B},
-     1,
+     {[A_OVER_B] = true},
      VARIABLE_COUNT,
      {"APR_over_b2", "APR_over_a2", "largest_pressure", "middle_pressure"},
-     4,
      flat_contact_law,
      &flat_over_b},
 };
@@ -290,12 +240,4 @@ const table *table_named(const char *name, bool is_flat)
 const table_variable *table_variable_of(const table *chosen, int variable)
 {
     return variable == A_OVER_B && chosen->ratio != NULL ? chosen->ratio : &variables[variable];
-}
-
-bool table_depends_on(const table *chosen, int variable)
-{
-    for (int i = 0; i < chosen->axis_count; i++)
-        if (chosen->axis[i] == variable)
-            return true;
-    return false;
 }

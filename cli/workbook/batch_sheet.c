@@ -27,9 +27,9 @@ static void write_row(xlsx *book, int row, const case_values *values)
 static void write_used(xlsx *book)
 {
     const int column = batch_column(case_cell_count);
-    formula_cell(book, HEADER_ROW, column,
+    xlsx_formula(book, HEADER_ROW, column,
                  "=MAX(1,SUMPRODUCT(MAX((Batch!$B$2:$N$10000<>\"\")*ROW(Batch!$B$2:$N$10000))))",
-                 FIRST_ROW + EXAMPLES - 1, XLSX_PLAIN);
+                 cell_number(FIRST_ROW + EXAMPLES - 1), XLSX_PLAIN);
     xlsx_name(book, "rwt_used", (xlsx_area){HEADER_ROW, column, HEADER_ROW, column});
 }
 

@@ -110,22 +110,17 @@ static void write_row(const sheet *from, records *rows)
     records_end_row(rows);
 }
 
-static void write_rows(sheet *from, records *rows)
-{
-    while (records_go_on(rows) && csv_input_next(from->in))
-        if (from->columns == 0)
-            write_header(from, rows);
-        else
-            write_row(from, rows);
-    csv_input_check(from->in);
-    if (from->columns == 0)
-        failure("%s: no rows", from->in->name);
-}
-
 static void write_file(const char *path, char decimal_sign, records *rows)
 {
     sheet from = {csv_input_open(path, decimal_sign == ',' ? ';' : ',', NULL), decimal_sign, 0};
-    write_rows(&from, rows);
+    while (records_go_on(rows) && csv_input_next(from.in))
+        if (from.columns == 0)
+            write_header(&from, rows);
+        else
+            write_row(&from, rows);
+    csv_input_check(from.in);
+    if (from.columns == 0)
+        failure("%s: no rows", from.in->name);
     csv_input_close(from.in);
 }
 

@@ -168,8 +168,8 @@ void check_typing(xlsx *book, xlsx_area area, int number, int row)
     char condition[FORMULA_SIZE], message[FORMULA_SIZE];
     snprintf(condition, sizeof condition, "NOT(%s)", input->wrong);
     snprintf(message, sizeof message, "%s must be %s.", input->column, input->must);
-    xlsx_validate(book, area,
-                  &(xlsx_rule){formula_of(condition, 0, row),
-                               row > 0 ? input->column : input->label,
-                               row > 0 ? input->label : input->hint, message});
+    const char *const texts[] = {"", formula_of(condition, 0, row),
+                                 row > 0 ? input->column : input->label,
+                                 row > 0 ? input->label : input->hint, message};
+    xlsx_property(book, "rule", area, texts);
 }

@@ -64,13 +64,9 @@ static void write_formula(sheets *on, const char *const f[])
     const int result = cell_of_column(text);
     double value = result >= 0 ? on->values.number[result] : NAN;
     const bool is_number = result >= 0 || number_read(text, &value);
-    for (int row = on->at.row; row <= on->at.last_row; row++) {
-        const char *formula = formula_of(f[TEXT], row + 1, 0);
-        if (is_number)
-            formula_cell(on->book, row, on->at.column, formula, value, style);
-        else
-            xlsx_formula(on->book, row, on->at.column, formula, cell_text(text), style);
-    }
+    for (int row = on->at.row; row <= on->at.last_row; row++)
+        xlsx_formula(on->book, row, on->at.column, formula_of(f[TEXT], row + 1, 0),
+                     is_number ? cell_number(value) : cell_text(text), style);
     name_cells(on, f[NAME]);
 }
 
@@ -127,23 +123,16 @@ static void put(const sheets *on, int down, int across, double value, const char
                     xlsx_style_named(style));
 }
 
-static void write_list(sheets *on, const char *const f[], bool is_down, range *values)
+/* Down, or across. */
+static void write_list(sheets *on, const char *const f[])
 {
+    const bool is_down = strcmp(f[KIND], "down") == 0;
+    range *values = is_down ? &on->down : &on->across;
     range_read(f[TEXT], values);
     for (int i = 0; i < values->count; i++)
         put(on, is_down ? i : 0, is_down ? 0 : i, range_value(values, i), f[STYLE]);
     *(is_down ? &on->at.last_row : &on->at.last_column) += (int)values->count - 1;
     name_cells(on, f[NAME]);
-}
-
-static void write_down(sheets *on, const char *const f[])
-{
-    write_list(on, f, true, &on->down);
-}
-
-static void write_across(sheets *on, const char *const f[])
-{
-    write_list(on, f, false, &on->across);
 }
 
 /* Numbers that are computed for it, or formulas that have these values. */
@@ -156,8 +145,9 @@ static void write_data(sheets *on, const char *const f[])
             if (f[LAST][0] == '\0')
                 put(on, i, j, *value, f[STYLE]);
             else
-                formula_cell(on->book, on->at.row + i, on->at.column + j,
-                             formula_of(f[LAST], i + 1, 0), *value, xlsx_style_named(f[STYLE]));
+                xlsx_formula(on->book, on->at.row + i, on->at.column + j,
+                             formula_of(f[LAST], i + 1, 0), cell_number(*value),
+                             xlsx_style_named(f[STYLE]));
     on->at.last_row += rows - 1;
     on->at.last_column += columns - 1;
     name_cells(on, f[NAME]);
@@ -194,7 +184,8 @@ static void write_grid(sheets *on, const char *const f[])
         for (int j = 0; j < columns; j++) {
             value[down] = range_value(&on->down, i);
             value[across] = across < VARIABLE_COUNT ? range_value(&on->across, j) : 0;
-            put(on, i, j, workbook_rounded(quantity(from, f[QUANTITY], value)), f[STYLE]);
+            put(on, i, j, number_rounded(quantity(from, f[QUANTITY], value), XLSX_DIGITS),
+                f[STYLE]);
         }
     on->at.last_row += (int)on->down.count - 1;
     on->at.last_column += columns - 1;
@@ -209,8 +200,9 @@ static void write_look_up(sheets *on, const char *const f[])
     for (int row = on->at.row; row <= on->at.last_row; row++) {
         xlsx_number(on->book, row, 0, tip, XLSX_INPUT);
         xlsx_number(on->book, row, 1, friction, XLSX_INPUT);
-        formula_cell(on->book, row, 2, formula_of("look_up(A~,B~)", row + 1, 0),
-                     is_given ? rwedge_elastic_limit(tip, friction, 0.3) : NAN, XLSX_RESULT);
+        xlsx_formula(on->book, row, 2, formula_of("look_up(A~,B~)", row + 1, 0),
+                     cell_number(is_given ? rwedge_elastic_limit(tip, friction, 0.3) : NAN),
+                     XLSX_RESULT);
     }
 }
 
@@ -222,119 +214,29 @@ static void turn_to_sheet(sheets *on, const char *const f[])
     on->has_rows = false;
 }
 
-static void set_width(sheets *on, const char *const f[])
+/* Those of the room sheet. A text that begins with "=" is a formula, or the range of a curve. */
+static void set_property(sheets *on, const char *const f[])
 {
-    double width = 0;
-    number_read(f[STYLE], &width);
-    xlsx_width(on->book, on->at.column, on->at.last_column, width);
-}
-
-static void set_lines(sheets *on, const char *const f[])
-{
-    xlsx_lines(on->book, on->at.row, f[STYLE][0] - '0');
-}
-
-static void freeze(sheets *on, const char *const f[])
-{
-    (void)f;
-    xlsx_freeze(on->book, on->at.row, on->at.column);
-}
-
-static void merge(sheets *on, const char *const f[])
-{
-    xlsx_merge(on->book, on->at, xlsx_style_named(f[STYLE]));
-}
-
-static void protect(sheets *on, const char *const f[])
-{
-    (void)f;
-    xlsx_protect(on->book);
-}
-
-static void hide(sheets *on, const char *const f[])
-{
-    (void)f;
-    xlsx_hide_sheet(on->book);
-}
-
-static void print(sheets *on, const char *const f[])
-{
-    const int headers = f[STYLE][0] != '\0' ? f[STYLE][0] - '0' : 0;
-    const bool landscape = f[TEXT][0] != '\0';
-    if (strchr(f[PLACE], '!') != NULL)
-        xlsx_print_cells(on->book, formula_of(f[PLACE], 0, 0), headers, landscape);
-    else
-        xlsx_print(on->book, on->at, headers, landscape);
-}
-
-static void colour(sheets *on, const char *const f[])
-{
-    xlsx_colour_when(on->book, on->at, formula_of(f[TEXT], 0, on->has_rows ? on->at.row + 1 : 0),
-                     xlsx_style_named(f[STYLE]));
-}
-
-static void set_rule(sheets *on, const char *const f[])
-{
-    enum { CONDITION = STYLE, TITLE, HINT, MESSAGE };
-    xlsx_validate(on->book, on->at,
-                  &(xlsx_rule){formula_of(f[CONDITION], 0, 0), f[TITLE], f[HINT], f[MESSAGE]});
-}
-
-/* ---- Charts ---- */
-
-static xlsx_axis axis_of(const char *numbers, const char *title, const char *format)
-{
-    double value[3] = {0};
-    number_read_list(numbers, strlen(numbers), ':', 3, value);
-    return (xlsx_axis){title, format, value[0], value[1], value[2]};
-}
-
-static void begin_chart(sheets *on, const char *const f[])
-{
-    enum { PIXELS = STYLE, TITLE, X, Y, X_TITLE, Y_TITLE, X_FORMAT };
-    double pixel[4] = {0};
-    number_read_list(f[PIXELS], strlen(f[PIXELS]), ',', 4, pixel);
-    xlsx_chart_begin(on->book, on->at,
-                     &(xlsx_chart){f[TITLE], axis_of(f[X], f[X_TITLE], f[X_FORMAT]),
-                                   axis_of(f[Y], f[Y_TITLE], ""), (int)pixel[0], (int)pixel[1],
-                                   (int)pixel[2], (int)pixel[3]});
-}
-
-static void add_curve(sheets *on, const char *const f[])
-{
-    enum { DRAWING = PLACE, CURVE_NAME, X, Y };
-    xlsx_curve(on->book, f[DRAWING], f[CURVE_NAME], f[X], f[Y]);
+    const char *texts[FIELDS];
+    for (int i = 0; i < FIELDS; i++)
+        texts[i] = f[i][0] == '=' && f[i][1] != '\''
+                       ? formula_of(f[i] + 1, 0, on->has_rows ? on->at.row + 1 : 0)
+                       : f[i];
+    xlsx_property(on->book, f[KIND], on->at, &texts[PLACE]);
 }
 
 /* ---- The lines ---- */
 
 static const struct {
-    const char *name;
+    const char *name; /* NULL for all properties */
     line_writer *write;
-} kinds[] = {{"sheet", turn_to_sheet},
-             {"text", write_text},
-             {"paragraph", write_paragraph},
-             {"made", write_made},
-             {"formula", write_formula},
-             {"case", write_case},
-             {"working", write_working},
-             {"batch", write_batch},
-             {"down", write_down},
-             {"across", write_across},
-             {"data", write_data},
-             {"grid", write_grid},
-             {"look_up", write_look_up},
-             {"width", set_width},
-             {"lines", set_lines},
-             {"freeze", freeze},
-             {"merge", merge},
-             {"protect", protect},
-             {"hide", hide},
-             {"print", print},
-             {"colour", colour},
-             {"rule", set_rule},
-             {"chart", begin_chart},
-             {"curve", add_curve}};
+} kinds[] = {
+    {"sheet", turn_to_sheet},   {"text", write_text},       {"paragraph", write_paragraph},
+    {"made", write_made},       {"formula", write_formula}, {"case", write_case},
+    {"working", write_working}, {"batch", write_batch},     {"down", write_list},
+    {"across", write_list},     {"data", write_data},       {"grid", write_grid},
+    {"look_up", write_look_up}, {NULL, set_property},
+};
 
 /* Cells as "A1" or "A1:C9", the cell below the last where there is no text; other texts are no
  * place. */
@@ -356,7 +258,7 @@ static void write_sheets(xlsx *book)
     on.table = yield_table_make(&on.values);
     while (workbook_line(&next, f)) {
         int i = 0;
-        while (strcmp(kinds[i].name, f[KIND]) != 0)
+        while (kinds[i].name != NULL && strcmp(kinds[i].name, f[KIND]) != 0)
             i++;
         set_place(&on, f[PLACE]);
         kinds[i].write(&on, f);
@@ -366,13 +268,8 @@ static void write_sheets(xlsx *book)
 
 void book_write(output *out)
 {
-    const char *problem;
     cells_read();
-    xlsx *book = xlsx_begin("rwedge: contact of a rounded wedge", false, &problem);
-    if (book != NULL) {
-        write_sheets(book);
-        problem = xlsx_finish(book, out);
-    }
-    if (problem != NULL)
-        failure("%s: %s", out->name, problem);
+    xlsx *book = xlsx_begin(out, "rwedge: contact of a rounded wedge", false);
+    write_sheets(book);
+    xlsx_finish(book);
 }

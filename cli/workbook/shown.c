@@ -96,25 +96,12 @@ void shown_values(int example, case_values *shown)
 
 /* ---- Cells ---- */
 
-double workbook_rounded(double value)
-{
-    return number_rounded(value, 10);
-}
-
-void formula_cell(xlsx *book, int row, int column, const char *formula, double value,
-                  xlsx_style style)
-{
-    xlsx_formula(book, row, column, formula,
-                 isfinite(value) ? cell_number(workbook_rounded(value)) : cell_empty(), style);
-}
-
 void case_formula(xlsx *book, int row, int column, int number, const case_values *values,
                   xlsx_style style, int batch_row)
 {
-    const char *formula = formula_of(case_cells[number].formula, 0, batch_row);
-    if (strcmp(case_cells[number].column, "yield_branch") == 0)
-        xlsx_formula(book, row, column, formula, cell_text(values->branch), style);
-    else
-        formula_cell(book, row, column, formula,
-                     number < SHOWN_CELLS ? values->number[number] : NAN, style);
+    const bool is_branch = strcmp(case_cells[number].column, "yield_branch") == 0;
+    xlsx_formula(book, row, column, formula_of(case_cells[number].formula, 0, batch_row),
+                 is_branch ? cell_text(values->branch)
+                           : cell_number(number < SHOWN_CELLS ? values->number[number] : NAN),
+                 style);
 }

@@ -83,14 +83,6 @@ void shown_values(int example, case_values *shown);
 
 double shown_number(const case_values *values, const char *column);
 
-/* To ten digits, as the sheets have numbers: a last bit that differs between math libraries does
- * not show. */
-double workbook_rounded(double value);
-
-/* A formula and its value, to ten digits; an empty text where there is no such number. */
-void formula_cell(xlsx *book, int row, int column, const char *formula, double value,
-                  xlsx_style style);
-
 /* A cell of a case with its formula: in a row of Batch, or, for 0, under its name. */
 void case_formula(xlsx *book, int row, int column, int number, const case_values *values,
                   xlsx_style style, int batch_row);

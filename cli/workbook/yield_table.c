@@ -106,8 +106,8 @@ yield_table *yield_table_make(const case_values *values)
     yield_table *table = memory_zeroed(1, sizeof *table);
     const double first = -acosh(1 / TIP_MIN);
     for (int i = 0; i < TIPS; i++) {
-        table->t[i] = workbook_rounded(first * (TIPS - 1 - i) / (TIPS - 1));
-        table->tip[i] = workbook_rounded(1 / cosh(table->t[i]));
+        table->t[i] = number_rounded(first * (TIPS - 1 - i) / (TIPS - 1), XLSX_DIGITS);
+        table->tip[i] = number_rounded(1 / cosh(table->t[i]), XLSX_DIGITS);
     }
     for (int n = 0; n < TIPS * NUS * FRICTIONS; n++)
         fill_node(table, n / (NUS * FRICTIONS), n / FRICTIONS % NUS, n % FRICTIONS);
@@ -115,7 +115,7 @@ yield_table *yield_table_make(const case_values *values)
         fill_place(table, n / (NUS * FRICTIONS), n / FRICTIONS % NUS, n % FRICTIONS);
     for (int i = 0; i < NUS; i++)
         table->m[i] = (1 - 2 * nus[i]) * (1 - 2 * nus[i]) / 3;
-    table->end = workbook_rounded(rwedge_load(TIP_MIN) / TIP_MIN);
+    table->end = number_rounded(rwedge_load(TIP_MIN) / TIP_MIN, XLSX_DIGITS);
     fill_curves(table, values);
     return table;
 }

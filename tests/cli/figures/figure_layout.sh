@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of usual and unusual choices can be read: no text is cut, none lies on another or on the mark of first yield. Names
-# of curves stand below the picture. What would be empty axes is refused.
+# Pictures of usual and unusual choices show what they are of, and can be read: no text is cut, none lies on another or on the mark
+# of first yield. Names of curves stand below the picture. What would be empty axes is refused.
 . "$(dirname "$0")/../claims.sh"
 
 # Nothing to draw; the numbers are still there.
@@ -25,6 +25,11 @@ draws() {
     awk -f "$here/figure_texts.awk" drawn.svg >texts
     same "texts that cannot be read" "" "$(grep -v '^text ' texts)"
 }
+has() {
+    for text; do
+        same "picture has $text" yes "$(sed 's/<[^>]*>//g' drawn.svg | grep -q -F -e "$text" && echo yes)"
+    done
+}
 number_of() { # REGULAR EXPRESSION: texts that match as a whole
     cut -d ' ' -f 5- texts | grep -c -x -e "$1"
 }
@@ -42,6 +47,7 @@ above() { # TEXT TEXT
 }
 
 draws 2
+has −pAπ/θ 0.1 0.9 "Contact pressure"
 draws 2 --a-over-b 5,50
 above x/b 50
 draws 2 --a-over-b 0.1:2:0.17272727
@@ -53,11 +59,15 @@ draws 2 --a-over-b 0.5,0.50000001 # names tell curves apart
 shows 0.50000001
 
 draws 3 --nu 0
+draws 3 --nu 0.2
+has a/b "P/(bk)" y/b "ν = 0.2" "jump at 0.5542"
 draws 3 --nu 0.333333
 shows "Elastic limit under a normal load, ν = 0.333333"
 
 draws 4
 above f 0.1
+has "P/(bk)" 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 "ν = 0.3"
+same "curves" 10 "$(grep -c 'id="gnuplot_plot_' drawn.svg)"
 draws 4 --a-over-b 0:1:0.0909090909
 shows 0.0909091 0.909091
 draws 4 --a-over-b 1:3:0.2
@@ -71,6 +81,9 @@ draws 5 --a-over-b 0.95,0.96,0.97,0.98,0.99,1,1.5,2,3
 draws 5 --a-over-b 0,0.1
 shows "always at the surface: a/b = 0"
 
+draws 6
+has "bσ1/(fP)" "1, sharp wedge" "4/π, Hertz"
+
 draws 7
 above x/b "c/b = 1/6"
 draws 7 --a-over-b 0 --c-over-b 0,0.1,1
@@ -82,6 +95,7 @@ draws field
 shows 0.45 "circle: first yield, 0.578" "bar: contact, sliding; lines: every 0.05;"
 draws field --a-over-b 0.333 --friction 0.6666 --nu 0.333 --c-over-b 0.4444
 shows 0.45 "c/b = 0.4444, ν = 0.333"
+has "f = 0.6666" "black: stick" "first yield"
 draws field --friction 5 --a-over-b 1
 shows 3 2
 draws field --a-over-b 0.001 --friction 0.8 --nu 0.5
@@ -94,12 +108,17 @@ draws loop --q-over-fp 0.1:0.6:0.1
 above "displacement by slip / (fθb)" "0.1: W = 0.000855"
 draws loop --q-over-fp 0.05:0.6:0.05
 same "twelve names" 12 "$(number_of '0[.0-9]*: W = [0-9.]*')"
+has "Q/(fP)"
 draws loop --a-over-b 0.123456 --q-over-fp 0.91,0.92,0.93
 shows "Cycles of Q under constant P, a/b = 0.123456"
 
 # Q that stays 0 while a tension moves the bodies: its axis has a length all the same, of which gnuplot complained.
 run figure loop --E1 72100 --nu1 0.33 --flat 1 --radius 50 --f 0.4 --load 500,0,0,0 --load 500,0,0,30 --load 500,0,0,-30 -o drawn.svg
 status_is 0
+
+printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
+draws measure --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --measure ruiz_f1
+has "Ruiz parameter" "in units of force/length"
 
 draws eccentric
 above "bars: stick zones; thin line: friction's limit" "πbσ/(4Q) = 0"

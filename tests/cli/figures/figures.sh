@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The pictures: each figure in each format, if gnuplot is there. If it is missing, old or fails: the message, and the files that
-# are left alone.
+# The pictures in each format, if gnuplot is there. If it is missing, old or fails: the message, and the files that are left alone.
 . "$(dirname "$0")/../claims.sh"
 
 mkdir fake files
@@ -118,25 +117,6 @@ for format in svg png pdf; do
         same "the same bytes" "" "$(cmp drawn.$format again 2>&1)"
     done
 done
-draws svg eccentric
-
-# Curves, labels and axes are in the picture.
-has() {
-    for text; do
-        same "picture has $text" yes "$(sed 's/<[^>]*>//g' drawn.svg | grep -q -F -e "$text" && echo yes)"
-    done
-}
-draws svg 2
-has x/b −pAπ/θ 0.1 0.9 "Contact pressure"
-draws svg 3 --nu 0.2
-has a/b "P/(bk)" y/b "ν = 0.2" "jump at 0.5542"
-draws svg 4
-has f "P/(bk)" 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 "ν = 0.3"
-same "curves of Fig. 4" 10 "$(grep -c 'id="gnuplot_plot_' drawn.svg)"
-draws svg 6
-has "bσ1/(fP)" "1, sharp wedge" "4/π, Hertz"
-draws svg field --c-over-b 0.5 --friction 0.6
-has "f = 0.6" "c/b = 0.5" "black: stick" "first yield"
 
 # The circle is at the largest stress of what is drawn, in partial slip too: no point of the grid is
 # higher than its three digits allow, and one comes near.
@@ -145,11 +125,6 @@ top=$(sed -n 's/.*first yield, \([0-9.]*\).*/\1/p' drawn.svg)
 run figure field --a-over-b 0.25 --friction 0.6 --c-over-b 0.8 --data
 peak=$(column A_sqrt_J2_over_theta out | sort -g | tail -n 1)
 close_to "the circle's stress is the largest" "$peak" "$top" 1e-2
-draws svg loop --q-over-fp 0.9
-has "Q/(fP)" "W = 1.10"
-printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
-draws svg measure --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --measure ruiz_f1
-has "Ruiz parameter" "in units of force/length"
 draws svg 4 --no-title
 same "title" 0 "$(grep -c 'Elastic limit' drawn.svg)"
 

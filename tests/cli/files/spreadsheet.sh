@@ -29,32 +29,59 @@ same "a file on standard output" PK "$(head -c 2 out)"
 [ "$failures" -eq 0 ] || finish
 command -v python3 >/dev/null 2>&1 || skip "Python, which reads the cells here, is missing (package python3)"
 python=$(python3 -c 'import sys; print(sys.executable)') # not a shim that looks for it at each call
-cat >cells.py <<'EOF'
-# Prints a sheet's cells as CSV, numbers as they are read.
+cat >book.py <<'EOF'
+# Of a spreadsheet file: "part SHEET", its XML; "names" of the sheets; "cells SHEET" as CSV, numbers as they are read; "shown
+# COLUMN-OF-THE-FILE...", one line: columns without meaning or unit; numbers of which fewer than six digits show; what does not fit
+# its column.
 import csv, re, sys, zipfile
 import xml.etree.ElementTree as ET
 M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 archive = zipfile.ZipFile(sys.argv[1])
+command, more = sys.argv[2], sys.argv[3:]
+part = lambda name: ET.fromstring(archive.read("xl/" + name))
+rows = lambda number: list(part("worksheets/sheet%s.xml" % number).iter(M + "row"))
+texts = lambda row: ["".join(c.itertext()) for c in row.iter(M + "c")]
 def column(name):
     number = 0
     for letter in re.match("[A-Z]+", name).group():
         number = 26 * number + ord(letter) - 64
     return number - 1
-out = csv.writer(sys.stdout, lineterminator="\n")
-wide = 0
-for row in ET.fromstring(archive.read("xl/worksheets/sheet%s.xml" % sys.argv[2])).iter(M + "row"):
-    cells = {}
-    for cell in row.iter(M + "c"):
-        value = cell.find(M + "v")
-        if cell.get("t") == "inlineStr":
-            cells[column(cell.get("r"))] = "".join(cell.find(M + "is").itertext())
-        elif value is not None:
-            cells[column(cell.get("r"))] = repr(float(value.text))
-    wide = max(wide, 1 + max(cells))
-    out.writerow([cells.get(i, "") for i in range(wide)])
+def print_cells():
+    out = csv.writer(sys.stdout, lineterminator="\n")
+    wide = 0
+    for row in rows(more[0]):
+        cells = {}
+        for cell, text in zip(row.iter(M + "c"), texts(row)):
+            if text:
+                cells[column(cell.get("r"))] = text if cell.get("t") == "inlineStr" else repr(float(text))
+        wide = max(wide, 1 + max(cells))
+        out.writerow([cells.get(i, "") for i in range(wide)])
+def print_shown():
+    described = {t[0]: t[1:] for t in map(texts, rows(2)[1:]) if len(t) == 3 and all(t)}
+    unknown = [name for name in texts(rows(1)[0]) if name not in described and name not in more]
+    styles = part("styles.xml")
+    code = {f.get("numFmtId"): f.get("formatCode") for f in styles.iter(M + "numFmt")}
+    style = [code.get(x.get("numFmtId"), "") for x in styles.find(M + "cellXfs")]
+    widths = [float(c.get("width")) for c in part("worksheets/sheet1.xml").iter(M + "col")]
+    blurred, cut = [], []
+    for cell in (cell for row in rows(1)[1:] for cell in row.iter(M + "c") if cell.find(M + "v") is not None):
+        value, form = float(cell.find(M + "v").text), style[int(cell.get("s", 0))]
+        decimals = len(form.split("E")[0].partition(".")[2])
+        shown = "%.*E" % (decimals, value) if "E" in form else "%.*f" % (decimals, value) if form else "%.15g" % value
+        if abs(float(shown) - value) > 5e-6 * abs(value):
+            blurred.append(shown)
+        if len(shown) > min(widths):
+            cut.append(shown)
+    print(unknown, blurred, cut)
+if command == "part":
+    print(archive.read("xl/worksheets/sheet%s.xml" % more[0]).decode())
+elif command == "names":
+    print(*(each.get("name") for each in part("workbook.xml").iter(M + "sheet")))
+else:
+    print_cells() if command == "cells" else print_shown()
 EOF
 same_cells() { # SHEET CSV: XLSX has 16 digits
-    "$python" cells.py book.xlsx "$1" >cells
+    "$python" book.py book.xlsx cells "$1" >cells
     same "cells of sheet $1" close "$(awk -F, 'NR == FNR { row[NR] = $0; rows = NR; next }
         { n = split(row[FNR], cell, ","); if (n != NF) { print "row " FNR ": " n " cells, not " NF; bad = 1; exit } }
         { for (i = 1; i <= NF; i++) { d = cell[i] - $i; if (cell[i] != $i && !($i + 0 == $i && d * d <= 1e-30 * $i * $i)) {
@@ -78,11 +105,10 @@ does workbook law.csv ./limits.csv "a[1].csv" -o book.xlsx
 message_is "rwedge workbook: a[1].csv: its sheet is called a_1_"
 same_cells 1 law.csv
 same_cells 2 limits.csv
-same "another sheet" 'name,P;007,1000.0;0.10,1E5;,x;' "$("$python" cells.py book.xlsx 3 | tr '\n' ';')"
-same "names of sheets" "law limits a_1_ Columns About " "$("$python" -c 'import re, zipfile
-print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode()), "")')"
+same "another sheet" 'name,P;007,1000.0;0.10,1E5;,x;' "$("$python" book.py book.xlsx cells 3 | tr '\n' ';')"
+same "names of sheets" "law limits a_1_ Columns About" "$("$python" book.py book.xlsx names)"
 run workbook law.csv --digits 3 -o book.xlsx
-same "three digits" 0.5,1.91,3.83,1.51,1.02 "$("$python" cells.py book.xlsx 1 | sed -n 3p)"
+same "three digits" 0.5,1.91,3.83,1.51,1.02 "$("$python" book.py book.xlsx cells 1 | sed -n 3p)"
 fails() { # MESSAGE FILE...
     expected=$1
     shift
@@ -118,8 +144,7 @@ sheets() { # NAMES MESSAGE FILE...
     done
     does workbook "$@" -o book.xlsx
     message_is "$expected"
-    same "names" "$names" "$("$python" -c 'import re, zipfile
-print(*re.findall(r"sheet name=\"(.*?)\"", zipfile.ZipFile("book.xlsx").read("xl/workbook.xml").decode())[:-2])')"
+    same "names" "$names Columns About" "$("$python" book.py book.xlsx names)"
 }
 mkdir capitals
 sheets "law LAW_2 about_2" "rwedge workbook: capitals/LAW.csv: its sheet is called LAW_2
@@ -130,7 +155,7 @@ refuses "k: unexpected; allowed: up to 10 files" workbook a b c d e f g h i j k 
 
 # The header stays, a page is as wide as the table, another sheet says how it was made.
 has() { # SHEET TEXT
-    same "$2" 1 "$("$python" -c 'import sys, zipfile; print(zipfile.ZipFile("book.xlsx").read(sys.argv[1]).decode())' xl/worksheets/sheet$1.xml | grep -c "$2")"
+    same "$2" 1 "$("$python" book.py book.xlsx part "$1" | grep -c "$2")"
 }
 run table elastic-limit --format xlsx --digits 6 -o "$scratch/book.xlsx"
 has 1 'state="frozen"'
@@ -140,40 +165,11 @@ has 1 '<cols>'
 has 3 'rwedge table elastic-limit --format xlsx --digits 6 -o book.xlsx'
 
 # What the columns mean, and their units, on a sheet of its own; at least six digits show, in cells that are wide enough.
-cat >shown.py <<'EOF'
-# One line: columns without meaning or unit; numbers of which fewer than six digits show; what does not fit its column.
-import sys, zipfile
-import xml.etree.ElementTree as ET
-M = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
-archive = zipfile.ZipFile(sys.argv[1])
-part = lambda name: ET.fromstring(archive.read("xl/" + name))
-texts = lambda row: ["".join(c.itertext()) for c in row.iter(M + "c")]
-rows = list(part("worksheets/sheet1.xml").iter(M + "row"))
-described = {t[0]: t[1:] for t in map(texts, list(part("worksheets/sheet2.xml").iter(M + "row"))[1:]) if len(t) == 3 and all(t)}
-unknown = [name for name in texts(rows[0]) if name not in described and name not in sys.argv[2:]]
-styles = part("styles.xml")
-code = {f.get("numFmtId"): f.get("formatCode") for f in styles.iter(M + "numFmt")}
-style = [code.get(x.get("numFmtId"), "") for x in styles.find(M + "cellXfs")]
-widths = [float(c.get("width")) for c in part("worksheets/sheet1.xml").iter(M + "col")]
-blurred, cut = [], []
-for row in rows[1:]:
-    for cell in row.iter(M + "c"):
-        if cell.find(M + "v") is None:
-            continue
-        value, form = float(cell.find(M + "v").text), style[int(cell.get("s", 0))]
-        decimals = len(form.split("E")[0].partition(".")[2])
-        shown = "%.*E" % (decimals, value) if "E" in form else "%.*f" % (decimals, value) if form else "%.15g" % value
-        if abs(float(shown) - value) > 5e-6 * abs(value):
-            blurred.append(shown)
-        if len(shown) > min(widths):
-            cut.append(shown)
-print(unknown, blurred, cut)
-EOF
 shows() { # COLUMNS-OF-THE-FILE COMMAND...
     own=$1
     shift
     does "$@" --format xlsx -o book.xlsx
-    same "columns and digits of $*" "[] [] []" "$("$python" shown.py book.xlsx $own)"
+    same "columns and digits of $*" "[] [] []" "$("$python" book.py book.xlsx shown $own)"
 }
 shows "" table elastic-limit --a-over-b 0.001,0.5
 shows "" table contact-law --a-over-b 1e-7,0.01,0.5,3e5

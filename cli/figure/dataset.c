@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "picture.h"
+#include "figure.h"
 
 #include <math.h>
 
@@ -18,9 +18,8 @@ double dataset_largest(const dataset *data, int column)
     return most;
 }
 
-void dataset_write(void *of_dataset, records *rows)
+void dataset_write(const dataset *data, records *rows)
 {
-    const dataset *data = of_dataset;
     for (int i = 0; data->column[i] != NULL; i++)
         records_name(rows, data->column[i]);
     if (data->text_column != NULL)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "picture.h"
+#include "figure.h"
 
 #include <errno.h>
 #include <math.h>
@@ -207,10 +207,10 @@ static void run(FILE *const stream[])
 }
 
 /* Files, not pipes: neither side waits for the other. */
-void gnuplot_draw(const char *name, script_writer *write, const void *context, output *out)
+void gnuplot_draw(const figure_case *inputs, const dataset *rows, output *out)
 {
     const picture_format *format = picture_formats;
-    while (strcmp(format->name, name) != 0)
+    while (strcmp(format->name, inputs->format) != 0)
         format++;
     FILE *stream[STREAMS];
     for (int i = 0; i < STREAMS; i++) {
@@ -221,7 +221,7 @@ void gnuplot_draw(const char *name, script_writer *write, const void *context, o
     script_text(stream[SCRIPT], "terminal", format->terminal);
     script_number(stream[SCRIPT], "paper", format->width);
     script_number(stream[SCRIPT], "line", format->line);
-    write(context, stream[SCRIPT]);
+    figure_write_script(inputs, rows, stream[SCRIPT]);
     if (fflush(stream[SCRIPT]) != 0 || ferror(stream[SCRIPT]))
         failure("gnuplot: its script cannot be written: %s", strerror(errno));
     rewind(stream[SCRIPT]);

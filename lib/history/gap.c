@@ -12,7 +12,6 @@
 #include "history/gap.h"
 
 #include "base/domain.h"
-#include "formulas/patch.h"
 #include "base/root.h"
 
 #include <float.h>
@@ -97,4 +96,15 @@ double rw_gap(const rw_potential *potential, double x)
     if (X > potential->c0)
         return closed_form(potential, x, X);
     return rw_integral(derivative, potential, 0, X);
+}
+
+double rw_patch_gap(const rw_geometry *g, rw_patch patch, double x)
+{
+    if (x >= patch.left && x <= patch.right)
+        return 0;
+    if (g->pad || patch.left != -patch.right)
+        return rw_off_centre_gap(g, patch, x);
+    rw_potential potential;
+    rw_potential_init(&potential, g->a / patch.right);
+    return patch.right * rw_gap(&potential, fabs(x) / patch.right);
 }

@@ -61,6 +61,7 @@ static int32_t add_state(rw_cycle *cycle, rw_loads to)
     const rw_memory *path = &next->contact->memory;
     next->patch = path->count > 1 ? rw_memory_end(path)->patch : (rw_patch){NAN, NAN};
     next->stuck = stuck_between(before, next->contact);
+    next->loads = to;
     next->is_load = false;
     return RWEDGE_OK;
 }
@@ -165,13 +166,6 @@ double rw_cycle_off_the_edges(const rw_cycle *cycle, double x)
 int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *loads,
                         rw_cycle_use use, rw_cycle *cycle)
 {
-    int32_t status;
-    const rw_cycle *kept = rw_kept_cycle(contact, loads, use, &status);
-    if (kept) {
-        *cycle = *kept;
-        cycle->is_kept = true;
-        return status;
-    }
     *cycle = (rw_cycle){.loads = loads->count};
     if (loads->count == 0 || loads->count > SIZE_MAX / STATES_A_STEP / sizeof *cycle->states - 1)
         return RWEDGE_ERANGE;
@@ -180,7 +174,7 @@ int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *lo
         return RWEDGE_ENOMEM;
     rw_state *first = cycle->states;
     *first = (rw_state){.patch = {NAN, NAN}};
-    status = rwedge_contact_copy(contact, &first->contact);
+    int32_t status = rwedge_contact_copy(contact, &first->contact);
     if (status != RWEDGE_OK)
         return status;
     cycle->count = 1;

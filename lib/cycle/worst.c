@@ -165,7 +165,7 @@ static int32_t find(const rwedge_contact *contact, const rw_load_history *loads,
                     const double x[], const double value[], peak *best)
 {
     const rw_cycle_use use = is_of_friction(l->measure) ? RW_SLIP_TOO : RW_STRESS_ALONE;
-    int32_t status = rw_cycle_create(contact, loads, use, &l->cycle);
+    int32_t status = rw_cycle_of(contact, loads, use, &l->cycle);
     if (status == RWEDGE_OK && !(l->stress = malloc(3 * loads->count * sizeof *l->stress)))
         status = RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {

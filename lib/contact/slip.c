@@ -22,7 +22,7 @@ static double displacement(const rwedge_contact *contact, const rw_path *path, s
     double sum = 0;
     for (size_t i = first; i < count; i++) {
         const rw_corner *corner = rw_path_corner(path, i);
-        if (x >= corner->patch.left && x <= corner->patch.right)
+        if (rw_patch_has(corner->patch, x))
             continue;
         const double next = i + 1 < count ? rw_path_corner(path, i + 1)->ratio : beyond;
         sum += (corner->ratio - next) * rw_patch_gap(&contact->geometry, corner->patch, x);

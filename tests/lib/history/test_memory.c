@@ -169,14 +169,6 @@ CLAIM(creep_below_rounding_is_not_lost)
     assert_true(path->count <= 4);
 }
 
-static void random_load(uint64_t *seed, double *load, double *shear)
-{
-    if (random_fraction(seed) < 0.7)
-        *load = 0.1 + 0.9 * random_fraction(seed);
-    const double kind = random_fraction(seed);
-    *shear = kind < 0.1 ? *load : kind < 0.2 ? -*load : *load * (2 * random_fraction(seed) - 1);
-}
-
 /* Loads around a point, as far from it as any number of roundings: a corner stays only if it is the
  * highest or lowest of all since, so that there are about as many as digits in their number. */
 CLAIM(dithering_leaves_few_corners)
@@ -225,42 +217,7 @@ CLAIM(each_load_adds_two_corners_at_most)
     assert_int_equal(path->count, 3);
 }
 
-/* A step in one and in parts gives the same, also where the sign of slip changes inside it. */
-CLAIM(a_step_is_the_sum_of_its_parts)
-{
-    uint64_t seed = 5;
-    for (int history = 0; history < 300; history++) {
-        rw_memory *whole = new_path(), *parts = new_path();
-        double load = 0, shear = 0;
-        for (int leg = 0; leg < 20; leg++) {
-            const double from_load = load, from_shear = shear;
-            random_load(&seed, &load, &shear);
-            if (load == 0)
-                continue;
-            advance(whole, load, shear);
-            for (int i = 1; i < 8; i++)
-                advance(parts, from_load + i * (load - from_load) / 8,
-                        from_shear + i * (shear - from_shear) / 8);
-            advance(parts, load, shear);
-            assert_true(rw_memory_end(whole)->load == load && rw_memory_end(parts)->load == load);
-            for (int i = 0; i <= 20; i++)
-                assert_within(shear_at(whole, load * i / 20), shear_at(parts, load * i / 20),
-                              1e-13);
-            for (size_t i = 1; i < whole->count; i++)
-                assert_true(fabs(whole->corners[i].ratio) <= 1 &&
-                            whole->corners[i].load > whole->corners[i - 1].load);
-        }
-    }
-}
-
 /* ---- The displacement of a patch ---- */
-
-CLAIM(inside_its_patch_the_gap_is_closed)
-{
-    rw_potential patch;
-    rw_potential_init(&patch, 0.3);
-    assert_true(rw_gap(&patch, 1) == 0 && rw_gap(&patch, 0.2) == 0);
-}
 
 /* Seen from far away the patch is a point. x^2 would overflow there, and the deformation is a part
  * log(x)/x of the profile. */
@@ -270,8 +227,8 @@ CLAIM(far_from_its_patch_the_gap_is_the_profile)
                         XS[] = {1e20, 1e154, 1e200, 1e280};
     for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
         for (size_t j = 0; j < sizeof XS / sizeof *XS; j++) {
-            rw_potential patch;
-            rw_potential_init(&patch, ALPHAS[i]);
-            assert_close(rw_gap(&patch, XS[j]), rw_wedge_height(ALPHAS[i], XS[j]), 1e-15);
+            const rw_geometry wedge = {.a = ALPHAS[i]};
+            assert_close(rw_patch_gap(&wedge, (rw_patch){-1, 1}, XS[j]),
+                         rw_wedge_height(ALPHAS[i], XS[j]), 1e-15);
         }
 }

@@ -17,8 +17,6 @@ typedef struct {
 typedef struct {
     rw_state *states;
     size_t count, loads;
-    double *edges; /* ascending: the left edges of all states, then the right ones */
-    size_t touching;
     double rounding; /* of an edge */
     bool is_kept;    /* the contact has it, and frees it */
 } rw_cycle;
@@ -34,10 +32,6 @@ int32_t rw_cycle_of(const rwedge_contact *contact, const rw_load_history *loads,
 int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *loads,
                         rw_cycle_use use, rw_cycle *cycle); /* always new ones */
 void rw_cycle_destroy(rw_cycle *cycle);
-
-/* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an
- * edge, and the place must be on the same side of it in all states. */
-double rw_cycle_off_the_edges(const rw_cycle *cycle, double x);
 
 /* What friction does at a place of the surface. All 0 where there is no contact in the cycle. */
 typedef struct {

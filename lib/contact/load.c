@@ -126,7 +126,7 @@ static bool has_width(rw_patch patch)
 /* Where a flank lies on the surface, to rounding, the contact has no definite edge there. */
 static bool is_tilt_possible(const rw_step *step)
 {
-    return step->to.load == 0 || isless(fabs(step->to.tilt), LARGEST_TILT);
+    return isless(fabs(step->to.tilt), LARGEST_TILT);
 }
 
 /* The step to the loads, if they are allowed. */
@@ -135,7 +135,11 @@ static int32_t prepare(const rwedge_contact *contact, rw_loads to, rw_step *step
     int32_t status = check(contact, to);
     if (status == RWEDGE_OK)
         status = make_step(contact, to, step);
-    return status != RWEDGE_OK || is_tilt_possible(step) ? status : RWEDGE_EDOMAIN;
+    if (status != RWEDGE_OK || to.P == 0)
+        return status;
+    return !is_tilt_possible(step)   ? RWEDGE_EDOMAIN
+           : !has_width(step->patch) ? RWEDGE_ERANGE
+                                     : RWEDGE_OK;
 }
 
 /* Whether slip reaches all of the path. */
@@ -313,8 +317,6 @@ static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
     const int32_t status = prepare(contact, to, &step);
     if (status != RWEDGE_OK)
         return status;
-    if (to.P > 0 && !has_width(step.patch))
-        return RWEDGE_ERANGE;
     if (contact->numerical && (to.P == 0 || fabs(step.to.shear) >= step.to.load))
         return leave_shear(contact, to, &step);
     return contact->tolerance > 0 ? go_numerically(contact, to, &step) : RWEDGE_EPATH;
@@ -332,8 +334,7 @@ static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
     rw_departure departure = {.corner = {0}};
     if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
         return RWEDGE_EPATH;
-    if (to.P > 0 && !(has_width(step.patch) && (departure.slip == 0 || slides(&departure) ||
-                                                has_width(departure.corner.patch))))
+    if (departure.slip != 0 && !slides(&departure) && !has_width(departure.corner.patch))
         return RWEDGE_ERANGE;
     return go_on(contact, to, &step, &departure, share_of(contact, &step, &departure));
 }

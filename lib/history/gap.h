@@ -12,7 +12,8 @@ double rw_off_centre_gap(const rw_geometry *geometry, rw_patch patch, double x);
 /* How far the profile, tilted as the contact of a patch tilts it, lies above the surface that this
  * contact deforms, at x, in theta and the unit of a: 0 inside the patch. Times f and a weight it is
  * the slip that a patch of shear traction causes. x finite. Relative error below 1e-13 over
- * 1 - |delta|; of a wedge in the middle 2e-15, and 2e-13 where the half-width is next to a. */
+ * 1 - |delta|, or 1e-12 of the half-width where the patch ends beside a rounding much smaller than
+ * it; of a wedge in the middle 2e-15, and 2e-13 where the half-width is next to a. */
 static inline double rw_patch_gap(const rw_geometry *g, rw_patch patch, double x)
 {
     return rw_patch_has(patch, x)                 ? 0

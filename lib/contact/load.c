@@ -44,21 +44,6 @@ static bool is_in_range(const rw_geometry *g, double P)
     return g->a == 0 || rw_is_positive(rw_unit_stress(g) * rwedge_peak_pressure(g->a / b));
 }
 
-/* The energy of a step of a centred contact, or of a step to separation; never negative, NaN where
- * it has no single integral. */
-static double share_centred(const rwedge_contact *contact, const rw_step *step)
-{
-    const rw_memory *memory = &contact->memory;
-    if (contact->f == 0 || memory->count == 1)
-        return 0;
-    const rw_geometry *g = &contact->geometry;
-    if (!rw_is_symmetric(g) || !rw_memory_is_plain(memory, step->to))
-        return rw_path_separates_stuck(step) ? 0 : NAN;
-    const double f_over_pi = contact->f / RW_PI;
-    const double integral = rw_dissipation(memory, step->to.load, step->to.shear, g);
-    return contact->f * g->A * (f_over_pi * fmax(0, integral));
-}
-
 /* Gives new corners their patches: the last corner is the contact itself. */
 static void measure_new_corners(rwedge_contact *contact, const rw_step *step)
 {
@@ -141,7 +126,7 @@ static bool has_width(rw_patch patch)
 /* Where a flank lies on the surface, to rounding, the contact has no definite edge there. */
 static bool is_tilt_possible(const rw_step *step)
 {
-    return step->to.load == 0 || isless(fabs(step->to.tilt), LARGEST_TILT);
+    return isless(fabs(step->to.tilt), LARGEST_TILT);
 }
 
 /* The step to the loads, if they are allowed. */
@@ -150,7 +135,11 @@ static int32_t prepare(const rwedge_contact *contact, rw_loads to, rw_step *step
     int32_t status = check(contact, to);
     if (status == RWEDGE_OK)
         status = make_step(contact, to, step);
-    return status != RWEDGE_OK || is_tilt_possible(step) ? status : RWEDGE_EDOMAIN;
+    if (status != RWEDGE_OK || to.P == 0)
+        return status;
+    return !is_tilt_possible(step)   ? RWEDGE_EDOMAIN
+           : !has_width(step->patch) ? RWEDGE_ERANGE
+                                     : RWEDGE_OK;
 }
 
 /* Whether slip reaches all of the path. */
@@ -171,11 +160,11 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
                const rw_departure *departure)
 {
     rw_memory *memory = &contact->memory;
-    if (memory->count == 1)
+    if (memory->count == 1) {
         touch(contact, contact->loads.sigma);
-    contact->loads = (rw_loads){step->to_P, step->to_M, to->Q, to->sigma};
-    if (memory->count == 1) /* it touches */
         memory->corners[0].tilt = step->to.tilt;
+    }
+    contact->loads = (rw_loads){step->to_P, step->to_M, to->Q, to->sigma};
     if (contact->f == 0)
         rw_memory_restart(memory, step->to, 0);
     else if (slides(departure))
@@ -240,29 +229,32 @@ static rw_patch common_part(rw_patch a, rw_patch b)
     return (rw_patch){fmax(a.left, b.left), fmin(a.right, b.right)};
 }
 
-/* The energy of a step, NaN where there is no single integral for it. */
+/* The energy of a step; never negative, NaN where there is no single integral for it. */
 static double share_of(const rwedge_contact *contact, const rw_step *step,
                        const rw_departure *departure)
 {
     const rw_geometry *g = &contact->geometry;
-    if (step->to.load == 0 ||
-        (rw_is_symmetric(g) && rw_memory_is_plain(&contact->memory, step->to)))
-        return share_centred(contact, step);
-    if (contact->f == 0 || departure->slip == 0)
+    const rw_memory *memory = &contact->memory;
+    const double f = contact->f;
+    if (f == 0)
+        return 0;
+    if (rw_is_symmetric(g) && rw_memory_is_plain(memory, step->to))
+        return f * g->A * (f / RW_PI * fmax(0, rw_dissipation(memory, step->to, g)));
+    if (step->to.load == 0)
+        return memory->count == 1 || rw_path_separates_stuck(step) ? 0 : NAN;
+    if (departure->slip == 0)
         return 0;
     if (step->to_P != step->from_P || slides(departure))
         return NAN;
-    return contact->f * g->theta * (contact->f * g->theta / g->A) *
-           rw_edge_work(&contact->memory, departure, g);
+    return f * g->theta * (f * g->theta / g->A) * rw_edge_work(memory, departure, g);
 }
 
 static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
-                     const rw_departure *departure)
+                     const rw_departure *departure, double share)
 {
     const bool off_centre = is_off_centre(contact, step), is_separated = step->to.load == 0;
     const bool keeps = keeps_origin(contact, step, departure->slip) && !slides(departure);
     const rw_patch settled = settled_part(contact);
-    const double share = share_of(contact, step, departure);
     if (isgreater(contact->energy + share, RW_LARGEST))
         return RWEDGE_ERANGE;
     if (!rw_memory_reserve(&contact->memory, 2) ||
@@ -309,19 +301,14 @@ static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *
     int32_t status = separates ? rw_numerical_energy_to_separation(contact, &work) : RWEDGE_OK;
     if (status != RWEDGE_OK)
         return status;
-    const double energy = contact->energy, carry = contact->energy_carry;
     const rw_departure departure = {contact->memory.corners[0], 1,
                                     separates            ? 0
                                     : step->to.shear < 0 ? -1
                                                          : 1};
-    status = go_on(contact, to, step, &departure);
-    if (status != RWEDGE_OK)
-        return status;
-    rw_numerical_end(contact);
-    contact->energy = energy;
-    contact->energy_carry = carry;
-    add_energy(contact, work);
-    return RWEDGE_OK;
+    status = go_on(contact, to, step, &departure, work);
+    if (status == RWEDGE_OK)
+        rw_numerical_end(contact);
+    return status;
 }
 
 static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
@@ -330,8 +317,6 @@ static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
     const int32_t status = prepare(contact, to, &step);
     if (status != RWEDGE_OK)
         return status;
-    if (to.P > 0 && !has_width(step.patch))
-        return RWEDGE_ERANGE;
     if (contact->numerical && (to.P == 0 || fabs(step.to.shear) >= step.to.load))
         return leave_shear(contact, to, &step);
     return contact->tolerance > 0 ? go_numerically(contact, to, &step) : RWEDGE_EPATH;
@@ -349,10 +334,9 @@ static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
     rw_departure departure = {.corner = {0}};
     if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
         return RWEDGE_EPATH;
-    if (to.P > 0 && !(has_width(step.patch) && (departure.slip == 0 || slides(&departure) ||
-                                                has_width(departure.corner.patch))))
+    if (departure.slip != 0 && !slides(&departure) && !has_width(departure.corner.patch))
         return RWEDGE_ERANGE;
-    return go_on(contact, to, &step, &departure);
+    return go_on(contact, to, &step, &departure, share_of(contact, &step, &departure));
 }
 
 /* A line that has no closed form as one step may have one in pieces. */

@@ -13,17 +13,6 @@
 #include "contact/contact.h"
 
 #include "history/gap.h"
-#include "history/off_centre.h"
-
-/* The gap of a patch of half-width s in the middle. */
-static double gap(const rw_geometry *g, double s, double x)
-{
-    if (g->pad)
-        return rw_patch_gap(g, (rw_patch){-s, s}, x);
-    rw_potential patch;
-    rw_potential_init(&patch, g->a / s);
-    return s * rw_gap(&patch, x / s);
-}
 
 /* The sum of w(x)/(f theta) over the corners from `first` to count - 1, without the term of the
  * profile. `beyond` is the slope D after the last of them. */
@@ -33,13 +22,25 @@ static double displacement(const rwedge_contact *contact, const rw_path *path, s
     double sum = 0;
     for (size_t i = first; i < count; i++) {
         const rw_corner *corner = rw_path_corner(path, i);
-        const double s = corner->patch.right;
-        if (s >= x)
+        if (rw_patch_has(corner->patch, x))
             continue;
         const double next = i + 1 < count ? rw_path_corner(path, i + 1)->ratio : beyond;
-        sum += (corner->ratio - next) * gap(&contact->geometry, s, x);
+        sum += (corner->ratio - next) * rw_patch_gap(&contact->geometry, corner->patch, x);
     }
     return sum;
+}
+
+/* The displacement by the present path beyond that by the first `kept` corners of an earlier one,
+ * after which its slope is `beyond`. */
+static double displacement_since(const rwedge_contact *contact, const rw_path *base, size_t kept,
+                                 double beyond, double x)
+{
+    const rw_path now = rw_memory_path(&contact->memory),
+                  kept_part = {base->corners, base->origins, base->origin, kept};
+    const size_t common = rw_memory_common(&contact->memory, &kept_part),
+                 first = common > 1 ? common - 1 : 1;
+    return displacement(contact, &now, first, now.count, 0, x) -
+           displacement(contact, base, first, kept, beyond, x);
 }
 
 /* Of a patch that is no corner of the path. */
@@ -47,8 +48,8 @@ static double departure_displacement(const rwedge_contact *contact, const rw_dep
                                      double x)
 {
     const rw_corner *corner = &left->corner;
-    const double s = rw_patch_under_tilt(&contact->geometry, corner->load, 0).right;
-    return (corner->ratio - left->slip) * gap(&contact->geometry, s, x);
+    const rw_patch patch = rw_patch_under_tilt(&contact->geometry, corner->load, 0);
+    return (corner->ratio - left->slip) * rw_patch_gap(&contact->geometry, patch, x);
 }
 
 /* What is small last. */
@@ -68,15 +69,12 @@ static double slip_at(const rwedge_contact *contact, double x)
     const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
     if (!origin || u == 0)
         return 0;
-    const rw_path path = rw_memory_path(now), base = rw_slip_origin_path(&contact->origins, origin);
+    const rw_path base = rw_slip_origin_path(&contact->origins, origin);
     const rw_departure left = rw_slip_origin_departure(origin, &base, u);
     const size_t kept = left.kept;
     const bool is_corner = left.corner.load == rw_path_corner(&base, kept - 1)->load;
     const double after_kept = is_corner ? left.slip : left.corner.ratio;
-    const rw_path kept_part = {base.corners, base.origins, base.origin, kept};
-    const size_t common = rw_memory_common(now, &kept_part), first = common > 1 ? common - 1 : 1;
-    double w = displacement(contact, &path, first, path.count, 0, x) -
-               displacement(contact, &base, first, kept, after_kept, x);
+    double w = displacement_since(contact, &base, kept, after_kept, x);
     if (!is_corner && left.slip != 0)
         w -= departure_displacement(contact, &left, x);
     const double at_centre = kept > 1 ? rw_path_corner(&base, 1)->ratio : after_kept;
@@ -87,12 +85,11 @@ static double slip_at(const rwedge_contact *contact, double x)
 /* Off the centre: from the one origin that serves all points. */
 static double slip_off_centre(const rwedge_contact *contact, double x)
 {
-    const rw_patch settled = contact->settled;
-    if (contact->origins.count == 0 || x < settled.left || x > settled.right)
+    const rw_slip_origins *origins = &contact->origins;
+    if (origins->count == 0 || x < contact->settled.left || x > contact->settled.right)
         return 0;
-    const rw_memory base = {.corners = contact->origins.own.corners, /* the first path of a row */
-                            .count = contact->origins.all[0].corners};
-    return in_units(contact, rw_path_displacement(&contact->memory, &base, &contact->geometry, x));
+    const rw_path base = rw_slip_origin_path(origins, &origins->all[0]);
+    return in_units(contact, displacement_since(contact, &base, base.count, 0, x));
 }
 
 int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],

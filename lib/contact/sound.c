@@ -115,16 +115,15 @@ bool rw_is_contact_sound(const rwedge_contact *c)
            origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
 }
 
-bool rw_is_arc_sound(const rw_pad *pad, rw_arc arc, double weight)
-{
-    return arc.left <= arc.right && weight > 0 && weight <= 1 &&
-           (pad->count == 0 || pad->arcs[pad->count - 1].right <= arc.left);
-}
-
 bool rw_is_pad_sound(const rw_pad *pad)
 {
     double all = 0;
-    for (size_t i = 0; i < pad->count; i++)
+    for (size_t i = 0; i < pad->count; i++) {
+        const rw_arc arc = pad->arcs[i];
+        if (!(arc.left <= arc.right && pad->weights[i] > 0 &&
+              (i == 0 || pad->arcs[i - 1].right <= arc.left)))
+            return false;
         all += pad->weights[i];
+    }
     return is_near(all, 1, 1);
 }

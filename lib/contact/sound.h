@@ -5,8 +5,6 @@
 
 #include "contact/contact.h"
 
-/* The next arc of a pad; all of its arcs. */
-bool rw_is_arc_sound(const rw_pad *pad, rw_arc arc, double weight);
 bool rw_is_pad_sound(const rw_pad *pad);
 
 /* The first corner of a path has none before it. */

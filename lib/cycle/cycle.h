@@ -7,6 +7,7 @@
 
 typedef struct {
     rwedge_contact *contact;
+    rw_loads loads; /* that led here */
     rw_patch patch; /* of the contact; NaN when separated */
     rw_patch stuck; /* where nothing has slipped since the state before */
     bool is_load;   /* after a load; else on the way to one, where P or M changes */
@@ -16,8 +17,6 @@ typedef struct {
 typedef struct {
     rw_state *states;
     size_t count, loads;
-    double *edges; /* ascending: the left edges of all states, then the right ones */
-    size_t touching;
     double rounding; /* of an edge */
     bool is_kept;    /* the contact has it, and frees it */
 } rw_cycle;
@@ -28,17 +27,11 @@ typedef enum { RW_STRESS_ALONE, RW_SLIP_TOO, RW_CYCLE_USES } rw_cycle_use;
 /* The states of the cycle: those that the contact keeps, if they are of the same loads, else new
  * ones. For slip, RWEDGE_EPATH where the slip of a state has no closed form. The caller destroys
  * the cycle, after an error too. */
+int32_t rw_cycle_of(const rwedge_contact *contact, const rw_load_history *loads, rw_cycle_use use,
+                    rw_cycle *cycle);
 int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *loads,
-                        rw_cycle_use use, rw_cycle *cycle);
+                        rw_cycle_use use, rw_cycle *cycle); /* always new ones */
 void rw_cycle_destroy(rw_cycle *cycle);
-
-/* The states that the contact keeps of these loads, with their status; NULL where it keeps none. */
-const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_history *loads,
-                              rw_cycle_use use, int32_t *status);
-
-/* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an
- * edge, and the place must be on the same side of it in all states. */
-double rw_cycle_off_the_edges(const rw_cycle *cycle, double x);
 
 /* What friction does at a place of the surface. All 0 where there is no contact in the cycle. */
 typedef struct {

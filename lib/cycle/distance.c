@@ -95,7 +95,7 @@ static int32_t go_through(const rwedge_contact *contact, const rw_load_history *
                           bool is_line, const ray *line, double stress[])
 {
     rw_cycle cycle;
-    int32_t status = rw_cycle_create(contact, history, RW_STRESS_ALONE, &cycle);
+    int32_t status = rw_cycle_of(contact, history, RW_STRESS_ALONE, &cycle);
     if (status == RWEDGE_OK)
         status = is_line ? settled_means(&cycle, line, stress) : stresses_at(&cycle, line, stress);
     rw_cycle_destroy(&cycle);

@@ -18,6 +18,25 @@ typedef struct {
     double shear, energy;
 } place;
 
+/* In roundings of an edge. */
+static const double MARGIN = 4;
+
+/* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an
+ * edge, and the place must be on the same side of it in all states. */
+static double off_the_edges(const rw_cycle *cycle, double x)
+{
+    const double margin = MARGIN * cycle->rounding;
+    double left = -HUGE_VAL, right = HUGE_VAL;
+    for (size_t i = 0; i < cycle->count; i++) {
+        const rw_patch patch = cycle->states[i].patch;
+        if (islessequal(fabs(patch.left - x), margin))
+            left = fmax(left, patch.left);
+        if (islessequal(fabs(patch.right - x), margin))
+            right = fmin(right, patch.right);
+    }
+    return left > -HUGE_VAL ? left + margin : right < HUGE_VAL ? right - margin : x;
+}
+
 static bool is_in(const rw_state *state, double rounding, double x)
 {
     return isgreaterequal(x, state->patch.left - rounding) &&
@@ -100,7 +119,7 @@ static void leave(place *at, size_t to)
     const bool is_left = at->inside < after.left;
     const double start = is_left ? before.left : before.right;
     const double end = is_left ? after.left : after.right;
-    const double near = rw_cycle_off_the_edges(cycle, end);
+    const double margin = MARGIN * cycle->rounding, near = is_left ? end + margin : end - margin;
     const double change = slip_at(cycle, to, near) - slip_at(cycle, to - 1, near);
     refresh_limit(at, to - 1);
     if (!isnan(change)) /* part of the contact is where some of it was */
@@ -143,7 +162,7 @@ static void begin(place *at)
 rw_slip_measures rw_slip_measures_at(const rw_cycle *cycle, double x)
 {
     place at = {.cycle = cycle, .x = x, .lowest = HUGE_VAL, .highest = -HUGE_VAL};
-    at.inside = rw_cycle_off_the_edges(cycle, x);
+    at.inside = off_the_edges(cycle, x);
     begin(&at);
     const bool began = at.touches;
     for (size_t i = 1; i < cycle->count; i++)

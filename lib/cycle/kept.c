@@ -5,13 +5,8 @@
 #include "cycle/cycle.h"
 
 #include <stdlib.h>
-#include <string.h>
-
-enum { LISTS = 4 };
 
 typedef struct {
-    size_t count;
-    double *loads; /* all P, then M, Q and sigma */
     rw_cycle cycle[RW_CYCLE_USES];
     int32_t status[RW_CYCLE_USES];
 } kept_cycle;
@@ -21,45 +16,32 @@ static void destroy(void *of_contact)
     kept_cycle *kept = of_contact;
     for (int use = 0; use < RW_CYCLE_USES; use++)
         rw_cycle_destroy(&kept->cycle[use]);
-    free(kept->loads);
     free(kept);
 }
 
-static bool is_same(const kept_cycle *kept, const rw_load_history *loads)
-{
-    const double *const list[LISTS] = {loads->P, loads->M, loads->Q, loads->sigma};
-    bool same = kept->count == loads->count;
-    for (int i = 0; i < LISTS && same; i++)
-        same = memcmp(kept->loads + (size_t)i * kept->count, list[i],
-                      kept->count * sizeof *kept->loads) == 0;
-    return same;
-}
-
-const rw_cycle *rw_kept_cycle(const rwedge_contact *contact, const rw_load_history *loads,
-                              rw_cycle_use use, int32_t *status)
+/* What the contact keeps of these loads; NULL where it keeps nothing. The list for stresses has one
+ * state for each load. */
+static const kept_cycle *kept_of(const rwedge_contact *contact, const rw_load_history *loads)
 {
     const kept_cycle *kept = contact->kept;
-    if (!kept || !is_same(kept, loads))
-        return NULL;
-    *status = kept->status[use];
-    return &kept->cycle[use];
+    bool same = kept && kept->cycle[RW_STRESS_ALONE].loads == loads->count;
+    for (size_t i = 0; same && i < loads->count; i++) {
+        const rw_loads to = rw_loads_at(loads, i),
+                       other = kept->cycle[RW_STRESS_ALONE].states[i + 1].loads;
+        same = to.P == other.P && to.M == other.M && to.Q == other.Q && to.sigma == other.sigma;
+    }
+    return same ? kept : NULL;
 }
 
-static kept_cycle *create(const rw_load_history *loads)
+int32_t rw_cycle_of(const rwedge_contact *contact, const rw_load_history *loads, rw_cycle_use use,
+                    rw_cycle *cycle)
 {
-    kept_cycle *kept = calloc(1, sizeof *kept);
-    double *copy = malloc(LISTS * loads->count * sizeof *copy);
-    if (!kept || !copy) {
-        free(kept);
-        free(copy);
-        return NULL;
-    }
-    const double *const list[LISTS] = {loads->P, loads->M, loads->Q, loads->sigma};
-    for (int i = 0; i < LISTS; i++)
-        memcpy(copy + (size_t)i * loads->count, list[i], loads->count * sizeof *copy);
-    kept->count = loads->count;
-    kept->loads = copy;
-    return kept;
+    const kept_cycle *kept = kept_of(contact, loads);
+    if (!kept)
+        return rw_cycle_create(contact, loads, use, cycle);
+    *cycle = kept->cycle[use];
+    cycle->is_kept = true;
+    return kept->status[use];
 }
 
 /* RWEDGE_EPATH for the slip is kept as a result too. */
@@ -80,18 +62,17 @@ int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads, const d
     const rw_load_history history = {loads, P, M, Q, sigma};
     if (!contact || !rw_is_load_history(&history))
         return RWEDGE_ENULL;
-    if (loads == 0 || loads > SIZE_MAX / LISTS / sizeof *P)
-        return RWEDGE_ERANGE;
-    int32_t status;
-    if (rw_kept_cycle(contact, &history, RW_STRESS_ALONE, &status))
-        return status;
-    kept_cycle *kept = create(&history);
-    status = kept ? go_through(contact, &history, kept) : RWEDGE_ENOMEM;
+    if (kept_of(contact, &history))
+        return RWEDGE_OK;
+    kept_cycle *kept = calloc(1, sizeof *kept);
+    if (!kept)
+        return RWEDGE_ENOMEM;
+    const int32_t status = go_through(contact, &history, kept);
     if (status == RWEDGE_OK) {
         rw_contact_drop_kept(contact);
         contact->kept = kept;
         contact->destroy_kept = destroy;
-    } else if (kept) {
+    } else {
         destroy(kept);
     }
     return status;

@@ -61,7 +61,7 @@ int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, size_t load
         (n > 0 && (!x || !slip_range || !ruiz_f1 || !ruiz_f2 || !energy)))
         return RWEDGE_ENULL;
     rw_cycle cycle;
-    int32_t status = rw_cycle_create(contact, &history, RW_SLIP_TOO, &cycle);
+    int32_t status = rw_cycle_of(contact, &history, RW_SLIP_TOO, &cycle);
     if (status == RWEDGE_OK)
         status = slip_measures(&cycle, n, x, slip_range, ruiz_f1, ruiz_f2, energy);
     rw_cycle_destroy(&cycle);

@@ -2,7 +2,8 @@
 #include "cycle/cycle.h"
 
 #include "base/always.h"
-#include "base/sort.h"
+
+#include <stdlib.h>
 
 /* A step in which P or M changes is cut into PARTS. Where it ends in separation its last part is
  * halved again and again, because the contact shrinks to nothing. */
@@ -61,6 +62,7 @@ static int32_t add_state(rw_cycle *cycle, rw_loads to)
     const rw_memory *path = &next->contact->memory;
     next->patch = path->count > 1 ? rw_memory_end(path)->patch : (rw_patch){NAN, NAN};
     next->stuck = stuck_between(before, next->contact);
+    next->loads = to;
     next->is_load = false;
     return RWEDGE_OK;
 }
@@ -106,72 +108,13 @@ static int32_t go_through(const rw_load_history *loads, rw_cycle_use use, rw_cyc
     return status;
 }
 
-/* ---- Edges ---- */
+/* ---- All ---- */
 
 static const double ROUNDING = 1e-12; /* of an edge, in widths of the contact */
-
-static bool note_edges(rw_cycle *cycle)
-{
-    double widest = 0, *lefts = malloc(2 * cycle->count * sizeof *lefts);
-    if (!lefts)
-        return false;
-    for (size_t i = 0; i < cycle->count; i++) {
-        const rw_patch patch = cycle->states[i].patch;
-        if (isnan(patch.left))
-            continue;
-        lefts[cycle->touching++] = patch.left;
-        widest = fmax(widest, patch.right - patch.left);
-    }
-    double *rights = lefts + cycle->touching;
-    for (size_t i = 0, n = 0; i < cycle->count; i++)
-        if (!isnan(cycle->states[i].patch.left))
-            rights[n++] = cycle->states[i].patch.right;
-    rw_sort(lefts, cycle->touching);
-    rw_sort(rights, cycle->touching);
-    cycle->edges = lefts;
-    cycle->rounding = ROUNDING * widest;
-    return true;
-}
-
-/* How many of the ascending numbers are not above x. */
-static size_t count_up_to(const double numbers[], size_t count, double x)
-{
-    size_t low = 0, high = count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (numbers[middle] <= x)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-double rw_cycle_off_the_edges(const rw_cycle *cycle, double x)
-{
-    const double margin = 4 * cycle->rounding, *lefts = cycle->edges;
-    const double *rights = lefts + cycle->touching;
-    const size_t to_left = count_up_to(lefts, cycle->touching, x + margin);
-    const size_t to_right = count_up_to(rights, cycle->touching, x - margin);
-    if (to_left > 0 && lefts[to_left - 1] >= x - margin)
-        return lefts[to_left - 1] + margin;
-    if (to_right < cycle->touching && rights[to_right] <= x + margin)
-        return rights[to_right] - margin;
-    return x;
-}
-
-/* ---- All ---- */
 
 int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *loads,
                         rw_cycle_use use, rw_cycle *cycle)
 {
-    int32_t status;
-    const rw_cycle *kept = rw_kept_cycle(contact, loads, use, &status);
-    if (kept) {
-        *cycle = *kept;
-        cycle->is_kept = true;
-        return status;
-    }
     *cycle = (rw_cycle){.loads = loads->count};
     if (loads->count == 0 || loads->count > SIZE_MAX / STATES_A_STEP / sizeof *cycle->states - 1)
         return RWEDGE_ERANGE;
@@ -180,13 +123,17 @@ int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *lo
         return RWEDGE_ENOMEM;
     rw_state *first = cycle->states;
     *first = (rw_state){.patch = {NAN, NAN}};
-    status = rwedge_contact_copy(contact, &first->contact);
+    int32_t status = rwedge_contact_copy(contact, &first->contact);
     if (status != RWEDGE_OK)
         return status;
     cycle->count = 1;
     rwedge_contact_edges(contact, &first->patch.left, &first->patch.right);
     status = go_through(loads, use, cycle);
-    return status == RWEDGE_OK && !note_edges(cycle) ? RWEDGE_ENOMEM : status;
+    for (size_t i = 0; i < cycle->count; i++) {
+        const rw_patch patch = cycle->states[i].patch;
+        cycle->rounding = fmax(cycle->rounding, ROUNDING * (patch.right - patch.left));
+    }
+    return status;
 }
 
 void rw_cycle_destroy(rw_cycle *cycle)
@@ -195,5 +142,4 @@ void rw_cycle_destroy(rw_cycle *cycle)
         return;
     drop_states(cycle, 0);
     free(cycle->states);
-    free(cycle->edges);
 }

@@ -14,8 +14,8 @@ typedef struct {
     int32_t measure;
     material material;
     double y;
-    double *stress;      /* room for those of one place */
-    bool *lacked_memory; /* somewhere */
+    double *stress;     /* room for those of one place */
+    bool lacked_memory; /* somewhere */
 } line;
 
 typedef struct {
@@ -24,9 +24,9 @@ typedef struct {
 
 /* ---- One place ---- */
 
-static bool is_answer(const line *l, int32_t status)
+static bool is_answer(line *l, int32_t status)
 {
-    *l->lacked_memory = *l->lacked_memory || status == RWEDGE_ENOMEM;
+    l->lacked_memory = l->lacked_memory || status == RWEDGE_ENOMEM;
     return status == RWEDGE_OK;
 }
 
@@ -50,7 +50,7 @@ static bool is_of_friction(int32_t measure)
     return measure >= RWEDGE_MEASURE_SLIP_RANGE && measure <= RWEDGE_MEASURE_ENERGY_PER_AREA;
 }
 
-static double measure_of(const line *l, double x, const double *sxx)
+static double measure_of(line *l, double x, const double *sxx)
 {
     const size_t loads = l->cycle.loads;
     const material *m = &l->material;
@@ -74,7 +74,7 @@ static bool has_stress(const line *l, double x)
 
 /* The measure at one place; NaN at the apex of a sharp wedge. Among the measures of friction only
  * Ruiz' F2 needs stresses. */
-static double measure_at(const line *l, double x)
+static double measure_at(line *l, double x)
 {
     if (is_of_friction(l->measure) && l->measure != RWEDGE_MEASURE_RUIZ_F2)
         return has_stress(l, x) ? friction_of(l, x, NULL) : NAN;
@@ -84,7 +84,7 @@ static double measure_at(const line *l, double x)
 
 /* ---- The search ---- */
 
-static peak better(const line *l, peak best, double x)
+static peak better(line *l, peak best, double x)
 {
     const double value = measure_at(l, x);
     return value > best.value ? (peak){x, value} : best;
@@ -93,7 +93,7 @@ static peak better(const line *l, peak best, double x)
 /* The interval is halved around its best place, to 1e-10 of it. After a few rounds the gain still
  * to come is less than the gain so far: a top that cannot reach the highest one is then given
  * up. */
-static peak climb(const line *l, double from, double to, peak best, double highest)
+static peak climb(line *l, double from, double to, peak best, double highest)
 {
     enum { ROUNDS = 34, TRIAL = 6 };
     const double base = best.value;
@@ -118,7 +118,7 @@ static bool is_top(size_t n, const double value[], size_t i)
     return (i == 0 || !(value[i - 1] > value[i])) && (i + 1 == n || !(value[i + 1] > value[i]));
 }
 
-static peak search(const line *l, size_t n, const double x[], const double value[])
+static peak search(line *l, size_t n, const double x[], const double value[])
 {
     size_t top = 0;
     int searches = 0;
@@ -165,12 +165,12 @@ static int32_t find(const rwedge_contact *contact, const rw_load_history *loads,
                     const double x[], const double value[], peak *best)
 {
     const rw_cycle_use use = is_of_friction(l->measure) ? RW_SLIP_TOO : RW_STRESS_ALONE;
-    int32_t status = rw_cycle_create(contact, loads, use, &l->cycle);
+    int32_t status = rw_cycle_of(contact, loads, use, &l->cycle);
     if (status == RWEDGE_OK && !(l->stress = malloc(3 * loads->count * sizeof *l->stress)))
         status = RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
         *best = search(l, n, x, value);
-        status = *l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
+        status = l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
     }
     free(l->stress);
     rw_cycle_destroy(&l->cycle);
@@ -185,11 +185,7 @@ int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measur
                                    double *worst_x, double *worst_value)
 {
     const rw_load_history history = {loads, P, M, Q, sigma};
-    bool lacked_memory = false;
-    line l = {.measure = measure,
-              .material = {E, nu, constant, su, plane_stress},
-              .y = y,
-              .lacked_memory = &lacked_memory};
+    line l = {.measure = measure, .material = {E, nu, constant, su, plane_stress}, .y = y};
     if (!contact || !rw_is_load_history(&history) || (n > 0 && (!x || !value)) || !worst_x ||
         !worst_value)
         return RWEDGE_ENULL;

@@ -265,18 +265,18 @@ static double falling(const step *s)
     return slip != 0 ? sum + sweep(s, slip, start, 1) : sum;
 }
 
-double rw_dissipation(const rw_memory *memory, double load, double shear, const rw_geometry *g)
+double rw_dissipation(const rw_memory *memory, rw_memory_loads to, const rw_geometry *g)
 {
     const rw_corner *end = rw_memory_end(memory);
     const step s = {.memory = memory,
                     .top = end->load,
-                    .run = load - end->load,
-                    .rise = shear - end->shear,
+                    .run = to.load - end->load,
+                    .rise = to.shear - end->shear,
                     .corner_load = RW_HALF_PI * g->a * rw_unit_stress(g),
                     .pad = g->pad ? g : NULL};
     if (s.run < 0)
         return falling(&s);
-    if (fabs(s.rise) <= s.run + rw_memory_tolerance(load))
+    if (fabs(s.rise) <= s.run + rw_memory_tolerance(to.load))
         return 0;
     return sweep(&s, sign(s.rise), 0, 1);
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The gap outside a patch: the profile less the primitive of the potential on the surface. With X =
- * sqrt(x^2-1), L = arcosh x,
+/* The gap outside a centred patch of half-width 1, the profile less the primitive of the potential
+ * on the surface:
+ *     gap = int_0^x (g - Re G) dx,   g = x/alpha for x < alpha, 1 beyond.
+ * With X = sqrt(x^2-1), L = arcosh x,
  *
  *     (pi/2) gap = x D - ((x-alpha)^2/(2 alpha)) M - (c0/2) L + (phi0/(2 alpha)) (x X - L),
  *     D = atan(c0 X/(1 + alpha x)),   M = atan(alpha X/(c0 x)),
@@ -11,9 +13,8 @@
  * cancel, and so the derivative is integrated there instead. */
 #include "history/gap.h"
 
-#include "base/domain.h"
-#include "formulas/patch.h"
 #include "base/root.h"
+#include "potential/potential.h"
 
 #include <float.h>
 
@@ -83,10 +84,9 @@ static double far_primitive(const rw_potential *p, double x)
     return constant + sum / 2;
 }
 
-double rw_gap(const rw_potential *potential, double x)
+/* x >= 1 */
+static double gap(const rw_potential *potential, double x)
 {
-    if (x <= 1)
-        return 0;
     if (x > FAR)
         return rw_wedge_height(potential->alpha, x) - far_primitive(potential, x);
     const double X = sqrt((x - 1) * (x + 1));
@@ -97,4 +97,11 @@ double rw_gap(const rw_potential *potential, double x)
     if (X > potential->c0)
         return closed_form(potential, x, X);
     return rw_integral(derivative, potential, 0, X);
+}
+
+double rw_centred_gap(double a, double s, double x)
+{
+    rw_potential potential;
+    rw_potential_init(&potential, a / s);
+    return s * gap(&potential, x / s);
 }

@@ -25,20 +25,14 @@ double rw_memory_tolerance(double load)
     return ROUNDINGS * load;
 }
 
-static rw_corner origin(double tilt, double stretch)
-{
-    return (rw_corner){
-        .tilt = tilt, .stretch = stretch, .least = -HUGE_VAL, .most = HUGE_VAL, .patch = {0, 0}};
-}
-
-static const rw_patch UNKNOWN = {NAN, NAN};
+static const rw_patch NONE = {0, 0}, UNKNOWN = {NAN, NAN};
 
 bool rw_memory_create(rw_memory *memory)
 {
     *memory = (rw_memory){.level = 1};
     if (!rw_memory_reserve(memory, 4))
         return false;
-    memory->corners[memory->count++] = origin(0, 0);
+    memory->corners[memory->count++] = rw_corner_at((rw_memory_loads){0}, NONE);
     return true;
 }
 
@@ -156,7 +150,8 @@ static void append(rw_memory *memory, rw_corner corner)
 static void push(rw_memory *memory, rw_memory_loads to, double ratio)
 {
     const double load = to.load, shear = to.shear;
-    rw_corner corner = {load, shear, to.tilt, to.stretch, ratio, -HUGE_VAL, HUGE_VAL, UNKNOWN};
+    rw_corner corner = rw_corner_at(to, UNKNOWN);
+    corner.ratio = ratio;
     if (load <= rw_memory_end(memory)->load) /* within rounding of the corner that is there */
         return;
     double least, most;
@@ -305,7 +300,8 @@ bool rw_memory_slides(const rw_memory *memory)
 
 void rw_memory_restart(rw_memory *memory, rw_memory_loads to, double ratio)
 {
-    memory->corners[0] = origin(to.tilt, to.stretch);
+    memory->corners[0] =
+        rw_corner_at((rw_memory_loads){.tilt = to.tilt, .stretch = to.stretch}, NONE);
     memory->count = 1;
     alter(memory, 0);
     if (to.load > 0)

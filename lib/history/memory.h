@@ -40,6 +40,12 @@ typedef struct {
     rw_patch patch;
 } rw_corner;
 
+/* A corner at these loads, with no ratio yet and nothing left out. */
+static inline rw_corner rw_corner_at(rw_memory_loads at, rw_patch patch)
+{
+    return (rw_corner){at.load, at.shear, at.tilt, at.stretch, 0, -HUGE_VAL, HUGE_VAL, patch};
+}
+
 /* corners[0] is the origin. The first `shared` corners are as in the path that was last kept
  * (slip_origin.h). Those from the second on and before `level` have no tilt, and the stretch of the
  * origin. */

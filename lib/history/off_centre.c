@@ -10,14 +10,11 @@
  * and the slope is integrated instead. h is half the angle between the ends (patch.h); ends outside
  * at the left have omega = 0, and ends at the right none: there the profile goes on with the
  * rounding, and beyond x = a the slope is 1 - delta - G. */
-#include "history/off_centre.h"
+#include "history/gap.h"
 
-#include "base/always.h"
 #include "base/root.h"
 #include "base/logarithm.h"
 #include "potential/eccentric.h"
-
-/* ---- The gap, on the right of a patch ---- */
 
 typedef struct {
     double m, s, delta;
@@ -187,11 +184,9 @@ static double arc_gap(rw_arc arc, rw_patch patch, double x)
     return right_gap(&o, is_right ? x : -x);
 }
 
-double rw_patch_gap(const rw_geometry *g, rw_patch patch, double x)
+double rw_off_centre_gap(const rw_geometry *g, rw_patch patch, double x)
 {
     const rw_pad *pad = g->pad;
-    if (x >= patch.left && x <= patch.right)
-        return 0;
     if (!pad)
         return arc_gap(rw_rounding(g->a), patch, x);
     double sum = rw_pad_rise(pad, patch, x);
@@ -199,30 +194,4 @@ double rw_patch_gap(const rw_geometry *g, rw_patch patch, double x)
         if (rw_arc_is_inside(pad->arcs[i], patch))
             sum += pad->weights[i] * arc_gap(pad->arcs[i], patch, x);
     return sum;
-}
-
-/* ---- Displacement ---- */
-
-/* The displacement by the corners from `first` on, and, where `first` is not the first of all, by
- * the step at the corner before it. */
-static double displacement(const rw_memory *path, size_t first, const rw_geometry *g, double x)
-{
-    double sum = 0;
-    for (size_t i = first; i < path->count; i++) {
-        const double beyond = i + 1 < path->count ? path->corners[i + 1].ratio : 0;
-        sum += (path->corners[i].ratio - beyond) * rw_patch_gap(g, path->corners[i].patch, x);
-    }
-    if (first > 1 && ALWAYS(first < path->count)) /* see below */
-        sum -= path->corners[first].ratio * rw_patch_gap(g, path->corners[first - 1].patch, x);
-    return sum;
-}
-
-double rw_path_displacement(const rw_memory *path, const rw_memory *beyond, const rw_geometry *g,
-                            double x)
-{
-    /* they differ before one of them ends, because one has slipped where the other has not: at a
-     * front inside a layer of the other, or by the slope of a layer */
-    const rw_path other = rw_memory_path(beyond);
-    const size_t common = rw_memory_common(path, &other);
-    return displacement(path, common, g, x) - displacement(beyond, common, g, x);
 }

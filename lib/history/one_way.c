@@ -4,7 +4,7 @@
  *
  *     w(x) = sum c_i h_i(x),   h_i = gap(x; N_i) - gap(x; N_(i+1)),   c_i = 1 - S D_i >= 0,
  *
- * with the gap of off_centre.h. Up to the edge of N_i h_i is 0, from there to that of N_(i+1) it is
+ * with the gap of gap.h. Up to the edge of N_i h_i is 0, from there to that of N_(i+1) it is
  * a gap, which is positive and rises. Beyond, h_i is concave: its slope is the Cauchy transform of
  * the pressure that N_(i+1) has more than N_i, which falls with the distance, and a constant.
  *
@@ -13,7 +13,8 @@
  * smaller of its values there. So w is positive up to a point if it is at the beginning, and if the
  * concave part there and the gap at the beginning have a positive sum. If they have not, the
  * interval is halved. */
-#include "history/off_centre.h"
+#include "history/gap.h"
+#include "history/path.h"
 
 #include <float.h>
 

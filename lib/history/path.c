@@ -401,14 +401,7 @@ static bool keeps_sheared(const rw_step *s, rw_departure *d)
     if (i > 0 && !(rw_patch_is_nested(sheared, s->patch, s->to.tilt) &&
                    stays_outside(s, sheared, -1) && stays_outside(s, sheared, 1)))
         return false;
-    *d = (rw_departure){.corner = {.load = s->to.load,
-                                   .shear = s->to.shear,
-                                   .tilt = s->to.tilt,
-                                   .stretch = s->to.stretch,
-                                   .least = -HUGE_VAL,
-                                   .most = HUGE_VAL,
-                                   .patch = s->patch},
-                        .kept = i + 1};
+    *d = (rw_departure){.corner = rw_corner_at(s->to, s->patch), .kept = i + 1};
     return true;
 }
 

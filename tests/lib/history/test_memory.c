@@ -171,13 +171,6 @@ CLAIM(each_load_adds_two_corners_at_most)
 
 /* ---- The displacement of a patch ---- */
 
-CLAIM(inside_its_patch_the_gap_is_closed)
-{
-    rw_potential patch;
-    rw_potential_init(&patch, 0.3);
-    assert_true(rw_gap(&patch, 1) == 0 && rw_gap(&patch, 0.2) == 0);
-}
-
 /* Seen from far away the patch is a point. x^2 would overflow there, and the deformation is a part
  * log(x)/x of the profile. */
 CLAIM(far_from_its_patch_the_gap_is_the_profile)
@@ -186,8 +179,8 @@ CLAIM(far_from_its_patch_the_gap_is_the_profile)
                         XS[] = {1e20, 1e154, 1e200, 1e280};
     for (size_t i = 0; i < sizeof ALPHAS / sizeof *ALPHAS; i++)
         for (size_t j = 0; j < sizeof XS / sizeof *XS; j++) {
-            rw_potential patch;
-            rw_potential_init(&patch, ALPHAS[i]);
-            assert_close(rw_gap(&patch, XS[j]), rw_wedge_height(ALPHAS[i], XS[j]), 1e-15);
+            const rw_geometry wedge = {.a = ALPHAS[i]};
+            assert_close(rw_patch_gap(&wedge, (rw_patch){-1, 1}, XS[j]),
+                         rw_wedge_height(ALPHAS[i], XS[j]), 1e-15);
         }
 }

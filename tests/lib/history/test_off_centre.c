@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts with moment and bulk tension: known answers, equilibrium, slip and energy. */
 #include "histories.h"
-#include "history/off_centre.h"
+#include "history/gap.h"
 #include "quadrature.h"
 
 #include <fenv.h>

@@ -94,7 +94,8 @@ CLAIM(laws_are_means_over_the_rounding)
         if (half <= 0.05)
             continue;
         const pressed p = {a, {middle - half, middle + half}};
-        const rw_pressing is = rw_patch_pressing(a, p.patch);
+        const rw_arcs wedge = {.count = 1, .rounding = rw_rounding(a)};
+        const rw_pressing is = rw_arcs_pressing(&wedge, p.patch);
         const double ends[] = {fmax(-a, p.patch.left), fmin(a, p.patch.right)};
         assert_close(is.load, integral(load_of_rise, &p, 1, ends), 1e-12);
         assert_within(is.moment, integral(moment_of_rise, &p, 1, ends), 1e-12 * is.load);

@@ -14,11 +14,6 @@
 
 #include <math.h>
 
-/* A vector in a plane. */
-typedef struct {
-    double x, y;
-} rw_vector;
-
 /* A plane by longitude and latitude, and what counts there. */
 typedef struct {
     rw_direction chi, beta;

@@ -17,7 +17,6 @@
 #include "planes/plane_cycle.h"
 
 #include <float.h>
-#include <stdlib.h>
 
 /* Where a curve of planes is nearly as bad, ever more cells are left. Of more than there is room
  * for, so many are kept, those with the highest bounds. */
@@ -147,27 +146,43 @@ static void halve_all(search *w)
         halve(w, &w->cycle->cell[i], &w->cycle->cell[w->count++]);
 }
 
-static int by_bound(const void *a, const void *b)
+/* A bound that more than KEPT cells exceed, and hardly more. (A large qsort() asks for memory.) */
+static double bound_of_kept(const search *w)
 {
-    const double first = ((const rw_cell *)a)->bound, second = ((const rw_cell *)b)->bound;
-    return (first < second) - (first > second);
+    enum { HALVINGS = 64 };
+    const rw_cell *cells = w->cycle->cell;
+    double low = w->best.value, high = low;
+    for (size_t i = 0; i < w->count; i++)
+        high = rw_larger(high, cells[i].bound);
+    for (int turn = 0; turn < HALVINGS; turn++) {
+        const double middle = low + (high - low) / 2;
+        size_t above = 0;
+        for (size_t i = 0; i < w->count; i++)
+            above += cells[i].bound > middle;
+        *(above > KEPT ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* Keeps the cells whose bounds exceed this, but not more of them than `most`. */
+static void keep(search *w, double least, size_t most)
+{
+    rw_cell *cells = w->cycle->cell;
+    size_t kept = 0;
+    for (size_t i = 0; i < w->count && kept < most; i++)
+        if (cells[i].bound > least)
+            cells[kept++] = cells[i];
+    w->count = kept;
 }
 
 /* Keeps the cells that may have a worse plane than the worst so far. */
 static void settle(search *w)
 {
-    rw_cell *cells = w->cycle->cell;
-    size_t kept = 0;
-    for (size_t i = 0; i < w->count; i++) {
-        cells[i].bound = bound_of(w, &cells[i]);
-        if (cells[i].bound > w->best.value + w->noise)
-            cells[kept++] = cells[i];
-    }
-    w->count = kept;
-    if (kept <= RW_CELLS)
-        return;
-    qsort(cells, kept, sizeof *cells, by_bound);
-    w->count = KEPT;
+    for (size_t i = 0; i < w->count; i++)
+        w->cycle->cell[i].bound = bound_of(w, &w->cycle->cell[i]);
+    keep(w, w->best.value + w->noise, w->count);
+    if (w->count > RW_CELLS)
+        keep(w, bound_of_kept(w), KEPT);
 }
 
 /* ---- Poles and bends ---- */
@@ -176,16 +191,16 @@ static void settle(search *w)
 typedef struct {
     rw_direction psi;
     bool is_z;
-} pole;
+} pole_choice;
 
 /* Where the stresses change along one direction alone, as near a free surface in plane stress, all
  * planes of one latitude around it are nearly equally bad, and cells may be long. So the pole is
  * the principal direction that differs most from the two others, where these are so close; of the
  * load farthest from the middle. Otherwise it is z: on its equator the worst plane is mostly. */
-static pole pole_of(const rw_plane_cycle *cycle)
+static pole_choice pole_of(const rw_plane_cycle *cycle)
 {
     static const double CLOSE = 0.2;
-    pole chosen = {{1, 0}, true};
+    pole_choice chosen = {{1, 0}, true};
     double most = 0;
     for (size_t i = 0; i < cycle->loads; i++) {
         const rw_item *load = &cycle->item[i];
@@ -194,8 +209,8 @@ static pole pole_of(const rw_plane_cycle *cycle)
             continue;
         const double length = load->deviation_lift > 0 ? -size : size;
         most = size + lift;
-        chosen = (pole){{load->deviation_d / length, load->deviation_t / length},
-                        fabs(size - lift) > CLOSE * 2 * size};
+        chosen = (pole_choice){{load->deviation_d / length, load->deviation_t / length},
+                               fabs(size - lift) > CLOSE * 2 * size};
     }
     return chosen;
 }
@@ -209,7 +224,7 @@ static void raise_bends(bends *b, double pole, double side, double shear, double
     b->beta = rw_larger(b->beta, (fabs(pole) + ring + 2 * fabs(shear)) / 4);
 }
 
-static void raise_by(bends *b, const pole *p, double d, double t, double lift)
+static void raise_by(bends *b, const pole_choice *p, double d, double t, double lift)
 {
     const rw_direction back = {p->psi.cosine, -p->psi.sine},
                        u = rw_turned_with((rw_direction){d, t}, back);
@@ -219,7 +234,7 @@ static void raise_by(bends *b, const pole *p, double d, double t, double lift)
         raise_bends(b, u.cosine - lift, -u.cosine - lift, u.sine, 0);
 }
 
-static void set_axes(search *w, const pole *p)
+static void set_axes(search *w, const pole_choice *p)
 {
     const double cosine = p->psi.cosine, large = sqrt((1 + fabs(cosine)) / 2),
                  small = p->psi.sine / (2 * large);
@@ -232,7 +247,7 @@ static void set_axes(search *w, const pole *p)
 
 static void set_sphere(search *w)
 {
-    const pole p = pole_of(w->cycle);
+    const pole_choice p = pole_of(w->cycle);
     set_axes(w, &p);
     for (size_t i = 0; i < w->cycle->loads; i++) {
         const rw_item *l = &w->cycle->item[i];

@@ -3,13 +3,13 @@
 
 /* An arc outside the patch has a tilt of -1 or 1. These are added apart: for a symmetric pad they
  * cancel exactly. */
-rw_pressing rw_pad_pressing(const rw_pad *pad, rw_patch patch)
+rw_pressing rw_arcs_pressing(const rw_arcs *arcs, rw_patch patch)
 {
     rw_pressing sum = {0, 0, 0};
     double aside = 0;
-    for (size_t i = 0; i < pad->count; i++) {
-        const rw_arc arc = pad->arcs[i];
-        const double weight = pad->weights[i];
+    for (size_t i = 0; i < arcs->count; i++) {
+        const rw_arc arc = rw_arc_at(arcs, i);
+        const double weight = rw_arc_weight(arcs, i);
         int side = arc.left < patch.right ? 1 : -1;
         if (rw_arc_is_inside(arc, patch)) {
             const rw_pressing carried = rw_arc_pressing(arc, patch, &side);
@@ -23,16 +23,17 @@ rw_pressing rw_pad_pressing(const rw_pad *pad, rw_patch patch)
     return sum;
 }
 
-rw_edge_rates rw_pad_edge_rates(const rw_pad *pad, rw_patch patch)
+rw_edge_rates rw_arcs_edge_rates(const rw_arcs *arcs, rw_patch patch)
 {
     rw_edge_rates sum = {0, 0};
-    for (size_t i = 0; i < pad->count; i++) {
-        if (!rw_arc_is_inside(pad->arcs[i], patch))
+    for (size_t i = 0; i < arcs->count; i++) {
+        if (!rw_arc_is_inside(rw_arc_at(arcs, i), patch))
             continue;
-        const rw_arc_ends ends = rw_arc_ends_of(pad->arcs[i], patch);
-        const rw_edge_rates rates = rw_patch_edge_rates(&ends);
-        sum.at_left += pad->weights[i] * rates.at_left;
-        sum.at_right += pad->weights[i] * rates.at_right;
+        const rw_arc_ends ends = rw_arc_ends_of(rw_arc_at(arcs, i), patch);
+        const double weight = rw_arc_weight(arcs, i);
+        const double slant = ends.sin_middle * ends.sin_half_over; /* (c_0 - c_1)/(2 alpha) */
+        sum.at_left += weight * (ends.half_over - slant);
+        sum.at_right += weight * (ends.half_over + slant);
     }
     return sum;
 }
@@ -59,25 +60,26 @@ double rw_pad_rise(const rw_pad *pad, rw_patch patch, double x)
     return sum;
 }
 
-double rw_pad_height(const rw_pad *pad, double x)
+double rw_arcs_height(const rw_arcs *arcs, double x)
 {
     double sum = 0;
-    for (size_t i = 0; i < pad->count; i++) {
-        const rw_arc arc = pad->arcs[i];
+    for (size_t i = 0; i < arcs->count; i++) {
+        const rw_arc arc = rw_arc_at(arcs, i);
+        const double weight = rw_arc_weight(arcs, i);
         if (arc.left >= 0 && arc.right > 0)
-            sum += pad->weights[i] * rise(arc, x);
+            sum += weight * rise(arc, x);
         else if (arc.right > 0 && x < arc.right) /* in the middle */
-            sum += pad->weights[i] * (x / arc.right * (x / 2));
+            sum += weight * (x / arc.right * (x / 2));
         else if (arc.right > 0 || arc.left == 0) /* or a kink there */
-            sum += pad->weights[i] * (x - arc.right / 2);
+            sum += weight * (x - arc.right / 2);
     }
     return sum;
 }
 
-bool rw_pad_is_kink(const rw_pad *pad, double x)
+bool rw_arcs_have_kink(const rw_arcs *arcs, double x)
 {
-    for (size_t i = 0; i < pad->count; i++)
-        if (pad->arcs[i].left == x && pad->arcs[i].right == x)
+    for (size_t i = 0; i < arcs->count; i++)
+        if (rw_arc_at(arcs, i).left == x && rw_arc_at(arcs, i).right == x)
             return true;
     return false;
 }

@@ -34,27 +34,21 @@ static inline double rw_arc_weight(const rw_arcs *arcs, size_t i)
     return arcs->pad ? arcs->pad->weights[i] : 1;
 }
 
-rw_pressing rw_pad_pressing(const rw_pad *pad, rw_patch patch);
-rw_edge_rates rw_pad_edge_rates(const rw_pad *pad, rw_patch patch);
+/* Load, moment and tilt of a patch, and how fast its edges move. */
+rw_pressing rw_arcs_pressing(const rw_arcs *arcs, rw_patch patch);
+rw_edge_rates rw_arcs_edge_rates(const rw_arcs *arcs, rw_patch patch);
 
 /* How much the arcs outside of a patch raise the profile at a place x outside it, over theta. */
 double rw_pad_rise(const rw_pad *pad, rw_patch patch, double x);
 
 /* The height of a symmetric profile above its middle, x >= 0. */
-double rw_pad_height(const rw_pad *pad, double x);
+double rw_arcs_height(const rw_arcs *arcs, double x);
 
 /* Whether x is at a kink. */
-bool rw_pad_is_kink(const rw_pad *pad, double x);
+bool rw_arcs_have_kink(const rw_arcs *arcs, double x);
 
 /* The half-width of the centred patch of a symmetric pad under a load P > 0. */
 double rw_pad_half_width(const rw_pad *pad, double P);
-
-/* Load, moment and tilt of a patch. */
-static inline rw_pressing rw_arcs_pressing(const rw_arcs *arcs, rw_patch patch)
-{
-    return arcs->pad ? rw_pad_pressing(arcs->pad, patch)
-                     : rw_patch_pressing(arcs->rounding.right, patch);
-}
 
 /* The patch of a load P > 0 and a moment M; of a load and a tilt |delta| < 1. Edges to 1e-14 of the
  * width. -M or -delta gives the mirror image to the last bit where the profile is symmetric. NaN

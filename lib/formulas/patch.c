@@ -75,12 +75,6 @@ rw_arc_ends rw_arc_ends_of(rw_arc arc, rw_patch patch)
     return k;
 }
 
-rw_edge_rates rw_patch_edge_rates(const rw_arc_ends *k)
-{
-    const double slant = k->sin_middle * k->sin_half_over; /* (c_0 - c_1)/(2 alpha) */
-    return (rw_edge_rates){.at_left = k->half_over - slant, .at_right = k->half_over + slant};
-}
-
 /* The tilt -<phi> (2/pi). Where both ends of the rounding are inside, <phi> is the middle angle
  * less a term from the curvature of the sine. Where one end is inside, phi is pi/2 on the rest of
  * the rounding. */
@@ -116,13 +110,4 @@ rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side)
     /* (c0^3 - c1^3)/(6 alpha) */
     const double off = k.sin_middle * k.sin_half_over / 3 * (c0 * c0 + c0 * c1 + c1 * c1);
     return (rw_pressing){load, m * load + s * s * off, tilt_of(&k, half, side)};
-}
-
-rw_pressing rw_patch_pressing(double a, rw_patch patch)
-{
-    int side;
-    rw_pressing carried = rw_arc_pressing(rw_rounding(a), patch, &side);
-    if (side != 0)
-        carried.tilt += side;
-    return carried;
 }

@@ -96,10 +96,8 @@ typedef struct {
     double load, moment, tilt;
 } rw_pressing;
 
-rw_pressing rw_patch_pressing(double a, rw_patch patch);
-
-/* The same for the wedge that has the arc for its rounding, without the part `side` of its tilt. An
- * arc on the right of the patch makes the tilt -1, one on its left 1: that is `side`, or 0. Where
+/* Of the wedge that has the arc for its rounding, without the part `side` of its tilt. An arc on
+ * the right of the patch makes the tilt -1, one on its left 1: that is `side`, or 0. Where
  * an arc reaches into the patch only a little, what is left of the tilt is small, and keeps its
  * digits. */
 rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side);
@@ -113,7 +111,5 @@ double rw_arc_less_product(double v, double sine, double cosine);
 typedef struct {
     double at_left, at_right;
 } rw_edge_rates;
-
-rw_edge_rates rw_patch_edge_rates(const rw_arc_ends *ends);
 
 #endif

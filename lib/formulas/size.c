@@ -57,7 +57,7 @@ double rw_normal_load(const rw_geometry *geometry, double b)
     if (b == 0)
         return 0;
     return rw_unit_stress(geometry) * (geometry->pad
-                                           ? rw_pad_pressing(geometry->pad, (rw_patch){-b, b}).load
+                                           ? rw_pressing_of(geometry, (rw_patch){-b, b}).load
                                            : b * load_per_width(geometry->a, b));
 }
 
@@ -91,17 +91,4 @@ rw_patch rw_patch_under_tilt(const rw_geometry *g, double P, double tilt)
         return centred(g, P);
     return fabs(tilt) < 1 ? rw_arcs_patch_of_tilt(&arcs, rw_as_length(g, P), tilt)
                           : (rw_patch){NAN, NAN};
-}
-
-rw_edge_rates rw_edge_rates_of(const rw_geometry *g, rw_patch patch)
-{
-    if (g->pad)
-        return rw_pad_edge_rates(g->pad, patch);
-    const rw_arc_ends ends = rw_arc_ends_of(rw_rounding(g->a), patch);
-    return rw_patch_edge_rates(&ends);
-}
-
-double rw_height(const rw_geometry *g, double x)
-{
-    return g->pad ? rw_pad_height(g->pad, x) : rw_wedge_height(g->a, x);
 }

@@ -65,7 +65,8 @@ static inline bool rw_is_symmetric(const rw_geometry *g)
 /* Whether the pressure is infinite there. */
 static inline bool rw_is_kink(const rw_geometry *g, double x)
 {
-    return g->pad ? rw_pad_is_kink(g->pad, x) : g->a == 0 && x == 0;
+    const rw_arcs arcs = rw_arcs_of(g);
+    return rw_arcs_have_kink(&arcs, x);
 }
 
 /* What a patch carries, and how fast its edges move. */
@@ -75,9 +76,17 @@ static inline rw_pressing rw_pressing_of(const rw_geometry *g, rw_patch patch)
     return rw_arcs_pressing(&arcs, patch);
 }
 
-rw_edge_rates rw_edge_rates_of(const rw_geometry *geometry, rw_patch patch);
+static inline rw_edge_rates rw_edge_rates_of(const rw_geometry *g, rw_patch patch)
+{
+    const rw_arcs arcs = rw_arcs_of(g);
+    return rw_arcs_edge_rates(&arcs, patch);
+}
 
 /* The height of a symmetric profile above its middle, over theta. */
-double rw_height(const rw_geometry *geometry, double x);
+static inline double rw_height(const rw_geometry *g, double x)
+{
+    const rw_arcs arcs = rw_arcs_of(g);
+    return rw_arcs_height(&arcs, x);
+}
 
 #endif

@@ -173,7 +173,6 @@ static rw_plane_damage worst_of(rw_miner_sum *m, const rw_stress_field *f, size_
     s.miner.severity = rw_severity_in(m->criterion, s.miner.unit);
     rw_set_loads(f, point, m->criterion, s.miner.unit, m->cycle);
     const rw_worst_plane worst = rw_worst_plane_of(m->cycle, &s.miner.severity);
-    rw_set_loads(f, point, m->criterion, s.miner.unit, m->cycle); /* their order counts */
     look_at(&s, &worst);
     look_at_grid(&s);
     const rw_plane_damage best = worst_of_starts(&s);

@@ -9,6 +9,11 @@
 #include "planes/plane_cycle.h"
 #include "planes/plane_search.h"
 
+/* A vector in a plane. */
+typedef struct {
+    double x, y;
+} rw_vector;
+
 /* across: the direction in the plane in which its shear is taken. */
 typedef struct {
     rw_direction psi, beta, across;

@@ -53,18 +53,23 @@ void rw_equator_search(const rw_plane_cycle *cycle, const rw_severity *severity,
 
 /* ---- Away from the equator ---- */
 
+/* psi within `half` of a direction; the tangent of half of that. */
+typedef struct {
+    rw_direction psi;
+    double half, tangent;
+} psi_arc;
+
 /* Bounds on an arc: least and most of half the range of the amplitude's quantity; half the range of
  * its limit away from the equator; least and most of the peak; the largest lift. */
 typedef struct {
     double least, most, beyond, least_peak, most_peak, lift, z;
 } reach;
 
-static reach reach_of(const rw_plane_cycle *cycle, const rw_severity *v, const rw_psi_arc *arc,
-                      size_t n)
+static reach reach_of(const rw_plane_cycle *cycle, const rw_severity *v, const psi_arc *arc)
 {
     double high = -DBL_MAX, low = DBL_MAX, top = -DBL_MAX, bottom = DBL_MAX, travel = 0, turn = 0;
     reach r = {.least_peak = -DBL_MAX, .lift = -DBL_MAX, .z = -DBL_MAX};
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < cycle->loads; i++) {
         const rw_item *load = &cycle->item[i];
         const double value = along(v->is_strain, load, arc->psi),
                      peak = normal_stress(load, arc->psi);
@@ -109,14 +114,6 @@ static double most_amplitude(const rw_severity *v, const reach *r)
     return v->is_strain ? r->beyond : (r->most / r->beyond * r->most + r->beyond) / 2;
 }
 
-bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severity,
-                         const rw_psi_arc *arc, size_t n, double value)
-{
-    const reach r = reach_of(cycle, severity, arc, n);
-    return falls_away(severity, &r) || rw_severity_of(severity, most_amplitude(severity, &r),
-                                                      rw_larger(r.most_peak, r.z)) <= value;
-}
-
 /* With u the square of sin(beta), the amplitude is at most (1-u) r + u beyond, the peak at most
  * (1-u) p + u z, and r p at most the value. Plane stress has no stress z across the plane, plane
  * strain no strain `beyond`. So what is left of the product is u (1-u) (r z + p beyond). */
@@ -145,19 +142,23 @@ static const rw_direction CENTRES[ARCS] = {
     {-1, 0}, {-DIAGONAL, -DIAGONAL}, {0, -1}, {DIAGONAL, -DIAGONAL}};
 static const double TANGENT = 0.19891236737965801; /* of pi/16 */
 
-static rw_psi_arc half_of(const rw_psi_arc *arc, bool is_forward)
+static psi_arc half_of(const psi_arc *arc, bool is_forward)
 {
     const double tangent = rw_half_tangent(arc->tangent);
-    return (rw_psi_arc){rw_turned_by(arc->psi, is_forward ? tangent : -tangent), arc->half / 2,
-                        tangent};
+    return (psi_arc){rw_turned_by(arc->psi, is_forward ? tangent : -tangent), arc->half / 2,
+                     tangent};
 }
 
-static bool is_worst(const rw_plane_cycle *cycle, const rw_severity *v, const rw_psi_arc *arc,
+/* Whether no plane with psi in the arc, and whatever beta, is worse than the plane of the equator
+ * with the same psi, or than `value`. */
+static bool is_worst(const rw_plane_cycle *cycle, const rw_severity *v, const psi_arc *arc,
                      int depth, double value)
 {
-    if (rw_equator_is_worst(cycle, v, arc, cycle->loads, value))
+    const reach r = reach_of(cycle, v, arc);
+    if (falls_away(v, &r) ||
+        rw_severity_of(v, most_amplitude(v, &r), rw_larger(r.most_peak, r.z)) <= value)
         return true;
-    const rw_psi_arc first = half_of(arc, false), second = half_of(arc, true);
+    const psi_arc first = half_of(arc, false), second = half_of(arc, true);
     return depth > 0 && is_worst(cycle, v, &first, depth - 1, value) &&
            is_worst(cycle, v, &second, depth - 1, value);
 }
@@ -168,7 +169,7 @@ bool rw_equator_has_worst(const rw_plane_cycle *cycle, const rw_severity *severi
     if (severity->is_strain && has_worst_product(cycle, value))
         return true;
     for (int k = 0; k < ARCS; k++) {
-        const rw_psi_arc arc = {CENTRES[k], RW_PI / ARCS, TANGENT};
+        const psi_arc arc = {CENTRES[k], RW_PI / ARCS, TANGENT};
         if (!is_worst(cycle, severity, &arc, DEPTH, value + noise))
             return false;
     }

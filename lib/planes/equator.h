@@ -8,12 +8,6 @@
 
 #include <stdbool.h>
 
-/* psi within `half` of a direction; the tangent of half of that. */
-typedef struct {
-    rw_direction psi;
-    double half, tangent;
-} rw_psi_arc;
-
 /* The worst plane of the equator. */
 void rw_equator_search(const rw_plane_cycle *cycle, const rw_severity *severity,
                        rw_worst_plane *best, rw_direction *psi);
@@ -22,10 +16,5 @@ void rw_equator_search(const rw_plane_cycle *cycle, const rw_severity *severity,
  * Quick. It may say no although it is so. */
 bool rw_equator_has_worst(const rw_plane_cycle *cycle, const rw_severity *severity, double value,
                           double noise);
-
-/* Whether no plane with psi in the arc, and whatever beta, is worse than the plane of the equator
- * with the same psi, or than `value`, as far as the first n loads go. */
-bool rw_equator_is_worst(const rw_plane_cycle *cycle, const rw_severity *severity,
-                         const rw_psi_arc *arc, size_t n, double value);
 
 #endif

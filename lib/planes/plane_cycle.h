@@ -14,25 +14,21 @@
 
 #include <math.h>
 
-/* One component at the centre of a cell, its rates of change, and bounds of what they leave out. */
+/* A plane by longitude and latitude, and what counts there. */
 typedef struct {
-    double x, y;
-} rw_vector;
+    rw_direction chi, beta;
+    double amplitude, peak;
+} rw_plane;
 
+/* A rectangle of longitude and latitude, its widths in rad; above the severity everywhere in it. */
+enum { RW_CORNERS = 4 };
 typedef struct {
-    rw_vector at, by_chi, by_beta;
-    double peak, peak_by_chi, peak_by_beta;
-    double rest, peak_rest;
-    double farthest, highest; /* in the cell: the square of the distance; the peak, with its rest */
-} rw_local;
+    rw_plane corner[RW_CORNERS];
+    double chi, beta, bound;
+} rw_cell;
 
-/* Stresses by the pole of the sphere of normals and two directions across it, side and base, of
- * which one is z: `base` along the last; the others' less that; the shear stress between the pole
- * and the side, and between the side and the base; the size of the part that varies around the
- * pole. */
-typedef struct {
-    double base, pole, side, shear, twist, ring;
-} rw_tensor;
+/* The search goes on with so many cells at most, and halves them. */
+enum { RW_CELLS = 1024 };
 
 /* A load: sxx, syy, d, t, szz, szz - s, and the length of (d, t); the same less the middle of all
  * loads, on which no amplitude depends. The strain's amplitude is that of level - cos^2(beta)
@@ -40,15 +36,14 @@ typedef struct {
 typedef struct {
     double xx, yy, d, t, z, lift, size;
     double deviation_d, deviation_t, deviation_lift, level, deviation_size;
-    rw_tensor all, deviation; /* the base of the second is that of the strain's amplitude */
 } rw_item;
 
 struct rw_plane_cycle {
     size_t loads;
     rw_item *item;
-    rw_local *local;
     rw_point *point;
     rw_wave *wave;
+    rw_cell *cell; /* room for 2 RW_CELLS */
 };
 
 static inline double rw_severity_of(const rw_severity *v, double amplitude, double peak)
@@ -63,13 +58,5 @@ double rw_plane_cycle_noise(const rw_plane_cycle *cycle, const rw_severity *seve
 
 /* Subtracts the middle of all loads from the components of amplitudes. */
 void rw_plane_cycle_centre(rw_plane_cycle *cycle);
-
-/* Chooses the pole of the sphere and sets `all` and `deviation`. From then on psi counts from
- * pole.psi: d and t are turned. */
-typedef struct {
-    rw_direction psi;
-    bool is_z;
-} rw_pole;
-rw_pole rw_plane_cycle_turn(rw_plane_cycle *cycle);
 
 #endif

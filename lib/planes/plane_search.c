@@ -323,6 +323,7 @@ static bool gather(search *s, const arc *a, const control c[KINDS], size_t count
 {
     const double peak = top_of(&c[PEAK]), top = top_of(&c[TOP]), bottom = top_of(&c[BOTTOM]);
     const double least = s->best + s->noise;
+    const bool are_many = s->cycle->loads > FEW; /* among few, keep() finds those that come again */
     for (int kind = 0; kind < KINDS; kind++)
         count[kind] = 0;
     for (size_t i = 0; i < s->cycle->loads; i++) {
@@ -334,7 +335,7 @@ static bool gather(search *s, const arc *a, const control c[KINDS], size_t count
                                     value_of(s, peak, top - bottom_of(&range_of))};
         for (int kind = 0; kind < KINDS; kind++) {
             if (most[kind] <= least ||
-                (count[kind] <= FEW && !is_new(s, kind, count[kind], &wave[kind])))
+                (are_many && count[kind] <= FEW && !is_new(s, kind, count[kind], &wave[kind])))
                 continue;
             if (count[kind] == s->capacity)
                 return false;

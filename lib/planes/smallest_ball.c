@@ -6,34 +6,35 @@
 #include "planes/smallest_ball.h"
 
 #include "base/always.h"
+#include "base/linear.h"
 #include "base/select.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
-enum { DIMENSIONS = 3, CANDIDATES = RW_SUPPORT + 1 };
+enum { DIMENSIONS = 3, SUPPORT = 4 };
 
 /* A point is outside if it is by more than this part of the largest coordinate: a few roundings. */
 static const double OUTSIDE = 8 * DBL_EPSILON;
 
-/* Edges whose Gram determinant is this small, relative to their lengths, are dependent. */
-static const double DEPENDENT = 1e-24;
+/* The height of an edge over those before it, relative to its length, for which they are dependent.
+ */
+static const double DEPENDENT = 1e-12;
 
-static double squared_distance(const rw_point *p, const rw_point *q)
-{
-    double sum = 0;
-    for (int k = 0; k < DIMENSIONS; k++)
-        sum += (p->x[k] - q->x[k]) * (p->x[k] - q->x[k]);
-    return sum;
-}
+/* The points of the support lie on the ball, and no smaller ball is around them. */
+typedef struct {
+    rw_ball ball;
+    int count;
+    size_t support[SUPPORT];
+} supported;
 
 static size_t farthest(size_t n, const rw_point points[], const rw_point *centre, double *square)
 {
     size_t best = 0;
     *square = 0;
     for (size_t i = 0; i < n; i++) {
-        const double d = squared_distance(&points[i], centre);
+        const double d = rw_squared_distance(&points[i], centre);
         if (d > *square) {
             *square = d;
             best = i;
@@ -44,111 +45,77 @@ static size_t farthest(size_t n, const rw_point points[], const rw_point *centre
 
 /* ---- The ball through all points of a support ---- */
 
-/* The edges from the first point of the support, their Gram matrix and half their squares. */
-typedef struct {
-    int size;
-    double gram[DIMENSIONS][DIMENSIONS], half[DIMENSIONS];
-} edges;
-
-static edges edges_of(const rw_point points[], int count, const size_t support[])
+/* The centre from the first point of the support is a sum of the edges to the others, with these
+ * weights; false where the edges are dependent. */
+static bool weigh(int size, double edge[][DIMENSIONS], double weight[])
 {
-    edges e = {.size = count - 1};
-    double edge[DIMENSIONS][DIMENSIONS];
-    for (int i = 0; i < e.size; i++)
-        for (int k = 0; k < DIMENSIONS; k++)
-            edge[i][k] = points[support[i + 1]].x[k] - points[support[0]].x[k];
-    for (int i = 0; i < e.size; i++) {
-        for (int j = 0; j < e.size; j++) {
-            e.gram[i][j] = 0;
+    double gram[DIMENSIONS * DIMENSIONS], length[DIMENSIONS];
+    for (int i = 0; i < size; i++) {
+        for (int j = 0; j < size; j++) {
+            gram[i * size + j] = 0;
             for (int k = 0; k < DIMENSIONS; k++)
-                e.gram[i][j] += edge[i][k] * edge[j][k];
+                gram[i * size + j] += edge[i][k] * edge[j][k];
         }
-        e.half[i] = e.gram[i][i] / 2;
+        weight[i] = gram[i * size + i] / 2;
+        length[i] = sqrt(gram[i * size + i]);
     }
-    return e;
-}
-
-/* Solves gram w = half by Cholesky's elimination; false where the edges are dependent. */
-static bool solve(edges *e, double w[DIMENSIONS])
-{
-    for (int i = 0; i < e->size; i++) {
-        const double length = 2 * e->half[i];
-        for (int j = 0; j < i; j++) {
-            const double factor = e->gram[i][j] / e->gram[j][j];
-            for (int k = j; k < e->size; k++)
-                e->gram[i][k] -= factor * e->gram[j][k];
-            w[i] = (j == 0 ? e->half[i] : w[i]) - factor * w[j];
-        }
-        if (i == 0)
-            w[0] = e->half[0];
-        if (!(e->gram[i][i] > DEPENDENT * length))
+    if (!rw_cholesky((size_t)size, gram))
+        return false;
+    for (int i = 0; i < size; i++)
+        if (!(gram[i * size + i] > DEPENDENT * length[i]))
             return false;
-    }
-    for (int i = e->size - 1; i >= 0; i--) {
-        for (int k = i + 1; k < e->size; k++)
-            w[i] -= e->gram[i][k] * w[k];
-        w[i] /= e->gram[i][i];
-    }
+    rw_cholesky_solve((size_t)size, gram, weight);
     return true;
 }
 
 /* The smallest ball with these points on it; false where it is not the smallest around them. */
-static bool ball_through(const rw_point points[], int count, const size_t support[], rw_ball *ball)
+static bool ball_through(const rw_point points[], supported *s)
 {
-    edges e = edges_of(points, count, support);
-    double w[DIMENSIONS];
-    if (!solve(&e, w))
-        return false;
-    *ball = (rw_ball){.centre = points[support[0]], .count = count};
-    double first = 1;
-    for (int i = 0; i < count; i++) {
-        ball->support[i] = support[i];
-        if (i == 0)
-            continue;
-        ball->weight[i] = w[i - 1];
-        first -= w[i - 1];
-        if (!(w[i - 1] > 0))
-            return false;
+    const rw_point *origin = &points[s->support[0]];
+    double edge[DIMENSIONS][DIMENSIONS], weight[DIMENSIONS], first = 1;
+    for (int i = 1; i < s->count; i++)
         for (int k = 0; k < DIMENSIONS; k++)
-            ball->centre.x[k] += w[i - 1] * (points[support[i]].x[k] - points[support[0]].x[k]);
+            edge[i - 1][k] = points[s->support[i]].x[k] - origin->x[k];
+    if (!weigh(s->count - 1, edge, weight))
+        return false;
+    s->ball.centre = *origin;
+    for (int i = 0; i < s->count - 1; i++) {
+        if (!(weight[i] > 0))
+            return false;
+        first -= weight[i];
+        for (int k = 0; k < DIMENSIONS; k++)
+            s->ball.centre.x[k] += weight[i] * edge[i][k];
     }
-    ball->weight[0] = first;
-    ball->radius = sqrt(squared_distance(&ball->centre, &points[support[0]]));
+    s->ball.radius = sqrt(rw_squared_distance(&s->ball.centre, origin));
     return first > 0;
 }
 
 /* ---- One more point ---- */
 
-static bool holds(const rw_ball *ball, double slack, const rw_point points[], int count,
-                  const size_t index[])
+static bool holds(const rw_ball *ball, double slack, const rw_point points[], const supported *all,
+                  size_t more)
 {
-    for (int i = 0; i < count; i++)
-        if (sqrt(squared_distance(&points[index[i]], &ball->centre)) > ball->radius + slack)
+    for (int i = 0; i <= all->count; i++) {
+        const rw_point *p = &points[i < all->count ? all->support[i] : more];
+        if (sqrt(rw_squared_distance(p, &ball->centre)) > ball->radius + slack)
             return false;
+    }
     return true;
 }
 
 /* The smallest ball around the support and one more point, which is on it. False if rounding
  * leaves none that is larger. */
-static bool grow(rw_ball *ball, double slack, const rw_point points[], size_t more)
+static bool grow(supported *s, double slack, const rw_point points[], size_t more)
 {
-    size_t index[CANDIDATES];
-    for (int i = 0; i < ball->count; i++)
-        index[i] = ball->support[i];
-    index[ball->count] = more;
-    const int others = ball->count;
-    rw_ball candidate;
-    const unsigned choices = (1u << others) - (others == RW_SUPPORT); /* not all, and one more */
-    for (unsigned choice = 1; ALWAYS(choice < choices); choice++) {   /* one of them is the ball */
-        size_t support[CANDIDATES] = {more};
-        int count = 1;
-        for (int i = 0; i < others; i++)
+    const unsigned choices = (1u << s->count) - (s->count == SUPPORT); /* not all, and one more */
+    for (unsigned choice = 1; ALWAYS(choice < choices); choice++) {    /* one of them is the ball */
+        supported next = {.count = 1, .support = {more}};
+        for (int i = 0; i < s->count; i++)
             if (choice >> i & 1)
-                support[count++] = index[i];
-        if (ball_through(points, count, support, &candidate) &&
-            holds(&candidate, slack, points, others + 1, index)) {
-            const bool is_larger = candidate.radius > ball->radius;
-            *ball = is_larger ? candidate : *ball;
+                next.support[next.count++] = s->support[i];
+        if (ball_through(points, &next) && holds(&next.ball, slack, points, s, more)) {
+            const bool is_larger = next.ball.radius > s->ball.radius;
+            *s = is_larger ? next : *s;
             return is_larger;
         }
     }
@@ -167,14 +134,14 @@ static double largest_coordinate(size_t n, const rw_point points[])
 rw_ball rw_smallest_ball(size_t n, const rw_point points[])
 {
     const double slack = OUTSIDE * largest_coordinate(n, points);
-    rw_ball ball = {.centre = points[0], .count = 1, .support = {0}, .weight = {1}};
+    supported s = {.ball = {.centre = points[0]}, .count = 1};
     for (;;) {
         double square;
-        const size_t more = farthest(n, points, &ball.centre, &square);
+        const size_t more = farthest(n, points, &s.ball.centre, &square);
         const double distance = sqrt(square);
-        if (distance <= ball.radius + slack || !grow(&ball, slack, points, more)) {
-            ball.radius = fmax(ball.radius, distance);
-            return ball;
+        if (distance <= s.ball.radius + slack || !grow(&s, slack, points, more)) {
+            s.ball.radius = fmax(s.ball.radius, distance);
+            return s.ball;
         }
     }
 }

@@ -10,17 +10,18 @@ typedef struct {
     double x[3];
 } rw_point;
 
-enum { RW_SUPPORT = 4 };
-
-/* The points of its support lie on the ball. Its centre is their mean with the weights, which are
- * positive and whose sum is 1. */
 typedef struct {
     rw_point centre;
     double radius; /* to the farthest point: no point is outside */
-    int count;
-    size_t support[RW_SUPPORT];
-    double weight[RW_SUPPORT];
 } rw_ball;
+
+static inline double rw_squared_distance(const rw_point *p, const rw_point *q)
+{
+    double sum = 0;
+    for (int k = 0; k < 3; k++)
+        sum += (p->x[k] - q->x[k]) * (p->x[k] - q->x[k]);
+    return sum;
+}
 
 /* Of n >= 1 points, whose coordinates are between -1e30 and 1e30. Error of the radius and the
  * centre below 32 epsilon of the largest coordinate. The time grows like n. */

@@ -1,496 +1,302 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Branch and bound over a quarter of the sphere of normals: planes that are mirrored by the plane
- * of x and y are equally bad. A cell is a rectangle of the latitude beta and the longitude chi.
- * Around its centre each load's components are linear, but for a remainder that is bounded by the
- * second derivatives. The distance of a linear function from a centre that moves linearly, too, is
- * convex, so that its largest value is at a corner of the cell. The centre of the circle moves so
- * that all points on it leave it at the same rate: then the bound exceeds the true values by the
- * second order of the cell's size, and few cells are left at each size. A load is kept in a cell
- * only if it can be the highest, or on the circle, somewhere in it. */
+/* Bound and refine over a quarter of the sphere of normals: planes that are mirrored by the plane
+ * of x and y are equally bad. A cell is a rectangle of the longitude chi and the latitude beta.
+ *
+ * Between its corners the stresses of a plane, along the meridian, the parallel and the normal, are
+ * mixtures of those at the corners but for a remainder, which is bounded by the second derivatives.
+ * The radius of the smallest circle around points is a convex function of the points. So both the
+ * amplitude and the peak are below mixtures of their values at the corners, but for the remainder,
+ * whatever loads are the highest and on the circle. The bound exceeds the true values by the second
+ * order of the cell's size.
+ *
+ * All cells that may have a worse plane are halved, again and again: few are left at each size. */
 #include "planes/worst_plane.h"
 
 #include "base/domain.h"
 #include "planes/equator.h"
-#include "planes/moving_circle.h"
 #include "planes/plane_cycle.h"
 
 #include <float.h>
 
-enum { CORNERS = 4 };
+/* Where a curve of planes is nearly as bad, ever more cells are left. Of more than there is room
+ * for, so many are kept, those with the highest bounds. */
+enum { KEPT = RW_CELLS / 4 };
 
-/* Hardly a cell gets this small: its bound exceeds the value by less than noise before. */
-static const double SMALLEST = 1e-9;
-
-/* Where a curve of planes has the same value no cell of it can be left out. After every CELLS
- * cells the difference that counts as noise grows by a factor; beyond LARGE_NOISE of the value it
- * grows after more cells. So the search ends. */
-enum { CELLS = 2048, MORE_CELLS = 8192 };
-static const double NOISE_GROWTH = 64, LARGE_NOISE = 1e-5;
-
+/* Bounds of an eighth of the second derivatives of a quantity by chi and beta. */
 typedef struct {
-    rw_direction chi, beta;
-    double half_chi, half_beta;       /* half of its sides, rad */
-    double tangent_chi, tangent_beta; /* of half of these */
-} cell;
-
-typedef struct {
-    double at[CORNERS];
-} corners;
-
-/* Upper bounds of the loads in the cell, and a lower bound of the largest of them. */
-typedef struct {
-    rw_circle around;
-    corners amplitude, peak;
-    double least_amplitude, least_peak;
-} view;
+    double chi, beta;
+} bends;
 
 typedef struct {
     const rw_severity *severity;
     rw_plane_cycle *cycle;
     double noise;
-    int cells;
+    rw_point pole, base, side; /* normals: of latitude pi/2; of longitude 0; across both */
+    bends bend, peak_bend;     /* of what counts by its amplitude; of the normal stress */
     rw_worst_plane best;
-    rw_direction chi, beta; /* of the best plane */
-    rw_pole pole;
+    rw_point normal; /* of the best plane */
+    size_t count;    /* of cells */
 } search;
 
-/* ---- One load on one plane ---- */
+/* ---- A plane ---- */
 
-/* A plane's shear stress along the meridian and along the parallel, its normal stress, and rates of
- * change. */
-typedef struct {
-    rw_vector shear, by_chi, by_beta;
-    double normal, normal_by_chi, normal_by_beta;
-} local;
-
-static inline local local_of(const rw_tensor *t, const cell *a)
+/* What counts by its amplitude, of a load: the normal strain; the shear stress as a vector. */
+static rw_point path_at(const rw_item *load, bool is_strain, double wave, const rw_point *normal)
 {
-    const double C = a->chi.cosine, S = a->chi.sine, c = a->beta.cosine, s = a->beta.sine;
-    const double cosine = (c - s) * (c + s), sine = 2 * s * c; /* of twice beta */
-    const double side = S * (S * t->side + 2 * C * t->twist),
-                 turn = C * S * t->side + (C - S) * (C + S) * t->twist,
-                 turn_by_chi = (C - S) * (C + S) * t->side - 4 * C * S * t->twist;
-    const double along = sine * (t->pole - side) / 2 + cosine * S * t->shear,
-                 across = s * C * t->shear + c * turn;
-    return (local){
-        {along, across},
-        {cosine * C * t->shear - sine * turn, c * turn_by_chi - s * S * t->shear},
-        {cosine * (t->pole - side) - 2 * sine * S * t->shear, c * C * t->shear - s * turn},
-        t->base + s * s * t->pole + sine * S * t->shear + c * c * side,
-        2 * c * across,
-        2 * along};
+    const double x = normal->x[0], y = normal->x[1], z = normal->x[2];
+    if (is_strain)
+        return (rw_point){{load->level - (x * x + y * y) * load->deviation_lift + wave}};
+    const double in_x = load->deviation_t * y - load->deviation_d * x,
+                 in_y = load->deviation_t * x + load->deviation_d * y,
+                 in_z = load->deviation_lift * z;
+    const double across = in_x * x + in_y * y + in_z * z;
+    return (rw_point){{in_x - across * x, in_y - across * y, in_z - across * z}};
 }
 
-/* Bounds on the second order of both stresses. */
-static inline double rest_by_chi(const rw_tensor *t, const cell *a)
+static rw_point normal_of(const search *w, rw_direction chi, rw_direction beta)
 {
-    return a->half_chi * a->half_chi * (t->ring + fabs(t->shear) / 2);
+    rw_point n;
+    for (int k = 0; k < 3; k++)
+        n.x[k] = beta.sine * w->pole.x[k] +
+                 beta.cosine * (chi.cosine * w->base.x[k] + chi.sine * w->side.x[k]);
+    return n;
 }
 
-static inline double rest_by_beta(const rw_tensor *t, const cell *a)
+static rw_plane plane_at(search *w, rw_plane p)
 {
-    return a->half_beta * a->half_beta * (fabs(t->pole) + t->ring + 2 * fabs(t->shear));
-}
-
-static inline double rest_of(const rw_tensor *t, const cell *a)
-{
-    return rest_by_chi(t, a) + rest_by_beta(t, a) +
-           a->half_chi * a->half_beta * (t->ring + 2 * fabs(t->shear));
-}
-
-/* Of the first n loads, in the cell; a copy of it, which no pointer can change. */
-static void set_local(rw_plane_cycle *cycle, bool is_strain, size_t n, const cell a)
-{
-    for (size_t i = 0; i < n; i++) {
-        const rw_tensor *all = &cycle->item[i].all, *deviation = &cycle->item[i].deviation;
-        const local every = local_of(all, &a), s = local_of(deviation, &a);
-        cycle->local[i] = (rw_local){.at = s.shear,
-                                     .by_chi = s.by_chi,
-                                     .by_beta = s.by_beta,
-                                     .peak = every.normal,
-                                     .peak_by_chi = every.normal_by_chi,
-                                     .peak_by_beta = every.normal_by_beta,
-                                     .rest = rest_of(deviation, &a),
-                                     .peak_rest = rest_of(all, &a)};
-        if (is_strain) {
-            cycle->local[i].at = (rw_vector){s.normal, 0};
-            cycle->local[i].by_chi = (rw_vector){s.normal_by_chi, 0};
-            cycle->local[i].by_beta = (rw_vector){s.normal_by_beta, 0};
-        }
+    const rw_point normal = normal_of(w, p.chi, p.beta);
+    const double x = normal.x[0], y = normal.x[1];
+    const double level = x * x + y * y, cosine = (y - x) * (y + x), sine = 2 * x * y;
+    const rw_plane_cycle *cycle = w->cycle;
+    p.peak = -DBL_MAX;
+    for (size_t i = 0; i < cycle->loads; i++) {
+        const rw_item *load = &cycle->item[i];
+        p.peak =
+            rw_larger(p.peak, load->z - level * load->lift + (load->d * cosine + load->t * sine));
+        cycle->point[i] = path_at(load, w->severity->is_strain,
+                                  load->deviation_d * cosine + load->deviation_t * sine, &normal);
     }
-}
-
-/* ---- Bounds at the corners of a cell ---- */
-
-static inline double top_of(const corners *c)
-{
-    return rw_larger(rw_larger(c->at[0], c->at[1]), rw_larger(c->at[2], c->at[3]));
-}
-
-static inline double bottom_of(const corners *c)
-{
-    return rw_smaller(rw_smaller(c->at[0], c->at[1]), rw_smaller(c->at[2], c->at[3]));
-}
-
-static inline corners linear(double at, double by_chi, double by_beta)
-{
-    const double sum = by_chi + by_beta, difference = by_chi - by_beta;
-    return (corners){{at + sum, at + difference, at - difference, at - sum}};
-}
-
-/* The squares of the distances, without the rest. */
-static inline corners distances(const rw_local *l, const rw_circle *c, const cell *a)
-{
-    const double p = a->half_chi, b = a->half_beta;
-    const corners x = linear(l->at.x - c->ball.centre.x[0], p * (l->by_chi.x - c->by_chi.x),
-                             b * (l->by_beta.x - c->by_beta.x));
-    const corners y = linear(l->at.y - c->ball.centre.x[1], p * (l->by_chi.y - c->by_chi.y),
-                             b * (l->by_beta.y - c->by_beta.y));
-    corners square;
-    for (int k = 0; k < CORNERS; k++)
-        square.at[k] = x.at[k] * x.at[k] + y.at[k] * y.at[k];
-    return square;
-}
-
-/* How far a point can move relative to the centre of the circle within the cell. */
-static inline double travel(const rw_local *l, const rw_circle *c, const cell *a)
-{
-    const double x = a->half_chi * fabs(l->by_chi.x - c->by_chi.x) +
-                     a->half_beta * fabs(l->by_beta.x - c->by_beta.x);
-    const double y = a->half_chi * fabs(l->by_chi.y - c->by_chi.y) +
-                     a->half_beta * fabs(l->by_beta.y - c->by_beta.y);
-    return x + y + l->rest;
-}
-
-static inline corners peaks(const rw_local *l, const cell *a)
-{
-    return linear(l->peak, a->half_chi * l->peak_by_chi, a->half_beta * l->peak_by_beta);
-}
-
-static inline void raise(corners *c, const corners *other, double more)
-{
-    for (int k = 0; k < CORNERS; k++)
-        c->at[k] = rw_larger(c->at[k], other->at[k] + more);
-}
-
-/* Above the severity everywhere in the cell, and at its corners. Both factors of a product are
- * below mixtures of their values at the corners, with the same weights. The product of two mixtures
- * exceeds that of the products by their covariance at most. */
-static double bound_of(const rw_severity *v, const corners *amplitude, const corners *peak,
-                       corners *severity)
-{
-    corners factor;
-    for (int k = 0; k < CORNERS; k++) {
-        severity->at[k] = rw_severity_of(v, amplitude->at[k], peak->at[k]);
-        factor.at[k] = v->is_sum ? 0 : rw_larger(0, v->offset + v->gain * peak->at[k]);
+    p.amplitude = rw_smallest_ball(cycle->loads, cycle->point).radius;
+    const double value = rw_severity_of(w->severity, p.amplitude, p.peak);
+    if (value > w->best.value) {
+        w->best = (rw_worst_plane){.value = value, .amplitude = p.amplitude, .peak = p.peak};
+        w->normal = normal;
     }
-    return top_of(severity) +
-           (top_of(amplitude) - bottom_of(amplitude)) * (top_of(&factor) - bottom_of(&factor)) / 4;
+    return p;
+}
+
+static rw_direction direction_between(rw_direction a, rw_direction b)
+{
+    const double cosine = a.cosine + b.cosine, sine = a.sine + b.sine,
+                 length = sqrt(cosine * cosine + sine * sine);
+    return (rw_direction){cosine / length, sine / length};
+}
+
+static rw_plane plane_between(search *w, const rw_plane *a, const rw_plane *b)
+{
+    return plane_at(w, (rw_plane){.chi = direction_between(a->chi, b->chi),
+                                  .beta = direction_between(a->beta, b->beta)});
 }
 
 /* ---- A cell ---- */
 
-static void look(search *w, const cell *a, size_t n, view *v)
+static double rest_of(const rw_cell *c, bends by)
 {
-    set_local(w->cycle, w->severity->is_strain, n, *a);
-    v->around = rw_circle_of(w->cycle, n);
-    static const corners LOWEST = {{-DBL_MAX, -DBL_MAX, -DBL_MAX, -DBL_MAX}};
-    v->amplitude = v->peak = LOWEST;
-    v->least_peak = -DBL_MAX;
-    double most = 0, rest = 0;
-    for (size_t i = 0; i < n; i++) {
-        rw_local *l = &w->cycle->local[i];
-        const corners distance = distances(l, &v->around, a), peak = peaks(l, a);
-        l->farthest = top_of(&distance);
-        l->highest = top_of(&peak) + l->peak_rest;
-        raise(&v->amplitude, &distance, 0);
-        raise(&v->peak, &peak, l->peak_rest);
-        v->least_peak = rw_larger(v->least_peak, bottom_of(&peak) - l->peak_rest);
-        most = rw_larger(most, travel(l, &v->around, a));
-        rest = rw_larger(rest, l->rest);
-    }
-    for (int k = 0; k < CORNERS; k++)
-        v->amplitude.at[k] = sqrt(v->amplitude.at[k]) + rest;
-    v->least_amplitude = v->around.ball.radius - most;
+    return by.chi * c->chi * c->chi + by.beta * c->beta * c->beta;
 }
 
-static double record(search *w, const cell *a, size_t n, double amplitude)
+/* Above the severity everywhere in the cell. Both factors of a product are below mixtures of their
+ * values at the corners, with the same weights. The product of two mixtures exceeds that of the
+ * products by their covariance at most. */
+static double bound_of(const search *w, const rw_cell *c)
 {
-    double peak = -DBL_MAX;
-    for (size_t i = 0; i < n; i++)
-        peak = rw_larger(peak, w->cycle->local[i].peak);
-    const double value = rw_severity_of(w->severity, amplitude, peak);
-    if (value > w->best.value) {
-        w->best = (rw_worst_plane){.value = value, .amplitude = amplitude, .peak = peak};
-        w->chi = a->chi;
-        w->beta = a->beta;
+    const rw_severity *v = w->severity;
+    const double rest = rest_of(c, w->bend), peak_rest = rest_of(c, w->peak_bend);
+    double most = -DBL_MAX, top = -DBL_MAX, bottom = DBL_MAX, high = -DBL_MAX, low = DBL_MAX;
+    for (int k = 0; k < RW_CORNERS; k++) {
+        const double amplitude = c->corner[k].amplitude + rest,
+                     peak = c->corner[k].peak + peak_rest;
+        const double factor = v->is_sum ? 0 : rw_larger(0, v->offset + v->gain * peak);
+        most = rw_larger(most, rw_severity_of(v, amplitude, peak));
+        top = rw_larger(top, amplitude), bottom = rw_smaller(bottom, amplitude);
+        high = rw_larger(high, factor), low = rw_smaller(low, factor);
     }
-    return value;
+    return most + (top - bottom) * (high - low) / 4;
 }
 
-/* Moves the loads that can matter in the cell to the front; how many. */
-static size_t keep(search *w, size_t n, const view *v)
+/* ---- All cells ---- */
+
+/* Corners 0 and 1 have the least chi, 0 and 2 the least beta. */
+static void halve(search *w, rw_cell *c, rw_cell *other)
 {
-    rw_item *load = w->cycle->item;
+    const bends both = {w->bend.chi + w->severity->gain * w->peak_bend.chi,
+                        w->bend.beta + w->severity->gain * w->peak_bend.beta};
+    const bool along_chi = both.chi * c->chi * c->chi > both.beta * c->beta * c->beta;
+    *(along_chi ? &c->chi : &c->beta) /= 2;
+    *other = *c;
+    for (int k = 0; k < 2; k++) {
+        const int from = along_chi ? k : 2 * k, to = along_chi ? k + 2 : 2 * k + 1;
+        c->corner[to] = other->corner[from] = plane_between(w, &c->corner[from], &c->corner[to]);
+    }
+}
+
+static void halve_all(search *w)
+{
+    for (size_t i = 0, count = w->count; i < count; i++)
+        halve(w, &w->cycle->cell[i], &w->cycle->cell[w->count++]);
+}
+
+/* A bound that more than KEPT cells exceed, and hardly more. (A large qsort() asks for memory.) */
+static double bound_of_kept(const search *w)
+{
+    enum { HALVINGS = 64 };
+    const rw_cell *cells = w->cycle->cell;
+    double low = w->best.value, high = low;
+    for (size_t i = 0; i < w->count; i++)
+        high = rw_larger(high, cells[i].bound);
+    for (int turn = 0; turn < HALVINGS; turn++) {
+        const double middle = low + (high - low) / 2;
+        size_t above = 0;
+        for (size_t i = 0; i < w->count; i++)
+            above += cells[i].bound > middle;
+        *(above > KEPT ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* Keeps the cells whose bounds exceed this, but not more of them than `most`. */
+static void keep(search *w, double least, size_t most)
+{
+    rw_cell *cells = w->cycle->cell;
     size_t kept = 0;
-    for (size_t i = 0; i < n; i++) {
-        const rw_local *l = &w->cycle->local[i];
-        const double least = rw_larger(0, v->least_amplitude - l->rest);
-        if (l->farthest >= least * least || l->highest >= v->least_peak) {
-            const rw_item kept_load = load[i];
-            load[i] = load[kept];
-            load[kept++] = kept_load;
-        }
-    }
-    return kept;
+    for (size_t i = 0; i < w->count && kept < most; i++)
+        if (cells[i].bound > least)
+            cells[kept++] = cells[i];
+    w->count = kept;
 }
 
-/* Whether the second order is larger along chi than along beta, as the severity counts it. */
-static bool is_wide(const search *w, const cell *a, size_t n, const view *v)
+/* Keeps the cells that may have a worse plane than the worst so far. */
+static void settle(search *w)
 {
-    const rw_severity *y = w->severity;
-    const double per = y->is_sum ? 1 : rw_larger(0, y->offset + y->gain * v->least_peak);
-    const double per_peak = y->gain * (y->is_sum ? 1 : v->around.ball.radius);
-    double excess = 0;
-    for (size_t i = 0; i < n; i++) {
-        const rw_tensor *all = &w->cycle->item[i].all, *deviation = &w->cycle->item[i].deviation;
-        excess += per * (rest_by_chi(deviation, a) - rest_by_beta(deviation, a)) +
-                  per_peak * (rest_by_chi(all, a) - rest_by_beta(all, a));
-    }
-    return excess > 0;
+    for (size_t i = 0; i < w->count; i++)
+        w->cycle->cell[i].bound = bound_of(w, &w->cycle->cell[i]);
+    keep(w, w->best.value + w->noise, w->count);
+    if (w->count > RW_CELLS)
+        keep(w, bound_of_kept(w), KEPT);
 }
 
-/* The halves of a cell: first the one that may be worse. */
-static void divide(const cell *a, bool along_chi, const corners *severity, cell half[2])
-{
-    half[0] = half[1] = *a;
-    const double *at = severity->at;
-    const double forward =
-        along_chi ? at[0] + at[1] - at[2] - at[3] : at[0] - at[1] + at[2] - at[3];
-    for (int i = 0; i < 2; i++) {
-        cell *h = &half[i];
-        double *tangent = along_chi ? &h->tangent_chi : &h->tangent_beta;
-        *tangent = rw_half_tangent(*tangent);
-        *(along_chi ? &h->half_chi : &h->half_beta) /= 2;
-        rw_direction *u = along_chi ? &h->chi : &h->beta;
-        *u = rw_turned_by(*u, (i == 0) == (forward > 0) ? *tangent : -*tangent);
-    }
-}
+/* ---- Poles and bends ---- */
 
-/* ---- Search ---- */
-
-static void allow_more_noise(search *w)
-{
-    const bool is_large = w->noise > LARGE_NOISE * fabs(w->best.value);
-    if (++w->cells < (is_large ? MORE_CELLS : CELLS))
-        return;
-    w->cells = 0;
-    w->noise *= NOISE_GROWTH;
-}
-
-/* The arc of the equator below the cell; false where it is long. Away from z, a normal in the cell
- * turns by less than `turn` of the `share` that it has in the plane of x and y. */
-static bool find_arc(const search *w, const cell *a, rw_psi_arc *arc)
-{
-    double C = a->chi.cosine, S = a->chi.sine;
-    *arc = (rw_psi_arc){.half = 2 * a->half_chi};
-    if (!w->pole.is_z) {
-        const double side = a->beta.cosine * S,
-                     share = sqrt(a->beta.sine * a->beta.sine + side * side);
-        const double turn = a->half_beta + a->half_chi * (a->beta.cosine + a->half_beta);
-        if (turn > share / 2)
-            return false;
-        C = a->beta.sine / share, S = side / share;
-        arc->half = 2.2 * turn / share; /* twice, and at most 5 % more */
-    }
-    arc->psi = (rw_direction){(C - S) * (C + S), 2 * C * S};
-    return true;
-}
-
-/* Whether no plane in the cell is worse than the one of the equator below it. */
-static bool is_worst_at_equator(const search *w, const cell *a, size_t n)
-{
-    rw_psi_arc arc;
-    return find_arc(w, a, &arc) &&
-           rw_equator_is_worst(w->cycle, w->severity, &arc, n, w->best.value + w->noise);
-}
-
-/* How many of the first n loads can matter in the cell, and the halves of the cell; 0 where the
- * cell is settled. */
-static size_t narrow(search *w, const cell *a, size_t n, cell half[2])
-{
-    view v;
-    corners severity;
-    look(w, a, n, &v);
-    record(w, a, n, v.around.ball.radius);
-    allow_more_noise(w);
-    const double bound = bound_of(w->severity, &v.amplitude, &v.peak, &severity);
-    if (bound <= w->best.value + w->noise || rw_smaller(a->half_beta, a->half_chi) < SMALLEST)
-        return 0;
-    const size_t kept = keep(w, n, &v);
-    if (is_worst_at_equator(w, a, kept))
-        return 0;
-    divide(a, is_wide(w, a, kept, &v), &severity, half);
-    return kept;
-}
-
-/* A cell to be looked at, with the loads that are left in it. */
+/* psi: of the pole, or where z is the pole, of the base. */
 typedef struct {
-    cell area;
-    size_t loads;
-} task;
+    rw_direction psi;
+    bool is_z;
+} pole_choice;
 
-/* Halvings from the first cells to the smallest ones are fewer. */
-enum { TASKS = 64 };
-
-/* Cells wait in a list of their own: recursion would take much of a small stack. */
-static void explore(search *w, const cell *a, size_t n)
+/* Where the stresses change along one direction alone, as near a free surface in plane stress, all
+ * planes of one latitude around it are nearly equally bad, and cells may be long. So the pole is
+ * the principal direction that differs most from the two others, where these are so close; of the
+ * load farthest from the middle. Otherwise it is z: on its equator the worst plane is mostly. */
+static pole_choice pole_of(const rw_plane_cycle *cycle)
 {
-    task waiting[TASKS] = {{*a, n}};
-    for (int count = 1; count > 0;) {
-        const task now = waiting[--count];
-        cell half[2];
-        const size_t kept = narrow(w, &now.area, now.loads, half);
-        for (int i = 1; kept > 0 && i >= 0; i--)
-            waiting[count++] = (task){half[i], kept};
-    }
-}
-
-/* ---- A climb from the worst plane so far ---- */
-
-/* Powell's method: the largest value along a line by golden sections, and the way of a round as the
- * next line. Steps are tangents of half the angles. */
-typedef struct {
-    double chi, beta;
-} step;
-
-enum { FIRST_ROUNDS = 3, FIRST_SECTIONS = 5, ROUNDS = 16, SECTIONS = 24 };
-static const double FIRST_REACH = 0.3, SHRINK = 0.4, GOLDEN = 0.6180339887498949;
-
-static double value_at(search *w, const cell *from, const step *s, double t)
-{
-    cell a = {.chi = rw_turned_by(from->chi, t * s->chi),
-              .beta = rw_turned_by(from->beta, t * s->beta)};
-    const size_t n = w->cycle->loads;
-    set_local(w->cycle, w->severity->is_strain, n, a);
-    return record(w, &a, n, rw_circle_of(w->cycle, n).ball.radius);
-}
-
-static cell best_plane(const search *w)
-{
-    return (cell){.chi = w->chi, .beta = w->beta};
-}
-
-static void climb_along(search *w, const step *s, int sections)
-{
-    const cell from = best_plane(w);
-    double low = -1, high = 1, left = high - GOLDEN * (high - low),
-           right = low + GOLDEN * (high - low);
-    double at_left = value_at(w, &from, s, left), at_right = value_at(w, &from, s, right);
-    for (int i = 0; i < sections; i++) {
-        const bool is_left = at_left > at_right;
-        *(is_left ? &high : &low) = is_left ? right : left;
-        *(is_left ? &right : &left) = is_left ? left : right;
-        *(is_left ? &at_right : &at_left) = is_left ? at_left : at_right;
-        const double t = is_left ? high - GOLDEN * (high - low) : low + GOLDEN * (high - low);
-        *(is_left ? &at_left : &at_right) =
-            value_at(w, &from, s, is_left ? (left = t) : (right = t));
-    }
-}
-
-/* The step from one plane to another, if they are near. */
-static step way_of(const cell *from, const cell *to)
-{
-    return (step){(from->chi.cosine * to->chi.sine - from->chi.sine * to->chi.cosine) / 2,
-                  (from->beta.cosine * to->beta.sine - from->beta.sine * to->beta.cosine) / 2};
-}
-
-static void climb(search *w, int rounds, int sections)
-{
-    double reach = FIRST_REACH;
-    for (int i = 0; i < rounds; i++, reach *= SHRINK) {
-        const cell from = best_plane(w);
-        const step across = {reach, 0}, up = {0, reach};
-        climb_along(w, &across, sections);
-        climb_along(w, &up, sections);
-        const cell to = best_plane(w);
-        step way = way_of(&from, &to);
-        const double length = rw_larger(fabs(way.chi), fabs(way.beta));
-        if (length == 0)
+    static const double CLOSE = 0.2;
+    pole_choice chosen = {{1, 0}, true};
+    double most = 0;
+    for (size_t i = 0; i < cycle->loads; i++) {
+        const rw_item *load = &cycle->item[i];
+        const double lift = fabs(load->deviation_lift), size = load->deviation_size;
+        if (size == 0 || size + lift <= most)
             continue;
-        way = (step){way.chi * reach / length, way.beta * reach / length};
-        climb_along(w, &way, sections);
+        const double length = load->deviation_lift > 0 ? -size : size;
+        most = size + lift;
+        chosen = (pole_choice){{load->deviation_d / length, load->deviation_t / length},
+                               fabs(size - lift) > CLOSE * 2 * size};
+    }
+    return chosen;
+}
+
+/* Raises the bends to those of a stress, given by its differences between pole and base and side
+ * and base, and its shear stresses between pole and side and side and base. */
+static void raise_bends(bends *b, double pole, double side, double shear, double twist)
+{
+    const double ring = sqrt(side * side + 4 * twist * twist);
+    b->chi = rw_larger(b->chi, (ring + fabs(shear) / 2) / 4);
+    b->beta = rw_larger(b->beta, (fabs(pole) + ring + 2 * fabs(shear)) / 4);
+}
+
+static void raise_by(bends *b, const pole_choice *p, double d, double t, double lift)
+{
+    const rw_direction back = {p->psi.cosine, -p->psi.sine},
+                       u = rw_turned_with((rw_direction){d, t}, back);
+    if (p->is_z)
+        raise_bends(b, lift - u.cosine, -2 * u.cosine, 0, u.sine);
+    else
+        raise_bends(b, u.cosine - lift, -u.cosine - lift, u.sine, 0);
+}
+
+static void set_axes(search *w, const pole_choice *p)
+{
+    const double cosine = p->psi.cosine, large = sqrt((1 + fabs(cosine)) / 2),
+                 small = p->psi.sine / (2 * large);
+    const double x = cosine < 0 ? large : small, y = cosine < 0 ? small : large;
+    const rw_point across_z = {{0, 0, 1}}, in_plane = {{x, y, 0}};
+    w->pole = p->is_z ? across_z : in_plane;
+    w->base = p->is_z ? in_plane : across_z;
+    w->side = (rw_point){{y, -x, 0}};
+}
+
+static void set_sphere(search *w)
+{
+    const pole_choice p = pole_of(w->cycle);
+    set_axes(w, &p);
+    for (size_t i = 0; i < w->cycle->loads; i++) {
+        const rw_item *l = &w->cycle->item[i];
+        raise_by(&w->peak_bend, &p, l->d, l->t, l->lift);
+        raise_by(&w->bend, &p, l->deviation_d, l->deviation_t, l->deviation_lift);
     }
 }
 
-/* ---- The quarter of the sphere ---- */
+/* ---- All ---- */
 
-/* A high value to begin with: a cell whose highest plane is at its side, beside a cell with higher
- * ones, would otherwise be divided along this side to the end. Planes a quarter of the sides
- * apart. */
+/* Two cells, as directions that are opposite have no middle. */
 static void begin(search *w)
 {
-    enum { STEPS = 4 };
-    static const cell FIRST = {.chi = {0.38268343236508977, -0.92387953251128676},
-                               .beta = {0.98078528040323045, 0.19509032201612827},
-                               .tangent_chi = 0.41421356237309505,
-                               .tangent_beta = 0.19891236737965801};
-    cell a = FIRST;
-    for (int i = 0; i < STEPS * STEPS; i++) {
-        value_at(w, &a, &(step){0, 0}, 0);
-        a.beta = rw_turned_by(a.beta, a.tangent_beta);
-        if (i % STEPS < STEPS - 1)
-            continue;
-        a.beta = FIRST.beta;
-        a.chi = rw_turned_by(a.chi, a.tangent_chi);
+    static const rw_direction CHI[3] = {{0, -1}, {1, 0}, {0, 1}}, BETA[2] = {{1, 0}, {0, 1}};
+    set_sphere(w);
+    w->count = 2;
+    for (int i = 0; i < 2; i++) {
+        rw_cell *c = &w->cycle->cell[i];
+        *c = (rw_cell){.chi = RW_HALF_PI, .beta = RW_HALF_PI};
+        for (int k = 0; k < RW_CORNERS; k++)
+            c->corner[k] = plane_at(w, (rw_plane){.chi = CHI[i + k / 2], .beta = BETA[k % 2]});
     }
-    climb(w, FIRST_ROUNDS, FIRST_SECTIONS);
 }
 
 static void name_plane(search *w)
 {
-    const double pole = w->beta.sine, base = w->beta.cosine * w->chi.cosine,
-                 side = w->beta.cosine * w->chi.sine;
-    const double first = w->pole.is_z ? base : pole, out = w->pole.is_z ? pole : base;
-    const rw_direction psi = rw_turned_with(
-        (rw_direction){(first - side) * (first + side), 2 * first * side}, w->pole.psi);
-    w->best.angle = rw_plane_angle(psi.cosine, psi.sine);
-    /* 0 to pi/2: planes that are mirrored are equally bad */
-    w->best.out_of_plane = rw_angle(sqrt(first * first + side * side), fabs(out));
+    const double x = w->normal.x[0], y = w->normal.x[1];
+    w->best.angle = rw_plane_angle((y - x) * (y + x), 2 * x * y);
+    w->best.out_of_plane = rw_angle(sqrt(x * x + y * y), fabs(w->normal.x[2]));
 }
 
 /* Planes that may be worse than the worst of the equator. */
 static void search_sphere(search *w)
 {
-    static const cell SPHERE = {.chi = {1, 0},
-                                .beta = {0.70710678118654752, 0.70710678118654752},
-                                .half_chi = RW_HALF_PI,
-                                .half_beta = RW_PI / 4,
-                                .tangent_chi = 1,
-                                .tangent_beta = 0.41421356237309505};
-    const double noise = w->noise;
     const rw_worst_plane equator = w->best;
-    w->pole = rw_plane_cycle_turn(w->cycle);
     begin(w);
-    explore(w, &SPHERE, w->cycle->loads);
-    if (w->noise > noise)
-        climb(w, ROUNDS, SECTIONS);
-    if (w->best.value > equator.value + noise)
+    for (settle(w); w->count > 0; settle(w))
+        halve_all(w);
+    if (w->best.value > equator.value + w->noise)
         name_plane(w);
     else
         w->best = equator;
 }
 
-/* ---- All ---- */
-
 rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *severity)
 {
     rw_plane_cycle_centre(cycle);
-    search w = {.severity = severity,
-                .cycle = cycle,
-                .noise = rw_plane_cycle_noise(cycle, severity),
-                .chi = {1, 0},
-                .beta = {1, 0}};
+    search w = {
+        .severity = severity, .cycle = cycle, .noise = rw_plane_cycle_noise(cycle, severity)};
     rw_direction psi;
     rw_equator_search(cycle, severity, &w.best, &psi);
     w.best.angle = rw_plane_angle(psi.cosine, psi.sine);

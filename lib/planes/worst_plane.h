@@ -38,9 +38,8 @@ void rw_plane_cycle_destroy(rw_plane_cycle *cycle);
 void rw_plane_cycle_set(rw_plane_cycle *cycle, size_t i, const rw_plane_load *load,
                         const rw_severity *severity);
 
-/* Stresses are between -1 and 1. The search changes the order of the loads: set them again for the
- * next. No plane exceeds the value by more than rounding; where a whole curve of planes has the
- * largest value, by more than 1e-9 of it. */
+/* Stresses are between -1 and 1. No plane exceeds the value by more than rounding; where a whole
+ * curve of planes has the largest value, by more than 1e-9 of it. */
 rw_worst_plane rw_worst_plane_of(rw_plane_cycle *cycle, const rw_severity *severity);
 
 #endif

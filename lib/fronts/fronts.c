@@ -95,6 +95,15 @@ rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
 /* Smaller terms, over the largest and the tolerance, are left out. */
 static const double LEAST_TERM = 1e-7;
 
+/* How many terms the series of a gap has at most. It falls by rho from term to term, the faster the
+ * further the zones beside the gap reach. */
+static int most_terms(const rw_stuck *s, int gap, double middle, double half, double least)
+{
+    const double reach = fmin(middle - s->end[2 * gap], s->end[2 * gap + 3] - middle) / half;
+    const double rho = reach + sqrt(fmax(0, reach * reach - 1));
+    return (int)fmax(4, fmin(GAP_TERMS, 1 - log(least) / log(rho)));
+}
+
 /* A row of angles takes one sine and one cosine, and a product for each angle. */
 static rw_complex direction_of(double angle)
 {
@@ -103,11 +112,12 @@ static rw_complex direction_of(double angle)
 
 /* X in the gap between two zones that stick, over the half-length of the gap, as a sum of sines.
  * Returns how many terms count, an even number. */
-static int expand_gap(const rw_stuck *s, double least, double middle, double half, double c[])
+static int expand_gap(const rw_stuck *s, int gap, double least, double middle, double half,
+                      double c[])
 {
     double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0;
     int terms = 1;
-    const int n = GAP_TERMS, turn = 2 * (n + 1);
+    const int n = most_terms(s, gap, middle, half, least), turn = 2 * (n + 1);
     const rw_complex step = direction_of(2 * RW_PI / turn);
     rw_complex at_point = {1, 0};
     for (int i = 0; i < turn; i++, at_point = rw_product(at_point, step)) {
@@ -168,7 +178,7 @@ static double gap_of_change(const rw_fronts *f, const rw_stuck *s, int gap)
     const double half = (b - a) / 2, middle = (a + b) / 2;
     double c[GAP_TERMS];
     const double least = LEAST_TERM * f->problem->frame->tolerance;
-    const int terms = expand_gap(s, least, middle, half, c);
+    const int terms = expand_gap(s, gap, least, middle, half, c);
     double sum = 0;
     for (size_t first = 0; first < f->count; first += LANES) {
         double eta[LANES], kernel[LANES];
@@ -212,15 +222,16 @@ static void add_moments(const rw_fronts *f, const rw_stuck *s, double moment[])
 
 /* At infinity Omega + stretch is the stretch less the load over pi z: a row of A p = B for each
  * power of z from m - 1 to -1. */
-static void conditions_at_infinity(const rw_fronts *f, const rw_stuck *s, double A[], double B[])
+static void conditions_at_infinity(const rw_fronts *f, const rw_stuck *s, const double front[],
+                                   double A[], double B[])
 {
     const int m = s->count, n = 2 * m;
     double shear, stretch;
     rw_beside_layers(f->problem, &f->layers, &shear, &stretch);
     double moment[RW_MOST_STICK + 1] = {0}, grown[RW_MOST_FRONTS + 1], shrunk[RW_MOST_FRONTS + 1];
     add_moments(f, s, moment);
-    expand_at_infinity(n + 1, n, s->front, 0.5, grown);
-    expand_at_infinity(n + 1, n, s->front, -0.5, shrunk);
+    expand_at_infinity(n + 1, n, front, 0.5, grown);
+    expand_at_infinity(n + 1, n, front, -0.5, shrunk);
     for (int row = 0; row <= m; row++) {
         const int power = m - 1 - row;
         for (int i = m + power; i < n; i++)
@@ -251,32 +262,27 @@ static void conditions_of_gaps(const rw_fronts *f, const rw_stuck *s, double A[]
     }
 }
 
-bool rw_fronts_polynomial(const rw_fronts *f, rw_stuck *s)
+bool rw_fronts_polynomial(const rw_fronts *f, const rw_stuck *s, double front[], double p[])
 {
     double A[RW_MOST_FRONTS * RW_MOST_FRONTS] = {0};
-    conditions_at_infinity(f, s, A, s->p);
-    conditions_of_gaps(f, s, A, s->p);
-    return rw_solve((size_t)(2 * s->count), A, s->p);
+    for (int i = 0; i < RW_MOST_FRONTS; i++)
+        front[i] = (s->end[i] - s->middle) / s->half;
+    conditions_at_infinity(f, s, front, A, p);
+    conditions_of_gaps(f, s, A, p);
+    return rw_solve((size_t)(2 * s->count), A, p);
 }
 
-double rw_polynomial_at(const rw_stuck *s, double place)
-{
-    double value = 0;
-    for (int i = 2 * s->count - 1; i >= 0; i--)
-        value = value * place + s->p[i];
-    return value;
-}
-
-void rw_fronts_singular(const rw_stuck *s, double K[])
+void rw_fronts_singular(const rw_stuck *s, const double front[], const double p[], double K[])
 {
     const int n = 2 * s->count;
     for (int j = 0; j < n; j++) {
-        double apart = 1;
+        double value = 0, apart = 1;
+        for (int i = n - 1; i >= 0; i--)
+            value = value * front[j] + p[i];
         for (int i = 0; i < n; i++)
-            apart *= i == j ? 1 : fabs(s->front[i] - s->front[j]);
+            apart *= i == j ? 1 : fabs(front[i] - front[j]);
         /* X has the sign (-1)^(m-1-k) on the k-th zone, times i */
-        K[j] = ((s->count - 1 - j / 2) % 2 == 0 ? -1 : 1) * rw_polynomial_at(s, s->front[j]) /
-               sqrt(apart);
+        K[j] = ((s->count - 1 - j / 2) % 2 == 0 ? -1 : 1) * value / sqrt(apart);
     }
 }
 
@@ -287,12 +293,12 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
     if (f->budget-- <= 0)
         return false;
     rw_fronts_collect(f, &zones, &layers, f->coarse);
-    rw_stuck s = rw_stuck_of(f, &zones);
+    const rw_stuck s = rw_stuck_of(f, &zones);
     const int n = 2 * s.count;
-    double K[RW_MOST_FRONTS];
-    if (!rw_fronts_polynomial(f, &s))
+    double p[RW_MOST_FRONTS], front[RW_MOST_FRONTS], K[RW_MOST_FRONTS];
+    if (!rw_fronts_polynomial(f, &s, front, p))
         return false;
-    rw_fronts_singular(&s, K);
+    rw_fronts_singular(&s, front, p, K);
     int count = 0;
     for (int j = 0; j < n; j++)
         if (!isfinite(K[j]))
@@ -360,8 +366,12 @@ void rw_fronts_stick_traction(const rw_fronts *f, const rw_stuck *s, size_t n, c
                               double t[])
 {
     rw_base_traction(f->problem, &f->layers, n, x, t);
-    for (size_t i = 0; i < n; i++)
-        t[i] += rw_fronts_transform(f, x[i]) * rw_X_at(s, x[i]);
+    for (size_t i = 0; i < n; i++) {
+        int after = 0; /* zones that stick beyond this one */
+        for (int k = 0; k < s->count; k++)
+            after += x[i] < s->end[2 * k];
+        t[i] += rw_fronts_transform(f, x[i]) * fabs(rw_X_at(s, x[i])) * (after % 2 ? -1 : 1);
+    }
 }
 
 /* The segments around x that follow one another without a gap; without points where there is

@@ -46,17 +46,16 @@ typedef struct {
     int budget; /* residuals that may still be computed */
 } rw_fronts;
 
-/* The zones that stick, by their ends, and the polynomial p by its coefficients. */
+/* The zones that stick, by their ends. */
 typedef struct {
     int count;
     double end[RW_MOST_FRONTS];
-    double middle, half;                             /* of the contact: its middle and half-width */
-    double front[RW_MOST_FRONTS], p[RW_MOST_FRONTS]; /* the ends, from the middle, over the half */
+    double middle, half; /* of the contact: its middle and half-width */
 } rw_stuck;
 
 rw_stuck rw_stuck_of(const rw_fronts *fronts, const rw_zones *zones);
 
-/* X outside of what sticks, over half^count; inside, X over i. */
+/* X outside of what sticks, and its size inside, over half^count. */
 double rw_X_at(const rw_stuck *stuck, double x);
 
 /* Sets up the quadrature over all places where dt is known, with this number of panels at a
@@ -71,14 +70,13 @@ int rw_breaks_between(const rw_problem *p, double from, double to, double at[]);
 /* Forgets the quadrature of the last problem. */
 void rw_fronts_forget(rw_fronts *fronts);
 
-/* Sets the polynomial p, from the quadrature. */
-bool rw_fronts_polynomial(const rw_fronts *fronts, rw_stuck *stuck);
-
-/* p at a place, from the middle over the half-width. */
-double rw_polynomial_at(const rw_stuck *stuck, double place);
+/* The polynomial p by its coefficients, from the quadrature; and the fronts in the unit of the
+ * half-width. */
+bool rw_fronts_polynomial(const rw_fronts *fronts, const rw_stuck *stuck, double front[],
+                          double p[]);
 
 /* The coefficients K of 1/sqrt(distance) at the fronts. */
-void rw_fronts_singular(const rw_stuck *stuck, double K[]);
+void rw_fronts_singular(const rw_stuck *stuck, const double front[], const double p[], double K[]);
 
 /* The residual: K over sqrt(half), at the fronts and then at edges of the contact that stick. */
 bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
@@ -95,6 +93,10 @@ bool rw_fronts_begin(rw_fronts *fronts, const rw_problem *problem, const rw_zone
 /* Newton's method from y, until the residual is below the given one. false where it does not
  * succeed. */
 bool rw_fronts_newton(rw_fronts *fronts, double residual);
+
+/* Moves front by front to where its own K is 0, as a start for Newton's method: into the zone that
+ * sticks where the traction would exceed friction there, else back. false where a zone vanishes. */
+bool rw_fronts_relax(rw_fronts *fronts);
 
 /* The zones and layers for the present y. */
 rw_layers rw_fronts_zones(const rw_fronts *fronts, rw_zones *zones);

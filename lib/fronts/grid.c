@@ -89,7 +89,7 @@ static void release_where_nothing_sticks(rw_grid *g)
             g->label[i] = 0;
 }
 
-static double prepare(rw_grid *g, const rw_problem *p)
+static double prepare(rw_grid *g, const rw_problem *p, const rw_layers *layers, double stretch)
 {
     double scale = 0, *F = g->upper, *t = g->lower;
     g->middle = rw_patch_middle(p->both);
@@ -97,13 +97,14 @@ static double prepare(rw_grid *g, const rw_problem *p)
     for (int i = 0; i < g->n; i++)
         g->x[i] = g->middle - g->half * cos(angle_of(g, i));
     rw_friction_after(p, (size_t)g->n, g->x, F);
-    rw_traction_values(&p->old->traction, (size_t)g->n, g->x, t);
+    for (int i = 0; i < g->n; i += RW_TERMS)
+        rw_base_traction(p, layers, RW_TERMS, g->x + i, t + i);
     for (int i = 0; i < g->n; i++) {
         const double x = g->x[i], stretching = g->half * sin(angle_of(g, i));
         const double friction = F[i], base = t[i];
         g->upper[i] = (friction - base) * stretching;
         g->lower[i] = (-friction - base) * stretching;
-        g->strain[i] = p->stretch * (x - p->middle);
+        g->strain[i] = stretch * (x - p->middle);
         g->label[i] = !(friction > 0)            ? RW_GONE
                       : rw_patch_has(p->from, x) ? rw_zones_label(&p->old->zones, x)
                                                  : 0;
@@ -211,11 +212,13 @@ static bool settle(rw_grid *g, double scale)
     return is_settled;
 }
 
-bool rw_grid_solve(rw_grid *g, const rw_problem *p)
+bool rw_grid_solve(rw_grid *g, const rw_problem *p, const rw_layers *layers)
 {
-    const double scale = prepare(g, p);
+    double load, stretch;
+    rw_beside_layers(p, layers, &load, &stretch);
+    const double scale = prepare(g, p, layers, stretch);
     for (g->turns = 0; g->turns < TURNS; g->turns++) {
-        if (!solve_stuck(g, p->shear))
+        if (!solve_stuck(g, load))
             return false;
         if (settle(g, scale))
             break;

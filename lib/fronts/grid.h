@@ -20,11 +20,12 @@ typedef struct {
 
 enum { RW_GONE = 9 };
 
+/* n is a multiple of RW_TERMS. */
 bool rw_grid_create(rw_grid *grid, int n);
 void rw_grid_destroy(rw_grid *grid);
 
-/* Solves the step. false where nothing sticks. */
-bool rw_grid_solve(rw_grid *grid, const rw_problem *problem);
+/* Solves the step for the change of traction besides the layers. false where nothing sticks. */
+bool rw_grid_solve(rw_grid *grid, const rw_problem *problem, const rw_layers *layers);
 
 /* The zones of the contact by the labels of the places. */
 void rw_grid_zones(const rw_grid *grid, const rw_problem *problem, rw_zones *zones);

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The places of the fronts: by Newton's method for all at once. */
+/* The places of the fronts: by Newton's method for all at once, and front by front where that
+ * fails. */
 #include "base/domain.h"
 #include "base/linear.h"
 #include "fronts/fronts.h"
 
 #include <string.h>
+
+/* ---- All at once ---- */
 
 static double largest(int n, const double v[])
 {
@@ -201,5 +204,83 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
         }
         update(n, move, change, J);
     }
+    return true;
+}
+
+/* ---- Front by front ---- */
+
+/* K of a front at an angle, with the sign of slip. */
+static bool singularity_at(rw_fronts *f, int j, double angle, double *value)
+{
+    double r[RW_MOST_FRONTS];
+    const double y = f->y[j];
+    f->y[j] = angle;
+    const bool is_done = rw_fronts_residual(f, r);
+    f->y[j] = y;
+    *value = slip_at(f, j) * r[j];
+    return is_done;
+}
+
+/* Regula falsi (Illinois) between a and b. */
+static bool close_in(rw_fronts *f, int j, double a, double at_a, double b, double at_b)
+{
+    for (int turn = 0; turn < 30 && fabs(b - a) > 1e-7; turn++) {
+        const double c = b - at_b * (b - a) / (at_b - at_a);
+        double at_c;
+        if (!singularity_at(f, j, c, &at_c))
+            return false;
+        if (at_c * at_b < 0) {
+            a = b;
+            at_a = at_b;
+        } else {
+            at_a /= 2;
+        }
+        b = c;
+        at_b = at_c;
+    }
+    f->y[j] = b;
+    return true;
+}
+
+static bool relax_front(rw_fronts *f, int j)
+{
+    const double start = f->y[j];
+    double a = start, at_a;
+    if (!singularity_at(f, j, a, &at_a))
+        return false;
+    const double direction = at_a > 0 ? inwards(f, j) : -inwards(f, j);
+    const double limit = direction < 0       ? j > 0 ? f->y[j - 1] : 0
+                         : j + 1 < f->fronts ? f->y[j + 1]
+                                             : RW_PI;
+    double step = 0.02 * fmin(1, fabs(limit - start) / 0.04);
+    while (fabs(limit - a) > 1e-4 * fabs(limit - start)) {
+        double b = a + direction * step, at_b;
+        if ((b - limit) * direction >= -1e-3 * fabs(limit - start))
+            b = (a + limit) / 2;
+        if (!singularity_at(f, j, b, &at_b))
+            return false;
+        if (at_a * at_b <= 0)
+            return close_in(f, j, a, at_a, b, at_b);
+        a = b;
+        at_a = at_b;
+        step *= 2;
+    }
+    return false; /* the zone vanishes */
+}
+
+bool rw_fronts_relax(rw_fronts *f)
+{
+    if (f->unknowns != f->fronts)
+        return false;
+    double moved;
+    do {
+        moved = 0;
+        for (int j = 0; j < f->fronts; j++) {
+            const double before = f->y[j];
+            if (!relax_front(f, j))
+                return false;
+            moved = fmax(moved, fabs(f->y[j] - before));
+        }
+    } while (!(moved < 1e-3));
     return true;
 }

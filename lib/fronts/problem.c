@@ -94,6 +94,26 @@ void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[],
                                              rest_friction(p, &p->rest[k][0], x[i]);
 }
 
+/* The surface outside of a patch, relative to the profile of the layer there. */
+static double slope_beside(const rw_problem *p, int after, int k, double x)
+{
+    const double depth = 0;
+    const rw_patch patch = after ? p->to : p->from;
+    rw_fields fields;
+    rw_pad_fields(&p->frame->arcs, patch, 1, &x, &depth, &fields);
+    const double tilt = rw_arcs_pressing(&p->frame->arcs, patch).tilt;
+    const double own = -p->f * rw_power(scale_of(p), k, x) * (fields.G_re[0] + tilt);
+    if (k == 0 || (x >= patch.left && x <= patch.right))
+        return own;
+    return own + copysign(p->f, x - patch.left) * sqrt((x - patch.left) * (x - patch.right)) /
+                     rw_patch_half_width(patch) * rw_layer_rest_pressure(&p->rest[k][after], x);
+}
+
+double rw_layer_slope(const rw_problem *p, int k, double x)
+{
+    return slope_beside(p, 1, k, x) - slope_beside(p, 0, k, x);
+}
+
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch)
 {
     *shear = p->shear;

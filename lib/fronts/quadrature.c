@@ -90,8 +90,6 @@ rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
             s.end[2 * s.count + 1] = zones->zone[i].right;
             s.count++;
         }
-    for (int i = 0; i < 2 * s.count; i++)
-        s.front[i] = (s.end[i] - s.middle) / s.half;
     return s;
 }
 
@@ -114,7 +112,7 @@ RW_INLINE void products(const rw_stuck *s, size_t n, const double x[], double X[
 RW_DISPATCH(set_X, products, (const rw_stuck *s, size_t n, const double x[], double X[]),
             (s, n, x, X))
 
-/* Inside, too, each zone beyond a place changes the sign. */
+/* X outside of what sticks, and its size inside, over half^count. */
 double rw_X_at(const rw_stuck *s, double x)
 {
     double X;

@@ -207,82 +207,40 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numeri
 
 /* ---- Steps ---- */
 
-/* A load is divided so many times at most, each time into halves or shorter parts. */
-enum { DIVISIONS = 9 };
-
-static const double SHORTEST = 1.0 / (1 << DIVISIONS);
-
-/* A step as a whole, its first half and both halves, where they are known. */
-typedef struct {
-    rw_numerical_state whole, half, both;
-} trial;
-
-/* What a load needs. The stack of some threads, 64 KiB, would not hold it. */
-typedef struct {
-    rw_work work;
-    rw_numerical next;
-    trial at[DIVISIONS + 1]; /* by how often the load was divided */
-} load_work;
-
-static bool is_known(const rw_numerical_state *s)
-{
-    return s->shear.traction.count > 0;
-}
-
-static void drop(rw_numerical_state *s)
-{
-    rw_shear_state_destroy(&s->shear);
-}
-
-/* Takes the place of another state, which is not known. */
-static void move(rw_numerical_state *to, rw_numerical_state *from)
-{
-    *to = *from;
-    from->shear.traction = (rw_traction){0};
-}
-
 /* Makes the end of a step the present state. */
-static bool accept(load_work *j, const rw_numerical_state *half, rw_numerical_state *now)
+static bool accept(rw_work *w, rw_numerical *n, const rw_numerical_state *half,
+                   rw_numerical_state *now)
 {
-    rw_numerical *n = &j->next;
-    const rw_frame *frame = j->work.frame;
-    if (!renew_origin(n, frame, half, now)) {
-        j->work.is_short = true;
+    if (!renew_origin(n, w->frame, half, now)) {
+        w->is_short = true;
+        rw_shear_state_destroy(&now->shear);
         return false;
     }
     rw_shear_state_smooth(&now->shear, now->contact,
-                          frame->tolerance * rw_peak_friction(frame, now->contact));
-    note_error(n, now, frame->tolerance);
-    drop(&n->now);
-    move(&n->now, now);
+                          w->frame->tolerance * rw_peak_friction(w->frame, now->contact));
+    note_error(n, now, w->frame->tolerance);
+    rw_shear_state_destroy(&n->now.shear);
+    n->now = *now;
     return true;
 }
 
-/* Ends a step, known as a whole or not, if its error is small enough or it is the last attempt. The
- * difference of the whole from two halves is the error, over the allowed one. If it is too large
- * only the first half stays. */
-static bool end_step(load_work *j, trial *t, rw_scaled_loads to, bool is_last, double *error)
+/* A step that may have failed. */
+typedef struct {
+    bool is_known;
+    rw_numerical_state state;
+} trial;
+
+static void drop(trial *t)
 {
-    rw_work *w = &j->work;
-    const rw_numerical_state *from = &j->next.now;
-    const bool knows_whole = is_known(&t->whole);
-    const rw_zones *guess = knows_whole ? &t->whole.shear.zones : &from->shear.zones;
-    *error = 0;
-    if (knows_whole && t->whole.is_exact) {
-        t->whole.error += t->whole.rate_error;
-        return accept(j, &t->whole, &t->whole);
-    }
-    *error = HUGE_VAL;
-    if (rw_implicit_step(w, from, rw_part_of_line(from->at, to, 0.5), guess, is_last, &t->half) &&
-        knows_whole && rw_implicit_step(w, &t->half, to, guess, is_last, &t->both))
-        *error = rw_compare(w->frame, from->contact, &t->whole, &t->half, &t->both);
-    drop(&t->whole);
-    const bool is_done =
-        is_known(&t->both) && (*error <= 1 || is_last) && accept(j, &t->half, &t->both);
-    drop(&t->both);
-    if (is_done)
-        drop(&t->half);
-    return is_done;
+    if (t->is_known)
+        rw_shear_state_destroy(&t->state.shear);
+    t->is_known = false;
+}
+
+static void try_step(trial *t, rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
+                     const rw_zones *guess, bool coarse)
+{
+    t->is_known = rw_implicit_step(w, from, to, guess, coarse, &t->state);
 }
 
 /* The length of a step, over that of one with this error over the allowed one: in a step errors are
@@ -300,6 +258,60 @@ static double part_of(double left, double part)
     return left / fmax(1, floor(left / part + 0.5));
 }
 
+/* A load is divided so many times at most, each time into halves or shorter parts. */
+enum { DIVISIONS = 9 };
+
+static const double SHORTEST = 1.0 / (1 << DIVISIONS);
+
+/* The step as a whole, if it is known, its first half and both halves. */
+typedef struct {
+    trial whole, half, both;
+    rw_zones guess;
+} attempt;
+
+/* What a load needs. The stack of some threads, 64 KiB, would not hold it. */
+typedef struct {
+    rw_work work;
+    rw_numerical next;
+    attempt at[DIVISIONS + 1]; /* by how often the load was divided */
+} load_work;
+
+/* One step to a load, if its error is small enough or it is the last attempt. The difference of the
+ * whole from two halves is the error. If it is too large only the first half stays. */
+static bool try_at_once(load_work *j, attempt *a, rw_scaled_loads to, bool is_last, double *error)
+{
+    rw_work *w = &j->work;
+    rw_numerical *n = &j->next;
+    const bool is_known = a->whole.is_known;
+    a->half.is_known = a->both.is_known = false;
+    *error = 0;
+    if (is_known && a->whole.state.is_exact) {
+        a->whole.is_known = false;
+        a->whole.state.error += a->whole.state.rate_error;
+        return accept(w, n, &a->whole.state, &a->whole.state);
+    }
+    a->guess = is_known ? a->whole.state.shear.zones : n->now.shear.zones;
+    try_step(&a->half, w, &n->now, rw_part_of_line(n->now.at, to, 0.5), &a->guess, is_last);
+    if (a->half.is_known && is_known && rw_step_goes_on(w, &a->half.state, &a->whole.state)) {
+        a->both = a->whole;
+        a->whole.is_known = false;
+    } else {
+        if (a->half.is_known && is_known)
+            try_step(&a->both, w, &a->half.state, to, &a->guess, is_last);
+        *error = a->both.is_known ? rw_compare(w->frame, n->now.contact, &a->whole.state,
+                                               &a->half.state, &a->both.state)
+                                  : HUGE_VAL;
+    }
+    drop(&a->whole);
+    if (!a->both.is_known || (*error > 1 && !is_last)) {
+        drop(&a->both);
+        return false;
+    }
+    const bool is_done = accept(w, n, &a->half.state, &a->both.state);
+    drop(&a->half);
+    return is_done;
+}
+
 static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
                              int effort, double *error);
 
@@ -308,13 +320,16 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
 static bool advance(load_work *j, int division, rw_scaled_loads to, double length, int effort,
                     double *error)
 {
-    trial *t = &j->at[division];
-    const bool is_last = length <= SHORTEST || j->work.effort > effort;
-    if (is_last && !is_known(&t->whole))
-        rw_implicit_step(&j->work, &j->next.now, to, NULL, true, &t->whole);
-    return end_step(j, t, to, is_last, error) ||
-           (!is_last && !j->work.is_short &&
-            advance_in_parts(j, division, to, length, effort, error));
+    attempt *a = &j->at[division];
+    const bool is_last = division == DIVISIONS || length <= SHORTEST || j->work.effort > effort;
+    if (is_last && !a->whole.is_known)
+        try_step(&a->whole, &j->work, &j->next.now, to, NULL, true);
+    if (try_at_once(j, a, to, is_last, error))
+        return true;
+    if (!is_last && !j->work.is_short)
+        return advance_in_parts(j, division, to, length, effort, error);
+    drop(&a->half);
+    return false;
 }
 
 /* `error` is that of the load at once, whose first half stands ready, if it is known. A part may
@@ -323,19 +338,21 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
                              int effort, double *error)
 {
     rw_work *w = &j->work;
-    rw_numerical_state *whole = &j->at[division + 1].whole;
+    attempt *a = &j->at[division], *next = a + 1;
     const rw_scaled_loads from = j->next.now.at;
     double done = 0, part = part_of(1, fmin(0.5, better_length(*error)));
     bool is_done = true;
-    move(whole, &j->at[division].half);
+    next->whole = a->half;
     if (part < 0.5)
-        drop(whole);
+        drop(&next->whole);
     while (is_done && done < 1) {
         const bool is_end = part > 0.9 * (1 - done);
         const rw_scaled_loads at = is_end ? to : rw_part_of_line(from, to, done + part);
         const int share = (effort - w->effort) / (is_end ? 1 : 2);
-        if (done > 0 || part < 0.5)
-            rw_implicit_step(w, &j->next.now, at, &j->next.now.shear.zones, false, whole);
+        if (done > 0 || part < 0.5) {
+            a->guess = j->next.now.shear.zones;
+            try_step(&next->whole, w, &j->next.now, at, &a->guess, false);
+        }
         is_done = advance(j, division + 1, at, length * part, w->effort + share, error);
         done = is_end ? 1 : done + part;
         part = is_end ? 0 : part_of(1 - done, part * (*error > 1 ? 1 : better_length(*error)));
@@ -363,18 +380,19 @@ static void keep_friction(rw_work *w, rw_numerical *n)
 
 static int32_t try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
-    load_work *j = calloc(1, sizeof *j);
+    load_work *j = malloc(sizeof *j);
     if (!j || !rw_work_create(&j->work, frame, *effort)) {
         free(j);
         return RWEDGE_ENOMEM;
     }
     int32_t status = RWEDGE_ENOMEM;
     if (rw_numerical_copy(n, &j->next)) {
-        lend_friction(&j->next, &j->work);
         double error;
-        rw_implicit_step(&j->work, &j->next.now, to, NULL, false, &j->at[0].whole);
+        lend_friction(&j->next, &j->work);
+        try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
+        const bool is_at_end = advance(j, 0, to, 1, *effort / 2, &error);
         const bool is_done =
-            advance(j, 0, to, 1, *effort / 2, &error) && !j->work.is_short &&
+            is_at_end && !j->work.is_short &&
             rw_numerical_error(&j->next) <= frame->far_off + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
         keep_friction(&j->work, &j->next);
@@ -382,10 +400,6 @@ static int32_t try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads 
         if (is_done)
             *n = j->next;
         status = is_done ? RWEDGE_OK : j->work.is_short ? RWEDGE_ENOMEM : RWEDGE_ENOCONV;
-    }
-    for (int i = 0; i <= DIVISIONS; i++) {
-        drop(&j->at[i].whole);
-        drop(&j->at[i].half);
     }
     rw_work_destroy(&j->work);
     free(j);

@@ -42,7 +42,8 @@ typedef struct {
     const rw_zones *zones;
     rw_stuck stuck;
     const rw_fronts *fronts;
-    const rw_grid *grid; /* NULL: by the fronts */
+    const rw_grid *grid;     /* NULL: by the fronts */
+    const rw_layers *layers; /* of the grid */
 } after;
 
 /* The places are of one zone: its ends are breaks. */
@@ -57,7 +58,7 @@ static void traction_after(const double x[], const void *context, double t[])
     }
     rw_friction_after(n->problem, RW_TERMS, x, F);
     if (label == 0)
-        rw_traction_values(&n->problem->old->traction, RW_TERMS, x, t);
+        rw_base_traction(n->problem, n->layers, RW_TERMS, x, t);
     for (int i = 0; i < RW_TERMS; i++)
         t[i] = label != 0 ? label * F[i]
                           : fmax(-F[i], fmin(F[i], t[i] + rw_grid_change(n->grid, x[i])));
@@ -205,17 +206,33 @@ typedef struct {
     double slip; /* at the end of the last part */
 } slipping;
 
+/* Places that the contact takes in or leaves as it slips move by less than dw, because they touch
+ * for a part of the time: by less than under friction that changes as a layer. */
+static double slope_of_layers(const slipping *s, double x)
+{
+    const rw_problem *p = s->after->problem;
+    const rw_layers *layers = &s->after->fronts->layers;
+    double sum = 0;
+    for (int k = 0; k < layers->count; k++)
+        sum += layers->weight[k] * rw_layer_slope(p, k, x);
+    return sum - s->label * rw_layer_slope(p, 0, x);
+}
+
 /* The slip at the nodes between two places. */
 static void add_slip_between(slipping *s, double from, double to, const double x[], double slip[])
 {
     const after *n = s->after;
     const rw_fronts *f = n->fronts;
+    const bool is_passed =
+        !rw_patch_has(n->problem->from, x[0]) || !rw_patch_has(n->problem->to, x[0]);
     double slope[RW_TERMS];
     for (int i = 0; i < f->order && n->grid; i++)
         slip[i] = rw_grid_slip(n->grid, x[i]);
     if (n->grid)
         return;
     rw_fronts_slope(f, &n->stuck, s->label, (size_t)f->order, x, slope);
+    for (int i = 0; i < f->order && is_passed; i++)
+        slope[i] += slope_of_layers(s, x[i]);
     for (int i = 0; i <= f->order; i++) {
         slip[i] = s->slip;
         for (int j = 0; j < f->order; j++)
@@ -336,25 +353,37 @@ static bool complete(const after *n, double tolerance, rw_outcome *o)
     return false;
 }
 
-bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
+/* The zones of fronts, with the quadrature for what is between them. */
+static after prepare(rw_fronts *f, rw_outcome *o)
 {
     *o = (rw_outcome){.violation = 0};
     const rw_layers layers = rw_fronts_zones(f, &o->state.zones);
-    const rw_stuck stuck = rw_stuck_of(f, &o->state.zones);
     rw_fronts_collect(f, &o->state.zones, &layers, f->finest);
     rw_fronts_prepare(f);
-    return complete(&(after){f->problem, &o->state.zones, stuck, f, NULL},
-                    fit_tolerance(f->problem), o);
+    return (after){f->problem, &o->state.zones, rw_stuck_of(f, &o->state.zones), f, NULL, NULL};
+}
+
+bool rw_outcome_of_fronts(rw_fronts *f, rw_outcome *o)
+{
+    const after n = prepare(f, o);
+    return complete(&n, fit_tolerance(f->problem), o);
+}
+
+void rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
+{
+    const after n = prepare(f, o);
+    check_slips(&n, o);
 }
 
 /* The error of a grid of n places, times n, over friction. No fit needs to be finer. */
 static const double GRID_ERROR = 0.3;
 
-bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *p, rw_outcome *o)
+bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *p,
+                        const rw_layers *layers, rw_outcome *o)
 {
     const double error = GRID_ERROR / g->n;
     *o = (rw_outcome){.violation = error};
     rw_grid_zones(g, p, &o->state.zones);
-    const after n = {p, &o->state.zones, {.count = 0}, f, g};
+    const after n = {p, &o->state.zones, {.count = 0}, f, g, layers};
     return complete(&n, fmax(fit_tolerance(p), FIT * error * p->scale), o);
 }

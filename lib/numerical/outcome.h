@@ -27,6 +27,9 @@ void rw_shear_state_smooth(rw_shear_state *state, rw_patch contact, double toler
  * not finite. */
 bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);
 bool rw_outcome_of_grid(const rw_fronts *fronts, const rw_grid *grid, const rw_problem *problem,
-                        rw_outcome *outcome);
+                        const rw_layers *layers, rw_outcome *outcome);
+
+/* Of fronts that are known to be right: slip and energy alone. */
+void rw_outcome_of_slip(rw_fronts *fronts, rw_outcome *outcome);
 
 #endif

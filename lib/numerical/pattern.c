@@ -53,6 +53,8 @@ void rw_pattern_clean(rw_zones *z, double least)
     }
 }
 
+/* ---- At the edges ---- */
+
 /* The sign of slip at an edge at first, by the singularity there if all stuck. */
 static int edge_sign(const rw_problem *p, int side)
 {
@@ -98,8 +100,40 @@ bool rw_pattern_variant(const rw_problem *p, const rw_zones *z, double angle, in
     return true;
 }
 
-void rw_pattern_insert(rw_zones *z, rw_zone part, double least)
+/* ---- Inside ---- */
+
+bool rw_pattern_simpler(const rw_problem *p, rw_zones *z, double least)
 {
-    insert_part(z, part);
+    if (z->count <= 3)
+        return false;
+    int narrow = 1;
+    double narrowest = HUGE_VAL;
+    for (int i = 1; i + 1 < z->count; i++) {
+        const double angle = rw_angle_of(p, z->zone[i].right) - rw_angle_of(p, z->zone[i].left);
+        if (angle < narrowest) {
+            narrowest = angle;
+            narrow = i;
+        }
+    }
+    rw_zone *zone = &z->zone[narrow], *before = zone - 1, *next = zone + 1;
+    if (zone->label != 0) {
+        zone->label = 0;
+    } else if (before->label == next->label) {
+        zone->label = before->label;
+    } else { /* between two ways: the wider takes the room of the other */
+        rw_zone *wider = width(*before) < width(*next) ? next : before;
+        rw_zone *narrower = wider == next ? before : next;
+        const bool is_inner = narrower > z->zone && narrower < z->zone + z->count - 1;
+        narrower->label = is_inner ? 0 : wider->label;
+        zone->label = is_inner ? 0 : wider->label;
+    }
+    rw_pattern_clean(z, least);
+    return true;
+}
+
+void rw_pattern_insert(rw_zones *z, const rw_zones *parts, double least)
+{
+    for (int i = 0; i < parts->count; i++)
+        insert_part(z, parts->zone[i]);
     rw_pattern_clean(z, least);
 }

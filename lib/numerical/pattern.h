@@ -17,7 +17,10 @@ enum { RW_VARIANTS = 16 };
 bool rw_pattern_variant(const rw_problem *problem, const rw_zones *zones, double angle, int number,
                         rw_zones *variant);
 
-/* Gives a part of the zones its label. */
-void rw_pattern_insert(rw_zones *zones, rw_zone part, double least);
+/* Removes the narrowest zone that is not at an edge. false where there is none. */
+bool rw_pattern_simpler(const rw_problem *problem, rw_zones *zones, double least);
+
+/* Gives parts of the zones the labels of `parts`. */
+void rw_pattern_insert(rw_zones *zones, const rw_zones *parts, double least);
 
 #endif

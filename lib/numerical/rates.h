@@ -24,7 +24,8 @@ void rw_rates_ratio(rw_fronts *fronts, const rw_problem *rates, const rw_zones *
 rw_zones rw_rates_begun(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
                         const rw_zones *after);
 
-/* The error at the beginning of a step: of zones that go on slipping, and zones that stop. */
+/* The error at the beginning of a step: of zones that go on slipping, zones that begin to slip at
+ * the edges, and zones that stop. */
 double rw_rates_error_at_start(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
                                const rw_zones *after);
 

@@ -9,9 +9,9 @@
 /* Angles of the grid; at a second trial twice as many. */
 enum { ANGLES = 96 };
 
-/* How many residuals the search for the fronts of one pattern may take, for each unknown and one
- * more. It succeeds with fewer, if at all. */
-enum { TURNS = 10 };
+/* How many residuals the search for the fronts of one pattern may take: front by front in all, by
+ * Newton's method for each unknown and one more. It succeeds with fewer, if at all. */
+enum { BUDGET = 120, TURNS = 10 };
 
 /* How many residuals the search for the zones of a step may take, and how many each outcome counts.
  * Beyond that a shorter step is better: its zones are nearer to the old ones, and found at once. */
@@ -20,20 +20,45 @@ enum { SEARCH = 500, OUTCOME = 20 };
 /* The residual at which Newton's method ends, over the tolerance. */
 static const double RESIDUAL = 1e-5;
 
-/* Fronts near those before start just inside of what stuck, where the residual is steep. */
-static void start_beside(const rw_problem *p, double angle, rw_zones *zones)
+/* A front near one of the state before starts just inside the old zone that stuck, where the
+ * residual is steep; for side -1 just outside. Whether any front was moved. */
+static bool start_beside(const rw_problem *p, rw_fronts *f, double angle, int side)
 {
     const rw_zones *old = &p->old->zones;
-    for (int j = 0; j + 1 < zones->count; j++)
+    bool is_moved = false;
+    for (int j = 0; j < f->fronts; j++)
         for (int i = 0; i + 1 < old->count; i++) {
-            rw_zone *left = &zones->zone[j], *right = left + 1;
+            const int left = old->zone[i].label, right = old->zone[i + 1].label;
+            const int slip = f->label[j] != 0 ? f->label[j] : f->label[j + 1];
+            if ((left != 0 ? left : right) != slip || (left == 0) != (f->label[j] == 0))
+                continue;
             const double at = rw_angle_of(p, old->zone[i].right);
-            const double x = rw_place_of(p, at + (left->label != 0 ? 0.05 : -0.05) * angle);
-            if (old->zone[i].label == left->label && old->zone[i + 1].label == right->label &&
-                fabs(at - rw_angle_of(p, left->right)) < 2.5 * angle && x > left->left &&
-                x < right->right)
-                left->right = right->left = x;
+            if (fabs(at - f->y[j]) < 2.5 * angle) {
+                f->y[j] = at + side * (f->label[j] != 0 ? 1 : -1) * 0.05 * angle;
+                is_moved = true;
+            }
         }
+    return is_moved;
+}
+
+static bool is_ordered(const rw_fronts *f)
+{
+    for (int j = 0; j <= f->fronts; j++)
+        if (!((j > 0 ? f->y[j - 1] : 0) < (j < f->fronts ? f->y[j] : RW_PI)))
+            return false;
+    return true;
+}
+
+/* Whether a zone inside is narrower than `least` over the half-width: the equations do not
+ * determine it, and its effect is below the tolerance. A zone that sticks between two ways of slip
+ * may be a point. */
+static bool has_sliver(const rw_work *w, const rw_fronts *f)
+{
+    const double least = 0.1 * pow(w->frame->tolerance, 2.0 / 3);
+    for (int i = 1; i + 1 < f->zones; i++)
+        if (f->y[i] - f->y[i - 1] < least && f->label[i - 1] == f->label[i + 1])
+            return true;
+    return false;
 }
 
 /* A residual takes values at all points, for each zone that sticks. */
@@ -49,6 +74,14 @@ static bool newton(rw_work *w, double residual)
     w->fronts.budget = budget;
     const bool is_done = rw_fronts_newton(&w->fronts, residual);
     add_effort(w, budget - w->fronts.budget);
+    return is_done;
+}
+
+static bool relax(rw_work *w)
+{
+    w->fronts.budget = BUDGET;
+    const bool is_done = rw_fronts_relax(&w->fronts);
+    add_effort(w, BUDGET - w->fronts.budget);
     return is_done;
 }
 
@@ -95,13 +128,31 @@ static bool settle_ratios(rw_work *w, const rw_problem *p, double D[2], double r
     return is_done;
 }
 
-static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones)
+static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
 {
+    rw_fronts *f = &w->fronts;
     const double residual = fmax(1e-12, RESIDUAL * w->frame->tolerance) * p->scale;
     double D[2];
     ratios_at_start(w, p, zones, D);
-    return w->search > 0 && rw_fronts_begin(&w->fronts, p, zones, D) && newton(w, residual) &&
-           settle_ratios(w, p, D, residual);
+    for (int side = 1; side >= -1; side -= 2) {
+        if (w->search <= 0 || !rw_fronts_begin(f, p, zones, D))
+            return false;
+        const bool is_moved = start_beside(p, f, angle, side);
+        if (side < 0 && !is_moved)
+            return false;
+        if (!is_ordered(f))
+            rw_fronts_begin(f, p, zones, D);
+        double start[RW_MOST_FRONTS];
+        memcpy(start, f->y, sizeof start);
+        bool is_done = newton(w, residual);
+        if (!is_done && angle > 0) {
+            memcpy(f->y, start, sizeof start);
+            is_done = relax(w) && newton(w, residual);
+        }
+        if (is_done)
+            return settle_ratios(w, p, D, residual) && !has_sliver(w, f);
+    }
+    return false;
 }
 
 /* Notes the effort of an outcome, about a residual for each element, and where memory was short. */
@@ -116,9 +167,7 @@ static bool noted(rw_work *w, bool is_done, const rw_outcome *outcome)
 static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                        rw_outcome *outcome)
 {
-    rw_zones start = *zones;
-    start_beside(p, angle, &start);
-    if (!find_fronts(w, p, &start))
+    if (!find_fronts(w, p, zones, angle))
         return false;
     if (!noted(w, rw_outcome_of_fronts(&w->fronts, outcome), outcome))
         return false;
@@ -136,8 +185,7 @@ static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     for (int turn = 0; turn < 3 && best->violation > p->allowed; turn++) {
         rw_zones mended = best->state.zones;
         rw_outcome other;
-        for (int i = 0; i < best->wrong.count; i++)
-            rw_pattern_insert(&mended, best->wrong.zone[i], least);
+        rw_pattern_insert(&mended, &best->wrong, least);
         if (!try_fronts(w, p, &mended, angle, &other))
             break;
         rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
@@ -161,6 +209,21 @@ static void keep_better(rw_outcome *best, bool *is_known, const rw_outcome *othe
     *is_known = true;
 }
 
+/* A guess of the layers of a growing contact, as if all of it stuck. */
+static rw_layers guess_layers(rw_work *w)
+{
+    const rw_zones stuck = {1, {{0, w->start.to.left, w->start.to.right}}};
+    double ratio[2], sum = 0;
+    int known = 0;
+    rw_rates_ratio(&w->fronts, &w->start, &stuck, ratio);
+    for (int side = 0; side < 2; side++)
+        if (isfinite(ratio[side])) {
+            sum += ratio[side];
+            known++;
+        }
+    return (rw_layers){known > 0, {known > 0 ? sum / known : 0}};
+}
+
 static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                     rw_outcome *best)
 {
@@ -168,18 +231,20 @@ static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, doub
     rw_zones pattern = *zones;
     bool is_known = false;
     rw_pattern_clean(&pattern, width);
-    for (int number = 0; number < RW_VARIANTS; number++) {
-        rw_zones variant;
-        rw_outcome outcome;
-        if (!rw_pattern_variant(p, &pattern, width, number, &variant))
-            continue;
-        rw_pattern_clean(&variant, width);
-        if (!try_pattern(w, p, &variant, angle, width, &outcome))
-            continue;
-        keep_better(best, &is_known, &outcome);
-        if (best->violation <= p->allowed)
-            return true;
-    }
+    do {
+        for (int number = 0; number < RW_VARIANTS; number++) {
+            rw_zones variant;
+            if (!rw_pattern_variant(p, &pattern, width, number, &variant))
+                continue;
+            rw_pattern_clean(&variant, width);
+            rw_outcome outcome;
+            if (!try_pattern(w, p, &variant, angle, width, &outcome))
+                continue;
+            keep_better(best, &is_known, &outcome);
+            if (best->violation <= p->allowed)
+                return true;
+        }
+    } while (rw_pattern_simpler(p, &pattern, width));
     return is_known;
 }
 
@@ -208,16 +273,17 @@ static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw
     return try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
 }
 
-/* Slip at the edges becomes stick where all that slips is new in contact. Whether there is any. */
+/* The zones, but places that are new in contact stick. Whether there are any that slip. */
 static bool stick_where_new(const rw_problem *p, rw_zones *zones)
 {
-    rw_zone *first = zones->zone, *last = first + zones->count - 1;
-    const bool at_left = first->label != 0 && p->grows[0] && first->right <= p->from.left;
-    const bool at_right = last->label != 0 && p->grows[1] && last->left >= p->from.right;
-    first->label = at_left ? 0 : first->label;
-    last->label = at_right ? 0 : last->label;
-    rw_pattern_clean(zones, 0);
-    return at_left || at_right;
+    const rw_zone first = zones->zone[0], last = zones->zone[zones->count - 1];
+    rw_zones new = {.count = 0};
+    if (first.label != 0 && p->grows[0] && first.right <= p->from.left)
+        new.zone[new.count++] = (rw_zone){0, first.left, first.right};
+    if (last.label != 0 && p->grows[1] && last.left >= p->from.right)
+        new.zone[new.count++] = (rw_zone){0, last.left, last.right};
+    rw_pattern_insert(zones, &new, 0);
+    return new.count > 0;
 }
 
 /* Slip that ends at an edge that grows: where all that slips is new in contact, its slip is too
@@ -247,6 +313,7 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         end_slip_at_edges(w, p, best);
         return true;
     }
+    const rw_layers layers = p->grows[0] || p->grows[1] ? guess_layers(w) : (rw_layers){.count = 0};
     for (int trial = 0; trial < RW_TRIALS; trial++) {
         rw_grid *grid = &w->grid[trial];
         const int n = ANGLES << trial;
@@ -256,7 +323,7 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         }
         rw_zones zones;
         rw_outcome outcome;
-        const bool is_solved = rw_grid_solve(grid, p);
+        const bool is_solved = rw_grid_solve(grid, p, &layers);
         w->effort += n * n * n / 250 + n * n * grid->turns / 50; /* as measured */
         if (!is_solved)
             continue;
@@ -266,7 +333,7 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         if (is_known && best->violation <= p->allowed)
             return true;
         if (coarse && trial + 1 == RW_TRIALS &&
-            noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &outcome), &outcome))
+            noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome), &outcome))
             keep_better(best, &is_known, &outcome);
     }
     if (is_known && !coarse && best->violation > w->frame->tolerance) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerical/step.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 #include "numerical/rates.h"
 
@@ -65,8 +66,8 @@ static double rate_error(rw_work *w, const rw_problem *p, const rw_numerical_sta
            p->scale;
 }
 
-/* A step of a contact that changes, and whose loads change by more than this, as traction over
- * friction, is looked at half-way too: slip may begin and end within it. */
+/* A step whose loads change by more than this, as traction over friction, is looked at half-way
+ * too: slip may begin and end within it. */
 static const double LARGE = 0.25;
 
 /* The excess that counts as none, over the violations that do: it tells too little of an error. */
@@ -78,7 +79,7 @@ static bool is_exact(rw_work *w, const rw_problem *p, const rw_numerical_state *
                      const rw_numerical_state *there)
 {
     const rw_zones *after = &there->shear.zones;
-    return (p->is_still || rw_problem_change(p) <= LARGE * p->scale) &&
+    return rw_problem_change(p) <= LARGE * p->scale &&
            fmax(there->error, there->rate_error) <= p->allowed && after->zone[0].label != 0 &&
            after->zone[after->count - 1].label != 0 &&
            rw_rates_excess_at_start(&w->fronts, &w->start, &from->shear.zones, after,
@@ -118,6 +119,40 @@ bool rw_implicit_step(rw_work *w, const rw_numerical_state *from, rw_scaled_load
     if (!set_problem(w, from, to, contact, &p))
         return false;
     return step_to(w, &p, from, to, guess, coarse, there);
+}
+
+/* Whether all places that stick in `inner` stick in `outer` too. */
+static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
+{
+    for (int i = 0, k = 0; i < inner->count; i++) {
+        if (inner->zone[i].label != 0)
+            continue;
+        while (k + 1 < outer->count && outer->zone[k].right < inner->zone[i].right - slack)
+            k++;
+        if (outer->zone[k].label != 0 || outer->zone[k].left > inner->zone[i].left + slack)
+            return false;
+    }
+    return true;
+}
+
+bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_state *there)
+{
+    rw_problem p;
+    rw_outcome outcome;
+    const bool is_set = set_problem(w, from, there->at, there->contact, &p);
+    if (NEVER(!is_set)) /* the step to `there` has read and kept both frictions */
+        return false;
+    rw_fronts_forget(&w->fronts);
+    if (!p.is_still || fmax(from->rate_error, there->rate_error) > p.allowed ||
+        !is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) ||
+        !rw_fronts_begin(&w->fronts, &p, &there->shear.zones, (double[2]){NAN, NAN}))
+        return false;
+    rw_outcome_of_slip(&w->fronts, &outcome);
+    if (outcome.violation > p.allowed)
+        return false;
+    there->energy = from->energy + outcome.energy;
+    there->error = fmax(from->error, fmax(there->error, outcome.violation));
+    return true;
 }
 
 /* ---- The error of a step ---- */

@@ -230,6 +230,36 @@ static rw_zones comb(rw_patch contact, int count, double from)
     return z;
 }
 
+static bool goes_on_with(rw_work *w, const rw_numerical_state *half, rw_numerical_state whole,
+                         const rw_zones *zones)
+{
+    whole.shear.zones = *zones;
+    return rw_step_goes_on(w, half, &whole);
+}
+
+/* A front that stays behind the other, and more zones than have fronts, end no second half. */
+CLAIM(a_step_goes_on_to_the_right_zones_alone)
+{
+    pair *c = begin(4, 0, 1e-4);
+    rw_numerical_state half, whole;
+    assert_true(rw_implicit_step(&c->work, &c->numerical.now, (rw_scaled_loads){4, 0, 0.4, 0}, NULL,
+                                 false, &half));
+    assert_true(rw_implicit_step(&c->work, &c->numerical.now, (rw_scaled_loads){4, 0, 0.8, 0}, NULL,
+                                 false, &whole));
+    const rw_zones right = whole.shear.zones;
+    rw_zones lame = right, many = right;
+    assert_int_equal(right.count, 3);
+    lame.zone[0].right = lame.zone[1].left = half.shear.zones.zone[0].right;
+    rw_zones parts = comb((rw_patch){right.zone[1].left, right.zone[1].right}, 21, 0);
+    rw_pattern_insert(&many, &parts, 0);
+    assert_int_equal(many.count, 23);
+    assert_true(goes_on_with(&c->work, &half, whole, &right));
+    assert_false(goes_on_with(&c->work, &half, whole, &lame));
+    assert_false(goes_on_with(&c->work, &half, whole, &many));
+    rw_shear_state_destroy(&half.shear);
+    rw_shear_state_destroy(&whole.shear);
+}
+
 /* At no tolerance is such a load done, and all is as before. */
 CLAIM(a_load_that_is_too_far_off_has_not_converged)
 {

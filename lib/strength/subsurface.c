@@ -39,7 +39,7 @@ static double steepness(double y, const void *context)
     const axis *a = context;
     rw_curvature bend;
     const rw_field field = rw_potential_with_curvature(a->potential, 0, y, &bend);
-    return field.H_re - bend.K_im + a->kappa * field.G_im;
+    return field.H_re - cimag(bend.K) + a->kappa * field.G_im;
 }
 
 /* A depth inside that interval, unless the interval is very short. As kappa grows, the interval

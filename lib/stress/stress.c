@@ -9,7 +9,7 @@
 #include "potential/batch.h"
 #include "base/domain.h"
 #include "base/select.h"
-#include "stress/gradient.h"
+#include "stress/derivatives.h"
 #include "rwedge.h"
 
 /* The two patches of one contact, both centred at 0. `stick` is used only if c > 0. */

@@ -235,14 +235,14 @@ static void search_all(search *s)
 {
     const rwedge_contact *contact = s->highest.contact;
     const rw_neighbourhood whole = rw_neighbourhood_whole(contact);
-    const int to = s->is_centred ? 1 : -1;
-    for (int part = 0; part < rw_main_parts(contact); part++)
-        for (int side = 1; side >= (part > 0 ? to : 1); side -= 2) {
-            const rw_mark m = rw_main_mark(contact, part, side);
-            search_around(s, &m, &whole);
-        }
-    for (int side = 1; side >= to; side -= 2)
-        search_between(s, &whole, 0, contact->memory.count - 1, side);
+    const int next = s->is_centred ? 2 : 1; /* right marks alone */
+    for (int i = 0; i < rw_main_marks(contact); i += i == 0 ? 1 : next) {
+        const rw_mark m = rw_main_mark(contact, i);
+        search_around(s, &m, &whole);
+    }
+    search_between(s, &whole, 0, contact->memory.count - 1, 1);
+    if (!s->is_centred)
+        search_between(s, &whole, 0, contact->memory.count - 1, -1);
     const rw_shear_state *shear = contact->numerical ? &contact->numerical->now.shear : NULL;
     for (int i = 0; shear && i < shear->kinks; i++) {
         const rw_mark m = rw_kink_mark(contact, shear, i);

@@ -41,7 +41,7 @@ static const double GRID_ERROR = 1e-8;
 typedef struct {
     rw_highest highest;
     bool is_centred; /* all patches are: at -x are the fields of the opposite shear at x */
-    rw_climb_start starts[STARTS_KEPT];
+    rw_climb starts[STARTS_KEPT];
     size_t count;
 } search;
 
@@ -62,14 +62,14 @@ static void climb_all(search *s)
         for (size_t i = 1; i < s->count; i++)
             if (s->starts[i].J2 > s->starts[best].J2)
                 best = i;
-        const rw_climb_start from = s->starts[best];
+        const rw_climb from = s->starts[best];
         s->starts[best] = s->starts[--s->count];
         if (!is_low(s, from.J2, from.hidden))
-            rw_climb(&s->highest, &from);
+            rw_climb_from(&s->highest, from);
     }
 }
 
-static void note(search *s, const rw_climb_start *from)
+static void note(search *s, const rw_climb *from)
 {
     if (is_low(s, from->J2, from->hidden))
         return;
@@ -153,12 +153,12 @@ static void note_starts(search *s, const polar_grid *grid, int side)
             if (is_low(s, here, here) || !is_maximum(J2, grid->rows, i, j, &lowest))
                 continue;
             const int angle = side ? ANGLES - 1 - j : j;
-            const rw_climb_start top = {side ? -grid->centre : grid->centre,
-                                        0.1 * grid->floor,
-                                        10 * grid->reach,
-                                        {angle * RW_PI / (ANGLES - 1), log(grid->radius[i])},
-                                        here,
-                                        here - lowest};
+            const rw_climb top = {side ? -grid->centre : grid->centre,
+                                  0.1 * grid->floor,
+                                  10 * grid->reach,
+                                  {angle * RW_PI / (ANGLES - 1), log(grid->radius[i])},
+                                  here,
+                                  here - lowest};
             note(s, &top);
         }
 }

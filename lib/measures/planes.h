@@ -6,14 +6,16 @@
 #include "measures/field.h"
 #include "planes/worst_plane.h"
 
-/* What makes the criterion of the search; unit is that of the stresses in the search. */
-typedef struct rw_criterion rw_criterion;
-struct rw_criterion {
+/* What makes the criterion of the search: its value is the sum of these parts of what the worst
+ * plane has. */
+typedef struct {
     rw_severity severity; /* gain is per stress */
     bool is_plane_stress;
-    double (*value)(const rw_criterion *c, const rw_worst_plane *plane, double unit);
-    double E, nu, share, limit;
-};
+    double per_value, per_amplitude, per_peak, per_ratio; /* ratio: of the peak to the amplitude */
+} rw_criterion;
+
+/* unit: that of the stresses in the search. */
+double rw_criterion_value(const rw_criterion *c, const rw_worst_plane *plane, double unit);
 
 /* Smith, Watson and Topper's; Fatemi and Socie's. False outside the domain. */
 bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c);

@@ -178,7 +178,7 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     if (f > LAST)
         return false;
     rw_potential potential;
-    rw_potential_init(&potential, alpha);
+    rw_potential_init(&potential, alpha, 1);
     axis on_axis = {&potential, 0};
     const double probe = depth_of_last_rise(alpha);
     const double rise = steepness(probe, &on_axis);

@@ -21,9 +21,9 @@ typedef struct {
 static tractions make_tractions(double alpha, double f, double c)
 {
     tractions t = {.f = f, .c = c};
-    rw_potential_init(&t.contact, alpha);
+    rw_potential_init(&t.contact, alpha, 1);
     if (c > 0)
-        rw_potential_init_patch(&t.stick, alpha, c);
+        rw_potential_init(&t.stick, alpha, c);
     return t;
 }
 
@@ -89,7 +89,7 @@ static rw_stress_state by_stick_zone(const tractions *t, double x, double y)
         return rw_superpose(NO_FIELD, NO_FIELD);
     const double least = t->c > 0 ? t->c : RW_SMALLEST;
     rw_potential stick;
-    rw_potential_init_patch(&stick, t->contact.a, least);
+    rw_potential_init(&stick, t->contact.a, least);
     return rw_superpose(NO_FIELD,
                         rw_field_multiple(-t->f / least, rw_potential_by_half_width(&stick, x, y)));
 }

@@ -78,22 +78,24 @@ static bool is_switch(int32_t value)
 /* The normal strain of a plane is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)), n its normal stress. */
 bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c)
 {
-    const bool in_domain = is_switch(plane_stress) && rw_is_positive(E) && rw_is_poisson(nu);
-    const double shift = !in_domain ? 0 : plane_stress != 0 ? -2 * nu / (1 + nu) : -2 * nu;
+    if (!is_switch(plane_stress) || !rw_is_positive(E) || !rw_is_poisson(nu))
+        return false;
+    const double shift = plane_stress != 0 ? -2 * nu / (1 + nu) : -2 * nu;
     *c = (rw_criterion){.severity = {.is_strain = true, .gain = 1, .shift = shift},
                         .is_plane_stress = plane_stress != 0,
-                        .per_value = in_domain ? (1 + nu) / E : 0};
-    return in_domain;
+                        .per_value = (1 + nu) / E};
+    return true;
 }
 
 bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy, rw_criterion *c)
 {
-    const bool in_domain =
-        is_switch(plane_stress) && rw_is_positive(E) && rw_is_magnitude(k_over_sy);
+    if (!is_switch(plane_stress) || !rw_is_positive(E) || !rw_is_poisson(nu) ||
+        !rw_is_magnitude(k_over_sy))
+        return false;
     *c = (rw_criterion){.severity = {.offset = 1, .gain = k_over_sy},
                         .is_plane_stress = plane_stress != 0,
-                        .per_value = in_domain ? 2 * (1 + nu) / E : 0};
-    return in_domain;
+                        .per_value = 2 * (1 + nu) / E};
+    return true;
 }
 
 int32_t rwedge_smith_watson_topper_planes_field(size_t loads, size_t n, const double sxx[],

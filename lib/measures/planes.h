@@ -17,7 +17,8 @@ typedef struct {
 /* unit: that of the stresses in the search. */
 double rw_criterion_value(const rw_criterion *c, const rw_worst_plane *plane, double unit);
 
-/* Smith, Watson and Topper's; Fatemi and Socie's. False outside the domain. */
+/* Smith, Watson and Topper's; Fatemi and Socie's. False outside the domain; *c is
+ * then as before. */
 bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c);
 bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy, rw_criterion *c);
 

@@ -21,7 +21,7 @@ typedef struct {
     double angle, log_radius;
 } rw_polar;
 
-/* A climb around a mark. It begins at a maximum of the grid; the highest place so far is its top. */
+/* A climb around a mark. It begins at a maximum of the grid; its top is the highest so far. */
 typedef struct {
     double centre, innermost, outermost;
     rw_polar top;

@@ -12,21 +12,25 @@ typedef struct {
     double *value, *angle, *out_of_plane;
 } results;
 
-/* The value of a strain is a product of two stresses. */
-double rw_criterion_value(const rw_criterion *c, const rw_worst_plane *plane, double unit)
-{
-    const double of_search = c->severity.is_strain ? unit * plane->value : plane->value;
-    const double ratio = plane->amplitude > 0 ? plane->peak / plane->amplitude : 0;
-    return unit * (c->per_value * of_search + c->per_amplitude * plane->amplitude +
-                   c->per_peak * plane->peak) +
-           c->per_ratio * ratio;
-}
-
 rw_severity rw_severity_in(const rw_criterion *c, double unit)
 {
     rw_severity severity = c->severity;
     severity.gain *= severity.is_sum || severity.offset == 0 ? 1 : unit;
     return severity;
+}
+
+/* That of a strain is a product of two stresses. */
+double rw_value_in(const rw_criterion *c, double unit)
+{
+    return c->per_value * (c->severity.is_strain ? unit * unit : unit);
+}
+
+static double value_of(const rw_criterion *c, const rw_worst_plane *plane, double unit)
+{
+    const double ratio = plane->amplitude > 0 ? plane->peak / plane->amplitude : 0;
+    return rw_value_in(c, unit) * plane->value +
+           unit * (c->per_amplitude * plane->amplitude + c->per_peak * plane->peak) +
+           c->per_ratio * ratio;
 }
 
 void rw_set_loads(const rw_stress_field *f, size_t point, const rw_criterion *c, double unit,
@@ -51,7 +55,7 @@ static int32_t search(const rw_stress_field *f, const rw_criterion *c, const res
         const rw_severity severity = rw_severity_in(c, unit);
         rw_set_loads(f, j, c, unit, cycle);
         const rw_worst_plane plane = rw_worst_plane_of(cycle, &severity);
-        r->value[j] = rw_criterion_value(c, &plane, unit);
+        r->value[j] = value_of(c, &plane, unit);
         r->angle[j] = plane.angle;
         r->out_of_plane[j] = plane.out_of_plane;
     }

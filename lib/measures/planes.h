@@ -14,16 +14,14 @@ typedef struct {
     double per_value, per_amplitude, per_peak, per_ratio; /* ratio: of the peak to the amplitude */
 } rw_criterion;
 
-/* unit: that of the stresses in the search. */
-double rw_criterion_value(const rw_criterion *c, const rw_worst_plane *plane, double unit);
-
 /* Smith, Watson and Topper's; Fatemi and Socie's. False outside the domain; *c is
  * then as before. */
 bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c);
 bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy, rw_criterion *c);
 
-/* The severity of stresses in the unit. */
+/* The severity of stresses in the unit, and what a value of it counts. */
 rw_severity rw_severity_in(const rw_criterion *c, double unit);
+double rw_value_in(const rw_criterion *c, double unit);
 
 /* The loads of a point, in their order, in the unit. */
 void rw_set_loads(const rw_stress_field *f, size_t point, const rw_criterion *c, double unit,

@@ -102,6 +102,6 @@ static double gap(const rw_potential *potential, double x)
 double rw_centred_gap(double a, double s, double x)
 {
     rw_potential potential;
-    rw_potential_init(&potential, a / s);
+    rw_potential_init(&potential, a / s, 1);
     return s * gap(&potential, x / s);
 }

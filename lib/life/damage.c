@@ -169,9 +169,10 @@ static rw_plane_damage worst_of(rw_miner_sum *m, const rw_stress_field *f, size_
     search s = {.miner = *m};
     for (int i = 0; i < STARTS; i++)
         s.best[i] = (rw_plane_damage){{{1, 0}, {1, 0}, {1, 0}}, 0, 0};
-    s.miner.unit = rw_field_scale(f, point);
-    s.miner.severity = rw_severity_in(m->criterion, s.miner.unit);
-    rw_set_loads(f, point, m->criterion, s.miner.unit, m->cycle);
+    const double unit = rw_field_scale(f, point);
+    s.miner.unit = rw_value_in(m->criterion, unit);
+    s.miner.severity = rw_severity_in(m->criterion, unit);
+    rw_set_loads(f, point, m->criterion, unit, m->cycle);
     const rw_worst_plane worst = rw_worst_plane_of(m->cycle, &s.miner.severity);
     look_at(&s, &worst);
     look_at_grid(&s);

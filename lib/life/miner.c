@@ -75,8 +75,7 @@ rw_plane_bound rw_miner_go_through(rw_miner_sum *m, const rw_sheared_plane *p)
 /* The damage of one cycle, given its amplitude and its largest normal stress. */
 static double damage_of(rw_miner_sum *m, double amplitude, double peak)
 {
-    const rw_worst_plane at = {.value = rw_severity_of(&m->severity, amplitude, peak)};
-    const double value = m->criterion->value(m->criterion, &at, m->unit);
+    const double value = m->unit * rw_severity_of(&m->severity, amplitude, peak);
     if (value < RW_SMALLEST)
         return 0;
     const double life = m->is_exact ? rw_life(m->curve, value) : rw_life_by_table(m->table, value);

@@ -30,7 +30,7 @@ typedef struct {
     rw_life_table *table; /* of the curve */
     bool is_exact;        /* by the curve itself, where the worst plane is known */
     rw_severity severity;
-    double unit;
+    double unit; /* of its values */
     rw_plane_cycle *cycle;
     rw_vector *path;       /* the strain, or both components of the shear stress */
     double *along, *other; /* one component; the normal stress */

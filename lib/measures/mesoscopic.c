@@ -6,11 +6,6 @@
 
 #include <stdlib.h>
 
-typedef struct {
-    double alpha;
-    bool is_dang_van;
-} criterion;
-
 static double hydrostatic(const rw_stress_field *f, size_t k)
 {
     return (1 + f->nu) * (f->sxx[k] + f->syy[k]) / 3;
@@ -51,12 +46,16 @@ static double dang_van(const rw_stress_field *f, size_t point, const rw_ball *ba
     return highest;
 }
 
-static int32_t measured(const rw_stress_field *f, const criterion *c, double value[])
+/* The criterion at a point of the field, from the ball around its path in the unit. */
+typedef double criterion(const rw_stress_field *f, size_t point, const rw_ball *ball, double unit,
+                         double alpha);
+
+static int32_t measured(const rw_stress_field *f, criterion *at, double alpha, double value[])
 {
     const int32_t status = rw_field_status(f, value != NULL);
     if (status != RWEDGE_OK)
         return status;
-    if (!rw_is_magnitude(c->alpha))
+    if (!rw_is_magnitude(alpha))
         return RWEDGE_EDOMAIN;
     rw_point *path = calloc(f->loads, sizeof *path);
     if (!path)
@@ -66,7 +65,7 @@ static int32_t measured(const rw_stress_field *f, const criterion *c, double val
         for (size_t i = 0; i < f->loads; i++)
             path[i] = deviator(f, i * f->points + j, unit);
         const rw_ball ball = rw_smallest_ball(f->loads, path);
-        value[j] = (c->is_dang_van ? dang_van : crossland)(f, j, &ball, unit, c->alpha);
+        value[j] = at(f, j, &ball, unit, alpha);
     }
     free(path);
     return RWEDGE_OK;
@@ -76,14 +75,14 @@ int32_t rwedge_crossland_field(size_t loads, size_t n, const double sxx[], const
                                const double txy[], double nu, double alpha, double value[])
 {
     const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    return measured(&f, &(criterion){alpha, false}, value);
+    return measured(&f, crossland, alpha, value);
 }
 
 int32_t rwedge_dang_van_field(size_t loads, size_t n, const double sxx[], const double syy[],
                               const double txy[], double nu, double alpha, double value[])
 {
     const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    return measured(&f, &(criterion){alpha, true}, value);
+    return measured(&f, dang_van, alpha, value);
 }
 
 int32_t rwedge_crossland(size_t n, const double sxx[], const double syy[], const double txy[],

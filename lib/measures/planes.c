@@ -19,14 +19,28 @@ rw_severity rw_severity_in(const rw_criterion *c, double unit)
     return severity;
 }
 
+/* That of a strain is a product of two stresses. */
+double rw_value_in(const rw_criterion *c, double unit)
+{
+    return c->per_value * (c->severity.is_strain ? unit * unit : unit);
+}
+
+static double value_of(const rw_criterion *c, const rw_worst_plane *plane, double unit)
+{
+    const double ratio = plane->amplitude > 0 ? plane->peak / plane->amplitude : 0;
+    return rw_value_in(c, unit) * plane->value +
+           unit * (c->per_amplitude * plane->amplitude + c->per_peak * plane->peak) +
+           c->per_ratio * ratio;
+}
+
 void rw_set_loads(const rw_stress_field *f, size_t point, const rw_criterion *c, double unit,
                   rw_plane_cycle *cycle)
 {
     for (size_t i = 0; i < f->loads; i++) {
         const size_t k = i * f->points + point;
         const double xx = f->sxx[k] / unit, yy = f->syy[k] / unit;
-        const double s = (xx + yy) / 2, z = c->is_plane_stress ? 0 : 2 * f->nu * s;
-        const rw_plane_load load = {s, (yy - xx) / 2, f->txy[k] / unit, z};
+        const rw_plane_load load = {xx, yy, f->txy[k] / unit,
+                                    c->is_plane_stress ? 0 : f->nu * (xx + yy)};
         rw_plane_cycle_set(cycle, i, &load, &c->severity);
     }
 }
@@ -41,7 +55,7 @@ static int32_t search(const rw_stress_field *f, const rw_criterion *c, const res
         const rw_severity severity = rw_severity_in(c, unit);
         rw_set_loads(f, j, c, unit, cycle);
         const rw_worst_plane plane = rw_worst_plane_of(cycle, &severity);
-        r->value[j] = c->value(c, &plane, unit);
+        r->value[j] = value_of(c, &plane, unit);
         r->angle[j] = plane.angle;
         r->out_of_plane[j] = plane.out_of_plane;
     }
@@ -65,37 +79,27 @@ static bool is_switch(int32_t value)
     return value == 0 || value == 1;
 }
 
-static double strain_energy(const rw_criterion *c, const rw_worst_plane *plane, double unit)
-{
-    return (1 + c->nu) / c->E * unit * plane->value * unit;
-}
-
-static double strain(const rw_criterion *c, const rw_worst_plane *plane, double unit)
-{
-    return 2 * (1 + c->nu) / c->E * unit * plane->value;
-}
-
 /* The normal strain of a plane is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)), n its normal stress. */
 bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c)
 {
-    const bool in_domain = is_switch(plane_stress) && rw_is_positive(E) && rw_is_poisson(nu);
-    const double shift = !in_domain ? 0 : plane_stress != 0 ? -2 * nu / (1 + nu) : -2 * nu;
+    if (!is_switch(plane_stress) || !rw_is_positive(E) || !rw_is_poisson(nu))
+        return false;
+    const double shift = plane_stress != 0 ? -2 * nu / (1 + nu) : -2 * nu;
     *c = (rw_criterion){.severity = {.is_strain = true, .gain = 1, .shift = shift},
                         .is_plane_stress = plane_stress != 0,
-                        .value = strain_energy,
-                        .E = E,
-                        .nu = nu};
-    return in_domain;
+                        .per_value = (1 + nu) / E};
+    return true;
 }
 
 bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy, rw_criterion *c)
 {
+    if (!is_switch(plane_stress) || !rw_is_positive(E) || !rw_is_poisson(nu) ||
+        !rw_is_magnitude(k_over_sy))
+        return false;
     *c = (rw_criterion){.severity = {.offset = 1, .gain = k_over_sy},
                         .is_plane_stress = plane_stress != 0,
-                        .value = strain,
-                        .E = E,
-                        .nu = nu};
-    return is_switch(plane_stress) && rw_is_positive(E) && rw_is_magnitude(k_over_sy);
+                        .per_value = 2 * (1 + nu) / E};
+    return true;
 }
 
 int32_t rwedge_smith_watson_topper_planes_field(size_t loads, size_t n, const double sxx[],
@@ -122,31 +126,12 @@ int32_t rwedge_fatemi_socie_planes_field(size_t loads, size_t n, const double sx
 
 /* ---- Findley; Susmel; McDiarmid ---- */
 
-static double stress(const rw_criterion *c, const rw_worst_plane *plane, double unit)
-{
-    (void)c;
-    return plane->value * unit;
-}
-
-/* 0 where no stress changes. */
-static double amplitude_and_ratio(const rw_criterion *c, const rw_worst_plane *plane, double unit)
-{
-    if (!(plane->amplitude > 0))
-        return 0;
-    return plane->amplitude * unit + c->share * (plane->peak / plane->amplitude);
-}
-
-static double sum_of_ratios(const rw_criterion *c, const rw_worst_plane *plane, double unit)
-{
-    return plane->amplitude * (unit / c->limit) + plane->peak * (unit / (2 * c->share));
-}
-
 int32_t rwedge_findley_field(size_t loads, size_t n, const double sxx[], const double syy[],
                              const double txy[], double nu, double k, double value[],
                              double angle[], double out_of_plane[])
 {
     const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    const rw_criterion c = {.severity = {.is_sum = true, .gain = k}, .value = stress};
+    const rw_criterion c = {.severity = {.is_sum = true, .gain = k}, .per_value = 1};
     return measured(&f, rw_is_magnitude(k), &c, &(results){value, angle, out_of_plane});
 }
 
@@ -156,7 +141,7 @@ int32_t rwedge_modified_wohler_field(size_t loads, size_t n, const double sxx[],
 {
     const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
     const rw_criterion c = {
-        .severity = {.is_sum = true, .gain = TIE}, .value = amplitude_and_ratio, .share = kappa};
+        .severity = {.is_sum = true, .gain = TIE}, .per_amplitude = 1, .per_ratio = kappa};
     return measured(&f, rw_is_magnitude(kappa), &c, &(results){value, angle, out_of_plane});
 }
 
@@ -165,12 +150,11 @@ int32_t rwedge_mcdiarmid_field(size_t loads, size_t n, const double sxx[], const
                                double angle[], double out_of_plane[])
 {
     const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
+    const bool in_domain = rw_is_positive(t_A) && rw_is_positive(su);
     const rw_criterion c = {.severity = {.is_sum = true, .gain = TIE},
-                            .value = sum_of_ratios,
-                            .share = su,
-                            .limit = t_A};
-    return measured(&f, rw_is_positive(t_A) && rw_is_positive(su), &c,
-                    &(results){value, angle, out_of_plane});
+                            .per_amplitude = in_domain ? 1 / t_A : 0,
+                            .per_peak = in_domain ? 1 / (2 * su) : 0};
+    return measured(&f, in_domain, &c, &(results){value, angle, out_of_plane});
 }
 
 /* ---- At one point ---- */

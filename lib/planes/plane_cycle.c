@@ -35,14 +35,15 @@ void rw_plane_cycle_destroy(rw_plane_cycle *cycle)
 void rw_plane_cycle_set(rw_plane_cycle *cycle, size_t i, const rw_plane_load *load,
                         const rw_severity *severity)
 {
-    cycle->item[i] = (rw_item){.xx = load->s - load->d,
-                               .yy = load->s + load->d,
-                               .d = load->d,
-                               .t = load->t,
-                               .z = load->z,
-                               .lift = load->z - load->s,
-                               .size = sqrt(load->d * load->d + load->t * load->t),
-                               .level = load->z + severity->shift * load->s};
+    const double s = (load->xx + load->yy) / 2, d = (load->yy - load->xx) / 2;
+    cycle->item[i] = (rw_item){.xx = load->xx,
+                               .yy = load->yy,
+                               .d = d,
+                               .t = load->xy,
+                               .z = load->zz,
+                               .lift = load->zz - s,
+                               .size = sqrt(d * d + load->xy * load->xy),
+                               .level = load->zz + severity->shift * s};
 }
 
 /* The middle between the least and the largest of the loads. */

@@ -10,9 +10,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Stresses of one load; z is the stress across the plane of x and y. */
+/* Stresses of one load; zz is the stress across the plane of x and y. */
 typedef struct {
-    double s, d, t, z; /* (sxx+syy)/2, (syy-sxx)/2, txy, szz */
+    double xx, yy, xy, zz;
 } rw_plane_load;
 
 /* The value that is to be the largest: amplitude (offset + gain peak), 0 where the factor is

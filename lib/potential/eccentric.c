@@ -80,7 +80,7 @@ void rw_eccentric_init_arc(rw_eccentric *p, rw_arc arc, rw_patch patch)
     const double s = rw_patch_half_width(patch), a = rw_arc_half_length(arc);
     p->is_centred = rw_patch_middle(patch) == 0 && arc.right == -arc.left;
     if (p->is_centred) { /* all it takes, and quick */
-        rw_potential_init_patch(&p->centred, a, s);
+        rw_potential_init(&p->centred, a, s);
         return;
     }
     rw_eccentric_init_far(p, patch);

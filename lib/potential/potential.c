@@ -3,7 +3,7 @@
 
 #include "potential/closed_form.h"
 
-void rw_potential_init_patch(rw_potential *potential, double a, double c)
+void rw_potential_init(rw_potential *potential, double a, double c)
 {
     const double alpha = a / c;
     potential->half_width = c;
@@ -13,11 +13,6 @@ void rw_potential_init_patch(rw_potential *potential, double a, double c)
     potential->per_alpha = alpha == 0 ? 0 : 1 / alpha;
     potential->c0 = alpha < 1 ? sqrt((c - a) / c * (1 + alpha)) : 0;
     potential->phi0_over_alpha = alpha == 0 ? 1 : rw_angle(potential->c0, fmin(alpha, 1)) / alpha;
-}
-
-void rw_potential_init(rw_potential *potential, double alpha)
-{
-    rw_potential_init_patch(potential, alpha, 1);
 }
 
 /* G = b_0 R, y G' = -y b_0 R/z. */
@@ -42,13 +37,6 @@ rw_field rw_potential_at(const rw_potential *potential, double x, double y)
 
 void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_FAR_TERMS])
 {
-#define WEIGHT(n)                                                                                  \
-    (((n) % 2 ? -1 : 1) / (RW_PI * (2 * (n) + 1) * (n) * ((n) + 1))) /* 4 (-1)^n/(pi m (m^2-1)) */
-    static const double weight[RW_FAR_TERMS] = {0,          WEIGHT(1),  WEIGHT(2),  WEIGHT(3),
-                                                WEIGHT(4),  WEIGHT(5),  WEIGHT(6),  WEIGHT(7),
-                                                WEIGHT(8),  WEIGHT(9),  WEIGHT(10), WEIGHT(11),
-                                                WEIGHT(12), WEIGHT(13), WEIGHT(14), WEIGHT(15)};
-#undef WEIGHT
     const double alpha = potential->alpha, c0 = potential->c0;
     far[0] = rw_first_coefficient(potential);
     for (int n = 1; n < RW_FAR_TERMS; n++)
@@ -63,6 +51,8 @@ void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_
         const double next = sine * cos2 + cosine * 2 * c0;
         cosine = cosine * cos2 - sine * alpha * (2 * c0 * alpha);
         sine = next;
-        far[n] = weight[n] * ((2 * n + 1) * sine * c0 - cosine);
+        /* 4 (-1)^n/(pi m (m^2-1)) */
+        const double weight = (n % 2 ? -1 : 1) / (RW_PI * (2 * n + 1) * n * (n + 1));
+        far[n] = weight * ((2 * n + 1) * sine * c0 - cosine);
     }
 }

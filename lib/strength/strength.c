@@ -152,7 +152,7 @@ int32_t rwedge_elastic_limit_gradient(double alpha, double f, double nu, double 
         return RWEDGE_EDOMAIN;
     const rw_maximum maximum = global_maximum(alpha, f, nu);
     rw_potential potential;
-    rw_potential_init(&potential, shape(alpha));
+    rw_potential_init(&potential, shape(alpha), 1);
     const rw_von_mises_change change =
         rw_von_mises_change_at(&potential, f, rw_plane_strain_weight(nu), maximum.x, maximum.y);
     const double limit = limit_of(alpha, maximum), per_2J2 = 1 / (2 * change.J2);

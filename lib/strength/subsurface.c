@@ -39,7 +39,7 @@ static double steepness(double y, const void *context)
     const axis *a = context;
     rw_curvature bend;
     const rw_field field = rw_potential_with_curvature(a->potential, 0, y, &bend);
-    return field.H_re - bend.K_im + a->kappa * field.G_im;
+    return field.H_re - cimag(bend.K) + a->kappa * field.G_im;
 }
 
 /* A depth inside that interval, unless the interval is very short. As kappa grows, the interval
@@ -178,7 +178,7 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     if (f > LAST)
         return false;
     rw_potential potential;
-    rw_potential_init(&potential, alpha);
+    rw_potential_init(&potential, alpha, 1);
     axis on_axis = {&potential, 0};
     const double probe = depth_of_last_rise(alpha);
     const double rise = steepness(probe, &on_axis);

@@ -209,9 +209,6 @@ int32_t rwedge_series_stress(const rwedge_series *series, double f, double x, do
     if (status != RWEDGE_OK)
         return status;
     const rw_field field = field_at(series, x, y);
-    const rw_stress_state s = rw_superpose(field, rw_field_multiple(f, field));
-    *sxx = s.mean - s.difference;
-    *syy = s.mean + s.difference;
-    *txy = s.shear;
+    rw_give_stress(rw_superpose(field, rw_field_multiple(f, field)), sxx, syy, txy);
     return RWEDGE_OK;
 }

@@ -9,7 +9,7 @@
 #include "potential/batch.h"
 #include "base/domain.h"
 #include "base/select.h"
-#include "stress/gradient.h"
+#include "stress/derivatives.h"
 #include "rwedge.h"
 
 /* The two patches of one contact, both centred at 0. `stick` is used only if c > 0. */
@@ -21,9 +21,9 @@ typedef struct {
 static tractions make_tractions(double alpha, double f, double c)
 {
     tractions t = {.f = f, .c = c};
-    rw_potential_init(&t.contact, alpha);
+    rw_potential_init(&t.contact, alpha, 1);
     if (c > 0)
-        rw_potential_init_patch(&t.stick, alpha, c);
+        rw_potential_init(&t.stick, alpha, c);
     return t;
 }
 
@@ -33,13 +33,9 @@ RW_INLINE rw_field difference(rw_field a, rw_field b)
 }
 
 /* normal: the field of the whole contact; stick: that of the stick zone's patch, or 0. */
-RW_INLINE void combine(double f, rw_field normal, rw_field stick, double *sxx, double *syy,
-                       double *txy)
+RW_INLINE rw_stress_state state_of(double f, rw_field normal, rw_field stick)
 {
-    const rw_stress_state s = rw_superpose(normal, rw_field_multiple(f, difference(normal, stick)));
-    *sxx = s.mean - s.difference;
-    *syy = s.mean + s.difference;
-    *txy = s.shear;
+    return rw_superpose(normal, rw_field_multiple(f, difference(normal, stick)));
 }
 
 static void stresses_at(const tractions *t, int count, const double x[], const double y[],
@@ -50,31 +46,26 @@ static void stresses_at(const tractions *t, int count, const double x[], const d
     if (t->c > 0)
         rw_potential_fields(&t->stick, count, x, y, &stick);
     for (int i = 0; i < count; i++)
-        combine(t->f, rw_field_in(&normal, i), rw_field_in(&stick, i), &sxx[i], &syy[i], &txy[i]);
-}
-
-/* ---- Derivatives: they add up as the stresses do ---- */
-
-typedef struct {
-    double sxx, syy, txy;
-} tensor;
-
-static tensor tensor_of(double f, rw_field normal, rw_field stick)
-{
-    tensor t;
-    combine(f, normal, stick, &t.sxx, &t.syy, &t.txy);
-    return t;
+        rw_give_stress(state_of(t->f, rw_field_in(&normal, i), rw_field_in(&stick, i)), &sxx[i],
+                       &syy[i], &txy[i]);
 }
 
 static const rw_field NO_FIELD = {0, 0, 0, 0};
 
+static rw_field stick_at(const tractions *t, double x, double y)
+{
+    return t->c > 0 ? rw_potential_at(&t->stick, x, y) : NO_FIELD;
+}
+
+/* ---- Derivatives: they add up as the stresses do ---- */
+
 typedef rw_field (*change)(const rw_potential *potential, double x, double y);
 
-static tensor changed(const tractions *t, change by, double x, double y, double factor)
+static rw_stress_state changed(const tractions *t, change by, double x, double y, double factor)
 {
     const rw_field normal = rw_field_multiple(factor, by(&t->contact, x, y));
-    return tensor_of(t->f, normal,
-                     t->c > 0 ? rw_field_multiple(factor, by(&t->stick, x, y)) : NO_FIELD);
+    return state_of(t->f, normal,
+                    t->c > 0 ? rw_field_multiple(factor, by(&t->stick, x, y)) : NO_FIELD);
 }
 
 /* For an analytic function d/dy is i d/dx; y G' has the term G' besides. */
@@ -84,24 +75,23 @@ static rw_field by_y(const rw_potential *potential, double x, double y)
     return (rw_field){-d.G_im, d.G_re, d.G_re - d.H_im, d.G_im + d.H_re};
 }
 
-static tensor by_friction(const tractions *t, double x, double y)
+static rw_stress_state by_friction(const tractions *t, double x, double y)
 {
     const rw_field normal = rw_potential_at(&t->contact, x, y);
-    const rw_field stick = t->c > 0 ? rw_potential_at(&t->stick, x, y) : NO_FIELD;
-    return tensor_of(1, NO_FIELD, difference(stick, normal));
+    return rw_superpose(NO_FIELD, difference(normal, stick_at(t, x, y)));
 }
 
 /* d/dc at c = 0 is that of a stick zone that begins to grow: its load grows like c^2 within the
  * rounding, but like c for the sharp wedge. */
-static tensor by_stick_zone(const tractions *t, double x, double y)
+static rw_stress_state by_stick_zone(const tractions *t, double x, double y)
 {
     if (t->c == 0 && t->contact.alpha > 0)
-        return tensor_of(0, NO_FIELD, NO_FIELD);
+        return rw_superpose(NO_FIELD, NO_FIELD);
     const double least = t->c > 0 ? t->c : RW_SMALLEST;
     rw_potential stick;
-    rw_potential_init_patch(&stick, t->contact.a, least);
-    return tensor_of(t->f, NO_FIELD,
-                     rw_field_multiple(1 / least, rw_potential_by_half_width(&stick, x, y)));
+    rw_potential_init(&stick, t->contact.a, least);
+    return rw_superpose(NO_FIELD,
+                        rw_field_multiple(-t->f / least, rw_potential_by_half_width(&stick, x, y)));
 }
 
 static bool is_contact(double alpha, double f, double c)
@@ -124,8 +114,8 @@ int32_t rwedge_stress(double alpha, double f, double c, double x, double y, doub
     if (!is_point(alpha, x, y))
         return RWEDGE_EDOMAIN;
     const tractions t = make_tractions(alpha, f, c);
-    const rw_field normal = rw_potential_at(&t.contact, x, y), none = {0, 0, 0, 0};
-    combine(f, normal, c > 0 ? rw_potential_at(&t.stick, x, y) : none, sxx, syy, txy);
+    const rw_field normal = rw_potential_at(&t.contact, x, y);
+    rw_give_stress(state_of(f, normal, stick_at(&t, x, y)), sxx, syy, txy);
     return RWEDGE_OK;
 }
 
@@ -162,9 +152,8 @@ int32_t rwedge_stress_gradient(double alpha, double f, double c, double x, doubl
     if (!is_contact(alpha, f, c) || !is_point(alpha, x, y) || !is_smooth_at(alpha, c, x, y))
         return RWEDGE_EDOMAIN;
     const tractions t = make_tractions(alpha, f, c);
-    const tensor along = changed(&t, rw_potential_by_x, x, y, 1), down = changed(&t, by_y, x, y, 1);
-    *sxx_x = along.sxx, *syy_x = along.syy, *txy_x = along.txy;
-    *sxx_y = down.sxx, *syy_y = down.syy, *txy_y = down.txy;
+    rw_give_stress(changed(&t, rw_potential_by_x, x, y, 1), sxx_x, syy_x, txy_x);
+    rw_give_stress(changed(&t, by_y, x, y, 1), sxx_y, syy_y, txy_y);
     return RWEDGE_OK;
 }
 
@@ -179,10 +168,10 @@ int32_t rwedge_stress_sensitivity(double alpha, double f, double c, double x, do
     if (!is_contact(alpha, f, c) || !is_point(alpha, x, y) || !is_smooth_at(alpha, c, x, y))
         return RWEDGE_EDOMAIN;
     const tractions t = make_tractions(alpha, f, c);
-    const tensor tip = changed(&t, rw_potential_by_rounding, x, y, alpha > 0 ? 1 / alpha : 0);
-    const tensor friction = by_friction(&t, x, y), zone = by_stick_zone(&t, x, y);
-    *sxx_alpha = tip.sxx, *syy_alpha = tip.syy, *txy_alpha = tip.txy;
-    *sxx_f = friction.sxx, *syy_f = friction.syy, *txy_f = friction.txy;
-    *sxx_c = zone.sxx, *syy_c = zone.syy, *txy_c = zone.txy;
+    const double per_alpha = alpha > 0 ? 1 / alpha : 0;
+    rw_give_stress(changed(&t, rw_potential_by_rounding, x, y, per_alpha), sxx_alpha, syy_alpha,
+                   txy_alpha);
+    rw_give_stress(by_friction(&t, x, y), sxx_f, syy_f, txy_f);
+    rw_give_stress(by_stick_zone(&t, x, y), sxx_c, syy_c, txy_c);
     return RWEDGE_OK;
 }

@@ -21,4 +21,11 @@ static inline rw_stress_state rw_superpose(rw_field normal, rw_field tangential)
     };
 }
 
+static inline void rw_give_stress(rw_stress_state s, double *sxx, double *syy, double *txy)
+{
+    *sxx = s.mean - s.difference;
+    *syy = s.mean + s.difference;
+    *txy = s.shear;
+}
+
 #endif

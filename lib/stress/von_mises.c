@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stress/von_mises.h"
 
-#include "stress/gradient.h"
-
-#include <complex.h>
-
 double rw_plane_strain_weight(double nu)
 {
     return (1 - 2 * nu) * (1 - 2 * nu) / 3;
@@ -15,15 +11,10 @@ static double dot(double complex a, double complex b)
     return creal(a) * creal(b) + cimag(a) * cimag(b);
 }
 
-static double complex number(double re, double im)
-{
-    return re + im * I;
-}
-
 /* i a, without the general product of complex numbers. */
 static double complex turned(double complex a)
 {
-    return number(-cimag(a), creal(a));
+    return rw_number(-cimag(a), creal(a));
 }
 
 /* With G_N = G and G_T = f G,  D = f G + mu H,  s = Re(sigma G),  mu = -1 + i f,  sigma = -f -
@@ -35,9 +26,10 @@ rw_von_mises rw_von_mises_at(const rw_potential *potential, double f, double kap
 {
     rw_curvature bend;
     const rw_field field = rw_potential_with_curvature(potential, x, y, &bend);
-    const double complex G = number(field.G_re, field.G_im), H = number(field.H_re, field.H_im);
-    const double complex K = number(bend.K_re, bend.K_im), L = number(bend.L_re, bend.L_im);
-    const double complex mu = number(-1, f), sigma = number(-f, -1);
+    const double complex G = rw_number(field.G_re, field.G_im),
+                         H = rw_number(field.H_re, field.H_im);
+    const double complex K = bend.K, L = bend.L;
+    const double complex mu = rw_number(-1, f), sigma = rw_number(-f, -1);
 
     const double complex D = f * G + mu * H;
     const double complex Dx = f * H + mu * K;
@@ -73,9 +65,11 @@ rw_von_mises_change rw_von_mises_change_at(const rw_potential *potential, double
 {
     const rw_field field = rw_potential_at(potential, x, y),
                    punch = rw_potential_by_half_width(potential, x, y);
-    const double complex G = number(field.G_re, field.G_im), H = number(field.H_re, field.H_im);
-    const double complex Ga = -number(punch.G_re, punch.G_im), Ha = -number(punch.H_re, punch.H_im);
-    const double complex mu = number(-1, f), sigma = number(-f, -1);
+    const double complex G = rw_number(field.G_re, field.G_im),
+                         H = rw_number(field.H_re, field.H_im);
+    const double complex Ga = -rw_number(punch.G_re, punch.G_im),
+                         Ha = -rw_number(punch.H_re, punch.H_im);
+    const double complex mu = rw_number(-1, f), sigma = rw_number(-f, -1);
 
     const double complex D = f * G + mu * H, Df = G + turned(H), Da = f * Ga + mu * Ha;
     const double s = creal(sigma * G), sf = -creal(G), sa = creal(sigma * Ga);

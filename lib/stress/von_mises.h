@@ -4,7 +4,7 @@
 #ifndef RW_VON_MISES_H
 #define RW_VON_MISES_H
 
-#include "stress/curvature.h"
+#include "stress/derivatives.h"
 
 typedef struct {
     double J2;

@@ -53,54 +53,46 @@ static void evaluate(rw_highest *s, int n, const double x[], const double y[], d
 
 /* ---- Climbing ---- */
 
-typedef struct {
-    rw_highest *s;
-    double centre, innermost, outermost;
-    rw_polar top;
-    double J2;
-} climb;
-
-/* An angle beyond the surface counts as the surface. */
-static void evaluate_places(climb *c, int n, const rw_polar at[], double J2[])
+/* Looks at n <= LINE places, and moves to the highest if it is higher than the top. An angle beyond
+ * the surface counts as the surface. Returns which is the highest; n where none is higher. */
+static int look_at(rw_highest *s, rw_climb *c, int n, const rw_polar at[])
 {
-    double x[LINE], y[LINE];
+    double x[LINE], y[LINE], J2[LINE];
     for (int i = 0; i < n; i++) {
         const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius))),
                      angle = at[i].angle, cosine = cos(angle), sine = sin(angle);
         const bool is_below = angle > 0 && angle < RW_PI;
         x[i] = c->centre + r * (is_below ? cosine : angle <= 0 ? 1 : -1);
         y[i] = is_below ? r * sine : 0;
-        y[i] = rw_off_apex(c->s->contact, x[i], y[i], r);
+        y[i] = rw_off_apex(s->contact, x[i], y[i], r);
     }
-    evaluate(c->s, n, x, y, J2);
+    evaluate(s, n, x, y, J2);
+    int highest = n;
+    for (int i = 0; i < n; i++)
+        if (J2[i] > c->J2) {
+            highest = i;
+            c->top = at[i];
+            c->J2 = J2[i];
+        }
+    return highest;
 }
 
 /* Moves to the highest place along a line, both ways. While the highest of its points is at an end,
  * the span is doubled. Then it is narrowed to the points beside the highest. Nothing is higher
  * beyond the limits of angle and radius. */
-static void climb_along(climb *c, double to_angle, double to_log_radius, double span,
-                        double last_span)
+static void climb_along(rw_highest *s, rw_climb *c, double to_angle, double to_log_radius,
+                        double span, double last_span)
 {
     const double length = hypot(to_angle, to_log_radius);
     bool is_found = false; /* between two points of the line */
     while (length > 0 && span > last_span) {
         rw_polar at[LINE];
-        double J2[LINE];
         for (int i = 0; i < LINE; i++) {
             const double t = span * (2.0 * (i + 1) / (LINE + 1) - 1) / length;
             at[i] = (rw_polar){c->top.angle + t * to_angle, c->top.log_radius + t * to_log_radius};
         }
-        evaluate_places(c, LINE, at, J2);
-        int highest = 0;
-        for (int i = 1; i < LINE; i++)
-            if (J2[i] > J2[highest])
-                highest = i;
-        const bool is_higher = J2[highest] > c->J2;
-        if (is_higher) {
-            c->top = at[highest];
-            c->J2 = J2[highest];
-        }
-        is_found = is_found || !is_higher || (highest > 0 && highest < LINE - 1);
+        const int highest = look_at(s, c, LINE, at);
+        is_found = is_found || (highest != 0 && highest != LINE - 1);
         span *= is_found ? 2.0 / (LINE + 1) : 2;
     }
 }
@@ -108,16 +100,16 @@ static void climb_along(climb *c, double to_angle, double to_log_radius, double 
 /* Two places that are each highest for their radius make a line, and the next climb goes along it
  * (Powell's conjugate direction). It is exact where J2 is quadratic. It follows the ridges of
  * narrow roundings, where J2 is flat to 1e-9. */
-static void climb_to(climb *c, double last_span)
+static void climb_to(rw_highest *s, rw_climb *c, double last_span)
 {
     double span = FIRST_SPAN;
     for (int i = 0; i < CLIMB_MAX; i++) { /* a few are enough, but on a plateau */
         const double before = c->J2;
-        climb_along(c, 1, 0, span, last_span);
+        climb_along(s, c, 1, 0, span, last_span);
         const rw_polar start = c->top;
-        climb_along(c, 0, 1, span, last_span);
-        climb_along(c, 1, 0, span, last_span);
-        climb_along(c, c->top.angle - start.angle, c->top.log_radius - start.log_radius, span,
+        climb_along(s, c, 0, 1, span, last_span);
+        climb_along(s, c, 1, 0, span, last_span);
+        climb_along(s, c, c->top.angle - start.angle, c->top.log_radius - start.log_radius, span,
                     last_span);
         if (c->J2 - before <= NO_GAIN * before || last_span >= ROUGH_SPAN)
             return;
@@ -127,21 +119,15 @@ static void climb_to(climb *c, double last_span)
 
 /* Moves to the highest place of each radius. A ridge lies beside the angles of the grid: along it
  * J2 may rise where the grid falls, by as much as the angle from one to the other changes. */
-static void climb_ridge(climb *c)
+static void climb_ridge(rw_highest *s, rw_climb *c)
 {
     const double angle = c->top.angle, step = log(1 / RW_FALL);
     double log_radius = log(c->innermost);
     while (log_radius < log(c->outermost)) {
         rw_polar at[LINE];
-        double J2[LINE];
         for (int i = 0; i < LINE; i++, log_radius += step)
             at[i] = (rw_polar){angle, log_radius};
-        evaluate_places(c, LINE, at, J2);
-        for (int i = 0; i < LINE; i++)
-            if (J2[i] > c->J2) {
-                c->top = at[i];
-                c->J2 = J2[i];
-            }
+        look_at(s, c, LINE, at);
     }
 }
 
@@ -151,23 +137,22 @@ static void climb_around_centre(rw_highest *s, double from_mark)
     const double r = hypot(s->x, s->y);
     if (!(r > 0 && r < from_mark / 5))
         return;
-    climb c = {s, 0, 1e-3 * r, 1e3 * r, {atan2(s->y, s->x), log(r)}, s->J2};
-    climb_to(&c, LAST_SPAN);
+    rw_climb c = {0, 1e-3 * r, 1e3 * r, {atan2(s->y, s->x), log(r)}, s->J2, 0};
+    climb_to(s, &c, LAST_SPAN);
 }
 
 /* Climbs roughly first. That is enough for a top that is lower than the highest, and for one that
  * was climbed already, from a mark about as near: a mark much farther away sees less detail. */
-static void climb_to_top(climb *c)
+static void climb_to_top(rw_highest *s, rw_climb *c)
 {
-    rw_highest *s = c->s;
-    climb_to(c, ROUGH_SPAN);
+    climb_to(s, c, ROUGH_SPAN);
     const double r = exp(c->top.log_radius);
     const double to_known =
         hypot(c->centre + r * cos(c->top.angle) - s->top_x, r * sin(c->top.angle) - s->top_y);
     if (c->J2 < (1 - ROUGHLY) * s->J2 || (to_known < ROUGHLY * r && s->top_radius < 2 * r))
         return;
-    climb_ridge(c);
-    climb_to(c, LAST_SPAN);
+    climb_ridge(s, c);
+    climb_to(s, c, LAST_SPAN);
     if (c->J2 >= s->J2) {
         climb_around_centre(s, exp(c->top.log_radius));
         s->top_x = s->x;
@@ -176,12 +161,14 @@ static void climb_to_top(climb *c)
     }
 }
 
-void rw_climb(rw_highest *s, const rw_climb_start *from)
+void rw_climb_from(rw_highest *s, rw_climb from)
 {
-    climb c = {s, from->centre, from->innermost, from->outermost, from->at, 0};
+    const rw_polar start = from.top;
     const double surface = 0;
-    if (!rw_is_kink(&s->contact->geometry, from->centre)) /* J2 is finite there */
-        evaluate(s, 1, &from->centre, &surface, &c.J2);
-    evaluate_places(&c, 1, &c.top, &c.J2);
-    climb_to_top(&c);
+    double at_mark;
+    if (!rw_is_kink(&s->contact->geometry, from.centre)) /* J2 is finite there */
+        evaluate(s, 1, &from.centre, &surface, &at_mark);
+    from.J2 = 0; /* known from a grid, whose fields have an error */
+    look_at(s, &from, 1, &start);
+    climb_to_top(s, &from);
 }

@@ -21,12 +21,12 @@ typedef struct {
     double angle, log_radius;
 } rw_polar;
 
-/* Where a climb begins: a maximum of the grid around a mark. */
+/* A climb around a mark. It begins at a maximum of the grid; its top is the highest so far. */
 typedef struct {
     double centre, innermost, outermost;
-    rw_polar at;
+    rw_polar top;
     double J2, hidden; /* hidden: what the steps of the grid may hide */
-} rw_climb_start;
+} rw_climb;
 
 /* The ratio of neighbouring radii of a grid. */
 #define RW_FALL 0.5
@@ -42,6 +42,6 @@ static inline double rw_off_apex(const rwedge_contact *contact, double x, double
 }
 
 /* Looks at the mark, and climbs from the start to its top. */
-void rw_climb(rw_highest *highest, const rw_climb_start *from);
+void rw_climb_from(rw_highest *highest, rw_climb start);
 
 #endif

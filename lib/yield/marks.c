@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "yield/marks.h"
 
-/* After the centre and the contact. */
-enum { FIRST_ARC = 2 };
-
 /* How far the contact reaches from the centre. */
 static double extent(const rwedge_contact *contact)
 {
@@ -11,21 +8,22 @@ static double extent(const rwedge_contact *contact)
     return fmax(-patch.left, patch.right);
 }
 
-int rw_main_parts(const rwedge_contact *contact)
+int rw_main_marks(const rwedge_contact *contact)
 {
-    return FIRST_ARC + (int)rw_arcs_of(&contact->geometry).count;
+    return 3 + 2 * (int)rw_arcs_of(&contact->geometry).count;
 }
 
-/* An arc as far as it is in contact; its nearer edge where it is not. */
-static rw_patch part_of(const rwedge_contact *contact, int part)
+/* Of an arc as far as it is in contact; its nearer edge where it is not. */
+static double main_place(const rwedge_contact *contact, int i)
 {
     const rw_patch patch = rw_memory_end(&contact->memory)->patch;
-    if (part < FIRST_ARC)
-        return part == 0 ? (rw_patch){0, 0} : patch;
+    const int side = i % 2 ? 1 : -1;
+    if (i < 3)
+        return i == 0 ? 0 : rw_mark_edge(patch, side);
     const rw_arcs arcs = rw_arcs_of(&contact->geometry);
-    const rw_arc arc = rw_arc_at(&arcs, (size_t)(part - FIRST_ARC));
-    return (rw_patch){fmin(fmax(arc.left, patch.left), patch.right),
-                      fmax(fmin(arc.right, patch.right), patch.left)};
+    const rw_arc arc = rw_arc_at(&arcs, (size_t)(i - 3) / 2);
+    return side > 0 ? fmax(fmin(arc.right, patch.right), patch.left)
+                    : fmin(fmax(arc.left, patch.left), patch.right);
 }
 
 static void look_to(rw_mark *m, double other, bool is_before)
@@ -37,15 +35,31 @@ static void look_to(rw_mark *m, double other, bool is_before)
         m->nearest = fmin(m->nearest, distance);
 }
 
+/* A mark that has seen the main marks, of which the first `before` come before it. It may be the
+ * next of them itself. */
+static rw_mark mark_at(const rwedge_contact *contact, double at, int before)
+{
+    rw_mark m = {at, 3 * extent(contact), extent(contact)};
+    for (int i = 0; i < rw_main_marks(contact); i++)
+        if (i != before)
+            look_to(&m, main_place(contact, i), i < before);
+    return m;
+}
+
+rw_mark rw_main_mark(const rwedge_contact *contact, int i)
+{
+    rw_mark m = mark_at(contact, main_place(contact, i), i);
+    for (size_t k = 1; k < contact->memory.count - 1; k++)
+        for (int side = -1; side <= 1; side += 2)
+            look_to(&m, rw_mark_edge(contact->memory.corners[k].patch, side), false);
+    return m;
+}
+
 rw_mark rw_patch_mark(const rwedge_contact *contact, size_t inner, size_t i, size_t outer, int side)
 {
     const rw_corner *corners = contact->memory.corners;
-    rw_mark m = {rw_mark_edge(corners[i].patch, side), 3 * extent(contact), extent(contact)};
-    look_to(&m, 0, true);
+    rw_mark m = mark_at(contact, rw_mark_edge(corners[i].patch, side), rw_main_marks(contact));
     look_to(&m, rw_mark_edge(corners[i].patch, -side), side < 0);
-    for (int k = 1; k < rw_main_parts(contact); k++)
-        for (int edge = -1; edge <= 1; edge += 2)
-            look_to(&m, rw_mark_edge(part_of(contact, k), edge), true);
     look_to(&m, rw_mark_edge(corners[i - 1].patch, side), false);
     look_to(&m, rw_mark_edge(corners[i + 1].patch, side), false);
     if (inner > 0)
@@ -54,29 +68,9 @@ rw_mark rw_patch_mark(const rwedge_contact *contact, size_t inner, size_t i, siz
     return m;
 }
 
-rw_mark rw_main_mark(const rwedge_contact *contact, int part, int side)
-{
-    const rw_corner *corners = contact->memory.corners;
-    const size_t last = contact->memory.count - 1;
-    rw_mark m = {rw_mark_edge(part_of(contact, part), side), 3 * extent(contact), extent(contact)};
-    for (int k = 0; k < rw_main_parts(contact); k++)
-        for (int edge = -1; edge <= 1; edge += 2)
-            if (k != part || edge != side)
-                look_to(&m, rw_mark_edge(part_of(contact, k), edge),
-                        k < part || (k == part && side < edge));
-    for (size_t i = 1; i < last; i++)
-        for (int edge = -1; edge <= 1; edge += 2)
-            look_to(&m, rw_mark_edge(corners[i].patch, edge), false);
-    return m;
-}
-
 rw_mark rw_kink_mark(const rwedge_contact *contact, const rw_shear_state *shear, int i)
 {
-    rw_mark m = {shear->kink[i], 3 * extent(contact), extent(contact)};
-    look_to(&m, 0, true);
-    for (int k = 1; k < rw_main_parts(contact); k++)
-        for (int edge = -1; edge <= 1; edge += 2)
-            look_to(&m, rw_mark_edge(part_of(contact, k), edge), true);
+    rw_mark m = mark_at(contact, shear->kink[i], rw_main_marks(contact));
     for (int j = 0; j < shear->kinks; j++)
         if (j != i)
             look_to(&m, shear->kink[j], j < i);

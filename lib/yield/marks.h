@@ -18,10 +18,10 @@ static inline double rw_mark_edge(rw_patch patch, int side)
     return side > 0 ? patch.right : patch.left;
 }
 
-/* The centre, the edges of the contact, and those of the arcs, in this order: part 0, 1, and so on.
- */
-int rw_main_parts(const rwedge_contact *contact);
-rw_mark rw_main_mark(const rwedge_contact *contact, int part, int side);
+/* The main marks: the centre; then right and left in turn the edges of the contact, and of each
+ * arc. */
+int rw_main_marks(const rwedge_contact *contact);
+rw_mark rw_main_mark(const rwedge_contact *contact, int i);
 
 /* The i-th kink of a computed shear. */
 rw_mark rw_kink_mark(const rwedge_contact *contact, const rw_shear_state *shear, int i);

@@ -5,7 +5,6 @@
 #include "yield/neighbourhood.h"
 
 #include "base/domain.h"
-#include "potential/eccentric_form.h"
 
 /* In radii of the disc. */
 static const double FAR = 5, INTERVAL = 2;
@@ -45,27 +44,20 @@ static bool is_smooth(const rwedge_contact *contact, size_t patch, double centre
     return true;
 }
 
-typedef struct {
-    rw_complex value, slope;
-} series_value;
-
-/* Clenshaw's recurrence and its derivative. */
-static series_value series_at(const rw_neighbourhood *n, rw_complex t)
+/* The sum of a series at t, and its derivative: Clenshaw's recurrence. */
+static double complex series_at(const rw_neighbourhood *n, double complex t, double complex *slope)
 {
-    rw_complex b = {0, 0}, b_next = {0, 0}, d = {0, 0}, d_next = {0, 0};
+    double complex b = 0, b_next = 0, d = 0, d_next = 0;
     for (int k = RW_NODES - 1; k > 0; k--) {
-        const rw_complex tb = rw_product(t, b), td = rw_product(t, d);
-        const rw_complex steeper = {2 * (b.re + td.re) - d_next.re, 2 * (b.im + td.im) - d_next.im};
-        const rw_complex higher = {n->re[k] + 2 * tb.re - b_next.re,
-                                   n->im[k] + 2 * tb.im - b_next.im};
+        const double complex steeper = 2 * (b + t * d) - d_next;
+        const double complex higher = n->coefficient[k] + 2 * (t * b) - b_next;
         d_next = d;
         d = steeper;
         b_next = b;
         b = higher;
     }
-    const rw_complex tb = rw_product(t, b), td = rw_product(t, d);
-    return (series_value){{n->re[0] + tb.re - b_next.re, n->im[0] + tb.im - b_next.im},
-                          {b.re + td.re - d_next.re, b.im + td.im - d_next.im}};
+    *slope = b + t * d - d_next;
+    return n->coefficient[0] + t * b - b_next;
 }
 
 static double node(int i)
@@ -76,14 +68,11 @@ static double node(int i)
 /* The coefficients of a series from its values at the nodes. */
 static void transform(const rw_fields *values, rw_neighbourhood *n)
 {
-    for (int k = 0; k < RW_NODES; k++)
-        n->re[k] = n->im[k] = 0;
     for (int i = 0; i < RW_NODES; i++) {
+        const double complex value = values->G_re[i] + values->G_im[i] * I;
         double before = node(i), wave = 1; /* cos(k arccos(node)) */
         for (int k = 0; k < RW_NODES; k++) {
-            const double share = (k == 0 ? 1.0 : 2.0) / RW_NODES * wave;
-            n->re[k] += share * values->G_re[i];
-            n->im[k] += share * values->G_im[i];
+            n->coefficient[k] += (k == 0 ? 1.0 : 2.0) / RW_NODES * wave * value;
             const double next = 2 * node(i) * wave - before;
             before = wave;
             wave = next;
@@ -104,10 +93,12 @@ static void add_patches(const rwedge_contact *contact, size_t first, size_t last
 }
 
 /* The function that the outer neighbourhood interpolates, at a place of the surface. */
-static rw_complex interpolated(const rw_neighbourhood *outer, double x)
+static double complex interpolated(const rw_neighbourhood *outer, double x)
 {
-    const rw_complex t = {(x - outer->centre) / (INTERVAL * outer->radius), 0}, none = {0, 0};
-    return isinf(outer->radius) ? none : series_at(outer, t).value;
+    double complex slope;
+    return isinf(outer->radius)
+               ? 0
+               : series_at(outer, (x - outer->centre) / (INTERVAL * outer->radius), &slope);
 }
 
 rw_neighbourhood rw_neighbourhood_within(const rwedge_contact *contact,
@@ -116,7 +107,7 @@ rw_neighbourhood rw_neighbourhood_within(const rwedge_contact *contact,
 {
     if (!(fabs(centre - outer->centre) + radius <= outer->radius))
         return rw_neighbourhood_whole(contact);
-    rw_neighbourhood inner = {centre, radius, outer->first, outer->last, {0}, {0}};
+    rw_neighbourhood inner = {centre, radius, outer->first, outer->last, {0}};
     while (inner.first < inner.last && is_smooth(contact, inner.first, centre, radius))
         inner.first++;
     while (inner.first < inner.last && is_smooth(contact, inner.last - 1, centre, radius))
@@ -128,9 +119,9 @@ rw_neighbourhood rw_neighbourhood_within(const rwedge_contact *contact,
     rw_fields values = {{0}, {0}, {0}, {0}};
     for (int i = 0; i < RW_NODES; i++) {
         x[i] = centre + INTERVAL * radius * node(i);
-        const rw_complex value = interpolated(outer, x[i]);
-        values.G_re[i] = value.re;
-        values.G_im[i] = value.im;
+        const double complex value = interpolated(outer, x[i]);
+        values.G_re[i] = creal(value);
+        values.G_im[i] = cimag(value);
     }
     add_patches(contact, outer->first, inner.first, x, &values);
     add_patches(contact, inner.last, outer->last, x, &values);
@@ -148,10 +139,11 @@ void rw_neighbourhood_fields(const rwedge_contact *contact, const rw_neighbourho
     rw_fields *sum = &fields->tangential;
     for (int i = 0; i < count; i++) {
         const double t_y = y[i] / unit;
-        const series_value s = series_at(n, (rw_complex){(x[i] - n->centre) / unit, t_y});
-        sum->G_re[i] += s.value.re;
-        sum->G_im[i] += s.value.im;
-        sum->H_re[i] += t_y * s.slope.re;
-        sum->H_im[i] += t_y * s.slope.im;
+        double complex slope;
+        const double complex value = series_at(n, (x[i] - n->centre) / unit + t_y * I, &slope);
+        sum->G_re[i] += creal(value);
+        sum->G_im[i] += cimag(value);
+        sum->H_re[i] += t_y * creal(slope);
+        sum->H_im[i] += t_y * cimag(slope);
     }
 }

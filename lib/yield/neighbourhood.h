@@ -7,6 +7,8 @@
 
 #include "contact/contact.h"
 
+#include <complex.h>
+
 enum { RW_NODES = 24 };
 
 /* A half disc. The patches from first to last - 1 count one by one, and so does the contact; the
@@ -14,7 +16,7 @@ enum { RW_NODES = 24 };
 typedef struct {
     double centre, radius; /* infinite where all patches count one by one */
     size_t first, last;
-    double re[RW_NODES], im[RW_NODES];
+    double complex coefficient[RW_NODES];
 } rw_neighbourhood;
 
 /* The neighbourhood that is the whole half-plane. */

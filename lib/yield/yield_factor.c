@@ -41,7 +41,7 @@ static const double GRID_ERROR = 1e-8;
 typedef struct {
     rw_highest highest;
     bool is_centred; /* all patches are: at -x are the fields of the opposite shear at x */
-    rw_climb_start starts[STARTS_KEPT];
+    rw_climb starts[STARTS_KEPT];
     size_t count;
 } search;
 
@@ -62,14 +62,14 @@ static void climb_all(search *s)
         for (size_t i = 1; i < s->count; i++)
             if (s->starts[i].J2 > s->starts[best].J2)
                 best = i;
-        const rw_climb_start from = s->starts[best];
+        const rw_climb from = s->starts[best];
         s->starts[best] = s->starts[--s->count];
         if (!is_low(s, from.J2, from.hidden))
-            rw_climb(&s->highest, &from);
+            rw_climb_from(&s->highest, from);
     }
 }
 
-static void note(search *s, const rw_climb_start *from)
+static void note(search *s, const rw_climb *from)
 {
     if (is_low(s, from->J2, from->hidden))
         return;
@@ -153,12 +153,12 @@ static void note_starts(search *s, const polar_grid *grid, int side)
             if (is_low(s, here, here) || !is_maximum(J2, grid->rows, i, j, &lowest))
                 continue;
             const int angle = side ? ANGLES - 1 - j : j;
-            const rw_climb_start top = {side ? -grid->centre : grid->centre,
-                                        0.1 * grid->floor,
-                                        10 * grid->reach,
-                                        {angle * RW_PI / (ANGLES - 1), log(grid->radius[i])},
-                                        here,
-                                        here - lowest};
+            const rw_climb top = {side ? -grid->centre : grid->centre,
+                                  0.1 * grid->floor,
+                                  10 * grid->reach,
+                                  {angle * RW_PI / (ANGLES - 1), log(grid->radius[i])},
+                                  here,
+                                  here - lowest};
             note(s, &top);
         }
 }
@@ -235,14 +235,14 @@ static void search_all(search *s)
 {
     const rwedge_contact *contact = s->highest.contact;
     const rw_neighbourhood whole = rw_neighbourhood_whole(contact);
-    const int to = s->is_centred ? 1 : -1;
-    for (int part = 0; part < rw_main_parts(contact); part++)
-        for (int side = 1; side >= (part > 0 ? to : 1); side -= 2) {
-            const rw_mark m = rw_main_mark(contact, part, side);
-            search_around(s, &m, &whole);
-        }
-    for (int side = 1; side >= to; side -= 2)
-        search_between(s, &whole, 0, contact->memory.count - 1, side);
+    const int next = s->is_centred ? 2 : 1; /* right marks alone */
+    for (int i = 0; i < rw_main_marks(contact); i += i == 0 ? 1 : next) {
+        const rw_mark m = rw_main_mark(contact, i);
+        search_around(s, &m, &whole);
+    }
+    search_between(s, &whole, 0, contact->memory.count - 1, 1);
+    if (!s->is_centred)
+        search_between(s, &whole, 0, contact->memory.count - 1, -1);
     const rw_shear_state *shear = contact->numerical ? &contact->numerical->now.shear : NULL;
     for (int i = 0; shear && i < shear->kinks; i++) {
         const rw_mark m = rw_kink_mark(contact, shear, i);

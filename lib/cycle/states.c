@@ -129,7 +129,7 @@ int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *lo
     cycle->count = 1;
     rwedge_contact_edges(contact, &first->patch.left, &first->patch.right);
     status = go_through(loads, use, cycle);
-    for (size_t i = 0; i < cycle->count; i++) {
+    for (size_t i = 0; i < cycle->count && status == RWEDGE_OK; i++) {
         const rw_patch patch = cycle->states[i].patch;
         cycle->rounding = fmax(cycle->rounding, ROUNDING * (patch.right - patch.left));
     }

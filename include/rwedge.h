@@ -644,7 +644,7 @@ RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge
  *   x     length, |x| <= b: points outside have no partner
  *   slip  receives n numbers
  * RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
- * or slipped after they had been added to others that slipped before, and in full sliding.
+ * or slipped after they had been added to others that slipped before, and once it has slid fully.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
  * Error below 1e-12 f theta b, for loads that differ by 1 % or more. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],

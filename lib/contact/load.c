@@ -253,7 +253,8 @@ static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
                      const rw_departure *departure, double share)
 {
     const bool off_centre = is_off_centre(contact, step), is_separated = step->to.load == 0;
-    const bool keeps = keeps_origin(contact, step, departure->slip) && !slides(departure);
+    const bool is_sliding = slides(departure);
+    const bool keeps = keeps_origin(contact, step, departure->slip) && !is_sliding;
     const rw_patch settled = settled_part(contact);
     if (isgreater(contact->energy + share, RW_LARGEST))
         return RWEDGE_ERANGE;
@@ -266,7 +267,7 @@ static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
     contact->was_off_centre = off_centre;
     if (off_centre)
         contact->settled = common_part(settled, step->patch);
-    if (off_centre || is_separated)
+    if (off_centre || is_separated || is_sliding)
         contact->is_origin_known = keeps || is_separated;
     return RWEDGE_OK;
 }

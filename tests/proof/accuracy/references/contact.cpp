@@ -30,8 +30,7 @@ ball half_width(const ball &a, const ball &wanted, double guess)
         const angle at = angle_of(a, b);
         return {force_at(at, a, b) - wanted, 2 * at.phi0 * b / a};
     };
-    ball b;
-    return find_zero(&b, guess, guess, too_much) ? b : unknown();
+    return find_zero(guess, guess, too_much);
 }
 
 ball pressure(const ball &a, const ball &c, const ball &x)

@@ -9,6 +9,21 @@ ball limit_of(const ball &alpha, const ball &J2) { return force(alpha, 1) / sqrt
 namespace
 {
 
+/* ---- Below the surface ---- */
+
+extremum stationary_near(const sliding_contact &t, double x, double y)
+{
+    const auto gradient = [&](const column &z) -> residual {
+        const J2_jet J = J2_at(t, {z.x, z.y});
+        return {{J.x, J.y}, {J.xx, J.xy, J.xy, J.yy}};
+    };
+    const column place = find_zero(column{x, y}, y, gradient);
+    const J2_jet J = J2_at(t, {place.x, place.y});
+    const ball scale = sqr(place.y) / J.J2, size = hypot(hypot(J.xx, J.yy), J.xy);
+    const ball flatness = abs(J.xx * J.yy - sqr(J.xy)) / size * scale;
+    return {place.x, place.y, J.J2, middle(flatness)};
+}
+
 /* ---- On the surface, x = alpha sin(psi): J2 = f^2 (u^2 + P^2) + kappa (P + f u)^2, u =
  * sin(psi), P = |p| ---- Next to x = alpha, where P has a vertical tangent, psi gives way to t
  * with cos(psi) = exp(-t). */
@@ -20,14 +35,11 @@ ball surface_J2(const sliding_contact &t, const ball &u, const ball &at)
     return sqr(t.f) * (sqr(u) + sqr(P)) + t.kappa * sqr(P + t.f * u);
 }
 
-/* (1/2) dJ2/du = f^2 (u - P F) + kappa (P + f u)(f - F) with F = -dP/du = (2/pi) [phi0 x/s +
- * ln((s + c0 u)/v)], s = sqrt(1-x^2), and its derivative by psi, or by t: dpsi = (v/u) dt. */
+/* (1/2) dJ2/du, and its derivative by psi, or by t: dpsi = (v/u) dt, u and v its sine and
+ * cosine. */
 struct surface {
     const sliding_contact &t;
-    const ball phi0 = t.shape.phi0, c0 = t.shape.c0;
     bool at_corner = false;
-
-    explicit surface(const sliding_contact &of_contact) : t(of_contact) {}
 
     direction sine_and_cosine(const ball &parameter) const
     {
@@ -40,14 +52,9 @@ struct surface {
     value_slope operator()(const ball &parameter) const
     {
         const direction psi = sine_and_cosine(parameter);
-        const ball &u = psi.sine, &v = psi.cosine;
-        const ball x = t.a * u, dx = t.a * v, s = angle_of(x, 1).c0, S = s + c0 * u;
-        const ball P = -pressure(t.a, 1, x), F = 2 / pi() * (log(S / v) + phi0 * x / s);
-        const ball dF = /* by psi */
-            2 / pi() * (phi0 * dx / cube(s) + (c0 * v - dx * x / s) / S + u / v);
-        const ball f2 = sqr(t.f), sum = P + t.f * u, rest = t.f - F;
-        const ball by_psi = f2 * ((1 + sqr(F)) * v - P * dF) + t.kappa * (sqr(rest) * v - sum * dF);
-        return {f2 * (u - P * F) + t.kappa * sum * rest, at_corner ? by_psi * v / u : by_psi};
+        const J2_jet J = J2_at(t, t.a * psi.sine);
+        const ball by_u = J.xx * sqr(t.a) / 2;
+        return {J.x * t.a / 2, by_u * (at_corner ? sqr(psi.cosine) / psi.sine : psi.cosine)};
     }
 
     /* The parameter of x, psi or t. Where x is alpha to rounding, a parameter that is far on the
@@ -83,11 +90,12 @@ struct surface {
 
     /* The maximum is beyond the parameter, whose slope is positive: u rises and P falls from there
      * to x = alpha. */
-    bool beyond(extremum *maximum, const ball &parameter) const
+    extremum beyond(const ball &parameter) const
     {
         const ball u = sine_and_cosine(parameter).sine;
-        *maximum = {t.a * hull(u, 1), 0, hull(surface_J2(t, u, 1), surface_J2(t, 1, u)), 1};
-        return (*this)(parameter).value > 0;
+        if (!((*this)(parameter).value > 0))
+            return {unknown(), unknown(), unknown(), NAN};
+        return {t.a * hull(u, 1), 0, hull(surface_J2(t, u, 1), surface_J2(t, 1, u)), 1};
     }
 
     /* The curvature of J2 over J2: 2 slope' cos(psi) by psi, and cos(psi) = u where the parameter
@@ -106,26 +114,26 @@ extremum hertz_maximum(const sliding_contact &t)
     return {t.f / sqrt(more), 0, sqr(t.f) + more * t.kappa, 1};
 }
 
+extremum surface_maximum_near(const sliding_contact &t, double guess)
+{
+    if (is_zero(t.shape.c0))
+        return hertz_maximum(t);
+    if (is_zero(t.f))
+        return {0, 0, surface_J2(t, 0, 0), 1};
+    surface s = {t};
+    ball parameter = s.parameter_of(guess), zero = find_zero(parameter, 1, s);
+    if (!is_finite(zero)) {
+        if (!s.search(&parameter))
+            return s.beyond(parameter);
+        zero = find_zero(parameter, 1, s);
+    }
+    const ball u = s.sine_and_cosine(zero).sine, J2 = surface_J2(t, u, u);
+    return {t.a * u, 0, J2, s.curvature(zero, J2)};
+}
+
 } // namespace
 
-bool find_surface_maximum(extremum *at, const sliding_contact &t, double guess)
+extremum extremum_near(const sliding_contact &t, double x, double y)
 {
-    if (is_zero(t.shape.c0)) {
-        *at = hertz_maximum(t);
-        return true;
-    }
-    if (is_zero(t.f)) {
-        *at = {0, 0, surface_J2(t, 0, 0), 1};
-        return true;
-    }
-    surface s(t);
-    ball parameter = s.parameter_of(guess), zero;
-    const bool is_near = find_zero(&zero, parameter, 1, s);
-    if (!is_near && !s.search(&parameter))
-        return s.beyond(at, parameter);
-    if (!is_near && !find_zero(&zero, parameter, 1, s))
-        return false;
-    const ball u = s.sine_and_cosine(zero).sine, J2 = surface_J2(t, u, u);
-    *at = {t.a * u, 0, J2, s.curvature(zero, J2)};
-    return true;
+    return y > 0 ? stationary_near(t, x, y) : surface_maximum_near(t, x);
 }

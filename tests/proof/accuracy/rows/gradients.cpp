@@ -9,41 +9,31 @@
 namespace
 {
 
-/* alpha, f, c, x, y; not on the surface at an edge. */
-std::function<bool(probe *)> of_smooth_case(int32_t (*derivatives)(const double *v, double *d))
+/* Not on the surface at an edge. */
+bool is_smooth(const probe &call)
 {
-    return [=](probe *call) {
-        double v[5];
-        v[0] = argument(call, "alpha", some_alpha(call));
-        v[1] = argument(call, "f", some_friction(call));
-        v[2] = argument(call, "c", chance(call, 0.3) ? 0 : some_fraction(call, fmin(v[0], 1)));
-        some_point(call, v[0], v[2], &v[3], &v[4]);
-        const double place = fabs(v[3]);
-        return (v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0))) &&
-               gives_if(call, derivatives(v, call->result), call->result[0]);
-    };
+    const double *v = call.value, place = fabs(v[3]);
+    return v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0));
 }
 
-/* y G'', 0 on the surface. */
-complex_ball depth_bend(const patch &p, const complex_ball &z)
+double some_c(probe *call)
 {
-    return is_zero(im(z)) ? complex_ball() : im(z) * p.bends(z).second;
+    return chance(call, 0.3) ? 0 : some_fraction(call, fmin(call->value[0], 1));
 }
 
-potentials by_x(const patch &p, const complex_ball &z)
+potentials along_x(const patch &p, const complex_ball &z)
 {
-    return {p.slope(z), depth_bend(p, z)};
+    return by_x(p, z).first;
 }
 
-potentials by_y(const patch &p, const complex_ball &z)
+potentials along_y(const patch &p, const complex_ball &z)
 {
-    const potentials x = by_x(p, z);
-    return {times_i(x.G), x.G + times_i(x.H)};
+    return turned(along_x(p, z));
 }
 
 potentials by_rounding(const patch &p, const complex_ball &z)
 {
-    const potentials x = by_x(p, z), width = by_half_width(p, z);
+    const potentials x = along_x(p, z), width = by_half_width(p, z);
     const ball y = im(z);
     return {-width.G - z * x.G, -width.H - y * x.G - z * x.H};
 }
@@ -106,8 +96,8 @@ ball error_of(const double *result, const fields &exact)
 
 ball judge_gradient(const probe &call)
 {
-    return max(error_of(call.result, changed(call, by_x, 1)),
-               error_of(call.result + 3, changed(call, by_y, 1)));
+    return max(error_of(call.result, changed(call, along_x, 1)),
+               error_of(call.result + 3, changed(call, along_y, 1)));
 }
 
 /* How fast the load of a patch grows with the rounding, but for a factor; over the distance. */
@@ -136,22 +126,17 @@ ball judge_sensitivity(const probe &call)
                                                error_of(call.result + 6, by_stick_zone(call))));
 }
 
+const std::vector<drawn> PLACE = {
+    {"alpha", some_alpha}, {"f", some_friction}, {"c", some_c}, some_point};
+
 #define PLACES "as for `stress`, but not the edges themselves"
 
 } // namespace
 
 const row GRADIENT_ROWS[] = {
     {"stress_gradient", PLACES, "of the parts", 1e-12, "1e-12", 1,
-     of_smooth_case([](const double *v, double *d) {
-         return rwedge_stress_gradient(v[0], v[1], v[2], v[3], v[4], d, d + 1, d + 2, d + 3, d + 4,
-                                       d + 5);
-     }),
-     judge_gradient},
+     calling(rwedge_stress_gradient, PLACE, is_smooth), judge_gradient},
     {"stress_sensitivity", PLACES, "of the parts", 1e-12, "1e-12", 1,
-     of_smooth_case([](const double *v, double *d) {
-         return rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], d, d + 1, d + 2, d + 3,
-                                          d + 4, d + 5, d + 6, d + 7, d + 8);
-     }),
-     judge_sensitivity},
+     calling(rwedge_stress_sensitivity, PLACE, is_smooth), judge_sensitivity},
     {},
 };

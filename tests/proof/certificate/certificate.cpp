@@ -1,43 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Proves the entries of elastic-limit tables, one by one, in ball arithmetic:
  *
- *     certificate [--jobs N] [--a-over-b A,B,...] [--tolerance T] [--gap D] TABLE.csv ...
+ *     certificate [--a-over-b A,B,...] [--tolerance T] TABLE.csv ...
  *
  * An entry is proved if the limit lies within T (1e-9) of what is stated. To show this, the limit
- * is enclosed: it is at most what the stated place gives, and at least D (1e-13) below that. The
+ * is enclosed: it is at most what the stated place gives, and at least GAP below that. The
  * program prints a line per a/b, each entry that is not proved, and a summary. The exit status is
  * 0 if all are proved, 1 if not, 2 for an error in the command or a table. */
+#include "balls/parallel.hpp"
 #include "search.hpp"
 
-#include <atomic>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <thread>
 
 /* The entries of one a/b. */
 struct group {
     entry *first;
     size_t count, squares;
 };
-
-static void judge(std::vector<group> *groups, long jobs, allowance allowed)
-{
-    std::atomic<size_t> next{0};
-    const auto judge_groups = [&] {
-        for (size_t i; (i = next++) < groups->size();) {
-            group &g = (*groups)[i];
-            g.squares = search(g.first, g.count, allowed);
-        }
-        flint_cleanup();
-    };
-    std::vector<std::thread> threads;
-    for (long i = 0; i < jobs; i++)
-        threads.emplace_back(judge_groups);
-    for (std::thread &t : threads)
-        t.join();
-}
 
 static void print_unproved(const entry &e)
 {
@@ -106,7 +88,7 @@ static std::vector<group> groups_of(std::vector<entry> *entries, const char *lis
     return groups;
 }
 
-static int report(const std::vector<group> &groups, double gap)
+static int report(const std::vector<group> &groups)
 {
     summary total;
     for (const group &g : groups) {
@@ -119,38 +101,30 @@ static int report(const std::vector<group> &groups, double gap)
            total.are[NOT_REACHED], total.are[MISNAMED], total.are[OPEN]);
     printf("of those proved, the limit is enclosed to %.0e and within %.2e of what is stated; %zu "
            "are proved to be rounded\n",
-           gap, total.distance, total.rounded);
+           GAP, total.distance, total.rounded);
     return total.entries > 0 && total.are[PROVED] == total.entries ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 static int usage()
 {
-    fputs("usage: certificate [--jobs N] [--a-over-b A,B,...] [--tolerance T] [--gap D] TABLE.csv "
-          "...\n",
-          stderr);
+    fputs("usage: certificate [--a-over-b A,B,...] [--tolerance T] TABLE.csv ...\n", stderr);
     return 2;
 }
 
 int main(int argc, char **argv)
 {
-    enum { MOST_JOBS = 64 };
-    long jobs = 1;
     const char *list = NULL;
-    allowance allowed = {1e-9, 1e-13};
+    double tolerance = 1e-9;
     int i = 1;
     for (; i + 1 < argc && strncmp(argv[i], "--", 2) == 0; i += 2) {
-        if (strcmp(argv[i], "--jobs") == 0)
-            jobs = strtol(argv[i + 1], NULL, 10);
-        else if (strcmp(argv[i], "--a-over-b") == 0)
+        if (strcmp(argv[i], "--a-over-b") == 0)
             list = argv[i + 1];
         else if (strcmp(argv[i], "--tolerance") == 0)
-            allowed.tolerance = strtod(argv[i + 1], NULL);
-        else if (strcmp(argv[i], "--gap") == 0)
-            allowed.gap = strtod(argv[i + 1], NULL);
+            tolerance = strtod(argv[i + 1], NULL);
         else
             return usage();
     }
-    if (i >= argc || jobs < 1 || jobs > MOST_JOBS || !(allowed.tolerance > 0 && allowed.gap > 0))
+    if (i >= argc || !(tolerance > 0))
         return usage();
 
     std::vector<entry> entries;
@@ -161,6 +135,8 @@ int main(int argc, char **argv)
         return 2;
     sort_entries(&entries);
     std::vector<group> groups = groups_of(&entries, list);
-    judge(&groups, jobs, allowed);
-    return report(groups, allowed.gap);
+    in_parallel(groups.size(), [&](size_t g) {
+        groups[g].squares = search(groups[g].first, groups[g].count, tolerance);
+    });
+    return report(groups);
 }

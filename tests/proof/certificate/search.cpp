@@ -131,28 +131,28 @@ verdict verdict_of_place(const entry &e, double tolerance)
 }
 
 /* The limit is at most load/sqrt(J2) for the J2 of the place, and if no point has more than the
- * ceiling J2 (1+gap)^2, it is no less than that over 1+gap. */
-void examine_place(const contact &c, entry *e, allowance allowed)
+ * ceiling J2 (1+GAP)^2, it is no less than that over 1+GAP. */
+void examine_place(const contact &c, entry *e, double tolerance)
 {
-    const ball J2 = J2_at(c, e->place, e->f, e->kappa), over = ball(allowed.gap) + 1;
+    const ball J2 = J2_at(c, e->place, e->f, e->kappa), over = ball(GAP) + 1;
     e->most = c.load / sqrt(J2);
     e->least = e->most / over;
     e->ceiling = lower_bound(J2 * over * over);
-    e->is = verdict_of_place(*e, allowed.tolerance);
+    e->is = verdict_of_place(*e, tolerance);
     e->beyond_x = lower_bound(re(e->place));
     e->beyond_y = lower_bound(im(e->place));
 }
 
 } // namespace
 
-size_t search(entry *entries, size_t count, allowance allowed)
+size_t search(entry *entries, size_t count, double tolerance)
 {
     tree t = {contact(entries[0].alpha)};
     std::vector<candidate> candidates;
     std::vector<const candidate *> all;
     candidates.reserve(count); /* for they are pointed to */
     for (entry *e = entries; e < entries + count; e++) {
-        examine_place(t.c, e, allowed);
+        examine_place(t.c, e, tolerance);
         candidates.emplace_back(e);
         all.push_back(&candidates.back());
     }

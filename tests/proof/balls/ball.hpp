@@ -99,6 +99,8 @@ inline ball exp(const ball &x) { return rounded(arb_exp, x); }
 inline ball sin(const ball &x) { return rounded(arb_sin, x); }
 inline ball cos(const ball &x) { return rounded(arb_cos, x); }
 inline ball tan(const ball &x) { return rounded(arb_tan, x); }
+inline ball tanh(const ball &x) { return rounded(arb_tanh, x); }
+inline ball sech(const ball &x) { return rounded(arb_sech, x); }
 inline ball asin(const ball &x) { return rounded(arb_asin, x); }
 inline ball atan2(const ball &y, const ball &x) { return rounded(arb_atan2, y, x); }
 inline ball hypot(const ball &x, const ball &y) { return rounded(arb_hypot, x, y); }

@@ -15,12 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The entries of one a/b. */
-struct group {
-    entry *first;
-    size_t count, squares;
-};
-
 static void print_unproved(const entry &e)
 {
     printf("  %s:%zu: ", e.file, e.line);
@@ -46,13 +40,13 @@ struct summary {
 
     void add(const group &g)
     {
-        entries += g.count;
+        entries += g.entries.size();
         squares += g.squares;
-        for (const entry *e = g.first; e < g.first + g.count; e++) {
-            are[e->is]++;
-            if (e->is == PROVED) {
-                rounded += is_rounded(*e);
-                distance = fmax(distance, distance_of(*e));
+        for (const entry &e : g.entries) {
+            are[e.is]++;
+            if (e.is == PROVED) {
+                rounded += is_rounded(e);
+                distance = fmax(distance, distance_of(e));
             }
         }
     }
@@ -63,41 +57,22 @@ static void print_group(const group &g)
     summary s;
     s.add(g);
     printf("a/b = %-5s %4zu of %4zu proved, %4zu to the tenth digit; %7zu squares\n",
-           g.first->a_over_b.c_str(), s.are[PROVED], s.entries, s.rounded, s.squares);
-    for (const entry *e = g.first; e < g.first + g.count; e++)
-        if (e->is != PROVED)
-            print_unproved(*e);
+           g.entries[0].a_over_b.c_str(), s.are[PROVED], s.entries, s.rounded, s.squares);
+    for (const entry &e : g.entries)
+        if (e.is != PROVED)
+            print_unproved(e);
 }
 
-/* Is the a/b in the comma list? NULL lists all. */
-static bool is_wanted(const std::string &a_over_b, const char *list)
-{
-    return !list || ("," + std::string(list) + ",").find("," + a_over_b + ",") != std::string::npos;
-}
-
-static std::vector<group> groups_of(std::vector<entry> *entries, const char *list)
-{
-    std::vector<group> groups;
-    entry *const end = entries->data() + entries->size();
-    for (entry *first = entries->data(), *next; first < end; first = next) {
-        for (next = first + 1; next < end && next->a_over_b == first->a_over_b; next++)
-            ;
-        if (is_wanted(first->a_over_b, list))
-            groups.push_back({first, (size_t)(next - first), 0});
-    }
-    return groups;
-}
-
-static int report(const std::vector<group> &groups)
+static int report(const groups &all)
 {
     summary total;
-    for (const group &g : groups) {
+    for (const auto &[alpha, g] : all) {
         print_group(g);
         total.add(g);
     }
     printf("%zu entries of %zu a/b, %zu squares: %zu proved, %zu exceeded, %zu not reached, %zu "
            "misnamed, %zu open\n",
-           total.entries, groups.size(), total.squares, total.are[PROVED], total.are[EXCEEDED],
+           total.entries, all.size(), total.squares, total.are[PROVED], total.are[EXCEEDED],
            total.are[NOT_REACHED], total.are[MISNAMED], total.are[OPEN]);
     printf("of those proved, the limit is enclosed to %.0e and within %.2e of what is stated; %zu "
            "are proved to be rounded\n",
@@ -127,16 +102,13 @@ int main(int argc, char **argv)
     if (i >= argc || !(tolerance > 0))
         return usage();
 
-    std::vector<entry> entries;
+    groups all;
     for (; i < argc; i++)
-        if (!read_entries(&entries, argv[i]))
+        if (!read_entries(&all, argv[i], list))
             return 2;
-    if (entries.empty())
-        return 2;
-    sort_entries(&entries);
-    std::vector<group> groups = groups_of(&entries, list);
-    in_parallel(groups.size(), [&](size_t g) {
-        groups[g].squares = search(groups[g].first, groups[g].count, tolerance);
-    });
-    return report(groups);
+    std::vector<group *> parts;
+    for (auto &[alpha, g] : all)
+        parts.push_back(&g);
+    in_parallel(parts.size(), [&](size_t part) { search(parts[part], tolerance); });
+    return all.empty() ? 2 : report(all);
 }

@@ -37,21 +37,15 @@ void enclose_terms(model term[TERMS], const field &over)
 namespace
 {
 
-/* An entry that is not done with yet. */
-struct candidate {
-    entry *judged;
-    double weight[TERMS];
-
-    /* f and kappa rounded to doubles are as good as exact: the combination allows for more
-     * roundings than these. */
-    explicit candidate(entry *e) : judged(e)
-    {
-        const double f = lower_bound(e->f), kappa = lower_bound(e->kappa);
-        const double weights[TERMS] = {1, f, f * f, kappa, kappa * f, kappa * f * f};
-        for (int i = 0; i < TERMS; i++)
-            weight[i] = weights[i];
-    }
-};
+/* f and kappa rounded to doubles are as good as exact: the combination allows for more roundings
+ * than these. */
+void set_weights(entry *e)
+{
+    const double f = lower_bound(e->f), kappa = lower_bound(e->kappa);
+    const double weights[TERMS] = {1, f, f * f, kappa, kappa * f, kappa * f * f};
+    for (int i = 0; i < TERMS; i++)
+        e->weight[i] = weights[i];
+}
 
 /* Refutes the entry where the highest point of the square is above the ceiling for sure. */
 void try_to_refute(const contact &c, entry *e, square s, const model &J2)
@@ -67,13 +61,12 @@ void try_to_refute(const contact &c, entry *e, square s, const model &J2)
     }
 }
 
-/* True where the square is done with for this candidate. */
-bool settles(const contact &c, const candidate &open, square s, const model term[TERMS])
+/* True where the square is done with for this entry. */
+bool settles(const contact &c, entry *e, square s, const model term[TERMS])
 {
-    entry *e = open.judged;
     if (e->is != PROVED)
         return true;
-    const model J2 = model_combination(TERMS, open.weight, term);
+    const model J2 = model_combination(TERMS, e->weight, term);
     if (model_maximum(J2) <= e->ceiling)
         return true;
     try_to_refute(c, e, s, J2);
@@ -85,27 +78,27 @@ struct tree {
     size_t squares = 0;
     double covered = 0; /* the area of those done with */
 
-    /* For the candidates that the square might exceed. */
-    void examine(square s, int depth, const std::vector<const candidate *> &listed)
+    /* For the entries that the square might exceed. */
+    void examine(square s, int depth, const std::vector<entry *> &listed)
     {
-        std::vector<const candidate *> left;
+        std::vector<entry *> left;
         model term[TERMS];
         squares++;
         enclose_terms(term, field_over(c, s));
-        for (const candidate *open : listed)
-            if (!settles(c, *open, s, term))
+        for (entry *open : listed)
+            if (!settles(c, open, s, term))
                 left.push_back(open);
         if (!left.empty() && depth < DEEPEST && squares < MOST_SQUARES) {
             examine_quarters(s, depth + 1, left);
             return;
         }
         covered += 4 * s.half * s.half;
-        for (const candidate *open : left)
-            open->judged->is = OPEN;
+        for (entry *open : left)
+            open->is = OPEN;
     }
 
   private:
-    void examine_quarters(square s, int depth, const std::vector<const candidate *> &listed)
+    void examine_quarters(square s, int depth, const std::vector<entry *> &listed)
     {
         const double half = s.half / 2;
         for (const double y : {s.y - half, s.y + half})
@@ -145,25 +138,23 @@ void examine_place(const contact &c, entry *e, double tolerance)
 
 } // namespace
 
-size_t search(entry *entries, size_t count, double tolerance)
+void search(group *judged, double tolerance)
 {
-    tree t = {contact(entries[0].alpha)};
-    std::vector<candidate> candidates;
-    std::vector<const candidate *> all;
-    candidates.reserve(count); /* for they are pointed to */
-    for (entry *e = entries; e < entries + count; e++) {
-        examine_place(t.c, e, tolerance);
-        candidates.emplace_back(e);
-        all.push_back(&candidates.back());
+    tree t = {contact(judged->entries[0].alpha)};
+    std::vector<entry *> all;
+    for (entry &e : judged->entries) {
+        examine_place(t.c, &e, tolerance);
+        set_weights(&e);
+        all.push_back(&e);
     }
     const double half = REACH / 2.0;
     for (const double x : {-half, half})
         t.examine({x, half, half}, 0, all);
     const bool all_covered = fabs(t.covered - 2 * REACH * REACH) < 1e-9;
-    for (entry *e = entries; e < entries + count; e++)
-        if (e->is == PROVED) {
-            e->is = all_covered ? PROVED : OPEN;
-            examine_far_field(t.c, e);
+    for (entry &e : judged->entries)
+        if (e.is == PROVED) {
+            e.is = all_covered ? PROVED : OPEN;
+            examine_far_field(t.c, &e);
         }
-    return t.squares;
+    judged->squares = t.squares;
 }

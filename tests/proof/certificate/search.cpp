@@ -18,20 +18,14 @@ enum { DEEPEST = 50, MOST_SQUARES = 20 * 1000 * 1000 };
 
 void enclose_terms(model term[TERMS], const field &over)
 {
-    static const double plus[2] = {1, 1}, minus[2] = {1, -1}, twice[2] = {-2, -2};
     const model &u = over.u, &v = over.v, &p = over.p, &q = over.q;
-    const model p2_q2[2] = {model_product(p, p), model_product(q, q)};
-    const model pu_qv[2] = {model_product(p, u), model_product(q, v)};
-    const model u_q[2] = {u, q}, v_p[2] = {v, p};
-    const model re = model_combination(2, minus, u_q), im = model_combination(2, plus, v_p);
-    const model re2_im2[2] = {model_product(re, re), model_product(im, im)};
-    const model uv = model_product(u, v);
-    term[0] = model_combination(2, plus, p2_q2);
-    term[1] = model_combination(2, twice, pu_qv);
-    term[2] = model_combination(2, plus, re2_im2);
-    term[3] = model_product(v, v);
-    term[4] = model_combination(1, twice, &uv);
-    term[5] = model_product(u, u);
+    const model real = u - q, imaginary = v + p;
+    term[0] = p * p + q * q;
+    term[1] = -2 * (p * u + q * v);
+    term[2] = real * real + imaginary * imaginary;
+    term[3] = v * v;
+    term[4] = -2 * (u * v);
+    term[5] = u * u;
 }
 
 namespace

@@ -67,7 +67,7 @@ CLAIM(products_and_sums_contain_those_of_the_values)
                     b = random_model(&seed, i % 5 ? 0.01 : 0);
         const model both[2] = {a, b};
         const double weight[2] = {random_between(&seed, -2, 2), random_between(&seed, -2, 2)};
-        const model product = model_product(a, b), sum = model_combination(2, weight, both);
+        const model product = a * b, sum = model_combination(2, weight, both);
         for (int j = 0; j < 20; j++) { /* at the corners, the rests at their ends */
             const double xi = random_sign(&seed), eta = random_sign(&seed);
             const double va = a.at(xi, eta) + a.rest * random_sign(&seed);

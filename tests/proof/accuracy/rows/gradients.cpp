@@ -51,25 +51,24 @@ ball size_of(const potentials &c)
 
 typedef potentials (*derivative)(const patch &p, const complex_ball &z);
 
-fields changed(const probe &call, derivative by, const ball &factor)
+/* Of the patch pressed to the half-width c, if that is not 0. */
+potentials rate_of(const probe &call, derivative by, double c)
 {
     const double *v = call.value;
-    const complex_ball z(v[3], v[4]);
-    const potentials N = factor * by(patch(v[0], 1), z);
-    if (v[2] == 0)
-        return {N, ball(v[1]) * N, fmax(1, v[1]) * size_of(N)};
-    const potentials stick = factor * by(patch(v[0], v[2]), z);
-    return {N, ball(v[1]) * (N - stick), fmax(1, v[1]) * size_of(N) + v[1] * size_of(stick)};
+    return c > 0 ? by(patch(v[0], c), {v[3], v[4]}) : potentials();
+}
+
+fields changed(const probe &call, derivative by, const ball &factor)
+{
+    const double f = call.value[1], c = call.value[2];
+    const potentials N = factor * rate_of(call, by, 1), stick = factor * rate_of(call, by, c);
+    return {N, ball(f) * (N - stick), fmax(1, f) * size_of(N) + f * size_of(stick)};
 }
 
 fields by_friction(const probe &call)
 {
-    const double *v = call.value;
-    const complex_ball z(v[3], v[4]);
-    const potentials N = patch(v[0], 1).at(z);
-    if (v[2] == 0)
-        return {{}, N, size_of(N)};
-    const potentials stick = patch(v[0], v[2]).at(z);
+    const derivative none = [](const patch &p, const complex_ball &z) { return p.at(z); };
+    const potentials N = rate_of(call, none, 1), stick = rate_of(call, none, call.value[2]);
     return {{}, N - stick, size_of(N) + size_of(stick)};
 }
 
@@ -80,7 +79,7 @@ fields by_stick_zone(const probe &call)
     const complex_ball z(v[3], v[4]);
     potentials stick;
     if (v[2] > 0)
-        stick = ball(v[1]) / v[2] * by_half_width(patch(v[0], v[2]), z);
+        stick = ball(v[1]) / v[2] * rate_of(call, by_half_width, v[2]);
     else if (v[0] == 0)
         stick = 2 / pi() * v[1] * potentials{inv(z), -im(z) * inv(sqr(z))};
     return {{}, potentials{} - stick, size_of(stick)};

@@ -33,10 +33,11 @@ bool are_apart(const double *v)
     return R > least && fabs(mean + R - z) > least && fabs(mean - R - z) > least;
 }
 
-/* The parameter of a cycle, and its plane. Of strains: E is the first argument and comes before
- * nu; what is not drawn is 0. `any`: of principal stresses that are nearly equal too. */
+/* A function of strains takes E before nu. Its principal stresses are apart, or are any. */
 enum { STRESSES, STRAINS };
 enum { APART, ANY };
+
+/* The parameter of a cycle, and its plane; what is not drawn is 0. */
 template <typename... Rest>
 std::function<bool(probe *)> of_cycle(int32_t (*parameter)(size_t, const double *, const double *,
                                                            const double *, Rest...),
@@ -55,12 +56,9 @@ std::function<bool(probe *)> of_cycle(int32_t (*parameter)(size_t, const double 
         for (int i = 0; i < 3; i++)
             opposite[i][0] = v[i], opposite[i][1] = -v[i];
         in_order next = {v + NU, call->result};
-        const std::tuple<Rest...> rest{(Rest)next...};
-        return gives(call, std::apply(
-                               [&](Rest... r) {
-                                   return parameter(2, opposite[0], opposite[1], opposite[2], r...);
-                               },
-                               rest));
+        const std::tuple<size_t, const double *, const double *, const double *, Rest...> all{
+            2, opposite[0], opposite[1], opposite[2], (Rest)next...};
+        return gives(call, std::apply(parameter, all));
     };
 }
 

@@ -4,11 +4,6 @@
 #include <float.h>
 #include <math.h>
 
-/* The load is (phi0 + alpha c0)/alpha; c0 = 0 for Hertz. */
-contact::contact(const ball &alpha) : shape(alpha, 1), load(shape.phi0 / alpha + shape.c0)
-{
-}
-
 /* The ball's middle, rounded; *rest grows by how far the ball reaches from it. */
 static double middle_of(const ball &x, double *rest)
 {
@@ -46,9 +41,9 @@ static model constant(const ball &x)
 }
 
 /* Near a singularity, where derivatives are of no use: constants. */
-static field constants_over(const contact &c, const complex_ball &z)
+static field constants_over(const patch &c, const complex_ball &z)
 {
-    const potentials p = c.shape.at(z);
+    const potentials p = c.at(z);
     return {constant(re(p.G)), constant(im(p.G)), constant(re(p.H)), constant(im(p.H))};
 }
 
@@ -72,15 +67,15 @@ static const double TAYLOR = 0.4714046;
 /* By Taylor's formula from the centre: G, and H = (y + h eta) G', y that of the centre, with G1 ... G3
  * the derivatives times powers of h. The third and fourth derivatives bound the rests by their
  * largest moduli anywhere in the square. */
-static field taylor_over(const contact &c, square s, const complex_ball &z)
+static field taylor_over(const patch &c, square s, const complex_ball &z)
 {
     const complex_ball centre = midpoint(z);
-    const higher_derivatives bends = c.shape.bends(centre), around = c.shape.bends(z);
+    const higher_derivatives bends = c.bends(centre), around = c.bends(z);
     const ball h = s.half, y = s.y / h;
-    const complex_ball G1 = h * c.shape.slope(centre), G2 = sqr(h) * bends.second,
+    const complex_ball G1 = h * c.slope(centre), G2 = sqr(h) * bends.second,
                        G3 = cube(h) * bends.third;
-    const complex_ball of_G[6] = {
-        c.shape.potential(centre), G1, times_i(G1), G2 / 2, times_i(G2), -(G2 / 2)};
+    const complex_ball of_G[6] = {c.potential(centre), G1,       times_i(G1), G2 / 2,
+                                  times_i(G2),         -(G2 / 2)};
     const complex_ball of_H[6] = {y * G1,
                                   y * G2,
                                   times_i(y * G2) + G1,
@@ -96,9 +91,9 @@ static field taylor_over(const contact &c, square s, const complex_ball &z)
 }
 
 /* How far the square's centre is from the next of ±1, ±alpha, roughly. */
-static double distance_of_singularity(const contact &c, square s)
+static double distance_of_singularity(const patch &c, square s)
 {
-    const double alpha = fmin(1, middle(c.shape.alpha)), x = fabs(s.x);
+    const double alpha = fmin(1, middle(c.alpha)), x = fabs(s.x);
     return fmin(hypot(x - alpha, s.y), hypot(x - 1, s.y));
 }
 
@@ -107,7 +102,7 @@ static const model &sharper(const model &a, const model &b)
     return b.rest < a.rest ? b : a;
 }
 
-field field_over(const contact &c, square s)
+field field_over(const patch &c, square s)
 {
     /* halves of the square: between, now this is sharper, now that */
     static const double TOUCHING = 3, NEAR = 12;
@@ -123,17 +118,17 @@ field field_over(const contact &c, square s)
             sharper(taylor.q, plain.q)};
 }
 
-ball J2_at(const contact &c, const complex_ball &z, const ball &f, const ball &kappa)
+ball J2_at(const patch &c, const complex_ball &z, const ball &f, const ball &kappa)
 {
-    const potentials N = c.shape.at(z);
+    const potentials N = c.at(z);
     return J2_of(superposed(N, f * N), kappa);
 }
 
 /* |G| and |H| are at most r = P/(pi distance) there, so that |D| <= (f + sqrt(1+f^2)) r and s^2
  * <= (1+f^2) r^2. */
-ball far_J2(const contact &c, double distance, const ball &f, const ball &kappa)
+ball far_J2(const patch &c, double distance, const ball &f, const ball &kappa)
 {
-    const ball one_f2 = sqr(f) + 1, r = c.load / (pi() * distance);
+    const ball one_f2 = sqr(f) + 1, r = c.load() / (pi() * distance);
     return sqr(r) * (sqr(sqrt(one_f2) + f) + one_f2 * kappa);
 }
 

@@ -42,7 +42,7 @@ void set_weights(entry *e)
 }
 
 /* Refutes the entry where the highest point of the square is above the ceiling for sure. */
-void try_to_refute(const contact &c, entry *e, square s, const model &J2)
+void try_to_refute(const patch &c, entry *e, square s, const model &J2)
 {
     const summit top = model_summit(J2);
     if (!(top.value - J2.rest > e->ceiling))
@@ -56,7 +56,7 @@ void try_to_refute(const contact &c, entry *e, square s, const model &J2)
 }
 
 /* True where the square is done with for this entry. */
-bool settles(const contact &c, entry *e, square s, const model term[TERMS])
+bool settles(const patch &c, entry *e, square s, const model term[TERMS])
 {
     if (e->is != PROVED)
         return true;
@@ -68,7 +68,7 @@ bool settles(const contact &c, entry *e, square s, const model term[TERMS])
 }
 
 struct tree {
-    const contact c;
+    const patch c;
     size_t squares = 0;
     double covered = 0; /* the area of those done with */
 
@@ -102,7 +102,7 @@ struct tree {
 };
 
 /* All around the squares. */
-void examine_far_field(const contact &c, entry *e)
+void examine_far_field(const patch &c, entry *e)
 {
     if (!(far_J2(c, REACH - 1, e->f, e->kappa) <= e->ceiling))
         e->is = OPEN;
@@ -119,10 +119,10 @@ verdict verdict_of_place(const entry &e, double tolerance)
 
 /* The limit is at most load/sqrt(J2) for the J2 of the place, and if no point has more than the
  * ceiling J2 (1+GAP)^2, it is no less than that over 1+GAP. */
-void examine_place(const contact &c, entry *e, double tolerance)
+void examine_place(const patch &c, entry *e, double tolerance)
 {
     const ball J2 = J2_at(c, e->place, e->f, e->kappa), over = ball(GAP) + 1;
-    e->most = c.load / sqrt(J2);
+    e->most = c.load() / sqrt(J2);
     e->least = e->most / over;
     e->ceiling = lower_bound(J2 * over * over);
     e->is = verdict_of_place(*e, tolerance);
@@ -134,7 +134,7 @@ void examine_place(const contact &c, entry *e, double tolerance)
 
 void search(group *judged, double tolerance)
 {
-    tree t = {contact(judged->entries[0].alpha)};
+    tree t = {patch(judged->entries[0].alpha, 1)};
     std::vector<entry *> all;
     for (entry &e : judged->entries) {
         examine_place(t.c, &e, tolerance);

@@ -14,7 +14,7 @@ superposition sliding(const sliding_contact &t, const potentials &N)
 potentials by_half_width(const patch &p, const complex_ball &point)
 {
     const complex_ball z = point / p.half_width, per_X = inv(root(z - 1) * root(z + 1));
-    const ball factor = 2 / pi() * (p.is_sharp() ? 1 : p.phi0 / p.alpha);
+    const ball factor = 2 / pi() * p.arc();
     return {factor * per_X, -im(z) * factor * (z * per_X * per_X * per_X)};
 }
 

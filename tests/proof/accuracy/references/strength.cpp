@@ -6,7 +6,7 @@
 #include "references/contact.hpp"
 #include "references/root.hpp"
 
-ball limit_of(const ball &alpha, const ball &J2) { return force(alpha, 1) / sqrt(J2); }
+ball limit_of(const ball &alpha, const ball &J2) { return patch(alpha, 1).load() / sqrt(J2); }
 
 namespace
 {

@@ -56,7 +56,7 @@ void some_wide(probe *call)
 /* (theta/A) times the force of the half-width b. */
 ball normal_load(const double *v)
 {
-    return force(v[1], v[3]) * v[0] / v[2];
+    return patch(v[1], v[3]).load() * v[0] / v[2];
 }
 
 /* ---- The load at first yield ---- */

@@ -72,13 +72,13 @@ ball beta(const double *v)
 /* alpha^2 d/dalpha of the load is alpha c0 - phi0. */
 ball load_slope(const double *v)
 {
-    const angle phi = angle_of(*v, 1);
-    return *v > 0 ? (*v * phi.c0 - phi.phi0) / sqr(ball(*v)) : 0;
+    const patch p(*v, 1);
+    return *v > 0 ? (*v * p.c0 - p.phi0) / sqr(ball(*v)) : 0;
 }
 
 ball tension_slope(const double *v)
 {
-    return *v < 1 ? -2 * load_slope(v) / sqr(force(*v, 1)) : 0;
+    return *v < 1 ? -2 * load_slope(v) / sqr(patch(*v, 1).load()) : 0;
 }
 
 double some_load(probe *call)
@@ -109,14 +109,14 @@ bool is_no_apex(const probe &call)
 /* Eq. (10): (2/pi) [phi0/alpha - ln tan(phi0/2)]. */
 ball peak(const double *v)
 {
-    const ball phi0 = angle_of(*v, 1).phi0;
+    const ball phi0 = patch(*v, 1).phi0;
     return 2 / pi() * (phi0 / *v - (*v < 1 ? log(tan(phi0 / 2)) : ball(0)));
 }
 
 /* Eq. (9): (1/pi) [2 phi0 cot(phi0) - ln(tan(phi0) sin(2 phi0)/2)]. */
 ball transition(const double *v)
 {
-    const ball phi0 = angle_of(*v, 1).phi0;
+    const ball phi0 = patch(*v, 1).phi0;
     return *v < 1 ? (2 * phi0 / tan(phi0) - log(tan(phi0) * sin(2 * phi0) / 2)) / pi() : ball(0);
 }
 
@@ -156,7 +156,7 @@ ball judge_coefficient(const probe &call)
     const double alpha = call.value[0], n = call.value[1], m = 2 * n + 1;
     const double sign = fmod(n, 2) == 1 ? -1 : 1;
     if (m == 1) /* (2/pi) load */
-        return relative_error(call.result[0], 2 / pi() * force(alpha, 1));
+        return relative_error(call.result[0], 2 / pi() * patch(alpha, 1).load());
     if (alpha >= 1)
         return relative_error(call.result[0], 0);
     if (alpha == 0)
@@ -177,14 +177,15 @@ double some_c(probe *call)
 ball judge_stick_width(const probe &call)
 {
     const ball sticking = 1 - ball(call.value[1]), a = call.value[0];
-    const ball c = is_zero(sticking) ? 0 : half_width(a, force(a, 1) * sticking, call.result[0]);
+    const ball c =
+        is_zero(sticking) ? 0 : half_width(a, patch(a, 1).load() * sticking, call.result[0]);
     return relative_error(call.result[0], c);
 }
 
 /* 1 - F(c)/F(1). */
 ball shear_ratio(const double *v)
 {
-    return v[1] == 1 ? 0 : v[1] == 0 ? 1 : 1 - force(v[0], v[1]) / force(v[0], 1);
+    return v[1] == 1 ? 0 : v[1] == 0 ? 1 : 1 - patch(v[0], v[1]).load() / patch(v[0], 1).load();
 }
 
 /* p(x; 1) - p(x; c), Eq. (23), (26), (27). */
@@ -207,7 +208,7 @@ const row LAW_ROWS[] = {
      calling(rwedge_dundurs_beta, {some_bodies}, has_compliance),
      over([](const double *) { return ball(1); }, beta)},
     {"load", ALPHA, "relative", 4 * EPSILON, "4 eps", 1, calling(rwedge_load, {alpha}),
-     relative_to([](const double *v) { return force(*v, 1); })},
+     relative_to([](const double *v) { return patch(*v, 1).load(); })},
     {"load_derivative", ALPHA, "relative", 1e-14, "1e-14", 1,
      calling(rwedge_load_derivative, {alpha}), relative_to(load_slope)},
     {"max_tension_derivative", ALPHA, "relative", 1e-14, "1e-14", 1,
@@ -240,6 +241,6 @@ const row LAW_ROWS[] = {
      over([](const double *v) { return 1 - pressure(v[0], 1, v[2]); }, shear)},
     /* 2 f at the trailing edge over f load; for alpha >= 1 as for 1 */
     {"max_tension", "alpha", "relative", 1e-14, "1e-14", 1, calling(rwedge_max_tension, {alpha}),
-     relative_to([](const double *v) { return 2 / force(fmin(*v, 1), 1); })},
+     relative_to([](const double *v) { return 2 / patch(fmin(*v, 1), 1).load(); })},
     {},
 };

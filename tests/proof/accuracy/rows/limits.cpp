@@ -102,8 +102,8 @@ ball judge_limit_gradient(const probe &call)
     const sliding_contact t(alpha, v[1], v[2]);
     const complex_ball z(at.x, at.y);
     const ball limit = limit_of(alpha, at.J2), half = limit / (2 * at.J2);
-    const angle phi = angle_of(alpha, 1);
-    const ball of_load = limit / force(alpha, 1) * (alpha * phi.c0 - phi.phi0) / sqr(ball(alpha));
+    const ball of_load =
+        limit / t.shape.load() * (alpha * t.shape.c0 - t.shape.phi0) / sqr(ball(alpha));
     const ball by_alpha = v[0] < 1 ? of_load + half * J2_by_half_width(t, z) / alpha : ball(0);
     const ball by_f = v[1] > 0 ? -half * J2_by_friction(t, z) : ball(0);
     const ball by_nu = half * sqr(sliding(t, t.shape.at(z)).s) * 4 * (1 - 2 * ball(v[2])) / 3;

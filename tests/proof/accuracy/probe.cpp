@@ -123,6 +123,11 @@ double some_fraction(probe *call, double mark)
     return none_if_tiny(fmax(0, fmin(1, v)));
 }
 
+double some_c(probe *call)
+{
+    return some_fraction(call, fmin(call->value[0], 1));
+}
+
 /* One of the marks of the surface. */
 static double some_mark(probe *call, double alpha, double c)
 {

@@ -63,6 +63,8 @@ double some_alpha(probe *call);
 double some_rounded_alpha(probe *call); /* not 0 */
 /* [0, 1], dense next to 0, 1 and the mark */
 double some_fraction(probe *call, double mark);
+/* c/b, dense next to 0, alpha, 1; alpha is drawn */
+double some_c(probe *call);
 /* on the surface: next to 0, +-alpha, +-c, +-1 */
 double some_place(probe *call, double alpha, double c);
 void some_point(probe *call); /* x, y of the half-plane; alpha, f, c are drawn */

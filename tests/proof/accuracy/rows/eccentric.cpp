@@ -253,38 +253,6 @@ ball judge_asymptotes(const probe &call)
 
 /* ---- Stick zones ---- */
 
-} // namespace
-
-shared_contact draw_slipping(probe *call)
-{
-    if (!some_pressing(call))
-        return NULL;
-    const double f = argument(call, "f", log_between(call, 0.01, 2)), *v = call->value;
-    const shared_contact contact = pressed(call, f);
-    if (!contact)
-        return NULL;
-    const double part = chance(call, 0.3) ? log_between(call, 1e-12, 0.9) : 0.9 * uniform(call);
-    const double Q = argument(call, "Q", either_sign(call, part * f * v[LOAD]));
-    const double most = rwedge_contact_largest_tension_step(contact.get(), Q);
-    const double sigma = argument(
-        call, "sigma", most * (chance(call, 0.2) ? either_sign(call, 1) : 2 * uniform(call) - 1));
-    double *r = call->result;
-    if (rwedge_contact_edges(contact.get(), &r[2], &r[3]) != RWEDGE_OK ||
-        rwedge_contact_apply(contact.get(), v[LOAD], v[MOMENT], Q, sigma) != RWEDGE_OK ||
-        rwedge_contact_stick_zone(contact.get(), &r[0], &r[1]) != RWEDGE_OK)
-        r[0] = NAN;
-    r[4] = most;
-    return contact;
-}
-
-namespace
-{
-
-bool draw_stick_zone(probe *call)
-{
-    return draw_slipping(call) != NULL;
-}
-
 /* |T| = (|Q|/f A/theta, -+A sigma/(4 theta f)), the sign that of Q. */
 struct tangential {
     ball load, tilt;
@@ -309,17 +277,12 @@ ball front_error(const double answer[2], const ball_edges &e, const pressed_patc
     return edges_error(answer, e, reach_of(whole.edges) / (flat * sqrt(sticking.load / whole.c.P)));
 }
 
-/* Load and tilt of what sticks. */
-tangential sticking_of(const pressed_patch &whole, const double v[])
-{
-    const tangential T = tangential_of(whole.per_stress, v[FRICTION], v[SHEAR], v[TENSION]);
-    return {whole.c.P - T.load, whole.c.tilt - T.tilt};
-}
-
 ball judge_stick_zone(const probe &call)
 {
+    const double *v = call.value;
     const pressed_patch whole = ball_pressed(call, 2);
-    const tangential sticking = sticking_of(whole, call.value);
+    const tangential T = tangential_of(whole.per_stress, v[FRICTION], v[SHEAR], v[TENSION]);
+    const tangential sticking = {whole.c.P - T.load, whole.c.tilt - T.tilt};
     return front_error(call.result, edges_of(whole, sticking, call.result), whole, sticking);
 }
 
@@ -376,7 +339,31 @@ ball judge_permanent(const probe &call)
 
 #define PATCHES "M; edges dense at -a, a; s from 1e-15 a; \\|delta\\| to 1 - 1e-9"
 
+const auto draw_stick_zone = [](probe *call) { return draw_slipping(call) != NULL; };
+
 } // namespace
+
+shared_contact draw_slipping(probe *call)
+{
+    if (!some_pressing(call))
+        return NULL;
+    const double f = argument(call, "f", log_between(call, 0.01, 2)), *v = call->value;
+    const shared_contact contact = pressed(call, f);
+    if (!contact)
+        return NULL;
+    const double part = chance(call, 0.3) ? log_between(call, 1e-12, 0.9) : 0.9 * uniform(call);
+    const double Q = argument(call, "Q", either_sign(call, part * f * v[LOAD]));
+    const double most = rwedge_contact_largest_tension_step(contact.get(), Q);
+    const double sigma = argument(
+        call, "sigma", most * (chance(call, 0.2) ? either_sign(call, 1) : 2 * uniform(call) - 1));
+    double *r = call->result;
+    if (rwedge_contact_edges(contact.get(), &r[2], &r[3]) != RWEDGE_OK ||
+        rwedge_contact_apply(contact.get(), v[LOAD], v[MOMENT], Q, sigma) != RWEDGE_OK ||
+        rwedge_contact_stick_zone(contact.get(), &r[0], &r[1]) != RWEDGE_OK)
+        r[0] = NAN;
+    r[4] = most;
+    return contact;
+}
 
 const row ECCENTRIC_ROWS[] = {
     {"contact_edges", PATCHES, "of the width or \\|x\\|, over 1 - \\|delta\\|", 1e-14, "1e-14", 1,

@@ -16,9 +16,9 @@ bool is_smooth(const probe &call)
     return v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0));
 }
 
-double some_c(probe *call)
+double some_stick_zone(probe *call)
 {
-    return chance(call, 0.3) ? 0 : some_fraction(call, fmin(call->value[0], 1));
+    return chance(call, 0.3) ? 0 : some_c(call);
 }
 
 potentials along_x(const patch &p, const complex_ball &z)
@@ -126,7 +126,7 @@ ball judge_sensitivity(const probe &call)
 }
 
 const std::vector<drawn> PLACE = {
-    {"alpha", some_alpha}, {"f", some_friction}, {"c", some_c}, some_point};
+    {"alpha", some_alpha}, {"f", some_friction}, {"c", some_stick_zone}, some_point};
 
 #define PLACES "as for `stress`, but not the edges themselves"
 

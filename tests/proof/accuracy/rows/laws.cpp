@@ -168,11 +168,6 @@ ball judge_coefficient(const probe &call)
 
 /* ---- Partial slip ---- */
 
-double some_c(probe *call)
-{
-    return some_fraction(call, fmin(call->value[0], 1));
-}
-
 /* The half-width under the load F(1)(1-Q/(fP)), Eq. (25). */
 ball judge_stick_width(const probe &call)
 {

@@ -26,8 +26,7 @@ ball judge_stress(const probe &call)
 }
 
 const drawn alpha = {"alpha", some_alpha}, f = {"f", some_friction},
-            none = {"c", [](probe *) { return 0.0; }},
-            c = {"c", [](probe *call) { return some_fraction(call, fmin(call->value[0], 1)); }};
+            none = {"c", [](probe *) { return 0.0; }}, c = {"c", some_c};
 
 #define MEASURE "of max(norm, max(1, f)/(1+\\|z\\|))"
 

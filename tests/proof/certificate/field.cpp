@@ -64,8 +64,8 @@ static void split_parts(model *real, model *imaginary, const complex_ball k[6], 
  * rounded up. */
 static const double TAYLOR = 0.4714046;
 
-/* By Taylor's formula from the centre: G, and H = (y + h eta) G', y that of the centre, with G1 ... G3
- * the derivatives times powers of h. The third and fourth derivatives bound the rests by their
+/* By Taylor's formula from the centre: G, and H = (y + h eta) G', y that of the centre; G1 ... G3
+ * are the derivatives times powers of h. The third and fourth derivatives bound the rests by their
  * largest moduli anywhere in the square. */
 static field taylor_over(const patch &c, square s, const complex_ball &z)
 {

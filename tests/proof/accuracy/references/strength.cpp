@@ -47,7 +47,7 @@ struct surface {
     }
 
     /* From anywhere: the slope of J2 falls through its zero; w is halved in its logarithm, up to
-     * where x is alpha to half of the bits. There is none where the slope is still positive there. */
+     * where x is alpha to half of the bits. False where the slope is still positive there. */
     bool search(ball *w) const
     {
         double low = -40, high = log((double)bits / 4);

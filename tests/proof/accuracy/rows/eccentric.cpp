@@ -48,7 +48,7 @@ carried carried_by(const ball &a, const ball_edges &e)
     return {P, M, tilt, s / (2 * a) * (phi - cosines), s / (2 * a) * (phi + cosines), middle, s};
 }
 
-/* What the edges carry too much, and how that changes with them: m dP + (pi s^2/2) d delta is dM. */
+/* What the edges carry too much, and how that changes with them: dM = m dP + (pi s^2/2) d delta. */
 residual excess_at(const carried &c, const ball &P, ball carried::*other, const ball &much)
 {
     const column F = {c.P - P, c.*other - much};

@@ -125,8 +125,8 @@ ball judge_sensitivity(const probe &call)
                                                error_of(call.result + 6, by_stick_zone(call))));
 }
 
-const std::vector<drawn> PLACE = {
-    {"alpha", some_alpha}, {"f", some_friction}, {"c", some_stick_zone}, some_point};
+const drawn alpha = {"alpha", some_alpha}, f = {"f", some_friction}, c = {"c", some_stick_zone};
+const std::vector<drawn> PLACE = {alpha, f, c, some_point};
 
 #define PLACES "as for `stress`, but not the edges themselves"
 

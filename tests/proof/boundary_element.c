@@ -4,48 +4,12 @@
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 
-enum { SIZE = BOUNDARY_ELEMENTS_MAX + 2, ITERATIONS_MAX = 500 };
-
-typedef struct {
-    size_t n;
-    double row[SIZE][SIZE + 1]; /* the last column is the right-hand side, then the solution */
-} linear_system;
-
-static linear_system equations; /* large for a stack; the tests run in one thread */
-
-/* The solution is in the column n. */
-static void solve(void)
-{
-    const size_t n = equations.n;
-    int sign;
-    gsl_matrix_view matrix = gsl_matrix_view_array_with_tda(equations.row[0], n, n, SIZE + 1);
-    gsl_vector_view right = gsl_vector_view_array_with_stride(&equations.row[0][n], SIZE + 1, n);
-    gsl_permutation *order = gsl_permutation_alloc(n);
-    gsl_linalg_LU_decomp(&matrix.matrix, order, &sign);
-    gsl_linalg_LU_svx(&matrix.matrix, order, &right.vector);
-    gsl_permutation_free(order);
-}
+enum { ITERATIONS_MAX = 500 };
 
 /* int ln|t| dt */
 static double logarithm_integral(double t)
 {
     return t == 0 ? 0 : t * log(fabs(t)) - t;
-}
-
-/* The displacement at element i from a unit traction on element j, Eq. (1) and (17) integrated. */
-static double influence(const boundary_element *s, size_t i, size_t j)
-{
-    const double half = s->width / 2, away = s->x[i] - s->x[j];
-    return s->A / acos(-1) * (logarithm_integral(away + half) - logarithm_integral(away - half));
-}
-
-static double displaced(const boundary_element *s, size_t i, size_t first, size_t end,
-                        const double traction[])
-{
-    double sum = 0;
-    for (size_t j = first; j < end; j++)
-        sum += influence(s, i, j) * traction[j];
-    return sum;
 }
 
 static double profile(const boundary_element *s, double signed_x)
@@ -64,169 +28,149 @@ void boundary_element_start(boundary_element *solver, double theta, double a, do
                                  .A = compliance,
                                  .f = f,
                                  .n = n,
-                                 .end = n,
-                                 .width = 2 * half / (double)n};
-    for (size_t i = 0; i < n; i++)
+                                 .width = 2 * half / (double)n,
+                                 .p.count = n + 2,
+                                 .q.count = n + 1};
+    for (size_t i = 0; i < n; i++) { /* Eq. (1) and (17) integrated */
+        const double away = (double)i * solver->width, reach = solver->width / 2;
         solver->x[i] = ((double)i + 0.5) * solver->width - half;
+        solver->influence[i] =
+            compliance / PI * (logarithm_integral(away + reach) - logarithm_integral(away - reach));
+    }
+    for (size_t i = 0; i < UNKNOWNS_MAX; i++) {
+        solver->p.lowest[i] = solver->q.lowest[i] = -HUGE_VAL;
+        solver->p.highest[i] = i < n ? 0 : HUGE_VAL;
+        solver->q.highest[i] = HUGE_VAL;
+    }
 }
 
-/* A row of the equations: what m tractions add up to, each weighted by its place or not. */
-static void balance(const boundary_element *s, size_t row, size_t first, size_t m, bool by_place,
-                    double sum)
+/* ---- Tractions between bounds ---- */
+
+/* What the unknown j does at element i, or to the sum i. */
+static double coefficient(const boundary_element *s, size_t i, size_t j)
 {
-    for (size_t j = 0; j < equations.n; j++)
-        equations.row[row][j] = 0;
-    for (size_t j = 0; j < m; j++)
-        equations.row[row][j] = -s->width * (by_place ? s->x[first + j] : 1);
-    equations.row[row][equations.n] = sum;
+    if (i < s->n && j < s->n)
+        return s->influence[i > j ? i - j : j - i];
+    const size_t least = i < j ? i : j, most = i < j ? j : i;
+    const double lever = most == s->n ? 1 : s->x[least];
+    return least >= s->n ? 0 : i < s->n ? -lever : lever;
 }
 
-/* Where the wedge comes to, as a function of x: depth + tilt x - profile. */
-typedef struct {
-    double depth, tilt;
-} position;
-
-/* The pressure of the elements from `first` to end - 1 in contact, under P and M. */
-static position press(const boundary_element *s, size_t first, size_t end, rw_loads to, double p[])
+/* The displacement at element i less the wanted one. */
+static double excess(const boundary_element *s, const unknowns *u, size_t i)
 {
-    const size_t m = end - first;
-    equations.n = m + 2;
+    double sum = -u->wanted[i];
+    for (size_t j = 0; j < u->count; j++)
+        sum += coefficient(s, i, j) * u->value[j];
+    return sum;
+}
+
+/* Those that are free, the others at their bounds. */
+static void solve_free(const boundary_element *s, unknowns *u)
+{
+    size_t free[UNKNOWNS_MAX], m = 0;
+    for (size_t i = 0; i < u->count; i++) {
+        u->value[i] = u->at[i] == FREE ? 0 : u->at[i] == LOWEST ? u->lowest[i] : u->highest[i];
+        if (u->at[i] == FREE)
+            free[m++] = i;
+    }
+    gsl_matrix *matrix = gsl_matrix_alloc(m, m);
+    gsl_vector *right = gsl_vector_alloc(m);
+    gsl_permutation *order = gsl_permutation_alloc(m);
+    int sign;
     for (size_t i = 0; i < m; i++) {
         for (size_t j = 0; j < m; j++)
-            equations.row[i][j] = influence(s, first + i, first + j);
-        equations.row[i][m] = -1;
-        equations.row[i][m + 1] = -s->x[first + i];
-        equations.row[i][equations.n] = -profile(s, s->x[first + i]);
+            gsl_matrix_set(matrix, i, j, coefficient(s, free[i], free[j]));
+        gsl_vector_set(right, i, -excess(s, u, free[i]));
     }
-    balance(s, m, first, m, false, to.P);
-    balance(s, m + 1, first, m, true, to.M);
-    solve();
+    gsl_linalg_LU_decomp(matrix, order, &sign);
+    gsl_linalg_LU_svx(matrix, order, right);
     for (size_t i = 0; i < m; i++)
-        p[first + i] = equations.row[i][equations.n];
-    return (position){equations.row[m][equations.n], equations.row[m + 1][equations.n]};
+        u->value[free[i]] = gsl_vector_get(right, i);
+    gsl_matrix_free(matrix);
+    gsl_vector_free(right);
+    gsl_permutation_free(order);
 }
 
-static bool overlaps(const boundary_element *s, size_t i, size_t first, size_t end,
-                     const double p[], position at)
+/* Free, or at which bound, after this solution. */
+static bound bound_after(const boundary_element *s, const unknowns *u, size_t i)
 {
-    return displaced(s, i, first, end, p) < at.depth + at.tilt * s->x[i] - profile(s, s->x[i]);
+    const double noise = 1 + 1e-12;
+    if (u->lowest[i] == u->highest[i])
+        return HIGHEST;
+    if (u->at[i] == HIGHEST)
+        return excess(s, u, i) >= 0 ? HIGHEST : FREE;
+    if (u->at[i] == LOWEST)
+        return excess(s, u, i) <= 0 ? LOWEST : FREE;
+    return u->value[i] > u->highest[i] * noise  ? HIGHEST
+           : u->value[i] < u->lowest[i] * noise ? LOWEST
+                                                : FREE;
 }
 
-/* Moves the edges until no element in contact is pulled, and none beside it overlaps; whether it
- * came to an end. */
-static bool find_contact(boundary_element *s, rw_loads to, double p[])
+/* Whether it came to an end. */
+static bool solve(const boundary_element *s, unknowns *u)
 {
-    size_t first = s->first, end = s->end;
-    for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
-        const position at = press(s, first, end, to, p);
-        const bool left = first > 0 && overlaps(s, first - 1, first, end, p, at);
-        const bool right = end < s->n && overlaps(s, end, first, end, p, at);
-        const size_t before = end - first;
-        while (end - first > 3 && p[first] >= 0)
-            first++;
-        while (end - first > 3 && p[end - 1] >= 0)
-            end--;
-        if (end - first < before)
-            continue;
-        if (left || right) {
-            first -= left;
-            end += right;
-        } else {
-            s->first = first;
-            s->end = end;
-            s->tilt = at.tilt;
-            return true;
+    bool is_solved = false;
+    for (int iteration = 0; iteration < ITERATIONS_MAX && !is_solved; iteration++) {
+        solve_free(s, u);
+        is_solved = true;
+        for (size_t i = 0; i < u->count; i++) {
+            const bound before = u->at[i];
+            u->at[i] = bound_after(s, u, i);
+            is_solved = is_solved && u->at[i] == before;
         }
     }
-    return false;
+    return is_solved;
 }
 
-/* The shear traction of the elements in contact, in their present motion. Returns the rigid
- * displacement. */
-static double solve_tangential(const boundary_element *s, const double p[], const motion moves[],
-                               rw_loads to, double q[])
+/* ---- The contact ---- */
+
+/* Under P and M: no element is pulled, and none outside overlaps. */
+static bool press(boundary_element *s, rw_loads to)
 {
-    const size_t m = s->end - s->first;
-    equations.n = m + 1;
-    for (size_t i = 0; i < m; i++) {
-        const size_t e = s->first + i;
-        const bool sticks = moves[e] == STICKS;
-        for (size_t j = 0; j < m; j++)
-            equations.row[i][j] = sticks ? influence(s, e, s->first + j) : i == j;
-        equations.row[i][m] = sticks ? -1 : 0;
-        equations.row[i][m + 1] = sticks ? s->displacement[e] - s->A * to.sigma / 4 * s->x[e]
-                                  : moves[e] == FORWARD ? -s->f * p[e]
-                                                        : s->f * p[e];
-    }
-    balance(s, m, s->first, m, false, to.Q);
-    solve();
-    for (size_t i = 0; i < m; i++)
-        q[s->first + i] = equations.row[i][m + 1];
-    return equations.row[m][m + 1];
+    for (size_t i = 0; i < s->n; i++)
+        s->p.wanted[i] = -profile(s, s->x[i]);
+    s->p.wanted[s->n] = -to.P / s->width;
+    s->p.wanted[s->n + 1] = -to.M / s->width;
+    return solve(s, &s->p);
 }
 
-/* Whether Coulomb's law holds everywhere; where it does not the element sticks or slips instead. */
-static bool obeys_friction(const boundary_element *s, const double p[], const double q[],
-                           const double moved[], motion moves[])
-{
-    bool obeys = true;
-    const double noise = 1e-12;
-    for (size_t i = s->first; i < s->end; i++) {
-        const double slip = moved[i] - s->displacement[i];
-        if (moves[i] == STICKS && fabs(q[i]) > -s->f * p[i] * (1 + noise)) {
-            moves[i] = q[i] > 0 ? FORWARD : BACKWARD;
-            obeys = false;
-        } else if ((moves[i] == FORWARD && slip < 0) || (moves[i] == BACKWARD && slip > 0)) {
-            moves[i] = STICKS;
-            obeys = false;
-        }
-    }
-    return obeys;
-}
-
-static void accept(boundary_element *s, const double p[], const double q[], const double moved[],
-                   const motion moves[])
+/* Under Q and sigma, by Coulomb's law: at first all that is in contact sticks. */
+static bool drag(boundary_element *s, rw_loads to)
 {
     for (size_t i = 0; i < s->n; i++) {
-        const bool touches = i >= s->first && i < s->end;
-        const double slip = touches ? moved[i] - s->displacement[i] : 0;
-        const double mean = touches ? (s->q[i] + q[i]) / 2 : 0;
-        s->energy += s->width * slip * mean;
-        s->slip[i] = touches ? s->slip[i] + slip : 0;
-        s->p[i] = touches ? p[i] : 0;
-        s->q[i] = touches ? q[i] : 0;
-        s->moves[i] = moves[i];
-        s->displacement[i] = moved[i];
+        s->q_before[i] = s->q.value[i];
+        s->q.highest[i] = -s->f * s->p.value[i];
+        s->q.lowest[i] = -s->q.highest[i];
+        s->q.wanted[i] = s->displacement[i] - s->A * to.sigma / 4 * s->x[i];
+        s->q.at[i] = s->p.value[i] < 0 ? FREE : HIGHEST;
     }
+    s->q.wanted[s->n] = -to.Q / s->width;
+    return solve(s, &s->q);
 }
 
-static int take_step(boundary_element *s, rw_loads to)
+static bool take_step(boundary_element *s, rw_loads to)
 {
-    double p[SIZE], q[SIZE], moved[SIZE];
-    motion moves[SIZE] = {STICKS};
-    if (!find_contact(s, to, p))
-        return 1;
-    for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
-        const double rigid = solve_tangential(s, p, moves, to, q);
-        for (size_t i = 0; i < s->n; i++)
-            moved[i] = displaced(s, i, s->first, s->end, q) + s->A * to.sigma / 4 * s->x[i] - rigid;
-        if (obeys_friction(s, p, q, moved, moves)) {
-            accept(s, p, q, moved, moves);
-            s->rigid = rigid;
-            s->loads = to;
-            return 0;
-        }
+    if (!press(s, to) || !drag(s, to))
+        return false;
+    for (size_t i = 0; i < s->n; i++) {
+        const double moved = excess(s, &s->q, i);
+        const bool touches = s->p.value[i] < 0;
+        s->energy += touches ? s->width * moved * (s->q_before[i] + s->q.value[i]) / 2 : 0;
+        s->slip[i] = touches ? s->slip[i] + moved : 0;
+        s->displacement[i] += moved;
     }
-    return 1;
+    s->loads = to;
+    return true;
 }
 
 int boundary_element_go(boundary_element *solver, int steps, rw_loads to)
 {
     const rw_loads from = solver->loads;
-    int failed = 0;
-    for (int i = 1; i <= steps && !failed; i++)
-        failed = take_step(solver, rw_loads_between(from, to, (double)i / steps));
-    return failed;
+    bool done = true;
+    for (int i = 1; i <= steps && done; i++)
+        done = take_step(solver, rw_loads_between(from, to, (double)i / steps));
+    return !done;
 }
 
 /* ---- Beside the library ---- */
@@ -255,11 +199,11 @@ void add_difference(const rwedge_contact *contact, const boundary_element *solve
     size_t number[2] = {0};
     for (size_t i = 0; i < solver->n; i++) {
         const double x = solver->x[i];
-        off[0] += fabs(pressure(contact, x) - solver->p[i]);
-        off[1] += fabs(shear(contact, x) - solver->q[i]);
+        off[0] += fabs(pressure(contact, x) - solver->p.value[i]);
+        off[1] += fabs(shear(contact, x) - solver->q.value[i]);
         limit += fabs(pressure(contact, x));
         double slipped; /* there may be no closed form of it */
-        if (i >= solver->first && i < solver->end && !is_at_a_jump(contact, solver, x) &&
+        if (solver->p.value[i] < 0 && !is_at_a_jump(contact, solver, x) &&
             rwedge_contact_slip(contact, 1, &x, &slipped) == RWEDGE_OK) {
             const bool is_young = !(x > part.left && x < part.right);
             slip[is_young] += fabs(slipped - solver->slip[i]);

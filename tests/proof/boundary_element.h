@@ -10,19 +10,31 @@
 
 enum { BOUNDARY_ELEMENTS_MAX = 200 };
 
-typedef enum { STICKS, FORWARD, BACKWARD } motion;
+/* Tractions between bounds, and behind them a rigid displacement and a tilt. Where a traction is
+ * free, the displacement that all cause is the wanted one; it is more at the highest bound, less at
+ * the lowest. Displacement and tilt are free: what is wanted is the sum of the tractions, and of
+ * them times x. */
+typedef enum { FREE, LOWEST, HIGHEST } bound;
+
+enum { UNKNOWNS_MAX = BOUNDARY_ELEMENTS_MAX + 2 };
+typedef struct {
+    size_t count;
+    double lowest[UNKNOWNS_MAX], highest[UNKNOWNS_MAX], wanted[UNKNOWNS_MAX];
+    bound at[UNKNOWNS_MAX];
+    double value[UNKNOWNS_MAX];
+} unknowns;
 
 typedef struct {
     double theta, a, A, f;
     double (*height)(double x); /* of another profile than the wedge's; NULL: the wedge's */
-    size_t n, first, end;       /* elements `first` to `end` - 1 are in contact */
+    size_t n;
     double width;
-    double x[BOUNDARY_ELEMENTS_MAX], p[BOUNDARY_ELEMENTS_MAX], q[BOUNDARY_ELEMENTS_MAX];
+    double x[BOUNDARY_ELEMENTS_MAX];
+    double influence[BOUNDARY_ELEMENTS_MAX]; /* on an element so many elements away */
+    unknowns p, q;
+    double q_before[BOUNDARY_ELEMENTS_MAX];
     double displacement[BOUNDARY_ELEMENTS_MAX]; /* tangential, relative, less the rigid one */
     double slip[BOUNDARY_ELEMENTS_MAX];         /* since the element came into contact */
-    motion moves[BOUNDARY_ELEMENTS_MAX];        /* in the last step */
-    double tilt;                                /* rad, positive lowers the right side */
-    double rigid;                               /* tangential displacement */
     double energy;
     rw_loads loads;
 } boundary_element;

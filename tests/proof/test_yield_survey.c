@@ -44,74 +44,69 @@ typedef struct {
     double log_r, angle, J2;
 } place;
 
-enum { AROUND = 8 };
-
-/* In polar coordinates around a mark; beyond the surface is the surface. */
-static void evaluate(search *s, double mark, place at[AROUND])
+/* In polar coordinates around a mark, at most ANGLES; beyond the surface is the surface. */
+static void evaluate(search *s, double mark, int count, place at[])
 {
-    double x[AROUND], y[AROUND], sxx[AROUND], syy[AROUND], txy[AROUND];
-    for (int i = 0; i < AROUND; i++) {
+    double x[ANGLES], y[ANGLES], sxx[ANGLES], syy[ANGLES], txy[ANGLES];
+    for (int i = 0; i < count; i++) {
         const double r = exp(at[i].log_r), up = fmax(0, fmin(PI, at[i].angle));
         x[i] = mark + r * cos(up);
         y[i] = up == 0 || up == PI ? 0 : r * sin(up);
     }
-    const bool done = rwedge_contact_stresses(s->contact, AROUND, x, y, sxx, syy, txy) == RWEDGE_OK;
-    for (int i = 0; i < AROUND; i++) { /* not at the apex */
+    const bool done =
+        rwedge_contact_stresses(s->contact, (size_t)count, x, y, sxx, syy, txy) == RWEDGE_OK;
+    for (int i = 0; i < count; i++) { /* not at the apex */
         at[i].J2 = done ? J2_of(s, sxx[i], syy[i], txy[i]) : 0;
         s->highest = fmax(s->highest, at[i].J2);
     }
 }
 
-/* To the highest of the eight places around, at ever smaller distances. A climb along a
- * narrow ridge would take hours: it ends after TURNS turns. */
+/* The highest of eight places around. */
+static place highest_around(search *s, double mark, place top, double step)
+{
+    enum { AROUND = 8 };
+    place at[AROUND], best;
+    for (int i = 0; i < AROUND; i++)
+        at[i] = (place){top.log_r + step * cos(PI / 4 * i), top.angle + step * sin(PI / 4 * i), 0};
+    evaluate(s, mark, AROUND, at);
+    best = at[0];
+    for (int i = 1; i < AROUND; i++)
+        if (at[i].J2 > best.J2)
+            best = at[i];
+    return best;
+}
+
+/* To the highest place around, at ever smaller distances. A climb along a narrow ridge would take
+ * hours: it ends after TURNS turns. */
 static place climb(search *s, double mark, place top)
 {
     double step = COARSE;
     for (int turn = 0; turn < TURNS && step > FINE; turn++) {
-        place at[AROUND];
-        for (int i = 0; i < AROUND; i++)
-            at[i] =
-                (place){top.log_r + step * cos(PI / 4 * i), top.angle + step * sin(PI / 4 * i), 0};
-        evaluate(s, mark, at);
-        const double before = top.J2;
-        for (int i = 0; i < AROUND; i++)
-            if (at[i].J2 > top.J2)
-                top = at[i];
-        step *= top.J2 > before * (1 + 1e-15) ? 1.5 : 0.4;
+        const place next = highest_around(s, mark, top, step);
+        step *= next.J2 > top.J2 * (1 + 1e-15) ? 1.5 : 0.4;
+        top = next.J2 > top.J2 ? next : top;
     }
     return top;
 }
 
-typedef struct {
-    double J2[RADII][ANGLES];
-    double x[ANGLES], y[ANGLES], sxx[ANGLES], syy[ANGLES], txy[ANGLES];
-} polar_grid;
+typedef place polar_grid[RADII][ANGLES];
 
-static void fill(search *s, polar_grid *g, double mark, double reach)
+static void fill(search *s, polar_grid g, double mark, double reach)
 {
     for (int i = 0; i < RADII; i++) {
-        const double r = reach * pow(FALL, i);
-        for (int j = 0; j < ANGLES; j++) {
-            g->x[j] = mark + r * cos(PI * j / (ANGLES - 1));
-            g->y[j] = j == 0 || j == ANGLES - 1 ? 0 : r * sin(PI * j / (ANGLES - 1));
-            g->J2[i][j] = 0;
-        }
-        if (rwedge_contact_stresses(s->contact, ANGLES, g->x, g->y, g->sxx, g->syy, g->txy) !=
-            RWEDGE_OK)
-            continue; /* the apex is among them */
-        for (int j = 0; j < ANGLES; j++) {
-            g->J2[i][j] = J2_of(s, g->sxx[j], g->syy[j], g->txy[j]);
-            s->highest = fmax(s->highest, g->J2[i][j]);
-        }
+        for (int j = 0; j < ANGLES; j++)
+            g[i][j] = (place){log(reach) + i * log(FALL),
+                              j == ANGLES - 1 ? PI : PI * j / (ANGLES - 1), 0};
+        evaluate(s, mark, ANGLES, g[i]);
     }
 }
 
-static bool is_top(const polar_grid *g, int i, int j)
+static bool is_top(polar_grid g, int i, int j)
 {
     for (int k = -1; k <= 1; k++)
         for (int l = -1; l <= 1; l++)
             if (i + k >= 0 && i + k < RADII && j + l >= 0 && j + l < ANGLES &&
-                g->J2[i + k][j + l] > g->J2[i][j])
+                g[i + k][j + l].J2 > g[i][j].J2)
                 return false;
     return true;
 }
@@ -146,14 +141,8 @@ static bool is_next_to_fold(const sliding *c)
 /* Higher than a ring around it. */
 static bool is_below_surface(search *s, double mark, place top)
 {
-    place at[AROUND];
-    for (int i = 0; i < AROUND; i++)
-        at[i] = (place){top.log_r + 3e-3 * cos(i * PI / 4), top.angle + 3e-3 * sin(i * PI / 4), 0};
-    evaluate(s, mark, at);
-    for (int i = 0; i < AROUND; i++)
-        if (at[i].J2 >= top.J2)
-            return false;
-    return top.angle > 1e-2 && top.angle < PI - 1e-2;
+    return highest_around(s, mark, top, 3e-3).J2 < top.J2 && top.angle > 1e-2 &&
+           top.angle < PI - 1e-2;
 }
 
 static double surface_J2(const sliding *c)
@@ -185,14 +174,13 @@ static void survey_mark(search *s, double mark, double reach)
     static polar_grid grid;
     /* closer to the apex J2 is level */
     const double least = s->slides && mark == 0 ? 1e-3 * fmin(1, s->slides->alpha) : HUGE_VAL;
-    fill(s, &grid, mark, reach);
+    fill(s, grid, mark, reach);
     for (int i = 0; i < RADII; i++)
         for (int j = 0; j < ANGLES; j++) {
             const bool is_inside = reach * pow(FALL, i) > least && j > 0 && j < ANGLES - 1;
-            if (!(grid.J2[i][j] > WORTH * s->highest || is_inside) || !is_top(&grid, i, j))
+            if (!(grid[i][j].J2 > WORTH * s->highest || is_inside) || !is_top(grid, i, j))
                 continue;
-            const place top = climb(
-                s, mark, (place){log(reach) + i * log(FALL), PI * j / (ANGLES - 1), grid.J2[i][j]});
+            const place top = climb(s, mark, grid[i][j]);
             if (s->slides && mark == 0 && is_below_surface(s, mark, top))
                 check_below_surface(s->slides, top);
         }

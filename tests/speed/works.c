@@ -148,7 +148,7 @@ static rwedge_contact *new_profile(void)
     return contact;
 }
 
-/* After one step of Q; the contact is destroyed. */
+/* After one step of Q to 0.3 P, at so many points; the contact is destroyed. */
 static double points_of(rwedge_contact *contact, double load, long n)
 {
     must(rwedge_contact_load(contact, load, 0));
@@ -158,19 +158,14 @@ static double points_of(rwedge_contact *contact, double load, long n)
     return out[0][0] + out[2][n - 1];
 }
 
-static double points_of_a_wedge(const work *w)
-{
-    return points_of(new_contact(), P, w->n);
-}
-
 static double points_of_a_flat_pad(const work *w)
 {
-    return points_of(new_flat(), 2000, w->n);
+    return points_of(new_flat(), w->first, w->n);
 }
 
 static double points_of_a_profile(const work *w)
 {
-    return points_of(new_profile(), P, w->n);
+    return points_of(new_profile(), w->first, w->n);
 }
 
 /* It remembers as many corners: reversals of Q, each smaller than all before. */
@@ -350,9 +345,8 @@ const work works[] = {
     {"stress in an array, full sliding", array_of_points, 0, 0, POINTS},
     {"stress in an array, partial slip", array_of_points, 0.4, 0, POINTS},
     {"stress in an array of 10^6", array_of_points, 0, 0, MANY},
-    {"stress in an array, of a contact", points_of_a_wedge, 0, 0, POINTS},
-    {"stress in an array, of a flat pad", points_of_a_flat_pad, 0, 0, POINTS},
-    {"stress in an array, 99 arcs", points_of_a_profile, 0, 0, POINTS / 4},
+    {"stress in an array, of a flat pad", points_of_a_flat_pad, 2000, 0, POINTS},
+    {"stress in an array, 99 arcs", points_of_a_profile, 20000, 0, POINTS / 4},
     {"elastic limit, cold", limits_one_by_one, 0, 0, PAPER_LIMITS / 5},
     {"elastic limit, 2600 of them", limits_one_by_one, 0, 0, 4 * PAPER_LIMITS},
     {"elastic limit, in an array", limits_in_array, 0, 0, PAPER_LIMITS},

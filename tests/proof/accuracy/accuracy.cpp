@@ -13,39 +13,23 @@
 #include <string.h>
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 #include <vector>
 
+#include "balls/parallel.hpp"
 #include "rows/rows.hpp"
-
-enum { BLOCK = 64 };
 
 static const row *const SECTIONS[] = {
     LAW_ROWS,       STRESS_ROWS,          GRADIENT_ROWS, STRENGTH_ROWS, DESIGN_ROWS, HISTORY_ROWS,
     ECCENTRIC_ROWS, ECCENTRIC_FIELD_ROWS, PAD_ROWS,      MEASURE_ROWS,  PLANE_ROWS,  LIFE_ROWS};
 
-/* ---- Measuring: the threads take blocks of calls ---- */
-
 /* The error of each of so many calls. */
 static std::vector<double> measure(const row *claim, uint64_t seed, size_t count)
 {
     std::vector<double> errors(count);
-    std::atomic<size_t> next(0);
-    const auto take_part = [&] {
-        for (size_t begin; (begin = next.fetch_add(BLOCK)) < count;)
-            for (size_t i = begin; i < begin + BLOCK && i < count; i++) {
-                probe call;
-                errors[i] = probe_error(claim, seed, i, &call);
-            }
-        flint_cleanup();
-    };
-    std::vector<std::thread> threads;
-    while (threads.size() + 1 < std::thread::hardware_concurrency())
-        threads.emplace_back(take_part);
-    take_part();
-    for (std::thread &thread : threads)
-        thread.join();
+    in_parallel(count, [&](size_t i) {
+        probe call;
+        errors[i] = probe_error(claim, seed, i, &call);
+    });
     return errors;
 }
 

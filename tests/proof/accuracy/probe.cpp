@@ -53,14 +53,9 @@ bool gives(probe *call, double value)
     return true;
 }
 
-bool gives_if(probe *call, int32_t status)
+bool gives(probe *call, int32_t status)
 {
     return status == 0 || gives(call, NAN);
-}
-
-bool gives_if(probe *call, int32_t status, const double &value)
-{
-    return gives(call, status == 0 ? value : NAN);
 }
 
 /* ---- Arguments ---- */
@@ -128,6 +123,11 @@ double some_fraction(probe *call, double mark)
     return none_if_tiny(fmax(0, fmin(1, v)));
 }
 
+double some_c(probe *call)
+{
+    return some_fraction(call, fmin(call->value[0], 1));
+}
+
 /* One of the marks of the surface. */
 static double some_mark(probe *call, double alpha, double c)
 {
@@ -148,36 +148,38 @@ double some_place(probe *call, double alpha, double c)
     return none_if_tiny(either_sign(call, x));
 }
 
-void some_point(probe *call, double alpha, double c, double *x, double *y)
+void some_point(probe *call)
 {
+    const double alpha = call->value[0], c = call->value[2];
+    double x, y;
     const double kind = uniform(call);
     if (kind < 0.2) { /* next to the contact */
-        *x = between(call, -1.5, 1.5);
-        *y = between(call, 0, 1.5);
+        x = between(call, -1.5, 1.5);
+        y = between(call, 0, 1.5);
     } else if (kind < 0.35) { /* the surface */
-        *x = some_place(call, alpha, c);
-        *y = 0;
+        x = some_place(call, alpha, c);
+        y = 0;
     } else if (kind < 0.5) { /* next to the surface */
-        *x = some_place(call, alpha, c);
-        *y = log_between(call, 1e-18, 1);
+        x = some_place(call, alpha, c);
+        y = log_between(call, 1e-18, 1);
     } else if (kind < 0.6) { /* the far field */
         const double r = log_between(call, 1, chance(call, 0.02) ? 1e60 : 1e4),
                      angle = between(call, 0, 3.14159);
-        *x = r * cos(angle);
-        *y = r * sin(angle);
+        x = r * cos(angle);
+        y = r * sin(angle);
     } else { /* around a mark, at every scale */
         const double mark = chance(call, 0.3) ? 0 : either_sign(call, some_mark(call, alpha, c));
         const double least = mark == 0 && chance(call, 0.1) ? 1e-60 : 1e-17;
         const double r =
             log_between(call, least, 2) * (mark == 0 && chance(call, 0.5) ? fmin(alpha, 1) : 1);
         const double angle = between(call, 0, 3.14159);
-        *x = mark + r * cos(angle);
-        *y = r * sin(angle);
+        x = mark + r * cos(angle);
+        y = r * sin(angle);
     }
-    *x = none_if_tiny(*x);
-    *y = none_if_tiny(*y);
-    argument(call, "x", *x);
-    argument(call, "y", *y);
+    x = none_if_tiny(x);
+    y = none_if_tiny(y);
+    argument(call, "x", x);
+    argument(call, "y", y);
 }
 
 double some_friction(probe *call)

@@ -8,9 +8,8 @@
 
 #include <stdint.h>
 
-#include <array>
 #include <functional>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "references/field.hpp"
@@ -44,10 +43,10 @@ double probe_error(const row *claim, uint64_t seed, uint64_t index, probe *call)
 /* Records an argument; returns it. */
 double argument(probe *call, const char *name, double value);
 
-/* What the library gives, NaN where it refuses; true, as draw() is. */
+/* What the library gives, or its status: the results are there already, NaN where it refuses. True,
+ * as draw() is. */
 bool gives(probe *call, double value);
-bool gives_if(probe *call, int32_t status); /* the results are there already */
-bool gives_if(probe *call, int32_t status, const double &value);
+bool gives(probe *call, int32_t status);
 
 /* ---- Random numbers ---- */
 
@@ -64,9 +63,11 @@ double some_alpha(probe *call);
 double some_rounded_alpha(probe *call); /* not 0 */
 /* [0, 1], dense next to 0, 1 and the mark */
 double some_fraction(probe *call, double mark);
+/* c/b, dense next to 0, alpha, 1; alpha is drawn */
+double some_c(probe *call);
 /* on the surface: next to 0, +-alpha, +-c, +-1 */
 double some_place(probe *call, double alpha, double c);
-void some_point(probe *call, double alpha, double c, double *x, double *y); /* of the half-plane */
+void some_point(probe *call); /* x, y of the half-plane; alpha, f, c are drawn */
 double some_friction(probe *call);
 double some_poisson(probe *call);
 double near(probe *call, double mark); /* from a factor of 2 to the next double */
@@ -84,29 +85,54 @@ ball relative_error(double result, const ball &exact);
 
 /* ---- Rows of functions of numbers ---- */
 
-/* An argument; it may depend on those before it, in call->value. */
+/* An argument, or several; they may depend on those before, in call->value. */
 struct drawn {
-    const char *name;
-    double (*value)(probe *call);
+    std::function<void(probe *call)> draw;
+
+    drawn(const char *name, std::function<double(probe *call)> value)
+        : draw([=](probe *call) { argument(call, name, value(call)); })
+    {
+    }
+    drawn(void (*several)(probe *call)) : draw(several)
+    {
+    }
 };
 
-template <typename... Numbers, size_t... i>
-double applied(double (*f)(Numbers...), const double *v, std::index_sequence<i...>)
+inline bool is_any(const probe &)
 {
-    return f((Numbers)v[i]...);
+    return true;
 }
 
-/* The value of f; other arguments are drawn where these are outside of its domain. */
-template <typename... Numbers>
-std::function<bool(probe *)> calling(
-    double (*f)(Numbers...), const std::array<drawn, sizeof...(Numbers)> &arguments,
-    bool (*is_inside)(const double *v) = [](const double *) { return true; })
+/* The next argument of a function: a number, or where a result goes. */
+struct in_order {
+    const double *value;
+    double *result;
+
+    operator double()
+    {
+        return *value++;
+    }
+    operator int32_t()
+    {
+        return (int32_t)*value++;
+    }
+    operator double *()
+    {
+        return result++;
+    }
+};
+
+/* The value of f, or all its results; other arguments are drawn where the call does not count. */
+template <typename Answer, typename... Numbers>
+std::function<bool(probe *)> calling(Answer (*f)(Numbers...), const std::vector<drawn> &arguments,
+                                     bool (*counts)(const probe &call) = is_any)
 {
     return [=](probe *call) {
         for (const drawn &a : arguments)
-            argument(call, a.name, a.value(call));
-        gives(call, applied(f, call->value, std::index_sequence_for<Numbers...>()));
-        return is_inside(call->value);
+            a.draw(call);
+        in_order next = {call->value, call->result};
+        gives(call, std::apply(f, std::tuple<Numbers...>{(Numbers)next...}));
+        return counts(*call);
     };
 }
 

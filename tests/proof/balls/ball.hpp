@@ -99,10 +99,10 @@ inline ball exp(const ball &x) { return rounded(arb_exp, x); }
 inline ball sin(const ball &x) { return rounded(arb_sin, x); }
 inline ball cos(const ball &x) { return rounded(arb_cos, x); }
 inline ball tan(const ball &x) { return rounded(arb_tan, x); }
+inline ball tanh(const ball &x) { return rounded(arb_tanh, x); }
+inline ball sech(const ball &x) { return rounded(arb_sech, x); }
 inline ball asin(const ball &x) { return rounded(arb_asin, x); }
-inline ball acos(const ball &x) { return rounded(arb_acos, x); }
 inline ball atan2(const ball &y, const ball &x) { return rounded(arb_atan2, y, x); }
-inline ball acosh(const ball &x) { return rounded(arb_acosh, x); }
 inline ball hypot(const ball &x, const ball &y) { return rounded(arb_hypot, x, y); }
 inline ball max(const ball &x, const ball &y) { return rounded(arb_max, x, y); }
 inline ball min(const ball &x, const ball &y) { return rounded(arb_min, x, y); }
@@ -157,10 +157,6 @@ inline bool is_small(const ball &x, const ball &scale, slong n)
 
 inline bool is_zero(const ball &x) { return arb_is_zero(x.raw()); }
 inline bool is_finite(const ball &x) { return arb_is_finite(x.raw()); }
-inline bool contains(const ball &whole, const ball &part)
-{
-    return arb_contains(whole.raw(), part.raw());
-}
 
 /* x 2^n, and x with that radius added. */
 inline ball scaled(const ball &x, slong n)

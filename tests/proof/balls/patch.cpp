@@ -40,7 +40,7 @@ patch::patch(const ball &a, const ball &c) : half_width(c), alpha(a / c)
         phi0 = scaled(pi(), -1);
         return;
     }
-    const ball root_of_squares = rounded(arb_sqrt, (c + a) * (c - a));
+    const ball root_of_squares = sqrt((c + a) * (c - a));
     c0 = root_of_squares / c;
     phi0 = atan2(a, root_of_squares);
 }
@@ -116,6 +116,8 @@ struct place {
   private:
     complex_ball right_half(const complex_ball &point) const
     {
+        if (!on.is_hertz() && !(on.alpha < 1)) /* it may be either formula's */
+            return complex_ball(unknown(), unknown());
         return mirrored ? -conj(point) : point;
     }
 };
@@ -194,8 +196,7 @@ higher_derivatives patch::bends(const complex_ball &point) const
     higher_derivatives sum;
     const complex_ball z = point / half_width;
     const complex_ball per_X = inv(root(z - 1) * root(z + 1)), per_X2 = sqr(per_X);
-    const ball arc = is_sharp() ? 1 : phi0 / alpha;
-    add_part(&sum, per_X * per_X2 * arc, z, 3 * per_X2, 3 * sqr(per_X2));
+    add_part(&sum, per_X * per_X2 * arc(), z, 3 * per_X2, 3 * sqr(per_X2));
     if (!is_hertz()) { /* which has no corners */
         const complex_ball per_q = inv((z - alpha) * (z + alpha));
         add_part(&sum, per_X * per_q * c0, z, 2 * per_q + per_X2, 2 * sqr(per_q) + sqr(per_X2));

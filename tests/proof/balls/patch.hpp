@@ -48,11 +48,18 @@ class patch
     const ball half_width, alpha; /* alpha = a/c; 0 is the sharp wedge, 1 and above is Hertz */
     ball c0, phi0;                /* cosine and angle of the rounding's end; 0 and pi/2 for Hertz */
 
-    /* a >= 0 and c > 0: half-widths of the rounding and of the contact, or of the stick zone. */
+    /* a >= 0 and c > 0: half-widths of the rounding and of the contact, or of the stick zone. Where
+     * balls leave open which is larger, angle and load are enclosed, the potential is unknown. */
     patch(const ball &a, const ball &c);
 
     bool is_hertz() const { return is_zero(c0); }
     bool is_sharp() const { return is_zero(alpha); }
+
+    /* phi0/alpha, 1 for the sharp wedge. Half of how fast the load grows with c. */
+    ball arc() const { return is_sharp() ? 1 : phi0 / alpha; }
+
+    /* A P/theta, Eq. (7), (11), (15). */
+    ball load() const { return half_width * (arc() + c0); }
 
     /* G(z), G'(z), and y G'(z), which is finite where G' is not. */
     complex_ball potential(const complex_ball &z) const;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "entry.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <math.h>
 #include <sstream>
@@ -52,7 +51,13 @@ static entry entry_of(std::istringstream line)
     return e;
 }
 
-bool read_entries(std::vector<entry> *entries, const char *file)
+/* Is the a/b in the comma list? NULL lists all. */
+static bool is_wanted(const std::string &a_over_b, const char *list)
+{
+    return !list || ("," + std::string(list) + ",").find("," + a_over_b + ",") != std::string::npos;
+}
+
+bool read_entries(groups *all, const char *file, const char *list)
 {
     std::ifstream stream(file);
     if (!stream)
@@ -62,27 +67,15 @@ bool read_entries(std::vector<entry> *entries, const char *file)
         return complain(file, 1, "not a table of elastic limits");
     for (size_t number = 2; std::getline(stream, text); number++)
         try {
-            entries->push_back(entry_of(std::istringstream(text)));
-            entries->back().file = file;
-            entries->back().line = number;
+            entry e = entry_of(std::istringstream(text));
+            e.file = file;
+            e.line = number;
+            if (is_wanted(e.a_over_b, list))
+                (*all)[middle(e.alpha)].entries.push_back(e);
         } catch (const std::invalid_argument &) {
             return complain(file, number, "not an entry");
         }
     return true;
-}
-
-static bool comes_before(const entry &a, const entry &b)
-{
-    const int by_alpha = arf_cmp(arb_midref(a.alpha.raw()), arb_midref(b.alpha.raw()));
-    if (by_alpha)
-        return by_alpha < 0;
-    const int by_file = strcmp(a.file, b.file);
-    return by_file ? by_file < 0 : a.line < b.line;
-}
-
-void sort_entries(std::vector<entry> *entries)
-{
-    std::sort(entries->begin(), entries->end(), comes_before);
 }
 
 double distance_of(const entry &e)

@@ -6,6 +6,7 @@
 
 #include "field.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,12 @@ enum verdict {
 };
 enum { VERDICTS = OPEN + 1 };
 
+/* The six functions of the place of which J2 = sum of weight[i] term[i], weight = 1, f, f^2,
+ * kappa, kappa f, kappa f^2. */
+enum { TERMS = 6 };
+
 struct entry {
-    std::string a_over_b; /* as printed: what entries of one contact share */
+    std::string a_over_b; /* as printed */
     const char *file;
     size_t line;
     ball alpha, f, kappa; /* kappa = (1-2nu)^2/3 */
@@ -29,6 +34,7 @@ struct entry {
     bool at_surface;      /* what the column `branch` says */
 
     /* What is shown of it. */
+    double weight[TERMS]; /* of the terms of J2 */
     /* J2, (theta/A)^2, to be proved an upper bound: a little above that at the place */
     double ceiling;
     ball least, most;          /* the enclosure of the limit, if PROVED */
@@ -36,11 +42,16 @@ struct entry {
     verdict is;
 };
 
-/* Appends the rows of the file; false, with a message, where it is not such a table. */
-bool read_entries(std::vector<entry> *entries, const char *file);
+/* The entries of one a/b, and how many squares it took to judge them. */
+struct group {
+    std::vector<entry> entries;
+    size_t squares;
+};
+typedef std::map<double, group> groups; /* by a/b */
 
-/* Groups the entries by a/b, in the order of a/b. */
-void sort_entries(std::vector<entry> *entries);
+/* Adds the rows of the file whose a/b is in the comma list, all without a list; false, with a
+ * message, where it is not such a table. */
+bool read_entries(groups *all, const char *file, const char *list);
 
 /* How far the enclosure of the limit reaches from what is stated, relatively. */
 double distance_of(const entry &e);

@@ -7,13 +7,6 @@
 #include "balls/patch.hpp"
 #include "model.hpp"
 
-struct contact {
-    patch shape;
-    ball load; /* AP/(theta b) */
-
-    explicit contact(const ball &alpha); /* alpha = a/b > 0 */
-};
-
 struct square {
     double x, y, half; /* centre and half a side; y >= half */
 };
@@ -24,13 +17,13 @@ struct field {
     model u, v, p, q;
 };
 
-field field_over(const contact &c, square s);
+field field_over(const patch &c, square s);
 
 /* J2 at a point, in balls, for the friction f and kappa = (1-2nu)^2/3. */
-ball J2_at(const contact &c, const complex_ball &z, const ball &f, const ball &kappa);
+ball J2_at(const patch &c, const complex_ball &z, const ball &f, const ball &kappa);
 
 /* An upper bound of J2 wherever it is farther than the distance from the contact -1 <= x <= 1. */
-ball far_J2(const contact &c, double distance, const ball &f, const ball &kappa);
+ball far_J2(const patch &c, double distance, const ball &f, const ball &kappa);
 
 /* The largest double below all of the ball. */
 double lower_bound(const ball &x);

@@ -24,7 +24,7 @@ double model_bound(const model &m)
     return (fabs(m.one) + linear_bound(m) + square_bound(m) + m.rest) * (1 + ROUNDING);
 }
 
-model model_product(const model &a, const model &b)
+model operator*(const model &a, const model &b)
 {
     const double la = linear_bound(a), lb = linear_bound(b), sa = square_bound(a),
                  sb = square_bound(b);
@@ -58,6 +58,23 @@ model model_combination(int terms, const double *weight, const model *term)
     }
     sum.rest = (rest + ROUNDING * rounded) * (1 + ROUNDING);
     return sum;
+}
+
+model operator*(double weight, const model &a)
+{
+    return model_combination(1, &weight, &a);
+}
+
+model operator+(const model &a, const model &b)
+{
+    static const double BOTH[] = {1, 1};
+    const model terms[] = {a, b};
+    return model_combination(2, BOTH, terms);
+}
+
+model operator-(const model &a, const model &b)
+{
+    return a + -1 * b;
 }
 
 struct peak {

@@ -15,7 +15,10 @@ struct model {
 /* An upper bound of the function's modulus. */
 double model_bound(const model &m);
 
-model model_product(const model &a, const model &b);
+model operator*(const model &a, const model &b);
+model operator*(double weight, const model &a);
+model operator+(const model &a, const model &b);
+model operator-(const model &a, const model &b);
 
 /* Sum of weight[i] * term[i]. */
 model model_combination(int terms, const double *weight, const model *term);

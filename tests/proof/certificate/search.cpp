@@ -18,43 +18,31 @@ enum { DEEPEST = 50, MOST_SQUARES = 20 * 1000 * 1000 };
 
 void enclose_terms(model term[TERMS], const field &over)
 {
-    static const double plus[2] = {1, 1}, minus[2] = {1, -1}, twice[2] = {-2, -2};
     const model &u = over.u, &v = over.v, &p = over.p, &q = over.q;
-    const model p2_q2[2] = {model_product(p, p), model_product(q, q)};
-    const model pu_qv[2] = {model_product(p, u), model_product(q, v)};
-    const model u_q[2] = {u, q}, v_p[2] = {v, p};
-    const model re = model_combination(2, minus, u_q), im = model_combination(2, plus, v_p);
-    const model re2_im2[2] = {model_product(re, re), model_product(im, im)};
-    const model uv = model_product(u, v);
-    term[0] = model_combination(2, plus, p2_q2);
-    term[1] = model_combination(2, twice, pu_qv);
-    term[2] = model_combination(2, plus, re2_im2);
-    term[3] = model_product(v, v);
-    term[4] = model_combination(1, twice, &uv);
-    term[5] = model_product(u, u);
+    const model real = u - q, imaginary = v + p;
+    term[0] = p * p + q * q;
+    term[1] = -2 * (p * u + q * v);
+    term[2] = real * real + imaginary * imaginary;
+    term[3] = v * v;
+    term[4] = -2 * (u * v);
+    term[5] = u * u;
 }
 
 namespace
 {
 
-/* An entry that is not done with yet. */
-struct candidate {
-    entry *judged;
-    double weight[TERMS];
-
-    /* f and kappa rounded to doubles are as good as exact: the combination allows for more
-     * roundings than these. */
-    explicit candidate(entry *e) : judged(e)
-    {
-        const double f = lower_bound(e->f), kappa = lower_bound(e->kappa);
-        const double weights[TERMS] = {1, f, f * f, kappa, kappa * f, kappa * f * f};
-        for (int i = 0; i < TERMS; i++)
-            weight[i] = weights[i];
-    }
-};
+/* f and kappa rounded to doubles are as good as exact: the combination allows for more roundings
+ * than these. */
+void set_weights(entry *e)
+{
+    const double f = lower_bound(e->f), kappa = lower_bound(e->kappa);
+    const double weights[TERMS] = {1, f, f * f, kappa, kappa * f, kappa * f * f};
+    for (int i = 0; i < TERMS; i++)
+        e->weight[i] = weights[i];
+}
 
 /* Refutes the entry where the highest point of the square is above the ceiling for sure. */
-void try_to_refute(const contact &c, entry *e, square s, const model &J2)
+void try_to_refute(const patch &c, entry *e, square s, const model &J2)
 {
     const summit top = model_summit(J2);
     if (!(top.value - J2.rest > e->ceiling))
@@ -67,13 +55,12 @@ void try_to_refute(const contact &c, entry *e, square s, const model &J2)
     }
 }
 
-/* True where the square is done with for this candidate. */
-bool settles(const contact &c, const candidate &open, square s, const model term[TERMS])
+/* True where the square is done with for this entry. */
+bool settles(const patch &c, entry *e, square s, const model term[TERMS])
 {
-    entry *e = open.judged;
     if (e->is != PROVED)
         return true;
-    const model J2 = model_combination(TERMS, open.weight, term);
+    const model J2 = model_combination(TERMS, e->weight, term);
     if (model_maximum(J2) <= e->ceiling)
         return true;
     try_to_refute(c, e, s, J2);
@@ -81,31 +68,31 @@ bool settles(const contact &c, const candidate &open, square s, const model term
 }
 
 struct tree {
-    const contact c;
+    const patch c;
     size_t squares = 0;
     double covered = 0; /* the area of those done with */
 
-    /* For the candidates that the square might exceed. */
-    void examine(square s, int depth, const std::vector<const candidate *> &listed)
+    /* For the entries that the square might exceed. */
+    void examine(square s, int depth, const std::vector<entry *> &listed)
     {
-        std::vector<const candidate *> left;
+        std::vector<entry *> left;
         model term[TERMS];
         squares++;
         enclose_terms(term, field_over(c, s));
-        for (const candidate *open : listed)
-            if (!settles(c, *open, s, term))
+        for (entry *open : listed)
+            if (!settles(c, open, s, term))
                 left.push_back(open);
         if (!left.empty() && depth < DEEPEST && squares < MOST_SQUARES) {
             examine_quarters(s, depth + 1, left);
             return;
         }
         covered += 4 * s.half * s.half;
-        for (const candidate *open : left)
-            open->judged->is = OPEN;
+        for (entry *open : left)
+            open->is = OPEN;
     }
 
   private:
-    void examine_quarters(square s, int depth, const std::vector<const candidate *> &listed)
+    void examine_quarters(square s, int depth, const std::vector<entry *> &listed)
     {
         const double half = s.half / 2;
         for (const double y : {s.y - half, s.y + half})
@@ -115,7 +102,7 @@ struct tree {
 };
 
 /* All around the squares. */
-void examine_far_field(const contact &c, entry *e)
+void examine_far_field(const patch &c, entry *e)
 {
     if (!(far_J2(c, REACH - 1, e->f, e->kappa) <= e->ceiling))
         e->is = OPEN;
@@ -131,39 +118,37 @@ verdict verdict_of_place(const entry &e, double tolerance)
 }
 
 /* The limit is at most load/sqrt(J2) for the J2 of the place, and if no point has more than the
- * ceiling J2 (1+gap)^2, it is no less than that over 1+gap. */
-void examine_place(const contact &c, entry *e, allowance allowed)
+ * ceiling J2 (1+GAP)^2, it is no less than that over 1+GAP. */
+void examine_place(const patch &c, entry *e, double tolerance)
 {
-    const ball J2 = J2_at(c, e->place, e->f, e->kappa), over = ball(allowed.gap) + 1;
-    e->most = c.load / sqrt(J2);
+    const ball J2 = J2_at(c, e->place, e->f, e->kappa), over = ball(GAP) + 1;
+    e->most = c.load() / sqrt(J2);
     e->least = e->most / over;
     e->ceiling = lower_bound(J2 * over * over);
-    e->is = verdict_of_place(*e, allowed.tolerance);
+    e->is = verdict_of_place(*e, tolerance);
     e->beyond_x = lower_bound(re(e->place));
     e->beyond_y = lower_bound(im(e->place));
 }
 
 } // namespace
 
-size_t search(entry *entries, size_t count, allowance allowed)
+void search(group *judged, double tolerance)
 {
-    tree t = {contact(entries[0].alpha)};
-    std::vector<candidate> candidates;
-    std::vector<const candidate *> all;
-    candidates.reserve(count); /* for they are pointed to */
-    for (entry *e = entries; e < entries + count; e++) {
-        examine_place(t.c, e, allowed);
-        candidates.emplace_back(e);
-        all.push_back(&candidates.back());
+    tree t = {patch(judged->entries[0].alpha, 1)};
+    std::vector<entry *> all;
+    for (entry &e : judged->entries) {
+        examine_place(t.c, &e, tolerance);
+        set_weights(&e);
+        all.push_back(&e);
     }
     const double half = REACH / 2.0;
     for (const double x : {-half, half})
         t.examine({x, half, half}, 0, all);
     const bool all_covered = fabs(t.covered - 2 * REACH * REACH) < 1e-9;
-    for (entry *e = entries; e < entries + count; e++)
-        if (e->is == PROVED) {
-            e->is = all_covered ? PROVED : OPEN;
-            examine_far_field(t.c, e);
+    for (entry &e : judged->entries)
+        if (e.is == PROVED) {
+            e.is = all_covered ? PROVED : OPEN;
+            examine_far_field(t.c, &e);
         }
-    return t.squares;
+    judged->squares = t.squares;
 }

@@ -67,7 +67,7 @@ CLAIM(products_and_sums_contain_those_of_the_values)
                     b = random_model(&seed, i % 5 ? 0.01 : 0);
         const model both[2] = {a, b};
         const double weight[2] = {random_between(&seed, -2, 2), random_between(&seed, -2, 2)};
-        const model product = model_product(a, b), sum = model_combination(2, weight, both);
+        const model product = a * b, sum = model_combination(2, weight, both);
         for (int j = 0; j < 20; j++) { /* at the corners, the rests at their ends */
             const double xi = random_sign(&seed), eta = random_sign(&seed);
             const double va = a.at(xi, eta) + a.rest * random_sign(&seed);
@@ -101,7 +101,7 @@ struct tally {
     double tightest; /* least of: largest error seen in a square, over the rest that is allowed */
 };
 
-static void check_square(const contact &c, square s, uint64_t *seed, tally *count)
+static void check_square(const patch &c, square s, uint64_t *seed, tally *count)
 {
     const field over = field_over(c, s);
     const double f = random_fraction(seed), kappa = random_fraction(seed) / 3;
@@ -116,7 +116,7 @@ static void check_square(const contact &c, square s, uint64_t *seed, tally *coun
         const double xi = i < 4 ? (i % 2 ? 1 : -1) : random_between(seed, -1, 1);
         const double eta = i < 4 ? (i / 2 ? 1 : -1) : random_between(seed, -1, 1);
         const complex_ball z(s.x + s.half * xi, fmax(0, s.y + s.half * eta));
-        const complex_ball G = c.shape.potential(z), H = c.shape.depth_slope(z);
+        const complex_ball G = c.potential(z), H = c.depth_slope(z);
         const ball J2 = J2_at(c, z, f, kappa);
         assert_contains(over.u, xi, eta, re(G));
         assert_contains(over.v, xi, eta, im(G));
@@ -135,7 +135,7 @@ CLAIM(squares_contain_what_points_in_them_give)
     uint64_t seed = 3;
     tally count = {};
     for (const double alpha : {0.01, 0.1, 0.5, 0.9, 0.99, 1.0, 3.0}) {
-        const contact c(alpha);
+        const patch c(alpha, 1);
         for (int j = 0; j < 700; j++)
             check_square(c, random_square(&seed, alpha), &seed, &count);
     }
@@ -147,7 +147,7 @@ CLAIM(squares_contain_what_points_in_them_give)
  * that is halved. */
 CLAIM(the_rest_falls_with_the_cube)
 {
-    const contact c(0.3);
+    const patch c(0.3, 1);
     double before = 0;
     for (double half = ldexp(1, -10); half > 1e-5; half /= 2) {
         const field over = field_over(c, {0.1, 0.2, half});
@@ -172,7 +172,7 @@ CLAIM(far_away_J2_is_below_its_bound)
     uint64_t seed = 4;
     double nearest = 0;
     for (int i = 0; i < 2000; i++) {
-        const contact c(random_between(&seed, 0.01, 1.2));
+        const patch c(random_between(&seed, 0.01, 1.2), 1);
         const double f = random_fraction(&seed), kappa = random_fraction(&seed) / 3;
         const ball J2 = J2_at(c, random_point_at(DISTANCE, &seed), f, kappa);
         const ball bound = far_J2(c, DISTANCE, f, kappa);
@@ -191,10 +191,10 @@ CLAIM(the_reference_limits_are_those_of_their_places)
         const double *cell = table.cell;
         if (cell[0] < 1e-3)
             continue;
-        const contact c(cell[0]);
+        const patch c(cell[0], 1);
         const double kappa = (1 - 2 * cell[2]) * (1 - 2 * cell[2]) / 3;
         const ball J2 = J2_at(c, complex_ball(cell[4], cell[5]), cell[1], kappa);
-        assert_close(middle(c.load / sqrt(J2)), cell[3], 1e-13);
+        assert_close(middle(c.load() / sqrt(J2)), cell[3], 1e-13);
         checked++;
     }
     assert_true(checked > 50);

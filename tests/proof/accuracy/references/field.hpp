@@ -29,16 +29,23 @@ tensor tensor_of(const superposition &at);
 /* The shear traction is f times the pressure. */
 superposition sliding(const sliding_contact &t, const potentials &N);
 
+/* How the potentials of a patch change with x, to the first and to the second derivative; and by y
+ * what changes so by x. */
+struct changes {
+    potentials first, second;
+};
+
+changes by_x(const patch &p, const complex_ball &z);
+potentials turned(const potentials &change);
+
 /* c d/dc of a patch pressed to the half-width c. */
 potentials by_half_width(const patch &p, const complex_ball &z);
 
-/* A stationary point of J2. flatness is the smallest curvature times y^2 over J2. */
-struct extremum {
-    ball x, y, J2;
-    double flatness;
+/* J2 in full sliding, and its derivatives. */
+struct J2_jet {
+    ball J2, x, y, xx, xy, yy;
 };
 
-/* The one next to (x, y), y > 0. False where none is proved. */
-bool find_stationary(extremum *at, const sliding_contact &t, double x, double y);
+J2_jet J2_at(const sliding_contact &t, const complex_ball &z);
 
 #endif

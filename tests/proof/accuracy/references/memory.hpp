@@ -25,14 +25,10 @@ struct path {
     /* In a straight line to (load, shear). */
     void advance(const ball &load, const ball &shear);
 
-    /* The shear where the path has that load. */
-    ball shear_at(const ball &load) const;
-
   private:
-    int corner_below(const ball &load) const;
     void push(const ball &load, const ball &shear);
-    void cut_off(const ball &load);
-    void forget(int slip, const ball &load, const ball &shear);
+    /* Goes back to where the function falls below 0. */
+    template <typename Linear> void cut_off(const ball &scale, const Linear &inside);
 };
 
 /* -1, 0, 1; 0 for what is below 2^-(bits/2) of the scale. */

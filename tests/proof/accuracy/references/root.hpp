@@ -1,47 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Zeros enclosed by Newton's method. A function returns value and slope over a ball. */
+/* Zeros enclosed by Newton's method: where two functions of two numbers are 0, or one of one. A
+ * function returns its values and slopes over a ball. */
 #ifndef ROOT_HPP
 #define ROOT_HPP
 
 #include "balls/ball.hpp"
-
-struct value_slope {
-    ball value, slope;
-};
-
-/* Newton's method without proof: a guess to about the square root of the precision. */
-template <typename Function> ball improved(const ball &guess, const Function &function)
-{
-    ball x = midpoint(guess);
-    for (int i = 0; i < 12; i++) {
-        const value_slope at = function(x);
-        const ball step = midpoint(at.value / at.slope);
-        if (!is_finite(step))
-            break;
-        x = midpoint(x - step);
-        if (abs(step) <= abs(x) && is_small(step, x, bits / 2))
-            break;
-    }
-    return x;
-}
-
-/* A zero near the guess: Newton's method, the last step with the derivative over a whole
- * neighbourhood, which proves that there is one and that it is where it says. False where none
- * is proved. The neighbourhoods tried are small beside the width. */
-template <typename Function>
-bool find_zero(ball *zero, const ball &guess, double width, const Function &function)
-{
-    const ball centre = improved(guess, function), value = function(centre).value;
-    for (slong n = bits / 2; n > 0; n -= bits / 8) {
-        const ball neighbourhood = widened(centre, scaled(width, -n));
-        *zero = centre - value / function(neighbourhood).slope;
-        if (contains(neighbourhood, *zero))
-            return true;
-    }
-    return false;
-}
-
-/* ---- Two numbers that two functions make 0 ---- */
 
 struct column {
     ball x, y;
@@ -82,20 +45,21 @@ inline column krawczyk(const column &x, const column &AF, const square &A, const
     return x - AF + square{1 - first.x, -second.x, -first.y, 1 - second.y} * (X - x);
 }
 
-/* The zero near a guess, by Newton's method and that operator. False where none is proved. */
+/* The zero near a guess, by Newton's method; that operator proves that there is one and that it is
+ * where it says. Unknown where none is proved. The neighbourhoods tried are small beside the
+ * width. */
 template <typename Function>
-bool find_zero(column *zero, const column &guess, double width, const Function &function)
+column find_zero(const column &guess, double width, const Function &function)
 {
     column x = guess;
     square A;
     for (int i = 0; i < 12; i++) {
         const residual at = function(x);
-        A = inverse_of(
-            {midpoint(at.J.xx), midpoint(at.J.xy), midpoint(at.J.yx), midpoint(at.J.yy)});
+        A = inverse_of(at.J);
         const column step = A * at.F;
         const ball length = max(abs(step.x), abs(step.y));
         if (!(length < width))
-            return false;
+            return {unknown(), unknown()};
         x = midpoint(x - step);
         if (middle(length) < ldexp(width, -(int)bits / 2))
             break;
@@ -104,11 +68,28 @@ bool find_zero(column *zero, const column &guess, double width, const Function &
     for (slong n = bits / 2; n > 0; n -= bits / 8) {
         const ball reach = scaled(width, -n);
         const column X = {widened(x.x, reach), widened(x.y, reach)};
-        *zero = krawczyk(x, AF, A, function(X).J, X);
-        if (abs(zero->x - x.x) < reach && abs(zero->y - x.y) < reach)
-            return true;
+        const column zero = krawczyk(x, AF, A, function(X).J, X);
+        if (abs(zero.x - x.x) < reach && abs(zero.y - x.y) < reach)
+            return zero;
     }
-    return false;
+    return {unknown(), unknown()};
+}
+
+/* ---- One function of one number ---- */
+
+struct value_slope {
+    ball value, slope;
+};
+
+/* The other number is 0. */
+template <typename Function>
+ball find_zero(const ball &guess, double width, const Function &function)
+{
+    const auto both = [&](const column &z) -> residual {
+        const value_slope at = function(z.x);
+        return {{at.value, z.y}, {at.slope, 0, 0, 1}};
+    };
+    return find_zero(column{midpoint(guess), 0}, width, both).x;
 }
 
 #endif

@@ -7,9 +7,15 @@
 
 #include "references/field.hpp"
 
-/* The maximum over the surface next to x = guess. False where none is proved. flatness is the
- * curvature of J2 over J2, by the angle whose sine is x/alpha. */
-bool find_surface_maximum(extremum *at, const sliding_contact &t, double guess);
+/* Of J2; unknown where none is proved. flatness is the smallest curvature times y^2 over J2; on the
+ * surface it is the curvature over J2, by the angle whose sine is x/alpha. */
+struct extremum {
+    ball x, y, J2;
+    double flatness;
+};
+
+/* The one next to (x, y): a stationary point, or the maximum over the surface where y is 0. */
+extremum extremum_near(const sliding_contact &t, double x, double y);
 
 /* P/(bk) of that maximum. */
 ball limit_of(const ball &alpha, const ball &J2);

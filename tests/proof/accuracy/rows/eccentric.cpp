@@ -31,8 +31,7 @@ carried carried_by_sharp(const ball_edges &e)
             e.right / root, middle,        (e.right - e.left) / 2};
 }
 
-} // namespace
-
+/* By one arc, around 0. */
 carried carried_by(const ball &a, const ball_edges &e)
 {
     if (is_zero(a))
@@ -49,53 +48,72 @@ carried carried_by(const ball &a, const ball_edges &e)
     return {P, M, tilt, s / (2 * a) * (phi - cosines), s / (2 * a) * (phi + cosines), middle, s};
 }
 
-namespace
+/* What the edges carry too much, and how that changes with them: dM = m dP + (pi s^2/2) d delta. */
+residual excess_at(const carried &c, const ball &P, ball carried::*other, const ball &much)
 {
-
-/* ---- Which patch carries what ---- */
-
-struct wanted {
-    std::function<carried(const ball_edges &)> carry;
-    ball P, other;
-    bool by_moment;
-};
-
-/* What the edges carry too much, and how that changes with them. */
-residual excess_at(const ball_edges &e, const wanted &to)
-{
-    const carried c = to.carry(e);
-    if (to.by_moment) /* m dP + (pi s^2/2) d delta */
-        return {{c.P - to.P, c.M - to.other},
+    const column F = {c.P - P, c.*other - much};
+    if (other == &carried::M)
+        return {F,
                 {-c.v, c.u, c.half * c.v / 2 - c.middle * c.v, c.half * c.u / 2 + c.middle * c.u}};
-    return {{c.P - to.P, c.tilt - to.other},
-            {-c.v, c.u, c.v / (pi() * c.half), c.u / (pi() * c.half)}};
-}
-
-/* The patch near a guess; indeterminate where none is proved. */
-ball_edges patch_near(const wanted &to, double left, double right)
-{
-    column edges;
-    const auto excess = [&](const column &e) { return excess_at({e.x, e.y}, to); };
-    if (!find_zero(&edges, {left, right}, right - left, excess))
-        return {unknown(), unknown()};
-    return {edges.x, edges.y};
+    return {F, {-c.v, c.u, c.v / (pi() * c.half), c.u / (pi() * c.half)}};
 }
 
 } // namespace
 
-ball_edges patch_carrying(const std::function<carried(const ball_edges &)> &carry, const ball &P,
-                          const ball &M, const double guess[2])
+/* An arc beyond an edge only tilts. */
+carried carried_by(const profile &arcs, const ball_edges &e)
 {
-    return patch_near({carry, P, M, true}, guess[0], guess[1]);
+    carried sum = {0, 0, 0, 0, 0, (e.left + e.right) / 2, (e.right - e.left) / 2};
+    for (const arc &part : arcs) {
+        const ball from = part.middle - part.half, to = part.middle + part.half;
+        if (from >= e.right || to <= e.left) {
+            sum.tilt += from >= e.right ? -part.weight : part.weight;
+            continue;
+        }
+        const carried c = carried_by(part.half, {e.left - part.middle, e.right - part.middle});
+        sum.P += part.weight * c.P;
+        sum.M += part.weight * (c.M + part.middle * c.P);
+        sum.tilt += part.weight * c.tilt;
+        sum.u += part.weight * c.u;
+        sum.v += part.weight * c.v;
+    }
+    return sum;
+}
+
+ball_edges patch_carrying(const profile &arcs, const ball &P, ball carried::*other,
+                          const ball &much, const double guess[2])
+{
+    const auto excess = [&](const column &e) {
+        return excess_at(carried_by(arcs, {e.x, e.y}), P, other, much);
+    };
+    const column e = find_zero(column{guess[0], guess[1]}, guess[1] - guess[0], excess);
+    return {e.x, e.y};
+}
+
+ball flatness(const ball &tilt)
+{
+    return 1 - abs(tilt);
+}
+
+ball reach_of(const ball_edges &e)
+{
+    return max(e.right - e.left, max(abs(e.left), abs(e.right)));
+}
+
+ball edges_error(const double answer[2], const ball_edges &e, const ball &scale)
+{
+    return max(error_over(answer[0], e.left, scale), error_over(answer[1], e.right, scale));
+}
+
+shared_contact pressed(int32_t status, rwedge_contact *created, double P, double M)
+{
+    const shared_contact contact = shared(created);
+    return status == RWEDGE_OK && rwedge_contact_apply(created, P, M, 0, 0) == RWEDGE_OK ? contact
+                                                                                         : NULL;
 }
 
 namespace
 {
-
-std::function<carried(const ball_edges &)> carrying(const ball &a)
-{
-    return [a](const ball_edges &e) { return carried_by(a, e); };
-}
 
 /* ---- What is drawn ---- */
 
@@ -147,22 +165,19 @@ bool some_pressing(probe *call)
     if (!(left < right) || left >= (is_sharp ? 0 : 1) || right <= (is_sharp ? 0 : -1))
         return false;
     const precision here(256);
-    const carried c = carried_by(a, {left * unit, right * unit});
+    const carried c = carried_by(wedge(a), {left * unit, right * unit});
     const double P = middle(c.P) * (theta / A), M = middle(c.M) * (theta / A);
     argument(call, "P", P);
     argument(call, "M", fabs(M) < 1e-40 ? 0 : M);
     return P > 1e-40;
 }
 
-/* A contact under these loads; none where M tilts too far, to be drawn again. */
 shared_contact pressed(const probe *call, double f, double P, double M)
 {
     const double *v = call->value;
     rwedge_contact *made = NULL;
     const int32_t status = rwedge_contact_create(v[THETA], v[ROUNDING], v[COMPLIANCE], f, &made);
-    const shared_contact contact = shared(made);
-    return status == RWEDGE_OK && rwedge_contact_apply(made, P, M, 0, 0) == RWEDGE_OK ? contact
-                                                                                      : NULL;
+    return pressed(status, made, P, M);
 }
 
 shared_contact pressed(const probe *call, double f)
@@ -177,45 +192,26 @@ struct pressed_patch {
     ball a, per_stress;
 };
 
-pressed_patch ball_pressed(const double v[], double P, double M, double left, double right)
+pressed_patch ball_pressed(const double v[], double P, double M, const double guess[2])
 {
-    const ball a = v[ROUNDING], per_stress = ball(v[COMPLIANCE]) / v[THETA];
-    const wanted to = {carrying(a), P * per_stress, M * per_stress, true};
-    const ball_edges e = patch_near(to, left, right);
-    carried c = carried_by(a, e);
-    c.P = to.P; /* exactly */
+    const ball a = v[ROUNDING], per_stress = ball(v[COMPLIANCE]) / v[THETA], load = P * per_stress;
+    const ball_edges e = patch_carrying(wedge(a), load, &carried::M, M * per_stress, guess);
+    carried c = carried_by(wedge(a), e);
+    c.P = load; /* exactly */
     return {c, e, a, per_stress};
 }
 
 /* That of the call's first load; its edges as the library finds them are those results. */
 pressed_patch ball_pressed(const probe &call, int left)
 {
-    const double *v = call.value, *r = call.result;
-    return ball_pressed(v, v[LOAD], v[MOMENT], r[left], r[left + 1]);
-}
-
-/* 1 - |delta| */
-ball flatness(const ball &tilt)
-{
-    return 1 - abs(tilt);
-}
-
-/* The width of a patch, or |x| at its edges where that is larger. */
-ball reach_of(const ball_edges &e)
-{
-    return max(e.right - e.left, max(abs(e.left), abs(e.right)));
+    const double *v = call.value;
+    return ball_pressed(v, v[LOAD], v[MOMENT], call.result + left);
 }
 
 /* What |x| at the edges magnifies: the smaller of 1 and width/|x|, times 1 - |delta|. */
 ball magnified(const ball &error, const pressed_patch &p)
 {
     return error * (2 * p.c.half / reach_of(p.edges)) * flatness(p.c.tilt);
-}
-
-/* The larger error of two edges over a scale. */
-ball edges_error(const double answer[2], const ball_edges &e, const ball &scale)
-{
-    return max(error_over(answer[0], e.left, scale), error_over(answer[1], e.right, scale));
 }
 
 /* ---- Edges, tilt ---- */
@@ -227,9 +223,8 @@ bool draw_edges(probe *call)
         return false;
     double *r = call->result;
     r[2] = rwedge_contact_tilt(contact.get());
-    gives_if(call, rwedge_contact_edges(contact.get(), &r[0], &r[1]));
-    return gives_if(call,
-                    rwedge_contact_edge_asymptotes(contact.get(), &r[3], &r[4], &r[5], &r[6]));
+    gives(call, rwedge_contact_edges(contact.get(), &r[0], &r[1]));
+    return gives(call, rwedge_contact_edge_asymptotes(contact.get(), &r[3], &r[4], &r[5], &r[6]));
 }
 
 ball judge_edges(const probe &call)
@@ -250,45 +245,13 @@ ball judge_tilt(const probe &call)
 ball judge_asymptotes(const probe &call)
 {
     const double *v = call.value, *r = call.result;
-    const carried c = carried_by(v[ROUNDING], {r[0], r[1]});
+    const carried c = carried_by(wedge(v[ROUNDING]), {r[0], r[1]});
     const ball unit = 2 / pi() * v[THETA] / v[COMPLIANCE] * sqrt(2 / c.half);
     const ball scale = unit * max(c.u, c.v);
     return max(error_over(r[3], unit * c.v, scale), error_over(r[4], unit * c.u, scale));
 }
 
 /* ---- Stick zones ---- */
-
-} // namespace
-
-shared_contact draw_slipping(probe *call)
-{
-    if (!some_pressing(call))
-        return NULL;
-    const double f = argument(call, "f", log_between(call, 0.01, 2)), *v = call->value;
-    const shared_contact contact = pressed(call, f);
-    if (!contact)
-        return NULL;
-    const double part = chance(call, 0.3) ? log_between(call, 1e-12, 0.9) : 0.9 * uniform(call);
-    const double Q = argument(call, "Q", either_sign(call, part * f * v[LOAD]));
-    const double most = rwedge_contact_largest_tension_step(contact.get(), Q);
-    const double sigma = argument(
-        call, "sigma", most * (chance(call, 0.2) ? either_sign(call, 1) : 2 * uniform(call) - 1));
-    double *r = call->result;
-    if (rwedge_contact_edges(contact.get(), &r[2], &r[3]) != RWEDGE_OK ||
-        rwedge_contact_apply(contact.get(), v[LOAD], v[MOMENT], Q, sigma) != RWEDGE_OK ||
-        rwedge_contact_stick_zone(contact.get(), &r[0], &r[1]) != RWEDGE_OK)
-        r[0] = NAN;
-    r[4] = most;
-    return contact;
-}
-
-namespace
-{
-
-bool draw_stick_zone(probe *call)
-{
-    return draw_slipping(call) != NULL;
-}
 
 /* |T| = (|Q|/f A/theta, -+A sigma/(4 theta f)), the sign that of Q. */
 struct tangential {
@@ -301,10 +264,9 @@ tangential tangential_of(const ball &per_stress, double f, const ball &Q, const 
     return {abs(Q) * unit, (sign(Q) < 0 ? sigma : -sigma) * unit / 4};
 }
 
-/* Of the width of the contact, over 1 - |delta| of both, and the root of what sticks of P. */
 ball_edges edges_of(const pressed_patch &whole, const tangential &sticking, const double guess[2])
 {
-    return patch_near({carrying(whole.a), sticking.load, sticking.tilt, false}, guess[0], guess[1]);
+    return patch_carrying(wedge(whole.a), sticking.load, &carried::tilt, sticking.tilt, guess);
 }
 
 /* Of the width of the contact, over 1 - |delta| of both, and the root of what sticks of P. */
@@ -315,17 +277,12 @@ ball front_error(const double answer[2], const ball_edges &e, const pressed_patc
     return edges_error(answer, e, reach_of(whole.edges) / (flat * sqrt(sticking.load / whole.c.P)));
 }
 
-/* Load and tilt of what sticks. */
-tangential sticking_of(const pressed_patch &whole, const double v[])
-{
-    const tangential T = tangential_of(whole.per_stress, v[FRICTION], v[SHEAR], v[TENSION]);
-    return {whole.c.P - T.load, whole.c.tilt - T.tilt};
-}
-
 ball judge_stick_zone(const probe &call)
 {
+    const double *v = call.value;
     const pressed_patch whole = ball_pressed(call, 2);
-    const tangential sticking = sticking_of(whole, call.value);
+    const tangential T = tangential_of(whole.per_stress, v[FRICTION], v[SHEAR], v[TENSION]);
+    const tangential sticking = {whole.c.P - T.load, whole.c.tilt - T.tilt};
     return front_error(call.result, edges_of(whole, sticking, call.result), whole, sticking);
 }
 
@@ -367,7 +324,7 @@ ball judge_permanent(const probe &call)
 {
     const double *v = call.value, *r = call.result;
     const pressed_patch one = ball_pressed(call, 2),
-                        two = ball_pressed(v, v[SECOND_LOAD], v[SECOND_MOMENT], r[4], r[5]);
+                        two = ball_pressed(v, v[SECOND_LOAD], v[SECOND_MOMENT], r + 4);
     const pressed_patch &smaller = two.c.P > one.c.P ? one : two,
                         &larger = &smaller == &one ? two : one;
     const tangential T =
@@ -382,7 +339,31 @@ ball judge_permanent(const probe &call)
 
 #define PATCHES "M; edges dense at -a, a; s from 1e-15 a; \\|delta\\| to 1 - 1e-9"
 
+const auto draw_stick_zone = [](probe *call) { return draw_slipping(call) != NULL; };
+
 } // namespace
+
+shared_contact draw_slipping(probe *call)
+{
+    if (!some_pressing(call))
+        return NULL;
+    const double f = argument(call, "f", log_between(call, 0.01, 2)), *v = call->value;
+    const shared_contact contact = pressed(call, f);
+    if (!contact)
+        return NULL;
+    const double part = chance(call, 0.3) ? log_between(call, 1e-12, 0.9) : 0.9 * uniform(call);
+    const double Q = argument(call, "Q", either_sign(call, part * f * v[LOAD]));
+    const double most = rwedge_contact_largest_tension_step(contact.get(), Q);
+    const double sigma = argument(
+        call, "sigma", most * (chance(call, 0.2) ? either_sign(call, 1) : 2 * uniform(call) - 1));
+    double *r = call->result;
+    if (rwedge_contact_edges(contact.get(), &r[2], &r[3]) != RWEDGE_OK ||
+        rwedge_contact_apply(contact.get(), v[LOAD], v[MOMENT], Q, sigma) != RWEDGE_OK ||
+        rwedge_contact_stick_zone(contact.get(), &r[0], &r[1]) != RWEDGE_OK)
+        r[0] = NAN;
+    r[4] = most;
+    return contact;
+}
 
 const row ECCENTRIC_ROWS[] = {
     {"contact_edges", PATCHES, "of the width or \\|x\\|, over 1 - \\|delta\\|", 1e-14, "1e-14", 1,

@@ -3,7 +3,7 @@
 #ifndef ECCENTRIC_HPP
 #define ECCENTRIC_HPP
 
-#include <functional>
+#include <vector>
 
 #include "rows/rows.hpp"
 #include "rwedge.h"
@@ -12,17 +12,42 @@ struct ball_edges {
     ball left, right;
 };
 
+/* An arc of a profile, and its part of the angle between the outermost slopes. */
+struct arc {
+    ball middle, half, weight;
+};
+typedef std::vector<arc> profile;
+
+/* The wedge with the rounding a; 0 is a corner. */
+inline profile wedge(const ball &a)
+{
+    return {{0, a, 1}};
+}
+
 /* What a patch carries, and how fast it changes with the edges: dP = u dr - v dl, pi s d delta =
  * u dr + v dl. */
 struct carried {
     ball P, M, tilt, u, v, middle, half;
 };
 
-carried carried_by(const ball &a, const ball_edges &e);
+carried carried_by(const profile &arcs, const ball_edges &e);
 
-/* The patch near a guess that carries P and M, in theta/A; indeterminate where none is proved. */
-ball_edges patch_carrying(const std::function<carried(const ball_edges &)> &carry, const ball &P,
-                          const ball &M, const double guess[2]);
+/* The patch near a guess that carries P and so much of M or of the tilt, in theta/A; indeterminate
+ * where none is proved. */
+ball_edges patch_carrying(const profile &arcs, const ball &P, ball carried::*other,
+                          const ball &much, const double guess[2]);
+
+/* 1 - |delta| */
+ball flatness(const ball &tilt);
+
+/* The width of a patch, or |x| at its edges where that is larger. */
+ball reach_of(const ball_edges &e);
+
+/* The larger error of two edges over a scale. */
+ball edges_error(const double answer[2], const ball_edges &e, const ball &scale);
+
+/* The contact under its first load; none where it could not be created, or M tilts too far. */
+shared_contact pressed(int32_t status, rwedge_contact *created, double P, double M);
 
 /* Arguments of a contact that slips in one step of Q and sigma, the latter up to its limit.
  * result: the edges of the stick zone and of the contact, as the library finds them. None where the

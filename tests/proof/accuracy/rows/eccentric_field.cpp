@@ -42,7 +42,7 @@ breakpoint breakpoint_at(const ball &place, const ball &k)
 
 profile_patch patch_of(const ball &a, const ball_edges &e)
 {
-    const carried c = carried_by(a, e);
+    const carried c = carried_by(wedge(a), e);
     profile_patch p = {c.middle, c.half, c.tilt, -a <= e.left ? 1 / a : 0, {}};
     for (const ball &at : {-a, a})
         if (!(at <= e.left) && !(at >= e.right))

@@ -9,41 +9,31 @@
 namespace
 {
 
-/* alpha, f, c, x, y; not on the surface at an edge. */
-std::function<bool(probe *)> of_smooth_case(int32_t (*derivatives)(const double *v, double *d))
+/* Not on the surface at an edge. */
+bool is_smooth(const probe &call)
 {
-    return [=](probe *call) {
-        double v[5];
-        v[0] = argument(call, "alpha", some_alpha(call));
-        v[1] = argument(call, "f", some_friction(call));
-        v[2] = argument(call, "c", chance(call, 0.3) ? 0 : some_fraction(call, fmin(v[0], 1)));
-        some_point(call, v[0], v[2], &v[3], &v[4]);
-        const double place = fabs(v[3]);
-        return (v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0))) &&
-               gives_if(call, derivatives(v, call->result), call->result[0]);
-    };
+    const double *v = call.value, place = fabs(v[3]);
+    return v[4] > 0 || (place != 1 && place != v[0] && (place != v[2] || v[2] == 0));
 }
 
-/* y G'', 0 on the surface. */
-complex_ball depth_bend(const patch &p, const complex_ball &z)
+double some_stick_zone(probe *call)
 {
-    return is_zero(im(z)) ? complex_ball() : im(z) * p.bends(z).second;
+    return chance(call, 0.3) ? 0 : some_c(call);
 }
 
-potentials by_x(const patch &p, const complex_ball &z)
+potentials along_x(const patch &p, const complex_ball &z)
 {
-    return {p.slope(z), depth_bend(p, z)};
+    return by_x(p, z).first;
 }
 
-potentials by_y(const patch &p, const complex_ball &z)
+potentials along_y(const patch &p, const complex_ball &z)
 {
-    const potentials x = by_x(p, z);
-    return {times_i(x.G), x.G + times_i(x.H)};
+    return turned(along_x(p, z));
 }
 
 potentials by_rounding(const patch &p, const complex_ball &z)
 {
-    const potentials x = by_x(p, z), width = by_half_width(p, z);
+    const potentials x = along_x(p, z), width = by_half_width(p, z);
     const ball y = im(z);
     return {-width.G - z * x.G, -width.H - y * x.G - z * x.H};
 }
@@ -61,25 +51,24 @@ ball size_of(const potentials &c)
 
 typedef potentials (*derivative)(const patch &p, const complex_ball &z);
 
-fields changed(const probe &call, derivative by, const ball &factor)
+/* Of the patch pressed to the half-width c, if that is not 0. */
+potentials rate_of(const probe &call, derivative by, double c)
 {
     const double *v = call.value;
-    const complex_ball z(v[3], v[4]);
-    const potentials N = factor * by(patch(v[0], 1), z);
-    if (v[2] == 0)
-        return {N, ball(v[1]) * N, fmax(1, v[1]) * size_of(N)};
-    const potentials stick = factor * by(patch(v[0], v[2]), z);
-    return {N, ball(v[1]) * (N - stick), fmax(1, v[1]) * size_of(N) + v[1] * size_of(stick)};
+    return c > 0 ? by(patch(v[0], c), {v[3], v[4]}) : potentials();
+}
+
+fields changed(const probe &call, derivative by, const ball &factor)
+{
+    const double f = call.value[1], c = call.value[2];
+    const potentials N = factor * rate_of(call, by, 1), stick = factor * rate_of(call, by, c);
+    return {N, ball(f) * (N - stick), fmax(1, f) * size_of(N) + f * size_of(stick)};
 }
 
 fields by_friction(const probe &call)
 {
-    const double *v = call.value;
-    const complex_ball z(v[3], v[4]);
-    const potentials N = patch(v[0], 1).at(z);
-    if (v[2] == 0)
-        return {{}, N, size_of(N)};
-    const potentials stick = patch(v[0], v[2]).at(z);
+    const derivative none = [](const patch &p, const complex_ball &z) { return p.at(z); };
+    const potentials N = rate_of(call, none, 1), stick = rate_of(call, none, call.value[2]);
     return {{}, N - stick, size_of(N) + size_of(stick)};
 }
 
@@ -90,7 +79,7 @@ fields by_stick_zone(const probe &call)
     const complex_ball z(v[3], v[4]);
     potentials stick;
     if (v[2] > 0)
-        stick = ball(v[1]) / v[2] * by_half_width(patch(v[0], v[2]), z);
+        stick = ball(v[1]) / v[2] * rate_of(call, by_half_width, v[2]);
     else if (v[0] == 0)
         stick = 2 / pi() * v[1] * potentials{inv(z), -im(z) * inv(sqr(z))};
     return {{}, potentials{} - stick, size_of(stick)};
@@ -106,8 +95,8 @@ ball error_of(const double *result, const fields &exact)
 
 ball judge_gradient(const probe &call)
 {
-    return max(error_of(call.result, changed(call, by_x, 1)),
-               error_of(call.result + 3, changed(call, by_y, 1)));
+    return max(error_of(call.result, changed(call, along_x, 1)),
+               error_of(call.result + 3, changed(call, along_y, 1)));
 }
 
 /* How fast the load of a patch grows with the rounding, but for a factor; over the distance. */
@@ -136,22 +125,17 @@ ball judge_sensitivity(const probe &call)
                                                error_of(call.result + 6, by_stick_zone(call))));
 }
 
+const drawn alpha = {"alpha", some_alpha}, f = {"f", some_friction}, c = {"c", some_stick_zone};
+const std::vector<drawn> PLACE = {alpha, f, c, some_point};
+
 #define PLACES "as for `stress`, but not the edges themselves"
 
 } // namespace
 
 const row GRADIENT_ROWS[] = {
     {"stress_gradient", PLACES, "of the parts", 1e-12, "1e-12", 1,
-     of_smooth_case([](const double *v, double *d) {
-         return rwedge_stress_gradient(v[0], v[1], v[2], v[3], v[4], d, d + 1, d + 2, d + 3, d + 4,
-                                       d + 5);
-     }),
-     judge_gradient},
+     calling(rwedge_stress_gradient, PLACE, is_smooth), judge_gradient},
     {"stress_sensitivity", PLACES, "of the parts", 1e-12, "1e-12", 1,
-     of_smooth_case([](const double *v, double *d) {
-         return rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], d, d + 1, d + 2, d + 3,
-                                          d + 4, d + 5, d + 6, d + 7, d + 8);
-     }),
-     judge_sensitivity},
+     calling(rwedge_stress_sensitivity, PLACE, is_smooth), judge_sensitivity},
     {},
 };

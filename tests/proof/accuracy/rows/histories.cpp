@@ -88,99 +88,84 @@ template <double (*measured)(const rwedge_contact *)> bool draw_measured(probe *
 
 /* ---- The exact state ---- */
 
-struct load_point {
-    ball load, shear;
-};
-
 /* P and Q/f of a load; to 8 epsilon full sliding is full sliding. */
-load_point load_of(const probe &call, int i)
+void advance(path *now, const probe &call, int i)
 {
     const double P = call.P[i], Q = call.Q[i], f = call.value[FRICTION];
     const double last = i > 0 ? call.P[i - 1] : 0;
     if (fabs(fabs(Q) - f * P) <= 8 * DBL_EPSILON * f * fmax(P, last))
-        return {P, Q > 0 ? P : -P};
-    return {P, ball(Q) / f};
+        now->advance(P, Q > 0 ? P : -P);
+    else
+        now->advance(P, ball(Q) / f);
 }
 
-struct state {
-    const probe &call;
-    ball theta, A, a, f, unit; /* unit: theta/A */
-    path now;
-
-    explicit state(const probe &of_call)
-        : call(of_call), theta(call.value[0]), A(call.value[1]), a(call.value[2]), f(call.value[3]),
-          unit(theta / A)
-    {
-    }
+/* A remembered corner of the path: the half-width under its load, and D less that beyond it. A load
+ * of the diagram has the rounding of the largest one: `off` is how far the half-width may be off,
+ * 1e-14 or more, relatively. */
+struct ring {
+    ball width, weight;
+    double off;
 };
 
-void advance(state *s, int i)
-{
-    const load_point to = load_of(s->call, i);
-    s->now.advance(to.load, to.shear);
-}
+/* closeness: D is a quotient of differences of loads. How much it magnifies their rounding where
+ * they are close to each other; 1 where they differ by 1e-2 of the load or more. */
+struct state {
+    ball theta, A, a, f, unit; /* unit: theta/A */
+    path now;
+    double closeness = 1, largest = 0;
 
-state run_history(const probe &call)
-{
-    state s(call);
-    for (int i = 0; i < call.loads; i++)
-        advance(&s, i);
-    return s;
-}
+    explicit state(const probe &call)
+        : theta(call.value[THETA]), A(call.value[COMPLIANCE]), a(call.value[ROUNDING]),
+          f(call.value[FRICTION]), unit(theta / A)
+    {
+        for (int i = 0; i < call.loads; i++) {
+            const double P = call.P[i], step = i > 0 ? fabs(P - call.P[i - 1]) : 0;
+            advance(&now, call, i);
+            largest = fmax(largest, P);
+            if (step > 0)
+                closeness = fmax(closeness, 1e-2 * P / step);
+        }
+    }
 
-/* The half-width under a load of the path. */
-ball width_of(const state &s, const ball &load)
-{
-    const double *v = s.call.value;
-    return half_width(s.a, load / s.unit, rwedge_half_width(v[0], v[2], v[1], middle(load)));
-}
+    ring ring_at(int i) const
+    {
+        const ball &load = now[i].load, beyond = i + 1 < now.count() ? now[i + 1].ratio : ball();
+        const double P = middle(load);
+        const double guess = rwedge_half_width(middle(theta), middle(a), middle(A), P);
+        return {half_width(a, load / unit, guess), now[i].ratio - beyond,
+                1e-14 * fmax(1, largest / P)};
+    }
 
-/* D of the corner less that beyond it. */
-ball weight_of(const path &p, int i)
-{
-    return i + 1 < p.count() ? p[i].ratio - p[i + 1].ratio : p[i].ratio;
-}
-
-/* D is a quotient of differences of loads. How much it magnifies their rounding where they are
- * close to each other; 1 where they differ by 1e-2 of the load or more. */
-double closeness(const probe &call)
-{
-    double factor = 1;
-    for (int i = 1; i < call.loads; i++)
-        if (call.P[i] != call.P[i - 1])
-            factor = fmax(factor, 1e-2 * call.P[i] / fabs(call.P[i] - call.P[i - 1]));
-    return factor;
-}
-
-/* A load of the diagram has the rounding of the largest one: by how much more than 1e-14 a
- * half-width may be off. */
-double looseness(const state &s, int i)
-{
-    double largest = 0;
-    for (int j = 0; j < s.call.loads; j++)
-        largest = fmax(largest, s.call.P[j]);
-    return fmax(1, largest / middle(s.now[i].load));
-}
+    /* The innermost first. */
+    std::vector<ring> rings() const
+    {
+        std::vector<ring> all;
+        for (int i = 1; i < now.count(); i++)
+            all.push_back(ring_at(i));
+        return all;
+    }
+};
 
 /* ---- Half-widths ---- */
 
 ball judge_half_width(const probe &call)
 {
-    const state s = run_history(call);
-    return relative_error(call.result[0], width_of(s, s.now.end().load));
+    const state s(call);
+    return relative_error(call.result[0], s.ring_at(s.now.count() - 1).width);
 }
 
 /* The error is that of the stick zone's load, relative to the largest load. */
 ball judge_stick(const probe &call)
 {
-    const state s = run_history(call);
+    const state s(call);
     const int slip = sign(s.now.end().ratio);
     int stick = s.now.count() - 1;
     while (stick > 0 && slip != 0 && is_small(1 - slip * s.now[stick].ratio, 1, (bits - 40) / 2))
         stick--; /* the ring that ends there slips */
     if (stick == 0)
         return relative_error(call.result[0], 0);
-    return relative_error(call.result[0], width_of(s, s.now[stick].load)) / looseness(s, stick);
+    const ring at = s.ring_at(stick);
+    return relative_error(call.result[0], at.width) / (at.off / 1e-14);
 }
 
 /* ---- Tractions ---- */
@@ -198,29 +183,22 @@ template <bool shear> bool draw_tractions(probe *call)
     return x != 0;
 }
 
-/* By how much the pressure of a patch changes if its half-widths are off by 1e-14 and by the
- * rounding of their load. */
-ball change_by_width(const state &s, int i, const ball &width, const ball &x)
-{
-    const ball off = 1e-14 * looseness(s, i);
-    return abs(pressure(s.a, (1 + off) * width, x) - pressure(s.a, (1 - off) * width, x));
-}
-
-/* result, over 1e-13 (theta/A + |p|) f and what half-widths off by 1e-14 change, times 1e-13;
- * for the pressure over 1e-12 |p| and that, times 1e-12. */
+/* result, over 1e-13 (theta/A + |p|) f and what half-widths that are off change, times 1e-13; for
+ * the pressure over 1e-12 |p| and that, times 1e-12. */
 template <bool shear> ball judge_tractions(const probe &call)
 {
-    const state s = run_history(call);
+    const state s(call);
     const double x = call.value[4];
     ball p, q, change, sum;
-    for (int i = 1; i < s.now.count(); i++) {
-        const ball width = width_of(s, s.now[i].load), weight = weight_of(s.now, i);
-        p = pressure(s.a, width, x);
-        q += weight * p;
-        change = change_by_width(s, i, width, x);
-        sum += abs(weight) * change;
+    for (const ring &at : s.rings()) {
+        const ball off = at.off;
+        p = pressure(s.a, at.width, x);
+        q += at.weight * p;
+        change =
+            abs(pressure(s.a, (1 + off) * at.width, x) - pressure(s.a, (1 - off) * at.width, x));
+        sum += abs(at.weight) * change;
     }
-    const ball unit = s.unit * closeness(call);
+    const ball unit = s.unit * s.closeness;
     if (shear)
         return error_over(call.result[0], q * s.f * s.unit,
                           (sum / 1e-13 + abs(p) + 1) * s.f * unit);
@@ -244,58 +222,33 @@ bool draw_stresses(probe *call)
     argument(call, "x", x);
     argument(call, "y", y);
     double *r = call->result;
-    if (rwedge_contact_stresses(contact.get(), 1, &x, &y, &r[0], &r[1], &r[2]) != RWEDGE_OK)
-        r[0] = NAN;
+    gives(call, rwedge_contact_stresses(contact.get(), 1, &x, &y, &r[0], &r[1], &r[2]));
     return x != 0 || y != 0;
 }
 
-/* The potentials of the patch of one corner, stretched. */
-potentials potentials_of(const state &s, int i, double stretch, const complex_ball &z)
-{
-    return patch(s.a, width_of(s, s.now[i].load) * (1 + ball(stretch))).at(z);
-}
-
-/* That of the last corner is the pressure's too. */
-tensor stresses_at(const state &s, const complex_ball &z)
-{
-    potentials p, T;
-    for (int i = 1; i < s.now.count(); i++) {
-        p = potentials_of(s, i, 0, z);
-        T = T + s.f * weight_of(s.now, i) * p;
-    }
-    return tensor_of(superposed(p, T));
-}
-
-/* The norms of what half-widths off by 1e-14, and by what their load's rounding is, change in
- * the stresses of the patches. */
-ball stress_change_by_widths(const state &s, const complex_ball &z)
-{
-    ball sum;
-    for (int i = 1; i < s.now.count(); i++) {
-        const double off = 1e-14 * looseness(s, i);
-        const potentials change = potentials_of(s, i, off, z) - potentials_of(s, i, -off, z);
-        const potentials pressing = i + 1 == s.now.count() ? change : potentials();
-        sum += norm_of(tensor_of(superposed(pressing, s.f * weight_of(s.now, i) * change)));
-    }
-    return sum;
-}
-
-/* Per remembered point: the larger of the norm and 1/(1+|z|/b), and what half-widths change,
- * over 1e-13. */
-ball stress_scale(const state &s, const tensor &stresses, const complex_ball &z)
-{
-    const ball b = width_of(s, s.now.end().load);
-    return max(norm_of(stresses), 1 / (1 + abs(z) / b)) * (s.now.count() - 1) +
-           stress_change_by_widths(s, z) / 1e-13;
-}
-
+/* Per remembered point: over the larger of the norm and 1/(1+|z|/b), and the norms of what
+ * half-widths that are off change in the stresses of the patches, over 1e-13. The patch of the last
+ * corner is the pressure's too. */
 ball judge_stresses(const probe &call)
 {
-    const state s = run_history(call);
+    const state s(call);
+    const std::vector<ring> rings = s.rings();
     const complex_ball z(call.value[4], call.value[5]);
-    const tensor at = stresses_at(s, z);
-    return error_over(call.result, {at.xx * s.unit, at.yy * s.unit, at.xy * s.unit},
-                      stress_scale(s, at, z) * closeness(call) * s.unit);
+    potentials p, T;
+    ball change;
+    for (const ring &at : rings) {
+        const potentials off = patch(s.a, at.width * (1 + ball(at.off))).at(z) -
+                               patch(s.a, at.width * (1 - ball(at.off))).at(z);
+        const potentials pressing = &at == &rings.back() ? off : potentials();
+        p = patch(s.a, at.width).at(z);
+        T = T + s.f * at.weight * p;
+        change += norm_of(tensor_of(superposed(pressing, s.f * at.weight * off)));
+    }
+    const tensor exact = tensor_of(superposed(p, T));
+    const ball floor = 1 / (1 + abs(z) / rings.back().width);
+    const ball scale = max(norm_of(exact), floor) * (double)rings.size() + change / 1e-13;
+    return error_over(call.result, {exact.xx * s.unit, exact.yy * s.unit, exact.xy * s.unit},
+                      scale * s.closeness * s.unit);
 }
 
 } // namespace

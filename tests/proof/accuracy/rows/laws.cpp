@@ -29,18 +29,20 @@ double some_ratio(probe *call)
                         : 0.5 * (int)(between(call, 0, 2));
 }
 
-/* Of two bodies, often alike; all that is drawn has an A in its domain. */
-std::function<bool(probe *)> of_bodies(double (*f)(double, double, double, double))
+/* Of two bodies, often alike. */
+void some_bodies(probe *call)
 {
-    return [=](probe *call) {
-        const double same = uniform(call), *v = call->value;
-        argument(call, "E1", some_modulus(call));
-        argument(call, "nu1", some_ratio(call));
-        argument(call, "E2", same < 0.2 && isfinite(v[0]) ? near(call, v[0]) : some_modulus(call));
-        argument(call, "nu2", same < 0.1 ? v[1] : some_ratio(call));
-        gives(call, f(v[0], v[1], v[2], v[3]));
-        return v[1] > -1 && v[3] > -1 && !(isinf(v[0]) && isinf(v[2]));
-    };
+    const double same = uniform(call), *v = call->value;
+    argument(call, "E1", some_modulus(call));
+    argument(call, "nu1", some_ratio(call));
+    argument(call, "E2", same < 0.2 && isfinite(v[0]) ? near(call, v[0]) : some_modulus(call));
+    argument(call, "nu2", same < 0.1 ? v[1] : some_ratio(call));
+}
+
+bool has_compliance(const probe &call)
+{
+    const double *v = call.value;
+    return v[1] > -1 && v[3] > -1 && !(isinf(v[0]) && isinf(v[2]));
 }
 
 /* 2(1-nu^2)/E. */
@@ -70,13 +72,13 @@ ball beta(const double *v)
 /* alpha^2 d/dalpha of the load is alpha c0 - phi0. */
 ball load_slope(const double *v)
 {
-    const angle phi = angle_of(*v, 1);
-    return *v > 0 ? (*v * phi.c0 - phi.phi0) / sqr(ball(*v)) : 0;
+    const patch p(*v, 1);
+    return *v > 0 ? (*v * p.c0 - p.phi0) / sqr(ball(*v)) : 0;
 }
 
 ball tension_slope(const double *v)
 {
-    return *v < 1 ? -2 * load_slope(v) / sqr(force(*v, 1)) : 0;
+    return *v < 1 ? -2 * load_slope(v) / sqr(patch(*v, 1).load()) : 0;
 }
 
 double some_load(probe *call)
@@ -98,22 +100,23 @@ ball judge_a_over_b(const probe &call)
 
 /* ---- Pressure ---- */
 
-bool is_no_apex(const double *v)
+/* x is the last argument. */
+bool is_no_apex(const probe &call)
 {
-    return v[0] > 0 || v[1] != 0;
+    return call.value[0] > 0 || call.value[call.arguments - 1] != 0;
 }
 
 /* Eq. (10): (2/pi) [phi0/alpha - ln tan(phi0/2)]. */
 ball peak(const double *v)
 {
-    const ball phi0 = angle_of(*v, 1).phi0;
+    const ball phi0 = patch(*v, 1).phi0;
     return 2 / pi() * (phi0 / *v - (*v < 1 ? log(tan(phi0 / 2)) : ball(0)));
 }
 
 /* Eq. (9): (1/pi) [2 phi0 cot(phi0) - ln(tan(phi0) sin(2 phi0)/2)]. */
 ball transition(const double *v)
 {
-    const ball phi0 = angle_of(*v, 1).phi0;
+    const ball phi0 = patch(*v, 1).phi0;
     return *v < 1 ? (2 * phi0 / tan(phi0) - log(tan(phi0) * sin(2 * phi0) / 2)) / pi() : ball(0);
 }
 
@@ -153,7 +156,7 @@ ball judge_coefficient(const probe &call)
     const double alpha = call.value[0], n = call.value[1], m = 2 * n + 1;
     const double sign = fmod(n, 2) == 1 ? -1 : 1;
     if (m == 1) /* (2/pi) load */
-        return relative_error(call.result[0], 2 / pi() * force(alpha, 1));
+        return relative_error(call.result[0], 2 / pi() * patch(alpha, 1).load());
     if (alpha >= 1)
         return relative_error(call.result[0], 0);
     if (alpha == 0)
@@ -165,23 +168,19 @@ ball judge_coefficient(const probe &call)
 
 /* ---- Partial slip ---- */
 
-double some_c(probe *call)
-{
-    return some_fraction(call, fmin(call->value[0], 1));
-}
-
 /* The half-width under the load F(1)(1-Q/(fP)), Eq. (25). */
 ball judge_stick_width(const probe &call)
 {
     const ball sticking = 1 - ball(call.value[1]), a = call.value[0];
-    const ball c = is_zero(sticking) ? 0 : half_width(a, force(a, 1) * sticking, call.result[0]);
+    const ball c =
+        is_zero(sticking) ? 0 : half_width(a, patch(a, 1).load() * sticking, call.result[0]);
     return relative_error(call.result[0], c);
 }
 
 /* 1 - F(c)/F(1). */
 ball shear_ratio(const double *v)
 {
-    return v[1] == 1 ? 0 : v[1] == 0 ? 1 : 1 - force(v[0], v[1]) / force(v[0], 1);
+    return v[1] == 1 ? 0 : v[1] == 0 ? 1 : 1 - patch(v[0], v[1]).load() / patch(v[0], 1).load();
 }
 
 /* p(x; 1) - p(x; c), Eq. (23), (26), (27). */
@@ -198,21 +197,22 @@ const drawn alpha = {"alpha", some_alpha}, tip = {"alpha", some_rounded_alpha}, 
 
 const row LAW_ROWS[] = {
     {"compliance", "E 1e-29 to 1e29, rigid; nu -1 to 0.5", "relative", 4 * EPSILON, "4 eps", 1,
-     of_bodies(rwedge_compliance),
+     calling(rwedge_compliance, {some_bodies}, has_compliance),
      relative_to([](const double *v) { return share(v[0], v[1]) + share(v[2], v[3]); })},
     {"dundurs_beta", "the same", "absolute", 4 * EPSILON, "4 eps", 1,
-     of_bodies(rwedge_dundurs_beta), over([](const double *) { return ball(1); }, beta)},
+     calling(rwedge_dundurs_beta, {some_bodies}, has_compliance),
+     over([](const double *) { return ball(1); }, beta)},
     {"load", ALPHA, "relative", 4 * EPSILON, "4 eps", 1, calling(rwedge_load, {alpha}),
-     relative_to([](const double *v) { return force(*v, 1); })},
+     relative_to([](const double *v) { return patch(*v, 1).load(); })},
     {"load_derivative", ALPHA, "relative", 1e-14, "1e-14", 1,
      calling(rwedge_load_derivative, {alpha}), relative_to(load_slope)},
     {"max_tension_derivative", ALPHA, "relative", 1e-14, "1e-14", 1,
      calling(rwedge_max_tension_derivative, {alpha}), relative_to(tension_slope)},
     {"a_over_b", "1e-119 to 1e60; dense at pi/2, 2e8", "relative", 1e-14, "1e-14", 1,
-     calling(rwedge_a_over_b, {{{"AP_over_theta_a", some_load}}}), judge_a_over_b},
+     calling(rwedge_a_over_b, {{"AP_over_theta_a", some_load}}), judge_a_over_b},
     {"pressure", "alpha; x dense at 0, ±alpha, ±1", "relative", 1e-12, "1e-12", 1,
      calling(rwedge_pressure,
-             {{alpha, {"x", [](probe *call) { return some_place(call, call->value[0], 1); }}}},
+             {alpha, {"x", [](probe *call) { return some_place(call, call->value[0], 1); }}},
              is_no_apex),
      relative_to([](const double *v) { return pressure(v[0], 1, v[1]); })},
     {"peak_pressure", ALPHA, "relative", 1e-14, "1e-14", 1, calling(rwedge_peak_pressure, {tip}),
@@ -220,23 +220,22 @@ const row LAW_ROWS[] = {
     {"transition_pressure", ALPHA, "relative", 1e-14, "1e-14", 1,
      calling(rwedge_transition_pressure, {tip}), relative_to(transition)},
     {"coefficient", "alpha; n 0 to 2^31-1", "relative; at zeros 1e-8 of values around", 1e-14,
-     "1e-14", 1, calling(rwedge_coefficient, {{alpha, {"n", some_number}}}), judge_coefficient},
+     "1e-14", 1, calling(rwedge_coefficient, {alpha, {"n", some_number}}), judge_coefficient},
     {"stick_width", "alpha; Q/(fP) dense at 0, 1", "relative", 1e-14, "1e-14", 1,
      calling(rwedge_stick_width,
-             {{alpha, {"Q_over_fP", [](probe *call) { return some_fraction(call, 0.5); }}}}),
+             {alpha, {"Q_over_fP", [](probe *call) { return some_fraction(call, 0.5); }}}),
      judge_stick_width},
     {"shear_ratio", "alpha; c dense at 0, alpha, 1", "relative", 1e-14, "1e-14", 1,
-     calling(rwedge_shear_ratio, {{alpha, c}}), relative_to(shear_ratio)},
+     calling(rwedge_shear_ratio, {alpha, c}), relative_to(shear_ratio)},
     {"shear", "alpha, c; x dense at 0, ±alpha, ±c, ±1", "of 1 + \\|A p/theta\\|", 1e-14, "1e-14", 1,
-     calling(
-         rwedge_shear,
-         {{alpha,
-           c,
-           {"x", [](probe *call) { return some_place(call, call->value[0], call->value[1]); }}}},
-         [](const double *v) { return v[0] > 0 || v[2] != 0; }),
+     calling(rwedge_shear,
+             {alpha,
+              c,
+              {"x", [](probe *call) { return some_place(call, call->value[0], call->value[1]); }}},
+             is_no_apex),
      over([](const double *v) { return 1 - pressure(v[0], 1, v[2]); }, shear)},
     /* 2 f at the trailing edge over f load; for alpha >= 1 as for 1 */
     {"max_tension", "alpha", "relative", 1e-14, "1e-14", 1, calling(rwedge_max_tension, {alpha}),
-     relative_to([](const double *v) { return 2 / force(fmin(*v, 1), 1); })},
+     relative_to([](const double *v) { return 2 / patch(fmin(*v, 1), 1).load(); })},
     {},
 };

@@ -17,35 +17,43 @@ double some_tip(probe *call)
 }
 
 /* Not the sharp wedge, whose limits are exact. */
-void some_strength(probe *call, double v[3])
+void some_strength(probe *call)
 {
-    v[0] = argument(call, "alpha", some_tip(call));
-    v[1] = argument(call, "f", some_friction(call));
-    v[2] = argument(call, "nu", some_poisson(call));
+    argument(call, "alpha", some_tip(call));
+    argument(call, "f", some_friction(call));
+    argument(call, "nu", some_poisson(call));
 }
 
 /* The maximum at (x, y) of the contact of the first three arguments. */
-bool enclose(extremum *at, const probe &call)
+extremum enclosed(const probe &call)
 {
-    const double *v = call.value, x = call.result[1], y = call.result[2];
-    const sliding_contact t(fmin(v[0], 1), v[1], v[2]);
-    return y > 0 ? find_stationary(at, t, x, y) : find_surface_maximum(at, t, x);
+    const double *v = call.value;
+    return extremum_near({fmin(v[0], 1), v[1], v[2]}, call.result[1], call.result[2]);
 }
 
 /* result[0] is a limit, result[1], result[2] where it is. */
 ball judge_limit(const probe &call)
 {
-    extremum at;
-    if (!enclose(&at, call))
-        return unknown();
-    return relative_error(call.result[0], limit_of(fmin(call.value[0], 1), at.J2));
+    return relative_error(call.result[0], limit_of(fmin(call.value[0], 1), enclosed(call).J2));
+}
+
+/* There is yield at the surface: neither is all of it as high, nor is it 0. */
+bool yields_at_surface(const probe &call)
+{
+    return call.value[2] < 0.5 || call.value[1] > 0;
+}
+
+bool yields_at_point(const probe &call)
+{
+    return yields_at_surface(call) || call.value[0] < 1;
 }
 
 /* The limit is the smaller one of the two branches, and neither of them is below it. */
 bool draw_elastic_limit(probe *call)
 {
-    double v[3], *r = call->result, limit, x, y;
-    some_strength(call, v);
+    double *r = call->result, limit, x, y;
+    const double *v = call->value;
+    some_strength(call);
     if (rwedge_yield_point(v[0], v[1], v[2], &r[0], &r[1], &r[2]) != RWEDGE_OK)
         r[0] = NAN;
     if (rwedge_surface_yield(v[0], v[1], v[2], &limit, &x) == RWEDGE_OK && !(r[0] <= limit))
@@ -54,20 +62,21 @@ bool draw_elastic_limit(probe *call)
         r[0] = NAN;
     if (rwedge_elastic_limit(v[0], v[1], v[2]) != r[0])
         r[0] = NAN;
-    return v[1] > 0 || v[2] < 0.5 || v[0] < 1; /* the whole surface yields */
+    return yields_at_point(*call);
 }
 
 /* ---- Its gradient ---- */
 
 bool draw_limit_gradient(probe *call)
 {
-    double v[3], *r = call->result, limit;
-    some_strength(call, v);
+    double *r = call->result, limit;
+    const double *v = call->value;
+    some_strength(call);
     if (rwedge_yield_point(v[0], v[1], v[2], &limit, &r[1], &r[2]) != RWEDGE_OK ||
         rwedge_elastic_limit_gradient(v[0], v[1], v[2], &r[3], &r[4], &r[5], &r[6]) != RWEDGE_OK ||
         r[6] != (r[2] == 0))
         r[3] = NAN;
-    return v[1] > 0 || v[2] < 0.5 || v[0] < 1;
+    return yields_at_point(*call);
 }
 
 /* d/df of J2 where the traction is f times the pressure, at a fixed point. */
@@ -89,14 +98,12 @@ ball J2_by_half_width(const sliding_contact &t, const complex_ball &z)
 ball judge_limit_gradient(const probe &call)
 {
     const double *v = call.value, *r = call.result, alpha = fmin(v[0], 1);
-    extremum at;
-    if (!enclose(&at, call))
-        return unknown();
+    const extremum at = enclosed(call);
     const sliding_contact t(alpha, v[1], v[2]);
     const complex_ball z(at.x, at.y);
     const ball limit = limit_of(alpha, at.J2), half = limit / (2 * at.J2);
-    const angle phi = angle_of(alpha, 1);
-    const ball of_load = limit / force(alpha, 1) * (alpha * phi.c0 - phi.phi0) / sqr(ball(alpha));
+    const ball of_load =
+        limit / t.shape.load() * (alpha * t.shape.c0 - t.shape.phi0) / sqr(ball(alpha));
     const ball by_alpha = v[0] < 1 ? of_load + half * J2_by_half_width(t, z) / alpha : ball(0);
     const ball by_f = v[1] > 0 ? -half * J2_by_friction(t, z) : ball(0);
     const ball by_nu = half * sqr(sliding(t, t.shape.at(z)).s) * 4 * (1 - 2 * ball(v[2])) / 3;
@@ -108,28 +115,18 @@ ball judge_limit_gradient(const probe &call)
 
 bool draw_subsurface(probe *call)
 {
-    double v[3], *r = call->result;
-    some_strength(call, v);
+    double *r = call->result;
+    const double *v = call->value;
+    some_strength(call);
     const int32_t status = rwedge_subsurface_yield(v[0], v[1], v[2], &r[0], &r[1], &r[2]);
-    return gives_if(call, status) && status != RWEDGE_EABSENT;
-}
-
-bool draw_surface(probe *call)
-{
-    double v[3], *r = call->result;
-    some_strength(call, v);
-    if (rwedge_surface_yield(v[0], v[1], v[2], &r[0], &r[1]) != RWEDGE_OK)
-        r[0] = NAN;
-    return v[2] < 0.5 || v[1] > 0;
+    return gives(call, status) && status != RWEDGE_EABSENT;
 }
 
 /* Over |z|, or over alpha at the surface, and times the flatness where the maximum is flat: next
  * to it J2 falls by 1 - flatness (distance/depth)^2/2. */
 ball judge_place(const probe &call)
 {
-    extremum at;
-    if (!enclose(&at, call))
-        return unknown();
+    const extremum at = enclosed(call);
     const double *r = call.result, tip = fmin(call.value[0], 1);
     const ball scale = r[2] == 0 ? tip : hypot(at.x, at.y);
     return hypot(error_over(r[1], at.x, scale), error_over(r[2], at.y, scale)) *
@@ -139,17 +136,14 @@ ball judge_place(const probe &call)
 /* ---- Critical friction ---- */
 
 /* By how much the maximum below exceeds that of the surface, for all f of the ball, and its
- * derivative by f (that of J2 at the maxima). False where one of them is not proved. */
-bool excess_below(const probe &call, const ball &f, ball *excess, ball *slope)
+ * derivative by f (that of J2 at the maxima). */
+value_slope excess_below(const probe &call, const ball &f)
 {
     const double *r = call.result;
     const sliding_contact t(fmin(call.value[0], 1), f, call.value[1]);
-    extremum below, surface;
-    if (!find_stationary(&below, t, r[1], r[2]) || !find_surface_maximum(&surface, t, r[3]))
-        return false;
-    *slope = J2_by_friction(t, {below.x, below.y}) - J2_by_friction(t, surface.x);
-    *excess = below.J2 - surface.J2;
-    return true;
+    const extremum below = extremum_near(t, r[1], r[2]), surface = extremum_near(t, r[3], 0);
+    return {below.J2 - surface.J2,
+            J2_by_friction(t, {below.x, below.y}) - J2_by_friction(t, surface.x)};
 }
 
 /* The places of both maxima for that friction, in the probe's results. */
@@ -167,8 +161,7 @@ bool is_wrongly_zero(probe *call)
 {
     static const double LEAST = 1e-7;
     const precision here(512);
-    ball excess, slope;
-    return find_places(call, LEAST) && excess_below(*call, LEAST, &excess, &slope) && excess > 0;
+    return find_places(call, LEAST) && excess_below(*call, LEAST).value > 0;
 }
 
 bool draw_critical_friction(probe *call)
@@ -188,11 +181,11 @@ bool draw_critical_friction(probe *call)
 ball judge_critical_friction(const probe &call)
 {
     const double f = call.result[0];
-    ball excess, slope;
-    if (!excess_below(call, f, &excess, &slope))
-        return unknown();
-    return abs(excess / slope) / fmax(f, 1e-3 / f);
+    const value_slope excess = excess_below(call, f);
+    return abs(excess.value / excess.slope) / fmax(f, 1e-3 / f);
 }
+
+const auto draw_surface = calling(rwedge_surface_yield, {some_strength}, yields_at_surface);
 
 } // namespace
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lives: how far the curve at the life is from the value, over its slope. Critical distances. */
 #include <float.h>
+#include <math.h>
+
+#include <array>
 
 #include "rows/rows.hpp"
 #include "rwedge.h"
@@ -10,22 +13,24 @@ namespace
 
 enum { VALUE, MODULUS, STRENGTH, B, DUCTILITY, C };
 
-/* Of a metal; its life may be told. */
-std::function<bool(probe *)>
-living(double (*life)(double, double, double, double, double, double, double),
-       const std::array<const char *, 6> &names, double strength, double modulus)
+/* Of a metal. */
+std::vector<drawn> metal(const std::array<const char *, 6> &names, double modulus, double strength)
 {
-    return [=](probe *call) {
-        const double *v = call->value, &n = call->result[0];
-        argument(call, names[VALUE], log_between(call, 1e-4, 10));
-        argument(call, names[MODULUS], modulus * between(call, 0.5, 2));
-        argument(call, names[STRENGTH], strength * between(call, 0.5, 2));
-        argument(call, names[B], -between(call, 0.05, 0.2));
-        argument(call, names[DUCTILITY], between(call, 0.05, 2));
-        argument(call, names[C], -between(call, 0.4, 0.9));
-        gives(call, life(v[VALUE], v[MODULUS], v[STRENGTH], v[B], v[DUCTILITY], v[C], 0));
-        return isnan(n) || (n > 1e-20 && n < 1e40);
-    };
+    static const double LOW[] = {1e-4, 0.5, 0.5, 0.05, 0.05, 0.4}, HIGH[] = {10, 2, 2, 0.2, 2, 0.9};
+    const double unit[] = {1, modulus, strength, -1, 1, -1};
+    std::vector<drawn> all;
+    for (size_t i = 0; i < names.size(); i++)
+        all.push_back({names[i], [scale = unit[i], i](probe *call) {
+                           return scale *
+                                  (i == VALUE ? log_between : between)(call, LOW[i], HIGH[i]);
+                       }});
+    return all;
+}
+
+bool may_be_told(const probe &call)
+{
+    const double n = call.result[0];
+    return isnan(n) || (n > 1e-20 && n < 1e40);
 }
 
 /* How far the curve first (2N)^slope + second (2N)^other is from the value, over its slope at N:
@@ -62,13 +67,15 @@ double some_size(probe *call)
 
 const row LIFE_ROWS[] = {
     {"smith_watson_topper_life", METALS, "relative", 1e-11, "1e-11", 1,
-     living(rwedge_smith_watson_topper_life, {{"swt", "E", "sf", "b", "ef", "c"}}, 1000, 150e3),
+     calling(rwedge_smith_watson_topper_life,
+             metal({"swt", "E", "sf", "b", "ef", "c"}, 150e3, 1000), may_be_told),
      judge_smith_watson_topper},
     {"fatemi_socie_life", METALS, "relative", 1e-11, "1e-11", 1,
-     living(rwedge_fatemi_socie_life, {{"fatemi_socie", "G", "tf", "b", "gf", "c"}}, 600, 60e3),
+     calling(rwedge_fatemi_socie_life,
+             metal({"fatemi_socie", "G", "tf", "b", "gf", "c"}, 60e3, 600), may_be_told),
      judge_fatemi_socie},
     {"critical_distance", "1e-60 to 1e60", "relative", 4 * DBL_EPSILON, "4 eps", 1,
-     calling(rwedge_critical_distance, {{{"dK_th", some_size}, {"ds0", some_size}}}),
+     calling(rwedge_critical_distance, {{"dK_th", some_size}, {"ds0", some_size}}),
      relative_to([](const double *v) { return sqr(ball(v[0]) / v[1]) / pi(); })},
     {},
 };

@@ -54,30 +54,13 @@ ball largest_shear(const double *v)
     return max(c.R, (off_plane(c, v[3]) + c.R) / 2);
 }
 
-double some_sxx(probe *call)
-{
-    return some_stress(call, 1);
-}
-double some_syy(probe *call)
-{
-    return some_stress(call, call->value[0]);
-}
-double some_txy(probe *call)
-{
-    return some_stress(call, call->value[chance(call, 0.5)]);
-}
-
-const drawn sxx = {"sxx", some_sxx}, syy = {"syy", some_syy}, txy = {"txy", some_txy},
+const drawn sxx = {"sxx", [](probe *call) { return some_stress(call, 1); }},
+            syy = {"syy", [](probe *call) { return some_stress(call, call->value[0]); }},
+            txy = {"txy",
+                   [](probe *call) { return some_stress(call, call->value[chance(call, 0.5)]); }},
             ratio = {"nu", some_poisson};
 
-bool draw_principal(probe *call)
-{
-    double *r = call->result;
-    const double *s = call->value;
-    for (const drawn &a : {sxx, syy, txy})
-        argument(call, a.name, a.value(call));
-    return gives_if(call, rwedge_principal_stresses(s[0], s[1], s[2], &r[0], &r[1], &r[2]));
-}
+const auto draw_principal = calling(rwedge_principal_stresses, {sxx, syy, txy});
 
 /* Of the larger of |s1|, |s2|. */
 ball judge_principal(const probe &call)
@@ -104,12 +87,12 @@ ball judge_angle(const probe &call)
 
 const row MEASURE_ROWS[] = {
     {"von_mises", STRESS "; nu", "relative", 4 * EPSILON, "4 eps", 1,
-     calling(rwedge_von_mises, {{sxx, syy, txy, ratio}}), relative_to(von_mises)},
+     calling(rwedge_von_mises, {sxx, syy, txy, ratio}), relative_to(von_mises)},
     {"out_of_plane_stress", "the same", "relative", 4 * EPSILON, "4 eps", 1,
-     calling(rwedge_out_of_plane_stress, {{sxx, syy, ratio}}),
+     calling(rwedge_out_of_plane_stress, {sxx, syy, ratio}),
      relative_to([](const double *v) { return v[2] * (ball(v[0]) + v[1]); })},
     {"largest_shear", "the same", "relative", 4 * EPSILON, "4 eps", 1,
-     calling(rwedge_largest_shear, {{sxx, syy, txy, ratio}}), relative_to(largest_shear)},
+     calling(rwedge_largest_shear, {sxx, syy, txy, ratio}), relative_to(largest_shear)},
     {"principal_stresses", "the same", "of the larger of \\|s1\\|, \\|s2\\|", 4 * EPSILON, "4 eps",
      1, draw_principal, judge_principal},
     {"principal_stresses, angle", "the same", "absolute", 4 * EPSILON, "4 eps", 1, draw_principal,

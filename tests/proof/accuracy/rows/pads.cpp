@@ -15,14 +15,14 @@ enum { PAD_KIND, SEED, PAD_LOAD, PAD_MOMENT };
 enum { FLAT, WORN, ASYMMETRIC, KINDS };
 
 /* In units of A = 1. */
-struct profile {
+struct pad {
     double a, R;                  /* of a flat pad; its reach is a + R */
     double left, right;           /* a patch that shows what is special */
     std::vector<double> x, slope; /* of any other */
 };
 
 /* Edges from far beyond the flat's corners to 1e-9 beyond them. */
-void draw_flat(probe *own, profile *p)
+void draw_flat(probe *own, pad *p)
 {
     p->a = log_between(own, 1e-3, 1e3);
     p->right = p->a / (1 - log_between(own, 1e-9, 0.99));
@@ -31,7 +31,7 @@ void draw_flat(probe *own, profile *p)
 }
 
 /* Slopes that rise in every arc, in some only a little. */
-void draw_slopes(probe *own, size_t n, profile *p)
+void draw_slopes(probe *own, size_t n, pad *p)
 {
     double x = -1, slope = -0.05 * uniform(own) - 0.01;
     for (size_t i = 0; i < n; i++) {
@@ -45,7 +45,7 @@ void draw_slopes(probe *own, size_t n, profile *p)
     p->right = p->left + log_between(own, 1e-3, 2);
 }
 
-void mirror(profile *p)
+void mirror(pad *p)
 {
     const size_t n = p->x.size();
     for (size_t i = 0; i < n / 2; i++) {
@@ -55,9 +55,9 @@ void mirror(profile *p)
     p->x[n / 2] = p->slope[n / 2] = 0;
 }
 
-profile profile_of(const double v[])
+pad pad_of(const double v[])
 {
-    profile p = {};
+    pad p = {};
     probe own = {};
     own.random = (uint64_t)v[SEED];
     if (v[PAD_KIND] == FLAT)
@@ -71,17 +71,13 @@ profile profile_of(const double v[])
 
 /* ---- Arcs ---- */
 
-struct arc {
-    ball middle, half, weight;
-};
-
-std::vector<arc> arcs_of(const profile &p)
+profile arcs_of(const pad &p)
 {
     if (p.x.empty()) {
         const ball half = ball(p.R) / 2, middle = half + p.a, weight = ball(1) / 2;
         return {{-middle, half, weight}, {middle, half, weight}};
     }
-    std::vector<arc> arcs;
+    profile arcs;
     const ball all = ball(p.slope.back()) - p.slope.front();
     for (size_t i = 1; i < p.x.size(); i++)
         arcs.push_back({(ball(p.x[i]) + p.x[i - 1]) / 2, (ball(p.x[i]) - p.x[i - 1]) / 2,
@@ -90,29 +86,9 @@ std::vector<arc> arcs_of(const profile &p)
 }
 
 /* Half of the angle between the outermost slopes; 1 of a flat pad. */
-ball angle_of(const profile &p)
+ball angle_of(const pad &p)
 {
     return p.x.empty() ? 1 : (ball(p.slope.back()) - p.slope.front()) / 2;
-}
-
-carried carried_by(const std::vector<arc> &arcs, const ball_edges &e)
-{
-    const ball middle = (e.left + e.right) / 2;
-    carried sum = {0, 0, 0, 0, 0, middle, (e.right - e.left) / 2};
-    for (const arc &part : arcs) {
-        const ball from = part.middle - part.half, to = part.middle + part.half;
-        if (from >= e.right || to <= e.left) {
-            sum.tilt += from >= e.right ? -part.weight : part.weight;
-            continue;
-        }
-        const carried c = carried_by(part.half, {e.left - part.middle, e.right - part.middle});
-        sum.P += part.weight * c.P;
-        sum.M += part.weight * (c.M + part.middle * c.P);
-        sum.tilt += part.weight * c.tilt;
-        sum.u += part.weight * c.u;
-        sum.v += part.weight * c.v;
-    }
-    return sum;
 }
 
 /* ---- What is drawn ---- */
@@ -123,7 +99,7 @@ bool some_pad(probe *call, int kinds)
     argument(call, "kind", (int)(kinds * uniform(call)));
     argument(call, "seed", 1 + floor(1e9 * uniform(call)));
     const precision here(256);
-    const profile p = profile_of(call->value);
+    const pad p = pad_of(call->value);
     const carried c = carried_by(arcs_of(p), {p.left, p.right});
     const double unit = middle(angle_of(p));
     const double P = argument(call, "P", middle(c.P) * unit), M = middle(c.M) * unit;
@@ -133,17 +109,13 @@ bool some_pad(probe *call, int kinds)
 
 shared_contact pressed(const double v[])
 {
-    const profile p = profile_of(v);
+    const pad p = pad_of(v);
     rwedge_contact *made = NULL;
     const int32_t status =
         p.x.empty()
             ? rwedge_contact_create_flat(p.a, p.R, 1, 0.5, &made)
             : rwedge_contact_create_profile(p.x.size(), p.x.data(), p.slope.data(), 1, 0.5, &made);
-    const shared_contact contact = shared(made);
-    return status == RWEDGE_OK &&
-                   rwedge_contact_apply(made, v[PAD_LOAD], v[PAD_MOMENT], 0, 0) == RWEDGE_OK
-               ? contact
-               : NULL;
+    return pressed(status, made, v[PAD_LOAD], v[PAD_MOMENT]);
 }
 
 /* ---- Edges ---- */
@@ -152,20 +124,19 @@ template <int kinds> bool draw_edges(probe *call)
 {
     const shared_contact contact = some_pad(call, kinds) ? pressed(call->value) : NULL;
     double *r = call->result;
-    return contact && gives_if(call, rwedge_contact_edges(contact.get(), &r[0], &r[1])) &&
-           gives_if(call, rwedge_contact_beyond_flat(contact.get(), &r[2], &r[3]));
+    return contact && gives(call, rwedge_contact_edges(contact.get(), &r[0], &r[1])) &&
+           gives(call, rwedge_contact_beyond_flat(contact.get(), &r[2], &r[3]));
 }
 
-ball_edges edges_near(const profile &p, const double v[], const double guess[2])
+ball_edges edges_near(const pad &p, const double v[], const double guess[2])
 {
-    const std::vector<arc> arcs = arcs_of(p);
     const ball theta = angle_of(p);
-    return patch_carrying([&](const ball_edges &e) { return carried_by(arcs, e); },
-                          v[PAD_LOAD] / theta, v[PAD_MOMENT] / theta, guess);
+    return patch_carrying(arcs_of(p), v[PAD_LOAD] / theta, &carried::M, v[PAD_MOMENT] / theta,
+                          guess);
 }
 
 /* What a flat magnifies: the root of 1 - a/b. */
-ball narrowness(const profile &p, const ball_edges &e)
+ball narrowness(const pad &p, const ball_edges &e)
 {
     return p.x.empty() ? sqrt(1 - p.a / e.right) : ball(1);
 }
@@ -173,20 +144,17 @@ ball narrowness(const profile &p, const ball_edges &e)
 ball judge_edges(const probe &call)
 {
     const double *r = call.result;
-    const profile p = profile_of(call.value);
+    const pad p = pad_of(call.value);
     const ball_edges e = edges_near(p, call.value, r);
-    const ball width = e.right - e.left, reach = max(width, max(abs(e.left), abs(e.right)));
     const carried c = carried_by(arcs_of(p), e);
-    const ball flat = 1 - abs(c.tilt);
     const ball even = min(c.u, c.v) / max(c.u, c.v);
-    return max(error_over(r[0], e.left, reach), error_over(r[1], e.right, reach)) * flat * even *
-           narrowness(p, e);
+    return edges_error(r, e, reach_of(e)) * flatness(c.tilt) * even * narrowness(p, e);
 }
 
 ball judge_beyond_flat(const probe &call)
 {
     const double *r = call.result;
-    const profile p = profile_of(call.value);
+    const pad p = pad_of(call.value);
     const double guess[2] = {-p.a - r[2], p.a + r[2]};
     const ball_edges e = edges_near(p, call.value, guess);
     return max(relative_error(r[2], -e.left - p.a), relative_error(r[3], e.right - p.a));

@@ -3,55 +3,62 @@
  * stresses s1, s2 and szz. Cycles of more loads are scanned in tests/lib/measures/. */
 #include <math.h>
 
+#include <algorithm>
+
 #include "rows/rows.hpp"
 #include "rwedge.h"
 
 namespace
 {
 
-enum { LOADS = 2 };
+enum { NU = 3 };
 
 /* ---- Opposite loads ---- */
 
-typedef struct {
-    double sxx[LOADS], syy[LOADS], txy[LOADS], nu;
-} cycle;
+/* Stresses of one load, and nu; the other load is the opposite one. */
+void some_cycle(probe *call)
+{
+    const double size = log_between(call, 1e-50, 1e50);
+    for (const char *name : {"sxx", "syy", "txy"})
+        argument(call, name, size * between(call, -1, 1));
+    argument(call, "nu", some_poisson(call));
+}
 
 /* Whether the principal stresses are apart: where they are nearly equal a curve of planes is nearly
  * as bad, and the header promises less. */
-bool are_apart(const double s[3], double nu)
+bool are_apart(const double *v)
 {
-    const double mean = (s[0] + s[1]) / 2, R = hypot((s[0] - s[1]) / 2, s[2]), z = 2 * nu * mean;
+    const double mean = (v[0] + v[1]) / 2, R = hypot((v[0] - v[1]) / 2, v[2]), z = 2 * v[NU] * mean;
     const double least = 1e-3 * (fabs(mean) + R);
     return R > least && fabs(mean + R - z) > least && fabs(mean - R - z) > least;
 }
 
-/* Stresses of one load, and nu; the other load is the opposite one. */
-bool draw_cycle(probe *call, cycle *c)
-{
-    static const char *const NAMES[] = {"sxx", "syy", "txy"};
-    const double size = log_between(call, 1e-50, 1e50);
-    double s[3];
-    for (int i = 0; i < 3; i++)
-        s[i] = argument(call, NAMES[i], size * between(call, -1, 1));
-    const double nu = argument(call, "nu", some_poisson(call));
-    *c = {{s[0], -s[0]}, {s[1], -s[1]}, {s[2], -s[2]}, nu};
-    return are_apart(s, nu);
-}
+/* A function of strains takes E before nu. Its principal stresses are apart, or are any. */
+enum { STRESSES, STRAINS };
+enum { APART, ANY };
 
-/* The parameter of a cycle, whose last arguments these are; r: its value and its plane. `any`: of
- * principal stresses that are nearly equal too. */
-std::function<bool(probe *)>
-of_cycle(const std::vector<drawn> &others,
-         int32_t (*parameter)(const cycle &c, const double *v, double *r), bool any = false)
+/* The parameter of a cycle, and its plane; what is not drawn is 0. */
+template <typename... Rest>
+std::function<bool(probe *)> of_cycle(int32_t (*parameter)(size_t, const double *, const double *,
+                                                           const double *, Rest...),
+                                      const std::vector<drawn> &others, int kind, int loads)
 {
     return [=](probe *call) {
-        cycle c;
-        if (!draw_cycle(call, &c) && !any)
+        some_cycle(call);
+        double v[ARGUMENTS_MAX], opposite[3][2];
+        if (loads == APART && !are_apart(call->value))
             return false;
         for (const drawn &a : others)
-            argument(call, a.name, a.value(call));
-        return gives_if(call, parameter(c, call->value, call->result), call->result[0]);
+            a.draw(call);
+        std::copy_n(call->value, ARGUMENTS_MAX, v);
+        if (kind == STRAINS)
+            std::swap(v[NU], v[NU + 1]);
+        for (int i = 0; i < 3; i++)
+            opposite[i][0] = v[i], opposite[i][1] = -v[i];
+        in_order next = {v + NU, call->result};
+        const std::tuple<size_t, const double *, const double *, const double *, Rest...> all{
+            2, opposite[0], opposite[1], opposite[2], (Rest)next...};
+        return gives(call, std::apply(parameter, all));
     };
 }
 
@@ -59,9 +66,17 @@ double some_part(probe *call)
 {
     return chance(call, 0.1) ? 0 : between(call, 0, 1);
 }
-double some_E(probe *call)
+
+/* A number of the size of a stress, or of its inverse. */
+double some_stress(probe *call, double lo, double hi)
 {
-    return log_between(call, 1e-3, 1e6);
+    return fabs(call->value[0]) * between(call, lo, hi);
+}
+
+double some_k_over_sy(probe *call)
+{
+    const double k = log_between(call, 1e-3, 1e3) / fabs(call->value[0]);
+    return chance(call, 0.1) ? 0 : k;
 }
 
 /* The largest principal stress of the load that was drawn, the one between, the smallest. */
@@ -231,81 +246,33 @@ ball judge_fatemi_socie_on_z(const probe &call)
 
 #define OPPOSITE "two opposite loads, principal stresses apart by 1e-3"
 
+const drawn E = {"E", [](probe *call) { return log_between(call, 1e-3, 1e6); }},
+            k_over_sy = {"k_over_sy", some_k_over_sy}, k = {"k", some_part},
+            alpha = {"alpha", some_part},
+            kappa = {"kappa", [](probe *call) { return some_stress(call, 0, 1); }},
+            t_A = {"t_A", [](probe *call) { return 1e-50 + some_stress(call, 0.1, 10); }},
+            su = {"su", [](probe *call) { return call->value[4] * between(call, 1, 10); }};
+
 } // namespace
 
 const row PLANE_ROWS[] = {
     {"smith_watson_topper", "two opposite loads", "of s^2 (1+nu)/E", 1e-14, "1e-14", 1,
-     of_cycle(
-         {{"E", some_E}},
-         [](const cycle &c, const double *v, double *r) {
-             return rwedge_smith_watson_topper(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, r, r + 1);
-         },
-         true),
-     judge_swt_on_z},
+     of_cycle(rwedge_smith_watson_topper, {E}, STRAINS, ANY), judge_swt_on_z},
     {"fatemi_socie", "two opposite loads; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 1,
-     of_cycle(
-         {{"E", some_E},
-          {"k_over_sy",
-           [](probe *call) {
-               const double k = log_between(call, 1e-3, 1e3) / fabs(call->value[0]);
-               return chance(call, 0.1) ? 0 : k;
-           }}},
-         [](const cycle &c, const double *v, double *r) {
-             return rwedge_fatemi_socie(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, v[5], r, r + 1);
-         },
-         true),
-     judge_fatemi_socie_on_z},
+     of_cycle(rwedge_fatemi_socie, {E, k_over_sy}, STRAINS, ANY), judge_fatemi_socie_on_z},
     {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
-     of_cycle({{"E", some_E}},
-              [](const cycle &c, const double *v, double *r) {
-                  return rwedge_smith_watson_topper_planes(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu,
-                                                           0, r, r + 1, r + 2);
-              }),
-     judge_smith_watson_topper},
+     of_cycle(rwedge_smith_watson_topper_planes, {E}, STRAINS, APART), judge_smith_watson_topper},
     {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
-     of_cycle({{"E", some_E}},
-              [](const cycle &c, const double *v, double *r) {
-                  return rwedge_fatemi_socie_planes(LOADS, c.sxx, c.syy, c.txy, v[4], c.nu, 0, 0, r,
-                                                    r + 1, r + 2);
-              }),
-     judge_fatemi_socie},
+     of_cycle(rwedge_fatemi_socie_planes, {E}, STRAINS, APART), judge_fatemi_socie},
     {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1,
-     of_cycle({{"k", some_part}},
-              [](const cycle &c, const double *v, double *r) {
-                  return rwedge_findley(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r, r + 1, r + 2);
-              }),
-     judge_findley},
+     of_cycle(rwedge_findley, {k}, STRESSES, APART), judge_findley},
     {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1,
-     of_cycle({{"kappa", [](probe *call) { return fabs(call->value[0]) * between(call, 0, 1); }}},
-              [](const cycle &c, const double *v, double *r) {
-                  return rwedge_modified_wohler(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r, r + 1,
-                                                r + 2);
-              }),
-     judge_modified_wohler},
+     of_cycle(rwedge_modified_wohler, {kappa}, STRESSES, APART), judge_modified_wohler},
     {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1,
-     of_cycle({{"t_A",
-                [](probe *call) { return 1e-50 + fabs(call->value[0]) * between(call, 0.1, 10); }},
-               {"su", [](probe *call) { return call->value[4] * between(call, 1, 10); }}},
-              [](const cycle &c, const double *v, double *r) {
-                  return rwedge_mcdiarmid(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], v[5], r, r + 1,
-                                          r + 2);
-              }),
-     judge_mcdiarmid},
+     of_cycle(rwedge_mcdiarmid, {t_A, su}, STRESSES, APART), judge_mcdiarmid},
     {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1,
-     of_cycle(
-         {{"alpha", some_part}},
-         [](const cycle &c, const double *v, double *r) {
-             return rwedge_crossland(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r);
-         },
-         true),
-     judge_sphere<false>},
+     of_cycle(rwedge_crossland, {alpha}, STRESSES, ANY), judge_sphere<false>},
     {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1,
-     of_cycle(
-         {{"alpha", some_part}},
-         [](const cycle &c, const double *v, double *r) {
-             return rwedge_dang_van(LOADS, c.sxx, c.syy, c.txy, c.nu, v[4], r);
-         },
-         true),
-     judge_sphere<true>},
+     of_cycle(rwedge_dang_van, {alpha}, STRESSES, ANY), judge_sphere<true>},
     {},
 };

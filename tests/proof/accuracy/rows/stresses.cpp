@@ -8,27 +8,10 @@
 namespace
 {
 
-/* alpha, f, c, x, y */
-void some_case(probe *call, bool slides, double v[5])
+bool is_no_apex(const probe &call)
 {
-    v[0] = argument(call, "alpha", some_alpha(call));
-    v[1] = argument(call, "f", some_friction(call));
-    v[2] = argument(call, "c", slides ? 0 : some_fraction(call, fmin(v[0], 1)));
-    some_point(call, v[0], v[2], &v[3], &v[4]);
-}
-
-bool is_apex(const double v[5])
-{
-    return v[0] == 0 && v[3] == 0 && v[4] == 0;
-}
-
-template <bool slides> bool draw_stress(probe *call)
-{
-    double v[5], *s = call->result;
-    some_case(call, slides, v);
-    if (is_apex(v))
-        return false;
-    return gives_if(call, rwedge_stress(v[0], v[1], v[2], v[3], v[4], &s[0], &s[1], &s[2]));
+    const double *v = call.value;
+    return v[0] > 0 || v[3] != 0 || v[4] != 0;
 }
 
 /* The largest of the components' errors, over the larger of the norm and max(1, f)/(1+|z|). */
@@ -42,6 +25,9 @@ ball judge_stress(const probe &call)
     return error_over(call.result, s, max(norm_of(s), fmax(1, v[1]) / (abs(z) + 1)));
 }
 
+const drawn alpha = {"alpha", some_alpha}, f = {"f", some_friction},
+            none = {"c", [](probe *) { return 0.0; }}, c = {"c", some_c};
+
 #define MEASURE "of max(norm, max(1, f)/(1+\\|z\\|))"
 
 } // namespace
@@ -49,8 +35,9 @@ ball judge_stress(const probe &call)
 const row STRESS_ROWS[] = {
     {"stress, full sliding",
      "alpha; f 0 to 1e6; points at all scales around 0, ±alpha, ±1, y = 0, far to 1e60", MEASURE,
-     1e-13, "1e-13", 1, draw_stress<true>, judge_stress},
+     1e-13, "1e-13", 1, calling(rwedge_stress, {alpha, f, none, some_point}, is_no_apex),
+     judge_stress},
     {"stress, partial slip", "also c dense at 0, alpha, 1, and around ±c", MEASURE, 1e-13, "1e-13",
-     1, draw_stress<false>, judge_stress},
+     1, calling(rwedge_stress, {alpha, f, c, some_point}, is_no_apex), judge_stress},
     {},
 };

@@ -659,7 +659,9 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * again, without what was dissipated in between. Relative error of each load's share below 1e-12,
  * plus epsilon times P over the change of Q/f where slip reaches an older layer. Off the centre it
  * is below 1e-12 plus 1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta),
- * and with |x| at the edges over the width where that is above 1. */
+ * and with |x| at the edges over the width where that is above 1. A load without a closed form
+ * under which P or M change has no such accuracy: where little slips, its share may be wrong by its
+ * own size. Smaller loads make it better. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of

@@ -15,15 +15,12 @@
 
 /* ---- An allocator that fails ---- */
 
-enum { MOST_NOTED = 1000 };
-
 static struct {
     bool inside;    /* a call of the library: nothing else counts, or fails */
     size_t calls;   /* since the last arm() */
     size_t failing; /* the number of the call that fails; 0: none */
     bool for_ever;
-    long outstanding;               /* blocks that are not freed */
-    const void *caller[MOST_NOTED]; /* of the first calls */
+    long outstanding; /* blocks that are not freed */
 } heap;
 
 #ifdef PROGRAM_HEAP
@@ -34,9 +31,6 @@ static struct {
 #define REAL(function) __real_##function
 #endif
 
-/* Where in the program the allocation is. */
-#define CALLER __builtin_return_address(0)
-
 void *REAL(malloc)(size_t size);
 void *REAL(calloc)(size_t count, size_t size);
 void *REAL(realloc)(void *block, size_t size);
@@ -46,12 +40,10 @@ void *HEAP(calloc)(size_t count, size_t size);
 void *HEAP(realloc)(void *block, size_t size);
 void HEAP(free)(void *block);
 
-static bool is_granted(const void *caller)
+static bool is_granted(void)
 {
     if (!heap.inside)
         return true;
-    if (heap.calls < MOST_NOTED)
-        heap.caller[heap.calls] = caller;
     heap.calls++;
     return heap.failing == 0 ||
            (heap.for_ever ? heap.calls < heap.failing : heap.calls != heap.failing);
@@ -65,17 +57,17 @@ static void *counted(void *block)
 
 void *HEAP(malloc)(size_t size)
 {
-    return is_granted(CALLER) ? counted(REAL(malloc)(size)) : NULL;
+    return is_granted() ? counted(REAL(malloc)(size)) : NULL;
 }
 
 void *HEAP(calloc)(size_t count, size_t size)
 {
-    return is_granted(CALLER) ? counted(REAL(calloc)(count, size)) : NULL;
+    return is_granted() ? counted(REAL(calloc)(count, size)) : NULL;
 }
 
 void *HEAP(realloc)(void *block, size_t size)
 {
-    if (!is_granted(CALLER))
+    if (!is_granted())
         return NULL;
     return block == NULL ? counted(REAL(realloc)(block, size)) : REAL(realloc)(block, size);
 }
@@ -123,17 +115,14 @@ CLAIM(allocations_of_other_libraries_are_seen)
 
 /* ---- Every call ---- */
 
-/* Arguments that are drawn for a call; allocations of which each fails: of more, most at the
- * beginning, and the first of each place in the program. A computed contact has fewer, as it takes
- * its time. */
-enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 20, FEW_COMPUTED = 4 };
+/* Arguments that are drawn for a call. A computed contact has fewer, as it takes its time. */
+enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 40 };
 
 typedef struct {
     public_call call; /* that may lack memory */
     bool is_computed; /* the contact that it takes */
     double v[CALL_ARGUMENTS], out[CALL_OUTPUTS];
     size_t allocations;
-    bool is_first[MOST_NOTED]; /* of its place in the program */
 } trial;
 
 /* The status of the trial's call where the allocation of that number fails; 0: none. */
@@ -159,32 +148,18 @@ static void assert_same_again(const trial *t)
     assert_memory_equal(again, t->out, sizeof again);
 }
 
-/* A computed load may go without returning to closed form. */
+/* Each of the first FEW, then fewer and fewer: a computed contact makes hundreds. It may go without
+ * returning to closed form. */
 static void fail_each(const trial *t)
 {
-    const size_t few = t->is_computed ? FEW_COMPUTED : FEW;
-    for (size_t k = 1, next = 1; k <= t->allocations; k++) {
-        if (k == next)
-            next += 1 + k / few;
-        else if (k > MOST_NOTED || !t->is_first[k - 1])
-            continue;
+    for (size_t k = 1; k <= t->allocations; k += 1 + k / FEW)
         for (int for_ever = t->is_computed; for_ever < 2; for_ever++) {
             double out[CALL_OUTPUTS];
             const int32_t status = status_of(t, out, k, for_ever != 0);
             if (status != RWEDGE_ENOMEM && !(t->is_computed && status == RWEDGE_OK))
                 fail_msg("%s, allocation %zu: status %d", t->call.name, k, (int)status);
         }
-    }
     assert_same_again(t);
-}
-
-static void note_places(trial *t)
-{
-    for (size_t i = 0; i < t->allocations && i < MOST_NOTED; i++) {
-        t->is_first[i] = true;
-        for (size_t j = 0; j < i; j++)
-            t->is_first[i] = t->is_first[i] && heap.caller[j] != heap.caller[i];
-    }
 }
 
 /* Arguments with a result, of which the call allocates most. */
@@ -200,7 +175,6 @@ static trial trial_of(const public_call *call, bool is_computed)
             t.v[0] = is_computed ? COMPUTED : i % COMPUTED;
         const int32_t status = status_of(&t, t.out, 0, false);
         t.allocations = heap.calls;
-        note_places(&t);
         if (status == RWEDGE_OK && t.allocations > best.allocations)
             best = t;
     }

@@ -136,7 +136,7 @@ static int32_t status_of(const trial *t, double out[], size_t failing, bool for_
     arm(0, false);
     heap.calls = calls;
     if (complaint != NULL || heap.outstanding != before)
-        fail_msg("%s, allocation %zu: %s", t->call.name, failing,
+        fail_msg("%s, allocation %zu: %s", t->call.entry->name, failing,
                  complaint != NULL ? complaint : "a leak");
     return status;
 }
@@ -157,7 +157,7 @@ static void fail_each(const trial *t)
             double out[CALL_OUTPUTS];
             const int32_t status = status_of(t, out, k, for_ever != 0);
             if (status != RWEDGE_ENOMEM && !(t->is_computed && status == RWEDGE_OK))
-                fail_msg("%s, allocation %zu: status %d", t->call.name, k, (int)status);
+                fail_msg("%s, allocation %zu: status %d", t->call.entry->name, k, (int)status);
         }
     assert_same_again(t);
 }
@@ -201,7 +201,7 @@ CLAIM(every_failed_allocation_is_survived)
         if (t.allocations == 0)
             continue;
         allocating++;
-        print_message("    %-32s %zu allocations\n", t.call.name, t.allocations);
+        print_message("    %-32s %zu allocations\n", t.call.entry->name, t.allocations);
         assert_true(may_allocate(e));
         if (e->has_status)
             fail_each(&t);

@@ -102,7 +102,7 @@ static bool take(arguments *left, double v[])
 
 static void show(const public_call *call, const double v[], const char *complaint)
 {
-    print_error("%s(", call->name);
+    print_error("%s(", call->entry->name);
     for (int i = 0; i < call->arguments; i++)
         print_error("%s%s = %.17g", i > 0 ? ", " : "", call->argument[i]->name, v[i]);
     print_error("): %s\n", complaint);
@@ -275,7 +275,7 @@ CLAIM(a_stack_of_64_KiB_is_enough)
     for (size_t i = 0; i < ENTRY_COUNT; i++) {
         public_call call = calls[i];
         const size_t used = used_stack(run_on_small_stack, &call);
-        print_message("    %-25s %6zu bytes of stack\n", call.name, used);
+        print_message("    %-25s %6zu bytes of stack\n", call.entry->name, used);
         most = used > most ? used : most;
         own = used < own ? used : own;
     }

@@ -14,8 +14,7 @@ cd "$source"
 . tests/support/compilers.sh
 
 # Bit for bit: a program that prints the bits of results of every function.
-calls="-Iinclude -Ilib -Itests/embedding/calls -I$build/made/c tests/embedding/calls/calls.c tests/embedding/calls/draw.c
-    tests/embedding/calls/edges.c"
+calls="-Iinclude -Ilib -Itests/embedding/calls -I$build/made/c tests/embedding/calls/calls.c tests/embedding/calls/draw.c"
 printer="$calls tests/package/print_bits.c"
 libraries='-lgsl -lgslcblas -llapack -lm'
 # print_bits_of NAME COMMAND... - compiles the program, and leaves the bits, or nothing where they could not be had

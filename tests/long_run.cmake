@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The long run: tests that take minutes. Each is declared in its room. ctest leaves them out unless it is asked for them:
 #     ctest --test-dir build -C Long -L campaign             as tests/run.sh --campaign does; also: compilers, packages, elsewhere
-#     ctest --test-dir build -C Long -R '^long_fuzzing$'     one of them
+#     ctest --test-dir build -C Long -R '^long_random_files$' one of them
 cmake_host_system_information(RESULT processors QUERY NUMBER_OF_LOGICAL_CORES)
 set(RWEDGE_PROCESSORS ${processors} CACHE INTERNAL "of this machine")
 

@@ -3,9 +3,9 @@
 # Builds everything into build/ and runs the tests. What is missing on the machine is installed first, if that is possible.
 #
 #     ./tests/run.sh              the everyday run
-#     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables, no exception raised
+#     ./tests/run.sh --compilers  also, with each gcc and clang that is here: no warning, the tests, the tables
 #     ./tests/run.sh --sanitize   also: all tests under the address and undefined-behaviour sanitizers
-#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, faults, threads, fuzzing, coverage, bindings
+#     ./tests/run.sh --campaign   also: the long runs of accuracy, certificate, threads, random input, coverage, bindings
 #     ./tests/run.sh --packages   also: the packages made, and each tested as it is installed
 #     ./tests/run.sh --elsewhere  also: both commands on the stable release of Debian, if this machine is another system; and
 #                                 the packages made again in another folder, to the same bytes
@@ -52,9 +52,7 @@ case $long in *compilers*) wish command:gcc=gcc ;; esac
 case $long in *campaign*) wish command:chromium=chromium command:firefox-esr=firefox-esr command:gcovr=gcovr ;; esac
 # finite elements, for a worked case in Python
 wish command:ccx=calculix-ccx
-# libFuzzer, Debian's gcc has none
 wish command:clang=clang command:clang-format-14=clang-format-14
-wish file:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a=libclang-rt-dev
 # ball arithmetic: in FLINT 3, beside FLINT 2
 have header:arb.h || wish file:/usr/include/flint/flint.h=libflint-dev
 have header:flint/arb.h || wish header:arb.h=libflint-arb-dev

@@ -4,7 +4,7 @@
  * tools that no test reaches the other side. The condition must have no side effects, because it is
  * not always evaluated:
  *     RW_COVERAGE  the coverage build counts no branch there
- *     RW_CHECKED   the fuzzers' build stops where the argument is wrong
+ *     RW_CHECKED   the build with sanitizers stops where the argument is wrong
  * The reason stands beside each use. */
 #ifndef RW_ALWAYS_H
 #define RW_ALWAYS_H

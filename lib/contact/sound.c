@@ -97,10 +97,11 @@ static bool is_shear_sound(const rwedge_contact *c)
     if (!c->numerical)
         return true;
     const rw_patch contact = rw_memory_end(&c->memory)->patch, now = c->numerical->now.contact;
+    const double width = contact.right - contact.left;
     return c->f > 0 && fabs(c->loads.Q) <= c->f * c->loads.P * (1 + LOOSE) &&
-           c->memory.count == 2 && c->memory.corners[1].ratio == 0 && now.left == contact.left &&
-           now.right == contact.right && c->strayed >= 0 && is_numerical_sound(c->numerical) &&
-           is_numerical_sound(c->start);
+           c->memory.count == 2 && c->memory.corners[1].ratio == 0 &&
+           is_near(now.left, contact.left, width) && is_near(now.right, contact.right, width) &&
+           c->strayed >= 0 && is_numerical_sound(c->numerical) && is_numerical_sound(c->start);
 }
 
 bool rw_is_contact_sound(const rwedge_contact *c)

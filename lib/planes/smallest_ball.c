@@ -5,7 +5,6 @@
  * Matousek, Sharir and Welzl (1996). */
 #include "planes/smallest_ball.h"
 
-#include "base/always.h"
 #include "base/linear.h"
 #include "base/select.h"
 
@@ -108,7 +107,7 @@ static bool holds(const rw_ball *ball, double slack, const rw_point points[], co
 static bool grow(supported *s, double slack, const rw_point points[], size_t more)
 {
     const unsigned choices = (1u << s->count) - (s->count == SUPPORT); /* not all, and one more */
-    for (unsigned choice = 1; ALWAYS(choice < choices); choice++) {    /* one of them is the ball */
+    for (unsigned choice = 1; choice < choices; choice++) { /* one is the ball, to rounding */
         supported next = {.count = 1, .support = {more}};
         for (int i = 0; i < s->count; i++)
             if (choice >> i & 1)

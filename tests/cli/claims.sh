@@ -41,6 +41,16 @@ memory_of() {
     (ulimit -v "$limit" && "$rwedge" --version) >/dev/null 2>&1 || limit=unlimited
 }
 
+# use_decimal_comma: the locale has one from here on, where that can be made. No number may change by it.
+use_decimal_comma() {
+    if localedef -i de_DE -f UTF-8 "$scratch/de_DE.UTF-8" 2>/dev/null; then
+        LOCPATH=$scratch LC_ALL=de_DE.UTF-8
+        export LOCPATH
+    else
+        echo "SKIPPED: a locale with a decimal comma, for lack of localedef or its de_DE"
+    fi
+}
+
 # does ARGUMENTS...: the same, with status 0; and with nothing on stderr.
 does() {
     run "$@"

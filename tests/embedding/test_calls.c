@@ -6,10 +6,9 @@
  * - The host's rounding mode does not matter.
  * - A stack of 64 KiB is enough.
  *
- *     test_calls [CALLS] [PATTERN]
+ *     test_calls [CALLS [SEED]] [PATTERN]
  *
- * CALLS is the number of calls of each function (60). If there are more combinations of
- * arguments, they are drawn at random. */
+ * CALLS is the number of calls of each function with random arguments (60). */
 #include "calls.h"
 #include "claims.h"
 #include "rwedge.h"
@@ -23,100 +22,87 @@
 #include <string.h>
 #include <unistd.h>
 
-static size_t limit = SIZE_MAX; /* of a claim */
+/* ---- The arguments of which each function is asked ---- */
 
-static size_t most_calls(void)
-{
-    const size_t cases = (size_t)cases_or(60);
-    return cases < limit ? cases : limit;
-}
+enum { USUAL = 10 };
 
-/* ---- All combinations of edges, or so many; a tenth of a function that takes milliseconds -- */
-
+/* Each argument in turn outside of its domain, all others in theirs; then most of them in their
+ * domains, at random; at last usual ones, with a computed contact where it takes a contact. */
 typedef struct {
     const public_call *call;
-    size_t all, number, calls; /* combinations; the next one; how many will be made */
+    int argument; /* that is at its edge */
+    size_t edge;
+    long random, usual; /* how many are left */
     uint64_t seed;
-    int argument; /* that is outside of its domain, when these have been made */
-    size_t edge;  /* where */
-} combinations;
+} arguments;
 
-static bool takes_long(const char *name)
+static arguments arguments_of(const public_call *call, long random)
 {
-    static const char *const part[] = {"yield_factor", "planes",    "findley",
-                                       "wohler",       "mcdiarmid", "criterion_field",
-                                       "damage",       "cycle_",    "keep_cycle"};
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
-        if (strstr(name, part[i]) != NULL)
-            return true;
-    return false;
+    return (arguments){.call = call, .random = random, .usual = USUAL, .seed = seed_or(1)};
 }
 
-static combinations combinations_of(const public_call *call)
+/* Of any size that a double has. */
+static double any_double(uint64_t *seed)
 {
-    combinations c = {.call = call, .all = 1, .seed = 1};
-    for (int i = 0; i < call->arguments; i++)
-        c.all = c.all > most_calls() ? c.all : c.all * edge_count(call->argument[i]);
-    c.calls = c.all < most_calls() ? c.all : most_calls() / (takes_long(call->name) ? 10 : 1);
-    return c;
+    return ldexp(random_between(seed, -1, 1), (int)random_between(seed, -1080, 1025));
 }
 
-static double draw(combinations *c, const entry_argument *a, bool any)
+/* In the domain, or anywhere. */
+static double draw(const entry_argument *a, bool anywhere, uint64_t *seed)
 {
     double v;
-    if (a != &which_object && random_fraction(&c->seed) < 0.3)
-        return draw_number(a, &c->seed);
+    if (a != &which_object && random_fraction(seed) < 0.3)
+        return draw_number(a, seed);
     do
-        v = edge(a, (size_t)(random_fraction(&c->seed) * (double)edge_count(a)));
-    while (!any && !entry_allows(a, v));
+        v = !a->whole && random_fraction(seed) < 0.1
+                ? any_double(seed)
+                : edge(a, (size_t)(random_fraction(seed) * (double)edge_count(a)));
+    while (!anywhere && !entry_allows(a, v));
     return v;
 }
 
-static void draw_sound(combinations *c, double v[])
+/* At last all are 0. */
+static bool take_usual(arguments *left, double v[])
 {
-    for (int i = 0; i < c->call->arguments; i++)
-        v[i] = draw(c, c->call->argument[i], false);
+    const entry *e = left->call->entry;
+    draw_inside(left->call, &left->seed, v);
+    if (e->takes_object && strcmp(e->family, "contact") == 0)
+        v[0] = COMPUTED;
+    for (int i = 0; left->usual == 0 && i < left->call->arguments; i++)
+        v[i] = 0;
+    return left->usual-- >= 0;
 }
 
-/* At last all are 0, and each argument in turn is outside of its domain, all others in theirs. */
-static bool next_outside(combinations *c, double v[])
+/* The next argument and edge where that is outside of its domain, if there are any. */
+static bool find_outside(arguments *left)
 {
-    if (c->number++ == c->calls) {
-        for (int i = 0; i < c->call->arguments; i++)
-            v[i] = 0;
-        return true;
+    for (; left->argument < left->call->arguments; left->argument++, left->edge = 0) {
+        const entry_argument *a = left->call->argument[left->argument];
+        for (; a != &which_object && left->edge < edge_count(a); left->edge++)
+            if (!entry_allows(a, edge(a, left->edge)))
+                return true;
     }
-    for (; c->argument < c->call->arguments; c->argument++, c->edge = 0)
-        while (c->edge < edge_count(c->call->argument[c->argument])) {
-            const entry_argument *a = c->call->argument[c->argument];
-            const double outside = edge(a, c->edge++);
-            if (a == &which_object || entry_allows(a, outside))
-                continue;
-            draw_sound(c, v);
-            v[c->argument] = outside;
-            return true;
-        }
     return false;
 }
 
-/* Most of those that are drawn have all of their arguments in the domain. */
-static bool next(combinations *c, double v[])
+/* The next ones; false where there are no more. */
+static bool take(arguments *left, double v[])
 {
-    if (c->number >= c->calls)
-        return next_outside(c, v);
-    size_t rest = c->number++;
-    for (int i = 0; i < c->call->arguments; i++) {
-        const entry_argument *a = c->call->argument[i];
-        const bool any = random_fraction(&c->seed) < 0.03;
-        v[i] = c->all <= most_calls() ? edge(a, rest % edge_count(a)) : draw(c, a, any);
-        rest /= edge_count(a);
+    const bool is_outside = find_outside(left);
+    if (!is_outside && left->random-- <= 0)
+        return take_usual(left, v);
+    for (int i = 0; i < left->call->arguments; i++) {
+        const bool anywhere = !is_outside && random_fraction(&left->seed) < 0.03;
+        v[i] = draw(left->call->argument[i], anywhere, &left->seed);
     }
+    if (is_outside)
+        v[left->argument] = edge(left->call->argument[left->argument], left->edge++);
     return true;
 }
 
 static void show(const public_call *call, const double v[], const char *complaint)
 {
-    print_error("%s(", call->name);
+    print_error("%s(", call->entry->name);
     for (int i = 0; i < call->arguments; i++)
         print_error("%s%s = %.17g", i > 0 ? ", " : "", call->argument[i]->name, v[i]);
     print_error("): %s\n", complaint);
@@ -125,46 +111,26 @@ static void show(const public_call *call, const double v[], const char *complain
 /* Something to be asked of every call: NULL, or what is wrong. */
 typedef const char *question(const public_call *call, const double v[]);
 
-static void ask_of_every_call(question *ask, size_t at_most)
+static void ask_of_every_call(question *ask, long random)
 {
-    limit = at_most;
     size_t asked = 0, wrong = 0;
     const public_call *calls = public_calls();
     for (size_t i = 0; i < ENTRY_COUNT; i++) {
-        combinations c = combinations_of(&calls[i]);
-        size_t shown = 0;
-        for (double v[CALL_ARGUMENTS]; next(&c, v); asked++) {
+        arguments left = arguments_of(&calls[i], random);
+        for (double v[CALL_ARGUMENTS]; take(&left, v); asked++) {
             const char *answer = ask(&calls[i], v);
-            if (answer == NULL)
-                continue;
-            wrong++;
-            if (shown++ < 3)
+            if (answer != NULL && wrong++ < 20)
                 show(&calls[i], v, answer);
         }
     }
-    limit = SIZE_MAX;
     print_message("    %zu calls of %d functions\n", asked, ENTRY_COUNT);
     if (wrong > 0)
         fail_msg("%zu of %zu calls", wrong, asked);
 }
 
-/* ---- Pointers ---- */
-
 CLAIM(a_pointer_that_is_needed_may_not_be_null)
 {
-    enum { DRAWS = 20 };
-    ask_of_every_call(complaint_about_null, 50);
-    const public_call *calls = public_calls();
-    for (size_t i = 0; i < ENTRY_COUNT; i++) {
-        double v[CALL_ARGUMENTS];
-        uint64_t seed = 1;
-        for (int k = 0; k < DRAWS; k++) {
-            draw_inside(&calls[i], &seed, v);
-            const char *complaint = complaint_about_null(&calls[i], v);
-            if (complaint != NULL)
-                fail_msg("%s: %s", calls[i].name, complaint);
-        }
-    }
+    ask_of_every_call(complaint_about_null, 60);
 }
 
 /* Each argument is in its domain; what becomes of them is not, or is at the sharp apex. */
@@ -212,36 +178,7 @@ static const char *flags(const public_call *call, const double v[])
 
 CLAIM(answers_follow_the_rules_and_raise_only_inexact_and_underflow)
 {
-    ask_of_every_call(flags, SIZE_MAX);
-}
-
-enum { COMPUTED_CALLS = 10 };
-
-/* Arguments in the domain, the object a computed contact if it is a contact. */
-static void draw_computed(const public_call *call, uint64_t *seed, double v[])
-{
-    draw_inside(call, seed, v);
-    if (call->entry->takes_object && strcmp(call->entry->family, "contact") == 0)
-        v[0] = COMPUTED;
-}
-
-/* NaN was compared, and divided by 0. */
-CLAIM(no_call_with_a_computed_contact_raises_an_exception)
-{
-    size_t wrong = 0;
-    const public_call *calls = public_calls();
-    for (size_t i = 0; i < ENTRY_COUNT; i++) {
-        uint64_t seed = 1;
-        for (int k = 0; k < COMPUTED_CALLS; k++) {
-            double v[CALL_ARGUMENTS];
-            draw_computed(&calls[i], &seed, v);
-            const char *complaint = flags(&calls[i], v);
-            if (complaint != NULL)
-                show(&calls[i], v, complaint);
-            wrong += complaint != NULL;
-        }
-    }
-    assert_int_equal(wrong, 0);
+    ask_of_every_call(flags, cases_or(60));
 }
 
 /* The contact is 1e60 times as wide as its rounding, which is not in the domain: its half-width is
@@ -288,7 +225,7 @@ static const char *rounds(const public_call *call, const double v[])
 
 CLAIM(every_other_rounding_mode_gives_answers_by_the_rules)
 {
-    ask_of_every_call(rounds, 3000);
+    ask_of_every_call(rounds, cases_or(60));
 }
 
 /* ---- Stack ---- */
@@ -304,18 +241,11 @@ enum { MOST_OF_STACK = STACK - STACK / 4, PAINT = 0xa5 };
 /* One function on a thread of its own; what it leaves of its painted stack is what was not used. */
 static void *run_on_small_stack(void *of_call)
 {
-    const public_call *call = of_call;
-    combinations c = combinations_of(call);
-    c.calls = c.calls < 2000 ? c.calls : 2000;
-    double v[CALL_ARGUMENTS], out[CALL_OUTPUTS];
-    uint64_t seed = 1;
+    arguments left = arguments_of(of_call, cases_or(60));
+    double out[CALL_OUTPUTS];
     int32_t status;
-    while (next(&c, v))
-        complaint_of(call, v, out, &status);
-    for (int k = 0; k < COMPUTED_CALLS; k++) {
-        draw_computed(call, &seed, v);
-        complaint_of(call, v, out, &status);
-    }
+    for (double v[CALL_ARGUMENTS]; take(&left, v);)
+        complaint_of(of_call, v, out, &status);
     return NULL;
 }
 
@@ -345,7 +275,7 @@ CLAIM(a_stack_of_64_KiB_is_enough)
     for (size_t i = 0; i < ENTRY_COUNT; i++) {
         public_call call = calls[i];
         const size_t used = used_stack(run_on_small_stack, &call);
-        print_message("    %-25s %6zu bytes of stack\n", call.name, used);
+        print_message("    %-25s %6zu bytes of stack\n", call.entry->name, used);
         most = used > most ? used : most;
         own = used < own ? used : own;
     }

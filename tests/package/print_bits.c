@@ -27,9 +27,9 @@ static bool print_call(const public_call *call, int number)
     int32_t status;
     draw_inside(call, &state, v);
     complaint_of(call, v, out, &status);
-    print(call->name, status);
+    print(call->entry->name, status);
     for (int i = 0; status == RWEDGE_OK && i < call->outputs; i++)
-        print(call->name, out[i]);
+        print(call->entry->name, out[i]);
     return status == RWEDGE_OK;
 }
 
@@ -43,13 +43,13 @@ int main(void)
         for (int number = 0; number < NUMBERS; number++)
             has_result |= print_call(&calls[i], number);
         /* random numbers are no state */
-        if (strcmp(calls[i].name, "contact_restore") == 0)
+        if (strcmp(calls[i].entry->name, "contact_restore") == 0)
             continue;
         if (!has_result)
             fprintf(stderr,
                     "FAILED: no random arguments of %s() have a result: give some in hints[] of "
                     "tests/embedding/calls/draw.c\n",
-                    calls[i].name);
+                    calls[i].entry->name);
         failed += !has_result;
     }
     return failed > 0;

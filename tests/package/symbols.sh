@@ -8,25 +8,19 @@ set -eu
 command -v python3 >/dev/null || { echo "SKIPPED: no python3 here, which reads the header"; exit 77; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-grep -o 'rwedge_[a-zA-Z_0-9]*(' "$1" | tr -d '(' | sort -u >"$work/mentioned"
-# Comments mention functions too, but only those that are declared.
-python3 -B "$(dirname "$1")/../bindings/interface/header.py" --names "$1" >"$work/names"
-sort -u "$work/names" >"$work/declared"
+# same NAMES NAMES WHAT - two lists
+same()
+{
+    diff "$work/$1" "$work/$2" || { echo "FAILED: < $1, > $2: $3"; exit 1; }
+}
+python3 -B "$(dirname "$1")/../bindings/interface/header.py" --names "$1" | sort -u >"$work/declared"
 nm -D --defined-only "$2" | awk '$2 != "A" { sub(/@.*/, "", $3); print $3 }' | sort -u >"$work/exported"
-if ! diff "$work/declared" "$work/exported"; then
-    echo "FAILED: < declared in the header, > exported"
-    exit 1
-fi
-if ! diff "$work/declared" "$work/mentioned" >"$work/difference"; then
-    echo "FAILED: the header's comments name functions that it does not declare:"
-    cat "$work/difference"
-    exit 1
-fi
+same declared exported "by the shared library"
+# Comments mention functions too, but only those that are declared.
+grep -o 'rwedge_[a-zA-Z_0-9]*(' "$1" | tr -d '(' | sort -u >"$work/mentioned"
+same declared mentioned "in the header's comments"
 nm --defined-only --extern-only "$3" | awk 'NF == 3 { print $3 }' | sort -u >"$work/visible"
-if ! diff "$work/declared" "$work/visible"; then
-    echo "FAILED: < declared in the header, > visible in the static library"
-    exit 1
-fi
+same declared visible "in the static library"
 forbidden='^(abort|exit|_exit|_Exit|quick_exit|raise|signal|longjmp|.*locale.*|.*strto.*|.*scanf.*|ato.|.*s.*printf.*|printf|fprintf|vfprintf|puts|putchar|fputs|fputc|'
 forbidden="$forbidden"'fwrite|perror|__printf_chk|__fprintf_chk|srand|rand|gsl_set_error_handler.*|gsl_.*_c?alloc.*|'
 forbidden="$forbidden"'feclearexcept|feraiseexcept|fesetexcept|fesetexceptflag|feholdexcept|feupdateenv|fesetenv|fesetmode|'

@@ -20,7 +20,6 @@ is include/rwedge.h "$(sed -n 's/^#define RWEDGE_VERSION "\(.*\)"/\1/p' include/
 is "$tool --version" "$("$tool" --version | sed -n 's/^rwedge \([0-9.]*\).*/\1/p')"
 is CITATION.cff "$(sed -n 's/^version: //p' CITATION.cff)"
 is README.md "$(sed -n 's/^  version = {\(.*\)},/\1/p' README.md)"
-is codemeta.json "$(sed -n 's/^ "version": "\(.*\)",/\1/p' codemeta.json)"
 is CHANGELOG.md "$(sed -n "s/^## \($version\), .*/\1/p" CHANGELOG.md)"
 
 # Python's package reads the header, by the expression in pyproject.toml
@@ -35,7 +34,7 @@ if grep '^## ' CHANGELOG.md | grep -vE "$dated"; then
 fi
 date=$(sed -n "s/^## $version, //p" CHANGELOG.md)
 grep -qx "date-released: ${date:-no date}" CITATION.cff || { echo "FAILED: CITATION.cff does not say $date"; status=1; }
-# authors, addresses and dates too; without Python the versions alone were compared
+# codemeta.json too, authors, addresses and dates; without Python other versions alone were compared
 ! command -v python3 >/dev/null || python3 -B packages/who.py --check || status=1
 [ $status -ne 0 ] || echo "ok: $version of $date"
 exit $status

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the README shows is what the program prints.
+# What the README shows is what the program prints, whatever the locale.
 . "$(dirname "$0")/../claims.sh"
 
 # Each example into files of its own: N.command, N.expected; and the files that examples read.
@@ -13,6 +13,7 @@ awk '
     /^\$ / { n++; print substr($0, 3) > (n ".command"); printf "" > (n ".expected"); next }
     { print > (n ".expected") }' "$here/../../../cli/README.md"
 
+use_decimal_comma
 for file in *.command; do
     called=$(cat "$file")
     arguments=${called#rwedge }

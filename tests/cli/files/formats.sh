@@ -5,9 +5,6 @@
 stick="table stick-zone --a-over-b 0 --q-over-fp 0,0.25"
 law="table contact-law --a-over-b 0,1.0"
 
-prints "a_over_b,Q_over_fP,c_over_b
-0,0,1
-0,0.25,0.75" $stick
 prints "a_over_b${tab}Q_over_fP${tab}c_over_b
 0${tab}0${tab}1
 0${tab}0.25${tab}0.75" $stick --format tsv
@@ -44,8 +41,6 @@ same "table from its own a/b" "" "$(diff first out)"
 prints "c_over_b,0,0.5,1
 0,1,0.5,0
 1,1,0.7071067811865476,0" table stick-zone --a-over-b 0,1.0 --q-over-fp 0:1:0.5 --layout grid
-prints "b_sigma_over_P,0,1
-1,0,1.2732395447351628" table max-tension --a-over-b 1 --friction 0,1.0 --layout grid
 prints "b_sigma_over_fP,0,1
 1,1.27,1.27" table max-tension --a-over-b 1 --friction 0,1.0 --layout grid --quantity b_sigma_over_fP --digits 3
 prints "branch,0,0.8

@@ -7,16 +7,12 @@ cells() {
     column "$1" out | paste -s -d ' ' -
 }
 
-# The tests of Nowell and Hills: a cylinder on a specimen under bulk tension in phase with Q. Their numbers as in off_centre.sh.
+# The tests of Nowell and Hills: a cylinder on a specimen under bulk tension in phase with Q. Those of solve, below, are theirs (off_centre.sh).
 printf 'time,P,Q,sigma,name\n0,135.75,0,0,press\n0.5,135.75,38.75,100,pull\n1,135.75,-38.75,-100,push\n1.5,135.75,38.75,100,"pull, again"\n' >loads.csv
 does_quietly history loads.csv $specimen
 same "columns" "time,name,load,P,M,Q,sigma,left,right,stick_left,stick_right,tilt,peak_pressure,tension_left,tension_right,largest_slip,energy,yield_factor,yield_x,yield_y,warnings,error" \
     "$(head -n 1 out)"
 same "columns that pass through" '0,press,1,|0.5,pull,2,|1,push,3,|1.5,"pull, again",4,' "$(tail -n +2 out | sed 's/135.*//' | paste -s -d '|' -)"
-awk -F, 'NR == 3 { print -0.206698, $8; print 0.206698, $9; print 0.041197, ($10 + $11) / 2; print 0.045519, ($11 - $10) / 2
-    print 418.104, $13; print 345.747, $14 }
-    NR == 4 { print 418.104, $13; print -345.747, $14 }' out >both
-close_rows "Nowell and Hills" 2e-5 0
 sed -i 's/"pull, again"/again/' out
 same "no yield stress" "- - - -" "$(cells yield_factor)"
 

@@ -105,17 +105,6 @@ close_to "safety of a profile" 1.1 "$(value safety)" 1e-10
 cannot "no solution: none is found, as far as the pad is known" \
     solve $steel --flat 1 --radius 100 --P 300 --k 500 --for f --safety 900
 
-# A tension that lags behind Q has no closed form: it is computed, of any pad, unless that is refused.
-printf 'P,Q,sigma\n150,0,0\n150,5,40\n150,20,20\n' >lags.csv
-for pad in "--flat 1 --radius 100" "--profile worn.csv"; do
-    does history lags.csv $steel $pad --f 0.3
-    same "computed" "0 1" "$(column error out | awk 'NR < 3 { print ($1 > 0 && $1 < 1e-3) }' | paste -s -d ' ' -)"
-    message_has "computed numerically: tractions to about "
-    run history lags.csv $steel $pad --f 0.3 --exact
-    status_is 1
-    message_has "rwedge history: lags.csv: line 3: no closed form: "
-    message_has "without --exact it is computed"
-done
 cannot "b: the contact would reach farther than the radius, or results leave 1e-60 to 1e60" \
     solve $steel --P 1e9 --flat 1 --radius 1
 bad() { # MESSAGE LINES
@@ -135,6 +124,5 @@ bad "line 3: slope 0.1: all slopes are equal: a plane" 'x,slope\n-1,0.1\n0,0.1\n
 bad "line 2: 1 places; allowed: 2 to 1000" 'x,slope\n-1,0.1\n'
 bad "column slope: missing; needed: x, and slope or height" 'x,z\n-1,0.1\n'
 bad "column height: given together with slope; allowed: one of the two" 'x,height,slope\n-1,0.1,0\n'
-bad "empty; needed: a header row with the names of the columns" ''
 
 finish

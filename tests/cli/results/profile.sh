@@ -90,13 +90,9 @@ history_fails "line 3: Q x: must be a number, with a decimal point" 'P,Q\n300,0\
 history_fails "line 2: 1 cells in this row, 2 in the header" 'P,Q\n300\n'
 history_fails "line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" \
     'P,Q\n135.75,0\n135,75,0\n'
-history_fails "line 2: a quote that is not closed" 'P,Q\n"300,1\n400,1\n'
 history_fails "column Q: missing; a history needs P and Q" 'P,T\n300,0\n'
 history_fails "column 'q': allowed: Q" 'P,q\n300,0\n'
-history_fails "column P: missing; a history needs P and Q; the columns seem to be separated by ';': $semicolons" \
-    'P;Q\n300;0\n'
 history_fails "no loads; needed: rows of P and Q" 'P,Q\n'
-history_fails "empty; needed: a header row with the names of the columns" ''
 
 # Doubts are said once, on stderr, as "solve" says them; the rows are as ever.
 for command in profile field; do

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The five tables, compared with reference values of 20 digits: the right numbers are in the right columns.
+# Tables whose columns have reference values or a formula. (That contact-law and max-tension have the right numbers in the right
+# columns is shown by the shipped tables: tests/repository/ interpolates in them and compares them with what the tool writes.)
 . "$(dirname "$0")/../claims.sh"
-
-list() { # of a reference column, with commas
-    column "$1" "$data/$2" | paste -s -d , -
-}
 
 # against NAME FILE OURS RELATIVE ABSOLUTE: our column in "out" beside the reference's.
 against() {
@@ -13,19 +10,6 @@ against() {
     paste -d ' ' expected got >both
     close_rows "$3" "$4" "$5"
 }
-
-does table contact-law --a-over-b "$(list a_over_b contact_law.csv)"
-against a_over_b contact_law.csv a_over_b 0 0
-against load contact_law.csv AP_over_theta_b 1e-14 0
-against peak_pressure contact_law.csv peak_pressure 1e-14 0
-against transition_pressure contact_law.csv transition_pressure 1e-14 1e-15
-awk -F, 'NR > 1 { print $2 / $1, $3 }' out >both
-close_rows "AP_over_theta_a is AP_over_theta_b/(a/b)" 1e-5 0
-
-run table max-tension --a-over-b "$(list a_over_b contact_law.csv)" --friction 0.25
-against max_tension contact_law.csv b_sigma_over_fP 1e-14 0
-awk -F, 'NR > 1 { print $4 / 4, $3 }' out >both
-close_rows "b_sigma_over_P is f b_sigma_over_fP" 1e-5 0
 
 run table elastic-limit --a-over-b 0.1:1:0.1 --friction 0:0.8:0.05
 against a_over_b paper_grid.csv a_over_b 1e-15 0
@@ -43,7 +27,7 @@ close_rows "P_over_bk is that of its branch" 0 0
 same "rows where the other branch has the smaller limit" "" \
     "$(awk -F, 'NR > 1 && $8 != "" && $9 != "" && $4 != ($8 < $9 ? $8 : $9)' out)"
 
-run table critical-friction --a-over-b "$(list a_over_b critical_friction.csv)" --nu 0.3
+run table critical-friction --a-over-b "$(column a_over_b "$data/critical_friction.csv" | paste -s -d , -)" --nu 0.3
 awk -F, 'NR == FNR { f[$1, $2] = $3; next } ($1, $2) in f { print f[$1, $2], $3 }' "$data/critical_friction.csv" out >both
 close_rows "f_critical" 1e-8 1e-9
 run table stick-zone --a-over-b 1 --q-over-fp 0.1,0.75

@@ -228,7 +228,7 @@ static int32_t make(const public_call *call, const double in[], double out[], bo
 
 static public_call call_of_entry(const entry *e)
 {
-    public_call call = {.name = e->name, .entry = e};
+    public_call call = {.entry = e};
     if (e->takes_object)
         call.argument[call.arguments++] = &which_object;
     for (int j = 0; j < e->arguments; j++)
@@ -236,8 +236,6 @@ static public_call call_of_entry(const entry *e)
             call.argument[call.arguments++] = &e->argument[j];
     for (int j = 0; j < e->results; j++)
         call.outputs += count_of(e, e->result[j].sizes);
-    call.gives_anything = e->sizes > 0 && e->size[0].teller != NULL;
-    call.may_be_infinite = e->may_be_infinite;
     call.also_allowed = e->errors & ~(BIT(RWEDGE_EDOMAIN) | BIT(RWEDGE_ENULL) | BIT(RWEDGE_ENOMEM));
     if (e->errors & BIT(RWEDGE_EPATH)) /* or it is computed */
         call.also_allowed |= BIT(RWEDGE_ENOCONV);
@@ -249,7 +247,7 @@ static public_call call_of_entry(const entry *e)
 const public_call *public_calls(void)
 {
     static public_call calls[ENTRY_COUNT];
-    if (calls[0].name == NULL)
+    if (calls[0].entry == NULL)
         for (int i = ENTRY_COUNT - 1; i >= 0; i--)
             calls[i] = call_of_entry(&entries[i]);
     return calls;
@@ -269,6 +267,8 @@ static const double MARK = -6.02214076e23; /* what an output is before: no resul
 
 const char *complaint_of(const public_call *call, const double v[], double out[], int32_t *status)
 {
+    const entry *e = call->entry;
+    const bool any = e->sizes > 0 && e->size[0].teller; /* numbers that say nothing by themselves */
     for (int i = 0; i < CALL_OUTPUTS; i++)
         out[i] = MARK;
     bool changed;
@@ -281,9 +281,8 @@ const char *complaint_of(const public_call *call, const double v[], double out[]
     if (changed && *status != RWEDGE_OK)
         return "a call that was refused, and changed its object";
     for (int i = 0; i < CALL_OUTPUTS; i++) {
-        const bool wanted = *status == RWEDGE_OK && (call->gives_anything || i < call->outputs);
-        if (wanted && !call->gives_anything && !isfinite(out[i]) &&
-            !(call->may_be_infinite && isinf(out[i])))
+        const bool wanted = *status == RWEDGE_OK && (any || i < call->outputs);
+        if (wanted && !any && !isfinite(out[i]) && !(e->may_be_infinite && isinf(out[i])))
             return "a result that is not finite";
         if (!wanted && out[i] != MARK)
             return "an output was touched that should not be";

@@ -16,14 +16,11 @@ enum { CALL_ARGUMENTS = 128, CALL_OUTPUTS = 256 };
 extern int array_size;
 
 typedef struct {
-    const char *name;
+    const entry *entry;
     int arguments;                                  /* how many numbers it takes */
     const entry_argument *argument[CALL_ARGUMENTS]; /* the domain of each */
     int outputs;                                    /* how many numbers it gives */
     uint32_t also_allowed; /* statuses, as bits, that arguments in the domain may have too */
-    bool may_be_infinite;
-    bool gives_anything; /* numbers that say nothing by themselves */
-    const entry *entry;
 } public_call;
 
 /* Of each family, which its functions are called with. The last contact is computed. */

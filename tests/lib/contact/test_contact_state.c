@@ -54,6 +54,13 @@ CLAIM(twins_go_on_to_the_same_bits)
     assert_twins(computed(0.5), (rw_loads){0.52, 0.02, -0.03, 0.4});
 }
 
+/* Its edges and those of its loads may differ by a unit of the last place. It was refused. */
+CLAIM(a_contact_whose_first_load_is_computed_is_restored)
+{
+    assert_twins(APPLY(allowing(create_wedge(1, 1, 1, 0.5), 1e-2), {2, 0, 0.2, 0.05}),
+                 (rw_loads){4, 0, 0.4, 0.1});
+}
+
 /* Each number, changed; each length but the right one. */
 CLAIM(damage_is_noticed)
 {

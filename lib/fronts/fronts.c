@@ -100,7 +100,7 @@ static const double LEAST_TERM = 1e-7;
 static int most_terms(const rw_stuck *s, int gap, double middle, double half, double least)
 {
     const double reach = fmin(middle - s->end[2 * gap], s->end[2 * gap + 3] - middle) / half;
-    const double rho = reach + sqrt(fmax(0, reach * reach - 1));
+    const double rho = fmax(1.001, reach + sqrt(fmax(0, reach * reach - 1))); /* log(1) is 0 */
     return (int)fmax(4, fmin(GAP_TERMS, 1 - log(least) / log(rho)));
 }
 

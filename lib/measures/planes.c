@@ -27,10 +27,11 @@ double rw_value_in(const rw_criterion *c, double unit)
 
 static double value_of(const rw_criterion *c, const rw_worst_plane *plane, double unit)
 {
-    const double ratio = plane->amplitude > 0 ? plane->peak / plane->amplitude : 0;
-    return rw_value_in(c, unit) * plane->value +
-           unit * (c->per_amplitude * plane->amplitude + c->per_peak * plane->peak) +
-           c->per_ratio * ratio;
+    const double sum = rw_value_in(c, unit) * plane->value +
+                       unit * (c->per_amplitude * plane->amplitude + c->per_peak * plane->peak);
+    return c->per_ratio > 0 && plane->amplitude > 0
+               ? sum + c->per_ratio * (plane->peak / plane->amplitude)
+               : sum;
 }
 
 void rw_set_loads(const rw_stress_field *f, size_t point, const rw_criterion *c, double unit,

@@ -287,6 +287,15 @@ CLAIM(a_static_stress_across_a_plane_without_strain_hides_no_worse_one)
     assert_worst(&c, SMITH_WATSON_TOPPER_ALL);
 }
 
+/* Under a large k the worst plane is that of the peak; its amplitude may be next to nothing. */
+CLAIM(a_peak_without_amplitude_is_a_number)
+{
+    const double sxx[] = {-1, 0}, syy[] = {0.8, 0.9}, txy[] = {0, 1e-310};
+    double value, angle, out_of_plane;
+    assert_ok(rwedge_findley(2, sxx, syy, txy, 0, 1e12, &value, &angle, &out_of_plane));
+    assert_close(value, 0.9e12, 1e-12);
+}
+
 /* A shear that turns twice: on each plane that contains z, others of the loads are the worst. */
 CLAIM(each_of_many_loads_in_turn_is_the_worst)
 {

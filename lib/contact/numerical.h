@@ -24,9 +24,6 @@ bool rw_numerical_is_passed(const rwedge_contact *contact);
 /* Whether a contact in closed form sticks and slips where this one does. */
 bool rw_numerical_agrees(const rwedge_contact *contact, const rwedge_contact *exact);
 
-/* Copies the computed shear of another contact, if it has one. false where memory is short. */
-bool rw_contact_copy_numerical(rwedge_contact *contact, const rwedge_contact *other);
-
 /* Ends the numerical state, after which the contact is without shear. */
 void rw_numerical_end(rwedge_contact *contact);
 

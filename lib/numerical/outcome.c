@@ -337,8 +337,8 @@ static bool complete(const after *n, double tolerance, rw_outcome *o)
     double at[MOST_BREAKS];
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
-    o->is_short = !rw_traction_fit_values(&o->state.traction, traction_after, n, (size_t)breaks, at,
-                                          tolerance, NOISE);
+    o->is_short = !rw_traction_fit(&o->state.traction, traction_after, n, (size_t)breaks, at,
+                                   tolerance, NOISE);
     if (!o->is_short) {
         balance(p, &o->state);
         for (int i = 0; i + 1 < breaks; i++)

@@ -17,6 +17,12 @@ enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK };
 /* Slip zones and places that the contact has left, cut at kinks, bends and the edges before. */
 enum { RW_MOST_SEGMENTS = RW_MOST_STICK + 1 + 2 + RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 
+/* Panels of half a segment, and points of all, of which most loads use a twentieth. */
+enum {
+    RW_MOST_PANELS = 12,
+    RW_MOST_POINTS = RW_MOST_SEGMENTS * 2 * (RW_MOST_PANELS + 1) * RW_TERMS
+};
+
 /* A part of a slip zone, and where its points begin in the row of all. */
 typedef struct {
     double from, to;
@@ -42,7 +48,8 @@ typedef struct {
     int segments;
     rw_layers layers; /* for which the changes hold */
     size_t count;
-    double *x, *step, *X, *change, *known, *layer;
+    double x[RW_MOST_POINTS], step[RW_MOST_POINTS], X[RW_MOST_POINTS], change[RW_MOST_POINTS];
+    double known[RW_MOST_POINTS], layer[RW_LAYERS][RW_MOST_POINTS];
     int budget; /* residuals that may still be computed */
 } rw_fronts;
 
@@ -81,9 +88,8 @@ void rw_fronts_singular(const rw_stuck *stuck, const double front[], const doubl
 /* The residual: K over sqrt(half), at the fronts and then at edges of the contact that stick. */
 bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
 
-/* For zones that alternate between stick and slip. false where memory is short. */
-bool rw_fronts_create(rw_fronts *fronts, double tolerance);
-void rw_fronts_destroy(rw_fronts *fronts);
+/* For zones that alternate between stick and slip, of any problems of this tolerance. */
+void rw_fronts_init(rw_fronts *fronts, double tolerance);
 
 /* Starts from these zones, with D at the edges that stick at the beginning of the step, NaN where
  * it is not known. false where such zones are not possible in this problem. */

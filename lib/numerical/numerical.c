@@ -381,11 +381,11 @@ static void keep_friction(rw_work *w, rw_numerical *n)
 
 static int32_t try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
-    load_work *j = calloc(1, sizeof *j);
-    if (!j || !rw_work_create(&j->work, frame, *effort)) {
-        free(j);
+    load_work *j = malloc(sizeof *j);
+    if (!j)
         return RWEDGE_ENOMEM;
-    }
+    rw_work_init(&j->work, frame, *effort);
+    memset(j->at, 0, sizeof j->at);
     int32_t status = RWEDGE_ENOMEM;
     bool is_whole = true;
     rw_numerical *next = j->next = rw_numerical_copy(n, &is_whole);

@@ -317,10 +317,8 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
     for (int trial = 0; trial < RW_TRIALS; trial++) {
         rw_grid *grid = &w->grid[trial];
         const int n = ANGLES << trial;
-        if (!grid->x && !rw_grid_create(grid, n)) {
-            w->is_short = true;
-            break;
-        }
+        if (grid->n == 0)
+            rw_grid_init(grid, n);
         rw_zones zones;
         rw_outcome outcome;
         const bool is_solved = rw_grid_solve(grid, p, &layers);
@@ -343,17 +341,22 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
     return is_known;
 }
 
-bool rw_work_create(rw_work *w, const rw_frame *frame, int most_effort)
+void rw_work_init(rw_work *w, const rw_frame *frame, int most_effort)
 {
-    *w = (rw_work){.frame = frame, .most_effort = most_effort};
-    return rw_fronts_create(&w->fronts, frame->tolerance);
+    w->frame = frame;
+    w->frictions = 0;
+    w->effort = 0;
+    w->most_effort = most_effort;
+    w->is_short = false;
+    rw_fronts_init(&w->fronts, frame->tolerance);
+    for (int i = 0; i < RW_TRIALS; i++)
+        w->grid[i].n = 0;
+    for (int i = 0; i < RW_FRICTIONS; i++)
+        w->friction[i] = (rw_friction){.peak = 0};
 }
 
 void rw_work_destroy(rw_work *w)
 {
-    rw_fronts_destroy(&w->fronts);
-    for (int i = 0; i < RW_TRIALS; i++)
-        rw_grid_destroy(&w->grid[i]);
     for (int i = 0; i < RW_FRICTIONS; i++)
         rw_friction_destroy(&w->friction[i]);
 }

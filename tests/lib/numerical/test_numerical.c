@@ -32,16 +32,16 @@ static void destroy(void *of_pair)
 /* The contact is taken over. */
 static pair *begin_with(rwedge_contact *contact, double P, double M, double tolerance)
 {
-    pair *c = malloc(sizeof *c);
+    pair *c = calloc(1, sizeof *c);
     assert_non_null(c);
-    *c = (pair){.frame = rw_frame_of(rw_arcs_of(&contact->geometry), F, tolerance),
-                .exact = contact};
+    c->frame = rw_frame_of(rw_arcs_of(&contact->geometry), F, tolerance);
+    c->exact = contact;
     rw_numerical_state now = {.contact = rw_arcs_patch_of_moment(&c->frame.arcs, P, M),
                               .at = {P, M, 0, 0}};
     now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
     c->numerical = rw_numerical_begin(&c->frame, &now, true, NULL, NULL);
     assert_non_null(c->numerical);
-    assert_true(rw_work_create(&c->work, &c->frame, RW_MOST_EFFORT));
+    rw_work_init(&c->work, &c->frame, RW_MOST_EFFORT);
     free_after_claim(c, destroy);
     assert_ok(rwedge_contact_apply(c->exact, P, M, 0, 0));
     return c;

@@ -77,10 +77,10 @@ rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *c)
     rw_numerical_state now = {
         .contact = end->patch,
         .at = rw_contact_scaled_loads(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
-    rw_closed_form_zones(c, &now.shear.zones);
+    now.shear.zones = rw_contact_zones(c);
     if (fit_traction(c, &frame, &now))
         return rw_numerical_begin(&frame, &now, rw_contact_knows_slip(c), slip_at, c);
-    rw_shear_state_destroy(&now.shear);
+    rw_traction_destroy(&now.shear.traction);
     return NULL;
 }
 

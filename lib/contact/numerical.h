@@ -7,8 +7,8 @@
 #include "contact/contact.h"
 #include "history/path.h"
 
-/* The zones of a contact in closed form. */
-void rw_closed_form_zones(const rwedge_contact *contact, rw_zones *zones);
+/* The zones of a contact, none where the bodies are apart. */
+rw_zones rw_contact_zones(const rwedge_contact *contact);
 
 /* Goes on to a load under which the contact neither separates nor slides. Unless RWEDGE_OK, the
  * contact is as before. energy receives what the load dissipates. */

@@ -50,7 +50,7 @@ rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state
     begun.unslipped = now->contact;
     rw_numerical *n = malloc(sizeof *n);
     if (!n) {
-        rw_shear_state_destroy(&begun.shear);
+        rw_traction_destroy(&begun.shear.traction);
         return NULL;
     }
     *n = (rw_numerical){.now = begun, .has_origin = has_origin};
@@ -79,7 +79,7 @@ void rw_numerical_destroy(rw_numerical *n)
 {
     if (!n)
         return;
-    rw_shear_state_destroy(&n->now.shear);
+    rw_traction_destroy(&n->now.shear.traction);
     rw_traction_destroy(&n->origin);
     rw_friction_destroy(&n->friction);
     free(n);
@@ -244,7 +244,7 @@ static bool is_known(const rw_numerical_state *s)
 
 static void drop(rw_numerical_state *s)
 {
-    rw_shear_state_destroy(&s->shear);
+    rw_traction_destroy(&s->shear.traction);
 }
 
 /* Takes the place of another state, which is not known. */

@@ -30,11 +30,6 @@ static double fit_tolerance(const rw_problem *p)
     return FIT * fmax(BEST_FIT, fmin(1, part)) * p->tolerance;
 }
 
-void rw_shear_state_destroy(rw_shear_state *state)
-{
-    rw_traction_destroy(&state->traction);
-}
-
 /* ---- The new traction ---- */
 
 typedef struct {
@@ -349,7 +344,7 @@ static bool complete(const after *n, double tolerance, rw_outcome *o)
         if (isfinite(o->move + o->energy))
             return true;
     }
-    rw_shear_state_destroy(&o->state);
+    rw_traction_destroy(&o->state.traction);
     return false;
 }
 

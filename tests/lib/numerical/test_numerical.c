@@ -189,8 +189,8 @@ static void is_that_in_halves(rw_work *w, const rw_numerical_state *from,
         assert_within(rw_traction_at(&whole->shear.traction, x),
                       rw_traction_at(&both.shear.traction, x), lost);
     }
-    rw_shear_state_destroy(&half.shear);
-    rw_shear_state_destroy(&both.shear);
+    rw_traction_destroy(&half.shear.traction);
+    rw_traction_destroy(&both.shear.traction);
 }
 
 CLAIM(a_step_in_which_all_that_sticks_stuck_all_the_time_is_exact)
@@ -204,7 +204,7 @@ CLAIM(a_step_in_which_all_that_sticks_stuck_all_the_time_is_exact)
             if (whole.is_exact)
                 is_that_in_halves(&c->work, &c->numerical->now, &whole);
             exact += whole.is_exact;
-            rw_shear_state_destroy(&whole.shear);
+            rw_traction_destroy(&whole.shear.traction);
         }
         assert_int_equal(
             rw_numerical_step(c->numerical, &c->frame, noisy(i), &(int){RW_MOST_EFFORT}),
@@ -251,8 +251,8 @@ CLAIM(a_step_goes_on_to_the_right_zones_alone)
     assert_true(goes_on_with(&c->work, &half, whole, &right));
     assert_false(goes_on_with(&c->work, &half, whole, &lame));
     assert_false(goes_on_with(&c->work, &half, whole, &many));
-    rw_shear_state_destroy(&half.shear);
-    rw_shear_state_destroy(&whole.shear);
+    rw_traction_destroy(&half.shear.traction);
+    rw_traction_destroy(&whole.shear.traction);
 }
 
 /* At no tolerance is such a load done, and all is as before. */
@@ -299,11 +299,11 @@ static double traction_after(pair *c, rw_scaled_loads to, int parts, double x)
                                     from.stretch + u * (to.stretch - from.stretch)};
         rw_numerical_state next;
         assert_true(rw_implicit_step(&c->work, &now, at, NULL, false, &next));
-        rw_shear_state_destroy(&now.shear);
+        rw_traction_destroy(&now.shear.traction);
         now = next;
     }
     const double t = rw_traction_at(&now.shear.traction, x);
-    rw_shear_state_destroy(&now.shear);
+    rw_traction_destroy(&now.shear.traction);
     return t;
 }
 

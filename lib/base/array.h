@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Arrays that grow. */
+/* Arrays that grow, and their copies. */
 #ifndef RW_ARRAY_H
 #define RW_ARRAY_H
 

@@ -53,16 +53,17 @@ typedef struct {
     int budget; /* residuals that may still be computed */
 } rw_fronts;
 
-/* The zones that stick, by their ends. */
+/* The zones that stick, by their ends, and the polynomial p by its coefficients. */
 typedef struct {
     int count;
     double end[RW_MOST_FRONTS];
-    double middle, half; /* of the contact: its middle and half-width */
+    double middle, half;                             /* of the contact: its middle and half-width */
+    double front[RW_MOST_FRONTS], p[RW_MOST_FRONTS]; /* the ends, from the middle, over the half */
 } rw_stuck;
 
 rw_stuck rw_stuck_of(const rw_fronts *fronts, const rw_zones *zones);
 
-/* X outside of what sticks, and its size inside, over half^count. */
+/* X outside of what sticks, over half^count; inside, X over i. */
 double rw_X_at(const rw_stuck *stuck, double x);
 
 /* Sets up the quadrature over all places where dt is known, with this number of panels at a
@@ -77,13 +78,14 @@ int rw_breaks_between(const rw_problem *p, double from, double to, double at[]);
 /* Forgets the quadrature of the last problem. */
 void rw_fronts_forget(rw_fronts *fronts);
 
-/* The polynomial p by its coefficients, from the quadrature; and the fronts in the unit of the
- * half-width. */
-bool rw_fronts_polynomial(const rw_fronts *fronts, const rw_stuck *stuck, double front[],
-                          double p[]);
+/* Sets the polynomial p, from the quadrature. */
+bool rw_fronts_polynomial(const rw_fronts *fronts, rw_stuck *stuck);
+
+/* p at a place, from the middle over the half-width. */
+double rw_polynomial_at(const rw_stuck *stuck, double place);
 
 /* The coefficients K of 1/sqrt(distance) at the fronts. */
-void rw_fronts_singular(const rw_stuck *stuck, const double front[], const double p[], double K[]);
+void rw_fronts_singular(const rw_stuck *stuck, double K[]);
 
 /* The residual: K over sqrt(half), at the fronts and then at edges of the contact that stick. */
 bool rw_fronts_residual(rw_fronts *fronts, double residual[]);

@@ -73,6 +73,8 @@ rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
             s.end[2 * s.count + 1] = zones->zone[i].right;
             s.count++;
         }
+    for (int i = 0; i < 2 * s.count; i++)
+        s.front[i] = (s.end[i] - s.middle) / s.half;
     return s;
 }
 
@@ -95,7 +97,7 @@ RW_INLINE void products(const rw_stuck *s, size_t n, const double x[], double X[
 RW_DISPATCH(set_X, products, (const rw_stuck *s, size_t n, const double x[], double X[]),
             (s, n, x, X))
 
-/* X outside of what sticks, and its size inside, over half^count. */
+/* Inside, too, each zone beyond a place changes the sign. */
 double rw_X_at(const rw_stuck *s, double x)
 {
     double X;

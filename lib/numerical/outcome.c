@@ -27,7 +27,7 @@ static const double SMALL = 0.1, BEST_FIT = 0.1;
 static double fit_tolerance(const rw_problem *p)
 {
     const double part = rw_problem_change(p) / (SMALL * p->scale);
-    return FIT * fmax(BEST_FIT, fmin(1, part)) * p->tolerance;
+    return FIT * fmax(BEST_FIT, fmin(1, part)) * (p->frame->tolerance * p->scale);
 }
 
 /* ---- The new traction ---- */

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Arrays that grow. */
+/* Arrays that grow, and their copies. */
 #ifndef RW_ARRAY_H
 #define RW_ARRAY_H
 
 #include "base/always.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* An array of `count` things of a size, with room for `more`, at least one: the array itself, or
  * where its capacity was too small, the larger one in its place. NULL where memory is short; the
@@ -22,6 +24,17 @@ static inline void *rw_grown(void *array, size_t count, size_t *capacity, size_t
     if (grown)
         *capacity = larger;
     return grown;
+}
+
+/* A copy of an array of `count` things of a size; NULL of none. Where memory is short it is NULL
+ * too, and `is_whole` becomes false. */
+static inline void *rw_copied(const void *array, size_t count, size_t size, bool *is_whole)
+{
+    void *copy = count > 0 ? malloc(count * size) : NULL;
+    if (copy)
+        memcpy(copy, array, count * size);
+    *is_whole = *is_whole && (copy || count == 0);
+    return copy;
 }
 
 #endif

@@ -53,19 +53,12 @@ static void note_kinks(const rwedge_contact *c, rw_patch contact, rw_shear_state
 
 /* ---- Beginning ---- */
 
-static double slip_at(double x, const void *context)
+static void slip_at(const double x[], const void *context, double slip[])
 {
     const rwedge_contact *c = context;
-    double slip = 0;
-    rwedge_contact_slip(c, 1, &x, &slip);
-    return slip / c->geometry.theta;
-}
-
-static bool is_slip_known(const rwedge_contact *c)
-{
-    const double middle = rw_patch_middle(rw_memory_end(&c->memory)->patch);
-    double slip;
-    return rwedge_contact_slip(c, 1, &middle, &slip) == RWEDGE_OK;
+    rwedge_contact_slip(c, RW_TERMS, x, slip);
+    for (int i = 0; i < RW_TERMS; i++)
+        slip[i] /= c->geometry.theta;
 }
 
 static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_numerical_state *now)
@@ -74,29 +67,21 @@ static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_nume
     double at[RW_MOST_KINKS + RW_MOST_BENDS + 2];
     const size_t n = rw_breaks_of(frame, now->contact, now->shear.kinks, now->shear.kink, at);
     const double tolerance = 0.01 * frame->tolerance * rw_peak_friction(frame, now->contact);
-    return rw_traction_fit_values(&now->shear.traction, traction_at, c, n, at, tolerance, 0);
+    return rw_traction_fit(&now->shear.traction, traction_at, c, n, at, tolerance, 0);
 }
 
-static bool begin(const rwedge_contact *c, rw_numerical *numerical)
+rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *c)
 {
     const rw_corner *end = rw_memory_end(&c->memory);
     const rw_frame frame = rw_contact_frame(c);
     rw_numerical_state now = {
         .contact = end->patch,
         .at = rw_contact_scaled_loads(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
-    rw_closed_form_zones(c, &now.shear.zones);
-    if (fit_traction(c, &frame, &now) &&
-        rw_numerical_begin(numerical, &frame, &now, is_slip_known(c) ? slip_at : NULL, c))
-        return true;
-    rw_shear_state_destroy(&now.shear);
-    return false;
-}
-
-static double no_slip(double x, const void *context)
-{
-    (void)x;
-    (void)context;
-    return 0;
+    now.shear.zones = rw_contact_zones(c);
+    if (fit_traction(c, &frame, &now))
+        return rw_numerical_begin(&frame, &now, rw_contact_knows_slip(c), slip_at, c);
+    rw_traction_destroy(&now.shear.traction);
+    return NULL;
 }
 
 /* ---- Touching ---- */
@@ -123,31 +108,28 @@ static double stuck_part(const rwedge_contact *c, rw_scaled_loads change, rw_pat
 }
 
 /* Begins where all sticks, with a traction of mean + slope x times the pressure. */
-static bool begin_stuck(const rw_frame *frame, double mean, double slope, rw_numerical_state *now,
-                        rw_numerical *n)
+static rw_numerical *begin_stuck(const rw_frame *frame, double mean, double slope,
+                                 rw_numerical_state *now)
 {
     now->shear.zones = (rw_zones){1, {{0, now->contact.left, now->contact.right}}};
-    if (!rw_frame_fit(frame, now->contact, mean, slope, rw_peak_friction(frame, now->contact),
-                      &now->shear.traction))
-        return false;
-    if (rw_numerical_begin(n, frame, now, no_slip, NULL))
-        return true;
-    rw_shear_state_destroy(&now->shear);
-    return false;
+    return rw_frame_fit(frame, now->contact, mean, slope, rw_peak_friction(frame, now->contact),
+                        &now->shear.traction)
+               ? rw_numerical_begin(frame, now, true, NULL, NULL)
+               : NULL;
 }
 
 /* Where all has stuck since the bodies touched, on a straight line to the loads. Where not even a
  * small contact sticks, the traction is in proportion to friction. */
-static bool begin_in_proportion(const rwedge_contact *c, const rw_frame *frame,
-                                rw_scaled_loads change, rw_numerical_state *now, rw_numerical *n)
+static rw_numerical *begin_in_proportion(const rwedge_contact *c, const rw_frame *frame,
+                                         rw_scaled_loads change, rw_numerical_state *now)
 {
     const double mean = change.shear / change.P, slope = -RW_PI * change.stretch / change.P;
     const double most = fabs(mean) + fabs(slope) * rw_patch_half_width(now->contact);
     const bool sticks = most < (1 + RW_ROUNDING_OF_FRICTION) * c->f;
-    if (!begin_stuck(frame, mean, sticks ? slope : 0, now, n))
-        return false;
-    rw_numerical_add_error(n, TOUCH_ERROR * c->tolerance);
-    return true;
+    rw_numerical *n = begin_stuck(frame, mean, sticks ? slope : 0, now);
+    if (n)
+        rw_numerical_add_error(n, TOUCH_ERROR * c->tolerance);
+    return n;
 }
 
 /* Whether the contact that begins is that of a flat, which hardly grows. */
@@ -159,23 +141,20 @@ static bool is_flat(const rw_frame *frame, const rw_numerical_state *now)
 
 /* A flat is pressed first, and then takes its shear in one step: that is as if both had grown
  * together. A step that fails is left to those that follow. */
-static bool begin_flat(const rw_frame *frame, double stretch, rw_numerical_state *now,
-                       rw_numerical *n)
+static rw_numerical *begin_flat(const rw_frame *frame, double stretch, rw_numerical_state *now)
 {
     const rw_scaled_loads at = now->at;
     int effort = RW_MOST_EFFORT;
     now->at.shear = 0;
     now->at.stretch = stretch;
-    if (!begin_stuck(frame, 0, 0, now, n))
-        return false;
-    if (rw_numerical_step(n, frame, at, &effort) != RWEDGE_ENOMEM)
-        return true;
+    rw_numerical *n = begin_stuck(frame, 0, 0, now);
+    if (!n || rw_numerical_step(n, frame, at, &effort) != RWEDGE_ENOMEM)
+        return n;
     rw_numerical_destroy(n);
-    return false;
+    return NULL;
 }
 
-/* The state at the end of a straight line from touching, or where it begins to slip there. */
-static bool touch(const rwedge_contact *c, rw_scaled_loads to, rw_numerical *n)
+rw_numerical *rw_numerical_of_touching(const rwedge_contact *c, rw_scaled_loads to)
 {
     const rw_frame frame = rw_contact_frame(c);
     const rw_scaled_loads from = rw_loads_before_touching(c);
@@ -188,27 +167,6 @@ static bool touch(const rwedge_contact *c, rw_scaled_loads to, rw_numerical *n)
         now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
     }
     return part == FIRST_TOUCH && is_flat(&frame, &now)
-               ? begin_flat(&frame, from.stretch, &now, n)
-               : begin_in_proportion(c, &frame, change, &now, n);
-}
-
-/* What has been allocated, if it could be made. */
-static rw_numerical *kept_if(bool is_made, rw_numerical *n)
-{
-    if (is_made)
-        return n;
-    free(n);
-    return NULL;
-}
-
-rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *c)
-{
-    rw_numerical *n = malloc(sizeof *n);
-    return kept_if(n && begin(c, n), n);
-}
-
-rw_numerical *rw_numerical_of_touching(const rwedge_contact *c, rw_scaled_loads to)
-{
-    rw_numerical *n = malloc(sizeof *n);
-    return kept_if(n && touch(c, to, n), n);
+               ? begin_flat(&frame, from.stretch, &now)
+               : begin_in_proportion(c, &frame, change, &now);
 }

@@ -3,7 +3,7 @@
  * sizes. */
 #include "contact/numerical.h"
 
-#include <stdlib.h>
+#include "base/array.h"
 
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact)
 {
@@ -44,25 +44,29 @@ int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_ten
     return RWEDGE_OK;
 }
 
+/* Parts of it that could not be copied are absent. */
+static rwedge_contact *copy_of(const rwedge_contact *contact, bool *is_whole)
+{
+    rwedge_contact *copy = rw_copied(contact, contact != NULL, sizeof *copy, is_whole);
+    if (!copy)
+        return NULL;
+    copy->geometry.pad = rw_pad_copy(contact->geometry.pad, is_whole);
+    copy->memory = rw_memory_copy(&contact->memory, is_whole);
+    copy->origins = rw_slip_origins_copy(&contact->origins, is_whole);
+    copy->numerical = rw_numerical_copy(contact->numerical, is_whole);
+    copy->start = rw_numerical_copy(contact->start, is_whole);
+    copy->exact = copy_of(contact->exact, is_whole);
+    copy->kept = NULL;
+    return copy;
+}
+
 int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy)
 {
     if (!contact || !copy)
         return RWEDGE_ENULL;
-    rwedge_contact *copied = malloc(sizeof *copied);
-    if (!copied)
-        return RWEDGE_ENOMEM;
-    *copied = *contact;
-    copied->memory = (rw_memory){0};
-    copied->origins = (rw_slip_origins){0};
-    copied->numerical = copied->start = NULL;
-    copied->exact = NULL;
-    copied->kept = NULL;
-    if (contact->geometry.pad)
-        copied->geometry.pad = rw_pad_copy(contact->geometry.pad);
-    if ((contact->geometry.pad && !copied->geometry.pad) ||
-        !rw_memory_copy(&contact->memory, &copied->memory) ||
-        !rw_slip_origins_copy(&contact->origins, &copied->origins) ||
-        !rw_contact_copy_numerical(copied, contact)) {
+    bool is_whole = true;
+    rwedge_contact *copied = copy_of(contact, &is_whole);
+    if (!is_whole) {
         rwedge_contact_destroy(copied);
         return RWEDGE_ENOMEM;
     }

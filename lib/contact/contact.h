@@ -73,8 +73,8 @@ int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact 
 
 /* A pad with room for `count` arcs. NULL where memory is short. */
 rw_pad *rw_pad_create(size_t count);
-rw_pad *rw_pad_copy(const rw_pad *pad);
-void rw_pad_destroy(rw_pad *pad); /* NULL is allowed */
+rw_pad *rw_pad_copy(const rw_pad *pad, bool *is_whole); /* as other parts are: memory.h */
+void rw_pad_destroy(rw_pad *pad);                       /* NULL is allowed */
 void rw_pad_append(rw_pad *pad, rw_arc arc, double weight);
 
 /* Why a straight line to the loads, as one step, has no closed form. */
@@ -91,6 +91,11 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
 
 /* The pressure at a place of a loaded contact, not the apex of the sharp wedge. */
 double rw_contact_pressure(const rwedge_contact *contact, double x);
+
+static inline bool rw_contact_knows_slip(const rwedge_contact *c)
+{
+    return !c->was_off_centre || c->is_origin_known;
+}
 
 /* The stretch that a bulk tension makes, in the unit of the memory. */
 static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)

@@ -20,8 +20,13 @@ int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double
 
 /* ---- Zones that stick and that slip ---- */
 
-void rw_closed_form_zones(const rwedge_contact *c, rw_zones *z)
+rw_zones rw_contact_zones(const rwedge_contact *c)
 {
+    rw_zones zones = {.count = 0};
+    if (c->numerical)
+        return c->numerical->now.shear.zones;
+    if (c->memory.count < 2)
+        return zones;
     const rw_corner *end = rw_memory_end(&c->memory);
     const rw_patch contact = end->patch;
     rw_patch stick = contact;
@@ -35,27 +40,15 @@ void rw_closed_form_zones(const rwedge_contact *c, rw_zones *z)
     const rw_zone all[] = {{label, contact.left, stick.left},
                            {0, stick.left, stick.right},
                            {label, stick.right, contact.right}};
-    z->count = 0;
     for (int i = 0; i < 3; i++)
         if (all[i].right > all[i].left)
-            z->zone[z->count++] = all[i];
-}
-
-static void zones_of(const rwedge_contact *contact, rw_zones *zones)
-{
-    zones->count = 0;
-    if (contact->numerical)
-        *zones = contact->numerical->now.shear.zones;
-    else if (contact->memory.count > 1)
-        rw_closed_form_zones(contact, zones);
+            zones.zone[zones.count++] = all[i];
+    return zones;
 }
 
 size_t rwedge_contact_zone_count(const rwedge_contact *contact)
 {
-    rw_zones zones = {0};
-    if (contact)
-        zones_of(contact, &zones);
-    return (size_t)zones.count;
+    return contact ? (size_t)rw_contact_zones(contact).count : 0;
 }
 
 int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double left[], double right[],
@@ -63,8 +56,7 @@ int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double lef
 {
     if (!contact || !left || !right || !slip)
         return RWEDGE_ENULL;
-    rw_zones zones;
-    zones_of(contact, &zones);
+    const rw_zones zones = rw_contact_zones(contact);
     if (n != (size_t)zones.count)
         return RWEDGE_ERANGE;
     for (size_t i = 0; i < n; i++) {
@@ -78,8 +70,7 @@ int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n, double lef
 /* The patch from the first zone that sticks to the last one; without width where none does. */
 static rw_patch stick_zone(const rwedge_contact *contact)
 {
-    rw_zones zones;
-    zones_of(contact, &zones);
+    const rw_zones zones = rw_contact_zones(contact);
     int first = 0, last = zones.count - 1;
     while (first <= last && zones.zone[first].label != 0)
         first++;

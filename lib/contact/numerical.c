@@ -13,17 +13,13 @@ static const double LAST_TOUCH = 0.01, LAST_STICK = 1.0 / 32;
  * much larger or smaller errs in parts of each peak pressure that it has on the way. */
 static const double FOLD = 4;
 
-static double peak_of(const rw_frame *frame, rw_scaled_loads at)
-{
-    return rw_peak_friction(frame, rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M));
-}
-
 /* An error while the load is small counts less at the end of the step: by the ratio of the peak
  * pressures. */
-static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at, double peak,
-                            double last_peak, int *effort)
+static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at,
+                            rw_patch contact, double last_peak, int *effort)
 {
     static const double LOOSEST = 1e-2;
+    const double peak = rw_peak_friction(frame, contact);
     const double times = fmax(1, last_peak / peak);
     rw_frame loose = rw_frame_of(frame->arcs, frame->f, fmin(LOOSEST, frame->tolerance * times));
     loose.far_off = frame->far_off * times;
@@ -40,15 +36,18 @@ static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads t
     const int parts = (int)fmax(1, ceil(folds - 1e-9));
     int32_t status = RWEDGE_OK;
     int effort = RW_MOST_EFFORT;
-    for (int i = 1; i < parts && status == RWEDGE_OK; i++) {
+    for (int i = 1; i <= parts && status == RWEDGE_OK; i++) {
+        const double P = from.P * pow(to.P / from.P, (double)i / parts);
+        const rw_scaled_loads at =
+            i == parts ? to : rw_part_of_line(from, to, (P - from.P) / (to.P - from.P));
+        const rw_patch there =
+            i == parts ? contact : rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
         int share = effort / (parts - i + 1);
         effort -= share;
-        const double P = from.P * pow(to.P / from.P, (double)i / parts);
-        const rw_scaled_loads at = rw_part_of_line(from, to, (P - from.P) / (to.P - from.P));
-        status = advance_part(n, frame, at, peak_of(frame, at), last_peak, &share);
+        status = advance_part(n, frame, at, there, last_peak, &share);
         effort += share;
     }
-    return status == RWEDGE_OK ? advance_part(n, frame, to, last_peak, last_peak, &effort) : status;
+    return status;
 }
 
 static rw_scaled_loads scaled_loads_after(const rwedge_contact *c, const rw_step *step)
@@ -76,22 +75,6 @@ static void forget_shear(rwedge_contact *c, const rw_step *step)
     rw_memory_restart(&c->memory, pressed, 0);
     c->memory.corners[1].patch = step->patch;
     rw_slip_origins_destroy(&c->origins);
-}
-
-static void discard(rw_numerical *n)
-{
-    if (n)
-        rw_numerical_destroy(n);
-    free(n);
-}
-
-static rw_numerical *copy_of(const rw_numerical *n)
-{
-    rw_numerical *copy = malloc(sizeof *copy);
-    if (copy && rw_numerical_copy(n, copy))
-        return copy;
-    free(copy);
-    return NULL;
 }
 
 enum { LOADS = 4 };
@@ -133,12 +116,14 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
 {
     const rw_frame frame = rw_contact_frame(c);
     const rw_scaled_loads to = next_loads(c, step, from);
-    *next = is_on_line_from_touching(c, from, to) ? rw_numerical_of_touching(c, to) : copy_of(from);
-    if (!*next)
-        return RWEDGE_ENOMEM;
-    const int32_t status = is_at(*next, to) ? RWEDGE_OK : advance(*next, &frame, to, step->patch);
+    bool is_whole = true;
+    *next = is_on_line_from_touching(c, from, to) ? rw_numerical_of_touching(c, to)
+                                                  : rw_numerical_copy(from, &is_whole);
+    const int32_t status = !*next || !is_whole ? RWEDGE_ENOMEM
+                           : is_at(*next, to)  ? RWEDGE_OK
+                                               : advance(*next, &frame, to, step->patch);
     if (status != RWEDGE_OK) {
-        discard(*next);
+        rw_numerical_destroy(*next);
         *next = NULL;
     }
     return status;
@@ -171,6 +156,14 @@ static double stray(const rwedge_contact *c, const rw_step *step)
     return c->strayed + apart / rw_peak_friction(&frame, c->numerical->now.contact);
 }
 
+/* The energy that has been dissipated from one state to the other. */
+static double work_between(const rwedge_contact *c, const rw_numerical *before,
+                           const rw_numerical *after)
+{
+    return c->geometry.theta * rw_unit_stress(&c->geometry) *
+           (after->now.energy - before->now.energy);
+}
+
 /* Keeps a copy of the contact in its last closed form. */
 static bool keep_exact(rwedge_contact *c)
 {
@@ -189,9 +182,9 @@ static rw_numerical *new_start(const rwedge_contact *c, const rw_step *step)
 static void take(rwedge_contact *c, rw_numerical *start, rw_numerical *next, double strayed)
 {
     if (start != c->start)
-        discard(c->start);
+        rw_numerical_destroy(c->start);
     if (start != c->numerical)
-        discard(c->numerical);
+        rw_numerical_destroy(c->numerical);
     c->start = start;
     c->numerical = next;
     c->strayed = strayed;
@@ -213,12 +206,11 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
         status = RWEDGE_ENOMEM;
     if (status != RWEDGE_OK) {
         if (start != c->start && start != c->numerical)
-            discard(start);
-        discard(next);
+            rw_numerical_destroy(start);
+        rw_numerical_destroy(next);
         return status;
     }
-    const double before = (c->numerical ? c->numerical : start)->now.energy;
-    *energy = c->geometry.theta * rw_unit_stress(&c->geometry) * (next->now.energy - before);
+    *energy = work_between(c, c->numerical ? c->numerical : start, next);
     take(c, start, next, strayed);
     forget_shear(c, step);
     return RWEDGE_OK;
@@ -227,21 +219,18 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
 int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energy)
 {
     const rw_frame frame = rw_contact_frame(c);
-    rw_numerical n;
-    if (!rw_numerical_copy(c->numerical, &n))
-        return RWEDGE_ENOMEM;
-    const double before = n.now.energy;
-    const rw_scaled_loads away = {0, 0, 0, n.now.at.stretch}, from = n.now.at;
+    const rw_scaled_loads from = c->numerical->now.at, away = {.stretch = from.stretch};
     double left = 1;
     int effort = RW_MOST_EFFORT;
-    int32_t status = RWEDGE_OK;
+    bool is_whole = true;
+    rw_numerical *n = rw_numerical_copy(c->numerical, &is_whole);
+    int32_t status = is_whole ? RWEDGE_OK : RWEDGE_ENOMEM;
     while (left > LAST_TOUCH && status == RWEDGE_OK) {
-        status = rw_numerical_step(&n, &frame, rw_part_of_line(away, from, left / 2), &effort);
+        status = rw_numerical_step(n, &frame, rw_part_of_line(away, from, left / 2), &effort);
         left = status == RWEDGE_OK ? left / 2 : left;
     }
-    const double work = n.now.energy - before;
-    rw_numerical_destroy(&n);
-    *energy = left <= LAST_STICK ? c->geometry.theta * rw_unit_stress(&c->geometry) * work : NAN;
+    *energy = left <= LAST_STICK ? work_between(c, c->numerical, n) : NAN;
+    rw_numerical_destroy(n);
     return status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : RWEDGE_OK;
 }
 
@@ -257,31 +246,18 @@ bool rw_numerical_is_passed(const rwedge_contact *c)
 
 bool rw_numerical_agrees(const rwedge_contact *c, const rwedge_contact *exact)
 {
-    const rw_zones *z = &c->numerical->now.shear.zones;
-    rw_zones other;
-    rw_closed_form_zones(exact, &other);
+    const rw_zones *z = &c->numerical->now.shear.zones, other = rw_contact_zones(exact);
     const double slack = c->tolerance * (z->zone[2].right - z->zone[0].left);
     return other.count == 3 && other.zone[0].label == z->zone[0].label &&
            fabs(other.zone[1].left - z->zone[1].left) < slack &&
            fabs(other.zone[1].right - z->zone[1].right) < slack;
 }
 
-bool rw_contact_copy_numerical(rwedge_contact *c, const rwedge_contact *other)
-{
-    if (!other->numerical)
-        return true;
-    c->numerical = copy_of(other->numerical);
-    c->start = copy_of(other->start);
-    c->strayed = other->strayed;
-    return c->numerical && c->start &&
-           (!other->exact || rwedge_contact_copy(other->exact, &c->exact) == RWEDGE_OK);
-}
-
 void rw_numerical_end(rwedge_contact *c)
 {
     rwedge_contact_destroy(c->exact);
-    discard(c->numerical);
-    discard(c->start);
+    rw_numerical_destroy(c->numerical);
+    rw_numerical_destroy(c->start);
     c->exact = NULL;
     c->numerical = c->start = NULL;
 }

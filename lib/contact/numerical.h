@@ -7,8 +7,8 @@
 #include "contact/contact.h"
 #include "history/path.h"
 
-/* The zones of a contact in closed form. */
-void rw_closed_form_zones(const rwedge_contact *contact, rw_zones *zones);
+/* The zones of a contact, none where the bodies are apart. */
+rw_zones rw_contact_zones(const rwedge_contact *contact);
 
 /* Goes on to a load under which the contact neither separates nor slides. Unless RWEDGE_OK, the
  * contact is as before. energy receives what the load dissipates. */
@@ -23,9 +23,6 @@ bool rw_numerical_is_passed(const rwedge_contact *contact);
 
 /* Whether a contact in closed form sticks and slips where this one does. */
 bool rw_numerical_agrees(const rwedge_contact *contact, const rwedge_contact *exact);
-
-/* Copies the computed shear of another contact, if it has one. false where memory is short. */
-bool rw_contact_copy_numerical(rwedge_contact *contact, const rwedge_contact *other);
 
 /* Ends the numerical state, after which the contact is without shear. */
 void rw_numerical_end(rwedge_contact *contact);

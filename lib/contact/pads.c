@@ -3,9 +3,8 @@
  * any other pad is a list of arcs. */
 #include "contact/contact.h"
 
+#include "base/array.h"
 #include "base/logarithm.h"
-
-#include <stdlib.h>
 
 enum { MOST_PLACES = 1000 };
 
@@ -22,11 +21,13 @@ rw_pad *rw_pad_create(size_t count)
     return NULL;
 }
 
-rw_pad *rw_pad_copy(const rw_pad *pad)
+rw_pad *rw_pad_copy(const rw_pad *pad, bool *is_whole)
 {
-    rw_pad *copy = rw_pad_create(pad->count);
-    for (size_t i = 0; copy && i < pad->count; i++)
-        rw_pad_append(copy, pad->arcs[i], pad->weights[i]);
+    rw_pad *copy = rw_copied(pad, pad != NULL, sizeof *copy, is_whole);
+    if (!copy)
+        return NULL;
+    copy->arcs = rw_copied(pad->arcs, pad->count, sizeof *pad->arcs, is_whole);
+    copy->weights = rw_copied(pad->weights, pad->count, sizeof *pad->weights, is_whole);
     return copy;
 }
 

@@ -101,7 +101,7 @@ int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const doubl
     for (size_t i = 0; i < n; i++)
         if (!rw_is_signed(x[i]) || x[i] < patch.left || x[i] > patch.right)
             return RWEDGE_EDOMAIN;
-    if (contact->was_off_centre && !contact->is_origin_known)
+    if (!rw_contact_knows_slip(contact))
         return RWEDGE_EPATH;
     const rw_numerical *numerical = contact->numerical;
     for (size_t i = 0; i < n; i++)

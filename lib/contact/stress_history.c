@@ -58,12 +58,13 @@ static bool note(record *r, const rwedge_contact *contact)
 {
     const rw_memory *memory = &contact->memory;
     const size_t before = r->now.count;
+    bool is_whole = true;
     entry *e = &r->entries[r->loads++];
     *e = (entry){.sigma = contact->loads.sigma};
     r->now.count = 0;
-    if (contact->numerical && !rw_traction_copy(&contact->numerical->now.shear.traction, &e->shear))
-        return false;
-    if (!reserve(&r->own, memory->count) || !reserve(&r->now, memory->count))
+    if (contact->numerical)
+        e->shear = rw_traction_copy(&contact->numerical->now.shear.traction, &is_whole);
+    if (!is_whole || !reserve(&r->own, memory->count) || !reserve(&r->now, memory->count))
         return false;
     for (size_t j = 1; j < memory->count; j++) {
         const piece next = {memory->corners[j].patch, rw_patch_weight(memory, j)};

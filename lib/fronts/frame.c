@@ -137,8 +137,8 @@ bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double s
     double at[RW_MOST_BENDS + 2];
     const size_t breaks = rw_breaks_of(frame, contact, 0, NULL, at);
     *traction = (rw_traction){0};
-    const bool is_done = rw_traction_fit_values(traction, traction_at, &p, breaks, at,
-                                                FIT * frame->tolerance * peak, 0);
+    const bool is_done =
+        rw_traction_fit(traction, traction_at, &p, breaks, at, FIT * frame->tolerance * peak, 0);
     if (!is_done)
         rw_traction_destroy(traction);
     return is_done;

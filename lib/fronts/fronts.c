@@ -222,16 +222,15 @@ static void add_moments(const rw_fronts *f, const rw_stuck *s, double moment[])
 
 /* At infinity Omega + stretch is the stretch less the load over pi z: a row of A p = B for each
  * power of z from m - 1 to -1. */
-static void conditions_at_infinity(const rw_fronts *f, const rw_stuck *s, const double front[],
-                                   double A[], double B[])
+static void conditions_at_infinity(const rw_fronts *f, const rw_stuck *s, double A[], double B[])
 {
     const int m = s->count, n = 2 * m;
     double shear, stretch;
     rw_beside_layers(f->problem, &f->layers, &shear, &stretch);
     double moment[RW_MOST_STICK + 1] = {0}, grown[RW_MOST_FRONTS + 1], shrunk[RW_MOST_FRONTS + 1];
     add_moments(f, s, moment);
-    expand_at_infinity(n + 1, n, front, 0.5, grown);
-    expand_at_infinity(n + 1, n, front, -0.5, shrunk);
+    expand_at_infinity(n + 1, n, s->front, 0.5, grown);
+    expand_at_infinity(n + 1, n, s->front, -0.5, shrunk);
     for (int row = 0; row <= m; row++) {
         const int power = m - 1 - row;
         for (int i = m + power; i < n; i++)
@@ -262,27 +261,32 @@ static void conditions_of_gaps(const rw_fronts *f, const rw_stuck *s, double A[]
     }
 }
 
-bool rw_fronts_polynomial(const rw_fronts *f, const rw_stuck *s, double front[], double p[])
+bool rw_fronts_polynomial(const rw_fronts *f, rw_stuck *s)
 {
     double A[RW_MOST_FRONTS * RW_MOST_FRONTS] = {0};
-    for (int i = 0; i < RW_MOST_FRONTS; i++)
-        front[i] = (s->end[i] - s->middle) / s->half;
-    conditions_at_infinity(f, s, front, A, p);
-    conditions_of_gaps(f, s, A, p);
-    return rw_solve((size_t)(2 * s->count), A, p);
+    conditions_at_infinity(f, s, A, s->p);
+    conditions_of_gaps(f, s, A, s->p);
+    return rw_solve((size_t)(2 * s->count), A, s->p);
 }
 
-void rw_fronts_singular(const rw_stuck *s, const double front[], const double p[], double K[])
+double rw_polynomial_at(const rw_stuck *s, double place)
+{
+    double value = 0;
+    for (int i = 2 * s->count - 1; i >= 0; i--)
+        value = value * place + s->p[i];
+    return value;
+}
+
+void rw_fronts_singular(const rw_stuck *s, double K[])
 {
     const int n = 2 * s->count;
     for (int j = 0; j < n; j++) {
-        double value = 0, apart = 1;
-        for (int i = n - 1; i >= 0; i--)
-            value = value * front[j] + p[i];
+        double apart = 1;
         for (int i = 0; i < n; i++)
-            apart *= i == j ? 1 : fabs(front[i] - front[j]);
+            apart *= i == j ? 1 : fabs(s->front[i] - s->front[j]);
         /* X has the sign (-1)^(m-1-k) on the k-th zone, times i */
-        K[j] = ((s->count - 1 - j / 2) % 2 == 0 ? -1 : 1) * value / sqrt(apart);
+        K[j] = ((s->count - 1 - j / 2) % 2 == 0 ? -1 : 1) * rw_polynomial_at(s, s->front[j]) /
+               sqrt(apart);
     }
 }
 
@@ -293,12 +297,12 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
     if (f->budget-- <= 0)
         return false;
     rw_fronts_collect(f, &zones, &layers, f->coarse);
-    const rw_stuck s = rw_stuck_of(f, &zones);
+    rw_stuck s = rw_stuck_of(f, &zones);
     const int n = 2 * s.count;
-    double p[RW_MOST_FRONTS], front[RW_MOST_FRONTS], K[RW_MOST_FRONTS];
-    if (!rw_fronts_polynomial(f, &s, front, p))
+    double K[RW_MOST_FRONTS];
+    if (!rw_fronts_polynomial(f, &s))
         return false;
-    rw_fronts_singular(&s, front, p, K);
+    rw_fronts_singular(&s, K);
     int count = 0;
     for (int j = 0; j < n; j++)
         if (!isfinite(K[j]))
@@ -366,12 +370,8 @@ void rw_fronts_stick_traction(const rw_fronts *f, const rw_stuck *s, size_t n, c
                               double t[])
 {
     rw_base_traction(f->problem, &f->layers, n, x, t);
-    for (size_t i = 0; i < n; i++) {
-        int after = 0; /* zones that stick beyond this one */
-        for (int k = 0; k < s->count; k++)
-            after += x[i] < s->end[2 * k];
-        t[i] += rw_fronts_transform(f, x[i]) * fabs(rw_X_at(s, x[i])) * (after % 2 ? -1 : 1);
-    }
+    for (size_t i = 0; i < n; i++)
+        t[i] += rw_fronts_transform(f, x[i]) * rw_X_at(s, x[i]);
 }
 
 /* The segments around x that follow one another without a gap; without points where there is

@@ -17,6 +17,12 @@ enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK };
 /* Slip zones and places that the contact has left, cut at kinks, bends and the edges before. */
 enum { RW_MOST_SEGMENTS = RW_MOST_STICK + 1 + 2 + RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 
+/* Panels of half a segment, and points of all, of which most loads use a twentieth. */
+enum {
+    RW_MOST_PANELS = 12,
+    RW_MOST_POINTS = RW_MOST_SEGMENTS * 2 * (RW_MOST_PANELS + 1) * RW_TERMS
+};
+
 /* A part of a slip zone, and where its points begin in the row of all. */
 typedef struct {
     double from, to;
@@ -42,20 +48,22 @@ typedef struct {
     int segments;
     rw_layers layers; /* for which the changes hold */
     size_t count;
-    double *x, *step, *X, *change, *known, *layer;
+    double x[RW_MOST_POINTS], step[RW_MOST_POINTS], X[RW_MOST_POINTS], change[RW_MOST_POINTS];
+    double known[RW_MOST_POINTS], layer[RW_LAYERS][RW_MOST_POINTS];
     int budget; /* residuals that may still be computed */
 } rw_fronts;
 
-/* The zones that stick, by their ends. */
+/* The zones that stick, by their ends, and the polynomial p by its coefficients. */
 typedef struct {
     int count;
     double end[RW_MOST_FRONTS];
-    double middle, half; /* of the contact: its middle and half-width */
+    double middle, half;                             /* of the contact: its middle and half-width */
+    double front[RW_MOST_FRONTS], p[RW_MOST_FRONTS]; /* the ends, from the middle, over the half */
 } rw_stuck;
 
 rw_stuck rw_stuck_of(const rw_fronts *fronts, const rw_zones *zones);
 
-/* X outside of what sticks, and its size inside, over half^count. */
+/* X outside of what sticks, over half^count; inside, X over i. */
 double rw_X_at(const rw_stuck *stuck, double x);
 
 /* Sets up the quadrature over all places where dt is known, with this number of panels at a
@@ -70,20 +78,20 @@ int rw_breaks_between(const rw_problem *p, double from, double to, double at[]);
 /* Forgets the quadrature of the last problem. */
 void rw_fronts_forget(rw_fronts *fronts);
 
-/* The polynomial p by its coefficients, from the quadrature; and the fronts in the unit of the
- * half-width. */
-bool rw_fronts_polynomial(const rw_fronts *fronts, const rw_stuck *stuck, double front[],
-                          double p[]);
+/* Sets the polynomial p, from the quadrature. */
+bool rw_fronts_polynomial(const rw_fronts *fronts, rw_stuck *stuck);
+
+/* p at a place, from the middle over the half-width. */
+double rw_polynomial_at(const rw_stuck *stuck, double place);
 
 /* The coefficients K of 1/sqrt(distance) at the fronts. */
-void rw_fronts_singular(const rw_stuck *stuck, const double front[], const double p[], double K[]);
+void rw_fronts_singular(const rw_stuck *stuck, double K[]);
 
 /* The residual: K over sqrt(half), at the fronts and then at edges of the contact that stick. */
 bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
 
-/* For zones that alternate between stick and slip. false where memory is short. */
-bool rw_fronts_create(rw_fronts *fronts, double tolerance);
-void rw_fronts_destroy(rw_fronts *fronts);
+/* For zones that alternate between stick and slip, of any problems of this tolerance. */
+void rw_fronts_init(rw_fronts *fronts, double tolerance);
 
 /* Starts from these zones, with D at the edges that stick at the beginning of the step, NaN where
  * it is not known. false where such zones are not possible in this problem. */

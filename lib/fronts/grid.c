@@ -23,11 +23,11 @@ enum { TURNS = 100 };
 /* Smaller differences, over the scale of traction and slip, are rounding. */
 static const double NOTHING = 1e-12;
 
-/* The matrix K, from sums of cos(pi k d/N)/k. Arrays that are not in use yet hold the sums. */
-static void set_matrix(rw_grid *g)
+/* The matrix K, from sums of cos(pi k d/N)/k. */
+void rw_grid_init(rw_grid *g, int n)
 {
-    const int n = g->n;
-    double *wave = g->right + n, *cosine = g->x; /* d = 0 ... 2N - 1, for i - j and i + j + 1 */
+    double wave[2 * RW_MOST_ANGLES], cosine[2 * RW_MOST_ANGLES]; /* for i - j and i + j + 1 */
+    g->n = n;
     for (int i = 0; i < 2 * n; i++)
         cosine[i] = cos(RW_PI * i / n);
     for (int d = 0; d <= n; d++) {
@@ -39,38 +39,6 @@ static void set_matrix(rw_grid *g)
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
             g->matrix[i * n + j] = (1 + wave[i > j ? i - j : j - i] + wave[i + j + 1]) / n;
-}
-
-bool rw_grid_create(rw_grid *g, int n)
-{
-    const size_t rows = (size_t)n;
-    double *all = malloc((7 * rows + 2 * rows * rows + 2 * rows) * sizeof *all);
-    int *label = malloc(rows * sizeof *label);
-    if (!all || !label) {
-        free(all);
-        free(label);
-        return false;
-    }
-    *g = (rw_grid){.n = n,
-                   .x = all,
-                   .change = all + rows,
-                   .upper = all + 2 * rows,
-                   .lower = all + 3 * rows,
-                   .strain = all + 4 * rows,
-                   .move = all + 5 * rows,
-                   .right = all + 6 * rows,
-                   .matrix = all + 9 * rows,
-                   .factor = all + 9 * rows + rows * rows,
-                   .label = label};
-    set_matrix(g);
-    return true;
-}
-
-void rw_grid_destroy(rw_grid *g)
-{
-    free(g->x);
-    free(g->label);
-    *g = (rw_grid){0};
 }
 
 static double angle_of(const rw_grid *g, int i)
@@ -146,13 +114,13 @@ static bool solve_stuck(rw_grid *g, double load)
 {
     const int n = g->n;
     size_t count = 0;
+    double right[RW_MOST_ANGLES], unit[RW_MOST_ANGLES], *row = g->factor;
     set_bounds(g);
     multiply(g, g->change, g->move);
-    double *unit = g->right + n, *row = g->factor;
     for (int i = 0; i < n; i++) {
         if (g->label[i] != 0)
             continue;
-        g->right[count] = -g->strain[i] - g->move[i];
+        right[count] = -g->strain[i] - g->move[i];
         unit[count++] = 1;
     }
     if (count == 0)
@@ -162,14 +130,14 @@ static bool solve_stuck(rw_grid *g, double load)
             if (g->label[j] == 0)
                 *row++ = g->matrix[i * n + j];
     rw_cholesky(count, g->factor); /* positive: tractions do work */
-    rw_cholesky_solve(count, g->factor, g->right);
+    rw_cholesky_solve(count, g->factor, right);
     rw_cholesky_solve(count, g->factor, unit);
-    g->multiplier = (load * n / RW_PI - sum_of(n, g->change) - sum_of((int)count, g->right)) /
+    g->multiplier = (load * n / RW_PI - sum_of(n, g->change) - sum_of((int)count, right)) /
                     sum_of((int)count, unit);
     count = 0;
     for (int i = 0; i < n; i++)
         if (g->label[i] == 0) {
-            g->change[i] = g->right[count] + g->multiplier * unit[count];
+            g->change[i] = right[count] + g->multiplier * unit[count];
             count++;
         }
     return true;

@@ -7,22 +7,25 @@
 
 #include "fronts/problem.h"
 
+enum { RW_MOST_ANGLES = 192 };
+
 typedef struct {
     int n;
-    double middle, half; /* of the places in contact before or after the step */
-    double *x;           /* n places in the order of x; one block holds all arrays of doubles */
-    double *change;      /* tau = dt half sin(angle), dt being the change of traction */
-    double *upper, *lower, *strain, *move, *matrix, *factor, *right;
+    double middle, half;           /* of the places in contact before or after the step */
+    double x[RW_MOST_ANGLES];      /* n places in the order of x */
+    int label[RW_MOST_ANGLES];     /* RW_GONE: no longer in contact */
+    double change[RW_MOST_ANGLES]; /* tau = dt half sin(angle), dt being the change of traction */
+    double upper[RW_MOST_ANGLES], lower[RW_MOST_ANGLES]; /* its bounds */
+    double strain[RW_MOST_ANGLES], move[RW_MOST_ANGLES];
+    double matrix[RW_MOST_ANGLES * RW_MOST_ANGLES], factor[RW_MOST_ANGLES * RW_MOST_ANGLES];
     int turns;         /* that the last problem took */
     double multiplier; /* lambda, the rigid move of the places that stick */
-    int *label;        /* RW_GONE: no longer in contact */
 } rw_grid;
 
 enum { RW_GONE = 9 };
 
-/* n is a multiple of RW_TERMS. */
-bool rw_grid_create(rw_grid *grid, int n);
-void rw_grid_destroy(rw_grid *grid);
+/* For n <= RW_MOST_ANGLES angles, a multiple of RW_TERMS. */
+void rw_grid_init(rw_grid *grid, int n);
 
 /* Solves the step for the change of traction besides the layers. false where nothing sticks. */
 bool rw_grid_solve(rw_grid *grid, const rw_problem *problem, const rw_layers *layers);

@@ -47,8 +47,9 @@ static const double ALLOWED = 0.2;
 static double rate_of_friction(const rw_problem *p, double x)
 {
     const double square = (x - p->to.left) * (p->to.right - x);
-    return square > 0 ? p->f * (p->load[0] / RW_PI + p->tilt[0] * (x - p->middle)) / sqrt(square)
-                      : 0;
+    return square > 0
+               ? p->frame->f * (p->load[0] / RW_PI + p->tilt[0] * (x - p->middle)) / sqrt(square)
+               : 0;
 }
 
 void rw_friction_after(const rw_problem *p, size_t n, const double x[], double F[])
@@ -71,7 +72,7 @@ static double rest_friction(const rw_problem *p, const rw_layer_rest *rest, doub
     const rw_patch patch = rest->patch;
     if (!(x > patch.left && x < patch.right))
         return 0;
-    return p->f * sqrt((x - patch.left) * (patch.right - x)) / rw_patch_half_width(patch) *
+    return p->frame->f * sqrt((x - patch.left) * (patch.right - x)) / rw_patch_half_width(patch) *
            rw_layer_rest_pressure(rest, x);
 }
 
@@ -102,11 +103,12 @@ static double slope_beside(const rw_problem *p, int after, int k, double x)
     rw_fields fields;
     rw_pad_fields(&p->frame->arcs, patch, 1, &x, &depth, &fields);
     const double tilt = rw_arcs_pressing(&p->frame->arcs, patch).tilt;
-    const double own = -p->f * rw_power(scale_of(p), k, x) * (fields.G_re[0] + tilt);
+    const double own = -p->frame->f * rw_power(scale_of(p), k, x) * (fields.G_re[0] + tilt);
     if (k == 0 || (x >= patch.left && x <= patch.right))
         return own;
-    return own + copysign(p->f, x - patch.left) * sqrt((x - patch.left) * (x - patch.right)) /
-                     rw_patch_half_width(patch) * rw_layer_rest_pressure(&p->rest[k][after], x);
+    return own + copysign(p->frame->f, x - patch.left) *
+                     sqrt((x - patch.left) * (x - patch.right)) / rw_patch_half_width(patch) *
+                     rw_layer_rest_pressure(&p->rest[k][after], x);
 }
 
 double rw_layer_slope(const rw_problem *p, int k, double x)
@@ -119,8 +121,8 @@ void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shea
     *shear = p->shear;
     *stretch = p->stretch;
     for (int k = 0; k < layers->count; k++) {
-        *shear -= p->f * layers->weight[k] * p->load[k];
-        *stretch += p->f * layers->weight[k] * p->tilt[k];
+        *shear -= p->frame->f * layers->weight[k] * p->load[k];
+        *stretch += p->frame->f * layers->weight[k] * p->tilt[k];
     }
 }
 
@@ -175,7 +177,7 @@ static double moment_of(const rw_problem *p, const rw_friction *friction, int k)
     for (size_t i = 0; i < t->count; i++)
         for (int j = 0; j < RW_TERMS; j++)
             sum += t->elements[i].load[j] * rw_power(scale_of(p), k, t->elements[i].x[j]);
-    return sum / p->f;
+    return sum / p->frame->f;
 }
 
 /* Adds the layers' loads and tilts on the patch after the step, or takes away those before it. */
@@ -203,9 +205,7 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
     const rw_patch from = before->contact, to = after->contact;
     const double slack = SAME_EDGE * (to.right - to.left);
     *p = (rw_problem){.frame = frame,
-                      .f = frame->f,
                       .scale = after->peak,
-                      .tolerance = frame->tolerance * after->peak,
                       .allowed = ALLOWED * frame->tolerance,
                       .from = from,
                       .to = to,
@@ -236,7 +236,6 @@ void rw_problem_init_rates(rw_problem *p, const rw_frame *frame, rw_patch contac
                            double moment, double shear, double stretch)
 {
     *p = (rw_problem){.frame = frame,
-                      .f = frame->f,
                       .from = contact,
                       .to = contact,
                       .both = contact,

@@ -51,9 +51,7 @@ typedef struct {
 
 typedef struct {
     const rw_frame *frame;
-    double f;
     double scale;            /* f times the peak pressure */
-    double tolerance;        /* of tractions, in theta/A */
     double allowed;          /* violations up to this, over the scale, count as none */
     rw_patch from, to, both; /* the contact before and after the step; both: their union */
     const rw_friction *before, *after;

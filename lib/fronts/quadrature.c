@@ -6,14 +6,10 @@
 #include "base/sort.h"
 #include "fronts/fronts.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* The order of a panel is RW_TERMS, or less where few digits are asked for. */
-enum { MOST_PANELS = 12, FEW_TERMS = 8 };
-
-/* Room for all points that there may be, of which most loads use a twentieth. */
-enum { ROOM = RW_MOST_SEGMENTS * 2 * (MOST_PANELS + 1) * RW_TERMS, ROWS = 5 + RW_LAYERS };
+enum { FEW_TERMS = 8 };
 
 static const double RATIO = 0.12;
 
@@ -55,30 +51,17 @@ static void set_rule(rw_fronts *f)
     set_integrals(f, u);
 }
 
-bool rw_fronts_create(rw_fronts *f, double tolerance)
+void rw_fronts_init(rw_fronts *f, double tolerance)
 {
     const double digits = -log10(tolerance);
     const bool is_fine = digits > 4.5;
-    *f = (rw_fronts){.order = is_fine ? RW_TERMS : FEW_TERMS,
-                     .coarse = is_fine ? 1 : 0,
-                     .finest = (int)(digits + 2.5)};
+    f->problem = NULL;
+    f->order = is_fine ? RW_TERMS : FEW_TERMS;
+    f->coarse = is_fine ? 1 : 0;
+    f->finest = (int)(digits + 2.5);
+    f->layers = (rw_layers){.count = 0};
+    memset(f->segment, 0, sizeof f->segment);
     set_rule(f);
-    double *all = malloc(sizeof *all * ROWS * ROOM);
-    if (!all)
-        return false;
-    f->x = all;
-    f->step = all + ROOM;
-    f->X = all + 2 * ROOM;
-    f->change = all + 3 * ROOM;
-    f->known = all + 4 * ROOM;
-    f->layer = all + 5 * ROOM;
-    return true;
-}
-
-void rw_fronts_destroy(rw_fronts *f)
-{
-    free(f->x);
-    *f = (rw_fronts){0};
 }
 
 rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
@@ -90,6 +73,8 @@ rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
             s.end[2 * s.count + 1] = zones->zone[i].right;
             s.count++;
         }
+    for (int i = 0; i < 2 * s.count; i++)
+        s.front[i] = (s.end[i] - s.middle) / s.half;
     return s;
 }
 
@@ -112,7 +97,7 @@ RW_INLINE void products(const rw_stuck *s, size_t n, const double x[], double X[
 RW_DISPATCH(set_X, products, (const rw_stuck *s, size_t n, const double x[], double X[]),
             (s, n, x, X))
 
-/* X outside of what sticks, and its size inside, over half^count. */
+/* Inside, too, each zone beyond a place changes the sign. */
 double rw_X_at(const rw_stuck *s, double x)
 {
     double X;
@@ -133,7 +118,7 @@ static void add_layers(rw_fronts *f)
     memcpy(f->change, f->known, f->count * sizeof *f->change);
     for (int k = 0; k < f->layers.count; k++)
         for (size_t i = 0; i < f->count; i++)
-            f->change[i] -= f->layers.weight[k] * f->layer[(size_t)k * ROOM + i];
+            f->change[i] -= f->layers.weight[k] * f->layer[k][i];
 }
 
 /* A panel at the distances from `near` to `far` of an end, which is left or right: points with
@@ -151,7 +136,7 @@ static void put_panel(rw_fronts *f, const rw_segment *s, int side, double near, 
     }
     if (s->label != 0 || f->layers.count > 0)
         rw_friction_after(p, n, x, known);
-    rw_layer_values(p, f->layers.count, n, x, known, ROOM, f->layer + f->count);
+    rw_layer_values(p, f->layers.count, n, x, known, RW_MOST_POINTS, f->layer[0] + f->count);
     rw_traction_values(&p->old->traction, n, x, old);
     for (size_t i = 0; i < n; i++)
         known[i] = s->label * known[i] - old[i];
@@ -209,7 +194,7 @@ static int panels_towards(const rw_problem *p, const rw_stuck *s, double end, in
     if (front == 0)
         return finest;
     if (front < length)
-        return (int)fmin(MOST_PANELS, fmax(2, 1 + shrinking(front, length)));
+        return (int)fmin(RW_MOST_PANELS, fmax(2, 1 + shrinking(front, length)));
     return other < length ? (int)fmin(AWAY, shrinking(other, length)) : 0;
 }
 

@@ -36,16 +36,12 @@ bool rw_memory_create(rw_memory *memory)
     return true;
 }
 
-bool rw_memory_copy(const rw_memory *memory, rw_memory *copy)
+rw_memory rw_memory_copy(const rw_memory *memory, bool *is_whole)
 {
-    *copy = (rw_memory){0};
-    if (!rw_memory_reserve(copy, memory->count))
-        return false;
-    memcpy(copy->corners, memory->corners, memory->count * sizeof *memory->corners);
-    copy->count = memory->count;
-    copy->shared = memory->shared;
-    copy->level = memory->level;
-    return true;
+    rw_memory copy = *memory;
+    copy.corners = rw_copied(memory->corners, memory->count, sizeof *copy.corners, is_whole);
+    copy.capacity = memory->count;
+    return copy;
 }
 
 void rw_memory_destroy(rw_memory *memory)

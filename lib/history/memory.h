@@ -85,9 +85,10 @@ static inline const rw_corner *rw_path_corner(const rw_path *path, size_t i)
     return &path->corners[branch->first + (i - branch->shared)];
 }
 
-/* The path of a contact without load. false where memory is short, and nothing is to be freed. */
+/* The path of a contact without load. false where memory is short, and nothing is to be freed. Of a
+ * copy `is_whole` becomes false there, and what there is of it is only to be freed. */
 bool rw_memory_create(rw_memory *memory);
-bool rw_memory_copy(const rw_memory *memory, rw_memory *copy);
+rw_memory rw_memory_copy(const rw_memory *memory, bool *is_whole);
 void rw_memory_destroy(rw_memory *memory);
 
 /* How many of their first corners two paths have in common; the origin always. */

@@ -15,20 +15,13 @@ bool rw_slip_origins_reserve(rw_slip_origins *origins, size_t more, size_t corne
     return all && rw_memory_reserve(&origins->own, corners);
 }
 
-bool rw_slip_origins_copy(const rw_slip_origins *origins, rw_slip_origins *copy)
+rw_slip_origins rw_slip_origins_copy(const rw_slip_origins *origins, bool *is_whole)
 {
-    *copy = (rw_slip_origins){.fresh = origins->fresh};
-    if (origins->count == 0)
-        return true;
-    if (!rw_slip_origins_reserve(copy, origins->count, origins->own.count)) {
-        rw_slip_origins_destroy(copy);
-        return false;
-    }
-    memcpy(copy->all, origins->all, origins->count * sizeof *copy->all);
-    memcpy(copy->own.corners, origins->own.corners, origins->own.count * sizeof *copy->own.corners);
-    copy->count = origins->count;
-    copy->own.count = origins->own.count;
-    return true;
+    rw_slip_origins copy = *origins;
+    copy.all = rw_copied(origins->all, origins->count, sizeof *copy.all, is_whole);
+    copy.capacity = origins->count;
+    copy.own = rw_memory_copy(&origins->own, is_whole);
+    return copy;
 }
 
 void rw_slip_origins_destroy(rw_slip_origins *origins)

@@ -29,7 +29,7 @@ typedef struct {
     double fresh;
 } rw_slip_origins;
 
-bool rw_slip_origins_copy(const rw_slip_origins *origins, rw_slip_origins *copy);
+rw_slip_origins rw_slip_origins_copy(const rw_slip_origins *origins, bool *is_whole);
 void rw_slip_origins_destroy(rw_slip_origins *origins);
 
 /* Makes room for so many more origins and for so many more corners. false where memory is short;

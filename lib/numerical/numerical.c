@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerical/numerical.h"
 
+#include "base/array.h"
 #include "base/domain.h"
 #include "traction/transform.h"
 
@@ -10,8 +11,8 @@
 /* ---- Life ---- */
 
 typedef struct {
-    const rw_numerical *numerical;
-    rw_function slip;
+    const rw_numerical_state *now;
+    rw_values slip;
     const void *context;
 } beginning;
 
@@ -21,10 +22,14 @@ static double displacement(const rw_numerical_state *s, double x)
     return rw_traction_displacement(&s->shear.traction, x) + s->at.stretch * x - s->move;
 }
 
-static double origin_at_first(double x, const void *context)
+static void origin_at_first(const double x[], const void *context, double origin[])
 {
     const beginning *b = context;
-    return b->slip(x, b->context) - displacement(&b->numerical->now, x);
+    double slip[RW_TERMS] = {0};
+    if (b->slip)
+        b->slip(x, b->context, slip);
+    for (int i = 0; i < RW_TERMS; i++)
+        origin[i] = slip[i] - displacement(b->now, x[i]);
 }
 
 /* The tolerance of the fit of the slip, over that of the tractions. */
@@ -37,42 +42,47 @@ static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
            fmax(rw_peak_friction(frame, s->contact), fabs(s->at.stretch));
 }
 
-bool rw_numerical_begin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *now,
-                        rw_function slip, const void *context)
+rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state *now,
+                                 bool has_origin, rw_values slip, const void *context)
 {
-    *n = (rw_numerical){.now = *now, .has_origin = slip != NULL};
-    n->now.is_still = true;
-    n->now.unslipped = now->contact;
-    if (!slip)
-        return true;
+    rw_numerical_state begun = *now;
+    begun.is_still = true;
+    begun.unslipped = now->contact;
+    rw_numerical *n = malloc(sizeof *n);
+    if (!n) {
+        rw_traction_destroy(&begun.shear.traction);
+        return NULL;
+    }
+    *n = (rw_numerical){.now = begun, .has_origin = has_origin};
     double at[RW_MOST_BENDS + 2];
-    const beginning b = {n, slip, context};
+    const beginning b = {now, slip, context};
     const size_t breaks = rw_breaks_of(frame, now->contact, 0, NULL, at);
-    if (rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at, slip_tolerance(frame, now)))
-        return true;
-    rw_traction_destroy(&n->origin);
-    return false;
+    if (!has_origin ||
+        rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at, slip_tolerance(frame, now), 0))
+        return n;
+    rw_numerical_destroy(n);
+    return NULL;
 }
 
-bool rw_numerical_copy(const rw_numerical *n, rw_numerical *copy)
+rw_numerical *rw_numerical_copy(const rw_numerical *n, bool *is_whole)
 {
-    rw_traction *const shear = &copy->now.shear.traction, *const friction =
-                                                              &copy->friction.traction;
-    *copy = *n;
-    *shear = *friction = copy->origin = (rw_traction){0};
-    const bool is_done = rw_traction_copy(&n->now.shear.traction, shear) &&
-                         rw_traction_copy(&n->origin, &copy->origin) &&
-                         rw_traction_copy(&n->friction.traction, friction);
-    if (!is_done)
-        rw_numerical_destroy(copy);
-    return is_done;
+    rw_numerical *copy = rw_copied(n, n != NULL, sizeof *copy, is_whole);
+    if (!copy)
+        return NULL;
+    copy->now.shear.traction = rw_traction_copy(&n->now.shear.traction, is_whole);
+    copy->origin = rw_traction_copy(&n->origin, is_whole);
+    copy->friction.traction = rw_traction_copy(&n->friction.traction, is_whole);
+    return copy;
 }
 
 void rw_numerical_destroy(rw_numerical *n)
 {
-    rw_shear_state_destroy(&n->now.shear);
+    if (!n)
+        return;
+    rw_traction_destroy(&n->now.shear.traction);
     rw_traction_destroy(&n->origin);
     rw_friction_destroy(&n->friction);
+    free(n);
 }
 
 double rw_numerical_slip(const rw_numerical *n, double x)
@@ -153,14 +163,17 @@ static double origin_between(const rw_numerical_state *from, const rw_numerical_
 
 /* Of a place that comes into contact in the step. It has slip 0 then, and keeps it where it
  * sticks. */
-static double new_origin(double x, const void *context)
+static void new_origin(const double x[], const void *context, double origin[])
 {
     const growth *g = context;
-    if (rw_zones_label(&g->half->shear.zones, x) == 0 &&
-        rw_zones_label(&g->now->shear.zones, x) == 0)
-        return -displacement(g->now, x);
-    return rw_patch_has(g->half->contact, x) ? origin_between(&g->numerical->now, g->half, x)
-                                             : origin_between(g->half, g->now, x);
+    for (int i = 0; i < RW_TERMS; i++) {
+        const bool sticks = rw_zones_label(&g->half->shear.zones, x[i]) == 0 &&
+                            rw_zones_label(&g->now->shear.zones, x[i]) == 0;
+        origin[i] = sticks ? -displacement(g->now, x[i])
+                    : rw_patch_has(g->half->contact, x[i])
+                        ? origin_between(&g->numerical->now, g->half, x[i])
+                        : origin_between(g->half, g->now, x[i]);
+    }
 }
 
 /* Appends the origin of places that came into contact; the edge at half the step may be between. */
@@ -170,7 +183,7 @@ static bool append_new(rw_traction *origin, const growth *g, double from, double
     const bool is_between = half > from && half < to;
     const double at[3] = {from, is_between ? half : to, to};
     return !(from < to) ||
-           rw_traction_fit(origin, new_origin, g, is_between ? 3 : 2, at, tolerance);
+           rw_traction_fit(origin, new_origin, g, is_between ? 3 : 2, at, tolerance, 0);
 }
 
 /* Whether so many elements are to be fewer: from 64 on, each time that they are twice as many. */
@@ -207,40 +220,87 @@ static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numeri
 
 /* ---- Steps ---- */
 
-/* Makes the end of a step the present state. */
-static bool accept(rw_work *w, rw_numerical *n, const rw_numerical_state *half,
-                   rw_numerical_state *now)
+/* A load is divided so many times at most, each time into halves or shorter parts. */
+enum { DIVISIONS = 9 };
+
+static const double SHORTEST = 1.0 / (1 << DIVISIONS);
+
+/* A step as a whole, its first half and both halves, where they are known. */
+typedef struct {
+    rw_numerical_state whole, half, both;
+} trial;
+
+/* What a load needs. The stack of some threads, 64 KiB, would not hold it. */
+typedef struct {
+    rw_work work;
+    rw_numerical *next;
+    trial at[DIVISIONS + 1]; /* by how often the load was divided */
+} load_work;
+
+static bool is_known(const rw_numerical_state *s)
 {
-    if (!renew_origin(n, w->frame, half, now)) {
-        w->is_short = true;
-        rw_shear_state_destroy(&now->shear);
+    return s->shear.traction.count > 0;
+}
+
+static void drop(rw_numerical_state *s)
+{
+    rw_traction_destroy(&s->shear.traction);
+}
+
+/* Takes the place of another state, which is not known. */
+static void move(rw_numerical_state *to, rw_numerical_state *from)
+{
+    *to = *from;
+    from->shear.traction = (rw_traction){0};
+}
+
+/* Makes the end of a step the present state. */
+static bool accept(load_work *j, const rw_numerical_state *half, rw_numerical_state *now)
+{
+    rw_numerical *n = j->next;
+    const rw_frame *frame = j->work.frame;
+    if (!renew_origin(n, frame, half, now)) {
+        j->work.is_short = true;
         return false;
     }
     rw_shear_state_smooth(&now->shear, now->contact,
-                          w->frame->tolerance * rw_peak_friction(w->frame, now->contact));
-    note_error(n, now, w->frame->tolerance);
-    rw_shear_state_destroy(&n->now.shear);
-    n->now = *now;
+                          frame->tolerance * rw_peak_friction(frame, now->contact));
+    note_error(n, now, frame->tolerance);
+    drop(&n->now);
+    move(&n->now, now);
     return true;
 }
 
-/* A step that may have failed. */
-typedef struct {
-    bool is_known;
-    rw_numerical_state state;
-} trial;
-
-static void drop(trial *t)
+/* Ends a step, known as a whole or not, if its error is small enough or it is the last attempt. The
+ * difference of the whole from two halves is the error, over the allowed one. If it is too large
+ * only the first half stays. */
+static bool end_step(load_work *j, trial *t, rw_scaled_loads to, bool is_last, double *error)
 {
-    if (t->is_known)
-        rw_shear_state_destroy(&t->state.shear);
-    t->is_known = false;
-}
-
-static void try_step(trial *t, rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
-                     const rw_zones *guess, bool coarse)
-{
-    t->is_known = rw_implicit_step(w, from, to, guess, coarse, &t->state);
+    rw_work *w = &j->work;
+    const rw_numerical_state *from = &j->next->now;
+    const bool knows_whole = is_known(&t->whole);
+    const rw_zones *guess = knows_whole ? &t->whole.shear.zones : &from->shear.zones;
+    *error = 0;
+    if (knows_whole && t->whole.is_exact) {
+        t->whole.error += t->whole.rate_error;
+        return accept(j, &t->whole, &t->whole);
+    }
+    *error = HUGE_VAL;
+    if (rw_implicit_step(w, from, rw_part_of_line(from->at, to, 0.5), guess, is_last, &t->half) &&
+        knows_whole) {
+        if (rw_step_goes_on(w, &t->half, &t->whole)) {
+            move(&t->both, &t->whole);
+            *error = 0;
+        } else if (rw_implicit_step(w, &t->half, to, guess, is_last, &t->both))
+            *error = rw_compare(w->frame, from->contact, &t->whole, &t->half, &t->both);
+    }
+    drop(&t->whole);
+    const bool is_done =
+        is_known(&t->both) && (*error <= 1 || is_last) && accept(j, &t->half, &t->both);
+    drop(&t->both);
+    if (is_done)
+        drop(&t->half);
+    return is_done;
 }
 
 /* The length of a step, over that of one with this error over the allowed one: in a step errors are
@@ -258,60 +318,6 @@ static double part_of(double left, double part)
     return left / fmax(1, floor(left / part + 0.5));
 }
 
-/* A load is divided so many times at most, each time into halves or shorter parts. */
-enum { DIVISIONS = 9 };
-
-static const double SHORTEST = 1.0 / (1 << DIVISIONS);
-
-/* The step as a whole, if it is known, its first half and both halves. */
-typedef struct {
-    trial whole, half, both;
-    rw_zones guess;
-} attempt;
-
-/* What a load needs. The stack of some threads, 64 KiB, would not hold it. */
-typedef struct {
-    rw_work work;
-    rw_numerical next;
-    attempt at[DIVISIONS + 1]; /* by how often the load was divided */
-} load_work;
-
-/* One step to a load, if its error is small enough or it is the last attempt. The difference of the
- * whole from two halves is the error. If it is too large only the first half stays. */
-static bool try_at_once(load_work *j, attempt *a, rw_scaled_loads to, bool is_last, double *error)
-{
-    rw_work *w = &j->work;
-    rw_numerical *n = &j->next;
-    const bool is_known = a->whole.is_known;
-    a->half.is_known = a->both.is_known = false;
-    *error = 0;
-    if (is_known && a->whole.state.is_exact) {
-        a->whole.is_known = false;
-        a->whole.state.error += a->whole.state.rate_error;
-        return accept(w, n, &a->whole.state, &a->whole.state);
-    }
-    a->guess = is_known ? a->whole.state.shear.zones : n->now.shear.zones;
-    try_step(&a->half, w, &n->now, rw_part_of_line(n->now.at, to, 0.5), &a->guess, is_last);
-    if (a->half.is_known && is_known && rw_step_goes_on(w, &a->half.state, &a->whole.state)) {
-        a->both = a->whole;
-        a->whole.is_known = false;
-    } else {
-        if (a->half.is_known && is_known)
-            try_step(&a->both, w, &a->half.state, to, &a->guess, is_last);
-        *error = a->both.is_known ? rw_compare(w->frame, n->now.contact, &a->whole.state,
-                                               &a->half.state, &a->both.state)
-                                  : HUGE_VAL;
-    }
-    drop(&a->whole);
-    if (!a->both.is_known || (*error > 1 && !is_last)) {
-        drop(&a->both);
-        return false;
-    }
-    const bool is_done = accept(w, n, &a->half.state, &a->both.state);
-    drop(&a->half);
-    return is_done;
-}
-
 static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
                              int effort, double *error);
 
@@ -320,16 +326,13 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
 static bool advance(load_work *j, int division, rw_scaled_loads to, double length, int effort,
                     double *error)
 {
-    attempt *a = &j->at[division];
+    trial *t = &j->at[division];
     const bool is_last = division == DIVISIONS || length <= SHORTEST || j->work.effort > effort;
-    if (is_last && !a->whole.is_known)
-        try_step(&a->whole, &j->work, &j->next.now, to, NULL, true);
-    if (try_at_once(j, a, to, is_last, error))
-        return true;
-    if (!is_last && !j->work.is_short)
-        return advance_in_parts(j, division, to, length, effort, error);
-    drop(&a->half);
-    return false;
+    if (is_last && !is_known(&t->whole))
+        rw_implicit_step(&j->work, &j->next->now, to, NULL, true, &t->whole);
+    return end_step(j, t, to, is_last, error) ||
+           (!is_last && !j->work.is_short &&
+            advance_in_parts(j, division, to, length, effort, error));
 }
 
 /* `error` is that of the load at once, whose first half stands ready, if it is known. A part may
@@ -338,21 +341,19 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
                              int effort, double *error)
 {
     rw_work *w = &j->work;
-    attempt *a = &j->at[division], *next = a + 1;
-    const rw_scaled_loads from = j->next.now.at;
+    rw_numerical_state *whole = &j->at[division + 1].whole;
+    const rw_scaled_loads from = j->next->now.at;
     double done = 0, part = part_of(1, fmin(0.5, better_length(*error)));
     bool is_done = true;
-    next->whole = a->half;
+    move(whole, &j->at[division].half);
     if (part < 0.5)
-        drop(&next->whole);
+        drop(whole);
     while (is_done && done < 1) {
         const bool is_end = part > 0.9 * (1 - done);
         const rw_scaled_loads at = is_end ? to : rw_part_of_line(from, to, done + part);
         const int share = (effort - w->effort) / (is_end ? 1 : 2);
-        if (done > 0 || part < 0.5) {
-            a->guess = j->next.now.shear.zones;
-            try_step(&next->whole, w, &j->next.now, at, &a->guess, false);
-        }
+        if (done > 0 || part < 0.5)
+            rw_implicit_step(w, &j->next->now, at, &j->next->now.shear.zones, false, whole);
         is_done = advance(j, division + 1, at, length * part, w->effort + share, error);
         done = is_end ? 1 : done + part;
         part = is_end ? 0 : part_of(1 - done, part * (*error > 1 ? 1 : better_length(*error)));
@@ -381,25 +382,32 @@ static void keep_friction(rw_work *w, rw_numerical *n)
 static int32_t try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
     load_work *j = malloc(sizeof *j);
-    if (!j || !rw_work_create(&j->work, frame, *effort)) {
-        free(j);
+    if (!j)
         return RWEDGE_ENOMEM;
-    }
+    rw_work_init(&j->work, frame, *effort);
+    memset(j->at, 0, sizeof j->at);
     int32_t status = RWEDGE_ENOMEM;
-    if (rw_numerical_copy(n, &j->next)) {
+    bool is_whole = true;
+    rw_numerical *next = j->next = rw_numerical_copy(n, &is_whole);
+    if (is_whole) {
+        lend_friction(next, &j->work);
         double error;
-        lend_friction(&j->next, &j->work);
-        try_step(&j->at[0].whole, &j->work, &j->next.now, to, NULL, false);
-        const bool is_at_end = advance(j, 0, to, 1, *effort / 2, &error);
-        const bool is_done =
-            is_at_end && !j->work.is_short &&
-            rw_numerical_error(&j->next) <= frame->far_off + 2 * rw_numerical_error(n);
+        rw_implicit_step(&j->work, &next->now, to, NULL, false, &j->at[0].whole);
+        const bool is_done = advance(j, 0, to, 1, *effort / 2, &error) && !j->work.is_short &&
+                             rw_numerical_error(next) <= frame->far_off + 2 * rw_numerical_error(n);
         *effort -= j->work.effort;
-        keep_friction(&j->work, &j->next);
-        rw_numerical_destroy(is_done ? n : &j->next);
-        if (is_done)
-            *n = j->next;
+        keep_friction(&j->work, next);
+        const rw_numerical before = *n;
+        if (is_done) {
+            *n = *next;
+            *next = before;
+        }
         status = is_done ? RWEDGE_OK : j->work.is_short ? RWEDGE_ENOMEM : RWEDGE_ENOCONV;
+    }
+    rw_numerical_destroy(next);
+    for (int i = 0; i <= DIVISIONS; i++) {
+        drop(&j->at[i].whole);
+        drop(&j->at[i].half);
     }
     rw_work_destroy(&j->work);
     free(j);

@@ -19,12 +19,14 @@ typedef struct {
 /* For a load: within a second. */
 enum { RW_MOST_EFFORT = 20000000 };
 
-/* Begins from `now`, whose traction is set. `slip` gives the slip so far of each place, NULL where
- * it is not known. false where memory is short; then only `now` is to be freed. */
-bool rw_numerical_begin(rw_numerical *numerical, const rw_frame *frame,
-                        const rw_numerical_state *now, rw_function slip, const void *context);
+/* Begins from `now`, whose traction it takes over. `slip` gives the slip so far of places, over
+ * theta; NULL: nothing has slipped. NULL where memory is short. */
+rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state *now,
+                                 bool has_origin, rw_values slip, const void *context);
 
-bool rw_numerical_copy(const rw_numerical *numerical, rw_numerical *copy);
+/* NULL may be copied and destroyed. Where memory is short `is_whole` becomes false, and what there
+ * is is only to be destroyed. */
+rw_numerical *rw_numerical_copy(const rw_numerical *numerical, bool *is_whole);
 void rw_numerical_destroy(rw_numerical *numerical);
 
 /* A straight line to new loads. RWEDGE_ENOMEM; RWEDGE_ENOCONV; then all is as before.

@@ -27,12 +27,7 @@ static const double SMALL = 0.1, BEST_FIT = 0.1;
 static double fit_tolerance(const rw_problem *p)
 {
     const double part = rw_problem_change(p) / (SMALL * p->scale);
-    return FIT * fmax(BEST_FIT, fmin(1, part)) * p->tolerance;
-}
-
-void rw_shear_state_destroy(rw_shear_state *state)
-{
-    rw_traction_destroy(&state->traction);
+    return FIT * fmax(BEST_FIT, fmin(1, part)) * (p->frame->tolerance * p->scale);
 }
 
 /* ---- The new traction ---- */
@@ -337,8 +332,8 @@ static bool complete(const after *n, double tolerance, rw_outcome *o)
     double at[MOST_BREAKS];
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
-    o->is_short = !rw_traction_fit_values(&o->state.traction, traction_after, n, (size_t)breaks, at,
-                                          tolerance, NOISE);
+    o->is_short = !rw_traction_fit(&o->state.traction, traction_after, n, (size_t)breaks, at,
+                                   tolerance, NOISE);
     if (!o->is_short) {
         balance(p, &o->state);
         for (int i = 0; i + 1 < breaks; i++)
@@ -349,7 +344,7 @@ static bool complete(const after *n, double tolerance, rw_outcome *o)
         if (isfinite(o->move + o->energy))
             return true;
     }
-    rw_shear_state_destroy(&o->state);
+    rw_traction_destroy(&o->state.traction);
     return false;
 }
 

@@ -17,8 +17,6 @@ typedef struct {
     rw_zones wrong;   /* parts that should have another label */
 } rw_outcome;
 
-void rw_shear_state_destroy(rw_shear_state *state);
-
 /* Removes kinks, except fronts, without which the traction is fitted to the tolerance too: each
  * step leaves kinks where an edge of the contact was. */
 void rw_shear_state_smooth(rw_shear_state *state, rw_patch contact, double tolerance);

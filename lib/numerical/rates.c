@@ -6,80 +6,56 @@
 #include "numerical/pattern.h"
 
 /* The solution of the rates. S f dp/ds on all of the contact makes no slip. With this traction as
- * layer 0, the rest is 0 but in zones that slip the other way than S. */
-typedef struct {
-    int sign; /* S */
-    rw_stuck stuck;
-    double front[RW_MOST_FRONTS], p[RW_MOST_FRONTS];
-} rates;
-
-/* Many zones are those of a grid, which is not that exact. */
+ * layer 0, the rest is 0 but in zones that slip the other way than S. Many zones are those of a
+ * grid, which is not that exact. */
 static bool solve(rw_fronts *f, const rw_problem *problem, const rw_zones *zones, int sign,
-                  rates *r)
+                  rw_stuck *s)
 {
     if (zones->count > RW_MOST_FRONTS)
         return false;
     f->problem = problem;
     rw_fronts_forget(f);
-    *r = (rates){.sign = sign, .stuck = rw_stuck_of(f, zones)};
-    if (r->stuck.count == 0)
+    *s = rw_stuck_of(f, zones);
+    if (s->count == 0)
         return false;
     rw_fronts_collect(f, zones, &(rw_layers){sign != 0, {sign}}, f->coarse);
-    const bool is_done = rw_fronts_polynomial(f, &r->stuck, r->front, r->p);
+    const bool is_done = rw_fronts_polynomial(f, s);
     rw_fronts_prepare(f);
     return is_done;
 }
 
-static double polynomial_at(const rates *r, double x)
+/* w' where it slips with this sign; where it sticks the rate of t beyond S f dp/ds: both terms are
+ * over i there, so that the second one changes its sign. */
+static double rate_at(const rw_fronts *f, const rw_stuck *s, bool sticks, double x)
 {
-    const double at = (x - r->stuck.middle) / r->stuck.half;
-    double value = 0;
-    for (int i = 2 * r->stuck.count - 1; i >= 0; i--)
-        value = value * at + r->p[i];
-    return value;
-}
-
-/* w' where it slips with this sign. */
-static double slope_at(const rw_fronts *f, const rates *r, double x)
-{
-    const double X = rw_X_at(&r->stuck, x);
-    return polynomial_at(r, x) / X + X * rw_fronts_transform(f, x);
-}
-
-/* The rate of t beyond S f dp/ds, where it sticks. */
-static double traction_at(const rw_fronts *f, const rates *r, double x)
-{
-    const double X = fabs(rw_X_at(&r->stuck, x));
-    int beyond = 0; /* zones that stick */
-    for (int k = 0; k < r->stuck.count; k++)
-        beyond += x < r->stuck.end[2 * k];
-    return (X * rw_fronts_transform(f, x) - polynomial_at(r, x) / X) * (beyond % 2 ? -1 : 1);
+    const double X = rw_X_at(s, x), p = rw_polynomial_at(s, (x - s->middle) / s->half);
+    return X * rw_fronts_transform(f, x) + (sticks ? -p : p) / X;
 }
 
 /* Places in a zone or a part of one, the closer the nearer to its ends. */
 enum { POINTS = 24 };
 
 /* The largest slip with the sign of the traction, from the front on; `way` -1: against it. */
-static double largest_slip(const rw_fronts *f, const rates *r, rw_zone zone, int way)
+static double largest_slip(const rw_fronts *f, const rw_stuck *s, rw_zone zone, int way)
 {
-    const bool is_leftmost = zone.right == r->stuck.end[0];
+    const bool is_leftmost = zone.right == s->end[0];
     const double front = is_leftmost ? zone.right : zone.left;
     const double length = is_leftmost ? zone.left - zone.right : zone.right - zone.left;
     double slip = 0, most = 0;
     for (int i = 0; i < POINTS; i++) {
         const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
-        slip += slope_at(f, r, front + length * half * half) * length * sin(angle) *
+        slip += rate_at(f, s, false, front + length * half * half) * length * sin(angle) *
                 (RW_HALF_PI / POINTS);
         most = fmax(most, way * zone.label * slip);
     }
-    return most / sqrt(fabs(length) * r->stuck.half);
+    return most / sqrt(fabs(length) * s->half);
 }
 
 /* Of the rate of friction at an edge, where it is like 1/sqrt: > 0 where the edge grows. */
 static double edge_rate(const rw_problem *p, int side)
 {
     const double sign = side ? 1 : -1;
-    return p->f * (p->load[0] / RW_PI + sign * p->tilt[0] * p->half) / (p->half * sqrt(2));
+    return p->frame->f * (p->load[0] / RW_PI + sign * p->tilt[0] * p->half) / (p->half * sqrt(2));
 }
 
 /* Whether the zones stick up to the edge. */
@@ -88,13 +64,15 @@ static bool sticks_at_edge(const rw_zones *zones, int side)
     return zones->zone[side ? zones->count - 1 : 0].label == 0;
 }
 
-static double ratio_at(const rw_problem *p, const rw_zones *zones, const rates *r, int side)
+/* With the sign of the rates. */
+static double ratio_at(const rw_problem *p, const rw_zones *zones, int sign, const rw_stuck *s,
+                       int side)
 {
     double K[RW_MOST_FRONTS];
     if (!(edge_rate(p, side) > 0) || !sticks_at_edge(zones, side))
         return NAN;
-    rw_fronts_singular(&r->stuck, r->front, r->p, K);
-    return r->sign + K[side ? 2 * r->stuck.count - 1 : 0] / edge_rate(p, side);
+    rw_fronts_singular(s, K);
+    return sign + K[side ? 2 * s->count - 1 : 0] / edge_rate(p, side);
 }
 
 static int first_sign(const rw_zones *zones)
@@ -111,16 +89,17 @@ double rw_rates_wrong(rw_fronts *f, const rw_problem *p, const rw_zones *zones,
     const int first = first_sign(zones);
     double most = 0;
     for (int sign = first; sign == first || sign == -first; sign -= 2 * first) {
-        rates r;
-        if (!solve(f, p, zones, sign, &r))
+        rw_stuck s;
+        if (!solve(f, p, zones, sign, &s))
             return most;
         for (int i = 0; i < zones->count; i++)
             if (zones->zone[i].label != 0 && zones->zone[i].label == sign)
-                most = fmax(most, largest_slip(f, &r, zones->zone[i], 1));
+                most = fmax(most, largest_slip(f, &s, zones->zone[i], 1));
         for (int side = 0; side < 2 && sign == first; side++) {
-            const double D = ratio_at(p, zones, &r, side);
+            const double D = ratio_at(p, zones, sign, &s, side);
             if (isgreater(fabs(D), 1) && sticks_at_edge(after, side))
-                most = fmax(most, (fabs(D) - 1) * p->f * fabs(p->load[0]) / (RW_PI * p->half));
+                most =
+                    fmax(most, (fabs(D) - 1) * p->frame->f * fabs(p->load[0]) / (RW_PI * p->half));
         }
         if (sign == 0)
             break;
@@ -131,8 +110,8 @@ double rw_rates_wrong(rw_fronts *f, const rw_problem *p, const rw_zones *zones,
 /* The largest slip that goes the right way in a zone. */
 static double slip_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone zone)
 {
-    rates r;
-    return solve(f, p, zones, zone.label, &r) ? largest_slip(f, &r, zone, -1) : 0;
+    rw_stuck s;
+    return solve(f, p, zones, zone.label, &s) ? largest_slip(f, &s, zone, -1) : 0;
 }
 
 /* How far the traction goes beyond friction, on average, in a part that slipped with its label and
@@ -141,23 +120,24 @@ static double excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones
 {
     const double length = part.right - part.left;
     double sum = 0;
-    rates r;
-    if (!solve(f, p, zones, part.label, &r))
+    rw_stuck s;
+    if (!solve(f, p, zones, part.label, &s))
         return HUGE_VAL;
     for (int i = 0; i < POINTS; i++) {
         const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
-        const double excess = part.label * traction_at(f, &r, part.left + length * half * half);
+        const double excess = part.label * rate_at(f, &s, true, part.left + length * half * half);
         sum += fmax(0, excess) * sin(angle) * (RW_HALF_PI / POINTS);
     }
-    return sum * sqrt(length / r.stuck.half);
+    return sum * sqrt(length / s.half);
 }
 
 void rw_rates_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, double ratio[2])
 {
-    rates r;
-    const bool is_known = solve(f, p, zones, first_sign(zones), &r);
+    rw_stuck s;
+    const int sign = first_sign(zones);
+    const bool is_known = solve(f, p, zones, sign, &s);
     for (int side = 0; side < 2; side++) {
-        const double D = is_known ? ratio_at(p, zones, &r, side) : NAN;
+        const double D = is_known ? ratio_at(p, zones, sign, &s, side) : NAN;
         ratio[side] = isnan(D) ? NAN : fmax(-1, fmin(1, D));
     }
 }
@@ -210,11 +190,11 @@ static void set_front(rw_zones *zones, int i, double x)
 static void pulls(rw_fronts *f, const rw_problem *p, const rw_zones *zones, int count,
                   const free_front fronts[], double K[])
 {
-    rates r;
+    rw_stuck s;
     double all[RW_MOST_FRONTS];
-    const bool is_known = solve(f, p, zones, first_sign(zones), &r);
+    const bool is_known = solve(f, p, zones, first_sign(zones), &s);
     if (is_known)
-        rw_fronts_singular(&r.stuck, r.front, r.p, all);
+        rw_fronts_singular(&s, all);
     for (int i = 0; i < count; i++)
         K[i] = is_known ? all[fronts[i].end] : NAN;
 }

@@ -175,38 +175,34 @@ static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, d
     return true;
 }
 
-/* The outcome of a pattern. Parts that turn out to have the wrong label get the other one, and the
- * pattern is tried again. */
-static bool try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
-                        double least, rw_outcome *best)
+/* An outcome that is worse than any. */
+static const rw_outcome NONE = {.violation = HUGE_VAL};
+
+/* Another outcome takes the place of the best one, or is freed. Whether it does. */
+static bool take_if(bool is_better, rw_outcome *best, const rw_outcome *other)
 {
-    if (!try_fronts(w, p, zones, angle, best))
-        return false;
-    for (int turn = 0; turn < 3 && best->violation > p->allowed; turn++) {
-        rw_zones mended = best->state.zones;
-        rw_outcome other;
-        rw_pattern_insert(&mended, &best->wrong, least);
-        if (!try_fronts(w, p, &mended, angle, &other))
-            break;
-        rw_shear_state_destroy(other.violation < best->violation ? &best->state : &other.state);
-        if (!(other.violation < best->violation))
-            break;
-        *best = other;
-    }
-    return true;
+    rw_traction loser = is_better ? best->state.traction : other->state.traction;
+    rw_traction_destroy(&loser);
+    if (is_better)
+        *best = *other;
+    return is_better;
 }
 
-/* Keeps the better of two. */
-static void keep_better(rw_outcome *best, bool *is_known, const rw_outcome *other)
+/* Tries a pattern, and keeps its outcome where it is the best so far. Parts that turn out to have
+ * the wrong label get the other one, and the pattern is tried again. */
+static void try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+                        double least, rw_outcome *best)
 {
-    rw_outcome worse = *other;
-    if (!*is_known || other->violation < best->violation) {
-        worse = *best;
-        *best = *other;
+    rw_zones pattern = *zones;
+    rw_outcome outcome = NONE, other;
+    for (int turn = 0; turn < 4 && outcome.violation > p->allowed; turn++) {
+        if (!try_fronts(w, p, &pattern, angle, &other) ||
+            !take_if(other.violation < outcome.violation, &outcome, &other))
+            break;
+        pattern = outcome.state.zones;
+        rw_pattern_insert(&pattern, &outcome.wrong, least);
     }
-    if (*is_known)
-        rw_shear_state_destroy(&worse.state);
-    *is_known = true;
+    take_if(outcome.violation < best->violation, best, &outcome);
 }
 
 /* A guess of the layers of a growing contact, as if all of it stuck. */
@@ -224,28 +220,20 @@ static rw_layers guess_layers(rw_work *w)
     return (rw_layers){known > 0, {known > 0 ? sum / known : 0}};
 }
 
-static bool try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
+static void try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,
                     rw_outcome *best)
 {
     const double width = p->half * angle * angle * 2;
-    rw_zones pattern = *zones;
-    bool is_known = false;
+    rw_zones pattern = *zones, variant;
     rw_pattern_clean(&pattern, width);
     do {
-        for (int number = 0; number < RW_VARIANTS; number++) {
-            rw_zones variant;
+        for (int number = 0; number < RW_VARIANTS && best->violation > p->allowed; number++) {
             if (!rw_pattern_variant(p, &pattern, width, number, &variant))
                 continue;
             rw_pattern_clean(&variant, width);
-            rw_outcome outcome;
-            if (!try_pattern(w, p, &variant, angle, width, &outcome))
-                continue;
-            keep_better(best, &is_known, &outcome);
-            if (best->violation <= p->allowed)
-                return true;
+            try_pattern(w, p, &variant, angle, width, best);
         }
-    } while (rw_pattern_simpler(p, &pattern, width));
-    return is_known;
+    } while (best->violation > p->allowed && rw_pattern_simpler(p, &pattern, width));
 }
 
 /* The zones of a contact, scaled to another one. */
@@ -264,13 +252,13 @@ static rw_zones moved_to(rw_zones zones, rw_patch contact)
 
 /* Tries the zones of a similar step; or those before the step, if they go on slipping as they
  * did. */
-static bool try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_outcome *best)
+static void try_guess(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_outcome *best)
 {
     const rw_zones *old = &p->old->zones;
     if (!guess && (old->count < 2 || rw_rates_wrong(&w->fronts, &w->start, old, old) > 0))
-        return false;
+        return;
     const rw_zones zones = moved_to(guess ? *guess : *old, p->to);
-    return try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
+    try_pattern(w, p, &zones, guess ? 0 : RW_PI / ANGLES, p->half * 1e-3, best);
 }
 
 /* The zones, but places that are new in contact stick. Whether there are any that slip. */
@@ -294,22 +282,19 @@ static void end_slip_at_edges(rw_work *w, const rw_problem *p, rw_outcome *best)
     rw_outcome other;
     if (!stick_where_new(p, &zones))
         return;
-    if (rw_rates_wrong(&w->fronts, &w->end, &best->state.zones, &best->state.zones) <=
-            p->allowed * p->scale ||
-        !try_fronts(w, p, &zones, 0, &other))
-        return;
-    const bool is_allowed = other.violation <= p->allowed;
-    rw_shear_state_destroy(is_allowed ? &best->state : &other.state);
-    if (is_allowed)
-        *best = other;
+    if (rw_rates_wrong(&w->fronts, &w->end, &best->state.zones, &best->state.zones) >
+            p->allowed * p->scale &&
+        try_fronts(w, p, &zones, 0, &other))
+        take_if(other.violation <= p->allowed, best, &other);
 }
 
 bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coarse,
                rw_outcome *best)
 {
     w->search = w->effort > w->most_effort ? 0 : SEARCH;
-    bool is_known = try_guess(w, p, guess, best);
-    if (is_known && best->violation <= p->allowed) {
+    *best = NONE;
+    try_guess(w, p, guess, best);
+    if (best->violation <= p->allowed) {
         end_slip_at_edges(w, p, best);
         return true;
     }
@@ -317,10 +302,8 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
     for (int trial = 0; trial < RW_TRIALS; trial++) {
         rw_grid *grid = &w->grid[trial];
         const int n = ANGLES << trial;
-        if (!grid->x && !rw_grid_create(grid, n)) {
-            w->is_short = true;
-            break;
-        }
+        if (grid->n == 0)
+            rw_grid_init(grid, n);
         rw_zones zones;
         rw_outcome outcome;
         const bool is_solved = rw_grid_solve(grid, p, &layers);
@@ -328,32 +311,34 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         if (!is_solved)
             continue;
         rw_grid_zones(grid, p, &zones);
-        if (try_all(w, p, &zones, RW_PI / n, &outcome))
-            keep_better(best, &is_known, &outcome);
-        if (is_known && best->violation <= p->allowed)
+        try_all(w, p, &zones, RW_PI / n, best);
+        if (best->violation <= p->allowed)
             return true;
         if (coarse && trial + 1 == RW_TRIALS &&
             noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome), &outcome))
-            keep_better(best, &is_known, &outcome);
+            take_if(outcome.violation < best->violation, best, &outcome);
     }
-    if (is_known && !coarse && best->violation > w->frame->tolerance) {
-        rw_shear_state_destroy(&best->state);
-        return false;
-    }
-    return is_known;
+    if (!coarse && best->violation > w->frame->tolerance)
+        rw_traction_destroy(&best->state.traction);
+    return best->state.traction.count > 0;
 }
 
-bool rw_work_create(rw_work *w, const rw_frame *frame, int most_effort)
+void rw_work_init(rw_work *w, const rw_frame *frame, int most_effort)
 {
-    *w = (rw_work){.frame = frame, .most_effort = most_effort};
-    return rw_fronts_create(&w->fronts, frame->tolerance);
+    w->frame = frame;
+    w->frictions = 0;
+    w->effort = 0;
+    w->most_effort = most_effort;
+    w->is_short = false;
+    rw_fronts_init(&w->fronts, frame->tolerance);
+    for (int i = 0; i < RW_TRIALS; i++)
+        w->grid[i].n = 0;
+    for (int i = 0; i < RW_FRICTIONS; i++)
+        w->friction[i] = (rw_friction){.peak = 0};
 }
 
 void rw_work_destroy(rw_work *w)
 {
-    rw_fronts_destroy(&w->fronts);
-    for (int i = 0; i < RW_TRIALS; i++)
-        rw_grid_destroy(&w->grid[i]);
     for (int i = 0; i < RW_FRICTIONS; i++)
         rw_friction_destroy(&w->friction[i]);
 }

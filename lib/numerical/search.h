@@ -12,8 +12,8 @@ enum { RW_TRIALS = 2, RW_FRICTIONS = 4 };
 typedef struct {
     const rw_frame *frame;
     rw_fronts fronts;
-    rw_problem start, end; /* the rates at the beginning and at the end of the step */
-    rw_grid grid[RW_TRIALS];
+    rw_problem start, end;              /* the rates at the beginning and at the end of the step */
+    rw_grid grid[RW_TRIALS];            /* n = 0: not used yet */
     rw_friction friction[RW_FRICTIONS]; /* of the last contacts */
     unsigned frictions;                 /* how many so far */
     /* so far: values at points of a quadrature. Beyond the most only the grid is
@@ -23,7 +23,7 @@ typedef struct {
     bool is_short; /* memory was short */
 } rw_work;
 
-bool rw_work_create(rw_work *work, const rw_frame *frame, int most_effort);
+void rw_work_init(rw_work *work, const rw_frame *frame, int most_effort);
 void rw_work_destroy(rw_work *work);
 
 /* The best outcome by exact fronts; or by the grid, where `coarse` allows it. `guess` is tried

@@ -138,17 +138,10 @@ void rw_traction_shift(rw_traction *t, double from, double to, double by)
     }
 }
 
-bool rw_traction_copy(const rw_traction *t, rw_traction *copy)
+rw_traction rw_traction_copy(const rw_traction *t, bool *is_whole)
 {
-    *copy = (rw_traction){0};
-    if (t->count == 0)
-        return true;
-    copy->elements = malloc(t->count * sizeof *copy->elements);
-    if (!copy->elements)
-        return false;
-    memcpy(copy->elements, t->elements, t->count * sizeof *copy->elements);
-    copy->count = copy->capacity = t->count;
-    return true;
+    return (rw_traction){rw_copied(t->elements, t->count, sizeof *t->elements, is_whole), t->count,
+                         t->count};
 }
 
 void rw_traction_destroy(rw_traction *t)
@@ -225,8 +218,8 @@ static void fit_part(fit *how, double end, double scale, double first, double la
     fit_part(how, end, scale, at[right], at[right + 1], depth - 1, rest);
 }
 
-bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, size_t breaks,
-                            const double at[], double tolerance, double noise)
+bool rw_traction_fit(rw_traction *t, rw_values f, const void *context, size_t breaks,
+                     const double at[], double tolerance, double noise)
 {
     fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance, .noise = noise};
     how.shortest = SHORTEST * (at[breaks - 1] - at[0]);
@@ -239,25 +232,6 @@ bool rw_traction_fit_values(rw_traction *t, rw_values f, const void *context, si
         fit_part(&how, at[i + 1], middle - at[i + 1], 0, 1, DEPTH, HUGE_VAL);
     }
     return !how.is_short;
-}
-
-typedef struct {
-    rw_function f;
-    const void *context;
-} pointwise;
-
-static void at_each(const double x[], const void *context, double value[])
-{
-    const pointwise *p = context;
-    for (int i = 0; i < RW_TERMS; i++)
-        value[i] = p->f(x[i], p->context);
-}
-
-bool rw_traction_fit(rw_traction *t, rw_function f, const void *context, size_t breaks,
-                     const double at[], double tolerance)
-{
-    const pointwise p = {f, context};
-    return rw_traction_fit_values(t, at_each, &p, breaks, at, tolerance, 0);
 }
 
 /* ---- Reading ---- */

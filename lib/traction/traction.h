@@ -30,7 +30,8 @@ typedef struct {
     size_t count, capacity;
 } rw_traction;
 
-bool rw_traction_copy(const rw_traction *traction, rw_traction *copy);
+/* Where memory is short `is_whole` becomes false, and what there is is only to be freed. */
+rw_traction rw_traction_copy(const rw_traction *traction, bool *is_whole);
 void rw_traction_destroy(rw_traction *traction);
 
 /* A function at the RW_TERMS places x of an element. */
@@ -41,12 +42,8 @@ typedef void (*rw_values)(const double x[], const void *context, double value[])
  * coefficients are below the tolerance. Where f is a fit itself, it jumps a little between its
  * elements: up to `noise` times the tolerance, what is no smaller in a part than in the whole is
  * such a jump. false where memory is short. */
-bool rw_traction_fit_values(rw_traction *traction, rw_values f, const void *context, size_t breaks,
-                            const double at[], double tolerance, double noise);
-
-/* The same for a function that is computed place by place. */
-bool rw_traction_fit(rw_traction *traction, rw_function f, const void *context, size_t breaks,
-                     const double at[], double tolerance);
+bool rw_traction_fit(rw_traction *traction, rw_values f, const void *context, size_t breaks,
+                     const double at[], double tolerance, double noise);
 
 /* Appends an element of which end, scale, first, last and the coefficients are set. */
 bool rw_traction_append(rw_traction *traction, const rw_element *element);

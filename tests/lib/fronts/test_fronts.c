@@ -22,7 +22,6 @@ typedef struct {
 static void destroy(void *of_step)
 {
     step *s = of_step;
-    rw_fronts_destroy(&s->fronts);
     rw_friction_destroy(&s->friction);
     rwedge_contact_destroy(s->wedge);
 }
@@ -30,7 +29,7 @@ static void destroy(void *of_step)
 static step *begin(void)
 {
     static step s;
-    s = (step){.wedge = NULL};
+    s.wedge = NULL;
     assert_ok(rwedge_contact_create(1, 1, 1, F, &s.wedge));
     assert_ok(rwedge_contact_apply(s.wedge, P, 0, 0, 0));
     assert_ok(rwedge_contact_apply(s.wedge, P, 0, Q, 0));
@@ -39,7 +38,7 @@ static step *begin(void)
     assert_true(rw_friction_create(&s.friction, &s.frame, contact));
     s.none.zones = (rw_zones){1, {{0, contact.left, contact.right}}};
     rw_problem_init(&s.problem, &s.frame, &s.friction, &s.friction, &s.none, Q, 0);
-    assert_true(rw_fronts_create(&s.fronts, TOLERANCE));
+    rw_fronts_init(&s.fronts, TOLERANCE);
     s.fronts.budget = 1000;
     free_after_claim(&s, destroy);
     return &s;

@@ -20,8 +20,9 @@ static void cut(copies *c, size_t count)
 /* Goes on to a load, and copies the path that the load leaves if its slip needs it. */
 static void follow(rwedge_contact *contact, copies *c, double P, double Q)
 {
-    rw_memory before;
-    assert_true(rw_memory_copy(&contact->memory, &before));
+    bool is_whole = true;
+    rw_memory before = rw_memory_copy(&contact->memory, &is_whole);
+    assert_true(is_whole);
     const double fresh = contact->origins.fresh, end = rw_memory_end(&before)->load;
     load(contact, P, Q);
     const size_t count = contact->origins.count;

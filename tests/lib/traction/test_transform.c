@@ -7,24 +7,37 @@
 
 static const double BREAKS[] = {-1, -0.2, 0.5, 1};
 
-static double hertz(double x, const void *context)
+static double hertz(double x)
 {
-    (void)context;
     return sqrt(fmax(0, (1 - x) * (1 + x)));
+}
+
+typedef double (*curve)(double x);
+
+static void at_each(const double x[], const void *context, double value[])
+{
+    const curve *f = context;
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = (*f)(x[i]);
+}
+
+static rw_traction fit(curve f, size_t breaks, const double at[], double tolerance)
+{
+    rw_traction t = {0};
+    assert_true(rw_traction_fit(&t, at_each, &f, breaks, at, tolerance, 0));
+    return t;
 }
 
 static rw_traction fitted(void)
 {
-    rw_traction t = {0};
-    assert_true(rw_traction_fit(&t, hertz, NULL, 4, BREAKS, 1e-12));
-    return t;
+    return fit(hertz, 4, BREAKS, 1e-12);
 }
 
 CLAIM(the_traction_is_what_was_fitted)
 {
     rw_traction t = fitted();
     for (int i = -50; i <= 50; i++)
-        assert_within(rw_traction_at(&t, i / 50.0), hertz(i / 50.0, NULL), 1e-12);
+        assert_within(rw_traction_at(&t, i / 50.0), hertz(i / 50.0), 1e-12);
     assert_int_equal(rw_traction_at(&t, 1.001) == 0 && rw_traction_at(&t, -1.001) == 0, 1);
     assert_close(rw_traction_total(&t), 1.57079632679489661923, 1e-14);
     rw_traction_destroy(&t);
@@ -82,8 +95,7 @@ CLAIM(the_slope_at_the_ends_of_a_narrow_element_is_finite)
 {
     for (double width = 1e-6; width > 1e-10; width /= 10) {
         const double breaks[] = {-1, 0.38, 0.38 + width, 1};
-        rw_traction t = {0};
-        assert_true(rw_traction_fit(&t, hertz, NULL, 4, breaks, 1e-12));
+        rw_traction t = fit(hertz, 4, breaks, 1e-12);
         for (size_t i = 0; i < t.count; i++)
             assert_within(rw_traction_slope(&t, t.elements[i].low), -t.elements[i].low, 1e-5);
         rw_traction_destroy(&t);
@@ -104,15 +116,14 @@ CLAIM(a_part_of_a_traction_has_its_values_and_ends_where_it_was_cut)
     rw_traction_destroy(&t);
 }
 
-static double cubic(double x, const void *context)
+static double cubic(double x)
 {
-    (void)context;
     return 1 + x * (2 + x * (3 + x));
 }
 
-static double bent(double x, const void *context)
+static double bent(double x)
 {
-    return cubic(x, context) + fmax(0, x - 0.5);
+    return cubic(x) + fmax(0, x - 0.5);
 }
 
 CLAIM(elements_are_joined_where_one_fits_them)
@@ -121,24 +132,23 @@ CLAIM(elements_are_joined_where_one_fits_them)
     double breaks[PLACES];
     for (int i = 0; i < PLACES; i++)
         breaks[i] = i / 8.0 - 0.25;
-    const rw_function functions[] = {cubic, bent};
+    const curve functions[] = {cubic, bent};
     for (int i = 0; i < 2; i++) {
-        rw_traction t = {0};
-        assert_true(rw_traction_fit(&t, functions[i], NULL, PLACES, breaks, 1e-9));
+        rw_traction t = fit(functions[i], PLACES, breaks, 1e-9);
         assert_int_equal(t.count, 2 * (PLACES - 1));
         rw_traction_simplify(&t, 1e-9);
         assert_int_equal(t.count, 1 + i); /* the bend stays */
         for (int k = 0; k <= 20; k++) {
             const double x = -0.249 + 0.998 * k / 20;
-            assert_within(rw_traction_at(&t, x), functions[i](x, NULL), 1e-12);
+            assert_within(rw_traction_at(&t, x), functions[i](x), 1e-12);
         }
         rw_traction_destroy(&t);
     }
 }
 
-static double bent_at_the_end(double x, const void *context)
+static double bent_at_the_end(double x)
 {
-    return cubic(x, context) + fmax(0, x - 0.9999);
+    return cubic(x) + fmax(0, x - 0.9999);
 }
 
 /* The slip of a contact that grew by small steps was wrong by hundredths: no place of the joint
@@ -146,10 +156,9 @@ static double bent_at_the_end(double x, const void *context)
 CLAIM(a_short_element_is_not_lost_in_a_long_one)
 {
     const double breaks[] = {-1, 0.9999, 1};
-    rw_traction t = {0};
-    assert_true(rw_traction_fit(&t, bent_at_the_end, NULL, 3, breaks, 1e-9));
+    rw_traction t = fit(bent_at_the_end, 3, breaks, 1e-9);
     rw_traction_simplify(&t, 1e-9);
-    assert_within(rw_traction_at(&t, 1), bent_at_the_end(1, NULL), 1e-9);
+    assert_within(rw_traction_at(&t, 1), bent_at_the_end(1), 1e-9);
     rw_traction_destroy(&t);
 }
 

@@ -197,10 +197,12 @@ static void read_plan(arguments *line, plan *job, output_options *how)
 static void read_worst(const arguments *line, output_options *worst)
 {
     arguments its = *line;
-    if (line->value[OPTION_WORST] == NULL)
+    const char *file = line->value[OPTION_WORST], *other = line->value[OPTION_OUTPUT];
+    if (file == NULL)
         return;
-    its.value[OPTION_OUTPUT] = line->value[OPTION_WORST];
-    its.value[OPTION_WORST] = line->value[OPTION_OUTPUT]; /* another file */
+    if (other != NULL && strcmp(file, other) == 0 && strcmp(file, "-") != 0)
+        usage_error("--worst %s: it is the file of --output; allowed: another file", file);
+    its.output = OPTION_WORST;
     its.value[OPTION_FORMAT] = NULL;
     output_options_read(&its, worst);
 }

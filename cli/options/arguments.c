@@ -140,7 +140,7 @@ static void keep(arguments *line, const syntax *grammar, int number, char *value
 bool arguments_read(arguments *line, const syntax *grammar, int argc, const char **argv)
 {
     int number;
-    *line = (arguments){.grammar = grammar};
+    *line = (arguments){.grammar = grammar, .output = OPTION_OUTPUT};
     errno = 0;
     const poptContext context =
         memory_checked(poptGetContext(NULL, argc, argv, grammar->options, 0));
@@ -161,12 +161,17 @@ bool arguments_read(arguments *line, const syntax *grammar, int argc, const char
     return true;
 }
 
-const char *arguments_file(const arguments *line, int number)
+const char *arguments_output(const arguments *line)
+{
+    return find(line->grammar->options, line->output)->longName;
+}
+
+const char *arguments_other_file(const arguments *line, int number)
 {
     const struct poptOption *option = find(line->grammar->options, number);
     const char *kind = option != NULL ? option->argDescrip : NULL;
-    const bool is_file = kind != NULL && strcmp(kind, "FILE") == 0 && number != OPTION_OUTPUT;
-    return is_file ? line->value[number] : NULL;
+    const bool is_file = kind != NULL && strcmp(kind, "FILE") == 0 && number != line->output;
+    return is_file ? option->longName : NULL;
 }
 
 void arguments_no_operand(const arguments *line)

@@ -41,14 +41,17 @@ typedef struct {
     char *value[OPTION_LIMIT];
     const char **operand; /* ends with NULL; NULL where there is none */
     const syntax *grammar;
+    int output; /* the number of the option that names the file to write */
 } arguments;
 
 /* Reads a command line whose argv[0] is the whole command, "rwedge table". False after --help, with
  * which the command is done. */
 bool arguments_read(arguments *line, const syntax *grammar, int argc, const char **argv);
 
-/* The file that an option names, as the help has it, but for --output; NULL where it names none. */
-const char *arguments_file(const arguments *line, int number);
+/* The name of the option that names the file to write; of one that names another file, as the help
+ * has it, NULL where it names none. */
+const char *arguments_output(const arguments *line);
+const char *arguments_other_file(const arguments *line, int number);
 
 /* Refuses a word that is no option. */
 void arguments_no_operand(const arguments *line);

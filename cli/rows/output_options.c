@@ -75,7 +75,8 @@ static const char *list_of(const char *const formats[], const char *point)
 const char *output_format_choose(const arguments *line, const char *const formats[],
                                  const char *hint)
 {
-    const char *text = line->value[OPTION_FORMAT], *path = line->value[OPTION_OUTPUT];
+    const char *text = line->value[OPTION_FORMAT], *path = line->value[line->output];
+    const char *option = arguments_output(line);
     const char *ending = ending_of(path);
     const int asked = place_of(text != NULL ? text : formats[0], formats);
     const int named = place_of(ending, formats);
@@ -85,10 +86,10 @@ const char *output_format_choose(const arguments *line, const char *const format
     if (ending[0] == '\0' || named == place_of(format, formats))
         return format;
     if (text == NULL)
-        usage_error("--output %s: the ending .%s belongs to no format here; allowed: %s%s", path,
-                    ending, list_of(formats, "."), hint);
+        usage_error("--%s %s: the ending .%s belongs to no format here; allowed: %s%s", option,
+                    path, ending, list_of(formats, "."), hint);
     if (place_of(ending, all_formats) >= 0)
-        usage_error("--output %s: its ending contradicts --format %s; allowed: .%s", path, text,
+        usage_error("--%s %s: its ending contradicts --format %s; allowed: .%s", option, path, text,
                     format);
     return format;
 }
@@ -138,9 +139,10 @@ void output_options_read_of(const arguments *line, const char *const formats[], 
 {
     *how = (output_options){.quiet = line->value[OPTION_QUIET] != NULL,
                             .no_formulas = line->value[OPTION_NO_FORMULAS] != NULL,
-                            .path = line->value[OPTION_OUTPUT]};
+                            .option = arguments_output(line),
+                            .path = line->value[line->output]};
     if (how->path != NULL && how->path[0] == '\0')
-        usage_error("--output '': must be the name of a file, or - for standard output");
+        usage_error("--%s '': must be the name of a file, or - for standard output", how->option);
     how->format_name = output_format_choose(line, formats, hint);
     use_format(how);
     how->digits = read_digits(line->value[OPTION_DIGITS]);
@@ -153,21 +155,26 @@ void output_options_read(const arguments *line, output_options *how)
     output_options_read_of(line, row_formats, "", how);
 }
 
-void output_options_spare(const output_options *how, const char *input)
+void output_options_spare(const output_options *how, const char *file, const char *kind,
+                          const char *name)
 {
     const char *path = how->path != NULL ? how->path : "-";
-    if (input != NULL && target_is_input(path, input))
-        usage_error("--output %s: it is the input; allowed: another file", path);
+    if (file != NULL && target_is_input(path, file))
+        usage_error("--%s %s: it is the %s%s; allowed: another file", how->option, path, kind,
+                    name);
 }
 
 /* Of words those are files whose usage says so, as "LOADS.csv". */
 void output_options_spare_files(const arguments *line, const output_options *how)
 {
     const bool has_words = line->operand != NULL && strstr(line->grammar->operands, ".csv") != NULL;
-    for (int i = 1; i < OPTION_LIMIT; i++)
-        output_options_spare(how, arguments_file(line, i));
+    for (int i = 1; i < OPTION_LIMIT; i++) {
+        const char *option = arguments_other_file(line, i);
+        if (option != NULL)
+            output_options_spare(how, line->value[i], "file of --", option);
+    }
     for (const char **word = line->operand; has_words && *word != NULL; word++)
-        output_options_spare(how, *word);
+        output_options_spare(how, *word, "input", "");
 }
 
 void output_options_write(const output_options *how, rows_writer *write_rows, void *context)

@@ -30,7 +30,7 @@ typedef struct {
     const record_format *format; /* NULL for a command's own format */
     int digits;                  /* significant ones; NUMBER_DIGITS to read back the same */
     char decimal_sign, separator;
-    const char *path; /* NULL for standard output */
+    const char *option, *path; /* the option that names it; NULL for standard output */
     bool quiet;
     bool no_formulas; /* CSV: a ' before texts that a spreadsheet would compute */
 } output_options;
@@ -128,9 +128,10 @@ void output_options_read_of(const arguments *line, const char *const formats[], 
 const char *output_format_choose(const arguments *line, const char *const formats[],
                                  const char *hint);
 
-/* Refuses an output that is the input, NULL for none; or one of the files that the command line
- * names, which output_options_read() does too. */
-void output_options_spare(const output_options *how, const char *input);
+/* Refuses an output that is this file, NULL for none, which the message calls by two words; or one
+ * of the files that the command line names, which output_options_read() does too. */
+void output_options_spare(const output_options *how, const char *file, const char *kind,
+                          const char *name);
 void output_options_spare_files(const arguments *line, const output_options *how);
 
 /* Writes rows. */

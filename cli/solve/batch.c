@@ -158,7 +158,7 @@ static void read_profile(const run *r, const csv_row *row)
     const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL};
     if (column >= row->count || row->cell[column][0] == '\0')
         return;
-    output_options_spare(r->how, row->cell[column]);
+    output_options_spare(r->how, row->cell[column], "file of a cell in column ", "profile");
     notice_if_any(profiles_read(row->cell[column], style));
 }
 

@@ -94,24 +94,24 @@ printf 'P,Q\n2000,300\n' >input.csv
 cp input.csv before.csv
 ln -s input.csv symbolic.csv
 ln input.csv hard.csv
-input_stays() { # how the message calls it
+input_stays() { # how the message calls it and its option
     status_is 2
-    same "message" "--output $1: it is the input; allowed: another file" "$(sed 's/^rwedge [a-z]*: //' err)"
+    same "message" "--output $1: it is the file of --$2; allowed: another file" "$(sed 's/^rwedge [a-z]*: //' err)"
     same "the input" "" "$(cmp input.csv before.csv 2>&1)"
     same "no other file" "" "$(find . -name '.rwedge-*')"
 }
 for input in "solve --input" "profile --history" "field --history"; do
     run $input input.csv $contact -o input.csv
-    input_stays input.csv
+    input_stays input.csv "${input#* --}"
 done
 for name in "$PWD/input.csv" symbolic.csv hard.csv; do
     run solve --input input.csv $contact -o "$name"
-    input_stays "$name"
+    input_stays "$name" input
 done
 shell '"$rwedge" solve --input - $contact -o input.csv <input.csv'
-input_stays input.csv
+input_stays input.csv input
 shell '"$rwedge" solve --input input.csv $contact >>input.csv'
-input_stays -
+input_stays - input
 does solve --input input.csv $contact -o beside.csv
 
 # Protected files and folders; for root they are no obstacle, so another user is borrowed.

@@ -236,8 +236,13 @@ for metal in "$here"/../../../tables/materials/*.json; do
     close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
         -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9
 done
-refuses "--output metal.csv: it is the input; allowed: another file" fretting cycle.csv $shape --material metal.csv -o metal.csv
-refuses "--output metal.csv: it is the input; allowed: another file" fretting cycle.csv $shape --material metal.csv --worst metal.csv
+# The message names the option that reads the file, and the one that would replace it.
+refuses "--output metal.csv: it is the file of --material; allowed: another file" fretting cycle.csv $shape --material metal.csv -o metal.csv
+refuses "--worst metal.csv: it is the file of --material; allowed: another file" fretting cycle.csv $shape --material metal.csv --worst metal.csv
+refuses "--worst cycle.csv: it is the input; allowed: another file" fretting cycle.csv $specimen --worst cycle.csv
+refuses "--output metal.csv: it is the file of --worst; allowed: another file" fretting cycle.csv $shape -o metal.csv --worst ./metal.csv
+refuses "--worst none.csv: it is the file of --output; allowed: another file" fretting cycle.csv $specimen -o none.csv --worst none.csv
+refuses "--worst worst.vtk: the ending .vtk belongs to no format here; allowed: .csv, .tsv, .json, .xlsx" fretting cycle.csv $specimen --worst worst.vtk
 refuses "swt-damage: needs sf, b, ef, c of --material" fretting cycle.csv $shape --E1 72100 --nu1 0.33 --criteria swt-damage
 refuses "--method line: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --method line
 refuses "--length 1: needs --at-worst or --worst" fretting cycle.csv $specimen --length 1

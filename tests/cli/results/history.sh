@@ -136,7 +136,7 @@ run history refused.csv $specimen --at 0,0 -o again.vtk.series
 same "a series that fails leaves the old one" "1 again_b0001.vtk again_b0002.vtk" "$status $(ls again*.vtk | paste -s -d ' ' -)"
 same "its files too" "" "$(cmp first again_b0001.vtk 2>&1)"
 printf 'x,y\n0,0\n' >own_0001.vtk
-refuses "--output own_0001.vtk: it is the input; allowed: another file" history two.csv $specimen --points own_0001.vtk -o own.series
+refuses "--output own_0001.vtk: it is the file of --points; allowed: another file" history two.csv $specimen --points own_0001.vtk -o own.series
 refuses "--P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
 refuses "missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
 refuses "--at 1,-1: y is a depth, and must not be below 0" history loads.csv $specimen --at 1,-1
@@ -151,7 +151,7 @@ cannot "bad.csv: column x: there twice; allowed: once" history loads.csv $specim
 printf 'node,x,y,S11\n1,0,0,-5.3\n' >stress.csv
 run history loads.csv $specimen --points stress.csv
 message_is "rwedge history: stress.csv: columns with numbers that are not used: 'S11'"
-refuses "--output points.csv: it is the input; allowed: another file" \
+refuses "--output points.csv: it is the file of --points; allowed: another file" \
     history loads.csv $specimen --points points.csv -o points.csv
 run history loads.csv $specimen --at '1,5;0,1;0,2'
 message_is "rwedge history: --at 1,5;0,1;0,2: two values, 0 and 1; a decimal is written 0.1"

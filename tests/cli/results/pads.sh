@@ -86,7 +86,7 @@ message_has "dent.csv: line 4: height 0.03: not convex at 1 place"
 same "rows that are solved" 2 "$(column b out | grep -c '^[0-9]')"
 
 printf 'profile,P\nworn.csv,300\n' >cases.csv
-refuses "--output worn.csv: it is the input; allowed: another file" solve -i cases.csv $steel -o worn.csv
+refuses "--output worn.csv: it is the file of a cell in column profile; allowed: another file" solve -i cases.csv $steel -o worn.csv
 
 # What is no pad.
 refuses "missing: --radius" solve $steel $loads --flat 1
@@ -99,7 +99,7 @@ refuses "--profile worn.csv: given together with --radius; allowed: one of the t
 refuses "--hull: needs --profile" history loads.csv $steel --f 0.3 --radius 1 --hull
 printf 'P\n1\n' >cases.csv
 refuses "--hull: needs --profile, or a column profile" solve -i cases.csv $steel --hull --radius 1
-refuses "--output worn.csv: it is the input; allowed: another file" solve $steel $loads --profile worn.csv -o worn.csv
+refuses "--output worn.csv: it is the file of --profile; allowed: another file" solve $steel $loads --profile worn.csv -o worn.csv
 does solve $steel --profile worn.csv --P 300 --k 900 --for f --safety 1.1
 close_to "safety of a profile" 1.1 "$(value safety)" 1e-10
 cannot "no solution: none is found, as far as the pad is known" \

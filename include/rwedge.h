@@ -1114,8 +1114,8 @@ RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repea
  * on the plane where it is largest, of all planes. 1/value blocks are the life.
  *                                                    Bannantine and Socie (1991), Miner (1945); new
  * The cycles are those of the plane's normal strain, by rwedge_rainflow() of a history that
- * repeats. Each has the largest normal stress between its first load and the one at which it
- * closes. A cycle with the parameter S adds 1/N(S), N being its life.
+ * repeats. Each has the largest normal stress from its first load to where it closes, which may be
+ * between two loads. A cycle with the parameter S adds 1/N(S), N being its life.
  *   n       number of loads of the block, >= 1, in their order; stresses change straight between
  *   sf, b, ef, c, limit         as in rwedge_smith_watson_topper_life()
  *   value, cycles               each receives one number: the sum; how many cycles there are

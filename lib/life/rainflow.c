@@ -46,10 +46,13 @@ static void add_half(rainflow *r)
     r->count--;
 }
 
-static void close_last(rainflow *r)
+/* Closes the cycle of the last two turns, on the straight way between two values of the history. */
+static void close_last(rainflow *r, const rw_reversal *before, const rw_reversal *next)
 {
     const rw_reversal *from = &r->turn[r->count - 2];
-    add_cycle(r, from, 1, rw_larger(from[0].highest, from[1].highest));
+    const double way = (from->value - before->value) / (next->value - before->value);
+    const double there = before->own + way * (next->own - before->own);
+    add_cycle(r, from, 1, rw_larger(there, rw_larger(from[0].highest, from[1].highest)));
     drop_last(r);
     drop_last(r);
 }
@@ -64,8 +67,10 @@ static bool goes_on(const rainflow *r, double value)
 
 static void push(rainflow *r, rw_reversal next)
 {
-    if (r->count > 0 && next.value == r->turn[r->count - 1].value) {
-        r->turn[r->count - 1].highest = rw_larger(r->turn[r->count - 1].highest, next.own);
+    const rw_reversal before = r->count > 0 ? r->turn[r->count - 1] : next;
+    if (r->count > 0 && next.value == before.value) {
+        r->turn[r->count - 1].highest = rw_larger(before.highest, next.own);
+        r->turn[r->count - 1].own = next.own;
         return;
     }
     if (goes_on(r, next.value))
@@ -75,7 +80,7 @@ static void push(rainflow *r, rw_reversal next)
         if (r->count == 2 && !r->repeats)
             add_half(r);
         else
-            close_last(r);
+            close_last(r, &before, &next);
     }
     r->turn[r->count++] = next;
 }

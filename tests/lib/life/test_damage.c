@@ -6,11 +6,11 @@
 
 #include <string.h>
 
-enum { LOADS = 14 };
+enum { LOADS = 14, PARTS = 12, MOST_LOADS = 5 * PARTS };
 
 typedef struct {
     size_t n;
-    double sxx[LOADS], syy[LOADS], txy[LOADS], nu;
+    double sxx[MOST_LOADS], syy[MOST_LOADS], txy[MOST_LOADS], nu;
     bool is_shear; /* Fatemi and Socie's */
     int32_t plane_stress;
 } block;
@@ -115,6 +115,34 @@ CLAIM(cycles_below_the_limit_do_no_damage)
     assert_true(value == 0);
 }
 
+/* The same way through the stresses, with more loads on each of its straight lines. */
+static block cut(const block *k, size_t parts)
+{
+    block b = {.n = k->n * parts, .nu = k->nu, .is_shear = k->is_shear};
+    b.plane_stress = k->plane_stress;
+    for (size_t i = 0; i < b.n; i++) {
+        const size_t from = i / parts, to = (from + 1) % k->n;
+        const double t = (double)(i % parts) / (double)parts;
+        b.sxx[i] = k->sxx[from] + t * (k->sxx[to] - k->sxx[from]);
+        b.syy[i] = k->syy[from] + t * (k->syy[to] - k->syy[from]);
+        b.txy[i] = k->txy[from] + t * (k->txy[to] - k->txy[from]);
+    }
+    return b;
+}
+
+CLAIM(loads_on_the_straight_lines_between_the_others_change_no_damage)
+{
+    uint64_t seed = 11;
+    for (int i = 0; i < 40; i++) {
+        block k = {.is_shear = i % 2};
+        draw(&k, 5, &seed);
+        const block parts = cut(&k, PARTS);
+        const damage few = damage_of(&k), many = damage_of(&parts);
+        assert_close(many.value, few.value, 1e-6);
+        assert_close(many.cycles, few.cycles, 0);
+    }
+}
+
 /* ---- All planes, by scanning ---- */
 
 /* On one plane: what cycles are counted of, the normal stress. */
@@ -142,6 +170,14 @@ static plane_history history_on(const block *k, double angle, double out, double
     return c;
 }
 
+/* The normal stress where the way to a load passes a value. */
+static double where_it_passes(const block *k, const plane_history *c, double value, size_t to)
+{
+    const size_t before = (to + k->n - 1) % k->n;
+    const double left = (c->along[to] - value) / (c->along[to] - c->along[before]);
+    return left * c->normal[before] + (1 - left) * c->normal[to];
+}
+
 /* From the load `from` over `to` until the value of `from` is passed again. */
 static double highest_within(const block *k, const plane_history *c, size_t from, size_t to)
 {
@@ -150,7 +186,7 @@ static double highest_within(const block *k, const plane_history *c, size_t from
     bool is_past = false;
     for (size_t i = (from + 1) % k->n; i != from; i = (i + 1) % k->n) {
         if (is_past && sign * (c->along[i] - start) <= 0)
-            break;
+            return fmax(highest, where_it_passes(k, c, start, i));
         highest = fmax(highest, c->normal[i]);
         is_past = is_past || i == to;
     }

@@ -60,27 +60,25 @@ typedef struct {
 } psi_arc;
 
 /* Bounds on an arc: least and most of half the range of the amplitude's quantity; half the range of
- * its limit away from the equator; least and most of the peak; the largest lift. */
+ * its limit away from the equator; least and most of the peak; the largest szz. */
 typedef struct {
-    double least, most, beyond, least_peak, most_peak, lift, z;
+    double least, most, beyond, least_peak, most_peak, z;
 } reach;
 
 static reach reach_of(const rw_plane_cycle *cycle, const rw_severity *v, const psi_arc *arc)
 {
     double high = -DBL_MAX, low = DBL_MAX, top = -DBL_MAX, bottom = DBL_MAX, travel = 0, turn = 0;
-    reach r = {.least_peak = -DBL_MAX, .lift = -DBL_MAX, .z = -DBL_MAX};
+    reach r = {.least_peak = -DBL_MAX, .z = -DBL_MAX};
     for (size_t i = 0; i < cycle->loads; i++) {
         const rw_item *load = &cycle->item[i];
-        const double value = along(v->is_strain, load, arc->psi),
-                     peak = normal_stress(load, arc->psi);
+        const double value = along(v->is_strain, load, arc->psi);
         const double other = v->is_strain
                                  ? load->level
                                  : load->deviation_lift - (load->deviation_d * arc->psi.cosine +
                                                            load->deviation_t * arc->psi.sine);
         high = rw_larger(high, value), low = rw_smaller(low, value);
         top = rw_larger(top, other), bottom = rw_smaller(bottom, other);
-        r.least_peak = rw_larger(r.least_peak, peak);
-        r.lift = rw_larger(r.lift, load->z - peak);
+        r.least_peak = rw_larger(r.least_peak, normal_stress(load, arc->psi));
         r.z = rw_larger(r.z, load->z);
         travel = rw_larger(travel, arc->half * load->deviation_size);
         turn = rw_larger(turn, arc->half * load->size);
@@ -90,28 +88,43 @@ static reach reach_of(const rw_plane_cycle *cycle, const rw_severity *v, const p
     r.beyond = (top - bottom) / 2 + (v->is_strain ? 0 : travel);
     r.most_peak = r.least_peak + turn;
     r.least_peak -= turn;
-    r.lift += turn;
     return r;
 }
 
 /* With u the square of sin(beta), the half range r of a strain becomes at most (1-u) r + u beyond,
- * that of a shear stress at most sqrt((1-u) (r^2 + u beyond^2)); a peak rises by at most u lift. */
+ * that of a shear stress at most sqrt((1-u) (r^2 + u beyond^2)); a peak p at most (1-u) p + u z.
+ * The sum of such functions is concave in u, and so is the logarithm of their product: they fall
+ * for every u if they fall from u = 0 on. */
 static bool falls_away(const rw_severity *v, const reach *r)
 {
-    const double factor = v->is_sum ? r->least : v->offset + v->gain * r->least_peak;
-    if (r->least <= 0 || factor <= 0)
+    if (r->least <= 0 || (!v->is_sum && v->offset + v->gain * r->least_peak <= 0))
         return false;
     const double ratio = r->beyond / r->least;
     const double fall = v->is_strain ? 1 - ratio : (1 - ratio * ratio) / 2;
-    return v->gain * rw_larger(0, r->lift) <= fall * factor;
+    const double peak = fall > 0 ? r->least_peak : r->most_peak;
+    const double factor = v->is_sum ? r->least : v->offset + v->gain * peak;
+    return v->gain * (r->z - r->least_peak) <= fall * factor;
 }
 
-/* Above the amplitude for every beta. */
-static double most_amplitude(const rw_severity *v, const reach *r)
+/* Above the amplitude plus `rise` u, for every u: the derivative of the root has one zero. */
+static double most_amplitude(const rw_severity *v, const reach *r, double rise)
 {
-    if (r->beyond <= r->most)
-        return r->most;
-    return v->is_strain ? r->beyond : (r->most / r->beyond * r->most + r->beyond) / 2;
+    const double beyond = rw_larger(r->most, r->beyond);
+    const double ratio = beyond > 0 ? r->most / beyond : 0, square = ratio * ratio;
+    if (v->is_strain)
+        return beyond;
+    if ((1 - square) * beyond + 2 * ratio * rise < 0)
+        return r->most; /* it falls */
+    return ((1 + square) * sqrt(beyond * beyond + rise * rise) + (1 - square) * rise) / 2;
+}
+
+/* Above the severity for every u. */
+static double most_severity(const rw_severity *v, const reach *r)
+{
+    if (!v->is_sum)
+        return rw_severity_of(v, most_amplitude(v, r, 0), rw_larger(r->most_peak, r->z));
+    const double rise = v->gain * (r->z - r->most_peak);
+    return rw_severity_of(v, most_amplitude(v, r, rise), r->most_peak);
 }
 
 /* With u the square of sin(beta), the amplitude is at most (1-u) r + u beyond, the peak at most
@@ -155,8 +168,7 @@ static bool is_worst(const rw_plane_cycle *cycle, const rw_severity *v, const ps
                      int depth, double value)
 {
     const reach r = reach_of(cycle, v, arc);
-    if (falls_away(v, &r) ||
-        rw_severity_of(v, most_amplitude(v, &r), rw_larger(r.most_peak, r.z)) <= value)
+    if (falls_away(v, &r) || most_severity(v, &r) <= value)
         return true;
     const psi_arc first = half_of(arc, false), second = half_of(arc, true);
     return depth > 0 && is_worst(cycle, v, &first, depth - 1, value) &&

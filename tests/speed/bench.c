@@ -57,6 +57,8 @@ static const struct {
     {"2 points, 2000 corners, in one call", "2 points, 2000 corners, by calls", 1 / 1.2, 0},
     /* 0.5; 0.06 where all arcs are searched for what is above them */
     {"Smith-Watson-Topper, all planes", "Smith-Watson-Topper of 40 loads", 0.3, 0},
+    /* 0.3; 0.02 where most places are searched over the sphere */
+    {"Findley of 40 loads", "Smith-Watson-Topper, all planes", 0.08, 0},
 };
 enum { RATIOS = sizeof ratios / sizeof ratios[0] };
 

@@ -184,18 +184,33 @@ static void set(const char *file, const char *name, double value, material *cons
     if (i < 0)
         failure("%s: %.60s: no constant that is known here; see rwedge fretting in its manual",
                 file, name);
+    if (!isnan(constants->value[i]))
+        failure("%s: %.60s: there twice; allowed: once", file, name);
     constants->value[i] = value;
 }
 
 /* ---- The file ---- */
 
+/* Without the mark of Unicode, which some editors write first. */
+static json_t *load_json(const char *path, json_error_t *error)
+{
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
+        failure("%s: %s", path, strerror(errno));
+    int first = fgetc(file);
+    if (first == 0xEF && fgetc(file) != EOF && fgetc(file) != EOF)
+        first = fgetc(file);
+    ungetc(first, file);
+    json_t *top = json_loadf(file, JSON_REJECT_DUPLICATES, error);
+    fclose(file);
+    return top;
+}
+
 static void read_json(const char *path, material *constants)
 {
     json_error_t error;
-    json_t *top = json_load_file(path, JSON_REJECT_DUPLICATES, &error), *value;
+    json_t *top = load_json(path, &error), *value;
     const char *name;
-    if (top == NULL && error.line < 1) /* not opened */
-        failure("%s: %s", path, strerror(errno));
     if (top == NULL)
         failure("%s: line %d: %s", path, error.line, error.text);
     if (!json_is_object(top))
@@ -216,13 +231,17 @@ static void read_csv(const char *path, const char *encoding, material *constants
     csv_input *in = csv_input_open(path, ',', encoding);
     while (csv_input_next(in)) {
         const char **cells = in->row.cell;
-        double value;
+        double value, more;
         if (in->row.count < 2)
-            failure("%s: line %" PRId64 ": must be a name and a number", path, in->row.line);
+            failure("%s: line %" PRId64 ": must be a name and a number, with a comma between", path,
+                    in->row.line);
         if (material_is_remark(cells[0]))
             continue;
         if (!number_read_cell(cells[1], '.', &value))
             failure("%s: line %" PRId64 ": %.60s: must be a number", path, in->row.line, cells[0]);
+        if (in->row.count > 2 && number_read_cell(cells[2], '.', &more))
+            failure("%s: line %" PRId64 ": %.60s: two numbers; a decimal is written 0.1", path,
+                    in->row.line, cells[0]);
         set(path, cells[0], value, constants);
     }
     csv_input_check(in);
@@ -230,6 +249,14 @@ static void read_csv(const char *path, const char *encoding, material *constants
 }
 
 /* ---- All ---- */
+
+static void need_any(const char *path, const material *constants)
+{
+    for (int i = 0; i < MATERIAL_COUNT; i++)
+        if (!isnan(constants->value[i]))
+            return;
+    failure("%s: no constants; needed: names and numbers", path);
+}
 
 /* Either all of these or none. */
 static void need_group(const char *path, const material *constants, int first, int last)
@@ -271,6 +298,7 @@ void material_read(const char *path, arguments *line, material *constants)
         read_json(path, constants);
     else
         read_csv(path, line->value[OPTION_ENCODING], constants);
+    need_any(path, constants);
     need_group(path, constants, MATERIAL_SF, MATERIAL_C);
     need_group(path, constants, MATERIAL_G, MATERIAL_C0);
     need_group(path, constants, MATERIAL_DK_TH, MATERIAL_DS0);

@@ -249,6 +249,17 @@ refuses "--length 1: needs --at-worst or --worst" fretting cycle.csv $specimen -
 refuses "--method area: must be point or line" fretting cycle.csv $specimen --at-worst --method area
 printf 'name,value\nsf,475\nb,-0.08\nef,0.6\n' >short.csv
 cannot "short.csv: c: missing; needed beside ef" fretting cycle.csv $specimen --material short.csv
+# Nothing of a material is dropped or guessed.
+printf 'E,72100\nE,72000\n' >bad.csv
+cannot "bad.csv: E: there twice; allowed: once" fretting cycle.csv $shape --material bad.csv
+printf 'E,72100,MPa\nnu,0,33\n' >bad.csv
+cannot "bad.csv: line 2: nu: two numbers; a decimal is written 0.1" fretting cycle.csv $shape --material bad.csv
+printf 'E;72100\n' >bad.csv
+cannot "bad.csv: line 1: must be a name and a number, with a comma between" fretting cycle.csv $shape --material bad.csv
+printf 'name,value\n' >bad.csv
+cannot "bad.csv: no constants; needed: names and numbers" fretting cycle.csv $specimen --material bad.csv
+printf '\357\273\277{"E": 72100, "nu": 0.33}\r\n' >marked.json
+does fretting cycle.csv $shape --material marked.json
 cannot "nowhere.json: No such file or directory" fretting cycle.csv $specimen --material nowhere.json
 printf '{"sy": 475}' >short.json
 cannot "short.json: sy: no constant that is known here; see rwedge fretting in its manual" fretting cycle.csv $specimen --material short.json

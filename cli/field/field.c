@@ -77,6 +77,7 @@ static const struct poptOption options[] = {
      "Columns of the grid (default: 81 within 2 b of the contact's middle)", "RANGE"},
     {VALUE("y", OPTION_AXIS + Y), "Its rows, depths below the surface (default: 41 from 0 to 2 b)",
      "RANGE"},
+    OTHER_NAME("depth", OPTION_AXIS + Y),
     {INCLUDED(grid_output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
 };

@@ -115,6 +115,10 @@ refuses "--x 1,0: must ascend; so the format vtk wants it" field --a-over-b 1 --
 refuses "--decimal-comma: not in VTK, whose numbers have a point; allowed with: csv, tsv" \
     field --a-over-b 1 --format vtk --decimal-comma
 refuses "--format xml: unknown format; allowed: csv, tsv, json, xlsx, vtk" field --a-over-b 1 --format xml
+run field --a-over-b 0.5 --x 0 --y 0,1
+cp out rows
+run field --a-over-b 0.5 --x 0 --depth 0,1 # as other commands call it
+same "rows of --depth" "" "$(cmp rows out 2>&1)"
 refuses "--y -1:1:1: depths must not be below 0" field --a-over-b 1 --y -1:1:1
 refuses "--x 0:1:1e-8: must not give the grid more than 1000000000 points in all" field --a-over-b 1 --x 0:1:1e-8 --y 0:1:1e-3
 refuses "--x: missing; after the last load there is no contact to lay a grid around" field $contact --load 0,0

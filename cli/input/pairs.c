@@ -46,7 +46,7 @@ static bool find_columns(reading *r, const csv_row *first)
         if (r->column[i] == r->names.count)
             return csv_input_stop(r->in, "column %s: missing; needed: %s%s",
                                   i == 0 ? r->wanted->first : r->wanted->second, r->wanted->needed,
-                                  header_separator_hint(r->names.name, r->names.count));
+                                  header_hint(r->names.name, r->names.count));
         r->names.is_used[r->column[i]] = true;
     }
     return true;

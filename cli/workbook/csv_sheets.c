@@ -93,7 +93,7 @@ static void write_header(sheet *from, records *rows)
 {
     const char *const *cells = from->in->row.cell;
     from->columns = from->in->row.count;
-    const char *hint = header_separator_hint(cells, from->columns);
+    const char *hint = from->columns == 1 ? header_hint(cells, 1) : "";
     if (hint[0] != '\0')
         failure("%s: one column%s", from->in->name, hint);
     records_header(rows, from->columns, cells);

@@ -34,7 +34,7 @@ static bool is_complete(const case_table *table, char complaint[COMPLAINT_SIZE])
         return true;
     const size_t used = strlen(complaint);
     snprintf(complaint + used, COMPLAINT_SIZE - used, "%s",
-             header_separator_hint(table->names.name, table->names.count));
+             header_hint(table->names.name, table->names.count));
     return false;
 }
 

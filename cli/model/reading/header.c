@@ -225,10 +225,13 @@ bool header_fits(size_t columns, size_t cells, char separator, char complaint[CO
             : "");
 }
 
-const char *header_separator_hint(const char *const name[], size_t count)
+const char *header_hint(const char *const name[], size_t count)
 {
+    double number;
     if (count != 1)
-        return "";
+        return count > 1 && number_read_cell(name[0], '.', &number)
+                   ? "; the first row has numbers, where the names of the columns must be"
+                   : "";
     if (strchr(name[0], ';') != NULL)
         return "; the columns seem to be separated by ';': --decimal-comma reads that, or, where "
                "numbers have a point, a first line \"sep=;\"";
@@ -260,8 +263,7 @@ bool load_header_find(const char *const name[], size_t count, header *names,
     if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
         return true;
     return complain(complaint, "column %s: missing; a history needs P and Q%s",
-                    header_has_input(names, INPUT_P) ? "Q" : "P",
-                    header_separator_hint(name, count));
+                    header_has_input(names, INPUT_P) ? "Q" : "P", header_hint(name, count));
 }
 
 /* Moment and tension are 0 where they have no column. */

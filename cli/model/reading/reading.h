@@ -74,9 +74,9 @@ void header_write_unused(const header *names, char *text, size_t size);
 void header_write_unused_of(const header *names, const char *const cells[], char *text,
                             size_t size);
 
-/* "; the columns seem to be separated by ';': ..." of the names of a header where the wrong
- * separator may be why it has one only; or nothing. */
-const char *header_separator_hint(const char *const name[], size_t count);
+/* Why the names of a header may lack one: "; the columns seem to be separated by ';': ..." where
+ * there is one only, or that they are numbers; or nothing. */
+const char *header_hint(const char *const name[], size_t count);
 
 /* Finds the columns of a load: P and Q, and M and sigma, which may lack. False, with the
  * complaint. */

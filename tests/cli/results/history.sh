@@ -143,6 +143,9 @@ refuses "--at 1,-1: y is a depth, and must not be below 0" history loads.csv $sp
 refuses "--at 1;2: must be points x,y separated by semicolons" history loads.csv $specimen --at '1;2'
 refuses "--depth 1: needs --x" history loads.csv $specimen --depth 1
 refuses "--output loads.csv: it is the input; allowed: another file" history loads.csv $specimen -o loads.csv
+printf '1000,0\n1000,100\n' >bad.csv
+cannot "bad.csv: column P: missing; a history needs P and Q; the first row has numbers, where the names of the columns must be" \
+    history bad.csv $specimen
 printf 'x,z\n1,2\n' >bad.csv
 cannot "bad.csv: column y: missing; needed: x and y, the depth" history loads.csv $specimen --points bad.csv
 # Nothing of a file of points is dropped or guessed.

@@ -371,7 +371,7 @@ void rw_fronts_stick_traction(const rw_fronts *f, const rw_stuck *s, size_t n, c
 {
     rw_base_traction(f->problem, &f->layers, n, x, t);
     for (size_t i = 0; i < n; i++)
-        t[i] += rw_fronts_transform(f, x[i]) * rw_X_at(s, x[i]);
+        t[i] += (rw_fronts_transform(f, x[i]) + rw_fronts_lack(f, s, x[i])) * rw_X_at(s, x[i]);
 }
 
 /* The segments around x that follow one another without a gap; without points where there is

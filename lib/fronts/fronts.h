@@ -115,6 +115,10 @@ void rw_fronts_prepare(rw_fronts *fronts);
 /* (1/pi) int_slip [dt/X] ds/(s - x), where dt is 0 at x. */
 double rw_fronts_transform(const rw_fronts *fronts, double x);
 
+/* What that sum over points lacks of the integral where x sticks next to a front: the points there
+ * are apart by more than x is from the front. */
+double rw_fronts_lack(const rw_fronts *fronts, const rw_stuck *stuck, double x);
+
 /* At n <= RW_TERMS places of one zone: the traction after the step where it sticks, and w' less the
  * part of the layers where it slips, for p = 0. */
 void rw_fronts_stick_traction(const rw_fronts *fronts, const rw_stuck *stuck, size_t n,

@@ -13,8 +13,9 @@ enum { FEW_TERMS = 8 };
 
 static const double RATIO = 0.12;
 
-/* Distances from a front are at least this part of the half-width. */
-static const double AT_FRONT = 1e-15;
+/* Of the half-width: distances from a front are at least AT_FRONT. A panel there is as wide as
+ * NARROWEST, so that rounding does not move its points. */
+static const double AT_FRONT = 1e-15, NARROWEST = 1e-10;
 
 /* The weights of integrals from 0 to the nodes u of Gauss, and to 1. */
 static void set_integrals(rw_fronts *f, const double u[])
@@ -143,10 +144,16 @@ static void put_panel(rw_fronts *f, const rw_segment *s, int side, double near, 
     f->count += n;
 }
 
+/* The width of the panel at an end. */
+static double last_panel(const rw_segment *s, int side)
+{
+    return (s->to - s->from) / 2 * pow(RATIO, s->panels[side]);
+}
+
 static void put_half(rw_fronts *f, const rw_segment *s, int side)
 {
     const double half = (s->to - s->from) / 2;
-    double near = 0, far = half * pow(RATIO, s->panels[side]);
+    double near = 0, far = last_panel(s, side);
     for (int i = 0; i <= s->panels[side]; i++) {
         put_panel(f, s, side, near, far);
         near = far;
@@ -192,7 +199,7 @@ static int panels_towards(const rw_problem *p, const rw_stuck *s, double end, in
 {
     const double front = nearest_end(s, end), other = next_break(p, end, way);
     if (front == 0)
-        return finest;
+        return (int)fmax(0, fmin(finest, shrinking(NARROWEST * p->half, length) - 1));
     if (front < length)
         return (int)fmin(RW_MOST_PANELS, fmax(2, 1 + shrinking(front, length)));
     return other < length ? (int)fmin(AWAY, shrinking(other, length)) : 0;
@@ -291,4 +298,37 @@ void rw_fronts_collect(rw_fronts *f, const rw_zones *zones, const rw_layers *lay
         add_zone(f, &sticks, (rw_zone){0, p->to.right, p->both.right}, finest);
     add_layers(f);
     set_X(&sticks, f->count, f->x, f->X);
+}
+
+/* ---- Next to a front ---- */
+
+/* At the end of a segment dt/X is level/sqrt(distance). Of such a function the integral over the
+ * last panel is known. */
+static double lack_at_end(const rw_fronts *f, const rw_segment *s, int side, double x)
+{
+    const size_t first = s->first + (size_t)(side ? (s->panels[0] + 1) * f->order : 0);
+    const double end = side ? s->to : s->from, least = AT_FRONT * f->problem->half;
+    const double away = fmax(fabs(x - end), least);
+    double level = 0, lack = 2 / sqrt(away) * atan(sqrt(last_panel(s, side) / away));
+    for (size_t i = first + (size_t)f->order; i-- > first;) {
+        const double distance = fmax(fabs(f->x[i] - end), least);
+        level = f->change[i] / f->step[i] * sqrt(distance);
+        lack -= f->step[i] / (sqrt(distance) * (distance + away));
+    }
+    return level * lack;
+}
+
+double rw_fronts_lack(const rw_fronts *f, const rw_stuck *s, double x)
+{
+    int left = 0; /* the left end of the zone that has x */
+    double lack = 0;
+    while (left + 2 < 2 * s->count && x > s->end[left + 1])
+        left += 2;
+    for (int i = 0; i < f->segments; i++) {
+        if (f->segment[i].to == s->end[left])
+            lack -= lack_at_end(f, &f->segment[i], 1, x);
+        if (f->segment[i].from == s->end[left + 1])
+            lack += lack_at_end(f, &f->segment[i], 0, x);
+    }
+    return lack;
 }

@@ -41,22 +41,27 @@ typedef struct {
     const rw_layers *layers; /* of the grid */
 } after;
 
-/* The places are of one zone: its ends are breaks. */
+/* The places are of one zone, but where the ends of a narrow one are one break. */
 static void traction_after(const double x[], const void *context, double t[])
 {
     const after *n = context;
-    const int label = rw_zones_label(n->zones, x[RW_TERMS / 2]);
+    int label[RW_TERMS];
     double F[RW_TERMS];
-    if (label == 0 && !n->grid) {
-        rw_fronts_stick_traction(n->fronts, &n->stuck, RW_TERMS, x, t);
-        return;
+    bool sticks = false;
+    for (int i = 0; i < RW_TERMS; i++) {
+        label[i] = rw_zones_label(n->zones, x[i]);
+        sticks = sticks || label[i] == 0;
     }
-    rw_friction_after(n->problem, RW_TERMS, x, F);
-    if (label == 0)
+    if (sticks && n->grid)
         rw_base_traction(n->problem, n->layers, RW_TERMS, x, t);
+    else if (sticks)
+        rw_fronts_stick_traction(n->fronts, &n->stuck, RW_TERMS, x, t);
+    rw_friction_after(n->problem, RW_TERMS, x, F);
     for (int i = 0; i < RW_TERMS; i++)
-        t[i] = label != 0 ? label * F[i]
-                          : fmax(-F[i], fmin(F[i], t[i] + rw_grid_change(n->grid, x[i])));
+        if (label[i] != 0)
+            t[i] = label[i] * F[i];
+        else if (n->grid)
+            t[i] = fmax(-F[i], fmin(F[i], t[i] + rw_grid_change(n->grid, x[i])));
 }
 
 static bool sticks_at(const rw_zones *zones, double x, double slack)
@@ -310,7 +315,8 @@ static void check_slips(const after *n, rw_outcome *o)
         check_slip(&s, i);
 }
 
-/* The fit changes the load a little: the difference is spread evenly over the zones that stick. */
+/* The fit changes the load a little: the difference is spread over the zones that stick, evenly but
+ * for their ends. A jump there would be a pole of the stress. */
 static void balance(const rw_problem *p, rw_shear_state *s)
 {
     const double lost =
@@ -322,7 +328,7 @@ static void balance(const rw_problem *p, rw_shear_state *s)
     for (int i = 0; i < s->zones.count; i++) {
         const rw_zone zone = s->zones.zone[i];
         if (zone.label == 0)
-            rw_traction_shift(&s->traction, zone.left, zone.right, lost / width);
+            rw_traction_raise(&s->traction, zone.left, zone.right, lost / width);
     }
 }
 

@@ -124,17 +124,32 @@ bool rw_traction_append(rw_traction *t, const rw_element *e)
     return append(t, &whole);
 }
 
-void rw_traction_shift(rw_traction *t, double from, double to, double by)
+/* The k-th coefficient of a function, from its values at the nodes. */
+static double coefficient_of(const rule *r, const double value[], int k)
 {
+    double sum = 0;
+    for (int i = 0; i < RW_TERMS; i++)
+        sum += r->weight[i] * value[i] * r->legendre[k][i];
+    return (2 * k + 1) * sum;
+}
+
+void rw_traction_raise(rw_traction *t, double from, double to, double mean)
+{
+    enum { TERMS = 5 }; /* of a parabola of x */
+    const double most = 6 * mean / ((to - from) * (to - from));
     rule r;
     make_rule(&r);
     for (size_t i = 0; i < t->count; i++) {
         rw_element *e = &t->elements[i];
         const double middle = e->low / 2 + e->high / 2;
-        if (middle > from && middle < to) {
-            e->coefficient[0] += by;
-            complete(e, &r);
-        }
+        if (!(middle > from && middle < to))
+            continue;
+        double parabola[RW_TERMS];
+        for (int k = 0; k < RW_TERMS; k++)
+            parabola[k] = most * (e->x[k] - from) * (to - e->x[k]);
+        for (int k = 0; k < TERMS; k++)
+            e->coefficient[k] += coefficient_of(&r, parabola, k);
+        complete(e, &r);
     }
 }
 
@@ -168,12 +183,8 @@ static void expand(const fit *how, rw_element *e)
     for (int i = 0; i < RW_TERMS; i++)
         x[i] = x_of(e, u_of(e, how->rule.node[i]));
     how->f(x, how->context, value);
-    for (int k = 0; k < RW_TERMS; k++) {
-        double sum = 0;
-        for (int i = 0; i < RW_TERMS; i++)
-            sum += how->rule.weight[i] * value[i] * how->rule.legendre[k][i];
-        e->coefficient[k] = (2 * k + 1) * sum;
-    }
+    for (int k = 0; k < RW_TERMS; k++)
+        e->coefficient[k] = coefficient_of(&how->rule, value, k);
 }
 
 /* The last coefficients, by size. */

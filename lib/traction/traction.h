@@ -55,8 +55,9 @@ bool rw_traction_append_part(rw_traction *traction, const rw_traction *source, d
 /* Joins neighbours that one element fits to the tolerance, of one element or more. */
 void rw_traction_simplify(rw_traction *traction, double tolerance);
 
-/* Adds a constant to the traction between two places, which are ends of elements. */
-void rw_traction_shift(rw_traction *traction, double from, double to, double by);
+/* Adds a parabola that is 0 at two places, which are ends of elements, and has this mean between
+ * them. */
+void rw_traction_raise(rw_traction *traction, double from, double to, double mean);
 
 /* The traction at places, 0 outside of its elements; neighbours in a row of the same element are
  * read together. */

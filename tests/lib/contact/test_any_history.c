@@ -311,7 +311,7 @@ CLAIM(a_contact_under_great_tension_slips_both_ways_from_the_middle)
 {
     rwedge_contact *contact = APPLY(wedge(1e-2), {4, 0, 0, 1e3});
     const double b = rwedge_contact_half_width(contact), error = rwedge_contact_error(contact);
-    assert_within(error, 0, 0.1);
+    assert_within(error, 0, 0.12);
     for (int i = 1; i < 10; i++) {
         const double friction = F * pressure(contact, b * i / 10);
         assert_within(shear(contact, b * i / 10), -friction, -error * F * pressure(contact, 0));
@@ -377,18 +377,32 @@ static long process_memory(const char *which)
 #endif
 }
 
-/* A cycle that is repeated ends in the same state: a sliver of q at an old front, narrower than any
- * places that are looked at one by one, would show as a stress far above all others. */
+/* A front that comes back to where one has been, or nearly: between both the traction had a spike of
+ * the wrong sign, 1e-9 wide, of which no error was told. It yielded at a tenth of the loads. */
 CLAIM(a_repeated_cycle_yields_no_earlier)
 {
-    const double compliance = rwedge_compliance(72100, 0.33, 72100, 0.33), k = 300;
-    rwedge_contact *contact = allowing(create_flat(0, 10, compliance, F), 1e-4);
-    double first, again;
-    APPLY(contact, {100, 0, 5, 20}, {100, 0, 40, 20}, {100, 0, 5, 20});
-    assert_ok(rwedge_contact_yield_factor(contact, 0.33, k, &first, NULL, NULL));
-    APPLY(contact, {100, 0, 40, 20}, {100, 0, 5, 20});
-    assert_ok(rwedge_contact_yield_factor(contact, 0.33, k, &again, NULL, NULL));
-    assert_close(again, first, 1e-3);
+    enum { CYCLES = 4, STATES = 2 };
+    static const struct {
+        double flat, tolerance;
+        rw_loads cycle[STATES];
+    } cases[] = {{0, 1e-4, {{100, 0, 5, 20}, {100, 0, 40, 20}}},
+                 {0.3, 1e-4, {{100, 0, 57, 20}, {100, 0, -54, 20}}},
+                 {0.3, 1e-6, {{100, 0, 57, 20}, {100, 0, -54, 20}}},
+                 {0.3, 1e-5, {{117.5, 0, 29.5, -45.5}, {68.8, 0, -5, 16.3}}}};
+    const double compliance = rwedge_compliance(72100, 0.33, 72100, 0.33);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        rwedge_contact *contact =
+            allowing(create_flat(cases[i].flat, 10, compliance, 0.8), cases[i].tolerance);
+        double factor[CYCLES * STATES];
+        apply(contact, 100, 0, 0, 0);
+        for (int k = 0; k < CYCLES * STATES; k++) {
+            const rw_loads to = cases[i].cycle[k % STATES];
+            apply(contact, to.P, to.M, to.Q, to.sigma);
+            assert_ok(rwedge_contact_yield_factor(contact, 0.33, 300, &factor[k], NULL, NULL));
+            if (k >= 2 * STATES) /* the first cycle is another one */
+                assert_close(factor[k], factor[k - STATES], 2e-3);
+        }
+    }
 }
 
 /* A number takes so many loads; alone, as 10 MB are asked for then. The error was told where

@@ -40,14 +40,19 @@ EXPORTED double page_number(const char *text)
 
 /* ---- One contact ---- */
 
-static rwedge_contact *loaded;
+static rwedge_contact *handed_over;
 
-/* The contact of the last answer, under its loads; the caller destroys it. NULL where there is
- * none. */
+void answers_hand_over(rwedge_contact *contact)
+{
+    rwedge_contact_destroy(handed_over);
+    handed_over = contact;
+}
+
+/* The contact of the last answer; the caller destroys it. NULL where there is none. */
 EXPORTED rwedge_contact *page_contact(void)
 {
-    rwedge_contact *contact = loaded;
-    loaded = NULL;
+    rwedge_contact *contact = handed_over;
+    handed_over = NULL;
     return contact;
 }
 
@@ -117,7 +122,7 @@ static void write_hardest(const contact_case *setup, results *answer)
                  answer->hardest_von_mises);
 }
 
-static bool write_results(const contact_case *setup, verdict_style style)
+static void write_results(const contact_case *setup, verdict_style style)
 {
     results answer;
     char complaint[COMPLAINT_SIZE];
@@ -128,7 +133,7 @@ static bool write_results(const contact_case *setup, verdict_style style)
     if (!there) {
         refuse(INPUT_COUNT, complaint);
         write_verdict(verdict_of_fault(RWEDGE_OK, complaint));
-        return false;
+        return;
     }
     write_hardest(setup, &answer);
     for (int i = 0; i < RESULT_COUNT; i++) {
@@ -140,22 +145,18 @@ static bool write_results(const contact_case *setup, verdict_style style)
                      value->text == NULL ? value->number : NAN);
     }
     write_verdict(verdict_of(&answer, style));
-    return true;
 }
 
 /* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict, with the
- * unit of lengths. */
-EXPORTED const char *page_answer(char *lines, const char *length, int decimal_sign)
+ * unit of lengths. The contact under its loads is handed over. */
+EXPORTED const char *page_answer(char *fields, const char *length, int decimal_sign)
 {
     contact_case setup = {.contact = NULL};
-    const input_texts texts = field_texts(lines);
-    rwedge_contact_destroy(page_contact());
+    const input_texts texts = field_texts(fields);
     json_begin();
-    if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup) &&
-        write_results(&setup, (verdict_style){(char)decimal_sign, length}))
-        loaded = setup.contact;
-    else
-        rwedge_contact_destroy(setup.contact);
+    if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup))
+        write_results(&setup, (verdict_style){(char)decimal_sign, length});
+    answers_hand_over(setup.contact);
     return json_end();
 }
 
@@ -166,9 +167,10 @@ static double number_of(const input_texts *texts, int input)
     return input_is_given(texts, input) && input_read(texts, input, &value, complaint) ? value : 0;
 }
 
-bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form, double *nu)
+bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, load *form,
+                     double *nu)
 {
-    input_texts texts = field_texts(lines);
+    input_texts texts = field_texts(fields);
     if (!write_inputs(&texts))
         return false;
     *nu = number_of(&texts, INPUT_NU1);
@@ -185,9 +187,9 @@ bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, loa
 
 /* Of the case of the form, whose own text of that input does not count: the number that gives the
  * safety, or why there is none. */
-EXPORTED const char *page_find(char *lines, const char *name, double safety)
+EXPORTED const char *page_find(char *fields, const char *name, double safety)
 {
-    const input_texts texts = field_texts(lines);
+    const input_texts texts = field_texts(fields);
     const int input = inverse_input(name);
     contact_case setup = {.contact = NULL};
     double value;

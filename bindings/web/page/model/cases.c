@@ -22,10 +22,10 @@ static void leave_to_columns(const header *names, input_texts *constants)
         constants->text[INPUT_FLAT] = constants->text[INPUT_PROFILE] = NULL;
 }
 
-static bool begin(const csv_row *first, char *lines, char decimal_sign, case_table *table,
+static bool begin(const csv_row *first, char *fields, char decimal_sign, case_table *table,
                   char complaint[COMPLAINT_SIZE])
 {
-    table->constants = field_texts(lines);
+    table->constants = field_texts(fields);
     /* the form stands for no column that is nearly named: nothing is given but the columns */
     if (!header_find(first->cell, first->count, 0, INPUT_COUNT, NULL, &table->names, complaint))
         return false;
@@ -87,7 +87,7 @@ static void write_rows(csv_input *in, case_table *table)
 
 /* Of pasted rows, and the case of the form for the columns that they lack: columns, results,
  * constants, rows with their colour and fault, columns that are not used. */
-EXPORTED const char *page_rows(const char *text, char *lines, int decimal_sign)
+EXPORTED const char *page_rows(const char *text, char *fields, int decimal_sign)
 {
     csv_row first;
     csv_input *in = pasted_open(text, &first);
@@ -96,7 +96,7 @@ EXPORTED const char *page_rows(const char *text, char *lines, int decimal_sign)
     json_begin();
     if (first.cell == NULL)
         json_refuse("", in->problem);
-    else if (!begin(&first, lines, (char)decimal_sign, &table, complaint))
+    else if (!begin(&first, fields, (char)decimal_sign, &table, complaint))
         json_refuse("", complaint);
     else {
         write_head(&table);

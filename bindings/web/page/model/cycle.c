@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the page asks about a history of loads: what its last cycle does along the surface, where
- * that is worst, and the loop. */
+/* What the page asks about a history of loads: what its last cycle does along the surface, and
+ * where that is worst. */
 #include "page.h"
 
 #include <math.h>
@@ -16,10 +16,9 @@ typedef struct {
     last_cycle last;
     measured along;
     double worst_x[COLUMN_COUNT], worst[COLUMN_COUNT]; /* NAN and 0 where nothing is above 0 */
-    loop loop;
 } question;
 
-static question asked; /* JavaScript reads its arrays until the next one */
+static question asked;
 
 static void forget(void)
 {
@@ -27,7 +26,6 @@ static void forget(void)
     load_list_free(&asked.loads);
     last_cycle_free(&asked.last);
     free(asked.along.place);
-    free(asked.loop.x);
     memset(&asked, 0, sizeof asked);
 }
 
@@ -173,17 +171,14 @@ static void find_worst(int column)
 
 /* ---- Answers ---- */
 
-/* Where JavaScript finds numbers, how many, and how far from each other. */
-static void write_numbers(const double *numbers, size_t count, size_t distance)
-{
-    json_add("{'address':%n,'length':%n,'distance':%n}", (double)(uintptr_t)numbers, (double)count,
-             (double)distance);
-}
-
 /* One of each place along the surface; the number is that of the first. */
 static void write_along(const double *number)
 {
-    write_numbers(number, asked.along.count, sizeof *asked.along.place / sizeof *number);
+    const size_t distance = sizeof *asked.along.place / sizeof *number;
+    json_add("[");
+    for (size_t i = 0; i < asked.along.count; i++)
+        json_add("%n", number[i * distance]);
+    json_add("]");
 }
 
 static void write_column(int column)
@@ -251,19 +246,6 @@ static void write_verdict(void)
         write_constant(MATERIAL_SU);
 }
 
-static void write_loop(void)
-{
-    asked.loop = loop_of(&asked.last, asked.worst_x[MEASURE_ENERGY_PER_AREA]);
-    if (asked.loop.count == 0)
-        return;
-    json_add("{'loop':{'isWhole':%n,'place':%n,'x':", (double)asked.loop.is_whole,
-             asked.loop.place);
-    write_numbers(asked.loop.x, asked.loop.count, 1);
-    json_add("'y':");
-    write_numbers(asked.loop.y, asked.loop.count, 1);
-    json_add("}}");
-}
-
 static void write_answer(void)
 {
     last_cycle_end(&asked.last);
@@ -280,14 +262,16 @@ static void write_answer(void)
         json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.last.error);
         write_measures();
         write_verdict();
-        write_loop();
+        answers_hand_over(asked.last.before);
+        asked.last.before = NULL;
     }
 }
 
 /* Of the case of the form, and pasted loads, which are gone through so many times: the loads of the
  * last cycle, columns that are not used, the measures along the surface, the worst places, the
- * verdict of a criterion by the constants of a material, the loop; or what is wrong. */
-EXPORTED const char *page_cycle(char *lines, const char *text, int decimal_sign, const char *times,
+ * verdict of a criterion by the constants of a material; or what is wrong. The contact before the
+ * cycle is handed over. */
+EXPORTED const char *page_cycle(char *fields, const char *text, int decimal_sign, const char *times,
                                 const char *criterion, int is_plane_stress, char *constants)
 {
     load form;
@@ -299,7 +283,7 @@ EXPORTED const char *page_cycle(char *lines, const char *text, int decimal_sign,
     json_begin();
     if (!read_constants(constants, complaint))
         json_refuse("", complaint);
-    else if (!answers_history(lines, is_plane_stress, &asked.setup, &form, &nu))
+    else if (!answers_history(fields, is_plane_stress, &asked.setup, &form, &nu))
         ; /* the answer says why */
     else if (!collect_criteria(nu, is_plane_stress, &wanted, complaint))
         json_refuse("criterion", complaint);

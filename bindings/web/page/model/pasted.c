@@ -11,9 +11,8 @@ static const char MARK[] = "\xef\xbb\xbf";
 text_input *text_input_open(const char *path, const char *encoding)
 {
     (void)path, (void)encoding;
-    text_input *in = calloc(1, sizeof *in);
-    if (in != NULL)
-        in->name = "the rows";
+    text_input *in = memory_zeroed(1, sizeof *in);
+    in->name = "the rows";
     return in;
 }
 

@@ -135,31 +135,26 @@ test("twenty thousand digits are refused at once", () => {
     assert.ok(Date.now() - began < 500);
 });
 
-const wrong = [
-    ["E1", "-1"],
-    ["E1", "inf"],
-    ["nu1", "0.6"],
-    ["E2", "70000"],
-    ["theta", "2"],
-    ["a", "-0.1"],
-    ["P", "0"],
-    ["M", "1.2.3"],
-    ["M", "1e12"],
-    ["Q", "20 N"],
-    ["Q", "50"],
-    ["f", "-0.1"],
-    ["k", "1e61"],
-];
+const wrong = {
+    E1: ["-1", "inf"],
+    nu1: ["0.6"],
+    E2: ["70000"],
+    theta: ["2"],
+    a: ["-0.1"],
+    P: ["0"],
+    M: ["1.2.3", "1e12"],
+    Q: ["20 N", "50"],
+    f: ["-0.1"],
+    k: ["1e61"],
+};
 
 test("refusals are the tool's", () => {
-    for (const [name, text] of wrong) {
-        const { faults } = solveHolding({ ...usual, [name]: text }, ".");
-        assert.deepEqual(
-            [faults.length, faults[0].text],
-            [1, toolError({ ...usual, [name]: text })],
-            `${name} = ${text}`,
-        );
-    }
+    for (const [name, texts] of Object.entries(wrong))
+        for (const text of texts) {
+            const all = { ...usual, [name]: text },
+                faults = solveHolding(all, ".").faults.map((fault) => fault.text);
+            assert.deepEqual(faults, [toolError(all)], `${name} = ${text}`);
+        }
     const tiny = { ...bodies, P: "1e-58", M: "1e-59" }; // refused by the library, with no input at fault
     assert.equal(solveHolding(tiny, ".").faults[0].text, toolError(tiny));
 });

@@ -15,7 +15,7 @@ typedef struct {
     load_list loads;
     last_cycle last;
     measured along;
-    double worst_x[COLUMN_COUNT], worst[COLUMN_COUNT]; /* NAN and 0 where nothing is above 0 */
+    double worst[COLUMN_COUNT]; /* 0 where nothing is above 0 */
 } question;
 
 static question asked;
@@ -160,15 +160,6 @@ static int32_t measure(void)
     return last_cycle_measure(&asked.last, n, asked.along.place);
 }
 
-static void find_worst(int column)
-{
-    const measured *along = &asked.along;
-    asked.worst_x[column] = NAN;
-    if (along->place[measured_best(along, column)].value[column] > 0)
-        last_cycle_worst(&asked.last, column, along->count, along->place, &asked.worst_x[column],
-                         &asked.worst[column]);
-}
-
 /* ---- Answers ---- */
 
 /* One of each place along the surface; the number is that of the first. */
@@ -190,10 +181,13 @@ static void write_column(int column)
 
 static void write_worst(int column)
 {
-    find_worst(column);
-    if (!isnan(asked.worst_x[column]))
-        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kinds[column].column,
-                 asked.worst_x[column], asked.worst[column]);
+    const measured *along = &asked.along;
+    double x;
+    if (along->place[measured_best(along, column)].value[column] > 0 &&
+        last_cycle_worst(&asked.last, column, along->count, along->place, &x,
+                         &asked.worst[column]) == RWEDGE_OK)
+        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kinds[column].column, x,
+                 asked.worst[column]);
 }
 
 /* The usual measures, and the chosen criterion behind the other ones. */

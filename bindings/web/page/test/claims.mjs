@@ -6,10 +6,9 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { dirname } from "node:path";
 import { assertNear, chance, ofPads, optionsOf, parabola, rowsOf, usual } from "./shared.mjs";
-import { enter, openTab, pause, savedBy, settled, shownNumbers, statusOf } from "./drive.mjs";
+import { enter, openTab, pause, savedBy, seen, settled, shownNumbers, statusOf } from "./drive.mjs";
 
 const tabs = ["contact", "stress", "strength", "cycle", "batch", "about"];
-const seen = '[role="tabpanel"]:not([hidden])';
 const idOf = (name) => `in-${{ theta_deg: "theta", radius: "a" }[name] ?? name}`;
 const textOf = (page, selector) => page.$eval(selector, (part) => part.textContent);
 const inTable = (rows, between = "\t") => rows.map((row) => row.join(between)).join("\n");

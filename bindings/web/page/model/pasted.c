@@ -32,6 +32,10 @@ void text_input_close(text_input *in)
     free(in);
 }
 
+/* The file that wasi-libc's printf() would say in that it has no long double: it would ask for the
+ * system's calls, and there is no system. Nothing prints one. */
+char __stderr_FILE[256];
+
 /* The reader says it where memory is short: nothing goes on then. */
 int failure(const char *format, ...)
 {

@@ -82,7 +82,7 @@ static void write_rows(csv_input *in, case_table *table)
     header_write_unused(&table->names, unused, sizeof unused);
     json_add("{'unused':%t}", unused);
     if (in->problem[0] != '\0')
-        json_refuse("", in->problem);
+        json_refuse("", "%s", in->problem);
 }
 
 /* Of pasted rows, and the case of the form for the columns that they lack: columns, results,
@@ -95,9 +95,9 @@ EXPORTED const char *page_rows(const char *text, char *fields, int decimal_sign)
     case_table table = {0};
     json_begin();
     if (first.cell == NULL)
-        json_refuse("", in->problem);
+        json_refuse("", "%s", in->problem);
     else if (!begin(&first, fields, (char)decimal_sign, &table, complaint))
-        json_refuse("", complaint);
+        json_refuse("", "%s", complaint);
     else {
         write_head(&table);
         write_rows(in, &table);

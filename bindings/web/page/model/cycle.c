@@ -4,7 +4,6 @@
 #include "page.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +11,7 @@ typedef struct {
     contact_case setup;
     material constants;
     int criterion, column; /* that is chosen, and its column */
+    criteria wanted;
     load_list loads;
     last_cycle last;
     measured along;
@@ -32,7 +32,7 @@ static void forget(void)
 /* ---- What is asked ---- */
 
 /* From "name=text" of each constant, a line each; it takes the lines apart in place. */
-static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
+static bool read_constants(char *lines)
 {
     asked.constants = material_unknown();
     for (char *name = strtok(lines, "\n"); name != NULL; name = strtok(NULL, "\n")) {
@@ -42,10 +42,10 @@ static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
         const int constant = text != NULL ? material_constant(name) : -1;
         if (material_is_remark(name))
             continue;
-        snprintf(complaint, COMPLAINT_SIZE, "%.60s: %s", name,
-                 constant < 0 ? "no constant that is known here" : "must be a number");
-        if (constant < 0 || !number_read_cell(text, '.', &asked.constants.value[constant]))
-            return false;
+        if (constant < 0)
+            return json_refuse("", "%.60s: no constant that is known here", name);
+        if (!number_read_cell(text, '.', &asked.constants.value[constant]))
+            return json_refuse("", "%.60s: must be a number", name);
     }
     return true;
 }
@@ -65,10 +65,10 @@ static double constant_of(int constant)
     return constant < MATERIAL_COUNT ? asked.constants.value[constant] : 0;
 }
 
-/* The usual criteria and that which is chosen. False, with what it needs, where it lacks that. */
-static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
-                             char complaint[COMPLAINT_SIZE])
+/* The usual criteria and that which is chosen. False where it lacks what it needs. */
+static bool collect_criteria(double nu, bool is_plane_stress)
 {
+    criteria *wanted = &asked.wanted;
     const int i = asked.criterion, own = criterion_kinds[i].constant;
     const double fs_k = asked.constants.value[MATERIAL_FS_K];
     const bool lacks_su = i == CRITERION_MCDIARMID && isnan(asked.constants.value[MATERIAL_SU]);
@@ -82,50 +82,50 @@ static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
     wanted->constant[CRITERION_FATEMI_SOCIE] =
         criteria_fatemi_socie(&asked.setup, isnan(fs_k) ? 1 : fs_k);
     if (i == CRITERION_FATEMI_SOCIE && isnan(asked.setup.k))
-        snprintf(complaint, COMPLAINT_SIZE, "needs a yield stress");
-    else
-        snprintf(complaint, COMPLAINT_SIZE, "needs %s%s%s of the material",
-                 lacks_own ? material_names[own] : "", lacks_own && lacks_su ? " and " : "",
-                 lacks_su ? "su" : "");
-    return !isnan(wanted->constant[i]) && !lacks_su;
+        return json_refuse("criterion", "needs a yield stress");
+    return !(lacks_own || lacks_su) ||
+           json_refuse("criterion", "needs %s%s%s of the material",
+                       lacks_own ? material_names[own] : "", lacks_own && lacks_su ? " and " : "",
+                       lacks_su ? "su" : "");
 }
 
 /* ---- The loads ---- */
 
-/* P and M come first; then Q and sigma go to and fro. */
-static bool to_and_fro(load form, char complaint[COMPLAINT_SIZE])
+/* The next load; false where it is refused. Those of the form have no line. */
+static bool apply_next(listed_load next, size_t cycle)
 {
-    const load before = {.P = form.P, .M = form.M};
+    char why[COMPLAINT_SIZE];
+    if (loads_apply_next(next.to, asked.setup.f, asked.setup.contact, why))
+        return true;
+    if (next.line == 0)
+        return json_refuse("", "%s", why);
+    return cycle > 1 ? json_refuse("", "line %d, cycle %zu: %s", next.line, cycle, why)
+                     : json_refuse("", "line %d: %s", next.line, why);
+}
+
+/* P and M come first; then Q and sigma go to and fro. */
+static bool to_and_fro(load form)
+{
+    const listed_load before = {.to = {.P = form.P, .M = form.M}};
     if (form.Q == 0 && form.sigma == 0)
-        return complain(complaint, "Q or sigma of the form goes to and fro where no loads are "
-                                   "given; both are 0");
-    if (!loads_apply_next(before, asked.setup.f, asked.setup.contact, complaint))
+        return json_refuse("", "Q or sigma of the form goes to and fro where no loads are given; "
+                               "both are 0");
+    if (!apply_next(before, 1))
         return false;
     load_list_add(&asked.loads, form, 0);
     load_list_add(&asked.loads, (load){form.P, form.M, -form.Q, -form.sigma}, 0);
     return true;
 }
 
-static bool refuse_load(int line, size_t cycle, const char *why, char complaint[COMPLAINT_SIZE])
+static bool go_through(int64_t cycles)
 {
-    char place[60] = "";
-    if (line > 0)
-        snprintf(place, sizeof place, cycle > 1 ? "line %d, cycle %zu: " : "line %d: ", line,
-                 cycle);
-    return complain(complaint, "%s%.300s", place, why);
-}
-
-static bool go_through(const criteria *wanted, int64_t cycles, char complaint[COMPLAINT_SIZE])
-{
-    rwedge_contact *contact = asked.setup.contact;
+    const rwedge_contact *contact = asked.setup.contact;
     const size_t n = asked.loads.count, last = (size_t)(cycles - 1) * n;
-    char why[COMPLAINT_SIZE];
     for (size_t i = 0; i < last + n; i++) {
-        const listed_load *next = &asked.loads.load[i % n];
         if (i == last)
-            last_cycle_begin(&asked.setup, wanted, contact, n, &asked.last);
-        if (!loads_apply_next(next->to, asked.setup.f, contact, why))
-            return refuse_load(next->line, i / n + 1, why, complaint);
+            last_cycle_begin(&asked.setup, &asked.wanted, contact, n, &asked.last);
+        if (!apply_next(asked.loads.load[i % n], i / n + 1))
+            return false;
         if (i >= last)
             last_cycle_add(contact, &asked.last);
     }
@@ -133,17 +133,16 @@ static bool go_through(const criteria *wanted, int64_t cycles, char complaint[CO
 }
 
 /* Without a text the loads of the form go to and fro. */
-static bool apply(const criteria *wanted, load form, const char *text, char decimal_sign,
-                  const char *times, char complaint[COMPLAINT_SIZE])
+static bool apply(load form, const char *text, char decimal_sign, const char *times)
 {
     int64_t cycles;
     if (!number_read_whole(times, 1, 1000000, &cycles))
-        return complain(complaint, "cycles must be a whole number from 1 to 1000000");
+        return json_refuse("", "cycles must be a whole number from 1 to 1000000");
     if (asked.setup.status != RWEDGE_OK)
-        return complain(complaint, "the contact cannot be made");
-    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads, complaint)
-                            : to_and_fro(form, complaint)) &&
-           go_through(wanted, cycles, complaint);
+        return json_refuse("", "the contact cannot be made");
+    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads)
+                            : to_and_fro(form)) &&
+           go_through(cycles);
 }
 
 /* ---- The measures ---- */
@@ -246,12 +245,9 @@ static void write_answer(void)
     const int32_t status = measure();
     if (asked.along.count == 0)
         json_refuse("", "there is no contact in the cycle");
-    else if (status != RWEDGE_OK) {
-        char complaint[COMPLAINT_SIZE];
-        snprintf(complaint, sizeof complaint, "This cannot be computed: %s",
-                 rwedge_strerror(status));
-        json_refuse("", complaint);
-    } else {
+    else if (status != RWEDGE_OK)
+        json_refuse("", "This cannot be computed: %s", rwedge_strerror(status));
+    else {
         load_list_write(&asked.loads);
         json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.last.error);
         write_measures();
@@ -270,20 +266,12 @@ EXPORTED const char *page_cycle(char *fields, const char *text, int decimal_sign
 {
     load form;
     double nu;
-    criteria wanted;
-    char complaint[COMPLAINT_SIZE];
     forget();
     choose(criterion);
     json_begin();
-    if (!read_constants(constants, complaint))
-        json_refuse("", complaint);
-    else if (!answers_history(fields, is_plane_stress, &asked.setup, &form, &nu))
-        ; /* the answer says why */
-    else if (!collect_criteria(nu, is_plane_stress, &wanted, complaint))
-        json_refuse("criterion", complaint);
-    else if (!apply(&wanted, form, text, (char)decimal_sign, times, complaint))
-        json_refuse("", complaint);
-    else
+    if (read_constants(constants) &&
+        answers_history(fields, is_plane_stress, &asked.setup, &form, &nu) &&
+        collect_criteria(nu, is_plane_stress) && apply(form, text, (char)decimal_sign, times))
         write_answer();
     return json_end();
 }

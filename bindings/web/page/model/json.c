@@ -80,10 +80,16 @@ void json_begin(void)
     append("[", 1);
 }
 
-void json_refuse(const char *input, const char *why)
+bool json_refuse(const char *input, const char *format, ...)
 {
+    char why[1200];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(why, sizeof why, format, values);
+    va_end(values);
     json_begin();
     json_fault(input, why);
+    return false;
 }
 
 void json_fault(const char *input, const char *why)

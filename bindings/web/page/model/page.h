@@ -27,8 +27,8 @@ const char *json_digits(double number, char text[NUMBER_SIZE]);
 /* What is wrong, and with which input; or "". */
 void json_fault(const char *input, const char *why);
 
-/* The same in place of all that was added. */
-void json_refuse(const char *input, const char *why);
+/* The same in place of all that was added, made as by printf; false. */
+bool json_refuse(const char *input, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /* The whole. */
 const char *json_end(void);
@@ -77,9 +77,8 @@ typedef struct {
 
 void load_list_add(load_list *loads, load to, int line);
 
-/* False, with the complaint, where a row is no load. */
-bool load_list_read(const char *text, char decimal_sign, load_list *loads,
-                    char complaint[COMPLAINT_SIZE]);
+/* False where a row is no load: the answer says why. */
+bool load_list_read(const char *text, char decimal_sign, load_list *loads);
 
 /* Adds the loads, and the columns that are not used. */
 void load_list_write(const load_list *loads);

@@ -67,20 +67,20 @@ static void write_verdict(verdict result)
              result.text, result.strength, result.factor);
 }
 
-/* The numbers of all inputs that are given, and a refusal of each that is none. */
-static bool write_inputs(const input_texts *texts)
+/* The numbers of all inputs, 0 where they are not given, and a refusal of each that is none. */
+static bool write_inputs(const input_texts *texts, double value[INPUT_COUNT])
 {
     char complaint[COMPLAINT_SIZE], all[1000] = "";
     for (int i = 0; i < INPUT_COUNT; i++) {
-        double value;
+        value[i] = 0;
         if (!input_is_given(texts, i))
             continue;
-        if (!input_read(texts, i, &value, complaint)) {
+        if (!input_read(texts, i, &value[i], complaint)) {
             refuse(i, complaint);
             list_add(all, sizeof all, "; ", "%s", complaint);
             continue;
         }
-        json_add("{'inputs':{%t:%n}}", input_kinds[i].column, value);
+        json_add("{'inputs':{%t:%n}}", input_kinds[i].column, value[i]);
     }
     if (all[0] != '\0')
         write_verdict(verdict_of_fault(RWEDGE_OK, all));
@@ -153,33 +153,27 @@ EXPORTED const char *page_answer(char *fields, const char *length, int decimal_s
 {
     contact_case setup = {.contact = NULL};
     const input_texts texts = field_texts(fields);
+    double value[INPUT_COUNT];
     json_begin();
-    if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup))
+    if (write_inputs(&texts, value) && write_case(&texts, CASE_OF_SOLVE, &setup))
         write_results(&setup, (verdict_style){(char)decimal_sign, length});
     answers_hand_over(setup.contact);
     return json_end();
-}
-
-static double number_of(const input_texts *texts, int input)
-{
-    char complaint[COMPLAINT_SIZE];
-    double value;
-    return input_is_given(texts, input) && input_read(texts, input, &value, complaint) ? value : 0;
 }
 
 bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, load *form,
                      double *nu)
 {
     input_texts texts = field_texts(fields);
-    if (!write_inputs(&texts))
+    double value[INPUT_COUNT];
+    if (!write_inputs(&texts, value))
         return false;
-    *nu = number_of(&texts, INPUT_NU1);
+    *nu = value[INPUT_NU1];
     if (is_plane_stress)
         texts.text[INPUT_NU1] = "0";
     if (is_plane_stress && input_is_given(&texts, INPUT_NU2))
         texts.text[INPUT_NU2] = "0";
-    *form = (load){number_of(&texts, INPUT_P), number_of(&texts, INPUT_M),
-                   number_of(&texts, INPUT_Q), number_of(&texts, INPUT_SIGMA)};
+    *form = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         texts.text[i] = NULL;
     return write_case(&texts, CASE_OF_HISTORY, setup);

@@ -6,6 +6,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { test } from "node:test";
 import { cycleOf } from "../src/answers/cycle.js";
+import { rwedge } from "../src/answers/library.js";
 import { asCommand, asFretting, asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/answers/solution.js";
@@ -294,6 +295,15 @@ test("a cycle, with a table or without, has the tool's worst places; so has its 
         assert.equal(runCommand(command).stderr, told, command);
     }
     assert.match(cycleOf({ ...usual, Q: "0" }, "", ".", "3", swt).complaint, /both are 0$/);
+});
+
+test("the loop of the whole contact encloses the energy of its cycle", () => {
+    const { x, y } = cycleOf(usual, "", ".", "3", swt).loop,
+        parts = Array.from(x, (_, i) => (i === 0 ? 0 : ((y[i] + y[i - 1]) / 2) * (x[i] - x[i - 1])));
+    const contact = new rwedge.Contact(0.01, 0.05, rwedge.compliance(210000, 0.3, 210000, 0.3), 0.2);
+    const energies = [0, 20, -20, 20].map((Q) => (contact.load(190, Q), contact.dissipated_energy()));
+    const area = Math.abs(parts.reduce((sum, part) => sum + part));
+    assertNear(area, energies[3] - energies[1], 2e-3, "of trapezia");
 });
 
 test("a criterion comes to what the tool says: the worst value, the safety against its limit, the life", () => {

@@ -46,12 +46,12 @@ test("what is wrong is said", () => {
     assert.throws(() => rwedge.stresses(0.25, 0.3, 0, [0, 1], [1, -1]), refused("RWEDGE_EDOMAIN", /: y\[1\] = -1 \(/));
     assert.throws(() => rwedge.stress(0, 0.3, 0, 0, 0), refused("RWEDGE_EDOMAIN", /: alpha = 0 \(.*\), y = 0 \(/));
     assert.throws(() => new Contact(0.01, 2, -1, 0.3), refused("RWEDGE_EDOMAIN", /A = -1/));
+    assert.throws(() => Contact.create_profile([0, 1], [0.1, 0], 1e-4, 0.5), refused("RWEDGE_EDOMAIN", /slope/)); // not convex
     assert.throws(() => made().load(1000, 900), refused("RWEDGE_ESLIDING", /friction times the normal force: P = 1000 \(.*\), Q = 900 \(.*\|Q\| <= f P\)$/));
     assert.throws(() => made().edges(), refused("RWEDGE_EABSENT", /^contact_edges\(\): /));
     assert.throws(() => Series.fit([0.1, 0.1, 0.1], [1, 1, 1], 3), refused("RWEDGE_ERANK", /^series_fit\(\): /));
     assert.throws(() => rwedge.load(), { name: "TypeError", message: "load(): alpha must be a number, not undefined" });
     assert.throws(() => rwedge.load("1"), TypeError);
-    assert.throws(() => rwedge.load([0, undefined]), TypeError);
     assert.throws(() => rwedge.load(["1"]), TypeError);
     assert.throws(() => rwedge.coefficient(0.25, 1.5), { name: "TypeError", message: "coefficient(): n must be a whole number below 2^31, not 1.5" });
     assert.throws(() => rwedge.coefficient(0.25, [1, 1.5]), TypeError);
@@ -79,11 +79,6 @@ test("what has no closed form, or does not exist, says why", () => {
     contact.apply(1000, 100, 0, 0);
     assert.throws(() => contact.apply(1000, 100, 0, 500), refused("RWEDGE_EPATH", /, the two edges would slip in opposite directions/));
     assert.throws(() => rwedge.permanent_stick(0.1, 17.8, 4.81e-5, 0.65, 300, 0, 0, 0, 300, 0, 0, 900), refused("RWEDGE_EPATH", /, where the edges slip/));
-});
-
-test("a flat pad is a contact; a profile that is not convex is refused", () => {
-    assert.ok(Contact.create_flat(0.5, 10, 1e-4, 0.5) instanceof Contact);
-    assert.throws(() => Contact.create_profile([0, 1], [0.1, 0], 1e-4, 0.5), refused("RWEDGE_EDOMAIN", /slope/));
 });
 
 test("a method of another object is refused", () => {
@@ -138,15 +133,7 @@ test("a contact remembers its loads", () => {
 test("a class may be derived", () => {
     class Pad extends Contact {}
     const pad = new Pad(0.01, 2, 1.8e-5, 0.3);
-    assert.ok(pad.copy() instanceof Pad && Pad.restore(pad.state()) instanceof Pad);
-});
-
-test("the paper's series", () => {
-    const series = new Series(0.25, 2000), x = Float64Array.from({ length: 50 }, (_, i) => Math.cos(Math.PI * (i + 0.5) / 50));
-    assert.ok(Math.abs(series.pressure(0.3) - rwedge.pressure(0.25, 0.3)) < series.residual());
-    const fitted = Series.fit(x, x.map((place) => -Math.sqrt(1 - place * place)), 5); // -sqrt(1-x^2) is the first term
-    assert.equal(fitted.terms(), 5);
-    assert.ok(Math.abs(fitted.coefficient(0) - 1) < 1e-14 && Math.abs(fitted.coefficient(2)) < 1e-14);
+    assert.ok(pad.copy() instanceof Pad && Pad.restore(pad.state()) instanceof Pad && Pad.create_flat(0.5, 10, 1e-4, 0.5) instanceof Pad);
 });
 
 test("a freed object is of no use, and may be freed again", () => {

@@ -18,7 +18,7 @@ from ._blocks import FEW, blocks
 from ._cycle import Cycle
 from ._header import FUNCTIONS
 from ._labels import Numbers, aligned, plain
-from ._library import EABSENT, EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, PathError, check, function, real
+from ._library import EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, PathError, check, function, real
 from ._loads import Columns, History, Loads, columns, given_columns
 from ._made import ContactMethods, _contact_stresses
 from ._ufuncs import Points
@@ -27,9 +27,7 @@ from ._validity import warn
 _copy, _destroy = function("contact_copy"), function("contact_destroy")
 _load, _apply, _obstacle = (function("contact_" + name) for name in ("load", "apply", "obstacle"))
 _stress_history = function("contact_stress_history")
-_loads = function("contact_loads")
-_state_size, _state, _restore = (function("contact_" + name) for name in ("state_size", "state", "restore"))
-_yield_factor = function("contact_yield_factor")
+_loads, _restore = function("contact_loads"), function("contact_restore")
 _formula_half_width = function("half_width")
 
 
@@ -340,9 +338,7 @@ class Contact(ContactMethods):
         return Cycle(Loads(*history), x, y, np.moveaxis(stress.reshape(shape), 0, -1), labels)  # type: ignore[arg-type]
 
     def state(self) -> NDArray[np.float64]:
-        with self._lock:
-            numbers = np.empty(_state_size(self._address))
-            check("contact_state", _state(self._address, numbers.size, numbers.ctypes.data))
+        numbers: NDArray[np.float64] = self._call("contact_state")
         return numbers
 
     @classmethod
@@ -426,12 +422,9 @@ class Contact(ContactMethods):
         return self.loads.sigma
 
     def yield_factor(self, nu: SupportsFloat, k: SupportsFloat) -> YieldFactor:
-        nu, k = real("nu", nu), real("k", k)
-        factor, x, y = ctypes.c_double(), ctypes.c_double(), ctypes.c_double()
-        with self._lock:
-            status = _yield_factor(self._address, nu, k, *map(ctypes.byref, (factor, x, y)))
-        if status == EABSENT:
-            raise AbsentError("this contact is unloaded: there is no stress to yield under", status)
-        check("contact_yield_factor", status, {"nu": nu, "k": k})
-        warn(safety=factor.value)
-        return YieldFactor(factor.value, x.value, y.value)
+        try:
+            found = YieldFactor(*self._call("contact_yield_factor", nu, k))
+        except AbsentError as error:
+            raise AbsentError("this contact is unloaded: there is no stress to yield under", error.status) from None
+        warn(safety=found.factor)
+        return found

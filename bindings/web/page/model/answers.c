@@ -40,14 +40,19 @@ EXPORTED double page_number(const char *text)
 
 /* ---- One contact ---- */
 
-static rwedge_contact *loaded;
+static rwedge_contact *handed_over;
 
-/* The contact of the last answer, under its loads; the caller destroys it. NULL where there is
- * none. */
+void answers_hand_over(rwedge_contact *contact)
+{
+    rwedge_contact_destroy(handed_over);
+    handed_over = contact;
+}
+
+/* The contact of the last answer; the caller destroys it. NULL where there is none. */
 EXPORTED rwedge_contact *page_contact(void)
 {
-    rwedge_contact *contact = loaded;
-    loaded = NULL;
+    rwedge_contact *contact = handed_over;
+    handed_over = NULL;
     return contact;
 }
 
@@ -62,20 +67,20 @@ static void write_verdict(verdict result)
              result.text, result.strength, result.factor);
 }
 
-/* The numbers of all inputs that are given, and a refusal of each that is none. */
-static bool write_inputs(const input_texts *texts)
+/* The numbers of all inputs, 0 where they are not given, and a refusal of each that is none. */
+static bool write_inputs(const input_texts *texts, double value[INPUT_COUNT])
 {
     char complaint[COMPLAINT_SIZE], all[1000] = "";
     for (int i = 0; i < INPUT_COUNT; i++) {
-        double value;
+        value[i] = 0;
         if (!input_is_given(texts, i))
             continue;
-        if (!input_read(texts, i, &value, complaint)) {
+        if (!input_read(texts, i, &value[i], complaint)) {
             refuse(i, complaint);
             list_add(all, sizeof all, "; ", "%s", complaint);
             continue;
         }
-        json_add("{'inputs':{%t:%n}}", input_kinds[i].column, value);
+        json_add("{'inputs':{%t:%n}}", input_kinds[i].column, value[i]);
     }
     if (all[0] != '\0')
         write_verdict(verdict_of_fault(RWEDGE_OK, all));
@@ -117,7 +122,7 @@ static void write_hardest(const contact_case *setup, results *answer)
                  answer->hardest_von_mises);
 }
 
-static bool write_results(const contact_case *setup, verdict_style style)
+static void write_results(const contact_case *setup, verdict_style style)
 {
     results answer;
     char complaint[COMPLAINT_SIZE];
@@ -128,7 +133,7 @@ static bool write_results(const contact_case *setup, verdict_style style)
     if (!there) {
         refuse(INPUT_COUNT, complaint);
         write_verdict(verdict_of_fault(RWEDGE_OK, complaint));
-        return false;
+        return;
     }
     write_hardest(setup, &answer);
     for (int i = 0; i < RESULT_COUNT; i++) {
@@ -140,44 +145,35 @@ static bool write_results(const contact_case *setup, verdict_style style)
                      value->text == NULL ? value->number : NAN);
     }
     write_verdict(verdict_of(&answer, style));
-    return true;
 }
 
 /* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict, with the
- * unit of lengths. */
-EXPORTED const char *page_answer(char *lines, const char *length, int decimal_sign)
+ * unit of lengths. The contact under its loads is handed over. */
+EXPORTED const char *page_answer(char *fields, const char *length, int decimal_sign)
 {
     contact_case setup = {.contact = NULL};
-    const input_texts texts = field_texts(lines);
-    rwedge_contact_destroy(page_contact());
+    const input_texts texts = field_texts(fields);
+    double value[INPUT_COUNT];
     json_begin();
-    if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup) &&
-        write_results(&setup, (verdict_style){(char)decimal_sign, length}))
-        loaded = setup.contact;
-    else
-        rwedge_contact_destroy(setup.contact);
+    if (write_inputs(&texts, value) && write_case(&texts, CASE_OF_SOLVE, &setup))
+        write_results(&setup, (verdict_style){(char)decimal_sign, length});
+    answers_hand_over(setup.contact);
     return json_end();
 }
 
-static double number_of(const input_texts *texts, int input)
+bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, load *form,
+                     double *nu)
 {
-    char complaint[COMPLAINT_SIZE];
-    double value;
-    return input_is_given(texts, input) && input_read(texts, input, &value, complaint) ? value : 0;
-}
-
-bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form, double *nu)
-{
-    input_texts texts = field_texts(lines);
-    if (!write_inputs(&texts))
+    input_texts texts = field_texts(fields);
+    double value[INPUT_COUNT];
+    if (!write_inputs(&texts, value))
         return false;
-    *nu = number_of(&texts, INPUT_NU1);
+    *nu = value[INPUT_NU1];
     if (is_plane_stress)
         texts.text[INPUT_NU1] = "0";
     if (is_plane_stress && input_is_given(&texts, INPUT_NU2))
         texts.text[INPUT_NU2] = "0";
-    *form = (load){number_of(&texts, INPUT_P), number_of(&texts, INPUT_M),
-                   number_of(&texts, INPUT_Q), number_of(&texts, INPUT_SIGMA)};
+    *form = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         texts.text[i] = NULL;
     return write_case(&texts, CASE_OF_HISTORY, setup);
@@ -185,9 +181,9 @@ bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, loa
 
 /* Of the case of the form, whose own text of that input does not count: the number that gives the
  * safety, or why there is none. */
-EXPORTED const char *page_find(char *lines, const char *name, double safety)
+EXPORTED const char *page_find(char *fields, const char *name, double safety)
 {
-    const input_texts texts = field_texts(lines);
+    const input_texts texts = field_texts(fields);
     const int input = inverse_input(name);
     contact_case setup = {.contact = NULL};
     double value;

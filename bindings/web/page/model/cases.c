@@ -22,20 +22,20 @@ static void leave_to_columns(const header *names, input_texts *constants)
         constants->text[INPUT_FLAT] = constants->text[INPUT_PROFILE] = NULL;
 }
 
-static bool begin(const csv_row *first, char *lines, char decimal_sign, case_table *table,
-                  char complaint[COMPLAINT_SIZE])
+static bool begin(const csv_row *first, char *fields, char decimal_sign, case_table *table)
 {
-    table->constants = field_texts(lines);
+    char why[COMPLAINT_SIZE];
+    table->constants = field_texts(fields);
     /* the form stands for no column that is nearly named: nothing is given but the columns */
-    if (!header_find(first->cell, first->count, 0, INPUT_COUNT, NULL, &table->names, complaint))
-        return false;
+    if (!header_find(first->cell, first->count, 0, INPUT_COUNT, NULL, &table->names, why))
+        return json_refuse("", "%s", why);
     leave_to_columns(&table->names, &table->constants);
     for (int i = 0; i < INPUT_COUNT; i++)
         table->constants.is_cell[i] = header_has_input(&table->names, i);
     table->constants.cell_decimal_sign = decimal_sign;
     table->constants.how_comma = "if that is chosen above";
     table->constants.where_else = "columns, or the case of the form";
-    return case_table_begin(table, complaint);
+    return case_table_begin(table, why) || json_refuse("", "%s", why);
 }
 
 static void write_head(const case_table *table)
@@ -82,23 +82,20 @@ static void write_rows(csv_input *in, case_table *table)
     header_write_unused(&table->names, unused, sizeof unused);
     json_add("{'unused':%t}", unused);
     if (in->problem[0] != '\0')
-        json_refuse("", in->problem);
+        json_refuse("", "%s", in->problem);
 }
 
 /* Of pasted rows, and the case of the form for the columns that they lack: columns, results,
  * constants, rows with their colour and fault, columns that are not used. */
-EXPORTED const char *page_rows(const char *text, char *lines, int decimal_sign)
+EXPORTED const char *page_rows(const char *text, char *fields, int decimal_sign)
 {
     csv_row first;
     csv_input *in = pasted_open(text, &first);
-    char complaint[COMPLAINT_SIZE];
     case_table table = {0};
     json_begin();
     if (first.cell == NULL)
-        json_refuse("", in->problem);
-    else if (!begin(&first, lines, (char)decimal_sign, &table, complaint))
-        json_refuse("", complaint);
-    else {
+        json_refuse("", "%s", in->problem);
+    else if (begin(&first, fields, (char)decimal_sign, &table)) {
         write_head(&table);
         write_rows(in, &table);
     }

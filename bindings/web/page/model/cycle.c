@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the page asks about a history of loads: what its last cycle does along the surface, where
- * that is worst, and the loop. */
+/* What the page asks about a history of loads: what its last cycle does along the surface, and
+ * where that is worst. */
 #include "page.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,14 +11,14 @@ typedef struct {
     contact_case setup;
     material constants;
     int criterion, column; /* that is chosen, and its column */
+    criteria wanted;
     load_list loads;
     last_cycle last;
     measured along;
-    double worst_x[COLUMN_COUNT], worst[COLUMN_COUNT]; /* NAN and 0 where nothing is above 0 */
-    loop loop;
+    double worst[COLUMN_COUNT]; /* 0 where nothing is above 0 */
 } question;
 
-static question asked; /* JavaScript reads its arrays until the next one */
+static question asked;
 
 static void forget(void)
 {
@@ -27,14 +26,13 @@ static void forget(void)
     load_list_free(&asked.loads);
     last_cycle_free(&asked.last);
     free(asked.along.place);
-    free(asked.loop.x);
     memset(&asked, 0, sizeof asked);
 }
 
 /* ---- What is asked ---- */
 
 /* From "name=text" of each constant, a line each; it takes the lines apart in place. */
-static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
+static bool read_constants(char *lines)
 {
     asked.constants = material_unknown();
     for (char *name = strtok(lines, "\n"); name != NULL; name = strtok(NULL, "\n")) {
@@ -44,10 +42,10 @@ static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
         const int constant = text != NULL ? material_constant(name) : -1;
         if (material_is_remark(name))
             continue;
-        snprintf(complaint, COMPLAINT_SIZE, "%.60s: %s", name,
-                 constant < 0 ? "no constant that is known here" : "must be a number");
-        if (constant < 0 || !number_read_cell(text, '.', &asked.constants.value[constant]))
-            return false;
+        if (constant < 0)
+            return json_refuse("", "%.60s: no constant that is known here", name);
+        if (!number_read_cell(text, '.', &asked.constants.value[constant]))
+            return json_refuse("", "%.60s: must be a number", name);
     }
     return true;
 }
@@ -67,10 +65,10 @@ static double constant_of(int constant)
     return constant < MATERIAL_COUNT ? asked.constants.value[constant] : 0;
 }
 
-/* The usual criteria and that which is chosen. False, with what it needs, where it lacks that. */
-static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
-                             char complaint[COMPLAINT_SIZE])
+/* The usual criteria and that which is chosen. False where it lacks what it needs. */
+static bool collect_criteria(double nu, bool is_plane_stress)
 {
+    criteria *wanted = &asked.wanted;
     const int i = asked.criterion, own = criterion_kinds[i].constant;
     const double fs_k = asked.constants.value[MATERIAL_FS_K];
     const bool lacks_su = i == CRITERION_MCDIARMID && isnan(asked.constants.value[MATERIAL_SU]);
@@ -84,50 +82,50 @@ static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
     wanted->constant[CRITERION_FATEMI_SOCIE] =
         criteria_fatemi_socie(&asked.setup, isnan(fs_k) ? 1 : fs_k);
     if (i == CRITERION_FATEMI_SOCIE && isnan(asked.setup.k))
-        snprintf(complaint, COMPLAINT_SIZE, "needs a yield stress");
-    else
-        snprintf(complaint, COMPLAINT_SIZE, "needs %s%s%s of the material",
-                 lacks_own ? material_names[own] : "", lacks_own && lacks_su ? " and " : "",
-                 lacks_su ? "su" : "");
-    return !isnan(wanted->constant[i]) && !lacks_su;
+        return json_refuse("criterion", "needs a yield stress");
+    return !(lacks_own || lacks_su) ||
+           json_refuse("criterion", "needs %s%s%s of the material",
+                       lacks_own ? material_names[own] : "", lacks_own && lacks_su ? " and " : "",
+                       lacks_su ? "su" : "");
 }
 
 /* ---- The loads ---- */
 
-/* P and M come first; then Q and sigma go to and fro. */
-static bool to_and_fro(load form, char complaint[COMPLAINT_SIZE])
+/* The next load; false where it is refused. Those of the form have no line. */
+static bool apply_next(listed_load next, size_t cycle)
 {
-    const load before = {.P = form.P, .M = form.M};
+    char why[COMPLAINT_SIZE];
+    if (loads_apply_next(next.to, asked.setup.f, asked.setup.contact, why))
+        return true;
+    if (next.line == 0)
+        return json_refuse("", "%s", why);
+    return cycle > 1 ? json_refuse("", "line %d, cycle %zu: %s", next.line, cycle, why)
+                     : json_refuse("", "line %d: %s", next.line, why);
+}
+
+/* P and M come first; then Q and sigma go to and fro. */
+static bool to_and_fro(load form)
+{
+    const listed_load before = {.to = {.P = form.P, .M = form.M}};
     if (form.Q == 0 && form.sigma == 0)
-        return complain(complaint, "Q or sigma of the form goes to and fro where no loads are "
-                                   "given; both are 0");
-    if (!loads_apply_next(before, asked.setup.f, asked.setup.contact, complaint))
+        return json_refuse("", "Q or sigma of the form goes to and fro where no loads are given; "
+                               "both are 0");
+    if (!apply_next(before, 1))
         return false;
     load_list_add(&asked.loads, form, 0);
     load_list_add(&asked.loads, (load){form.P, form.M, -form.Q, -form.sigma}, 0);
     return true;
 }
 
-static bool refuse_load(int line, size_t cycle, const char *why, char complaint[COMPLAINT_SIZE])
+static bool go_through(int64_t cycles)
 {
-    char place[60] = "";
-    if (line > 0)
-        snprintf(place, sizeof place, cycle > 1 ? "line %d, cycle %zu: " : "line %d: ", line,
-                 cycle);
-    return complain(complaint, "%s%.300s", place, why);
-}
-
-static bool go_through(const criteria *wanted, int64_t cycles, char complaint[COMPLAINT_SIZE])
-{
-    rwedge_contact *contact = asked.setup.contact;
+    const rwedge_contact *contact = asked.setup.contact;
     const size_t n = asked.loads.count, last = (size_t)(cycles - 1) * n;
-    char why[COMPLAINT_SIZE];
     for (size_t i = 0; i < last + n; i++) {
-        const listed_load *next = &asked.loads.load[i % n];
         if (i == last)
-            last_cycle_begin(&asked.setup, wanted, contact, n, &asked.last);
-        if (!loads_apply_next(next->to, asked.setup.f, contact, why))
-            return refuse_load(next->line, i / n + 1, why, complaint);
+            last_cycle_begin(&asked.setup, &asked.wanted, contact, n, &asked.last);
+        if (!apply_next(asked.loads.load[i % n], i / n + 1))
+            return false;
         if (i >= last)
             last_cycle_add(contact, &asked.last);
     }
@@ -135,17 +133,16 @@ static bool go_through(const criteria *wanted, int64_t cycles, char complaint[CO
 }
 
 /* Without a text the loads of the form go to and fro. */
-static bool apply(const criteria *wanted, load form, const char *text, char decimal_sign,
-                  const char *times, char complaint[COMPLAINT_SIZE])
+static bool apply(load form, const char *text, char decimal_sign, const char *times)
 {
     int64_t cycles;
     if (!number_read_whole(times, 1, 1000000, &cycles))
-        return complain(complaint, "cycles must be a whole number from 1 to 1000000");
+        return json_refuse("", "cycles must be a whole number from 1 to 1000000");
     if (asked.setup.status != RWEDGE_OK)
-        return complain(complaint, "the contact cannot be made");
-    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads, complaint)
-                            : to_and_fro(form, complaint)) &&
-           go_through(wanted, cycles, complaint);
+        return json_refuse("", "the contact cannot be made");
+    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads)
+                            : to_and_fro(form)) &&
+           go_through(cycles);
 }
 
 /* ---- The measures ---- */
@@ -162,28 +159,16 @@ static int32_t measure(void)
     return last_cycle_measure(&asked.last, n, asked.along.place);
 }
 
-static void find_worst(int column)
-{
-    const measured *along = &asked.along;
-    asked.worst_x[column] = NAN;
-    if (along->place[measured_best(along, column)].value[column] > 0)
-        last_cycle_worst(&asked.last, column, along->count, along->place, &asked.worst_x[column],
-                         &asked.worst[column]);
-}
-
 /* ---- Answers ---- */
-
-/* Where JavaScript finds numbers, how many, and how far from each other. */
-static void write_numbers(const double *numbers, size_t count, size_t distance)
-{
-    json_add("{'address':%n,'length':%n,'distance':%n}", (double)(uintptr_t)numbers, (double)count,
-             (double)distance);
-}
 
 /* One of each place along the surface; the number is that of the first. */
 static void write_along(const double *number)
 {
-    write_numbers(number, asked.along.count, sizeof *asked.along.place / sizeof *number);
+    const size_t distance = sizeof *asked.along.place / sizeof *number;
+    json_add("[");
+    for (size_t i = 0; i < asked.along.count; i++)
+        json_add("%n", number[i * distance]);
+    json_add("]");
 }
 
 static void write_column(int column)
@@ -195,10 +180,13 @@ static void write_column(int column)
 
 static void write_worst(int column)
 {
-    find_worst(column);
-    if (!isnan(asked.worst_x[column]))
-        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kinds[column].column,
-                 asked.worst_x[column], asked.worst[column]);
+    const measured *along = &asked.along;
+    double x;
+    if (along->place[measured_best(along, column)].value[column] > 0 &&
+        last_cycle_worst(&asked.last, column, along->count, along->place, &x,
+                         &asked.worst[column]) == RWEDGE_OK)
+        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kinds[column].column, x,
+                 asked.worst[column]);
 }
 
 /* The usual measures, and the chosen criterion behind the other ones. */
@@ -251,61 +239,39 @@ static void write_verdict(void)
         write_constant(MATERIAL_SU);
 }
 
-static void write_loop(void)
-{
-    asked.loop = loop_of(&asked.last, asked.worst_x[MEASURE_ENERGY_PER_AREA]);
-    if (asked.loop.count == 0)
-        return;
-    json_add("{'loop':{'isWhole':%n,'place':%n,'x':", (double)asked.loop.is_whole,
-             asked.loop.place);
-    write_numbers(asked.loop.x, asked.loop.count, 1);
-    json_add("'y':");
-    write_numbers(asked.loop.y, asked.loop.count, 1);
-    json_add("}}");
-}
-
 static void write_answer(void)
 {
     last_cycle_end(&asked.last);
     const int32_t status = measure();
     if (asked.along.count == 0)
         json_refuse("", "there is no contact in the cycle");
-    else if (status != RWEDGE_OK) {
-        char complaint[COMPLAINT_SIZE];
-        snprintf(complaint, sizeof complaint, "This cannot be computed: %s",
-                 rwedge_strerror(status));
-        json_refuse("", complaint);
-    } else {
+    else if (status != RWEDGE_OK)
+        json_refuse("", "This cannot be computed: %s", rwedge_strerror(status));
+    else {
         load_list_write(&asked.loads);
         json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.last.error);
         write_measures();
         write_verdict();
-        write_loop();
+        answers_hand_over(asked.last.before);
+        asked.last.before = NULL;
     }
 }
 
 /* Of the case of the form, and pasted loads, which are gone through so many times: the loads of the
  * last cycle, columns that are not used, the measures along the surface, the worst places, the
- * verdict of a criterion by the constants of a material, the loop; or what is wrong. */
-EXPORTED const char *page_cycle(char *lines, const char *text, int decimal_sign, const char *times,
+ * verdict of a criterion by the constants of a material; or what is wrong. The contact before the
+ * cycle is handed over. */
+EXPORTED const char *page_cycle(char *fields, const char *text, int decimal_sign, const char *times,
                                 const char *criterion, int is_plane_stress, char *constants)
 {
     load form;
     double nu;
-    criteria wanted;
-    char complaint[COMPLAINT_SIZE];
     forget();
     choose(criterion);
     json_begin();
-    if (!read_constants(constants, complaint))
-        json_refuse("", complaint);
-    else if (!answers_history(lines, is_plane_stress, &asked.setup, &form, &nu))
-        ; /* the answer says why */
-    else if (!collect_criteria(nu, is_plane_stress, &wanted, complaint))
-        json_refuse("criterion", complaint);
-    else if (!apply(&wanted, form, text, (char)decimal_sign, times, complaint))
-        json_refuse("", complaint);
-    else
+    if (read_constants(constants) &&
+        answers_history(fields, is_plane_stress, &asked.setup, &form, &nu) &&
+        collect_criteria(nu, is_plane_stress) && apply(form, text, (char)decimal_sign, times))
         write_answer();
     return json_end();
 }

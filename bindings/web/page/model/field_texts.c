@@ -5,15 +5,12 @@
 
 static const char *remark = ""; /* on the profile */
 
-static const char PROFILE_NAME[] = "pasted", BETWEEN_ROWS = '\x1d';
+static const char PROFILE_NAME[] = "pasted", BETWEEN[] = "\x1e";
 
 /* The rows of a profile become one that is read, by a name. */
-static void take_profile(char *rows, bool takes_hull, input_texts *texts)
+static void take_profile(const char *rows, bool takes_hull, input_texts *texts)
 {
-    for (char *at = strchr(rows, BETWEEN_ROWS); at != NULL; at = strchr(at, BETWEEN_ROWS))
-        *at = '\n';
     pasted_offer(rows);
-    profiles_forget(0);
     remark = profiles_read(PROFILE_NAME, (profile_style){'.', takes_hull});
     texts->text[INPUT_PROFILE] = PROFILE_NAME;
 }
@@ -23,23 +20,23 @@ const char *field_remark(void)
     return remark;
 }
 
-static void take(char *line, input_texts *texts)
+static void take(char *field, input_texts *texts)
 {
-    char *sign = strchr(line, '=');
+    char *sign = strchr(field, '=');
     if (sign == NULL)
         return;
     *sign = '\0';
-    if (strcmp(line, "profile") == 0 || strcmp(line, "hull") == 0) {
-        take_profile(sign + 1, line[0] == 'h', texts);
+    if (strcmp(field, "profile") == 0 || strcmp(field, "hull") == 0) {
+        take_profile(sign + 1, field[0] == 'h', texts);
         return;
     }
     for (int i = 0; i < INPUT_COUNT; i++)
-        if (strcmp(line, input_kinds[i].column) == 0)
+        if (strcmp(field, input_kinds[i].column) == 0)
             texts->text[i] = sign + 1;
 }
 
 /* Names and blanks are as those of cells. */
-input_texts field_texts(char *lines)
+input_texts field_texts(char *fields)
 {
     input_texts texts = {.cell_decimal_sign = '.',
                          .how_comma = "that separates no thousands",
@@ -49,7 +46,7 @@ input_texts field_texts(char *lines)
     remark = "";
     for (int i = 0; i < INPUT_COUNT; i++)
         texts.is_cell[i] = true;
-    for (char *line = strtok(lines, "\n"); line != NULL; line = strtok(NULL, "\n"))
-        take(line, &texts);
+    for (char *field = strtok(fields, BETWEEN); field != NULL; field = strtok(NULL, BETWEEN))
+        take(field, &texts);
     return texts;
 }

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static char *whole;
@@ -13,11 +12,8 @@ static size_t used, room;
 static void append(const char *text, size_t length)
 {
     if (room - used <= length) {
-        char *larger = realloc(whole, 2 * (used + length) + 1000);
-        if (larger == NULL)
-            return;
-        whole = larger;
         room = 2 * (used + length) + 1000;
+        whole = memory_resized(whole, room);
     }
     memcpy(whole + used, text, length);
     used += length;
@@ -84,10 +80,16 @@ void json_begin(void)
     append("[", 1);
 }
 
-void json_refuse(const char *input, const char *why)
+bool json_refuse(const char *input, const char *format, ...)
 {
+    char why[1200];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(why, sizeof why, format, values);
+    va_end(values);
     json_begin();
     json_fault(input, why);
+    return false;
 }
 
 void json_fault(const char *input, const char *why)
@@ -98,5 +100,5 @@ void json_fault(const char *input, const char *why)
 const char *json_end(void)
 {
     append("]", 1);
-    return used > 0 ? whole : "[]";
+    return whole;
 }

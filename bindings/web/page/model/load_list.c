@@ -2,7 +2,6 @@
 #include "page.h"
 
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 void load_list_add(load_list *loads, load to, int line)
@@ -41,46 +40,44 @@ static bool is_load(const csv_row *row, char decimal_sign)
     return true;
 }
 
-static bool take_row(const header *names, const csv_row *row, char decimal_sign, load_list *loads,
-                     char complaint[COMPLAINT_SIZE])
+static bool take_row(const header *names, const csv_row *row, char decimal_sign, load_list *loads)
 {
     load to;
     char why[COMPLAINT_SIZE] = "misplaced quotes";
     if (row->malformed ||
         !load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, why))
-        return complain(complaint, "line %" PRId64 ": %.300s", row->line, why);
+        return json_refuse("", "line %" PRId64 ": %s", row->line, why);
     load_list_add(loads, to, (int)row->line);
     return true;
 }
 
-static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, load_list *loads,
-                      char complaint[COMPLAINT_SIZE])
+static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, load_list *loads)
 {
     header names;
+    char why[COMPLAINT_SIZE];
     const bool bare = usual_names(first->count) != NULL && is_load(first, decimal_sign);
-    bool taken = load_header_find(bare ? usual_names(first->count) : first->cell, first->count,
-                                  &names, complaint) &&
-                 (!bare || take_row(&names, first, decimal_sign, loads, complaint));
+    if (!load_header_find(bare ? usual_names(first->count) : first->cell, first->count, &names,
+                          why))
+        return json_refuse("", "%s", why);
+    bool taken = !bare || take_row(&names, first, decimal_sign, loads);
     while (taken && csv_input_next(in)) {
-        taken = take_row(&names, &in->row, decimal_sign, loads, complaint);
+        taken = take_row(&names, &in->row, decimal_sign, loads);
         if (taken)
             header_note_unused(&names, in->row.cell);
     }
     if (taken)
         header_write_unused(&names, loads->unused, sizeof loads->unused);
-    return taken && (loads->count > 0 || complain(complaint, "no loads below the names"));
+    return taken && (loads->count > 0 || json_refuse("", "no loads below the names"));
 }
 
-bool load_list_read(const char *text, char decimal_sign, load_list *loads,
-                    char complaint[COMPLAINT_SIZE])
+bool load_list_read(const char *text, char decimal_sign, load_list *loads)
 {
     csv_row first;
     csv_input *in = pasted_open(text, &first);
-    const bool read = first.cell != NULL && take_rows(in, &first, decimal_sign, loads, complaint);
+    bool read = first.cell != NULL && take_rows(in, &first, decimal_sign, loads);
     if (in->problem[0] != '\0' || first.cell == NULL)
-        snprintf(complaint, COMPLAINT_SIZE, "%s", in->problem);
-    const bool whole = read && in->problem[0] == '\0';
+        read = json_refuse("", "%s", in->problem);
     csv_row_free(&first);
     csv_input_close(in);
-    return whole;
+    return read;
 }

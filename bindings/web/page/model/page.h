@@ -27,27 +27,30 @@ const char *json_digits(double number, char text[NUMBER_SIZE]);
 /* What is wrong, and with which input; or "". */
 void json_fault(const char *input, const char *why);
 
-/* The same in place of all that was added. */
-void json_refuse(const char *input, const char *why);
+/* The same in place of all that was added, made as by printf; false. */
+bool json_refuse(const char *input, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /* The whole. */
 const char *json_end(void);
 
 /* ---- field_texts ---- The texts of the form, as JavaScript hands them over. */
 
-/* From "name=text" of each input, a line each; it takes the lines apart in place. The text of
- * "profile" has its rows, that of "hull" the same for their convex hull. */
-input_texts field_texts(char *lines);
+/* From "name=text" of each input, with U+001E between them; it takes them apart in place. The text
+ * of "profile" has its rows, that of "hull" the same for their convex hull. */
+input_texts field_texts(char *fields);
 
 /* What is to be known of the profile of the last texts; or "". */
 const char *field_remark(void);
 
 /* ---- answers ---- About the case of the form. */
 
+/* The contact of an answer, for JavaScript, which takes it or not. */
+void answers_hand_over(rwedge_contact *contact);
+
 /* Reads the case without its loads, which are given apart, and Poisson's ratio of body 1. In plane
  * stress the contact is one of Poisson's ratio 0. False where it is refused: the answer says
  * why. */
-bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form,
+bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, load *form,
                      double *nu);
 
 /* ---- pasted ---- Rows that were pasted, read as the tool reads a file. */
@@ -74,28 +77,12 @@ typedef struct {
 
 void load_list_add(load_list *loads, load to, int line);
 
-/* False, with the complaint, where a row is no load. */
-bool load_list_read(const char *text, char decimal_sign, load_list *loads,
-                    char complaint[COMPLAINT_SIZE]);
+/* False where a row is no load: the answer says why. */
+bool load_list_read(const char *text, char decimal_sign, load_list *loads);
 
 /* Adds the loads, and the columns that are not used. */
 void load_list_write(const load_list *loads);
 
 void load_list_free(load_list *loads);
-
-/* ---- loop ---- Of the last cycle: of the whole contact where P is constant and there is no moment
- * or tension, else of one place. */
-
-/* Tangential load over displacement by slip, which encloses the energy of the cycle; or the shear
- * traction of a place over its slip, as long as it touches. */
-typedef struct {
-    bool is_whole;
-    double place;  /* NAN where there is none */
-    double *x, *y; /* freed by free(x) */
-    size_t count;  /* 0 where no slip is known */
-} loop;
-
-/* At the place, NAN for none, where it is not of the whole. */
-loop loop_of(const last_cycle *cycle, double place);
 
 #endif

@@ -36,20 +36,12 @@ export function beginning(pad, radius, b, write) {
     }[pad];
 }
 
-/** Pasted rows with a decimal point, commas between cells, and names: without any they are x and height. */
+/** Pasted rows with a decimal point, commas between cells, and names, which are x and height where there are none. */
 export function rowsOfProfile(text, sign) {
-    const between = sign === "," ? /[\t; ]+/ : /[\t;, ]+/,
-        lines = text
-            .trim()
-            .replaceAll("\u2212", "-")
-            .split(/\s*[\r\n]+\s*/);
-    const rows = lines.map((line) =>
-        line
-            .split(between)
-            .map((cell) => cell.replace(",", "."))
-            .join(","),
-    );
-    return /^[-+.\d]/.test(rows[0]) ? ["x,height", ...rows] : rows;
+    const plain = text.trim().replaceAll("\u2212", "-"),
+        lines = (sign === "," ? plain.replaceAll(",", ".") : plain).split(/\s*[\r\n]+\s*/),
+        rows = lines.map((line) => line.replace(/[\t;, ]+/g, ","));
+    return (/^[-+.\d]/.test(rows[0]) ? ["x,height", ...rows] : rows).join("\n");
 }
 
 /** The heights of a profile: its slopes are linear between places and constant beyond. */

@@ -37,24 +37,13 @@ export function download(name, content, type) {
 /** A button that copies a text, and says so for a while. */
 export function copyButton(label, text, done = () => "Copied") {
     const click = async ({ target }) => {
-        target.textContent = (await copy(text())) ? done() : "Select the text and copy it";
+        try {
+            await navigator.clipboard.writeText(text());
+            target.textContent = done();
+        } catch {
+            target.textContent = "Select the text and copy it";
+        }
         setTimeout(() => (target.textContent = label), 2000);
     };
     return html`<button type="button" @click=${click} .textContent=${label}></button>`;
-}
-
-/** A page that was opened as a file may not have the clipboard of today: then the older way is taken. */
-async function copy(text) {
-    try {
-        await navigator.clipboard.writeText(text);
-        return true;
-    } catch {
-        const area = document.createElement("textarea");
-        area.value = text;
-        document.body.append(area);
-        area.select();
-        const copied = document.execCommand("copy");
-        area.remove();
-        return copied;
-    }
 }

@@ -6,10 +6,9 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { dirname } from "node:path";
 import { assertNear, chance, ofPads, optionsOf, parabola, rowsOf, usual } from "./shared.mjs";
-import { enter, openTab, pause, savedBy, settled, shownNumbers, statusOf } from "./drive.mjs";
+import { enter, openTab, pause, savedBy, seen, settled, shownNumbers, statusOf } from "./drive.mjs";
 
 const tabs = ["contact", "stress", "strength", "cycle", "batch", "about"];
-const seen = '[role="tabpanel"]:not([hidden])';
 const idOf = (name) => `in-${{ theta_deg: "theta", radius: "a" }[name] ?? name}`;
 const textOf = (page, selector) => page.$eval(selector, (part) => part.textContent);
 const inTable = (rows, between = "\t") => rows.map((row) => row.join(between)).join("\n");
@@ -90,29 +89,17 @@ export async function each_bad_input_is_named({ page, show }) {
 }
 
 export async function a_thousand_pasted_rows_are_solved({ page, show, tool }) {
-    const next = chance(7);
+    const next = chance(7),
+        { E1, nu1, k } = usual;
     const row = (_, i) => {
         const [P, f] = [50 + 400 * next(), 0.1 + 0.5 * next()];
-        return [
-            i,
-            0.005 + 0.03 * next(),
-            0.02 + 0.5 * next(),
-            P,
-            (i % 50 === 49 ? 2 : 0.8) * f * P,
-            f,
-            210000,
-            0.3,
-            400,
-        ];
+        return [i, 0.005 + 0.03 * next(), 0.02 + 0.5 * next(), P, (i % 50 === 49 ? 2 : 0.8) * f * P, f];
     };
-    const rows = [["case", "theta", "a", "P", "Q", "f", "E1", "nu1", "k"], ...Array.from({ length: 1000 }, row)],
-        cellsOf = (text) =>
-            text
-                .trimEnd()
-                .split("\n")
-                .map((line) => line.split(","));
-    const told = cellsOf(run(tool, ["solve", "--input", "-", "--format", "csv"], `${inTable(rows, ",")}\n`).stdout);
-    await show({ E1: "1" }, { tab: "batch" });
+    const rows = [["case", "theta", "a", "P", "Q", "f"], ...Array.from({ length: 1000 }, row)],
+        args = ["solve", "--input", "-", "--format", "csv", ...optionsOf({ E1, nu1, k })],
+        cellsOf = (text) => Array.from(text.trimEnd().split("\n"), (line) => line.split(","));
+    const told = cellsOf(run(tool, args, `${inTable(rows, ",")}\n`).stdout);
+    await show({ E1, nu1, k }, { tab: "batch" });
     const began = Date.now();
     await enter(page, { batch: inTable(rows) });
     await settled(page);

@@ -55,6 +55,9 @@ export const enter = (page, texts) =>
         }
     }, texts);
 
+/** The panel of the tab that is seen. */
+export const seen = '[role="tabpanel"]:not([hidden])';
+
 /** Waits for what is computed aside. */
 export const settled = (page) =>
     page.waitForFunction(() => !document.querySelector('[aria-busy="true"]'), { timeout: 60000 });
@@ -62,14 +65,8 @@ export const settled = (page) =>
 /** The numbers of the tab that is seen, by their names. */
 export async function shownNumbers(page) {
     await settled(page);
-    return page.evaluate(() =>
-        Object.fromEntries(
-            [...document.querySelectorAll('[role="tabpanel"]:not([hidden]) [data-name]')].map((cell) => [
-                cell.dataset.name,
-                cell.textContent,
-            ]),
-        ),
-    );
+    const named = (cells) => cells.map((cell) => [cell.dataset.name, cell.textContent]);
+    return Object.fromEntries(await page.$$eval(`${seen} [data-name]`, named));
 }
 
 /** The files that buttons save, [{ name, text }]; nothing is downloaded. */
@@ -86,7 +83,6 @@ export const savedBy = (page, selector) =>
         return Promise.all(files.map(async ({ name, blob }) => ({ name, text: await blob.text() })));
     }, selector);
 
-export const statusOf = (page) =>
-    page.evaluate(() => [document.getElementById("status").className, document.getElementById("status").textContent]);
+export const statusOf = (page) => page.$eval("#status", (status) => [status.className, status.textContent]);
 export const openTab = (page, name) => page.evaluate((id) => document.getElementById(id).click(), `tab-${name}`);
 export const pause = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));

@@ -6,6 +6,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { test } from "node:test";
 import { cycleOf } from "../src/answers/cycle.js";
+import { rwedge } from "../src/answers/library.js";
 import { asCommand, asFretting, asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/answers/solution.js";
@@ -135,31 +136,26 @@ test("twenty thousand digits are refused at once", () => {
     assert.ok(Date.now() - began < 500);
 });
 
-const wrong = [
-    ["E1", "-1"],
-    ["E1", "inf"],
-    ["nu1", "0.6"],
-    ["E2", "70000"],
-    ["theta", "2"],
-    ["a", "-0.1"],
-    ["P", "0"],
-    ["M", "1.2.3"],
-    ["M", "1e12"],
-    ["Q", "20 N"],
-    ["Q", "50"],
-    ["f", "-0.1"],
-    ["k", "1e61"],
-];
+const wrong = {
+    E1: ["-1", "inf"],
+    nu1: ["0.6"],
+    E2: ["70000"],
+    theta: ["2"],
+    a: ["-0.1"],
+    P: ["0"],
+    M: ["1.2.3", "1e12"],
+    Q: ["20 N", "50"],
+    f: ["-0.1"],
+    k: ["1e61"],
+};
 
 test("refusals are the tool's", () => {
-    for (const [name, text] of wrong) {
-        const { faults } = solveHolding({ ...usual, [name]: text }, ".");
-        assert.deepEqual(
-            [faults.length, faults[0].text],
-            [1, toolError({ ...usual, [name]: text })],
-            `${name} = ${text}`,
-        );
-    }
+    for (const [name, texts] of Object.entries(wrong))
+        for (const text of texts) {
+            const all = { ...usual, [name]: text },
+                faults = solveHolding(all, ".").faults.map((fault) => fault.text);
+            assert.deepEqual(faults, [toolError(all)], `${name} = ${text}`);
+        }
     const tiny = { ...bodies, P: "1e-58", M: "1e-59" }; // refused by the library, with no input at fault
     assert.equal(solveHolding(tiny, ".").faults[0].text, toolError(tiny));
 });
@@ -299,6 +295,15 @@ test("a cycle, with a table or without, has the tool's worst places; so has its 
         assert.equal(runCommand(command).stderr, told, command);
     }
     assert.match(cycleOf({ ...usual, Q: "0" }, "", ".", "3", swt).complaint, /both are 0$/);
+});
+
+test("the loop of the whole contact encloses the energy of its cycle", () => {
+    const { x, y } = cycleOf(usual, "", ".", "3", swt).loop,
+        parts = Array.from(x, (_, i) => (i === 0 ? 0 : ((y[i] + y[i - 1]) / 2) * (x[i] - x[i - 1])));
+    const contact = new rwedge.Contact(0.01, 0.05, rwedge.compliance(210000, 0.3, 210000, 0.3), 0.2);
+    const energies = [0, 20, -20, 20].map((Q) => (contact.load(190, Q), contact.dissipated_energy()));
+    const area = Math.abs(parts.reduce((sum, part) => sum + part));
+    assertNear(area, energies[3] - energies[1], 2e-3, "of trapezia");
 });
 
 test("a criterion comes to what the tool says: the worst value, the safety against its limit, the life", () => {

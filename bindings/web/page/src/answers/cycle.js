@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the last cycle of a history of loads does, as the model answers it; a material's constants as text.
-import { ask } from "./library.js";
+import { answeredContact, ask } from "./library.js";
 import { withPoint } from "../number.js";
-import { linesOf } from "./solution.js";
+import { loopOf } from "./loop.js";
+import { textsFor } from "./solution.js";
 import { separated } from "./tables.js";
 import { criteria } from "./words.js";
 
@@ -33,7 +34,7 @@ export function cycleOf(texts, text, sign, times, chosen) {
     }
     const { faults, constants = {}, ...answer } = ask(
         "cycle",
-        linesOf(texts, sign),
+        textsFor(texts, sign),
         separated(text),
         sign.charCodeAt(0),
         times.trim(),
@@ -43,5 +44,9 @@ export function cycleOf(texts, text, sign, times, chosen) {
     );
     const ofCriterion = ({ input, text }) => (input === "criterion" ? `${criteria[chosen.name]} ${text}` : text);
     if (faults) return { complaint: faults.map(ofCriterion).join("; ") };
-    return { measured: {}, worst: {}, ...answer, criterion: { ...chosen, constants } };
+    const found = { measured: {}, worst: {}, ...answer, criterion: { ...chosen, constants } },
+        before = answeredContact(),
+        loop = loopOf(before, found);
+    before.free();
+    return { ...found, loop };
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The library as WebAssembly, with the model of the tool.
 import * as rwedge from "rwedge";
-import { adopt, library, memory, textAt } from "rwedge-runtime";
+import { adopt, library, textAt } from "rwedge-runtime";
 
 export { rwedge };
 
@@ -39,10 +39,6 @@ function call(name, values) {
     }
 }
 
-/** Numbers that an answer has left in memory. */
-const numbersAt = ({ address, length, distance }) =>
-    Float64Array.from({ length }, (_, i) => memory()[address / 8 + i * distance]);
-
 /** Members of an answer: lists are continued, objects too. */
 function join(all, part) {
     for (const [name, value] of Object.entries(part)) {
@@ -53,13 +49,10 @@ function join(all, part) {
 }
 
 /** What the model answers: an object, of which the model gives the parts in JSON. */
-export function ask(name, ...values) {
-    const text = textAt(call(`page_${name}`, values));
-    return JSON.parse(text, (_, value) => (value?.distance ? numbersAt(value) : value)).reduce(join, {});
-}
+export const ask = (name, ...values) => JSON.parse(textAt(call(`page_${name}`, values))).reduce(join, {});
 
 /** NaN where the text is no number with a decimal point. */
 export const numberOf = (text) => call("page_number", [text]);
 
-/** The contact of the last answer, under its loads. */
+/** The contact of the last answer, once. */
 export const answeredContact = () => adopt(Object.create(rwedge.Contact.prototype), "contact", library.page_contact());

@@ -4,13 +4,13 @@ import { answeredContact, ask } from "./library.js";
 import { withPoint } from "../number.js";
 import { rowsOfProfile } from "../pads.js";
 
-const lineOf = ([name, text], sign) =>
-    name === "profile" ? `profile=${rowsOfProfile(text, sign).join("\x1d")}` : `${name}=${withPoint(text, sign)}`;
-
-/** The texts as lines for the model. The rows of a profile are one; "hull" has them again where their hull is taken. */
-export function linesOf({ hull, ...texts }, sign) {
-    const lines = Object.entries(texts).map((entry) => lineOf(entry, sign));
-    return (hull ? lines.map((line) => line.replace(/^profile=/, "hull=")) : lines).join("\n");
+/** The texts for the model, one after the other. The profile is "hull" where its convex hull is taken. */
+export function textsFor({ hull, ...texts }, sign) {
+    const lineOf = ([name, text]) =>
+        name === "profile"
+            ? `${hull ? "hull" : name}=${rowsOfProfile(text, sign)}`
+            : `${name}=${withPoint(text, sign)}`;
+    return Object.entries(texts).map(lineOf).join("\x1e");
 }
 
 /** What an answer of the model has where nothing is said of it. */
@@ -27,7 +27,7 @@ let held = null;
  * loads, one at a time: the next one that has results frees it. length is the unit that the verdict names.
  */
 export function solveHolding(texts, sign, length = "") {
-    const answer = { ...none, ...ask("answer", linesOf(texts, sign), length, sign.charCodeAt(0)) };
+    const answer = { ...none, ...ask("answer", textsFor(texts, sign), length, sign.charCodeAt(0)) };
     if (!answer.results) return { ...answer, contact: null };
     held?.free();
     held = answeredContact();
@@ -40,7 +40,7 @@ export function solveHolding(texts, sign, length = "") {
 
 /** The radius, a, P or f with which the case has a safety in full sliding: { value } or { complaint }. */
 export function findInput(texts, sign, name, safety) {
-    const { faults, value } = ask("find", linesOf(texts, sign), name, safety);
+    const { faults, value } = ask("find", textsFor(texts, sign), name, safety);
     return faults ? { complaint: faults[0].text } : { value };
 }
 

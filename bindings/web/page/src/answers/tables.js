@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pasted tables as the model reads them; many cases, a row each.
 import { ask } from "./library.js";
-import { linesOf } from "./solution.js";
+import { textsFor } from "./solution.js";
 
 /** The model knows tabs, ; and , between cells. Without any of these in the first line, spaces separate. */
 export function separated(text) {
@@ -15,7 +15,7 @@ export function separated(text) {
  */
 export function solveRows(text, texts, sign) {
     if (text.trim() === "") return { complaint: "" };
-    const { faults, ...answer } = ask("rows", separated(text), linesOf(texts, sign), sign.charCodeAt(0));
+    const { faults, ...answer } = ask("rows", separated(text), textsFor(texts, sign), sign.charCodeAt(0));
     if (faults) return { complaint: faults[0].text };
     return answer.rows ? { constants: {}, ...answer } : { complaint: "no rows below the names" };
 }

@@ -43,7 +43,7 @@ function tensionText(sigma) {
     return [ends, mirrored].map(([from, to]) => arrow(from, to, box.surface + 50, "\u03c3")).join("");
 }
 
-function loads({ M, Q, sigma }) {
+function loadTexts({ M, Q, sigma }) {
     const c = box.middle,
         toward = Math.sign(Q);
     return [
@@ -51,9 +51,7 @@ function loads({ M, Q, sigma }) {
         Q && arrow(c - 78 * toward, c - 22 * toward, 54, "Q"),
         M && momentText(M),
         sigma && tensionText(sigma),
-    ]
-        .filter(Boolean)
-        .join("");
+    ];
 }
 
 const size = (from, to, y, text) =>
@@ -143,11 +141,11 @@ function drawingText(shape) {
         tipText(shape, toX, toY, free),
         pressureText(shape, toX),
         stickText(shape, toX),
-        marked > 0 ? size(toX(0), toX(Math.min(marked, reach)), box.surface - 14, "a") : "",
+        marked > 0 && size(toX(0), toX(Math.min(marked, reach)), box.surface - 14, "a"),
         size(toX((shape.left + shape.right) / 2), toX(shape.right), box.floor + 20, "b"),
-        shape.pad === "wedge" ? angleText(toX, toY, reach, pressed) : "",
+        shape.pad === "wedge" && angleText(toX, toY, reach, pressed),
         hardestText(shape.hardest, reach, toX),
-        loads(shape),
+        ...loadTexts(shape),
         mark(34, 52, `${name.replace(", pasted", "")}, body 2`),
         mark(16, box.floor - 10, "half-plane, body 1"),
         mark(624, box.floor - 10, "not to scale", "end"),

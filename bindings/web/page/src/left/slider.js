@@ -9,11 +9,7 @@ const steps = 200;
 /** From -1 to 1 and back, about a number. */
 const byFactor = { to: (base, share) => base * 10 ** share, from: (base, value) => Math.log10(value / base) };
 const ways = {
-    P: byFactor,
-    theta: byFactor,
-    a: byFactor,
-    flat: byFactor,
-    k: byFactor,
+    ...Object.fromEntries(["P", "theta", "a", "flat", "k"].map((field) => [field, byFactor])),
     f: { to: (_, share) => (share + 1) / 2, from: (_, value) => 2 * value - 1 },
     Q: { to: (limit, share) => limit * share, from: (limit, value) => (limit > 0 ? value / limit : 0) },
 };

@@ -26,10 +26,10 @@ export function roomy([lo, hi], share = 0.05) {
     return [lo === 0 ? 0 : lo - room, hi === 0 ? 0 : hi + room];
 }
 
-/** A whole plot, of the size of a box, as the text of an SVG. */
+/** A whole plot, of the size of a box, as the text of an SVG; parts may be missing. */
 export const plotText = ({ width, height }, title, parts) =>
     `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${escaped(title)}">` +
-    `<title>${escaped(title)}</title>${parts.join("")}</svg>`;
+    `<title>${escaped(title)}</title>${parts.filter(Boolean).join("")}</svg>`;
 
 /** To a tenth of a pixel. */
 export const tenth = (number) => Math.round(10 * number) / 10;

@@ -42,7 +42,7 @@ function savePng(name, svg) {
 /** Columns as the tool writes them. */
 function linesOf(columns) {
     const heads = columns.map(({ name, unit }) => (unit ? `${name} [${unit}]` : name));
-    const cell = (value) => (Number.isNaN(value) ? "" : shortNumber(value));
+    const cell = (value) => (value === null || Number.isNaN(value) ? "" : shortNumber(value));
     return [heads, ...Array.from(columns[0].numbers, (_, i) => columns.map(({ numbers }) => cell(numbers[i])))];
 }
 

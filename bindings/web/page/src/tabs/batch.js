@@ -15,10 +15,9 @@ const valueText = (text) => (isNumber(text) ? text.replace(".", state.sign) : te
 const isNumber = (text) => text !== "" && Number.isFinite(Number(text));
 
 function linesOf({ columns, results, rows }) {
-    const width = results.length;
     const cells = rows.map(({ cells, values, error }) => [
         ...cells,
-        ...Array.from({ length: width }, (_, i) => valueText(values[i] ?? "")),
+        ...results.map((_, i) => valueText(values[i] ?? "")),
         error,
     ]);
     return [[...columns, ...results, "error"], ...cells];

@@ -128,29 +128,11 @@ static measured_place measures_below(const last_cycle *cycle, const distance *be
     return at;
 }
 
-/* The damage of a criterion; the same for damage itself and for criteria without a life. */
-static int damage_of(int criterion)
-{
-    return criterion == CRITERION_SWT            ? CRITERION_SWT_DAMAGE
-           : criterion == CRITERION_FATEMI_SOCIE ? CRITERION_FS_DAMAGE
-                                                 : criterion;
-}
-
 /* NAN where the criterion has no such part. */
 static double part_of(const measured_place *at, int criterion, measure_part part)
 {
     const int column = measure_column(criterion, part);
     return column >= 0 ? at->value[column] : NAN;
-}
-
-/* In passes of the loads. */
-static void add_life(int criterion, const measured_place *at, cell cells[COLUMNS])
-{
-    if (criterion < CRITERION_SWT_DAMAGE)
-        return;
-    const double damage = part_of(at, criterion, PART_VALUE);
-    cells[10] = damage == 0 ? cell_text("inf") : cell_number(1 / damage);
-    cells[11] = cell_number(part_of(at, criterion, PART_CYCLES));
 }
 
 /* The verdict of a criterion: its plane, the allowable value, the life. */
@@ -165,14 +147,16 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
     else
         status_check(last_cycle_measure(worst->last, 1, &at), "the worst place");
     const double value = part_of(&at, criterion, PART_VALUE),
-                 allowable = material_allowable(constants, criterion);
+                 allowable = material_allowable(constants, criterion),
+                 life = measured_life(&at, criterion);
     cells[4] = cell_number(is_below ? worst->below.length : NAN);
     cells[5] = cell_number(is_below ? value : NAN);
     cells[6] = cell_number(part_of(&at, criterion, PART_ANGLE));
     cells[7] = cell_number(part_of(&at, criterion, PART_OUT_OF_PLANE));
     cells[8] = cell_number(allowable);
     cells[9] = cell_number(value > 0 ? allowable / value : NAN);
-    add_life(damage_of(criterion), &at, cells);
+    cells[10] = isinf(life) ? cell_text("inf") : cell_number(life);
+    cells[11] = cell_number(part_of(&at, measure_damage(criterion), PART_CYCLES));
 }
 
 static void write_row(const worst_table *worst, int column, records *rows)

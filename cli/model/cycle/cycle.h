@@ -58,6 +58,9 @@ int measure_column(int criterion, measure_part part);
 /* The criterion that a column has the value of; NO_CRITERION for other columns. */
 int measure_criterion(int column);
 
+/* The damage of a criterion; the same for damage itself and for criteria without a life. */
+int measure_damage(int criterion);
+
 /* ---- material ---- A material's constants, by name. */
 
 enum {
@@ -193,6 +196,10 @@ int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *str
  * Returns the library's status. */
 int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const measured_place line[],
                          double *worst_x, double *worst_value);
+
+/* The life by a criterion at a place, in passes of the loads: INFINITY for a run-out; NAN where its
+ * damage is not known. */
+double measured_life(const measured_place *at, int criterion);
 
 /* ---- stops ---- The places along x at which a cycle is measured. The edges of contact and stick
  * zone after each load are among them, because stresses and slip have their peaks there. */

@@ -242,3 +242,9 @@ int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const me
     free(x);
     return status;
 }
+
+double measured_life(const measured_place *at, int criterion)
+{
+    const int damage = measure_damage(criterion);
+    return damage < CRITERION_SWT_DAMAGE ? NAN : 1 / at->value[measure_column(damage, PART_VALUE)];
+}

@@ -73,3 +73,10 @@ int measure_criterion(int column)
     const measure_kind *kind = &measure_kinds[column];
     return kind->part == PART_VALUE ? kind->criterion : NO_CRITERION;
 }
+
+int measure_damage(int criterion)
+{
+    return criterion == CRITERION_SWT            ? CRITERION_SWT_DAMAGE
+           : criterion == CRITERION_FATEMI_SOCIE ? CRITERION_FS_DAMAGE
+                                                 : criterion;
+}

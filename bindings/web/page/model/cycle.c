@@ -15,7 +15,7 @@ typedef struct {
     load_list loads;
     last_cycle last;
     measured along;
-    double worst[COLUMN_COUNT]; /* 0 where nothing is above 0 */
+    measured_place worst; /* by the chosen criterion */
 } question;
 
 static question asked;
@@ -181,12 +181,13 @@ static void write_column(int column)
 static void write_worst(int column)
 {
     const measured *along = &asked.along;
-    double x;
-    if (along->place[measured_best(along, column)].value[column] > 0 &&
-        last_cycle_worst(&asked.last, column, along->count, along->place, &x,
-                         &asked.worst[column]) == RWEDGE_OK)
-        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kinds[column].column, x,
-                 asked.worst[column]);
+    measured_place at = along->place[measured_best(along, column)];
+    double *value = &at.value[column];
+    if (*value > 0 && last_cycle_worst(&asked.last, column, along->count, along->place, &at.x,
+                                       value) == RWEDGE_OK)
+        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kinds[column].column, at.x, *value);
+    if (column == asked.column)
+        asked.worst = at;
 }
 
 /* The usual measures, and the chosen criterion behind the other ones. */
@@ -207,17 +208,14 @@ static void write_measures(void)
         write_worst(asked.column);
 }
 
-/* Cycles to failure; NAN where the constants are not given. */
-static double life_at(double value, double limit)
+/* By damage at the worst place; NAN where the constants are not given. */
+static double worst_life(void)
 {
-    const double *v = asked.constants.value, least = isnan(limit) ? 0 : limit;
-    if (asked.criterion == CRITERION_SWT)
-        return rwedge_smith_watson_topper_life(value, asked.setup.E1, v[MATERIAL_SF], v[MATERIAL_B],
-                                               v[MATERIAL_EF], v[MATERIAL_C], least);
-    if (asked.criterion == CRITERION_FATEMI_SOCIE)
-        return rwedge_fatemi_socie_life(value, v[MATERIAL_G], v[MATERIAL_TF], v[MATERIAL_B0],
-                                        v[MATERIAL_GF], v[MATERIAL_C0], least);
-    return NAN;
+    double *constant = asked.last.asked.constant;
+    constant[measure_damage(asked.criterion)] = constant[asked.criterion];
+    return last_cycle_measure(&asked.last, 1, &asked.worst) == RWEDGE_OK
+               ? measured_life(&asked.worst, asked.criterion)
+               : NAN;
 }
 
 static void write_constant(int constant)
@@ -231,9 +229,9 @@ static void write_constant(int constant)
 static void write_verdict(void)
 {
     const double limit = material_allowable(&asked.constants, asked.criterion);
-    const double value = asked.worst[asked.column];
+    const double value = asked.worst.value[asked.column];
     json_add("{'limit':%n,'safety':%n,'life':%n}", limit, value > 0 ? limit / value : NAN,
-             life_at(value, limit));
+             worst_life());
     write_constant(criterion_kinds[asked.criterion].constant);
     if (asked.criterion == CRITERION_MCDIARMID)
         write_constant(MATERIAL_SU);

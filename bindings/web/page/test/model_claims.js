@@ -306,27 +306,49 @@ test("the loop of the whole contact encloses the energy of its cycle", () => {
     assertNear(area, energies[3] - energies[1], 2e-3, "of trapezia");
 });
 
-test("a criterion comes to what the tool says: the worst value, the safety against its limit, the life", () => {
+/** The answer on a criterion, which has the tool's worst value, safety and life; and the tool's row, of the verdicts. */
+function assertVerdict(loads, name, material, ...plane) {
     const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
-        loads = "P,Q\n190,20\n190,-20",
         { P, Q, ...bodiesAlone } = usual;
-    for (const [name, material, ...plane] of [
-        ["swt", "swt_limit,0.05\nsf,1000\nb,-0.1\nef,0.5\nc,-0.6", "--plane-stress"],
+    writeFileSync(`${folder}/material.csv`, material);
+    const args = ["--material", `${folder}/material.csv`, "--at-worst", "--format", "json", ...plane],
+        rows = JSON.parse(run(["fretting", "-", ...optionsOf(bodiesAlone), ...args], loads).stdout);
+    rmSync(folder, { recursive: true });
+    const told = rows.find((row) => row.measure === name),
+        answer = cycleOf(usual, loads, ".", "3", { name, isPlaneStress: plane.length > 0, material });
+    assertNear(answer.worst[name].value, told.value, 1e-9, name);
+    for (const what of ["safety", "life"])
+        if (typeof told[what] === "number") assertNear(answer[what], told[what], 1e-8, `${what} by ${name}: ${loads}`);
+        else assert.equal(answer[what], told[what] === "inf" ? Infinity : null, name);
+    return told;
+}
+
+const strainLife = "sf,1000\nb,-0.1\nef,0.5\nc,-0.6";
+
+test("a criterion comes to what the tool says: the worst value, the safety against its limit, the life", () => {
+    for (const verdict of [
+        ["swt", `swt_limit,0.05\n${strainLife}`, "--plane-stress"],
         ["findley", "findley_k,0.3\nfindley_limit,200"],
         ["mcdiarmid", "t_A,150\nsu,800"],
         ["dang_van", "dang_van_alpha,0.3"],
-    ]) {
-        writeFileSync(`${folder}/material.csv`, material);
-        const args = ["--material", `${folder}/material.csv`, "--at-worst", "--format", "json", ...plane];
-        const told = JSON.parse(run(["fretting", "-", ...optionsOf(bodiesAlone), ...args], loads).stdout).find(
-            (row) => row.measure === name,
-        );
-        const chosen = { name, isPlaneStress: plane.length > 0, material },
-            answer = cycleOf(usual, loads, ".", "3", chosen);
-        assertNear(answer.worst[name].value, told.value, 1e-9, name);
-        for (const what of ["safety", "life"])
-            if (typeof told[what] === "number") assertNear(answer[what], told[what], 1e-8, name);
-            else assert.equal(answer[what], null, name);
-    }
-    rmSync(folder, { recursive: true });
+    ])
+        assertVerdict("P,Q\n190,20\n190,-20", ...verdict);
+});
+
+test("a life is the tool's passes of the loads: each cycle of a pass counts, but for run-outs", () => {
+    const shearLife = "G,80769\ntf,600\nb0,-0.1\ngf,0.6\nc0,-0.6";
+    for (const [loads, cycles] of [
+        ["P,Q\n190,20\n190,-20", 1],
+        ["P,Q\n190,20\n190,-20\n190,18\n190,-18", 2],
+        ["P,Q\n190,20\n190,-20\n190,20\n190,-20\n190,20\n190,-20", 3],
+        ["P,Q\n190,20\n120,-15\n160,10\n190,-20\n100,5", 2],
+        ["P,M,Q,sigma\n190,2,20,5\n190,2,-20,-5\n190,2,10,0\n190,2,-15,0", 2],
+    ])
+        for (const verdict of [
+            ["swt", strainLife],
+            ["swt", `swt_limit,0.1\n${strainLife}`],
+            ["swt", `swt_limit,5\n${strainLife}`, "--plane-stress"],
+            ["fatemi_socie", shearLife],
+        ])
+            assert.equal(assertVerdict(loads, ...verdict).cycles, cycles, `${verdict}: ${loads}`);
 });

@@ -63,7 +63,7 @@ function sentence({ worst, criterion: { name }, limit, safety, life }, { unit, w
         safety === null
             ? "no limit of the material is given"
             : `${beside} its limit ${write(limit)}, a factor of ${write(safety)}`,
-        life !== null && (life === Infinity ? "no failure" : `${write(life)} cycles to failure`),
+        life !== null && (life === Infinity ? "no failure" : `${write(life)} passes of the loads to failure`),
     ];
     return html`<p class="sentence">${parts.filter(Boolean).join("; ")}.</p>
         ${safety === null ? nothing : bar(safety, safety < 1 ? "red" : "green", "the limit")}`;
@@ -72,7 +72,7 @@ function sentence({ worst, criterion: { name }, limit, safety, life }, { unit, w
 function verdictRows({ limit, safety, life }, { write }) {
     return [
         { name: "cycle_safety", value: write(safety), meaning: `limit ${write(limit)} over the worst value` },
-        { name: "cycle_life", value: write(life), meaning: "cycles to failure; inf below the limit" },
+        { name: "cycle_life", value: write(life), meaning: "passes of the loads to failure; inf for a run-out" },
     ];
 }
 

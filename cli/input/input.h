@@ -95,6 +95,7 @@ void csv_row_free(csv_row *row);
 /* What the file must have. */
 typedef struct {
     const char *first, *second, *instead; /* the last may be there for the second; or NULL */
+    const char *const *usual;             /* two names for a file that has none; NULL refuses it */
     const char *needed, *rows;            /* "x and y, the depth"; "points" */
     size_t most;
     /* what is wrong with such numbers, or NULL */
@@ -121,6 +122,7 @@ void pairs_free(pairs *all);
 typedef struct {
     char decimal_sign;
     bool takes_hull;
+    bool takes_unnamed; /* columns, which are x and height */
 } profile_style;
 
 /* Reads a file, unless it has been read, and gives what is to be known of it: columns that are not

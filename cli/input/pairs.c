@@ -35,10 +35,10 @@ static bool find_second(reading *r, char complaint[COMPLAINT_SIZE])
     return true;
 }
 
-static bool find_columns(reading *r, const csv_row *first)
+static bool find_columns(reading *r, const char *const names[], size_t count)
 {
     char complaint[COMPLAINT_SIZE];
-    header_find(first->cell, first->count, 0, 0, NULL, &r->names, complaint);
+    header_find(names, count, 0, 0, NULL, &r->names, complaint);
     if (!header_column(&r->names, r->wanted->first, &r->column[0], complaint) ||
         !find_second(r, complaint))
         return csv_input_stop(r->in, "%s", complaint);
@@ -90,10 +90,22 @@ static bool read_row(reading *r)
     return true;
 }
 
+/* The first row has the names, or numbers where names may be missing. */
+static bool read_first(reading *r, csv_row *first)
+{
+    const char *const *usual = r->wanted->usual;
+    double number;
+    if (!csv_input_header(r->in, first))
+        return false;
+    if (usual != NULL && number_read_cell(first->cell[0], r->decimal_sign, &number))
+        return find_columns(r, usual, 2) && read_row(r);
+    return find_columns(r, first->cell, first->count);
+}
+
 static void read_rows(reading *r)
 {
     csv_row first = {.cell = NULL};
-    if (csv_input_header(r->in, &first) && find_columns(r, &first))
+    if (read_first(r, &first))
         while (csv_input_next(r->in) && read_row(r))
             continue;
     if (r->in->problem[0] == '\0' && r->to->count == 0)

@@ -56,12 +56,14 @@ static void take(const pairs *rows, bool takes_hull, entry *to)
 
 const char *profiles_read(const char *name, profile_style style)
 {
-    static const pair_columns wanted = {.first = "x",
-                                        .second = "slope",
-                                        .instead = "height",
-                                        .needed = "x, and slope or height",
-                                        .rows = "places",
-                                        .most = PROFILE_PLACES + 1};
+    static const char *const usual[] = {"x", "height"};
+    const pair_columns wanted = {.first = "x",
+                                 .second = "slope",
+                                 .instead = "height",
+                                 .usual = style.takes_unnamed ? usual : NULL,
+                                 .needed = "x, and slope or height",
+                                 .rows = "places",
+                                 .most = PROFILE_PLACES + 1};
     pairs rows;
     if (entry_named(name) != NULL)
         return "";

@@ -50,8 +50,8 @@ static void read_profile(const arguments *line, const char *name)
 {
     char complaint[COMPLAINT_SIZE];
     const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
-    const char *remark =
-        profiles_read(name, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL});
+    const char *remark = profiles_read(
+        name, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL, false});
     if (profiles_named(name, complaint) == NULL)
         failure("%s", complaint);
     notice_if_any(remark);

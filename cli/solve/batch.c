@@ -155,7 +155,7 @@ static void release_held(run *r)
 static void read_profile(const run *r, const csv_row *row)
 {
     const size_t column = r->table.names.column[INPUT_PROFILE];
-    const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL};
+    const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL, false};
     if (column >= row->count || row->cell[column][0] == '\0')
         return;
     output_options_spare(r->how, row->cell[column], "file of a cell in column ", "profile");

@@ -36,12 +36,11 @@ export function beginning(pad, radius, b, write) {
     }[pad];
 }
 
-/** Pasted rows with a decimal point, commas between cells, and names, which are x and height where there are none. */
+/** Pasted rows with a decimal point, and commas between cells; lines stay where they are. */
 export function rowsOfProfile(text, sign) {
-    const plain = text.trim().replaceAll("\u2212", "-"),
-        lines = (sign === "," ? plain.replaceAll(",", ".") : plain).split(/\s*[\r\n]+\s*/),
-        rows = lines.map((line) => line.replace(/[\t;, ]+/g, ","));
-    return (/^[-+.\d]/.test(rows[0]) ? ["x,height", ...rows] : rows).join("\n");
+    const plain = text.replaceAll("\u2212", "-"),
+        lines = (sign === "," ? plain.replaceAll(",", ".") : plain).split("\n");
+    return lines.map((line) => line.trim().replace(/[\t;, ]+/g, ",")).join("\n");
 }
 
 /** The heights of a profile: its slopes are linear between places and constant beyond. */

@@ -209,6 +209,25 @@ test("a profile is read with tabs, spaces or decimal commas, with names or as x 
     assert.match(width(",", ["x,depth"], "."), /^CHECK THE INPUTS: profile .*column slope: missing/);
 });
 
+test("what is wrong with a profile is said of its line as it was pasted, with names or without, below blank lines too", () => {
+    const { theta, a, ...rest } = usual,
+        rows = ["-1 0.05", "-0.5 0.0125", "0 0", "0.5 0.0125", "1 0.05"];
+    for (const before of [[], ["x height"], ["", " "], ["", "x height", ""]])
+        for (const [row, words] of [
+            ["0 x", "height x: must be a number"],
+            ["0 0 0", "3 cells in this row"],
+            ["-0.7 0", "x -0.7: left of the place before it"],
+            ['0 "0"x', "misplaced quotes"],
+        ])
+            for (const end of ["\n", "\r\n"]) {
+                const profile = [...before, ...rows.with(2, row)].join(end),
+                    { text } = solveHolding({ ...rest, profile }, ".").faults[0];
+                assert.ok(text.includes(`: line ${before.length + 3}: ${words}`), `${JSON.stringify(profile)}: ${text}`);
+            }
+    const first = solveHolding({ ...rest, profile: rows.with(0, "-1 x").join("\n") }, ".").faults[0];
+    assert.ok(first.text.includes(": line 1: height x: "), first.text);
+});
+
 test("rows of flat pads take nothing of the wedge of the form", () => {
     const { theta, a, ...rest } = usual,
         { rows, results } = solveRows("flat\tradius\n0.5\t10\n", usual, ".");

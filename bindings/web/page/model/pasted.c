@@ -51,11 +51,11 @@ void pasted_offer(const char *text)
 csv_input *pasted_open(const char *text, csv_row *first)
 {
     text += strncmp(text, MARK, 3) == 0 ? 3 : 0;
-    text += strspn(text, "\r\n");
-    const size_t line = strcspn(text, "\r\n");
-    const char separator = memchr(text, '\t', line) != NULL  ? '\t'
-                           : memchr(text, ';', line) != NULL ? ';'
-                                                             : ',';
+    const char *line = text + strspn(text, "\r\n");
+    const size_t length = strcspn(line, "\r\n");
+    const char separator = memchr(line, '\t', length) != NULL  ? '\t'
+                           : memchr(line, ';', length) != NULL ? ';'
+                                                               : ',';
     pasted = text;
     csv_input *in = csv_input_open("", separator, NULL);
     in->takes_malformed = true;

@@ -53,10 +53,12 @@ test("the decimal comma is read in pasted rows where it is chosen", () => {
     assert.ok(Number(told.rows[0].values[told.results.indexOf("safety")]) > 1);
 });
 
-test("a thousands comma and surplus cells in the loads of a cycle are refused", () => {
+test("a thousands comma, words and surplus cells in the loads of a cycle are refused; each line counts", () => {
     for (const [loads, complaint] of [
         ["P\tQ\n3,000\t1,000\n3,000\t-1,000\n", "line 2: P 3,000: must be a number, with a decimal point"],
         ["P,Q\n300,25,20,5\n300,75,-20,5\n", "line 2: 4 cells in this row, 2 in the header"],
+        ["\r\n \nP Q\n300 20\n\n300 x\n", "line 6: Q x: must be a number, with a decimal point"],
+        ["\n\n300\t20\n300\tx\n", "line 4: Q x: must be a number, with a decimal point"],
     ])
         assert.equal(cycleOf(bodies, loads, ".", "3", swt).complaint, complaint);
 });
@@ -209,7 +211,7 @@ test("a profile is read with tabs, spaces or decimal commas, with names or as x 
     assert.match(width(",", ["x,depth"], "."), /^CHECK THE INPUTS: profile .*column slope: missing/);
 });
 
-test("what is wrong with a profile is said of its line as it was pasted, with names or without, below blank lines too", () => {
+test("what is wrong with a profile has its line as pasted, with names or without; each line counts", () => {
     const { theta, a, ...rest } = usual,
         rows = ["-1 0.05", "-0.5 0.0125", "0 0", "0.5 0.0125", "1 0.05"];
     for (const before of [[], ["x height"], ["", " "], ["", "x height", ""]])
@@ -222,7 +224,7 @@ test("what is wrong with a profile is said of its line as it was pasted, with na
             for (const end of ["\n", "\r\n"]) {
                 const profile = [...before, ...rows.with(2, row)].join(end),
                     { text } = solveHolding({ ...rest, profile }, ".").faults[0];
-                assert.ok(text.includes(`: line ${before.length + 3}: ${words}`), `${JSON.stringify(profile)}: ${text}`);
+                assert.ok(text.includes(`: line ${before.length + 3}: ${words}`), `${profile}: ${text}`);
             }
     const first = solveHolding({ ...rest, profile: rows.with(0, "-1 x").join("\n") }, ".").faults[0];
     assert.ok(first.text.includes(": line 1: height x: "), first.text);

@@ -3,10 +3,10 @@
 import { ask } from "./library.js";
 import { textsFor } from "./solution.js";
 
-/** The model knows tabs, ; and , between cells. Without any of these in the first line, spaces separate. */
+/** The model knows tabs, ; and , between cells. Without any in the first line that is not blank, spaces do. */
 export function separated(text) {
-    const trimmed = text.replace(/^\s+/, "").replaceAll("\u2212", "-");
-    return /^[^\r\n]*[\t;,]/.test(trimmed) ? trimmed : trimmed.replace(/ +/g, "\t");
+    const trimmed = text.replace(/^\s+/, (blank) => blank.replace(/[^\r\n]/g, "")).replaceAll("\u2212", "-");
+    return /^[\r\n]*[^\r\n]*[\t;,]/.test(trimmed) ? trimmed : trimmed.replace(/ +/g, "\t");
 }
 
 /**

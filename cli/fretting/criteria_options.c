@@ -116,12 +116,12 @@ static void read_plane_stress(arguments *line, criteria *asked)
 {
     static char zero[] = "0";
     input_texts texts;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     input_texts_from_options(line, &texts);
     if (!input_is_given(&texts, INPUT_NU1))
         return; /* it will be missed */
-    if (!input_read(&texts, INPUT_NU1, &asked->nu, complaint))
-        usage_error("%s", complaint);
+    if (!input_read(&texts, INPUT_NU1, &asked->nu, &why))
+        usage_error("%s", why.text);
     line->value[OPTION_INPUT + INPUT_NU1] = zero;
     if (input_is_given(&texts, INPUT_NU2))
         line->value[OPTION_INPUT + INPUT_NU2] = zero;

@@ -54,16 +54,16 @@ rwedge_contact *contact_history_begin(const contact_history *history)
 }
 
 /* Where there are several cycles, the word says in which it was. */
-static void refuse(const contact_history *history, bool until, const char *complaint)
+static void refuse(const contact_history *history, bool until, const complaint *why)
 {
     char word[40] = "", place[LOAD_PLACE_SIZE];
     const size_t step = history->steps, row = contact_history_row(history, step);
     if (step >= history->loads.count)
         snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
     if (!until || step == 0)
-        load_history_fail(&history->loads, row, word, complaint);
+        load_history_fail(&history->loads, row, word, why);
     notice("%s%s: %s; the results end before it", load_history_place(&history->loads, row, place),
-           word, complaint);
+           word, why->text);
 }
 
 void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact)
@@ -74,31 +74,31 @@ void contact_history_go_on(const contact_history *history, size_t step, rwedge_c
 static void try_loads(contact_history *history, bool until)
 {
     const size_t wanted = history->loads.count * (size_t)history->cycles;
-    char complaint[COMPLAINT_SIZE] = "";
+    complaint why = {""};
     rwedge_contact *contact = contact_history_begin(history);
     while (history->steps < wanted &&
            loads_apply_next(contact_history_load(history, history->steps), history->setup.f,
-                            contact, complaint)) {
+                            contact, &why)) {
         history->steps++;
         history->error = fmax(history->error, rwedge_contact_error(contact));
     }
     rwedge_contact_destroy(contact);
-    if (complaint[0] != '\0')
-        refuse(history, until, complaint);
+    if (why.text[0] != '\0')
+        refuse(history, until, &why);
 }
 
 void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,
                           int64_t cycles_of_two, contact_history *history)
 {
     input_texts texts;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     *history = (contact_history){0};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
     check_loads(line);
     read_cycles(line, cycles);
-    if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, complaint))
-        usage_error("%s", complaint);
+    if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, &why))
+        usage_error("%s", why.text);
     status_check(history->setup.status, "the contact");
     load_history_read(line, decimal_sign, &history->loads);
     if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL) {

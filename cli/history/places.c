@@ -75,10 +75,10 @@ static void read_file(const char *path, const char *encoding, char decimal_sign,
                                         .complaint_about = complaint_about};
     pairs all;
     pairs_read(path, encoding, decimal_sign, &wanted, &all);
-    if (all.problem[0] != '\0')
-        failure("%s", all.problem);
-    if (all.unused[0] != '\0')
-        notice("%s: %s", path, all.unused);
+    if (all.problem.text[0] != '\0')
+        failure("%s", all.problem.text);
+    if (all.unused.text[0] != '\0')
+        notice("%s: %s", path, all.unused.text);
     *to = (places){.x = all.first, .y = all.second, .count = all.count};
 }
 

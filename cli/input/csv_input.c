@@ -92,16 +92,16 @@ csv_input *csv_input_open(const char *path, char separator, const char *encoding
     in->seen.name = in->text->name;
     in->seen.separator = is_tsv(path) ? '\t' : separator;
     start_parser(in);
-    strcpy(in->seen.problem, in->text->problem);
+    in->seen.problem = in->text->problem;
     return &in->seen;
 }
 
 bool csv_input_stop(csv_input *in, const char *format, ...)
 {
     va_list values;
-    const int used = snprintf(in->problem, sizeof in->problem, "%.300s: ", in->name);
+    const int used = snprintf(in->problem.text, sizeof in->problem.text, "%.300s: ", in->name);
     va_start(values, format);
-    vsnprintf(in->problem + used, sizeof in->problem - (size_t)used, format, values);
+    vsnprintf(in->problem.text + used, sizeof in->problem.text - (size_t)used, format, values);
     va_end(values);
     return false;
 }
@@ -148,7 +148,7 @@ static bool fill(reader *in)
 {
     in->begin = 0;
     if (!text_input_read(in->text, in->block, BLOCK, &in->end)) {
-        strcpy(in->seen.problem, in->text->problem);
+        in->seen.problem = in->text->problem;
         return false;
     }
     in->seen.has_mark = in->text->has_mark;
@@ -191,7 +191,7 @@ static void parse(reader *in, char byte)
 static bool read_row(reader *in, char byte)
 {
     for (bool more = true;; more = next_byte(in, &byte)) {
-        if (in->seen.problem[0] != '\0')
+        if (in->seen.problem.text[0] != '\0')
             return false;
         parse(in, more ? byte : '\n');
         if (in->has_ended)
@@ -256,7 +256,7 @@ static bool is_blank(const csv_row *row)
 
 bool csv_input_next(csv_input *in)
 {
-    bool there = in->problem[0] == '\0' && next_row((reader *)in);
+    bool there = in->problem.text[0] == '\0' && next_row((reader *)in);
     while (there && is_blank(&in->row))
         there = next_row((reader *)in);
     return there;
@@ -265,7 +265,7 @@ bool csv_input_next(csv_input *in)
 bool csv_input_header(csv_input *in, csv_row *row)
 {
     const bool there = csv_input_next(in);
-    if (in->problem[0] != '\0')
+    if (in->problem.text[0] != '\0')
         return false;
     if (!there || in->row.malformed)
         return csv_input_stop(in, "%s; needed: a header row with the names of the columns",
@@ -276,8 +276,8 @@ bool csv_input_header(csv_input *in, csv_row *row)
 
 void csv_input_check(const csv_input *in)
 {
-    if (in->problem[0] != '\0')
-        failure("%s", in->problem);
+    if (in->problem.text[0] != '\0')
+        failure("%s", in->problem.text);
 }
 
 void csv_input_close(csv_input *seen)

@@ -9,7 +9,7 @@
 typedef struct {
     char *name;
     pad_profile places;
-    char problem[600]; /* why it is none; "" */
+    complaint problem; /* why it is none; "" */
     char remark[900];
 } entry;
 
@@ -44,14 +44,13 @@ static void take(const pairs *rows, bool takes_hull, entry *to)
             ? pad_profile_of_heights(rows->count, rows->first, rows->second, takes_hull,
                                      &to->places, &remark)
             : pad_profile_of_slopes(rows->count, rows->first, rows->second, &to->places, &remark);
-    char text[sizeof to->problem] = "";
+    complaint text = {""};
     if (remark.text[0] != '\0')
-        list_add(text, sizeof text, "", "%.200s: line %" PRId64 ": %s%s", to->name,
-                 rows->line[remark.place], remark.text,
-                 !taken && strstr(remark.text, "hull") != NULL ? hull : "");
-    strcpy(taken ? to->remark : to->problem, text);
-    if (rows->unused[0] != '\0')
-        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, rows->unused);
+        complain(&text, "%.200s: line %" PRId64 ": %s%s", to->name, rows->line[remark.place],
+                 remark.text, !taken && strstr(remark.text, "hull") != NULL ? hull : "");
+    strcpy(taken ? to->remark : to->problem.text, text.text);
+    if (rows->unused.text[0] != '\0')
+        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, rows->unused.text);
 }
 
 const char *profiles_read(const char *name, profile_style style)
@@ -67,20 +66,20 @@ const char *profiles_read(const char *name, profile_style style)
         return "";
     entry *to = new_entry(name);
     pairs_read(name, NULL, style.decimal_sign, &wanted, &rows);
-    if (rows.problem[0] == '\0')
+    if (rows.problem.text[0] == '\0')
         take(&rows, style.takes_hull, to);
     else
-        snprintf(to->problem, sizeof to->problem, "%s", rows.problem);
+        to->problem = rows.problem;
     pairs_free(&rows);
     return to->remark;
 }
 
-const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZE])
+const pad_profile *profiles_named(const char *name, complaint *why)
 {
     const entry *known = entry_named(name);
-    if (known != NULL && known->problem[0] == '\0')
+    if (known != NULL && known->problem.text[0] == '\0')
         return &known->places;
-    snprintf(complaint, COMPLAINT_SIZE, "profile %.380s", known != NULL ? known->problem : name);
+    complain(why, "profile %.380s", known != NULL ? known->problem.text : name);
     return NULL;
 }
 

@@ -72,14 +72,13 @@ static double largest_moment(load to, const rwedge_contact *contact)
     return fabs(allowed);
 }
 
-static load_fault fault_at(int input, const char *format, ...) PRINTF_LIKE(2, 3);
-
+PRINTF_LIKE(2, 3)
 static load_fault fault_at(int input, const char *format, ...)
 {
     load_fault fault = {.input = input};
     va_list values;
     va_start(values, format);
-    vsnprintf(fault.why, sizeof fault.why, format, values);
+    vsnprintf(fault.why.text, sizeof fault.why.text, format, values);
     va_end(values);
     return fault;
 }
@@ -108,9 +107,10 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
                                 rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);
     if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most)
-        list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %.6g with this Q", most);
+        list_add(fault.why.text, sizeof fault.why.text, "; ",
+                 "sigma may change by %.6g with this Q", most);
     if (try_load(to, contact, usual_tolerance) == RWEDGE_OK)
-        list_add(fault.why, sizeof fault.why, "; ", "without --exact it is computed");
+        list_add(fault.why.text, sizeof fault.why.text, "; ", "without --exact it is computed");
     return fault;
 }
 
@@ -126,7 +126,7 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
                     status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
 }
 
-bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
+bool loads_apply_next(load to, double f, rwedge_contact *contact, complaint *why)
 {
     const int32_t status = loads_apply(to, contact);
     if (status == RWEDGE_OK)
@@ -136,7 +136,7 @@ bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint
     const double part[INPUT_COUNT] = {
         [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
     if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
-        return complain(complaint, "%s", fault.why);
+        return complain(why, "%s", fault.why.text);
     number_write(part[fault.input], NUMBER_DIGITS, '.', value);
-    return complain(complaint, "%s %s: %s", input_kinds[fault.input].column, value, fault.why);
+    return complain(why, "%s %s: %s", input_kinds[fault.input].column, value, fault.why.text);
 }

@@ -90,11 +90,11 @@ static const char *read_list(const char *text, range *values)
 const char *range_read(const char *text, range *values)
 {
     *values = (range){0};
-    const char *complaint =
+    const char *reason =
         strchr(text, ':') != NULL ? read_steps(text, values) : read_list(text, values);
-    if (complaint != NULL)
+    if (reason != NULL)
         range_free(values);
-    return complaint;
+    return reason;
 }
 
 /* 0,5 and 1,05: a zero is in front of digits. */

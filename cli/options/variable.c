@@ -28,17 +28,17 @@ static void refuse_value(const table_variable *variable, const char *text, doubl
 
 void range_option(const char *option, const char *text, range *values)
 {
-    const char *complaint = range_read(text, values);
-    if (complaint != NULL)
-        usage_error("--%s %s: %s", option, text, complaint);
+    const char *reason = range_read(text, values);
+    if (reason != NULL)
+        usage_error("--%s %s: %s", option, text, reason);
     range_say_two_values(option, text);
 }
 
 static void read_values(const table_variable *variable, const char *text, range *values)
 {
-    const char *complaint = range_read(text, values);
-    if (complaint != NULL)
-        usage_error("--%s %s: %s", variable->option, text, complaint);
+    const char *reason = range_read(text, values);
+    if (reason != NULL)
+        usage_error("--%s %s: %s", variable->option, text, reason);
     double outside;
     if (!range_within(values, variable->lo, variable->hi, &outside))
         refuse_value(variable, text, outside);

@@ -48,12 +48,12 @@ void input_options_prepare(void)
 /* Ends the command where it is none. */
 static void read_profile(const arguments *line, const char *name)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
     const char *remark =
         profiles_read(name, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL});
-    if (profiles_named(name, complaint) == NULL)
-        failure("%s", complaint);
+    if (profiles_named(name, &why) == NULL)
+        failure("%s", why.text);
     notice_if_any(remark);
 }
 

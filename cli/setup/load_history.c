@@ -102,10 +102,10 @@ static void take_row(csv_input *in, char decimal_sign, load_history *loads)
 {
     load to;
     csv_row row;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign, &to,
-                       complaint))
-        failure("%s: line %" PRId64 ": %s", in->name, in->row.line, complaint);
+                       &why))
+        failure("%s: line %" PRId64 ": %s", in->name, in->row.line, why.text);
     header_note_unused(&loads->names, in->row.cell);
     csv_row_keep(in, &row);
     add(loads, to, row);
@@ -113,11 +113,11 @@ static void take_row(csv_input *in, char decimal_sign, load_history *loads)
 
 static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     csv_input_header(in, &loads->first);
     csv_input_check(in);
-    if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, complaint))
-        failure("%s: %s", in->name, complaint);
+    if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, &why))
+        failure("%s: %s", in->name, why.text);
     while (csv_input_next(in))
         take_row(in, decimal_sign, loads);
     csv_input_check(in);
@@ -155,21 +155,21 @@ const char *load_history_place(const load_history *loads, size_t row, char place
 }
 
 void load_history_fail(const load_history *loads, size_t row, const char *word,
-                       const char *complaint)
+                       const complaint *why)
 {
     char place[LOAD_PLACE_SIZE];
     load_history_place(loads, row, place);
     if (loads->name != NULL)
-        failure("%s%s: %s", place, word, complaint);
-    usage_error("%s%s: %s", place, word, complaint);
+        failure("%s%s: %s", place, word, why->text);
+    usage_error("%s%s: %s", place, word, why->text);
 }
 
 void load_history_apply_all(const load_history *loads, const contact_case *setup, doubts *all)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     for (size_t i = 0; i < loads->count; i++) {
-        if (!loads_apply_next(loads->load[i], setup->f, setup->contact, complaint))
-            load_history_fail(loads, i, "", complaint);
+        if (!loads_apply_next(loads->load[i], setup->f, setup->contact, &why))
+            load_history_fail(loads, i, "", &why);
         if (all != NULL)
             doubts_add(all, doubts_of_state(setup, setup->contact));
     }
@@ -179,12 +179,12 @@ void history_case(const arguments *line, const input_texts *texts, case_needs ne
                   char decimal_sign, contact_case *setup)
 {
     load_history loads;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     if (line->value[OPTION_HISTORY] != NULL && line->value[OPTION_LOAD] != NULL)
         usage_error("--history %s: given together with --load; allowed: one of the two",
                     line->value[OPTION_HISTORY]);
-    if (!case_read(texts, needs, setup, complaint))
-        usage_error("%s", complaint);
+    if (!case_read(texts, needs, setup, &why))
+        usage_error("%s", why.text);
     status_check(setup->status, "the contact");
     load_history_read(line, decimal_sign, &loads);
     load_history_apply_all(&loads, setup, NULL);

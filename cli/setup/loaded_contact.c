@@ -54,10 +54,10 @@ static void refuse_dimensional(const arguments *line, const input_texts *texts)
 /* Reads an input that may be left out. */
 static double read_input(const input_texts *texts, int input, double usual)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     double value = usual;
-    if (texts->text[input] != NULL && !input_read(texts, input, &value, complaint))
-        usage_error("%s", complaint);
+    if (texts->text[input] != NULL && !input_read(texts, input, &value, &why))
+        usage_error("%s", why.text);
     return value;
 }
 
@@ -94,7 +94,7 @@ static void apply_natural(const input_texts *texts, load to, const contact_case 
     const load_fault fault = loads_fault(status, to, setup->f, setup->contact);
     const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
     usage_error("%s%s%s: %s", named ? input_name(texts, fault.input) : "the loads",
-                named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
+                named ? " " : "", named ? texts->text[fault.input] : "", fault.why.text);
 }
 
 static void read_natural(const arguments *line, const input_texts *texts, loaded_contact *loaded)
@@ -132,13 +132,13 @@ static void refuse_natural(const arguments *line)
 static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
                              contact_case *setup)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     refuse_natural(line);
     history_check(line);
     if (history_is_given(line))
         history_case(line, texts, CASE_LOADS_APART, decimal_sign, setup);
-    else if (!case_read(texts, CASE_WITH_LOADS, setup, complaint))
-        usage_error("%s", complaint);
+    else if (!case_read(texts, CASE_WITH_LOADS, setup, &why))
+        usage_error("%s", why.text);
     status_check(setup->status, "the loads cannot be applied");
     doubts_say(doubts_of_state(setup, setup->contact), "");
 }

@@ -13,7 +13,7 @@ enum { HELD_ROWS = 1024, HELD_BYTES = 1 << 20 };
 
 typedef struct {
     results results;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     bool solved;
 } answer;
 
@@ -59,12 +59,11 @@ static void write_header(run *r)
 
 /* ---- A row is solved: by several threads at a time ---- */
 
-static bool solve_row(const run *r, const csv_row *row, results *result,
-                      char complaint[COMPLAINT_SIZE])
+static bool solve_row(const run *r, const csv_row *row, results *result, complaint *why)
 {
     if (!row->malformed)
-        return case_table_solve(&r->table, row->cell, row->count, result, complaint);
-    snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64, row->line);
+        return case_table_solve(&r->table, row->cell, row->count, result, why);
+    complain(why, "misplaced quotes in the row of line %" PRId64, row->line);
     return false;
 }
 
@@ -72,8 +71,8 @@ static void compute_answer(void *of_run, int64_t i)
 {
     const run *r = of_run;
     answer *to = &r->answers[i];
-    to->complaint[0] = '\0';
-    to->solved = solve_row(r, &r->held[i], &to->results, to->complaint);
+    to->why.text[0] = '\0';
+    to->solved = solve_row(r, &r->held[i], &to->results, &to->why);
 }
 
 /* ---- A row is written ---- */
@@ -90,14 +89,14 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
 }
 
 /* Writes the error of a row, with the whole row where the columns cannot show it. */
-static void write_error(run *r, const csv_row *row, const char *complaint)
+static void write_error(run *r, const csv_row *row, const char *error)
 {
-    const size_t size = strlen(complaint) + strlen(row->whole) + 3;
+    const size_t size = strlen(error) + strlen(row->whole) + 3;
     char *text = memory_zeroed(size, 1);
     if (row->malformed || row->count > r->table.names.count)
-        snprintf(text, size, "%s: %s", complaint, row->whole);
+        snprintf(text, size, "%s: %s", error, row->whole);
     else
-        snprintf(text, size, "%s", complaint);
+        snprintf(text, size, "%s", error);
     records_value(r->rows, cell_text(text));
     free(text);
 }
@@ -109,7 +108,7 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
             records_value(r->rows, solution->solved ? solution->results.value[i] : cell_empty());
-    write_error(r, row, solution->complaint);
+    write_error(r, row, solution->why.text);
     records_end_row(r->rows);
     if (row->count == r->table.names.count)
         header_note_unused(&r->table.names, row->cell);
@@ -126,7 +125,7 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
 static void write_broken_end(run *r)
 {
     const csv_row none = {.whole = ""};
-    const answer broken = {.complaint = "the file could not be read beyond this row"};
+    const answer broken = {.why = {"the file could not be read beyond this row"}};
     write_row(r, &none, &broken);
 }
 
@@ -199,7 +198,7 @@ static void write_rows(void *of_run, records *rows)
         more = hold_rows(r);
         write_held(r);
     }
-    if (r->in->problem[0] == '\0')
+    if (r->in->problem.text[0] == '\0')
         return;
     write_broken_end(r);
     records_end(r->rows);
@@ -227,20 +226,20 @@ static int write_output(run *r)
 
 static void read_header(run *r)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     r->in->takes_malformed = true;
     csv_input_header(r->in, &r->first);
     csv_input_check(r->in);
     if (!header_find(r->first.cell, r->first.count, 0, INPUT_COUNT, &r->table.constants,
-                     &r->table.names, complaint))
-        failure("%s: %s", r->in->name, complaint);
+                     &r->table.names, &why))
+        failure("%s: %s", r->in->name, why.text);
     check_constants(r);
     if (r->line->value[OPTION_HULL] != NULL && r->table.constants.text[INPUT_PROFILE] == NULL &&
         !header_has_input(&r->table.names, INPUT_PROFILE))
         usage_error("--hull: needs --profile, or a column profile");
     r->table.separator = r->in->separator;
-    if (!case_table_begin(&r->table, complaint))
-        failure("%s: %s", r->in->name, complaint);
+    if (!case_table_begin(&r->table, &why))
+        failure("%s: %s", r->in->name, why.text);
 }
 
 int batch_run(const arguments *line, const char *path, const input_texts *constants,

@@ -110,11 +110,11 @@ static void write_rows(void *of_job, records *rows)
 
 static void write_answer_to(const contact_case *setup, job *task, const output_options *how)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     results_wanted wanted = task->wanted;
     wanted.yield_factor = wanted.yield_factor || task->says_verdict;
-    if (!results_compute(setup, wanted, &task->answer, complaint))
-        failure("%s", complaint);
+    if (!results_compute(setup, wanted, &task->answer, &why))
+        failure("%s", why.text);
     output_options_write(how, write_rows, task);
     doubts_say(task->answer.doubts, "");
     if (task->says_verdict)
@@ -124,13 +124,13 @@ static void write_answer_to(const contact_case *setup, job *task, const output_o
 static void solve_one(const input_texts *texts, job *task, const output_options *how)
 {
     contact_case setup;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     if (task->looked_for == INPUT_COUNT) {
-        if (!case_read(texts, CASE_OF_SOLVE, &setup, complaint))
-            usage_error("%s", complaint);
+        if (!case_read(texts, CASE_OF_SOLVE, &setup, &why))
+            usage_error("%s", why.text);
     } else if (!inverse_find(texts, task->looked_for, task->safety, &setup, &task->answer_for,
-                             complaint))
-        failure("%s", complaint);
+                             &why))
+        failure("%s", why.text);
     write_answer_to(&setup, task, how);
     rwedge_contact_destroy(setup.contact);
 }

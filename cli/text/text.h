@@ -56,9 +56,17 @@ void *memory_for_one_more(void *old, size_t count, size_t size);
 /* A pointer from another function: ends the command where it is NULL. */
 void *memory_checked(void *memory);
 
-/* ---- list ---- A text of several parts, such as "csv, tsv, json". */
+/* ---- list ---- Texts that are put together. */
 
-/* Adds a part, made as by printf, to the text; the separator goes in front of all but the first.
+/* What is wrong: the line of a message, or the error of a row. */
+typedef struct {
+    char text[600];
+} complaint;
+
+/* Writes it as by printf; false. */
+bool complain(complaint *why, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Adds a part, made as by printf, to a text such as "csv, tsv, json"; the separator goes in front of all but the first.
  * What has no room is cut. */
 void list_add(char *text, size_t size, const char *separator, const char *format, ...)
     PRINTF_LIKE(4, 5);

@@ -67,9 +67,9 @@ typedef struct {
     size_t columns;
 } sheet;
 
-static void refuse(const sheet *from, const char *complaint)
+static void refuse(const sheet *from, const complaint *why)
 {
-    failure("%s: line %" PRId64 ": %s", from->in->name, from->in->row.line, complaint);
+    failure("%s: line %" PRId64 ": %s", from->in->name, from->in->row.line, why->text);
 }
 
 /* A number with the other decimal sign is hardly meant as a text, unless commas separate the
@@ -80,12 +80,12 @@ static cell cell_of(const sheet *from, const char *text)
     if (number_survives(text, from->decimal_sign, &number))
         return cell_number(number);
     const bool comma = from->decimal_sign == ',';
-    char complaint[100];
-    snprintf(complaint, sizeof complaint, "%.40s: a decimal %s", text,
+    complaint why;
+    complain(&why, "%.40s: a decimal %s", text,
              comma ? "point; without --decimal-comma it is a number"
                    : "comma; --decimal-comma reads it");
     if ((comma || from->in->separator != ',') && number_survives(text, comma ? '.' : ',', &number))
-        refuse(from, complaint);
+        refuse(from, &why);
     return cell_text(text);
 }
 
@@ -101,10 +101,10 @@ static void write_header(sheet *from, records *rows)
 
 static void write_row(const sheet *from, records *rows)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     const size_t count = from->in->row.count;
-    if (!header_fits(from->columns, count, from->in->separator, complaint))
-        refuse(from, complaint);
+    if (!header_fits(from->columns, count, from->in->separator, &why))
+        refuse(from, &why);
     for (size_t i = 0; i < count; i++)
         records_value(rows, cell_of(from, from->in->row.cell[i]));
     records_end_row(rows);

@@ -20,7 +20,7 @@ static void read_example(const char *list, int example, char text[EXAMPLE_SIZE])
 /* Read as the tool reads it: the columns of Batch have the names of inputs. */
 static contact_case case_of(char text[INPUT_CELLS][EXAMPLE_SIZE])
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     input_texts texts = {.tolerance = 0};
     contact_case setup;
     for (int i = 0; i < INPUT_CELLS; i++) {
@@ -29,8 +29,8 @@ static contact_case case_of(char text[INPUT_CELLS][EXAMPLE_SIZE])
             k++;
         texts.text[k] = text[i][0] != '\0' ? text[i] : NULL;
     }
-    if (!case_read(&texts, CASE_OF_SOLVE, &setup, complaint))
-        failure("the workbook's example: %s", complaint);
+    if (!case_read(&texts, CASE_OF_SOLVE, &setup, &why))
+        failure("the workbook's example: %s", why.text);
     return setup;
 }
 
@@ -76,7 +76,8 @@ static void take_results(const contact_case *setup, results *answer, case_values
 
 void shown_values(int example, case_values *shown)
 {
-    char text[INPUT_CELLS][EXAMPLE_SIZE], complaint[COMPLAINT_SIZE];
+    char text[INPUT_CELLS][EXAMPLE_SIZE];
+    complaint why;
     results answer;
     *shown = (case_values){.branch = ""};
     for (int i = 0; i < SHOWN_CELLS; i++)
@@ -88,8 +89,8 @@ void shown_values(int example, case_values *shown)
         number_read(text[i], &shown->number[i]);
     }
     const contact_case setup = case_of(text);
-    if (!results_compute(&setup, (results_wanted){false, false}, &answer, complaint))
-        failure("the workbook's example: %s", complaint);
+    if (!results_compute(&setup, (results_wanted){false, false}, &answer, &why))
+        failure("the workbook's example: %s", why.text);
     rwedge_contact_destroy(setup.contact);
     take_results(&setup, &answer, shown);
 }

@@ -107,12 +107,12 @@ verdict verdict_of(const results *answer, verdict_style style)
     return result;
 }
 
-verdict verdict_of_fault(int32_t status, const char *complaint)
+verdict verdict_of_fault(int32_t status, const char *fault)
 {
     verdict result = {.colour = "red", .factor = NAN};
     const char *why = status == RWEDGE_ESLIDING ? "SLIDES: Q is above f P, there is no equilibrium."
                       : status == RWEDGE_EPATH  ? "NO CLOSED FORM:"
                                                 : "CHECK THE INPUTS:";
-    snprintf(result.text, sizeof result.text, "%s %s", why, complaint);
+    snprintf(result.text, sizeof result.text, "%s %s", why, fault);
     return result;
 }

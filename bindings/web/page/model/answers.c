@@ -51,9 +51,9 @@ EXPORTED rwedge_contact *page_contact(void)
     return contact;
 }
 
-static void refuse(int input, const char *complaint)
+static void refuse(int input, const char *fault)
 {
-    json_fault(input < INPUT_COUNT ? input_kinds[input].column : "", complaint);
+    json_fault(input < INPUT_COUNT ? input_kinds[input].column : "", fault);
 }
 
 static void write_verdict(verdict result)
@@ -65,14 +65,15 @@ static void write_verdict(verdict result)
 /* The numbers of all inputs that are given, and a refusal of each that is none. */
 static bool write_inputs(const input_texts *texts)
 {
-    char complaint[COMPLAINT_SIZE], all[1000] = "";
+    complaint why;
+    char all[1000] = "";
     for (int i = 0; i < INPUT_COUNT; i++) {
         double value;
         if (!input_is_given(texts, i))
             continue;
-        if (!input_read(texts, i, &value, complaint)) {
-            refuse(i, complaint);
-            list_add(all, sizeof all, "; ", "%s", complaint);
+        if (!input_read(texts, i, &value, &why)) {
+            refuse(i, why.text);
+            list_add(all, sizeof all, "; ", "%s", why.text);
             continue;
         }
         json_add("{'inputs':{%t:%n}}", input_kinds[i].column, value);
@@ -98,10 +99,10 @@ static void write_setup(const contact_case *setup)
 
 static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
 {
-    char complaint[COMPLAINT_SIZE];
-    if (!case_read(texts, needs, setup, complaint)) {
-        refuse(setup->at_fault, complaint);
-        write_verdict(verdict_of_fault(setup->status, complaint));
+    complaint why;
+    if (!case_read(texts, needs, setup, &why)) {
+        refuse(setup->at_fault, why.text);
+        write_verdict(verdict_of_fault(setup->status, why.text));
         return false;
     }
     write_setup(setup);
@@ -120,14 +121,14 @@ static void write_hardest(const contact_case *setup, results *answer)
 static bool write_results(const contact_case *setup, verdict_style style)
 {
     results answer;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     const results_wanted wanted = {.edges = true};
-    bool there = results_compute(setup, wanted, &answer, complaint);
+    bool there = results_compute(setup, wanted, &answer, &why);
     if (there && setup->status != RWEDGE_OK)
-        there = complain(complaint, "%s", rwedge_strerror(setup->status));
+        there = complain(&why, "%s", rwedge_strerror(setup->status));
     if (!there) {
-        refuse(INPUT_COUNT, complaint);
-        write_verdict(verdict_of_fault(RWEDGE_OK, complaint));
+        refuse(INPUT_COUNT, why.text);
+        write_verdict(verdict_of_fault(RWEDGE_OK, why.text));
         return false;
     }
     write_hardest(setup, &answer);
@@ -161,9 +162,9 @@ EXPORTED const char *page_answer(char *lines, const char *length, int decimal_si
 
 static double number_of(const input_texts *texts, int input)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     double value;
-    return input_is_given(texts, input) && input_read(texts, input, &value, complaint) ? value : 0;
+    return input_is_given(texts, input) && input_read(texts, input, &value, &why) ? value : 0;
 }
 
 bool answers_history(char *lines, bool is_plane_stress, contact_case *setup, load *form, double *nu)
@@ -191,12 +192,12 @@ EXPORTED const char *page_find(char *lines, const char *name, double safety)
     const int input = inverse_input(name);
     contact_case setup = {.contact = NULL};
     double value;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     json_begin();
-    if (inverse_find(&texts, input, safety, &setup, &value, complaint))
+    if (inverse_find(&texts, input, safety, &setup, &value, &why))
         json_add("{'value':%n}", value);
     else
-        json_fault("", complaint);
+        json_fault("", why.text);
     rwedge_contact_destroy(setup.contact);
     return json_end();
 }

@@ -34,7 +34,7 @@ static void forget(void)
 /* ---- What is asked ---- */
 
 /* From "name=text" of each constant, a line each; it takes the lines apart in place. */
-static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
+static bool read_constants(char *lines, complaint *why)
 {
     asked.constants = material_unknown();
     for (char *name = strtok(lines, "\n"); name != NULL; name = strtok(NULL, "\n")) {
@@ -44,7 +44,7 @@ static bool read_constants(char *lines, char complaint[COMPLAINT_SIZE])
         const int constant = text != NULL ? material_constant(name) : -1;
         if (material_is_remark(name))
             continue;
-        snprintf(complaint, COMPLAINT_SIZE, "%.60s: %s", name,
+        complain(why, "%.60s: %s", name,
                  constant < 0 ? "no constant that is known here" : "must be a number");
         if (constant < 0 || !number_read_cell(text, '.', &asked.constants.value[constant]))
             return false;
@@ -68,8 +68,7 @@ static double constant_of(int constant)
 }
 
 /* The usual criteria and that which is chosen. False, with what it needs, where it lacks that. */
-static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
-                             char complaint[COMPLAINT_SIZE])
+static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted, complaint *why)
 {
     const int i = asked.criterion, own = criterion_kinds[i].constant;
     const double fs_k = asked.constants.value[MATERIAL_FS_K];
@@ -84,50 +83,49 @@ static bool collect_criteria(double nu, bool is_plane_stress, criteria *wanted,
     wanted->constant[CRITERION_FATEMI_SOCIE] =
         criteria_fatemi_socie(&asked.setup, isnan(fs_k) ? 1 : fs_k);
     if (i == CRITERION_FATEMI_SOCIE && isnan(asked.setup.k))
-        snprintf(complaint, COMPLAINT_SIZE, "needs a yield stress");
+        complain(why, "needs a yield stress");
     else
-        snprintf(complaint, COMPLAINT_SIZE, "needs %s%s%s of the material",
-                 lacks_own ? material_names[own] : "", lacks_own && lacks_su ? " and " : "",
-                 lacks_su ? "su" : "");
+        complain(why, "needs %s%s%s of the material", lacks_own ? material_names[own] : "",
+                 lacks_own && lacks_su ? " and " : "", lacks_su ? "su" : "");
     return !isnan(wanted->constant[i]) && !lacks_su;
 }
 
 /* ---- The loads ---- */
 
 /* P and M come first; then Q and sigma go to and fro. */
-static bool to_and_fro(load form, char complaint[COMPLAINT_SIZE])
+static bool to_and_fro(load form, complaint *why)
 {
     const load before = {.P = form.P, .M = form.M};
     if (form.Q == 0 && form.sigma == 0)
-        return complain(complaint, "Q or sigma of the form goes to and fro where no loads are "
-                                   "given; both are 0");
-    if (!loads_apply_next(before, asked.setup.f, asked.setup.contact, complaint))
+        return complain(why, "Q or sigma of the form goes to and fro where no loads are "
+                             "given; both are 0");
+    if (!loads_apply_next(before, asked.setup.f, asked.setup.contact, why))
         return false;
     load_list_add(&asked.loads, form, 0);
     load_list_add(&asked.loads, (load){form.P, form.M, -form.Q, -form.sigma}, 0);
     return true;
 }
 
-static bool refuse_load(int line, size_t cycle, const char *why, char complaint[COMPLAINT_SIZE])
+static bool refuse_load(int line, size_t cycle, const complaint *reason, complaint *why)
 {
     char place[60] = "";
     if (line > 0)
         snprintf(place, sizeof place, cycle > 1 ? "line %d, cycle %zu: " : "line %d: ", line,
                  cycle);
-    return complain(complaint, "%s%.300s", place, why);
+    return complain(why, "%s%.300s", place, reason->text);
 }
 
-static bool go_through(const criteria *wanted, int64_t cycles, char complaint[COMPLAINT_SIZE])
+static bool go_through(const criteria *wanted, int64_t cycles, complaint *why)
 {
     rwedge_contact *contact = asked.setup.contact;
     const size_t n = asked.loads.count, last = (size_t)(cycles - 1) * n;
-    char why[COMPLAINT_SIZE];
+    complaint reason;
     for (size_t i = 0; i < last + n; i++) {
         const listed_load *next = &asked.loads.load[i % n];
         if (i == last)
             last_cycle_begin(&asked.setup, wanted, contact, n, &asked.last);
-        if (!loads_apply_next(next->to, asked.setup.f, contact, why))
-            return refuse_load(next->line, i / n + 1, why, complaint);
+        if (!loads_apply_next(next->to, asked.setup.f, contact, &reason))
+            return refuse_load(next->line, i / n + 1, &reason, why);
         if (i >= last)
             last_cycle_add(contact, &asked.last);
     }
@@ -136,16 +134,16 @@ static bool go_through(const criteria *wanted, int64_t cycles, char complaint[CO
 
 /* Without a text the loads of the form go to and fro. */
 static bool apply(const criteria *wanted, load form, const char *text, char decimal_sign,
-                  const char *times, char complaint[COMPLAINT_SIZE])
+                  const char *times, complaint *why)
 {
     int64_t cycles;
     if (!number_read_whole(times, 1, 1000000, &cycles))
-        return complain(complaint, "cycles must be a whole number from 1 to 1000000");
+        return complain(why, "cycles must be a whole number from 1 to 1000000");
     if (asked.setup.status != RWEDGE_OK)
-        return complain(complaint, "the contact cannot be made");
-    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads, complaint)
-                            : to_and_fro(form, complaint)) &&
-           go_through(wanted, cycles, complaint);
+        return complain(why, "the contact cannot be made");
+    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads, why)
+                            : to_and_fro(form, why)) &&
+           go_through(wanted, cycles, why);
 }
 
 /* ---- The measures ---- */
@@ -271,10 +269,9 @@ static void write_answer(void)
     if (asked.along.count == 0)
         json_refuse("", "there is no contact in the cycle");
     else if (status != RWEDGE_OK) {
-        char complaint[COMPLAINT_SIZE];
-        snprintf(complaint, sizeof complaint, "This cannot be computed: %s",
-                 rwedge_strerror(status));
-        json_refuse("", complaint);
+        complaint why;
+        complain(&why, "This cannot be computed: %s", rwedge_strerror(status));
+        json_refuse("", why.text);
     } else {
         load_list_write(&asked.loads);
         json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.last.error);
@@ -293,18 +290,18 @@ EXPORTED const char *page_cycle(char *lines, const char *text, int decimal_sign,
     load form;
     double nu;
     criteria wanted;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     forget();
     choose(criterion);
     json_begin();
-    if (!read_constants(constants, complaint))
-        json_refuse("", complaint);
+    if (!read_constants(constants, &why))
+        json_refuse("", why.text);
     else if (!answers_history(lines, is_plane_stress, &asked.setup, &form, &nu))
         ; /* the answer says why */
-    else if (!collect_criteria(nu, is_plane_stress, &wanted, complaint))
-        json_refuse("criterion", complaint);
-    else if (!apply(&wanted, form, text, (char)decimal_sign, times, complaint))
-        json_refuse("", complaint);
+    else if (!collect_criteria(nu, is_plane_stress, &wanted, &why))
+        json_refuse("criterion", why.text);
+    else if (!apply(&wanted, form, text, (char)decimal_sign, times, &why))
+        json_refuse("", why.text);
     else
         write_answer();
     return json_end();

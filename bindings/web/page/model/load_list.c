@@ -22,7 +22,7 @@ void load_list_write(const load_list *loads)
         const load to = loads->load[i].to;
         json_add("{'loads':[{'P':%n,'M':%n,'Q':%n,'sigma':%n}]}", to.P, to.M, to.Q, to.sigma);
     }
-    json_add("{'unused':%t}", loads->unused);
+    json_add("{'unused':%t}", loads->unused.text);
 }
 
 /* The names of a table without: P and Q, or all four; NULL for another number of columns. */
@@ -42,44 +42,43 @@ static bool is_load(const csv_row *row, char decimal_sign)
 }
 
 static bool take_row(const header *names, const csv_row *row, char decimal_sign, load_list *loads,
-                     char complaint[COMPLAINT_SIZE])
+                     complaint *why)
 {
     load to;
-    char why[COMPLAINT_SIZE] = "misplaced quotes";
+    complaint reason = {"misplaced quotes"};
     if (row->malformed ||
-        !load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, why))
-        return complain(complaint, "line %" PRId64 ": %.300s", row->line, why);
+        !load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, &reason))
+        return complain(why, "line %" PRId64 ": %.300s", row->line, reason.text);
     load_list_add(loads, to, (int)row->line);
     return true;
 }
 
 static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, load_list *loads,
-                      char complaint[COMPLAINT_SIZE])
+                      complaint *why)
 {
     header names;
     const bool bare = usual_names(first->count) != NULL && is_load(first, decimal_sign);
     bool taken = load_header_find(bare ? usual_names(first->count) : first->cell, first->count,
-                                  &names, complaint) &&
-                 (!bare || take_row(&names, first, decimal_sign, loads, complaint));
+                                  &names, why) &&
+                 (!bare || take_row(&names, first, decimal_sign, loads, why));
     while (taken && csv_input_next(in)) {
-        taken = take_row(&names, &in->row, decimal_sign, loads, complaint);
+        taken = take_row(&names, &in->row, decimal_sign, loads, why);
         if (taken)
             header_note_unused(&names, in->row.cell);
     }
     if (taken)
-        header_write_unused(&names, loads->unused, sizeof loads->unused);
-    return taken && (loads->count > 0 || complain(complaint, "no loads below the names"));
+        header_write_unused(&names, loads->unused.text, sizeof loads->unused.text);
+    return taken && (loads->count > 0 || complain(why, "no loads below the names"));
 }
 
-bool load_list_read(const char *text, char decimal_sign, load_list *loads,
-                    char complaint[COMPLAINT_SIZE])
+bool load_list_read(const char *text, char decimal_sign, load_list *loads, complaint *why)
 {
     csv_row first;
     csv_input *in = pasted_open(text, &first);
-    const bool read = first.cell != NULL && take_rows(in, &first, decimal_sign, loads, complaint);
-    if (in->problem[0] != '\0' || first.cell == NULL)
-        snprintf(complaint, COMPLAINT_SIZE, "%s", in->problem);
-    const bool whole = read && in->problem[0] == '\0';
+    const bool read = first.cell != NULL && take_rows(in, &first, decimal_sign, loads, why);
+    if (in->problem.text[0] != '\0' || first.cell == NULL)
+        complain(why, "%s", in->problem.text);
+    const bool whole = read && in->problem.text[0] == '\0';
     csv_row_free(&first);
     csv_input_close(in);
     return whole;

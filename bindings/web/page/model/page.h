@@ -69,14 +69,13 @@ typedef struct {
 typedef struct {
     listed_load *load;
     size_t count;
-    char unused[COMPLAINT_SIZE]; /* columns with numbers */
+    complaint unused; /* columns with numbers */
 } load_list;
 
 void load_list_add(load_list *loads, load to, int line);
 
 /* False, with the complaint, where a row is no load. */
-bool load_list_read(const char *text, char decimal_sign, load_list *loads,
-                    char complaint[COMPLAINT_SIZE]);
+bool load_list_read(const char *text, char decimal_sign, load_list *loads, complaint *why);
 
 /* Adds the loads, and the columns that are not used. */
 void load_list_write(const load_list *loads);

@@ -26,7 +26,7 @@ static void freeze(xlsx *book, xlsx_area at, const char *const text[])
 
 static void merge(xlsx *book, xlsx_area at, const char *const text[])
 {
-    lxw_format *style = book->style[xlsx_style_named(text[1])];
+    lxw_format *style = xlsx_style(book, text[1]);
     xlsx_keep(book, worksheet_merge_range(book->current, CELLS(at), "", style));
 }
 
@@ -81,7 +81,7 @@ static void colour(xlsx *book, xlsx_area at, const char *const text[])
 {
     lxw_conditional_format when = {.type = LXW_CONDITIONAL_TYPE_FORMULA,
                                    .value_string = (char *)text[2],
-                                   .format = book->style[xlsx_style_named(text[1])]};
+                                   .format = xlsx_style(book, text[1])};
     xlsx_keep(book, worksheet_conditional_format_range(book->current, CELLS(at), &when));
 }
 

@@ -124,29 +124,29 @@ void xlsx_finish(xlsx *book)
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
 
-void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style)
+void xlsx_number(xlsx *book, int row, int column, double value, const char *style)
 {
     if (isfinite(value))
         xlsx_keep(book, worksheet_write_number(book->current, CELL_AT(row, column), value,
-                                               book->style[style]));
+                                               xlsx_style(book, style)));
     else
-        xlsx_keep(book,
-                  worksheet_write_blank(book->current, CELL_AT(row, column), book->style[style]));
+        xlsx_keep(book, worksheet_write_blank(book->current, CELL_AT(row, column),
+                                              xlsx_style(book, style)));
 }
 
-void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
+void xlsx_text(xlsx *book, int row, int column, const char *text, const char *style)
 {
     if (!utf8_is_whole(text))
         xlsx_keep(book, LXW_ERROR_PARAMETER_VALIDATION);
     else
         xlsx_keep(book, worksheet_write_string(book->current, CELL_AT(row, column), text,
-                                               book->style[style]));
+                                               xlsx_style(book, style)));
 }
 
 void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
-                  xlsx_style style)
+                  const char *style)
 {
-    lxw_format *look = book->style[style];
+    lxw_format *look = xlsx_style(book, style);
     if (value.text == NULL && isfinite(value.number))
         xlsx_keep(book,
                   worksheet_write_formula_num(book->current, CELL_AT(row, column), formula, look,

@@ -7,20 +7,20 @@ enum { HEADER_ROW, FIRST_ROW };
 
 static void write_header(xlsx *book)
 {
-    xlsx_text(book, HEADER_ROW, 0, "case", XLSX_HEADER);
+    xlsx_text(book, HEADER_ROW, 0, "case", "header");
     for (int i = 0; i < case_cell_count; i++)
         xlsx_text(book, HEADER_ROW, batch_column(i),
                   i < SHOWN_CELLS ? case_cells[i].column : case_cells[i].name,
-                  i < FIRST_REMARK ? XLSX_UPRIGHT : XLSX_HEADER);
+                  i < FIRST_REMARK ? "upright" : "header");
 }
 
 static void write_row(xlsx *book, int row, const case_values *values)
 {
-    xlsx_text(book, row, 0, "", XLSX_BARE);
+    xlsx_text(book, row, 0, "", "bare");
     for (int i = 0; i < INPUT_CELLS; i++)
-        xlsx_number(book, row, batch_column(i), values->number[i], XLSX_BARE);
+        xlsx_number(book, row, batch_column(i), values->number[i], "bare");
     for (int i = INPUT_CELLS; i < case_cell_count; i++)
-        case_formula(book, row, batch_column(i), i, values, XLSX_PLAIN, row + 1);
+        case_formula(book, row, batch_column(i), i, values, "plain", row + 1);
 }
 
 /* The last row that has an input, beside the hidden names. */
@@ -29,7 +29,7 @@ static void write_used(xlsx *book)
     const int column = batch_column(case_cell_count);
     xlsx_formula(book, HEADER_ROW, column,
                  "=MAX(1,SUMPRODUCT(MAX((Batch!$B$2:$N$10000<>\"\")*ROW(Batch!$B$2:$N$10000))))",
-                 cell_number(FIRST_ROW + EXAMPLES - 1), XLSX_PLAIN);
+                 cell_number(FIRST_ROW + EXAMPLES - 1), "plain");
     xlsx_name(book, "rwt_used", (xlsx_area){HEADER_ROW, column, HEADER_ROW, column});
 }
 

@@ -35,7 +35,7 @@ static void name_cells(const sheets *on, const char *name)
 
 static void write_text(sheets *on, const char *const f[])
 {
-    xlsx_text(on->book, on->at.row, on->at.column, f[TEXT], xlsx_style_named(f[STYLE]));
+    xlsx_text(on->book, on->at.row, on->at.column, f[TEXT], f[STYLE]);
 }
 
 /* Letters are narrower on average than the digits that widths count. */
@@ -57,7 +57,7 @@ static void write_made(sheets *on, const char *const f[])
 /* With a value that is a number, a result or a text. */
 static void write_formula(sheets *on, const char *const f[])
 {
-    const xlsx_style style = xlsx_style_named(f[STYLE]);
+    const char *style = f[STYLE];
     const char *text = strcmp(f[LAST], "strength") == 0  ? on->values.strength
                        : strcmp(f[LAST], "figures") == 0 ? on->values.figures
                                                          : f[LAST];
@@ -75,17 +75,17 @@ static void write_case(sheets *on, const char *const f[])
     enum { LABEL, CELL, VALUE, UNIT, HINT };
     const int row = on->at.row, number = cell_of_column(f[TEXT]);
     const case_cell *as = &case_cells[number];
-    xlsx_text(on->book, row, LABEL, as->label, XLSX_PLAIN);
-    xlsx_text(on->book, row, CELL, as->name, XLSX_NOTE);
-    xlsx_text(on->book, row, UNIT, as->unit, XLSX_UNIT);
-    xlsx_text(on->book, row, HINT, as->hint, XLSX_NOTE);
+    xlsx_text(on->book, row, LABEL, as->label, "plain");
+    xlsx_text(on->book, row, CELL, as->name, "note");
+    xlsx_text(on->book, row, UNIT, as->unit, "unit");
+    xlsx_text(on->book, row, HINT, as->hint, "note");
     const xlsx_area area = {row, VALUE, row, VALUE};
     xlsx_name(on->book, as->name, area);
     if (number >= INPUT_CELLS) {
-        case_formula(on->book, row, VALUE, number, &on->values, xlsx_style_named(f[STYLE]), 0);
+        case_formula(on->book, row, VALUE, number, &on->values, f[STYLE], 0);
         return;
     }
-    xlsx_number(on->book, row, VALUE, on->values.number[number], xlsx_style_named(f[STYLE]));
+    xlsx_number(on->book, row, VALUE, on->values.number[number], f[STYLE]);
     check_typing(on->book, area, number, 0);
 }
 
@@ -97,9 +97,9 @@ static void write_working(sheets *on, const char *const f[])
     for (int i = FIRST_REMARK; i < case_cell_count; i++) {
         const case_cell *as = &case_cells[i];
         const int column = i - FIRST_REMARK;
-        xlsx_text(on->book, row, column, as->label, XLSX_NOTE);
-        xlsx_text(on->book, row + 1, column, as->name, XLSX_NOTE);
-        case_formula(on->book, value_row, column, i, &on->values, XLSX_PLAIN, 0);
+        xlsx_text(on->book, row, column, as->label, "note");
+        xlsx_text(on->book, row + 1, column, as->name, "note");
+        case_formula(on->book, value_row, column, i, &on->values, "plain", 0);
         xlsx_name(on->book, as->name, (xlsx_area){value_row, column, value_row, column});
         if (i >= SHOWN_CELLS && as->column[0] != '\0')
             xlsx_name(on->book, as->column, (xlsx_area){value_row, column, value_row, column + 2});
@@ -119,8 +119,7 @@ static void write_batch(sheets *on, const char *const f[])
 static void put(const sheets *on, int down, int across, double value, const char *style)
 {
     if (isfinite(value))
-        xlsx_number(on->book, on->at.row + down, on->at.column + across, value,
-                    xlsx_style_named(style));
+        xlsx_number(on->book, on->at.row + down, on->at.column + across, value, style);
 }
 
 /* Down, or across. */
@@ -146,8 +145,7 @@ static void write_data(sheets *on, const char *const f[])
                 put(on, i, j, *value, f[STYLE]);
             else
                 xlsx_formula(on->book, on->at.row + i, on->at.column + j,
-                             formula_of(f[LAST], i + 1, 0), cell_number(*value),
-                             xlsx_style_named(f[STYLE]));
+                             formula_of(f[LAST], i + 1, 0), cell_number(*value), f[STYLE]);
     on->at.last_row += rows - 1;
     on->at.last_column += columns - 1;
     name_cells(on, f[NAME]);
@@ -198,11 +196,11 @@ static void write_look_up(sheets *on, const char *const f[])
     double tip = NAN, friction = NAN;
     const bool is_given = number_read(f[STYLE], &tip) && number_read(f[TEXT], &friction);
     for (int row = on->at.row; row <= on->at.last_row; row++) {
-        xlsx_number(on->book, row, 0, tip, XLSX_INPUT);
-        xlsx_number(on->book, row, 1, friction, XLSX_INPUT);
+        xlsx_number(on->book, row, 0, tip, "input");
+        xlsx_number(on->book, row, 1, friction, "input");
         xlsx_formula(on->book, row, 2, formula_of("look_up(A~,B~)", row + 1, 0),
                      cell_number(is_given ? rwedge_elastic_limit(tip, friction, 0.3) : NAN),
-                     XLSX_RESULT);
+                     "result");
     }
 }
 

@@ -98,7 +98,7 @@ void shown_values(int example, case_values *shown)
 /* ---- Cells ---- */
 
 void case_formula(xlsx *book, int row, int column, int number, const case_values *values,
-                  xlsx_style style, int batch_row)
+                  const char *style, int batch_row)
 {
     const bool is_branch = strcmp(case_cells[number].column, "yield_branch") == 0;
     xlsx_formula(book, row, column, formula_of(case_cells[number].formula, 0, batch_row),

@@ -85,7 +85,7 @@ double shown_number(const case_values *values, const char *column);
 
 /* A cell of a case with its formula: in a row of Batch, or, for 0, under its name. */
 void case_formula(xlsx *book, int row, int column, int number, const case_values *values,
-                  xlsx_style style, int batch_row);
+                  const char *style, int batch_row);
 
 /* ---- yield_table ---- The table of (A sqrt(J2)/theta)^2, the largest in the half-plane, for each
  * of the two branches of yield: on the surface, and below it; and the curves of the charts. */

@@ -121,17 +121,11 @@ static void read_points(const arguments *line, plan *job)
         usage_error("--points %s: must be a whole number from 2 to 1000000000", points);
 }
 
-static void say_unknown_slip(const loaded_contact *loaded)
-{
-    double slip;
-    if (rwedge_contact_slip(loaded->setup.contact, 1, &loaded->touches.left, &slip) == RWEDGE_EPATH)
-        notice("the slip has no closed form after these loads: the column slip is empty");
-}
-
 static int profile(const arguments *line)
 {
     plan job = {0};
     output_options how;
+    double slip;
     arguments_no_operand(line);
     output_options_read(line, &how);
     read_points(line, &job);
@@ -139,7 +133,9 @@ static int profile(const arguments *line)
     if (job.points > 0 && job.loaded.b == 0)
         usage_error("--x: missing; after the last load there is no contact to take points from");
     output_options_write(&how, write_profile, &job);
-    say_unknown_slip(&job.loaded);
+    if (rwedge_contact_slip(job.loaded.setup.contact, 1, &job.loaded.touches.left, &slip) ==
+        RWEDGE_EPATH)
+        notice("the slip has no closed form after these loads: the column slip is empty");
     return STATUS_DONE;
 }
 

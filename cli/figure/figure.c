@@ -173,11 +173,6 @@ static void read_case(const arguments *line, figure_case *inputs)
 
 /* ---- A contact and its loads ---- */
 
-static bool has_loads(const arguments *line)
-{
-    return line->value[OPTION_HISTORY] != NULL || line->value[OPTION_LOAD] != NULL;
-}
-
 /* Without a table of loads there is nothing for its options to say. */
 static void refuse_history(const arguments *line, const figure *chosen)
 {
@@ -347,7 +342,8 @@ static int write_command(const arguments *line)
     figure_case inputs = {.kind = choose_figure(line),
                           .no_title = line->value[OPTION_NO_TITLE] != NULL};
     output_options how;
-    if (inputs.kind == &figure_loop && has_loads(line))
+    if (inputs.kind == &figure_loop &&
+        (line->value[OPTION_HISTORY] != NULL || line->value[OPTION_LOAD] != NULL))
         inputs.kind = &figure_any_loop;
     if (line->value[OPTION_DATA] != NULL)
         output_options_read(line, &how);

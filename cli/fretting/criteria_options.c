@@ -90,21 +90,16 @@ static int criterion_named(const char *word, size_t length)
     return -1;
 }
 
-static void refuse_name(const char *text)
+static void read_names(const char *text, criteria *asked)
 {
     char allowed[200] = "";
     for (int i = 0; i < CRITERION_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", criterion_kinds[i].name);
-    usage_error("--criteria %s: must be a list of: %s", text, allowed);
-}
-
-static void read_names(const char *text, criteria *asked)
-{
     for (const char *word = text; word != NULL;) {
         const size_t length = strcspn(word, ",");
         const int i = criterion_named(word, length);
         if (i < 0)
-            refuse_name(text);
+            usage_error("--criteria %s: must be a list of: %s", text, allowed);
         asked->is_wanted[i] = true;
         word = word[length] == ',' ? word + length + 1 : NULL;
     }
@@ -169,14 +164,6 @@ void criteria_read_strength(const arguments *line, const contact_case *setup, cr
 }
 
 /* ---- A file of constants ---- */
-
-/* The option that a constant of the file stands for. */
-static int option_of(int constant)
-{
-    const int inputs[] = {INPUT_E1, INPUT_NU1, INPUT_YIELD_STRESS};
-    return constant < MATERIAL_FS_K ? OPTION_INPUT + inputs[constant - MATERIAL_E]
-                                    : OPTION_OF(constant);
-}
 
 static void set(const char *file, const char *name, double value, material *constants)
 {
@@ -247,9 +234,10 @@ static void need_group(const char *path, const material *constants, int first, i
 static void hand_over(const material *constants, arguments *line)
 {
     static char texts[MATERIAL_COUNT][NUMBER_SIZE];
+    static const int inputs[] = {INPUT_E1, INPUT_NU1, INPUT_YIELD_STRESS};
     char **value = line->value;
     for (int i = MATERIAL_E; i < MATERIAL_COUNT; i++) {
-        const int option = option_of(i);
+        const int option = i < MATERIAL_FS_K ? OPTION_INPUT + inputs[i - MATERIAL_E] : OPTION_OF(i);
         const bool is_idle =
             (i == MATERIAL_FS_K && value[OPTION_INPUT + INPUT_YIELD_STRESS] == NULL) ||
             (i == MATERIAL_SU && value[OPTION_OF(MATERIAL_T_A)] == NULL) ||

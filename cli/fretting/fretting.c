@@ -171,16 +171,11 @@ static distance read_distance(const arguments *line, const material *constants)
     return below;
 }
 
-static bool is_for_paraview(const output_options *how)
-{
-    return how->format == &vtk_format;
-}
-
 static void read_plan(arguments *line, plan *job, output_options *how)
 {
     criteria asked;
     output_options_read_of(line, grid_formats, "", how);
-    if (is_for_paraview(how) && line->value[OPTION_AT_WORST] != NULL)
+    if (how->format == &vtk_format && line->value[OPTION_AT_WORST] != NULL)
         usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
     job->threads = threads_read(line);
     material_read(line->value[OPTION_MATERIAL], line, &job->constants);
@@ -214,14 +209,6 @@ static void say_what_is_doubtful(const plan *job)
     unused_say(&job->history.loads.names, job->history.loads.name);
 }
 
-static bool is_deep(const measured *result)
-{
-    for (size_t i = 0; i < result->count; i++)
-        if (result->place[i].y > 0)
-            return true;
-    return false;
-}
-
 static void write_output(const arguments *line, const output_options *how, plan *job)
 {
     worst_table verdicts = job->worst;
@@ -238,12 +225,15 @@ static int fretting(const arguments *typed)
     arguments line = *typed; /* a material and plane stress change it */
     output_options how, how_worst = {.path = NULL};
     char worst[2400];
+    bool is_deep = false;
     read_plan(&line, &job, &how);
     read_worst(&line, &how_worst);
     compute(&job);
     worst_find(&job.result, &job.worst);
-    worst_write(&job.worst, is_deep(&job.result), worst, sizeof worst);
-    if (job.result.line > 0 && line.value[OPTION_X] == NULL && !is_for_paraview(&how))
+    for (size_t i = 0; i < job.result.count; i++)
+        is_deep = is_deep || job.result.place[i].y > 0;
+    worst_write(&job.worst, is_deep, worst, sizeof worst);
+    if (job.result.line > 0 && line.value[OPTION_X] == NULL && how.format != &vtk_format)
         worst_add_places(&job.worst, &job.result);
     write_output(&line, &how, &job);
     if (how_worst.path != NULL)

@@ -6,22 +6,11 @@
 
 /* ---- The search ---- */
 
-/* On the line of the best place, between the places too. */
-static void search_line(const last_cycle *last, const measured *result, int column, size_t best,
-                        worst_row *row)
+/* NAN where the criterion has no such part. */
+static double part_of(const measured_place *at, int criterion, measure_part part)
 {
-    status_check(last_cycle_worst(last, column, result->line,
-                                  result->place + best - best % result->line, &row->x, &row->value),
-                 "the worst place");
-}
-
-/* Wear is worst where the energy is. */
-static void take_wear(const criteria *asked, worst_row row[])
-{
-    if (isnan(asked->archard))
-        return;
-    row[COLUMN_WEAR] = row[MEASURE_ENERGY_PER_AREA];
-    row[COLUMN_WEAR].value *= asked->archard;
+    const int column = measure_column(criterion, part);
+    return column >= 0 ? at->value[column] : NAN;
 }
 
 /* Which is not smooth: the worst of the places stands. */
@@ -30,26 +19,26 @@ static bool is_damage(int column)
     return measure_criterion(column) >= CRITERION_SWT_DAMAGE;
 }
 
-static double cycles_at(const measured_place *place, int damage)
-{
-    return place->value[measure_column(measure_criterion(damage), PART_CYCLES)];
-}
-
 void worst_find(const measured *result, worst_table *worst)
 {
     const last_cycle *last = worst->last;
+    worst_row *row = worst->row;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const size_t best = measured_best(result, i);
-        const double value = result->place[best].value[i];
-        const bool is_worst =
-            value > 0 && measure_kinds[i].part == PART_VALUE && column_is_wanted(&last->asked, i);
-        worst->row[i] =
-            (worst_row){result->place[best].x, result->place[best].y, is_worst ? value : NAN,
-                        is_damage(i) ? cycles_at(&result->place[best], i) : NAN};
+        const measured_place *place = &result->place[best];
+        const bool is_worst = place->value[i] > 0 && measure_kinds[i].part == PART_VALUE &&
+                              column_is_wanted(&last->asked, i);
+        row[i] =
+            (worst_row){place->x, place->y, is_worst ? place->value[i] : NAN,
+                        is_damage(i) ? part_of(place, measure_criterion(i), PART_CYCLES) : NAN};
         if (result->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
-            search_line(last, result, i, best, &worst->row[i]);
+            /* on the line of the best place, between the places too */
+            status_check(last_cycle_worst(last, i, result->line, place - best % result->line,
+                                          &row[i].x, &row[i].value),
+                         "the worst place");
     }
-    take_wear(&last->asked, worst->row);
+    row[COLUMN_WEAR] = row[MEASURE_ENERGY_PER_AREA]; /* wear is worst where the energy is */
+    row[COLUMN_WEAR].value *= last->asked.archard;
 }
 
 /* ---- Among the places ---- */
@@ -134,13 +123,6 @@ static int damage_of(int criterion)
     return criterion == CRITERION_SWT            ? CRITERION_SWT_DAMAGE
            : criterion == CRITERION_FATEMI_SOCIE ? CRITERION_FS_DAMAGE
                                                  : criterion;
-}
-
-/* NAN where the criterion has no such part. */
-static double part_of(const measured_place *at, int criterion, measure_part part)
-{
-    const int column = measure_column(criterion, part);
-    return column >= 0 ? at->value[column] : NAN;
 }
 
 /* In passes of the loads. */

@@ -193,13 +193,6 @@ static void check_series(const plan *job, const output_options *how)
                     how->path);
 }
 
-static void check_names(const plan *job)
-{
-    const bool has_points = job->at.count > 0;
-    for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
-        passed_check(&job->history.loads, has_points ? point_columns[i] : columns[i].name);
-}
-
 static void read_plan(const arguments *line, plan *job, output_options *how)
 {
     output_options_read_of(line, formats, "", how);
@@ -208,7 +201,9 @@ static void read_plan(const arguments *line, plan *job, output_options *how)
     places_read(line, how->decimal_sign, &job->at);
     check_series(job, how);
     contact_history_read(line, how->decimal_sign, 1, 1, &job->history);
-    check_names(job);
+    const bool has_points = job->at.count > 0;
+    for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
+        passed_check(&job->history.loads, has_points ? point_columns[i] : columns[i].name);
 }
 
 static void say_doubts(const plan *job)

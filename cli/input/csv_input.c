@@ -74,23 +74,18 @@ static void start_parser(reader *in)
     separate_by(in, in->seen.separator);
 }
 
-/* The ending of a file whose columns are separated by tabs. */
-static bool is_tsv(const char *path)
-{
-    const char *ending = strrchr(path, '.');
-    return ending != NULL && strcasecmp(ending, ".tsv") == 0;
-}
-
 csv_input *csv_input_open(const char *path, char separator, const char *encoding)
 {
     reader *in = memory_zeroed(1, sizeof *in);
+    const char *ending = strrchr(path, '.');
+    const bool is_tsv = ending != NULL && strcasecmp(ending, ".tsv") == 0;
     in->text = text_input_open(path, encoding);
     in->at_start = true;
     in->next_line = 1;
     in->seen.row.cell = in->cell;
     in->seen.row.whole = in->row;
     in->seen.name = in->text->name;
-    in->seen.separator = is_tsv(path) ? '\t' : separator;
+    in->seen.separator = is_tsv ? '\t' : separator;
     start_parser(in);
     in->seen.problem = in->text->problem;
     return &in->seen;
@@ -219,13 +214,6 @@ static bool begin_row(reader *in)
     return read_row(in, byte);
 }
 
-static void finish_row(reader *in)
-{
-    while (in->length > 0 && ends_line(in->row[in->length - 1]))
-        in->length--;
-    in->row[in->length] = '\0';
-}
-
 /* What the parser still holds of a row with misplaced quotes is thrown away. */
 static bool take_malformed(reader *in)
 {
@@ -240,7 +228,9 @@ static bool next_row(reader *in)
 {
     if (!begin_row(in))
         return false;
-    finish_row(in);
+    while (in->length > 0 && ends_line(in->row[in->length - 1]))
+        in->length--;
+    in->row[in->length] = '\0';
     if (in->too_many)
         return stop(in, "more than 1000 cells in a row");
     return !in->seen.row.malformed || take_malformed(in);

@@ -41,14 +41,6 @@ void text_input_check(const char *encoding)
         iconv_close(converter);
 }
 
-static bool start_converter(source *in, const char *encoding)
-{
-    in->converter = iconv_open("UTF-8", encoding);
-    in->has_converter = in->converter != (iconv_t)-1;
-    return in->has_converter || complain(&in->seen.problem, "%s: reading %s: %s", in->seen.name,
-                                         encoding, strerror(errno));
-}
-
 text_input *text_input_open(const char *path, const char *encoding)
 {
     const bool standard = strcmp(path, "-") == 0;
@@ -101,7 +93,11 @@ static bool take_mark(source *in)
         in->begin = 3;
     else if (is_utf16 && strcasecmp(in->encoding, "utf-16") != 0)
         in->begin = 2;
-    return start_converter(in, in->encoding != NULL ? in->encoding : "utf-8");
+    const char *encoding = in->encoding != NULL ? in->encoding : "utf-8";
+    in->converter = iconv_open("UTF-8", encoding);
+    in->has_converter = in->converter != (iconv_t)-1;
+    return in->has_converter || complain(&in->seen.problem, "%s: reading %s: %s", in->seen.name,
+                                         encoding, strerror(errno));
 }
 
 /* ---- Characters ---- */

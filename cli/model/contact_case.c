@@ -140,17 +140,13 @@ static void fill(const input_texts *texts, const double value[INPUT_COUNT], cont
     setup->tolerance = texts->tolerance;
 }
 
-/* How much a tension stretches body 1. Of two bodies of one material it is the library's A/4. */
-static double own_strain(const contact_case *setup)
-{
-    return (1 - setup->nu1 * setup->nu1) / setup->E1;
-}
-
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
 {
+    /* how much a tension stretches body 1; of two bodies of one material it is the library's A/4 */
+    const double own_strain = (1 - setup->nu1 * setup->nu1) / setup->E1;
     int32_t status = pad_contact(&setup->shape, setup->A, setup->f, contact);
     if (status == RWEDGE_OK && (setup->E2 != setup->E1 || setup->nu2 != setup->nu1))
-        status = rwedge_contact_set_strain(*contact, own_strain(setup));
+        status = rwedge_contact_set_strain(*contact, own_strain);
     if (status == RWEDGE_OK)
         status = rwedge_contact_allow_error(*contact, setup->tolerance);
     return status;

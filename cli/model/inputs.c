@@ -99,32 +99,22 @@ static bool is_in(double value, const input_kind *kind)
                       : value >= kind->lo && value <= kind->hi;
 }
 
-/* The header's first page: whatever has a size is 0 or 1e-60 to 1e60. */
-static bool has_possible_size(int input, double value)
-{
-    const bool without_size = input == INPUT_NU1 || input == INPUT_NU2;
-    return without_size || number_is_size(value);
-}
-
-static bool read_profile(const input_texts *texts, double *value, complaint *why)
-{
-    const pad_profile *places = texts->profile_named(texts->text[INPUT_PROFILE], why);
-    *value = places != NULL ? (double)places->count : NAN;
-    return places != NULL;
-}
-
 bool input_read(const input_texts *texts, int input, double *value, complaint *why)
 {
     const char *text = texts->text[input];
     const char decimal_sign = texts->is_cell[input] ? texts->cell_decimal_sign : '.';
     const input_kind *kind = &input_kinds[input];
     const bool rigid = strcasecmp(text, "inf") == 0;
-    if (input == INPUT_PROFILE)
-        return read_profile(texts, value, why);
+    if (input == INPUT_PROFILE) {
+        const pad_profile *places = texts->profile_named(text, why);
+        *value = places != NULL ? (double)places->count : NAN;
+        return places != NULL;
+    }
     *value = HUGE_VAL;
     if (rigid ? input == INPUT_E2
               : number_read_cell(text, decimal_sign, value) && is_in(*value, kind)) {
-        if (rigid || has_possible_size(input, *value))
+        /* the header's first page: whatever has a size is 0 or 1e-60 to 1e60 */
+        if (rigid || input == INPUT_NU1 || input == INPUT_NU2 || number_is_size(*value))
             return true;
         return complain(why, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
                         input_name(texts, input), text, kind->subject,

@@ -95,29 +95,16 @@ const char *output_format_choose(const arguments *line, const char *const format
 
 /* ---- The options ---- */
 
-static void check_spreadsheet(const output_options *how)
-{
-    if (xlsx_missing() != NULL)
-        usage_error("--format xlsx: %s", xlsx_missing());
-    if ((how->path == NULL || strcmp(how->path, "-") == 0) && stream_is_terminal(stdout))
-        usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
-}
-
 static void use_format(output_options *how)
 {
     const int i = place_of(how->format_name, grid_formats);
     how->format = i >= 0 ? record_formats[i] : NULL;
     how->separator = strcmp(how->format_name, "tsv") == 0 ? '\t' : ',';
-    if (how->format == &xlsx_format)
-        check_spreadsheet(how);
-}
-
-static int read_digits(const char *text)
-{
-    int64_t digits = NUMBER_DIGITS;
-    if (text != NULL && !number_read_whole(text, 1, NUMBER_DIGITS, &digits))
-        usage_error("--digits %s: must be a whole number from 1 to %d", text, NUMBER_DIGITS);
-    return (int)digits;
+    if (how->format == &xlsx_format && xlsx_missing() != NULL)
+        usage_error("--format xlsx: %s", xlsx_missing());
+    if (how->format == &xlsx_format && (how->path == NULL || strcmp(how->path, "-") == 0) &&
+        stream_is_terminal(stdout))
+        usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
 }
 
 static void read_decimal_comma(bool comma, output_options *how)
@@ -139,11 +126,15 @@ void output_options_read_of(const arguments *line, const char *const formats[], 
     *how = (output_options){.quiet = line->value[OPTION_QUIET] != NULL,
                             .no_formulas = line->value[OPTION_NO_FORMULAS] != NULL,
                             .path = line->value[OPTION_OUTPUT]};
+    const char *text = line->value[OPTION_DIGITS];
+    int64_t digits = NUMBER_DIGITS;
     if (how->path != NULL && how->path[0] == '\0')
         usage_error("--output '': must be the name of a file, or - for standard output");
     how->format_name = output_format_choose(line, formats, hint);
     use_format(how);
-    how->digits = read_digits(line->value[OPTION_DIGITS]);
+    if (text != NULL && !number_read_whole(text, 1, NUMBER_DIGITS, &digits))
+        usage_error("--digits %s: must be a whole number from 1 to %d", text, NUMBER_DIGITS);
+    how->digits = (int)digits;
     read_decimal_comma(line->value[OPTION_DECIMAL_COMMA] != NULL, how);
     output_options_spare_files(line, how);
 }

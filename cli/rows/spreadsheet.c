@@ -100,17 +100,13 @@ static void check_room(const records *rows)
         refuse(rows, "more than 1048575 rows");
 }
 
-static double width_for(const char *name)
-{
-    return fmin(fmax((double)strlen(name) + 2, WIDTH_LEAST), WIDTH_MOST);
-}
-
 /* A grid's columns are named by numbers. */
 static void put_name(records *rows, const char *name)
 {
+    const double wanted = (double)strlen(name) + 2;
     double number;
     check_room(rows);
-    xlsx_width(rows->book, rows->column, rows->column, width_for(name));
+    xlsx_width(rows->book, rows->column, rows->column, fmin(fmax(wanted, WIDTH_LEAST), WIDTH_MOST));
     if (number_read(name, &number))
         xlsx_number(rows->book, rows->row, rows->column, number, "header");
     else

@@ -121,19 +121,14 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
 
 /* ---- Dimensional ---- */
 
-static void refuse_natural(const arguments *line)
-{
-    for (int i = OPTION_Q_OVER_FP; i <= OPTION_C_OVER_B; i++)
-        if (line->value[i] != NULL)
-            usage_error("--%s %s: needs --a-over-b; allowed with bodies and loads: --Q",
-                        i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", line->value[i]);
-}
-
 static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
                              contact_case *setup)
 {
     complaint why;
-    refuse_natural(line);
+    for (int i = OPTION_Q_OVER_FP; i <= OPTION_C_OVER_B; i++)
+        if (line->value[i] != NULL)
+            usage_error("--%s %s: needs --a-over-b; allowed with bodies and loads: --Q",
+                        i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", line->value[i]);
     history_check(line);
     if (history_is_given(line))
         history_case(line, texts, CASE_LOADS_APART, decimal_sign, setup);

@@ -52,13 +52,6 @@ static bool creation_date(time_t *date)
     return sound && (*date == seconds || seconds == 0);
 }
 
-static void set_properties(xlsx *book, const char *title, time_t date)
-{
-    lxw_doc_properties properties = {
-        .title = (char *)title, .author = "rwedge " RWEDGE_VERSION, .created = date};
-    xlsx_keep(book, workbook_set_properties(book->workbook, &properties));
-}
-
 static bool open_workbook(xlsx *book, bool in_order)
 {
     if (!spool_begin(&book->spool))
@@ -80,7 +73,9 @@ xlsx *xlsx_begin(output *out, const char *title, bool in_order)
     errno = 0;
     if (!open_workbook(book, in_order))
         failure("%s: a temporary file for the spreadsheet cannot be made", out->name);
-    set_properties(book, title, date);
+    lxw_doc_properties properties = {
+        .title = (char *)title, .author = "rwedge " RWEDGE_VERSION, .created = date};
+    xlsx_keep(book, workbook_set_properties(book->workbook, &properties));
     return book;
 }
 

@@ -59,20 +59,15 @@ static void write_header(run *r)
 
 /* ---- A row is solved: by several threads at a time ---- */
 
-static bool solve_row(const run *r, const csv_row *row, results *result, complaint *why)
-{
-    if (!row->malformed)
-        return case_table_solve(&r->table, row->cell, row->count, result, why);
-    complain(why, "misplaced quotes in the row of line %" PRId64, row->line);
-    return false;
-}
-
 static void compute_answer(void *of_run, int64_t i)
 {
     const run *r = of_run;
+    const csv_row *row = &r->held[i];
     answer *to = &r->answers[i];
     to->why.text[0] = '\0';
-    to->solved = solve_row(r, &r->held[i], &to->results, &to->why);
+    to->solved = row->malformed
+                     ? complain(&to->why, "misplaced quotes in the row of line %" PRId64, row->line)
+                     : case_table_solve(&r->table, row->cell, row->count, &to->results, &to->why);
 }
 
 /* ---- A row is written ---- */
@@ -121,14 +116,6 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
 
 /* ---- The file ---- */
 
-/* A last row that says so: who reads rows from standard output may not see the exit status. */
-static void write_broken_end(run *r)
-{
-    const csv_row none = {.whole = ""};
-    const answer broken = {.why = {"the file could not be read beyond this row"}};
-    write_row(r, &none, &broken);
-}
-
 /* A quote that is left open may close in a later row, and take the rows between. */
 static bool next_row(const run *r)
 {
@@ -140,14 +127,6 @@ static bool next_row(const run *r)
     return csv_input_stop(
         r->in, "line %" PRId64 ": a quote over several lines, and too few or too many cells",
         row->line);
-}
-
-static void release_held(run *r)
-{
-    profiles_forget(r->constant_profiles);
-    for (int64_t i = 0; i < r->held_count; i++)
-        csv_row_free(&r->held[i]);
-    r->held_count = 0;
 }
 
 /* Before the threads look for it. */
@@ -183,13 +162,18 @@ static void write_held(run *r)
     threads_run(threads_read(r->line), r->held_count, compute_answer, r);
     for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
         write_row(r, &r->held[i], &r->answers[i]);
-    release_held(r);
+    profiles_forget(r->constant_profiles);
+    for (int64_t i = 0; i < r->held_count; i++)
+        csv_row_free(&r->held[i]);
+    r->held_count = 0;
 }
 
 /* Ends where the file or the format cannot go on. */
 static void write_rows(void *of_run, records *rows)
 {
     run *r = of_run;
+    const csv_row none = {.whole = ""};
+    const answer broken = {.why = {"the file could not be read beyond this row"}};
     bool more = true;
     r->rows = rows;
     progress_start(rows->show_progress, PROGRESS_NO_TOTAL, "rows");
@@ -200,27 +184,23 @@ static void write_rows(void *of_run, records *rows)
     }
     if (r->in->problem.text[0] == '\0')
         return;
-    write_broken_end(r);
+    /* a last row says so: who reads rows from standard output may not see the exit status */
+    write_row(r, &none, &broken);
     records_end(r->rows);
     progress_erase();
     csv_input_check(r->in);
 }
 
-static void say_doubts(const run *r)
-{
-    char where[300];
-    snprintf(where, sizeof where, "%.250s, in some rows: ", r->in->name);
-    doubts_say(r->doubts, where);
-}
-
 static int write_output(run *r)
 {
+    char where[300];
     output_options_write(r->how, write_rows, r);
     unused_say(&r->table.names, r->in->name);
     if (r->failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                r->in->name, r->failed, r->count);
-    say_doubts(r);
+    snprintf(where, sizeof where, "%.250s, in some rows: ", r->in->name);
+    doubts_say(r->doubts, where);
     return r->failed > 0 && r->failed == r->count ? STATUS_FAILED : STATUS_DONE;
 }
 

@@ -217,13 +217,6 @@ static void check_files(const arguments *line, const char *file)
         text_input_check(encoding);
 }
 
-static void check_threads(const arguments *line, const char *file)
-{
-    threads_read(line);
-    if (line->value[OPTION_THREADS] != NULL && file == NULL)
-        usage_error("--threads %s: needs --input", line->value[OPTION_THREADS]);
-}
-
 static int solve(const arguments *line)
 {
     output_options how;
@@ -234,7 +227,9 @@ static int solve(const arguments *line)
     arguments_no_operand(line);
     output_options_read(line, &how);
     check_files(line, file);
-    check_threads(line, file);
+    threads_read(line);
+    if (line->value[OPTION_THREADS] != NULL && file == NULL)
+        usage_error("--threads %s: needs --input", line->value[OPTION_THREADS]);
     task.as_row = read_layout(line);
     task.wanted.yield_factor = read_yield_factor(line, &texts);
     task.wanted.edges = history_is_given(line) || input_is_given(&texts, INPUT_M) ||

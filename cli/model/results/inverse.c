@@ -75,15 +75,6 @@ static bool find_in_proportion(const contact_case *setup, int input, double safe
     return true;
 }
 
-/* ---- Of other pads ---- */
-
-static bool find_of_pad(const contact_case *setup, int input, double safety, double *value,
-                        complaint *why)
-{
-    *value = sliding_find(setup, input, safety);
-    return *value > 0 || refuse("none is found, as far as the pad is known", why);
-}
-
 /* ---- Together ---- */
 
 static bool is_centred(const input_texts *texts)
@@ -126,9 +117,13 @@ bool inverse_find(const input_texts *texts, int input, double safety, contact_ca
 {
     char text[NUMBER_SIZE];
     input_texts all = *texts;
-    if (!read_rest(texts, input, setup, why) ||
-        !(!pad_has_formulas(&setup->shape) ? find_of_pad(setup, input, safety, value, why)
-          : input == INPUT_F               ? find_friction(setup, safety, value, why)
+    if (!read_rest(texts, input, setup, why))
+        return false;
+    const bool has_formulas = pad_has_formulas(&setup->shape);
+    *value = has_formulas ? NAN : sliding_find(setup, input, safety);
+    if (!has_formulas && !(*value > 0))
+        return refuse("none is found, as far as the pad is known", why);
+    if (has_formulas && !(input == INPUT_F ? find_friction(setup, safety, value, why)
                                            : find_in_proportion(setup, input, safety, value, why)))
         return false;
     number_write(*value, NUMBER_DIGITS, '.', text);

@@ -174,35 +174,20 @@ static void read_case(const arguments *line, figure_case *inputs)
 /* ---- A contact and its loads ---- */
 
 /* Without a table of loads there is nothing for its options to say. */
-static void refuse_history(const arguments *line, const figure *chosen)
+static void refuse_others(const arguments *line, const figure *chosen)
 {
-    for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES; i++)
+    for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES && !chosen->has_history; i++)
         if (line->value[i] != NULL)
             usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
                         "and loop with --history or --load",
                         chosen->name);
-}
-
-static void refuse_criteria(const arguments *line, const figure *chosen)
-{
     const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
-    for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA; i++)
+    for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA && chosen != &figure_measure; i++)
         if (line->value[i] != NULL || is_given)
             usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
 }
 
 /* ---- A measure ---- */
-
-static int read_over(const char *text)
-{
-    static const char *const names[OVER_COUNT] = {"surface", "depth", "field"};
-    int i = 0;
-    while (text != NULL && i < OVER_COUNT && strcmp(text, names[i]) != 0)
-        i++;
-    if (i == OVER_COUNT)
-        usage_error("--over %s: must be surface, depth or field", text);
-    return i;
-}
 
 /* The measure of --measure, which must be one of those that are computed. */
 static int read_measure(const char *text, const criteria *asked)
@@ -222,35 +207,21 @@ static int read_measure(const char *text, const criteria *asked)
     return column;
 }
 
-static double largest_half_width(const contact_history *history)
-{
-    const contact_case *setup = &history->setup;
-    double most = 0;
-    for (size_t i = 0; i < history->loads.count; i++)
-        most = fmax(most, pad_half_width(&setup->shape, setup->A, history->loads.load[i].P));
-    return most;
-}
-
-/* Friction and Poisson's ratio are variables of other figures. */
-static arguments with_bodies(const arguments *line)
-{
-    arguments bodies = *line;
-    bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
-    bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
-    bodies.operand = NULL;
-    return bodies;
-}
-
 /* To be called when the contact is read. */
 static void read_measure_and_place(const arguments *line, figure_case *inputs)
 {
+    static const char *const ways[OVER_COUNT] = {"surface", "depth", "field"};
+    const char *over = line->value[OPTION_OVER];
     criteria_read_strength(line, &inputs->history.setup, &inputs->asked);
     inputs->measure = read_measure(line->value[OPTION_MEASURE], &inputs->asked);
-    inputs->over = read_over(line->value[OPTION_OVER]);
+    while (over != NULL && inputs->over < OVER_COUNT && strcmp(over, ways[inputs->over]) != 0)
+        inputs->over++;
+    if (inputs->over == OVER_COUNT)
+        usage_error("--over %s: must be surface, depth or field", over);
     const bool is_of_friction = inputs->measure >= MEASURE_SLIP_RANGE &&
                                 measure_kinds[inputs->measure].criterion == NO_CRITERION;
     if (is_of_friction && inputs->over != OVER_SURFACE)
-        usage_error("--over %s: %s is of the surface alone", line->value[OPTION_OVER],
+        usage_error("--over %s: %s is of the surface alone", over,
                     measure_kinds[inputs->measure].column);
 }
 
@@ -258,7 +229,12 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
 {
     const figure *chosen = inputs->kind;
     const bool has_measure = chosen == &figure_measure;
-    arguments bodies = with_bodies(line);
+    const contact_case *setup = &inputs->history.setup;
+    arguments bodies = *line;
+    /* friction and Poisson's ratio are variables of other figures */
+    bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
+    bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
+    bodies.operand = NULL;
     if (has_measure) {
         material_read(bodies.value[OPTION_MATERIAL], &bodies, &inputs->constants);
         criteria_read(&bodies, &inputs->constants, &inputs->asked);
@@ -271,7 +247,10 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
         usage_error("--at %s: must be one point", line->value[OPTION_AT]);
     contact_history_read(&bodies, decimal_sign, chosen->cycles,
                          chosen->cycles > 2 ? chosen->cycles : 2, &inputs->history);
-    inputs->half_width = largest_half_width(&inputs->history);
+    for (size_t i = 0; i < inputs->history.loads.count; i++)
+        inputs->half_width =
+            fmax(inputs->half_width,
+                 pad_half_width(&setup->shape, setup->A, inputs->history.loads.load[i].P));
     if (has_measure)
         read_measure_and_place(&bodies, inputs);
 }
@@ -290,16 +269,6 @@ static const char *read_picture_format(const arguments *line, output_options *ho
 
 /* ---- What is written ---- */
 
-static void write_values(const figure_case *inputs, FILE *script)
-{
-    char names[FIGURE_NAMES_SIZE];
-    for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (inputs->value[i].count > 0) {
-            case_names(inputs, i, names);
-            script_text(script, variable_of(i)->column, names);
-        }
-}
-
 /* Whether a number of these columns, a bit for each, is not 0. */
 static bool has_anything(const dataset *rows, int columns)
 {
@@ -314,10 +283,15 @@ static bool has_anything(const dataset *rows, int columns)
 void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     const figure *kind = inputs->kind;
+    char names[FIGURE_NAMES_SIZE];
     if (kind->nothing != NULL && !has_anything(rows, kind->drawn))
         failure("figure %s: nothing to draw: %s", kind->name, kind->nothing);
     script_lines(script, head_lines, NULL);
-    write_values(inputs, script);
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        if (inputs->value[i].count > 0) {
+            case_names(inputs, i, names);
+            script_text(script, variable_of(i)->column, names);
+        }
     script_number(script, "titled", !inputs->no_title);
     script_rows(script, "$rows", rows);
     if (kind->prepare != NULL)
@@ -349,10 +323,7 @@ static int write_command(const arguments *line)
         output_options_read(line, &how);
     else
         inputs.format = read_picture_format(line, &how);
-    if (!inputs.kind->has_history)
-        refuse_history(line, inputs.kind);
-    if (inputs.kind != &figure_measure)
-        refuse_criteria(line, inputs.kind);
+    refuse_others(line, inputs.kind);
     if (inputs.kind->has_history)
         read_history(line, how.decimal_sign, &inputs);
     else

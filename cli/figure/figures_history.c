@@ -191,24 +191,21 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
     ways[inputs->over](inputs, &last, rows);
 }
 
-static void write_unit(const char *unit, char text[80])
-{
-    const bool has_unit = strcmp(unit, "none") != 0;
-    snprintf(text, 80, "%s%s", has_unit ? "in units of " : "pure number", has_unit ? unit : "");
-    char *star = strchr(text, '*'); /* would begin italics */
-    if (star != NULL)
-        *star = ' ';
-}
-
 static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     const double worst = dataset_largest(rows, 2);
-    char unit[80];
+    const char *unit = measure_kinds[inputs->measure].unit;
+    const bool has_unit = strcmp(unit, "none") != 0;
+    char text[80];
     if (worst == 0)
         failure("figure measure: nothing to draw: the measure is nowhere above 0");
-    write_unit(measure_kinds[inputs->measure].unit, unit);
+    snprintf(text, sizeof text, "%s%s", has_unit ? "in units of " : "pure number",
+             has_unit ? unit : "");
+    char *star = strchr(text, '*'); /* would begin italics */
+    if (star != NULL)
+        *star = ' ';
     script_text(script, "title", measure_kinds[inputs->measure].title);
-    script_text(script, "unit", unit);
+    script_text(script, "unit", text);
     script_number(script, "step", step_of_levels(worst));
     fprintf(script, "along = %d\n",
             inputs->over == OVER_FIELD   ? 0

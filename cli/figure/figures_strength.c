@@ -54,16 +54,6 @@ static void add_normal(double alpha, double nu, double limit, double y, bool bel
 }
 
 /* Both branches at the jump: the curves end there, and the limit has no gap. */
-static void add_jump(const figure_case *inputs, double alpha, dataset *rows)
-{
-    const double nu = case_value(inputs, NU);
-    double limit, x, y;
-    case_check(inputs, rwedge_surface_yield(alpha, 0, nu, &limit, &x));
-    add_normal(alpha, nu, limit, 0, false, rows);
-    case_check(inputs, rwedge_subsurface_yield(alpha, 0, nu, &limit, &x, &y));
-    add_normal(alpha, nu, limit, y, true, rows);
-}
-
 static void compute_normal(const figure_case *inputs, dataset *rows)
 {
     const double nu = case_value(inputs, NU), jump = jump_of_yield_point(nu);
@@ -71,9 +61,13 @@ static void compute_normal(const figure_case *inputs, dataset *rows)
     for (int i = 0; i < NORMAL_DECADES * NORMAL_PER_DECADE + NORMAL_STEPS; i++) {
         const double alpha = normal_alpha(i);
         double limit, x, y;
-        if (!jumped && alpha > jump)
-            add_jump(inputs, jump, rows);
-        jumped = jumped || alpha > jump;
+        if (!jumped && alpha > jump) {
+            case_check(inputs, rwedge_surface_yield(jump, 0, nu, &limit, &x));
+            add_normal(jump, nu, limit, 0, false, rows);
+            case_check(inputs, rwedge_subsurface_yield(jump, 0, nu, &limit, &x, &y));
+            add_normal(jump, nu, limit, y, true, rows);
+            jumped = true;
+        }
         case_check(inputs, rwedge_yield_point(alpha, 0, nu, &limit, &x, &y));
         add_normal(alpha, nu, limit, y, y > 0, rows);
     }

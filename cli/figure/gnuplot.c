@@ -166,25 +166,20 @@ static void remove_date(char *picture, size_t length)
 }
 
 /* In an SVG, viewers drop a space where the font changes, unless told to keep it. */
-static void write_picture(const char *picture, size_t length, bool needs_spaces, output *out)
-{
-    static const char start[] = "<svg";
-    const char *root = needs_spaces ? strstr(picture, start) : NULL;
-    const size_t before = root != NULL ? (size_t)(root - picture) + strlen(start) : 0;
-    output_write(out, picture, before);
-    if (root != NULL)
-        output_text(out, " xml:space=\"preserve\"");
-    output_write(out, picture + before, length - before);
-}
-
 static void take_picture(FILE *const stream[], const picture_format *format, output *out)
 {
+    static const char start[] = "<svg";
     size_t length;
     char *picture = read_whole(stream[PICTURE], &length);
     if (!is_whole(picture, length, format))
         refuse(stream[COMPLAINTS], "gave no whole picture, but bytes:", (int)(length % 1000000000));
     remove_date(picture, length);
-    write_picture(picture, length, format->needs_spaces, out);
+    const char *root = format->needs_spaces ? strstr(picture, start) : NULL;
+    const size_t before = root != NULL ? (size_t)(root - picture) + strlen(start) : 0;
+    output_write(out, picture, before);
+    if (root != NULL)
+        output_text(out, " xml:space=\"preserve\"");
+    output_write(out, picture + before, length - before);
     free(picture);
 }
 

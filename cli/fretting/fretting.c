@@ -200,15 +200,6 @@ static void read_worst(const arguments *line, output_options *worst)
     output_options_read(&its, worst);
 }
 
-static void say_what_is_doubtful(const plan *job)
-{
-    doubts_say(job->doubts, "");
-    if (!job->last.slip_known)
-        notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
-               "energy_per_area are empty");
-    unused_say(&job->history.loads.names, job->history.loads.name);
-}
-
 static void write_output(const arguments *line, const output_options *how, plan *job)
 {
     worst_table verdicts = job->worst;
@@ -238,7 +229,11 @@ static int fretting(const arguments *typed)
     write_output(&line, &how, &job);
     if (how_worst.path != NULL)
         output_options_write(&how_worst, worst_write_rows, &job.worst);
-    say_what_is_doubtful(&job);
+    doubts_say(job.doubts, "");
+    if (!job.last.slip_known)
+        notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
+               "energy_per_area are empty");
+    unused_say(&job.history.loads.names, job.history.loads.name);
     notice("worst: %s",
            worst[0] != '\0' ? worst : "none; every measure is 0 or empty at these places");
     return STATUS_DONE;

@@ -55,17 +55,6 @@ static void make_room(size_t count, measured *result)
 }
 
 /* The line at each depth. */
-static void repeat(const range *depth, measured *result)
-{
-    if ((double)result->count * (double)depth->count > PLACES_MAX)
-        usage_error("--depth: must not give more than %d places in all", PLACES_MAX);
-    make_room(result->count * (size_t)depth->count, result);
-    for (size_t i = 0; i < result->count; i++) {
-        result->place[i] = result->place[i % result->line];
-        result->place[i].y = range_value(depth, (int64_t)(i / result->line));
-    }
-}
-
 static void read_lines(const arguments *line, const last_cycle *cycle, measured *result)
 {
     const char *x = line->value[OPTION_X];
@@ -74,7 +63,13 @@ static void read_lines(const arguments *line, const last_cycle *cycle, measured 
     if (x == NULL && isnan(cycle->left))
         usage_error("--x: missing; there is no contact in the cycle to take places from");
     *result = x != NULL ? stops_of_range(x, cycle) : stops_usual(cycle);
-    repeat(&depth, result);
+    if ((double)result->count * (double)depth.count > PLACES_MAX)
+        usage_error("--depth: must not give more than %d places in all", PLACES_MAX);
+    make_room(result->count * (size_t)depth.count, result);
+    for (size_t i = 0; i < result->count; i++) {
+        result->place[i] = result->place[i % result->line];
+        result->place[i].y = range_value(&depth, (int64_t)(i / result->line));
+    }
     range_free(&depth);
 }
 

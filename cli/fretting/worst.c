@@ -125,21 +125,12 @@ static int damage_of(int criterion)
                                                  : criterion;
 }
 
-/* In passes of the loads. */
-static void add_life(int criterion, const measured_place *at, cell cells[COLUMNS])
-{
-    if (criterion < CRITERION_SWT_DAMAGE)
-        return;
-    const double damage = part_of(at, criterion, PART_VALUE);
-    cells[10] = damage == 0 ? cell_text("inf") : cell_number(1 / damage);
-    cells[11] = cell_number(part_of(at, criterion, PART_CYCLES));
-}
-
-/* The verdict of a criterion: its plane, the allowable value, the life. */
+/* The verdict of a criterion: its plane, the allowable value, the life in passes of the loads. */
 static void add_verdict(const worst_table *worst, int criterion, const worst_row *row,
                         cell cells[COLUMNS])
 {
     const bool is_below = !isnan(worst->below.length) && row->y == 0;
+    const int with_life = damage_of(criterion);
     const material *constants = worst->last->asked.constants;
     measured_place at = {.x = row->x, .y = row->y};
     if (is_below)
@@ -154,7 +145,11 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
     cells[7] = cell_number(part_of(&at, criterion, PART_OUT_OF_PLANE));
     cells[8] = cell_number(allowable);
     cells[9] = cell_number(value > 0 ? allowable / value : NAN);
-    add_life(damage_of(criterion), &at, cells);
+    if (with_life < CRITERION_SWT_DAMAGE)
+        return;
+    const double damage = part_of(&at, with_life, PART_VALUE);
+    cells[10] = damage == 0 ? cell_text("inf") : cell_number(1 / damage);
+    cells[11] = cell_number(part_of(&at, with_life, PART_CYCLES));
 }
 
 static void write_row(const worst_table *worst, int column, records *rows)

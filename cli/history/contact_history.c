@@ -53,26 +53,15 @@ rwedge_contact *contact_history_begin(const contact_history *history)
     return contact;
 }
 
-/* Where there are several cycles, the word says in which it was. */
-static void refuse(const contact_history *history, bool until, const complaint *why)
-{
-    char word[40] = "", place[LOAD_PLACE_SIZE];
-    const size_t step = history->steps, row = contact_history_row(history, step);
-    if (step >= history->loads.count)
-        snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
-    if (!until || step == 0)
-        load_history_fail(&history->loads, row, word, why);
-    notice("%s%s: %s; the results end before it", load_history_place(&history->loads, row, place),
-           word, why->text);
-}
-
 void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact)
 {
     status_check(loads_apply(contact_history_load(history, step), contact), "the loads");
 }
 
+/* Where there are several cycles, the word says in which a load is refused. */
 static void try_loads(contact_history *history, bool until)
 {
+    char word[40] = "", place[LOAD_PLACE_SIZE];
     const size_t wanted = history->loads.count * (size_t)history->cycles;
     complaint why = {""};
     rwedge_contact *contact = contact_history_begin(history);
@@ -83,8 +72,15 @@ static void try_loads(contact_history *history, bool until)
         history->error = fmax(history->error, rwedge_contact_error(contact));
     }
     rwedge_contact_destroy(contact);
-    if (why.text[0] != '\0')
-        refuse(history, until, &why);
+    if (why.text[0] == '\0')
+        return;
+    const size_t step = history->steps, row = contact_history_row(history, step);
+    if (step >= history->loads.count)
+        snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
+    if (!until || step == 0)
+        load_history_fail(&history->loads, row, word, &why);
+    notice("%s%s: %s; the results end before it", load_history_place(&history->loads, row, place),
+           word, why.text);
 }
 
 void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,

@@ -48,27 +48,22 @@ static double slip_size_at(const void *contact, double x)
     return rwedge_contact_slip(contact, 1, &x, &slip) == RWEDGE_OK ? fabs(slip) : NAN;
 }
 
-static int32_t find_yield(const contact_case *setup, const rwedge_contact *contact, double value[])
-{
-    if (isnan(setup->k))
-        return RWEDGE_OK;
-    const int32_t status = rwedge_contact_yield_factor(
-        contact, setup->nu1, setup->k, &value[YIELD_FACTOR], &value[YIELD_X], &value[YIELD_Y]);
-    yield_place_settle(&value[YIELD_X], &value[YIELD_Y]);
-    return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
-}
-
 /* What there is to tell of a contact that touches. */
 static int32_t touch(const contact_case *setup, const rwedge_contact *contact, double value[])
 {
-    const int32_t status = edge_tensions(contact, &value[LEFT], &value[TENSION_LEFT]);
+    int32_t status = edge_tensions(contact, &value[LEFT], &value[TENSION_LEFT]);
     if (isnan(value[LEFT]))
         return RWEDGE_OK;
     rwedge_contact_stick_zone(contact, &value[STICK_LEFT], &value[STICK_RIGHT]);
     value[TILT] = rwedge_contact_tilt(contact);
     value[PRESSURE] = peak_pressure(setup, contact);
     value[SLIP] = peak_over(value[LEFT], value[RIGHT], slip_size_at, contact);
-    return status == RWEDGE_OK ? find_yield(setup, contact, value) : status;
+    if (status != RWEDGE_OK || isnan(setup->k))
+        return status;
+    status = rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &value[YIELD_FACTOR],
+                                         &value[YIELD_X], &value[YIELD_Y]);
+    yield_place_settle(&value[YIELD_X], &value[YIELD_Y]);
+    return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
 }
 
 static void compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
@@ -181,25 +176,18 @@ static void write_rows(void *of_plan, records *rows)
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "series", NULL};
 
-static void check_series(const plan *job, const output_options *how)
-{
-    if (how->format != NULL)
-        return;
-    if (how->path == NULL || strcmp(how->path, "-") == 0)
-        usage_error("--format series: writes several files; allowed with: --output "
-                    "NAME.vtk.series");
-    if (job->at.count == 0)
-        usage_error("--output %s: needs points; allowed with: --at, --points, or --x and --depth",
-                    how->path);
-}
-
 static void read_plan(const arguments *line, plan *job, output_options *how)
 {
     output_options_read_of(line, formats, "", how);
     if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
         usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
     places_read(line, how->decimal_sign, &job->at);
-    check_series(job, how);
+    if (how->format == NULL && (how->path == NULL || strcmp(how->path, "-") == 0))
+        usage_error("--format series: writes several files; allowed with: --output "
+                    "NAME.vtk.series");
+    if (how->format == NULL && job->at.count == 0)
+        usage_error("--output %s: needs points; allowed with: --at, --points, or --x and --depth",
+                    how->path);
     contact_history_read(line, how->decimal_sign, 1, 1, &job->history);
     const bool has_points = job->at.count > 0;
     for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)

@@ -93,23 +93,18 @@ void places_read_depth(const arguments *line, range *depth)
         usage_error("--depth %s: depths must not be below 0", text);
 }
 
-static void fill_grid(const char *text, const range *x, const range *y, places *to)
-{
-    if ((double)x->count * (double)y->count > PLACES_MAX)
-        usage_error("--x %s: must not give more than %d points in all", text, PLACES_MAX);
-    for (int64_t j = 0; j < y->count; j++)
-        for (int64_t i = 0; i < x->count; i++)
-            add(to, range_value(x, i), range_value(y, j));
-    to->columns = (size_t)x->count;
-}
-
 static void read_grid(const arguments *line, places *to)
 {
     const char *text = line->value[OPTION_X];
     range x, y;
     places_read_depth(line, &y);
     range_option("x", text, &x);
-    fill_grid(text, &x, &y, to);
+    if ((double)x.count * (double)y.count > PLACES_MAX)
+        usage_error("--x %s: must not give more than %d points in all", text, PLACES_MAX);
+    for (int64_t j = 0; j < y.count; j++)
+        for (int64_t i = 0; i < x.count; i++)
+            add(to, range_value(&x, i), range_value(&y, j));
+    to->columns = (size_t)x.count;
     range_free(&x);
     range_free(&y);
 }

@@ -142,14 +142,12 @@ static void find_separator(reader *in)
 static bool fill(reader *in)
 {
     in->begin = 0;
-    if (!text_input_read(in->text, in->block, BLOCK, &in->end)) {
-        in->seen.problem = in->text->problem;
-        return false;
-    }
+    const bool is_read = text_input_read(in->text, in->block, BLOCK, &in->end);
+    in->seen.problem = in->text->problem;
     in->seen.has_mark = in->text->has_mark;
-    if (in->at_start)
+    if (is_read && in->at_start)
         find_separator(in);
-    return true;
+    return is_read;
 }
 
 /* ---- Rows ---- */
@@ -171,24 +169,20 @@ static bool next_byte(reader *in, char *byte)
     return true;
 }
 
-/* After misplaced quotes the rest of the line is left out. */
-static void parse(reader *in, char byte)
-{
-    bool *malformed = &in->seen.row.malformed;
-    in->row[in->length++] = byte;
-    *malformed = *malformed || csv_parse(&in->parser, &byte, 1, take_cell, take_end, in) != 1;
-    if (*malformed && csv_error(&in->parser) == CSV_ENOMEM) /* no fault of the row */
-        failure("out of memory");
-    in->has_ended = in->has_ended || (*malformed && ends_line(byte));
-}
-
-/* The bytes of a row that begins with this one. The last may lack its end. */
+/* The bytes of a row that begins with this one. The last may lack its end. After misplaced quotes
+ * the rest of the line is left out. */
 static bool read_row(reader *in, char byte)
 {
+    bool *malformed = &in->seen.row.malformed;
     for (bool more = true;; more = next_byte(in, &byte)) {
         if (in->seen.problem.text[0] != '\0')
             return false;
-        parse(in, more ? byte : '\n');
+        byte = more ? byte : '\n';
+        in->row[in->length++] = byte;
+        *malformed = *malformed || csv_parse(&in->parser, &byte, 1, take_cell, take_end, in) != 1;
+        if (*malformed && csv_error(&in->parser) == CSV_ENOMEM) /* no fault of the row */
+            failure("out of memory");
+        in->has_ended = in->has_ended || (*malformed && ends_line(byte));
         if (in->has_ended)
             return true;
         if (!more)
@@ -214,16 +208,6 @@ static bool begin_row(reader *in)
     return read_row(in, byte);
 }
 
-/* What the parser still holds of a row with misplaced quotes is thrown away. */
-static bool take_malformed(reader *in)
-{
-    csv_free(&in->parser);
-    start_parser(in);
-    if (csv_row_spans_lines(&in->seen.row))
-        return not_closed(in);
-    return in->seen.takes_malformed || stop(in, "misplaced quotes");
-}
-
 static bool next_row(reader *in)
 {
     if (!begin_row(in))
@@ -233,7 +217,13 @@ static bool next_row(reader *in)
     in->row[in->length] = '\0';
     if (in->too_many)
         return stop(in, "more than 1000 cells in a row");
-    return !in->seen.row.malformed || take_malformed(in);
+    if (!in->seen.row.malformed)
+        return true;
+    csv_free(&in->parser); /* what it still holds of the row is thrown away */
+    start_parser(in);
+    if (csv_row_spans_lines(&in->seen.row))
+        return not_closed(in);
+    return in->seen.takes_malformed || stop(in, "misplaced quotes");
 }
 
 static bool is_blank(const csv_row *row)

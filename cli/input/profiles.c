@@ -25,16 +25,6 @@ static entry *entry_named(const char *name)
     return NULL;
 }
 
-static entry *new_entry(const char *name)
-{
-    entry *made = memory_zeroed(1, sizeof *made);
-    made->name = memory_zeroed(strlen(name) + 1, 1);
-    strcpy(made->name, name);
-    entries = memory_for_one_more(entries, entry_count, sizeof *entries);
-    entries[entry_count++] = made;
-    return made;
-}
-
 static void take(const pairs *rows, bool takes_hull, entry *to)
 {
     static const char hull[] = "; --hull takes it";
@@ -64,7 +54,11 @@ const char *profiles_read(const char *name, profile_style style)
     pairs rows;
     if (entry_named(name) != NULL)
         return "";
-    entry *to = new_entry(name);
+    entry *to = memory_zeroed(1, sizeof *to);
+    to->name = memory_zeroed(strlen(name) + 1, 1);
+    strcpy(to->name, name);
+    entries = memory_for_one_more(entries, entry_count, sizeof *entries);
+    entries[entry_count++] = to;
     pairs_read(name, NULL, style.decimal_sign, &wanted, &rows);
     if (rows.problem.text[0] == '\0')
         take(&rows, style.takes_hull, to);

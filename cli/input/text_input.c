@@ -122,37 +122,26 @@ static bool refuse_byte(source *in, char byte)
     return stop_here(in, why);
 }
 
-static bool refuse_character(source *in, uint32_t code)
-{
-    char why[120];
-    snprintf(why, sizeof why,
-             "the character U+%04" PRIX32 " belongs to no text; allowed: text, no binary files",
-             code);
-    return stop_here(in, why);
-}
-
-/* Lines end with a return, a line feed, or both. */
-static void advance(source *in, uint32_t code)
-{
-    const bool same_end = in->after_return && code == '\n';
-    if (code == '\r' || (code == '\n' && !same_end))
-        in->line++;
-    in->column = code == '\r' || code == '\n' ? 1 : in->column + 1;
-    in->after_return = code == '\r';
-}
-
-/* Looks at every character. */
+/* Looks at every character. Lines end with a return, a line feed, or both. */
 static bool check(source *in, const char *bytes, size_t count)
 {
+    char why[120];
     uint32_t code;
     for (size_t i = 0, length; i < count; i += length) {
         code = (unsigned char)bytes[i];
         length = code < 0x80 ? 1 : utf8_length(bytes + i, count - i, &code);
         if (length == 0)
             return refuse_byte(in, bytes[i]);
-        if (!utf8_is_text(code))
-            return refuse_character(in, code);
-        advance(in, code);
+        if (!utf8_is_text(code)) {
+            snprintf(why, sizeof why,
+                     "the character U+%04" PRIX32
+                     " belongs to no text; allowed: text, no binary files",
+                     code);
+            return stop_here(in, why);
+        }
+        in->line += code == '\r' || (code == '\n' && !in->after_return);
+        in->column = code == '\r' || code == '\n' ? 1 : in->column + 1;
+        in->after_return = code == '\r';
     }
     return true;
 }

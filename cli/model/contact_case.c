@@ -169,16 +169,6 @@ static bool apply_loads(const input_texts *texts, contact_case *setup, complaint
                                                                              : "; f is missing");
 }
 
-/* Only the tip of a wedge may be sharp. */
-static bool has_radius(const input_texts *texts, const pad *shape, complaint *why)
-{
-    if (shape->kind == PAD_WEDGE || shape->radius != 0)
-        return true;
-    return complain(why, "%s %.60s: the radius must be a number above 0%s",
-                    input_name(texts, INPUT_RADIUS), texts->text[INPUT_RADIUS],
-                    shape->kind == PAD_CYLINDER ? ", or an angle is missing" : "");
-}
-
 bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, complaint *why)
 {
     double value[INPUT_COUNT];
@@ -193,8 +183,10 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, 
     fill(texts, value, setup);
     if (input_is_given(texts, INPUT_PROFILE))
         setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], why));
-    if (!has_radius(texts, &setup->shape, why))
-        return false;
+    if (setup->shape.kind != PAD_WEDGE && setup->shape.radius == 0) /* only its tip may be sharp */
+        return complain(why, "%s %.60s: the radius must be a number above 0%s",
+                        input_name(texts, INPUT_RADIUS), texts->text[INPUT_RADIUS],
+                        setup->shape.kind == PAD_CYLINDER ? ", or an angle is missing" : "");
     setup->status = case_contact(setup, &setup->contact);
     if (setup->status == RWEDGE_EDOMAIN)
         return complain(

@@ -23,16 +23,6 @@ static const struct poptOption *find(const struct poptOption *options, int numbe
     return NULL;
 }
 
-static void list_options(const struct poptOption *options, char *text, size_t size)
-{
-    text[0] = '\0';
-    for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
-        const struct poptOption *option = find(options, (OPTION_OWN + i) % OPTION_LIMIT);
-        if (option != NULL)
-            list_add(text, size, ", ", "--%s", option->longName);
-    }
-}
-
 /* Other usual names, and the options that they mean; a command has one of them or none. */
 static const struct {
     const char *usual, *option;
@@ -61,7 +51,7 @@ static void try_options(const struct poptOption *options, nearest_name *to)
 
 static void refuse_unknown(const syntax *grammar, const char *option)
 {
-    char allowed[512], name[40];
+    char allowed[512] = "", name[40];
     const char *typed = option + strspn(option, "-");
     snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
     nearest_name to = nearest_to(name);
@@ -69,7 +59,11 @@ static void refuse_unknown(const syntax *grammar, const char *option)
     if (to.name != NULL)
         usage_error("%s: unknown option; the nearest is --%s; \"%s --help\" lists all", option,
                     to.name, message_speaker());
-    list_options(grammar->options, allowed, sizeof allowed);
+    for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
+        const struct poptOption *own = find(grammar->options, (OPTION_OWN + i) % OPTION_LIMIT);
+        if (own != NULL)
+            list_add(allowed, sizeof allowed, ", ", "--%s", own->longName);
+    }
     usage_error("%s: unknown option; allowed: %s", option, allowed);
 }
 
@@ -101,16 +95,6 @@ static void show_help(const syntax *grammar, poptContext context)
         failure("standard output: %s", strerror(errno));
 }
 
-/* Another value of an option that may be repeated, on a line of its own. */
-static void append(char **lines, char *value)
-{
-    const size_t before = strlen(*lines), length = strlen(value);
-    *lines = memory_resized(*lines, before + length + 2);
-    (*lines)[before] = '\n';
-    memcpy(*lines + before + 1, value, length + 1);
-    free(value);
-}
-
 /* Whether a word is an option of these, with its dashes. */
 static bool is_option(const struct poptOption *options, const char *word)
 {
@@ -122,6 +106,7 @@ static bool is_option(const struct poptOption *options, const char *word)
     return false;
 }
 
+/* Another value of an option that may be repeated is on a line of its own. */
 static void keep(arguments *line, const syntax *grammar, int number, char *value)
 {
     char **kept = &line->value[number];
@@ -130,9 +115,11 @@ static void keep(arguments *line, const syntax *grammar, int number, char *value
                     find(grammar->options, number)->longName, value);
     if (*kept == NULL)
         *kept = value != NULL ? value : memory_zeroed(1, 1);
-    else if (value != NULL && number == grammar->repeated)
-        append(kept, value);
-    else if (value != NULL)
+    else if (value != NULL && number == grammar->repeated) {
+        *kept = memory_resized(*kept, strlen(*kept) + strlen(value) + 2);
+        strcat(strcat(*kept, "\n"), value);
+        free(value);
+    } else if (value != NULL)
         usage_error("--%s %s: given twice; allowed: once", find(grammar->options, number)->longName,
                     value);
 }

@@ -207,17 +207,9 @@ typedef struct {
     char list[120]; /* "1, 2, 3 and 5 more" */
 } excess;
 
-static void add_place(double x, excess *above)
-{
-    enum { LISTED = 5 };
-    if (above->count++ < LISTED)
-        list_add(above->list, sizeof above->list, ", ", "%.6g", x + 0);
-    else if (above->count == LISTED + 1)
-        list_add(above->list, sizeof above->list, ", ", "...");
-}
-
 static excess excess_of(const hull *lower, const double x[], const double h[])
 {
+    enum { LISTED = 5 };
     excess above = {.count = 0};
     for (size_t k = 1; k < lower->count; k++) {
         const size_t from = lower->corner[k - 1], to = lower->corner[k];
@@ -226,7 +218,10 @@ static excess excess_of(const hull *lower, const double x[], const double h[])
             above.first = above.count == 0 ? i : above.first;
             above.worst = above.count == 0 || height > above.most ? i : above.worst;
             above.most = fmax(above.most, height);
-            add_place(x[i], &above);
+            if (above.count++ < LISTED)
+                list_add(above.list, sizeof above.list, ", ", "%.6g", x[i] + 0);
+            else if (above.count == LISTED + 1)
+                list_add(above.list, sizeof above.list, ", ", "...");
         }
     }
     return above;

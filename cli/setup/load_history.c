@@ -98,28 +98,23 @@ void load_history_read_list(const arguments *line, load_history *loads)
 /* ---- A file ---- */
 
 /* A row that is no load ends the command: the loads after it would belong to another history. */
-static void take_row(csv_input *in, char decimal_sign, load_history *loads)
+static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
 {
     load to;
     csv_row row;
-    complaint why;
-    if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign, &to,
-                       &why))
-        failure("%s: line %" PRId64 ": %s", in->name, in->row.line, why.text);
-    header_note_unused(&loads->names, in->row.cell);
-    csv_row_keep(in, &row);
-    add(loads, to, row);
-}
-
-static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
-{
     complaint why;
     csv_input_header(in, &loads->first);
     csv_input_check(in);
     if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, &why))
         failure("%s: %s", in->name, why.text);
-    while (csv_input_next(in))
-        take_row(in, decimal_sign, loads);
+    while (csv_input_next(in)) {
+        if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign,
+                           &to, &why))
+            failure("%s: line %" PRId64 ": %s", in->name, in->row.line, why.text);
+        header_note_unused(&loads->names, in->row.cell);
+        csv_row_keep(in, &row);
+        add(loads, to, row);
+    }
     csv_input_check(in);
     if (loads->count == 0)
         failure("%s: no loads; needed: rows of P and Q", in->name);

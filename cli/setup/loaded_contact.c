@@ -61,28 +61,24 @@ static double read_input(const input_texts *texts, int input, double usual)
     return value;
 }
 
-static double read_shear_ratio(const arguments *line, double alpha)
-{
-    const char *q = line->value[OPTION_Q_OVER_FP], *c = line->value[OPTION_C_OVER_B];
-    if (q != NULL && c != NULL)
-        usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
-    if (q != NULL)
-        return variable_read_one(&variables[Q_OVER_FP], q);
-    return rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&c_over_b, c) : 1);
-}
-
 /* b is the half-width that P has without a moment. */
 static load read_natural_load(const arguments *line, const input_texts *texts, double alpha,
                               double f)
 {
+    const char *q = line->value[OPTION_Q_OVER_FP], *c = line->value[OPTION_C_OVER_B];
     load to = {.P = rwedge_load(alpha),
                .M = read_input(texts, INPUT_M, 0),
                .sigma = read_input(texts, INPUT_SIGMA, 0)};
-    if (line->value[OPTION_C_OVER_B] != NULL && (to.M != 0 || to.sigma != 0))
+    if (c != NULL && (to.M != 0 || to.sigma != 0))
         usage_error("--c-over-b %s: not with --M or --sigma, which move the stick zone; "
                     "allowed: --q-over-fp",
-                    line->value[OPTION_C_OVER_B]);
-    to.Q = read_shear_ratio(line, alpha) * f * to.P;
+                    c);
+    if (q != NULL && c != NULL)
+        usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
+    const double ratio =
+        q != NULL ? variable_read_one(&variables[Q_OVER_FP], q)
+                  : rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&c_over_b, c) : 1);
+    to.Q = ratio * f * to.P;
     return to;
 }
 

@@ -5,24 +5,6 @@
 
 enum { HEADER_ROW, FIRST_ROW };
 
-static void write_header(xlsx *book)
-{
-    xlsx_text(book, HEADER_ROW, 0, "case", "header");
-    for (int i = 0; i < case_cell_count; i++)
-        xlsx_text(book, HEADER_ROW, batch_column(i),
-                  i < SHOWN_CELLS ? case_cells[i].column : case_cells[i].name,
-                  i < FIRST_REMARK ? "upright" : "header");
-}
-
-static void write_row(xlsx *book, int row, const case_values *values)
-{
-    xlsx_text(book, row, 0, "", "bare");
-    for (int i = 0; i < INPUT_CELLS; i++)
-        xlsx_number(book, row, batch_column(i), values->number[i], "bare");
-    for (int i = INPUT_CELLS; i < case_cell_count; i++)
-        case_formula(book, row, batch_column(i), i, values, "plain", row + 1);
-}
-
 /* The last row that has an input, beside the hidden names. */
 static void write_used(xlsx *book)
 {
@@ -36,10 +18,18 @@ static void write_used(xlsx *book)
 void sheet_batch(xlsx *book)
 {
     case_values values;
-    write_header(book);
-    for (int i = 0; i < BATCH_ROWS; i++) {
-        shown_values(1 + i, &values);
-        write_row(book, FIRST_ROW + i, &values);
+    xlsx_text(book, HEADER_ROW, 0, "case", "header");
+    for (int i = 0; i < case_cell_count; i++)
+        xlsx_text(book, HEADER_ROW, batch_column(i),
+                  i < SHOWN_CELLS ? case_cells[i].column : case_cells[i].name,
+                  i < FIRST_REMARK ? "upright" : "header");
+    for (int row = FIRST_ROW; row < FIRST_ROW + BATCH_ROWS; row++) {
+        shown_values(1 + row - FIRST_ROW, &values);
+        xlsx_text(book, row, 0, "", "bare");
+        for (int i = 0; i < INPUT_CELLS; i++)
+            xlsx_number(book, row, batch_column(i), values.number[i], "bare");
+        for (int i = INPUT_CELLS; i < case_cell_count; i++)
+            case_formula(book, row, batch_column(i), i, &values, "plain", row + 1);
     }
     write_used(book);
     /* what is typed or pasted is checked: typing at once, pasting by the column "error" */

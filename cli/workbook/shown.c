@@ -48,9 +48,15 @@ double shown_number(const case_values *values, const char *column)
     return values->number[cell_of_column(column)];
 }
 
-/* The table has the place to two digits. */
-static void write_sentences(results *answer, case_values *shown)
+/* Those of "solve", and two that it has not. The table has the place to two digits. */
+static void take_results(const contact_case *setup, results *answer, case_values *shown)
 {
+    for (int i = INPUT_CELLS; i < FIRST_REMARK; i++)
+        shown->number[i] = result_of(answer, case_cells[i].column);
+    shown->number[cell_of_column("p_mean")] = setup->P / (2 * shown_number(shown, "b"));
+    shown->number[cell_of_column("safety_strength")] =
+        shown_number(shown, "P_over_bk") / shown_number(shown, "load_over_bk");
+    snprintf(shown->branch, sizeof shown->branch, "%s", answer->value[RESULT_YIELD_BRANCH].text);
     for (int i = RESULT_YIELD_X; i <= RESULT_YIELD_Y; i++)
         answer->value[i].number = number_rounded(answer->value[i].number, 2);
     const verdict all = verdict_of(answer, (verdict_style){'.', "mm"});
@@ -60,18 +66,6 @@ static void write_sentences(results *answer, case_values *shown)
         "b = %.4g mm, half-width of the contact;  p0 = %.4g MPa, peak pressure;  c/b = %.4g of "
         "the contact sticks",
         shown_number(shown, "b"), shown_number(shown, "p0"), shown_number(shown, "c_over_b"));
-}
-
-/* Those of "solve", and two that it has not. */
-static void take_results(const contact_case *setup, results *answer, case_values *shown)
-{
-    for (int i = INPUT_CELLS; i < FIRST_REMARK; i++)
-        shown->number[i] = result_of(answer, case_cells[i].column);
-    shown->number[cell_of_column("p_mean")] = setup->P / (2 * shown_number(shown, "b"));
-    shown->number[cell_of_column("safety_strength")] =
-        shown_number(shown, "P_over_bk") / shown_number(shown, "load_over_bk");
-    snprintf(shown->branch, sizeof shown->branch, "%s", answer->value[RESULT_YIELD_BRANCH].text);
-    write_sentences(answer, shown);
 }
 
 void shown_values(int example, case_values *shown)

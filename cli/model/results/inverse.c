@@ -30,30 +30,21 @@ static double yield_load(const contact_case *setup, double f)
 static const double FRICTION_MOST = 1e6; /* its domain's end */
 
 /* P_yield falls as f grows. Halving ends 1e-21 wide. */
-static double bisect(const contact_case *setup, double P_yield)
-{
-    double lo = 0, hi = FRICTION_MOST;
-    for (int i = 0; i < 90; i++) {
-        const double middle = 0.5 * (lo + hi);
-        if (yield_load(setup, middle) >= P_yield)
-            lo = middle;
-        else
-            hi = middle;
-    }
-    return lo;
-}
-
 static bool find_friction(const contact_case *setup, double safety, double *value, complaint *why)
 {
     const double most = yield_load(setup, 0), least = yield_load(setup, FRICTION_MOST);
-    if (most >= safety * setup->P && least <= safety * setup->P) {
-        *value = bisect(setup, safety * setup->P);
-        return true;
+    const double P_yield = safety * setup->P;
+    double hi = FRICTION_MOST;
+    if (!(most >= P_yield && least <= P_yield))
+        return complain(why, "no solution: %s friction the safety is %.4g",
+                        most < P_yield ? "even without" : "even with the most",
+                        (most < P_yield ? most : least) / setup->P);
+    *value = 0;
+    for (int i = 0; i < 90; i++) {
+        const double middle = 0.5 * (*value + hi);
+        *(yield_load(setup, middle) >= P_yield ? value : &hi) = middle;
     }
-    const bool is_weak = most < safety * setup->P;
-    return complain(why, "no solution: %s friction the safety is %.4g",
-                    is_weak ? "even without" : "even with the most",
-                    (is_weak ? most : least) / setup->P);
+    return true;
 }
 
 /* ---- Sizes and load ---- */
@@ -77,18 +68,6 @@ static bool find_in_proportion(const contact_case *setup, int input, double safe
 
 /* ---- Together ---- */
 
-static bool is_centred(const input_texts *texts)
-{
-    static const int off_centre[] = {INPUT_M, INPUT_SIGMA};
-    complaint why;
-    double value;
-    for (int i = 0; i < 2; i++)
-        if (input_is_given(texts, off_centre[i]) &&
-            input_read(texts, off_centre[i], &value, &why) && value != 0)
-            return false;
-    return true;
-}
-
 static void put(input_texts *texts, int input, const char *text)
 {
     const int other = input_alternative(input);
@@ -102,9 +81,13 @@ static void put(input_texts *texts, int input, const char *text)
  * answer. */
 static bool read_rest(const input_texts *texts, int input, contact_case *setup, complaint *why)
 {
+    static const int off_centre[] = {INPUT_M, INPUT_SIGMA};
     input_texts rest = *texts;
-    if (!is_centred(texts))
-        return refuse("with M or sigma there is no safety, only the yield factor", why);
+    double value;
+    for (int i = 0; i < 2; i++)
+        if (input_is_given(texts, off_centre[i]) && input_read(texts, off_centre[i], &value, why) &&
+            value != 0)
+            return refuse("with M or sigma there is no safety, only the yield factor", why);
     put(&rest, input, "1");
     rest.text[INPUT_Q] = NULL;
     if (!case_read(&rest, CASE_OF_SOLVE, setup, why))

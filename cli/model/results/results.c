@@ -91,22 +91,12 @@ static void put_friction(const contact_case *setup, double c, double c_over_b, d
 
 /* ---- Under a moment or a tension, after a history, and of pads without formulas ---- */
 
-/* The pressure's top and its values at x = -a and a have no closed form under a moment. */
-static void geometry_of_state(const contact_case *setup, double b, cell row[])
-{
-    row[RESULT_B] = cell_number(b);
-    row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_empty();
-    if (setup->shape.kind == PAD_WEDGE) {
-        row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
-        row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));
-    } else if (!pad_has_formulas(&setup->shape))
-        row[RESULT_P0] = cell_number(peak_pressure(setup, setup->contact));
-}
-
-/* Corrects the results of geometry(). Returns the library's status. */
+/* Corrects the results of geometry(): the pressure's top and its values at x = -a and a have no
+ * closed form under a moment. Returns the library's status. */
 static int32_t results_of_state(const contact_case *setup, cell row[])
 {
     const rwedge_contact *contact = setup->contact;
+    const bool has_formulas = pad_has_formulas(&setup->shape);
     double edge[2], sxx[2], left = 0, right = 0;
     const int32_t status =
         setup->status == RWEDGE_OK ? edge_tensions(contact, edge, sxx) : setup->status;
@@ -114,8 +104,16 @@ static int32_t results_of_state(const contact_case *setup, cell row[])
         return status;
     const double b = rwedge_contact_half_width(contact),
                  c = rwedge_contact_stick_half_width(contact);
-    if (setup->M != 0 || !pad_has_formulas(&setup->shape))
-        geometry_of_state(setup, b, row);
+    if (setup->M != 0 || !has_formulas) {
+        row[RESULT_B] = cell_number(b);
+        row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_empty();
+    }
+    if (!has_formulas)
+        row[RESULT_P0] = cell_number(peak_pressure(setup, contact));
+    if (setup->M != 0 && setup->shape.kind == PAD_WEDGE) {
+        row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
+        row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));
+    }
     rwedge_contact_stick_zone(contact, &left, &right);
     put_contact(edge[0], edge[1], rwedge_contact_tilt(contact), row);
     put_friction(setup, c, c / b, left, right, row);

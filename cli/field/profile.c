@@ -109,26 +109,21 @@ static void write_profile(void *of_plan, records *rows)
         write_row(&job->loaded, rows, x_of(job, i));
 }
 
-static void read_points(const arguments *line, plan *job)
-{
-    const char *x = line->value[OPTION_X], *points = line->value[OPTION_POINTS];
-    if (x != NULL && points != NULL)
-        usage_error("--points %s: given together with --x; allowed: one of the two", points);
-    if (x != NULL)
-        range_option("x", x, &job->x);
-    job->points = x != NULL ? 0 : 201;
-    if (points != NULL && !number_read_whole(points, 2, 1000000000, &job->points))
-        usage_error("--points %s: must be a whole number from 2 to 1000000000", points);
-}
-
 static int profile(const arguments *line)
 {
+    const char *x = line->value[OPTION_X], *points = line->value[OPTION_POINTS];
     plan job = {0};
     output_options how;
     double slip;
     arguments_no_operand(line);
     output_options_read(line, &how);
-    read_points(line, &job);
+    if (x != NULL && points != NULL)
+        usage_error("--points %s: given together with --x; allowed: one of the two", points);
+    if (x != NULL)
+        range_option("x", x, &job.x);
+    job.points = x != NULL ? 0 : 201;
+    if (points != NULL && !number_read_whole(points, 2, 1000000000, &job.points))
+        usage_error("--points %s: must be a whole number from 2 to 1000000000", points);
     loaded_contact_read(line, how.decimal_sign, &job.loaded);
     if (job.points > 0 && job.loaded.b == 0)
         usage_error("--x: missing; after the last load there is no contact to take points from");

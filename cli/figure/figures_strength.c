@@ -116,26 +116,22 @@ static double critical_friction(const figure_case *inputs, int n)
 }
 
 /* Each branch up to the critical friction, which is a point of both: the cusp is exact. */
-static void add_sliding_curve(const figure_case *inputs, int n, dataset *rows)
-{
-    const double critical = critical_friction(inputs, n);
-    bool below = critical > 0;
-    for (int i = 0; i <= FRICTION_STEPS; i++) {
-        const double f = friction_step(i);
-        if (below && f >= critical) {
-            add_sliding(inputs, n, critical, true, rows);
-            add_sliding(inputs, n, critical, false, rows);
-            below = false;
-        }
-        if (!(f == critical && critical > 0))
-            add_sliding(inputs, n, f, below, rows);
-    }
-}
-
 static void compute_sliding(const figure_case *inputs, dataset *rows)
 {
-    for (int n = 0; n < inputs->value[A_OVER_B].count; n++)
-        add_sliding_curve(inputs, n, rows);
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
+        const double critical = critical_friction(inputs, n);
+        bool below = critical > 0;
+        for (int i = 0; i <= FRICTION_STEPS; i++) {
+            const double f = friction_step(i);
+            if (below && f >= critical) {
+                add_sliding(inputs, n, critical, true, rows);
+                add_sliding(inputs, n, critical, false, rows);
+                below = false;
+            }
+            if (!(f == critical && critical > 0))
+                add_sliding(inputs, n, f, below, rows);
+        }
+    }
 }
 
 const figure figure_sliding = {

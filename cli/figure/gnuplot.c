@@ -69,24 +69,19 @@ void script_text(FILE *script, const char *name, const char *text)
 
 /* Seven digits: far more than can be seen, and a last bit that differs between math libraries
  * does not show. */
-static void put_row(FILE *script, const dataset *rows, size_t i)
-{
-    const double *number = rows->row[i].number;
-    for (int k = 0; rows->column[k] != NULL; k++)
-        if (isfinite(number[k]))
-            fprintf(script, "%.7g ", number[k] + 0);
-        else
-            fputs("NaN ", script);
-    if (rows->text_column != NULL)
-        fprintf(script, "\"%s\"", rows->row[i].text);
-    fputs("\n", script);
-}
-
 void script_rows(FILE *script, const char *name, const dataset *rows)
 {
     fprintf(script, "%s << EOD\n", name);
     for (size_t i = 0; i < rows->count; i++) {
-        put_row(script, rows, i);
+        const double *number = rows->row[i].number;
+        for (int k = 0; rows->column[k] != NULL; k++)
+            if (isfinite(number[k]))
+                fprintf(script, "%.7g ", number[k] + 0);
+            else
+                fputs("NaN ", script);
+        if (rows->text_column != NULL)
+            fprintf(script, "\"%s\"", rows->row[i].text);
+        fputs("\n", script);
         if (i + 1 < rows->count && rows->row[i + 1].curve != rows->row[i].curve)
             fputs("\n\n", script);
         else if (rows->across > 0 && (i + 1) % rows->across == 0)

@@ -81,15 +81,6 @@ static void read_constants(const arguments *line, criteria *asked)
 
 /* ---- --criteria ---- */
 
-static int criterion_named(const char *word, size_t length)
-{
-    for (int i = 0; i < CRITERION_COUNT; i++)
-        if (strlen(criterion_kinds[i].name) == length &&
-            strncmp(criterion_kinds[i].name, word, length) == 0)
-            return i;
-    return -1;
-}
-
 static void read_names(const char *text, criteria *asked)
 {
     char allowed[200] = "";
@@ -97,8 +88,11 @@ static void read_names(const char *text, criteria *asked)
         list_add(allowed, sizeof allowed, ", ", "%s", criterion_kinds[i].name);
     for (const char *word = text; word != NULL;) {
         const size_t length = strcspn(word, ",");
-        const int i = criterion_named(word, length);
-        if (i < 0)
+        int i = 0;
+        while (i < CRITERION_COUNT && (strlen(criterion_kinds[i].name) != length ||
+                                       strncmp(criterion_kinds[i].name, word, length) != 0))
+            i++;
+        if (i == CRITERION_COUNT)
             usage_error("--criteria %s: must be a list of: %s", text, allowed);
         asked->is_wanted[i] = true;
         word = word[length] == ',' ? word + length + 1 : NULL;

@@ -114,17 +114,6 @@ static void compute(plan *job)
 
 /* ---- Rows ---- */
 
-static void write_row(const criteria *asked, const measured_place *place, records *rows)
-{
-    records_value(rows, cell_number(place->x));
-    records_value(rows, cell_number(place->y));
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        if (column_is_wanted(asked, i))
-            records_value(rows, cell_number(place->value[i]));
-    records_end_row(rows);
-    progress_step();
-}
-
 static void write_rows(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
@@ -139,9 +128,18 @@ static void write_rows(void *of_plan, records *rows)
         if (column_is_wanted(&job->last.asked, i))
             records_name(rows, measure_kinds[i].column);
     records_end_header(rows);
-    for (size_t i = 0; i < result->count && records_go_on(rows); i++)
-        if (result->place[i].is_shown)
-            write_row(&job->last.asked, &result->place[i], rows);
+    for (size_t i = 0; i < result->count && records_go_on(rows); i++) {
+        const measured_place *place = &result->place[i];
+        if (!place->is_shown)
+            continue;
+        records_value(rows, cell_number(place->x));
+        records_value(rows, cell_number(place->y));
+        for (int k = 0; k < COLUMN_COUNT; k++)
+            if (column_is_wanted(&job->last.asked, k))
+                records_value(rows, cell_number(place->value[k]));
+        records_end_row(rows);
+        progress_step();
+    }
 }
 
 /* ---- The command ---- */

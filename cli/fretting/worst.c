@@ -117,20 +117,15 @@ static measured_place measures_below(const last_cycle *cycle, const distance *be
     return at;
 }
 
-/* The damage of a criterion; the same for damage itself and for criteria without a life. */
-static int damage_of(int criterion)
-{
-    return criterion == CRITERION_SWT            ? CRITERION_SWT_DAMAGE
-           : criterion == CRITERION_FATEMI_SOCIE ? CRITERION_FS_DAMAGE
-                                                 : criterion;
-}
-
 /* The verdict of a criterion: its plane, the allowable value, the life in passes of the loads. */
 static void add_verdict(const worst_table *worst, int criterion, const worst_row *row,
                         cell cells[COLUMNS])
 {
     const bool is_below = !isnan(worst->below.length) && row->y == 0;
-    const int with_life = damage_of(criterion);
+    /* the damage of a criterion; the same for damage itself and for criteria without a life */
+    const int with_life = criterion == CRITERION_SWT            ? CRITERION_SWT_DAMAGE
+                          : criterion == CRITERION_FATEMI_SOCIE ? CRITERION_FS_DAMAGE
+                                                                : criterion;
     const material *constants = worst->last->asked.constants;
     measured_place at = {.x = row->x, .y = row->y};
     if (is_below)
@@ -152,33 +147,24 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
     cells[11] = cell_number(part_of(&at, with_life, PART_CYCLES));
 }
 
-static void write_row(const worst_table *worst, int column, records *rows)
-{
-    const worst_row *row = &worst->row[column];
-    const int criterion = measure_criterion(column);
-    cell cells[COLUMNS] = {cell_text(measure_kinds[column].column), cell_number(row->value),
-                           cell_number(row->x), cell_number(row->y)};
-    for (int i = 4; i < COLUMNS; i++)
-        cells[i] = cell_number(NAN);
-    if (criterion >= 0)
-        add_verdict(worst, criterion, row, cells);
-    records_row(rows, COLUMNS, cells);
-}
-
-static bool is_written(const worst_table *worst, int column)
-{
-    const criteria *asked = &worst->last->asked;
-    const int criterion = measure_criterion(column);
-    return !isnan(worst->row[column].value) &&
-           (!worst->is_verdict ||
-            (criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion])));
-}
-
 void worst_write_rows(void *of_worst, records *rows)
 {
     const worst_table *worst = of_worst;
+    const criteria *asked = &worst->last->asked;
     records_header(rows, COLUMNS, columns);
-    for (int i = 0; i < COLUMN_COUNT && records_go_on(rows); i++)
-        if (is_written(worst, i))
-            write_row(worst, i, rows);
+    for (int i = 0; i < COLUMN_COUNT && records_go_on(rows); i++) {
+        const worst_row *row = &worst->row[i];
+        const int criterion = measure_criterion(i);
+        const bool has_verdict =
+            criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion]);
+        cell cells[COLUMNS] = {cell_text(measure_kinds[i].column), cell_number(row->value),
+                               cell_number(row->x), cell_number(row->y)};
+        if (isnan(row->value) || (worst->is_verdict && !has_verdict))
+            continue;
+        for (int k = 4; k < COLUMNS; k++)
+            cells[k] = cell_number(NAN);
+        if (criterion >= 0)
+            add_verdict(worst, criterion, row, cells);
+        records_row(rows, COLUMNS, cells);
+    }
 }

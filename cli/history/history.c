@@ -149,8 +149,17 @@ static void write_load(plan *job, size_t step, const rwedge_contact *contact, re
     progress_step();
 }
 
-static void write_loads(plan *job, records *rows)
+static void write_rows(void *of_plan, records *rows)
 {
+    plan *job = of_plan;
+    const point_rows points = {&job->history, &job->at};
+    const size_t count = job->history.steps * (job->at.count > 0 ? job->at.count : 1);
+    progress_start(rows->show_progress, (int64_t)count, "rows");
+    rows->mark = job->history.loads.has_mark;
+    if (job->at.count > 0) {
+        point_rows_write(&points, rows);
+        return;
+    }
     rwedge_contact *contact = contact_history_begin(&job->history);
     passed_names(&job->history.loads, rows);
     records_columns(rows, columns, AFTER_COUNT);
@@ -159,19 +168,6 @@ static void write_loads(plan *job, records *rows)
         write_load(job, step, contact, rows);
     }
     rwedge_contact_destroy(contact);
-}
-
-static void write_rows(void *of_plan, records *rows)
-{
-    plan *job = of_plan;
-    const point_rows points = {&job->history, &job->at};
-    const size_t count = job->history.steps * (job->at.count > 0 ? job->at.count : 1);
-    progress_start(rows->show_progress, (int64_t)count, "rows");
-    rows->mark = job->history.loads.has_mark;
-    if (job->at.count > 0)
-        point_rows_write(&points, rows);
-    else
-        write_loads(job, rows);
 }
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "series", NULL};

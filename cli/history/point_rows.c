@@ -26,18 +26,15 @@ void passed_names(const load_history *loads, records *rows)
             records_name(rows, loads->names.name[i]);
 }
 
-static cell passed_cell(const char *text, char decimal_sign)
-{
-    double number;
-    return number_survives(text, decimal_sign, &number) ? cell_typed(text, number)
-                                                        : cell_text(text);
-}
-
 void passed_cells(const load_history *loads, size_t row, records *rows)
 {
-    for (size_t i = 0; i < loads->names.count; i++)
+    double number;
+    for (size_t i = 0; i < loads->names.count; i++) {
+        const char *text = loads->row[row].cell[i];
+        const bool is_number = number_survives(text, rows->how->decimal_sign, &number);
         if (!header_is_input(&loads->names, i))
-            records_value(rows, passed_cell(loads->row[row].cell[i], rows->how->decimal_sign));
+            records_value(rows, is_number ? cell_typed(text, number) : cell_text(text));
+    }
 }
 
 /* ---- Rows ---- */

@@ -77,15 +77,6 @@ static frames frames_of(const char *path)
     return old;
 }
 
-static void remove_frames(const frames *old)
-{
-    for (size_t step = 0; step < old->count; step++) {
-        char *name = frame_name(old, step);
-        remove(name);
-        free(name);
-    }
-}
-
 /* ---- The list ---- */
 
 static void write_list(void *of_frames, records *rows)
@@ -138,5 +129,9 @@ void series_write(const point_rows *points, const arguments *line, const output_
     }
     rwedge_contact_destroy(contact);
     output_options_write(how, write_list, &series);
-    remove_frames(&old);
+    for (size_t step = 0; step < old.count; step++) {
+        char *name = frame_name(&old, step);
+        remove(name);
+        free(name);
+    }
 }

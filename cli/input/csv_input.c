@@ -195,7 +195,7 @@ static bool read_row(reader *in, char byte)
 }
 
 /* Blank lines are no rows. */
-static bool begin_row(reader *in)
+static bool next_row(reader *in)
 {
     char byte;
     in->seen.row.count = in->length = in->used = 0;
@@ -205,12 +205,7 @@ static bool begin_row(reader *in)
             return false;
     while (ends_line(byte));
     in->seen.row.line = in->next_line;
-    return read_row(in, byte);
-}
-
-static bool next_row(reader *in)
-{
-    if (!begin_row(in))
+    if (!read_row(in, byte))
         return false;
     while (in->length > 0 && ends_line(in->row[in->length - 1]))
         in->length--;

@@ -86,15 +86,6 @@ static void refuse_option(const syntax *grammar, poptContext context, int error)
     usage_error("%s: %s", option, poptStrerror(error));
 }
 
-static void show_help(const syntax *grammar, poptContext context)
-{
-    poptSetOtherOptionHelp(context, grammar->operands);
-    poptPrintHelp(context, stdout, 0);
-    grammar->more_help(stdout);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        failure("standard output: %s", strerror(errno));
-}
-
 /* Whether a word is an option of these, with its dashes. */
 static bool is_option(const struct poptOption *options, const char *word)
 {
@@ -140,7 +131,11 @@ bool arguments_read(arguments *line, const syntax *grammar, int argc, const char
     if (number < -1)
         refuse_option(grammar, context, number);
     if (line->value[OPTION_HELP] != NULL) {
-        show_help(grammar, context);
+        poptSetOtherOptionHelp(context, grammar->operands);
+        poptPrintHelp(context, stdout, 0);
+        grammar->more_help(stdout);
+        if (fflush(stdout) != 0 || ferror(stdout))
+            failure("standard output: %s", strerror(errno));
         return false;
     }
     line->operand = poptGetArgs(context);

@@ -14,34 +14,31 @@ const table_variable variables[VARIABLE_COUNT] = {
     [Q_OVER_FP] = {"q-over-fp", "Q_over_fP", "Q/(fP)", 0, 1, "a number from 0 to 1", "0:1:0.05"},
 };
 
-static void refuse_value(const table_variable *variable, const char *text, double outside)
-{
-    if (strpbrk(text, ":,") == NULL)
-        usage_error("--%s %s: %s must be %s", variable->option, text, variable->name,
-                    variable->domain);
-    char value[NUMBER_SIZE];
-    number_write(outside, NUMBER_DIGITS, '.', value);
-    usage_error("--%s %s: %s must be %s, not %s%s", variable->option, text, variable->name,
-                variable->domain, value,
-                strchr(text, ',') != NULL ? " (a comma separates the numbers of a list)" : "");
-}
-
-void range_option(const char *option, const char *text, range *values)
+static void read_range(const char *option, const char *text, range *values)
 {
     const char *reason = range_read(text, values);
     if (reason != NULL)
         usage_error("--%s %s: %s", option, text, reason);
+}
+
+void range_option(const char *option, const char *text, range *values)
+{
+    read_range(option, text, values);
     range_say_two_values(option, text);
 }
 
 static void read_values(const table_variable *variable, const char *text, range *values)
 {
-    const char *reason = range_read(text, values);
-    if (reason != NULL)
-        usage_error("--%s %s: %s", variable->option, text, reason);
+    char value[NUMBER_SIZE];
     double outside;
-    if (!range_within(values, variable->lo, variable->hi, &outside))
-        refuse_value(variable, text, outside);
+    read_range(variable->option, text, values);
+    if (range_within(values, variable->lo, variable->hi, &outside))
+        return;
+    number_write(outside, NUMBER_DIGITS, '.', value);
+    const bool is_one = strpbrk(text, ":,") == NULL;
+    usage_error("--%s %s: %s must be %s%s%s%s", variable->option, text, variable->name,
+                variable->domain, is_one ? "" : ", not ", is_one ? "" : value,
+                strchr(text, ',') != NULL ? " (a comma separates the numbers of a list)" : "");
 }
 
 void variable_read(const table_variable *variable, const char *text, range *values)

@@ -227,18 +227,6 @@ static excess excess_of(const hull *lower, const double x[], const double h[])
     return above;
 }
 
-static void describe(const excess *above, const double x[], const double h[], bool taken,
-                     profile_remark *remark)
-{
-    char why[360];
-    snprintf(
-        why, sizeof why,
-        "not convex at %zu place%s, x = %s; the convex hull %s lower by up to %.6g, at x = %.6g",
-        above->count, above->count > 1 ? "s" : "", above->list, taken ? "that is taken is" : "is",
-        above->most, x[above->worst] + 0);
-    refuse(remark, above->first, "height", h[above->first], why);
-}
-
 /* Rounding may have let a slope fall. */
 static void take_slopes(const hull *lower, const double x[], const double h[], double slope[])
 {
@@ -255,13 +243,19 @@ bool pad_profile_of_heights(size_t n, const double x[], const double height[], b
                             pad_profile *to, profile_remark *remark)
 {
     double middle[HEIGHTS], slope[HEIGHTS];
+    complaint why;
     profile_remark changed = {.place = 0};
     if (!has_count(n, HEIGHTS, remark) || !has_order(n, x, true, remark))
         return false;
     const hull lower = hull_of(n, x, height);
     const excess above = excess_of(&lower, x, height);
+    complain(
+        &why,
+        "not convex at %zu place%s, x = %s; the convex hull %s lower by up to %.6g, at x = %.6g",
+        above.count, above.count > 1 ? "s" : "", above.list, takes_hull ? "that is taken is" : "is",
+        above.most, x[above.worst] + 0);
     if (above.count > 0)
-        describe(&above, x, height, takes_hull, &changed);
+        refuse(&changed, above.first, "height", height[above.first], why.text);
     take_slopes(&lower, x, height, slope);
     for (size_t i = 1; i < n; i++)
         middle[i - 1] = x[i - 1] / 2 + x[i] / 2;

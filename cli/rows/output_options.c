@@ -107,8 +107,22 @@ static void use_format(output_options *how)
         usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
 }
 
-static void read_decimal_comma(bool comma, output_options *how)
+void output_options_read_of(const arguments *line, const char *const formats[], const char *hint,
+                            output_options *how)
 {
+    *how = (output_options){.quiet = line->value[OPTION_QUIET] != NULL,
+                            .no_formulas = line->value[OPTION_NO_FORMULAS] != NULL,
+                            .path = line->value[OPTION_OUTPUT]};
+    const char *text = line->value[OPTION_DIGITS];
+    const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
+    int64_t digits = NUMBER_DIGITS;
+    if (how->path != NULL && how->path[0] == '\0')
+        usage_error("--output '': must be the name of a file, or - for standard output");
+    how->format_name = output_format_choose(line, formats, hint);
+    use_format(how);
+    if (text != NULL && !number_read_whole(text, 1, NUMBER_DIGITS, &digits))
+        usage_error("--digits %s: must be a whole number from 1 to %d", text, NUMBER_DIGITS);
+    how->digits = (int)digits;
     how->decimal_sign = comma ? ',' : '.';
     if (comma && how->format != &delimited_format)
         usage_error(
@@ -118,24 +132,6 @@ static void read_decimal_comma(bool comma, output_options *how)
                                           : "VTK");
     if (comma && how->separator == ',')
         how->separator = ';';
-}
-
-void output_options_read_of(const arguments *line, const char *const formats[], const char *hint,
-                            output_options *how)
-{
-    *how = (output_options){.quiet = line->value[OPTION_QUIET] != NULL,
-                            .no_formulas = line->value[OPTION_NO_FORMULAS] != NULL,
-                            .path = line->value[OPTION_OUTPUT]};
-    const char *text = line->value[OPTION_DIGITS];
-    int64_t digits = NUMBER_DIGITS;
-    if (how->path != NULL && how->path[0] == '\0')
-        usage_error("--output '': must be the name of a file, or - for standard output");
-    how->format_name = output_format_choose(line, formats, hint);
-    use_format(how);
-    if (text != NULL && !number_read_whole(text, 1, NUMBER_DIGITS, &digits))
-        usage_error("--digits %s: must be a whole number from 1 to %d", text, NUMBER_DIGITS);
-    how->digits = (int)digits;
-    read_decimal_comma(line->value[OPTION_DECIMAL_COMMA] != NULL, how);
     output_options_spare_files(line, how);
 }
 

@@ -36,20 +36,6 @@ static void write_about(xlsx *book)
     xlsx_print(book, (xlsx_area){0, 0, 7, 0}, 0, true);
 }
 
-static void begin_columns(xlsx *book)
-{
-    static const struct {
-        const char *name;
-        double width;
-    } headers[] = {{"column", 24}, {"meaning", 64}, {"unit", 14}};
-    xlsx_sheet(book, "Columns");
-    for (int i = 0; i < 3; i++) {
-        xlsx_text(book, 0, i, headers[i].name, "heading");
-        xlsx_width(book, i, i, headers[i].width);
-    }
-    xlsx_freeze(book, 1, 0);
-}
-
 static void turn_to_rows(const records *rows)
 {
     xlsx_sheet(rows->book, rows->sheets != NULL ? rows->sheets[rows->sheet] : "Rows");
@@ -75,13 +61,23 @@ static void describe(records *rows, const char *name)
 
 static void begin(records *rows)
 {
+    static const struct {
+        const char *name;
+        double width;
+    } headers[] = {{"column", 24}, {"meaning", 64}, {"unit", 14}};
     rows->book = xlsx_begin(rows->out, message_speaker(), true);
     const char *const single[] = {"Rows", NULL}, *const *names =
                                                      rows->sheets != NULL ? rows->sheets : single;
     for (int i = 0; names[i] != NULL; i++)
         xlsx_sheet(rows->book, names[i]);
-    if (rows->kinds != NULL)
-        begin_columns(rows->book);
+    if (rows->kinds != NULL) {
+        xlsx_sheet(rows->book, "Columns");
+        for (int i = 0; i < 3; i++) {
+            xlsx_text(rows->book, 0, i, headers[i].name, "heading");
+            xlsx_width(rows->book, i, i, headers[i].width);
+        }
+        xlsx_freeze(rows->book, 1, 0);
+    }
     xlsx_sheet(rows->book, "About");
     write_about(rows->book);
     turn_to_rows(rows);

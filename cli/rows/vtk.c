@@ -77,15 +77,6 @@ static void put_points(records *rows)
         output_print(rows->out, "1 %zu\n", i);
 }
 
-/* A number at every point, under its name. */
-static void put_scalars(records *rows, size_t column)
-{
-    const size_t count = count_of(rows), across = rows->across > 0 ? rows->across : count;
-    output_print(rows->out, "SCALARS %s double 1\nLOOKUP_TABLE default\n", rows->name[column]);
-    for (size_t i = 0; i < count && records_go_on(rows); i++)
-        put_number(rows, number_at(rows, i, column), (i + 1) % across == 0);
-}
-
 /* Its place; how many columns there are where it is none. */
 static size_t column_of(const records *rows, const char *name)
 {
@@ -112,13 +103,18 @@ static void put_tensors(records *rows)
             put_number(rows, component[k] != NULL ? number_at(rows, i, column[k]) : 0, k % 3 == 2);
 }
 
+/* Scalars are numbers at every point, under their name. */
 static void write_file(records *rows)
 {
+    const size_t count = count_of(rows), across = rows->across > 0 ? rows->across : count;
     output_print(rows->out, "# vtk DataFile Version 3.0\n%s\nASCII\n", rows->title);
     (rows->across > 0 ? put_grid : put_points)(rows);
-    output_print(rows->out, "POINT_DATA %zu\n", count_of(rows));
-    for (size_t column = 2; column < rows->names; column++)
-        put_scalars(rows, column);
+    output_print(rows->out, "POINT_DATA %zu\n", count);
+    for (size_t column = 2; column < rows->names; column++) {
+        output_print(rows->out, "SCALARS %s double 1\nLOOKUP_TABLE default\n", rows->name[column]);
+        for (size_t i = 0; i < count && records_go_on(rows); i++)
+            put_number(rows, number_at(rows, i, column), (i + 1) % across == 0);
+    }
     put_tensors(rows);
     free(rows->kept);
     free(rows->name);

@@ -82,17 +82,6 @@ static load read_natural_load(const arguments *line, const input_texts *texts, d
     return to;
 }
 
-static void apply_natural(const input_texts *texts, load to, const contact_case *setup)
-{
-    const int32_t status = loads_apply_monotonic(to, setup->contact);
-    if (status == RWEDGE_OK)
-        return;
-    const load_fault fault = loads_fault(status, to, setup->f, setup->contact);
-    const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
-    usage_error("%s%s%s: %s", named ? input_name(texts, fault.input) : "the loads",
-                named ? " " : "", named ? texts->text[fault.input] : "", fault.why.text);
-}
-
 static void read_natural(const arguments *line, const input_texts *texts, loaded_contact *loaded)
 {
     contact_case *setup = &loaded->setup;
@@ -108,7 +97,13 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
                             .tolerance = texts->tolerance};
     const load to = read_natural_load(line, texts, alpha, f);
     status_check(case_contact(setup, &setup->contact), "the contact");
-    apply_natural(texts, to, setup);
+    const int32_t status = loads_apply_monotonic(to, setup->contact);
+    if (status != RWEDGE_OK) {
+        const load_fault fault = loads_fault(status, to, f, setup->contact);
+        const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
+        usage_error("%s%s%s: %s", named ? input_name(texts, fault.input) : "the loads",
+                    named ? " " : "", named ? texts->text[fault.input] : "", fault.why.text);
+    }
     if (to.M == 0) /* else it is 1 to rounding */
         loaded->length_unit = rwedge_contact_half_width(setup->contact);
     loaded->slip_unit = NATURAL_THETA * loaded->length_unit;

@@ -60,7 +60,7 @@ lxw_format *xlsx_style(const xlsx *book, const char *name)
     return book->style[i];
 }
 
-static void set_text(lxw_format *style, const look *as)
+static void set_style(lxw_format *style, const look *as)
 {
     if (as->bold)
         format_set_bold(style);
@@ -72,10 +72,6 @@ static void set_text(lxw_format *style, const look *as)
         format_set_num_format(style, as->format);
     if (as->unlocked)
         format_set_unlocked(style);
-}
-
-static void set_place(lxw_format *style, const look *as)
-{
     if (as->ground != 0) {
         format_set_border(style, LXW_BORDER_THIN);
         format_set_border_color(style, 0x808080);
@@ -99,8 +95,7 @@ bool xlsx_make_styles(xlsx *book)
         book->style[i] = workbook_add_format(book->workbook);
         if (book->style[i] == NULL)
             return false;
-        set_text(book->style[i], &looks[i]);
-        set_place(book->style[i], &looks[i]);
+        set_style(book->style[i], &looks[i]);
     }
     return true;
 }

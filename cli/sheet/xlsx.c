@@ -52,15 +52,6 @@ static bool creation_date(time_t *date)
     return sound && (*date == seconds || seconds == 0);
 }
 
-static bool open_workbook(xlsx *book, bool in_order)
-{
-    if (!spool_begin(&book->spool))
-        return false;
-    lxw_workbook_options options = {.constant_memory = in_order};
-    book->workbook = workbook_new_opt(book->spool.name, &options);
-    return book->workbook != NULL && xlsx_make_styles(book);
-}
-
 xlsx *xlsx_begin(output *out, const char *title, bool in_order)
 {
     time_t date;
@@ -70,8 +61,11 @@ xlsx *xlsx_begin(output *out, const char *title, bool in_order)
                 out->name);
     xlsx *book = memory_zeroed(1, sizeof *book);
     book->out = out;
+    lxw_workbook_options options = {.constant_memory = in_order};
     errno = 0;
-    if (!open_workbook(book, in_order))
+    if (spool_begin(&book->spool))
+        book->workbook = workbook_new_opt(book->spool.name, &options);
+    if (book->workbook == NULL || !xlsx_make_styles(book))
         failure("%s: a temporary file for the spreadsheet cannot be made", out->name);
     lxw_doc_properties properties = {
         .title = (char *)title, .author = "rwedge " RWEDGE_VERSION, .created = date};

@@ -35,15 +35,6 @@ typedef struct {
 
 /* ---- Columns ---- */
 
-static void check_constants(const run *r)
-{
-    const input_texts *constants = &r->table.constants;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (constants->text[i] != NULL && header_has_input(&r->table.names, i))
-            usage_error("%s %s: %s has a column for it; allowed: one of the two",
-                        input_name(constants, i), constants->text[i], r->in->name);
-}
-
 static void write_header(run *r)
 {
     r->rows->mark = r->in->has_mark;
@@ -157,17 +148,6 @@ static bool hold_rows(run *r)
     return true;
 }
 
-static void write_held(run *r)
-{
-    threads_run(threads_read(r->line), r->held_count, compute_answer, r);
-    for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
-        write_row(r, &r->held[i], &r->answers[i]);
-    profiles_forget(r->constant_profiles);
-    for (int64_t i = 0; i < r->held_count; i++)
-        csv_row_free(&r->held[i]);
-    r->held_count = 0;
-}
-
 /* Ends where the file or the format cannot go on. */
 static void write_rows(void *of_run, records *rows)
 {
@@ -180,7 +160,12 @@ static void write_rows(void *of_run, records *rows)
     write_header(r);
     while (more && records_go_on(r->rows)) {
         more = hold_rows(r);
-        write_held(r);
+        threads_run(threads_read(r->line), r->held_count, compute_answer, r);
+        for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
+            write_row(r, &r->held[i], &r->answers[i]);
+        profiles_forget(r->constant_profiles);
+        for (int64_t i = 0; i < r->held_count; i++)
+            csv_row_free(&r->held[i]);
     }
     if (r->in->problem.text[0] == '\0')
         return;
@@ -189,19 +174,6 @@ static void write_rows(void *of_run, records *rows)
     records_end(r->rows);
     progress_erase();
     csv_input_check(r->in);
-}
-
-static int write_output(run *r)
-{
-    char where[300];
-    output_options_write(r->how, write_rows, r);
-    unused_say(&r->table.names, r->in->name);
-    if (r->failed > 0)
-        notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
-               r->in->name, r->failed, r->count);
-    snprintf(where, sizeof where, "%.250s, in some rows: ", r->in->name);
-    doubts_say(r->doubts, where);
-    return r->failed > 0 && r->failed == r->count ? STATUS_FAILED : STATUS_DONE;
 }
 
 static void read_header(run *r)
@@ -213,7 +185,11 @@ static void read_header(run *r)
     if (!header_find(r->first.cell, r->first.count, 0, INPUT_COUNT, &r->table.constants,
                      &r->table.names, &why))
         failure("%s: %s", r->in->name, why.text);
-    check_constants(r);
+    const input_texts *constants = &r->table.constants;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (constants->text[i] != NULL && header_has_input(&r->table.names, i))
+            usage_error("%s %s: %s has a column for it; allowed: one of the two",
+                        input_name(constants, i), constants->text[i], r->in->name);
     if (r->line->value[OPTION_HULL] != NULL && r->table.constants.text[INPUT_PROFILE] == NULL &&
         !header_has_input(&r->table.names, INPUT_PROFILE))
         usage_error("--hull: needs --profile, or a column profile");
@@ -234,6 +210,14 @@ int batch_run(const arguments *line, const char *path, const input_texts *consta
              .held = memory_zeroed(HELD_ROWS, sizeof *r.held),
              .answers = memory_zeroed(HELD_ROWS, sizeof *r.answers)};
     r.table.constants.cell_decimal_sign = how->decimal_sign;
+    char where[300];
     read_header(&r);
-    return write_output(&r);
+    output_options_write(how, write_rows, &r);
+    unused_say(&r.table.names, r.in->name);
+    if (r.failed > 0)
+        notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
+               r.in->name, r.failed, r.count);
+    snprintf(where, sizeof where, "%.250s, in some rows: ", r.in->name);
+    doubts_say(r.doubts, where);
+    return r.failed > 0 && r.failed == r.count ? STATUS_FAILED : STATUS_DONE;
 }

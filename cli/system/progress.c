@@ -43,8 +43,11 @@ void progress_start(bool wanted, int64_t total, const char *unit)
     work.next = wanted ? seconds() + FIRST_AFTER : 0;
 }
 
-static void show_when_due(void)
+void progress_step(void)
 {
+    work.done++;
+    if (!work.wanted || work.done % ROWS_PER_LOOK != 0)
+        return;
     const double now = seconds();
     if (now < work.next)
         return;
@@ -54,13 +57,6 @@ static void show_when_due(void)
     if (work.total != PROGRESS_NO_TOTAL)
         fprintf(stderr, " of %" PRId64, work.total);
     fprintf(stderr, " %s", work.unit);
-}
-
-void progress_step(void)
-{
-    work.done++;
-    if (work.wanted && work.done % ROWS_PER_LOOK == 0)
-        show_when_due();
 }
 
 void progress_erase(void)

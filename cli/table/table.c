@@ -228,25 +228,20 @@ static void choose_pad(const arguments *line, plan *job)
     job->table = of_flat;
 }
 
-static void refuse_variable(const table *chosen, int variable, const char *text)
+static void read_variables(const arguments *line, plan *job)
 {
     char allowed[160] = "";
     for (int k = 0; k < VARIABLE_COUNT; k++)
-        if (chosen->has[orders[false][k]])
+        if (job->table->has[orders[false][k]])
             list_add(allowed, sizeof allowed, ", ", "--%s", variables[orders[false][k]].option);
-    usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option, text,
-                chosen->name, allowed);
-}
-
-static void read_variables(const arguments *line, plan *job)
-{
     for (int i = 0; i < VARIABLE_COUNT; i++) {
         const char *text = line->value[OPTION_VARIABLE + i];
         job->axis[i].count = 1;
         if (job->table->has[i])
             variable_read(table_variable_of(job->table, i), text, &job->axis[i]);
         else if (text != NULL)
-            refuse_variable(job->table, i, text);
+            usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[i].option, text,
+                        job->table->name, allowed);
     }
 }
 

@@ -248,10 +248,11 @@ static void set_place(sheets *on, const char *text)
             (xlsx_area){on->at.last_row + 1, on->at.column, on->at.last_row + 1, on->at.column};
 }
 
-static void write_sheets(xlsx *book)
+void book_write(output *out)
 {
-    sheets on = {.book = book};
     const char *const *next = sheets_lines, *f[FIELDS];
+    cells_read();
+    sheets on = {.book = xlsx_begin(out, "rwedge: contact of a rounded wedge", false)};
     shown_values(0, &on.values);
     on.table = yield_table_make(&on.values);
     while (workbook_line(&next, f)) {
@@ -261,13 +262,6 @@ static void write_sheets(xlsx *book)
         set_place(&on, f[PLACE]);
         kinds[i].write(&on, f);
     }
-    xlsx_hide_names(book, "rwt_");
-}
-
-void book_write(output *out)
-{
-    cells_read();
-    xlsx *book = xlsx_begin(out, "rwedge: contact of a rounded wedge", false);
-    write_sheets(book);
-    xlsx_finish(book);
+    xlsx_hide_names(on.book, "rwt_");
+    xlsx_finish(on.book);
 }

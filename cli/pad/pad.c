@@ -243,19 +243,19 @@ bool pad_profile_of_heights(size_t n, const double x[], const double height[], b
                             pad_profile *to, profile_remark *remark)
 {
     double middle[HEIGHTS], slope[HEIGHTS];
-    complaint why;
+    char why[360];
     profile_remark changed = {.place = 0};
     if (!has_count(n, HEIGHTS, remark) || !has_order(n, x, true, remark))
         return false;
     const hull lower = hull_of(n, x, height);
     const excess above = excess_of(&lower, x, height);
-    complain(
-        &why,
+    snprintf(
+        why, sizeof why,
         "not convex at %zu place%s, x = %s; the convex hull %s lower by up to %.6g, at x = %.6g",
         above.count, above.count > 1 ? "s" : "", above.list, takes_hull ? "that is taken is" : "is",
         above.most, x[above.worst] + 0);
     if (above.count > 0)
-        refuse(&changed, above.first, "height", height[above.first], why.text);
+        refuse(&changed, above.first, "height", height[above.first], why);
     take_slopes(&lower, x, height, slope);
     for (size_t i = 1; i < n; i++)
         middle[i - 1] = x[i - 1] / 2 + x[i] / 2;

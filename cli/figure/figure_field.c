@@ -112,7 +112,6 @@ static bool find_yield(const figure_case *inputs, double *x, double *y, double *
         status = loads_apply_monotonic((load){.P = P, .Q = Q}, contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, case_value(inputs, NU), 1, &factor, x, y);
-    rwedge_contact_destroy(contact);
     if (status == RWEDGE_ENOMEM)
         failure("out of memory");
     *top = factor > 0 ? 1 / factor : 0;

@@ -41,7 +41,6 @@ static void visit_all(const figure_case *inputs, size_t first, visitor *visit, d
         if (step >= first)
             visit(inputs, (double)step + 1, contact, rows);
     }
-    rwedge_contact_destroy(contact);
 }
 
 /* ---- The stress at a point ---- */

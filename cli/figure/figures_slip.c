@@ -42,7 +42,6 @@ static void compute_loop(const figure_case *inputs, dataset *rows)
         add_part(&loop, 0, amplitude, "first loading");
         add_part(&loop, amplitude, -amplitude, "unloading");
         add_part(&loop, -amplitude, amplitude, "reloading");
-        rwedge_contact_destroy(loop.contact);
     }
 }
 
@@ -124,7 +123,6 @@ static void compute_eccentric(const figure_case *inputs, dataset *rows)
             add_zone(&tension, tension.left, tension.right);
         add_zone(&tension, sticks ? tension.right : 0, 1);
         add_point(&tension, 1);
-        rwedge_contact_destroy(tension.contact);
     }
 }
 

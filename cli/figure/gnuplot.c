@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- The paper ---- */
@@ -175,7 +174,6 @@ static void take_picture(FILE *const stream[], const picture_format *format, out
     if (root != NULL)
         output_text(out, " xml:space=\"preserve\"");
     output_write(out, picture + before, length - before);
-    free(picture);
 }
 
 /* ---- gnuplot ---- */

@@ -131,7 +131,8 @@ void criteria_read(arguments *line, const material *constants, criteria *asked)
 /* Damage is written where its criterion is, or by itself. */
 static void read_damage(int criterion, int damage, const char *needed, criteria *asked)
 {
-    const bool has_life = material_has_life(asked->constants, criterion);
+    const int of_life = criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G;
+    const bool has_life = !isnan(asked->constants->value[of_life]);
     if (asked->is_wanted[damage] && !has_life)
         usage_error("%s: needs %s of --material", criterion_kinds[damage].name, needed);
     asked->is_wanted[damage] =

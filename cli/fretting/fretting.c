@@ -157,7 +157,8 @@ static distance read_distance(const arguments *line, const material *constants)
     if (angle != NULL && !(number_read(angle, &below.angle) && fabs(below.angle) <= 85))
         usage_error("--angle %s: must be a number from -85 to 85", angle);
     if (text == NULL && (method != NULL || angle != NULL))
-        below.length = material_length(constants);
+        below.length = rwedge_critical_distance(constants->value[MATERIAL_DK_TH],
+                                                constants->value[MATERIAL_DS0]);
     if (angle != NULL && isnan(below.length))
         usage_error("--angle %s: needs --length, or dK_th and ds0 of --material", angle);
     if (method != NULL && isnan(below.length))

@@ -2,7 +2,6 @@
 #include "fretting.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* ---- The last cycle ---- */
 
@@ -24,7 +23,6 @@ void history_cycle(const contact_history *history, const criteria *asked, last_c
         if (all != NULL)
             doubts_add(all, doubts_of_state(&history->setup, contact));
     }
-    rwedge_contact_destroy(contact);
     last_cycle_end(cycle);
 }
 
@@ -42,10 +40,7 @@ static measured stops_of_range(const char *text, const last_cycle *cycle)
     double *value = memory_zeroed((size_t)x.count, sizeof *value);
     for (int64_t i = 0; i < x.count; i++)
         value[i] = range_value(&x, i);
-    const measured along = stops_at(cycle, (size_t)x.count, value);
-    free(value);
-    range_free(&x);
-    return along;
+    return stops_at(cycle, (size_t)x.count, value);
 }
 
 static void make_room(size_t count, measured *result)
@@ -70,7 +65,6 @@ static void read_lines(const arguments *line, const last_cycle *cycle, measured 
         result->place[i] = result->place[i % result->line];
         result->place[i].y = range_value(&depth, (int64_t)(i / result->line));
     }
-    range_free(&depth);
 }
 
 void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
@@ -85,5 +79,4 @@ void surface_places(const arguments *line, char decimal_sign, const last_cycle *
     make_room(points.count, result);
     for (size_t i = 0; i < points.count; i++)
         result->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
-    places_free(&points);
 }

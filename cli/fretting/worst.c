@@ -113,7 +113,6 @@ static measured_place measures_below(const last_cycle *cycle, const distance *be
                                             below->is_line, stress, stress + n, stress + 2 * n),
                  "--length");
     status_check(last_cycle_criteria(cycle, 1, stress, &at), "--length");
-    free(stress);
     return at;
 }
 

@@ -71,7 +71,6 @@ static void try_loads(contact_history *history, bool until)
         history->steps++;
         history->error = fmax(history->error, rwedge_contact_error(contact));
     }
-    rwedge_contact_destroy(contact);
     if (why.text[0] == '\0')
         return;
     const size_t step = history->steps, row = contact_history_row(history, step);

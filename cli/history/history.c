@@ -167,7 +167,6 @@ static void write_rows(void *of_plan, records *rows)
         contact_history_go_on(&job->history, step, contact);
         write_load(job, step, contact, rows);
     }
-    rwedge_contact_destroy(contact);
 }
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "series", NULL};

@@ -2,7 +2,6 @@
 #include "history.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct poptOption place_option_table[] = {
@@ -23,13 +22,6 @@ static void add(places *to, double x, double y)
     to->y = memory_for_one_more(to->y, to->count, sizeof *to->y);
     to->x[to->count] = x;
     to->y[to->count++] = y;
-}
-
-void places_free(places *at)
-{
-    free(at->x);
-    free(at->y);
-    *at = (places){0};
 }
 
 /* NULL, or what is wrong with such a point. */
@@ -105,8 +97,6 @@ static void read_grid(const arguments *line, places *to)
         for (int64_t i = 0; i < x.count; i++)
             add(to, range_value(&x, i), range_value(&y, j));
     to->columns = (size_t)x.count;
-    range_free(&x);
-    range_free(&y);
 }
 
 /* ---- All ---- */

@@ -71,5 +71,4 @@ void point_rows_write(const point_rows *points, records *rows)
         for (size_t i = 0; i < points->at->count && records_go_on(rows); i++)
             write_row(points, contact, step, i, rows);
     }
-    rwedge_contact_destroy(contact);
 }

@@ -112,10 +112,8 @@ void series_write(const point_rows *points, const arguments *line, const output_
 {
     const frames old = frames_of(how->path);
     frames series = {how->path, old.mark[0] == 'b' ? "" : "b", points->history->steps};
-    char *quoted = json_quoted(how->path);
-    if (quoted == NULL)
+    if (json_quoted(how->path) == NULL)
         usage_error("--output %s: must be UTF-8, as the list of the files is", how->path);
-    free(quoted);
     spare_files(line, how, &series);
     rwedge_contact *contact = contact_history_begin(points->history);
     output_options file = *how;
@@ -127,7 +125,6 @@ void series_write(const point_rows *points, const arguments *line, const output_
         output_options_write(&file, write_frame, &under);
         free(name);
     }
-    rwedge_contact_destroy(contact);
     output_options_write(how, write_list, &series);
     for (size_t step = 0; step < old.count; step++) {
         char *name = frame_name(&old, step);

@@ -103,10 +103,8 @@ typedef struct {
 const char *range_read(const char *text, range *values);
 
 /* Says on stderr how a list was understood that may have been meant as one number, such as 0,5: two
- * whole numbers, of which the first is 0 or the second begins with 0. */
-void range_say_two_values(const char *option, const char *text);
-
-/* The same of a pair that is a part of an option's value. Whether it was said. */
+ * whole numbers, of which the first is 0 or the second begins with 0. It is all of an option's
+ * value, or a part. Whether it was said. */
 bool range_say_pair(const char *option, const char *all, const char *text, size_t length);
 
 /* `count` values, at least 2, in equal steps. Between -x and x they are exact mirror images; 0 is

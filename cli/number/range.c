@@ -118,11 +118,6 @@ bool range_say_pair(const char *option, const char *all, const char *text, size_
     return true;
 }
 
-void range_say_two_values(const char *option, const char *text)
-{
-    range_say_pair(option, text, text, strlen(text));
-}
-
 /* Counted from the middle where that is 0: first + i * step would miss it by its rounding. */
 range range_between(double first, double last, int64_t count)
 {

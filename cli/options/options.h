@@ -107,10 +107,10 @@ typedef struct {
 
 extern const table_variable variables[VARIABLE_COUNT];
 
-/* Reads the values of an option. Free the range. */
+/* Reads the values of an option. */
 void range_option(const char *option, const char *text, range *values);
 
-/* Reads an option's text, or the usual range where it is NULL. Free the range. */
+/* Reads an option's text, or the usual range where it is NULL. */
 void variable_read(const table_variable *variable, const char *text, range *values);
 
 /* The same for one number. */

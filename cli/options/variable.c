@@ -24,7 +24,7 @@ static void read_range(const char *option, const char *text, range *values)
 void range_option(const char *option, const char *text, range *values)
 {
     read_range(option, text, values);
-    range_say_two_values(option, text);
+    range_say_pair(option, text, text, strlen(text));
 }
 
 static void read_values(const table_variable *variable, const char *text, range *values)
@@ -46,7 +46,7 @@ void variable_read(const table_variable *variable, const char *text, range *valu
     if (text == NULL)
         text = variable->usual;
     read_values(variable, text, values);
-    range_say_two_values(variable->option, text);
+    range_say_pair(variable->option, text, text, strlen(text));
 }
 
 double variable_read_one(const table_variable *variable, const char *text)
@@ -55,7 +55,5 @@ double variable_read_one(const table_variable *variable, const char *text)
     read_values(variable, text, &values);
     if (values.count > 1)
         usage_error("--%s %s: must be one number", variable->option, text);
-    const double value = range_value(&values, 0);
-    range_free(&values);
-    return value;
+    return range_value(&values, 0);
 }

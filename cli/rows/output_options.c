@@ -161,9 +161,11 @@ void output_options_write(const output_options *how, rows_writer *write_rows, vo
 {
     output out;
     output_open(&out, how->path);
+    /* progress shows only where stderr is a terminal, and stdout, when it takes the rows, is not */
     records rows = {.how = how,
                     .out = &out,
-                    .show_progress = !how->quiet && progress_wanted(out.stream == stdout)};
+                    .show_progress = !how->quiet && stream_is_terminal(stderr) &&
+                                     !(out.stream == stdout && stream_is_terminal(stdout))};
     write_rows(context, &rows);
     records_end(&rows);
     progress_erase();

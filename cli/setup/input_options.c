@@ -76,7 +76,7 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
         profile, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL});
     if (profiles_named(profile, &why) == NULL)
         failure("%s", why.text);
-    notice_if_any(remark);
+    notice("%s", remark);
 }
 
 void input_options_check_hull(const arguments *line)

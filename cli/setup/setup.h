@@ -10,9 +10,6 @@
 /* A line for each, after a word on where, or "". */
 void doubts_say(doubts all, const char *where);
 
-/* A line, unless it is "". */
-void notice_if_any(const char *text);
-
 /* Ends the command where the library has not answered about the subject. */
 void status_check(int32_t status, const char *subject);
 

@@ -128,7 +128,7 @@ static void read_profile(const run *r, const csv_row *row)
     if (column >= row->count || row->cell[column][0] == '\0')
         return;
     output_options_spare(r->how, row->cell[column]);
-    notice_if_any(profiles_read(row->cell[column], style));
+    notice("%s", profiles_read(row->cell[column], style));
 }
 
 /* Reads rows until there are enough for the threads; false where no more follow. Where memory is

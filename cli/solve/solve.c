@@ -132,7 +132,6 @@ static void solve_one(const input_texts *texts, job *task, const output_options 
                              &why))
         failure("%s", why.text);
     write_answer_to(&setup, task, how);
-    rwedge_contact_destroy(setup.contact);
 }
 
 /* ---- After a history ---- */
@@ -148,7 +147,6 @@ static void solve_history(const arguments *line, const input_texts *texts, job *
                 "0",
                 history_file(line) != NULL ? history_file(line) : "--load");
     write_answer_to(&setup, task, how);
-    rwedge_contact_destroy(setup.contact);
 }
 
 /* ---- The command ---- */

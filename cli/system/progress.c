@@ -21,11 +21,6 @@ static struct {
 
 static volatile sig_atomic_t line_shown;
 
-bool progress_wanted(bool rows_to_stdout)
-{
-    return stream_is_terminal(stderr) && !(rows_to_stdout && stream_is_terminal(stdout));
-}
-
 static double seconds(void)
 {
     struct timespec now;

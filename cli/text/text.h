@@ -40,7 +40,8 @@ const char *message_speaker(void);
 NO_RETURN int usage_error(const char *format, ...) PRINTF_LIKE(1, 2);
 NO_RETURN int failure(const char *format, ...) PRINTF_LIKE(1, 2);
 
-/* A line on stderr that is no failure: something that the user should know about a result. */
+/* A line on stderr that is no failure: something that the user should know about a result. None
+ * where it is "". */
 void notice(const char *format, ...) PRINTF_LIKE(1, 2);
 
 /* ---- memory ---- Memory, or the end of the command with a message. */

@@ -6,7 +6,6 @@
 
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -56,7 +55,6 @@ static void name_sheet(const char *path, const char *const names[], int count, c
     }
     if (strcmp(name, own) != 0)
         notice("%s: its sheet is called %s", path, name);
-    free(own);
 }
 
 /* ---- Rows ---- */

@@ -93,14 +93,3 @@ double material_allowable(const material *constants, int criterion)
     const int limit = criterion_kinds[criterion].limit;
     return limit == MATERIAL_COUNT ? 1 : constants->value[limit];
 }
-
-bool material_has_life(const material *constants, int criterion)
-{
-    return !isnan(constants->value[criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G]);
-}
-
-double material_length(const material *constants)
-{
-    return rwedge_critical_distance(constants->value[MATERIAL_DK_TH],
-                                    constants->value[MATERIAL_DS0]);
-}

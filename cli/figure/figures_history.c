@@ -15,28 +15,21 @@ enum { STEPS = 24 }; /* from load to load, for smooth curves */
 typedef void visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
                      dataset *rows);
 
-/* The states before a load. Where one has no closed form, the curve is straight from there. */
-static void visit_between(const figure_case *inputs, size_t step, rwedge_contact *contact,
-                          visitor *visit, dataset *rows)
-{
-    rwedge_contact *trial = NULL;
-    const load from = loads_of(contact), to = contact_history_load(&inputs->history, step);
-    case_check(inputs, rwedge_contact_copy(contact, &trial));
-    for (int i = 1; i < STEPS && from.P > 0; i++) {
-        if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
-            break;
-        visit(inputs, (double)step + (double)i / STEPS, trial, rows);
-    }
-    rwedge_contact_destroy(trial);
-}
-
-/* Of the loads from the first on. Those before the first cycle have no number and no place. */
+/* Of the loads from the first on, and the states between two. Where one of those has no closed form,
+ * the curve is straight from there. Loads before the first cycle have no number and no place. */
 static void visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)
 {
     rwedge_contact *contact = contact_history_begin(&inputs->history);
     for (size_t step = 0; step < inputs->history.steps; step++) {
-        if (step > first)
-            visit_between(inputs, step, contact, visit, rows);
+        const load from = loads_of(contact), to = contact_history_load(&inputs->history, step);
+        rwedge_contact *trial = NULL;
+        case_check(inputs, rwedge_contact_copy(contact, &trial));
+        for (int i = 1; i < STEPS && from.P > 0 && step > first; i++) {
+            if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
+                break;
+            visit(inputs, (double)step + (double)i / STEPS, trial, rows);
+        }
+        rwedge_contact_destroy(trial);
         contact_history_go_on(&inputs->history, step, contact);
         if (step >= first)
             visit(inputs, (double)step + 1, contact, rows);

@@ -51,20 +51,17 @@ static int in_order(const void *left, const void *right)
     return a->x < b->x ? -1 : a->x > b->x ? 1 : 0;
 }
 
-static bool is_there(const measured *result, double x, double y)
-{
-    for (size_t i = 0; i < result->count; i++)
-        if (result->place[i].x == x && result->place[i].y == y && result->place[i].is_shown)
-            return true;
-    return false;
-}
-
 void worst_add_places(const worst_table *worst, measured *result)
 {
     const size_t count = result->count;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const worst_row *row = &worst->row[i];
-        if (isnan(row->value) || is_there(result, row->x, row->y))
+        bool is_there = isnan(row->value);
+        for (size_t k = 0; k < result->count && !is_there; k++) {
+            const measured_place *place = &result->place[k];
+            is_there = place->x == row->x && place->y == row->y && place->is_shown;
+        }
+        if (is_there)
             continue;
         result->place[result->count++] = /* there is room */
             (measured_place){.x = row->x, .y = row->y, .is_shown = true};

@@ -14,19 +14,6 @@ struct poptOption history_option_table[] = {
 
 enum { CYCLES_MAX = 1000000 };
 
-static void check_loads(const arguments *line)
-{
-    const char *word = line->operand != NULL ? line->operand[0] : NULL;
-    if (word != NULL && line->operand[1] != NULL)
-        usage_error("%s: unexpected; allowed: one file of loads", line->operand[1]);
-    if (word != NULL && line->value[OPTION_HISTORY] != NULL)
-        usage_error("%s: given together with --history; allowed: one of the two", word);
-    if (!history_is_given(line))
-        usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
-                    "sigma; or --load P,Q for each");
-    history_check(line);
-}
-
 static int64_t read_cycles(const arguments *line, int64_t usual)
 {
     const char *text = line->value[OPTION_CYCLES];
@@ -85,12 +72,20 @@ static void try_loads(contact_history *history, bool until)
 void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,
                           int64_t cycles_of_two, contact_history *history)
 {
+    const char *word = line->operand != NULL ? line->operand[0] : NULL;
     input_texts texts;
     complaint why;
     *history = (contact_history){0};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
-    check_loads(line);
+    if (word != NULL && line->operand[1] != NULL)
+        usage_error("%s: unexpected; allowed: one file of loads", line->operand[1]);
+    if (word != NULL && line->value[OPTION_HISTORY] != NULL)
+        usage_error("%s: given together with --history; allowed: one of the two", word);
+    if (!history_is_given(line))
+        usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
+                    "sigma; or --load P,Q for each");
+    history_check(line);
     read_cycles(line, cycles);
     if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, &why))
         usage_error("%s", why.text);

@@ -171,24 +171,6 @@ static void write_rows(void *of_plan, records *rows)
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "series", NULL};
 
-static void read_plan(const arguments *line, plan *job, output_options *how)
-{
-    output_options_read_of(line, formats, "", how);
-    if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
-        usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
-    places_read(line, how->decimal_sign, &job->at);
-    if (how->format == NULL && (how->path == NULL || strcmp(how->path, "-") == 0))
-        usage_error("--format series: writes several files; allowed with: --output "
-                    "NAME.vtk.series");
-    if (how->format == NULL && job->at.count == 0)
-        usage_error("--output %s: needs points; allowed with: --at, --points, or --x and --depth",
-                    how->path);
-    contact_history_read(line, how->decimal_sign, 1, 1, &job->history);
-    const bool has_points = job->at.count > 0;
-    for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
-        passed_check(&job->history.loads, has_points ? point_columns[i] : columns[i].name);
-}
-
 static void say_doubts(const plan *job)
 {
     char where[LOAD_PLACE_SIZE];
@@ -207,8 +189,21 @@ static int history(const arguments *line)
 {
     plan job = {.at = {0}};
     output_options how;
-    read_plan(line, &job, &how);
+    output_options_read_of(line, formats, "", &how);
+    if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
+        usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
+    places_read(line, how.decimal_sign, &job.at);
+    if (how.format == NULL && (how.path == NULL || strcmp(how.path, "-") == 0))
+        usage_error("--format series: writes several files; allowed with: --output "
+                    "NAME.vtk.series");
+    if (how.format == NULL && job.at.count == 0)
+        usage_error("--output %s: needs points; allowed with: --at, --points, or --x and --depth",
+                    how.path);
+    contact_history_read(line, how.decimal_sign, 1, 1, &job.history);
     const point_rows points = {&job.history, &job.at};
+    const bool has_points = job.at.count > 0;
+    for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
+        passed_check(&job.history.loads, has_points ? point_columns[i] : columns[i].name);
     if (how.format == NULL)
         series_write(&points, line, &how);
     else

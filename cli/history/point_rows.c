@@ -45,30 +45,23 @@ tensor point_rows_stress(const point_rows *points, const rwedge_contact *contact
     return point_stress(contact, &setup->shape, setup->nu1, points->at->x[i], points->at->y[i]);
 }
 
-static void write_row(const point_rows *points, const rwedge_contact *contact, size_t step,
-                      size_t i, records *rows)
-{
-    const tensor at = point_rows_stress(points, contact, i);
-    const double *v = at.value;
-    const double value[POINT_COLUMNS] = {(double)(step + 1),  points->at->x[i], points->at->y[i],
-                                         v[TENSOR_SXX],       v[TENSOR_SYY],    v[TENSOR_SZZ],
-                                         v[TENSOR_TXY],       v[TENSOR_S1],     v[TENSOR_S2],
-                                         v[TENSOR_VON_MISES], v[TENSOR_TAU_MAX]};
-    passed_cells(&points->history->loads, contact_history_row(points->history, step), rows);
-    for (int c = 0; c < POINT_COLUMNS; c++)
-        records_value(rows, cell_number(value[c]));
-    records_end_row(rows);
-    progress_step();
-}
-
 void point_rows_write(const point_rows *points, records *rows)
 {
+    static const int stresses[] = {TENSOR_SXX, TENSOR_SYY, TENSOR_SZZ,       TENSOR_TXY,
+                                   TENSOR_S1,  TENSOR_S2,  TENSOR_VON_MISES, TENSOR_TAU_MAX};
     rwedge_contact *contact = contact_history_begin(points->history);
     passed_names(&points->history->loads, rows);
     records_header(rows, POINT_COLUMNS, point_columns);
     for (size_t step = 0; step < points->history->steps && records_go_on(rows); step++) {
         contact_history_go_on(points->history, step, contact);
-        for (size_t i = 0; i < points->at->count && records_go_on(rows); i++)
-            write_row(points, contact, step, i, rows);
+        for (size_t i = 0; i < points->at->count && records_go_on(rows); i++) {
+            const tensor at = point_rows_stress(points, contact, i);
+            const double value[] = {(double)(step + 1), points->at->x[i], points->at->y[i]};
+            passed_cells(&points->history->loads, contact_history_row(points->history, step), rows);
+            for (int k = 0; k < POINT_COLUMNS; k++)
+                records_value(rows, cell_number(k < 3 ? value[k] : at.value[stresses[k - 3]]));
+            records_end_row(rows);
+            progress_step();
+        }
     }
 }

@@ -110,25 +110,19 @@ static double either(double value, double otherwise)
     return isnan(value) ? otherwise : value;
 }
 
-/* But for a profile. */
-static pad shape_of(const double value[INPUT_COUNT])
+/* But for the shape of a profile. */
+static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
 {
     const double radius = value[INPUT_RADIUS];
     const double theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
-    if (!isnan(value[INPUT_FLAT]))
-        return pad_flat(value[INPUT_FLAT], radius);
-    if (isnan(theta))
-        return pad_cylinder(radius);
-    return pad_wedge(theta, either(value[INPUT_A], rwedge_rounding(theta, radius)));
-}
-
-static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
-{
     setup->E1 = value[INPUT_E1];
     setup->nu1 = value[INPUT_NU1];
     setup->E2 = either(value[INPUT_E2], setup->E1);
     setup->nu2 = either(value[INPUT_NU2], setup->nu1); /* of no effect where body 2 is rigid */
-    setup->shape = shape_of(value);
+    setup->shape = !isnan(value[INPUT_FLAT]) ? pad_flat(value[INPUT_FLAT], radius)
+                   : isnan(theta)
+                       ? pad_cylinder(radius)
+                       : pad_wedge(theta, either(value[INPUT_A], rwedge_rounding(theta, radius)));
     setup->P = either(value[INPUT_P], 0);
     setup->M = either(value[INPUT_M], 0);
     setup->Q = either(value[INPUT_Q], 0);

@@ -39,12 +39,11 @@ static void draw_label(xlsx *book, lxw_chart_series *curve, const char *text)
     xlsx_keep(book, chart_series_set_labels_custom(curve, labels));
 }
 
-void xlsx_curve(xlsx *book, xlsx_area at, const char *const text[])
+void xlsx_curve(xlsx *book, const char *const text[])
 {
     enum { DRAWING, NAME, X, Y };
     const xlsx_area corner = book->chart_cell;
     lxw_chart_fill mark = {.color = 0xD00000};
-    (void)at;
     if (book->chart == NULL) /* for lack of memory, which is noted */
         return;
     int kind = 0;

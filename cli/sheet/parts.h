@@ -36,7 +36,7 @@ void xlsx_keep(xlsx *book, lxw_error error);
 
 /* Properties of the file chart. */
 void xlsx_chart(xlsx *book, xlsx_area at, const char *const text[]);
-void xlsx_curve(xlsx *book, xlsx_area at, const char *const text[]);
+void xlsx_curve(xlsx *book, const char *const text[]);
 
 /* Adds the styles to a file that begins. False where memory is short. */
 bool xlsx_make_styles(xlsx *book);

@@ -88,22 +88,16 @@ void xlsx_sheet(xlsx *book, const char *name)
     book->current = sheet;
 }
 
-static bool copy(FILE *from, output *out)
-{
-    char buffer[1 << 14];
-    if (from == NULL)
-        return false;
-    for (size_t count; (count = fread(buffer, 1, sizeof buffer, from)) > 0;)
-        output_write(out, buffer, count);
-    return !ferror(from);
-}
-
 void xlsx_finish(xlsx *book)
 {
+    char buffer[1 << 14];
     errno = 0;
     xlsx_keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
-    if (problem == NULL && !copy(spool_read(&book->spool), book->out))
+    FILE *from = problem == NULL ? spool_read(&book->spool) : NULL;
+    for (size_t count; from != NULL && (count = fread(buffer, 1, sizeof buffer, from)) > 0;)
+        output_write(book->out, buffer, count);
+    if (problem == NULL && (from == NULL || ferror(from)))
         problem = strerror(errno);
     if (problem != NULL)
         failure("%s: %s", book->out->name, problem);

@@ -74,19 +74,7 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
                : cell_text(text);
 }
 
-/* Writes the error of a row, with the whole row where the columns cannot show it. */
-static void write_error(run *r, const csv_row *row, const char *error)
-{
-    const size_t size = strlen(error) + strlen(row->whole) + 3;
-    char *text = memory_zeroed(size, 1);
-    if (row->malformed || row->count > r->table.names.count)
-        snprintf(text, size, "%s: %s", error, row->whole);
-    else
-        snprintf(text, size, "%s", error);
-    records_value(r->rows, cell_text(text));
-    free(text);
-}
-
+/* With the error is the whole row where the columns cannot show it. */
 static void write_row(run *r, const csv_row *row, const answer *solution)
 {
     for (size_t i = 0; i < r->table.names.count; i++)
@@ -94,7 +82,13 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
             records_value(r->rows, solution->solved ? solution->results.value[i] : cell_empty());
-    write_error(r, row, solution->why.text);
+    const bool is_hidden = row->malformed || row->count > r->table.names.count;
+    const size_t size = sizeof solution->why + strlen(row->whole) + 3;
+    char *error = memory_zeroed(size, 1);
+    snprintf(error, size, "%s%s%s", solution->why.text, is_hidden ? ": " : "",
+             is_hidden ? row->whole : "");
+    records_value(r->rows, cell_text(error));
+    free(error);
     records_end_row(r->rows);
     if (row->count == r->table.names.count)
         header_note_unused(&r->table.names, row->cell);
@@ -120,29 +114,24 @@ static bool next_row(const run *r)
         row->line);
 }
 
-/* Before the threads look for it. */
-static void read_profile(const run *r, const csv_row *row)
-{
-    const size_t column = r->table.names.column[INPUT_PROFILE];
-    const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL};
-    if (column >= row->count || row->cell[column][0] == '\0')
-        return;
-    output_options_spare(r->how, row->cell[column]);
-    notice("%s", profiles_read(row->cell[column], style));
-}
-
 /* Reads rows until there are enough for the threads; false where no more follow. Where memory is
  * too short for a row the command ends, before threads begin. */
 static bool hold_rows(run *r)
 {
+    const bool has_profile = header_has_input(&r->table.names, INPUT_PROFILE);
+    const size_t column = r->table.names.column[INPUT_PROFILE];
+    const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL};
     size_t bytes = 0;
     for (r->held_count = 0; r->held_count < HELD_ROWS && bytes < HELD_BYTES; r->held_count++) {
         if (!next_row(r))
             return false;
         csv_row *row = &r->held[r->held_count];
         csv_row_keep(r->in, row);
-        if (header_has_input(&r->table.names, INPUT_PROFILE))
-            read_profile(r, row);
+        const char *profile = has_profile && column < row->count ? row->cell[column] : "";
+        if (profile[0] != '\0') { /* before the threads look for it */
+            output_options_spare(r->how, profile);
+            notice("%s", profiles_read(profile, style));
+        }
         bytes += row->bytes;
     }
     return true;

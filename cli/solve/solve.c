@@ -65,22 +65,6 @@ typedef struct {
     cell value;
 } shown;
 
-/* What was looked for comes first, unless it is a result anyway. */
-static int collect(const job *task, shown all[RESULT_COUNT + 1])
-{
-    const bool shows_input = task->looked_for == INPUT_P || task->looked_for == INPUT_F;
-    int count = 0;
-    if (shows_input)
-        all[count++] =
-            (shown){input_kinds[task->looked_for].option, input_kinds[task->looked_for].meaning,
-                    cell_number(task->answer_for)};
-    for (int i = 0; i < RESULT_COUNT; i++)
-        if (results_include(task->wanted, i))
-            all[count++] =
-                (shown){result_kinds[i].name, result_kinds[i].meaning, task->answer.value[i]};
-    return count;
-}
-
 static void write_row(const shown all[], int count, records *rows)
 {
     records_describe(rows, result_kinds, RESULT_COUNT);
@@ -101,11 +85,20 @@ static void write_list(const shown all[], int count, records *rows)
                     (cell[]){cell_text(all[i].name), all[i].value, cell_text(all[i].meaning)});
 }
 
+/* What was looked for comes first, unless it is a result anyway. */
 static void write_rows(void *of_job, records *rows)
 {
     const job *task = of_job;
+    const input_kind *found = &input_kinds[task->looked_for];
     shown all[RESULT_COUNT + 1];
-    (task->as_row ? write_row : write_list)(all, collect(task, all), rows);
+    int count = 0;
+    if (task->looked_for == INPUT_P || task->looked_for == INPUT_F)
+        all[count++] = (shown){found->option, found->meaning, cell_number(task->answer_for)};
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (results_include(task->wanted, i))
+            all[count++] =
+                (shown){result_kinds[i].name, result_kinds[i].meaning, task->answer.value[i]};
+    (task->as_row ? write_row : write_list)(all, count, rows);
 }
 
 static void write_answer_to(const contact_case *setup, job *task, const output_options *how)

@@ -72,30 +72,14 @@ static const char *yields(double factor, double safety)
     return "";
 }
 
-static void write_text(verdict *result, const results *answer, bool strong)
-{
-    const double factor = answer->value[RESULT_YIELD_FACTOR].number;
-    const double safety = answer->value[RESULT_SAFETY].number;
-    snprintf(result->text, sizeof result->text, "%s", yields(factor, safety));
-    if (result->text[0] == '\0')
-        result->colour = answer->warnings[0] != '\0' || !strong ? "amber" : "green";
-    if (answer->warnings[0] != '\0')
-        list_add(result->text, sizeof result->text, " ", "CAUTION: %s%s", answer->warnings,
-                 safety < 1 && factor >= 1 ? "; under these loads it does not yield" : "");
-    else if (!strong)
-        list_add(result->text, sizeof result->text, " ",
-                 "CAUTION: no yield stress is given, so there is no safety");
-    if (result->text[0] == '\0')
-        snprintf(result->text, sizeof result->text, "OK");
-}
-
 verdict verdict_of(const results *answer, verdict_style style)
 {
     verdict result = {.colour = "red"};
     const double factor = answer->value[RESULT_YIELD_FACTOR].number;
+    const double safety = answer->value[RESULT_SAFETY].number;
     const bool strong = answer->value[RESULT_LOAD_OVER_BK].text == NULL; /* k is given */
     const writer w = {&result, style};
-    result.factor = isnan(factor) ? answer->value[RESULT_SAFETY].number : factor;
+    result.factor = isnan(factor) ? safety : factor;
     if (!isnan(factor))
         add_present(&w, answer, factor);
     if (strong)
@@ -103,7 +87,17 @@ verdict verdict_of(const results *answer, verdict_style style)
     else
         list_add(result.strength, sizeof result.strength, "",
                  "No yield stress is given, so nothing is known of its strength.");
-    write_text(&result, answer, strong);
+    snprintf(result.text, sizeof result.text, "%s", yields(factor, safety));
+    if (result.text[0] == '\0')
+        result.colour = answer->warnings[0] != '\0' || !strong ? "amber" : "green";
+    if (answer->warnings[0] != '\0')
+        list_add(result.text, sizeof result.text, " ", "CAUTION: %s%s", answer->warnings,
+                 safety < 1 && factor >= 1 ? "; under these loads it does not yield" : "");
+    else if (!strong)
+        list_add(result.text, sizeof result.text, " ",
+                 "CAUTION: no yield stress is given, so there is no safety");
+    if (result.text[0] == '\0')
+        snprintf(result.text, sizeof result.text, "OK");
     return result;
 }
 

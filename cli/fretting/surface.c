@@ -49,11 +49,21 @@ static void make_room(size_t count, measured *result)
     result->count = count;
 }
 
-/* The line at each depth. */
-static void read_lines(const arguments *line, const last_cycle *cycle, measured *result)
+/* The line at each depth; or the points. */
+void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
+                    measured *result)
 {
     const char *x = line->value[OPTION_X];
     range depth = {0};
+    if (line->value[OPTION_AT] != NULL || line->value[OPTION_POINTS] != NULL) {
+        places points;
+        places_read(line, decimal_sign, &points);
+        make_room(points.count, result);
+        for (size_t i = 0; i < points.count; i++)
+            result->place[i] =
+                (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
+        return;
+    }
     places_read_depth(line, &depth);
     if (x == NULL && isnan(cycle->left))
         usage_error("--x: missing; there is no contact in the cycle to take places from");
@@ -65,18 +75,4 @@ static void read_lines(const arguments *line, const last_cycle *cycle, measured 
         result->place[i] = result->place[i % result->line];
         result->place[i].y = range_value(&depth, (int64_t)(i / result->line));
     }
-}
-
-void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
-                    measured *result)
-{
-    places points = {0};
-    if (line->value[OPTION_AT] == NULL && line->value[OPTION_POINTS] == NULL) {
-        read_lines(line, cycle, result);
-        return;
-    }
-    places_read(line, decimal_sign, &points);
-    make_room(points.count, result);
-    for (size_t i = 0; i < points.count; i++)
-        result->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
 }

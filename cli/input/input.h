@@ -117,15 +117,9 @@ void pairs_free(pairs *all);
 
 /* ---- profiles ---- The profiles of pads, each from a file of its name. */
 
-/* How the files are read that come next. */
-typedef struct {
-    char decimal_sign;
-    bool takes_hull;
-} profile_style;
-
 /* Reads a file, unless it has been read, and gives what is to be known of it: columns that are not
  * used, the hull; or "". What is wrong with it is kept too. Not while threads look for profiles. */
-const char *profiles_read(const char *name, profile_style style);
+const char *profiles_read(const char *name, char decimal_sign, bool takes_hull);
 
 /* Those that have been read: of input_texts. */
 const pad_profile *profiles_named(const char *name, complaint *why);

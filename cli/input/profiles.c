@@ -43,7 +43,7 @@ static void take(const pairs *rows, bool takes_hull, entry *to)
         list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, rows->unused.text);
 }
 
-const char *profiles_read(const char *name, profile_style style)
+const char *profiles_read(const char *name, char decimal_sign, bool takes_hull)
 {
     static const pair_columns wanted = {.first = "x",
                                         .second = "slope",
@@ -59,9 +59,9 @@ const char *profiles_read(const char *name, profile_style style)
     strcpy(to->name, name);
     entries = memory_for_one_more(entries, entry_count, sizeof *entries);
     entries[entry_count++] = to;
-    pairs_read(name, NULL, style.decimal_sign, &wanted, &rows);
+    pairs_read(name, NULL, decimal_sign, &wanted, &rows);
     if (rows.problem.text[0] == '\0')
-        take(&rows, style.takes_hull, to);
+        take(&rows, takes_hull, to);
     else
         to->problem = rows.problem;
     pairs_free(&rows);

@@ -71,9 +71,9 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
     const char *profile = texts->text[INPUT_PROFILE];
     if (profile == NULL)
         return;
-    const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
-    const char *remark = profiles_read(
-        profile, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL});
+    const char *remark =
+        profiles_read(profile, line->value[OPTION_DECIMAL_COMMA] != NULL ? ',' : '.',
+                      line->value[OPTION_HULL] != NULL);
     if (profiles_named(profile, &why) == NULL)
         failure("%s", why.text);
     notice("%s", remark);

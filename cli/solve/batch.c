@@ -120,7 +120,7 @@ static bool hold_rows(run *r)
 {
     const bool has_profile = header_has_input(&r->table.names, INPUT_PROFILE);
     const size_t column = r->table.names.column[INPUT_PROFILE];
-    const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL};
+    const bool takes_hull = r->line->value[OPTION_HULL] != NULL;
     size_t bytes = 0;
     for (r->held_count = 0; r->held_count < HELD_ROWS && bytes < HELD_BYTES; r->held_count++) {
         if (!next_row(r))
@@ -130,7 +130,7 @@ static bool hold_rows(run *r)
         const char *profile = has_profile && column < row->count ? row->cell[column] : "";
         if (profile[0] != '\0') { /* before the threads look for it */
             output_options_spare(r->how, profile);
-            notice("%s", profiles_read(profile, style));
+            notice("%s", profiles_read(profile, r->how->decimal_sign, takes_hull));
         }
         bytes += row->bytes;
     }

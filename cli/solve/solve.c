@@ -111,7 +111,7 @@ static void write_answer_to(const contact_case *setup, job *task, const output_o
     output_options_write(how, write_rows, task);
     doubts_say(task->answer.doubts, "");
     if (task->says_verdict)
-        notice("%s", verdict_of(&task->answer, (verdict_style){how->decimal_sign, ""}).strength);
+        notice("%s", verdict_of(&task->answer, how->decimal_sign, "").strength);
 }
 
 static void solve_one(const input_texts *texts, job *task, const output_options *how)

@@ -59,7 +59,7 @@ static void take_results(const contact_case *setup, results *answer, case_values
     snprintf(shown->branch, sizeof shown->branch, "%s", answer->value[RESULT_YIELD_BRANCH].text);
     for (int i = RESULT_YIELD_X; i <= RESULT_YIELD_Y; i++)
         answer->value[i].number = number_rounded(answer->value[i].number, 2);
-    const verdict all = verdict_of(answer, (verdict_style){'.', "mm"});
+    const verdict all = verdict_of(answer, '.', "mm");
     snprintf(shown->strength, sizeof shown->strength, "%s", all.strength);
     snprintf(
         shown->figures, sizeof shown->figures,

@@ -46,10 +46,12 @@ static bool is_free(const case_table *table, const char *name, complaint *why)
 
 /* A result that the table has as an input is not repeated; another column of its name would be
  * mistaken for it. */
-static bool choose_results(case_table *table, complaint *why)
+bool case_table_begin(case_table *table, complaint *why)
 {
     const header *names = &table->names;
     results_wanted wanted = table->wanted;
+    if (!is_complete(table, why))
+        return false;
     wanted.edges = wanted.edges || header_has_input(names, INPUT_M) ||
                    header_has_input(names, INPUT_SIGMA) || header_has_input(names, INPUT_PROFILE);
     for (int i = 0; i < RESULT_COUNT; i++) {
@@ -60,11 +62,6 @@ static bool choose_results(case_table *table, complaint *why)
             return false;
     }
     return is_free(table, case_table_error, why);
-}
-
-bool case_table_begin(case_table *table, complaint *why)
-{
-    return is_complete(table, why) && choose_results(table, why);
 }
 
 /* ---- A row ---- */

@@ -117,15 +117,9 @@ typedef struct {
     char text[1200];    /* its state in a word, and what is doubtful */
 } verdict;
 
-/* The style of its sentences. */
-typedef struct {
-    char decimal_sign;
-    const char *length; /* the unit, or "" */
-} verdict_style;
-
 /* The verdict goes by the yield factor of the present loads; where that is not computed, by full
- * sliding. */
-verdict verdict_of(const results *answer, verdict_style style);
+ * sliding. Its sentences have the decimal sign, and lengths the unit, or "". */
+verdict verdict_of(const results *answer, char decimal_sign, const char *length_unit);
 
 /* The verdict on a contact that the library refuses with this status; RWEDGE_OK means that its
  * inputs are wrong. */

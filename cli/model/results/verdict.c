@@ -10,12 +10,13 @@ enum { DIGITS = 4 };
 
 typedef struct {
     verdict *to;
-    verdict_style style;
+    char decimal_sign;
+    const char *length_unit;
 } writer;
 
 static const char *write(const writer *w, double value, char text[NUMBER_SIZE])
 {
-    number_write(value, DIGITS, w->style.decimal_sign, text);
+    number_write(value, DIGITS, w->decimal_sign, text);
     return text;
 }
 
@@ -23,8 +24,8 @@ static void add_place(const writer *w, double x, double y)
 {
     char x_text[NUMBER_SIZE], y_text[NUMBER_SIZE];
     list_add(w->to->strength, sizeof w->to->strength, "", " at x = %s, y = %s%s%s, %s the surface.",
-             write(w, x, x_text), write(w, y, y_text), w->style.length[0] != '\0' ? " " : "",
-             w->style.length, y > 0 ? "below" : "at");
+             write(w, x, x_text), write(w, y, y_text), w->length_unit[0] != '\0' ? " " : "",
+             w->length_unit, y > 0 ? "below" : "at");
 }
 
 static void add_present(const writer *w, const results *answer, double factor)
@@ -72,13 +73,13 @@ static const char *yields(double factor, double safety)
     return "";
 }
 
-verdict verdict_of(const results *answer, verdict_style style)
+verdict verdict_of(const results *answer, char decimal_sign, const char *length_unit)
 {
     verdict result = {.colour = "red"};
     const double factor = answer->value[RESULT_YIELD_FACTOR].number;
     const double safety = answer->value[RESULT_SAFETY].number;
     const bool strong = answer->value[RESULT_LOAD_OVER_BK].text == NULL; /* k is given */
-    const writer w = {&result, style};
+    const writer w = {&result, decimal_sign, length_unit};
     result.factor = isnan(factor) ? safety : factor;
     if (!isnan(factor))
         add_present(&w, answer, factor);

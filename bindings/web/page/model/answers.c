@@ -118,7 +118,7 @@ static void write_hardest(const contact_case *setup, results *answer)
                  answer->hardest_von_mises);
 }
 
-static bool write_results(const contact_case *setup, verdict_style style)
+static bool write_results(const contact_case *setup, char decimal_sign, const char *length)
 {
     results answer;
     complaint why;
@@ -140,7 +140,7 @@ static bool write_results(const contact_case *setup, verdict_style style)
             json_add("{'results':{%t:%n}}", result_kinds[i].name,
                      value->text == NULL ? value->number : NAN);
     }
-    write_verdict(verdict_of(&answer, style));
+    write_verdict(verdict_of(&answer, decimal_sign, length));
     return true;
 }
 
@@ -153,7 +153,7 @@ EXPORTED const char *page_answer(char *lines, const char *length, int decimal_si
     rwedge_contact_destroy(page_contact());
     json_begin();
     if (write_inputs(&texts) && write_case(&texts, CASE_OF_SOLVE, &setup) &&
-        write_results(&setup, (verdict_style){(char)decimal_sign, length}))
+        write_results(&setup, (char)decimal_sign, length))
         loaded = setup.contact;
     else
         rwedge_contact_destroy(setup.contact);

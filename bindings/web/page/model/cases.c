@@ -58,8 +58,7 @@ static void write_row(const case_table *table, const csv_row *row)
     const bool solved =
         !row->malformed && case_table_solve(table, row->cell, row->count, &answer, &why);
     json_add("{'rows':[{'colour':%t,'error':%t,'cells':[",
-             solved ? verdict_of(&answer, (verdict_style){'.', ""}).colour : "red",
-             solved ? "" : why.text);
+             solved ? verdict_of(&answer, '.', "").colour : "red", solved ? "" : why.text);
     for (size_t i = 0; i < table->names.count; i++)
         json_add("%t", i < row->count ? row->cell[i] : "");
     json_add("],'values':[");

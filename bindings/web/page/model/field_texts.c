@@ -14,7 +14,7 @@ static void take_profile(char *rows, bool takes_hull, input_texts *texts)
         *at = '\n';
     pasted_offer(rows);
     profiles_forget(0);
-    remark = profiles_read(PROFILE_NAME, (profile_style){'.', takes_hull});
+    remark = profiles_read(PROFILE_NAME, '.', takes_hull);
     texts->text[INPUT_PROFILE] = PROFILE_NAME;
 }
 

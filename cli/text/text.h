@@ -67,8 +67,8 @@ typedef struct {
 /* Writes it as by printf; false. */
 bool complain(complaint *why, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/* Adds a part, made as by printf, to a text such as "csv, tsv, json"; the separator goes in front of all but the first.
- * What has no room is cut. */
+/* Adds a part, made as by printf, to a text such as "csv, tsv, json"; the separator goes in front
+ * of all but the first. What has no room is cut. */
 void list_add(char *text, size_t size, const char *separator, const char *format, ...)
     PRINTF_LIKE(4, 5);
 

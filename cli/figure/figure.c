@@ -81,27 +81,22 @@ static const table_variable *variable_of(int i)
     return i == C_OVER_B ? &stick_width : i == SIGMA_OVER_MAX ? &tension : &variables[i];
 }
 
-static void describe_uses(const figure *chosen, FILE *stream)
-{
-    const char *before = "      ";
-    for (int i = 0; i < FIGURE_VARIABLES; i++) {
-        const char *usual = chosen->use[i].usual;
-        if (usual == NULL)
-            continue;
-        fprintf(stream, "%s--%s%s%s", before, variable_of(i)->option, usual[0] != '\0' ? " " : "",
-                usual);
-        before = ", ";
-    }
-    if (before[0] == ',')
-        fputc('\n', stream);
-}
-
 static void describe_figures(FILE *stream)
 {
     fputs("\nFigures, with the variables they have and their defaults:\n", stream);
     for (int i = 0; i < FIGURE_COUNT; i++) {
+        const char *before = "      ";
         fprintf(stream, "  %-9s %s\n", figures[i]->name, figures[i]->summary);
-        describe_uses(figures[i], stream);
+        for (int k = 0; k < FIGURE_VARIABLES; k++) {
+            const char *usual = figures[i]->use[k].usual;
+            if (usual == NULL)
+                continue;
+            fprintf(stream, "%s--%s%s%s", before, variable_of(k)->option,
+                    usual[0] != '\0' ? " " : "", usual);
+            before = ", ";
+        }
+        if (before[0] == ',')
+            fputc('\n', stream);
     }
     fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number. gnuplot draws the\n"
           "pictures, 85 mm wide in PDF and PNG: it must be on PATH (package gnuplot-nox);\n"

@@ -112,21 +112,15 @@ static char *read_whole(FILE *file, size_t *length)
 
 /* ---- What gnuplot has to say ---- */
 
-/* The last line that says something; gnuplot shows the failing line of the script above it. */
-static const char *last_line(char *text)
-{
-    char *end = text + strlen(text);
-    while (end > text && strchr(" \t\r\n", end[-1]) != NULL)
-        *--end = '\0';
-    const char *line = strrchr(text, '\n');
-    line = line != NULL ? line + 1 : text;
-    return line + strspn(line, " \t\r");
-}
-
+/* With the last line that says something; gnuplot shows the failing line of the script above it. */
 NO_RETURN static void refuse(FILE *complaints, const char *event, int number)
 {
     size_t length;
-    const char *said = last_line(read_whole(complaints, &length));
+    char *text = read_whole(complaints, &length), *end = text + strlen(text);
+    while (end > text && strchr(" \t\r\n", end[-1]) != NULL)
+        *--end = '\0';
+    const char *line = strrchr(text, '\n'), *said = line != NULL ? line + 1 : text;
+    said += strspn(said, " \t\r");
     failure("gnuplot %s %d%s%.400s; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo "
             "(package gnuplot-nox)",
             event, number, said[0] != '\0' ? ": " : "", said);

@@ -139,17 +139,6 @@ static void find_separator(reader *in)
         separate_by(in, '\t');
 }
 
-static bool fill(reader *in)
-{
-    in->begin = 0;
-    const bool is_read = text_input_read(in->text, in->block, BLOCK, &in->end);
-    in->seen.problem = in->text->problem;
-    in->seen.has_mark = in->text->has_mark;
-    if (is_read && in->at_start)
-        find_separator(in);
-    return is_read;
-}
-
 /* ---- Rows ---- */
 
 /* A quote that is closed nowhere, or where it cannot be: no one knows which rows it has taken. */
@@ -161,8 +150,16 @@ static bool not_closed(reader *in)
 /* False at the end of the file, or where there is a problem. */
 static bool next_byte(reader *in, char *byte)
 {
-    if (in->begin == in->end && (!fill(in) || in->end == 0))
-        return false;
+    if (in->begin == in->end) {
+        const bool is_read = text_input_read(in->text, in->block, BLOCK, &in->end);
+        in->begin = 0;
+        in->seen.problem = in->text->problem;
+        in->seen.has_mark = in->text->has_mark;
+        if (is_read && in->at_start)
+            find_separator(in);
+        if (!is_read || in->end == 0)
+            return false;
+    }
     *byte = in->block[in->begin++];
     in->next_line += ends_line(*byte) && !(in->after_return && *byte == '\n');
     in->after_return = *byte == '\r';

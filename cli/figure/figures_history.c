@@ -24,7 +24,8 @@ static void visit_all(const figure_case *inputs, size_t first, visitor *visit, d
     for (size_t step = 0; step < inputs->history.steps; step++) {
         const load from = loads_of(contact), to = contact_history_load(&inputs->history, step);
         rwedge_contact *trial = NULL;
-        case_check(inputs, rwedge_contact_copy(contact, &trial));
+        if (step > first)
+            case_check(inputs, rwedge_contact_copy(contact, &trial));
         for (int i = 1; i < STEPS && from.P > 0 && step > first; i++) {
             if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
                 break;

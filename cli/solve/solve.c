@@ -101,12 +101,39 @@ static void write_rows(void *of_job, records *rows)
     (task->as_row ? write_row : write_list)(all, count, rows);
 }
 
-static void write_answer_to(const contact_case *setup, job *task, const output_options *how)
+/* ---- The case ---- */
+
+/* The input that is looked for is found; or all are given; or the loads come from a history. */
+static void read_case(const arguments *line, const input_texts *texts, job *task, char decimal_sign,
+                      contact_case *setup)
 {
+    const char *file = history_file(line);
+    complaint why;
+    if (task->looked_for != INPUT_COUNT) {
+        if (!inverse_find(texts, task->looked_for, task->safety, setup, &task->answer_for, &why))
+            failure("%s", why.text);
+    } else if (!history_is_given(line)) {
+        if (!case_read(texts, CASE_OF_SOLVE, setup, &why))
+            usage_error("%s", why.text);
+    } else {
+        history_case(line, texts, CASE_OF_HISTORY, decimal_sign, setup);
+        rwedge_contact_loads(setup->contact, &setup->P, &setup->M, &setup->Q, &setup->sigma);
+        if (!(setup->P > 0))
+            failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P "
+                    "above 0",
+                    file != NULL ? file : "--load");
+    }
+}
+
+static void solve_one(const arguments *line, const input_texts *texts, job *task,
+                      const output_options *how)
+{
+    contact_case setup;
     complaint why;
     results_wanted wanted = task->wanted;
     wanted.yield_factor = wanted.yield_factor || task->says_verdict;
-    if (!results_compute(setup, wanted, &task->answer, &why))
+    read_case(line, texts, task, how->decimal_sign, &setup);
+    if (!results_compute(&setup, wanted, &task->answer, &why))
         failure("%s", why.text);
     output_options_write(how, write_rows, task);
     doubts_say(task->answer.doubts, "");
@@ -114,55 +141,24 @@ static void write_answer_to(const contact_case *setup, job *task, const output_o
         notice("%s", verdict_of(&task->answer, how->decimal_sign, "").strength);
 }
 
-static void solve_one(const input_texts *texts, job *task, const output_options *how)
-{
-    contact_case setup;
-    complaint why;
-    if (task->looked_for == INPUT_COUNT) {
-        if (!case_read(texts, CASE_OF_SOLVE, &setup, &why))
-            usage_error("%s", why.text);
-    } else if (!inverse_find(texts, task->looked_for, task->safety, &setup, &task->answer_for,
-                             &why))
-        failure("%s", why.text);
-    write_answer_to(&setup, task, how);
-}
-
-/* ---- After a history ---- */
-
-static void solve_history(const arguments *line, const input_texts *texts, job *task,
-                          const output_options *how)
-{
-    contact_case setup;
-    history_case(line, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
-    rwedge_contact_loads(setup.contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
-    if (!(setup.P > 0))
-        failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P above "
-                "0",
-                history_file(line) != NULL ? history_file(line) : "--load");
-    write_answer_to(&setup, task, how);
-}
-
 /* ---- The command ---- */
 
-static bool read_layout(const arguments *line)
+static void read_task(const arguments *line, const input_texts *texts, const char *file, job *task)
 {
-    const char *text = line->value[OPTION_LAYOUT];
-    const bool as_row = text != NULL && strcmp(text, "row") == 0;
-    if (text != NULL && !as_row && strcmp(text, "list") != 0)
-        usage_error("--layout %s: unknown layout; allowed: list, row", text);
-    if (text != NULL && !as_row && line->value[OPTION_INPUT_FILE] != NULL)
-        usage_error("--layout list: a file has a row for each contact; allowed with --input: row");
-    return as_row;
-}
-
-static bool read_yield_factor(const arguments *line, const input_texts *texts)
-{
-    const bool wanted = line->value[OPTION_YIELD_FACTOR] != NULL;
-    const bool strength =
+    const char *layout = line->value[OPTION_LAYOUT];
+    const bool has_strength =
         input_is_given(texts, INPUT_K) || input_is_given(texts, INPUT_YIELD_STRESS);
-    if (wanted && !strength && line->value[OPTION_INPUT_FILE] == NULL)
+    task->as_row = layout != NULL && strcmp(layout, "row") == 0;
+    if (layout != NULL && !task->as_row && strcmp(layout, "list") != 0)
+        usage_error("--layout %s: unknown layout; allowed: list, row", layout);
+    if (layout != NULL && !task->as_row && file != NULL)
+        usage_error("--layout list: a file has a row for each contact; allowed with --input: row");
+    task->wanted.yield_factor = line->value[OPTION_YIELD_FACTOR] != NULL;
+    if (task->wanted.yield_factor && !has_strength && file == NULL)
         usage_error("--yield-factor: needs --k or --yield-stress");
-    return wanted;
+    task->wanted.edges = history_is_given(line) || input_is_given(texts, INPUT_M) ||
+                         input_is_given(texts, INPUT_SIGMA) || input_is_given(texts, INPUT_PROFILE);
+    task->says_verdict = line->value[OPTION_VERDICT] != NULL;
 }
 
 /* Reads --for and --safety: the input to be found must not be given, and there is one contact. */
@@ -183,16 +179,6 @@ static void read_inverse(const arguments *line, const input_texts *texts, job *t
     const int other = input_alternative(task->looked_for);
     if (input_is_given(texts, task->looked_for) || (other >= 0 && input_is_given(texts, other)))
         usage_error("--for %s: it is given too; allowed: one of the two", name);
-}
-
-static void check_one_contact(const arguments *line, const job *task, const char *file)
-{
-    if (task->says_verdict && file != NULL)
-        usage_error("--verdict: is of one contact, not with --input");
-    if (task->looked_for != INPUT_COUNT && (file != NULL || history_is_given(line)))
-        usage_error("--for %s: is of one contact and its loads, not with --input, --load and "
-                    "--history",
-                    line->value[OPTION_FOR]);
 }
 
 /* A file of contacts, or one of loads. */
@@ -221,22 +207,19 @@ static int solve(const arguments *line)
     threads_read(line);
     if (line->value[OPTION_THREADS] != NULL && file == NULL)
         usage_error("--threads %s: needs --input", line->value[OPTION_THREADS]);
-    task.as_row = read_layout(line);
-    task.wanted.yield_factor = read_yield_factor(line, &texts);
-    task.wanted.edges = history_is_given(line) || input_is_given(&texts, INPUT_M) ||
-                        input_is_given(&texts, INPUT_SIGMA) ||
-                        input_is_given(&texts, INPUT_PROFILE);
-    task.says_verdict = line->value[OPTION_VERDICT] != NULL;
+    read_task(line, &texts, file, &task);
     read_inverse(line, &texts, &task);
-    check_one_contact(line, &task, file);
+    if (task.says_verdict && file != NULL)
+        usage_error("--verdict: is of one contact, not with --input");
+    if (task.looked_for != INPUT_COUNT && (file != NULL || history_is_given(line)))
+        usage_error("--for %s: is of one contact and its loads, not with --input, --load and "
+                    "--history",
+                    line->value[OPTION_FOR]);
     if (file != NULL)
         return batch_run(line, file, &texts, task.wanted, &how);
     input_options_check_hull(line);
     history_check(line);
-    if (history_is_given(line))
-        solve_history(line, &texts, &task, &how);
-    else
-        solve_one(&texts, &task, &how);
+    solve_one(line, &texts, &task, &how);
     return STATUS_DONE;
 }
 

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-size_t number_begin(const char *text, double *value)
+/* The finite number that a text begins with. How many characters it has; 0 where none starts
+ * there. */
+static size_t number_begin(const char *text, double *value)
 {
     char *end;
     const double read = strtod(text, &end);

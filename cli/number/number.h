@@ -10,12 +10,8 @@
 /* ---- number ---- Numbers as text, the same in every locale: the tool never calls setlocale(), so
  * the decimal sign is a point unless asked otherwise. */
 
-/* Reads the finite number that a text begins with, correctly rounded; -0 becomes 0. How many
- * characters it has; 0 where no number starts there. Spaces, "inf", "nan" and hexadecimal numbers,
- * which strtod() accepts, are none here. */
-size_t number_begin(const char *text, double *value);
-
-/* Reads a whole text as a number. */
+/* Reads a whole text as a number, correctly rounded; -0 becomes 0. Spaces, "inf", "nan" and
+ * hexadecimal numbers, which strtod() accepts, are none here. */
 bool number_read(const char *text, double *value);
 
 /* The same with blanks around it, and with that decimal sign: the text of a cell. */

@@ -99,12 +99,6 @@ yield_table *yield_table_make(const case_values *values);
 const double *yield_table_numbers(const yield_table *table, const char *name, int *rows,
                                   int *columns);
 
-/* ---- batch_sheet ---- The sheet with a case a row, which is to be filled. */
-
-enum { BATCH_ROWS = 200 };
-
-void sheet_batch(xlsx *book);
-
 /* ---- sheets ---- The workbook as a file, with the sheets as data/sheets.tsv has them. */
 
 void book_write(output *out);

@@ -69,17 +69,15 @@ typedef struct {
     const input_texts *options;
 } sources;
 
-static bool is_given(const sources *from, int input)
-{
-    return header_has_input(from->names, input) ||
-           (from->options != NULL && from->options->text[input] != NULL);
-}
-
 /* Whether the input is given, or its alternative is, as the radius for a. */
 static bool is_given_somehow(const sources *from, int input)
 {
-    return is_given(from, input) ||
-           (input_alternative(input) >= 0 && is_given(from, input_alternative(input)));
+    const int ways[] = {input, input_alternative(input)};
+    for (int i = 0; i < 2; i++)
+        if (ways[i] >= 0 && (header_has_input(from->names, ways[i]) ||
+                             (from->options != NULL && from->options->text[ways[i]] != NULL)))
+            return true;
+    return false;
 }
 
 /* The input whose name this nearly is: "Yield stress" and " f" are slips. But p beside P, or F

@@ -24,11 +24,6 @@ enum {
 /* No command has more options. */
 typedef char options_have_room[(int)OPTION_OVER < (int)OPTION_LIMIT ? 1 : -1];
 
-static const table_variable stick_width = {
-    "c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
-static const table_variable tension = {
-    "sigma-over-max", "sigma_over_max", "the bulk tension", -1, 1, "a number from -1 to 1", ""};
-
 /* Those of "rwedge history" but for friction and Poisson's ratio, which figures have anyway. */
 static struct poptOption history_figure_option_table[] = {
     {INCLUDED(shape_option_table), NULL, NULL},
@@ -76,11 +71,6 @@ static const struct poptOption options[] = {
     POPT_TABLEEND,
 };
 
-static const table_variable *variable_of(int i)
-{
-    return i == C_OVER_B ? &stick_width : i == SIGMA_OVER_MAX ? &tension : &variables[i];
-}
-
 static void describe_figures(FILE *stream)
 {
     fputs("\nFigures, with the variables they have and their defaults:\n", stream);
@@ -91,8 +81,8 @@ static void describe_figures(FILE *stream)
             const char *usual = figures[i]->use[k].usual;
             if (usual == NULL)
                 continue;
-            fprintf(stream, "%s--%s%s%s", before, variable_of(k)->option,
-                    usual[0] != '\0' ? " " : "", usual);
+            fprintf(stream, "%s--%s%s%s", before, variables[k].option, usual[0] != '\0' ? " " : "",
+                    usual);
             before = ", ";
         }
         if (before[0] == ',')
@@ -130,10 +120,9 @@ NO_RETURN static void refuse_variable(const figure *chosen, int variable, const 
     char allowed[160] = "";
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (chosen->use[i].usual != NULL)
-            list_add(allowed, sizeof allowed, ", ", "--%s", variable_of(i)->option);
-    usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
-                variable_of(variable)->option, text, chosen->name,
-                allowed[0] != '\0' ? allowed : "none of the variables");
+            list_add(allowed, sizeof allowed, ", ", "--%s", variables[i].option);
+    usage_error("--%s %s: figure %s does not depend on it; allowed: %s", variables[variable].option,
+                text, chosen->name, allowed[0] != '\0' ? allowed : "none of the variables");
 }
 
 static void read_variable(const figure *chosen, int i, const char *text, range *values)
@@ -141,12 +130,12 @@ static void read_variable(const figure *chosen, int i, const char *text, range *
     const int most = chosen->use[i].most;
     if (text == NULL && chosen->use[i].usual[0] == '\0')
         return;
-    variable_read(variable_of(i), text != NULL ? text : chosen->use[i].usual, values);
+    variable_read(&variables[i], text != NULL ? text : chosen->use[i].usual, values);
     if (values->count > most && most == 1)
-        usage_error("--%s %s: must be one number", variable_of(i)->option, text);
+        usage_error("--%s %s: must be one number", variables[i].option, text);
     if (values->count > most)
-        usage_error("--%s %s: must not have more than %d values, a curve each",
-                    variable_of(i)->option, text, most);
+        usage_error("--%s %s: must not have more than %d values, a curve each", variables[i].option,
+                    text, most);
 }
 
 static void read_case(const arguments *line, figure_case *inputs)
@@ -285,7 +274,7 @@ void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *s
     for (int i = 0; i < FIGURE_VARIABLES; i++)
         if (inputs->value[i].count > 0) {
             case_names(inputs, i, names);
-            script_text(script, variable_of(i)->column, names);
+            script_text(script, variables[i].column, names);
         }
     script_number(script, "titled", !inputs->no_title);
     script_rows(script, "$rows", rows);

@@ -40,9 +40,6 @@ void dataset_write(const dataset *data, records *rows);
 /* ---- kind ---- A kind of figure: what it depends on, the numbers behind it, and the script that
  * draws them. */
 
-/* Those of tables, and two more. */
-enum { C_OVER_B = VARIABLE_COUNT, SIGMA_OVER_MAX, FIGURE_VARIABLES };
-
 /* How a figure depends on a variable: the default, NULL where it does not depend on it, "" where
  * it may be left out. */
 typedef struct {

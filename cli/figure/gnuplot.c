@@ -13,7 +13,6 @@ typedef struct {
     double width;              /* in the terminal's unit */
     double line;               /* the height of a line of text over that */
     const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
-    bool needs_spaces;         /* its viewers have to be told to keep them */
 } picture_format;
 
 /* 85 mm, the width of a journal's column: 241 pt, 1004 dots at 300 to the inch. The SVG is 480
@@ -22,15 +21,15 @@ typedef struct {
 static const picture_format picture_formats[] = {
     {"svg",
      "svg size %.0f,%.0f enhanced font 'sans-serif,15' linewidth 1.6 background '#ffffff' butt",
-     480, 0.043, "<?xml", "</svg>", true},
+     480, 0.043, "<?xml", "</svg>"},
     {"png",
      "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale "
      "3.5 dashlength 1.6 background '#ffffff' butt",
-     1004, 0.034, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", false},
+     1004, 0.034, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82"},
     {"pdf",
      "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 "
      "pointscale 0.9 background '#ffffff' butt",
-     8.5, 0.034, "%PDF-", "%%EOF", false},
+     8.5, 0.034, "%PDF-", "%%EOF"},
 };
 
 /* ---- What a script is made of ---- */
@@ -162,7 +161,7 @@ static void take_picture(FILE *const stream[], const picture_format *format, out
     if (!is_whole(picture, length, format))
         refuse(stream[COMPLAINTS], "gave no whole picture, but bytes:", (int)(length % 1000000000));
     remove_date(picture, length);
-    const char *root = format->needs_spaces ? strstr(picture, start) : NULL;
+    const char *root = strcmp(format->name, "svg") == 0 ? strstr(picture, start) : NULL;
     const size_t before = root != NULL ? (size_t)(root - picture) + strlen(start) : 0;
     output_write(out, picture, before);
     if (root != NULL)

@@ -6,12 +6,15 @@
 #include <math.h>
 #include <string.h>
 
-const table_variable variables[VARIABLE_COUNT] = {
+const table_variable variables[FIGURE_VARIABLES] = {
     [A_OVER_B] = {"a-over-b", "a_over_b", "a/b", 0, HUGE_VAL, "a number not below 0", "0.1:1:0.1"},
     [FRICTION] = {"friction", "f", "the coefficient of friction", 0, 1e6, "a number from 0 to 1e6",
                   "0:0.8:0.0125"},
     [NU] = {"nu", "nu", "Poisson's ratio", 0, 0.5, "a number from 0 to 0.5", "0.3"},
     [Q_OVER_FP] = {"q-over-fp", "Q_over_fP", "Q/(fP)", 0, 1, "a number from 0 to 1", "0:1:0.05"},
+    [C_OVER_B] = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""},
+    [SIGMA_OVER_MAX] = {"sigma-over-max", "sigma_over_max", "the bulk tension", -1, 1,
+                        "a number from -1 to 1", ""},
 };
 
 static void read_range(const char *option, const char *text, range *values)

@@ -98,11 +98,19 @@ void load_history_read_list(const arguments *line, load_history *loads)
 /* ---- A file ---- */
 
 /* A row that is no load ends the command: the loads after it would belong to another history. */
-static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
+void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
 {
+    const char *file = history_file(line);
     load to;
     csv_row row;
     complaint why;
+    if (file == NULL) {
+        load_history_read_list(line, loads);
+        return;
+    }
+    csv_input *in =
+        csv_input_open(file, decimal_sign == ',' ? ';' : ',', line->value[OPTION_ENCODING]);
+    *loads = (load_history){.name = in->name};
     csv_input_header(in, &loads->first);
     csv_input_check(in);
     if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, &why))
@@ -118,19 +126,6 @@ static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
     csv_input_check(in);
     if (loads->count == 0)
         failure("%s: no loads; needed: rows of P and Q", in->name);
-}
-
-void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
-{
-    const char *file = history_file(line);
-    if (file == NULL) {
-        load_history_read_list(line, loads);
-        return;
-    }
-    csv_input *in =
-        csv_input_open(file, decimal_sign == ',' ? ';' : ',', line->value[OPTION_ENCODING]);
-    *loads = (load_history){.name = in->name};
-    read_rows(in, decimal_sign, loads);
     loads->has_mark = in->has_mark;
     csv_input_close(in);
 }

@@ -33,9 +33,6 @@ void loaded_contact_describe(FILE *stream)
 /* Powers of two with theta/A = 1: natural units are exact. */
 static const double NATURAL_THETA = 0.5, NATURAL_A = 0.5, NATURAL_NU = 0.3;
 
-static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1",
-                                        "0"};
-
 /* ---- Natural units ---- */
 
 static void refuse_dimensional(const arguments *line, const input_texts *texts)
@@ -76,8 +73,9 @@ static load read_natural_load(const arguments *line, const input_texts *texts, d
     if (q != NULL && c != NULL)
         usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
     const double ratio =
-        q != NULL ? variable_read_one(&variables[Q_OVER_FP], q)
-                  : rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&c_over_b, c) : 1);
+        q != NULL
+            ? variable_read_one(&variables[Q_OVER_FP], q)
+            : rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&variables[C_OVER_B], c) : 1);
     to.Q = ratio * f * to.P;
     return to;
 }

@@ -33,7 +33,7 @@ void passed_cells(const load_history *loads, size_t row, records *rows)
         const char *text = loads->row[row].cell[i];
         const bool is_number = number_survives(text, rows->how->decimal_sign, &number);
         if (!header_is_input(&loads->names, i))
-            records_value(rows, is_number ? cell_typed(text, number) : cell_text(text));
+            records_value(rows, is_number ? (cell){text, number} : cell_text(text));
     }
 }
 

@@ -46,8 +46,9 @@ double number_rounded(double value, int digits);
 
 /* ---- cell ---- A cell of a table, and what its column holds. */
 
-/* A number as it was typed, with its text; or a text, whose number is NAN; or a number, whose text
- * is NULL. A number without a text that is not finite is an empty cell. */
+/* A number as it was typed, with its text, which CSV gives back, other formats the number; or a
+ * text, whose number is NAN; or a number, whose text is NULL. A number without a text that is not
+ * finite is an empty cell, as is the text "". */
 typedef struct {
     const char *text;
     double number;
@@ -61,17 +62,6 @@ static inline cell cell_number(double number)
 static inline cell cell_text(const char *text)
 {
     return (cell){text, NAN};
-}
-
-/* CSV gives the text back, other formats the number. */
-static inline cell cell_typed(const char *text, double number)
-{
-    return (cell){text, number};
-}
-
-static inline cell cell_empty(void)
-{
-    return cell_text("");
 }
 
 /* What a column holds, and in which unit. */

@@ -70,7 +70,7 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
     const bool is_input = header_is_input(&r->table.names, column);
     double number;
     return (is_input ? number_read_cell : number_survives)(text, r->how->decimal_sign, &number)
-               ? cell_typed(text, number)
+               ? (cell){text, number}
                : cell_text(text);
 }
 
@@ -81,7 +81,7 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
         records_value(r->rows, cell_of(r, row, i));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
-            records_value(r->rows, solution->solved ? solution->results.value[i] : cell_empty());
+            records_value(r->rows, solution->solved ? solution->results.value[i] : cell_text(""));
     const bool is_hidden = row->malformed || row->count > r->table.names.count;
     const size_t size = sizeof solution->why + strlen(row->whole) + 3;
     char *error = memory_zeroed(size, 1);

@@ -106,7 +106,7 @@ static int32_t results_of_state(const contact_case *setup, cell row[])
                  c = rwedge_contact_stick_half_width(contact);
     if (setup->M != 0 || !has_formulas) {
         row[RESULT_B] = cell_number(b);
-        row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_empty();
+        row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_text("");
     }
     if (!has_formulas)
         row[RESULT_P0] = cell_number(peak_pressure(setup, contact));
@@ -183,7 +183,7 @@ static bool strength(const contact_case *setup, double b, cell row[], complaint 
     row[RESULT_TENSION_SLIDING] = cell_number(setup->f * setup->P / b * rwedge_max_tension(alpha));
     row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * setup->P / b / limit);
     row[RESULT_F_CRITICAL] =
-        alpha > 0 ? cell_number(rwedge_critical_friction(alpha, setup->nu1)) : cell_empty();
+        alpha > 0 ? cell_number(rwedge_critical_friction(alpha, setup->nu1)) : cell_text("");
     row[RESULT_P_OVER_BK] = cell_number(limit);
     if (isnan(setup->k))
         return true;
@@ -212,7 +212,7 @@ int32_t results_find_hardest(const contact_case *setup, results *answer)
     if (status != RWEDGE_OK)
         return status;
     yield_place_settle(&answer->hardest_x, &answer->hardest_y);
-    answer->value[RESULT_YIELD_FACTOR] = strong ? cell_number(factor) : cell_empty();
+    answer->value[RESULT_YIELD_FACTOR] = strong ? cell_number(factor) : cell_text("");
     answer->hardest_von_mises = SQRT_3 * k / factor;
     return RWEDGE_OK;
 }
@@ -249,7 +249,7 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
                      complaint *why)
 {
     for (int i = 0; i < RESULT_COUNT; i++)
-        answer->value[i] = cell_empty();
+        answer->value[i] = cell_text("");
     const pad *shape = &setup->shape;
     const double b = pad_half_width(shape, setup->A, setup->P);
     if (isnan(b) && shape->kind != PAD_WEDGE)

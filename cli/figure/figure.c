@@ -253,22 +253,16 @@ static const char *read_picture_format(const arguments *line, output_options *ho
 
 /* ---- What is written ---- */
 
-/* Whether a number of these columns, a bit for each, is not 0. */
-static bool has_anything(const dataset *rows, int columns)
-{
-    for (size_t i = 0; i < rows->count; i++)
-        for (int k = 0; k < DATA_COLUMNS_MAX; k++)
-            if ((columns >> k & 1) != 0 && isfinite(rows->row[i].number[k]) &&
-                rows->row[i].number[k] != 0)
-                return true;
-    return false;
-}
-
 void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     const figure *kind = inputs->kind;
     char names[FIGURE_NAMES_SIZE];
-    if (kind->nothing != NULL && !has_anything(rows, kind->drawn))
+    bool is_drawn = kind->nothing == NULL; /* or a number of its columns is not 0 */
+    for (size_t i = 0; i < rows->count && !is_drawn; i++)
+        for (int k = 0; k < DATA_COLUMNS_MAX; k++)
+            is_drawn = is_drawn || ((kind->drawn >> k & 1) != 0 && rows->row[i].number[k] != 0 &&
+                                    isfinite(rows->row[i].number[k]));
+    if (!is_drawn)
         failure("figure %s: nothing to draw: %s", kind->name, kind->nothing);
     script_lines(script, head_lines, NULL);
     for (int i = 0; i < FIGURE_VARIABLES; i++)

@@ -98,26 +98,21 @@ static void write_list(void *of_frames, records *rows)
 
 /* ---- All ---- */
 
-static void spare_files(const arguments *line, const output_options *how, const frames *series)
-{
-    for (size_t step = 0; step < series->count; step++) {
-        output_options frame = *how;
-        frame.path = frame_name(series, step);
-        output_options_spare_files(line, &frame);
-        free((char *)frame.path);
-    }
-}
-
 void series_write(const point_rows *points, const arguments *line, const output_options *how)
 {
     const frames old = frames_of(how->path);
     frames series = {how->path, old.mark[0] == 'b' ? "" : "b", points->history->steps};
     if (json_quoted(how->path) == NULL)
         usage_error("--output %s: must be UTF-8, as the list of the files is", how->path);
-    spare_files(line, how, &series);
-    rwedge_contact *contact = contact_history_begin(points->history);
     output_options file = *how;
     file.format = &vtk_format;
+    for (size_t step = 0; step < series.count; step++) {
+        char *name = frame_name(&series, step);
+        file.path = name;
+        output_options_spare_files(line, &file);
+        free(name);
+    }
+    rwedge_contact *contact = contact_history_begin(points->history);
     for (points_after under = {points, contact, 0}; under.step < series.count; under.step++) {
         char *name = frame_name(&series, under.step);
         contact_history_go_on(points->history, under.step, contact);

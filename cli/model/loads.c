@@ -36,7 +36,8 @@ int32_t loads_apply_monotonic(load to, rwedge_contact *contact)
 
 /* ---- What is wrong with a load ---- */
 
-/* The library's status where an error is allowed; 0: nothing is computed. */
+/* The library's status where an error is allowed; 0: nothing is computed, which takes seconds near
+ * the largest moment. */
 static int32_t try_load(load to, const rwedge_contact *contact, double allowed)
 {
     rwedge_contact *trial = NULL;
@@ -49,12 +50,6 @@ static int32_t try_load(load to, const rwedge_contact *contact, double allowed)
     return status;
 }
 
-/* Nothing is computed for it: near the largest moment that takes seconds. */
-static bool is_in_domain(load to, const rwedge_contact *contact)
-{
-    return try_load(to, contact, 0) != RWEDGE_EDOMAIN;
-}
-
 /* Whatever has a size is 0 or at least this: the library's header. */
 static const double SIZE_LEAST = 1e-60;
 
@@ -64,7 +59,7 @@ static double largest_moment(load to, const rwedge_contact *contact)
     double allowed = 0, refused = to.M;
     while (fabs(refused) >= SIZE_LEAST && fabs(refused - allowed) > 1e-7 * fabs(refused)) {
         to.M = allowed + (refused - allowed) / 2;
-        if (is_in_domain(to, contact))
+        if (try_load(to, contact, 0) != RWEDGE_EDOMAIN)
             allowed = to.M;
         else
             refused = to.M;
@@ -91,7 +86,7 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
         return fault_at(INPUT_P, "must not be below 0, and Q must be 0 where P is");
     if (to.P == 0 && to.M != 0)
         return fault_at(INPUT_M, "must be 0 where P is");
-    if (!is_in_domain(level, contact))
+    if (try_load(level, contact, 0) == RWEDGE_EDOMAIN)
         return fault_at(INPUT_COUNT, "%s", rwedge_strerror(RWEDGE_EDOMAIN));
     const double most = largest_moment(to, contact);
     return fault_at(INPUT_M,

@@ -19,14 +19,6 @@ static void print_quoted(const char *text, const char *special)
     }
 }
 
-/* "svg|png, csv" is three words. */
-static void print_value(const char *value)
-{
-    for (const char *c = value != NULL ? value : ""; *c != '\0'; c++)
-        if (*c != ',')
-            putchar(*c == '|' ? ' ' : *c);
-}
-
 /* A line for each option: command;option;letter;value;*;meaning, the * where it may be repeated. */
 static void print_options(const struct poptOption *options, const command *owner,
                           const char *special)
@@ -40,7 +32,9 @@ static void print_options(const struct poptOption *options, const command *owner
             continue;
         printf("%s;%s;%.1s;", owner != NULL ? owner->name : "", options->longName,
                &options->shortName);
-        print_value(options->argDescrip);
+        for (const char *c = options->argDescrip; c != NULL && *c != '\0'; c++)
+            if (*c != ',') /* "svg|png, csv" is three words */
+                putchar(*c == '|' ? ' ' : *c);
         fputs(owner != NULL && owner->grammar.repeated == options->val ? ";*;" : ";;", stdout);
         print_quoted(options->descrip, special);
         putchar('\n');

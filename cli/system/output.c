@@ -12,14 +12,6 @@ NO_RETURN static void refuse(const output *out, int reason)
     failure("%s: %s", out->name, file_problem(reason));
 }
 
-static void open_directly(output *out, FILE *stream)
-{
-    if (stream == NULL)
-        refuse(out, errno);
-    out->stream = stream;
-    signals_on_end(NULL, "; the output is not complete");
-}
-
 static void open_beside(output *out, const char *path)
 {
     out->target = target_of_links(path);
@@ -54,10 +46,12 @@ void output_open(output *out, const char *path)
     const file_kind kind = is_standard ? FILE_OTHER : file_kind_of(path);
     if (kind == FILE_REGULAR || kind == FILE_ABSENT)
         open_beside(out, path);
-    else if (kind == FILE_OTHER)
-        open_directly(out, is_standard ? stdout : file_to_write(path));
-    else
-        refuse(out, kind == FILE_FOLDER ? EISDIR : errno);
+    else {
+        out->stream = is_standard ? stdout : kind == FILE_OTHER ? file_to_write(path) : NULL;
+        if (out->stream == NULL)
+            refuse(out, kind == FILE_FOLDER ? EISDIR : errno);
+        signals_on_end(NULL, "; the output is not complete");
+    }
     unsettled = out;
 }
 

@@ -202,30 +202,23 @@ static void describe_tables(FILE *stream)
 
 static void choose_table(const arguments *line, plan *job)
 {
+    const char *pad = line->value[OPTION_PAD];
+    const bool is_flat = pad != NULL && strcmp(pad, "flat") == 0;
     char allowed[160] = "";
     for (int i = 0; i < WEDGE_TABLES; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (line->operand == NULL || line->operand[0] == NULL)
         usage_error("the name of a table must follow; allowed: %s", allowed);
-    job->table = table_named(line->operand[0], false);
-    if (job->table == NULL)
+    if (table_named(line->operand[0], false) == NULL)
         usage_error("%s: unknown table; allowed: %s", line->operand[0], allowed);
     if (line->operand[1] != NULL)
         usage_error("%s: unexpected; allowed: one table, and options", line->operand[1]);
-}
-
-static void choose_pad(const arguments *line, plan *job)
-{
-    const char *text = line->value[OPTION_PAD];
-    if (text == NULL || strcmp(text, "wedge") == 0)
-        return;
-    if (strcmp(text, "flat") != 0)
-        usage_error("--pad %s: unknown pad; allowed: wedge, flat", text);
-    const table *of_flat = table_named(job->table->name, true);
-    if (of_flat == NULL)
+    if (pad != NULL && !is_flat && strcmp(pad, "wedge") != 0)
+        usage_error("--pad %s: unknown pad; allowed: wedge, flat", pad);
+    job->table = table_named(line->operand[0], is_flat);
+    if (job->table == NULL)
         usage_error("--pad flat: not for %s; allowed: elastic-limit, contact-law",
-                    job->table->name);
-    job->table = of_flat;
+                    line->operand[0]);
 }
 
 static void read_variables(const arguments *line, plan *job)
@@ -299,7 +292,6 @@ static int write_table(const arguments *line)
     plan job = {0};
     output_options how;
     choose_table(line, &job);
-    choose_pad(line, &job);
     read_variables(line, &job);
     read_layout(line, &job);
     read_quantity(line, &job);

@@ -263,18 +263,8 @@ static const struct {
     {"look_up", write_look_up}, {NULL, set_property},
 };
 
-/* Cells as "A1" or "A1:C9", the cell below the last where there is no text; other texts are no
- * place. */
-static void set_place(sheets *on, const char *text)
-{
-    const size_t letters = strspn(text, "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
-    if (letters > 0 && isdigit((unsigned char)text[letters]))
-        on->at = xlsx_area_of(text);
-    else if (text[0] == '\0')
-        on->at =
-            (xlsx_area){on->at.last_row + 1, on->at.column, on->at.last_row + 1, on->at.column};
-}
-
+/* A place is cells as "A1" or "A1:C9", the cell below the last where there is no text; other texts
+ * are none. */
 void book_write(output *out)
 {
     const char *const *next = sheets_lines, *f[FIELDS];
@@ -286,7 +276,11 @@ void book_write(output *out)
         int i = 0;
         while (kinds[i].name != NULL && strcmp(kinds[i].name, f[KIND]) != 0)
             i++;
-        set_place(&on, f[PLACE]);
+        const size_t letters = strspn(f[PLACE], "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+        if (letters > 0 && isdigit((unsigned char)f[PLACE][letters]))
+            on.at = xlsx_area_of(f[PLACE]);
+        else if (f[PLACE][0] == '\0')
+            on.at = (xlsx_area){on.at.last_row + 1, on.at.column, on.at.last_row + 1, on.at.column};
         kinds[i].write(&on, f);
     }
     xlsx_hide_names(on.book, "rwt_");

@@ -9,14 +9,6 @@
 
 enum { EXAMPLE_SIZE = 32 };
 
-/* The part of a list between commas. */
-static void read_example(const char *list, int example, char text[EXAMPLE_SIZE])
-{
-    for (int i = 0; i < example; i++)
-        list += strcspn(list, ",") + 1;
-    snprintf(text, EXAMPLE_SIZE, "%.*s", (int)strcspn(list, ","), list);
-}
-
 /* Read as the tool reads it: the columns of Batch have the names of inputs. */
 static contact_case case_of(char text[INPUT_CELLS][EXAMPLE_SIZE])
 {
@@ -79,7 +71,10 @@ void shown_values(int example, case_values *shown)
     if (example >= EXAMPLES)
         return;
     for (int i = 0; i < INPUT_CELLS; i++) {
-        read_example(case_cells[i].examples, example, text[i]);
+        const char *list = case_cells[i].examples; /* its parts are between commas */
+        for (int k = 0; k < example; k++)
+            list += strcspn(list, ",") + 1;
+        snprintf(text[i], EXAMPLE_SIZE, "%.*s", (int)strcspn(list, ","), list);
         number_read(text[i], &shown->number[i]);
     }
     const contact_case setup = case_of(text);

@@ -75,15 +75,6 @@ static bool is_rigid(const input_texts *texts)
 
 /* An empty cell is a gap in the data: a default would look like a result. Only a rigid body has
  * no Poisson's ratio. */
-static bool has_no_gap(const case_table *table, const input_texts *texts, complaint *why)
-{
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (header_has_input(&table->names, i) && !input_is_given(texts, i) &&
-            !(i == INPUT_NU2 && is_rigid(texts)))
-            return complain(why, "%s: the cell is empty", input_kinds[i].column);
-    return true;
-}
-
 bool case_table_solve(const case_table *table, const char *const row[], size_t count,
                       results *answer, complaint *why)
 {
@@ -94,8 +85,10 @@ bool case_table_solve(const case_table *table, const char *const row[], size_t c
         text[i] = header_has_input(&table->names, i) ? row[table->names.column[i]] : NULL;
     const input_texts texts = texts_of(table, text);
     contact_case setup;
-    if (!has_no_gap(table, &texts, why))
-        return false;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (header_has_input(&table->names, i) && !input_is_given(&texts, i) &&
+            !(i == INPUT_NU2 && is_rigid(&texts)))
+            return complain(why, "%s: the cell is empty", input_kinds[i].column);
     const bool solved = case_read(&texts, CASE_OF_SOLVE, &setup, why) &&
                         results_compute(&setup, table->wanted, answer, why);
     rwedge_contact_destroy(setup.contact);

@@ -213,7 +213,7 @@ static bool next_row(reader *in)
         return true;
     csv_free(&in->parser); /* what it still holds of the row is thrown away */
     start_parser(in);
-    if (csv_row_spans_lines(&in->seen.row))
+    if (strpbrk(in->row, "\r\n") != NULL) /* over several lines */
         return not_closed(in);
     return in->seen.takes_malformed || stop(in, "misplaced quotes");
 }
@@ -258,11 +258,6 @@ void csv_input_close(csv_input *seen)
     csv_free(&in->parser);
     text_input_close(in->text);
     free(in);
-}
-
-bool csv_row_spans_lines(const csv_row *row)
-{
-    return strpbrk(row->whole, "\r\n") != NULL;
 }
 
 /* ---- A row that stays ---- */

@@ -83,9 +83,6 @@ void csv_input_check(const csv_input *in);
 
 void csv_input_close(csv_input *in);
 
-/* Whether a row has a quote over several lines. */
-bool csv_row_spans_lines(const csv_row *row);
-
 /* Copies the row that was read last: it stays while others are read. Free it. */
 void csv_row_keep(const csv_input *in, csv_row *row);
 void csv_row_free(csv_row *row);

@@ -107,7 +107,7 @@ static bool next_row(const run *r)
     const csv_row *row = &r->in->row;
     if (!csv_input_next(r->in))
         return false;
-    if (row->malformed || row->count == r->table.names.count || !csv_row_spans_lines(row))
+    if (row->malformed || row->count == r->table.names.count || strpbrk(row->whole, "\r\n") == NULL)
         return true;
     return csv_input_stop(
         r->in, "line %" PRId64 ": a quote over several lines, and too few or too many cells",

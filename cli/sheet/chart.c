@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "parts.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* Curves of a family differ in dashes as well as in shade: they stay apart in print and for

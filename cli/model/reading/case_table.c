@@ -2,8 +2,6 @@
 #include "reading.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 const char case_table_error[] = "error";
 

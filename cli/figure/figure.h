@@ -4,7 +4,6 @@
 
 #include "history/history.h"
 #include "model/cycle/cycle.h"
-#include "rows/rows.h"
 
 #include <stdio.h>
 

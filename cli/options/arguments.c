@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "options.h"
 
-#include "text/text.h"
 #include "system/system.h"
 
 #include <errno.h>

@@ -5,8 +5,6 @@
  * in JSON too. */
 #include "rows.h"
 
-#include "text/text.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

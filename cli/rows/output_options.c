@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rows.h"
 
-#include "text/text.h"
 #include "sheet/sheet.h"
 
 #include <string.h>

@@ -3,7 +3,6 @@
  * what the columns mean, where that is known; the last, how the rows were made. */
 #include "rows.h"
 
-#include "text/text.h"
 #include "sheet/sheet.h"
 
 #include <math.h>

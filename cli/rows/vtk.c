@@ -4,8 +4,6 @@
  * scalars, and where all of a plane stress are among them, a tensor too. */
 #include "rows.h"
 
-#include "text/text.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

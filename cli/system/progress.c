@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "system.h"
 
-#include "text/text.h"
-
 #include <inttypes.h>
 #include <signal.h>
 #include <stdio.h>

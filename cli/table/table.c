@@ -2,8 +2,6 @@
 /* rwedge table: lookup tables. */
 #include "table.h"
 
-#include "text/text.h"
-
 #include <string.h>
 
 #include <rwedge.h>

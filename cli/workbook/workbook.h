@@ -3,7 +3,6 @@
 #define CLI_WORKBOOK_H
 
 #include "sheet/sheet.h"
-#include "text/text.h"
 
 #include <stdbool.h>
 #include <stddef.h>

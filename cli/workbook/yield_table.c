@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "workbook.h"
 
-#include "number/number.h"
-
 #include <math.h>
 #include <string.h>
 

@@ -115,16 +115,6 @@ static const figure *choose_figure(const arguments *line)
     return figures[i];
 }
 
-NO_RETURN static void refuse_variable(const figure *chosen, int variable, const char *text)
-{
-    char allowed[160] = "";
-    for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (chosen->use[i].usual != NULL)
-            list_add(allowed, sizeof allowed, ", ", "--%s", variables[i].option);
-    usage_error("--%s %s: figure %s does not depend on it; allowed: %s", variables[variable].option,
-                text, chosen->name, allowed[0] != '\0' ? allowed : "none of the variables");
-}
-
 static void read_variable(const figure *chosen, int i, const char *text, range *values)
 {
     const int most = chosen->use[i].most;
@@ -141,13 +131,19 @@ static void read_variable(const figure *chosen, int i, const char *text, range *
 static void read_case(const arguments *line, figure_case *inputs)
 {
     const figure *chosen = inputs->kind;
+    char allowed[160] = "";
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        if (chosen->use[i].usual != NULL)
+            list_add(allowed, sizeof allowed, ", ", "--%s", variables[i].option);
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
         const char *text = line->value[OPTION_FIGURE_VARIABLE + i];
         const bool is_of_contact = chosen->has_history && (i == FRICTION || i == NU);
         if (chosen->use[i].usual != NULL)
             read_variable(chosen, i, text, &inputs->value[i]);
         else if (text != NULL && !is_of_contact)
-            refuse_variable(chosen, i, text);
+            usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
+                        variables[i].option, text, chosen->name,
+                        allowed[0] != '\0' ? allowed : "none of the variables");
     }
     if (inputs->value[C_OVER_B].count > 0 && inputs->value[Q_OVER_FP].count > 0)
         usage_error(

@@ -74,15 +74,6 @@ static void put_points(records *rows)
         output_print(rows->out, "1 %zu\n", i);
 }
 
-/* Its place; how many columns there are where it is none. */
-static size_t column_of(const records *rows, const char *name)
-{
-    size_t i = 0;
-    while (i < rows->names && strcmp(rows->name[i], name) != 0)
-        i++;
-    return i;
-}
-
 /* Three rows of three for each point; NULL is 0. */
 static void put_tensors(records *rows)
 {
@@ -90,7 +81,10 @@ static void put_tensors(records *rows)
                                              NULL,  NULL,  NULL, "szz"};
     size_t column[9];
     for (int k = 0; k < 9; k++) {
-        column[k] = component[k] != NULL ? column_of(rows, component[k]) : 0;
+        column[k] = 0;
+        while (component[k] != NULL && column[k] < rows->names &&
+               strcmp(rows->name[column[k]], component[k]) != 0)
+            column[k]++;
         if (column[k] == rows->names)
             return;
     }

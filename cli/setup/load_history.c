@@ -53,18 +53,6 @@ static void add(load_history *loads, load next, csv_row row)
 
 /* ---- The command line ---- */
 
-/* Of two numbers, moment and tension stay as they are; without P there is no moment. */
-static bool read_load(const char *text, size_t length, load last, load *to)
-{
-    double number[4];
-    const int count = number_read_list(text, length, ',', 4, number);
-    if (count == 4)
-        *to = (load){number[0], number[1], number[2], number[3]};
-    else if (count == 2)
-        *to = (load){number[0], number[0] == 0 ? 0 : last.M, number[1], last.sigma};
-    return count == 4 || count == 2;
-}
-
 /* A first load with decimal commas, as 135,75,0,0, is four numbers too. */
 static void say_four_values(const char *line, int length)
 {
@@ -77,15 +65,22 @@ static void say_four_values(const char *line, int length)
                line, M, moment, P, line, M, moment);
 }
 
+/* Of two numbers, moment and tension stay as they are; without P there is no moment. */
 void load_history_read_list(const arguments *line, load_history *loads)
 {
     load to = {0};
+    double number[4];
     const char *lines = line->value[OPTION_LOAD];
     *loads = (load_history){.name = NULL};
     for (bool last = false; !last;) {
         const size_t length = strcspn(lines, "\n");
         last = lines[length] == '\0';
-        if (!read_load(lines, length, to, &to))
+        const int count = number_read_list(lines, length, ',', 4, number);
+        if (count == 4)
+            to = (load){number[0], number[1], number[2], number[3]};
+        else if (count == 2)
+            to = (load){number[0], number[0] == 0 ? 0 : to.M, number[1], to.sigma};
+        else
             usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
                         (int)(length < 60 ? length : 60), lines);
         if (loads->count == 0)

@@ -17,19 +17,6 @@ CLAIM(nafems_cylinder)
     assert_within(-pressure(contact, 0), 3585.36, 5e-2); /* of 3585.37 by rounding of its inputs */
 }
 
-/* A tension that is there before the contact only adds. */
-CLAIM(tension_before_contact_only_adds)
-{
-    rwedge_contact *with = create(0.4, F), *without = create(0.4, F);
-    apply(with, 0, 0, 0, 0.7);
-    load(with, 0.5, 0);
-    load(with, 0.5, 0.1);
-    APPLY(without, {0.5, 0, 0, 0}, {0.5, 0, 0.1, 0});
-    const stresses s = stress_at(with, 0.3, 0.1), t = stress_at(without, 0.3, 0.1);
-    assert_within(s.xx, t.xx + 0.7, 1e-15);
-    assert_true(s.yy == t.yy && s.xy == t.xy);
-}
-
 /* ---- Slip and energy ---- */
 
 /* The loop of Q and sigma: each cycle dissipates as much, and twice as much as the slip at its ends

@@ -17,8 +17,8 @@
  *
  * The first claim fails if more than one load in 100,000 does not converge, or if one takes more
  * than LONGEST seconds of the processor. The second fails where the error that is told is not
- * between the true one and 30 times that in 9 of 10 histories, but for one. A tenth of the tolerance
- * counts as none. What else a computed shear obeys: ../lib/contact/test_shear_laws.c. */
+ * between the true one and 30 times that in 9 of 10 histories, but for one. A tenth of the
+ * tolerance counts as none. What else a computed shear obeys: ../lib/contact/test_shear_laws.c. */
 #include "contact/numerical.h"
 #include "histories.h"
 

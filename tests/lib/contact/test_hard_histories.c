@@ -4,8 +4,8 @@
 
 /* ---- Loads that ended with a large error, although their zones can be found ---- */
 
-/* The last load once whole, once in four parts: the error is no larger. tests/data/README.md says what
- * went wrong. */
+/* The last load once whole, once in four parts: the error is no larger. tests/data/README.md says
+ * what went wrong. */
 CLAIM(loads_that_erred_are_done_with_a_small_error)
 {
     reference table = reference_open("hard_histories.csv");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Results that stay in the domain, or are none. That the formulas are right, proof/accuracy shows. */
+/* Results in the domain, or none. That the formulas are right, proof/accuracy shows. */
 #include "claims.h"
 #include "formulas/pad.h"
 #include "rwedge.h"

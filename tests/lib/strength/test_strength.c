@@ -111,6 +111,16 @@ CLAIM(max_tension_is_the_largest)
     }
 }
 
+/* Next to alpha = 1 the surface is that of Hertz, g^2 + p^2 = 1, where J2 = f^2 + kappa (p + f
+ * g)^2 has its maximum at x = f/sqrt(1 + f^2): for large f the end of the rounding, to rounding. */
+CLAIM(the_maximum_may_be_at_the_end_of_the_rounding)
+{
+    double limit, x;
+    assert_ok(rwedge_surface_yield(1 - 1e-8, 1e6, 0.3, &limit, &x));
+    assert_close(limit, PI / 2 / sqrt(1e12 * (1 + 0.16 / 3)), 1e-5);
+    assert_close(x, 1 - 1e-8, 1e-15);
+}
+
 /* ---- The load at which a given contact first yields, in full sliding ---- */
 
 static const double THETA = 0.1, A = 0.5; /* theta/A = 0.2 */

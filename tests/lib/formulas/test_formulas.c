@@ -18,6 +18,11 @@ CLAIM(round_trips_stay_in_the_domain)
     }
 }
 
+CLAIM(the_shear_of_a_sharp_wedge_that_slides_is_its_pressure)
+{
+    assert_close(rwedge_shear(0, 0, 0.5), -2 / PI * acosh(2), 1e-15);
+}
+
 /* A tilt of 1 is a flank on the surface: it has no edges. */
 CLAIM(a_flank_on_the_surface_has_no_patch)
 {

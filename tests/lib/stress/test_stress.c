@@ -46,3 +46,14 @@ CLAIM(derivatives_end_at_the_edges)
     assert_ok(gradient(beside, d));
     assert_ok(sensitivity(beside, d));
 }
+
+/* Its stick zone grows from 0 as the load does: q changes by a flat punch's force. */
+CLAIM(a_sharp_wedge_that_slides_has_the_rates_of_the_smallest_stick_zone)
+{
+    const double sliding[5] = {0, 0.3, 0, 0.6, 0.4}, soon[5] = {0, 0.3, 1e-9, 0.6, 0.4};
+    double d[9], next[9];
+    assert_ok(sensitivity(sliding, d));
+    assert_ok(sensitivity(soon, next));
+    for (int i = 0; i < 9; i++)
+        assert_within(d[i], next[i], 1e-8);
+}

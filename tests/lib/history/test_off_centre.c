@@ -71,9 +71,9 @@ CLAIM(slip_may_leave_an_inner_ring_alone)
 
 CLAIM(a_ring_that_has_not_slipped_has_no_slip)
 {
-    rwedge_contact *contact = APPLY(create(0.4, F), {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.1, 0.01});
+    rwedge_contact *contact = APPLY(create(0.4, 2), {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.8, 0.08});
     const double right = edges_of(contact).right;
-    apply(contact, 0.6, 0.12, 0.1, 0.01);
+    apply(contact, 0.6, 0.12, 0.8, 0.08);
     const rw_patch ring = edges_of(contact);
     assert_true(slip(contact, ring.left) == 0 && slip(contact, ring.right) == 0);
     assert_true(slip(contact, right) != 0);

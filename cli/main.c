@@ -67,21 +67,16 @@ static int run_command(const command *chosen, int count, const char **words)
     return arguments_read(&line, &chosen->grammar, count, words) ? chosen->run(&line) : STATUS_DONE;
 }
 
-static void show_version(void)
-{
-    if (printf("rwedge %s\n", rwedge_version()) < 0 || fflush(stdout) != 0)
-        failure("standard output: %s", strerror(errno));
-}
-
 /* Options in front of a command are rwedge's own. */
 static int without_command(int argc, const char **argv)
 {
     const syntax grammar = {options, "COMMAND ...", list_commands, 0};
     arguments line;
     if (arguments_read(&line, &grammar, argc, argv)) {
-        if (line.value[OPTION_VERSION] != NULL)
-            show_version();
-        else if (line.value[OPTION_COMPLETION] != NULL)
+        if (line.value[OPTION_VERSION] != NULL) {
+            if (printf("rwedge %s\n", rwedge_version()) < 0 || fflush(stdout) != 0)
+                failure("standard output: %s", strerror(errno));
+        } else if (line.value[OPTION_COMPLETION] != NULL)
             completion_print(line.value[OPTION_COMPLETION], commands, COMMAND_COUNT, options);
         else
             refuse_command(line.operand != NULL ? line.operand[0] : NULL);

@@ -45,26 +45,24 @@ typedef struct {
     range axis[AXES];
 } grid;
 
-static void write_point(const grid *points, records *rows, double x, double y)
-{
-    const loaded_contact *loaded = &points->loaded;
-    const double unit = loaded->length_unit;
-    const tensor at = point_stress(loaded->setup.contact, &loaded->setup.shape, loaded->setup.nu1,
-                                   x * unit, y * unit);
-    point_write(rows, x, y, &at);
-    progress_step();
-}
-
 /* A row for every point, x fastest. */
 static void write_rows(void *of_grid, records *rows)
 {
     const grid *points = of_grid;
-    const range *x = &points->axis[X], *y = &points->axis[Y];
+    const contact_case *setup = &points->loaded.setup;
+    const double unit = points->loaded.length_unit;
+    const range *across = &points->axis[X], *down = &points->axis[Y];
     progress_start(rows->show_progress, range_product(AXES, points->axis), "points");
-    point_columns_write(rows, "rwedge field: y is the depth below the surface", (size_t)x->count);
-    for (int64_t j = 0; j < y->count; j++)
-        for (int64_t i = 0; i < x->count && records_go_on(rows); i++)
-            write_point(points, rows, range_value(x, i), range_value(y, j));
+    point_columns_write(rows, "rwedge field: y is the depth below the surface",
+                        (size_t)across->count);
+    for (int64_t j = 0; j < down->count; j++)
+        for (int64_t i = 0; i < across->count && records_go_on(rows); i++) {
+            const double x = range_value(across, i), y = range_value(down, j);
+            const tensor at =
+                point_stress(setup->contact, &setup->shape, setup->nu1, x * unit, y * unit);
+            point_write(rows, x, y, &at);
+            progress_step();
+        }
 }
 
 /* ---- The command ---- */
@@ -107,15 +105,6 @@ static range read_axis(int axis, const char *text, double from, double to, int64
     return values;
 }
 
-static bool ascends(const range *values)
-{
-    for (int64_t i = 1; i < values->count;
-         i += values->items != NULL ? 1 : values->count) /* steps are all alike */
-        if (!(range_value(values, i) > range_value(values, i - 1)))
-            return false;
-    return true;
-}
-
 static void check_grid(char *const text[], const range axis[], bool vtk)
 {
     const int wider = axis[X].count > axis[Y].count ? X : Y;
@@ -125,9 +114,12 @@ static void check_grid(char *const text[], const range axis[], bool vtk)
     if (range_product(AXES, axis) > RANGE_VALUES_MAX)
         usage_error("--%s %s: must not give the grid more than 1000000000 points in all",
                     axis_names[wider], text[wider]);
-    for (int i = 0; i < AXES && vtk; i++)
-        if (!ascends(&axis[i]))
-            usage_error("--%s %s: must ascend; so the format vtk wants it", axis_names[i], text[i]);
+    for (int k = 0; k < AXES && vtk; k++)
+        for (int64_t i = 1; i < axis[k].count;
+             i += axis[k].items != NULL ? 1 : axis[k].count) /* steps are all alike */
+            if (!(range_value(&axis[k], i) > range_value(&axis[k], i - 1)))
+                usage_error("--%s %s: must ascend; so the format vtk wants it", axis_names[k],
+                            text[k]);
 }
 
 static int field(const arguments *line)

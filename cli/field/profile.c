@@ -58,30 +58,23 @@ static const char *zone_of(const loaded_contact *loaded, double x)
     return x > loaded->sticks.left && x < loaded->sticks.right ? "stick" : "slip";
 }
 
-/* Where a history off the centre has no closed form of it, the slip alone is not known. */
-static int32_t slip_at(const loaded_contact *loaded, double at, double *slip)
-{
-    if (loaded->b == 0 || at < loaded->touches.left || at > loaded->touches.right)
-        return RWEDGE_OK;
-    const int32_t status = rwedge_contact_slip(loaded->setup.contact, 1, &at, slip);
-    return status == RWEDGE_EPATH ? RWEDGE_OK : status;
-}
-
-/* NAN, an empty cell, for stresses at a sharp edge, which are infinite, and for slip
- * outside the contact. */
+/* NAN, an empty cell, for stresses at a sharp edge, which are infinite, and for slip outside the
+ * contact. Where a history off the centre has no closed form of it, the slip alone is not known. */
 static int32_t look(const loaded_contact *loaded, double at, double value[])
 {
+    const rwedge_contact *contact = loaded->setup.contact;
+    const bool touches = loaded->b > 0, is_kink = touches && pad_is_kink(&loaded->setup.shape, at);
     const double surface = 0;
     double syy, txy;
     int32_t status = RWEDGE_OK;
     value[P] = value[Q] = value[SXX] = value[SLIP] = NAN;
-    if (loaded->b == 0 || !pad_is_kink(&loaded->setup.shape, at)) {
-        status = rwedge_contact_tractions(loaded->setup.contact, 1, &at, &value[P], &value[Q]);
-        if (status == RWEDGE_OK)
-            status = rwedge_contact_stresses(loaded->setup.contact, 1, &at, &surface, &value[SXX],
-                                             &syy, &txy);
-    }
-    return status == RWEDGE_OK ? slip_at(loaded, at, &value[SLIP]) : status;
+    if (!is_kink)
+        status = rwedge_contact_tractions(contact, 1, &at, &value[P], &value[Q]);
+    if (status == RWEDGE_OK && !is_kink)
+        status = rwedge_contact_stresses(contact, 1, &at, &surface, &value[SXX], &syy, &txy);
+    if (status == RWEDGE_OK && touches && at >= loaded->touches.left && at <= loaded->touches.right)
+        status = rwedge_contact_slip(contact, 1, &at, &value[SLIP]);
+    return status == RWEDGE_EPATH ? RWEDGE_OK : status;
 }
 
 static void write_row(const loaded_contact *loaded, records *rows, double x)
@@ -109,37 +102,28 @@ static void write_profile(void *of_plan, records *rows)
         write_row(&job->loaded, rows, x_of(job, i));
 }
 
-static void read_points(const arguments *line, plan *job)
+static int profile(const arguments *line)
 {
     const char *x = line->value[OPTION_X], *points = line->value[OPTION_POINTS];
+    plan job = {0};
+    output_options how;
+    double slip;
+    arguments_no_operand(line);
+    output_options_read(line, &how);
     if (x != NULL && points != NULL)
         usage_error("--points %s: given together with --x; allowed: one of the two", points);
     if (x != NULL)
-        range_option("x", x, &job->x);
-    job->points = x != NULL ? 0 : 201;
-    if (points != NULL && !number_read_whole(points, 2, 1000000000, &job->points))
+        range_option("x", x, &job.x);
+    job.points = x != NULL ? 0 : 201;
+    if (points != NULL && !number_read_whole(points, 2, 1000000000, &job.points))
         usage_error("--points %s: must be a whole number from 2 to 1000000000", points);
-}
-
-static void say_unknown_slip(const loaded_contact *loaded)
-{
-    double slip;
-    if (rwedge_contact_slip(loaded->setup.contact, 1, &loaded->touches.left, &slip) == RWEDGE_EPATH)
-        notice("the slip has no closed form after these loads: the column slip is empty");
-}
-
-static int profile(const arguments *line)
-{
-    plan job = {0};
-    output_options how;
-    arguments_no_operand(line);
-    output_options_read(line, &how);
-    read_points(line, &job);
     loaded_contact_read(line, how.decimal_sign, &job.loaded);
     if (job.points > 0 && job.loaded.b == 0)
         usage_error("--x: missing; after the last load there is no contact to take points from");
     output_options_write(&how, write_profile, &job);
-    say_unknown_slip(&job.loaded);
+    if (rwedge_contact_slip(job.loaded.setup.contact, 1, &job.loaded.touches.left, &slip) ==
+        RWEDGE_EPATH)
+        notice("the slip has no closed form after these loads: the column slip is empty");
     return STATUS_DONE;
 }
 

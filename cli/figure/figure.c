@@ -24,11 +24,6 @@ enum {
 /* No command has more options. */
 typedef char options_have_room[(int)OPTION_OVER < (int)OPTION_LIMIT ? 1 : -1];
 
-static const table_variable stick_width = {
-    "c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""};
-static const table_variable tension = {
-    "sigma-over-max", "sigma_over_max", "the bulk tension", -1, 1, "a number from -1 to 1", ""};
-
 /* Those of "rwedge history" but for friction and Poisson's ratio, which figures have anyway. */
 static struct poptOption history_figure_option_table[] = {
     {INCLUDED(shape_option_table), NULL, NULL},
@@ -76,32 +71,22 @@ static const struct poptOption options[] = {
     POPT_TABLEEND,
 };
 
-static const table_variable *variable_of(int i)
-{
-    return i == C_OVER_B ? &stick_width : i == SIGMA_OVER_MAX ? &tension : &variables[i];
-}
-
-static void describe_uses(const figure *chosen, FILE *stream)
-{
-    const char *before = "      ";
-    for (int i = 0; i < FIGURE_VARIABLES; i++) {
-        const char *usual = chosen->use[i].usual;
-        if (usual == NULL)
-            continue;
-        fprintf(stream, "%s--%s%s%s", before, variable_of(i)->option, usual[0] != '\0' ? " " : "",
-                usual);
-        before = ", ";
-    }
-    if (before[0] == ',')
-        fputc('\n', stream);
-}
-
 static void describe_figures(FILE *stream)
 {
     fputs("\nFigures, with the variables they have and their defaults:\n", stream);
     for (int i = 0; i < FIGURE_COUNT; i++) {
+        const char *before = "      ";
         fprintf(stream, "  %-9s %s\n", figures[i]->name, figures[i]->summary);
-        describe_uses(figures[i], stream);
+        for (int k = 0; k < FIGURE_VARIABLES; k++) {
+            const char *usual = figures[i]->use[k].usual;
+            if (usual == NULL)
+                continue;
+            fprintf(stream, "%s--%s%s%s", before, variables[k].option, usual[0] != '\0' ? " " : "",
+                    usual);
+            before = ", ";
+        }
+        if (before[0] == ',')
+            fputc('\n', stream);
     }
     fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number. gnuplot draws the\n"
           "pictures, 85 mm wide in PDF and PNG: it must be on PATH (package gnuplot-nox);\n"
@@ -130,40 +115,35 @@ static const figure *choose_figure(const arguments *line)
     return figures[i];
 }
 
-NO_RETURN static void refuse_variable(const figure *chosen, int variable, const char *text)
-{
-    char allowed[160] = "";
-    for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (chosen->use[i].usual != NULL)
-            list_add(allowed, sizeof allowed, ", ", "--%s", variable_of(i)->option);
-    usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
-                variable_of(variable)->option, text, chosen->name,
-                allowed[0] != '\0' ? allowed : "none of the variables");
-}
-
 static void read_variable(const figure *chosen, int i, const char *text, range *values)
 {
     const int most = chosen->use[i].most;
     if (text == NULL && chosen->use[i].usual[0] == '\0')
         return;
-    variable_read(variable_of(i), text != NULL ? text : chosen->use[i].usual, values);
+    variable_read(&variables[i], text != NULL ? text : chosen->use[i].usual, values);
     if (values->count > most && most == 1)
-        usage_error("--%s %s: must be one number", variable_of(i)->option, text);
+        usage_error("--%s %s: must be one number", variables[i].option, text);
     if (values->count > most)
-        usage_error("--%s %s: must not have more than %d values, a curve each",
-                    variable_of(i)->option, text, most);
+        usage_error("--%s %s: must not have more than %d values, a curve each", variables[i].option,
+                    text, most);
 }
 
 static void read_case(const arguments *line, figure_case *inputs)
 {
     const figure *chosen = inputs->kind;
+    char allowed[160] = "";
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        if (chosen->use[i].usual != NULL)
+            list_add(allowed, sizeof allowed, ", ", "--%s", variables[i].option);
     for (int i = 0; i < FIGURE_VARIABLES; i++) {
         const char *text = line->value[OPTION_FIGURE_VARIABLE + i];
         const bool is_of_contact = chosen->has_history && (i == FRICTION || i == NU);
         if (chosen->use[i].usual != NULL)
             read_variable(chosen, i, text, &inputs->value[i]);
         else if (text != NULL && !is_of_contact)
-            refuse_variable(chosen, i, text);
+            usage_error("--%s %s: figure %s does not depend on it; allowed: %s",
+                        variables[i].option, text, chosen->name,
+                        allowed[0] != '\0' ? allowed : "none of the variables");
     }
     if (inputs->value[C_OVER_B].count > 0 && inputs->value[Q_OVER_FP].count > 0)
         usage_error(
@@ -173,41 +153,21 @@ static void read_case(const arguments *line, figure_case *inputs)
 
 /* ---- A contact and its loads ---- */
 
-static bool has_loads(const arguments *line)
-{
-    return line->value[OPTION_HISTORY] != NULL || line->value[OPTION_LOAD] != NULL;
-}
-
 /* Without a table of loads there is nothing for its options to say. */
-static void refuse_history(const arguments *line, const figure *chosen)
+static void refuse_others(const arguments *line, const figure *chosen)
 {
-    for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES; i++)
+    for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES && !chosen->has_history; i++)
         if (line->value[i] != NULL)
             usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
                         "and loop with --history or --load",
                         chosen->name);
-}
-
-static void refuse_criteria(const arguments *line, const figure *chosen)
-{
     const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
-    for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA; i++)
+    for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA && chosen != &figure_measure; i++)
         if (line->value[i] != NULL || is_given)
             usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
 }
 
 /* ---- A measure ---- */
-
-static int read_over(const char *text)
-{
-    static const char *const names[OVER_COUNT] = {"surface", "depth", "field"};
-    int i = 0;
-    while (text != NULL && i < OVER_COUNT && strcmp(text, names[i]) != 0)
-        i++;
-    if (i == OVER_COUNT)
-        usage_error("--over %s: must be surface, depth or field", text);
-    return i;
-}
 
 /* The measure of --measure, which must be one of those that are computed. */
 static int read_measure(const char *text, const criteria *asked)
@@ -227,35 +187,21 @@ static int read_measure(const char *text, const criteria *asked)
     return column;
 }
 
-static double largest_half_width(const contact_history *history)
-{
-    const contact_case *setup = &history->setup;
-    double most = 0;
-    for (size_t i = 0; i < history->loads.count; i++)
-        most = fmax(most, pad_half_width(&setup->shape, setup->A, history->loads.load[i].P));
-    return most;
-}
-
-/* Friction and Poisson's ratio are variables of other figures. */
-static arguments with_bodies(const arguments *line)
-{
-    arguments bodies = *line;
-    bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
-    bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
-    bodies.operand = NULL;
-    return bodies;
-}
-
 /* To be called when the contact is read. */
 static void read_measure_and_place(const arguments *line, figure_case *inputs)
 {
+    static const char *const ways[OVER_COUNT] = {"surface", "depth", "field"};
+    const char *over = line->value[OPTION_OVER];
     criteria_read_strength(line, &inputs->history.setup, &inputs->asked);
     inputs->measure = read_measure(line->value[OPTION_MEASURE], &inputs->asked);
-    inputs->over = read_over(line->value[OPTION_OVER]);
+    while (over != NULL && inputs->over < OVER_COUNT && strcmp(over, ways[inputs->over]) != 0)
+        inputs->over++;
+    if (inputs->over == OVER_COUNT)
+        usage_error("--over %s: must be surface, depth or field", over);
     const bool is_of_friction = inputs->measure >= MEASURE_SLIP_RANGE &&
                                 measure_kinds[inputs->measure].criterion == NO_CRITERION;
     if (is_of_friction && inputs->over != OVER_SURFACE)
-        usage_error("--over %s: %s is of the surface alone", line->value[OPTION_OVER],
+        usage_error("--over %s: %s is of the surface alone", over,
                     measure_kinds[inputs->measure].column);
 }
 
@@ -263,7 +209,12 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
 {
     const figure *chosen = inputs->kind;
     const bool has_measure = chosen == &figure_measure;
-    arguments bodies = with_bodies(line);
+    const contact_case *setup = &inputs->history.setup;
+    arguments bodies = *line;
+    /* friction and Poisson's ratio are variables of other figures */
+    bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
+    bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
+    bodies.operand = NULL;
     if (has_measure) {
         material_read(bodies.value[OPTION_MATERIAL], &bodies, &inputs->constants);
         criteria_read(&bodies, &inputs->constants, &inputs->asked);
@@ -276,7 +227,10 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
         usage_error("--at %s: must be one point", line->value[OPTION_AT]);
     contact_history_read(&bodies, decimal_sign, chosen->cycles,
                          chosen->cycles > 2 ? chosen->cycles : 2, &inputs->history);
-    inputs->half_width = largest_half_width(&inputs->history);
+    for (size_t i = 0; i < inputs->history.loads.count; i++)
+        inputs->half_width =
+            fmax(inputs->half_width,
+                 pad_half_width(&setup->shape, setup->A, inputs->history.loads.load[i].P));
     if (has_measure)
         read_measure_and_place(&bodies, inputs);
 }
@@ -295,34 +249,23 @@ static const char *read_picture_format(const arguments *line, output_options *ho
 
 /* ---- What is written ---- */
 
-static void write_values(const figure_case *inputs, FILE *script)
-{
-    char names[FIGURE_NAMES_SIZE];
-    for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (inputs->value[i].count > 0) {
-            case_names(inputs, i, names);
-            script_text(script, variable_of(i)->column, names);
-        }
-}
-
-/* Whether a number of these columns, a bit for each, is not 0. */
-static bool has_anything(const dataset *rows, int columns)
-{
-    for (size_t i = 0; i < rows->count; i++)
-        for (int k = 0; k < DATA_COLUMNS_MAX; k++)
-            if ((columns >> k & 1) != 0 && isfinite(rows->row[i].number[k]) &&
-                rows->row[i].number[k] != 0)
-                return true;
-    return false;
-}
-
 void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     const figure *kind = inputs->kind;
-    if (kind->nothing != NULL && !has_anything(rows, kind->drawn))
+    char names[FIGURE_NAMES_SIZE];
+    bool is_drawn = kind->nothing == NULL; /* or a number of its columns is not 0 */
+    for (size_t i = 0; i < rows->count && !is_drawn; i++)
+        for (int k = 0; k < DATA_COLUMNS_MAX; k++)
+            is_drawn = is_drawn || ((kind->drawn >> k & 1) != 0 && rows->row[i].number[k] != 0 &&
+                                    isfinite(rows->row[i].number[k]));
+    if (!is_drawn)
         failure("figure %s: nothing to draw: %s", kind->name, kind->nothing);
     script_lines(script, head_lines, NULL);
-    write_values(inputs, script);
+    for (int i = 0; i < FIGURE_VARIABLES; i++)
+        if (inputs->value[i].count > 0) {
+            case_names(inputs, i, names);
+            script_text(script, variables[i].column, names);
+        }
     script_number(script, "titled", !inputs->no_title);
     script_rows(script, "$rows", rows);
     if (kind->prepare != NULL)
@@ -347,16 +290,14 @@ static int write_command(const arguments *line)
     figure_case inputs = {.kind = choose_figure(line),
                           .no_title = line->value[OPTION_NO_TITLE] != NULL};
     output_options how;
-    if (inputs.kind == &figure_loop && has_loads(line))
+    if (inputs.kind == &figure_loop &&
+        (line->value[OPTION_HISTORY] != NULL || line->value[OPTION_LOAD] != NULL))
         inputs.kind = &figure_any_loop;
     if (line->value[OPTION_DATA] != NULL)
         output_options_read(line, &how);
     else
         inputs.format = read_picture_format(line, &how);
-    if (!inputs.kind->has_history)
-        refuse_history(line, inputs.kind);
-    if (inputs.kind != &figure_measure)
-        refuse_criteria(line, inputs.kind);
+    refuse_others(line, inputs.kind);
     if (inputs.kind->has_history)
         read_history(line, how.decimal_sign, &inputs);
     else

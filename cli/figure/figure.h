@@ -4,7 +4,6 @@
 
 #include "history/history.h"
 #include "model/cycle/cycle.h"
-#include "rows/rows.h"
 
 #include <stdio.h>
 
@@ -39,9 +38,6 @@ void dataset_write(const dataset *data, records *rows);
 
 /* ---- kind ---- A kind of figure: what it depends on, the numbers behind it, and the script that
  * draws them. */
-
-/* Those of tables, and two more. */
-enum { C_OVER_B = VARIABLE_COUNT, SIGMA_OVER_MAX, FIGURE_VARIABLES };
 
 /* How a figure depends on a variable: the default, NULL where it does not depend on it, "" where
  * it may be left out. */

@@ -10,16 +10,6 @@
 enum { FIELD_COLUMNS = 241, FIELD_ROWS = 97 };
 static const double FIELD_HALF_WIDTH = 1.5, FIELD_DEPTH = 1.5;
 
-static double field_x(int i)
-{
-    return FIELD_HALF_WIDTH * (2 * i - (FIELD_COLUMNS - 1)) / (FIELD_COLUMNS - 1);
-}
-
-static double field_y(int j)
-{
-    return FIELD_DEPTH * pow((double)j / (FIELD_ROWS - 1), 1.5);
-}
-
 static double stick_width(const figure_case *inputs)
 {
     if (inputs->value[C_OVER_B].count > 0)
@@ -27,11 +17,6 @@ static double stick_width(const figure_case *inputs)
     return inputs->value[Q_OVER_FP].count > 0
                ? rwedge_stick_width(case_value(inputs, A_OVER_B), case_value(inputs, Q_OVER_FP))
                : 0;
-}
-
-static double sqrt_J2(double nu, double sxx, double syy, double txy)
-{
-    return rwedge_von_mises(sxx, syy, txy, nu) / sqrt(3);
 }
 
 static void compute_field(const figure_case *inputs, dataset *rows)
@@ -42,15 +27,16 @@ static void compute_field(const figure_case *inputs, dataset *rows)
     rows->across = FIELD_COLUMNS;
     for (int j = 0; j < FIELD_ROWS; j++)
         for (int i = 0; i < FIELD_COLUMNS; i++) {
-            const double x = field_x(i), y = field_y(j);
+            const double x = FIELD_HALF_WIDTH * (2 * i - (FIELD_COLUMNS - 1)) / (FIELD_COLUMNS - 1),
+                         y = FIELD_DEPTH * pow((double)j / (FIELD_ROWS - 1), 1.5);
             double sxx, syy, txy;
             const int32_t status = rwedge_stress(alpha, f, c, x, y, &sxx, &syy, &txy);
             if (alpha == 0 && x == 0 && y == 0) /* infinite at the sharp apex */
                 sxx = syy = txy = NAN;
             else
                 case_check(inputs, status);
-            dataset_add(rows,
-                        (data_row){.number = {x, y, sxx, syy, txy, sqrt_J2(nu, sxx, syy, txy)}});
+            const double sqrt_J2 = rwedge_von_mises(sxx, syy, txy, nu) / sqrt(3);
+            dataset_add(rows, (data_row){.number = {x, y, sxx, syy, txy, sqrt_J2}});
         }
 }
 
@@ -126,7 +112,6 @@ static bool find_yield(const figure_case *inputs, double *x, double *y, double *
         status = loads_apply_monotonic((load){.P = P, .Q = Q}, contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_yield_factor(contact, case_value(inputs, NU), 1, &factor, x, y);
-    rwedge_contact_destroy(contact);
     if (status == RWEDGE_ENOMEM)
         failure("out of memory");
     *top = factor > 0 ? 1 / factor : 0;

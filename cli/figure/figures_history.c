@@ -15,33 +15,27 @@ enum { STEPS = 24 }; /* from load to load, for smooth curves */
 typedef void visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
                      dataset *rows);
 
-/* The states before a load. Where one has no closed form, the curve is straight from there. */
-static void visit_between(const figure_case *inputs, size_t step, rwedge_contact *contact,
-                          visitor *visit, dataset *rows)
-{
-    rwedge_contact *trial = NULL;
-    const load from = loads_of(contact), to = contact_history_load(&inputs->history, step);
-    case_check(inputs, rwedge_contact_copy(contact, &trial));
-    for (int i = 1; i < STEPS && from.P > 0; i++) {
-        if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
-            break;
-        visit(inputs, (double)step + (double)i / STEPS, trial, rows);
-    }
-    rwedge_contact_destroy(trial);
-}
-
-/* Of the loads from the first on. Those before the first cycle have no number and no place. */
+/* Of the loads from the first on, and the states between two. Where one of those has no closed
+ * form, the curve is straight from there. Loads before the first cycle have no number and no
+ * place. */
 static void visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)
 {
     rwedge_contact *contact = contact_history_begin(&inputs->history);
     for (size_t step = 0; step < inputs->history.steps; step++) {
+        const load from = loads_of(contact), to = contact_history_load(&inputs->history, step);
+        rwedge_contact *trial = NULL;
         if (step > first)
-            visit_between(inputs, step, contact, visit, rows);
+            case_check(inputs, rwedge_contact_copy(contact, &trial));
+        for (int i = 1; i < STEPS && from.P > 0 && step > first; i++) {
+            if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
+                break;
+            visit(inputs, (double)step + (double)i / STEPS, trial, rows);
+        }
+        rwedge_contact_destroy(trial);
         contact_history_go_on(&inputs->history, step, contact);
         if (step >= first)
             visit(inputs, (double)step + 1, contact, rows);
     }
-    rwedge_contact_destroy(contact);
 }
 
 /* ---- The stress at a point ---- */
@@ -191,24 +185,21 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
     ways[inputs->over](inputs, &last, rows);
 }
 
-static void write_unit(const char *unit, char text[80])
-{
-    const bool has_unit = strcmp(unit, "none") != 0;
-    snprintf(text, 80, "%s%s", has_unit ? "in units of " : "pure number", has_unit ? unit : "");
-    char *star = strchr(text, '*'); /* would begin italics */
-    if (star != NULL)
-        *star = ' ';
-}
-
 static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     const double worst = dataset_largest(rows, 2);
-    char unit[80];
+    const char *unit = measure_kinds[inputs->measure].unit;
+    const bool has_unit = strcmp(unit, "none") != 0;
+    char text[80];
     if (worst == 0)
         failure("figure measure: nothing to draw: the measure is nowhere above 0");
-    write_unit(measure_kinds[inputs->measure].unit, unit);
+    snprintf(text, sizeof text, "%s%s", has_unit ? "in units of " : "pure number",
+             has_unit ? unit : "");
+    char *star = strchr(text, '*'); /* would begin italics */
+    if (star != NULL)
+        *star = ' ';
     script_text(script, "title", measure_kinds[inputs->measure].title);
-    script_text(script, "unit", unit);
+    script_text(script, "unit", text);
     script_number(script, "step", step_of_levels(worst));
     fprintf(script, "along = %d\n",
             inputs->over == OVER_FIELD   ? 0

@@ -42,7 +42,6 @@ static void compute_loop(const figure_case *inputs, dataset *rows)
         add_part(&loop, 0, amplitude, "first loading");
         add_part(&loop, amplitude, -amplitude, "unloading");
         add_part(&loop, -amplitude, amplitude, "reloading");
-        rwedge_contact_destroy(loop.contact);
     }
 }
 
@@ -92,18 +91,6 @@ static void add_zone(const tension_case *tension, double from, double to)
         add_point(tension, 0.5 * (from + to) + 0.5 * (to - from) * sin(0.5 * PI * i / STEPS));
 }
 
-/* The slip zones, and the stick zone where there is one: the edges are kinks. */
-static void add_points(const tension_case *tension)
-{
-    const bool sticks =
-        isfinite(tension->left) && tension->left > -1 && tension->right > tension->left;
-    add_zone(tension, -1, sticks ? tension->left : 0);
-    if (sticks)
-        add_zone(tension, tension->left, tension->right);
-    add_zone(tension, sticks ? tension->right : 0, 1);
-    add_point(tension, 1);
-}
-
 /* Under constant P, Q and sigma together. */
 static void apply(const tension_case *tension)
 {
@@ -115,6 +102,7 @@ static void apply(const tension_case *tension)
     case_check(tension->inputs, loads_apply_monotonic(to, tension->contact));
 }
 
+/* The slip zones, and the stick zone where there is one: the edges are kinks. */
 static void compute_eccentric(const figure_case *inputs, dataset *rows)
 {
     for (int n = 0; n < inputs->value[SIGMA_OVER_MAX].count; n++) {
@@ -128,8 +116,13 @@ static void compute_eccentric(const figure_case *inputs, dataset *rows)
                    rwedge_contact_create(1, case_value(inputs, A_OVER_B), 1, 1, &tension.contact));
         apply(&tension);
         rwedge_contact_stick_zone(tension.contact, &tension.left, &tension.right);
-        add_points(&tension);
-        rwedge_contact_destroy(tension.contact);
+        const bool sticks =
+            isfinite(tension.left) && tension.left > -1 && tension.right > tension.left;
+        add_zone(&tension, -1, sticks ? tension.left : 0);
+        if (sticks)
+            add_zone(&tension, tension.left, tension.right);
+        add_zone(&tension, sticks ? tension.right : 0, 1);
+        add_point(&tension, 1);
     }
 }
 

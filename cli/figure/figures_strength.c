@@ -54,16 +54,6 @@ static void add_normal(double alpha, double nu, double limit, double y, bool bel
 }
 
 /* Both branches at the jump: the curves end there, and the limit has no gap. */
-static void add_jump(const figure_case *inputs, double alpha, dataset *rows)
-{
-    const double nu = case_value(inputs, NU);
-    double limit, x, y;
-    case_check(inputs, rwedge_surface_yield(alpha, 0, nu, &limit, &x));
-    add_normal(alpha, nu, limit, 0, false, rows);
-    case_check(inputs, rwedge_subsurface_yield(alpha, 0, nu, &limit, &x, &y));
-    add_normal(alpha, nu, limit, y, true, rows);
-}
-
 static void compute_normal(const figure_case *inputs, dataset *rows)
 {
     const double nu = case_value(inputs, NU), jump = jump_of_yield_point(nu);
@@ -71,9 +61,13 @@ static void compute_normal(const figure_case *inputs, dataset *rows)
     for (int i = 0; i < NORMAL_DECADES * NORMAL_PER_DECADE + NORMAL_STEPS; i++) {
         const double alpha = normal_alpha(i);
         double limit, x, y;
-        if (!jumped && alpha > jump)
-            add_jump(inputs, jump, rows);
-        jumped = jumped || alpha > jump;
+        if (!jumped && alpha > jump) {
+            case_check(inputs, rwedge_surface_yield(jump, 0, nu, &limit, &x));
+            add_normal(jump, nu, limit, 0, false, rows);
+            case_check(inputs, rwedge_subsurface_yield(jump, 0, nu, &limit, &x, &y));
+            add_normal(jump, nu, limit, y, true, rows);
+            jumped = true;
+        }
         case_check(inputs, rwedge_yield_point(alpha, 0, nu, &limit, &x, &y));
         add_normal(alpha, nu, limit, y, y > 0, rows);
     }
@@ -122,26 +116,22 @@ static double critical_friction(const figure_case *inputs, int n)
 }
 
 /* Each branch up to the critical friction, which is a point of both: the cusp is exact. */
-static void add_sliding_curve(const figure_case *inputs, int n, dataset *rows)
-{
-    const double critical = critical_friction(inputs, n);
-    bool below = critical > 0;
-    for (int i = 0; i <= FRICTION_STEPS; i++) {
-        const double f = friction_step(i);
-        if (below && f >= critical) {
-            add_sliding(inputs, n, critical, true, rows);
-            add_sliding(inputs, n, critical, false, rows);
-            below = false;
-        }
-        if (!(f == critical && critical > 0))
-            add_sliding(inputs, n, f, below, rows);
-    }
-}
-
 static void compute_sliding(const figure_case *inputs, dataset *rows)
 {
-    for (int n = 0; n < inputs->value[A_OVER_B].count; n++)
-        add_sliding_curve(inputs, n, rows);
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
+        const double critical = critical_friction(inputs, n);
+        bool below = critical > 0;
+        for (int i = 0; i <= FRICTION_STEPS; i++) {
+            const double f = friction_step(i);
+            if (below && f >= critical) {
+                add_sliding(inputs, n, critical, true, rows);
+                add_sliding(inputs, n, critical, false, rows);
+                below = false;
+            }
+            if (!(f == critical && critical > 0))
+                add_sliding(inputs, n, f, below, rows);
+        }
+    }
 }
 
 const figure figure_sliding = {

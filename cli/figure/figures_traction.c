@@ -85,27 +85,25 @@ const figure figure_tension = {.name = "6",
 /* ---- Fig. 7 ---- */
 
 /* The edges of the stick zone are points of their own: the traction has a kink there. */
-static void add_shear(const figure_case *inputs, double c, int n, dataset *rows)
+static void compute_shear(const figure_case *inputs, dataset *rows)
 {
     const double alpha = case_value(inputs, A_OVER_B);
     const int fine = fine_places(inputs), last = fine + TRACTION_STEPS;
-    double edge = -c;
-    for (int i = -last; i <= last; i++) {
-        const double x = traction_x(i, fine);
-        for (; edge <= c && edge < x && c > 0; edge += 2 * c)
-            dataset_add(rows, (data_row){.curve = n,
-                                         .number = {c, edge, -PI * rwedge_shear(alpha, c, edge)}});
-        dataset_add(rows,
-                    (data_row){.curve = n, .number = {c, x, -PI * rwedge_shear(alpha, c, x)}});
-        if (edge == x)
-            edge += 2 * c;
+    for (int n = 0; n < inputs->value[C_OVER_B].count; n++) {
+        const double c = range_value(&inputs->value[C_OVER_B], n);
+        double edge = -c;
+        for (int i = -last; i <= last; i++) {
+            const double x = traction_x(i, fine);
+            for (; edge <= c && edge < x && c > 0; edge += 2 * c)
+                dataset_add(rows,
+                            (data_row){.curve = n,
+                                       .number = {c, edge, -PI * rwedge_shear(alpha, c, edge)}});
+            dataset_add(rows,
+                        (data_row){.curve = n, .number = {c, x, -PI * rwedge_shear(alpha, c, x)}});
+            if (edge == x)
+                edge += 2 * c;
+        }
     }
-}
-
-static void compute_shear(const figure_case *inputs, dataset *rows)
-{
-    for (int n = 0; n < inputs->value[C_OVER_B].count; n++)
-        add_shear(inputs, range_value(&inputs->value[C_OVER_B], n), n, rows);
 }
 
 const figure figure_shear = {

@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- The paper ---- */
@@ -14,7 +13,6 @@ typedef struct {
     double width;              /* in the terminal's unit */
     double line;               /* the height of a line of text over that */
     const char *begins, *ends; /* how a whole file starts, and what is in its last bytes */
-    bool needs_spaces;         /* its viewers have to be told to keep them */
 } picture_format;
 
 /* 85 mm, the width of a journal's column: 241 pt, 1004 dots at 300 to the inch. The SVG is 480
@@ -23,15 +21,15 @@ typedef struct {
 static const picture_format picture_formats[] = {
     {"svg",
      "svg size %.0f,%.0f enhanced font 'sans-serif,15' linewidth 1.6 background '#ffffff' butt",
-     480, 0.043, "<?xml", "</svg>", true},
+     480, 0.043, "<?xml", "</svg>"},
     {"png",
      "pngcairo size %.0f,%.0f enhanced font 'sans-serif,8' fontscale 3.2 linewidth 3.3 pointscale "
      "3.5 dashlength 1.6 background '#ffffff' butt",
-     1004, 0.034, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82", false},
+     1004, 0.034, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82"},
     {"pdf",
      "pdfcairo size %.3fcm,%.3fcm enhanced font 'sans-serif,8' fontscale 0.8 linewidth 1.6 "
      "pointscale 0.9 background '#ffffff' butt",
-     8.5, 0.034, "%PDF-", "%%EOF", false},
+     8.5, 0.034, "%PDF-", "%%EOF"},
 };
 
 /* ---- What a script is made of ---- */
@@ -69,24 +67,19 @@ void script_text(FILE *script, const char *name, const char *text)
 
 /* Seven digits: far more than can be seen, and a last bit that differs between math libraries
  * does not show. */
-static void put_row(FILE *script, const dataset *rows, size_t i)
-{
-    const double *number = rows->row[i].number;
-    for (int k = 0; rows->column[k] != NULL; k++)
-        if (isfinite(number[k]))
-            fprintf(script, "%.7g ", number[k] + 0);
-        else
-            fputs("NaN ", script);
-    if (rows->text_column != NULL)
-        fprintf(script, "\"%s\"", rows->row[i].text);
-    fputs("\n", script);
-}
-
 void script_rows(FILE *script, const char *name, const dataset *rows)
 {
     fprintf(script, "%s << EOD\n", name);
     for (size_t i = 0; i < rows->count; i++) {
-        put_row(script, rows, i);
+        const double *number = rows->row[i].number;
+        for (int k = 0; rows->column[k] != NULL; k++)
+            if (isfinite(number[k]))
+                fprintf(script, "%.7g ", number[k] + 0);
+            else
+                fputs("NaN ", script);
+        if (rows->text_column != NULL)
+            fprintf(script, "\"%s\"", rows->row[i].text);
+        fputs("\n", script);
         if (i + 1 < rows->count && rows->row[i + 1].curve != rows->row[i].curve)
             fputs("\n\n", script);
         else if (rows->across > 0 && (i + 1) % rows->across == 0)
@@ -118,21 +111,15 @@ static char *read_whole(FILE *file, size_t *length)
 
 /* ---- What gnuplot has to say ---- */
 
-/* The last line that says something; gnuplot shows the failing line of the script above it. */
-static const char *last_line(char *text)
-{
-    char *end = text + strlen(text);
-    while (end > text && strchr(" \t\r\n", end[-1]) != NULL)
-        *--end = '\0';
-    const char *line = strrchr(text, '\n');
-    line = line != NULL ? line + 1 : text;
-    return line + strspn(line, " \t\r");
-}
-
+/* With the last line that says something; gnuplot shows the failing line of the script above it. */
 NO_RETURN static void refuse(FILE *complaints, const char *event, int number)
 {
     size_t length;
-    const char *said = last_line(read_whole(complaints, &length));
+    char *text = read_whole(complaints, &length), *end = text + strlen(text);
+    while (end > text && strchr(" \t\r\n", end[-1]) != NULL)
+        *--end = '\0';
+    const char *line = strrchr(text, '\n'), *said = line != NULL ? line + 1 : text;
+    said += strspn(said, " \t\r");
     failure("gnuplot %s %d%s%.400s; needed: gnuplot 5 with its terminals svg, pngcairo, pdfcairo "
             "(package gnuplot-nox)",
             event, number, said[0] != '\0' ? ": " : "", said);
@@ -166,26 +153,20 @@ static void remove_date(char *picture, size_t length)
 }
 
 /* In an SVG, viewers drop a space where the font changes, unless told to keep it. */
-static void write_picture(const char *picture, size_t length, bool needs_spaces, output *out)
-{
-    static const char start[] = "<svg";
-    const char *root = needs_spaces ? strstr(picture, start) : NULL;
-    const size_t before = root != NULL ? (size_t)(root - picture) + strlen(start) : 0;
-    output_write(out, picture, before);
-    if (root != NULL)
-        output_text(out, " xml:space=\"preserve\"");
-    output_write(out, picture + before, length - before);
-}
-
 static void take_picture(FILE *const stream[], const picture_format *format, output *out)
 {
+    static const char start[] = "<svg";
     size_t length;
     char *picture = read_whole(stream[PICTURE], &length);
     if (!is_whole(picture, length, format))
         refuse(stream[COMPLAINTS], "gave no whole picture, but bytes:", (int)(length % 1000000000));
     remove_date(picture, length);
-    write_picture(picture, length, format->needs_spaces, out);
-    free(picture);
+    const char *root = strcmp(format->name, "svg") == 0 ? strstr(picture, start) : NULL;
+    const size_t before = root != NULL ? (size_t)(root - picture) + strlen(start) : 0;
+    output_write(out, picture, before);
+    if (root != NULL)
+        output_text(out, " xml:space=\"preserve\"");
+    output_write(out, picture + before, length - before);
 }
 
 /* ---- gnuplot ---- */

@@ -81,30 +81,19 @@ static void read_constants(const arguments *line, criteria *asked)
 
 /* ---- --criteria ---- */
 
-static int criterion_named(const char *word, size_t length)
-{
-    for (int i = 0; i < CRITERION_COUNT; i++)
-        if (strlen(criterion_kinds[i].name) == length &&
-            strncmp(criterion_kinds[i].name, word, length) == 0)
-            return i;
-    return -1;
-}
-
-static void refuse_name(const char *text)
+static void read_names(const char *text, criteria *asked)
 {
     char allowed[200] = "";
     for (int i = 0; i < CRITERION_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", criterion_kinds[i].name);
-    usage_error("--criteria %s: must be a list of: %s", text, allowed);
-}
-
-static void read_names(const char *text, criteria *asked)
-{
     for (const char *word = text; word != NULL;) {
         const size_t length = strcspn(word, ",");
-        const int i = criterion_named(word, length);
-        if (i < 0)
-            refuse_name(text);
+        int i = 0;
+        while (i < CRITERION_COUNT && (strlen(criterion_kinds[i].name) != length ||
+                                       strncmp(criterion_kinds[i].name, word, length) != 0))
+            i++;
+        if (i == CRITERION_COUNT)
+            usage_error("--criteria %s: must be a list of: %s", text, allowed);
         asked->is_wanted[i] = true;
         word = word[length] == ',' ? word + length + 1 : NULL;
     }
@@ -116,12 +105,12 @@ static void read_plane_stress(arguments *line, criteria *asked)
 {
     static char zero[] = "0";
     input_texts texts;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     input_texts_from_options(line, &texts);
     if (!input_is_given(&texts, INPUT_NU1))
         return; /* it will be missed */
-    if (!input_read(&texts, INPUT_NU1, &asked->nu, complaint))
-        usage_error("%s", complaint);
+    if (!input_read(&texts, INPUT_NU1, &asked->nu, &why))
+        usage_error("%s", why.text);
     line->value[OPTION_INPUT + INPUT_NU1] = zero;
     if (input_is_given(&texts, INPUT_NU2))
         line->value[OPTION_INPUT + INPUT_NU2] = zero;
@@ -142,7 +131,8 @@ void criteria_read(arguments *line, const material *constants, criteria *asked)
 /* Damage is written where its criterion is, or by itself. */
 static void read_damage(int criterion, int damage, const char *needed, criteria *asked)
 {
-    const bool has_life = material_has_life(asked->constants, criterion);
+    const int of_life = criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G;
+    const bool has_life = !isnan(asked->constants->value[of_life]);
     if (asked->is_wanted[damage] && !has_life)
         usage_error("%s: needs %s of --material", criterion_kinds[damage].name, needed);
     asked->is_wanted[damage] =
@@ -169,14 +159,6 @@ void criteria_read_strength(const arguments *line, const contact_case *setup, cr
 }
 
 /* ---- A file of constants ---- */
-
-/* The option that a constant of the file stands for. */
-static int option_of(int constant)
-{
-    const int inputs[] = {INPUT_E1, INPUT_NU1, INPUT_YIELD_STRESS};
-    return constant < MATERIAL_FS_K ? OPTION_INPUT + inputs[constant - MATERIAL_E]
-                                    : OPTION_OF(constant);
-}
 
 static void set(const char *file, const char *name, double value, material *constants)
 {
@@ -274,9 +256,10 @@ static void need_group(const char *path, const material *constants, int first, i
 static void hand_over(const material *constants, arguments *line)
 {
     static char texts[MATERIAL_COUNT][NUMBER_SIZE];
+    static const int inputs[] = {INPUT_E1, INPUT_NU1, INPUT_YIELD_STRESS};
     char **value = line->value;
     for (int i = MATERIAL_E; i < MATERIAL_COUNT; i++) {
-        const int option = option_of(i);
+        const int option = i < MATERIAL_FS_K ? OPTION_INPUT + inputs[i - MATERIAL_E] : OPTION_OF(i);
         const bool is_idle =
             (i == MATERIAL_FS_K && value[OPTION_INPUT + INPUT_YIELD_STRESS] == NULL) ||
             (i == MATERIAL_SU && value[OPTION_OF(MATERIAL_T_A)] == NULL) ||

@@ -114,17 +114,6 @@ static void compute(plan *job)
 
 /* ---- Rows ---- */
 
-static void write_row(const criteria *asked, const measured_place *place, records *rows)
-{
-    records_value(rows, cell_number(place->x));
-    records_value(rows, cell_number(place->y));
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        if (column_is_wanted(asked, i))
-            records_value(rows, cell_number(place->value[i]));
-    records_end_row(rows);
-    progress_step();
-}
-
 static void write_rows(void *of_plan, records *rows)
 {
     const plan *job = of_plan;
@@ -139,9 +128,18 @@ static void write_rows(void *of_plan, records *rows)
         if (column_is_wanted(&job->last.asked, i))
             records_name(rows, measure_kinds[i].column);
     records_end_header(rows);
-    for (size_t i = 0; i < result->count && records_go_on(rows); i++)
-        if (result->place[i].is_shown)
-            write_row(&job->last.asked, &result->place[i], rows);
+    for (size_t i = 0; i < result->count && records_go_on(rows); i++) {
+        const measured_place *place = &result->place[i];
+        if (!place->is_shown)
+            continue;
+        records_value(rows, cell_number(place->x));
+        records_value(rows, cell_number(place->y));
+        for (int k = 0; k < COLUMN_COUNT; k++)
+            if (column_is_wanted(&job->last.asked, k))
+                records_value(rows, cell_number(place->value[k]));
+        records_end_row(rows);
+        progress_step();
+    }
 }
 
 /* ---- The command ---- */
@@ -159,7 +157,8 @@ static distance read_distance(const arguments *line, const material *constants)
     if (angle != NULL && !(number_read(angle, &below.angle) && fabs(below.angle) <= 85))
         usage_error("--angle %s: must be a number from -85 to 85", angle);
     if (text == NULL && (method != NULL || angle != NULL))
-        below.length = material_length(constants);
+        below.length = rwedge_critical_distance(constants->value[MATERIAL_DK_TH],
+                                                constants->value[MATERIAL_DS0]);
     if (angle != NULL && isnan(below.length))
         usage_error("--angle %s: needs --length, or dK_th and ds0 of --material", angle);
     if (method != NULL && isnan(below.length))
@@ -171,16 +170,11 @@ static distance read_distance(const arguments *line, const material *constants)
     return below;
 }
 
-static bool is_for_paraview(const output_options *how)
-{
-    return how->format == &vtk_format;
-}
-
 static void read_plan(arguments *line, plan *job, output_options *how)
 {
     criteria asked;
     output_options_read_of(line, grid_formats, "", how);
-    if (is_for_paraview(how) && line->value[OPTION_AT_WORST] != NULL)
+    if (how->format == &vtk_format && line->value[OPTION_AT_WORST] != NULL)
         usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
     job->threads = threads_read(line);
     material_read(line->value[OPTION_MATERIAL], line, &job->constants);
@@ -207,23 +201,6 @@ static void read_worst(const arguments *line, output_options *worst)
     output_options_read(&its, worst);
 }
 
-static void say_what_is_doubtful(const plan *job)
-{
-    doubts_say(job->doubts, "");
-    if (!job->last.slip_known)
-        notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
-               "energy_per_area are empty");
-    unused_say(&job->history.loads.names, job->history.loads.name);
-}
-
-static bool is_deep(const measured *result)
-{
-    for (size_t i = 0; i < result->count; i++)
-        if (result->place[i].y > 0)
-            return true;
-    return false;
-}
-
 static void write_output(const arguments *line, const output_options *how, plan *job)
 {
     worst_table verdicts = job->worst;
@@ -240,17 +217,24 @@ static int fretting(const arguments *typed)
     arguments line = *typed; /* a material and plane stress change it */
     output_options how, how_worst = {.path = NULL};
     char worst[2400];
+    bool is_deep = false;
     read_plan(&line, &job, &how);
     read_worst(&line, &how_worst);
     compute(&job);
     worst_find(&job.result, &job.worst);
-    worst_write(&job.worst, is_deep(&job.result), worst, sizeof worst);
-    if (job.result.line > 0 && line.value[OPTION_X] == NULL && !is_for_paraview(&how))
+    for (size_t i = 0; i < job.result.count; i++)
+        is_deep = is_deep || job.result.place[i].y > 0;
+    worst_write(&job.worst, is_deep, worst, sizeof worst);
+    if (job.result.line > 0 && line.value[OPTION_X] == NULL && how.format != &vtk_format)
         worst_add_places(&job.worst, &job.result);
     write_output(&line, &how, &job);
     if (how_worst.path != NULL)
         output_options_write(&how_worst, worst_write_rows, &job.worst);
-    say_what_is_doubtful(&job);
+    doubts_say(job.doubts, "");
+    if (!job.last.slip_known)
+        notice("the slip has no closed form after these loads: slip_range, ruiz_f1, ruiz_f2 and "
+               "energy_per_area are empty");
+    unused_say(&job.history.loads.names, job.history.loads.name);
     notice("worst: %s",
            worst[0] != '\0' ? worst : "none; every measure is 0 or empty at these places");
     return STATUS_DONE;

@@ -2,7 +2,6 @@
 #include "fretting.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* ---- The last cycle ---- */
 
@@ -24,7 +23,6 @@ void history_cycle(const contact_history *history, const criteria *asked, last_c
         if (all != NULL)
             doubts_add(all, doubts_of_state(&history->setup, contact));
     }
-    rwedge_contact_destroy(contact);
     last_cycle_end(cycle);
 }
 
@@ -42,10 +40,7 @@ static measured stops_of_range(const char *text, const last_cycle *cycle)
     double *value = memory_zeroed((size_t)x.count, sizeof *value);
     for (int64_t i = 0; i < x.count; i++)
         value[i] = range_value(&x, i);
-    const measured along = stops_at(cycle, (size_t)x.count, value);
-    free(value);
-    range_free(&x);
-    return along;
+    return stops_at(cycle, (size_t)x.count, value);
 }
 
 static void make_room(size_t count, measured *result)
@@ -54,41 +49,30 @@ static void make_room(size_t count, measured *result)
     result->count = count;
 }
 
-/* The line at each depth. */
-static void repeat(const range *depth, measured *result)
-{
-    if ((double)result->count * (double)depth->count > PLACES_MAX)
-        usage_error("--depth: must not give more than %d places in all", PLACES_MAX);
-    make_room(result->count * (size_t)depth->count, result);
-    for (size_t i = 0; i < result->count; i++) {
-        result->place[i] = result->place[i % result->line];
-        result->place[i].y = range_value(depth, (int64_t)(i / result->line));
-    }
-}
-
-static void read_lines(const arguments *line, const last_cycle *cycle, measured *result)
+/* The line at each depth; or the points. */
+void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
+                    measured *result)
 {
     const char *x = line->value[OPTION_X];
     range depth = {0};
+    if (line->value[OPTION_AT] != NULL || line->value[OPTION_POINTS] != NULL) {
+        places points;
+        places_read(line, decimal_sign, &points);
+        make_room(points.count, result);
+        for (size_t i = 0; i < points.count; i++)
+            result->place[i] =
+                (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
+        return;
+    }
     places_read_depth(line, &depth);
     if (x == NULL && isnan(cycle->left))
         usage_error("--x: missing; there is no contact in the cycle to take places from");
     *result = x != NULL ? stops_of_range(x, cycle) : stops_usual(cycle);
-    repeat(&depth, result);
-    range_free(&depth);
-}
-
-void surface_places(const arguments *line, char decimal_sign, const last_cycle *cycle,
-                    measured *result)
-{
-    places points = {0};
-    if (line->value[OPTION_AT] == NULL && line->value[OPTION_POINTS] == NULL) {
-        read_lines(line, cycle, result);
-        return;
+    if ((double)result->count * (double)depth.count > PLACES_MAX)
+        usage_error("--depth: must not give more than %d places in all", PLACES_MAX);
+    make_room(result->count * (size_t)depth.count, result);
+    for (size_t i = 0; i < result->count; i++) {
+        result->place[i] = result->place[i % result->line];
+        result->place[i].y = range_value(&depth, (int64_t)(i / result->line));
     }
-    places_read(line, decimal_sign, &points);
-    make_room(points.count, result);
-    for (size_t i = 0; i < points.count; i++)
-        result->place[i] = (measured_place){.x = points.x[i], .y = points.y[i], .is_shown = true};
-    places_free(&points);
 }

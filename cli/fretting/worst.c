@@ -6,22 +6,11 @@
 
 /* ---- The search ---- */
 
-/* On the line of the best place, between the places too. */
-static void search_line(const last_cycle *last, const measured *result, int column, size_t best,
-                        worst_row *row)
+/* NAN where the criterion has no such part. */
+static double part_of(const measured_place *at, int criterion, measure_part part)
 {
-    status_check(last_cycle_worst(last, column, result->line,
-                                  result->place + best - best % result->line, &row->x, &row->value),
-                 "the worst place");
-}
-
-/* Wear is worst where the energy is. */
-static void take_wear(const criteria *asked, worst_row row[])
-{
-    if (isnan(asked->archard))
-        return;
-    row[COLUMN_WEAR] = row[MEASURE_ENERGY_PER_AREA];
-    row[COLUMN_WEAR].value *= asked->archard;
+    const int column = measure_column(criterion, part);
+    return column >= 0 ? at->value[column] : NAN;
 }
 
 /* Which is not smooth: the worst of the places stands. */
@@ -30,26 +19,26 @@ static bool is_damage(int column)
     return measure_criterion(column) >= CRITERION_SWT_DAMAGE;
 }
 
-static double cycles_at(const measured_place *place, int damage)
-{
-    return place->value[measure_column(measure_criterion(damage), PART_CYCLES)];
-}
-
 void worst_find(const measured *result, worst_table *worst)
 {
     const last_cycle *last = worst->last;
+    worst_row *row = worst->row;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const size_t best = measured_best(result, i);
-        const double value = result->place[best].value[i];
-        const bool is_worst =
-            value > 0 && measure_kinds[i].part == PART_VALUE && column_is_wanted(&last->asked, i);
-        worst->row[i] =
-            (worst_row){result->place[best].x, result->place[best].y, is_worst ? value : NAN,
-                        is_damage(i) ? cycles_at(&result->place[best], i) : NAN};
+        const measured_place *place = &result->place[best];
+        const bool is_worst = place->value[i] > 0 && measure_kinds[i].part == PART_VALUE &&
+                              column_is_wanted(&last->asked, i);
+        row[i] =
+            (worst_row){place->x, place->y, is_worst ? place->value[i] : NAN,
+                        is_damage(i) ? part_of(place, measure_criterion(i), PART_CYCLES) : NAN};
         if (result->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
-            search_line(last, result, i, best, &worst->row[i]);
+            /* on the line of the best place, between the places too */
+            status_check(last_cycle_worst(last, i, result->line, place - best % result->line,
+                                          &row[i].x, &row[i].value),
+                         "the worst place");
     }
-    take_wear(&last->asked, worst->row);
+    row[COLUMN_WEAR] = row[MEASURE_ENERGY_PER_AREA]; /* wear is worst where the energy is */
+    row[COLUMN_WEAR].value *= last->asked.archard;
 }
 
 /* ---- Among the places ---- */
@@ -62,20 +51,17 @@ static int in_order(const void *left, const void *right)
     return a->x < b->x ? -1 : a->x > b->x ? 1 : 0;
 }
 
-static bool is_there(const measured *result, double x, double y)
-{
-    for (size_t i = 0; i < result->count; i++)
-        if (result->place[i].x == x && result->place[i].y == y && result->place[i].is_shown)
-            return true;
-    return false;
-}
-
 void worst_add_places(const worst_table *worst, measured *result)
 {
     const size_t count = result->count;
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const worst_row *row = &worst->row[i];
-        if (isnan(row->value) || is_there(result, row->x, row->y))
+        bool is_there = isnan(row->value);
+        for (size_t k = 0; k < result->count && !is_there; k++) {
+            const measured_place *place = &result->place[k];
+            is_there = place->x == row->x && place->y == row->y && place->is_shown;
+        }
+        if (is_there)
             continue;
         result->place[result->count++] = /* there is room */
             (measured_place){.x = row->x, .y = row->y, .is_shown = true};
@@ -124,18 +110,10 @@ static measured_place measures_below(const last_cycle *cycle, const distance *be
                                             below->is_line, stress, stress + n, stress + 2 * n),
                  "--length");
     status_check(last_cycle_criteria(cycle, 1, stress, &at), "--length");
-    free(stress);
     return at;
 }
 
-/* NAN where the criterion has no such part. */
-static double part_of(const measured_place *at, int criterion, measure_part part)
-{
-    const int column = measure_column(criterion, part);
-    return column >= 0 ? at->value[column] : NAN;
-}
-
-/* The verdict of a criterion: its plane, the allowable value, the life. */
+/* The verdict of a criterion: its plane, the allowable value, the life in passes of the loads. */
 static void add_verdict(const worst_table *worst, int criterion, const worst_row *row,
                         cell cells[COLUMNS])
 {
@@ -159,33 +137,24 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
     cells[11] = cell_number(part_of(&at, measure_damage(criterion), PART_CYCLES));
 }
 
-static void write_row(const worst_table *worst, int column, records *rows)
-{
-    const worst_row *row = &worst->row[column];
-    const int criterion = measure_criterion(column);
-    cell cells[COLUMNS] = {cell_text(measure_kinds[column].column), cell_number(row->value),
-                           cell_number(row->x), cell_number(row->y)};
-    for (int i = 4; i < COLUMNS; i++)
-        cells[i] = cell_number(NAN);
-    if (criterion >= 0)
-        add_verdict(worst, criterion, row, cells);
-    records_row(rows, COLUMNS, cells);
-}
-
-static bool is_written(const worst_table *worst, int column)
-{
-    const criteria *asked = &worst->last->asked;
-    const int criterion = measure_criterion(column);
-    return !isnan(worst->row[column].value) &&
-           (!worst->is_verdict ||
-            (criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion])));
-}
-
 void worst_write_rows(void *of_worst, records *rows)
 {
     const worst_table *worst = of_worst;
+    const criteria *asked = &worst->last->asked;
     records_header(rows, COLUMNS, columns);
-    for (int i = 0; i < COLUMN_COUNT && records_go_on(rows); i++)
-        if (is_written(worst, i))
-            write_row(worst, i, rows);
+    for (int i = 0; i < COLUMN_COUNT && records_go_on(rows); i++) {
+        const worst_row *row = &worst->row[i];
+        const int criterion = measure_criterion(i);
+        const bool has_verdict =
+            criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion]);
+        cell cells[COLUMNS] = {cell_text(measure_kinds[i].column), cell_number(row->value),
+                               cell_number(row->x), cell_number(row->y)};
+        if (isnan(row->value) || (worst->is_verdict && !has_verdict))
+            continue;
+        for (int k = 4; k < COLUMNS; k++)
+            cells[k] = cell_number(NAN);
+        if (criterion >= 0)
+            add_verdict(worst, criterion, row, cells);
+        records_row(rows, COLUMNS, cells);
+    }
 }

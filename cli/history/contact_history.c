@@ -14,19 +14,6 @@ struct poptOption history_option_table[] = {
 
 enum { CYCLES_MAX = 1000000 };
 
-static void check_loads(const arguments *line)
-{
-    const char *word = line->operand != NULL ? line->operand[0] : NULL;
-    if (word != NULL && line->operand[1] != NULL)
-        usage_error("%s: unexpected; allowed: one file of loads", line->operand[1]);
-    if (word != NULL && line->value[OPTION_HISTORY] != NULL)
-        usage_error("%s: given together with --history; allowed: one of the two", word);
-    if (!history_is_given(line))
-        usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
-                    "sigma; or --load P,Q for each");
-    history_check(line);
-}
-
 static int64_t read_cycles(const arguments *line, int64_t usual)
 {
     const char *text = line->value[OPTION_CYCLES];
@@ -53,52 +40,55 @@ rwedge_contact *contact_history_begin(const contact_history *history)
     return contact;
 }
 
-/* Where there are several cycles, the word says in which it was. */
-static void refuse(const contact_history *history, bool until, const char *complaint)
-{
-    char word[40] = "", place[LOAD_PLACE_SIZE];
-    const size_t step = history->steps, row = contact_history_row(history, step);
-    if (step >= history->loads.count)
-        snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
-    if (!until || step == 0)
-        load_history_fail(&history->loads, row, word, complaint);
-    notice("%s%s: %s; the results end before it", load_history_place(&history->loads, row, place),
-           word, complaint);
-}
-
 void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact)
 {
     status_check(loads_apply(contact_history_load(history, step), contact), "the loads");
 }
 
+/* Where there are several cycles, the word says in which a load is refused. */
 static void try_loads(contact_history *history, bool until)
 {
+    char word[40] = "", place[LOAD_PLACE_SIZE];
     const size_t wanted = history->loads.count * (size_t)history->cycles;
-    char complaint[COMPLAINT_SIZE] = "";
+    complaint why = {""};
     rwedge_contact *contact = contact_history_begin(history);
     while (history->steps < wanted &&
            loads_apply_next(contact_history_load(history, history->steps), history->setup.f,
-                            contact, complaint)) {
+                            contact, &why)) {
         history->steps++;
         history->error = fmax(history->error, rwedge_contact_error(contact));
     }
-    rwedge_contact_destroy(contact);
-    if (complaint[0] != '\0')
-        refuse(history, until, complaint);
+    if (why.text[0] == '\0')
+        return;
+    const size_t step = history->steps, row = contact_history_row(history, step);
+    if (step >= history->loads.count)
+        snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
+    if (!until || step == 0)
+        load_history_fail(&history->loads, row, word, &why);
+    notice("%s%s: %s; the results end before it", load_history_place(&history->loads, row, place),
+           word, why.text);
 }
 
 void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,
                           int64_t cycles_of_two, contact_history *history)
 {
+    const char *word = line->operand != NULL ? line->operand[0] : NULL;
     input_texts texts;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     *history = (contact_history){0};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
-    check_loads(line);
+    if (word != NULL && line->operand[1] != NULL)
+        usage_error("%s: unexpected; allowed: one file of loads", line->operand[1]);
+    if (word != NULL && line->value[OPTION_HISTORY] != NULL)
+        usage_error("%s: given together with --history; allowed: one of the two", word);
+    if (!history_is_given(line))
+        usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
+                    "sigma; or --load P,Q for each");
+    history_check(line);
     read_cycles(line, cycles);
-    if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, complaint))
-        usage_error("%s", complaint);
+    if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, &why))
+        usage_error("%s", why.text);
     status_check(history->setup.status, "the contact");
     load_history_read(line, decimal_sign, &history->loads);
     if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL) {

@@ -48,27 +48,22 @@ static double slip_size_at(const void *contact, double x)
     return rwedge_contact_slip(contact, 1, &x, &slip) == RWEDGE_OK ? fabs(slip) : NAN;
 }
 
-static int32_t find_yield(const contact_case *setup, const rwedge_contact *contact, double value[])
-{
-    if (isnan(setup->k))
-        return RWEDGE_OK;
-    const int32_t status = rwedge_contact_yield_factor(
-        contact, setup->nu1, setup->k, &value[YIELD_FACTOR], &value[YIELD_X], &value[YIELD_Y]);
-    yield_place_settle(&value[YIELD_X], &value[YIELD_Y]);
-    return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
-}
-
 /* What there is to tell of a contact that touches. */
 static int32_t touch(const contact_case *setup, const rwedge_contact *contact, double value[])
 {
-    const int32_t status = edge_tensions(contact, &value[LEFT], &value[TENSION_LEFT]);
+    int32_t status = edge_tensions(contact, &value[LEFT], &value[TENSION_LEFT]);
     if (isnan(value[LEFT]))
         return RWEDGE_OK;
     rwedge_contact_stick_zone(contact, &value[STICK_LEFT], &value[STICK_RIGHT]);
     value[TILT] = rwedge_contact_tilt(contact);
     value[PRESSURE] = peak_pressure(setup, contact);
     value[SLIP] = peak_over(value[LEFT], value[RIGHT], slip_size_at, contact);
-    return status == RWEDGE_OK ? find_yield(setup, contact, value) : status;
+    if (status != RWEDGE_OK || isnan(setup->k))
+        return status;
+    status = rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &value[YIELD_FACTOR],
+                                         &value[YIELD_X], &value[YIELD_Y]);
+    yield_place_settle(&value[YIELD_X], &value[YIELD_Y]);
+    return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
 }
 
 static void compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
@@ -154,18 +149,6 @@ static void write_load(plan *job, size_t step, const rwedge_contact *contact, re
     progress_step();
 }
 
-static void write_loads(plan *job, records *rows)
-{
-    rwedge_contact *contact = contact_history_begin(&job->history);
-    passed_names(&job->history.loads, rows);
-    records_columns(rows, columns, AFTER_COUNT);
-    for (size_t step = 0; step < job->history.steps && records_go_on(rows); step++) {
-        contact_history_go_on(&job->history, step, contact);
-        write_load(job, step, contact, rows);
-    }
-    rwedge_contact_destroy(contact);
-}
-
 static void write_rows(void *of_plan, records *rows)
 {
     plan *job = of_plan;
@@ -173,43 +156,20 @@ static void write_rows(void *of_plan, records *rows)
     const size_t count = job->history.steps * (job->at.count > 0 ? job->at.count : 1);
     progress_start(rows->show_progress, (int64_t)count, "rows");
     rows->mark = job->history.loads.has_mark;
-    if (job->at.count > 0)
+    if (job->at.count > 0) {
         point_rows_write(&points, rows);
-    else
-        write_loads(job, rows);
+        return;
+    }
+    rwedge_contact *contact = contact_history_begin(&job->history);
+    passed_names(&job->history.loads, rows);
+    records_columns(rows, columns, AFTER_COUNT);
+    for (size_t step = 0; step < job->history.steps && records_go_on(rows); step++) {
+        contact_history_go_on(&job->history, step, contact);
+        write_load(job, step, contact, rows);
+    }
 }
 
 static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "series", NULL};
-
-static void check_series(const plan *job, const output_options *how)
-{
-    if (how->format != NULL)
-        return;
-    if (how->path == NULL || strcmp(how->path, "-") == 0)
-        usage_error("--format series: writes several files; allowed with: --output "
-                    "NAME.vtk.series");
-    if (job->at.count == 0)
-        usage_error("--output %s: needs points; allowed with: --at, --points, or --x and --depth",
-                    how->path);
-}
-
-static void check_names(const plan *job)
-{
-    const bool has_points = job->at.count > 0;
-    for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
-        passed_check(&job->history.loads, has_points ? point_columns[i] : columns[i].name);
-}
-
-static void read_plan(const arguments *line, plan *job, output_options *how)
-{
-    output_options_read_of(line, formats, "", how);
-    if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
-        usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
-    places_read(line, how->decimal_sign, &job->at);
-    check_series(job, how);
-    contact_history_read(line, how->decimal_sign, 1, 1, &job->history);
-    check_names(job);
-}
 
 static void say_doubts(const plan *job)
 {
@@ -229,8 +189,21 @@ static int history(const arguments *line)
 {
     plan job = {.at = {0}};
     output_options how;
-    read_plan(line, &job, &how);
+    output_options_read_of(line, formats, "", &how);
+    if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
+        usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
+    places_read(line, how.decimal_sign, &job.at);
+    if (how.format == NULL && (how.path == NULL || strcmp(how.path, "-") == 0))
+        usage_error("--format series: writes several files; allowed with: --output "
+                    "NAME.vtk.series");
+    if (how.format == NULL && job.at.count == 0)
+        usage_error("--output %s: needs points; allowed with: --at, --points, or --x and --depth",
+                    how.path);
+    contact_history_read(line, how.decimal_sign, 1, 1, &job.history);
     const point_rows points = {&job.history, &job.at};
+    const bool has_points = job.at.count > 0;
+    for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
+        passed_check(&job.history.loads, has_points ? point_columns[i] : columns[i].name);
     if (how.format == NULL)
         series_write(&points, line, &how);
     else

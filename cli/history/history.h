@@ -57,11 +57,10 @@ typedef struct {
     size_t columns; /* of a grid, whose points are row by row, x fastest; 0 for other places */
 } places;
 
-/* Reads --at or --points; or --x with --depth, which is 0 by default. Free them. */
+/* Reads --at or --points; or --x with --depth, which is 0 by default. */
 void places_read(const arguments *line, char decimal_sign, places *to);
-void places_free(places *at);
 
-/* Reads --depth alone: 0 by default. Free the range. */
+/* Reads --depth alone: 0 by default. */
 void places_read_depth(const arguments *line, range *depth);
 
 /* ---- point_rows ---- The stresses at points after each load, as rows. */

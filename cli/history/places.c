@@ -2,7 +2,6 @@
 #include "history.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct poptOption place_option_table[] = {
@@ -23,13 +22,6 @@ static void add(places *to, double x, double y)
     to->y = memory_for_one_more(to->y, to->count, sizeof *to->y);
     to->x[to->count] = x;
     to->y[to->count++] = y;
-}
-
-void places_free(places *at)
-{
-    free(at->x);
-    free(at->y);
-    *at = (places){0};
 }
 
 /* NULL, or what is wrong with such a point. */
@@ -75,10 +67,10 @@ static void read_file(const char *path, const char *encoding, char decimal_sign,
                                         .complaint_about = complaint_about};
     pairs all;
     pairs_read(path, encoding, decimal_sign, &wanted, &all);
-    if (all.problem[0] != '\0')
-        failure("%s", all.problem);
-    if (all.unused[0] != '\0')
-        notice("%s: %s", path, all.unused);
+    if (all.problem.text[0] != '\0')
+        failure("%s", all.problem.text);
+    if (all.unused.text[0] != '\0')
+        notice("%s: %s", path, all.unused.text);
     *to = (places){.x = all.first, .y = all.second, .count = all.count};
 }
 
@@ -93,25 +85,18 @@ void places_read_depth(const arguments *line, range *depth)
         usage_error("--depth %s: depths must not be below 0", text);
 }
 
-static void fill_grid(const char *text, const range *x, const range *y, places *to)
-{
-    if ((double)x->count * (double)y->count > PLACES_MAX)
-        usage_error("--x %s: must not give more than %d points in all", text, PLACES_MAX);
-    for (int64_t j = 0; j < y->count; j++)
-        for (int64_t i = 0; i < x->count; i++)
-            add(to, range_value(x, i), range_value(y, j));
-    to->columns = (size_t)x->count;
-}
-
 static void read_grid(const arguments *line, places *to)
 {
     const char *text = line->value[OPTION_X];
     range x, y;
     places_read_depth(line, &y);
     range_option("x", text, &x);
-    fill_grid(text, &x, &y, to);
-    range_free(&x);
-    range_free(&y);
+    if ((double)x.count * (double)y.count > PLACES_MAX)
+        usage_error("--x %s: must not give more than %d points in all", text, PLACES_MAX);
+    for (int64_t j = 0; j < y.count; j++)
+        for (int64_t i = 0; i < x.count; i++)
+            add(to, range_value(&x, i), range_value(&y, j));
+    to->columns = (size_t)x.count;
 }
 
 /* ---- All ---- */

@@ -26,18 +26,15 @@ void passed_names(const load_history *loads, records *rows)
             records_name(rows, loads->names.name[i]);
 }
 
-static cell passed_cell(const char *text, char decimal_sign)
-{
-    double number;
-    return number_survives(text, decimal_sign, &number) ? cell_typed(text, number)
-                                                        : cell_text(text);
-}
-
 void passed_cells(const load_history *loads, size_t row, records *rows)
 {
-    for (size_t i = 0; i < loads->names.count; i++)
+    double number;
+    for (size_t i = 0; i < loads->names.count; i++) {
+        const char *text = loads->row[row].cell[i];
+        const bool is_number = number_survives(text, rows->how->decimal_sign, &number);
         if (!header_is_input(&loads->names, i))
-            records_value(rows, passed_cell(loads->row[row].cell[i], rows->how->decimal_sign));
+            records_value(rows, is_number ? (cell){text, number} : cell_text(text));
+    }
 }
 
 /* ---- Rows ---- */
@@ -48,31 +45,23 @@ tensor point_rows_stress(const point_rows *points, const rwedge_contact *contact
     return point_stress(contact, &setup->shape, setup->nu1, points->at->x[i], points->at->y[i]);
 }
 
-static void write_row(const point_rows *points, const rwedge_contact *contact, size_t step,
-                      size_t i, records *rows)
-{
-    const tensor at = point_rows_stress(points, contact, i);
-    const double *v = at.value;
-    const double value[POINT_COLUMNS] = {(double)(step + 1),  points->at->x[i], points->at->y[i],
-                                         v[TENSOR_SXX],       v[TENSOR_SYY],    v[TENSOR_SZZ],
-                                         v[TENSOR_TXY],       v[TENSOR_S1],     v[TENSOR_S2],
-                                         v[TENSOR_VON_MISES], v[TENSOR_TAU_MAX]};
-    passed_cells(&points->history->loads, contact_history_row(points->history, step), rows);
-    for (int c = 0; c < POINT_COLUMNS; c++)
-        records_value(rows, cell_number(value[c]));
-    records_end_row(rows);
-    progress_step();
-}
-
 void point_rows_write(const point_rows *points, records *rows)
 {
+    static const int stresses[] = {TENSOR_SXX, TENSOR_SYY, TENSOR_SZZ,       TENSOR_TXY,
+                                   TENSOR_S1,  TENSOR_S2,  TENSOR_VON_MISES, TENSOR_TAU_MAX};
     rwedge_contact *contact = contact_history_begin(points->history);
     passed_names(&points->history->loads, rows);
     records_header(rows, POINT_COLUMNS, point_columns);
     for (size_t step = 0; step < points->history->steps && records_go_on(rows); step++) {
         contact_history_go_on(points->history, step, contact);
-        for (size_t i = 0; i < points->at->count && records_go_on(rows); i++)
-            write_row(points, contact, step, i, rows);
+        for (size_t i = 0; i < points->at->count && records_go_on(rows); i++) {
+            const tensor at = point_rows_stress(points, contact, i);
+            const double value[] = {(double)(step + 1), points->at->x[i], points->at->y[i]};
+            passed_cells(&points->history->loads, contact_history_row(points->history, step), rows);
+            for (int k = 0; k < POINT_COLUMNS; k++)
+                records_value(rows, cell_number(k < 3 ? value[k] : at.value[stresses[k - 3]]));
+            records_end_row(rows);
+            progress_step();
+        }
     }
-    rwedge_contact_destroy(contact);
 }

@@ -77,15 +77,6 @@ static frames frames_of(const char *path)
     return old;
 }
 
-static void remove_frames(const frames *old)
-{
-    for (size_t step = 0; step < old->count; step++) {
-        char *name = frame_name(old, step);
-        remove(name);
-        free(name);
-    }
-}
-
 /* ---- The list ---- */
 
 static void write_list(void *of_frames, records *rows)
@@ -107,28 +98,21 @@ static void write_list(void *of_frames, records *rows)
 
 /* ---- All ---- */
 
-static void spare_files(const arguments *line, const output_options *how, const frames *series)
-{
-    for (size_t step = 0; step < series->count; step++) {
-        output_options frame = *how;
-        frame.path = frame_name(series, step);
-        output_options_spare_files(line, &frame);
-        free((char *)frame.path);
-    }
-}
-
 void series_write(const point_rows *points, const arguments *line, const output_options *how)
 {
     const frames old = frames_of(how->path);
     frames series = {how->path, old.mark[0] == 'b' ? "" : "b", points->history->steps};
-    char *quoted = json_quoted(how->path);
-    if (quoted == NULL)
+    if (json_quoted(how->path) == NULL)
         usage_error("--output %s: must be UTF-8, as the list of the files is", how->path);
-    free(quoted);
-    spare_files(line, how, &series);
-    rwedge_contact *contact = contact_history_begin(points->history);
     output_options file = *how;
     file.format = &vtk_format;
+    for (size_t step = 0; step < series.count; step++) {
+        char *name = frame_name(&series, step);
+        file.path = name;
+        output_options_spare_files(line, &file);
+        free(name);
+    }
+    rwedge_contact *contact = contact_history_begin(points->history);
     for (points_after under = {points, contact, 0}; under.step < series.count; under.step++) {
         char *name = frame_name(&series, under.step);
         contact_history_go_on(points->history, under.step, contact);
@@ -136,7 +120,10 @@ void series_write(const point_rows *points, const arguments *line, const output_
         output_options_write(&file, write_frame, &under);
         free(name);
     }
-    rwedge_contact_destroy(contact);
     output_options_write(how, write_list, &series);
-    remove_frames(&old);
+    for (size_t step = 0; step < old.count; step++) {
+        char *name = frame_name(&old, step);
+        remove(name);
+        free(name);
+    }
 }

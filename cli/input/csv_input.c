@@ -74,34 +74,29 @@ static void start_parser(reader *in)
     separate_by(in, in->seen.separator);
 }
 
-/* The ending of a file whose columns are separated by tabs. */
-static bool is_tsv(const char *path)
-{
-    const char *ending = strrchr(path, '.');
-    return ending != NULL && strcasecmp(ending, ".tsv") == 0;
-}
-
 csv_input *csv_input_open(const char *path, char separator, const char *encoding)
 {
     reader *in = memory_zeroed(1, sizeof *in);
+    const char *ending = strrchr(path, '.');
+    const bool is_tsv = ending != NULL && strcasecmp(ending, ".tsv") == 0;
     in->text = text_input_open(path, encoding);
     in->at_start = true;
     in->next_line = 1;
     in->seen.row.cell = in->cell;
     in->seen.row.whole = in->row;
     in->seen.name = in->text->name;
-    in->seen.separator = is_tsv(path) ? '\t' : separator;
+    in->seen.separator = is_tsv ? '\t' : separator;
     start_parser(in);
-    strcpy(in->seen.problem, in->text->problem);
+    in->seen.problem = in->text->problem;
     return &in->seen;
 }
 
 bool csv_input_stop(csv_input *in, const char *format, ...)
 {
     va_list values;
-    const int used = snprintf(in->problem, sizeof in->problem, "%.300s: ", in->name);
+    const int used = snprintf(in->problem.text, sizeof in->problem.text, "%.300s: ", in->name);
     va_start(values, format);
-    vsnprintf(in->problem + used, sizeof in->problem - (size_t)used, format, values);
+    vsnprintf(in->problem.text + used, sizeof in->problem.text - (size_t)used, format, values);
     va_end(values);
     return false;
 }
@@ -144,19 +139,6 @@ static void find_separator(reader *in)
         separate_by(in, '\t');
 }
 
-static bool fill(reader *in)
-{
-    in->begin = 0;
-    if (!text_input_read(in->text, in->block, BLOCK, &in->end)) {
-        strcpy(in->seen.problem, in->text->problem);
-        return false;
-    }
-    in->seen.has_mark = in->text->has_mark;
-    if (in->at_start)
-        find_separator(in);
-    return true;
-}
-
 /* ---- Rows ---- */
 
 /* A quote that is closed nowhere, or where it cannot be: no one knows which rows it has taken. */
@@ -168,32 +150,36 @@ static bool not_closed(reader *in)
 /* False at the end of the file, or where there is a problem. */
 static bool next_byte(reader *in, char *byte)
 {
-    if (in->begin == in->end && (!fill(in) || in->end == 0))
-        return false;
+    if (in->begin == in->end) {
+        const bool is_read = text_input_read(in->text, in->block, BLOCK, &in->end);
+        in->begin = 0;
+        in->seen.problem = in->text->problem;
+        in->seen.has_mark = in->text->has_mark;
+        if (is_read && in->at_start)
+            find_separator(in);
+        if (!is_read || in->end == 0)
+            return false;
+    }
     *byte = in->block[in->begin++];
     in->next_line += ends_line(*byte) && !(in->after_return && *byte == '\n');
     in->after_return = *byte == '\r';
     return true;
 }
 
-/* After misplaced quotes the rest of the line is left out. */
-static void parse(reader *in, char byte)
-{
-    bool *malformed = &in->seen.row.malformed;
-    in->row[in->length++] = byte;
-    *malformed = *malformed || csv_parse(&in->parser, &byte, 1, take_cell, take_end, in) != 1;
-    if (*malformed && csv_error(&in->parser) == CSV_ENOMEM) /* no fault of the row */
-        failure("out of memory");
-    in->has_ended = in->has_ended || (*malformed && ends_line(byte));
-}
-
-/* The bytes of a row that begins with this one. The last may lack its end. */
+/* The bytes of a row that begins with this one. The last may lack its end. After misplaced quotes
+ * the rest of the line is left out. */
 static bool read_row(reader *in, char byte)
 {
+    bool *malformed = &in->seen.row.malformed;
     for (bool more = true;; more = next_byte(in, &byte)) {
-        if (in->seen.problem[0] != '\0')
+        if (in->seen.problem.text[0] != '\0')
             return false;
-        parse(in, more ? byte : '\n');
+        byte = more ? byte : '\n';
+        in->row[in->length++] = byte;
+        *malformed = *malformed || csv_parse(&in->parser, &byte, 1, take_cell, take_end, in) != 1;
+        if (*malformed && csv_error(&in->parser) == CSV_ENOMEM) /* no fault of the row */
+            failure("out of memory");
+        in->has_ended = in->has_ended || (*malformed && ends_line(byte));
         if (in->has_ended)
             return true;
         if (!more)
@@ -206,7 +192,7 @@ static bool read_row(reader *in, char byte)
 }
 
 /* Blank lines are no rows. */
-static bool begin_row(reader *in)
+static bool next_row(reader *in)
 {
     char byte;
     in->seen.row.count = in->length = in->used = 0;
@@ -216,34 +202,20 @@ static bool begin_row(reader *in)
             return false;
     while (ends_line(byte));
     in->seen.row.line = in->next_line;
-    return read_row(in, byte);
-}
-
-static void finish_row(reader *in)
-{
+    if (!read_row(in, byte))
+        return false;
     while (in->length > 0 && ends_line(in->row[in->length - 1]))
         in->length--;
     in->row[in->length] = '\0';
-}
-
-/* What the parser still holds of a row with misplaced quotes is thrown away. */
-static bool take_malformed(reader *in)
-{
-    csv_free(&in->parser);
-    start_parser(in);
-    if (csv_row_spans_lines(&in->seen.row))
-        return not_closed(in);
-    return in->seen.takes_malformed || stop(in, "misplaced quotes");
-}
-
-static bool next_row(reader *in)
-{
-    if (!begin_row(in))
-        return false;
-    finish_row(in);
     if (in->too_many)
         return stop(in, "more than 1000 cells in a row");
-    return !in->seen.row.malformed || take_malformed(in);
+    if (!in->seen.row.malformed)
+        return true;
+    csv_free(&in->parser); /* what it still holds of the row is thrown away */
+    start_parser(in);
+    if (strpbrk(in->row, "\r\n") != NULL) /* over several lines */
+        return not_closed(in);
+    return in->seen.takes_malformed || stop(in, "misplaced quotes");
 }
 
 static bool is_blank(const csv_row *row)
@@ -256,7 +228,7 @@ static bool is_blank(const csv_row *row)
 
 bool csv_input_next(csv_input *in)
 {
-    bool there = in->problem[0] == '\0' && next_row((reader *)in);
+    bool there = in->problem.text[0] == '\0' && next_row((reader *)in);
     while (there && is_blank(&in->row))
         there = next_row((reader *)in);
     return there;
@@ -265,7 +237,7 @@ bool csv_input_next(csv_input *in)
 bool csv_input_header(csv_input *in, csv_row *row)
 {
     const bool there = csv_input_next(in);
-    if (in->problem[0] != '\0')
+    if (in->problem.text[0] != '\0')
         return false;
     if (!there || in->row.malformed)
         return csv_input_stop(in, "%s; needed: a header row with the names of the columns",
@@ -276,8 +248,8 @@ bool csv_input_header(csv_input *in, csv_row *row)
 
 void csv_input_check(const csv_input *in)
 {
-    if (in->problem[0] != '\0')
-        failure("%s", in->problem);
+    if (in->problem.text[0] != '\0')
+        failure("%s", in->problem.text);
 }
 
 void csv_input_close(csv_input *seen)
@@ -286,11 +258,6 @@ void csv_input_close(csv_input *seen)
     csv_free(&in->parser);
     text_input_close(in->text);
     free(in);
-}
-
-bool csv_row_spans_lines(const csv_row *row)
-{
-    return strpbrk(row->whole, "\r\n") != NULL;
 }
 
 /* ---- A row that stays ---- */

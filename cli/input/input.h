@@ -14,7 +14,7 @@
 typedef struct {
     const char *name;  /* as messages call it */
     bool has_mark;     /* it begins with the mark of Unicode; known once it has been read from */
-    char problem[600]; /* why it cannot be opened, or read on; "" as long as it can */
+    complaint problem; /* why it cannot be opened, or read on; "" as long as it can */
 } text_input;
 
 /* Refuses an encoding that iconv does not know, by the name of --encoding. */
@@ -52,7 +52,7 @@ typedef struct {
     bool has_mark;        /* whether it begins with the mark of Unicode */
     bool takes_malformed; /* rows; the next line starts afresh. Otherwise one is a problem */
     csv_row row;          /* that was read last; its texts live until the next is read */
-    char problem[600];    /* why it cannot be read on, with the name and the line; or "" */
+    complaint problem;    /* why it cannot be read on, with the name and the line; or "" */
 } csv_input;
 
 /* Opens a file, or standard input where path is "-". Tabs separate where the name ends in .tsv, or
@@ -83,9 +83,6 @@ void csv_input_check(const csv_input *in);
 
 void csv_input_close(csv_input *in);
 
-/* Whether a row has a quote over several lines. */
-bool csv_row_spans_lines(const csv_row *row);
-
 /* Copies the row that was read last: it stays while others are read. Free it. */
 void csv_row_keep(const csv_input *in, csv_row *row);
 void csv_row_free(csv_row *row);
@@ -107,8 +104,8 @@ typedef struct {
     double *first, *second;
     int64_t *line;      /* on which each stands */
     const char *column; /* what the second is */
-    char unused[600];   /* columns with numbers that are not used */
-    char problem[600];  /* why it cannot be read, with the name of the file; "" where it can */
+    complaint unused;   /* columns with numbers that are not used */
+    complaint problem;  /* why it cannot be read, with the name of the file; "" where it can */
 } pairs;
 
 /* Reads it all, but for what follows a problem. Free it. */
@@ -118,19 +115,13 @@ void pairs_free(pairs *all);
 
 /* ---- profiles ---- The profiles of pads, each from a file of its name. */
 
-/* How the files are read that come next. */
-typedef struct {
-    char decimal_sign;
-    bool takes_hull;
-    bool takes_unnamed; /* columns, which are x and height */
-} profile_style;
-
 /* Reads a file, unless it has been read, and gives what is to be known of it: columns that are not
- * used, the hull; or "". What is wrong with it is kept too. Not while threads look for profiles. */
-const char *profiles_read(const char *name, profile_style style);
+ * used, the hull; or "". What is wrong with it is kept too. Not while threads look for profiles.
+ * Columns without names are x and height where that is taken. */
+const char *profiles_read(const char *name, char decimal_sign, bool takes_hull, bool takes_unnamed);
 
 /* Those that have been read: of input_texts. */
-const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZE]);
+const pad_profile *profiles_named(const char *name, complaint *why);
 
 /* Forgets those that were read since so many had been. */
 size_t profiles_count(void);

@@ -2,7 +2,6 @@
 #include "input.h"
 
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,17 +18,17 @@ typedef struct {
 /* ---- The first row ---- */
 
 /* Either the second column or what may stand for it. */
-static bool find_second(reading *r, char complaint[COMPLAINT_SIZE])
+static bool find_second(reading *r, complaint *why)
 {
     const char *second = r->wanted->second, *other = r->wanted->instead;
     const size_t none = r->names.count;
     size_t instead = none;
-    if (!header_column(&r->names, second, &r->column[1], complaint) ||
-        (other != NULL && !header_column(&r->names, other, &instead, complaint)))
+    if (!header_column(&r->names, second, &r->column[1], why) ||
+        (other != NULL && !header_column(&r->names, other, &instead, why)))
         return false;
     if (r->column[1] < none && instead < none)
-        return complain(complaint, "column %s: given together with %s; allowed: one of the two",
-                        other, second);
+        return complain(why, "column %s: given together with %s; allowed: one of the two", other,
+                        second);
     r->to->column = instead < none ? other : second;
     r->column[1] = instead < none ? instead : r->column[1];
     return true;
@@ -37,11 +36,10 @@ static bool find_second(reading *r, char complaint[COMPLAINT_SIZE])
 
 static bool find_columns(reading *r, const char *const names[], size_t count)
 {
-    char complaint[COMPLAINT_SIZE];
-    header_find(names, count, 0, 0, NULL, &r->names, complaint);
-    if (!header_column(&r->names, r->wanted->first, &r->column[0], complaint) ||
-        !find_second(r, complaint))
-        return csv_input_stop(r->in, "%s", complaint);
+    complaint why;
+    header_find(names, count, 0, 0, NULL, &r->names, &why);
+    if (!header_column(&r->names, r->wanted->first, &r->column[0], &why) || !find_second(r, &why))
+        return csv_input_stop(r->in, "%s", why.text);
     for (int i = 0; i < 2; i++) {
         if (r->column[i] == r->names.count)
             return csv_input_stop(r->in, "column %s: missing; needed: %s%s",
@@ -54,39 +52,35 @@ static bool find_columns(reading *r, const char *const names[], size_t count)
 
 /* ---- Rows ---- */
 
-static void add(pairs *to, double first, double second, int64_t line)
+static bool refuse_row(const reading *r, const char *reason)
 {
-    to->first = memory_for_one_more(to->first, to->count, sizeof *to->first);
-    to->second = memory_for_one_more(to->second, to->count, sizeof *to->second);
-    to->line = memory_for_one_more(to->line, to->count, sizeof *to->line);
-    to->first[to->count] = first;
-    to->second[to->count] = second;
-    to->line[to->count++] = line;
-}
-
-static bool refuse_row(const reading *r, const char *complaint)
-{
-    return csv_input_stop(r->in, "line %" PRId64 ": %s", r->in->row.line, complaint);
+    return csv_input_stop(r->in, "line %" PRId64 ": %s", r->in->row.line, reason);
 }
 
 static bool read_row(reading *r)
 {
     double value[2];
-    char complaint[COMPLAINT_SIZE];
+    pairs *to = r->to;
+    complaint why;
     const csv_row *row = &r->in->row;
-    if (!header_fits(r->names.count, row->count, r->in->separator, complaint))
-        return refuse_row(r, complaint);
+    if (!header_fits(r->names.count, row->count, r->in->separator, &why))
+        return refuse_row(r, why.text);
     for (int i = 0; i < 2; i++)
-        if (!cell_read(row->cell[r->column[i]], i == 0 ? r->wanted->first : r->to->column,
-                       r->decimal_sign, &value[i], complaint))
-            return refuse_row(r, complaint);
+        if (!cell_read(row->cell[r->column[i]], i == 0 ? r->wanted->first : to->column,
+                       r->decimal_sign, &value[i], &why))
+            return refuse_row(r, why.text);
     if (r->wanted->complaint_about != NULL &&
         r->wanted->complaint_about(value[0], value[1]) != NULL)
         return refuse_row(r, r->wanted->complaint_about(value[0], value[1]));
-    if (r->to->count == r->wanted->most)
+    if (to->count == r->wanted->most)
         return csv_input_stop(r->in, "more than %zu %s", r->wanted->most, r->wanted->rows);
     header_note_unused(&r->names, row->cell);
-    add(r->to, value[0], value[1], r->in->row.line);
+    to->first = memory_for_one_more(to->first, to->count, sizeof *to->first);
+    to->second = memory_for_one_more(to->second, to->count, sizeof *to->second);
+    to->line = memory_for_one_more(to->line, to->count, sizeof *to->line);
+    to->first[to->count] = value[0];
+    to->second[to->count] = value[1];
+    to->line[to->count++] = row->line;
     return true;
 }
 
@@ -102,19 +96,6 @@ static bool read_first(reading *r, csv_row *first)
     return find_columns(r, first->cell, first->count);
 }
 
-static void read_rows(reading *r)
-{
-    csv_row first = {.cell = NULL};
-    if (read_first(r, &first))
-        while (csv_input_next(r->in) && read_row(r))
-            continue;
-    if (r->in->problem[0] == '\0' && r->to->count == 0)
-        csv_input_stop(r->in, "no %s; needed: rows of %s and %s", r->wanted->rows, r->wanted->first,
-                       r->to->column);
-    header_write_unused(&r->names, r->to->unused, sizeof r->to->unused);
-    csv_row_free(&first);
-}
-
 void pairs_read(const char *path, const char *encoding, char decimal_sign,
                 const pair_columns *wanted, pairs *to)
 {
@@ -123,8 +104,16 @@ void pairs_read(const char *path, const char *encoding, char decimal_sign,
                  .wanted = wanted,
                  .decimal_sign = decimal_sign,
                  .to = to};
-    read_rows(&r);
-    strcpy(to->problem, r.in->problem);
+    csv_row first = {.cell = NULL};
+    if (read_first(&r, &first))
+        while (csv_input_next(r.in) && read_row(&r))
+            continue;
+    if (r.in->problem.text[0] == '\0' && to->count == 0)
+        csv_input_stop(r.in, "no %s; needed: rows of %s and %s", wanted->rows, wanted->first,
+                       to->column);
+    header_write_unused(&r.names, to->unused.text, sizeof to->unused.text);
+    csv_row_free(&first);
+    to->problem = r.in->problem;
     csv_input_close(r.in);
 }
 

@@ -2,14 +2,13 @@
 #include "input.h"
 
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct {
     char *name;
     pad_profile places;
-    char problem[600]; /* why it is none; "" */
+    complaint problem; /* why it is none; "" */
     char remark[900];
 } entry;
 
@@ -25,16 +24,6 @@ static entry *entry_named(const char *name)
     return NULL;
 }
 
-static entry *new_entry(const char *name)
-{
-    entry *made = memory_zeroed(1, sizeof *made);
-    made->name = memory_zeroed(strlen(name) + 1, 1);
-    strcpy(made->name, name);
-    entries = memory_for_one_more(entries, entry_count, sizeof *entries);
-    entries[entry_count++] = made;
-    return made;
-}
-
 static void take(const pairs *rows, bool takes_hull, entry *to)
 {
     static const char hull[] = "; --hull takes it";
@@ -44,45 +33,48 @@ static void take(const pairs *rows, bool takes_hull, entry *to)
             ? pad_profile_of_heights(rows->count, rows->first, rows->second, takes_hull,
                                      &to->places, &remark)
             : pad_profile_of_slopes(rows->count, rows->first, rows->second, &to->places, &remark);
-    char text[sizeof to->problem] = "";
+    complaint text = {""};
     if (remark.text[0] != '\0')
-        list_add(text, sizeof text, "", "%.200s: line %" PRId64 ": %s%s", to->name,
-                 rows->line[remark.place], remark.text,
-                 !taken && strstr(remark.text, "hull") != NULL ? hull : "");
-    strcpy(taken ? to->remark : to->problem, text);
-    if (rows->unused[0] != '\0')
-        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, rows->unused);
+        complain(&text, "%.200s: line %" PRId64 ": %s%s", to->name, rows->line[remark.place],
+                 remark.text, !taken && strstr(remark.text, "hull") != NULL ? hull : "");
+    strcpy(taken ? to->remark : to->problem.text, text.text);
+    if (rows->unused.text[0] != '\0')
+        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, rows->unused.text);
 }
 
-const char *profiles_read(const char *name, profile_style style)
+const char *profiles_read(const char *name, char decimal_sign, bool takes_hull, bool takes_unnamed)
 {
     static const char *const usual[] = {"x", "height"};
     const pair_columns wanted = {.first = "x",
                                  .second = "slope",
                                  .instead = "height",
-                                 .usual = style.takes_unnamed ? usual : NULL,
+                                 .usual = takes_unnamed ? usual : NULL,
                                  .needed = "x, and slope or height",
                                  .rows = "places",
                                  .most = PROFILE_PLACES + 1};
     pairs rows;
     if (entry_named(name) != NULL)
         return "";
-    entry *to = new_entry(name);
-    pairs_read(name, NULL, style.decimal_sign, &wanted, &rows);
-    if (rows.problem[0] == '\0')
-        take(&rows, style.takes_hull, to);
+    entry *to = memory_zeroed(1, sizeof *to);
+    to->name = memory_zeroed(strlen(name) + 1, 1);
+    strcpy(to->name, name);
+    entries = memory_for_one_more(entries, entry_count, sizeof *entries);
+    entries[entry_count++] = to;
+    pairs_read(name, NULL, decimal_sign, &wanted, &rows);
+    if (rows.problem.text[0] == '\0')
+        take(&rows, takes_hull, to);
     else
-        snprintf(to->problem, sizeof to->problem, "%s", rows.problem);
+        to->problem = rows.problem;
     pairs_free(&rows);
     return to->remark;
 }
 
-const pad_profile *profiles_named(const char *name, char complaint[COMPLAINT_SIZE])
+const pad_profile *profiles_named(const char *name, complaint *why)
 {
     const entry *known = entry_named(name);
-    if (known != NULL && known->problem[0] == '\0')
+    if (known != NULL && known->problem.text[0] == '\0')
         return &known->places;
-    snprintf(complaint, COMPLAINT_SIZE, "profile %.380s", known != NULL ? known->problem : name);
+    complain(why, "profile %.380s", known != NULL ? known->problem.text : name);
     return NULL;
 }
 

@@ -6,7 +6,6 @@
 
 #include <errno.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,17 +28,6 @@ typedef struct {
     bool after_return;
 } source;
 
-static bool stop(source *in, const char *format, ...) PRINTF_LIKE(2, 3);
-
-static bool stop(source *in, const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    vsnprintf(in->seen.problem, sizeof in->seen.problem, format, values);
-    va_end(values);
-    return false;
-}
-
 /* ---- Opening ---- */
 
 void text_input_check(const char *encoding)
@@ -53,14 +41,6 @@ void text_input_check(const char *encoding)
         iconv_close(converter);
 }
 
-static bool start_converter(source *in, const char *encoding)
-{
-    in->converter = iconv_open("UTF-8", encoding);
-    in->has_converter = in->converter != (iconv_t)-1;
-    return in->has_converter ||
-           stop(in, "%s: reading %s: %s", in->seen.name, encoding, strerror(errno));
-}
-
 text_input *text_input_open(const char *path, const char *encoding)
 {
     const bool standard = strcmp(path, "-") == 0;
@@ -70,7 +50,7 @@ text_input *text_input_open(const char *path, const char *encoding)
     in->line = in->column = 1;
     in->file = standard ? stdin : file_to_read(path);
     if (in->file == NULL)
-        stop(in, "%s: %s", path, file_problem(errno));
+        complain(&in->seen.problem, "%s: %s", path, file_problem(errno));
     return &in->seen;
 }
 
@@ -85,7 +65,8 @@ static bool fill(source *in)
     if (!in->at_end)
         in->end += fread(in->block + in->end, 1, BLOCK - in->end, in->file);
     in->at_end = in->end < BLOCK;
-    return !ferror(in->file) || stop(in, "%s: %s", in->seen.name, file_problem(errno));
+    return !ferror(in->file) ||
+           complain(&in->seen.problem, "%s: %s", in->seen.name, file_problem(errno));
 }
 
 static bool begins_with(const source *in, const char *mark, size_t length)
@@ -103,23 +84,28 @@ static bool take_mark(source *in)
     in->started = true;
     in->seen.has_mark = is_utf8 || is_utf16;
     if (is_utf8 && in->encoding != NULL && strcasecmp(in->encoding, "utf-8") != 0)
-        return stop(in, "--encoding %s: %s begins with the mark of UTF-8; allowed: utf-8",
-                    in->encoding, in->seen.name);
+        return complain(&in->seen.problem,
+                        "--encoding %s: %s begins with the mark of UTF-8; allowed: utf-8",
+                        in->encoding, in->seen.name);
     if (is_utf16 && in->encoding == NULL)
         in->encoding = "utf-16";
     if (is_utf8)
         in->begin = 3;
     else if (is_utf16 && strcasecmp(in->encoding, "utf-16") != 0)
         in->begin = 2;
-    return start_converter(in, in->encoding != NULL ? in->encoding : "utf-8");
+    const char *encoding = in->encoding != NULL ? in->encoding : "utf-8";
+    in->converter = iconv_open("UTF-8", encoding);
+    in->has_converter = in->converter != (iconv_t)-1;
+    return in->has_converter || complain(&in->seen.problem, "%s: reading %s: %s", in->seen.name,
+                                         encoding, strerror(errno));
 }
 
 /* ---- Characters ---- */
 
 static bool stop_here(source *in, const char *why)
 {
-    return stop(in, "%s: line %" PRId64 ", column %" PRId64 ": %s", in->seen.name, in->line,
-                in->column, why);
+    return complain(&in->seen.problem, "%s: line %" PRId64 ", column %" PRId64 ": %s",
+                    in->seen.name, in->line, in->column, why);
 }
 
 static bool refuse_byte(source *in, char byte)
@@ -136,37 +122,26 @@ static bool refuse_byte(source *in, char byte)
     return stop_here(in, why);
 }
 
-static bool refuse_character(source *in, uint32_t code)
-{
-    char why[120];
-    snprintf(why, sizeof why,
-             "the character U+%04" PRIX32 " belongs to no text; allowed: text, no binary files",
-             code);
-    return stop_here(in, why);
-}
-
-/* Lines end with a return, a line feed, or both. */
-static void advance(source *in, uint32_t code)
-{
-    const bool same_end = in->after_return && code == '\n';
-    if (code == '\r' || (code == '\n' && !same_end))
-        in->line++;
-    in->column = code == '\r' || code == '\n' ? 1 : in->column + 1;
-    in->after_return = code == '\r';
-}
-
-/* Looks at every character. */
+/* Looks at every character. Lines end with a return, a line feed, or both. */
 static bool check(source *in, const char *bytes, size_t count)
 {
+    char why[120];
     uint32_t code;
     for (size_t i = 0, length; i < count; i += length) {
         code = (unsigned char)bytes[i];
         length = code < 0x80 ? 1 : utf8_length(bytes + i, count - i, &code);
         if (length == 0)
             return refuse_byte(in, bytes[i]);
-        if (!utf8_is_text(code))
-            return refuse_character(in, code);
-        advance(in, code);
+        if (!utf8_is_text(code)) {
+            snprintf(why, sizeof why,
+                     "the character U+%04" PRIX32
+                     " belongs to no text; allowed: text, no binary files",
+                     code);
+            return stop_here(in, why);
+        }
+        in->line += code == '\r' || (code == '\n' && !in->after_return);
+        in->column = code == '\r' || code == '\n' ? 1 : in->column + 1;
+        in->after_return = code == '\r';
     }
     return true;
 }

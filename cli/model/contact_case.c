@@ -17,10 +17,9 @@ static const struct {
 };
 enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
 
-static bool excluded(const input_texts *texts, int input, int alternative,
-                     char complaint[COMPLAINT_SIZE])
+static bool excluded(const input_texts *texts, int input, int alternative, complaint *why)
 {
-    return complain(complaint, "%s %.60s: given together with %s; allowed: one of the two",
+    return complain(why, "%s %.60s: given together with %s; allowed: one of the two",
                     input_name(texts, alternative), texts->text[alternative],
                     input_name(texts, input));
 }
@@ -52,58 +51,58 @@ static bool is_needed(const input_texts *texts, int input, case_needs needs)
 }
 
 /* Adds it to the list of what is missing. */
-static void add_missing(const input_texts *texts, int input, char complaint[COMPLAINT_SIZE])
+static void add_missing(const input_texts *texts, int input, complaint *why)
 {
     const int other = input_alternative(input);
     const bool is_flat = input == INPUT_A && input_is_given(texts, INPUT_FLAT);
     const bool two = other >= 0 && !is_flat;
-    list_add(complaint, COMPLAINT_SIZE, complaint[0] == '\0' ? "" : ", ", "%s%s%s%s",
-             complaint[0] == '\0' ? "missing: " : "", input_name(texts, is_flat ? other : input),
+    list_add(why->text, sizeof why->text, why->text[0] == '\0' ? "" : ", ", "%s%s%s%s",
+             why->text[0] == '\0' ? "missing: " : "", input_name(texts, is_flat ? other : input),
              two ? " or " : "", two ? input_name(texts, other) : "");
 }
 
 /* Body 2 is given whole or not at all: a guess would look like a result. */
-static bool second_body_is_whole(const input_texts *texts, char complaint[COMPLAINT_SIZE])
+static bool second_body_is_whole(const input_texts *texts, complaint *why)
 {
     const bool E2 = input_is_given(texts, INPUT_E2), nu2 = input_is_given(texts, INPUT_NU2);
     if (E2 == nu2)
         return true;
     double value;
-    if (E2 && !input_read(texts, INPUT_E2, &value, complaint))
+    if (E2 && !input_read(texts, INPUT_E2, &value, why))
         return false;
     if (E2 && isinf(value)) /* a rigid body has no Poisson's ratio */
         return true;
     const int there = E2 ? INPUT_E2 : INPUT_NU2, absent = E2 ? INPUT_NU2 : INPUT_E2;
-    return complain(complaint,
+    return complain(why,
                     "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
                     input_name(texts, there), texts->text[there], input_name(texts, absent));
 }
 
-bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE])
+bool case_is_complete(const input_texts *texts, case_needs needs, complaint *why)
 {
     bool cells = false, friction = false;
-    complaint[0] = '\0';
+    why->text[0] = '\0';
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++)
         if (input_is_given(texts, shapes[i].input) && input_is_given(texts, shapes[i].alternative))
-            return excluded(texts, shapes[i].input, shapes[i].alternative, complaint);
+            return excluded(texts, shapes[i].input, shapes[i].alternative, why);
     for (int i = 0; i < WAY_COUNT; i++) {
         const int input = ways[i], other = input_alternative(input);
         const bool is_given = input_is_given(texts, input);
         const bool is_given_otherwise = other >= 0 && input_is_given(texts, other);
         if (is_given && is_given_otherwise)
-            return excluded(texts, input, other, complaint);
+            return excluded(texts, input, other, why);
         if (is_given || is_given_otherwise || !is_needed(texts, input, needs))
             continue;
-        add_missing(texts, input, complaint);
+        add_missing(texts, input, why);
         cells = cells || texts->is_cell[input];
         friction = friction || input == INPUT_F;
     }
     if (friction)
-        list_add(complaint, COMPLAINT_SIZE, "; ", "friction has no default %s",
+        list_add(why->text, sizeof why->text, "; ", "friction has no default %s",
                  needs == CASE_OF_HISTORY ? "here" : "where Q, sigma or a yield stress is given");
     if (cells && texts->where_else != NULL)
-        list_add(complaint, COMPLAINT_SIZE, "; ", "allowed: %s", texts->where_else);
-    return complaint[0] == '\0' && second_body_is_whole(texts, complaint);
+        list_add(why->text, sizeof why->text, "; ", "allowed: %s", texts->where_else);
+    return why->text[0] == '\0' && second_body_is_whole(texts, why);
 }
 
 static double either(double value, double otherwise)
@@ -111,25 +110,19 @@ static double either(double value, double otherwise)
     return isnan(value) ? otherwise : value;
 }
 
-/* But for a profile. */
-static pad shape_of(const double value[INPUT_COUNT])
+/* But for the shape of a profile. */
+static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
 {
     const double radius = value[INPUT_RADIUS];
     const double theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
-    if (!isnan(value[INPUT_FLAT]))
-        return pad_flat(value[INPUT_FLAT], radius);
-    if (isnan(theta))
-        return pad_cylinder(radius);
-    return pad_wedge(theta, either(value[INPUT_A], rwedge_rounding(theta, radius)));
-}
-
-static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
-{
     setup->E1 = value[INPUT_E1];
     setup->nu1 = value[INPUT_NU1];
     setup->E2 = either(value[INPUT_E2], setup->E1);
     setup->nu2 = either(value[INPUT_NU2], setup->nu1); /* of no effect where body 2 is rigid */
-    setup->shape = shape_of(value);
+    setup->shape = !isnan(value[INPUT_FLAT]) ? pad_flat(value[INPUT_FLAT], radius)
+                   : isnan(theta)
+                       ? pad_cylinder(radius)
+                       : pad_wedge(theta, either(value[INPUT_A], rwedge_rounding(theta, radius)));
     setup->P = either(value[INPUT_P], 0);
     setup->M = either(value[INPUT_M], 0);
     setup->Q = either(value[INPUT_Q], 0);
@@ -141,25 +134,20 @@ static void fill(const input_texts *texts, const double value[INPUT_COUNT], cont
     setup->tolerance = texts->tolerance;
 }
 
-/* How much a tension stretches body 1. Of two bodies of one material it is the library's A/4. */
-static double own_strain(const contact_case *setup)
-{
-    return (1 - setup->nu1 * setup->nu1) / setup->E1;
-}
-
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
 {
+    /* how much a tension stretches body 1; of two bodies of one material it is the library's A/4 */
+    const double own_strain = (1 - setup->nu1 * setup->nu1) / setup->E1;
     int32_t status = pad_contact(&setup->shape, setup->A, setup->f, contact);
     if (status == RWEDGE_OK && (setup->E2 != setup->E1 || setup->nu2 != setup->nu1))
-        status = rwedge_contact_set_strain(*contact, own_strain(setup));
+        status = rwedge_contact_set_strain(*contact, own_strain);
     if (status == RWEDGE_OK)
         status = rwedge_contact_allow_error(*contact, setup->tolerance);
     return status;
 }
 
 /* Results beyond the range of numbers are refused later. */
-static bool apply_loads(const input_texts *texts, contact_case *setup,
-                        char complaint[COMPLAINT_SIZE])
+static bool apply_loads(const input_texts *texts, contact_case *setup, complaint *why)
 {
     const load to = {setup->P, setup->M, setup->Q, setup->sigma};
     setup->status = loads_apply_monotonic(to, setup->contact);
@@ -169,45 +157,36 @@ static bool apply_loads(const input_texts *texts, contact_case *setup,
     setup->at_fault = fault.input;
     if (fault.input == INPUT_COUNT)
         return true;
-    return complain(complaint, "%s %.60s: %s%s", input_name(texts, fault.input),
-                    texts->text[fault.input], fault.why,
+    return complain(why, "%s %.60s: %s%s", input_name(texts, fault.input), texts->text[fault.input],
+                    fault.why.text,
                     fault.input != INPUT_Q || input_is_given(texts, INPUT_F) ? ""
                                                                              : "; f is missing");
 }
 
-/* Only the tip of a wedge may be sharp. */
-static bool has_radius(const input_texts *texts, const pad *shape, char complaint[COMPLAINT_SIZE])
-{
-    if (shape->kind == PAD_WEDGE || shape->radius != 0)
-        return true;
-    return complain(complaint, "%s %.60s: the radius must be a number above 0%s",
-                    input_name(texts, INPUT_RADIUS), texts->text[INPUT_RADIUS],
-                    shape->kind == PAD_CYLINDER ? ", or an angle is missing" : "");
-}
-
-bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
-               char complaint[COMPLAINT_SIZE])
+bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, complaint *why)
 {
     double value[INPUT_COUNT];
     *setup = (contact_case){.at_fault = INPUT_COUNT};
-    if (!case_is_complete(texts, needs, complaint))
+    if (!case_is_complete(texts, needs, why))
         return false;
     for (int i = 0; i < INPUT_COUNT; i++) {
         value[i] = NAN;
-        if (input_is_given(texts, i) && !input_read(texts, i, &value[i], complaint))
+        if (input_is_given(texts, i) && !input_read(texts, i, &value[i], why))
             return false;
     }
     fill(texts, value, setup);
     if (input_is_given(texts, INPUT_PROFILE))
-        setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], complaint));
-    if (!has_radius(texts, &setup->shape, complaint))
-        return false;
+        setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], why));
+    if (setup->shape.kind != PAD_WEDGE && setup->shape.radius == 0) /* only its tip may be sharp */
+        return complain(why, "%s %.60s: the radius must be a number above 0%s",
+                        input_name(texts, INPUT_RADIUS), texts->text[INPUT_RADIUS],
+                        setup->shape.kind == PAD_CYLINDER ? ", or an angle is missing" : "");
     setup->status = case_contact(setup, &setup->contact);
     if (setup->status == RWEDGE_EDOMAIN)
         return complain(
-            complaint,
+            why,
             "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60");
-    return setup->status != RWEDGE_OK || apply_loads(texts, setup, complaint);
+    return setup->status != RWEDGE_OK || apply_loads(texts, setup, why);
 }
 
 double case_shear_ratio(const contact_case *setup)

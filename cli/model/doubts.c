@@ -50,25 +50,22 @@ void doubts_add(doubts *all, doubts more)
     all->error = fmax(all->error, more.error);
 }
 
-static bool next_bit(int32_t *left, char text[DOUBT_SIZE])
-{
-    const int32_t bit = *left & -*left;
-    *left -= bit;
-    snprintf(text, DOUBT_SIZE, "%s",
-             bit == DOUBT_STATE ? "a load yields the body: its stresses exceed the yield stress"
-             : bit == DOUBT_SLOPE
-                 ? "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"
-                 : rwedge_validity_text(bit));
-    return bit != 0;
-}
-
 bool doubts_next(doubts *left, char text[DOUBT_SIZE])
 {
-    if (left->bits != 0)
-        return next_bit(&left->bits, text);
+    const int32_t bit = left->bits & -left->bits;
+    const bool is_computed = left->error > 0;
+    left->bits -= bit;
+    if (bit != 0) {
+        snprintf(
+            text, DOUBT_SIZE, "%s",
+            bit == DOUBT_STATE ? "a load yields the body: its stresses exceed the yield stress"
+            : bit == DOUBT_SLOPE
+                ? "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"
+                : rwedge_validity_text(bit));
+        return true;
+    }
     snprintf(text, DOUBT_SIZE, "computed numerically: tractions to about %.1g of f p0",
              left->error);
-    const bool is_computed = left->error > 0;
     left->error = 0;
     return is_computed;
 }

@@ -2,7 +2,6 @@
 #include "model.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -58,15 +57,6 @@ const input_kind input_kinds[INPUT_COUNT] = {
 
 const double usual_tolerance = 1e-4;
 
-bool complain(char complaint[COMPLAINT_SIZE], const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    vsnprintf(complaint, COMPLAINT_SIZE, format, values);
-    va_end(values);
-    return false;
-}
-
 int input_alternative(int input)
 {
     static const int pairs[][2] = {
@@ -90,16 +80,16 @@ bool input_is_given(const input_texts *texts, int input)
 }
 
 /* Adds what the commonest mistakes need. */
-static void add_hint(const input_texts *texts, int input, char complaint[COMPLAINT_SIZE])
+static void add_hint(const input_texts *texts, int input, complaint *why)
 {
     const char *text = texts->text[input];
     const bool is_cell = texts->is_cell[input], comma = is_cell && texts->cell_decimal_sign == ',';
     if (input == INPUT_E1 && strcasecmp(text, "inf") == 0)
-        list_add(complaint, COMPLAINT_SIZE, "; ", "a rigid body is body 2, with --E2 inf");
+        list_add(why->text, sizeof why->text, "; ", "a rigid body is body 2, with --E2 inf");
     else if (comma && strchr(text, '.') != NULL)
-        list_add(complaint, COMPLAINT_SIZE, "; ", "the decimal sign is a comma");
+        list_add(why->text, sizeof why->text, "; ", "the decimal sign is a comma");
     else if (!comma && strchr(text, ',') != NULL)
-        list_add(complaint, COMPLAINT_SIZE, "; ", "the decimal sign is a point%s%s",
+        list_add(why->text, sizeof why->text, "; ", "the decimal sign is a point%s%s",
                  is_cell ? ", or a comma " : "", is_cell ? texts->how_comma : "");
 }
 
@@ -109,40 +99,30 @@ static bool is_in(double value, const input_kind *kind)
                       : value >= kind->lo && value <= kind->hi;
 }
 
-/* The header's first page: whatever has a size is 0 or 1e-60 to 1e60. */
-static bool has_possible_size(int input, double value)
-{
-    const bool without_size = input == INPUT_NU1 || input == INPUT_NU2;
-    return without_size || number_is_size(value);
-}
-
-static bool read_profile(const input_texts *texts, double *value, char complaint[COMPLAINT_SIZE])
-{
-    const pad_profile *places = texts->profile_named(texts->text[INPUT_PROFILE], complaint);
-    *value = places != NULL ? (double)places->count : NAN;
-    return places != NULL;
-}
-
-bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE])
+bool input_read(const input_texts *texts, int input, double *value, complaint *why)
 {
     const char *text = texts->text[input];
     const char decimal_sign = texts->is_cell[input] ? texts->cell_decimal_sign : '.';
     const input_kind *kind = &input_kinds[input];
     const bool rigid = strcasecmp(text, "inf") == 0;
-    if (input == INPUT_PROFILE)
-        return read_profile(texts, value, complaint);
+    if (input == INPUT_PROFILE) {
+        const pad_profile *places = texts->profile_named(text, why);
+        *value = places != NULL ? (double)places->count : NAN;
+        return places != NULL;
+    }
     *value = HUGE_VAL;
     if (rigid ? input == INPUT_E2
               : number_read_cell(text, decimal_sign, value) && is_in(*value, kind)) {
-        if (rigid || has_possible_size(input, *value))
+        /* the header's first page: whatever has a size is 0 or 1e-60 to 1e60 */
+        if (rigid || input == INPUT_NU1 || input == INPUT_NU2 || number_is_size(*value))
             return true;
-        return complain(complaint, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
+        return complain(why, "%s %.60s: %s must be 1e-60 to 1e60 in magnitude%s",
                         input_name(texts, input), text, kind->subject,
                         is_in(0, kind) ? ", or 0" : "");
     }
     const char *shown = text[strspn(text, " \t")] != '\0' ? text : "''";
-    snprintf(complaint, COMPLAINT_SIZE, "%s %.60s: %s must be %s", input_name(texts, input), shown,
-             kind->subject, kind->domain);
-    add_hint(texts, input, complaint);
+    complain(why, "%s %.60s: %s must be %s", input_name(texts, input), shown, kind->subject,
+             kind->domain);
+    add_hint(texts, input, why);
     return false;
 }

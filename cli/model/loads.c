@@ -36,7 +36,8 @@ int32_t loads_apply_monotonic(load to, rwedge_contact *contact)
 
 /* ---- What is wrong with a load ---- */
 
-/* The library's status where an error is allowed; 0: nothing is computed. */
+/* The library's status where an error is allowed; 0: nothing is computed, which takes seconds near
+ * the largest moment. */
 static int32_t try_load(load to, const rwedge_contact *contact, double allowed)
 {
     rwedge_contact *trial = NULL;
@@ -49,12 +50,6 @@ static int32_t try_load(load to, const rwedge_contact *contact, double allowed)
     return status;
 }
 
-/* Nothing is computed for it: near the largest moment that takes seconds. */
-static bool is_in_domain(load to, const rwedge_contact *contact)
-{
-    return try_load(to, contact, 0) != RWEDGE_EDOMAIN;
-}
-
 /* Whatever has a size is 0 or at least this: the library's header. */
 static const double SIZE_LEAST = 1e-60;
 
@@ -64,7 +59,7 @@ static double largest_moment(load to, const rwedge_contact *contact)
     double allowed = 0, refused = to.M;
     while (fabs(refused) >= SIZE_LEAST && fabs(refused - allowed) > 1e-7 * fabs(refused)) {
         to.M = allowed + (refused - allowed) / 2;
-        if (is_in_domain(to, contact))
+        if (try_load(to, contact, 0) != RWEDGE_EDOMAIN)
             allowed = to.M;
         else
             refused = to.M;
@@ -72,14 +67,13 @@ static double largest_moment(load to, const rwedge_contact *contact)
     return fabs(allowed);
 }
 
-static load_fault fault_at(int input, const char *format, ...) PRINTF_LIKE(2, 3);
-
+PRINTF_LIKE(2, 3)
 static load_fault fault_at(int input, const char *format, ...)
 {
     load_fault fault = {.input = input};
     va_list values;
     va_start(values, format);
-    vsnprintf(fault.why, sizeof fault.why, format, values);
+    vsnprintf(fault.why.text, sizeof fault.why.text, format, values);
     va_end(values);
     return fault;
 }
@@ -92,7 +86,7 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
         return fault_at(INPUT_P, "must not be below 0, and Q must be 0 where P is");
     if (to.P == 0 && to.M != 0)
         return fault_at(INPUT_M, "must be 0 where P is");
-    if (!is_in_domain(level, contact))
+    if (try_load(level, contact, 0) == RWEDGE_EDOMAIN)
         return fault_at(INPUT_COUNT, "%s", rwedge_strerror(RWEDGE_EDOMAIN));
     const double most = largest_moment(to, contact);
     return fault_at(INPUT_M,
@@ -108,9 +102,10 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
                                 rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);
     if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most)
-        list_add(fault.why, sizeof fault.why, "; ", "sigma may change by %.6g with this Q", most);
+        list_add(fault.why.text, sizeof fault.why.text, "; ",
+                 "sigma may change by %.6g with this Q", most);
     if (try_load(to, contact, usual_tolerance) == RWEDGE_OK)
-        list_add(fault.why, sizeof fault.why, "; ", "without --exact it is computed");
+        list_add(fault.why.text, sizeof fault.why.text, "; ", "without --exact it is computed");
     return fault;
 }
 
@@ -126,7 +121,7 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
                     status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
 }
 
-bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE])
+bool loads_apply_next(load to, double f, rwedge_contact *contact, complaint *why)
 {
     const int32_t status = loads_apply(to, contact);
     if (status == RWEDGE_OK)
@@ -136,7 +131,7 @@ bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint
     const double part[INPUT_COUNT] = {
         [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
     if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
-        return complain(complaint, "%s", fault.why);
+        return complain(why, "%s", fault.why.text);
     number_write(part[fault.input], NUMBER_DIGITS, '.', value);
-    return complain(complaint, "%s %s: %s", input_kinds[fault.input].column, value, fault.why);
+    return complain(why, "%s %s: %s", input_kinds[fault.input].column, value, fault.why.text);
 }

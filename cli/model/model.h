@@ -57,19 +57,13 @@ typedef struct {
     const char *how_comma, *where_else;
     /* the profile of a name; NULL with the complaint where there is none. NULL itself where no text
      * is that of a profile. */
-    const pad_profile *(*profile_named)(const char *name, char complaint[]);
+    const pad_profile *(*profile_named)(const char *name, complaint *why);
     /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
     double tolerance;
 } input_texts;
 
 /* The tolerance where none is given. */
 extern const double usual_tolerance;
-
-/* What is wrong with the inputs: the line of a message, or the error of a row. */
-enum { COMPLAINT_SIZE = 400 };
-
-/* Writes it as by printf; false. */
-bool complain(char complaint[COMPLAINT_SIZE], const char *format, ...) PRINTF_LIKE(2, 3);
 
 /* The input that is an alternative to this one, as radius is to a; -1 where there is none. */
 int input_alternative(int input);
@@ -83,7 +77,7 @@ bool input_is_given(const input_texts *texts, int input);
 
 /* Reads an input that is given. False, with the complaint, where it is outside its domain. E2 may
  * be HUGE_VAL, "inf"; the value of a profile is the number of its places. */
-bool input_read(const input_texts *texts, int input, double *value, char complaint[COMPLAINT_SIZE]);
+bool input_read(const input_texts *texts, int input, double *value, complaint *why);
 
 /* ---- loads ---- A load, how it is applied, and what is wrong with it where it cannot be. */
 
@@ -108,7 +102,7 @@ int32_t loads_apply_monotonic(load to, rwedge_contact *contact);
  * of the sentence about it. */
 typedef struct {
     int input;
-    char why[COMPLAINT_SIZE - 100]; /* a name and a text have room in front of it */
+    complaint why;
 } load_fault;
 
 /* What is wrong with a load that the contact has refused with this status. The contact is as before
@@ -117,7 +111,7 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
 
 /* Applies the next load of a history. False, with the reason, where the contact refuses it; the
  * contact is then as before. */
-bool loads_apply_next(load to, double f, rwedge_contact *contact, char complaint[COMPLAINT_SIZE]);
+bool loads_apply_next(load to, double f, rwedge_contact *contact, complaint *why);
 
 /* ---- contact_case ---- One contact and its load, from the texts that give it. */
 
@@ -146,13 +140,12 @@ typedef enum {
 
 /* Checks which inputs are given. False, with the complaint, where two exclude each other, or a
  * needed one is missing. */
-bool case_is_complete(const input_texts *texts, case_needs needs, char complaint[COMPLAINT_SIZE]);
+bool case_is_complete(const input_texts *texts, case_needs needs, complaint *why);
 
 /* Reads a case, and makes its contact; loads and f are 0 where they are not given. False, with the
  * complaint, where a value is wrong. Loads that the library refuses for no input are no wrong
  * value: the status tells them. Destroy the contact also after an error. */
-bool case_read(const input_texts *texts, case_needs needs, contact_case *setup,
-               char complaint[COMPLAINT_SIZE]);
+bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, complaint *why);
 
 /* Makes the contact of a case, without loads; returns the library's status. Destroy the contact
  * also after an error. */

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-size_t number_begin(const char *text, double *value)
+/* The finite number that a text begins with. How many characters it has; 0 where none starts
+ * there. */
+static size_t number_begin(const char *text, double *value)
 {
     char *end;
     const double read = strtod(text, &end);
@@ -69,29 +71,15 @@ bool number_read_whole(const char *text, int64_t lo, int64_t hi, int64_t *value)
     return true;
 }
 
-static void print(double value, int digits, char text[NUMBER_SIZE])
-{
-    snprintf(text, NUMBER_SIZE, "%.*g", digits, value);
-}
-
-/* 15 digits suffice for numbers that were typed, 17 for every double. */
-static void print_to_read_back(double value, char text[NUMBER_SIZE])
-{
-    for (int digits = 15; digits <= NUMBER_DIGITS; digits++) {
-        print(value, digits, text);
-        if (strtod(text, NULL) == value)
-            return;
-    }
-}
-
 size_t number_write(double value, int digits, char decimal_sign, char text[NUMBER_SIZE])
 {
     if (value == 0)
         value = 0; /* also -0 */
-    if (digits < NUMBER_DIGITS)
-        print(value, digits, text);
-    else
-        print_to_read_back(value, text);
+    /* to read back, 15 digits suffice for numbers that were typed, 17 for every double */
+    int shown = digits < NUMBER_DIGITS ? digits : 15;
+    do
+        snprintf(text, NUMBER_SIZE, "%.*g", shown, value);
+    while (digits >= NUMBER_DIGITS && strtod(text, NULL) != value && shown++ < NUMBER_DIGITS);
     char *point = strchr(text, '.');
     if (point != NULL)
         *point = decimal_sign;

@@ -10,12 +10,8 @@
 /* ---- number ---- Numbers as text, the same in every locale: the tool never calls setlocale(), so
  * the decimal sign is a point unless asked otherwise. */
 
-/* Reads the finite number that a text begins with, correctly rounded; -0 becomes 0. How many
- * characters it has; 0 where no number starts there. Spaces, "inf", "nan" and hexadecimal numbers,
- * which strtod() accepts, are none here. */
-size_t number_begin(const char *text, double *value);
-
-/* Reads a whole text as a number. */
+/* Reads a whole text as a number, correctly rounded; -0 becomes 0. Spaces, "inf", "nan" and
+ * hexadecimal numbers, which strtod() accepts, are none here. */
 bool number_read(const char *text, double *value);
 
 /* The same with blanks around it, and with that decimal sign: the text of a cell. */
@@ -50,8 +46,9 @@ double number_rounded(double value, int digits);
 
 /* ---- cell ---- A cell of a table, and what its column holds. */
 
-/* A number as it was typed, with its text; or a text, whose number is NAN; or a number, whose text
- * is NULL. A number without a text that is not finite is an empty cell. */
+/* A number as it was typed, with its text, which CSV gives back, other formats the number; or a
+ * text, whose number is NAN; or a number, whose text is NULL. A number without a text that is not
+ * finite is an empty cell, as is the text "". */
 typedef struct {
     const char *text;
     double number;
@@ -65,17 +62,6 @@ static inline cell cell_number(double number)
 static inline cell cell_text(const char *text)
 {
     return (cell){text, NAN};
-}
-
-/* CSV gives the text back, other formats the number. */
-static inline cell cell_typed(const char *text, double number)
-{
-    return (cell){text, number};
-}
-
-static inline cell cell_empty(void)
-{
-    return cell_text("");
 }
 
 /* What a column holds, and in which unit. */
@@ -103,10 +89,8 @@ typedef struct {
 const char *range_read(const char *text, range *values);
 
 /* Says on stderr how a list was understood that may have been meant as one number, such as 0,5: two
- * whole numbers, of which the first is 0 or the second begins with 0. */
-void range_say_two_values(const char *option, const char *text);
-
-/* The same of a pair that is a part of an option's value. Whether it was said. */
+ * whole numbers, of which the first is 0 or the second begins with 0. It is all of an option's
+ * value, or a part. Whether it was said. */
 bool range_say_pair(const char *option, const char *all, const char *text, size_t length);
 
 /* `count` values, at least 2, in equal steps. Between -x and x they are exact mirror images; 0 is

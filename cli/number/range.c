@@ -90,37 +90,27 @@ static const char *read_list(const char *text, range *values)
 const char *range_read(const char *text, range *values)
 {
     *values = (range){0};
-    const char *complaint =
+    const char *reason =
         strchr(text, ':') != NULL ? read_steps(text, values) : read_list(text, values);
-    if (complaint != NULL)
+    if (reason != NULL)
         range_free(values);
-    return complaint;
+    return reason;
 }
 
 /* 0,5 and 1,05: a zero is in front of digits. */
-static bool may_be_decimal(const char *text, size_t length)
+bool range_say_pair(const char *option, const char *all, const char *text, size_t length)
 {
     static const char digits[] = "0123456789";
     const size_t sign = text[0] == '-' || text[0] == '+' ? 1 : 0;
     const size_t whole = strspn(text + sign, digits), comma = sign + whole;
     const size_t fraction = text[comma] == ',' ? strspn(text + comma + 1, digits) : 0;
-    return whole > 0 && fraction > 0 && comma + 1 + fraction == length &&
-           ((whole == 1 && text[sign] == '0') || (fraction > 1 && text[comma + 1] == '0'));
-}
-
-bool range_say_pair(const char *option, const char *all, const char *text, size_t length)
-{
-    const int first = (int)strcspn(text, ","), second = (int)length - first - 1;
-    if (!may_be_decimal(text, length))
+    const int first = (int)comma, second = (int)fraction;
+    if (whole == 0 || fraction == 0 || comma + 1 + fraction != length ||
+        !((whole == 1 && text[sign] == '0') || (fraction > 1 && text[comma + 1] == '0')))
         return false;
     notice("--%s %s: two values, %.*s and %.*s; a decimal is written %.*s.%.*s", option, all, first,
            text, second, text + first + 1, first, text, second, text + first + 1);
     return true;
-}
-
-void range_say_two_values(const char *option, const char *text)
-{
-    range_say_pair(option, text, text, strlen(text));
 }
 
 /* Counted from the middle where that is 0: first + i * step would miss it by its rounding. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "options.h"
 
-#include "text/text.h"
 #include "system/system.h"
 
 #include <errno.h>
@@ -21,16 +20,6 @@ static const struct poptOption *find(const struct poptOption *options, int numbe
             return match;
     }
     return NULL;
-}
-
-static void list_options(const struct poptOption *options, char *text, size_t size)
-{
-    text[0] = '\0';
-    for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
-        const struct poptOption *option = find(options, (OPTION_OWN + i) % OPTION_LIMIT);
-        if (option != NULL)
-            list_add(text, size, ", ", "--%s", option->longName);
-    }
 }
 
 /* Other usual names, and the options that they mean; a command has one of them or none. */
@@ -61,7 +50,7 @@ static void try_options(const struct poptOption *options, nearest_name *to)
 
 static void refuse_unknown(const syntax *grammar, const char *option)
 {
-    char allowed[512], name[40];
+    char allowed[512] = "", name[40];
     const char *typed = option + strspn(option, "-");
     snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
     nearest_name to = nearest_to(name);
@@ -69,7 +58,11 @@ static void refuse_unknown(const syntax *grammar, const char *option)
     if (to.name != NULL)
         usage_error("%s: unknown option; the nearest is --%s; \"%s --help\" lists all", option,
                     to.name, message_speaker());
-    list_options(grammar->options, allowed, sizeof allowed);
+    for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
+        const struct poptOption *own = find(grammar->options, (OPTION_OWN + i) % OPTION_LIMIT);
+        if (own != NULL)
+            list_add(allowed, sizeof allowed, ", ", "--%s", own->longName);
+    }
     usage_error("%s: unknown option; allowed: %s", option, allowed);
 }
 
@@ -92,25 +85,6 @@ static void refuse_option(const syntax *grammar, poptContext context, int error)
     usage_error("%s: %s", option, poptStrerror(error));
 }
 
-static void show_help(const syntax *grammar, poptContext context)
-{
-    poptSetOtherOptionHelp(context, grammar->operands);
-    poptPrintHelp(context, stdout, 0);
-    grammar->more_help(stdout);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        failure("standard output: %s", strerror(errno));
-}
-
-/* Another value of an option that may be repeated, on a line of its own. */
-static void append(char **lines, char *value)
-{
-    const size_t before = strlen(*lines), length = strlen(value);
-    *lines = memory_resized(*lines, before + length + 2);
-    (*lines)[before] = '\n';
-    memcpy(*lines + before + 1, value, length + 1);
-    free(value);
-}
-
 /* Whether a word is an option of these, with its dashes. */
 static bool is_option(const struct poptOption *options, const char *word)
 {
@@ -122,6 +96,7 @@ static bool is_option(const struct poptOption *options, const char *word)
     return false;
 }
 
+/* Another value of an option that may be repeated is on a line of its own. */
 static void keep(arguments *line, const syntax *grammar, int number, char *value)
 {
     char **kept = &line->value[number];
@@ -130,9 +105,11 @@ static void keep(arguments *line, const syntax *grammar, int number, char *value
                     find(grammar->options, number)->longName, value);
     if (*kept == NULL)
         *kept = value != NULL ? value : memory_zeroed(1, 1);
-    else if (value != NULL && number == grammar->repeated)
-        append(kept, value);
-    else if (value != NULL)
+    else if (value != NULL && number == grammar->repeated) {
+        *kept = memory_resized(*kept, strlen(*kept) + strlen(value) + 2);
+        strcat(strcat(*kept, "\n"), value);
+        free(value);
+    } else if (value != NULL)
         usage_error("--%s %s: given twice; allowed: once", find(grammar->options, number)->longName,
                     value);
 }
@@ -153,7 +130,11 @@ bool arguments_read(arguments *line, const syntax *grammar, int argc, const char
     if (number < -1)
         refuse_option(grammar, context, number);
     if (line->value[OPTION_HELP] != NULL) {
-        show_help(grammar, context);
+        poptSetOtherOptionHelp(context, grammar->operands);
+        poptPrintHelp(context, stdout, 0);
+        grammar->more_help(stdout);
+        if (fflush(stdout) != 0 || ferror(stdout))
+            failure("standard output: %s", strerror(errno));
         return false;
     }
     line->operand = poptGetArgs(context);

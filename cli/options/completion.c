@@ -19,14 +19,6 @@ static void print_quoted(const char *text, const char *special)
     }
 }
 
-/* "svg|png, csv" is three words. */
-static void print_value(const char *value)
-{
-    for (const char *c = value != NULL ? value : ""; *c != '\0'; c++)
-        if (*c != ',')
-            putchar(*c == '|' ? ' ' : *c);
-}
-
 /* A line for each option: command;option;letter;value;*;meaning, the * where it may be repeated. */
 static void print_options(const struct poptOption *options, const command *owner,
                           const char *special)
@@ -40,7 +32,9 @@ static void print_options(const struct poptOption *options, const command *owner
             continue;
         printf("%s;%s;%.1s;", owner != NULL ? owner->name : "", options->longName,
                &options->shortName);
-        print_value(options->argDescrip);
+        for (const char *c = options->argDescrip; c != NULL && *c != '\0'; c++)
+            if (*c != ',') /* "svg|png, csv" is three words */
+                putchar(*c == '|' ? ' ' : *c);
         fputs(owner != NULL && owner->grammar.repeated == options->val ? ";*;" : ";;", stdout);
         print_quoted(options->descrip, special);
         putchar('\n');
@@ -48,19 +42,15 @@ static void print_options(const struct poptOption *options, const command *owner
 }
 
 /* A line for each command too, its value the words that may follow. */
-static void print_list(const command *const commands[], int count, const struct poptOption *own,
-                       const char *special)
+static void print_command(const command *chosen, const char *special)
 {
-    print_options(own, NULL, special);
-    for (int i = 0; i < count; i++) {
-        printf("%s;;;", commands[i]->name);
-        for (int k = 0; commands[i]->operand != NULL && commands[i]->operand(k) != NULL; k++)
-            printf("%s%s", k > 0 ? " " : "", commands[i]->operand(k));
-        fputs(";;", stdout);
-        print_quoted(commands[i]->summary, special);
-        putchar('\n');
-        print_options(commands[i]->grammar.options, commands[i], special);
-    }
+    printf("%s;;;", chosen->name);
+    for (int k = 0; chosen->operand != NULL && chosen->operand(k) != NULL; k++)
+        printf("%s%s", k > 0 ? " " : "", chosen->operand(k));
+    fputs(";;", stdout);
+    print_quoted(chosen->summary, special);
+    putchar('\n');
+    print_options(chosen->grammar.options, chosen, special);
 }
 
 void completion_print(const char *shell, const command *const commands[], int count,
@@ -69,12 +59,15 @@ void completion_print(const char *shell, const command *const commands[], int co
     const bool zsh = strcmp(shell, "zsh") == 0, fish = strcmp(shell, "fish") == 0;
     if (!zsh && !fish && strcmp(shell, "bash") != 0)
         usage_error("--completion %s: unknown shell; allowed: bash, zsh, fish", shell);
+    const char *special = fish ? "'\\" : "";
     const char *const *line = zsh ? zsh_lines : fish ? fish_lines : bash_lines;
-    for (; *line != NULL; line++)
-        if (strcmp(*line, "LIST") == 0)
-            print_list(commands, count, own, fish ? "'\\" : "");
-        else
-            puts(*line);
+    for (; *line != NULL && strcmp(*line, "LIST") != 0; line++)
+        puts(*line);
+    print_options(own, NULL, special);
+    for (int i = 0; i < count; i++)
+        print_command(commands[i], special);
+    while (*++line != NULL)
+        puts(*line);
     if (fflush(stdout) != 0 || ferror(stdout))
         failure("standard output: %s", strerror(errno));
 }

@@ -94,10 +94,11 @@ void completion_print(const char *shell, const command *const commands[], int co
 /* The lines of the files in shells/, which the build makes of them; NULL after the last. */
 extern const char *const bash_lines[], *const zsh_lines[], *const fish_lines[];
 
-/* ---- variable ---- The variables that tables depend on: for each its option, its column, its
- * domain and its range by default. */
+/* ---- variable ---- The variables that tables depend on, and two more of figures: for each its
+ * option, its column, its domain and its range by default. */
 
 enum { A_OVER_B, FRICTION, NU, Q_OVER_FP, VARIABLE_COUNT };
+enum { C_OVER_B = VARIABLE_COUNT, SIGMA_OVER_MAX, FIGURE_VARIABLES };
 
 typedef struct {
     const char *option; /* without its dashes */
@@ -108,12 +109,12 @@ typedef struct {
     const char *usual; /* the range by default */
 } table_variable;
 
-extern const table_variable variables[VARIABLE_COUNT];
+extern const table_variable variables[FIGURE_VARIABLES];
 
-/* Reads the values of an option. Free the range. */
+/* Reads the values of an option. */
 void range_option(const char *option, const char *text, range *values);
 
-/* Reads an option's text, or the usual range where it is NULL. Free the range. */
+/* Reads an option's text, or the usual range where it is NULL. */
 void variable_read(const table_variable *variable, const char *text, range *values);
 
 /* The same for one number. */

@@ -207,17 +207,9 @@ typedef struct {
     char list[120]; /* "1, 2, 3 and 5 more" */
 } excess;
 
-static void add_place(double x, excess *above)
-{
-    enum { LISTED = 5 };
-    if (above->count++ < LISTED)
-        list_add(above->list, sizeof above->list, ", ", "%.6g", x + 0);
-    else if (above->count == LISTED + 1)
-        list_add(above->list, sizeof above->list, ", ", "...");
-}
-
 static excess excess_of(const hull *lower, const double x[], const double h[])
 {
+    enum { LISTED = 5 };
     excess above = {.count = 0};
     for (size_t k = 1; k < lower->count; k++) {
         const size_t from = lower->corner[k - 1], to = lower->corner[k];
@@ -226,22 +218,13 @@ static excess excess_of(const hull *lower, const double x[], const double h[])
             above.first = above.count == 0 ? i : above.first;
             above.worst = above.count == 0 || height > above.most ? i : above.worst;
             above.most = fmax(above.most, height);
-            add_place(x[i], &above);
+            if (above.count++ < LISTED)
+                list_add(above.list, sizeof above.list, ", ", "%.6g", x[i] + 0);
+            else if (above.count == LISTED + 1)
+                list_add(above.list, sizeof above.list, ", ", "...");
         }
     }
     return above;
-}
-
-static void describe(const excess *above, const double x[], const double h[], bool taken,
-                     profile_remark *remark)
-{
-    char why[360];
-    snprintf(
-        why, sizeof why,
-        "not convex at %zu place%s, x = %s; the convex hull %s lower by up to %.6g, at x = %.6g",
-        above->count, above->count > 1 ? "s" : "", above->list, taken ? "that is taken is" : "is",
-        above->most, x[above->worst] + 0);
-    refuse(remark, above->first, "height", h[above->first], why);
 }
 
 /* Rounding may have let a slope fall. */
@@ -260,13 +243,19 @@ bool pad_profile_of_heights(size_t n, const double x[], const double height[], b
                             pad_profile *to, profile_remark *remark)
 {
     double middle[HEIGHTS], slope[HEIGHTS];
+    char why[360];
     profile_remark changed = {.place = 0};
     if (!has_count(n, HEIGHTS, remark) || !has_order(n, x, true, remark))
         return false;
     const hull lower = hull_of(n, x, height);
     const excess above = excess_of(&lower, x, height);
+    snprintf(
+        why, sizeof why,
+        "not convex at %zu place%s, x = %s; the convex hull %s lower by up to %.6g, at x = %.6g",
+        above.count, above.count > 1 ? "s" : "", above.list, takes_hull ? "that is taken is" : "is",
+        above.most, x[above.worst] + 0);
     if (above.count > 0)
-        describe(&above, x, height, takes_hull, &changed);
+        refuse(&changed, above.first, "height", height[above.first], why);
     take_slopes(&lower, x, height, slope);
     for (size_t i = 1; i < n; i++)
         middle[i - 1] = x[i - 1] / 2 + x[i] / 2;

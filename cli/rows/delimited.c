@@ -6,18 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-static void put_quoted(output *out, const char *guard, const char *text)
-{
-    output_text(out, "\"");
-    output_text(out, guard);
-    for (const char *c = text; *c != '\0'; c++) {
-        if (*c == '"')
-            output_text(out, "\"");
-        output_write(out, c, 1);
-    }
-    output_text(out, "\"");
-}
-
 /* Spreadsheets compute what begins like this, unless it is a number. */
 static bool is_formula(const records *rows, const char *text)
 {
@@ -30,12 +18,16 @@ static void put_text(const records *rows, const char *text)
 {
     const char special[] = {rows->how->separator, '"', '\n', '\r', '\0'};
     const char *guard = rows->how->no_formulas && is_formula(rows, text) ? "'" : "";
-    if (strpbrk(text, special) != NULL) {
-        put_quoted(rows->out, guard, text);
-        return;
-    }
+    const char *quote = strpbrk(text, special) != NULL ? "\"" : "";
+    output_text(rows->out, quote);
     output_text(rows->out, guard);
-    output_text(rows->out, text);
+    for (size_t count; *text != '\0'; text += count) { /* up to a quote, which is doubled */
+        count = strcspn(text, "\"");
+        count += text[count] == '"';
+        output_write(rows->out, text, count);
+        output_text(rows->out, text[count - 1] == '"' ? "\"" : "");
+    }
+    output_text(rows->out, quote);
 }
 
 static void separate(records *rows)

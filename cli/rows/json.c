@@ -5,8 +5,6 @@
  * in JSON too. */
 #include "rows.h"
 
-#include "text/text.h"
-
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -60,20 +58,12 @@ static void keep_name(records *rows, const char *name)
     rows->key[rows->key_count++] = key;
 }
 
-static void put_key(records *rows, const char *name)
-{
-    if (rows->row_begun)
-        output_text(rows->out, ", ");
-    else
-        output_text(rows->out, rows->any_row ? ",\n{" : "\n{");
-    rows->row_begun = rows->any_row = true;
-    put_text(rows, name);
-    output_text(rows->out, ": ");
-}
-
 static void put_value(records *rows, cell value)
 {
-    put_key(rows, rows->key[rows->next_key++]);
+    output_text(rows->out, rows->row_begun ? ", " : rows->any_row ? ",\n{" : "\n{");
+    rows->row_begun = rows->any_row = true;
+    put_text(rows, rows->key[rows->next_key++]);
+    output_text(rows->out, ": ");
     char text[NUMBER_SIZE];
     const int digits = value.text != NULL ? NUMBER_DIGITS : rows->how->digits;
     if (isfinite(value.number))

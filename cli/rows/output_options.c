@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rows.h"
 
-#include "text/text.h"
 #include "sheet/sheet.h"
 
 #include <string.h>
@@ -96,42 +95,16 @@ const char *output_format_choose(const arguments *line, const char *const format
 
 /* ---- The options ---- */
 
-static void check_spreadsheet(const output_options *how)
-{
-    if (xlsx_missing() != NULL)
-        usage_error("--format xlsx: %s", xlsx_missing());
-    if ((how->path == NULL || strcmp(how->path, "-") == 0) && stream_is_terminal(stdout))
-        usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
-}
-
 static void use_format(output_options *how)
 {
     const int i = place_of(how->format_name, grid_formats);
     how->format = i >= 0 ? record_formats[i] : NULL;
     how->separator = strcmp(how->format_name, "tsv") == 0 ? '\t' : ',';
-    if (how->format == &xlsx_format)
-        check_spreadsheet(how);
-}
-
-static int read_digits(const char *text)
-{
-    int64_t digits = NUMBER_DIGITS;
-    if (text != NULL && !number_read_whole(text, 1, NUMBER_DIGITS, &digits))
-        usage_error("--digits %s: must be a whole number from 1 to %d", text, NUMBER_DIGITS);
-    return (int)digits;
-}
-
-static void read_decimal_comma(bool comma, output_options *how)
-{
-    how->decimal_sign = comma ? ',' : '.';
-    if (comma && how->format != &delimited_format)
-        usage_error(
-            "--decimal-comma: not in %s, whose numbers have a point; allowed with: csv, tsv",
-            how->format == &json_format   ? "JSON"
-            : how->format == &xlsx_format ? "XLSX"
-                                          : "VTK");
-    if (comma && how->separator == ',')
-        how->separator = ';';
+    if (how->format == &xlsx_format && xlsx_missing() != NULL)
+        usage_error("--format xlsx: %s", xlsx_missing());
+    if (how->format == &xlsx_format && (how->path == NULL || strcmp(how->path, "-") == 0) &&
+        stream_is_terminal(stdout))
+        usage_error("--format xlsx: it is not for a terminal; allowed with: --output FILE");
 }
 
 void output_options_read_of(const arguments *line, const char *const formats[], const char *hint,
@@ -141,12 +114,25 @@ void output_options_read_of(const arguments *line, const char *const formats[], 
                             .no_formulas = line->value[OPTION_NO_FORMULAS] != NULL,
                             .option = arguments_output(line),
                             .path = line->value[line->output]};
+    const char *text = line->value[OPTION_DIGITS];
+    const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
+    int64_t digits = NUMBER_DIGITS;
     if (how->path != NULL && how->path[0] == '\0')
         usage_error("--%s '': must be the name of a file, or - for standard output", how->option);
     how->format_name = output_format_choose(line, formats, hint);
     use_format(how);
-    how->digits = read_digits(line->value[OPTION_DIGITS]);
-    read_decimal_comma(line->value[OPTION_DECIMAL_COMMA] != NULL, how);
+    if (text != NULL && !number_read_whole(text, 1, NUMBER_DIGITS, &digits))
+        usage_error("--digits %s: must be a whole number from 1 to %d", text, NUMBER_DIGITS);
+    how->digits = (int)digits;
+    how->decimal_sign = comma ? ',' : '.';
+    if (comma && how->format != &delimited_format)
+        usage_error(
+            "--decimal-comma: not in %s, whose numbers have a point; allowed with: csv, tsv",
+            how->format == &json_format   ? "JSON"
+            : how->format == &xlsx_format ? "XLSX"
+                                          : "VTK");
+    if (comma && how->separator == ',')
+        how->separator = ';';
     output_options_spare_files(line, how);
 }
 
@@ -181,9 +167,11 @@ void output_options_write(const output_options *how, rows_writer *write_rows, vo
 {
     output out;
     output_open(&out, how->path);
+    /* progress shows only where stderr is a terminal, and stdout, when it takes the rows, is not */
     records rows = {.how = how,
                     .out = &out,
-                    .show_progress = !how->quiet && progress_wanted(out.stream == stdout)};
+                    .show_progress = !how->quiet && stream_is_terminal(stderr) &&
+                                     !(out.stream == stdout && stream_is_terminal(stdout))};
     write_rows(context, &rows);
     records_end(&rows);
     progress_erase();

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rows.h"
 
-#include "text/text.h"
-
 bool records_go_on(const records *rows)
 {
     return rows->out->error == 0;

@@ -3,7 +3,6 @@
  * what the columns mean, where that is known; the last, how the rows were made. */
 #include "rows.h"
 
-#include "text/text.h"
 #include "sheet/sheet.h"
 
 #include <math.h>
@@ -26,28 +25,14 @@ static void write_about(xlsx *book)
         "Numbers have 16 digits, one less than in CSV.",
     };
     char text[1200];
-    xlsx_text(book, 0, 0, "About these rows", XLSX_TITLE);
+    xlsx_text(book, 0, 0, "About these rows", "title");
     snprintf(text, sizeof text, "Written by rwedge %s with the command:  %s", rwedge_version(),
              invocation());
-    xlsx_text(book, 2, 0, text, XLSX_PLAIN);
+    xlsx_text(book, 2, 0, text, "plain");
     for (int i = 0; i < (int)(sizeof lines / sizeof lines[0]); i++)
-        xlsx_text(book, 4 + i, 0, lines[i], XLSX_PLAIN);
+        xlsx_text(book, 4 + i, 0, lines[i], "plain");
     xlsx_width(book, 0, 0, 100);
     xlsx_print(book, (xlsx_area){0, 0, 7, 0}, 0, true);
-}
-
-static void begin_columns(xlsx *book)
-{
-    static const struct {
-        const char *name;
-        double width;
-    } headers[] = {{"column", 24}, {"meaning", 64}, {"unit", 14}};
-    xlsx_sheet(book, "Columns");
-    for (int i = 0; i < 3; i++) {
-        xlsx_text(book, 0, i, headers[i].name, XLSX_HEADING);
-        xlsx_width(book, i, i, headers[i].width);
-    }
-    xlsx_freeze(book, 1, 0);
 }
 
 static void turn_to_rows(const records *rows)
@@ -67,7 +52,7 @@ static void describe(records *rows, const char *name)
         rows->described_kinds |= UINT64_C(1) << i;
         xlsx_sheet(rows->book, "Columns");
         for (int j = 0; j < 3; j++)
-            xlsx_text(rows->book, rows->described, j, texts[j], XLSX_PLAIN);
+            xlsx_text(rows->book, rows->described, j, texts[j], "plain");
         turn_to_rows(rows);
         return;
     }
@@ -75,13 +60,23 @@ static void describe(records *rows, const char *name)
 
 static void begin(records *rows)
 {
+    static const struct {
+        const char *name;
+        double width;
+    } headers[] = {{"column", 24}, {"meaning", 64}, {"unit", 14}};
     rows->book = xlsx_begin(rows->out, message_speaker(), true);
     const char *const single[] = {"Rows", NULL}, *const *names =
                                                      rows->sheets != NULL ? rows->sheets : single;
     for (int i = 0; names[i] != NULL; i++)
         xlsx_sheet(rows->book, names[i]);
-    if (rows->kinds != NULL)
-        begin_columns(rows->book);
+    if (rows->kinds != NULL) {
+        xlsx_sheet(rows->book, "Columns");
+        for (int i = 0; i < 3; i++) {
+            xlsx_text(rows->book, 0, i, headers[i].name, "heading");
+            xlsx_width(rows->book, i, i, headers[i].width);
+        }
+        xlsx_freeze(rows->book, 1, 0);
+    }
     xlsx_sheet(rows->book, "About");
     write_about(rows->book);
     turn_to_rows(rows);
@@ -100,34 +95,30 @@ static void check_room(const records *rows)
         refuse(rows, "more than 1048575 rows");
 }
 
-static double width_for(const char *name)
-{
-    return fmin(fmax((double)strlen(name) + 2, WIDTH_LEAST), WIDTH_MOST);
-}
-
 /* A grid's columns are named by numbers. */
 static void put_name(records *rows, const char *name)
 {
+    const double wanted = (double)strlen(name) + 2;
     double number;
     check_room(rows);
-    xlsx_width(rows->book, rows->column, rows->column, width_for(name));
+    xlsx_width(rows->book, rows->column, rows->column, fmin(fmax(wanted, WIDTH_LEAST), WIDTH_MOST));
     if (number_read(name, &number))
-        xlsx_number(rows->book, rows->row, rows->column, number, XLSX_HEADER);
+        xlsx_number(rows->book, rows->row, rows->column, number, "header");
     else
-        xlsx_text(rows->book, rows->row, rows->column, name, XLSX_HEADER);
+        xlsx_text(rows->book, rows->row, rows->column, name, "header");
     describe(rows, name);
     rows->column++;
 }
 
 /* Six to nine digits are shown; the cell holds them all. */
-static xlsx_style style_for(double value)
+static const char *style_for(double value)
 {
     const double size = fabs(value);
     if (value == floor(value) && size < 1e9)
-        return XLSX_PLAIN;
+        return "plain";
     if (size < 1e-3 || size >= 1e6)
-        return XLSX_POWER;
-    return size < 0.1 ? XLSX_SMALL : size < 100 ? XLSX_NUMBER : XLSX_LARGE;
+        return "power";
+    return size < 0.1 ? "small" : size < 100 ? "number" : "large";
 }
 
 static void put_value(records *rows, cell value)
@@ -141,7 +132,7 @@ static void put_value(records *rows, cell value)
     else if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
         refuse(rows, "a text has more than 32767 bytes");
     else if (value.text != NULL && value.text[0] != '\0')
-        xlsx_text(rows->book, rows->row, rows->column, value.text, XLSX_UNIT);
+        xlsx_text(rows->book, rows->row, rows->column, value.text, "unit");
     rows->column++;
 }
 

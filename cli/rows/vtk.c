@@ -4,10 +4,7 @@
  * scalars, and where all of a plane stress are among them, a tensor too. */
 #include "rows.h"
 
-#include "text/text.h"
-
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -77,24 +74,6 @@ static void put_points(records *rows)
         output_print(rows->out, "1 %zu\n", i);
 }
 
-/* A number at every point, under its name. */
-static void put_scalars(records *rows, size_t column)
-{
-    const size_t count = count_of(rows), across = rows->across > 0 ? rows->across : count;
-    output_print(rows->out, "SCALARS %s double 1\nLOOKUP_TABLE default\n", rows->name[column]);
-    for (size_t i = 0; i < count && records_go_on(rows); i++)
-        put_number(rows, number_at(rows, i, column), (i + 1) % across == 0);
-}
-
-/* Its place; how many columns there are where it is none. */
-static size_t column_of(const records *rows, const char *name)
-{
-    size_t i = 0;
-    while (i < rows->names && strcmp(rows->name[i], name) != 0)
-        i++;
-    return i;
-}
-
 /* Three rows of three for each point; NULL is 0. */
 static void put_tensors(records *rows)
 {
@@ -102,7 +81,10 @@ static void put_tensors(records *rows)
                                              NULL,  NULL,  NULL, "szz"};
     size_t column[9];
     for (int k = 0; k < 9; k++) {
-        column[k] = component[k] != NULL ? column_of(rows, component[k]) : 0;
+        column[k] = 0;
+        while (component[k] != NULL && column[k] < rows->names &&
+               strcmp(rows->name[column[k]], component[k]) != 0)
+            column[k]++;
         if (column[k] == rows->names)
             return;
     }
@@ -112,13 +94,18 @@ static void put_tensors(records *rows)
             put_number(rows, component[k] != NULL ? number_at(rows, i, column[k]) : 0, k % 3 == 2);
 }
 
+/* Scalars are numbers at every point, under their name. */
 static void write_file(records *rows)
 {
+    const size_t count = count_of(rows), across = rows->across > 0 ? rows->across : count;
     output_print(rows->out, "# vtk DataFile Version 3.0\n%s\nASCII\n", rows->title);
     (rows->across > 0 ? put_grid : put_points)(rows);
-    output_print(rows->out, "POINT_DATA %zu\n", count_of(rows));
-    for (size_t column = 2; column < rows->names; column++)
-        put_scalars(rows, column);
+    output_print(rows->out, "POINT_DATA %zu\n", count);
+    for (size_t column = 2; column < rows->names; column++) {
+        output_print(rows->out, "SCALARS %s double 1\nLOOKUP_TABLE default\n", rows->name[column]);
+        for (size_t i = 0; i < count && records_go_on(rows); i++)
+            put_number(rows, number_at(rows, i, column), (i + 1) % across == 0);
+    }
     put_tensors(rows);
     free(rows->kept);
     free(rows->name);

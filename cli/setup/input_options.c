@@ -45,18 +45,6 @@ void input_options_prepare(void)
     }
 }
 
-/* Ends the command where it is none. */
-static void read_profile(const arguments *line, const char *name)
-{
-    char complaint[COMPLAINT_SIZE];
-    const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
-    const char *remark = profiles_read(
-        name, (profile_style){comma ? ',' : '.', line->value[OPTION_HULL] != NULL, false});
-    if (profiles_named(name, complaint) == NULL)
-        failure("%s", complaint);
-    notice_if_any(remark);
-}
-
 static double read_tolerance(const arguments *line)
 {
     const char *text = line->value[OPTION_TOLERANCE];
@@ -72,6 +60,7 @@ static double read_tolerance(const arguments *line)
 
 void input_texts_from_options(const arguments *line, input_texts *texts)
 {
+    complaint why;
     *texts = (input_texts){.cell_decimal_sign = '.',
                            .how_comma = "with --decimal-comma",
                            .where_else = "columns or options",
@@ -79,8 +68,15 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
                            .tolerance = read_tolerance(line)};
     for (int i = 0; i < INPUT_COUNT; i++)
         texts->text[i] = line->value[OPTION_INPUT + i];
-    if (texts->text[INPUT_PROFILE] != NULL)
-        read_profile(line, texts->text[INPUT_PROFILE]);
+    const char *profile = texts->text[INPUT_PROFILE];
+    if (profile == NULL)
+        return;
+    const char *remark =
+        profiles_read(profile, line->value[OPTION_DECIMAL_COMMA] != NULL ? ',' : '.',
+                      line->value[OPTION_HULL] != NULL, false);
+    if (profiles_named(profile, &why) == NULL)
+        failure("%s", why.text);
+    notice("%s", remark);
 }
 
 void input_options_check_hull(const arguments *line)

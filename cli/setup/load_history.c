@@ -53,18 +53,6 @@ static void add(load_history *loads, load next, csv_row row)
 
 /* ---- The command line ---- */
 
-/* Of two numbers, moment and tension stay as they are; without P there is no moment. */
-static bool read_load(const char *text, size_t length, load last, load *to)
-{
-    double number[4];
-    const int count = number_read_list(text, length, ',', 4, number);
-    if (count == 4)
-        *to = (load){number[0], number[1], number[2], number[3]};
-    else if (count == 2)
-        *to = (load){number[0], number[0] == 0 ? 0 : last.M, number[1], last.sigma};
-    return count == 4 || count == 2;
-}
-
 /* A first load with decimal commas, as 135,75,0,0, is four numbers too. */
 static void say_four_values(const char *line, int length)
 {
@@ -77,15 +65,22 @@ static void say_four_values(const char *line, int length)
                line, M, moment, P, line, M, moment);
 }
 
+/* Of two numbers, moment and tension stay as they are; without P there is no moment. */
 void load_history_read_list(const arguments *line, load_history *loads)
 {
     load to = {0};
+    double number[4];
     const char *lines = line->value[OPTION_LOAD];
     *loads = (load_history){.name = NULL};
     for (bool last = false; !last;) {
         const size_t length = strcspn(lines, "\n");
         last = lines[length] == '\0';
-        if (!read_load(lines, length, to, &to))
+        const int count = number_read_list(lines, length, ',', 4, number);
+        if (count == 4)
+            to = (load){number[0], number[1], number[2], number[3]};
+        else if (count == 2)
+            to = (load){number[0], number[0] == 0 ? 0 : to.M, number[1], to.sigma};
+        else
             usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
                         (int)(length < 60 ? length : 60), lines);
         if (loads->count == 0)
@@ -98,36 +93,12 @@ void load_history_read_list(const arguments *line, load_history *loads)
 /* ---- A file ---- */
 
 /* A row that is no load ends the command: the loads after it would belong to another history. */
-static void take_row(csv_input *in, char decimal_sign, load_history *loads)
-{
-    load to;
-    csv_row row;
-    char complaint[COMPLAINT_SIZE];
-    if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign, &to,
-                       complaint))
-        failure("%s: line %" PRId64 ": %s", in->name, in->row.line, complaint);
-    header_note_unused(&loads->names, in->row.cell);
-    csv_row_keep(in, &row);
-    add(loads, to, row);
-}
-
-static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
-{
-    char complaint[COMPLAINT_SIZE];
-    csv_input_header(in, &loads->first);
-    csv_input_check(in);
-    if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, complaint))
-        failure("%s: %s", in->name, complaint);
-    while (csv_input_next(in))
-        take_row(in, decimal_sign, loads);
-    csv_input_check(in);
-    if (loads->count == 0)
-        failure("%s: no loads; needed: rows of P and Q", in->name);
-}
-
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
 {
     const char *file = history_file(line);
+    load to;
+    csv_row row;
+    complaint why;
     if (file == NULL) {
         load_history_read_list(line, loads);
         return;
@@ -135,7 +106,21 @@ void load_history_read(const arguments *line, char decimal_sign, load_history *l
     csv_input *in =
         csv_input_open(file, decimal_sign == ',' ? ';' : ',', line->value[OPTION_ENCODING]);
     *loads = (load_history){.name = in->name};
-    read_rows(in, decimal_sign, loads);
+    csv_input_header(in, &loads->first);
+    csv_input_check(in);
+    if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, &why))
+        failure("%s: %s", in->name, why.text);
+    while (csv_input_next(in)) {
+        if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign,
+                           &to, &why))
+            failure("%s: line %" PRId64 ": %s", in->name, in->row.line, why.text);
+        header_note_unused(&loads->names, in->row.cell);
+        csv_row_keep(in, &row);
+        add(loads, to, row);
+    }
+    csv_input_check(in);
+    if (loads->count == 0)
+        failure("%s: no loads; needed: rows of P and Q", in->name);
     loads->has_mark = in->has_mark;
     csv_input_close(in);
 }
@@ -155,21 +140,21 @@ const char *load_history_place(const load_history *loads, size_t row, char place
 }
 
 void load_history_fail(const load_history *loads, size_t row, const char *word,
-                       const char *complaint)
+                       const complaint *why)
 {
     char place[LOAD_PLACE_SIZE];
     load_history_place(loads, row, place);
     if (loads->name != NULL)
-        failure("%s%s: %s", place, word, complaint);
-    usage_error("%s%s: %s", place, word, complaint);
+        failure("%s%s: %s", place, word, why->text);
+    usage_error("%s%s: %s", place, word, why->text);
 }
 
 void load_history_apply_all(const load_history *loads, const contact_case *setup, doubts *all)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     for (size_t i = 0; i < loads->count; i++) {
-        if (!loads_apply_next(loads->load[i], setup->f, setup->contact, complaint))
-            load_history_fail(loads, i, "", complaint);
+        if (!loads_apply_next(loads->load[i], setup->f, setup->contact, &why))
+            load_history_fail(loads, i, "", &why);
         if (all != NULL)
             doubts_add(all, doubts_of_state(setup, setup->contact));
     }
@@ -179,12 +164,12 @@ void history_case(const arguments *line, const input_texts *texts, case_needs ne
                   char decimal_sign, contact_case *setup)
 {
     load_history loads;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     if (line->value[OPTION_HISTORY] != NULL && line->value[OPTION_LOAD] != NULL)
         usage_error("--history %s: given together with --load; allowed: one of the two",
                     line->value[OPTION_HISTORY]);
-    if (!case_read(texts, needs, setup, complaint))
-        usage_error("%s", complaint);
+    if (!case_read(texts, needs, setup, &why))
+        usage_error("%s", why.text);
     status_check(setup->status, "the contact");
     load_history_read(line, decimal_sign, &loads);
     load_history_apply_all(&loads, setup, NULL);

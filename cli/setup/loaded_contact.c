@@ -33,9 +33,6 @@ void loaded_contact_describe(FILE *stream)
 /* Powers of two with theta/A = 1: natural units are exact. */
 static const double NATURAL_THETA = 0.5, NATURAL_A = 0.5, NATURAL_NU = 0.3;
 
-static const table_variable c_over_b = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1",
-                                        "0"};
-
 /* ---- Natural units ---- */
 
 static void refuse_dimensional(const arguments *line, const input_texts *texts)
@@ -54,47 +51,33 @@ static void refuse_dimensional(const arguments *line, const input_texts *texts)
 /* Reads an input that may be left out. */
 static double read_input(const input_texts *texts, int input, double usual)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     double value = usual;
-    if (texts->text[input] != NULL && !input_read(texts, input, &value, complaint))
-        usage_error("%s", complaint);
+    if (texts->text[input] != NULL && !input_read(texts, input, &value, &why))
+        usage_error("%s", why.text);
     return value;
-}
-
-static double read_shear_ratio(const arguments *line, double alpha)
-{
-    const char *q = line->value[OPTION_Q_OVER_FP], *c = line->value[OPTION_C_OVER_B];
-    if (q != NULL && c != NULL)
-        usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
-    if (q != NULL)
-        return variable_read_one(&variables[Q_OVER_FP], q);
-    return rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&c_over_b, c) : 1);
 }
 
 /* b is the half-width that P has without a moment. */
 static load read_natural_load(const arguments *line, const input_texts *texts, double alpha,
                               double f)
 {
+    const char *q = line->value[OPTION_Q_OVER_FP], *c = line->value[OPTION_C_OVER_B];
     load to = {.P = rwedge_load(alpha),
                .M = read_input(texts, INPUT_M, 0),
                .sigma = read_input(texts, INPUT_SIGMA, 0)};
-    if (line->value[OPTION_C_OVER_B] != NULL && (to.M != 0 || to.sigma != 0))
+    if (c != NULL && (to.M != 0 || to.sigma != 0))
         usage_error("--c-over-b %s: not with --M or --sigma, which move the stick zone; "
                     "allowed: --q-over-fp",
-                    line->value[OPTION_C_OVER_B]);
-    to.Q = read_shear_ratio(line, alpha) * f * to.P;
+                    c);
+    if (q != NULL && c != NULL)
+        usage_error("--c-over-b %s: given together with --q-over-fp; allowed: one of the two", c);
+    const double ratio =
+        q != NULL
+            ? variable_read_one(&variables[Q_OVER_FP], q)
+            : rwedge_shear_ratio(alpha, c != NULL ? variable_read_one(&variables[C_OVER_B], c) : 1);
+    to.Q = ratio * f * to.P;
     return to;
-}
-
-static void apply_natural(const input_texts *texts, load to, const contact_case *setup)
-{
-    const int32_t status = loads_apply_monotonic(to, setup->contact);
-    if (status == RWEDGE_OK)
-        return;
-    const load_fault fault = loads_fault(status, to, setup->f, setup->contact);
-    const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
-    usage_error("%s%s%s: %s", named ? input_name(texts, fault.input) : "the loads",
-                named ? " " : "", named ? texts->text[fault.input] : "", fault.why);
 }
 
 static void read_natural(const arguments *line, const input_texts *texts, loaded_contact *loaded)
@@ -112,7 +95,13 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
                             .tolerance = texts->tolerance};
     const load to = read_natural_load(line, texts, alpha, f);
     status_check(case_contact(setup, &setup->contact), "the contact");
-    apply_natural(texts, to, setup);
+    const int32_t status = loads_apply_monotonic(to, setup->contact);
+    if (status != RWEDGE_OK) {
+        const load_fault fault = loads_fault(status, to, f, setup->contact);
+        const bool named = fault.input < INPUT_COUNT && texts->text[fault.input] != NULL;
+        usage_error("%s%s%s: %s", named ? input_name(texts, fault.input) : "the loads",
+                    named ? " " : "", named ? texts->text[fault.input] : "", fault.why.text);
+    }
     if (to.M == 0) /* else it is 1 to rounding */
         loaded->length_unit = rwedge_contact_half_width(setup->contact);
     loaded->slip_unit = NATURAL_THETA * loaded->length_unit;
@@ -121,24 +110,19 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
 
 /* ---- Dimensional ---- */
 
-static void refuse_natural(const arguments *line)
+static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
+                             contact_case *setup)
 {
+    complaint why;
     for (int i = OPTION_Q_OVER_FP; i <= OPTION_C_OVER_B; i++)
         if (line->value[i] != NULL)
             usage_error("--%s %s: needs --a-over-b; allowed with bodies and loads: --Q",
                         i == OPTION_C_OVER_B ? "c-over-b" : "q-over-fp", line->value[i]);
-}
-
-static void read_dimensional(const arguments *line, char decimal_sign, const input_texts *texts,
-                             contact_case *setup)
-{
-    char complaint[COMPLAINT_SIZE];
-    refuse_natural(line);
     history_check(line);
     if (history_is_given(line))
         history_case(line, texts, CASE_LOADS_APART, decimal_sign, setup);
-    else if (!case_read(texts, CASE_WITH_LOADS, setup, complaint))
-        usage_error("%s", complaint);
+    else if (!case_read(texts, CASE_WITH_LOADS, setup, &why))
+        usage_error("%s", why.text);
     status_check(setup->status, "the loads cannot be applied");
     doubts_say(doubts_of_state(setup, setup->contact), "");
 }

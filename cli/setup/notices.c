@@ -8,12 +8,6 @@ void doubts_say(doubts all, const char *where)
         notice("%s%s", where, text);
 }
 
-void notice_if_any(const char *text)
-{
-    if (text[0] != '\0')
-        notice("%s", text);
-}
-
 void status_check(int32_t status, const char *subject)
 {
     if (status != RWEDGE_OK)

@@ -10,9 +10,6 @@
 /* A line for each, after a word on where, or "". */
 void doubts_say(doubts all, const char *where);
 
-/* A line, unless it is "". */
-void notice_if_any(const char *text);
-
 /* Ends the command where the library has not answered about the subject. */
 void status_check(int32_t status, const char *subject);
 
@@ -88,7 +85,7 @@ void load_history_apply_all(const load_history *loads, const contact_case *setup
 
 /* Ends the command as a load cannot be applied, after a word such as ", cycle 2", or "". */
 NO_RETURN void load_history_fail(const load_history *loads, size_t row, const char *word,
-                                 const char *complaint);
+                                 const complaint *why);
 
 /* Reads a case and its loads, from a file or a list, applies them all to its contact, and names
  * columns with numbers that are not used. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "parts.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* Curves of a family differ in dashes as well as in shade: they stay apart in print and for
@@ -29,14 +28,6 @@ static const struct {
     {"label", {.none = LXW_TRUE}},
 };
 
-static void draw_mark(lxw_chart_series *curve)
-{
-    lxw_chart_fill fill = {.color = 0xD00000};
-    chart_series_set_marker_type(curve, LXW_CHART_MARKER_DIAMOND);
-    chart_series_set_marker_size(curve, 11);
-    chart_series_set_marker_fill(curve, &fill);
-}
-
 static void draw_label(xlsx *book, lxw_chart_series *curve, const char *text)
 {
     lxw_chart_font font = {.size = 10};
@@ -47,18 +38,11 @@ static void draw_label(xlsx *book, lxw_chart_series *curve, const char *text)
     xlsx_keep(book, chart_series_set_labels_custom(curve, labels));
 }
 
-/* The library takes no chart without a curve. */
-static void insert(xlsx *book)
-{
-    const xlsx_area at = book->chart_cell;
-    xlsx_keep(book, worksheet_insert_chart_opt(book->current, CELL_AT(at.row, at.column),
-                                               book->chart, &book->chart_place));
-}
-
-void xlsx_curve(xlsx *book, xlsx_area at, const char *const text[])
+void xlsx_curve(xlsx *book, const char *const text[])
 {
     enum { DRAWING, NAME, X, Y };
-    (void)at;
+    const xlsx_area corner = book->chart_cell;
+    lxw_chart_fill mark = {.color = 0xD00000};
     if (book->chart == NULL) /* for lack of memory, which is noted */
         return;
     int kind = 0;
@@ -67,14 +51,19 @@ void xlsx_curve(xlsx *book, xlsx_area at, const char *const text[])
     const bool is_label = strcmp(text[DRAWING], "label") == 0;
     lxw_chart_series *curve = chart_add_series(book->chart, text[X], text[Y]);
     lxw_chart_line line = kind == 0 ? line_of_family(book->curves) : drawings[kind].line;
-    if (book->curves++ == 0)
-        insert(book);
+    if (book->curves++ == 0) /* the library takes no chart without a curve */
+        xlsx_keep(book,
+                  worksheet_insert_chart_opt(book->current, CELL_AT(corner.row, corner.column),
+                                             book->chart, &book->chart_place));
     if (text[NAME][0] != '\0' && !is_label)
         chart_series_set_name(curve, text[NAME]);
     chart_series_set_line(curve, &line);
     chart_series_set_marker_type(curve, LXW_CHART_MARKER_NONE);
-    if (strcmp(text[DRAWING], "mark") == 0)
-        draw_mark(curve);
+    if (strcmp(text[DRAWING], "mark") == 0) {
+        chart_series_set_marker_type(curve, LXW_CHART_MARKER_DIAMOND);
+        chart_series_set_marker_size(curve, 11);
+        chart_series_set_marker_fill(curve, &mark);
+    }
     if (is_label)
         draw_label(book, curve, text[NAME]);
 }

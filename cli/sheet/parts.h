@@ -7,11 +7,13 @@
 
 #include <xlsxwriter.h>
 
+enum { XLSX_STYLES = 25 };
+
 struct xlsx {
     output *out;
     lxw_workbook *workbook;
     lxw_worksheet *current;
-    lxw_format *style[XLSX_STYLE_COUNT];
+    lxw_format *style[XLSX_STYLES]; /* as styles.c has them */
     lxw_chart *chart; /* the last, NULL for lack of memory; its curves, and where it goes */
     int curves;
     xlsx_area chart_cell;
@@ -34,9 +36,12 @@ void xlsx_keep(xlsx *book, lxw_error error);
 
 /* Properties of the file chart. */
 void xlsx_chart(xlsx *book, xlsx_area at, const char *const text[]);
-void xlsx_curve(xlsx *book, xlsx_area at, const char *const text[]);
+void xlsx_curve(xlsx *book, const char *const text[]);
 
 /* Adds the styles to a file that begins. False where memory is short. */
 bool xlsx_make_styles(xlsx *book);
+
+/* That of a name; NULL is plain. */
+lxw_format *xlsx_style(const xlsx *book, const char *name);
 
 #endif

@@ -8,43 +8,6 @@
 
 #include <rwedge.h>
 
-static void set_width(xlsx *book, xlsx_area at, const char *const text[])
-{
-    xlsx_width(book, at.column, at.last_column, atof(text[1]));
-}
-
-static void set_lines(xlsx *book, xlsx_area at, const char *const text[])
-{
-    xlsx_lines(book, at.row, atoi(text[1]));
-}
-
-static void freeze(xlsx *book, xlsx_area at, const char *const text[])
-{
-    (void)text;
-    xlsx_freeze(book, at.row, at.column);
-}
-
-static void merge(xlsx *book, xlsx_area at, const char *const text[])
-{
-    lxw_format *style = book->style[xlsx_style_named(text[1])];
-    xlsx_keep(book, worksheet_merge_range(book->current, CELLS(at), "", style));
-}
-
-static void protect(xlsx *book, xlsx_area at, const char *const text[])
-{
-    (void)at;
-    (void)text;
-    lxw_protection may = {.format_columns = LXW_TRUE, .format_rows = LXW_TRUE};
-    worksheet_protect(book->current, NULL, &may);
-}
-
-static void hide(xlsx *book, xlsx_area at, const char *const text[])
-{
-    (void)at;
-    (void)text;
-    worksheet_hide(book->current);
-}
-
 static void set_page(xlsx *book, int headers, bool landscape)
 {
     worksheet_fit_to_pages(book->current, 1, (uint16_t)(headers == 0));
@@ -81,7 +44,7 @@ static void colour(xlsx *book, xlsx_area at, const char *const text[])
 {
     lxw_conditional_format when = {.type = LXW_CONDITIONAL_TYPE_FORMULA,
                                    .value_string = (char *)text[2],
-                                   .format = book->style[xlsx_style_named(text[1])]};
+                                   .format = xlsx_style(book, text[1])};
     xlsx_keep(book, worksheet_conditional_format_range(book->current, CELLS(at), &when));
 }
 
@@ -98,18 +61,30 @@ static void set_rule(xlsx *book, xlsx_area at, const char *const text[])
     xlsx_keep(book, worksheet_data_validation_range(book->current, CELLS(at), &check));
 }
 
-static const struct {
-    const char *name;
-    void (*set)(xlsx *book, xlsx_area at, const char *const text[]);
-} properties[] = {{"width", set_width},  {"lines", set_lines}, {"freeze", freeze},
-                  {"merge", merge},      {"protect", protect}, {"hide", hide},
-                  {"print", print},      {"colour", colour},   {"rule", set_rule},
-                  {"chart", xlsx_chart}, {"curve", xlsx_curve}};
-
 void xlsx_property(xlsx *book, const char *name, xlsx_area at, const char *const text[])
 {
-    int i = 0;
-    while (strcmp(properties[i].name, name) != 0)
-        i++;
-    properties[i].set(book, at, text);
+    lxw_protection may = {.format_columns = LXW_TRUE, .format_rows = LXW_TRUE};
+    if (strcmp(name, "width") == 0)
+        xlsx_width(book, at.column, at.last_column, atof(text[1]));
+    else if (strcmp(name, "lines") == 0)
+        xlsx_lines(book, at.row, atoi(text[1]));
+    else if (strcmp(name, "freeze") == 0)
+        xlsx_freeze(book, at.row, at.column);
+    else if (strcmp(name, "merge") == 0)
+        xlsx_keep(book,
+                  worksheet_merge_range(book->current, CELLS(at), "", xlsx_style(book, text[1])));
+    else if (strcmp(name, "protect") == 0)
+        worksheet_protect(book->current, NULL, &may);
+    else if (strcmp(name, "hide") == 0)
+        worksheet_hide(book->current);
+    else if (strcmp(name, "print") == 0)
+        print(book, at, text);
+    else if (strcmp(name, "colour") == 0)
+        colour(book, at, text);
+    else if (strcmp(name, "rule") == 0)
+        set_rule(book, at, text);
+    else if (strcmp(name, "chart") == 0)
+        xlsx_chart(book, at, text);
+    else
+        xlsx_curve(book, text);
 }

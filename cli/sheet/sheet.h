@@ -12,39 +12,6 @@
 
 typedef struct xlsx xlsx;
 
-typedef enum {
-    XLSX_PLAIN, /* text, or a number as the program likes it */
-    XLSX_TITLE,
-    XLSX_HEADING,
-    XLSX_HEADER,  /* of a table's column: bold, a line below, wrapped */
-    XLSX_UPRIGHT, /* the same, read from below: the column may be narrow */
-    XLSX_NOTE,    /* small print */
-    XLSX_WRAPPED, /* a paragraph */
-    XLSX_INPUT,   /* a cell to type into */
-    XLSX_BARE,    /* the same without a frame: xlsx_colour_when() shows where it is */
-    XLSX_RESULT,  /* about six significant digits */
-    XLSX_SIGNED,  /* the same where it may be below 0 */
-    XLSX_UNIT,    /* a text after a number */
-    XLSX_NUMBER,  /* up to six decimals */
-    XLSX_SMALL,   /* up to eight */
-    XLSX_LARGE,   /* up to three */
-    XLSX_FIXED_4, /* four decimals */
-    XLSX_FIXED_6,
-    XLSX_POWER,   /* six digits and an exponent */
-    XLSX_VERDICT, /* a text in a frame over several cells, wrapped */
-    XLSX_STRONG,  /* a result that matters */
-    /* of cells that a condition colours: */
-    XLSX_GREEN,
-    XLSX_AMBER,
-    XLSX_RED,
-    XLSX_YELLOW, /* as XLSX_INPUT and XLSX_RESULT */
-    XLSX_BLUE,
-    XLSX_STYLE_COUNT
-} xlsx_style;
-
-/* By its name above, "fixed_4", which is one. */
-xlsx_style xlsx_style_named(const char *name);
-
 enum { XLSX_ROWS_MAX = 1048576, XLSX_COLUMNS_MAX = 16384, XLSX_TEXT_MAX = 32767 };
 
 /* Cells of a sheet. Rows and columns count from 0. */
@@ -68,11 +35,11 @@ xlsx *xlsx_begin(output *out, const char *title, bool in_order);
 /* What follows goes to the sheet of this name, which is added where there is none. */
 void xlsx_sheet(xlsx *book, const char *name);
 
-/* A number that is not finite is an empty cell. */
-void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style);
+/* Cells, each in a style of styles.c, by its name. A number that is not finite is an empty cell. */
+void xlsx_number(xlsx *book, int row, int column, double value, const char *style);
 
 /* A text that XML cannot hold spoils the file, and is said at the end. */
-void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style);
+void xlsx_text(xlsx *book, int row, int column, const char *text, const char *style);
 
 /* In so many, a last bit that differs between math libraries does not show. */
 enum { XLSX_DIGITS = 10 };
@@ -80,7 +47,7 @@ enum { XLSX_DIGITS = 10 };
 /* A formula, in English with commas, and the value that it has: programs that do not compute
  * show that. A number is rounded to these digits; one that is not finite is an empty text. */
 void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
-                  xlsx_style style);
+                  const char *style);
 
 /* Gives cells of this sheet a name. Spreadsheets do not tell capitals from small letters in
  * names. */
@@ -109,7 +76,7 @@ void xlsx_finish(xlsx *book);
  * width, lines:  characters of a column, lines of a row.
  * freeze, hide:  what is above and left of the cell does not scroll; the sheet does not show.
  * merge:         the style of the one cell that the area becomes.
- * protect:       but cells of XLSX_INPUT none can be typed into; there is no password.
+ * protect:       but cells of the style "input" none can be typed into; there is no password.
  * print:         as xlsx_print(): headers, and a text for landscape; a place with "=" is a formula.
  * colour:        the style that the area has where the formula, which follows, is true; it is
  *                written for the first cell.

@@ -16,47 +16,51 @@ typedef struct {
 
 static const lxw_color_t BLACK = 0x010101; /* 0 is none */
 
-static const look looks[XLSX_STYLE_COUNT] = {
-    [XLSX_PLAIN] = {"plain"},
-    [XLSX_TITLE] = {"title", .bold = true, .size = 16},
-    [XLSX_HEADING] = {"heading", .bold = true, .size = 12},
-    [XLSX_HEADER] = {"header", .bold = true, .line_below = true, .wrapped = true,
-                     .across = LXW_ALIGN_RIGHT, .down = LXW_ALIGN_VERTICAL_BOTTOM},
-    [XLSX_UPRIGHT] = {"upright", .bold = true, .line_below = true, .upright = true,
-                      .across = LXW_ALIGN_CENTER},
-    [XLSX_NOTE] = {"note", .size = 9, .ink = 0x505050},
-    [XLSX_WRAPPED] = {"wrapped", .wrapped = true, .down = LXW_ALIGN_VERTICAL_TOP},
-    [XLSX_INPUT] = {"input", .ground = 0xFFF8D0, .unlocked = true, .across = LXW_ALIGN_RIGHT},
-    [XLSX_BARE] = {"bare", .unlocked = true, .across = LXW_ALIGN_RIGHT},
-    [XLSX_RESULT] = {"result", RESULT_FORMAT, .ground = 0xE8F0F8, .across = LXW_ALIGN_RIGHT},
-    [XLSX_SIGNED] = {"signed", .ground = 0xE8F0F8, .across = LXW_ALIGN_RIGHT},
-    [XLSX_UNIT] = {"unit", .indented = true},
-    [XLSX_NUMBER] = {"number", "0.0#####"},
-    [XLSX_SMALL] = {"small", "0.0#######"},
-    [XLSX_LARGE] = {"large", "0.0##"},
-    [XLSX_FIXED_4] = {"fixed_4", "0.0000"},
-    [XLSX_FIXED_6] = {"fixed_6", "0.000000"},
-    [XLSX_POWER] = {"power", "0.00000E+00"},
-    [XLSX_VERDICT] = {"verdict", .ground = 0xFFFFFF, .bold = true, .size = 12, .wrapped = true,
-                      .down = LXW_ALIGN_VERTICAL_CENTER},
-    [XLSX_STRONG] = {"strong", "0.00", .ground = 0xE8F0F8, .bold = true, .size = 12,
-                     .across = LXW_ALIGN_RIGHT},
-    [XLSX_GREEN] = {"green", .ground = 0xC6EFCE, .ink = 0x006100},
-    [XLSX_AMBER] = {"amber", .ground = 0xFFEB9C, .ink = 0x7F4F00},
-    [XLSX_RED] = {"red", .ground = 0xFFC7CE, .ink = 0x9C0006},
-    [XLSX_YELLOW] = {"yellow", .ground = 0xFFF8D0, .ink = BLACK},
-    [XLSX_BLUE] = {"blue", .ground = 0xE8F0F8, .ink = BLACK},
+/* The first is how the program likes it. */
+static const look looks[XLSX_STYLES] = {
+    {.name = "plain"},
+    {"title", .bold = true, .size = 16},
+    {"heading", .bold = true, .size = 12},
+    /* of a table's column; upright is read from below: the column may be narrow */
+    {"header", .bold = true, .line_below = true, .wrapped = true, .across = LXW_ALIGN_RIGHT,
+     .down = LXW_ALIGN_VERTICAL_BOTTOM},
+    {"upright", .bold = true, .line_below = true, .upright = true, .across = LXW_ALIGN_CENTER},
+    {"note", .size = 9, .ink = 0x505050},                         /* small print */
+    {"wrapped", .wrapped = true, .down = LXW_ALIGN_VERTICAL_TOP}, /* a paragraph */
+    /* a cell to type into; bare without a frame: a colour shows where it is */
+    {"input", .ground = 0xFFF8D0, .unlocked = true, .across = LXW_ALIGN_RIGHT},
+    {"bare", .unlocked = true, .across = LXW_ALIGN_RIGHT},
+    /* about six significant digits; signed where it may be below 0 */
+    {"result", .format = RESULT_FORMAT, .ground = 0xE8F0F8, .across = LXW_ALIGN_RIGHT},
+    {"signed", .ground = 0xE8F0F8, .across = LXW_ALIGN_RIGHT},
+    {"unit", .indented = true}, /* a text after a number */
+    {"number", .format = "0.0#####"},
+    {"small", .format = "0.0#######"},
+    {"large", .format = "0.0##"},
+    {"fixed_4", .format = "0.0000"},
+    {"fixed_6", .format = "0.000000"},
+    {"power", .format = "0.00000E+00"},
+    {"verdict", .ground = 0xFFFFFF, .bold = true, .size = 12, .wrapped = true,
+     .down = LXW_ALIGN_VERTICAL_CENTER}, /* a text in a frame over several cells */
+    {"strong", .format = "0.00", .ground = 0xE8F0F8, .bold = true, .size = 12,
+     .across = LXW_ALIGN_RIGHT},
+    /* of cells that a condition colours; the last two as input and result */
+    {"green", .ground = 0xC6EFCE, .ink = 0x006100},
+    {"amber", .ground = 0xFFEB9C, .ink = 0x7F4F00},
+    {"red", .ground = 0xFFC7CE, .ink = 0x9C0006},
+    {"yellow", .ground = 0xFFF8D0, .ink = BLACK},
+    {"blue", .ground = 0xE8F0F8, .ink = BLACK},
 };
 
-xlsx_style xlsx_style_named(const char *name)
+lxw_format *xlsx_style(const xlsx *book, const char *name)
 {
     int i = 0;
     while (strcmp(looks[i].name, name) != 0)
         i++;
-    return (xlsx_style)i;
+    return book->style[i];
 }
 
-static void set_text(lxw_format *style, const look *as)
+static void set_style(lxw_format *style, const look *as)
 {
     if (as->bold)
         format_set_bold(style);
@@ -68,10 +72,6 @@ static void set_text(lxw_format *style, const look *as)
         format_set_num_format(style, as->format);
     if (as->unlocked)
         format_set_unlocked(style);
-}
-
-static void set_place(lxw_format *style, const look *as)
-{
     if (as->ground != 0) {
         format_set_border(style, LXW_BORDER_THIN);
         format_set_border_color(style, 0x808080);
@@ -91,12 +91,11 @@ static void set_place(lxw_format *style, const look *as)
 
 bool xlsx_make_styles(xlsx *book)
 {
-    for (int i = XLSX_PLAIN + 1; i < XLSX_STYLE_COUNT; i++) {
+    for (int i = 1; i < XLSX_STYLES; i++) {
         book->style[i] = workbook_add_format(book->workbook);
         if (book->style[i] == NULL)
             return false;
-        set_text(book->style[i], &looks[i]);
-        set_place(book->style[i], &looks[i]);
+        set_style(book->style[i], &looks[i]);
     }
     return true;
 }

@@ -52,22 +52,6 @@ static bool creation_date(time_t *date)
     return sound && (*date == seconds || seconds == 0);
 }
 
-static void set_properties(xlsx *book, const char *title, time_t date)
-{
-    lxw_doc_properties properties = {
-        .title = (char *)title, .author = "rwedge " RWEDGE_VERSION, .created = date};
-    xlsx_keep(book, workbook_set_properties(book->workbook, &properties));
-}
-
-static bool open_workbook(xlsx *book, bool in_order)
-{
-    if (!spool_begin(&book->spool))
-        return false;
-    lxw_workbook_options options = {.constant_memory = in_order};
-    book->workbook = workbook_new_opt(book->spool.name, &options);
-    return book->workbook != NULL && xlsx_make_styles(book);
-}
-
 xlsx *xlsx_begin(output *out, const char *title, bool in_order)
 {
     time_t date;
@@ -77,10 +61,15 @@ xlsx *xlsx_begin(output *out, const char *title, bool in_order)
                 out->name);
     xlsx *book = memory_zeroed(1, sizeof *book);
     book->out = out;
+    lxw_workbook_options options = {.constant_memory = in_order};
     errno = 0;
-    if (!open_workbook(book, in_order))
+    if (spool_begin(&book->spool))
+        book->workbook = workbook_new_opt(book->spool.name, &options);
+    if (book->workbook == NULL || !xlsx_make_styles(book))
         failure("%s: a temporary file for the spreadsheet cannot be made", out->name);
-    set_properties(book, title, date);
+    lxw_doc_properties properties = {
+        .title = (char *)title, .author = "rwedge " RWEDGE_VERSION, .created = date};
+    xlsx_keep(book, workbook_set_properties(book->workbook, &properties));
     return book;
 }
 
@@ -99,22 +88,16 @@ void xlsx_sheet(xlsx *book, const char *name)
     book->current = sheet;
 }
 
-static bool copy(FILE *from, output *out)
-{
-    char buffer[1 << 14];
-    if (from == NULL)
-        return false;
-    for (size_t count; (count = fread(buffer, 1, sizeof buffer, from)) > 0;)
-        output_write(out, buffer, count);
-    return !ferror(from);
-}
-
 void xlsx_finish(xlsx *book)
 {
+    char buffer[1 << 14];
     errno = 0;
     xlsx_keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
-    if (problem == NULL && !copy(spool_read(&book->spool), book->out))
+    FILE *from = problem == NULL ? spool_read(&book->spool) : NULL;
+    for (size_t count; from != NULL && (count = fread(buffer, 1, sizeof buffer, from)) > 0;)
+        output_write(book->out, buffer, count);
+    if (problem == NULL && (from == NULL || ferror(from)))
         problem = strerror(errno);
     if (problem != NULL)
         failure("%s: %s", book->out->name, problem);
@@ -124,29 +107,29 @@ void xlsx_finish(xlsx *book)
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
 
-void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style)
+void xlsx_number(xlsx *book, int row, int column, double value, const char *style)
 {
     if (isfinite(value))
         xlsx_keep(book, worksheet_write_number(book->current, CELL_AT(row, column), value,
-                                               book->style[style]));
+                                               xlsx_style(book, style)));
     else
-        xlsx_keep(book,
-                  worksheet_write_blank(book->current, CELL_AT(row, column), book->style[style]));
+        xlsx_keep(book, worksheet_write_blank(book->current, CELL_AT(row, column),
+                                              xlsx_style(book, style)));
 }
 
-void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
+void xlsx_text(xlsx *book, int row, int column, const char *text, const char *style)
 {
     if (!utf8_is_whole(text))
         xlsx_keep(book, LXW_ERROR_PARAMETER_VALIDATION);
     else
         xlsx_keep(book, worksheet_write_string(book->current, CELL_AT(row, column), text,
-                                               book->style[style]));
+                                               xlsx_style(book, style)));
 }
 
 void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
-                  xlsx_style style)
+                  const char *style)
 {
-    lxw_format *look = book->style[style];
+    lxw_format *look = xlsx_style(book, style);
     if (value.text == NULL && isfinite(value.number))
         xlsx_keep(book,
                   worksheet_write_formula_num(book->current, CELL_AT(row, column), formula, look,

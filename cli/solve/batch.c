@@ -13,7 +13,7 @@ enum { HELD_ROWS = 1024, HELD_BYTES = 1 << 20 };
 
 typedef struct {
     results results;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     bool solved;
 } answer;
 
@@ -35,15 +35,6 @@ typedef struct {
 
 /* ---- Columns ---- */
 
-static void check_constants(const run *r)
-{
-    const input_texts *constants = &r->table.constants;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (constants->text[i] != NULL && header_has_input(&r->table.names, i))
-            usage_error("%s %s: %s has a column for it; allowed: one of the two",
-                        input_name(constants, i), constants->text[i], r->in->name);
-}
-
 static void write_header(run *r)
 {
     r->rows->mark = r->in->has_mark;
@@ -59,21 +50,15 @@ static void write_header(run *r)
 
 /* ---- A row is solved: by several threads at a time ---- */
 
-static bool solve_row(const run *r, const csv_row *row, results *result,
-                      char complaint[COMPLAINT_SIZE])
-{
-    if (!row->malformed)
-        return case_table_solve(&r->table, row->cell, row->count, result, complaint);
-    snprintf(complaint, COMPLAINT_SIZE, "misplaced quotes in the row of line %" PRId64, row->line);
-    return false;
-}
-
 static void compute_answer(void *of_run, int64_t i)
 {
     const run *r = of_run;
+    const csv_row *row = &r->held[i];
     answer *to = &r->answers[i];
-    to->complaint[0] = '\0';
-    to->solved = solve_row(r, &r->held[i], &to->results, to->complaint);
+    to->why.text[0] = '\0';
+    to->solved = row->malformed
+                     ? complain(&to->why, "misplaced quotes in the row of line %" PRId64, row->line)
+                     : case_table_solve(&r->table, row->cell, row->count, &to->results, &to->why);
 }
 
 /* ---- A row is written ---- */
@@ -85,31 +70,25 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
     const bool is_input = header_is_input(&r->table.names, column);
     double number;
     return (is_input ? number_read_cell : number_survives)(text, r->how->decimal_sign, &number)
-               ? cell_typed(text, number)
+               ? (cell){text, number}
                : cell_text(text);
 }
 
-/* Writes the error of a row, with the whole row where the columns cannot show it. */
-static void write_error(run *r, const csv_row *row, const char *complaint)
-{
-    const size_t size = strlen(complaint) + strlen(row->whole) + 3;
-    char *text = memory_zeroed(size, 1);
-    if (row->malformed || row->count > r->table.names.count)
-        snprintf(text, size, "%s: %s", complaint, row->whole);
-    else
-        snprintf(text, size, "%s", complaint);
-    records_value(r->rows, cell_text(text));
-    free(text);
-}
-
+/* With the error is the whole row where the columns cannot show it. */
 static void write_row(run *r, const csv_row *row, const answer *solution)
 {
     for (size_t i = 0; i < r->table.names.count; i++)
         records_value(r->rows, cell_of(r, row, i));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
-            records_value(r->rows, solution->solved ? solution->results.value[i] : cell_empty());
-    write_error(r, row, solution->complaint);
+            records_value(r->rows, solution->solved ? solution->results.value[i] : cell_text(""));
+    const bool is_hidden = row->malformed || row->count > r->table.names.count;
+    const size_t size = sizeof solution->why + strlen(row->whole) + 3;
+    char *error = memory_zeroed(size, 1);
+    snprintf(error, size, "%s%s%s", solution->why.text, is_hidden ? ": " : "",
+             is_hidden ? row->whole : "");
+    records_value(r->rows, cell_text(error));
+    free(error);
     records_end_row(r->rows);
     if (row->count == r->table.names.count)
         header_note_unused(&r->table.names, row->cell);
@@ -122,125 +101,90 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
 
 /* ---- The file ---- */
 
-/* A last row that says so: who reads rows from standard output may not see the exit status. */
-static void write_broken_end(run *r)
-{
-    const csv_row none = {.whole = ""};
-    const answer broken = {.complaint = "the file could not be read beyond this row"};
-    write_row(r, &none, &broken);
-}
-
 /* A quote that is left open may close in a later row, and take the rows between. */
 static bool next_row(const run *r)
 {
     const csv_row *row = &r->in->row;
     if (!csv_input_next(r->in))
         return false;
-    if (row->malformed || row->count == r->table.names.count || !csv_row_spans_lines(row))
+    if (row->malformed || row->count == r->table.names.count || strpbrk(row->whole, "\r\n") == NULL)
         return true;
     return csv_input_stop(
         r->in, "line %" PRId64 ": a quote over several lines, and too few or too many cells",
         row->line);
 }
 
-static void release_held(run *r)
-{
-    profiles_forget(r->constant_profiles);
-    for (int64_t i = 0; i < r->held_count; i++)
-        csv_row_free(&r->held[i]);
-    r->held_count = 0;
-}
-
-/* Before the threads look for it. */
-static void read_profile(const run *r, const csv_row *row)
-{
-    const size_t column = r->table.names.column[INPUT_PROFILE];
-    const profile_style style = {r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL, false};
-    if (column >= row->count || row->cell[column][0] == '\0')
-        return;
-    output_options_spare(r->how, row->cell[column], "file of a cell in column ", "profile");
-    notice_if_any(profiles_read(row->cell[column], style));
-}
-
 /* Reads rows until there are enough for the threads; false where no more follow. Where memory is
  * too short for a row the command ends, before threads begin. */
 static bool hold_rows(run *r)
 {
+    const bool has_profile = header_has_input(&r->table.names, INPUT_PROFILE);
+    const size_t column = r->table.names.column[INPUT_PROFILE];
+    const bool takes_hull = r->line->value[OPTION_HULL] != NULL;
     size_t bytes = 0;
     for (r->held_count = 0; r->held_count < HELD_ROWS && bytes < HELD_BYTES; r->held_count++) {
         if (!next_row(r))
             return false;
         csv_row *row = &r->held[r->held_count];
         csv_row_keep(r->in, row);
-        if (header_has_input(&r->table.names, INPUT_PROFILE))
-            read_profile(r, row);
+        const char *profile = has_profile && column < row->count ? row->cell[column] : "";
+        if (profile[0] != '\0') { /* before the threads look for it */
+            output_options_spare(r->how, profile, "file of a cell in column ", "profile");
+            notice("%s", profiles_read(profile, r->how->decimal_sign, takes_hull, false));
+        }
         bytes += row->bytes;
     }
     return true;
-}
-
-static void write_held(run *r)
-{
-    threads_run(threads_read(r->line), r->held_count, compute_answer, r);
-    for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
-        write_row(r, &r->held[i], &r->answers[i]);
-    release_held(r);
 }
 
 /* Ends where the file or the format cannot go on. */
 static void write_rows(void *of_run, records *rows)
 {
     run *r = of_run;
+    const csv_row none = {.whole = ""};
+    const answer broken = {.why = {"the file could not be read beyond this row"}};
     bool more = true;
     r->rows = rows;
     progress_start(rows->show_progress, PROGRESS_NO_TOTAL, "rows");
     write_header(r);
     while (more && records_go_on(r->rows)) {
         more = hold_rows(r);
-        write_held(r);
+        threads_run(threads_read(r->line), r->held_count, compute_answer, r);
+        for (int64_t i = 0; i < r->held_count && records_go_on(r->rows); i++)
+            write_row(r, &r->held[i], &r->answers[i]);
+        profiles_forget(r->constant_profiles);
+        for (int64_t i = 0; i < r->held_count; i++)
+            csv_row_free(&r->held[i]);
     }
-    if (r->in->problem[0] == '\0')
+    if (r->in->problem.text[0] == '\0')
         return;
-    write_broken_end(r);
+    /* a last row says so: who reads rows from standard output may not see the exit status */
+    write_row(r, &none, &broken);
     records_end(r->rows);
     progress_erase();
     csv_input_check(r->in);
 }
 
-static void say_doubts(const run *r)
-{
-    char where[300];
-    snprintf(where, sizeof where, "%.250s, in some rows: ", r->in->name);
-    doubts_say(r->doubts, where);
-}
-
-static int write_output(run *r)
-{
-    output_options_write(r->how, write_rows, r);
-    unused_say(&r->table.names, r->in->name);
-    if (r->failed > 0)
-        notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
-               r->in->name, r->failed, r->count);
-    say_doubts(r);
-    return r->failed > 0 && r->failed == r->count ? STATUS_FAILED : STATUS_DONE;
-}
-
 static void read_header(run *r)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     r->in->takes_malformed = true;
     csv_input_header(r->in, &r->first);
     csv_input_check(r->in);
     if (!header_find(r->first.cell, r->first.count, 0, INPUT_COUNT, &r->table.constants,
-                     &r->table.names, complaint))
-        failure("%s: %s", r->in->name, complaint);
-    check_constants(r);
+                     &r->table.names, &why))
+        failure("%s: %s", r->in->name, why.text);
+    const input_texts *constants = &r->table.constants;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (constants->text[i] != NULL && header_has_input(&r->table.names, i))
+            usage_error("%s %s: %s has a column for it; allowed: one of the two",
+                        input_name(constants, i), constants->text[i], r->in->name);
     if (r->line->value[OPTION_HULL] != NULL && r->table.constants.text[INPUT_PROFILE] == NULL &&
         !header_has_input(&r->table.names, INPUT_PROFILE))
         usage_error("--hull: needs --profile, or a column profile");
     r->table.separator = r->in->separator;
-    if (!case_table_begin(&r->table, complaint))
-        failure("%s: %s", r->in->name, complaint);
+    if (!case_table_begin(&r->table, &why))
+        failure("%s: %s", r->in->name, why.text);
 }
 
 int batch_run(const arguments *line, const char *path, const input_texts *constants,
@@ -255,6 +199,14 @@ int batch_run(const arguments *line, const char *path, const input_texts *consta
              .held = memory_zeroed(HELD_ROWS, sizeof *r.held),
              .answers = memory_zeroed(HELD_ROWS, sizeof *r.answers)};
     r.table.constants.cell_decimal_sign = how->decimal_sign;
+    char where[300];
     read_header(&r);
-    return write_output(&r);
+    output_options_write(how, write_rows, &r);
+    unused_say(&r.table.names, r.in->name);
+    if (r.failed > 0)
+        notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
+               r.in->name, r.failed, r.count);
+    snprintf(where, sizeof where, "%.250s, in some rows: ", r.in->name);
+    doubts_say(r.doubts, where);
+    return r.failed > 0 && r.failed == r.count ? STATUS_FAILED : STATUS_DONE;
 }

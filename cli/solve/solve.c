@@ -65,22 +65,6 @@ typedef struct {
     cell value;
 } shown;
 
-/* What was looked for comes first, unless it is a result anyway. */
-static int collect(const job *task, shown all[RESULT_COUNT + 1])
-{
-    const bool shows_input = task->looked_for == INPUT_P || task->looked_for == INPUT_F;
-    int count = 0;
-    if (shows_input)
-        all[count++] =
-            (shown){input_kinds[task->looked_for].option, input_kinds[task->looked_for].meaning,
-                    cell_number(task->answer_for)};
-    for (int i = 0; i < RESULT_COUNT; i++)
-        if (results_include(task->wanted, i))
-            all[count++] =
-                (shown){result_kinds[i].name, result_kinds[i].meaning, task->answer.value[i]};
-    return count;
-}
-
 static void write_row(const shown all[], int count, records *rows)
 {
     records_describe(rows, result_kinds, RESULT_COUNT);
@@ -101,77 +85,80 @@ static void write_list(const shown all[], int count, records *rows)
                     (cell[]){cell_text(all[i].name), all[i].value, cell_text(all[i].meaning)});
 }
 
+/* What was looked for comes first, unless it is a result anyway. */
 static void write_rows(void *of_job, records *rows)
 {
     const job *task = of_job;
+    const input_kind *found = &input_kinds[task->looked_for];
     shown all[RESULT_COUNT + 1];
-    (task->as_row ? write_row : write_list)(all, collect(task, all), rows);
+    int count = 0;
+    if (task->looked_for == INPUT_P || task->looked_for == INPUT_F)
+        all[count++] = (shown){found->option, found->meaning, cell_number(task->answer_for)};
+    for (int i = 0; i < RESULT_COUNT; i++)
+        if (results_include(task->wanted, i))
+            all[count++] =
+                (shown){result_kinds[i].name, result_kinds[i].meaning, task->answer.value[i]};
+    (task->as_row ? write_row : write_list)(all, count, rows);
 }
 
-static void write_answer_to(const contact_case *setup, job *task, const output_options *how)
+/* ---- The case ---- */
+
+/* The input that is looked for is found; or all are given; or the loads come from a history. */
+static void read_case(const arguments *line, const input_texts *texts, job *task, char decimal_sign,
+                      contact_case *setup)
 {
-    char complaint[COMPLAINT_SIZE];
+    const char *file = history_file(line);
+    complaint why;
+    if (task->looked_for != INPUT_COUNT) {
+        if (!inverse_find(texts, task->looked_for, task->safety, setup, &task->answer_for, &why))
+            failure("%s", why.text);
+    } else if (!history_is_given(line)) {
+        if (!case_read(texts, CASE_OF_SOLVE, setup, &why))
+            usage_error("%s", why.text);
+    } else {
+        history_case(line, texts, CASE_OF_HISTORY, decimal_sign, setup);
+        rwedge_contact_loads(setup->contact, &setup->P, &setup->M, &setup->Q, &setup->sigma);
+        if (!(setup->P > 0))
+            failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P "
+                    "above 0",
+                    file != NULL ? file : "--load");
+    }
+}
+
+static void solve_one(const arguments *line, const input_texts *texts, job *task,
+                      const output_options *how)
+{
+    contact_case setup;
+    complaint why;
     results_wanted wanted = task->wanted;
     wanted.yield_factor = wanted.yield_factor || task->says_verdict;
-    if (!results_compute(setup, wanted, &task->answer, complaint))
-        failure("%s", complaint);
+    read_case(line, texts, task, how->decimal_sign, &setup);
+    if (!results_compute(&setup, wanted, &task->answer, &why))
+        failure("%s", why.text);
     output_options_write(how, write_rows, task);
     doubts_say(task->answer.doubts, "");
     if (task->says_verdict)
-        notice("%s", verdict_of(&task->answer, (verdict_style){how->decimal_sign, ""}).strength);
-}
-
-static void solve_one(const input_texts *texts, job *task, const output_options *how)
-{
-    contact_case setup;
-    char complaint[COMPLAINT_SIZE];
-    if (task->looked_for == INPUT_COUNT) {
-        if (!case_read(texts, CASE_OF_SOLVE, &setup, complaint))
-            usage_error("%s", complaint);
-    } else if (!inverse_find(texts, task->looked_for, task->safety, &setup, &task->answer_for,
-                             complaint))
-        failure("%s", complaint);
-    write_answer_to(&setup, task, how);
-    rwedge_contact_destroy(setup.contact);
-}
-
-/* ---- After a history ---- */
-
-static void solve_history(const arguments *line, const input_texts *texts, job *task,
-                          const output_options *how)
-{
-    contact_case setup;
-    history_case(line, texts, CASE_OF_HISTORY, how->decimal_sign, &setup);
-    rwedge_contact_loads(setup.contact, &setup.P, &setup.M, &setup.Q, &setup.sigma);
-    if (!(setup.P > 0))
-        failure("%s: the last load has P = 0, which separates the bodies; allowed: a last P above "
-                "0",
-                history_file(line) != NULL ? history_file(line) : "--load");
-    write_answer_to(&setup, task, how);
-    rwedge_contact_destroy(setup.contact);
+        notice("%s", verdict_of(&task->answer, how->decimal_sign, "").strength);
 }
 
 /* ---- The command ---- */
 
-static bool read_layout(const arguments *line)
+static void read_task(const arguments *line, const input_texts *texts, const char *file, job *task)
 {
-    const char *text = line->value[OPTION_LAYOUT];
-    const bool as_row = text != NULL && strcmp(text, "row") == 0;
-    if (text != NULL && !as_row && strcmp(text, "list") != 0)
-        usage_error("--layout %s: unknown layout; allowed: list, row", text);
-    if (text != NULL && !as_row && line->value[OPTION_INPUT_FILE] != NULL)
-        usage_error("--layout list: a file has a row for each contact; allowed with --input: row");
-    return as_row;
-}
-
-static bool read_yield_factor(const arguments *line, const input_texts *texts)
-{
-    const bool wanted = line->value[OPTION_YIELD_FACTOR] != NULL;
-    const bool strength =
+    const char *layout = line->value[OPTION_LAYOUT];
+    const bool has_strength =
         input_is_given(texts, INPUT_K) || input_is_given(texts, INPUT_YIELD_STRESS);
-    if (wanted && !strength && line->value[OPTION_INPUT_FILE] == NULL)
+    task->as_row = layout != NULL && strcmp(layout, "row") == 0;
+    if (layout != NULL && !task->as_row && strcmp(layout, "list") != 0)
+        usage_error("--layout %s: unknown layout; allowed: list, row", layout);
+    if (layout != NULL && !task->as_row && file != NULL)
+        usage_error("--layout list: a file has a row for each contact; allowed with --input: row");
+    task->wanted.yield_factor = line->value[OPTION_YIELD_FACTOR] != NULL;
+    if (task->wanted.yield_factor && !has_strength && file == NULL)
         usage_error("--yield-factor: needs --k or --yield-stress");
-    return wanted;
+    task->wanted.edges = history_is_given(line) || input_is_given(texts, INPUT_M) ||
+                         input_is_given(texts, INPUT_SIGMA) || input_is_given(texts, INPUT_PROFILE);
+    task->says_verdict = line->value[OPTION_VERDICT] != NULL;
 }
 
 /* Reads --for and --safety: the input to be found must not be given, and there is one contact. */
@@ -194,16 +181,6 @@ static void read_inverse(const arguments *line, const input_texts *texts, job *t
         usage_error("--for %s: it is given too; allowed: one of the two", name);
 }
 
-static void check_one_contact(const arguments *line, const job *task, const char *file)
-{
-    if (task->says_verdict && file != NULL)
-        usage_error("--verdict: is of one contact, not with --input");
-    if (task->looked_for != INPUT_COUNT && (file != NULL || history_is_given(line)))
-        usage_error("--for %s: is of one contact and its loads, not with --input, --load and "
-                    "--history",
-                    line->value[OPTION_FOR]);
-}
-
 /* A file of contacts, or one of loads. */
 static void check_files(const arguments *line, const char *file)
 {
@@ -217,13 +194,6 @@ static void check_files(const arguments *line, const char *file)
         text_input_check(encoding);
 }
 
-static void check_threads(const arguments *line, const char *file)
-{
-    threads_read(line);
-    if (line->value[OPTION_THREADS] != NULL && file == NULL)
-        usage_error("--threads %s: needs --input", line->value[OPTION_THREADS]);
-}
-
 static int solve(const arguments *line)
 {
     output_options how;
@@ -234,23 +204,22 @@ static int solve(const arguments *line)
     arguments_no_operand(line);
     output_options_read(line, &how);
     check_files(line, file);
-    check_threads(line, file);
-    task.as_row = read_layout(line);
-    task.wanted.yield_factor = read_yield_factor(line, &texts);
-    task.wanted.edges = history_is_given(line) || input_is_given(&texts, INPUT_M) ||
-                        input_is_given(&texts, INPUT_SIGMA) ||
-                        input_is_given(&texts, INPUT_PROFILE);
-    task.says_verdict = line->value[OPTION_VERDICT] != NULL;
+    threads_read(line);
+    if (line->value[OPTION_THREADS] != NULL && file == NULL)
+        usage_error("--threads %s: needs --input", line->value[OPTION_THREADS]);
+    read_task(line, &texts, file, &task);
     read_inverse(line, &texts, &task);
-    check_one_contact(line, &task, file);
+    if (task.says_verdict && file != NULL)
+        usage_error("--verdict: is of one contact, not with --input");
+    if (task.looked_for != INPUT_COUNT && (file != NULL || history_is_given(line)))
+        usage_error("--for %s: is of one contact and its loads, not with --input, --load and "
+                    "--history",
+                    line->value[OPTION_FOR]);
     if (file != NULL)
         return batch_run(line, file, &texts, task.wanted, &how);
     input_options_check_hull(line);
     history_check(line);
-    if (history_is_given(line))
-        solve_history(line, &texts, &task, &how);
-    else
-        solve_one(&texts, &task, &how);
+    solve_one(line, &texts, &task, &how);
     return STATUS_DONE;
 }
 

@@ -7,19 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char stdout_name[] = "standard output";
-
 NO_RETURN static void refuse(const output *out, int reason)
 {
     failure("%s: %s", out->name, file_problem(reason));
-}
-
-static void open_directly(output *out, FILE *stream)
-{
-    if (stream == NULL)
-        refuse(out, errno);
-    out->stream = stream;
-    signals_on_end(NULL, "; the output is not complete");
 }
 
 static void open_beside(output *out, const char *path)
@@ -37,37 +27,30 @@ static void open_beside(output *out, const char *path)
         refuse(out, reason);
 }
 
-/* What is not known is also a link that the system does not follow. */
-static void open_by_name(output *out, const char *path)
-{
-    const file_kind kind = file_kind_of(path);
-    if (kind == FILE_REGULAR || kind == FILE_ABSENT)
-        open_beside(out, path);
-    else if (kind == FILE_OTHER)
-        open_directly(out, file_to_write(path));
-    else
-        refuse(out, kind == FILE_FOLDER ? EISDIR : errno);
-}
-
 /* The one that is open; NULL for none. */
 static output *unsettled;
 
 static void give_up(void);
 
+/* What is not known is also a link that the system does not follow. */
 void output_open(output *out, const char *path)
 {
     static bool is_prepared;
+    const bool is_standard = path == NULL || strcmp(path, "-") == 0;
     if (!is_prepared && atexit(give_up) != 0)
         failure("out of memory");
     is_prepared = true;
     out->target = out->unfinished = NULL;
     out->error = 0;
-    if (path == NULL || strcmp(path, "-") == 0) {
-        out->name = stdout_name;
-        open_directly(out, stdout);
-    } else {
-        out->name = path;
-        open_by_name(out, path);
+    out->name = is_standard ? "standard output" : path;
+    const file_kind kind = is_standard ? FILE_OTHER : file_kind_of(path);
+    if (kind == FILE_REGULAR || kind == FILE_ABSENT)
+        open_beside(out, path);
+    else {
+        out->stream = is_standard ? stdout : kind == FILE_OTHER ? file_to_write(path) : NULL;
+        if (out->stream == NULL)
+            refuse(out, kind == FILE_FOLDER ? EISDIR : errno);
+        signals_on_end(NULL, "; the output is not complete");
     }
     unsettled = out;
 }
@@ -98,15 +81,6 @@ void output_print(output *out, const char *format, ...)
     va_end(values);
 }
 
-/* A disk may report at fclose() what it did not before. */
-static void close_checked(output *out)
-{
-    remember(out, fflush(out->stream) == 0);
-    if (out->unfinished != NULL && out->error == 0)
-        out->error = target_sync(out->stream);
-    remember(out, fclose(out->stream) == 0);
-}
-
 /* The unfinished file replaces the target. After an error it is removed. */
 static void settle(output *out)
 {
@@ -135,7 +109,10 @@ static void give_up(void)
 
 void output_finish(output *out)
 {
-    close_checked(out);
+    remember(out, fflush(out->stream) == 0);
+    if (out->unfinished != NULL && out->error == 0)
+        out->error = target_sync(out->stream);
+    remember(out, fclose(out->stream) == 0); /* a disk may report here what it did not before */
     settle(out);
     unsettled = NULL;
     if (out->error != 0)

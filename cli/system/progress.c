@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "system.h"
 
-#include "text/text.h"
-
 #include <inttypes.h>
 #include <signal.h>
 #include <stdio.h>
@@ -21,11 +19,6 @@ static struct {
 
 static volatile sig_atomic_t line_shown;
 
-bool progress_wanted(bool rows_to_stdout)
-{
-    return stream_is_terminal(stderr) && !(rows_to_stdout && stream_is_terminal(stdout));
-}
-
 static double seconds(void)
 {
     struct timespec now;
@@ -43,8 +36,11 @@ void progress_start(bool wanted, int64_t total, const char *unit)
     work.next = wanted ? seconds() + FIRST_AFTER : 0;
 }
 
-static void show_when_due(void)
+void progress_step(void)
 {
+    work.done++;
+    if (!work.wanted || work.done % ROWS_PER_LOOK != 0)
+        return;
     const double now = seconds();
     if (now < work.next)
         return;
@@ -54,13 +50,6 @@ static void show_when_due(void)
     if (work.total != PROGRESS_NO_TOTAL)
         fprintf(stderr, " of %" PRId64, work.total);
     fprintf(stderr, " %s", work.unit);
-}
-
-void progress_step(void)
-{
-    work.done++;
-    if (work.wanted && work.done % ROWS_PER_LOOK == 0)
-        show_when_due();
 }
 
 void progress_erase(void)

@@ -150,9 +150,6 @@ void output_finish(output *out);
 /* ---- progress ---- How far long work has come, on stderr: "rwedge table: 12345 of 650000 rows",
  * once it has taken half a second. */
 
-/* Shown only where stderr is a terminal, and stdout, when it takes the rows, is not. */
-bool progress_wanted(bool rows_to_stdout);
-
 /* total is the number of units, or this where it is not known. */
 #define PROGRESS_NO_TOTAL INT64_C(-1)
 void progress_start(bool wanted, int64_t total, const char *unit);

@@ -2,8 +2,6 @@
 /* rwedge table: lookup tables. */
 #include "table.h"
 
-#include "text/text.h"
-
 #include <string.h>
 
 #include <rwedge.h>
@@ -47,22 +45,18 @@ static void refuse(const table *chosen, const double value[], int32_t status)
 
 /* ---- Results ---- */
 
-/* The combination of index i. */
-static void set_combination(const plan *job, int64_t i, double value[])
-{
-    for (int k = 0; k < VARIABLE_COUNT; k++) {
-        const int variable = orders[job->grid][k];
-        const range *values = &job->axis[variable];
-        value[variable] = range_value(values, i % values->count);
-        i /= values->count;
-    }
-}
-
+/* The combination of an index. */
 static void compute(void *of_plan, int64_t i)
 {
     const plan *job = of_plan;
     computed *to = &job->ahead[i];
-    set_combination(job, job->first + i, to->value);
+    int64_t index = job->first + i;
+    for (int k = 0; k < VARIABLE_COUNT; k++) {
+        const int variable = orders[job->grid][k];
+        const range *values = &job->axis[variable];
+        to->value[variable] = range_value(values, index % values->count);
+        index /= values->count;
+    }
     to->status = job->table->row(to->value, to->row);
 }
 
@@ -78,8 +72,9 @@ static void write_long_header(const plan *job, records *rows)
     records_end_header(rows);
 }
 
-static void write_long(const plan *job, records *rows, const computed *result)
+static void write_long(const plan *job, records *rows, const computed *result, int64_t i)
 {
+    (void)i;
     for (int k = 0; k < VARIABLE_COUNT; k++)
         if (job->table->has[k])
             records_value(rows, cell_number(result->value[k]));
@@ -112,18 +107,6 @@ static void write_in_grid(const plan *job, records *rows, const computed *result
         records_end_row(rows);
 }
 
-static void write_result(const plan *job, records *rows, int64_t i)
-{
-    const computed *result = &job->ahead[i - job->first];
-    if (result->status != RWEDGE_OK)
-        refuse(job->table, result->value, result->status);
-    if (job->grid)
-        write_in_grid(job, rows, result, i);
-    else
-        write_long(job, rows, result);
-    progress_step();
-}
-
 static void plan_write(void *plan_to_write, records *rows)
 {
     enum { AHEAD = 128 }; /* results for each thread: they take longer than to begin it */
@@ -137,8 +120,13 @@ static void plan_write(void *plan_to_write, records *rows)
     for (job->first = 0; job->first < size && records_go_on(rows); job->first += most) {
         const int64_t end = size - job->first < most ? size : job->first + most;
         threads_run(job->threads, end - job->first, compute, job);
-        for (int64_t i = job->first; i < end && records_go_on(rows); i++)
-            write_result(job, rows, i);
+        for (int64_t i = job->first; i < end && records_go_on(rows); i++) {
+            const computed *result = &job->ahead[i - job->first];
+            if (result->status != RWEDGE_OK)
+                refuse(job->table, result->value, result->status);
+            (job->grid ? write_in_grid : write_long)(job, rows, result, i);
+            progress_step();
+        }
     }
 }
 
@@ -174,8 +162,10 @@ static const struct poptOption options[] = {
     POPT_TABLEEND,
 };
 
-static void list_columns(const table *chosen, FILE *stream)
+static void describe_table(const table *chosen, FILE *stream)
 {
+    fprintf(stream, "\n  %s%s: %s\n", chosen->name, chosen->ratio != NULL ? " --pad flat" : "",
+            chosen->summary);
     int width = fprintf(stream, "    columns:");
     for (int i = 0; i < VARIABLE_COUNT; i++)
         if (chosen->has[i])
@@ -185,13 +175,6 @@ static void list_columns(const table *chosen, FILE *stream)
             width = fprintf(stream, "\n            ") - 1;
         width += fprintf(stream, " %s", chosen->quantity[i]);
     }
-}
-
-static void describe_table(const table *chosen, FILE *stream)
-{
-    fprintf(stream, "\n  %s%s: %s\n", chosen->name, chosen->ratio != NULL ? " --pad flat" : "",
-            chosen->summary);
-    list_columns(chosen, stream);
     fprintf(stream, "\n    options:");
     for (int k = 0; k < VARIABLE_COUNT; k++)
         if (chosen->has[orders[false][k]])
@@ -217,51 +200,39 @@ static void describe_tables(FILE *stream)
 
 static void choose_table(const arguments *line, plan *job)
 {
+    const char *pad = line->value[OPTION_PAD];
+    const bool is_flat = pad != NULL && strcmp(pad, "flat") == 0;
     char allowed[160] = "";
     for (int i = 0; i < WEDGE_TABLES; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (line->operand == NULL || line->operand[0] == NULL)
         usage_error("the name of a table must follow; allowed: %s", allowed);
-    job->table = table_named(line->operand[0], false);
-    if (job->table == NULL)
+    if (table_named(line->operand[0], false) == NULL)
         usage_error("%s: unknown table; allowed: %s", line->operand[0], allowed);
     if (line->operand[1] != NULL)
         usage_error("%s: unexpected; allowed: one table, and options", line->operand[1]);
-}
-
-static void choose_pad(const arguments *line, plan *job)
-{
-    const char *text = line->value[OPTION_PAD];
-    if (text == NULL || strcmp(text, "wedge") == 0)
-        return;
-    if (strcmp(text, "flat") != 0)
-        usage_error("--pad %s: unknown pad; allowed: wedge, flat", text);
-    const table *of_flat = table_named(job->table->name, true);
-    if (of_flat == NULL)
+    if (pad != NULL && !is_flat && strcmp(pad, "wedge") != 0)
+        usage_error("--pad %s: unknown pad; allowed: wedge, flat", pad);
+    job->table = table_named(line->operand[0], is_flat);
+    if (job->table == NULL)
         usage_error("--pad flat: not for %s; allowed: elastic-limit, contact-law",
-                    job->table->name);
-    job->table = of_flat;
-}
-
-static void refuse_variable(const table *chosen, int variable, const char *text)
-{
-    char allowed[160] = "";
-    for (int k = 0; k < VARIABLE_COUNT; k++)
-        if (chosen->has[orders[false][k]])
-            list_add(allowed, sizeof allowed, ", ", "--%s", variables[orders[false][k]].option);
-    usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[variable].option, text,
-                chosen->name, allowed);
+                    line->operand[0]);
 }
 
 static void read_variables(const arguments *line, plan *job)
 {
+    char allowed[160] = "";
+    for (int k = 0; k < VARIABLE_COUNT; k++)
+        if (job->table->has[orders[false][k]])
+            list_add(allowed, sizeof allowed, ", ", "--%s", variables[orders[false][k]].option);
     for (int i = 0; i < VARIABLE_COUNT; i++) {
         const char *text = line->value[OPTION_VARIABLE + i];
         job->axis[i].count = 1;
         if (job->table->has[i])
             variable_read(table_variable_of(job->table, i), text, &job->axis[i]);
         else if (text != NULL)
-            refuse_variable(job->table, i, text);
+            usage_error("--%s %s: %s does not depend on it; allowed: %s", variables[i].option, text,
+                        job->table->name, allowed);
     }
 }
 
@@ -280,25 +251,19 @@ static void check_size(const arguments *line, const plan *job)
                 text != NULL ? text : table_variable_of(job->table, widest)->usual);
 }
 
-static void check_grid(const arguments *line, const plan *job)
-{
-    if (job->table->across == VARIABLE_COUNT)
-        usage_error("--layout grid: %s has one variable, and nothing to go across; allowed: long",
-                    job->table->name);
-    if (job->table->across != NU && job->axis[NU].count > 1)
-        usage_error(
-            "--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
-            line->value[OPTION_VARIABLE + NU]);
-}
-
 static void read_layout(const arguments *line, plan *job)
 {
     const char *text = line->value[OPTION_LAYOUT];
     job->grid = text != NULL && strcmp(text, "grid") == 0;
     if (text != NULL && !job->grid && strcmp(text, "long") != 0)
         usage_error("--layout %s: unknown layout; allowed: long, grid", text);
-    if (job->grid)
-        check_grid(line, job);
+    if (job->grid && job->table->across == VARIABLE_COUNT)
+        usage_error("--layout grid: %s has one variable, and nothing to go across; allowed: long",
+                    job->table->name);
+    if (job->grid && job->table->across != NU && job->axis[NU].count > 1)
+        usage_error(
+            "--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
+            line->value[OPTION_VARIABLE + NU]);
 }
 
 static void read_quantity(const arguments *line, plan *job)
@@ -325,7 +290,6 @@ static int write_table(const arguments *line)
     plan job = {0};
     output_options how;
     choose_table(line, &job);
-    choose_pad(line, &job);
     read_variables(line, &job);
     read_layout(line, &job);
     read_quantity(line, &job);

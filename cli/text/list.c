@@ -5,6 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
+bool complain(complaint *why, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    vsnprintf(why->text, sizeof why->text, format, values);
+    va_end(values);
+    return false;
+}
+
 void list_add(char *text, size_t size, const char *separator, const char *format, ...)
 {
     if (text[0] != '\0')

@@ -27,7 +27,7 @@ static bool is_shown(uint32_t code)
 static void say(const char *format, va_list values)
 {
     char line[2048], shown[2048];
-    if (vsnprintf(line, sizeof line, format, values) < 0)
+    if (vsnprintf(line, sizeof line, format, values) <= 0)
         return;
     utf8_copy(line, is_shown, "?", shown, sizeof shown);
     fprintf(stderr, "%s: %s\n", speaker_name, shown);

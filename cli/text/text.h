@@ -40,7 +40,8 @@ const char *message_speaker(void);
 NO_RETURN int usage_error(const char *format, ...) PRINTF_LIKE(1, 2);
 NO_RETURN int failure(const char *format, ...) PRINTF_LIKE(1, 2);
 
-/* A line on stderr that is no failure: something that the user should know about a result. */
+/* A line on stderr that is no failure: something that the user should know about a result. None
+ * where it is "". */
 void notice(const char *format, ...) PRINTF_LIKE(1, 2);
 
 /* ---- memory ---- Memory, or the end of the command with a message. */
@@ -56,10 +57,18 @@ void *memory_for_one_more(void *old, size_t count, size_t size);
 /* A pointer from another function: ends the command where it is NULL. */
 void *memory_checked(void *memory);
 
-/* ---- list ---- A text of several parts, such as "csv, tsv, json". */
+/* ---- list ---- Texts that are put together. */
 
-/* Adds a part, made as by printf, to the text; the separator goes in front of all but the first.
- * What has no room is cut. */
+/* What is wrong: the line of a message, or the error of a row. */
+typedef struct {
+    char text[600];
+} complaint;
+
+/* Writes it as by printf; false. */
+bool complain(complaint *why, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Adds a part, made as by printf, to a text such as "csv, tsv, json"; the separator goes in front
+ * of all but the first. What has no room is cut. */
 void list_add(char *text, size_t size, const char *separator, const char *format, ...)
     PRINTF_LIKE(4, 5);
 

@@ -25,26 +25,23 @@ case_cell *case_cells;
 int case_cell_count;
 formula_template *formula_templates;
 
-/* With the NULL behind the last. */
-static size_t count_lines(const char *const lines[])
-{
-    size_t count = 0;
-    while (lines[count++] != NULL)
-        ;
-    return count;
-}
-
 void cells_read(void)
 {
     const char *const *next = cells_lines, *f[FIELDS];
-    case_cells = memory_zeroed(count_lines(cells_lines), sizeof *case_cells);
-    for (case_cell_count = 0; workbook_line(&next, f); case_cell_count++)
+    size_t templates = 0;
+    for (case_cell_count = 0; workbook_line(&next, f); case_cell_count++) {
+        case_cells = memory_for_one_more(case_cells, (size_t)case_cell_count, sizeof *case_cells);
         case_cells[case_cell_count] =
             (case_cell){f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9]};
+    }
     next = templates_lines;
-    formula_templates = memory_zeroed(count_lines(templates_lines), sizeof *formula_templates);
-    for (int i = 0; workbook_line(&next, f); i++)
-        formula_templates[i] = (formula_template){f[0], f[1]};
+    for (bool more = true; more; templates++) { /* the last has no name */
+        more = workbook_line(&next, f);
+        formula_templates =
+            memory_for_one_more(formula_templates, templates, sizeof *formula_templates);
+        formula_templates[templates] =
+            more ? (formula_template){f[0], f[1]} : (formula_template){0};
+    }
 }
 
 int cell_of_column(const char *column)

@@ -6,7 +6,6 @@
 
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -56,72 +55,57 @@ static void name_sheet(const char *path, const char *const names[], int count, c
     }
     if (strcmp(name, own) != 0)
         notice("%s: its sheet is called %s", path, name);
-    free(own);
 }
 
 /* ---- Rows ---- */
 
-typedef struct {
-    csv_input *in;
-    char decimal_sign;
-    size_t columns;
-} sheet;
-
-static void refuse(const sheet *from, const char *complaint)
+static void refuse(const csv_input *in, const complaint *why)
 {
-    failure("%s: line %" PRId64 ": %s", from->in->name, from->in->row.line, complaint);
+    failure("%s: line %" PRId64 ": %s", in->name, in->row.line, why->text);
 }
 
 /* A number with the other decimal sign is hardly meant as a text, unless commas separate the
  * cells. */
-static cell cell_of(const sheet *from, const char *text)
+static cell cell_of(const csv_input *in, const char *text, char decimal_sign)
 {
     double number;
-    if (number_survives(text, from->decimal_sign, &number))
+    if (number_survives(text, decimal_sign, &number))
         return cell_number(number);
-    const bool comma = from->decimal_sign == ',';
-    char complaint[100];
-    snprintf(complaint, sizeof complaint, "%.40s: a decimal %s", text,
+    const bool comma = decimal_sign == ',';
+    complaint why;
+    complain(&why, "%.40s: a decimal %s", text,
              comma ? "point; without --decimal-comma it is a number"
                    : "comma; --decimal-comma reads it");
-    if ((comma || from->in->separator != ',') && number_survives(text, comma ? '.' : ',', &number))
-        refuse(from, complaint);
+    if ((comma || in->separator != ',') && number_survives(text, comma ? '.' : ',', &number))
+        refuse(in, &why);
     return cell_text(text);
-}
-
-static void write_header(sheet *from, records *rows)
-{
-    const char *const *cells = from->in->row.cell;
-    from->columns = from->in->row.count;
-    const char *hint = from->columns == 1 ? header_hint(cells, 1) : "";
-    if (hint[0] != '\0')
-        failure("%s: one column%s", from->in->name, hint);
-    records_header(rows, from->columns, cells);
-}
-
-static void write_row(const sheet *from, records *rows)
-{
-    char complaint[COMPLAINT_SIZE];
-    const size_t count = from->in->row.count;
-    if (!header_fits(from->columns, count, from->in->separator, complaint))
-        refuse(from, complaint);
-    for (size_t i = 0; i < count; i++)
-        records_value(rows, cell_of(from, from->in->row.cell[i]));
-    records_end_row(rows);
 }
 
 static void write_file(const char *path, char decimal_sign, records *rows)
 {
-    sheet from = {csv_input_open(path, decimal_sign == ',' ? ';' : ',', NULL), decimal_sign, 0};
-    while (records_go_on(rows) && csv_input_next(from.in))
-        if (from.columns == 0)
-            write_header(&from, rows);
-        else
-            write_row(&from, rows);
-    csv_input_check(from.in);
-    if (from.columns == 0)
-        failure("%s: no rows", from.in->name);
-    csv_input_close(from.in);
+    csv_input *in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', NULL);
+    const csv_row *row = &in->row;
+    size_t columns = 0;
+    complaint why;
+    while (records_go_on(rows) && csv_input_next(in)) {
+        if (columns == 0) {
+            const char *hint = row->count == 1 ? header_hint(row->cell, 1) : "";
+            if (hint[0] != '\0')
+                failure("%s: one column%s", in->name, hint);
+            columns = row->count;
+            records_header(rows, columns, row->cell);
+            continue;
+        }
+        if (!header_fits(columns, row->count, in->separator, &why))
+            refuse(in, &why);
+        for (size_t i = 0; i < row->count; i++)
+            records_value(rows, cell_of(in, row->cell[i], decimal_sign));
+        records_end_row(rows);
+    }
+    csv_input_check(in);
+    if (columns == 0)
+        failure("%s: no rows", in->name);
+    csv_input_close(in);
 }
 
 void csv_sheets_write(void *of_files, records *rows)

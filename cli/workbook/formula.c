@@ -48,17 +48,7 @@ static const char *read_arguments(const char *from, argument values[ARGUMENTS])
     return from;
 }
 
-/* The argument, with another text in place of each #, unless that is NULL. */
-static char *put_argument(char *end, argument from, const char *instead, size_t length)
-{
-    for (size_t i = 0; i < from.length; i++)
-        if (from.text[i] == '#' && instead != NULL)
-            end = (char *)memcpy(end, instead, length) + length;
-        else
-            *end++ = from.text[i];
-    return end;
-}
-
+/* Arguments may have another text in place of each #. */
 static void fill(const char *from, const argument values[ARGUMENTS], char *end)
 {
     while (*from != '\0') {
@@ -70,7 +60,11 @@ static void fill(const char *from, const argument values[ARGUMENTS], char *end)
         from += 2;
         const char *instead = *from == '{' ? from + 1 : NULL;
         const size_t length = instead != NULL ? strcspn(instead, "}") : 0;
-        end = put_argument(end, next, instead, length);
+        for (size_t i = 0; i < next.length; i++)
+            if (next.text[i] == '#' && instead != NULL)
+                end = (char *)memcpy(end, instead, length) + length;
+            else
+                *end++ = next.text[i];
         from += instead != NULL ? length + 2 : 0;
     }
     *end = '\0';

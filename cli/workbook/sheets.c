@@ -35,7 +35,7 @@ static void name_cells(const sheets *on, const char *name)
 
 static void write_text(sheets *on, const char *const f[])
 {
-    xlsx_text(on->book, on->at.row, on->at.column, f[TEXT], xlsx_style_named(f[STYLE]));
+    xlsx_text(on->book, on->at.row, on->at.column, f[TEXT], f[STYLE]);
 }
 
 /* Letters are narrower on average than the digits that widths count. */
@@ -57,7 +57,7 @@ static void write_made(sheets *on, const char *const f[])
 /* With a value that is a number, a result or a text. */
 static void write_formula(sheets *on, const char *const f[])
 {
-    const xlsx_style style = xlsx_style_named(f[STYLE]);
+    const char *style = f[STYLE];
     const char *text = strcmp(f[LAST], "strength") == 0  ? on->values.strength
                        : strcmp(f[LAST], "figures") == 0 ? on->values.figures
                                                          : f[LAST];
@@ -75,17 +75,17 @@ static void write_case(sheets *on, const char *const f[])
     enum { LABEL, CELL, VALUE, UNIT, HINT };
     const int row = on->at.row, number = cell_of_column(f[TEXT]);
     const case_cell *as = &case_cells[number];
-    xlsx_text(on->book, row, LABEL, as->label, XLSX_PLAIN);
-    xlsx_text(on->book, row, CELL, as->name, XLSX_NOTE);
-    xlsx_text(on->book, row, UNIT, as->unit, XLSX_UNIT);
-    xlsx_text(on->book, row, HINT, as->hint, XLSX_NOTE);
+    xlsx_text(on->book, row, LABEL, as->label, "plain");
+    xlsx_text(on->book, row, CELL, as->name, "note");
+    xlsx_text(on->book, row, UNIT, as->unit, "unit");
+    xlsx_text(on->book, row, HINT, as->hint, "note");
     const xlsx_area area = {row, VALUE, row, VALUE};
     xlsx_name(on->book, as->name, area);
     if (number >= INPUT_CELLS) {
-        case_formula(on->book, row, VALUE, number, &on->values, xlsx_style_named(f[STYLE]), 0);
+        case_formula(on->book, row, VALUE, number, &on->values, f[STYLE], 0);
         return;
     }
-    xlsx_number(on->book, row, VALUE, on->values.number[number], xlsx_style_named(f[STYLE]));
+    xlsx_number(on->book, row, VALUE, on->values.number[number], f[STYLE]);
     check_typing(on->book, area, number, 0);
 }
 
@@ -97,20 +97,47 @@ static void write_working(sheets *on, const char *const f[])
     for (int i = FIRST_REMARK; i < case_cell_count; i++) {
         const case_cell *as = &case_cells[i];
         const int column = i - FIRST_REMARK;
-        xlsx_text(on->book, row, column, as->label, XLSX_NOTE);
-        xlsx_text(on->book, row + 1, column, as->name, XLSX_NOTE);
-        case_formula(on->book, value_row, column, i, &on->values, XLSX_PLAIN, 0);
+        xlsx_text(on->book, row, column, as->label, "note");
+        xlsx_text(on->book, row + 1, column, as->name, "note");
+        case_formula(on->book, value_row, column, i, &on->values, "plain", 0);
         xlsx_name(on->book, as->name, (xlsx_area){value_row, column, value_row, column});
         if (i >= SHOWN_CELLS && as->column[0] != '\0')
             xlsx_name(on->book, as->column, (xlsx_area){value_row, column, value_row, column + 2});
     }
 }
 
+/* Inputs left, results right, named as "solve --input" names its columns; then the working cells,
+ * which are hidden. A row refers to itself and to the tables alone: it may be copied. */
 static void write_batch(sheets *on, const char *const f[])
 {
+    enum { HEADER_ROW, FIRST_ROW, BATCH_ROWS = 200 };
+    const int last = batch_column(case_cell_count);
+    case_values values;
     (void)f;
     on->has_rows = true;
-    sheet_batch(on->book);
+    xlsx_text(on->book, HEADER_ROW, 0, "case", "header");
+    for (int i = 0; i < case_cell_count; i++)
+        xlsx_text(on->book, HEADER_ROW, batch_column(i),
+                  i < SHOWN_CELLS ? case_cells[i].column : case_cells[i].name,
+                  i < FIRST_REMARK ? "upright" : "header");
+    for (int row = FIRST_ROW; row < FIRST_ROW + BATCH_ROWS; row++) {
+        shown_values(1 + row - FIRST_ROW, &values);
+        xlsx_text(on->book, row, 0, "", "bare");
+        for (int i = 0; i < INPUT_CELLS; i++)
+            xlsx_number(on->book, row, batch_column(i), values.number[i], "bare");
+        for (int i = INPUT_CELLS; i < case_cell_count; i++)
+            case_formula(on->book, row, batch_column(i), i, &values, "plain", row + 1);
+    }
+    /* the last row that has an input, beside the hidden names */
+    xlsx_formula(on->book, HEADER_ROW, last,
+                 "=MAX(1,SUMPRODUCT(MAX((Batch!$B$2:$N$10000<>\"\")*ROW(Batch!$B$2:$N$10000))))",
+                 cell_number(FIRST_ROW + EXAMPLES - 1), "plain");
+    xlsx_name(on->book, "rwt_used", (xlsx_area){HEADER_ROW, last, HEADER_ROW, last});
+    /* what is typed or pasted is checked: typing at once, pasting by the column "error" */
+    for (int i = 0; i < INPUT_CELLS; i++)
+        check_typing(on->book, (xlsx_area){FIRST_ROW, batch_column(i), BATCH_ROWS, batch_column(i)},
+                     i, FIRST_ROW + 1);
+    xlsx_hide_columns(on->book, batch_column(SHOWN_CELLS), last);
 }
 
 /* ---- Numbers ---- */
@@ -119,8 +146,7 @@ static void write_batch(sheets *on, const char *const f[])
 static void put(const sheets *on, int down, int across, double value, const char *style)
 {
     if (isfinite(value))
-        xlsx_number(on->book, on->at.row + down, on->at.column + across, value,
-                    xlsx_style_named(style));
+        xlsx_number(on->book, on->at.row + down, on->at.column + across, value, style);
 }
 
 /* Down, or across. */
@@ -146,8 +172,7 @@ static void write_data(sheets *on, const char *const f[])
                 put(on, i, j, *value, f[STYLE]);
             else
                 xlsx_formula(on->book, on->at.row + i, on->at.column + j,
-                             formula_of(f[LAST], i + 1, 0), cell_number(*value),
-                             xlsx_style_named(f[STYLE]));
+                             formula_of(f[LAST], i + 1, 0), cell_number(*value), f[STYLE]);
     on->at.last_row += rows - 1;
     on->at.last_column += columns - 1;
     name_cells(on, f[NAME]);
@@ -198,11 +223,11 @@ static void write_look_up(sheets *on, const char *const f[])
     double tip = NAN, friction = NAN;
     const bool is_given = number_read(f[STYLE], &tip) && number_read(f[TEXT], &friction);
     for (int row = on->at.row; row <= on->at.last_row; row++) {
-        xlsx_number(on->book, row, 0, tip, XLSX_INPUT);
-        xlsx_number(on->book, row, 1, friction, XLSX_INPUT);
+        xlsx_number(on->book, row, 0, tip, "input");
+        xlsx_number(on->book, row, 1, friction, "input");
         xlsx_formula(on->book, row, 2, formula_of("look_up(A~,B~)", row + 1, 0),
                      cell_number(is_given ? rwedge_elastic_limit(tip, friction, 0.3) : NAN),
-                     XLSX_RESULT);
+                     "result");
     }
 }
 
@@ -238,38 +263,26 @@ static const struct {
     {"look_up", write_look_up}, {NULL, set_property},
 };
 
-/* Cells as "A1" or "A1:C9", the cell below the last where there is no text; other texts are no
- * place. */
-static void set_place(sheets *on, const char *text)
+/* A place is cells as "A1" or "A1:C9", the cell below the last where there is no text; other texts
+ * are none. */
+void book_write(output *out)
 {
-    const size_t letters = strspn(text, "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
-    if (letters > 0 && isdigit((unsigned char)text[letters]))
-        on->at = xlsx_area_of(text);
-    else if (text[0] == '\0')
-        on->at =
-            (xlsx_area){on->at.last_row + 1, on->at.column, on->at.last_row + 1, on->at.column};
-}
-
-static void write_sheets(xlsx *book)
-{
-    sheets on = {.book = book};
     const char *const *next = sheets_lines, *f[FIELDS];
+    cells_read();
+    sheets on = {.book = xlsx_begin(out, "rwedge: contact of a rounded wedge", false)};
     shown_values(0, &on.values);
     on.table = yield_table_make(&on.values);
     while (workbook_line(&next, f)) {
         int i = 0;
         while (kinds[i].name != NULL && strcmp(kinds[i].name, f[KIND]) != 0)
             i++;
-        set_place(&on, f[PLACE]);
+        const size_t letters = strspn(f[PLACE], "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+        if (letters > 0 && isdigit((unsigned char)f[PLACE][letters]))
+            on.at = xlsx_area_of(f[PLACE]);
+        else if (f[PLACE][0] == '\0')
+            on.at = (xlsx_area){on.at.last_row + 1, on.at.column, on.at.last_row + 1, on.at.column};
         kinds[i].write(&on, f);
     }
-    xlsx_hide_names(book, "rwt_");
-}
-
-void book_write(output *out)
-{
-    cells_read();
-    xlsx *book = xlsx_begin(out, "rwedge: contact of a rounded wedge", false);
-    write_sheets(book);
-    xlsx_finish(book);
+    xlsx_hide_names(on.book, "rwt_");
+    xlsx_finish(on.book);
 }

@@ -3,7 +3,6 @@
 #define CLI_WORKBOOK_H
 
 #include "sheet/sheet.h"
-#include "text/text.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -85,7 +84,7 @@ double shown_number(const case_values *values, const char *column);
 
 /* A cell of a case with its formula: in a row of Batch, or, for 0, under its name. */
 void case_formula(xlsx *book, int row, int column, int number, const case_values *values,
-                  xlsx_style style, int batch_row);
+                  const char *style, int batch_row);
 
 /* ---- yield_table ---- The table of (A sqrt(J2)/theta)^2, the largest in the half-plane, for each
  * of the two branches of yield: on the surface, and below it; and the curves of the charts. */
@@ -98,12 +97,6 @@ yield_table *yield_table_make(const case_values *values);
 /* The numbers of a name, NAN for an empty cell, row by row; how many. */
 const double *yield_table_numbers(const yield_table *table, const char *name, int *rows,
                                   int *columns);
-
-/* ---- batch_sheet ---- The sheet with a case a row, which is to be filled. */
-
-enum { BATCH_ROWS = 200 };
-
-void sheet_batch(xlsx *book);
 
 /* ---- sheets ---- The workbook as a file, with the sheets as data/sheets.tsv has them. */
 

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "workbook.h"
 
-#include "number/number.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -89,25 +87,16 @@ static void fill_place(yield_table *table, int i, int j, int k)
     table->place[BELOW_Y][i][j][k] = place(y / tip);
 }
 
-/* The elastic limit over a/b, and over f. */
-static void fill_curves(yield_table *table, const case_values *values)
-{
-    const double f = shown_number(values, "f"), nu = shown_number(values, "nu1"),
-                 tip = shown_number(values, "a_over_b");
-    for (int i = 0; i < TIPS; i++)
-        table->limit_at_tip[i] = rwedge_elastic_limit(1 / cosh(table->t[i]), f, nu);
-    for (int i = 0; i < FRICTIONS; i++)
-        table->limit_at_friction[i] = rwedge_elastic_limit(tip, frictions[i], nu);
-    table->tension = rwedge_max_tension(tip);
-}
-
 yield_table *yield_table_make(const case_values *values)
 {
     yield_table *table = memory_zeroed(1, sizeof *table);
+    const double f = shown_number(values, "f"), nu = shown_number(values, "nu1"),
+                 a_over_b = shown_number(values, "a_over_b");
     const double first = -acosh(1 / TIP_MIN);
     for (int i = 0; i < TIPS; i++) {
         table->t[i] = number_rounded(first * (TIPS - 1 - i) / (TIPS - 1), XLSX_DIGITS);
         table->tip[i] = number_rounded(1 / cosh(table->t[i]), XLSX_DIGITS);
+        table->limit_at_tip[i] = rwedge_elastic_limit(1 / cosh(table->t[i]), f, nu);
     }
     for (int n = 0; n < TIPS * NUS * FRICTIONS; n++)
         fill_node(table, n / (NUS * FRICTIONS), n / FRICTIONS % NUS, n % FRICTIONS);
@@ -116,7 +105,9 @@ yield_table *yield_table_make(const case_values *values)
     for (int i = 0; i < NUS; i++)
         table->m[i] = (1 - 2 * nus[i]) * (1 - 2 * nus[i]) / 3;
     table->end = number_rounded(rwedge_load(TIP_MIN) / TIP_MIN, XLSX_DIGITS);
-    fill_curves(table, values);
+    for (int i = 0; i < FRICTIONS; i++)
+        table->limit_at_friction[i] = rwedge_elastic_limit(a_over_b, frictions[i], nu);
+    table->tension = rwedge_max_tension(a_over_b);
     return table;
 }
 

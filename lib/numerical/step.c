@@ -182,7 +182,7 @@ static void spread(bool left_out[], double apart[])
 }
 
 /* The error is at most this many times the difference of a step from its halves, in 97 of 100
- * histories (tests/proof/test_history_survey.c). Steps are of second order, or of a lower one where
+ * histories (tests/random/test_random_loads.c). Steps are of second order, or of a lower one where
  * a front runs back into a zone that slipped, and such errors add up. */
 static const double DOUBT = 2;
 

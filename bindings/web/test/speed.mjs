@@ -16,7 +16,7 @@ contact.load(1000, 200);
 const works = {
     "stress in an array, full sliding": [() => rwedge.stresses(0.3, 0.4, 0, x, y), POINTS],
     "stress in an array, partial slip": [() => rwedge.stresses(0.3, 0.4, 0.4, x, y), POINTS],
-    "stress in an array, of a contact": [() => contact.stresses(x, y), POINTS],
+    "stress after P and then Q": [() => contact.stresses(x, y), POINTS],
     "elastic limit, in an array": [() => rwedge.elastic_limit(0.25, friction, 0.3), CALLS],
     "pressure": [() => rwedge.pressure(0.25, near), POINTS],
 };

@@ -39,33 +39,13 @@ double criteria_fatemi_socie(const contact_case *setup, double k)
 
 /* ---- The constants of a material ---- */
 
-const char *const material_names[MATERIAL_COUNT] = {"swt_limit",
-                                                    "fs_limit",
-                                                    "findley_limit",
-                                                    "lambda",
-                                                    "crossland_limit",
-                                                    "dang_van_limit",
-                                                    "sf",
-                                                    "b",
-                                                    "ef",
-                                                    "c",
-                                                    "G",
-                                                    "tf",
-                                                    "b0",
-                                                    "gf",
-                                                    "c0",
-                                                    "dK_th",
-                                                    "ds0",
-                                                    "E",
-                                                    "nu",
-                                                    "yield_stress",
-                                                    "fs_k",
-                                                    "findley_k",
-                                                    "kappa",
-                                                    "t_A",
-                                                    "su",
-                                                    "crossland_alpha",
-                                                    "dang_van_alpha"};
+const char *const material_names[MATERIAL_COUNT] = {
+    "swt_limit", "fs_limit", "findley_limit", "lambda", "crossland_limit", "dang_van_limit",
+    /* curves of life, and the critical distance */
+    "sf", "b", "ef", "c", "G", "tf", "b0", "gf", "c0", "dK_th", "ds0",
+    /* what an input or an option has too */
+    "E", "nu", "yield_stress", "fs_k", "findley_k", "kappa", "t_A", "su", "crossland_alpha",
+    "dang_van_alpha"};
 
 material material_unknown(void)
 {
@@ -92,15 +72,4 @@ double material_allowable(const material *constants, int criterion)
 {
     const int limit = criterion_kinds[criterion].limit;
     return limit == MATERIAL_COUNT ? 1 : constants->value[limit];
-}
-
-bool material_has_life(const material *constants, int criterion)
-{
-    return !isnan(constants->value[criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G]);
-}
-
-double material_length(const material *constants)
-{
-    return rwedge_critical_distance(constants->value[MATERIAL_DK_TH],
-                                    constants->value[MATERIAL_DS0]);
 }

@@ -112,12 +112,6 @@ bool material_is_remark(const char *name);
 /* The allowable value of a criterion; NAN where it is not known. */
 double material_allowable(const material *constants, int criterion);
 
-/* Whether the curve of life of a criterion is known. */
-bool material_has_life(const material *constants, int criterion);
-
-/* (dK_th/ds0)^2/pi; NAN where they are not known. */
-double material_length(const material *constants);
-
 /* ---- criteria ---- Criteria of fatigue over all planes: which are asked for, and their
  * constants. */
 

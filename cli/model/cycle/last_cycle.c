@@ -75,20 +75,6 @@ static double strength_of(const criteria *asked)
     return isnan(asked->su) ? 1 : asked->su;
 }
 
-static int32_t stresses_of(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                           double *stress)
-{
-    const size_t all = cycle->loads * n;
-    rwedge_contact *going = NULL;
-    int32_t status = rwedge_contact_copy(cycle->before, &going);
-    if (status == RWEDGE_OK)
-        status = rwedge_contact_stress_history(going, cycle->loads, cycle->P, cycle->M, cycle->Q,
-                                               cycle->sigma, n, x, y, stress, stress + all,
-                                               stress + 2 * all);
-    rwedge_contact_destroy(going);
-    return status;
-}
-
 /* Damage, the two angles, its cycles: four lists of n numbers each, as the parts of a measure. */
 static int32_t damage(const last_cycle *cycle, int i, size_t n, const double *stress, double *work)
 {
@@ -109,23 +95,19 @@ static int32_t damage(const last_cycle *cycle, int i, size_t n, const double *st
         v[MATERIAL_GF], v[MATERIAL_C0], run_out, work, work + 3 * n, work + n, work + 2 * n);
 }
 
-static int32_t criterion_of(const last_cycle *cycle, int i, size_t n, const double *stress,
-                            double *work)
-{
-    const size_t all = cycle->loads * n;
-    const criteria *asked = &cycle->asked;
-    if (i >= CRITERION_SWT_DAMAGE)
-        return damage(cycle, i, n, stress, work);
-    return rwedge_criterion_field(measure_kinds[measure_column(i, PART_VALUE)].number, cycle->loads,
-                                  n, stress, stress + all, stress + 2 * all, cycle->setup->E1,
-                                  asked->nu, asked->is_plane_stress, asked->constant[i],
-                                  strength_of(asked), work, work + n, work + 2 * n);
-}
-
 static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
                              double *work, measured_place at[])
 {
-    const int32_t status = criterion_of(cycle, i, n, stress, work);
+    const size_t all = cycle->loads * n;
+    const criteria *asked = &cycle->asked;
+    const int32_t status =
+        i >= CRITERION_SWT_DAMAGE
+            ? damage(cycle, i, n, stress, work)
+            : rwedge_criterion_field(measure_kinds[measure_column(i, PART_VALUE)].number,
+                                     cycle->loads, n, stress, stress + all, stress + 2 * all,
+                                     cycle->setup->E1, asked->nu, asked->is_plane_stress,
+                                     asked->constant[i], strength_of(asked), work, work + n,
+                                     work + 2 * n);
     for (int part = PART_VALUE; part < PART_COUNT && status == RWEDGE_OK; part++) {
         const int column = measure_column(i, (measure_part)part);
         const bool is_angle = part == PART_ANGLE || part == PART_OUT_OF_PLANE;
@@ -136,23 +118,19 @@ static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const dou
     return status;
 }
 
-static int32_t add_range(const last_cycle *cycle, size_t n, const double *stress, double *work,
-                         measured_place at[])
-{
-    const size_t all = cycle->loads * n;
-    const int32_t status = rwedge_criterion_field(
-        RWEDGE_MEASURE_STRESS_RANGE, cycle->loads, n, stress, stress + all, stress + 2 * all,
-        cycle->setup->E1, cycle->asked.nu, 0, 0, 1, work, work + n, work + 2 * n);
-    for (size_t j = 0; j < n && status == RWEDGE_OK; j++)
-        at[j].value[MEASURE_STRESS_RANGE] = work[j];
-    return status;
-}
-
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress,
                             measured_place at[])
 {
+    const size_t all = cycle->loads * n;
     double *work = malloc((4 * n + 1) * sizeof *work);
-    int32_t status = work == NULL ? RWEDGE_ENOMEM : add_range(cycle, n, stress, work, at);
+    int32_t status =
+        work == NULL
+            ? RWEDGE_ENOMEM
+            : rwedge_criterion_field(RWEDGE_MEASURE_STRESS_RANGE, cycle->loads, n, stress,
+                                     stress + all, stress + 2 * all, cycle->setup->E1,
+                                     cycle->asked.nu, 0, 0, 1, work, work + n, work + 2 * n);
+    for (size_t j = 0; j < n && status == RWEDGE_OK; j++)
+        at[j].value[MEASURE_STRESS_RANGE] = work[j];
     for (int i = 0; i < CRITERION_COUNT && status == RWEDGE_OK; i++)
         if (!isnan(cycle->asked.constant[i]))
             status = add_criterion(cycle, i, n, stress, work, at);
@@ -163,10 +141,17 @@ int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *str
 static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], const double y[],
                        measured_place at[])
 {
-    double *stress = malloc((3 * cycle->loads * n + 1) * sizeof *stress);
-    int32_t status = stress == NULL ? RWEDGE_ENOMEM : stresses_of(cycle, n, x, y, stress);
+    const size_t all = cycle->loads * n;
+    double *stress = malloc((3 * all + 1) * sizeof *stress);
+    rwedge_contact *going = NULL;
+    int32_t status = stress == NULL ? RWEDGE_ENOMEM : rwedge_contact_copy(cycle->before, &going);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_stress_history(going, cycle->loads, cycle->P, cycle->M, cycle->Q,
+                                               cycle->sigma, n, x, y, stress, stress + all,
+                                               stress + 2 * all);
     if (status == RWEDGE_OK)
         status = last_cycle_criteria(cycle, n, stress, at);
+    rwedge_contact_destroy(going);
     free(stress);
     return status;
 }

@@ -2,8 +2,6 @@
 #include "reading.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 const char case_table_error[] = "error";
 
@@ -22,7 +20,7 @@ static input_texts texts_of(const case_table *table, const char *const text[INPU
 }
 
 /* A second body may be rigid in every row. */
-static bool is_complete(const case_table *table, char complaint[COMPLAINT_SIZE])
+static bool is_complete(const case_table *table, complaint *why)
 {
     const char *present[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
@@ -30,80 +28,67 @@ static bool is_complete(const case_table *table, char complaint[COMPLAINT_SIZE])
     if (header_has_input(&table->names, INPUT_E2))
         present[INPUT_E2] = "inf";
     const input_texts texts = texts_of(table, present);
-    if (case_is_complete(&texts, CASE_OF_SOLVE, complaint))
+    if (case_is_complete(&texts, CASE_OF_SOLVE, why))
         return true;
-    const size_t used = strlen(complaint);
-    snprintf(complaint + used, COMPLAINT_SIZE - used, "%s",
+    list_add(why->text, sizeof why->text, "", "%s",
              header_hint(table->names.name, table->names.count));
     return false;
 }
 
-static bool is_free(const case_table *table, const char *name, char complaint[COMPLAINT_SIZE])
+static bool is_free(const case_table *table, const char *name, complaint *why)
 {
     if (!header_has(&table->names, name))
         return true;
-    return complain(complaint, "column %s: a result has that name; allowed: any other", name);
+    return complain(why, "column %s: a result has that name; allowed: any other", name);
 }
 
 /* A result that the table has as an input is not repeated; another column of its name would be
  * mistaken for it. */
-static bool choose_results(case_table *table, char complaint[COMPLAINT_SIZE])
+bool case_table_begin(case_table *table, complaint *why)
 {
     const header *names = &table->names;
     results_wanted wanted = table->wanted;
+    if (!is_complete(table, why))
+        return false;
     wanted.edges = wanted.edges || header_has_input(names, INPUT_M) ||
                    header_has_input(names, INPUT_SIGMA) || header_has_input(names, INPUT_PROFILE);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const bool is_input = (i == RESULT_ROUNDING && header_has_input(names, INPUT_A)) ||
                               (i == RESULT_RADIUS && header_has_input(names, INPUT_RADIUS));
         table->shown[i] = !is_input && results_include(wanted, i);
-        if (table->shown[i] && !is_free(table, result_kinds[i].name, complaint))
+        if (table->shown[i] && !is_free(table, result_kinds[i].name, why))
             return false;
     }
-    return is_free(table, case_table_error, complaint);
-}
-
-bool case_table_begin(case_table *table, char complaint[COMPLAINT_SIZE])
-{
-    return is_complete(table, complaint) && choose_results(table, complaint);
+    return is_free(table, case_table_error, why);
 }
 
 /* ---- A row ---- */
 
 static bool is_rigid(const input_texts *texts)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     double E2;
-    return input_is_given(texts, INPUT_E2) && input_read(texts, INPUT_E2, &E2, complaint) &&
-           isinf(E2);
+    return input_is_given(texts, INPUT_E2) && input_read(texts, INPUT_E2, &E2, &why) && isinf(E2);
 }
 
 /* An empty cell is a gap in the data: a default would look like a result. Only a rigid body has
  * no Poisson's ratio. */
-static bool has_no_gap(const case_table *table, const input_texts *texts,
-                       char complaint[COMPLAINT_SIZE])
-{
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (header_has_input(&table->names, i) && !input_is_given(texts, i) &&
-            !(i == INPUT_NU2 && is_rigid(texts)))
-            return complain(complaint, "%s: the cell is empty", input_kinds[i].column);
-    return true;
-}
-
 bool case_table_solve(const case_table *table, const char *const row[], size_t count,
-                      results *answer, char complaint[COMPLAINT_SIZE])
+                      results *answer, complaint *why)
 {
-    if (!header_fits(table->names.count, count, table->separator, complaint))
+    if (!header_fits(table->names.count, count, table->separator, why))
         return false;
     const char *text[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
         text[i] = header_has_input(&table->names, i) ? row[table->names.column[i]] : NULL;
     const input_texts texts = texts_of(table, text);
     contact_case setup;
-    if (!has_no_gap(table, &texts, complaint))
-        return false;
-    const bool solved = case_read(&texts, CASE_OF_SOLVE, &setup, complaint) &&
-                        results_compute(&setup, table->wanted, answer, complaint);
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (header_has_input(&table->names, i) && !input_is_given(&texts, i) &&
+            !(i == INPUT_NU2 && is_rigid(&texts)))
+            return complain(why, "%s: the cell is empty", input_kinds[i].column);
+    const bool solved = case_read(&texts, CASE_OF_SOLVE, &setup, why) &&
+                        results_compute(&setup, table->wanted, answer, why);
     rwedge_contact_destroy(setup.contact);
     if (!solved)
         return false;

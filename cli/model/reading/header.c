@@ -21,20 +21,19 @@ bool header_is_input(const header *names, size_t column)
 
 bool header_has(const header *names, const char *name)
 {
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     size_t column;
-    return !header_column(names, name, &column, complaint) || column < names->count;
+    return !header_column(names, name, &column, &why) || column < names->count;
 }
 
-bool header_column(const header *names, const char *name, size_t *column,
-                   char complaint[COMPLAINT_SIZE])
+bool header_column(const header *names, const char *name, size_t *column, complaint *why)
 {
     *column = names->count;
     for (size_t i = 0; i < names->count; i++) {
         if (strcmp(names->name[i], name) != 0)
             continue;
         if (*column < i)
-            return complain(complaint, "column %s: there twice; allowed: once", name);
+            return complain(why, "column %s: there twice; allowed: once", name);
         *column = i;
     }
     return true;
@@ -70,17 +69,15 @@ typedef struct {
     const input_texts *options;
 } sources;
 
-static bool is_given(const sources *from, int input)
-{
-    return header_has_input(from->names, input) ||
-           (from->options != NULL && from->options->text[input] != NULL);
-}
-
 /* Whether the input is given, or its alternative is, as the radius for a. */
 static bool is_given_somehow(const sources *from, int input)
 {
-    return is_given(from, input) ||
-           (input_alternative(input) >= 0 && is_given(from, input_alternative(input)));
+    const int ways[] = {input, input_alternative(input)};
+    for (int i = 0; i < 2; i++)
+        if (ways[i] >= 0 && (header_has_input(from->names, ways[i]) ||
+                             (from->options != NULL && from->options->text[ways[i]] != NULL)))
+            return true;
+    return false;
 }
 
 /* The input whose name this nearly is: "Yield stress" and " f" are slips. But p beside P, or F
@@ -124,7 +121,7 @@ static int synonym_for(const sources *from, const char *name, size_t length)
 
 /* If a column that is meant for an input passed through, nobody would notice: friction, for one, is
  * 0 by default. */
-static bool check_other(const sources *from, const char *name, char complaint[COMPLAINT_SIZE])
+static bool check_other(const sources *from, const char *name, complaint *why)
 {
     char plain[COLUMN_NAME_SIZE];
     const size_t length = column_name_make_plain(name, plain), stem = column_name_stem(plain);
@@ -137,7 +134,7 @@ static bool check_other(const sources *from, const char *name, char complaint[CO
         meant = synonym_for(from, plain, stem);
     if (meant == INPUT_COUNT)
         return true;
-    return complain(complaint, "column '%.60s': allowed: %s%s%s", name, input_kinds[meant].column,
+    return complain(why, "column '%.60s': allowed: %s%s%s", name, input_kinds[meant].column,
                     has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
                     slip ? "" : ", or another name if it is something else");
 }
@@ -155,18 +152,18 @@ static bool is_label(const char *name)
 }
 
 bool header_find(const char *const name[], size_t count, int first, int end,
-                 const input_texts *options, header *names, char complaint[COMPLAINT_SIZE])
+                 const input_texts *options, header *names, complaint *why)
 {
     const sources from = {names, first, end, options};
     *names = (header){.name = name, .count = count};
     for (int i = 0; i < INPUT_COUNT; i++)
         names->column[i] = count;
     for (int i = first; i < end; i++)
-        if (!header_column(names, input_kinds[i].column, &names->column[i], complaint))
+        if (!header_column(names, input_kinds[i].column, &names->column[i], why))
             return false;
     for (size_t i = 0; i < count; i++) {
         const bool is_input = header_is_input(names, i);
-        if (!is_input && !check_other(&from, name[i], complaint))
+        if (!is_input && !check_other(&from, name[i], why))
             return false;
         names->is_used[i] = is_input || is_label(name[i]);
     }
@@ -214,12 +211,12 @@ void header_write_unused_of(const header *names, const char *const cells[], char
 
 /* ---- Rows ---- */
 
-bool header_fits(size_t columns, size_t cells, char separator, char complaint[COMPLAINT_SIZE])
+bool header_fits(size_t columns, size_t cells, char separator, complaint *why)
 {
     if (cells == columns)
         return true;
     return complain(
-        complaint, "%zu cells in this row, %zu in the header%s", cells, columns,
+        why, "%zu cells in this row, %zu in the header%s", cells, columns,
         cells > columns && separator == ','
             ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
             : "");
@@ -243,39 +240,38 @@ const char *header_hint(const char *const name[], size_t count)
 }
 
 bool cell_read(const char *text, const char *column, char decimal_sign, double *value,
-               char complaint[COMPLAINT_SIZE])
+               complaint *why)
 {
     if (number_read_cell(text, decimal_sign, value))
         return true;
     if (text[strspn(text, " \t")] == '\0')
-        return complain(complaint, "%s: the cell is empty", column);
-    return complain(complaint, "%s %.60s: must be a number, with a decimal %s", column, text,
+        return complain(why, "%s: the cell is empty", column);
+    return complain(why, "%s %.60s: must be a number, with a decimal %s", column, text,
                     decimal_sign == ',' ? "comma" : "point");
 }
 
 /* ---- A row that is a load ---- */
 
-bool load_header_find(const char *const name[], size_t count, header *names,
-                      char complaint[COMPLAINT_SIZE])
+bool load_header_find(const char *const name[], size_t count, header *names, complaint *why)
 {
-    if (!header_find(name, count, INPUT_P, INPUT_SIGMA + 1, NULL, names, complaint))
+    if (!header_find(name, count, INPUT_P, INPUT_SIGMA + 1, NULL, names, why))
         return false;
     if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
         return true;
-    return complain(complaint, "column %s: missing; a history needs P and Q%s",
+    return complain(why, "column %s: missing; a history needs P and Q%s",
                     header_has_input(names, INPUT_P) ? "Q" : "P", header_hint(name, count));
 }
 
 /* Moment and tension are 0 where they have no column. */
 bool load_row_read(const header *names, const char *const cells[], size_t count, char separator,
-                   char decimal_sign, load *to, char complaint[COMPLAINT_SIZE])
+                   char decimal_sign, load *to, complaint *why)
 {
     double value[INPUT_COUNT] = {0};
-    if (!header_fits(names->count, count, separator, complaint))
+    if (!header_fits(names->count, count, separator, why))
         return false;
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         if (header_has_input(names, i) && !cell_read(cells[names->column[i]], input_kinds[i].column,
-                                                     decimal_sign, &value[i], complaint))
+                                                     decimal_sign, &value[i], why))
             return false;
     *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
     return true;

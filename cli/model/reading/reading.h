@@ -46,7 +46,7 @@ typedef struct {
  *   - where a name is nearly that of an input, or is followed by a unit, as "Q [N]" or "Q in N",
  *   - where a name usually means an input that nothing gives. */
 bool header_find(const char *const name[], size_t count, int first, int end,
-                 const input_texts *options, header *names, char complaint[COMPLAINT_SIZE]);
+                 const input_texts *options, header *names, complaint *why);
 
 bool header_has_input(const header *names, int input);
 bool header_is_input(const header *names, size_t column);
@@ -54,15 +54,14 @@ bool header_has(const header *names, const char *name);
 
 /* The column of a name; the count where it is not there. False, with the complaint, where it is
  * there twice. */
-bool header_column(const header *names, const char *name, size_t *column,
-                   char complaint[COMPLAINT_SIZE]);
+bool header_column(const header *names, const char *name, size_t *column, complaint *why);
 
 /* Whether a row has as many cells as the header; the complaint says so if not. */
-bool header_fits(size_t columns, size_t cells, char separator, char complaint[COMPLAINT_SIZE]);
+bool header_fits(size_t columns, size_t cells, char separator, complaint *why);
 
 /* Reads a number. False, with the complaint, where the cell has none. */
 bool cell_read(const char *text, const char *column, char decimal_sign, double *value,
-               char complaint[COMPLAINT_SIZE]);
+               complaint *why);
 
 /* Notes the columns that nothing uses but that have a number in this row: one of them may be meant
  * for an input, and nobody would notice. */
@@ -80,13 +79,12 @@ const char *header_hint(const char *const name[], size_t count);
 
 /* Finds the columns of a load: P and Q, and M and sigma, which may lack. False, with the
  * complaint. */
-bool load_header_find(const char *const name[], size_t count, header *names,
-                      char complaint[COMPLAINT_SIZE]);
+bool load_header_find(const char *const name[], size_t count, header *names, complaint *why);
 
 /* Reads a row of so many cells between separators. False, with the complaint, where it is no
  * load. */
 bool load_row_read(const header *names, const char *const cells[], size_t count, char separator,
-                   char decimal_sign, load *to, char complaint[COMPLAINT_SIZE]);
+                   char decimal_sign, load *to, complaint *why);
 
 /* ---- case_table ---- Many cases: the rows of a table, and what all of them have in common. */
 
@@ -104,11 +102,11 @@ extern const char case_table_error[];
 /* To be called before any row, when the other members are set: chooses the results that are shown.
  * False, with the complaint, where columns and constants cannot give a contact, or where a column
  * has the name of a result. */
-bool case_table_begin(case_table *table, char complaint[COMPLAINT_SIZE]);
+bool case_table_begin(case_table *table, complaint *why);
 
 /* Solves a row of `count` cells. False, with the complaint, where it has no results. Several
  * threads may call it at a time. */
 bool case_table_solve(const case_table *table, const char *const row[], size_t count,
-                      results *answer, char complaint[COMPLAINT_SIZE]);
+                      results *answer, complaint *why);
 
 #endif

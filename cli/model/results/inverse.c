@@ -15,9 +15,9 @@ int inverse_input(const char *name)
     return INPUT_COUNT;
 }
 
-static bool refuse(const char *why, char complaint[COMPLAINT_SIZE])
+static bool refuse(const char *reason, complaint *why)
 {
-    return complain(complaint, "no solution: %s", why);
+    return complain(why, "no solution: %s", reason);
 }
 
 static double yield_load(const contact_case *setup, double f)
@@ -30,31 +30,21 @@ static double yield_load(const contact_case *setup, double f)
 static const double FRICTION_MOST = 1e6; /* its domain's end */
 
 /* P_yield falls as f grows. Halving ends 1e-21 wide. */
-static double bisect(const contact_case *setup, double P_yield)
-{
-    double lo = 0, hi = FRICTION_MOST;
-    for (int i = 0; i < 90; i++) {
-        const double middle = 0.5 * (lo + hi);
-        if (yield_load(setup, middle) >= P_yield)
-            lo = middle;
-        else
-            hi = middle;
-    }
-    return lo;
-}
-
-static bool find_friction(const contact_case *setup, double safety, double *value,
-                          char complaint[COMPLAINT_SIZE])
+static bool find_friction(const contact_case *setup, double safety, double *value, complaint *why)
 {
     const double most = yield_load(setup, 0), least = yield_load(setup, FRICTION_MOST);
-    if (most >= safety * setup->P && least <= safety * setup->P) {
-        *value = bisect(setup, safety * setup->P);
-        return true;
+    const double P_yield = safety * setup->P;
+    double hi = FRICTION_MOST;
+    if (!(most >= P_yield && least <= P_yield))
+        return complain(why, "no solution: %s friction the safety is %.4g",
+                        most < P_yield ? "even without" : "even with the most",
+                        (most < P_yield ? most : least) / setup->P);
+    *value = 0;
+    for (int i = 0; i < 90; i++) {
+        const double middle = 0.5 * (*value + hi);
+        *(yield_load(setup, middle) >= P_yield ? value : &hi) = middle;
     }
-    const bool is_weak = most < safety * setup->P;
-    return complain(complaint, "no solution: %s friction the safety is %.4g",
-                    is_weak ? "even without" : "even with the most",
-                    (is_weak ? most : least) / setup->P);
+    return true;
 }
 
 /* ---- Sizes and load ---- */
@@ -62,11 +52,11 @@ static bool find_friction(const contact_case *setup, double safety, double *valu
 /* At first yield a/b is the same for wedges of one angle, so P_yield is proportional to a; and P
  * does not enter it. */
 static bool find_in_proportion(const contact_case *setup, int input, double safety, double *value,
-                               char complaint[COMPLAINT_SIZE])
+                               complaint *why)
 {
     const double P_yield = yield_load(setup, setup->f);
     if (!(P_yield > 0) || isinf(P_yield))
-        return refuse("no load yields, as far as is looked", complaint);
+        return refuse("no load yields, as far as is looked", why);
     if (input == INPUT_P)
         *value = P_yield / safety;
     else {
@@ -76,28 +66,7 @@ static bool find_in_proportion(const contact_case *setup, int input, double safe
     return true;
 }
 
-/* ---- Of other pads ---- */
-
-static bool find_of_pad(const contact_case *setup, int input, double safety, double *value,
-                        char complaint[COMPLAINT_SIZE])
-{
-    *value = sliding_find(setup, input, safety);
-    return *value > 0 || refuse("none is found, as far as the pad is known", complaint);
-}
-
 /* ---- Together ---- */
-
-static bool is_centred(const input_texts *texts)
-{
-    static const int off_centre[] = {INPUT_M, INPUT_SIGMA};
-    char complaint[COMPLAINT_SIZE];
-    double value;
-    for (int i = 0; i < 2; i++)
-        if (input_is_given(texts, off_centre[i]) &&
-            input_read(texts, off_centre[i], &value, complaint) && value != 0)
-            return false;
-    return true;
-}
 
 static void put(input_texts *texts, int input, const char *text)
 {
@@ -110,31 +79,38 @@ static void put(input_texts *texts, int input, const char *text)
 
 /* The rest of the case, with 1 for what is looked for, and without Q: that is judged with the
  * answer. */
-static bool read_rest(const input_texts *texts, int input, contact_case *setup,
-                      char complaint[COMPLAINT_SIZE])
+static bool read_rest(const input_texts *texts, int input, contact_case *setup, complaint *why)
 {
+    static const int off_centre[] = {INPUT_M, INPUT_SIGMA};
     input_texts rest = *texts;
-    if (!is_centred(texts))
-        return refuse("with M or sigma there is no safety, only the yield factor", complaint);
+    double value;
+    for (int i = 0; i < 2; i++)
+        if (input_is_given(texts, off_centre[i]) && input_read(texts, off_centre[i], &value, why) &&
+            value != 0)
+            return refuse("with M or sigma there is no safety, only the yield factor", why);
     put(&rest, input, "1");
     rest.text[INPUT_Q] = NULL;
-    if (!case_read(&rest, CASE_OF_SOLVE, setup, complaint))
+    if (!case_read(&rest, CASE_OF_SOLVE, setup, why))
         return false;
-    return isnan(setup->k) ? refuse("no yield stress is given", complaint) : true;
+    return isnan(setup->k) ? refuse("no yield stress is given", why) : true;
 }
 
 bool inverse_find(const input_texts *texts, int input, double safety, contact_case *setup,
-                  double *value, char complaint[COMPLAINT_SIZE])
+                  double *value, complaint *why)
 {
     char text[NUMBER_SIZE];
     input_texts all = *texts;
-    if (!read_rest(texts, input, setup, complaint) ||
-        !(!pad_has_formulas(&setup->shape) ? find_of_pad(setup, input, safety, value, complaint)
-          : input == INPUT_F               ? find_friction(setup, safety, value, complaint)
-                             : find_in_proportion(setup, input, safety, value, complaint)))
+    if (!read_rest(texts, input, setup, why))
+        return false;
+    const bool has_formulas = pad_has_formulas(&setup->shape);
+    *value = has_formulas ? NAN : sliding_find(setup, input, safety);
+    if (!has_formulas && !(*value > 0))
+        return refuse("none is found, as far as the pad is known", why);
+    if (has_formulas && !(input == INPUT_F ? find_friction(setup, safety, value, why)
+                                           : find_in_proportion(setup, input, safety, value, why)))
         return false;
     number_write(*value, NUMBER_DIGITS, '.', text);
     put(&all, input, text);
     rwedge_contact_destroy(setup->contact);
-    return case_read(&all, CASE_OF_SOLVE, setup, complaint);
+    return case_read(&all, CASE_OF_SOLVE, setup, why);
 }

@@ -91,22 +91,12 @@ static void put_friction(const contact_case *setup, double c, double c_over_b, d
 
 /* ---- Under a moment or a tension, after a history, and of pads without formulas ---- */
 
-/* The pressure's top and its values at x = -a and a have no closed form under a moment. */
-static void geometry_of_state(const contact_case *setup, double b, cell row[])
-{
-    row[RESULT_B] = cell_number(b);
-    row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_empty();
-    if (setup->shape.kind == PAD_WEDGE) {
-        row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
-        row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));
-    } else if (!pad_has_formulas(&setup->shape))
-        row[RESULT_P0] = cell_number(peak_pressure(setup, setup->contact));
-}
-
-/* Corrects the results of geometry(). Returns the library's status. */
+/* Corrects the results of geometry(): the pressure's top and its values at x = -a and a have no
+ * closed form under a moment. Returns the library's status. */
 static int32_t results_of_state(const contact_case *setup, cell row[])
 {
     const rwedge_contact *contact = setup->contact;
+    const bool has_formulas = pad_has_formulas(&setup->shape);
     double edge[2], sxx[2], left = 0, right = 0;
     const int32_t status =
         setup->status == RWEDGE_OK ? edge_tensions(contact, edge, sxx) : setup->status;
@@ -114,8 +104,16 @@ static int32_t results_of_state(const contact_case *setup, cell row[])
         return status;
     const double b = rwedge_contact_half_width(contact),
                  c = rwedge_contact_stick_half_width(contact);
-    if (setup->M != 0 || !pad_has_formulas(&setup->shape))
-        geometry_of_state(setup, b, row);
+    if (setup->M != 0 || !has_formulas) {
+        row[RESULT_B] = cell_number(b);
+        row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_text("");
+    }
+    if (!has_formulas)
+        row[RESULT_P0] = cell_number(peak_pressure(setup, contact));
+    if (setup->M != 0 && setup->shape.kind == PAD_WEDGE) {
+        row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
+        row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));
+    }
     rwedge_contact_stick_zone(contact, &left, &right);
     put_contact(edge[0], edge[1], rwedge_contact_tilt(contact), row);
     put_friction(setup, c, c / b, left, right, row);
@@ -127,8 +125,7 @@ static int32_t results_of_state(const contact_case *setup, cell row[])
 
 /* ---- By formulas ---- */
 
-static bool state_by_formulas(const contact_case *setup, double b, cell row[],
-                              char complaint[COMPLAINT_SIZE])
+static bool state_by_formulas(const contact_case *setup, double b, cell row[], complaint *why)
 {
     const double alpha = setup->shape.a / b, ratio = case_shear_ratio(setup);
     const double c = rwedge_stick_width(alpha, fabs(ratio));
@@ -136,7 +133,7 @@ static bool state_by_formulas(const contact_case *setup, double b, cell row[],
     if (ratio != 0) {
         const int32_t status = rwedge_stress(alpha, setup->f, c, -1, 0, &sxx, &syy, &txy);
         if (status != RWEDGE_OK)
-            return complain(complaint, "max_tension: %s", rwedge_strerror(status));
+            return complain(why, "max_tension: %s", rwedge_strerror(status));
     }
     put_contact(-b, b, 0, row);
     put_friction(setup, c * b, c, -c * b, c * b, row);
@@ -146,8 +143,7 @@ static bool state_by_formulas(const contact_case *setup, double b, cell row[],
 
 /* Where it yields once P has grown to P_yield: the contact grows on the way. Q < 0 is the mirror
  * image. */
-static bool yield_place(const contact_case *setup, double P_yield, cell row[],
-                        char complaint[COMPLAINT_SIZE])
+static bool yield_place(const contact_case *setup, double P_yield, cell row[], complaint *why)
 {
     const pad *shape = &setup->shape;
     const double b = rwedge_half_width(shape->theta, shape->a, setup->A, P_yield);
@@ -155,7 +151,7 @@ static bool yield_place(const contact_case *setup, double P_yield, cell row[],
     double limit, x, y;
     const int32_t status = rwedge_yield_point(alpha, setup->f, setup->nu1, &limit, &x, &y);
     if (status != RWEDGE_OK)
-        return complain(complaint, "yield_x: %s", rwedge_strerror(status));
+        return complain(why, "yield_x: %s", rwedge_strerror(status));
     yield_place_settle(&x, &y);
     row[RESULT_YIELD_X] = cell_number(setup->Q < 0 ? -x * b : x * b);
     row[RESULT_YIELD_Y] = cell_number(y * b);
@@ -179,8 +175,7 @@ static void bound_safety(const contact_case *setup, results *answer)
     results_warn(answer, "nothing yields before the contact is 1e14 a wide: safety is a bound");
 }
 
-static bool strength(const contact_case *setup, double b, cell row[],
-                     char complaint[COMPLAINT_SIZE])
+static bool strength(const contact_case *setup, double b, cell row[], complaint *why)
 {
     const pad *shape = &setup->shape;
     const double alpha = shape->a / b;
@@ -188,21 +183,21 @@ static bool strength(const contact_case *setup, double b, cell row[],
     row[RESULT_TENSION_SLIDING] = cell_number(setup->f * setup->P / b * rwedge_max_tension(alpha));
     row[RESULT_VON_MISES_SLIDING] = cell_number(SQRT_3 * setup->P / b / limit);
     row[RESULT_F_CRITICAL] =
-        alpha > 0 ? cell_number(rwedge_critical_friction(alpha, setup->nu1)) : cell_empty();
+        alpha > 0 ? cell_number(rwedge_critical_friction(alpha, setup->nu1)) : cell_text("");
     row[RESULT_P_OVER_BK] = cell_number(limit);
     if (isnan(setup->k))
         return true;
     const double P_yield =
         rwedge_yield_load(shape->theta, shape->a, setup->A, setup->f, setup->nu1, setup->k);
     if (isnan(P_yield))
-        return complain(complaint, "P_yield: %s", rwedge_strerror(RWEDGE_ERANGE));
+        return complain(why, "P_yield: %s", rwedge_strerror(RWEDGE_ERANGE));
     row[RESULT_LOAD_OVER_BK] = cell_number(setup->P / b / setup->k);
     if (shape->kind == PAD_CYLINDER &&
         !(rwedge_half_width(shape->theta, shape->a, setup->A, P_yield) <= shape->radius))
         return true;
     row[RESULT_P_YIELD] = cell_number(P_yield);
     row[RESULT_SAFETY] = cell_number(P_yield / setup->P);
-    return isinf(P_yield) ? true : yield_place(setup, P_yield, row, complaint);
+    return isinf(P_yield) ? true : yield_place(setup, P_yield, row, why);
 }
 
 int32_t results_find_hardest(const contact_case *setup, results *answer)
@@ -217,7 +212,7 @@ int32_t results_find_hardest(const contact_case *setup, results *answer)
     if (status != RWEDGE_OK)
         return status;
     yield_place_settle(&answer->hardest_x, &answer->hardest_y);
-    answer->value[RESULT_YIELD_FACTOR] = strong ? cell_number(factor) : cell_empty();
+    answer->value[RESULT_YIELD_FACTOR] = strong ? cell_number(factor) : cell_text("");
     answer->hardest_von_mises = SQRT_3 * k / factor;
     return RWEDGE_OK;
 }
@@ -225,46 +220,45 @@ int32_t results_find_hardest(const contact_case *setup, results *answer)
 static const char beyond_pad[] = "the contact would reach farther than the radius, or results "
                                  "leave 1e-60 to 1e60";
 
-static bool compute(const contact_case *setup, double b, results *answer,
-                    char complaint[COMPLAINT_SIZE])
+static bool compute(const contact_case *setup, double b, results *answer, complaint *why)
 {
     cell *row = answer->value;
     const bool centred = setup->M == 0 && setup->sigma == 0;
     const bool has_formulas = pad_has_formulas(&setup->shape);
     geometry(setup, b, row);
     if (has_formulas && centred && !setup->has_history)
-        return state_by_formulas(setup, b, row, complaint) && strength(setup, b, row, complaint);
+        return state_by_formulas(setup, b, row, why) && strength(setup, b, row, why);
     int32_t status = results_of_state(setup, row);
     if (status == RWEDGE_OK && centred && !has_formulas)
         status = results_of_sliding(setup, row);
     if (status != RWEDGE_OK)
-        return complain(complaint, "left: %s",
+        return complain(why, "left: %s",
                         status == RWEDGE_ERANGE && !has_formulas ? beyond_pad
                                                                  : rwedge_strerror(status));
     answer->doubts.error = rwedge_contact_error(setup->contact);
-    return !centred || !has_formulas || strength(setup, b, row, complaint);
+    return !centred || !has_formulas || strength(setup, b, row, why);
 }
 
-static bool yield_factor(const contact_case *setup, results *answer, char complaint[COMPLAINT_SIZE])
+static bool yield_factor(const contact_case *setup, results *answer, complaint *why)
 {
     const int32_t status = results_find_hardest(setup, answer);
-    return status == RWEDGE_OK || complain(complaint, "yield_factor: %s", rwedge_strerror(status));
+    return status == RWEDGE_OK || complain(why, "yield_factor: %s", rwedge_strerror(status));
 }
 
 bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,
-                     char complaint[COMPLAINT_SIZE])
+                     complaint *why)
 {
     for (int i = 0; i < RESULT_COUNT; i++)
-        answer->value[i] = cell_empty();
+        answer->value[i] = cell_text("");
     const pad *shape = &setup->shape;
     const double b = pad_half_width(shape, setup->A, setup->P);
     if (isnan(b) && shape->kind != PAD_WEDGE)
-        return complain(complaint, "b: %s", beyond_pad);
+        return complain(why, "b: %s", beyond_pad);
     if (!isnormal(b) || isinf(shape->a / b))
-        return complain(complaint, "b: %s", "so large or small that results leave 1e-60 to 1e60");
+        return complain(why, "b: %s", "so large or small that results leave 1e-60 to 1e60");
     answer->doubts = (doubts){0, 0};
-    if (!compute(setup, b, answer, complaint) ||
-        (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, complaint)))
+    if (!compute(setup, b, answer, why) ||
+        (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, why)))
         return false;
     const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
     answer->doubts.bits = doubts_of(setup, answer->value[RESULT_LEFT].number,

@@ -60,7 +60,7 @@ typedef struct {
 
 /* False, with the complaint, where one cannot be computed. */
 bool results_compute(const contact_case *setup, results_wanted wanted, results *answer,
-                     char complaint[COMPLAINT_SIZE]);
+                     complaint *why);
 
 /* Adds the yield factor, where k is known, and where the stress under the loads is hardest. Returns
  * the library's status. */
@@ -106,7 +106,7 @@ extern const char inverse_names[];
  * ignored. False, with the complaint, where there is no such value. Destroy the contact also
  * then. */
 bool inverse_find(const input_texts *texts, int input, double safety, contact_case *setup,
-                  double *value, char complaint[COMPLAINT_SIZE]);
+                  double *value, complaint *why);
 
 /* ---- verdict ---- The verdict: a summary of all results of a contact. */
 
@@ -117,18 +117,12 @@ typedef struct {
     char text[1200];    /* its state in a word, and what is doubtful */
 } verdict;
 
-/* The style of its sentences. */
-typedef struct {
-    char decimal_sign;
-    const char *length; /* the unit, or "" */
-} verdict_style;
-
 /* The verdict goes by the yield factor of the present loads; where that is not computed, by full
- * sliding. */
-verdict verdict_of(const results *answer, verdict_style style);
+ * sliding. Its sentences have the decimal sign, and lengths the unit, or "". */
+verdict verdict_of(const results *answer, char decimal_sign, const char *length_unit);
 
 /* The verdict on a contact that the library refuses with this status; RWEDGE_OK means that its
  * inputs are wrong. */
-verdict verdict_of_fault(int32_t status, const char *complaint);
+verdict verdict_of_fault(int32_t status, const char *fault);
 
 #endif

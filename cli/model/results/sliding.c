@@ -52,19 +52,14 @@ static int32_t slide(const search *s, double value, sliding *at)
 }
 
 /* Of Hertz' contact the stress grows with the root of P, and falls with that of the radius. */
-static double next_value(const search *s, const sliding *at)
-{
-    const double way = s->input == INPUT_RADIUS ? -at->excess : at->excess;
-    const double STEP_LEAST = 0.2, STEP_MOST = 6;
-    const double step = fmin(STEP_MOST, fmax(STEP_LEAST, 2.2 * fabs(at->excess)));
-    return at->value * exp(copysign(step, way));
-}
-
 static bool bracket(const search *s, sliding *from, sliding *to)
 {
     enum { STEPS_MOST = 60 };
+    const double STEP_LEAST = 0.2, STEP_MOST = 6;
     for (int i = 0; i < STEPS_MOST; i++) {
-        if (slide(s, next_value(s, from), to) != RWEDGE_OK)
+        const double way = s->input == INPUT_RADIUS ? -from->excess : from->excess;
+        const double step = fmin(STEP_MOST, fmax(STEP_LEAST, 2.2 * fabs(from->excess)));
+        if (slide(s, from->value * exp(copysign(step, way)), to) != RWEDGE_OK)
             return false;
         if (to->excess * from->excess <= 0)
             return true;

@@ -10,12 +10,13 @@ enum { DIGITS = 4 };
 
 typedef struct {
     verdict *to;
-    verdict_style style;
+    char decimal_sign;
+    const char *length_unit;
 } writer;
 
 static const char *write(const writer *w, double value, char text[NUMBER_SIZE])
 {
-    number_write(value, DIGITS, w->style.decimal_sign, text);
+    number_write(value, DIGITS, w->decimal_sign, text);
     return text;
 }
 
@@ -23,8 +24,8 @@ static void add_place(const writer *w, double x, double y)
 {
     char x_text[NUMBER_SIZE], y_text[NUMBER_SIZE];
     list_add(w->to->strength, sizeof w->to->strength, "", " at x = %s, y = %s%s%s, %s the surface.",
-             write(w, x, x_text), write(w, y, y_text), w->style.length[0] != '\0' ? " " : "",
-             w->style.length, y > 0 ? "below" : "at");
+             write(w, x, x_text), write(w, y, y_text), w->length_unit[0] != '\0' ? " " : "",
+             w->length_unit, y > 0 ? "below" : "at");
 }
 
 static void add_present(const writer *w, const results *answer, double factor)
@@ -72,30 +73,14 @@ static const char *yields(double factor, double safety)
     return "";
 }
 
-static void write_text(verdict *result, const results *answer, bool strong)
-{
-    const double factor = answer->value[RESULT_YIELD_FACTOR].number;
-    const double safety = answer->value[RESULT_SAFETY].number;
-    snprintf(result->text, sizeof result->text, "%s", yields(factor, safety));
-    if (result->text[0] == '\0')
-        result->colour = answer->warnings[0] != '\0' || !strong ? "amber" : "green";
-    if (answer->warnings[0] != '\0')
-        list_add(result->text, sizeof result->text, " ", "CAUTION: %s%s", answer->warnings,
-                 safety < 1 && factor >= 1 ? "; under these loads it does not yield" : "");
-    else if (!strong)
-        list_add(result->text, sizeof result->text, " ",
-                 "CAUTION: no yield stress is given, so there is no safety");
-    if (result->text[0] == '\0')
-        snprintf(result->text, sizeof result->text, "OK");
-}
-
-verdict verdict_of(const results *answer, verdict_style style)
+verdict verdict_of(const results *answer, char decimal_sign, const char *length_unit)
 {
     verdict result = {.colour = "red"};
     const double factor = answer->value[RESULT_YIELD_FACTOR].number;
+    const double safety = answer->value[RESULT_SAFETY].number;
     const bool strong = answer->value[RESULT_LOAD_OVER_BK].text == NULL; /* k is given */
-    const writer w = {&result, style};
-    result.factor = isnan(factor) ? answer->value[RESULT_SAFETY].number : factor;
+    const writer w = {&result, decimal_sign, length_unit};
+    result.factor = isnan(factor) ? safety : factor;
     if (!isnan(factor))
         add_present(&w, answer, factor);
     if (strong)
@@ -103,16 +88,26 @@ verdict verdict_of(const results *answer, verdict_style style)
     else
         list_add(result.strength, sizeof result.strength, "",
                  "No yield stress is given, so nothing is known of its strength.");
-    write_text(&result, answer, strong);
+    snprintf(result.text, sizeof result.text, "%s", yields(factor, safety));
+    if (result.text[0] == '\0')
+        result.colour = answer->warnings[0] != '\0' || !strong ? "amber" : "green";
+    if (answer->warnings[0] != '\0')
+        list_add(result.text, sizeof result.text, " ", "CAUTION: %s%s", answer->warnings,
+                 safety < 1 && factor >= 1 ? "; under these loads it does not yield" : "");
+    else if (!strong)
+        list_add(result.text, sizeof result.text, " ",
+                 "CAUTION: no yield stress is given, so there is no safety");
+    if (result.text[0] == '\0')
+        snprintf(result.text, sizeof result.text, "OK");
     return result;
 }
 
-verdict verdict_of_fault(int32_t status, const char *complaint)
+verdict verdict_of_fault(int32_t status, const char *fault)
 {
     verdict result = {.colour = "red", .factor = NAN};
     const char *why = status == RWEDGE_ESLIDING ? "SLIDES: Q is above f P, there is no equilibrium."
                       : status == RWEDGE_EPATH  ? "NO CLOSED FORM:"
                                                 : "CHECK THE INPUTS:";
-    snprintf(result.text, sizeof result.text, "%s %s", why, complaint);
+    snprintf(result.text, sizeof result.text, "%s %s", why, fault);
     return result;
 }

@@ -6,14 +6,9 @@
 static const int ending[] = {SIGINT, SIGTERM, SIGHUP};
 enum { ENDING_COUNT = sizeof ending / sizeof ending[0] };
 
-static const char *name_of(int number)
-{
-    return number == SIGINT ? "SIGINT" : number == SIGTERM ? "SIGTERM" : "SIGHUP";
-}
-
 static void end_by_signal(int number)
 {
-    signals_end(name_of(number));
+    signals_end(number == SIGINT ? "SIGINT" : number == SIGTERM ? "SIGTERM" : "SIGHUP");
     struct sigaction action = {.sa_handler = SIG_DFL};
     sigaction(number, &action, NULL);
     raise(number); /* delivered when the handler returns */

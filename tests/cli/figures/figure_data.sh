@@ -76,8 +76,8 @@ same "Fig. 7: rows at the edges of the stick zones" 4 \
 draws c_over_b,x_over_b,minus_pi_A_q_over_f_theta 7 --c-over-b 0.4
 run profile --a-over-b 0.25 --f 1 --c-over-b 0.4 --x="$(list_of x_over_b)"
 is minus_pi_A_q_over_f_theta -$pi q
-draws x_over_b,y_over_b,A_sxx_over_theta,A_syy_over_theta,A_txy_over_theta,A_sqrt_J2_over_theta field
-run field --a-over-b 0.5 --f 0.3 --c-over-b 0 --x="$(list_of x_over_b)" --y "$(list_of y_over_b)"
+draws x_over_b,y_over_b,A_sxx_over_theta,A_syy_over_theta,A_txy_over_theta,A_sqrt_J2_over_theta field --c-over-b 0.37
+run field --a-over-b 0.5 --f 0.3 --c-over-b 0.37 --x="$(list_of x_over_b)" --y "$(list_of y_over_b)"
 is A_sxx_over_theta 1 sxx
 is A_syy_over_theta 1 syy
 is A_txy_over_theta 1 txy

@@ -1,23 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# rwedge field: stresses on a grid, as rows and as VTK.
+# rwedge field: stresses on a grid, as rows and as VTK. In natural units they are those of the figure: ../figures/figure_data.sh.
 . "$(dirname "$0")/../claims.sh"
-
-# Reference values in natural units, one point each, against the tensor's size. The stick zone passes through Q/(fP),
-# which keeps half of its digits where it is small.
-against_reference() { # COLUMNS: alpha, f, c, x, y, sxx, syy, txy of the standard input
-    while IFS=, read -r alpha f c x y sxx syy txy; do
-        run field --a-over-b "$alpha" --f "$f" --c-over-b "$c" --x "$x" --y "$y"
-        tail -n 1 out | awk -F, -v sxx="$sxx" -v syy="$syy" -v txy="$txy" '
-            function abs(v) { return v < 0 ? -v : v }
-            { size = 1e-3 + abs(sxx) + abs(syy) + abs(txy)
-              printf "1 %.17g\n1 %.17g\n1 %.17g\n", 1 + ($3 - sxx) / size, 1 + ($4 - syy) / size, 1 + ($5 - txy) / size }' >both
-        close_rows "stresses" 1e-7 0
-    done
-}
-sed -n 2,4p "$data/stress_sliding.csv" | awk -F, -v OFS=, '{ print $1, $2, 0, $3, $4, $5, $6, $7 }' >points
-against_reference <points
-sed -n 2,4p "$data/stress_partial_slip.csv" | awk -F, -v OFS=, '{ print $1, $2, $3, $4, $5, $7, $8, $9 }' >points
-against_reference <points
 
 # von Mises' stress with szz = nu (sxx + syy), and the larger principal stress, from the tensor.
 contact="--E1 210000 --nu1 0.25 --theta 0.05 --a 0.1 --f 0.3"

@@ -246,19 +246,13 @@ CLAIM(errors_are_forgotten_where_it_slips)
     assert_in_range(1e6 * rwedge_contact_error(contact), 1, 100);
 }
 
-CLAIM(yield_is_found_and_the_energy_grows)
+CLAIM(yield_is_found)
 {
     rwedge_contact *contact = computed();
-    double factor, x, y, before = rwedge_contact_dissipated_energy(contact);
+    double factor, x, y;
     assert_ok(rwedge_contact_yield_factor(contact, 0.3, 1, &factor, &x, &y));
-    double sxx, syy, txy;
-    assert_ok(rwedge_contact_stresses(contact, 1, &x, &y, &sxx, &syy, &txy));
-    assert_close(rwedge_von_mises(sxx, syy, txy, 0.3) / sqrt(3), 1 / factor, 1e-9);
-    for (int i = 0; i < 4; i++) {
-        apply(contact, 4, 0, i % 2 ? 0.5 : -0.5, i % 2 ? 0.9 : -0.9);
-        assert_true(rwedge_contact_dissipated_energy(contact) > before);
-        before = rwedge_contact_dissipated_energy(contact);
-    }
+    const stresses s = stress_at(contact, x, y);
+    assert_close(rwedge_von_mises(s.xx, s.yy, s.xy, 0.3) / sqrt(3), 1 / factor, 1e-9);
 }
 
 /* The bodies touch under a shear and a tension that do not grow in proportion to the contact. */

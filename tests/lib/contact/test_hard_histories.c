@@ -4,58 +4,23 @@
 
 /* ---- Loads that ended with a large error, although their zones can be found ---- */
 
-/* The last load once whole, once in four parts: the error is no larger. */
-static void follow_hard(double f, double tolerance, double error, size_t count,
-                        const rw_loads loads[])
+/* The last load once whole, once in four parts: the error is no larger. tests/data/README.md says
+ * what went wrong. */
+CLAIM(loads_that_erred_are_done_with_a_small_error)
 {
-    rwedge_contact *whole = allowing(create_wedge(1, 1, 1, f), tolerance);
-    apply_all(whole, count - 1, loads);
-    rwedge_contact *parts = copy_of(whole);
-    apply_all(whole, 1, &loads[count - 1]);
-    assert_ok(try_parts(parts, loads[count - 1], 4, NULL));
-    assert_true(rwedge_contact_error(whole) > 0 && rwedge_contact_error(whole) <= error);
-    assert_same_shear(whole, parts, error * f);
-}
-
-#define FOLLOW_HARD(f, tolerance, error, ...)                                                      \
-    follow_hard(f, tolerance, error, sizeof((rw_loads[]){__VA_ARGS__}) / sizeof(rw_loads),         \
-                (const rw_loads[]){__VA_ARGS__})
-
-/* The search for the zones of the whole load left no effort for its parts: the error was 0.03. */
-CLAIM(a_load_that_is_too_long_is_divided_before_its_zones_are_searched_to_the_end)
-{
-    FOLLOW_HARD(0.83, 1e-4, 1e-4, {2.179, -0.222, 0, 0}, {2.009, -0.222, 0.341, -1.602},
-                {1.974, -0.222, 0.011, 1.064}, {2.374, -0.222, 0.958, 0.252});
-}
-
-/* On one side of a kink the traction was too large for less than the distance of the points where
- * it is looked at: the error was 0.009. */
-CLAIM(slip_begins_on_both_sides_of_a_kink)
-{
-    FOLLOW_HARD(0.65, 1e-3, 3e-3, {1.658, 0.303, 0, 0}, {1.705, 0.169, 0.216, 0.879},
-                {1.817, 0.415, 0.167, 0.982}, {1.584, 0.144, 0.045, 0.410},
-                {1.592, 0.350, -0.951, -1.232});
-}
-
-/* What slips the wrong way was cut in parts at each kink, with slip between them: 0.003. */
-CLAIM(a_place_that_should_stick_goes_on_beyond_a_kink)
-{
-    FOLLOW_HARD(0.336, 1e-4, 2e-3, {2.61, 0.56, 0, 0}, {2.48, 0.46, 0.05, -0.5},
-                {2.67, 0.7, -0.75, -0.56}, {2.49, 0.58, -0.26, -0.65}, {2.82, 0.3, -0.1, 0.41},
-                {2.4, 0.48, -0.72, -0.04}, {2.55, 0.65, -0.29, 0.62}, {2.64, 0.88, -0.8, -0.33});
-}
-
-/* Points of the quadrature were too few at the end of a slip zone where no front is: 0.013, and two
- * seconds of smaller and smaller steps. */
-CLAIM(a_slip_zone_has_points_at_both_ends)
-{
-    FOLLOW_HARD(0.395, 1e-4, 1e-3, {0.85, 0.0137, 0, 0}, {0.909, 0.0555, 0.2415, 0.558});
-}
-
-/* Where nothing sticks there was no zone to begin from. */
-CLAIM(a_load_after_full_sliding_is_computed)
-{
-    FOLLOW_HARD(0.5, 1e-4, 3e-4, {4, 0, 0, 0}, {4, 0, 2, 0}, {4, 0, 1.5, 0.4});
+    reference table = reference_open("hard_histories.csv");
+    while (reference_next(&table)) {
+        const double *v = table.cell, f = v[0], error = v[2], *last = v + 4 * (size_t)v[3];
+        rwedge_contact *whole = allowing(create_wedge(1, 1, 1, f), v[1]);
+        for (const double *l = v + 4; l < last; l += 4)
+            apply(whole, l[0], l[1], l[2], l[3]);
+        rwedge_contact *parts = copy_of(whole);
+        apply(whole, last[0], last[1], last[2], last[3]);
+        print_message("    %s\n", table.last);
+        assert_ok(try_parts(parts, whole->loads, 4, NULL));
+        assert_true(rwedge_contact_error(whole) > 0 && rwedge_contact_error(whole) <= error);
+        assert_same_shear(whole, parts, error * f);
+    }
 }
 
 /* ---- A load that is nearly lost ---- */

@@ -34,16 +34,6 @@ CLAIM(what_never_slips_is_what_cycles_leave)
     assert_within(stick_zone_of(contact).right, right, 1e-13);
 }
 
-CLAIM(what_never_slips_is_the_same_on_the_way_back)
-{
-    double left, right, l, r;
-    assert_ok(rwedge_permanent_stick(THETA, 0.4, A, F, 0.5, 0.1, -0.1, -0.03, 0.6, 0.1, 0.2, 0.02,
-                                     &left, &right));
-    assert_ok(rwedge_permanent_stick(THETA, 0.4, A, F, 0.6, 0.1, 0.2, 0.02, 0.5, 0.1, -0.1, -0.03,
-                                     &l, &r));
-    assert_true(l == left && r == right);
-}
-
 /* The ring between P = 300 and 488 takes up the change of Q: the energy stays that of the first
  * load. */
 CLAIM(the_whole_smaller_contact_may_stick)

@@ -350,18 +350,6 @@ CLAIM(a_flat_maximum)
     }
 }
 
-/* The header's way to plane stress: exx = (sxx - nu syy)/E. */
-CLAIM(plane_stress_by_other_constants)
-{
-    const double nu = 0.3, E = 210e3;
-    const cycle c = {.n = 2,
-                     .sxx = {250, -250},
-                     .E = E * (1 + 2 * nu) / ((1 + nu) * (1 + nu)),
-                     .nu = nu / (1 + nu)};
-    assert_close(worst_of(&c, SMITH_WATSON_TOPPER).value, 250 * 250 / E, 1e-14);
-    assert_close(worst_of(&c, FATEMI_SOCIE).value, 1.3 * 250 / E, 1e-14);
-}
-
 /* Constant; never in tension, where 1 + k sn_max/sy < 0 on all planes; none at all. */
 CLAIM(harmless_cycles_have_none)
 {
@@ -376,26 +364,7 @@ CLAIM(harmless_cycles_have_none)
         }
 }
 
-/* ---- Scales, errors ---- */
-
-/* Stresses as large and as small as there may be. */
-CLAIM(a_criterion_scales_with_the_stresses)
-{
-    enum { LOADS = 5 };
-    uint64_t seed = 9;
-    for (int k = 0; k < 2; k++) {
-        const double scale = k == 0 ? 1e60 : 1e-60;
-        double s[3][LOADS], scaled[3][LOADS], value[2], angle, out;
-        for (int i = 0; i < 3 * LOADS; i++) {
-            s[i / LOADS][i % LOADS] = some_stress(&seed);
-            scaled[i / LOADS][i % LOADS] = scale * s[i / LOADS][i % LOADS];
-        }
-        assert_ok(rwedge_findley(LOADS, s[0], s[1], s[2], 0.3, 0.25, &value[0], &angle, &out));
-        assert_ok(rwedge_findley(LOADS, scaled[0], scaled[1], scaled[2], 0.3, 0.25, &value[1],
-                                 &angle, &out));
-        assert_close(value[1] / scale, value[0], 1e-14);
-    }
-}
+/* ---- Errors ---- */
 
 CLAIM(a_cycle_has_loads_and_no_more_than_there_are_addresses)
 {

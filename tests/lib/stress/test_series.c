@@ -120,22 +120,6 @@ CLAIM(fit_recovers_an_uneven_pressure)
     assert_close(s[1], -2 / PI * (PI / 2) / 1e6, 1e-6); /* Flamant's -2P/(pi y); P = (pi/2) a_0 */
 }
 
-/* The paper's own procedure, on the pressure of a rounded wedge: what it gets is what the closed
- * form has. */
-CLAIM(fit_approaches_the_closed_form)
-{
-    double x[SAMPLES], p[SAMPLES], residual[2];
-    chebyshev_points(x);
-    for (int i = 0; i < SAMPLES; i++)
-        p[i] = rwedge_pressure(0.4, x[i]);
-    for (int k = 0; k < 2; k++) {
-        rwedge_series *series = fitted(x, p, k ? 121 : 31);
-        residual[k] = rwedge_series_residual(series);
-        assert_stress(series, 0.4, 0.3, 0.2, 0.5, k ? 1e-5 : 1e-4);
-    }
-    assert_true(residual[1] < residual[0] / 5 && residual[0] < 0.01);
-}
-
 CLAIM(rank_deficiency_is_refused)
 {
     double x[SAMPLES], p[SAMPLES];

@@ -161,15 +161,3 @@ CLAIM(a_short_element_is_not_lost_in_a_long_one)
     assert_within(rw_traction_at(&t, 1), bent_at_the_end(1), 1e-9);
     rw_traction_destroy(&t);
 }
-
-CLAIM(an_element_made_of_coefficients_is_the_same)
-{
-    rw_traction t = fitted(), again = {0};
-    for (size_t i = 0; i < t.count; i++)
-        assert_true(rw_traction_append(&again, &t.elements[i]));
-    assert_int_equal(again.count, t.count);
-    for (int i = -9; i <= 9; i++)
-        assert_true(rw_traction_slope(&t, i / 9.5) == rw_traction_slope(&again, i / 9.5));
-    rw_traction_destroy(&t);
-    rw_traction_destroy(&again);
-}

@@ -45,15 +45,6 @@ CLAIM(in_sliding_the_factor_is_the_elastic_limit_over_the_load)
     }
 }
 
-/* At 1.4e-12 b from the edge; by 50 digits. Once 3e-12 too large, for the search ended before. */
-CLAIM(a_maximum_next_to_the_edge_is_not_missed)
-{
-    rwedge_contact *contact =
-        APPLY(create_wedge(0.01, 3, 0.001, 84.04542447034143), {5.88, 0, -187.525, 0},
-              {5.88, 0, -37.718, 0}, {5.88, 0, -145.33, 0});
-    assert_close(yield_factor(contact, 0.49, 1, NULL, NULL), 0.0085760777546354877, 1e-13);
-}
-
 /* Around the apex of a tilted sharp wedge J2 is constant but for a ridge that turns, and rises by
  * 9e-6, beside the angles of the grid. The value is that of tests/proof/test_yield_survey.c, whose
  * search is another. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The potential in balls, compared with the reference stresses, and with its own derivatives. */
+/* The potential in balls, compared with reference values, and with its own derivatives. */
 #include "balls/patch.hpp"
 
 #include <initializer_list>
@@ -39,6 +39,18 @@ CLAIM(stresses_are_the_reference_values)
 {
     assert_reference("stress_sliding.csv", false);
     assert_reference("stress_partial_slip.csv", true);
+}
+
+/* Those that were checked against quadrature of the paper's Eq. (3). */
+CLAIM(pressures_and_loads_are_the_reference_values)
+{
+    const precision here(400);
+    reference pressures = reference_open("pressure.csv"), laws = reference_open("contact_law.csv");
+    const double *p = pressures.cell, *law = laws.cell;
+    while (reference_next(&pressures))
+        assert_close(middle(im(patch(p[0], 1).potential(p[1]))), p[2], 1e-15);
+    while (reference_next(&laws))
+        assert_close(middle(patch(law[0], 1).load()), law[1], 1e-15);
 }
 
 /* (f(z+h) - f(z-h))/2h, h = 2^-40, is f'(z) to 2^-60 or so. */

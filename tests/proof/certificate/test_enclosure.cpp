@@ -181,21 +181,3 @@ CLAIM(far_away_J2_is_below_its_bound)
     }
     assert_true(nearest > 0.3);
 }
-
-/* The other route to J2, load and limit. */
-CLAIM(the_reference_limits_are_those_of_their_places)
-{
-    reference table = reference_open("elastic_limit.csv");
-    size_t checked = 0;
-    while (reference_next(&table)) {
-        const double *cell = table.cell;
-        if (cell[0] < 1e-3)
-            continue;
-        const patch c(cell[0], 1);
-        const double kappa = (1 - 2 * cell[2]) * (1 - 2 * cell[2]) / 3;
-        const ball J2 = J2_at(c, complex_ball(cell[4], cell[5]), cell[1], kappa);
-        assert_close(middle(c.load() / sqrt(J2)), cell[3], 1e-13);
-        checked++;
-    }
-    assert_true(checked > 50);
-}

@@ -56,9 +56,9 @@ EXPORTED rwedge_contact *page_contact(void)
     return contact;
 }
 
-static void refuse(int input, const char *complaint)
+static void refuse(int input, const char *fault)
 {
-    json_fault(input < INPUT_COUNT ? input_kinds[input].column : "", complaint);
+    json_fault(input < INPUT_COUNT ? input_kinds[input].column : "", fault);
 }
 
 static void write_verdict(verdict result)
@@ -70,14 +70,15 @@ static void write_verdict(verdict result)
 /* The numbers of all inputs, 0 where they are not given, and a refusal of each that is none. */
 static bool write_inputs(const input_texts *texts, double value[INPUT_COUNT])
 {
-    char complaint[COMPLAINT_SIZE], all[1000] = "";
+    complaint why;
+    char all[1000] = "";
     for (int i = 0; i < INPUT_COUNT; i++) {
         value[i] = 0;
         if (!input_is_given(texts, i))
             continue;
-        if (!input_read(texts, i, &value[i], complaint)) {
-            refuse(i, complaint);
-            list_add(all, sizeof all, "; ", "%s", complaint);
+        if (!input_read(texts, i, &value[i], &why)) {
+            refuse(i, why.text);
+            list_add(all, sizeof all, "; ", "%s", why.text);
             continue;
         }
         json_add("{'inputs':{%t:%n}}", input_kinds[i].column, value[i]);
@@ -103,10 +104,10 @@ static void write_setup(const contact_case *setup)
 
 static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
 {
-    char complaint[COMPLAINT_SIZE];
-    if (!case_read(texts, needs, setup, complaint)) {
-        refuse(setup->at_fault, complaint);
-        write_verdict(verdict_of_fault(setup->status, complaint));
+    complaint why;
+    if (!case_read(texts, needs, setup, &why)) {
+        refuse(setup->at_fault, why.text);
+        write_verdict(verdict_of_fault(setup->status, why.text));
         return false;
     }
     write_setup(setup);
@@ -122,17 +123,17 @@ static void write_hardest(const contact_case *setup, results *answer)
                  answer->hardest_von_mises);
 }
 
-static void write_results(const contact_case *setup, verdict_style style)
+static void write_results(const contact_case *setup, char decimal_sign, const char *length)
 {
     results answer;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     const results_wanted wanted = {.edges = true};
-    bool there = results_compute(setup, wanted, &answer, complaint);
+    bool there = results_compute(setup, wanted, &answer, &why);
     if (there && setup->status != RWEDGE_OK)
-        there = complain(complaint, "%s", rwedge_strerror(setup->status));
+        there = complain(&why, "%s", rwedge_strerror(setup->status));
     if (!there) {
-        refuse(INPUT_COUNT, complaint);
-        write_verdict(verdict_of_fault(RWEDGE_OK, complaint));
+        refuse(INPUT_COUNT, why.text);
+        write_verdict(verdict_of_fault(RWEDGE_OK, why.text));
         return;
     }
     write_hardest(setup, &answer);
@@ -144,7 +145,7 @@ static void write_results(const contact_case *setup, verdict_style style)
             json_add("{'results':{%t:%n}}", result_kinds[i].name,
                      value->text == NULL ? value->number : NAN);
     }
-    write_verdict(verdict_of(&answer, style));
+    write_verdict(verdict_of(&answer, decimal_sign, length));
 }
 
 /* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict, with the
@@ -156,7 +157,7 @@ EXPORTED const char *page_answer(char *fields, const char *length, int decimal_s
     double value[INPUT_COUNT];
     json_begin();
     if (write_inputs(&texts, value) && write_case(&texts, CASE_OF_SOLVE, &setup))
-        write_results(&setup, (verdict_style){(char)decimal_sign, length});
+        write_results(&setup, (char)decimal_sign, length);
     answers_hand_over(setup.contact);
     return json_end();
 }
@@ -187,12 +188,12 @@ EXPORTED const char *page_find(char *fields, const char *name, double safety)
     const int input = inverse_input(name);
     contact_case setup = {.contact = NULL};
     double value;
-    char complaint[COMPLAINT_SIZE];
+    complaint why;
     json_begin();
-    if (inverse_find(&texts, input, safety, &setup, &value, complaint))
+    if (inverse_find(&texts, input, safety, &setup, &value, &why))
         json_add("{'value':%n}", value);
     else
-        json_fault("", complaint);
+        json_fault("", why.text);
     rwedge_contact_destroy(setup.contact);
     return json_end();
 }

@@ -24,18 +24,18 @@ static void leave_to_columns(const header *names, input_texts *constants)
 
 static bool begin(const csv_row *first, char *fields, char decimal_sign, case_table *table)
 {
-    char why[COMPLAINT_SIZE];
+    complaint why;
     table->constants = field_texts(fields);
     /* the form stands for no column that is nearly named: nothing is given but the columns */
-    if (!header_find(first->cell, first->count, 0, INPUT_COUNT, NULL, &table->names, why))
-        return json_refuse("", "%s", why);
+    if (!header_find(first->cell, first->count, 0, INPUT_COUNT, NULL, &table->names, &why))
+        return json_refuse("", "%s", why.text);
     leave_to_columns(&table->names, &table->constants);
     for (int i = 0; i < INPUT_COUNT; i++)
         table->constants.is_cell[i] = header_has_input(&table->names, i);
     table->constants.cell_decimal_sign = decimal_sign;
     table->constants.how_comma = "if that is chosen above";
     table->constants.where_else = "columns, or the case of the form";
-    return case_table_begin(table, why) || json_refuse("", "%s", why);
+    return case_table_begin(table, &why) || json_refuse("", "%s", why.text);
 }
 
 static void write_head(const case_table *table)
@@ -53,12 +53,12 @@ static void write_head(const case_table *table)
 static void write_row(const case_table *table, const csv_row *row)
 {
     results answer;
-    char complaint[COMPLAINT_SIZE] = "misplaced quotes", digits[NUMBER_SIZE];
+    complaint why = {"misplaced quotes"};
+    char digits[NUMBER_SIZE];
     const bool solved =
-        !row->malformed && case_table_solve(table, row->cell, row->count, &answer, complaint);
+        !row->malformed && case_table_solve(table, row->cell, row->count, &answer, &why);
     json_add("{'rows':[{'colour':%t,'error':%t,'cells':[",
-             solved ? verdict_of(&answer, (verdict_style){'.', ""}).colour : "red",
-             solved ? "" : complaint);
+             solved ? verdict_of(&answer, '.', "").colour : "red", solved ? "" : why.text);
     for (size_t i = 0; i < table->names.count; i++)
         json_add("%t", i < row->count ? row->cell[i] : "");
     json_add("],'values':[");
@@ -73,16 +73,16 @@ static void write_row(const case_table *table, const csv_row *row)
 /* The rows below the names; or the problem, where they cannot be read on. */
 static void write_rows(csv_input *in, case_table *table)
 {
-    char unused[COMPLAINT_SIZE] = "";
+    complaint unused = {""};
     while (csv_input_next(in)) {
         write_row(table, &in->row);
         if (in->row.count == table->names.count)
             header_note_unused(&table->names, in->row.cell);
     }
-    header_write_unused(&table->names, unused, sizeof unused);
-    json_add("{'unused':%t}", unused);
-    if (in->problem[0] != '\0')
-        json_refuse("", "%s", in->problem);
+    header_write_unused(&table->names, unused.text, sizeof unused.text);
+    json_add("{'unused':%t}", unused.text);
+    if (in->problem.text[0] != '\0')
+        json_refuse("", "%s", in->problem.text);
 }
 
 /* Of pasted rows, and the case of the form for the columns that they lack: columns, results,
@@ -94,7 +94,7 @@ EXPORTED const char *page_rows(const char *text, char *fields, int decimal_sign)
     case_table table = {0};
     json_begin();
     if (first.cell == NULL)
-        json_refuse("", "%s", in->problem);
+        json_refuse("", "%s", in->problem.text);
     else if (begin(&first, fields, (char)decimal_sign, &table)) {
         write_head(&table);
         write_rows(in, &table);

@@ -94,13 +94,13 @@ static bool collect_criteria(double nu, bool is_plane_stress)
 /* The next load; false where it is refused. Those of the form have no line. */
 static bool apply_next(listed_load next, size_t cycle)
 {
-    char why[COMPLAINT_SIZE];
-    if (loads_apply_next(next.to, asked.setup.f, asked.setup.contact, why))
+    complaint why;
+    if (loads_apply_next(next.to, asked.setup.f, asked.setup.contact, &why))
         return true;
     if (next.line == 0)
-        return json_refuse("", "%s", why);
-    return cycle > 1 ? json_refuse("", "line %d, cycle %zu: %s", next.line, cycle, why)
-                     : json_refuse("", "line %d: %s", next.line, why);
+        return json_refuse("", "%s", why.text);
+    return cycle > 1 ? json_refuse("", "line %d, cycle %zu: %s", next.line, cycle, why.text)
+                     : json_refuse("", "line %d: %s", next.line, why.text);
 }
 
 /* P and M come first; then Q and sigma go to and fro. */

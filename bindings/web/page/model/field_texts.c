@@ -11,7 +11,7 @@ static const char PROFILE_NAME[] = "pasted", BETWEEN[] = "\x1e";
 static void take_profile(const char *rows, bool takes_hull, input_texts *texts)
 {
     pasted_offer(rows);
-    remark = profiles_read(PROFILE_NAME, (profile_style){'.', takes_hull, true});
+    remark = profiles_read(PROFILE_NAME, '.', takes_hull, true);
     texts->text[INPUT_PROFILE] = PROFILE_NAME;
 }
 

@@ -21,7 +21,7 @@ void load_list_write(const load_list *loads)
         const load to = loads->load[i].to;
         json_add("{'loads':[{'P':%n,'M':%n,'Q':%n,'sigma':%n}]}", to.P, to.M, to.Q, to.sigma);
     }
-    json_add("{'unused':%t}", loads->unused);
+    json_add("{'unused':%t}", loads->unused.text);
 }
 
 /* The names of a table without: P and Q, or all four; NULL for another number of columns. */
@@ -43,10 +43,10 @@ static bool is_load(const csv_row *row, char decimal_sign)
 static bool take_row(const header *names, const csv_row *row, char decimal_sign, load_list *loads)
 {
     load to;
-    char why[COMPLAINT_SIZE] = "misplaced quotes";
+    complaint why = {"misplaced quotes"};
     if (row->malformed ||
-        !load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, why))
-        return json_refuse("", "line %" PRId64 ": %s", row->line, why);
+        !load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, &why))
+        return json_refuse("", "line %" PRId64 ": %s", row->line, why.text);
     load_list_add(loads, to, (int)row->line);
     return true;
 }
@@ -54,11 +54,11 @@ static bool take_row(const header *names, const csv_row *row, char decimal_sign,
 static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, load_list *loads)
 {
     header names;
-    char why[COMPLAINT_SIZE];
+    complaint why;
     const bool bare = usual_names(first->count) != NULL && is_load(first, decimal_sign);
     if (!load_header_find(bare ? usual_names(first->count) : first->cell, first->count, &names,
-                          why))
-        return json_refuse("", "%s", why);
+                          &why))
+        return json_refuse("", "%s", why.text);
     bool taken = !bare || take_row(&names, first, decimal_sign, loads);
     while (taken && csv_input_next(in)) {
         taken = take_row(&names, &in->row, decimal_sign, loads);
@@ -66,7 +66,7 @@ static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, lo
             header_note_unused(&names, in->row.cell);
     }
     if (taken)
-        header_write_unused(&names, loads->unused, sizeof loads->unused);
+        header_write_unused(&names, loads->unused.text, sizeof loads->unused.text);
     return taken && (loads->count > 0 || json_refuse("", "no loads below the names"));
 }
 
@@ -75,8 +75,8 @@ bool load_list_read(const char *text, char decimal_sign, load_list *loads)
     csv_row first;
     csv_input *in = pasted_open(text, &first);
     bool read = first.cell != NULL && take_rows(in, &first, decimal_sign, loads);
-    if (in->problem[0] != '\0' || first.cell == NULL)
-        read = json_refuse("", "%s", in->problem);
+    if (in->problem.text[0] != '\0' || first.cell == NULL)
+        read = json_refuse("", "%s", in->problem.text);
     csv_row_free(&first);
     csv_input_close(in);
     return read;

@@ -72,7 +72,7 @@ typedef struct {
 typedef struct {
     listed_load *load;
     size_t count;
-    char unused[COMPLAINT_SIZE]; /* columns with numbers */
+    complaint unused; /* columns with numbers */
 } load_list;
 
 void load_list_add(load_list *loads, load to, int line);

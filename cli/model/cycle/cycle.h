@@ -182,7 +182,7 @@ void last_cycle_free(last_cycle *cycle);
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, measured_place at[]);
 
 /* The criteria, with the range, of stresses after all loads at n places: of each load one place
- * after the other, sxx of all first, then syy and txy. */
+ * after the other, sxx of all first, then syy and txy. The other measures become NAN. */
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress,
                             measured_place at[]);
 

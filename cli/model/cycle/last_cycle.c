@@ -123,6 +123,8 @@ int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *str
 {
     const size_t all = cycle->loads * n;
     double *work = malloc((4 * n + 1) * sizeof *work);
+    for (size_t j = 0; j < n; j++)
+        forget(&at[j]);
     int32_t status =
         work == NULL
             ? RWEDGE_ENOMEM
@@ -196,7 +198,6 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, measured_place at[
     for (size_t i = 0; i < n; i++) {
         x[i] = at[i].x;
         depth[i] = at[i].y == 0 && pad_is_kink(&cycle->setup->shape, x[i]) ? 1 : at[i].y;
-        forget(&at[i]);
     }
     int32_t status = fatigue(cycle, n, x, depth, at);
     if (status == RWEDGE_OK)

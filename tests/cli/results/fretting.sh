@@ -219,6 +219,8 @@ run fretting cycle.csv $shape --material metal.json --at-worst --method line --c
 close_to "the length of the material" "$(awk 'BEGIN { printf "%.17g", (60 / 250) ^ 2 / 3.14159265358979324 }')" "$(verdict crossland length)" 1e-15
 run fretting cycle.csv $shape --material metal.csv --at-worst --criteria swt --length 1
 same "a run-out" "inf" "$(verdict swt life)"
+run fretting cycle.csv --E1 72100 --nu1 0.33 $shape --at-worst --length 0.02
+same "no life and no cycles without its constants" "" "$(verdict swt life)$(verdict swt cycles)"
 # A block of loads: at the trailing edge sxx alone acts, from its first to its second load, and in it from the third to the fourth.
 printf 'P,Q,sigma\n135.75,38.75,100\n135.75,-38.75,-100\n135.75,20,50\n135.75,-10,-50\n' >block.csv
 sed '/^swt_limit/d' metal.csv >no_limit.csv

@@ -371,8 +371,8 @@ static long process_memory(const char *which)
 #endif
 }
 
-/* A front that comes back to where one has been, or nearly: between both the traction had a spike of
- * the wrong sign, 1e-9 wide, of which no error was told. It yielded at a tenth of the loads. */
+/* A front that comes back to where one has been, or nearly: the traction between both had a spike,
+ * 1e-9 wide, of which no error was told. A contact yielded at a tenth of its loads. */
 CLAIM(a_repeated_cycle_yields_no_earlier)
 {
     enum { CYCLES = 4, STATES = 2 };

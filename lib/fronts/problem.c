@@ -95,25 +95,37 @@ void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[],
                                              rest_friction(p, &p->rest[k][0], x[i]);
 }
 
-/* The surface outside of a patch, relative to the profile of the layer there. */
-static double slope_beside(const rw_problem *p, int after, int k, double x)
+/* That of the polynomial slope of a layer, outside of its patch. */
+static double rest_slope(const rw_problem *p, const rw_layer_rest *rest, double x)
 {
-    const double depth = 0;
-    const rw_patch patch = after ? p->to : p->from;
-    rw_fields fields;
-    rw_pad_fields(&p->frame->arcs, patch, 1, &x, &depth, &fields);
-    const double tilt = rw_arcs_pressing(&p->frame->arcs, patch).tilt;
-    const double own = -p->frame->f * rw_power(scale_of(p), k, x) * (fields.G_re[0] + tilt);
-    if (k == 0 || (x >= patch.left && x <= patch.right))
-        return own;
-    return own + copysign(p->frame->f, x - patch.left) *
-                     sqrt((x - patch.left) * (x - patch.right)) / rw_patch_half_width(patch) *
-                     rw_layer_rest_pressure(&p->rest[k][after], x);
+    const rw_patch patch = rest->patch;
+    return copysign(p->frame->f, x - patch.left) * sqrt((x - patch.left) * (x - patch.right)) /
+           rw_patch_half_width(patch) * rw_layer_rest_pressure(rest, x);
 }
 
-double rw_layer_slope(const rw_problem *p, int k, double x)
+/* The surface outside of a patch, relative to the profile of the layer there. */
+static void slopes_beside(const rw_problem *p, int after, int k, size_t n, const double x[],
+                          double slope[])
 {
-    return slope_beside(p, 1, k, x) - slope_beside(p, 0, k, x);
+    static const double SURFACE[RW_TERMS] = {0};
+    const rw_patch patch = after ? p->to : p->from;
+    const double tilt = rw_arcs_pressing(&p->frame->arcs, patch).tilt;
+    rw_fields fields;
+    rw_pad_fields(&p->frame->arcs, patch, (int)n, x, SURFACE, &fields);
+    for (size_t i = 0; i < n; i++) {
+        slope[i] = -p->frame->f * rw_power(scale_of(p), k, x[i]) * (fields.G_re[i] + tilt);
+        if (k > 0 && (x[i] < patch.left || x[i] > patch.right))
+            slope[i] += rest_slope(p, &p->rest[k][after], x[i]);
+    }
+}
+
+void rw_layer_slopes(const rw_problem *p, int k, size_t n, const double x[], double slope[])
+{
+    double before[RW_TERMS];
+    slopes_beside(p, 0, k, n, x, before);
+    slopes_beside(p, 1, k, n, x, slope);
+    for (size_t i = 0; i < n; i++)
+        slope[i] -= before[i];
 }
 
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch)

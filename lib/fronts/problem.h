@@ -85,8 +85,9 @@ void rw_friction_before(const rw_problem *p, size_t n, const double x[], double 
 void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[], const double F[],
                      size_t stride, double change[]);
 
-/* w' of layer k per weight, besides that of what sticks: 0 but where an edge passes. */
-double rw_layer_slope(const rw_problem *p, int k, double x);
+/* w' of layer k per weight at n <= RW_TERMS places, besides that of what sticks: 0 but where an
+ * edge passes. */
+void rw_layer_slopes(const rw_problem *p, int k, size_t n, const double x[], double slope[]);
 
 /* The changes of shear load and stretch, less those that the layers make. */
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch);

@@ -3,6 +3,7 @@
 
 #include "base/array.h"
 #include "base/domain.h"
+#include "numerical/energy.h"
 #include "traction/transform.h"
 
 #include <stdlib.h>
@@ -263,6 +264,7 @@ static bool accept(load_work *j, const rw_numerical_state *half, rw_numerical_st
         j->work.is_short = true;
         return false;
     }
+    rw_settle_energy(&j->work, &n->now, half, now);
     rw_shear_state_smooth(&now->shear, now->contact,
                           frame->tolerance * rw_peak_friction(frame, now->contact));
     note_error(n, now, frame->tolerance);

@@ -208,14 +208,19 @@ typedef struct {
 
 /* Places that the contact takes in or leaves as it slips move by less than dw, because they touch
  * for a part of the time: by less than under friction that changes as a layer. */
-static double slope_of_layers(const slipping *s, double x)
+static void add_slopes_of_layers(const slipping *s, size_t n, const double x[], double slope[])
 {
     const rw_problem *p = s->after->problem;
     const rw_layers *layers = &s->after->fronts->layers;
-    double sum = 0;
-    for (int k = 0; k < layers->count; k++)
-        sum += layers->weight[k] * rw_layer_slope(p, k, x);
-    return sum - s->label * rw_layer_slope(p, 0, x);
+    double sum[RW_TERMS] = {0}, layer[RW_TERMS];
+    for (int k = 0; k < layers->count; k++) {
+        rw_layer_slopes(p, k, n, x, layer);
+        for (size_t i = 0; i < n; i++)
+            sum[i] += layers->weight[k] * layer[i];
+    }
+    rw_layer_slopes(p, 0, n, x, layer);
+    for (size_t i = 0; i < n; i++)
+        slope[i] += sum[i] - s->label * layer[i];
 }
 
 /* The slip at the nodes between two places. */
@@ -231,8 +236,8 @@ static void add_slip_between(slipping *s, double from, double to, const double x
     if (n->grid)
         return;
     rw_fronts_slope(f, &n->stuck, s->label, (size_t)f->order, x, slope);
-    for (int i = 0; i < f->order && is_passed; i++)
-        slope[i] += slope_of_layers(s, x[i]);
+    if (is_passed)
+        add_slopes_of_layers(s, (size_t)f->order, x, slope);
     for (int i = 0; i <= f->order; i++) {
         slip[i] = s->slip;
         for (int j = 0; j < f->order; j++)
@@ -247,6 +252,13 @@ static double mean_friction(double first, double last)
     return first + last > 0
                ? 2.0 / 3 * (first * first + first * last + last * last) / (first + last)
                : 0;
+}
+
+/* How far friction is from its mean, at most. Where an edge passes dw is not slip alone. */
+static double friction_doubt(const rw_problem *p, double x, double first, double last)
+{
+    const bool is_passed = !rw_patch_has(p->from, x) || !rw_patch_has(p->to, x);
+    return is_passed ? fmax(first, last) : fabs(last - first);
 }
 
 /* The part of a step in which a place is in contact. */
@@ -276,6 +288,7 @@ static void check_slip_part(slipping *s, double from, double to)
         const double step = fabs(to - from) * f->weight[i];
         s->outcome->energy -=
             s->label * slip[i] * mean_friction(before[i], now[i]) * time_in_contact(p, x[i]) * step;
+        s->outcome->doubt += fabs(slip[i]) * friction_doubt(p, x[i], before[i], now[i]) * step;
         if (!rw_patch_has(p->to, x[i]))
             continue;
         const double excess = s->label * slip[i] / (p->scale * p->half);

@@ -12,6 +12,7 @@ typedef struct {
     double violation; /* the largest: excess of |t| over the scale, f times the peak pressure; or
                          slip the wrong way over the scale times the half-width */
     double energy;    /* in theta^2/A */
+    double doubt;     /* by how much friction that changes may make the energy wrong */
     double move;      /* of what sticks: the constant part of dw */
     bool is_short;    /* memory was short */
     rw_zones wrong;   /* parts that should have another label */

@@ -304,3 +304,43 @@ double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zone
         }
     return most;
 }
+
+/* ---- Power ---- */
+
+/* That of a zone, from the front on. */
+static double power_in(const rw_fronts *f, const rw_stuck *s, const rw_friction *friction,
+                       rw_zone zone)
+{
+    const bool is_leftmost = zone.right == s->end[0];
+    const double front = is_leftmost ? zone.right : zone.left;
+    const double length = is_leftmost ? zone.left - zone.right : zone.right - zone.left;
+    double slip = 0, power = 0, x[POINTS], F[POINTS], step[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+        const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
+        x[i] = front + length * half * half;
+        step[i] = length * sin(angle) * (RW_HALF_PI / POINTS);
+    }
+    rw_traction_values(&friction->traction, POINTS, x, F);
+    for (int i = 0; i < POINTS; i++) {
+        const double more = rate_at(f, s, false, x[i]) * step[i];
+        power -= zone.label * (slip + more / 2) * F[i] * fabs(step[i]);
+        slip += more;
+    }
+    return fmax(0, power);
+}
+
+double rw_rates_power(rw_fronts *f, const rw_problem *p, const rw_friction *friction,
+                      const rw_zones *zones)
+{
+    const int first = first_sign(zones);
+    double power = 0;
+    for (int sign = first; sign != 0 && (sign == first || sign == -first); sign -= 2 * first) {
+        rw_stuck s;
+        if (!solve(f, p, zones, sign, &s))
+            return NAN;
+        for (int i = 0; i < zones->count; i++)
+            if (zones->zone[i].label == sign)
+                power += power_in(f, &s, friction, zones->zone[i]);
+    }
+    return power;
+}

@@ -34,4 +34,8 @@ double rw_rates_error_at_start(rw_fronts *fronts, const rw_problem *rates, const
 double rw_rates_excess_at_start(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
                                 const rw_zones *after, double least);
 
+/* The power of friction in zones that slip, in energy per step. NaN where it is not known. */
+double rw_rates_power(rw_fronts *fronts, const rw_problem *rates, const rw_friction *friction,
+                      const rw_zones *zones);
+
 #endif

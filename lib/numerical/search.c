@@ -323,6 +323,16 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
     return best->state.traction.count > 0;
 }
 
+bool rw_search_fronts(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_zones *zones)
+{
+    const rw_zones start = moved_to(*guess, p->to);
+    w->search = w->effort > w->most_effort ? 0 : SEARCH;
+    if (!find_fronts(w, p, &start, 0))
+        return false;
+    rw_fronts_zones(&w->fronts, zones);
+    return true;
+}
+
 void rw_work_init(rw_work *w, const rw_frame *frame, int most_effort)
 {
     w->frame = frame;

@@ -6,7 +6,7 @@
 #include "numerical/outcome.h"
 #include "numerical/pattern.h"
 
-enum { RW_TRIALS = 2, RW_FRICTIONS = 4 };
+enum { RW_TRIALS = 2, RW_FRICTIONS = 8 };
 
 /* Working memory of steps, kept from one to the next. */
 typedef struct {
@@ -31,5 +31,9 @@ void rw_work_destroy(rw_work *work);
  * tolerance. */
 bool rw_search(rw_work *work, const rw_problem *problem, const rw_zones *guess, bool coarse,
                rw_outcome *best);
+
+/* The exact fronts alone, of such zones. The rates of the step are set. */
+bool rw_search_fronts(rw_work *work, const rw_problem *problem, const rw_zones *guess,
+                      rw_zones *zones);
 
 #endif

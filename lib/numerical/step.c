@@ -16,8 +16,8 @@ static rw_patch contact_of(const rw_frame *frame, rw_scaled_loads at)
     return rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
 }
 
-/* The friction of a contact, kept for the steps that follow, which share their contacts. */
-static const rw_friction *friction_of(rw_work *w, rw_patch contact)
+/* Steps share their contacts. */
+const rw_friction *rw_step_friction(rw_work *w, rw_patch contact)
 {
     for (int i = 0; i < RW_FRICTIONS; i++)
         if (rw_patch_is_same(w->friction[i].contact, contact) &&
@@ -33,7 +33,8 @@ static const rw_friction *friction_of(rw_work *w, rw_patch contact)
 static bool set_problem(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
                         rw_patch contact, rw_problem *p)
 {
-    const rw_friction *after = friction_of(w, contact), *before = friction_of(w, from->contact);
+    const rw_friction *after = rw_step_friction(w, contact),
+                      *before = rw_step_friction(w, from->contact);
     if (before && after)
         rw_problem_init(p, w->frame, before, after, &from->shear,
                         to.shear - rw_traction_total(&from->shear.traction),
@@ -50,11 +51,22 @@ static rw_patch never_slipped(const rw_numerical_state *from, const rw_problem *
     return patch;
 }
 
-static void set_rates(const rw_frame *frame, const rw_numerical_state *from, rw_scaled_loads to,
-                      rw_patch contact, rw_problem *rates)
+void rw_step_rates(const rw_work *w, rw_scaled_loads from, rw_scaled_loads to, rw_patch contact,
+                   rw_problem *rates)
 {
-    rw_problem_init_rates(rates, frame, contact, to.P - from->at.P, to.M - from->at.M,
-                          to.shear - from->at.shear, to.stretch - from->at.stretch);
+    rw_problem_init_rates(rates, w->frame, contact, to.P - from.P, to.M - from.M,
+                          to.shear - from.shear, to.stretch - from.stretch);
+}
+
+/* Sets the step as a problem, with the rates at its ends. */
+static bool set_step(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to, rw_problem *p)
+{
+    const bool is_still = to.P == from->at.P && to.M == from->at.M;
+    const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);
+    rw_step_rates(w, from->at, to, from->contact, &w->start);
+    rw_step_rates(w, from->at, to, contact, &w->end);
+    rw_fronts_forget(&w->fronts);
+    return set_problem(w, from, to, contact, p);
 }
 
 static double rate_error(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
@@ -91,9 +103,6 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
                     rw_numerical_state *there)
 {
     rw_outcome outcome;
-    set_rates(w->frame, from, to, from->contact, &w->start);
-    set_rates(w->frame, from, to, p->to, &w->end);
-    rw_fronts_forget(&w->fronts);
     if (!rw_search(w, p, guess, coarse || w->effort > w->most_effort, &outcome))
         return false;
     *there = (rw_numerical_state){
@@ -104,6 +113,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
         .unslipped = rw_zones_widest_stick(&outcome.state.zones, never_slipped(from, p)),
         .move = from->move + outcome.move,
         .energy = from->energy + outcome.energy,
+        .doubt = outcome.doubt,
         .error = outcome.violation};
     there->rate_error = rate_error(w, p, from, there);
     there->is_exact = is_exact(w, p, from, there);
@@ -113,12 +123,27 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
 bool rw_implicit_step(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
                       const rw_zones *guess, bool coarse, rw_numerical_state *there)
 {
-    const bool is_still = to.P == from->at.P && to.M == from->at.M;
-    const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);
     rw_problem p;
-    if (!set_problem(w, from, to, contact, &p))
+    if (!set_step(w, from, to, &p))
         return false;
     return step_to(w, &p, from, to, guess, coarse, there);
+}
+
+bool rw_step_zones(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
+                   const rw_zones *guess, rw_patch *contact, rw_zones *zones)
+{
+    rw_problem p;
+    rw_outcome outcome;
+    if (w->effort > w->most_effort || !set_step(w, from, to, &p))
+        return false;
+    *contact = p.to;
+    if (rw_search_fronts(w, &p, guess, zones))
+        return true;
+    if (!rw_search(w, &p, NULL, false, &outcome))
+        return false;
+    *zones = outcome.state.zones;
+    rw_traction_destroy(&outcome.state.traction);
+    return true;
 }
 
 /* Whether all places that stick in `inner` stick in `outer` too. */
@@ -234,5 +259,6 @@ double rw_compare(const rw_frame *frame, rw_patch before, const rw_numerical_sta
     both->error += half->error + half->rate_error + both->rate_error;
     const double apart = difference(scale, before, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
+    both->doubt += half->doubt;
     return fmax(both->error + apart, fabs(energy) / ENERGY) / frame->tolerance;
 }

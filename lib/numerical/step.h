@@ -32,6 +32,7 @@ typedef struct {
     bool is_still;           /* the contact is as it was at the beginning */
     rw_patch unslipped;      /* the widest part that has not slipped since then */
     double move, energy;     /* the rigid move of the zones that stick, the energy: so far */
+    double doubt;            /* of the energy of the step that led here (outcome.h) */
     double error;            /* violations of the step that led here, over the scale */
     double rate_error;       /* its error by the rates at its ends (rates.h), over the scale */
     bool is_exact;           /* what sticks after that step stuck all the time */
@@ -43,6 +44,18 @@ typedef struct {
  * zones of a similar step, which are tried first. */
 bool rw_implicit_step(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
                       const rw_zones *guess, bool coarse, rw_numerical_state *there);
+
+/* The friction of a contact, kept for what follows. NULL where memory is short. */
+const rw_friction *rw_step_friction(rw_work *work, rw_patch contact);
+
+/* The rates of a step on a contact that it passes. */
+void rw_step_rates(const rw_work *work, rw_scaled_loads from, rw_scaled_loads to, rw_patch contact,
+                   rw_problem *rates);
+
+/* The contact and its zones alone after a step, which are like those of `guess`.
+ * false where they are not found. */
+bool rw_step_zones(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
+                   const rw_zones *guess, rw_patch *contact, rw_zones *zones);
 
 /* `from` and `there` were reached from one state, half-way and as a whole, under constant P and M.
  * Whether the step from the one to the other has the end `there` too: then the whole is exact, and

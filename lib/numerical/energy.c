@@ -10,8 +10,9 @@ static const double OF_WHOLE = 0.2, OF_HALVES = 0.04;
 /* The relative error that is looked for. */
 static const double ENOUGH = 0.03;
 
-/* The way is halved so many times at most, to look at the power in more moments. */
-enum { DEPTH = 3 };
+/* The power is looked at in five moments, and in parts of the way in more: the parts are halved so
+ * many times at most. */
+enum { HALVINGS = 3 };
 
 /* Half-way is the end where the step was taken as a whole. */
 typedef struct {
@@ -62,37 +63,31 @@ typedef struct {
     double energy, doubt;
 } estimate;
 
-/* The mean of a power between two moments, if its root is linear: so it is where slip has just
- * begun at an edge. */
-static double by_ends(double first, double last)
+/* Simpson's rule over a part of the way. It is exact where slip has just begun at an edge: the
+ * power rises there with the square of time. */
+static double by_three(double length, const double power[])
 {
-    return (first + last + sqrt(first * last)) / 3;
+    return length * (power[0] + 4 * power[1] + power[2]) / 6;
 }
 
-/* By Simpson's rule, which is exact then too. Both rules differ by the doubt. */
-static estimate by_three(double length, const double power[])
-{
-    const double mean = (power[0] + 4 * power[1] + power[2]) / 6;
-    const double other = by_ends(power[0], power[1]) / 2 + by_ends(power[1], power[2]) / 2;
-    return (estimate){length * mean, length * fabs(mean - other)};
-}
-
-/* Over a part of the way with this power at its ends and in the middle. In more moments, as long as
- * the doubt is larger than allowed. Three moments of all the way are too few: where slip passes the
- * marks of earlier loads the power jumps, and both rules may agree by chance. */
+/* Over a part of the way with this power at its ends and in the middle. Where slip passes the marks
+ * of earlier loads the power jumps: there the parts become shorter, as long as two rules differ by
+ * more than is allowed. */
 static estimate integral(const way *l, double from, double to, const double power[], double allowed,
-                         int depth)
+                         int halvings)
 {
     const double length = to - from, middle = from + length / 2;
-    const estimate three = by_three(length, power);
-    if (depth == 0 || (depth < DEPTH && !(three.doubt > allowed)))
-        return three;
     const double first[] = {power[0], power_at(l, from + length / 4), power[1]},
                  last[] = {power[1], power_at(l, to - length / 4), power[2]};
-    const estimate a = integral(l, from, middle, first, allowed / 2, depth - 1),
-                   b = integral(l, middle, to, last, allowed / 2, depth - 1);
-    const estimate both = {a.energy + b.energy, a.doubt + b.doubt};
-    return isfinite(both.energy) ? both : three;
+    const double three = by_three(length, power),
+                 five = by_three(length / 2, first) + by_three(length / 2, last);
+    if (!isfinite(five))
+        return (estimate){three, three};
+    if (halvings == 0 || fabs(five - three) <= allowed)
+        return (estimate){five, fabs(five - three)};
+    const estimate a = integral(l, from, middle, first, allowed / 2, halvings - 1),
+                   b = integral(l, middle, to, last, allowed / 2, halvings - 1);
+    return (estimate){a.energy + b.energy, a.doubt + b.doubt};
 }
 
 static estimate by_power(const way *l)
@@ -102,7 +97,7 @@ static estimate by_power(const way *l)
                             half == there ? power_at(l, 0.5)
                                           : power_of(l, half->contact, &half->shear.zones),
                             power_of(l, there->contact, &there->shear.zones)};
-    return integral(l, 0, 1, power, ENOUGH * by_three(1, power).energy, DEPTH);
+    return integral(l, 0, 1, power, ENOUGH * by_three(1, power), HALVINGS);
 }
 
 void rw_settle_energy(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *half,

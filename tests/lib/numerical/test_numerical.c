@@ -165,6 +165,34 @@ CLAIM(a_contact_that_grows_and_recedes)
     }
 }
 
+/* The energy of one load. */
+static void costs_as_in_closed_form(pair *c, double P, double Q)
+{
+    const double before = c->numerical->now.energy,
+                 exact = rwedge_contact_dissipated_energy(c->exact);
+    go(c, P, 0, Q, 0);
+    assert_close(c->numerical->now.energy - before,
+                 rwedge_contact_dissipated_energy(c->exact) - exact, 0.01);
+}
+
+/* A ring that the contact leaves slips as the edge comes to it, under friction of that moment. Slip
+ * times the mean of friction was 7 % too much of the second, and 2.6 times the energy of the last. */
+CLAIM(the_energy_of_a_contact_that_recedes_is_that_of_the_closed_form)
+{
+    pair *c = begin(3, 0, 1e-4);
+    go(c, 3, 0, 0.6, 0);
+    go(c, 3.6, 0, 0.8, 0);
+    costs_as_in_closed_form(c, 3.4, 0.5);
+    costs_as_in_closed_form(c, 2.8, 0.2);
+    go(c, 3.5, 0, 0.1, 0);
+    costs_as_in_closed_form(c, 3.7, -0.4);
+    costs_as_in_closed_form(c, 3, -0.6);
+    go(c, 4.5, 0, 0, 0);
+    costs_as_in_closed_form(c, 2.5, 0.3);
+    go(c, 4.5, 0, 0.3, 0);
+    costs_as_in_closed_form(c, 2.2, 0.1);
+}
+
 /* A log with 48 loads a period, of which 3 % are noise. */
 static rw_scaled_loads noisy(int i)
 {

@@ -35,13 +35,20 @@ static double rate_at(const rw_fronts *f, const rw_stuck *s, bool sticks, double
 /* Places in a zone or a part of one, the closer the nearer to its ends. */
 enum { POINTS = 24 };
 
+/* The end of a zone that slips from which slip is counted. Returns how far the other end is, < 0 to
+ * the left. */
+static double from_front(const rw_stuck *s, rw_zone zone, double *front)
+{
+    const bool is_leftmost = zone.right == s->end[0];
+    *front = is_leftmost ? zone.right : zone.left;
+    return is_leftmost ? zone.left - zone.right : zone.right - zone.left;
+}
+
 /* The largest slip with the sign of the traction, from the front on; `way` -1: against it. */
 static double largest_slip(const rw_fronts *f, const rw_stuck *s, rw_zone zone, int way)
 {
-    const bool is_leftmost = zone.right == s->end[0];
-    const double front = is_leftmost ? zone.right : zone.left;
-    const double length = is_leftmost ? zone.left - zone.right : zone.right - zone.left;
-    double slip = 0, most = 0;
+    double front, slip = 0, most = 0;
+    const double length = from_front(s, zone, &front);
     for (int i = 0; i < POINTS; i++) {
         const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
         slip += rate_at(f, s, false, front + length * half * half) * length * sin(angle) *
@@ -311,10 +318,8 @@ double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zone
 static double power_in(const rw_fronts *f, const rw_stuck *s, const rw_friction *friction,
                        rw_zone zone)
 {
-    const bool is_leftmost = zone.right == s->end[0];
-    const double front = is_leftmost ? zone.right : zone.left;
-    const double length = is_leftmost ? zone.left - zone.right : zone.right - zone.left;
-    double slip = 0, power = 0, x[POINTS], F[POINTS], step[POINTS];
+    double front, slip = 0, power = 0, x[POINTS], F[POINTS], step[POINTS];
+    const double length = from_front(s, zone, &front);
     for (int i = 0; i < POINTS; i++) {
         const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
         x[i] = front + length * half * half;

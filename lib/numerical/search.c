@@ -323,13 +323,21 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
     return best->state.traction.count > 0;
 }
 
-bool rw_search_fronts(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_zones *zones)
+bool rw_search_zones(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_zones *zones)
 {
     const rw_zones start = moved_to(*guess, p->to);
-    w->search = w->effort > w->most_effort ? 0 : SEARCH;
-    if (!find_fronts(w, p, &start, 0))
+    rw_outcome outcome;
+    if (w->effort > w->most_effort)
         return false;
-    rw_fronts_zones(&w->fronts, zones);
+    w->search = SEARCH;
+    if (find_fronts(w, p, &start, 0)) {
+        rw_fronts_zones(&w->fronts, zones);
+        return true;
+    }
+    if (!rw_search(w, p, NULL, false, &outcome))
+        return false;
+    *zones = outcome.state.zones;
+    rw_traction_destroy(&outcome.state.traction);
     return true;
 }
 

@@ -32,8 +32,9 @@ void rw_work_destroy(rw_work *work);
 bool rw_search(rw_work *work, const rw_problem *problem, const rw_zones *guess, bool coarse,
                rw_outcome *best);
 
-/* The exact fronts alone, of such zones. The rates of the step are set. */
-bool rw_search_fronts(rw_work *work, const rw_problem *problem, const rw_zones *guess,
-                      rw_zones *zones);
+/* The zones alone, without their outcome: where it can be, by exact fronts of zones like those of
+ * `guess`. false where they are not found. */
+bool rw_search_zones(rw_work *work, const rw_problem *problem, const rw_zones *guess,
+                     rw_zones *zones);
 
 #endif

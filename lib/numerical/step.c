@@ -133,17 +133,10 @@ bool rw_step_zones(rw_work *w, const rw_numerical_state *from, rw_scaled_loads t
                    const rw_zones *guess, rw_patch *contact, rw_zones *zones)
 {
     rw_problem p;
-    rw_outcome outcome;
-    if (w->effort > w->most_effort || !set_step(w, from, to, &p))
+    if (!set_step(w, from, to, &p))
         return false;
     *contact = p.to;
-    if (rw_search_fronts(w, &p, guess, zones))
-        return true;
-    if (!rw_search(w, &p, NULL, false, &outcome))
-        return false;
-    *zones = outcome.state.zones;
-    rw_traction_destroy(&outcome.state.traction);
-    return true;
+    return rw_search_zones(w, &p, guess, zones);
 }
 
 /* Whether all places that stick in `inner` stick in `outer` too. */

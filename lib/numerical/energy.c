@@ -107,7 +107,9 @@ void rw_settle_energy(rw_work *w, const rw_numerical_state *from, const rw_numer
     const estimate by_slip = {there->energy - from->energy, part * there->doubt};
     if (!(by_slip.doubt > ENOUGH * by_slip.energy))
         return;
+    const int effort = w->effort; /* what steps may take does not depend on their energy */
     const estimate other = by_power(&(way){w, from, half, there});
+    w->effort = effort;
     if (isless(other.doubt, by_slip.doubt))
         there->energy = from->energy + other.energy;
 }

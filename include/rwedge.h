@@ -660,8 +660,8 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * plus epsilon times P over the change of Q/f where slip reaches an older layer. Off the centre it
  * is below 1e-12 plus 1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta),
  * and with |x| at the edges over the width where that is above 1. A load without a closed form
- * under which P or M change has no such accuracy: the shares of 99 of 100 random loads were right to
- * 3 % or to 1e-6 of (f P)^2 A, and those of all to 5 %. */
+ * under which P or M change has no such accuracy: the shares of 99 of 100 random loads were right
+ * to 3 % or to 1e-6 of (f P)^2 A, and those of all to 5 %. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of

@@ -223,8 +223,8 @@ CLAIM(flat_and_worn_pads_are_the_limit_of_boundary_elements)
 
 /* ---- Mixed loads ---- */
 
-/* Of P, M, Q and sigma none goes in step with another: no load after the first has a closed form. The
- * contact grows, recedes and rocks, and little of it slips. */
+/* Of P, M, Q and sigma none goes in step with another: no load after the first has a closed form.
+ * The contact grows, recedes and rocks, and little of it slips. */
 enum { MIXED = 5, STEPS = 160, ELEMENTS = BOUNDARY_ELEMENTS_MAX };
 static const rw_loads MIXED_LOADS[MIXED] = {
     {100, 0, 0, 0}, {100, 1, 20, 50}, {80, 2, 10, -50}, {120, -2, -30, 20}, {100, 0, 0, 0}};
@@ -254,8 +254,8 @@ static void cycle_at(const rwedge_contact *pressed, const double x[], double per
                                             slip_range, F1, F2, per_area));
 }
 
-/* The energy of a load differs by 0.1, 0.1, 0.5 and 0.9 %, and with 40 steps a load by up to 7 %: it
- * is of the solver. The energy per area differs by 2.5 % of all of it. */
+/* The energy of a load differs by 0.1, 0.1, 0.5 and 0.9 %; with 40 steps a load by up to 7 %: it is
+ * the solver's error. The energy per area differs by 2.5 % of all of it. */
 CLAIM(the_energy_of_mixed_loads_is_the_limit_of_boundary_elements)
 {
     static boundary_element solver;

@@ -176,7 +176,8 @@ static void costs_as_in_closed_form(pair *c, double P, double Q)
 }
 
 /* A ring that the contact leaves slips as the edge comes to it, under friction of that moment. Slip
- * times the mean of friction was 7 % too much of the second, and 2.6 times the energy of the last. */
+ * times the mean of friction was 7 % too much of the second load, and 2.6 times the energy of the
+ * last. */
 CLAIM(the_energy_of_a_contact_that_recedes_is_that_of_the_closed_form)
 {
     pair *c = begin(3, 0, 1e-4);

@@ -29,11 +29,12 @@ static double load_excess(double right, const void *context)
 }
 
 /* The right edge that goes with the left one under the load P: the load grows with the edge,
- * without bound, and is less than the width. The edge of a pad may be next to 0. */
+ * without bound, and is less than the width, or not much more where it is rounded up. The edge of a pad may be next to 0. */
 static double right_edge(const search *at)
 {
-    double lo = at->left + at->P * (1 - DBL_EPSILON), width = at->P;
-    /* always: the load grows with the width */
+    double lo = at->left + at->P / 2, width = at->P;
+    /* always: the load grows with the width; the left edge is a number, because excess() has both
+     * signs where it is searched */
     while (load_excess(at->left + width, at) < 0 && ALWAYS(width < LARGEST)) {
         lo = at->left + width;
         width *= 2;
@@ -55,6 +56,15 @@ static double excess(double left, const void *context)
         return carried.moment - at.wanted;
     /* rounding may leave no width, and so no load */
     return (carried.load > 0 ? carried.moment / carried.load : left) * at.P - at.wanted;
+}
+
+/* A left edge that is too far to the left: `lo`, or one beyond. The loop ends: steps that begin
+ * with more than 0 reach any distance, and at -infinity the tilt is -1. */
+static double far_left(const search *s, double lo, double step)
+{
+    for (; excess(lo, s) > 0; step *= 2)
+        lo -= step;
+    return lo;
 }
 
 /* From a left edge that is too far to the left towards the end of the profile, where M is infinite
@@ -95,7 +105,9 @@ static rw_patch patch_of_wedge(search *s)
     const double centred = half <= a ? half : a / rwedge_a_over_b(P / a);
     if (isnan(centred)) /* a/b is not in the domain */
         return NONE;
-    return search_patch(s, -centred * (1 + 4 * DBL_EPSILON), a, DBL_EPSILON * centred / 4);
+    /* rounding other than to the nearest takes a few steps */
+    const double lo = far_left(s, -centred * (1 + 4 * DBL_EPSILON), 4 * DBL_EPSILON * centred);
+    return search_patch(s, lo, a, DBL_EPSILON * centred / 4);
 }
 
 /* ---- A pad ---- */
@@ -114,14 +126,15 @@ double rw_pad_half_width(const rw_pad *pad, double P)
     double lo = P / 2 * (1 - DBL_EPSILON), hi = 2 * lo;
     if (P == 0)
         return 0;
+    while (half_load_excess(lo, &at) > 0) /* a kink's, if its load is rounded up */
+        lo /= 2;
     for (; half_load_excess(hi, &at) < 0 && ALWAYS(hi < LARGEST); hi *= 2)
         lo = hi;
     return rw_root(half_load_excess, &at, lo, hi, 0);
 }
 
-/* The left edge is between -infinity, where the tilt is -1, and the right end of the profile. The
- * first loop ends: steps that begin with P > 0 reach any distance. Without P there is no moment,
- * and at the left end of the profile the tilt is -1 already. */
+/* The left edge is between -infinity, where the tilt is -1, and the right end of the profile.
+ * Without P there is no moment, and at the left end of the profile the tilt is -1 already. */
 static rw_patch patch_of_pad(search *s)
 {
     const rw_pad *pad = s->arcs->pad;
@@ -130,9 +143,7 @@ static rw_patch patch_of_pad(search *s)
         const double b = rw_pad_half_width(pad, s->P);
         return (rw_patch){-b, b};
     }
-    double lo = pad->arcs[0].left - s->P, step = s->P;
-    for (; excess(lo, s) > 0; step *= 2)
-        lo -= step;
+    const double lo = far_left(s, pad->arcs[0].left - s->P, s->P);
     return search_patch(s, lo, end, DBL_EPSILON / 4 * (s->P + (end - lo)));
 }
 

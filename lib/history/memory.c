@@ -259,8 +259,8 @@ rw_departure rw_departure_from(const rw_path *path, rw_memory_loads to)
     const double shrinks = fmax(1 - slip * after->ratio, DBL_EPSILON);
     const double tilt = before->tilt + rw_memory_missing_tilt(before, slip, to) / shrinks;
     const rw_corner corner = between(before, after, depth / (depth - beyond), tilt);
-    /* always: the line meets the path before it ends */
-    return ALWAYS(corner.load < load) ? (rw_departure){corner, last + 1, slip} : at_corner;
+    /* the line meets the path before it ends, but for rounding */
+    return corner.load < load ? (rw_departure){corner, last + 1, slip} : at_corner;
 }
 
 /* A step that changes less than the tolerance leaves the path as it is. It does not take over the

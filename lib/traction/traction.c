@@ -5,13 +5,15 @@
 #include "base/domain.h"
 #include "base/processor.h"
 
+#include <float.h>
 #include <string.h>
 
 /* Elements are divided at most DEPTH times, and not into parts shorter than SHORTEST of the whole:
- * narrower features are the noise of a front that is not exact. */
+ * narrower features are the noise of a front that is not exact. Nor into parts shorter than ROUNDED
+ * of x: there are too few places in them, and what is smooth jumps from one to the next. */
 enum { DEPTH = 12 };
 
-static const double SHORTEST = 1e-8;
+static const double SHORTEST = 1e-8, ROUNDED = 64 * DBL_EPSILON;
 
 /* Of the tolerance: smaller coefficients at the end of a series are none. */
 static const double LOST = 1e-4;
@@ -233,7 +235,8 @@ bool rw_traction_fit(rw_traction *t, rw_values f, const void *context, size_t br
                      const double at[], double tolerance, double noise)
 {
     fit how = {.traction = t, .f = f, .context = context, .tolerance = tolerance, .noise = noise};
-    how.shortest = SHORTEST * (at[breaks - 1] - at[0]);
+    const double reach = fmax(fabs(at[0]), fabs(at[breaks - 1]));
+    how.shortest = fmax(SHORTEST * (at[breaks - 1] - at[0]), ROUNDED * reach);
     make_rule(&how.rule);
     for (size_t i = 0; i + 1 < breaks; i++) {
         const double middle = at[i] / 2 + at[i + 1] / 2;

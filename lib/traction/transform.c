@@ -16,7 +16,8 @@ static const double NEAR = 2;
  * like a square root there and allows a smaller move than the displacement. */
 static const double BESIDE = 1e-10, WELL_BESIDE = 1e-8;
 
-/* A point is moved by at least this part of x: a smaller move may be lost in rounding. */
+/* A point is moved by at least this part of x: a smaller move may be lost in rounding. It is moved
+ * no further than to the middle of the element, beyond which another end may be. */
 static const double LEAST_MOVE = 4 * DBL_EPSILON;
 
 /* ---- One pole: J(zeta) = int c(u)/(u - zeta) du over an element ---- */
@@ -129,7 +130,8 @@ static double beside(const rw_traction *t, double x, double part)
 {
     for (size_t i = 0; i < t->count; i++) {
         const rw_element *e = &t->elements[i];
-        const double least = fmax(part * (e->high - e->low), LEAST_MOVE * fabs(x));
+        const double length = e->high - e->low;
+        const double least = fmin(length / 2, fmax(part * length, LEAST_MOVE * fabs(x)));
         if (fabs(x - e->low) < least)
             return e->low + least;
         if (fabs(x - e->high) < least)

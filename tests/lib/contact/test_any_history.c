@@ -371,6 +371,16 @@ static long process_memory(const char *which)
 #endif
 }
 
+/* The moment moves the contact by some roundings of its width, and the slip of these places is
+ * tension times their way: it was kept in pieces that a double does not tell apart. */
+CLAIM(a_contact_that_grows_by_some_roundings_stays_small)
+{
+    rwedge_contact *contact = allowing(create_wedge(0.3, 4.60932e-15, 1, 0.146444), 1.12542e-5);
+    APPLY(contact, {0.3142, 0, 0, 2.875e-5}, {0.3142, 3.013e-13, -0.03158, 0.3766});
+    assert_true(rwedge_contact_error(contact) > 0);
+    assert_in_range(rwedge_contact_state_size(contact), 0, 20000);
+}
+
 /* A front that comes back to where one has been, or nearly: the traction between both had a spike,
  * 1e-9 wide, of which no error was told. A contact yielded at a tenth of its loads. */
 CLAIM(a_repeated_cycle_yields_no_earlier)

@@ -4,6 +4,8 @@
 #include "formulas/pad.h"
 #include "rwedge.h"
 
+#include <fenv.h>
+
 /* Where c is lost beside 1 the ratio was sometimes 1 + 2 epsilon, outside the domain of its
  * inverse. */
 CLAIM(round_trips_stay_in_the_domain)
@@ -28,4 +30,45 @@ CLAIM(a_flank_on_the_surface_has_no_patch)
 {
     const rw_arcs wedge = {.count = 1, .rounding = rw_rounding(1)};
     assert_nan(rw_arcs_patch_of_moment(&wedge, 1e-3, 1e40).left);
+}
+
+/* ---- Other rounding modes ---- */
+
+static rw_patch patch_in_mode(int mode, const rw_arcs *arcs, double P, double M)
+{
+    fesetround(mode);
+    const rw_patch patch = rw_arcs_patch_of_moment(arcs, P, M);
+    fesetround(FE_TONEAREST);
+    return patch;
+}
+
+static void assert_patch(rw_patch patch, double left, double right)
+{
+    assert_within(patch.left, left, 1e-12 * (right - left));
+    assert_within(patch.right, right, 1e-12 * (right - left));
+}
+
+/* The ends of the searches were where they are when all is rounded to the nearest. There was no
+ * edge, and the edge that goes with it was searched without end. */
+CLAIM(a_patch_is_found_in_every_rounding_mode)
+{
+    static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    rw_arc apex;
+    double all = 1;
+    const rw_pad alone = {1, true, &apex, &all};
+    const rw_arcs pad = {.count = 1, .pad = &alone}; /* that is a wedge */
+    for (int i = 0; i < 3; i++) {
+        for (double a = 1e-15, P = 1.7; a < 10; a *= 1.3) {
+            const rw_arcs wedge = {.count = 1, .rounding = rw_rounding(a)};
+            const double b = rwedge_half_width(1, a, 1, P);
+            apex = wedge.rounding;
+            assert_patch(patch_in_mode(modes[i], &wedge, P, 0), -b, b);
+            assert_patch(patch_in_mode(modes[i], &pad, P, 0), -b, b);
+        }
+        for (double M = 1e-13, P = 1.7; M < 10; M *= 1.3) {
+            const rw_arcs wedge = {.count = 1, .rounding = rw_rounding(1e-13 * M)};
+            const double m = 2 * M / P, s = hypot(m, P / 2); /* patch.h, with a = 0 */
+            assert_patch(patch_in_mode(modes[i], &wedge, P, M), m - s, m + s);
+        }
+    }
 }

@@ -5,6 +5,8 @@
 #include "base/complex.h"
 #include "traction/transform.h"
 
+#include <float.h>
+
 static const double BREAKS[] = {-1, -0.2, 0.5, 1};
 
 static double hertz(double x)
@@ -159,5 +161,22 @@ CLAIM(a_short_element_is_not_lost_in_a_long_one)
     rw_traction t = fit(bent_at_the_end, 3, breaks, 1e-9);
     rw_traction_simplify(&t, 1e-9);
     assert_within(rw_traction_at(&t, 1), bent_at_the_end(1), 1e-9);
+    rw_traction_destroy(&t);
+}
+
+/* Over twenty doubles, from 0 to 1. */
+static double steep(double x)
+{
+    return (x - 0.5) / (10 * DBL_EPSILON);
+}
+
+/* The slip of places new in contact became thousands of elements, narrower than a double tells
+ * apart, and a load took 7 s. */
+CLAIM(elements_are_not_narrower_than_rounding)
+{
+    const double breaks[] = {0.5, 0.5 + 10 * DBL_EPSILON};
+    rw_traction t = fit(steep, 2, breaks, 1e-6);
+    assert_int_equal(t.count, 2);
+    assert_within(rw_traction_at(&t, 0.5 + 5 * DBL_EPSILON), 0.5, 0.1);
     rw_traction_destroy(&t);
 }

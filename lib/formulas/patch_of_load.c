@@ -29,7 +29,8 @@ static double load_excess(double right, const void *context)
 }
 
 /* The right edge that goes with the left one under the load P: the load grows with the edge,
- * without bound, and is less than the width, or not much more where it is rounded up. The edge of a pad may be next to 0. */
+ * without bound, and is less than the width, or not much more where it is rounded up. The edge of a
+ * pad may be next to 0. */
 static double right_edge(const search *at)
 {
     double lo = at->left + at->P / 2, width = at->P;

@@ -684,7 +684,8 @@ RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, do
 
 /* What a contact undergoes in a cycle of loads, reached one after the other in straight steps, as
  * by rwedge_contact_apply(). The functions start from the contact as it is, and leave it so. For a
- * steady state load it with the cycle first: once under constant P and M, twice where they change.
+ * steady state load it with the cycle first: once under constant P and M, twice where they change,
+ * some times more where loads have no closed form.
  *   loads          number of loads of the cycle, >= 1
  *   P              0, or at least 1e-8 of the last P
  *   M, Q, sigma    finite: loads numbers each, as P

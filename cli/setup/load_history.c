@@ -93,19 +93,11 @@ void load_history_read_list(const arguments *line, load_history *loads)
 /* ---- A file ---- */
 
 /* A row that is no load ends the command: the loads after it would belong to another history. */
-void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
+static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
 {
-    const char *file = history_file(line);
     load to;
     csv_row row;
     complaint why;
-    if (file == NULL) {
-        load_history_read_list(line, loads);
-        return;
-    }
-    csv_input *in =
-        csv_input_open(file, decimal_sign == ',' ? ';' : ',', line->value[OPTION_ENCODING]);
-    *loads = (load_history){.name = in->name};
     csv_input_header(in, &loads->first);
     csv_input_check(in);
     if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, &why))
@@ -119,6 +111,19 @@ void load_history_read(const arguments *line, char decimal_sign, load_history *l
         add(loads, to, row);
     }
     csv_input_check(in);
+}
+
+void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
+{
+    const char *file = history_file(line);
+    if (file == NULL) {
+        load_history_read_list(line, loads);
+        return;
+    }
+    csv_input *in =
+        csv_input_open(file, decimal_sign == ',' ? ';' : ',', line->value[OPTION_ENCODING]);
+    *loads = (load_history){.name = in->name};
+    read_rows(in, decimal_sign, loads);
     if (loads->count == 0)
         failure("%s: no loads; needed: rows of P and Q", in->name);
     loads->has_mark = in->has_mark;

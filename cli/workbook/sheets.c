@@ -108,35 +108,42 @@ static void write_working(sheets *on, const char *const f[])
 
 /* Inputs left, results right, named as "solve --input" names its columns; then the working cells,
  * which are hidden. A row refers to itself and to the tables alone: it may be copied. */
+enum { BATCH_HEADER, BATCH_FIRST, BATCH_ROWS = 200 };
+
+static void write_batch_rows(xlsx *book)
+{
+    case_values values;
+    for (int row = BATCH_FIRST; row < BATCH_FIRST + BATCH_ROWS; row++) {
+        shown_values(1 + row - BATCH_FIRST, &values);
+        xlsx_text(book, row, 0, "", "bare");
+        for (int i = 0; i < INPUT_CELLS; i++)
+            xlsx_number(book, row, batch_column(i), values.number[i], "bare");
+        for (int i = INPUT_CELLS; i < case_cell_count; i++)
+            case_formula(book, row, batch_column(i), i, &values, "plain", row + 1);
+    }
+}
+
 static void write_batch(sheets *on, const char *const f[])
 {
-    enum { HEADER_ROW, FIRST_ROW, BATCH_ROWS = 200 };
     const int last = batch_column(case_cell_count);
-    case_values values;
     (void)f;
     on->has_rows = true;
-    xlsx_text(on->book, HEADER_ROW, 0, "case", "header");
+    xlsx_text(on->book, BATCH_HEADER, 0, "case", "header");
     for (int i = 0; i < case_cell_count; i++)
-        xlsx_text(on->book, HEADER_ROW, batch_column(i),
+        xlsx_text(on->book, BATCH_HEADER, batch_column(i),
                   i < SHOWN_CELLS ? case_cells[i].column : case_cells[i].name,
                   i < FIRST_REMARK ? "upright" : "header");
-    for (int row = FIRST_ROW; row < FIRST_ROW + BATCH_ROWS; row++) {
-        shown_values(1 + row - FIRST_ROW, &values);
-        xlsx_text(on->book, row, 0, "", "bare");
-        for (int i = 0; i < INPUT_CELLS; i++)
-            xlsx_number(on->book, row, batch_column(i), values.number[i], "bare");
-        for (int i = INPUT_CELLS; i < case_cell_count; i++)
-            case_formula(on->book, row, batch_column(i), i, &values, "plain", row + 1);
-    }
+    write_batch_rows(on->book);
     /* the last row that has an input, beside the hidden names */
-    xlsx_formula(on->book, HEADER_ROW, last,
+    xlsx_formula(on->book, BATCH_HEADER, last,
                  "=MAX(1,SUMPRODUCT(MAX((Batch!$B$2:$N$10000<>\"\")*ROW(Batch!$B$2:$N$10000))))",
-                 cell_number(FIRST_ROW + EXAMPLES - 1), "plain");
-    xlsx_name(on->book, "rwt_used", (xlsx_area){HEADER_ROW, last, HEADER_ROW, last});
+                 cell_number(BATCH_FIRST + EXAMPLES - 1), "plain");
+    xlsx_name(on->book, "rwt_used", (xlsx_area){BATCH_HEADER, last, BATCH_HEADER, last});
     /* what is typed or pasted is checked: typing at once, pasting by the column "error" */
     for (int i = 0; i < INPUT_CELLS; i++)
-        check_typing(on->book, (xlsx_area){FIRST_ROW, batch_column(i), BATCH_ROWS, batch_column(i)},
-                     i, FIRST_ROW + 1);
+        check_typing(on->book,
+                     (xlsx_area){BATCH_FIRST, batch_column(i), BATCH_ROWS, batch_column(i)}, i,
+                     BATCH_FIRST + 1);
     xlsx_hide_columns(on->book, batch_column(SHOWN_CELLS), last);
 }
 

@@ -26,7 +26,7 @@ void rw_add_fields(const rw_fields *fields, double weight, int count, rw_fields 
 
 enum { WORTH_A_VECTOR = 3 }; /* fewer points are quicker one by one */
 
-typedef rw_field formula(const rw_potential *p, rw_place at);
+typedef rw_field formula(const rw_potential *p, rw_place at, rw_elliptic e);
 
 /* The compiler inlines this for each formula and processor. It makes vector instructions of the
  * inner loop. */
@@ -35,7 +35,8 @@ RW_INLINE void apply(formula *right_field, const rw_potential *restrict p, int c
 {
     for (int first = 0; first < count; first += RW_LANES)
         for (int i = first; i < first + RW_LANES; i++) {
-            const rw_field right = right_field(p, rw_place_of(p, x[i], y[i]));
+            const rw_place at = rw_place_of(p, x[i], y[i]);
+            const rw_field right = right_field(p, at, rw_elliptic_at(at.x, at.y, at.beyond));
             rw_put(fields, i, rw_mirrored(p, x[i], y[i], right));
         }
 }

@@ -40,10 +40,9 @@ RW_INLINE rw_place rw_place_of(const rw_potential *p, double x, double y)
                       .past = (right - p->a) * per_c};
 }
 
-/* Hertz: G = R/alpha, y G' = -y R/(X alpha). */
-RW_INLINE rw_field rw_hertz_field(const rw_potential *p, rw_place at)
+/* Hertz: G = R/alpha, y G' = -y R/(X alpha). e are the coordinates of the place. */
+RW_INLINE rw_field rw_hertz_field(const rw_potential *p, rw_place at, rw_elliptic e)
 {
-    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double shrink = rw_elliptic_shrink(&e), factor = -at.y / e.cos2 * p->per_alpha;
     return (rw_field){shrink * e.sin_v * p->per_alpha, -shrink * e.cos_v * p->per_alpha,
                       factor * rw_elliptic_RX_re(&e, shrink), factor * -(e.sin_v * e.cos_v)};
@@ -87,9 +86,8 @@ RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, do
 
 /* For alpha < 1. E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all three nonnegative, and
  * |E|^2 - 1 = -2 c0 cos(v)/E_size. */
-RW_INLINE rw_field rw_rounded_field(const rw_potential *p, rw_place at)
+RW_INLINE rw_field rw_rounded_field(const rw_potential *p, rw_place at, rw_elliptic e)
 {
-    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     const double shrink = rw_elliptic_shrink(&e), alpha = p->alpha, c0 = p->c0;
     const double A_im = log_part_of_A(p, &e, at.past),
                  A_re = angle_part_of_A(p, &e, shrink, from_corner_of(p, &e));

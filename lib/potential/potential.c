@@ -30,9 +30,10 @@ rw_field rw_potential_at(const rw_potential *potential, double x, double y)
     const rw_place at = rw_place_of(potential, x, y);
     if (rw_is_remote(at.x, at.y))
         return rw_mirrored(potential, x, y, remote_field(potential, at));
+    const rw_elliptic e = rw_elliptic_at(at.x, at.y, at.beyond);
     if (potential->alpha >= 1)
-        return rw_mirrored(potential, x, y, rw_hertz_field(potential, at));
-    return rw_mirrored(potential, x, y, rw_rounded_field(potential, at));
+        return rw_mirrored(potential, x, y, rw_hertz_field(potential, at, e));
+    return rw_mirrored(potential, x, y, rw_rounded_field(potential, at, e));
 }
 
 void rw_potential_far_coefficients(const rw_potential *potential, double far[RW_FAR_TERMS])

@@ -72,8 +72,8 @@ rw_field rw_potential_with_curvature(const rw_potential *potential, double x, do
 {
     const point at = point_at(potential, x, y);
     *curvature = curvature_at(potential, &at);
-    return potential->alpha < 1 ? rw_rounded_field(potential, at.at)
-                                : rw_hertz_field(potential, at.at);
+    return potential->alpha < 1 ? rw_rounded_field(potential, at.at, at.e)
+                                : rw_hertz_field(potential, at.at, at.e);
 }
 
 /* sin(v)^2 - alpha^2 from x - alpha, which does not cancel. */

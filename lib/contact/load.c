@@ -100,8 +100,7 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
         return RWEDGE_OK;
     }
     step->patch = rw_patch_under_moment(g, to.P, to.M);
-    if (g->reach > 0 && /* not fmax(): that of NaN may raise the exception invalid */
-        (isgreater(-step->patch.left, g->reach) || isgreater(step->patch.right, g->reach)))
+    if (g->reach > 0 && isgreater(fmax(-step->patch.left, step->patch.right), g->reach))
         return RWEDGE_ERANGE;
     step->to.tilt = tilt_of(g, to, step->patch);
     return RWEDGE_OK;

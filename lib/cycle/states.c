@@ -131,9 +131,7 @@ int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *lo
     status = go_through(loads, use, cycle);
     for (size_t i = 0; i < cycle->count && status == RWEDGE_OK; i++) {
         const rw_patch patch = cycle->states[i].patch;
-        const double rounding = ROUNDING * (patch.right - patch.left); /* NaN where apart */
-        if (isgreater(rounding, cycle->rounding))
-            cycle->rounding = rounding;
+        cycle->rounding = fmax(cycle->rounding, ROUNDING * (patch.right - patch.left));
     }
     return status;
 }

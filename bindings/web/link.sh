@@ -11,7 +11,7 @@ shift
 clang $options -Iinclude "$here/../../packages/dgelsd.c" -Wl,--whole-archive library/lib/librwedge_inside.a -Wl,--no-whole-archive gsl/*.o "$@" \
     -mexec-model=reactor -Wl,--export=malloc,--export=free,--gc-sections,--strip-all,-z,stack-size=1048576 -o "$folder/rwedge.wasm"
 {
-    echo '// SPDX-License-Identifier: GPL-3.0-or-later'
+    sed -n 's,^# SPDX,// SPDX,p' "$here/link.sh"
     echo '// Made by link.sh: the library as WebAssembly. It is text here, so that a page or a program needs no other file.'
     echo "const text = \"$(base64 -w 0 "$folder/rwedge.wasm")\";"
     echo 'export const wasm = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));'

@@ -116,7 +116,7 @@ CLAIM(allocations_of_other_libraries_are_seen)
 /* ---- Every call ---- */
 
 /* Arguments that are drawn for a call. A computed contact has fewer, as it takes its time. */
-enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 40 };
+enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 20 };
 
 typedef struct {
     public_call call; /* that may lack memory */
@@ -284,9 +284,9 @@ static bool is_survived(step *take, const beginning *from, bool returns, size_t 
 static void lack_memory(step *take, const beginning *from, bool returns)
 {
     for (int for_ever = 0; for_ever < 2; for_ever++) {
-        size_t failing = 1;
+        size_t failing = 1; /* each of the first FEW, then fewer and fewer, as above */
         while (is_survived(take, from, returns, failing, for_ever != 0))
-            failing++;
+            failing += 1 + failing / FEW;
         assert_true(failing > 2);
     }
 }

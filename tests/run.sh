@@ -9,7 +9,7 @@
 #     ./tests/run.sh --packages   also: the packages made, and each tested as it is installed
 #     ./tests/run.sh --elsewhere  also: both commands on the stable release of Debian, if this machine is another system; and
 #                                 the packages made again in another folder, to the same bytes
-#     ./tests/run.sh --all        all but --elsewhere: about 40 minutes on two processors
+#     ./tests/run.sh --all        all but --elsewhere: above 45 minutes on two processors
 #     ./tests/run.sh --strict     a skip counts as a failure if this machine could have had what is missing; the CI runs with it
 #
 # Seeds, samples and numbers of runs are fixed: what was green stays green on the same tree. tests/README.md says how to look further.

@@ -13,8 +13,8 @@ enum { FEW_TERMS = 8 };
 
 static const double RATIO = 0.12;
 
-/* Of the half-width: distances from a front are at least AT_FRONT. A panel there is as wide as
- * NARROWEST, so that rounding does not move its points. */
+/* Of the half-width: distances from a front are at least AT_FRONT. A panel there is at least as
+ * wide as NARROWEST, unless its segment is narrow itself: rounding does not move its points. */
 static const double AT_FRONT = 1e-15, NARROWEST = 1e-10;
 
 /* The weights of integrals from 0 to the nodes u of Gauss, and to 1. */

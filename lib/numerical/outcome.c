@@ -329,7 +329,7 @@ static void check_slips(const after *n, rw_outcome *o)
 }
 
 /* The fit changes the load a little: the difference is spread over the zones that stick, evenly but
- * for their ends. A jump there would be a pole of the stress. */
+ * for their ends: next to a jump of the traction the stress would have no bound. */
 static void balance(const rw_problem *p, rw_shear_state *s)
 {
     const double lost =

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every allocation of every public function fails in turn: only once, or from then on. The call
- * returns RWEDGE_ENOMEM, changes nothing and leaks nothing. When there is memory again, it gives
- * the same result as before.
+/* Allocations of every public function fail in turn, only once or from then on: each of the first
+ * ones, of the others fewer and fewer. The call returns RWEDGE_ENOMEM, changes nothing and leaks
+ * nothing. When there is memory again, it gives the same result as before.
  *
  * With PROGRAM_HEAP this program defines the four functions of the heap itself. They stand before
  * those of glibc in every shared library too, so allocations of GSL and LAPACK count. Without
@@ -210,7 +210,7 @@ CLAIM(every_failed_allocation_is_survived)
     assert_true(allocating > 20);
 }
 
-/* ---- Loads and states, allocation by allocation ---- */
+/* ---- Loads and states ---- */
 
 /* The last load of each is computed, or comes after one that is: it touches, slides, separates or
  * returns to a closed form. */

@@ -27,25 +27,30 @@ static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_lo
     return rw_numerical_step(n, &loose, at, effort);
 }
 
-/* To loads under which this is the contact. */
+/* To loads under which this is the contact. A step ends where an edge turns, because slip counts
+ * from when a place comes into contact. */
 static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, rw_patch contact)
 {
     const rw_scaled_loads from = n->now.at;
     const double last_peak = rw_peak_friction(frame, contact);
     const double folds = fabs(log(to.P / from.P)) / log(FOLD);
     const int parts = (int)fmax(1, ceil(folds - 1e-9));
+    const rw_turns turns = rw_arcs_turns(&frame->arcs, n->now.contact, contact);
     int32_t status = RWEDGE_OK;
     int effort = RW_MOST_EFFORT;
-    for (int i = 1; i <= parts && status == RWEDGE_OK; i++) {
+    double done = 0;
+    for (int i = 1; done < 1 && status == RWEDGE_OK;) {
         const double P = from.P * pow(to.P / from.P, (double)i / parts);
-        const rw_scaled_loads at =
-            i == parts ? to : rw_part_of_line(from, to, (P - from.P) / (to.P - from.P));
+        const double fold = i < parts ? (P - from.P) / (to.P - from.P) : 1;
+        done = rw_stop_before(&turns, done, fold);
+        const rw_scaled_loads at = done < 1 ? rw_part_of_line(from, to, done) : to;
         const rw_patch there =
-            i == parts ? contact : rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
-        int share = effort / (parts - i + 1);
+            done < 1 ? rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M) : contact;
+        int share = effort / (parts - i + 1 + (done < fold));
         effort -= share;
         status = advance_part(n, frame, at, there, last_peak, &share);
         effort += share;
+        i += done == fold;
     }
     return status;
 }

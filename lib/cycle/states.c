@@ -5,8 +5,9 @@
 
 #include <stdlib.h>
 
-/* A step in which P or M changes is cut into PARTS. Where it ends in separation its last part is
- * halved again and again, because the contact shrinks to nothing. */
+/* A step in which P or M changes is cut into PARTS, and where an edge of the contact turns: places
+ * that it leaves and meets again slip anew. Where the step ends in separation no edge turns, and
+ * its last part is halved again and again, because the contact shrinks to nothing. */
 enum { PARTS = 32, HALVINGS = 10, STATES_A_STEP = PARTS + HALVINGS };
 
 static double share_of(int part, int parts)
@@ -73,6 +74,15 @@ static void drop_states(rw_cycle *cycle, size_t count)
         rwedge_contact_destroy(cycle->states[--cycle->count].contact);
 }
 
+static rw_turns turns_of(const rw_state *from, rw_loads to)
+{
+    const rw_geometry *g = &from->contact->geometry;
+    const rw_arcs arcs = rw_arcs_of(g);
+    return from->contact->loads.P == 0 || to.P == 0
+               ? (rw_turns){{1, 1}}
+               : rw_arcs_turns(&arcs, from->patch, rw_patch_under_moment(g, to.P, to.M));
+}
+
 /* Adds the states on the way to a load. Where one of them has no closed form, none is added: the
  * step as a whole has one. On the way to separation the slip is then not known, RWEDGE_EPATH. */
 static int32_t add_parts(rw_cycle *cycle, rw_loads to)
@@ -84,8 +94,15 @@ static int32_t add_parts(rw_cycle *cycle, rw_loads to)
         return status;
     const int parts = parts_of(&cycle->states[count - 1], to);
     const int end = to.P == 0 ? STATES_A_STEP : parts;
-    for (int i = 1; i < end && status == RWEDGE_OK; i++)
-        status = add_state(cycle, rw_loads_between(from, to, share_of(i, parts)));
+    const rw_turns turns = turns_of(&cycle->states[count - 1], to);
+    double done = 0;
+    for (int i = 1; done < 1 && status == RWEDGE_OK;) {
+        const double share = i < end ? share_of(i, parts) : 1;
+        done = rw_stop_before(&turns, done, share);
+        i += done == share;
+        if (done < 1)
+            status = add_state(cycle, rw_loads_between(from, to, done));
+    }
     if (status == RWEDGE_OK || status == RWEDGE_ENOMEM)
         return status;
     drop_states(cycle, count);

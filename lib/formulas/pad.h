@@ -56,4 +56,23 @@ double rw_pad_half_width(const rw_pad *pad, double P);
 rw_patch rw_arcs_patch_of_moment(const rw_arcs *arcs, double P, double M);
 rw_patch rw_arcs_patch_of_tilt(const rw_arcs *arcs, double P, double delta);
 
+/* A straight way of load and moment from one patch to another, each under load: at which parts of
+ * it the left edge and the right one turn, and go outwards from then on. 0 where an edge goes
+ * outwards all the way, 1 where it goes inwards. It turns once, because the set of loads under which
+ * an edge is inside of a given place is convex. */
+typedef struct {
+    double at[2];
+} rw_turns;
+
+rw_turns rw_arcs_turns(const rw_arcs *arcs, rw_patch from, rw_patch to);
+
+/* The next part of the way, beyond `done`, to stop at: an edge turns there, or it is `next`. */
+static inline double rw_stop_before(const rw_turns *turns, double done, double next)
+{
+    for (int i = 0; i < 2; i++)
+        if (turns->at[i] > done && turns->at[i] < next)
+            next = turns->at[i];
+    return next;
+}
+
 #endif

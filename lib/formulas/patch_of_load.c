@@ -167,3 +167,37 @@ rw_patch rw_arcs_patch_of_tilt(const rw_arcs *arcs, double P, double tilt)
 {
     return patch_of(arcs, P, tilt, false);
 }
+
+/* ---- Edges that turn ---- */
+
+/* Above 0 where a change of load and moment moves the edge outwards, on the side -1 or 1. */
+static double outwards(rw_patch patch, int side, double dP, double dM)
+{
+    return dP + side * 2 / rw_patch_half_width(patch) * (dM - rw_patch_middle(patch) * dP);
+}
+
+/* By halving. */
+static double turn(const rw_arcs *arcs, int side, rw_pressing from, double dP, double dM)
+{
+    enum { HALVINGS = 40 };
+    double inwards_at = 0, outwards_at = 1;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double t = inwards_at / 2 + outwards_at / 2;
+        const rw_patch patch =
+            rw_arcs_patch_of_moment(arcs, from.load + t * dP, from.moment + t * dM);
+        *(outwards(patch, side, dP, dM) > 0 ? &outwards_at : &inwards_at) = t;
+    }
+    return outwards_at;
+}
+
+rw_turns rw_arcs_turns(const rw_arcs *arcs, rw_patch from, rw_patch to)
+{
+    const rw_pressing first = rw_arcs_pressing(arcs, from), last = rw_arcs_pressing(arcs, to);
+    const double dP = last.load - first.load, dM = last.moment - first.moment;
+    rw_turns turns;
+    for (int i = 0, side = -1; i < 2; i++, side = 1)
+        turns.at[i] = outwards(from, side, dP, dM) >= 0 ? 0
+                      : outwards(to, side, dP, dM) <= 0 ? 1
+                                                        : turn(arcs, side, first, dP, dM);
+    return turns;
+}

@@ -357,34 +357,22 @@ static size_t last_sheared(const rw_memory *memory, double tolerance)
     return i;
 }
 
-/* Above 0 where the step moves the edge of a patch outwards, on the side -1 or 1. */
-static double outwards(const rw_step *s, rw_patch patch, int side)
-{
-    const double P = rw_as_length(s->geometry, s->to_P - s->from_P);
-    const double M = rw_as_length(s->geometry, s->to_M - s->from_M);
-    return P + side * 2 / rw_patch_half_width(patch) * (M - rw_patch_middle(patch) * P);
-}
-
-/* Whether an edge of the contact stays outside of a patch during a step. It is outside at both
- * ends. The set of loads under which it is inside of a given place is convex, so the edge turns
- * once, from inwards to outwards: the turn is searched for. */
-static bool stays_outside(const rw_step *s, rw_patch patch, int side)
+/* Whether the edges of the contact stay outside of a patch during a step, at both ends of which they
+ * are. */
+static bool stays_outside(const rw_step *s, rw_patch patch)
 {
     const rw_corner *end = rw_memory_end(s->memory);
     const double tilt = fmax(fabs(s->to.tilt), fabs(end->tilt));
-    double inwards_at = 0, outwards_at = 1;
-    if (outwards(s, end->patch, side) >= 0 || outwards(s, s->patch, side) <= 0)
-        return true;
-    for (int i = 0; i < TRIES; i++) {
-        const double t = inwards_at / 2 + outwards_at / 2;
+    const rw_arcs arcs = rw_arcs_of(s->geometry);
+    const rw_turns turns = rw_arcs_turns(&arcs, end->patch, s->patch);
+    bool is_outside = true;
+    for (double t = rw_stop_before(&turns, 0, 1); t < 1; t = rw_stop_before(&turns, t, 1)) {
         const rw_patch at =
             rw_patch_under_moment(s->geometry, s->from_P + t * (s->to_P - s->from_P),
                                   s->from_M + t * (s->to_M - s->from_M));
-        if (!rw_patch_is_nested(patch, at, tilt))
-            return false;
-        *(outwards(s, at, side) > 0 ? &outwards_at : &inwards_at) = t;
+        is_outside = is_outside && rw_patch_is_nested(patch, at, tilt);
     }
-    return true;
+    return is_outside;
 }
 
 /* Whether Q and the tension stay, and the contact keeps the last patch that carries shear. Then
@@ -398,8 +386,7 @@ static bool keeps_sheared(const rw_step *s, rw_departure *d)
         return false;
     const size_t i = last_sheared(memory, tolerance);
     const rw_patch sheared = memory->corners[i].patch;
-    if (i > 0 && !(rw_patch_is_nested(sheared, s->patch, s->to.tilt) &&
-                   stays_outside(s, sheared, -1) && stays_outside(s, sheared, 1)))
+    if (i > 0 && !(rw_patch_is_nested(sheared, s->patch, s->to.tilt) && stays_outside(s, sheared)))
         return false;
     *d = (rw_departure){.corner = rw_corner_at(s->to, s->patch), .kept = i + 1};
     return true;

@@ -225,6 +225,25 @@ CLAIM(the_range_does_not_jump_at_an_edge_that_passes_twice)
     assert_close(at.range[1], at.range[0], 0.05);
 }
 
+/* The left edge goes inwards over the place in the middle, turns, and passes it again, all within
+ * a thirty-second part of the last step. It slips like the places beside it. */
+CLAIM(the_range_does_not_jump_where_an_edge_turns)
+{
+    const loads cycle =
+        CYCLE({0.28052771932451714, 0.013420382806632698, -0.0605762632433119, 0.23452718146382018},
+              {0.2747835913493193, 0.005215682356589958, -0.10592915732473884, 0.0492630033376013},
+              {0.3298934516276469, 0.011542585321270568, -0.1290861200432075, -0.05849337419044937},
+              {0.17955179721332526, -0.008419760619390914, -0.009, -0.3});
+    rwedge_contact *contact = allowing(create_wedge(1, 1, 1, F), 1e-4);
+    load(contact, 0.2369602411214663, 0);
+    for (int k = 0; k < 4; k++)
+        assert_ok(go_through(contact, &cycle));
+    const double x[] = {-0.3852, -0.3849, -0.3846};
+    const friction at = rubbed(contact, &cycle, 3, x);
+    assert_close(at.range[1], (at.range[0] + at.range[2]) / 2, 1e-3);
+    assert_close(at.energy[1], (at.energy[0] + at.energy[2]) / 2, 3e-3);
+}
+
 CLAIM(there_is_no_friction_outside)
 {
     const loads cycle = CYCLE({1, 0, 0.4, 0}, {1, 0, -0.3, 0});

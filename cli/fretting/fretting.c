@@ -170,22 +170,6 @@ static distance read_distance(const arguments *line, const material *constants)
     return below;
 }
 
-static void read_plan(arguments *line, plan *job, output_options *how)
-{
-    criteria asked;
-    output_options_read_of(line, grid_formats, "", how);
-    if (how->format == &vtk_format && line->value[OPTION_AT_WORST] != NULL)
-        usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
-    job->threads = threads_read(line);
-    material_read(line->value[OPTION_MATERIAL], line, &job->constants);
-    criteria_read(line, &job->constants, &asked);
-    job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
-    contact_history_read(line, how->decimal_sign, 3, 3, &job->history);
-    criteria_read_strength(line, &job->history.setup, &asked);
-    history_cycle(&job->history, &asked, &job->last, &job->doubts);
-    surface_places(line, how->decimal_sign, &job->last, &job->result);
-}
-
 /* The output options of --worst: those of the rows, with its own file and the format of its
  * ending. */
 static void read_worst(const arguments *line, output_options *worst)
@@ -199,6 +183,23 @@ static void read_worst(const arguments *line, output_options *worst)
     its.output = OPTION_WORST;
     its.value[OPTION_FORMAT] = NULL;
     output_options_read(&its, worst);
+}
+
+static void read_plan(arguments *line, plan *job, output_options *how, output_options *worst)
+{
+    criteria asked;
+    output_options_read_of(line, grid_formats, "", how);
+    if (how->format == &vtk_format && line->value[OPTION_AT_WORST] != NULL)
+        usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
+    read_worst(line, worst);
+    job->threads = threads_read(line);
+    material_read(line->value[OPTION_MATERIAL], line, &job->constants);
+    criteria_read(line, &job->constants, &asked);
+    job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
+    contact_history_read(line, how->decimal_sign, 3, 3, &job->history);
+    criteria_read_strength(line, &job->history.setup, &asked);
+    history_cycle(&job->history, &asked, &job->last, &job->doubts);
+    surface_places(line, how->decimal_sign, &job->last, &job->result);
 }
 
 static void write_output(const arguments *line, const output_options *how, plan *job)
@@ -218,8 +219,7 @@ static int fretting(const arguments *typed)
     output_options how, how_worst = {.path = NULL};
     char worst[2400];
     bool is_deep = false;
-    read_plan(&line, &job, &how);
-    read_worst(&line, &how_worst);
+    read_plan(&line, &job, &how, &how_worst);
     compute(&job);
     worst_find(&job.result, &job.worst);
     for (size_t i = 0; i < job.result.count; i++)

@@ -134,6 +134,7 @@ void output_options_read_of(const arguments *line, const char *const formats[], 
     if (comma && how->separator == ',')
         how->separator = ';';
     output_options_spare_files(line, how);
+    output_try(how->path);
 }
 
 void output_options_read(const arguments *line, output_options *how)
@@ -156,6 +157,8 @@ void output_options_spare_files(const arguments *line, const output_options *how
     const bool has_words = line->operand != NULL && strstr(line->grammar->operands, ".csv") != NULL;
     for (int i = 1; i < OPTION_LIMIT; i++) {
         const char *option = arguments_other_file(line, i);
+        if (option != NULL && line->value[i] != NULL && line->value[i][0] == '\0')
+            usage_error("--%s '': must be the name of a file", option);
         if (option != NULL)
             output_options_spare(how, line->value[i], "file of --", option);
     }

@@ -61,6 +61,15 @@ static void remember(output *out, bool done)
         out->error = errno;
 }
 
+void output_try(const char *path)
+{
+    output out;
+    if (path == NULL || strcmp(path, "-") == 0 || file_kind_of(path) == FILE_OTHER)
+        return;
+    output_open(&out, path);
+    give_up();
+}
+
 void output_write(output *out, const char *bytes, size_t count)
 {
     if (out->error == 0)

@@ -139,6 +139,9 @@ typedef struct {
  * written up to there. */
 void output_open(output *out, const char *path);
 
+/* Before long work: ends the command where the file cannot be written. Leaves all as it was. */
+void output_try(const char *path);
+
 /* Add bytes, a text, or a text as by printf. */
 void output_write(output *out, const char *bytes, size_t count);
 void output_text(output *out, const char *text);

@@ -244,6 +244,8 @@ refuses "--worst metal.csv: it is the file of --material; allowed: another file"
 refuses "--worst cycle.csv: it is the input; allowed: another file" fretting cycle.csv $specimen --worst cycle.csv
 refuses "--output metal.csv: it is the file of --worst; allowed: another file" fretting cycle.csv $shape -o metal.csv --worst ./metal.csv
 refuses "--worst none.csv: it is the file of --output; allowed: another file" fretting cycle.csv $specimen -o none.csv --worst none.csv
+cannot "nowhere/worst.csv: No such file or directory" fretting cycle.csv $specimen -o early.csv --worst nowhere/worst.csv
+same "rows before it" "" "$(cat early.csv 2>&1 | grep -v "No such file")"
 refuses "--worst worst.vtk: the ending .vtk belongs to no format here; allowed: .csv, .tsv, .json, .xlsx" fretting cycle.csv $specimen --worst worst.vtk
 refuses "swt-damage: needs sf, b, ef, c of --material" fretting cycle.csv $shape --E1 72100 --nu1 0.33 --criteria swt-damage
 refuses "--method line: needs --length, or dK_th and ds0 of --material" fretting cycle.csv $specimen --at-worst --method line

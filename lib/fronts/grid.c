@@ -213,6 +213,31 @@ void rw_grid_zones(const rw_grid *g, const rw_problem *p, rw_zones *zones)
     zones->zone[zones->count - 1].right = p->to.right;
 }
 
+static void append_zone(rw_zones *zones, int label, double left, double right)
+{
+    rw_zone *last = &zones->zone[zones->count - 1];
+    if (zones->count > 0 && last->label == label)
+        last->right = right;
+    else
+        rw_zones_insert(zones, zones->count, (rw_zone){label, left, right});
+}
+
+void rw_grid_zones_met(const rw_grid *g, const rw_problem *p, rw_zones *zones)
+{
+    zones->count = 0;
+    double at = p->to.left;
+    int last = RW_GONE;
+    for (int i = 0; i < g->n; i++) {
+        const int label = g->label[i];
+        if (label == RW_GONE)
+            continue;
+        append_zone(zones, label == last || last == RW_GONE ? label : 0, at, g->x[i]);
+        at = g->x[i];
+        last = label;
+    }
+    append_zone(zones, last, at, p->to.right);
+}
+
 /* Linear in the angle between two places, of which it returns the first. */
 static int place_of(const rw_grid *g, double x, double *part)
 {

@@ -33,6 +33,10 @@ bool rw_grid_solve(rw_grid *grid, const rw_problem *problem, const rw_layers *la
 /* The zones of the contact by the labels of the places. */
 void rw_grid_zones(const rw_grid *grid, const rw_problem *problem, rw_zones *zones);
 
+/* Zones that slip from place to place alone, so that the traction meets friction at their fronts
+ * and does not jump. */
+void rw_grid_zones_met(const rw_grid *grid, const rw_problem *problem, rw_zones *zones);
+
 /* dt and slip at any place, interpolated. */
 double rw_grid_change(const rw_grid *grid, double x);
 double rw_grid_slip(const rw_grid *grid, double x);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Allocations of every public function fail in turn, only once or from then on: each of the first
- * ones, of the others fewer and fewer. The call returns RWEDGE_ENOMEM, changes nothing and leaks
+ * and of the last ones, fewer between. The call returns RWEDGE_ENOMEM, changes nothing and leaks
  * nothing. When there is memory again, it gives the same result as before.
  *
  * With PROGRAM_HEAP this program defines the four functions of the heap itself. They stand before
@@ -116,7 +116,7 @@ CLAIM(allocations_of_other_libraries_are_seen)
 /* ---- Every call ---- */
 
 /* Arguments that are drawn for a call. A computed contact has fewer, as it takes its time. */
-enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 20 };
+enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 8 };
 
 typedef struct {
     public_call call; /* that may lack memory */
@@ -148,11 +148,17 @@ static void assert_same_again(const trial *t)
     assert_memory_equal(again, t->out, sizeof again);
 }
 
-/* Each of the first FEW, then fewer and fewer: a computed contact makes hundreds. It may go without
- * returning to closed form. */
+/* The number of the next one to fail: a computed contact makes hundreds. */
+static size_t next_to_fail(size_t failing, size_t all)
+{
+    const size_t left = all - failing;
+    return failing + 1 + (failing < left ? failing : left) / FEW;
+}
+
+/* A computed contact may go without returning to closed form. */
 static void fail_each(const trial *t)
 {
-    for (size_t k = 1; k <= t->allocations; k += 1 + k / FEW)
+    for (size_t k = 1; k <= t->allocations; k = next_to_fail(k, t->allocations))
         for (int for_ever = t->is_computed; for_ever < 2; for_ever++) {
             double out[CALL_OUTPUTS];
             const int32_t status = status_of(t, out, k, for_ever != 0);
@@ -261,16 +267,17 @@ static int32_t restore(const beginning *from, rwedge_contact **after)
     return rwedge_contact_restore(from->state.size, from->state.number, after);
 }
 
-/* Whether the step makes as many allocations. */
-static bool is_survived(step *take, const beginning *from, bool returns, size_t failing,
-                        bool for_ever)
+/* Returns how many allocations the step makes. */
+static size_t survive(step *take, const beginning *from, bool returns, size_t failing,
+                      bool for_ever)
 {
     rwedge_contact *after = NULL;
     const long outstanding = heap.outstanding;
     arm(failing, for_ever);
     set_inside(true);
     const int32_t status = take(from, &after);
-    const bool was_short = heap.calls >= failing;
+    const size_t calls = heap.calls;
+    const bool was_short = calls >= failing;
     arm(0, false);
     const bool has_error = status == RWEDGE_OK && rwedge_contact_error(after) > 0;
     if (status == RWEDGE_OK)
@@ -278,17 +285,16 @@ static bool is_survived(step *take, const beginning *from, bool returns, size_t 
     set_inside(false);
     assert_true(status == (was_short ? RWEDGE_ENOMEM : RWEDGE_OK) || (returns && has_error));
     assert_int_equal(heap.outstanding, outstanding);
-    return was_short;
+    return calls;
 }
 
 static void lack_memory(step *take, const beginning *from, bool returns)
 {
-    for (int for_ever = 0; for_ever < 2; for_ever++) {
-        size_t failing = 1; /* each of the first FEW, then fewer and fewer, as above */
-        while (is_survived(take, from, returns, failing, for_ever != 0))
-            failing += 1 + failing / FEW;
-        assert_true(failing > 2);
-    }
+    const size_t all = survive(take, from, returns, SIZE_MAX, false);
+    assert_true(all > 1);
+    for (size_t k = 1; k <= all; k = next_to_fail(k, all))
+        for (int for_ever = 0; for_ever < 2; for_ever++)
+            survive(take, from, returns, k, for_ever != 0);
 }
 
 /* From some allocations on a load was said not to converge, at the loosest tolerance. */

@@ -25,6 +25,13 @@ CLAIM(the_shear_of_a_sharp_wedge_that_slides_is_its_pressure)
     assert_close(rwedge_shear(0, 0, 0.5), -2 / PI * acosh(2), 1e-15);
 }
 
+/* No half-width of which a/b is outside. */
+CLAIM(a_load_has_its_contact_in_the_domain)
+{
+    assert_nan(rwedge_normal_load(0.1, 1e40, 1, 1e-40));
+    assert_true(rwedge_normal_load(0.1, 1e40, 1, 0) == 0);
+}
+
 /* A tilt of 1 is a flank on the surface: it has no edges. */
 CLAIM(a_flank_on_the_surface_has_no_patch)
 {

@@ -4,6 +4,7 @@
 #include "claims.h"
 #include "contact/contact.h"
 #include "fronts/fronts.h"
+#include "fronts/grid.h"
 #include "rwedge.h"
 
 static const double F = 0.5, P = 4, Q = 1.2, TOLERANCE = 1e-6;
@@ -99,6 +100,21 @@ CLAIM(zones_that_have_no_fronts_are_refused)
     assert_false(begins(s, 2 * RW_MOST_STICK + 3, 2, SLIP_AND_STICK));
     assert_false(begins(s, 4, 3, BOTH_WAYS));
     assert_false(begins(s, 1, 1, SLIP));
+}
+
+CLAIM(a_contact_between_two_places_of_the_grid_has_no_answer)
+{
+    static rw_grid grid;
+    const rw_layers none = {.count = 0};
+    step *s = begin();
+    rw_friction narrow;
+    rw_grid_init(&grid, RW_MOST_ANGLES);
+    assert_true(rw_grid_solve(&grid, &s->problem, &none));
+    assert_true(rw_friction_create(&narrow, &s->frame,
+                                   rw_arcs_patch_of_moment(&s->frame.arcs, 1e-9 * P, 0)));
+    rw_problem_init(&s->problem, &s->frame, &s->friction, &narrow, &s->none, 0, 0);
+    assert_false(rw_grid_solve(&grid, &s->problem, &none));
+    rw_friction_destroy(&narrow);
 }
 
 /* By the pressure of a flat punch. */

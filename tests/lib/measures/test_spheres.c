@@ -2,6 +2,7 @@
 /* Criteria of the smallest sphere around a path, against closed forms and a search of its centre;
  * every criterion by its number. */
 #include "claims.h"
+#include "planes/smallest_ball.h"
 #include "rwedge.h"
 
 #include <string.h>
@@ -78,6 +79,15 @@ CLAIM(spheres_around_random_paths_are_the_smallest)
         assert_true(radius <= around * (1 + 1e-14));
         assert_close(radius, around, 1e-3);
     }
+}
+
+/* Through (0, 1, -1), (1, -1, 2) and (-2, -1, -1), whose circle is around the others. On the way to
+ * it edges are tried that depend on each other exactly. */
+CLAIM(a_sphere_around_whole_numbers_is_exact)
+{
+    const rw_point points[] = {
+        {{0, 1, -1}}, {{-1, -1, 2}}, {{1, -1, -1}}, {{1, -1, 2}}, {{-2, -1, -1}}};
+    assert_close(rw_smallest_ball(5, points).radius, sqrt(14.0 / 3), 1e-15);
 }
 
 /* A cycle between 0 and p has the centre p/2: its shear is p/4 about it, whatever the mean, and

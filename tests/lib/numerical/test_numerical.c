@@ -417,6 +417,8 @@ CLAIM(zones_without_rates)
     rw_problem_init_rates(&rates, &c->frame, contact, 0.3, 0, 0.03, 0);
     rw_rates_ratio(&c->work.fronts, &rates, &slips, D);
     assert_true(isnan(D[0]) && isnan(D[1]));
+    assert_nan(
+        rw_rates_power(&c->work.fronts, &rates, rw_step_friction(&c->work, contact), &slips));
     assert_true(rw_rates_wrong(&c->work.fronts, &rates, &slips, &slips) == 0);
     assert_true(rw_rates_error_at_start(&c->work.fronts, &rates, &slips, &stuck) ==
                 rw_rates_wrong(&c->work.fronts, &rates, &stuck, &stuck));
@@ -424,6 +426,19 @@ CLAIM(zones_without_rates)
     assert_true(rw_rates_excess_at_start(&c->work.fronts, &rates, &many, &others, 0) == HUGE_VAL);
     const rw_zones begun = rw_rates_begun(&c->work.fronts, &rates, &many, &others);
     assert_true(begun.count > RW_MOST_FRONTS);
+}
+
+CLAIM(zones_are_not_searched_when_the_effort_is_spent)
+{
+    pair *c = begin(4, 0, 1e-4);
+    const rw_numerical_state *now = &c->numerical->now;
+    const rw_scaled_loads to = {4, 0, 0.5, 0};
+    rw_patch contact;
+    rw_zones zones;
+    assert_true(rw_step_zones(&c->work, now, to, &now->shear.zones, &contact, &zones));
+    assert_int_equal(zones.count, 3);
+    c->work.effort = RW_MOST_EFFORT + 1;
+    assert_false(rw_step_zones(&c->work, now, to, &now->shear.zones, &contact, &zones));
 }
 
 /* Of zones that all slip, each the other way, no more are kept than there is room for. */

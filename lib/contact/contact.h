@@ -52,6 +52,7 @@ struct rwedge_contact {
     rw_memory memory;     /* loads are P, shears Q/f */
     bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
     bool is_origin_known; /* of the slip that then is: see slip.c */
+    bool follows_slip;    /* loads in whose closed form the slip is not known are computed */
     rw_patch settled;     /* then: where it may have slipped; the rest touched later */
     rw_slip_origins origins;
     double tolerance;        /* of loads without a closed form; 0: they are refused */
@@ -77,6 +78,9 @@ rw_pad *rw_pad_copy(const rw_pad *pad, bool *is_whole); /* as other parts are: m
 void rw_pad_destroy(rw_pad *pad);                       /* NULL is allowed */
 void rw_pad_append(rw_pad *pad, rw_arc arc, double weight);
 
+/* The patch under the next loads; NaN where they are refused or separate the bodies. */
+rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to);
+
 /* Why a straight line to the loads, as one step, has no closed form. */
 rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to);
 
@@ -96,6 +100,10 @@ static inline bool rw_contact_knows_slip(const rwedge_contact *c)
 {
     return !c->was_off_centre || c->is_origin_known;
 }
+
+/* From now on the slip stays known, if the contact allows errors, until it slides. Where it is not
+ * known now it counts from here. RWEDGE_ENOMEM. */
+int32_t rw_contact_follow_slip(rwedge_contact *contact);
 
 /* The stretch that a bulk tension makes, in the unit of the memory. */
 static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)

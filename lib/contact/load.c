@@ -249,6 +249,14 @@ static double share_of(const rwedge_contact *contact, const rw_step *step,
     return f * g->theta * (f * g->theta / g->A) * rw_edge_work(memory, departure, g);
 }
 
+/* Whether the closed form of a step leaves the slip unknown, though it could be computed. */
+static bool loses_slip(const rwedge_contact *contact, const rw_step *step,
+                       const rw_departure *departure)
+{
+    return is_off_centre(contact, step) && !slides(departure) &&
+           !keeps_origin(contact, step, departure->slip);
+}
+
 static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
                      const rw_departure *departure, double share)
 {
@@ -337,6 +345,8 @@ static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
         return RWEDGE_EPATH;
     if (departure.slip != 0 && !slides(&departure) && !has_width(departure.corner.patch))
         return RWEDGE_ERANGE;
+    if (contact->follows_slip && loses_slip(contact, &step, &departure))
+        return RWEDGE_EPATH;
     return go_on(contact, to, &step, &departure, share_of(contact, &step, &departure));
 }
 
@@ -415,6 +425,12 @@ int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
     if (!contact)
         return RWEDGE_ENULL;
     return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
+}
+
+rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to)
+{
+    rw_step step;
+    return prepare(contact, to, &step) == RWEDGE_OK && to.P > 0 ? step.patch : (rw_patch){NAN, NAN};
 }
 
 rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to)

@@ -10,7 +10,7 @@
  * A rising load adds to the path beyond u, a falling one cuts it off there. The slip is therefore
  * w of the present path less w of the path when the point came into contact (slip_origin.h). What
  * both paths have in common is left out of both sums, because it would cancel. */
-#include "contact/contact.h"
+#include "contact/beginning.h"
 
 #include "history/gap.h"
 
@@ -109,5 +109,27 @@ int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const doubl
                   : contact->was_off_centre                   ? slip_off_centre(contact, x[i])
                   : rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i]))
                                                               : 0;
+    return RWEDGE_OK;
+}
+
+/* In closed form slip counts from here where there is no origin. */
+int32_t rw_contact_follow_slip(rwedge_contact *contact)
+{
+    rw_numerical *n = contact->numerical;
+    contact->follows_slip = contact->tolerance > 0;
+    if (contact->exact)
+        contact->exact->follows_slip = contact->follows_slip;
+    if (!contact->follows_slip || rw_contact_knows_slip(contact))
+        return RWEDGE_OK;
+    const rw_frame frame = rw_contact_frame(contact);
+    if (n && !rw_numerical_count_slip(n, &frame, NULL, NULL))
+        return RWEDGE_ENOMEM;
+    if (contact->start != n)
+        rw_numerical_destroy(contact->start); /* its slip is not known */
+    contact->start = NULL;
+    rw_slip_origins_destroy(&contact->origins);
+    contact->memory.shared = 0;
+    contact->is_origin_known = true;
+    contact->settled = rw_memory_end(&contact->memory)->patch;
     return RWEDGE_OK;
 }

@@ -19,6 +19,7 @@ typedef struct {
     size_t count, loads;
     double rounding; /* of an edge */
     bool is_kept;    /* the contact has it, and frees it */
+    bool is_counted; /* slip counts from its first state, where it was not known */
 } rw_cycle;
 
 /* Stresses need the states after the loads alone, slip those on the way too. */

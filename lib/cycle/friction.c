@@ -148,22 +148,24 @@ static void go_to(place *at, size_t to)
 }
 
 /* Slip before the cycle adds nothing to the energy of the cycle. */
-static void begin(place *at)
+static void begin(place *at, double before)
 {
     const rw_state *first = at->cycle->states;
     if (!is_in(first, at->cycle->rounding, at->inside))
         return;
     touch(at, 0);
+    at->offset = before;
     at->slip = at->least = at->most = slip_at(at->cycle, 0, at->inside);
     at->limit = limit_at(at, 0);
     at->shear = shear_at(at, first);
 }
 
-rw_slip_measures rw_slip_measures_at(const rw_cycle *cycle, double x)
+/* Goes through the cycle. `before` is the slip of the present stay that the cycle does not know. */
+static place go_through(const rw_cycle *cycle, double x, double before)
 {
     place at = {.cycle = cycle, .x = x, .lowest = HUGE_VAL, .highest = -HUGE_VAL};
     at.inside = off_the_edges(cycle, x);
-    begin(&at);
+    begin(&at, before);
     const bool began = at.touches;
     for (size_t i = 1; i < cycle->count; i++)
         if (is_in(&cycle->states[i], cycle->rounding, at.inside))
@@ -174,5 +176,13 @@ rw_slip_measures rw_slip_measures_at(const rw_cycle *cycle, double x)
         at.offset = began ? 0 : at.offset;
         end_stay(&at);
     }
+    return at;
+}
+
+rw_slip_measures rw_slip_measures_at(const rw_cycle *cycle, double x)
+{
+    place at = go_through(cycle, x, 0);
+    if (cycle->is_counted) /* it is taken for the slip that the last stay ends with */
+        at = go_through(cycle, x, at.slip);
     return (rw_slip_measures){fmax(at.highest - at.lowest, 0), at.shear, at.energy};
 }

@@ -76,11 +76,11 @@ static void drop_states(rw_cycle *cycle, size_t count)
 
 static rw_turns turns_of(const rw_state *from, rw_loads to)
 {
-    const rw_geometry *g = &from->contact->geometry;
-    const rw_arcs arcs = rw_arcs_of(g);
-    return from->contact->loads.P == 0 || to.P == 0
-               ? (rw_turns){{1, 1}}
-               : rw_arcs_turns(&arcs, from->patch, rw_patch_under_moment(g, to.P, to.M));
+    const rw_arcs arcs = rw_arcs_of(&from->contact->geometry);
+    const rw_patch after = rw_contact_patch_under(from->contact, to);
+    return from->contact->loads.P > 0 && !isnan(after.left)
+               ? rw_arcs_turns(&arcs, from->patch, after)
+               : (rw_turns){{1, 1}};
 }
 
 /* Adds the states on the way to a load. Where one of them has no closed form, none is added: the
@@ -144,8 +144,12 @@ int32_t rw_cycle_create(const rwedge_contact *contact, const rw_load_history *lo
     if (status != RWEDGE_OK)
         return status;
     cycle->count = 1;
+    cycle->is_counted = !rw_contact_knows_slip(contact);
     rwedge_contact_edges(contact, &first->patch.left, &first->patch.right);
-    status = go_through(loads, use, cycle);
+    if (use == RW_SLIP_TOO)
+        status = rw_contact_follow_slip(first->contact);
+    if (status == RWEDGE_OK)
+        status = go_through(loads, use, cycle);
     for (size_t i = 0; i < cycle->count && status == RWEDGE_OK; i++) {
         const rw_patch patch = cycle->states[i].patch;
         cycle->rounding = fmax(cycle->rounding, ROUNDING * (patch.right - patch.left));

@@ -43,6 +43,18 @@ static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
            fmax(rw_peak_friction(frame, s->contact), fabs(s->at.stretch));
 }
 
+bool rw_numerical_count_slip(rw_numerical *n, const rw_frame *frame, rw_values slip,
+                             const void *context)
+{
+    double at[RW_MOST_BENDS + 2];
+    const beginning b = {&n->now, slip, context};
+    const size_t breaks = rw_breaks_of(frame, n->now.contact, 0, NULL, at);
+    rw_traction_destroy(&n->origin);
+    n->has_origin = true;
+    return rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at,
+                           slip_tolerance(frame, &n->now), 0);
+}
+
 rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state *now,
                                  bool has_origin, rw_values slip, const void *context)
 {
@@ -54,12 +66,8 @@ rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state
         rw_traction_destroy(&begun.shear.traction);
         return NULL;
     }
-    *n = (rw_numerical){.now = begun, .has_origin = has_origin};
-    double at[RW_MOST_BENDS + 2];
-    const beginning b = {now, slip, context};
-    const size_t breaks = rw_breaks_of(frame, now->contact, 0, NULL, at);
-    if (!has_origin ||
-        rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at, slip_tolerance(frame, now), 0))
+    *n = (rw_numerical){.now = begun};
+    if (!has_origin || rw_numerical_count_slip(n, frame, slip, context))
         return n;
     rw_numerical_destroy(n);
     return NULL;

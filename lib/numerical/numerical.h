@@ -24,6 +24,10 @@ enum { RW_MOST_EFFORT = 20000000 };
 rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state *now,
                                  bool has_origin, rw_values slip, const void *context);
 
+/* Counts slip anew, from that so far. false where memory is short. */
+bool rw_numerical_count_slip(rw_numerical *numerical, const rw_frame *frame, rw_values slip,
+                             const void *context);
+
 /* NULL may be copied and destroyed. Where memory is short `is_whole` becomes false, and what there
  * is is only to be destroyed. */
 rw_numerical *rw_numerical_copy(const rw_numerical *numerical, bool *is_whole);

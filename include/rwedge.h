@@ -732,7 +732,9 @@ RWEDGE_API int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loa
  *               tensile
  *   energy      receives n numbers: dissipated per area, the integral of q d(slip)
  * RWEDGE_EPATH where the slip has no closed form after one of the loads, or on the way to
- * separation; RWEDGE_EDOMAIN, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Under
+ * separation. After rwedge_contact_allow_error() it is computed instead, unless the cycle slides
+ * fully off the centre; slip that is not known before the cycle is taken for that after it, as in a
+ * steady cycle. RWEDGE_EDOMAIN, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Under
  * constant P and M slip and energy are those of rwedge_contact_slip() and the tractions. Where P or
  * M change, a step is cut into 32 parts, or into changes of at least 1 % of P where the shear is
  * computed: the energy of the contact then errs by 0.1 % in usual cycles, and by 1 % where only a

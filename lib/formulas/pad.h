@@ -58,8 +58,8 @@ rw_patch rw_arcs_patch_of_tilt(const rw_arcs *arcs, double P, double delta);
 
 /* A straight way of load and moment from one patch to another, each under load: at which parts of
  * it the left edge and the right one turn, and go outwards from then on. 0 where an edge goes
- * outwards all the way, 1 where it goes inwards. It turns once, because the set of loads under which
- * an edge is inside of a given place is convex. */
+ * outwards all the way, 1 where it goes inwards. It turns once, because the set of loads under
+ * which an edge is inside of a given place is convex. */
 typedef struct {
     double at[2];
 } rw_turns;

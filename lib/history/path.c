@@ -357,8 +357,8 @@ static size_t last_sheared(const rw_memory *memory, double tolerance)
     return i;
 }
 
-/* Whether the edges of the contact stay outside of a patch during a step, at both ends of which they
- * are. */
+/* Whether the edges of the contact, which are outside of a patch at both ends of a step, stay there
+ * all the way. */
 static bool stays_outside(const rw_step *s, rw_patch patch)
 {
     const rw_corner *end = rw_memory_end(s->memory);

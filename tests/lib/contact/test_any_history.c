@@ -414,8 +414,8 @@ CLAIM(a_repeated_cycle_yields_no_earlier)
             cases[i].cycle);
 }
 
-/* Where no fronts are found and the grid's answer is taken: its traction jumped by 2e-3 of friction,
- * and the contact yielded at half of its loads. */
+/* Where no fronts are found and the grid's answer is taken: its traction jumped by 2e-3 of
+ * friction, and the contact yielded at half of its loads. */
 CLAIM(a_cycle_whose_fronts_are_not_found_yields_no_earlier)
 {
     const rw_loads cycle[] = {{77.5248, 0, -45.7127, 14.2886},

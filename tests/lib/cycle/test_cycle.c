@@ -225,6 +225,33 @@ CLAIM(the_range_does_not_jump_at_an_edge_that_passes_twice)
     assert_close(at.range[1], at.range[0], 0.05);
 }
 
+/* A contact that grows as it slips, under next to no tension: the slip is that without tension.
+ * It is not known before the cycle either, where the contact has had the tension. */
+CLAIM(slip_without_a_closed_form_is_computed_where_an_error_is_allowed)
+{
+    enum { N = 25 };
+    const loads plain = CYCLE({1.2, 0, 0.5, 0}, {0.8, 0, -0.3, 0}),
+                tense = CYCLE({1.2, 0, 0.5, 1e-7}, {0.8, 0, -0.3, 0});
+    rwedge_contact *contact = after(0.4, &plain, 3),
+                   *others[] = {copy_of(contact), copy_of(contact)};
+    const double b = rwedge_contact_half_width(contact);
+    double x[N];
+    for (int i = 0; i < N; i++)
+        x[i] = 1.3 * b * (2.0 * i / (N - 1) - 1);
+    const friction expected = rubbed(contact, &plain, N, x);
+    assert_ok(go_through(others[1], &tense));
+    for (int k = 0; k < 2; k++) {
+        friction at;
+        assert_int_equal(friction_at(others[k], &tense, N, x, &at), RWEDGE_EPATH);
+        at = rubbed(allowing(others[k], 1e-6), &tense, N, x);
+        assert_true(rwedge_contact_error(others[k]) == 0);
+        for (int i = 0; i < N; i++) {
+            assert_within(at.range[i], expected.range[i], 1e-3 * F * THETA * b);
+            assert_within(at.energy[i], expected.energy[i], 1e-3 * F * THETA * b * F * THETA / A);
+        }
+    }
+}
+
 /* The left edge goes inwards over the place in the middle, turns, and passes it again, all within
  * a thirty-second part of the last step. It slips like the places beside it. */
 CLAIM(the_range_does_not_jump_where_an_edge_turns)

@@ -738,7 +738,8 @@ RWEDGE_API int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loa
  * constant P and M slip and energy are those of rwedge_contact_slip() and the tractions. Where P or
  * M change, a step is cut into 32 parts, or into changes of at least 1 % of P where the shear is
  * computed: the energy of the contact then errs by 0.1 % in usual cycles, and by 1 % where only a
- * small part slips. */
+ * small part slips. Computed slip of places that slip as they come into contact errs by 1 % at a
+ * tolerance of 1e-4, and by 0.05 % at 1e-6. */
 RWEDGE_API int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, size_t loads,
                                                  const double P[], const double M[],
                                                  const double Q[], const double sigma[], size_t n,

@@ -370,7 +370,7 @@ static bool stays_outside(const rw_step *s, rw_patch patch)
         const rw_patch at =
             rw_patch_under_moment(s->geometry, s->from_P + t * (s->to_P - s->from_P),
                                   s->from_M + t * (s->to_M - s->from_M));
-        is_outside = is_outside && rw_patch_is_nested(patch, at, tilt);
+        is_outside &= rw_patch_is_nested(patch, at, tilt);
     }
     return is_outside;
 }

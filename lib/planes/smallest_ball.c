@@ -17,10 +17,6 @@ enum { DIMENSIONS = 3, SUPPORT = 4 };
 /* A point is outside if it is by more than this part of the largest coordinate: a few roundings. */
 static const double OUTSIDE = 8 * DBL_EPSILON;
 
-/* The height of an edge over those before it, relative to its length, for which they are dependent.
- */
-static const double DEPENDENT = 1e-12;
-
 /* The points of the support lie on the ball, and no smaller ball is around them. */
 typedef struct {
     rw_ball ball;
@@ -48,7 +44,7 @@ static size_t farthest(size_t n, const rw_point points[], const rw_point *centre
  * weights; false where the edges are dependent. */
 static bool weigh(int size, double edge[][DIMENSIONS], double weight[])
 {
-    double gram[DIMENSIONS * DIMENSIONS], length[DIMENSIONS];
+    double gram[DIMENSIONS * DIMENSIONS];
     for (int i = 0; i < size; i++) {
         for (int j = 0; j < size; j++) {
             gram[i * size + j] = 0;
@@ -56,13 +52,9 @@ static bool weigh(int size, double edge[][DIMENSIONS], double weight[])
                 gram[i * size + j] += edge[i][k] * edge[j][k];
         }
         weight[i] = gram[i * size + i] / 2;
-        length[i] = sqrt(gram[i * size + i]);
     }
     if (!rw_cholesky((size_t)size, gram))
         return false;
-    for (int i = 0; i < size; i++)
-        if (!(gram[i * size + i] > DEPENDENT * length[i]))
-            return false;
     rw_cholesky_solve((size_t)size, gram, weight);
     return true;
 }

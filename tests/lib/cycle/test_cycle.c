@@ -252,6 +252,54 @@ CLAIM(slip_without_a_closed_form_is_computed_where_an_error_is_allowed)
     }
 }
 
+CLAIM(slip_with_a_closed_form_keeps_its_bits_where_an_error_is_allowed)
+{
+    enum { N = 9 };
+    const loads cycle = CYCLE({1.2, 0, 0.5, 0}, {0.8, 0, -0.3, 0});
+    rwedge_contact *contact = after(0.4, &cycle, 2);
+    double x[N];
+    for (int i = 0; i < N; i++)
+        x[i] = rwedge_contact_half_width(contact) * (2.0 * i / (N - 1) - 1);
+    const friction expected = rubbed(contact, &cycle, N, x),
+                   at = rubbed(allowing(contact, 1e-4), &cycle, N, x);
+    assert_memory_equal(at.range, expected.range, N * sizeof *at.range);
+    assert_memory_equal(at.energy, expected.energy, N * sizeof *at.energy);
+}
+
+/* How far it slides the loads do not say. */
+CLAIM(slip_of_a_contact_that_slides_off_the_centre_is_not_computed)
+{
+    const loads slides = CYCLE({1, 0.2, F, 0}, {1, 0.2, 0, 0});
+    rwedge_contact *contact = APPLY(allowing(create(0.4, F), 1e-2), {1, 0.2, 0, 0});
+    const double x = 0.3;
+    friction at;
+    assert_int_equal(friction_at(contact, &slides, 1, &x, &at), RWEDGE_EPATH);
+}
+
+/* After a load without a closed form, of which the slip was known or not. */
+CLAIM(slip_is_counted_anew_where_a_computed_contact_does_not_know_it)
+{
+    enum { N = 9 };
+    const loads plain = CYCLE({1.2, 0, 0.5, 0}, {0.8, 0, -0.3, 0}),
+                tense = CYCLE({1.2, 0, 0.5, 1e-7}, {0.8, 0, -0.3, 0}),
+                cycle = CYCLE({1.2, 0, 0.5, 0}, {0.8, 0, -0.3, 0.3});
+    friction at[2];
+    for (int k = 0; k < 2; k++) {
+        rwedge_contact *contact = after(0.4, &plain, 3);
+        double x[N];
+        for (int i = 0; i < N; i++)
+            x[i] = 0.9 * rwedge_contact_half_width(contact) * (2.0 * i / (N - 1) - 1);
+        assert_ok(go_through(contact, k == 0 ? &plain : &tense));
+        allowing(contact, 1e-4);
+        for (int turn = 0; turn < 2; turn++)
+            assert_ok(go_through(contact, &cycle));
+        assert_true(rwedge_contact_error(contact) > 0);
+        at[k] = rubbed(contact, &cycle, N, x);
+    }
+    for (int i = 0; i < N; i++)
+        assert_within(at[1].range[i], at[0].range[i], 1e-3 * F * THETA);
+}
+
 /* The left edge goes inwards over the place in the middle, turns, and passes it again, all within
  * a thirty-second part of the last step. It slips like the places beside it. */
 CLAIM(the_range_does_not_jump_where_an_edge_turns)
@@ -600,6 +648,7 @@ CLAIM(a_kept_cycle_gives_the_bits_of_one_that_is_not)
     const loads cycles[] = {CYCLE({1, 0, 0.4, 0}, {0.8, 0, -0.3, 0}),
                             CYCLE({0.5, 0, 0.1, 0}, {0, 0, 0, 0})},
                 others[] = {CYCLE({0.9, 0, 0.4, 0}, {0.8, 0, -0.3, 0}),
+                            CYCLE({1, 0.01, 0.4, 0}, {0.8, 0, -0.3, 0}),
                             CYCLE({1, 0, 0.3, 0}, {0.8, 0, -0.3, 0}),
                             CYCLE({1, 0, 0.4, 0.01}, {0.8, 0, -0.3, 0})};
     for (int i = 0; i < 2; i++) {

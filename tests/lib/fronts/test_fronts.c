@@ -102,18 +102,36 @@ CLAIM(zones_that_have_no_fronts_are_refused)
     assert_false(begins(s, 1, 1, SLIP));
 }
 
+static const rw_layers NO_LAYERS = {.count = 0};
+
 CLAIM(a_contact_between_two_places_of_the_grid_has_no_answer)
 {
     static rw_grid grid;
-    const rw_layers none = {.count = 0};
     step *s = begin();
     rw_friction narrow;
     rw_grid_init(&grid, RW_MOST_ANGLES);
-    assert_true(rw_grid_solve(&grid, &s->problem, &none));
+    assert_true(rw_grid_solve(&grid, &s->problem, &NO_LAYERS));
     assert_true(rw_friction_create(&narrow, &s->frame,
                                    rw_arcs_patch_of_moment(&s->frame.arcs, 1e-9 * P, 0)));
     rw_problem_init(&s->problem, &s->frame, &s->friction, &narrow, &s->none, 0, 0);
-    assert_false(rw_grid_solve(&grid, &s->problem, &none));
+    assert_false(rw_grid_solve(&grid, &s->problem, &NO_LAYERS));
+    rw_friction_destroy(&narrow);
+}
+
+/* Its places are at one x, or two: the labels never settle. */
+CLAIM(a_contact_as_narrow_as_rounding_has_an_answer_of_the_grid)
+{
+    static rw_grid grid;
+    const double load = 3e-33;
+    step *s = begin();
+    rw_friction narrow;
+    rw_grid_init(&grid, RW_MOST_ANGLES);
+    assert_true(rw_friction_create(&narrow, &s->frame,
+                                   rw_arcs_patch_of_moment(&s->frame.arcs, load, 0.1 * load)));
+    s->none.zones.zone[0] = (rw_zone){0, narrow.contact.left, narrow.contact.right};
+    rw_problem_init(&s->problem, &s->frame, &narrow, &narrow, &s->none, 0.84 * F * load, 0);
+    assert_true(rw_grid_solve(&grid, &s->problem, &NO_LAYERS));
+    assert_in_range(grid.turns, 50, 200);
     rw_friction_destroy(&narrow);
 }
 

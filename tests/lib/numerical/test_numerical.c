@@ -428,6 +428,17 @@ CLAIM(zones_without_rates)
     assert_true(begun.count > RW_MOST_FRONTS);
 }
 
+/* Its fronts are not searched: the grid's answer is taken, with its error. */
+CLAIM(a_load_that_may_take_no_effort_has_an_answer)
+{
+    pair *c = begin(4, 0, 1e-4);
+    int effort = 0;
+    assert_int_equal(
+        rw_numerical_step(c->numerical, &c->frame, (rw_scaled_loads){4.2, 0.3, 0.5, 0.2}, &effort),
+        RWEDGE_OK);
+    assert_in_range(rw_numerical_error(c->numerical) * 1e4, 10, 1000);
+}
+
 CLAIM(zones_are_not_searched_when_the_effort_is_spent)
 {
     pair *c = begin(4, 0, 1e-4);

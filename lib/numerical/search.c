@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerical/search.h"
 
+#include "base/always.h"
 #include "base/domain.h"
 #include "numerical/rates.h"
 
@@ -205,7 +206,8 @@ static void try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     take_if(outcome.violation < best->violation, best, &outcome);
 }
 
-/* A guess of the layers of a growing contact, as if all of it stuck. */
+/* A guess of the layers of a growing contact, as if all of it stuck. Always known at an edge: steps
+ * end where an edge turns, so one that grows does so from the beginning. */
 static rw_layers guess_layers(rw_work *w)
 {
     const rw_zones stuck = {1, {{0, w->start.to.left, w->start.to.right}}};
@@ -217,7 +219,7 @@ static rw_layers guess_layers(rw_work *w)
             sum += ratio[side];
             known++;
         }
-    return (rw_layers){known > 0, {known > 0 ? sum / known : 0}};
+    return ALWAYS(known > 0) ? (rw_layers){1, {sum / known}} : (rw_layers){.count = 0};
 }
 
 static void try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,

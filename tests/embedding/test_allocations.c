@@ -116,7 +116,7 @@ CLAIM(allocations_of_other_libraries_are_seen)
 /* ---- Every call ---- */
 
 /* Arguments that are drawn for a call. A computed contact has fewer, as it takes its time. */
-enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 20, MOST = 400 };
+enum { DRAWS = 40, DRAWS_COMPUTED = 2, FEW = 20, MANY = 400 };
 
 typedef struct {
     public_call call; /* that may lack memory */
@@ -148,11 +148,11 @@ static void assert_same_again(const trial *t)
     assert_memory_equal(again, t->out, sizeof again);
 }
 
-/* The number of the next one to fail: a computed contact makes hundreds. */
+/* The number of the next one to fail. Calls that make many take long. */
 static size_t next_to_fail(size_t failing, size_t all)
 {
     const size_t left = all - failing;
-    return failing + 1 + (failing < left ? failing : left) / FEW;
+    return failing + 1 + (failing < left ? failing : left) / (all < MANY ? FEW : 1);
 }
 
 /* A computed contact may go without returning to closed form. */
@@ -168,7 +168,7 @@ static void fail_each(const trial *t)
     assert_same_again(t);
 }
 
-/* Arguments with a result, of which the call allocates most, but not so many that it takes long. */
+/* Arguments with a result, of which the call allocates most. */
 static trial trial_of(const public_call *call, bool is_computed)
 {
     trial best = {.call = *call, .is_computed = is_computed};
@@ -181,7 +181,7 @@ static trial trial_of(const public_call *call, bool is_computed)
             t.v[0] = is_computed ? COMPUTED : i % COMPUTED;
         const int32_t status = status_of(&t, t.out, 0, false);
         t.allocations = heap.calls;
-        if (status == RWEDGE_OK && t.allocations > best.allocations && t.allocations < MOST)
+        if (status == RWEDGE_OK && t.allocations > best.allocations)
             best = t;
     }
     return best;
@@ -262,6 +262,22 @@ static int32_t follow(const beginning *from, rwedge_contact **after)
     return status;
 }
 
+/* What the load does as a cycle. */
+static int32_t rub(const beginning *from, rwedge_contact **after)
+{
+    const rw_loads to = from->to;
+    const double x = 0;
+    double range, f1, f2, energy;
+    int32_t status = rwedge_contact_copy(from->contact, after);
+    if (status != RWEDGE_OK)
+        return status;
+    status = rwedge_contact_cycle_friction(*after, 1, &to.P, &to.M, &to.Q, &to.sigma, 1, &x, &range,
+                                           &f1, &f2, &energy);
+    if (status != RWEDGE_OK)
+        rwedge_contact_destroy(*after);
+    return status;
+}
+
 static int32_t restore(const beginning *from, rwedge_contact **after)
 {
     return rwedge_contact_restore(from->state.size, from->state.number, after);
@@ -311,4 +327,18 @@ CLAIM(a_load_or_a_state_that_lacks_memory_says_so)
         from.state = state_of(apply_all(contact, 1, &from.to));
         lack_memory(restore, &from, false);
     }
+}
+
+/* The slip is not known: it was lost under the last load but one, in closed form, and then none was
+ * left. */
+CLAIM(a_cycle_that_counts_its_slip_anew_says_that_it_lacks_memory)
+{
+    rwedge_contact *contact = create(0.4, 0.5);
+    for (int turn = 0; turn < 3; turn++)
+        APPLY(contact, {1.2, 0, 0.5, 0}, {0.8, 0, -0.3, 0});
+    APPLY(contact, {1.2, 0, 0.5, 1e-7}, {0.8, 0, -0.3, 0});
+    APPLY(allowing(contact, 1e-2), {0.8, 0, -0.3, 0.3});
+    assert_true(rwedge_contact_error(contact) > 0);
+    const beginning from = {.contact = contact, .to = {0.9, 0, 0.4, 0}};
+    lack_memory(rub, &from, false);
 }

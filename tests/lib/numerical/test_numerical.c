@@ -432,7 +432,7 @@ CLAIM(zones_without_rates)
 CLAIM(a_load_that_may_take_no_effort_has_an_answer)
 {
     pair *c = begin(4, 0, 1e-4);
-    int effort = 0;
+    int effort = -1;
     assert_int_equal(
         rw_numerical_step(c->numerical, &c->frame, (rw_scaled_loads){4.2, 0.3, 0.5, 0.2}, &effort),
         RWEDGE_OK);

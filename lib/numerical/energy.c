@@ -32,8 +32,7 @@ static rw_problem rates_at(const way *l, rw_patch contact)
 static double power_of(const way *l, rw_patch contact, const rw_zones *zones)
 {
     const rw_problem rates = rates_at(l, contact);
-    const rw_friction *friction = rw_step_friction(l->work, contact);
-    return friction ? rw_rates_power(&l->work->fronts, &rates, friction, zones) : NAN;
+    return rw_rates_power(&l->work->fronts, &rates, zones);
 }
 
 static double power_at_start(const way *l)

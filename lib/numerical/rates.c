@@ -315,27 +315,23 @@ double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zone
 /* ---- Power ---- */
 
 /* That of a zone, from the front on. */
-static double power_in(const rw_fronts *f, const rw_stuck *s, const rw_friction *friction,
-                       rw_zone zone)
+static double power_in(const rw_fronts *f, const rw_stuck *s, rw_zone zone)
 {
-    double front, slip = 0, power = 0, x[POINTS], F[POINTS], step[POINTS];
+    double front, slip = 0, power = 0;
     const double length = from_front(s, zone, &front);
     for (int i = 0; i < POINTS; i++) {
         const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
-        x[i] = front + length * half * half;
-        step[i] = length * sin(angle) * (RW_HALF_PI / POINTS);
-    }
-    rw_traction_values(&friction->traction, POINTS, x, F);
-    for (int i = 0; i < POINTS; i++) {
-        const double more = rate_at(f, s, false, x[i]) * step[i];
-        power -= zone.label * (slip + more / 2) * F[i] * fabs(step[i]);
+        const double x = front + length * half * half;
+        const double step = length * sin(angle) * (RW_HALF_PI / POINTS);
+        const double more = rate_at(f, s, false, x) * step;
+        const double friction = rw_exact_friction(f->problem->frame, f->problem->to, x);
+        power -= zone.label * (slip + more / 2) * friction * fabs(step);
         slip += more;
     }
     return fmax(0, power);
 }
 
-double rw_rates_power(rw_fronts *f, const rw_problem *p, const rw_friction *friction,
-                      const rw_zones *zones)
+double rw_rates_power(rw_fronts *f, const rw_problem *p, const rw_zones *zones)
 {
     const int first = first_sign(zones);
     double power = 0;
@@ -345,7 +341,7 @@ double rw_rates_power(rw_fronts *f, const rw_problem *p, const rw_friction *fric
             return NAN;
         for (int i = 0; i < zones->count; i++)
             if (zones->zone[i].label == sign)
-                power += power_in(f, &s, friction, zones->zone[i]);
+                power += power_in(f, &s, zones->zone[i]);
     }
     return power;
 }

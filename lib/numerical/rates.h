@@ -35,7 +35,6 @@ double rw_rates_excess_at_start(rw_fronts *fronts, const rw_problem *rates, cons
                                 const rw_zones *after, double least);
 
 /* The power of friction in zones that slip, in energy per step. NaN where it is not known. */
-double rw_rates_power(rw_fronts *fronts, const rw_problem *rates, const rw_friction *friction,
-                      const rw_zones *zones);
+double rw_rates_power(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones);
 
 #endif

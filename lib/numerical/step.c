@@ -16,8 +16,8 @@ static rw_patch contact_of(const rw_frame *frame, rw_scaled_loads at)
     return rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
 }
 
-/* Steps share their contacts. */
-const rw_friction *rw_step_friction(rw_work *w, rw_patch contact)
+/* Steps share their contacts. NULL where memory is short. */
+static const rw_friction *friction_of(rw_work *w, rw_patch contact)
 {
     for (int i = 0; i < RW_FRICTIONS; i++)
         if (rw_patch_is_same(w->friction[i].contact, contact) &&
@@ -33,8 +33,7 @@ const rw_friction *rw_step_friction(rw_work *w, rw_patch contact)
 static bool set_problem(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
                         rw_patch contact, rw_problem *p)
 {
-    const rw_friction *after = rw_step_friction(w, contact),
-                      *before = rw_step_friction(w, from->contact);
+    const rw_friction *after = friction_of(w, contact), *before = friction_of(w, from->contact);
     if (before && after)
         rw_problem_init(p, w->frame, before, after, &from->shear,
                         to.shear - rw_traction_total(&from->shear.traction),

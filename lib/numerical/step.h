@@ -45,9 +45,6 @@ typedef struct {
 bool rw_implicit_step(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
                       const rw_zones *guess, bool coarse, rw_numerical_state *there);
 
-/* The friction of a contact, kept for what follows. NULL where memory is short. */
-const rw_friction *rw_step_friction(rw_work *work, rw_patch contact);
-
 /* The rates of a step on a contact that it passes. */
 void rw_step_rates(const rw_work *work, rw_scaled_loads from, rw_scaled_loads to, rw_patch contact,
                    rw_problem *rates);

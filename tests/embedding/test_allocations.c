@@ -148,17 +148,18 @@ static void assert_same_again(const trial *t)
     assert_memory_equal(again, t->out, sizeof again);
 }
 
-/* The number of the next one to fail. Calls that make many take long. */
-static size_t next_to_fail(size_t failing, size_t all)
+/* The number of the next one to fail: each of the first few, and of the last. */
+static size_t next_to_fail(size_t failing, size_t all, size_t few)
 {
     const size_t left = all - failing;
-    return failing + 1 + (failing < left ? failing : left) / (all < MANY ? FEW : 1);
+    return failing + 1 + (failing < left ? failing : left) / few;
 }
 
-/* A computed contact may go without returning to closed form. */
+/* Calls that make many take long. A computed contact may go without returning to closed form. */
 static void fail_each(const trial *t)
 {
-    for (size_t k = 1; k <= t->allocations; k = next_to_fail(k, t->allocations))
+    const size_t few = t->allocations < MANY ? FEW : 1;
+    for (size_t k = 1; k <= t->allocations; k = next_to_fail(k, t->allocations, few))
         for (int for_ever = t->is_computed; for_ever < 2; for_ever++) {
             double out[CALL_OUTPUTS];
             const int32_t status = status_of(t, out, k, for_ever != 0);
@@ -308,7 +309,7 @@ static void lack_memory(step *take, const beginning *from, bool returns)
 {
     const size_t all = survive(take, from, returns, SIZE_MAX, false);
     assert_true(all > 1);
-    for (size_t k = 1; k <= all; k = next_to_fail(k, all))
+    for (size_t k = 1; k <= all; k = next_to_fail(k, all, FEW))
         for (int for_ever = 0; for_ever < 2; for_ever++)
             survive(take, from, returns, k, for_ever != 0);
 }

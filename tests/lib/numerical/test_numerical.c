@@ -417,8 +417,7 @@ CLAIM(zones_without_rates)
     rw_problem_init_rates(&rates, &c->frame, contact, 0.3, 0, 0.03, 0);
     rw_rates_ratio(&c->work.fronts, &rates, &slips, D);
     assert_true(isnan(D[0]) && isnan(D[1]));
-    assert_nan(
-        rw_rates_power(&c->work.fronts, &rates, rw_step_friction(&c->work, contact), &slips));
+    assert_nan(rw_rates_power(&c->work.fronts, &rates, &slips));
     assert_true(rw_rates_wrong(&c->work.fronts, &rates, &slips, &slips) == 0);
     assert_true(rw_rates_error_at_start(&c->work.fronts, &rates, &slips, &stuck) ==
                 rw_rates_wrong(&c->work.fronts, &rates, &stuck, &stuck));
@@ -426,6 +425,21 @@ CLAIM(zones_without_rates)
     assert_true(rw_rates_excess_at_start(&c->work.fronts, &rates, &many, &others, 0) == HUGE_VAL);
     const rw_zones begun = rw_rates_begun(&c->work.fronts, &rates, &many, &others);
     assert_true(begun.count > RW_MOST_FRONTS);
+}
+
+/* D at the left edge, (dQ/pi + d sigma s/4)/(f dP/pi), is below 1 when the contact begins to grow and
+ * above 1 when it ends: slip begins in the new ring. */
+CLAIM(slip_begins_at_an_edge_that_grows)
+{
+    pair *c = begin(4, 0, 1e-4);
+    const double left = c->numerical->now.contact.left;
+    assert_int_equal(rw_numerical_step(c->numerical, &c->frame,
+                                       (rw_scaled_loads){6, 0, 0.3, 0.0825},
+                                       &(int){RW_MOST_EFFORT}),
+                     RWEDGE_OK);
+    const rw_zones *zones = &c->numerical->now.shear.zones;
+    assert_int_equal(zones->count, 2);
+    assert_true(zones->zone[0].label != 0 && zones->zone[0].right < left + 0.5);
 }
 
 /* Its fronts are not searched: the grid's answer is taken, with its error. */

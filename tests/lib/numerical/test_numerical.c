@@ -427,8 +427,8 @@ CLAIM(zones_without_rates)
     assert_true(begun.count > RW_MOST_FRONTS);
 }
 
-/* D at the left edge, (dQ/pi + d sigma s/4)/(f dP/pi), is below 1 when the contact begins to grow and
- * above 1 when it ends: slip begins in the new ring. */
+/* D at the left edge, (dQ/pi + d sigma s/4)/(f dP/pi), is below 1 where the contact begins to grow
+ * and above 1 where it ends: slip begins in the new ring. */
 CLAIM(slip_begins_at_an_edge_that_grows)
 {
     pair *c = begin(4, 0, 1e-4);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerical/search.h"
 
-#include "base/always.h"
 #include "base/domain.h"
 #include "numerical/rates.h"
 
@@ -206,8 +205,8 @@ static void try_pattern(rw_work *w, const rw_problem *p, const rw_zones *zones, 
     take_if(outcome.violation < best->violation, best, &outcome);
 }
 
-/* A guess of the layers of a growing contact, as if all of it stuck. Always known at an edge: steps
- * end where an edge turns, so one that grows does so from the beginning. */
+/* A guess of the layers of a growing contact, as if all of it stuck. Where no edge grows from the
+ * beginning on its weight is 0. */
 static rw_layers guess_layers(rw_work *w)
 {
     const rw_zones stuck = {1, {{0, w->start.to.left, w->start.to.right}}};
@@ -219,7 +218,7 @@ static rw_layers guess_layers(rw_work *w)
             sum += ratio[side];
             known++;
         }
-    return ALWAYS(known > 0) ? (rw_layers){1, {sum / known}} : (rw_layers){.count = 0};
+    return (rw_layers){1, {sum / fmax(known, 1)}};
 }
 
 static void try_all(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle,

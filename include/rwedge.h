@@ -52,7 +52,7 @@
 #define RWEDGE_API
 #endif
 
-#define RWEDGE_VERSION "1.2.0"
+#define RWEDGE_VERSION "2.0.0"
 
 #ifdef __cplusplus
 extern "C" {

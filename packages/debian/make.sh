@@ -67,7 +67,7 @@ in_copy using "get $needs ../*.deb
     for test in $(sed -n 's/^Tests: //p' "$here/debian/tests/control"  | tr '\n' ' '); do
         sh debian/tests/\$test || { echo debian/tests/\$test; exit 1; }
     done" || fail "as they are installed"
-in_copy using 'dpkg --purge python3-rwedge rwedge librwedge-dev librwedge1
+in_copy using 'dpkg --purge python3-rwedge rwedge librwedge-dev librwedge2
     left=$(find / -xdev "(" -path /srv -o -path /var/cache ")" -prune -o -name "*rwedge*" -print)
     [ -z "$left" ] || { echo "$left"; exit 1; }' || fail "something is left behind"
 

@@ -26,14 +26,14 @@ is CHANGELOG.md "$(sed -n "s/^## \($version\), .*/\1/p" CHANGELOG.md)"
 pattern=$(sed -n "s/^metadata\.version\.regex = '\(.*\)(?P<value>\.\*)\(.*\)'/\1\\\\(.*\\\\)\2/p" bindings/python/pyproject.toml)
 is bindings/python/pyproject.toml "$(sed -n "s/^.*${pattern:-no pattern}.*/\1/p" include/rwedge.h)"
 
-# every version has its date; the day of the present one is in CITATION.cff, from where the man page has it
+# every version has its date, or is not released yet; the day of the present one is in CITATION.cff, from where the man page has it
 dated='^## [0-9]+\.[0-9]+\.[0-9]+, ([0-9]{4}-[0-9]{2}-[0-9]{2}|unreleased)$'
 if grep '^## ' CHANGELOG.md | grep -vE "$dated"; then
     echo "FAILED: CHANGELOG.md: a heading that is not '## VERSION, DATE'"
     status=1
 fi
 date=$(sed -n "s/^## $version, //p" CHANGELOG.md)
-grep -qx "date-released: ${date:-no date}" CITATION.cff || { echo "FAILED: CITATION.cff does not say $date"; status=1; }
+[ "$date" = unreleased ] || grep -qx "date-released: ${date:-no date}" CITATION.cff || { echo "FAILED: CITATION.cff does not say $date"; status=1; }
 # codemeta.json too, authors, addresses and dates; without Python other versions alone were compared
 ! command -v python3 >/dev/null || python3 -B packages/who.py --check || status=1
 [ $status -ne 0 ] || echo "ok: $version of $date"

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A contact with a load history: how it is made, copied and freed, and its present loads and
- * sizes. */
-#include "contact/numerical.h"
+/* A contact with a load history: how it is made, copied and freed, and its present loads. */
+#include "contact/pads.h"
+#include "contact/handle.h"
 
 #include "base/array.h"
+#include "base/domain.h"
 
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact)
 {
     rwedge_contact *created = malloc(sizeof *created);
     if (!created)
         return RWEDGE_ENOMEM;
-    *created =
-        (rwedge_contact){.geometry = *geometry, .f = f, .strain = 1, .is_origin_known = true};
+    *created = (rwedge_contact){
+        .geometry = *geometry, .f = f, .strain = 1, .slip.is_known = true, .energy.is_known = true};
     if (!rw_memory_create(&created->memory)) {
         free(created);
         return RWEDGE_ENOMEM;
@@ -33,7 +34,7 @@ int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_ten
 {
     if (!contact)
         return RWEDGE_ENULL;
-    if (!rw_is_magnitude(strain_per_tension) || contact->memory.count > 1)
+    if (!rw_is_magnitude(strain_per_tension) || contact->phase != RW_APART)
         return RWEDGE_EDOMAIN;
     const double strain = 4 * (strain_per_tension / contact->geometry.A);
     if (!rw_is_magnitude(strain))
@@ -44,6 +45,24 @@ int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_ten
     return RWEDGE_OK;
 }
 
+int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
+{
+    if (!contact)
+        return RWEDGE_ENULL;
+    if (tolerance != 0 && !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2)))
+        return RWEDGE_EDOMAIN;
+    rw_contact_drop_kept(contact);
+    contact->tolerance = tolerance;
+    return RWEDGE_OK;
+}
+
+double rwedge_contact_error(const rwedge_contact *contact)
+{
+    if (!contact)
+        return NAN;
+    return contact->phase == RW_COMPUTED ? rw_numerical_error(contact->computed.now) : 0;
+}
+
 /* Parts of it that could not be copied are absent. */
 static rwedge_contact *copy_of(const rwedge_contact *contact, bool *is_whole)
 {
@@ -52,10 +71,10 @@ static rwedge_contact *copy_of(const rwedge_contact *contact, bool *is_whole)
         return NULL;
     copy->geometry.pad = rw_pad_copy(contact->geometry.pad, is_whole);
     copy->memory = rw_memory_copy(&contact->memory, is_whole);
-    copy->origins = rw_slip_origins_copy(&contact->origins, is_whole);
-    copy->numerical = rw_numerical_copy(contact->numerical, is_whole);
-    copy->start = rw_numerical_copy(contact->start, is_whole);
-    copy->exact = copy_of(contact->exact, is_whole);
+    copy->slip.origins = rw_slip_origins_copy(&contact->slip.origins, is_whole);
+    copy->computed.now = rw_numerical_copy(contact->computed.now, is_whole);
+    copy->computed.start = rw_numerical_copy(contact->computed.start, is_whole);
+    copy->computed.exact = copy_of(contact->computed.exact, is_whole);
     copy->kept = NULL;
     return copy;
 }
@@ -88,14 +107,24 @@ void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b)
     *b = before;
 }
 
+void rw_contact_drop_computed(rwedge_contact *contact)
+{
+    rwedge_contact_destroy(contact->computed.exact);
+    rw_numerical_destroy(contact->computed.now);
+    rw_numerical_destroy(contact->computed.start);
+    contact->computed = (rw_computed){.exact = NULL};
+    if (contact->phase == RW_COMPUTED)
+        contact->phase = RW_OFF_CENTRE;
+}
+
 void rwedge_contact_destroy(rwedge_contact *contact)
 {
     if (!contact)
         return;
     rw_contact_drop_kept(contact);
     rw_memory_destroy(&contact->memory);
-    rw_slip_origins_destroy(&contact->origins);
-    rw_numerical_end(contact);
+    rw_slip_origins_destroy(&contact->slip.origins);
+    rw_contact_drop_computed(contact);
     rw_pad_destroy(contact->geometry.pad);
     free(contact);
 }
@@ -117,14 +146,14 @@ size_t rwedge_contact_memory(const rwedge_contact *contact)
     if (!contact)
         return 0;
     const rw_memory *memory = &contact->memory;
-    if (contact->numerical)
-        return contact->numerical->now.shear.traction.count;
+    if (contact->phase == RW_COMPUTED)
+        return contact->computed.now->now.shear.traction.count;
     /* what the present path has in common with the last one kept counts once */
     const size_t shared = memory->shared > 0 ? memory->shared : 1;
-    return memory->count - shared + rw_slip_origins_corners(&contact->origins);
+    return memory->count - shared + rw_slip_origins_corners(&contact->slip.origins);
 }
 
 double rwedge_contact_dissipated_energy(const rwedge_contact *contact)
 {
-    return contact && !isnan(contact->energy_carry) ? contact->energy : NAN;
+    return contact && contact->energy.is_known ? contact->energy.sum : NAN;
 }

@@ -1,18 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The parts of a contact with a load history. rwedge.h has its functions. */
+/* What other rooms ask a contact, beside the functions of rwedge.h. */
 #ifndef RW_CONTACT_H
 #define RW_CONTACT_H
 
-#include "history/slip_origin.h"
-#include "formulas/size.h"
+#include "contact/handle.h"
 #include "history/path.h"
-#include "numerical/numerical.h"
 #include "potential/pad_potential.h"
-#include "rwedge.h"
-
-typedef struct {
-    double P, M, Q, sigma;
-} rw_loads;
 
 /* The loads of a history, or of a cycle. */
 typedef struct {
@@ -39,45 +32,6 @@ static inline rw_loads rw_loads_between(rw_loads from, rw_loads to, double part)
                                   from.sigma + part * (to.sigma - from.sigma)};
 }
 
-struct rwedge_contact {
-    rw_geometry geometry; /* its pad is the contact's own */
-    double f;
-    double strain; /* of the surface per bulk tension, over A/4: 1 for equal compliances */
-    rw_loads loads;
-    double slid_from;  /* the largest load since it slides; 0 where it does not */
-    double touched_at; /* the bulk tension at which the bodies touched */
-    /* dissipated so far. The carry is what rounding left out of this sum; it is NaN from a load of
-     * unknown energy on, until the bodies touch anew */
-    double energy, energy_carry;
-    rw_memory memory;     /* loads are P, shears Q/f */
-    bool was_off_centre;  /* had a moment, or another tension than at first, since it touched */
-    bool is_origin_known; /* of the slip that then is: see slip.c */
-    bool follows_slip;    /* loads in whose closed form the slip is not known are computed */
-    rw_patch settled;     /* then: where it may have slipped; the rest touched later */
-    rw_slip_origins origins;
-    double tolerance;        /* of loads without a closed form; 0: they are refused */
-    rw_numerical *numerical; /* the shear where it has no closed form; the memory then has none */
-    rw_numerical *start;     /* with it: the shear where the last straight line began */
-    double strayed;          /* how far the loads since were off that line: numerical.c */
-    rwedge_contact *exact;   /* with it: the contact in its last closed form; NULL: it had none */
-    void *kept; /* what a room above keeps until the next load; NULL: nothing. A copy has none */
-    void (*destroy_kept)(void *kept);
-};
-
-void rw_contact_drop_kept(rwedge_contact *contact);
-
-/* The contacts exchange all they have. */
-void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b);
-
-/* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
-int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);
-
-/* A pad with room for `count` arcs. NULL where memory is short. */
-rw_pad *rw_pad_create(size_t count);
-rw_pad *rw_pad_copy(const rw_pad *pad, bool *is_whole); /* as other parts are: memory.h */
-void rw_pad_destroy(rw_pad *pad);                       /* NULL is allowed */
-void rw_pad_append(rw_pad *pad, rw_arc arc, double weight);
-
 /* The patch under the next loads; NaN where they are refused or separate the bodies. */
 rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to);
 
@@ -96,20 +50,12 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
 /* The pressure at a place of a loaded contact, not the apex of the sharp wedge. */
 double rw_contact_pressure(const rwedge_contact *contact, double x);
 
-static inline bool rw_contact_knows_slip(const rwedge_contact *c)
-{
-    return !c->was_off_centre || c->is_origin_known;
-}
-
 /* From now on the slip stays known, if the contact allows errors, until it slides. Where it is not
  * known now it counts from here. RWEDGE_ENOMEM. */
 int32_t rw_contact_follow_slip(rwedge_contact *contact);
 
-/* The stretch that a bulk tension makes, in the unit of the memory. */
-static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)
-{
-    return c->f > 0 ? -(c->geometry.A / c->geometry.theta) * sigma / (4 * c->f) * c->strain : 0;
-}
+/* The zones of a contact, none where the bodies are apart. */
+rw_zones rw_contact_zones(const rwedge_contact *contact);
 
 /* The fields of the pressure and of the shear traction over f at n <= RW_BATCH points; not the
  * apex of the sharp wedge. Of the patches inside the contact, those from first to last - 1. */

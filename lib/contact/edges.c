@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a contact ends and sticks: its edges, the pressure and the shear there, and its zones. */
-#include "contact/numerical.h"
+#include "contact/contact.h"
 
 static int32_t give_edges(rw_patch patch, double *left, double *right)
 {
@@ -13,7 +13,7 @@ int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double
 {
     if (!contact || !left || !right)
         return RWEDGE_ENULL;
-    if (contact->memory.count < 2)
+    if (contact->phase == RW_APART)
         return RWEDGE_EABSENT;
     return give_edges(rw_memory_end(&contact->memory)->patch, left, right);
 }
@@ -23,9 +23,9 @@ int32_t rwedge_contact_edges(const rwedge_contact *contact, double *left, double
 rw_zones rw_contact_zones(const rwedge_contact *c)
 {
     rw_zones zones = {.count = 0};
-    if (c->numerical)
-        return c->numerical->now.shear.zones;
-    if (c->memory.count < 2)
+    if (c->phase == RW_COMPUTED)
+        return c->computed.now->now.shear.zones;
+    if (c->phase == RW_APART)
         return zones;
     const rw_corner *end = rw_memory_end(&c->memory);
     const rw_patch contact = end->patch;
@@ -35,7 +35,7 @@ rw_zones rw_contact_zones(const rwedge_contact *c)
         label = end->ratio > 0 ? 1 : -1;
         stick = end[-1].patch;
     }
-    if (end[-1].load == 0 && label != 0) /* it slides */
+    if (c->phase == RW_SLIDING)
         stick.left = stick.right = contact.right;
     const rw_zone all[] = {{label, contact.left, stick.left},
                            {0, stick.left, stick.right},
@@ -107,7 +107,7 @@ static double tilt_of(const rwedge_contact *contact)
 {
     const rw_geometry *g = &contact->geometry;
     const double tilt = g->theta * rw_memory_end(&contact->memory)->tilt;
-    return g->pad && contact->memory.count > 1 ? g->middle_slope + tilt : tilt;
+    return g->pad && contact->phase != RW_APART ? g->middle_slope + tilt : tilt;
 }
 
 double rwedge_contact_tilt(const rwedge_contact *contact)
@@ -124,7 +124,7 @@ int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact, double *no
 {
     if (!contact || !normal_left || !normal_right || !shear_left || !shear_right)
         return RWEDGE_ENULL;
-    if (contact->memory.count < 2)
+    if (contact->phase == RW_APART)
         return RWEDGE_EABSENT;
     const rw_geometry *g = &contact->geometry;
     const rw_patch patch = rw_memory_end(&contact->memory)->patch;

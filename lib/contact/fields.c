@@ -19,7 +19,7 @@ bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
 /* The shear that is no sum of patches but computed. */
 static const rw_traction *shear_of(const rwedge_contact *contact)
 {
-    return &contact->numerical->now.shear.traction;
+    return &contact->computed.now->now.shear.traction;
 }
 
 /* ---- Tractions ---- */
@@ -58,8 +58,9 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
             shear += rw_patch_weight(memory, j) * pressure;
         }
         p[i] = pressure; /* the last patch is the contact */
-        q[i] = contact->numerical ? -rw_unit_stress(g) * rw_traction_at(shear_of(contact), at)
-                                  : contact->f * shear;
+        q[i] = contact->phase == RW_COMPUTED
+                   ? -rw_unit_stress(g) * rw_traction_at(shear_of(contact), at)
+                   : contact->f * shear;
     }
     return RWEDGE_OK;
 }
@@ -99,7 +100,7 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t la
     }
     if (end > 0)
         add_corner(contact, end, n, x, y, &fields->normal, &fields->tangential);
-    if (contact->numerical)
+    if (contact->phase == RW_COMPUTED)
         rw_add_traction(shear_of(contact), contact->f, n, x, y, &fields->tangential);
 }
 

@@ -79,7 +79,7 @@ static void forget_shear(rwedge_contact *c, const rw_step *step)
     pressed.shear = 0;
     rw_memory_restart(&c->memory, pressed, 0);
     c->memory.corners[1].patch = step->patch;
-    rw_slip_origins_destroy(&c->origins);
+    rw_slip_origins_destroy(&c->slip.origins);
 }
 
 enum { LOADS = 4 };
@@ -145,12 +145,12 @@ static const double STRAY = 0.1;
  * the last load, and those before it off the line to the last. */
 static double stray(const rwedge_contact *c, const rw_step *step)
 {
-    if (!c->start)
+    if (!c->computed.start)
         return HUGE_VAL;
     const rw_frame frame = rw_contact_frame(c);
     double last[LOADS], next[LOADS], product = 0, square = 0, apart = 0;
-    changes(c->start, c->f, c->numerical->now.at, last);
-    changes(c->start, c->f, next_loads(c, step, c->start), next);
+    changes(c->computed.start, c->f, c->computed.now->now.at, last);
+    changes(c->computed.start, c->f, next_loads(c, step, c->computed.start), next);
     for (int i = 0; i < LOADS; i++) {
         product += last[i] * next[i];
         square += next[i] * next[i];
@@ -158,7 +158,7 @@ static double stray(const rwedge_contact *c, const rw_step *step)
     const double part = square > 0 ? fmax(0, fmin(1, product / square)) : 0;
     for (int i = 0; i < LOADS; i++)
         apart += fabs(last[i] - part * next[i]);
-    return c->strayed + apart / rw_peak_friction(&frame, c->numerical->now.contact);
+    return c->computed.strayed + apart / rw_peak_friction(&frame, c->computed.now->now.contact);
 }
 
 /* The energy that has been dissipated from one state to the other. */
@@ -172,13 +172,14 @@ static double work_between(const rwedge_contact *c, const rw_numerical *before,
 /* Keeps a copy of the contact in its last closed form. */
 static bool keep_exact(rwedge_contact *c)
 {
-    return c->numerical || c->memory.count == 1 || rwedge_contact_copy(c, &c->exact) == RWEDGE_OK;
+    return c->computed.now || c->memory.count == 1 ||
+           rwedge_contact_copy(c, &c->computed.exact) == RWEDGE_OK;
 }
 
 /* The computed shear where a new line begins; NULL where memory is short. */
 static rw_numerical *new_start(const rwedge_contact *c, const rw_step *step)
 {
-    return c->numerical           ? c->numerical
+    return c->computed.now        ? c->computed.now
            : c->memory.count == 1 ? rw_numerical_of_touching(c, scaled_loads_after(c, step))
                                   : rw_numerical_of_closed_form(c);
 }
@@ -186,19 +187,19 @@ static rw_numerical *new_start(const rwedge_contact *c, const rw_step *step)
 /* The start of a line, its last state and how far loads strayed from it. */
 static void take(rwedge_contact *c, rw_numerical *start, rw_numerical *next, double strayed)
 {
-    if (start != c->start)
-        rw_numerical_destroy(c->start);
-    if (start != c->numerical)
-        rw_numerical_destroy(c->numerical);
-    c->start = start;
-    c->numerical = next;
-    c->strayed = strayed;
+    if (start != c->computed.start)
+        rw_numerical_destroy(c->computed.start);
+    if (start != c->computed.now)
+        rw_numerical_destroy(c->computed.now);
+    c->computed.start = start;
+    c->computed.now = next;
+    c->computed.strayed = strayed;
     rw_numerical_add_error(next, strayed);
 }
 
 int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
 {
-    rw_numerical *start = c->start, *next = NULL;
+    rw_numerical *start = c->computed.start, *next = NULL;
     double strayed = stray(c, step);
     int32_t status =
         strayed <= STRAY * c->tolerance ? reach(c, step, start, &next) : RWEDGE_ENOCONV;
@@ -210,12 +211,12 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
     if (status == RWEDGE_OK && !(rw_memory_reserve(&c->memory, 2) && keep_exact(c)))
         status = RWEDGE_ENOMEM;
     if (status != RWEDGE_OK) {
-        if (start != c->start && start != c->numerical)
+        if (start != c->computed.start && start != c->computed.now)
             rw_numerical_destroy(start);
         rw_numerical_destroy(next);
         return status;
     }
-    *energy = work_between(c, c->numerical ? c->numerical : start, next);
+    *energy = work_between(c, c->computed.now ? c->computed.now : start, next);
     take(c, start, next, strayed);
     forget_shear(c, step);
     return RWEDGE_OK;
@@ -224,26 +225,26 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
 int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energy)
 {
     const rw_frame frame = rw_contact_frame(c);
-    const rw_scaled_loads from = c->numerical->now.at, away = {.stretch = from.stretch};
+    const rw_scaled_loads from = c->computed.now->now.at, away = {.stretch = from.stretch};
     double left = 1;
     int effort = RW_MOST_EFFORT;
     bool is_whole = true;
-    rw_numerical *n = rw_numerical_copy(c->numerical, &is_whole);
+    rw_numerical *n = rw_numerical_copy(c->computed.now, &is_whole);
     int32_t status = is_whole ? RWEDGE_OK : RWEDGE_ENOMEM;
     while (left > LAST_TOUCH && status == RWEDGE_OK) {
         status = rw_numerical_step(n, &frame, rw_part_of_line(away, from, left / 2), &effort);
         left = status == RWEDGE_OK ? left / 2 : left;
     }
-    *energy = left <= LAST_STICK ? work_between(c, c->numerical, n) : NAN;
+    *energy = left <= LAST_STICK ? work_between(c, c->computed.now, n) : NAN;
     rw_numerical_destroy(n);
     return status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : RWEDGE_OK;
 }
 
 bool rw_numerical_is_passed(const rwedge_contact *c)
 {
-    if (!c->numerical || !c->exact)
+    if (!c->computed.now || !c->computed.exact)
         return false;
-    const rw_numerical *n = c->numerical;
+    const rw_numerical *n = c->computed.now;
     const rw_zones *z = &n->now.shear.zones;
     return n->now.is_still && z->count == 3 && z->zone[0].label == z->zone[2].label &&
            z->zone[1].left >= n->now.unslipped.left && z->zone[1].right <= n->now.unslipped.right;
@@ -251,38 +252,9 @@ bool rw_numerical_is_passed(const rwedge_contact *c)
 
 bool rw_numerical_agrees(const rwedge_contact *c, const rwedge_contact *exact)
 {
-    const rw_zones *z = &c->numerical->now.shear.zones, other = rw_contact_zones(exact);
+    const rw_zones *z = &c->computed.now->now.shear.zones, other = rw_contact_zones(exact);
     const double slack = c->tolerance * (z->zone[2].right - z->zone[0].left);
     return other.count == 3 && other.zone[0].label == z->zone[0].label &&
            fabs(other.zone[1].left - z->zone[1].left) < slack &&
            fabs(other.zone[1].right - z->zone[1].right) < slack;
-}
-
-void rw_numerical_end(rwedge_contact *c)
-{
-    rwedge_contact_destroy(c->exact);
-    rw_numerical_destroy(c->numerical);
-    rw_numerical_destroy(c->start);
-    c->exact = NULL;
-    c->numerical = c->start = NULL;
-}
-
-/* ---- Functions of the header ---- */
-
-int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
-{
-    if (!contact)
-        return RWEDGE_ENULL;
-    if (tolerance != 0 && !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2)))
-        return RWEDGE_EDOMAIN;
-    rw_contact_drop_kept(contact);
-    contact->tolerance = tolerance;
-    return RWEDGE_OK;
-}
-
-double rwedge_contact_error(const rwedge_contact *contact)
-{
-    if (!contact)
-        return NAN;
-    return contact->numerical ? rw_numerical_error(contact->numerical) : 0;
 }

@@ -5,10 +5,6 @@
 #define RW_CONTACT_NUMERICAL_H
 
 #include "contact/contact.h"
-#include "history/path.h"
-
-/* The zones of a contact, none where the bodies are apart. */
-rw_zones rw_contact_zones(const rwedge_contact *contact);
 
 /* Goes on to a load under which the contact neither separates nor slides. Unless RWEDGE_OK, the
  * contact is as before. energy receives what the load dissipates. */
@@ -23,8 +19,5 @@ bool rw_numerical_is_passed(const rwedge_contact *contact);
 
 /* Whether a contact in closed form sticks and slips where this one does. */
 bool rw_numerical_agrees(const rwedge_contact *contact, const rwedge_contact *exact);
-
-/* Ends the numerical state, after which the contact is without shear. */
-void rw_numerical_end(rwedge_contact *contact);
 
 #endif

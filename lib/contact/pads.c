@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts of other pads than the wedge. A cylinder is a wedge of which only the rounding touches;
  * any other pad is a list of arcs. */
-#include "contact/contact.h"
+#include "contact/pads.h"
+#include "contact/handle.h"
 
 #include "base/array.h"
+#include "base/domain.h"
 #include "base/logarithm.h"
+#include "base/root.h"
 
 enum { MOST_PLACES = 1000 };
 
@@ -155,7 +158,7 @@ int32_t rwedge_contact_beyond_flat(const rwedge_contact *contact, double *left, 
     if (!contact || !left || !right)
         return RWEDGE_ENULL;
     const rw_geometry *g = &contact->geometry;
-    if (contact->memory.count < 2)
+    if (contact->phase == RW_APART)
         return RWEDGE_EABSENT;
     const rw_patch patch = rw_memory_end(&contact->memory)->patch;
     const bool has_flat = g->pad && g->reach > 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What never slips in a straight cycle between two loads. */
-#include "contact/numerical.h"
+#include "contact/contact.h"
 
 /* A contact like another, in closed form from touching on. The first tension acts before the bodies
  * touch, and so moves nothing. */
@@ -8,8 +8,9 @@ static int32_t load_once(const rwedge_contact *like, rw_loads to, rwedge_contact
 {
     int32_t status = rwedge_contact_copy(like, contact);
     if (status == RWEDGE_OK) {
-        rw_numerical_end(*contact);
-        (*contact)->tolerance = (*contact)->energy = (*contact)->energy_carry = 0;
+        rw_contact_drop_computed(*contact);
+        (*contact)->tolerance = 0;
+        (*contact)->energy = (rw_dissipated){.is_known = true};
         status = rwedge_contact_apply(*contact, 0, 0, 0, to.sigma);
     }
     if (status == RWEDGE_OK)

@@ -10,7 +10,7 @@
  * A rising load adds to the path beyond u, a falling one cuts it off there. The slip is therefore
  * w of the present path less w of the path when the point came into contact (slip_origin.h). What
  * both paths have in common is left out of both sums, because it would cancel. */
-#include "contact/beginning.h"
+#include "contact/contact.h"
 
 #include "history/gap.h"
 
@@ -66,10 +66,10 @@ static double slip_at(const rwedge_contact *contact, double x)
     const rw_memory *now = &contact->memory;
     /* the load under which the edge of the contact is at x */
     const double u = fmin(rw_normal_load(g, x), rw_memory_end(now)->load);
-    const rw_slip_origin *origin = rw_slip_origin_of(&contact->origins, u);
+    const rw_slip_origin *origin = rw_slip_origin_of(&contact->slip.origins, u);
     if (!origin || u == 0)
         return 0;
-    const rw_path base = rw_slip_origin_path(&contact->origins, origin);
+    const rw_path base = rw_slip_origin_path(&contact->slip.origins, origin);
     const rw_departure left = rw_slip_origin_departure(origin, &base, u);
     const size_t kept = left.kept;
     const bool is_corner = left.corner.load == rw_path_corner(&base, kept - 1)->load;
@@ -85,11 +85,21 @@ static double slip_at(const rwedge_contact *contact, double x)
 /* Off the centre: from the one origin that serves all points. */
 static double slip_off_centre(const rwedge_contact *contact, double x)
 {
-    const rw_slip_origins *origins = &contact->origins;
-    if (origins->count == 0 || x < contact->settled.left || x > contact->settled.right)
+    const rw_slip_origins *origins = &contact->slip.origins;
+    if (origins->count == 0 || x < contact->slip.settled.left || x > contact->slip.settled.right)
         return 0;
     const rw_path base = rw_slip_origin_path(origins, &origins->all[0]);
     return in_units(contact, displacement_since(contact, &base, base.count, 0, x));
+}
+
+static double slip_of(const rwedge_contact *contact, double x)
+{
+    if (contact->phase == RW_APART)
+        return 0;
+    if (contact->phase == RW_COMPUTED)
+        return contact->geometry.theta * rw_numerical_slip(contact->computed.now, x);
+    return rw_contact_is_off_centre(contact) ? slip_off_centre(contact, x)
+                                             : slip_at(contact, fabs(x));
 }
 
 int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
@@ -103,33 +113,7 @@ int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const doubl
             return RWEDGE_EDOMAIN;
     if (!rw_contact_knows_slip(contact))
         return RWEDGE_EPATH;
-    const rw_numerical *numerical = contact->numerical;
     for (size_t i = 0; i < n; i++)
-        slip[i] = numerical ? contact->geometry.theta * rw_numerical_slip(numerical, x[i])
-                  : contact->was_off_centre                   ? slip_off_centre(contact, x[i])
-                  : rw_memory_end(&contact->memory)->load > 0 ? slip_at(contact, fabs(x[i]))
-                                                              : 0;
-    return RWEDGE_OK;
-}
-
-/* In closed form slip counts from here where there is no origin. */
-int32_t rw_contact_follow_slip(rwedge_contact *contact)
-{
-    rw_numerical *n = contact->numerical;
-    contact->follows_slip = contact->tolerance > 0;
-    if (contact->exact)
-        contact->exact->follows_slip = contact->follows_slip;
-    if (!contact->follows_slip || rw_contact_knows_slip(contact))
-        return RWEDGE_OK;
-    const rw_frame frame = rw_contact_frame(contact);
-    if (n && !rw_numerical_count_slip(n, &frame, NULL, NULL))
-        return RWEDGE_ENOMEM;
-    if (contact->start != n)
-        rw_numerical_destroy(contact->start); /* its slip is not known */
-    contact->start = NULL;
-    rw_slip_origins_destroy(&contact->origins);
-    contact->memory.shared = 0;
-    contact->is_origin_known = true;
-    contact->settled = rw_memory_end(&contact->memory)->patch;
+        slip[i] = slip_of(contact, x[i]);
     return RWEDGE_OK;
 }

@@ -66,13 +66,13 @@ static bool are_loads_sound(const rwedge_contact *c)
     const double arm = fmax(-end->patch.left, end->patch.right);
     return is_near(c->loads.P, end->load, end->load) &&
            is_near(rw_as_length(g, c->loads.M), carried.moment, carried.load * arm) &&
-           (c->numerical || is_near(c->loads.Q, c->f * end->shear, c->f * end->load));
+           (c->phase == RW_COMPUTED || is_near(c->loads.Q, c->f * end->shear, c->f * end->load));
 }
 
 /* Whether the last kept path has the corners that the present one shares with it. */
 static bool is_share_sound(const rwedge_contact *c)
 {
-    const rw_slip_origins *origins = &c->origins;
+    const rw_slip_origins *origins = &c->slip.origins;
     if (c->memory.shared == 0)
         return true;
     if (c->memory.shared > rw_slip_origins_last_corners(origins))
@@ -94,25 +94,26 @@ static bool is_shear_sound(const rwedge_contact *c)
     if (!(c->tolerance == 0 ||
           (isgreaterequal(c->tolerance, 1e-6) && islessequal(c->tolerance, 1e-2))))
         return false;
-    if (!c->numerical)
+    if (c->phase != RW_COMPUTED)
         return true;
-    const rw_patch contact = rw_memory_end(&c->memory)->patch, now = c->numerical->now.contact;
+    const rw_patch contact = rw_memory_end(&c->memory)->patch, now = c->computed.now->now.contact;
     const double width = contact.right - contact.left;
     return c->f > 0 && fabs(c->loads.Q) <= c->f * c->loads.P * (1 + LOOSE) &&
            c->memory.count == 2 && c->memory.corners[1].ratio == 0 &&
            is_near(now.left, contact.left, width) && is_near(now.right, contact.right, width) &&
-           c->strayed >= 0 && is_numerical_sound(c->numerical) && is_numerical_sound(c->start);
+           c->computed.strayed >= 0 && is_numerical_sound(c->computed.now) &&
+           is_numerical_sound(c->computed.start);
 }
 
 bool rw_is_contact_sound(const rwedge_contact *c)
 {
-    const rw_slip_origins *origins = &c->origins;
+    const rw_slip_origins *origins = &c->slip.origins;
     return rw_is_friction(c->f) && rw_is_magnitude(c->loads.P) && rw_is_signed(c->loads.M) &&
            rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
-           rw_is_signed(c->touched_at) && !isless(c->energy, 0) && !isinf(c->energy) &&
-           !isinf(c->energy_carry) && rw_is_magnitude(c->slid_from) && rw_is_magnitude(c->strain) &&
-           are_loads_sound(c) && is_share_sound(c) && is_shear_sound(c) &&
-           (!c->exact || rw_is_contact_sound(c->exact)) &&
+           rw_is_signed(c->touched_at) && !isless(c->energy.sum, 0) && isfinite(c->energy.sum) &&
+           isfinite(c->energy.rest) && rw_is_magnitude(c->sliding.largest_load) &&
+           rw_is_magnitude(c->strain) && are_loads_sound(c) && is_share_sound(c) &&
+           is_shear_sound(c) && (!c->computed.exact || rw_is_contact_sound(c->computed.exact)) &&
            origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
 }
 

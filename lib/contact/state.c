@@ -3,6 +3,7 @@
  * form and a checksum of all that follows; the pad and the present loads; the path of the memory;
  * the origins of slip; the computed shear. The numbers are those that the contact holds, to the
  * last bit, so that a restored contact goes on as the original would. */
+#include "contact/pads.h"
 #include "contact/sound.h"
 
 #include "base/logarithm.h"
@@ -253,28 +254,29 @@ static void pass_contact(stream *t, rwedge_contact *c);
 /* The contact when it last had a closed form. */
 static void pass_exact(stream *t, rwedge_contact *c)
 {
-    bool has_exact = c->exact;
+    rwedge_contact **exact = &c->computed.exact;
+    bool has_exact = *exact;
     pass_flag(t, &has_exact);
     if (!has_exact)
         return;
     if (t->in)
-        c->exact = calloc(1, sizeof *c->exact);
+        *exact = calloc(1, sizeof **exact);
     t->is_inner = true;
-    if (has(t, c->exact))
-        pass_contact(t, c->exact);
+    if (has(t, *exact))
+        pass_contact(t, *exact);
 }
 
 static void pass_numerical(stream *t, rwedge_contact *c)
 {
-    int shears = c->numerical != NULL;
+    int shears = c->phase == RW_COMPUTED;
     pass(t, &c->tolerance);
     pass_int(t, &shears, t->is_inner ? 0 : 1);
     if (shears == 0)
         return;
-    pass_finite(t, &c->strayed);
-    pass_shear(t, &c->numerical);
+    pass_finite(t, &c->computed.strayed);
+    pass_shear(t, &c->computed.now);
     if (t->is_sound)
-        pass_shear(t, &c->start);
+        pass_shear(t, &c->computed.start);
     if (t->is_sound)
         pass_exact(t, c);
 }
@@ -311,30 +313,66 @@ static void pass_pad(stream *t, rw_geometry *g)
     require(t, rw_is_pad_sound(g->pad));
 }
 
+/* What rounding left out of the sum; NaN where the energy is not known. */
+static void pass_rest_of_energy(stream *t, rw_dissipated *energy)
+{
+    double rest = energy->is_known ? energy->rest : NAN;
+    pass(t, &rest);
+    if (!t->in)
+        return;
+    energy->is_known = !isnan(rest);
+    energy->rest = energy->is_known ? rest : 0;
+}
+
+/* NaN in states of older libraries, where it was not known. */
+static void pass_energy(stream *t, rw_dissipated *energy)
+{
+    pass(t, &energy->sum);
+    if (isnan(energy->sum))
+        *energy = (rw_dissipated){.is_known = false};
+}
+
+/* The phase is not among the numbers: it follows from them. */
+static rw_phase phase_of(const rwedge_contact *c, bool is_off_centre)
+{
+    return c->memory.count == 1           ? RW_APART
+           : c->computed.now              ? RW_COMPUTED
+           : rw_memory_slides(&c->memory) ? RW_SLIDING
+           : is_off_centre                ? RW_OFF_CENTRE
+                                          : RW_CENTRED;
+}
+
 static void pass_contact(stream *t, rwedge_contact *c)
 {
     rw_geometry *g = &c->geometry;
     rw_loads *loads = &c->loads;
+    rw_sliding sliding = {.is_off_centre = rw_contact_is_off_centre(c)};
+    if (c->phase == RW_SLIDING)
+        sliding = c->sliding;
     t->geometry = g;
     pass_all(t, (double *const[]){&g->theta, &g->a, &g->A, &c->f, &loads->P, &loads->M, &loads->Q,
                                   &loads->sigma, &c->touched_at, NULL});
-    pass_patch(t, &c->settled);
-    pass(t, &c->energy_carry); /* NaN where the energy is not known */
-    pass(t, &c->slid_from);
+    pass_patch(t, &c->slip.settled);
+    pass_rest_of_energy(t, &c->energy);
+    pass(t, &sliding.largest_load); /* 0 where it does not slide */
     if (t->version > 1)
         pass(t, &c->strain);
     else
         c->strain = 1;
-    pass(t, &c->energy); /* NaN in states of older libraries, where it was not known */
+    pass_energy(t, &c->energy);
     if (t->version > 2)
         pass_pad(t, g);
     require(t, !t->in || (rw_is_geometry(g) && rw_is_positive(rw_unit_stress(g))));
-    pass_flag(t, &c->was_off_centre);
-    pass_flag(t, &c->is_origin_known);
+    pass_flag(t, &sliding.is_off_centre);
+    pass_flag(t, &c->slip.is_known);
     pass_path(t, &c->memory);
-    pass_origins(t, &c->origins);
+    pass_origins(t, &c->slip.origins);
     if (t->version > 2)
         pass_numerical(t, c);
+    if (!t->in || !t->is_sound)
+        return;
+    c->sliding = sliding;
+    c->phase = phase_of(c, sliding.is_off_centre);
 }
 
 /* A number of 52 bits. */

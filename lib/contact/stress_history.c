@@ -62,8 +62,8 @@ static bool note(record *r, const rwedge_contact *contact)
     entry *e = &r->entries[r->loads++];
     *e = (entry){.sigma = contact->loads.sigma};
     r->now.count = 0;
-    if (contact->numerical)
-        e->shear = rw_traction_copy(&contact->numerical->now.shear.traction, &is_whole);
+    if (contact->phase == RW_COMPUTED)
+        e->shear = rw_traction_copy(&contact->computed.now->now.shear.traction, &is_whole);
     if (!is_whole || !reserve(&r->own, memory->count) || !reserve(&r->now, memory->count))
         return false;
     for (size_t j = 1; j < memory->count; j++) {

@@ -57,7 +57,7 @@ static double panel(const rwedge_contact *contact, double b, double x, double fr
 /* int -q(t) ln(b/(2 |t - x|)) dt for a computed shear, which is no sum of patches. */
 static double numerical_sum(const rwedge_contact *contact, double b, double x)
 {
-    const rw_traction *t = &contact->numerical->now.shear.traction;
+    const rw_traction *t = &contact->computed.now->now.shear.traction;
     return rw_unit_stress(&contact->geometry) *
            (RW_PI * rw_traction_displacement(t, x) + log(b / 2) * rw_traction_total(t));
 }
@@ -67,10 +67,11 @@ static double numerical_sum(const rwedge_contact *contact, double b, double x)
  * the contact. */
 static double lasting_place(const rwedge_contact *contact)
 {
-    const bool has_slipped =
-        contact->was_off_centre && (contact->numerical || contact->origins.count > 0);
+    const bool has_slipped = rw_contact_is_off_centre(contact) &&
+                             (contact->computed.now || contact->slip.origins.count > 0);
     const rw_patch inner = contact->memory.corners[1].patch,
-                   patch = has_slipped ? contact->settled : rw_memory_end(&contact->memory)->patch;
+                   patch =
+                       has_slipped ? contact->slip.settled : rw_memory_end(&contact->memory)->patch;
     if (patch.left > patch.right)
         return NAN;
     return fmin(fmax(rw_patch_middle(patch), inner.left), inner.right);
@@ -85,9 +86,9 @@ static double off_centre(const rwedge_contact *contact, double b)
     double slip, left = x, right = x, sum = 0;
     if (rwedge_contact_slip(contact, 1, &x, &slip) != RWEDGE_OK)
         return NAN;
-    if (contact->numerical)
+    if (contact->computed.now)
         sum = numerical_sum(contact, b, x);
-    for (size_t i = 1; i < path->count && !contact->numerical; i++) {
+    for (size_t i = 1; i < path->count && !contact->computed.now; i++) {
         const rw_patch patch = path->corners[i].patch;
         if (ALWAYS(patch.left < left)) /* the first one has x inside */
             sum += panel(contact, b, x, left, patch.left);
@@ -103,6 +104,6 @@ double rwedge_contact_displacement(const rwedge_contact *contact, double b)
 {
     if (!contact || !rw_is_positive(b) || contact->memory.count < 2)
         return NAN;
-    return contact->was_off_centre || contact->geometry.pad ? off_centre(contact, b)
-                                                            : centred(contact, b);
+    return rw_contact_is_off_centre(contact) || contact->geometry.pad ? off_centre(contact, b)
+                                                                      : centred(contact, b);
 }

@@ -21,7 +21,7 @@ static const double LEAST_CHANGE = 0.01;
 
 static int parts_of(const rw_state *from, rw_loads to)
 {
-    if (!from->contact->numerical || to.P == 0)
+    if (!from->contact->computed.now || to.P == 0)
         return PARTS;
     const rw_loads old = from->contact->loads;
     const double half = rw_patch_half_width(from->patch);
@@ -35,7 +35,7 @@ static int parts_of(const rw_state *from, rw_loads to)
  * in common, or of the new corner at which the step leaves a segment of the old path. */
 static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact *after)
 {
-    if (before->numerical || after->numerical)
+    if (before->computed.now || after->computed.now)
         return (rw_patch){HUGE_VAL, -HUGE_VAL}; /* not known of any place */
     const rw_memory *path = &after->memory;
     const rw_path old = rw_memory_path(&before->memory);

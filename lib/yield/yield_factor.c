@@ -243,7 +243,7 @@ static void search_all(search *s)
     search_between(s, &whole, 0, contact->memory.count - 1, 1);
     if (!s->is_centred)
         search_between(s, &whole, 0, contact->memory.count - 1, -1);
-    const rw_shear_state *shear = contact->numerical ? &contact->numerical->now.shear : NULL;
+    const rw_shear_state *shear = contact->computed.now ? &contact->computed.now->now.shear : NULL;
     for (int i = 0; shear && i < shear->kinks; i++) {
         const rw_mark m = rw_kink_mark(contact, shear, i);
         search_around(s, &m, &whole);
@@ -284,7 +284,7 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
                             .kappa = rw_plane_strain_weight(nu),
                             .tension = contact->loads.sigma / 2 / unit,
                             .top_radius = HUGE_VAL},
-                .is_centred = !contact->numerical && rw_is_symmetric(&contact->geometry) &&
+                .is_centred = !contact->computed.now && rw_is_symmetric(&contact->geometry) &&
                               are_centred(&contact->memory)};
     double most = 0;
     const rw_highest *highest = &s.highest;

@@ -178,8 +178,8 @@ int boundary_element_go(boundary_element *solver, int steps, rw_loads to)
 /* Where slip jumps: what is beyond has come into contact since. */
 static bool is_at_a_jump(const rwedge_contact *contact, const boundary_element *solver, double x)
 {
-    return fabs(x - contact->settled.left) < solver->width ||
-           fabs(x - contact->settled.right) < solver->width;
+    return fabs(x - contact->slip.settled.left) < solver->width ||
+           fabs(x - contact->slip.settled.right) < solver->width;
 }
 
 /* What has been in contact since the first leg, if a load was computed. What comes later touches as
@@ -188,7 +188,7 @@ static rw_patch lasting(const rwedge_contact *contact, difference *sum)
 {
     const rw_patch now = edges_of(contact), before = sum->legs == 0 ? now : sum->lasting;
     sum->lasting = (rw_patch){fmax(before.left, now.left), fmin(before.right, now.right)};
-    return contact->numerical ? sum->lasting : now;
+    return contact->computed.now ? sum->lasting : now;
 }
 
 void add_difference(const rwedge_contact *contact, const boundary_element *solver, double f,

@@ -206,7 +206,7 @@ static void note_fronts(const rwedge_contact *contact, fronts *f)
     if (rwedge_contact_zones(contact, n, left, right, slip) == RWEDGE_OK)
         for (size_t i = 0; i + 1 < n; i++)
             f->at[f->count++] = right[i];
-    const rw_shear_state *shear = contact->numerical ? &contact->numerical->now.shear : NULL;
+    const rw_shear_state *shear = contact->computed.now ? &contact->computed.now->now.shear : NULL;
     for (int i = 0; shear && i < shear->kinks; i++)
         f->at[f->count++] = shear->kink[i];
 }

@@ -251,7 +251,7 @@ CLAIM(zones_of_one_label_side_by_side_are_refused)
 {
     rwedge_contact *contact = computed(0.5);
     const contact_state s = state_of(contact);
-    const rw_zones *zones = &contact->numerical->now.shear.zones;
+    const rw_zones *zones = &contact->computed.now->now.shear.zones;
     size_t first = 0; /* the first zone: its ends and label */
     while (s.number[first] != zones->zone[0].left || s.number[first + 1] != zones->zone[0].right)
         first++;

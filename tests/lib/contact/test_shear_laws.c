@@ -41,7 +41,7 @@ static resultant resultant_of(const rwedge_contact *contact)
 {
     enum { NODES = 16 };
     double node[NODES], weight[NODES];
-    const rw_traction *t = &contact->numerical->now.shear.traction;
+    const rw_traction *t = &contact->computed.now->now.shear.traction;
     resultant sum = {0, 0};
     rw_gauss(NODES, node, weight);
     for (size_t i = 0; i < t->count; i++)

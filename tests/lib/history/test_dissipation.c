@@ -73,14 +73,14 @@ static void cycle_often(double P_low)
         APPLY(contact, {0.2, 0, 0.07, 0}, {P_low, 0, -0.06, 0});
         if (i == 3) {
             size = rwedge_contact_memory(contact);
-            entries = contact->origins.count;
+            entries = contact->slip.origins.count;
             start = rwedge_contact_dissipated_energy(contact);
             energy = start - before;
             slipped = slip(contact, 0.3);
         }
         if (i > 3)
             assert_true(rwedge_contact_memory(contact) == size &&
-                        contact->origins.count == entries);
+                        contact->slip.origins.count == entries);
     }
     assert_true(contact->memory.count <= 4 && size <= 6 && entries <= 2);
     assert_true(slipped != 0);

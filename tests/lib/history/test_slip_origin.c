@@ -23,10 +23,10 @@ static void follow(rwedge_contact *contact, copies *c, double P, double Q)
     bool is_whole = true;
     rw_memory before = rw_memory_copy(&contact->memory, &is_whole);
     assert_true(is_whole);
-    const double fresh = contact->origins.fresh, end = rw_memory_end(&before)->load;
+    const double fresh = contact->slip.origins.fresh, end = rw_memory_end(&before)->load;
     load(contact, P, Q);
-    const size_t count = contact->origins.count;
-    const bool is_new = contact->origins.fresh > fresh;
+    const size_t count = contact->slip.origins.count;
+    const bool is_new = contact->slip.origins.fresh > fresh;
     cut(c, count - is_new);
     if (is_new || (count > c->count && P <= end)) {
         assert_int_equal(count, c->count + 1);
@@ -47,7 +47,8 @@ static void assert_same_corner(const rw_corner *read, const rw_corner *expected)
 static void assert_as_copied(const rwedge_contact *contact, const copies *c)
 {
     for (size_t k = 0; k < c->count; k++) {
-        const rw_path path = rw_slip_origin_path(&contact->origins, &contact->origins.all[k]);
+        const rw_path path =
+            rw_slip_origin_path(&contact->slip.origins, &contact->slip.origins.all[k]);
         assert_int_equal(path.count, c->all[k].count);
         for (size_t i = 0; i < path.count; i++)
             assert_same_corner(rw_path_corner(&path, i), &c->all[k].corners[i]);
@@ -100,7 +101,7 @@ CLAIM(memory_grows_in_proportion_to_the_loads)
         Q += sign * (i % 2 ? 0.0006 : 0.0025);
         load(contact, P, Q);
     }
-    assert_true(contact->origins.count > LOADS / 3);
+    assert_true(contact->slip.origins.count > LOADS / 3);
     const size_t points = rwedge_contact_memory(contact), n = rwedge_contact_state_size(contact);
     assert_true(points <= 2 * (LOADS + 1));
     assert_true(n <= 32 + 18 * points); /* all there is */

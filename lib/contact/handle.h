@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A contact: its parts, what it is at present, and its life. */
+#ifndef RW_CONTACT_HANDLE_H
+#define RW_CONTACT_HANDLE_H
+
+#include "formulas/size.h"
+#include "history/slip_origin.h"
+#include "numerical/numerical.h"
+#include "rwedge.h"
+
+typedef struct {
+    double P, M, Q, sigma;
+} rw_loads;
+
+/* What a contact is at present. Without friction it is centred while it is loaded. */
+typedef enum {
+    RW_APART,      /* the bodies do not touch */
+    RW_CENTRED,    /* they have had no moment, and one tension, since they touched */
+    RW_OFF_CENTRE, /* they have had a moment, or another tension, since they touched */
+    RW_SLIDING,    /* friction is exhausted all over */
+    RW_COMPUTED    /* the shear has no closed form */
+} rw_phase;
+
+/* While it slides. */
+typedef struct {
+    double largest_load; /* since it slides */
+    bool is_off_centre;  /* as in the phase RW_OFF_CENTRE */
+} rw_sliding;
+
+/* While the shear is computed. The memory then has none. */
+typedef struct {
+    rw_numerical *now;
+    rw_numerical *start;   /* where the last straight line began */
+    double strayed;        /* how far the loads since were off that line: numerical.c */
+    rwedge_contact *exact; /* the contact in its last closed form; NULL: it had none */
+} rw_computed;
+
+/* What slip counts from: slip.c. */
+typedef struct {
+    rw_slip_origins origins;
+    bool is_known;    /* whether they tell the slip off the centre too */
+    bool is_followed; /* loads in whose closed form the slip is not known are computed */
+    rw_patch settled; /* off the centre: where it may have slipped; the rest touched later */
+} rw_slip_record;
+
+/* What has been dissipated. */
+typedef struct {
+    double sum, rest; /* rest: what rounding left out of the sum */
+    bool is_known;    /* false from a load of unknown energy on, until the bodies touch anew */
+} rw_dissipated;
+
+struct rwedge_contact {
+    rw_geometry geometry; /* its pad is the contact's own */
+    double f;
+    double strain;    /* of the surface per bulk tension, over A/4: 1 for equal compliances */
+    double tolerance; /* of loads without a closed form; 0: they are refused */
+    rw_phase phase;
+    rw_loads loads;
+    double touched_at; /* the bulk tension at which the bodies touched */
+    rw_memory memory;  /* loads are P, shears Q/f */
+    rw_slip_record slip;
+    rw_dissipated energy;
+    rw_sliding sliding;
+    rw_computed computed;
+    void *kept; /* what a room above keeps until the next load; NULL: nothing. A copy has none */
+    void (*destroy_kept)(void *kept);
+};
+
+/* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
+int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);
+
+/* The contacts exchange all they have. */
+void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b);
+
+void rw_contact_drop_kept(rwedge_contact *contact);
+
+/* Ends the computed shear. The contact is without shear until its phase is set anew. */
+void rw_contact_drop_computed(rwedge_contact *contact);
+
+/* Whether it has had a moment, or another tension than at first, since the bodies touched. */
+static inline bool rw_contact_is_off_centre(const rwedge_contact *c)
+{
+    return c->phase == RW_OFF_CENTRE || c->phase == RW_COMPUTED ||
+           (c->phase == RW_SLIDING && c->sliding.is_off_centre);
+}
+
+static inline bool rw_contact_knows_slip(const rwedge_contact *c)
+{
+    return !rw_contact_is_off_centre(c) || c->slip.is_known;
+}
+
+/* The stretch that a bulk tension makes, in the unit of the memory. */
+static inline double rw_contact_stretch(const rwedge_contact *c, double sigma)
+{
+    return c->f > 0 ? -(c->geometry.A / c->geometry.theta) * sigma / (4 * c->f) * c->strain : 0;
+}
+
+#endif

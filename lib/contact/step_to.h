@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The step to the next loads. */
+#ifndef RW_STEP_TO_H
+#define RW_STEP_TO_H
+
+#include "contact/contact.h"
+
+/* The step to the loads. RWEDGE_EDOMAIN, RWEDGE_ERANGE and RWEDGE_ESLIDING where they are not
+ * allowed. */
+int32_t rw_step_to(const rwedge_contact *contact, rw_loads to, rw_step *step);
+
+/* Rounding may put both edges at one place. A patch of NaN is not known yet, and counts as wide. */
+bool rw_has_width(rw_patch patch);
+
+#endif

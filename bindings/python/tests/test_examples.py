@@ -24,10 +24,11 @@ DRAWN = {  # what each must print
     "phase": r"\n +0° +1\.4774 +0\.2531 +0e\+00\n[^$]*\n +90° +0\.894\d +0\.978\d [^$]*\nthe log: [2-9]\d of 96 loads exact",
     "spectrum": r"with vibration +46 [^$]*\nthe vibration does 94 % of the damage",
     "design": r"^2460 pads in [^$]*\n0 differ from the serial result[^$]*\nfriction up to 0\.6: R of at least 41\.5 mm",
+    "many": r"^60 pads and logs, 0 numbers differ [^$]*Q = 50: 0\.0004\d* N dissipated, Q = 100: 0\.005",
     "gradients": r"^10000 gradients under vmap: 0 of 30000 numbers differ [^$]*, b 0\.2500 mm: [^$]*off the root by [1-9]e-(1\d|0[89]) ",
 }
-LONG = {"design", "gradients", "dovetail", "pads", "phase"}  # for the first two test.sh fetches zarr, jax and scipy then
-OPTIONS = {"design": "--rows 60 --columns 41 --workers 0 --check 1"}
+LONG = {"design", "gradients", "many", "dovetail", "pads", "phase"}  # test.sh fetches zarr, jax, scipy, Dask and pandas then
+OPTIONS = {"design": "--rows 60 --columns 41 --workers 0 --check 1", "many": "--pads 60 --workers 0"}
 
 
 @pytest.fixture
@@ -48,6 +49,7 @@ def drawn(tmp_path, monkeypatch, capsys):
     importlib.import_module("matplotlib.pyplot").close("all")  # whose axes others would draw on
 
 
+@pytest.mark.filterwarnings("ignore:The inplace keyword")  # Dask's own call of pandas, as it writes Parquet
 @pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.long) if name in LONG else name for name in DRAWN])
 def test_an_example_prints_its_results_and_draws(drawn, name):
     if name == "gradients":
@@ -76,6 +78,19 @@ def test_a_sweep_on_a_cluster_stores_the_bits_of_the_serial_result(tmp_path, run
     zarr = pytest.importorskip("zarr")
     stored = zarr.open_array(tmp_path / "design.zarr", mode="r")
     assert stored.shape == (200, 100) and stored.chunks == (50, 100)
+
+
+@pytest.mark.long
+def test_tables_histories_and_contacts_go_to_the_workers_of_a_cluster(tmp_path, run):
+    printed = run(EXAMPLES / "many.py", tmp_path / "many.svg", "--pads", 60, "--workers", 2)
+    assert re.search(DRAWN["many"], printed), printed
+
+
+@pytest.mark.long
+def test_cloudpickle_sends_a_contact(contact):
+    """Dask and Ray send by it what pickle sends by name."""
+    cloudpickle = pytest.importorskip("cloudpickle")
+    assert (cloudpickle.loads(cloudpickle.dumps(contact)).state() == contact.state()).all()
 
 
 @pytest.mark.long

@@ -34,6 +34,22 @@ def test_pandas_rows_meet_by_their_index(contact):
 
 
 @pytest.mark.long
+def test_loads_of_different_indexes_are_refused(contact):
+    """They follow one another by place: P[2] and Q of the label 2 may be different loads."""
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    P, Q = [2000.0, 2100.0, 2200.0], [100.0, 200.0, 300.0]
+    alike = {"P": pandas.Series(P, index=[3, 4, 5]), "Q": pandas.Series(Q, index=[3, 4, 5])}
+    assert (contact.copy().cycle(alike, 0.1, 0.2).stress == contact.copy().cycle({"P": P, "Q": Q}, 0.1, 0.2).stress).all()
+    for other in (pandas.Series(Q[::-1], index=[5, 4, 3]), xarray.DataArray(Q, dims="load")):
+        with pytest.raises(rwedge.Error, match=r"P and Q have different indexes: .* Q.to_numpy\(\)"):
+            contact.cycle({**alike, "Q": other}, 0.1, 0.2)
+        with pytest.raises(rwedge.Error, match="P and Q have different indexes"):
+            contact.load(alike["P"], other)
+    with pytest.raises(rwedge.Error, match="different indexes"):
+        contact.load(xarray.DataArray(P, dims="load", coords={"load": [1, 2, 3]}), xarray.DataArray(Q, dims="load", coords={"load": [2, 3, 4]}))
+
+
+@pytest.mark.long
 def test_arrays_that_belong_together_as_a_whole_refuse_labels(contact):
     """What pairs them by place says so, and what to give it."""
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")

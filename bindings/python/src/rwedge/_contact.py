@@ -64,6 +64,11 @@ def _pad_of(state: NDArray[Any]) -> _Pad:
     return wedge._replace(kind=".profile") if arcs else wedge._replace(kind=".cylinder", other={"R": wedge.a})
 
 
+def _restored(kind: type[Contact], state: NDArray[Any]) -> Contact:
+    """The pickled contact. It is a function of the module: cloudpickle, which Dask and Ray take, cannot send a bound method."""
+    return kind.restore(state)
+
+
 _contacts: weakref.WeakSet[Any] = weakref.WeakSet()
 _adding, _held = threading.RLock(), contextlib.ExitStack()
 
@@ -356,7 +361,7 @@ class Contact(ContactMethods):
 
     def __reduce__(self) -> tuple[Any, ...]:
         own = {name: value for name, value in self.__dict__.items() if name not in ("_cell", "_lock", "_pad")}
-        return type(self).restore, (self.state(),), (own, self._slots())
+        return _restored, (type(self), self.state()), (own, self._slots())
 
     @property
     def loads(self) -> Loads:

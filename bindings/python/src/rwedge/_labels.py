@@ -27,6 +27,16 @@ def is_labelled(value: Any) -> bool:
     return hasattr(value, "dims") or not callable(getattr(value, "index", len))
 
 
+def same_labels(one: Any, other: Any) -> bool:
+    """Whether two columns with labels have the same ones, in one order."""
+
+    def indexes(column: Any) -> list[Any]:
+        return [column.get_index(dimension) for dimension in column.dims] if hasattr(column, "dims") else [column.index]
+
+    pairs = list(zip(indexes(one), indexes(other)))
+    return getattr(one, "dims", None) == getattr(other, "dims", None) and all(a.equals(b) for a, b in pairs)
+
+
 def refuse_units(value: Any) -> None:
     """Refuses quantities of pint, unyt and astropy: their unit would be lost."""
     if hasattr(type(value), "units") or hasattr(type(value), "unit"):

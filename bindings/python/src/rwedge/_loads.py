@@ -9,7 +9,7 @@ from typing import Any, Mapping, NamedTuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._labels import Numbers, SupportsArray, plain, refuse_units
+from ._labels import Numbers, SupportsArray, is_labelled, plain, refuse_units, same_labels
 from ._library import EDOMAIN, ERANGE, Error
 
 
@@ -57,9 +57,20 @@ def _by_place(loads: Any) -> dict[str, Any]:
     return dict(zip(("P", "Q") if array.shape[1] == 2 else Loads._fields, array.T))
 
 
+def _refuse_other_labels(by_name: dict[str, Any]) -> None:
+    """Refuses columns whose labels differ. Loads follow one another by their place: which belong together would be a guess."""
+    labelled = {name: column for name, column in by_name.items() if np.ndim(column) > 0 and is_labelled(column)}
+    first = next(iter(labelled), "")
+    for name, column in labelled.items():
+        if not same_labels(column, labelled[first]):
+            raise Error(f"{first} and {name} have different indexes: give loads of one index, or numbers alone, such as "
+                        f"{name}.to_numpy()", EDOMAIN)
+
+
 def given_columns(loads: History) -> dict[str, NDArray[np.float64]]:
     """The given ones of P, M, Q, sigma, from a mapping or frame with these names, or from rows."""
     by_name: dict[str, Any] = _named(loads) if hasattr(loads, "keys") else _by_place(loads)
+    _refuse_other_labels(by_name)
     return {name: _numbers(name, values) for name, values in by_name.items()}
 
 

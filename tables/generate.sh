@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the tool and writes the lookup tables into this folder:  ./tables/generate.sh [FOLDER [TOOL [FORM]]]
 # With FOLDER they are written there instead; with TOOL by that tool, and nothing is built; with FORM, csv or decimal-comma, only the
-# CSV files, in that form. What is missing on the machine is installed first, where that is possible. Status 3: all but the
-# spreadsheets is written, and what they need is said.
+# CSV files, in that form. What is missing on the machine is installed first, where that is possible. Status 3: all is written but
+# a spreadsheet, and what it needs is said.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 . "$top/tests/support/install.sh"
@@ -25,10 +25,10 @@ esac
 
 if [ $# -lt 2 ]; then
     require_build_tools
-    wish header:xlsxwriter.h=libxlsxwriter-dev # for the workbook
+    wish header:xlsxwriter.h=libxlsxwriter-dev module:xlsxwriter=python3-xlsxwriter # for the spreadsheets
     echo "Building $tool ..."
     cmake -S "$top" -B "$top/build" -DCMAKE_BUILD_TYPE=Release -DRWEDGE_BUILD_CLI=ON >/dev/null
-    cmake --build "$top/build" --parallel "$(processors)" --target rwedge_cli >/dev/null
+    cmake --build "$top/build" --parallel "$(processors)" --target rwedge_cli rwedge >/dev/null
 fi
 
 # Ten digits: a last bit that differs between math libraries does not show.
@@ -92,31 +92,45 @@ write_page()
 }
 [ $# -ge 2 ] || write_page
 
-# A spreadsheet has other bytes from another libxlsxwriter or zlib: it is left as it is where all its parts would be the same.
+# A spreadsheet has other bytes from another zlib or another release of what writes it: it is left as it is where all its parts would
+# be the same.
 unpack()
 {
     mkdir "$scratch/$1"
     (cd "$scratch/$1" && cmake -E tar xf "$2")
 }
-book()
+keep_book()
 {
-    name=$1
-    shift
-    if ! (cd "$target" && "$tool" workbook "$@" --output "$scratch/$name"); then
-        echo "All files are written but the spreadsheets." >&2
-        exit 3
-    fi
     rm -rf "$scratch/old" "$scratch/new"
-    if [ -f "$target/$name" ] && unpack old "$target/$name" && unpack new "$scratch/$name" &&
-            diff -r "$scratch/old" "$scratch/new" >/dev/null; then
-        echo "$name: left as it is"
+    if [ -f "$target/$1" ] && unpack old "$target/$1" && unpack new "$scratch/$1" && diff -r "$scratch/old" "$scratch/new" >/dev/null; then
+        echo "$1: left as it is"
     else
-        cp "$scratch/$name" "$target/$name"
-        echo "$name: written"
+        cp "$scratch/$1" "$target/$1"
+        echo "$1: written"
     fi
 }
-book rounded-wedge.xlsx
-# The fine tables have the rows of the others.
-book rounded-wedge-tables.xlsx elastic-limit-fine-nu-0.25.csv elastic-limit-fine-nu-0.30.csv elastic-limit-fine-nu-0.35.csv \
-    max-tension.csv contact-law.csv critical-friction.csv flat-elastic-limit-nu-0.25.csv flat-elastic-limit-nu-0.30.csv \
-    flat-elastic-limit-nu-0.35.csv flat-contact-law.csv --digits 8
+missing=0
+
+# The workbook: its numbers are those of the library that was built with the tool.
+library=$(ls "$(dirname "$tool")"/../lib/librwedge.so "$(dirname "$tool")"/../lib/librwedge.dylib 2>/dev/null | head -n 1)
+if ! python=$(python_with xlsxwriter); then
+    echo "rounded-wedge.xlsx: left as it is; Python's module xlsxwriter is missing (on Debian and Ubuntu python3-xlsxwriter)" >&2
+    missing=3
+elif [ -z "$library" ]; then
+    echo "rounded-wedge.xlsx: left as it is; there is no shared library beside $tool" >&2
+    missing=3
+else
+    "$python" -B "$top/tables/workbook.py" "$tool" "$library" "$scratch/rounded-wedge.xlsx"
+    keep_book rounded-wedge.xlsx
+fi
+
+# The tables as one spreadsheet. The fine ones have the rows of the others.
+if (cd "$target" && "$tool" workbook elastic-limit-fine-nu-0.25.csv elastic-limit-fine-nu-0.30.csv elastic-limit-fine-nu-0.35.csv \
+        max-tension.csv contact-law.csv critical-friction.csv flat-elastic-limit-nu-0.25.csv flat-elastic-limit-nu-0.30.csv \
+        flat-elastic-limit-nu-0.35.csv flat-contact-law.csv --digits 8 --output "$scratch/rounded-wedge-tables.xlsx"); then
+    keep_book rounded-wedge-tables.xlsx
+else
+    missing=3
+fi
+[ $missing = 0 ] || echo "All files are written but these spreadsheets." >&2
+exit $missing

@@ -38,7 +38,7 @@ done
 require_build_tools
 require library:cmocka=libcmocka-dev command:c++=g++
 wish command:script=bsdutils command:gnuplot=gnuplot-nox command:xmllint=libxml2-utils \
-    command:zsh=zsh command:fish=fish command:mandoc=mandoc header:xlsxwriter.h=libxlsxwriter-dev \
+    command:zsh=zsh command:fish=fish command:mandoc=mandoc header:xlsxwriter.h=libxlsxwriter-dev module:xlsxwriter=python3-xlsxwriter \
     file:/usr/share/i18n/locales/de_DE=locales command:python3=python3 python:ensurepip=python3-venv \
     command:soffice=libreoffice-calc-nogui,python3-uno
 # the languages that the library is called from

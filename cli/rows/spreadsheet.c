@@ -25,14 +25,14 @@ static void write_about(xlsx *book)
         "Numbers have 16 digits, one less than in CSV.",
     };
     char text[1200];
-    xlsx_text(book, 0, 0, "About these rows", "title");
+    xlsx_text(book, 0, 0, "About these rows", XLSX_TITLE);
     snprintf(text, sizeof text, "Written by rwedge %s with the command:  %s", rwedge_version(),
              invocation());
-    xlsx_text(book, 2, 0, text, "plain");
+    xlsx_text(book, 2, 0, text, XLSX_PLAIN);
     for (int i = 0; i < (int)(sizeof lines / sizeof lines[0]); i++)
-        xlsx_text(book, 4 + i, 0, lines[i], "plain");
-    xlsx_width(book, 0, 0, 100);
-    xlsx_print(book, (xlsx_area){0, 0, 7, 0}, 0, true);
+        xlsx_text(book, 4 + i, 0, lines[i], XLSX_PLAIN);
+    xlsx_width(book, 0, 100);
+    xlsx_print(book, 7, 0, XLSX_ONE_PAGE, true);
 }
 
 static void turn_to_rows(const records *rows)
@@ -52,7 +52,7 @@ static void describe(records *rows, const char *name)
         rows->described_kinds |= UINT64_C(1) << i;
         xlsx_sheet(rows->book, "Columns");
         for (int j = 0; j < 3; j++)
-            xlsx_text(rows->book, rows->described, j, texts[j], "plain");
+            xlsx_text(rows->book, rows->described, j, texts[j], XLSX_PLAIN);
         turn_to_rows(rows);
         return;
     }
@@ -64,7 +64,7 @@ static void begin(records *rows)
         const char *name;
         double width;
     } headers[] = {{"column", 24}, {"meaning", 64}, {"unit", 14}};
-    rows->book = xlsx_begin(rows->out, message_speaker(), true);
+    rows->book = xlsx_begin(rows->out, message_speaker());
     const char *const single[] = {"Rows", NULL}, *const *names =
                                                      rows->sheets != NULL ? rows->sheets : single;
     for (int i = 0; names[i] != NULL; i++)
@@ -72,8 +72,8 @@ static void begin(records *rows)
     if (rows->kinds != NULL) {
         xlsx_sheet(rows->book, "Columns");
         for (int i = 0; i < 3; i++) {
-            xlsx_text(rows->book, 0, i, headers[i].name, "heading");
-            xlsx_width(rows->book, i, i, headers[i].width);
+            xlsx_text(rows->book, 0, i, headers[i].name, XLSX_HEADING);
+            xlsx_width(rows->book, i, headers[i].width);
         }
         xlsx_freeze(rows->book, 1, 0);
     }
@@ -101,24 +101,24 @@ static void put_name(records *rows, const char *name)
     const double wanted = (double)strlen(name) + 2;
     double number;
     check_room(rows);
-    xlsx_width(rows->book, rows->column, rows->column, fmin(fmax(wanted, WIDTH_LEAST), WIDTH_MOST));
+    xlsx_width(rows->book, rows->column, fmin(fmax(wanted, WIDTH_LEAST), WIDTH_MOST));
     if (number_read(name, &number))
-        xlsx_number(rows->book, rows->row, rows->column, number, "header");
+        xlsx_number(rows->book, rows->row, rows->column, number, XLSX_HEADER);
     else
-        xlsx_text(rows->book, rows->row, rows->column, name, "header");
+        xlsx_text(rows->book, rows->row, rows->column, name, XLSX_HEADER);
     describe(rows, name);
     rows->column++;
 }
 
 /* Six to nine digits are shown; the cell holds them all. */
-static const char *style_for(double value)
+static xlsx_style style_for(double value)
 {
     const double size = fabs(value);
     if (value == floor(value) && size < 1e9)
-        return "plain";
+        return XLSX_PLAIN;
     if (size < 1e-3 || size >= 1e6)
-        return "power";
-    return size < 0.1 ? "small" : size < 100 ? "number" : "large";
+        return XLSX_POWER;
+    return size < 0.1 ? XLSX_SMALL : size < 100 ? XLSX_MIDDLE : XLSX_LARGE;
 }
 
 static void put_value(records *rows, cell value)
@@ -132,7 +132,7 @@ static void put_value(records *rows, cell value)
     else if (value.text != NULL && strlen(value.text) > XLSX_TEXT_MAX)
         refuse(rows, "a text has more than 32767 bytes");
     else if (value.text != NULL && value.text[0] != '\0')
-        xlsx_text(rows->book, rows->row, rows->column, value.text, "unit");
+        xlsx_text(rows->book, rows->row, rows->column, value.text, XLSX_UNIT);
     rows->column++;
 }
 
@@ -151,8 +151,7 @@ static void end_header(records *rows)
 
 static void end_sheet(records *rows)
 {
-    xlsx_print(rows->book, (xlsx_area){0, 0, rows->row - 1, rows->last_column}, 1,
-               rows->last_column > 6);
+    xlsx_print(rows->book, rows->row - 1, rows->last_column, XLSX_PAGES, rows->last_column > 6);
 }
 
 void spreadsheet_next_sheet(records *rows)
@@ -168,7 +167,7 @@ static void end(records *rows)
     end_sheet(rows);
     if (rows->kinds != NULL) {
         xlsx_sheet(rows->book, "Columns");
-        xlsx_print(rows->book, (xlsx_area){0, 0, rows->described, 2}, 0, false);
+        xlsx_print(rows->book, rows->described, 2, XLSX_ONE_PAGE, false);
     }
     xlsx_finish(rows->book);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "parts.h"
+#include "sheet.h"
 
 #include <errno.h>
 #include <math.h>
@@ -9,32 +9,64 @@
 #include <time.h>
 
 #include <rwedge.h>
+#include <xlsxwriter.h>
 
-xlsx_area xlsx_area_of(const char *cells)
-{
-    const char *colon = strchr(cells, ':');
-    const char *last = colon != NULL ? colon + 1 : cells;
-    return (xlsx_area){(int)lxw_name_to_row(cells), lxw_name_to_col(cells),
-                       (int)lxw_name_to_row(last), lxw_name_to_col(last)};
-}
+struct xlsx {
+    output *out;
+    lxw_workbook *workbook;
+    lxw_worksheet *current;
+    lxw_format *style[XLSX_STYLES]; /* NULL: how the program likes it */
+    /* libxlsxwriter writes to a path, and seeks in the file. So it first writes a temporary
+     * file. */
+    spool spool;
+    lxw_error error;
+};
 
-void xlsx_column_name(int column, char name[XLSX_COLUMN_SIZE])
-{
-    lxw_col_to_name(name, (lxw_col_t)column, LXW_TRUE);
-}
+/* The arguments that a cell is for the library. */
+#define CELL_AT(row, column) (lxw_row_t)(row), (lxw_col_t)(column)
 
 const char *xlsx_missing(void)
 {
     return NULL;
 }
 
-void xlsx_keep(xlsx *book, lxw_error error)
+/* Remembers what went wrong first. Where memory is short, or its temporary folder is full, the
+ * library leaves things out. Not all of its functions say so, but errno is set. */
+static void keep(xlsx *book, lxw_error error)
 {
     if (error == LXW_NO_ERROR &&
         (errno == ENOMEM || errno == ENOSPC || errno == EIO || errno == EINTR || errno == EFBIG))
         error = errno == ENOMEM ? LXW_ERROR_MEMORY_MALLOC_FAILED : LXW_ERROR_CREATING_TMPFILE;
     if (book->error == LXW_NO_ERROR)
         book->error = error;
+}
+
+/* ---- Styles ---------------------------------------------------------------------------------- */
+
+/* Six to nine digits show. False where memory is short. */
+static bool make_styles(xlsx *book)
+{
+    static const char *const numbers[XLSX_STYLES] = {[XLSX_LARGE] = "0.0##",
+                                                     [XLSX_MIDDLE] = "0.0#####",
+                                                     [XLSX_SMALL] = "0.0#######",
+                                                     [XLSX_POWER] = "0.00000E+00"};
+    for (xlsx_style i = XLSX_TITLE; i < XLSX_STYLES; i++) {
+        book->style[i] = workbook_add_format(book->workbook);
+        if (book->style[i] == NULL)
+            return false;
+        if (numbers[i] != NULL)
+            format_set_num_format(book->style[i], numbers[i]);
+        if (i <= XLSX_HEADER)
+            format_set_bold(book->style[i]);
+    }
+    format_set_font_size(book->style[XLSX_TITLE], 16);
+    format_set_font_size(book->style[XLSX_HEADING], 12);
+    format_set_bottom(book->style[XLSX_HEADER], LXW_BORDER_THIN);
+    format_set_text_wrap(book->style[XLSX_HEADER]);
+    format_set_align(book->style[XLSX_HEADER], LXW_ALIGN_RIGHT);
+    format_set_align(book->style[XLSX_HEADER], LXW_ALIGN_VERTICAL_BOTTOM);
+    format_set_indent(book->style[XLSX_UNIT], 1);
+    return true;
 }
 
 /* ---- The file -------------------------------------------------------------------------------- */
@@ -52,7 +84,7 @@ static bool creation_date(time_t *date)
     return sound && (*date == seconds || seconds == 0);
 }
 
-xlsx *xlsx_begin(output *out, const char *title, bool in_order)
+xlsx *xlsx_begin(output *out, const char *title)
 {
     time_t date;
     if (!creation_date(&date))
@@ -61,15 +93,15 @@ xlsx *xlsx_begin(output *out, const char *title, bool in_order)
                 out->name);
     xlsx *book = memory_zeroed(1, sizeof *book);
     book->out = out;
-    lxw_workbook_options options = {.constant_memory = in_order};
+    lxw_workbook_options options = {.constant_memory = LXW_TRUE};
     errno = 0;
     if (spool_begin(&book->spool))
         book->workbook = workbook_new_opt(book->spool.name, &options);
-    if (book->workbook == NULL || !xlsx_make_styles(book))
+    if (book->workbook == NULL || !make_styles(book))
         failure("%s: a temporary file for the spreadsheet cannot be made", out->name);
     lxw_doc_properties properties = {
         .title = (char *)title, .author = "rwedge " RWEDGE_VERSION, .created = date};
-    xlsx_keep(book, workbook_set_properties(book->workbook, &properties));
+    keep(book, workbook_set_properties(book->workbook, &properties));
     return book;
 }
 
@@ -80,7 +112,7 @@ void xlsx_sheet(xlsx *book, const char *name)
     if (is_new)
         sheet = workbook_add_worksheet(book->workbook, name);
     if (sheet == NULL) {
-        xlsx_keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
+        keep(book, LXW_ERROR_MEMORY_MALLOC_FAILED);
         return;
     }
     if (is_new)
@@ -92,7 +124,7 @@ void xlsx_finish(xlsx *book)
 {
     char buffer[1 << 14];
     errno = 0;
-    xlsx_keep(book, workbook_close(book->workbook));
+    keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
     FILE *from = problem == NULL ? spool_read(&book->spool) : NULL;
     for (size_t count; from != NULL && (count = fread(buffer, 1, sizeof buffer, from)) > 0;)
@@ -107,77 +139,42 @@ void xlsx_finish(xlsx *book)
 
 /* ---- Cells ----------------------------------------------------------------------------------- */
 
-void xlsx_number(xlsx *book, int row, int column, double value, const char *style)
+void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style)
 {
-    if (isfinite(value))
-        xlsx_keep(book, worksheet_write_number(book->current, CELL_AT(row, column), value,
-                                               xlsx_style(book, style)));
-    else
-        xlsx_keep(book, worksheet_write_blank(book->current, CELL_AT(row, column),
-                                              xlsx_style(book, style)));
+    keep(book,
+         worksheet_write_number(book->current, CELL_AT(row, column), value, book->style[style]));
 }
 
-void xlsx_text(xlsx *book, int row, int column, const char *text, const char *style)
+void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
 {
     if (!utf8_is_whole(text))
-        xlsx_keep(book, LXW_ERROR_PARAMETER_VALIDATION);
+        keep(book, LXW_ERROR_PARAMETER_VALIDATION);
     else
-        xlsx_keep(book, worksheet_write_string(book->current, CELL_AT(row, column), text,
-                                               xlsx_style(book, style)));
-}
-
-void xlsx_formula(xlsx *book, int row, int column, const char *formula, cell value,
-                  const char *style)
-{
-    lxw_format *look = xlsx_style(book, style);
-    if (value.text == NULL && isfinite(value.number))
-        xlsx_keep(book,
-                  worksheet_write_formula_num(book->current, CELL_AT(row, column), formula, look,
-                                              number_rounded(value.number, XLSX_DIGITS)));
-    else
-        xlsx_keep(book, worksheet_write_formula_str(book->current, CELL_AT(row, column), formula,
-                                                    look, value.text != NULL ? value.text : ""));
-}
-
-void xlsx_name(xlsx *book, const char *name, xlsx_area area)
-{
-    char place[LXW_MAX_SHEETNAME_LENGTH + LXW_MAX_CELL_RANGE_LENGTH + 5],
-        cells[LXW_MAX_CELL_RANGE_LENGTH];
-    lxw_rowcol_to_range_abs(cells, CELLS(area));
-    snprintf(place, sizeof place, "='%s'!%s", book->current->name, cells);
-    xlsx_keep(book, workbook_define_name(book->workbook, name, place));
+        keep(book,
+             worksheet_write_string(book->current, CELL_AT(row, column), text, book->style[style]));
 }
 
 /* ---- Sheets ---------------------------------------------------------------------------------- */
 
-void xlsx_width(xlsx *book, int first_column, int last_column, double characters)
+void xlsx_width(xlsx *book, int column, double characters)
 {
-    xlsx_keep(book, worksheet_set_column(book->current, (lxw_col_t)first_column,
-                                         (lxw_col_t)last_column, characters, NULL));
+    keep(book, worksheet_set_column(book->current, (lxw_col_t)column, (lxw_col_t)column, characters,
+                                    NULL));
 }
 
-void xlsx_lines(xlsx *book, int row, int lines)
+void xlsx_freeze(xlsx *book, int row, int column)
 {
-    xlsx_keep(book,
-              worksheet_set_row(book->current, (lxw_row_t)row, lines * LXW_DEF_ROW_HEIGHT, NULL));
+    worksheet_freeze_panes(book->current, CELL_AT(row, column));
 }
 
-void xlsx_freeze(xlsx *book, int rows, int columns)
+void xlsx_print(xlsx *book, int last_row, int last_column, xlsx_pages pages, bool landscape)
 {
-    worksheet_freeze_panes(book->current, CELL_AT(rows, columns));
-}
-
-void xlsx_hide_columns(xlsx *book, int first_column, int last_column)
-{
-    lxw_row_col_options options = {.hidden = LXW_TRUE};
-    xlsx_keep(book, worksheet_set_column_opt(book->current, (lxw_col_t)first_column,
-                                             (lxw_col_t)last_column, 12, NULL, &options));
-}
-
-void xlsx_hide_names(xlsx *book, const char *beginning)
-{
-    struct lxw_defined_name *name;
-    TAILQ_FOREACH(name, book->workbook->defined_names, list_pointers)
-    if (strncmp(name->name, beginning, strlen(beginning)) == 0)
-        name->hidden = LXW_TRUE;
+    keep(book, worksheet_print_area(book->current, 0, 0, CELL_AT(last_row, last_column)));
+    worksheet_fit_to_pages(book->current, 1, pages == XLSX_ONE_PAGE);
+    if (pages == XLSX_PAGES)
+        keep(book, worksheet_repeat_rows(book->current, 0, 0));
+    if (landscape)
+        worksheet_set_landscape(book->current);
+    worksheet_set_margins(book->current, 0.4, 0.4, 0.6, 0.6);
+    keep(book, worksheet_set_footer(book->current, "&L&8rwedge " RWEDGE_VERSION "&C&8&A&R&8&P/&N"));
 }

@@ -47,7 +47,7 @@ rwedge --completion bash >/dev/null
     rwedge fretting cycle.csv $bodies --x -1,0,1 -o "fretting.csv"
 }
 rwedge figure 4 --data -o "figure 4.csv"
-rwedge workbook -o "workbook.xlsx"
+rwedge workbook history.csv fretting.csv -o "tables.xlsx"
 ! on_windows "$folder/rwedge.exe" figure 4 -o figure.svg 2>"$work/said" || fail "a figure without gnuplot"
 grep -q 'gnuplot: not found on PATH' "$work/said" || fail "what a figure needs is not said: $(cat "$work/said")"
 [ -z "$(find . -name '.rwedge-*')" ] || fail "unfinished files are left"
@@ -67,8 +67,7 @@ for table in "$top"/tables/*.csv; do
 done
 run=''
 for test in command_line/completion command_line/ranges figures/figure_data files/formats files/spreadsheet results/batch \
-    results/field results/fretting results/off_centre results/profile results/solve results/tables system/threads \
-    workbook/workbook; do
+    results/field results/fretting results/off_centre results/profile results/solve results/tables system/threads; do
     sh "$top/tests/cli/$test.sh" "$work/rwedge" "$top/tests/data" >"$work/log" 2>&1 ||
         { grep -a -A 4 FAILED "$work/log" | head -n 40; fail "tests/cli/$test.sh"; }
     run="$run $test"

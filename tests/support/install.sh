@@ -10,16 +10,27 @@ accept_path()
     exit 2
 }
 
-# have KIND:NAME - is it there: a command on the path, a library that pkg-config knows, a header where the compiler looks?
+# have KIND:NAME - is it there: a command on the path, a library that pkg-config knows, a header where the compiler looks, a module of
+# one of the Pythons?
 have()
 {
     case $1 in
     python:*) python3 -c "import ${1#python:}" >/dev/null 2>&1 ;;
+    module:*) python_with "${1#module:}" >/dev/null ;;
     command:*) command -v "${1#command:}" >/dev/null 2>&1 ;;
     library:*) pkg-config --exists "${1#library:}" 2>/dev/null ;;
     file:*) ls ${1#file:} >/dev/null 2>&1 ;; # a pattern
     header:*) echo "#include <${1#header:}>" | cc -E - >/dev/null 2>&1 ;;
     esac
+}
+
+# python_with MODULE - prints the Python that has the module: the one on the path, or that of the distribution.
+python_with()
+{
+    for each in python3 /usr/bin/python3; do
+        "$each" -c "import $1" >/dev/null 2>&1 && echo "$each" && return
+    done
+    return 1
 }
 
 # install_packages PACKAGES... - the Debian packages, as root or by sudo. Elsewhere, or without the right to, it says what to install and

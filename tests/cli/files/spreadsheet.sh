@@ -133,7 +133,16 @@ fails "rwedge workbook: law.csv: one column; the columns seem to be separated by
 fails "rwedge workbook: comma.tsv: line 3: 0,5: a decimal comma; --decimal-comma reads it" comma.tsv
 printf 'a;b\n1,5;2.5\n' >point.csv
 fails "rwedge workbook: point.csv: line 2: 2.5: a decimal point; without --decimal-comma it is a number" point.csv --decimal-comma
-refuses "--decimal-comma: a workbook has no sign; allowed with: CSV files" workbook --decimal-comma -o new.xlsx
+refuses "--output: missing; allowed: the name of a file, such as tables.xlsx, or -" workbook law.csv
+refuses "FILE.csv: missing; allowed: up to 10 CSV files. The spreadsheet that computes is a file of its own, rounded-wedge.xlsx" \
+    workbook -o new.xlsx
+
+# An old file stays where the new one cannot be written.
+echo old >kept.xlsx
+for i in 1 2 3 4 5 6 7 8 9 10; do cat law.csv; done | awk 'NR == 1 { print; next } { for (i = 0; i < 4000; i++) print }' >long.csv
+shell '(ulimit -f 64; trap "" XFSZ; "$rwedge" workbook long.csv -o kept.xlsx)'
+status_is 1
+same "the old file" old "$(cat kept.xlsx)"
 
 # Names that no sheet can have, or that are taken, whatever their capitals: what they are instead is said.
 sheets() { # NAMES MESSAGE FILE...

@@ -16,7 +16,7 @@ import sys
 import xml.etree.ElementTree as ET
 import zipfile
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "support"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 
 from office import Office, settings  # noqa: E402
 from com.sun.star.sheet import FormulaResult  # noqa: E402

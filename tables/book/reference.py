@@ -34,7 +34,7 @@ def elastic_limit(sheet, source):
     sheet.text(0, 0, "Elastic limit P/(bk)", "title")
     sheet.text(1, 0, "Load at first yield (von Mises, plane strain) in full sliding, k the yield stress in pure shear. a/b = 1 holds for "
                      "all a/b above 1. To the right: the two branches, for the sheet Look up.", "note")
-    sheet.widths(A_BZ=8, L=3)
+    sheet.widths(A_K=8, L=3, M_BZ=8)
     sheet.text(2, 1, "a/b across, f down: P/(bk), nu = 0.3", "heading")
     sheet.text(3, 0, "f", "header")
     write_grid(sheet, 3, 0, source.table(table, nu=0.3, a_over_b="0.1:1:0.1", friction=frictions), "f", "a_over_b", "P_over_bk")

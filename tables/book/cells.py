@@ -247,7 +247,8 @@ WORKING = [
     Cell("rwt_k2", "(k A/theta)^2", "(rwt_k*rwt_comp/rwt_theta)^2"),
     *branch("s", f"51-SUMPRODUCT(--({weigh(lambda nu: every_row('rwt_surface', nu))}<rwt_k2))",
             rows_of("rwt_surface", "rwt_s_node")),
-    *branch("b", f"51-SUMPRODUCT(({weigh(lambda nu: every_row('rwt_below', nu))}<rwt_k2)*{ALL_BELOW})",
+    # below the surface there may be none at some tips: these count neither as yielding nor as not
+    *branch("b", f"SUMPRODUCT(MAX(({weigh(lambda nu: every_row('rwt_below', nu))}>=rwt_k2)*{ALL_BELOW}*rwt_count))",
             [if_row("rwt_b_node" + step, value)
              for step, value in zip(("", "+1", "+2"), rows_of("rwt_below", "rwt_b_node"))]),
     Cell("rwt_y", "AP/(theta a) at yield", "MIN(rwt_s_y,rwt_b_y)"),

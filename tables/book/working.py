@@ -4,7 +4,7 @@ from xlsxwriter.utility import xl_range_abs
 
 from cells import CASE, GROUPS, SHOWN, cell_of
 from formulas import at_f, at_row, cosine, if_row, is_there, weigh
-from source import FRICTIONS, NUS, rounded
+from source import FRICTIONS, NUS, TIPS, rounded
 
 NOTES, FIRST = 9, 10  # the rows of the columns of numbers: what they are, and the first number
 TABLE_ROW = 64
@@ -77,6 +77,8 @@ class Working:
             self.sheet.text(NOTES, column, name, "note")
             self.sheet.down(FIRST, column, values, name=name)
         self.sheet.block(FIRST + 2, 4, [[1, 1, 1]], name="rwt_ones")
+        self.sheet.text(NOTES, 7, "rwt_count", "note")
+        self.sheet.down(FIRST, 7, range(1, TIPS + 1), name="rwt_count")
 
     def write_case(self):
         """The curves of the case, and its marks: charts leave out what is #N/A."""

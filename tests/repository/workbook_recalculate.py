@@ -188,6 +188,16 @@ def random_case(draw, i):
     return case
 
 
+def late_case(draw, i):
+    """It yields near the table's end, where the branch below the surface has gaps; the first was 34 % too high."""
+    if i == 0:
+        return dict(E1=210000.0, nu1=0.45, theta=0.02, a=0.05, P=10361.4, f=0.339936, k=2180.89)
+    E1, nu, theta, a = 10**draw.uniform(3, 6), draw.uniform(0.33, 0.5), 10**draw.uniform(-3, -1), 10**draw.uniform(-3, 1)
+    A = 4 * (1 - nu**2) / E1
+    P = contact_load(10**draw.uniform(-2.4, 0)) * theta * a / A
+    return dict(E1=E1, nu1=nu, theta=theta, a=a, P=P, f=draw.uniform(0.27, 0.38), k=theta / A * draw.uniform(1.3, 1.9))
+
+
 def solve(case):
     """The results of "rwedge solve", as texts."""
     inputs = ["--%s=%r" % (name.replace("_", "-"), value) for name, value in case.items()]
@@ -331,10 +341,10 @@ def check_sentence(case, row, got):
     same("the sentence", good, (got, row["safety"], case))
 
 
-def check_cases(calculator, batch, count, beside, seed):
+def check_cases(calculator, batch, new_case, count, beside):
     """Random cases in Batch, and the first of them in Calculator too."""
-    draw = random.Random(seed)
-    cases = [random_case(draw, i) for i in range(count)]
+    draw = random.Random(2026)
+    cases = [new_case(draw, i) for i in range(count)]
     rows = [solve(case) for case in cases]
     batch.enter(cases)
     worst = {}
@@ -516,7 +526,8 @@ def check_book(office):
         speak(office, locale)
         calculator.enter(GOOD)
         same("the decimal sign of " + locale, calculator.cell("rw_a").String == shown, calculator.cell("rw_a").String)
-        check_cases(calculator, batch, count, beside, 2026)
+        check_cases(calculator, batch, random_case, count, beside)
+    check_cases(calculator, batch, late_case, ROWS - 1, 1)
     check_messages(document, calculator, batch)
     check_fill_down(batch)
     check_look_up(document)

@@ -10,7 +10,7 @@ Attribute VB_Name = "rwedge"
 '             #VALUE!  not a number, or columns of different lengths
 '             #NAME?   rwedge.dll was not found: =RWEDGE_VERSION() says where it was looked for
 ' Where the text below says that a function gives NaN, the cell shows #NUM!; so it does where a result is infinite. Of a rigid
-' body E is 1E+300, for lack of an infinity in cells. An empty cell is 0, as everywhere in Excel, but not in a range: #VALUE!.
+' body E is 1E+60, for lack of an infinity in cells. An empty cell is 0, as everywhere in Excel, but not in a range: #VALUE!.
 '
 ' The header's introduction:
 '

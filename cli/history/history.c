@@ -137,8 +137,6 @@ static void write_load(plan *job, size_t step, const rwedge_contact *contact, re
     const load_history *loads = &job->history.loads;
     const size_t place = contact_history_row(&job->history, step);
     compute(&job->history.setup, contact, step + 1, &row);
-    header_write_unused_of(&loads->names, loads->row[place].cell, row.warnings,
-                           sizeof row.warnings);
     doubts_add(&job->doubts, row.doubts);
     passed_cells(loads, place, rows);
     records_row(rows, AFTER_COUNT, row.value);

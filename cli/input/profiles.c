@@ -74,7 +74,9 @@ const pad_profile *profiles_named(const char *name, complaint *why)
     const entry *known = entry_named(name);
     if (known != NULL && known->problem.text[0] == '\0')
         return &known->places;
-    complain(why, "profile %.380s", known != NULL ? known->problem.text : name);
+    if (known == NULL)
+        return complain(why, "profile %.380s: a cell may name a regular file alone", name), NULL;
+    complain(why, "profile %.380s", known->problem.text);
     return NULL;
 }
 

@@ -6,12 +6,22 @@
 #include <math.h>
 #include <string.h>
 
+/* The signs that a formula begins with, also in full width, as East Asian input writes them. */
+static bool begins_like_formula(const char *text)
+{
+    static const char *const wide[] = {"\xef\xbc\x9d", "\xef\xbc\x8b", "\xef\xbc\x8d",
+                                       "\xef\xbc\xa0"};
+    for (size_t i = 0; i < sizeof wide / sizeof wide[0]; i++)
+        if (strncmp(text, wide[i], 3) == 0)
+            return true;
+    return text[0] != '\0' && strchr("=+-@\t\r", text[0]) != NULL;
+}
+
 /* Spreadsheets compute what begins like this, unless it is a number. */
 static bool is_formula(const records *rows, const char *text)
 {
     double number;
-    return text[0] != '\0' && strchr("=+-@\t\r", text[0]) != NULL &&
-           !number_read_cell(text, rows->how->decimal_sign, &number);
+    return begins_like_formula(text) && !number_read_cell(text, rows->how->decimal_sign, &number);
 }
 
 static void put_text(const records *rows, const char *text)

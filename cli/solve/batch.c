@@ -114,24 +114,30 @@ static bool next_row(const run *r)
         row->line);
 }
 
+/* Before the threads look for it. Who writes a file of contacts need not be who runs it: a pipe or
+ * a device is not waited for. */
+static void read_profile(const run *r, const char *name)
+{
+    if (name[0] == '\0' || strcmp(name, "-") == 0 || file_kind_of(name) == FILE_OTHER)
+        return;
+    output_options_spare(r->how, name, "file of a cell in column ", "profile");
+    notice("%s",
+           profiles_read(name, r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL, false));
+}
+
 /* Reads rows until there are enough for the threads; false where no more follow. Where memory is
  * too short for a row the command ends, before threads begin. */
 static bool hold_rows(run *r)
 {
     const bool has_profile = header_has_input(&r->table.names, INPUT_PROFILE);
     const size_t column = r->table.names.column[INPUT_PROFILE];
-    const bool takes_hull = r->line->value[OPTION_HULL] != NULL;
     size_t bytes = 0;
     for (r->held_count = 0; r->held_count < HELD_ROWS && bytes < HELD_BYTES; r->held_count++) {
         if (!next_row(r))
             return false;
         csv_row *row = &r->held[r->held_count];
         csv_row_keep(r->in, row);
-        const char *profile = has_profile && column < row->count ? row->cell[column] : "";
-        if (profile[0] != '\0') { /* before the threads look for it */
-            output_options_spare(r->how, profile, "file of a cell in column ", "profile");
-            notice("%s", profiles_read(profile, r->how->decimal_sign, takes_hull, false));
-        }
+        read_profile(r, has_profile && column < row->count ? row->cell[column] : "");
         bytes += row->bytes;
     }
     return true;

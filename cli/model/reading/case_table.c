@@ -94,6 +94,5 @@ bool case_table_solve(const case_table *table, const char *const row[], size_t c
         return false;
     if (texts.text[INPUT_F] == NULL)
         results_warn(answer, "no friction given");
-    header_write_unused_of(&table->names, row, answer->warnings, sizeof answer->warnings);
     return true;
 }

@@ -143,7 +143,8 @@ static bool check_other(const sources *from, const char *name, complaint *why)
 static bool is_label(const char *name)
 {
     static const char labels[] =
-        "case id key line load name no nr number row step time cycle point label node";
+        "case id key line load name no nr number row step time cycle point label node test zeit "
+        "n_f";
     char plain[COLUMN_NAME_SIZE];
     column_name_make_plain(name, plain);
     const size_t stem = column_name_stem(plain);
@@ -199,14 +200,6 @@ void header_write_unused(const header *names, char *text, size_t size)
             list_add(list, sizeof list, ", ", "'%.60s'", names->name[i]);
     if (list[0] != '\0')
         list_add(text, size, "; ", "columns with numbers that are not used: %s", list);
-}
-
-void header_write_unused_of(const header *names, const char *const cells[], char *text, size_t size)
-{
-    header row = *names;
-    memset(row.has_number, 0, sizeof row.has_number);
-    header_note_unused(&row, cells);
-    header_write_unused(&row, text, size);
 }
 
 /* ---- Rows ---- */

@@ -67,11 +67,9 @@ bool cell_read(const char *text, const char *column, char decimal_sign, double *
  * for an input, and nobody would notice. */
 void header_note_unused(header *names, const char *const cells[]);
 
-/* Adds "columns with numbers that are not used: 'T'" to a list, where there are any: in the rows
- * that were noted, or in this one. */
+/* Adds "columns with numbers that are not used: 'T'" to a list, where the rows that were noted have
+ * any. */
 void header_write_unused(const header *names, char *text, size_t size);
-void header_write_unused_of(const header *names, const char *const cells[], char *text,
-                            size_t size);
 
 /* Why the names of a header may lack one: "; the columns seem to be separated by ';': ..." where
  * there is one only, or that they are numbers; or nothing. */

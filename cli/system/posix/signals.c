@@ -3,12 +3,18 @@
 
 #include <signal.h>
 
-static const int ending[] = {SIGINT, SIGTERM, SIGHUP};
+static const struct {
+    int number;
+    const char *name;
+} ending[] = {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}};
 enum { ENDING_COUNT = sizeof ending / sizeof ending[0] };
 
 static void end_by_signal(int number)
 {
-    signals_end(number == SIGINT ? "SIGINT" : number == SIGTERM ? "SIGTERM" : "SIGHUP");
+    int i = 0;
+    while (ending[i].number != number)
+        i++;
+    signals_end(ending[i].name);
     struct sigaction action = {.sa_handler = SIG_DFL};
     sigaction(number, &action, NULL);
     raise(number); /* delivered when the handler returns */
@@ -19,7 +25,7 @@ static sigset_t handled(void)
     sigset_t set;
     sigemptyset(&set);
     for (int i = 0; i < ENDING_COUNT; i++)
-        sigaddset(&set, ending[i]);
+        sigaddset(&set, ending[i].number);
     return set;
 }
 
@@ -31,8 +37,8 @@ void signals_install(void)
     sigaction(SIGPIPE, &ignore, NULL);
     sigaction(SIGXFSZ, &ignore, NULL);
     for (int i = 0; i < ENDING_COUNT; i++)
-        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
-            sigaction(ending[i], &end, NULL);
+        if (sigaction(ending[i].number, NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+            sigaction(ending[i].number, &end, NULL);
 }
 
 void signals_hold(void)

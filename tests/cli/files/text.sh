@@ -114,10 +114,10 @@ printf 'P,Q,label\n100,0,0.10\n' | "$rwedge" history - $fixed --a 1 --f 0.3 --fo
 same "and a label a text" 1 "$(grep -c '"label": "0.10",' out)"
 
 # A text that a spreadsheet would compute gets a ' in front, if that is wished for. Numbers are not texts.
-printf 'a,P,f,=n,x\n1,100,0.1,=1+1,x\n1,100,0.1,"@a,b",x\n1,100,0.1,-5,x\n1,100,0.1,+49,x\n1,100,0.1,-x,x\n' >formulas.csv
+printf 'a,P,f,=n,x\n1,100,0.1,=1+1,x\n1,100,0.1,"@a,b",x\n1,100,0.1,-5,x\n1,100,0.1,+49,x\n1,100,0.1,-x,x\n1,100,0.1,＝1+1,x\n1,100,0.1,＠a,x\n' >formulas.csv
 run solve -i formulas.csv $fixed
 same "as they are" "$(cat formulas.csv)" "$(sed 's/,A,dundurs.*//; s/,1.82.*//' out)"
-same "guarded" "a,P,f,'=n|1,100,0.1,'=1+1|1,100,0.1,\"'@a|1,100,0.1,-5|1,100,0.1,+49|1,100,0.1,'-x" \
+same "guarded" "a,P,f,'=n|1,100,0.1,'=1+1|1,100,0.1,\"'@a|1,100,0.1,-5|1,100,0.1,+49|1,100,0.1,'-x|1,100,0.1,'＝1+1|1,100,0.1,'＠a" \
     "$(solved formulas.csv --no-formulas | paste -s -d '|' -)"
 columns=
 printf 'P,Q,=n\n100,10,=1+1\n100,-10,-5\n' >formulas.csv

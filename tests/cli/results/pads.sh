@@ -85,6 +85,13 @@ run solve -i cases.csv $steel --hull
 message_has "dent.csv: line 4: height 0.03: not convex at 1 place"
 same "rows that are solved" 2 "$(column b out | grep -c '^[0-9]')"
 
+# A file of contacts does not have the tool wait for a pipe, or read its own standard input.
+mkfifo pipe.csv
+printf 'profile,P\npipe.csv,300\n-,300\nworn.csv,300\n' >cases.csv
+shell 'timeout 20 "$rwedge" solve -i cases.csv $steel'
+status_is 0
+same "errors" "profile pipe.csv: a cell may name a regular file alone|profile -: a cell may name a regular file alone|-" \
+    "$(column error out | paste -s -d '|' -)"
 printf 'profile,P\nworn.csv,300\n' >cases.csv
 refuses "--output worn.csv: it is the file of a cell in column profile; allowed: another file" solve -i cases.csv $steel -o worn.csv
 

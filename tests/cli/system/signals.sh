@@ -30,7 +30,7 @@ ends_by() { # SIGNAL STATUS
     same "files" old.csv "$(ls -A files)"
 }
 
-for signal in INT:130 TERM:143 HUP:129; do
+for signal in INT:130 TERM:143 HUP:129 XCPU:152; do
     name=${signal%:*}
     start "default-signal=$name" -o files/old.csv
     same "unfinished files on the way" 1 "$(find files -name '.rwedge-*' | wc -l | tr -d ' ')"

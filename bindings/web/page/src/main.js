@@ -12,7 +12,7 @@ import { makeModel } from "./model.js";
 import { narrow } from "./plot/axes.js";
 import { worstPlace } from "./tabs/cycle.js";
 import { tabList, tabPanels } from "./tabs/tabs.js";
-import { verdict } from "./verdict.js";
+import { isSilent, verdict } from "./verdict.js";
 import { unitsRemark, unitSystems } from "./units.js";
 import * as states from "./state.js";
 
@@ -99,6 +99,7 @@ function draw() {
     put(answers(model), "answers");
     put(theCase(model), "case");
     put(above(model), "verdict");
+    document.getElementById("verdict").classList.toggle("silent", isSilent(model, state.tab));
     put(settings(), "settings");
     document.body.dataset.milliseconds = (performance.now() - began).toFixed(1);
     remember();

@@ -39,13 +39,15 @@ function whole(model) {
         ${Number.isFinite(model.results.safety) ? advice : nothing}`;
 }
 
-/** The tabs of many loads or cases judge these themselves. */
+/** The tabs of many loads or cases judge these themselves: above them stands only what is wrong with the case of the form. */
+const isOfCase = (tab) => !["cycle", "batch"].includes(tab);
+export const isSilent = (model, tab) => !isOfCase(tab) && model.faults.length === 0;
+
 export function verdict(model, tab) {
     const { colour, text } = model.verdict,
-        ofCase = !["cycle", "batch"].includes(tab),
-        isWhole = ofCase && model.results;
-    return html`<div role="status">
+        isWhole = isOfCase(tab) && model.results;
+    return html`<div role="status" ?hidden=${isSilent(model, tab)}>
         <div class="verdict" ?hidden=${!isWhole}>${isWhole ? whole(model) : nothing}</div>
         <p class="status ${colour}" id="status" ?hidden=${text === "OK" && isWhole}
-            >${ofCase ? text : `The case of the form: ${text}`}</p></div>`;
+            >${isOfCase(tab) ? text : `The case of the form: ${text}`}</p></div>`;
 }

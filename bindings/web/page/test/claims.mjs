@@ -291,11 +291,32 @@ export async function a_wrong_input_keeps_the_last_picture({ page }) {
     assert.deepEqual([greyed, await drawnNow()], [false, [drawn, true]]);
     await openTab(page, "stress"); // which has not been drawn yet
     await enter(page, { measure: "txy" });
+    const canSave = () => page.$$eval(`${seen} .save button`, (all) => all.some((button) => button.checkVisibility()));
+    assert.ok(!(await canSave()), "what is saved is of the inputs on view");
     const field = await page.$eval("#panel-stress svg", (svg) => [svg.ariaLabel, Boolean(svg.closest(".old"))]);
     assert.deepEqual(field, ["shear stress txy below the surface", true]);
     await enter(page, { "in-P": "190" });
     await openTab(page, "contact");
     assert.deepEqual(await drawnNow(), [drawn, false]);
+    assert.ok(await canSave());
+}
+
+/** While loads are computed nothing is shown or saved as their result that is of other loads; and that can be stopped. */
+export async function no_result_is_of_other_inputs({ page, show }) {
+    const visible = (selector) => page.$$eval(`${seen} ${selector}`, (all) => all.some((part) => part.checkVisibility()));
+    await show(usual, { tab: "cycle" });
+    await settled(page);
+    assert.ok((await visible(".sentence")) && (await visible(".save button")));
+    const log = Array.from({ length: 300 }, (_, i) => [190 + 20 * Math.sin(i / 9), 15 * Math.cos(i / 9), 30 * Math.sin(i / 7)]);
+    await enter(page, { loads: inTable([["P", "Q", "sigma"], ...log]) });
+    assert.ok(await visible("progress"), "it says that it computes");
+    assert.deepEqual([await visible(".sentence"), await visible(".save button")], [false, false]);
+    await page.$eval(`${seen} progress + button`, (button) => button.click());
+    assert.match(await textOf(page, "#loads-note"), /^Stopped\./);
+    assert.deepEqual([await visible("progress"), await visible(".sentence")], [false, false]);
+    await enter(page, { loads: "" });
+    await settled(page);
+    assert.ok(await visible(".sentence"));
 }
 
 /** A long text makes no tall rows: theta = 0.5 has warnings. */

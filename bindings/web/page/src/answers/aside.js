@@ -21,10 +21,12 @@ export function serve() {
 /** The script of the page, as it stands in it. */
 const script = globalThis.document?.currentScript?.textContent;
 
-/** Questions of one kind, of which the last is answered. answered() follows each answer. */
+const SECOND = 1000; // milliseconds
+
+/** Questions of one kind, of which the last is answered. changed() follows each answer, and each second of waiting for one. */
 export class Aside {
-    constructor(task, answered) {
-        Object.assign(this, { task, answered, busy: false });
+    constructor(task, changed) {
+        Object.assign(this, { task, changed, busy: false, before: undefined, seconds: 0 });
     }
 
     start() {
@@ -33,7 +35,8 @@ export class Aside {
         URL.revokeObjectURL(address);
     }
 
-    /** The answer; while it is worked on, busy is true, and it is that of the question before. The same question is not asked again. */
+    /** The answer; nothing while it is worked on: busy is true then, and `before` has the last answer to another question. The same
+     * question is not asked again. */
     ask(values) {
         const question = JSON.stringify(values);
         if (question !== this.question) this.begin(question, values);
@@ -41,18 +44,34 @@ export class Aside {
     }
 
     begin(question, values) {
-        if (this.busy) {
-            this.worker.terminate();
-            this.worker = null;
-        }
+        this.end();
         if (!this.worker) this.start();
-        Object.assign(this, { question, busy: true });
-        const take = (answer) => {
-            Object.assign(this, { answer, busy: false });
-            this.answered();
-        };
-        this.worker.onmessage = ({ data }) => take(data);
-        this.worker.onerror = () => take(answerTo(this.task, values)); // a browser without such workers waits
+        Object.assign(this, { question, busy: true, before: this.answer ?? this.before, answer: undefined, seconds: 0 });
+        this.clock = setInterval(() => {
+            this.seconds++;
+            this.changed();
+        }, SECOND);
+        this.worker.onmessage = ({ data }) => this.take(data);
+        this.worker.onerror = () => this.take(answerTo(this.task, values)); // a browser without such workers waits
         this.worker.postMessage([this.task, values]);
+    }
+
+    take(answer) {
+        clearInterval(this.clock);
+        Object.assign(this, { answer, busy: false });
+        this.changed();
+    }
+
+    /** Ends what is worked on; its worker goes. */
+    end() {
+        if (!this.busy) return;
+        clearInterval(this.clock);
+        this.worker.terminate();
+        Object.assign(this, { worker: null, busy: false });
+    }
+
+    stop() {
+        this.end();
+        this.take({ complaint: "Stopped. A change of the inputs computes anew." });
     }
 }

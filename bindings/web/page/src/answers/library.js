@@ -48,8 +48,12 @@ function join(all, part) {
     return all;
 }
 
-/** What the model answers: an object, of which the model gives the parts in JSON. */
-export const ask = (name, ...values) => JSON.parse(textAt(call(`page_${name}`, values))).reduce(join, {});
+/** What the model answers: an object, of which the model gives the parts in JSON. It has no text where memory ran out. */
+export function ask(name, ...values) {
+    const text = textAt(call(`page_${name}`, values));
+    if (text === "") throw new Error("the memory of the page is not enough");
+    return JSON.parse(text).reduce(join, {});
+}
 
 /** NaN where the text is no number with a decimal point. */
 export const numberOf = (text) => call("page_number", [text]);

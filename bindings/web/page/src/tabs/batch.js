@@ -5,6 +5,7 @@ import { live } from "lit-html/directives/live.js";
 import { Aside } from "../answers/aside.js";
 import { copyButton, csvText, download } from "../parts.js";
 import { redraw, set, setter, state } from "../state.js";
+import { waiting } from "./waiting.js";
 
 const SHOWN = 100; // rows that are drawn; all are copied
 const example =
@@ -76,13 +77,14 @@ const save = (solved) => download("solved.csv", fileText(linesOf(solved)), "text
 export const aside = new Aside("rows", redraw);
 
 export function batch({ texts, write }) {
-    const solved = aside.ask([state.batch, texts, state.sign]) ?? { complaint: "" },
+    const solved = aside.ask([state.batch, texts, state.sign]) ?? { complaint: "" }, // while it computes
         isBad = solved.complaint !== undefined;
     return html`<label for="batch">Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does</label>
         <textarea id="batch" rows="8" wrap="off" spellcheck="false" aria-describedby="batch-note" placeholder=${example}
             .value=${live(state.batch)} @input=${setter("batch")}></textarea>
         <p class="tools"><button type="button" @click=${() => set({ batch: example })}>Try an example</button>
             <span>What the rows lack is taken from the case of the form.</span></p>
+        ${waiting(aside)}
         <p id="batch-note" class="note ${isBad ? "bad" : ""}" aria-live="polite">${remarkOf(solved)}</p>
         <p class="tools" ?hidden=${isBad}>${copyButton("Copy the solved rows", () => asText(linesOf(solved)))}
             <button type="button" @click=${() => save(solved)}>Save as CSV</button></p>

@@ -12,6 +12,7 @@ import { redraw, set, setter, state, written } from "../state.js";
 import { bar } from "../verdict.js";
 import { criteria, measures } from "../answers/words.js";
 import { table } from "./table.js";
+import { waiting } from "./waiting.js";
 
 const unitOf = (name, unit) => unit[measures[name].unit];
 
@@ -128,15 +129,16 @@ const entries = () => html`
         <textarea id="material" rows="5" placeholder="swt_limit\t0.5" spellcheck="false" .value=${live(state.material)}
             @input=${setter("material")}></textarea></details>`;
 
-/** The worst places and the plots; nothing where there is a complaint. */
-function answers(answer, model) {
+/** The worst places and the plots; nothing where there is a complaint. Of an answer to other inputs only the plots stay, greyed. */
+function answers(answer, model, isOld) {
     const isThere = answer.complaint === undefined,
         onSurface = () => surfaceColumns(answer, model.unit);
     const plot = (name, spec, columns) => curvePlot(name, isThere ? spec(answer, model) : "", columns);
     const slip = () => alongOf(answer, model, "slip_range", "range of slip along the surface");
-    return html`<div class="wide">${isThere ? [sentence(answer, model), worstTable(answer, model)] : nothing}</div>
+    return html`<div class=${isOld ? "old" : ""} ?inert=${isOld}>
+        <div class="wide">${isThere && !isOld ? [sentence(answer, model), worstTable(answer, model)] : nothing}</div>
         ${plot("criterion", fatigueOf, onSurface)} ${plot("slip", slip, onSurface)}
-        ${plot("loop", loopOf, () => loopColumns(answer))}`;
+        ${plot("loop", loopOf, () => loopColumns(answer))}</div>`;
 }
 
 export const aside = new Aside("cycle", redraw);
@@ -153,12 +155,14 @@ export function cycle(model) {
         sign,
         cycles,
         { name, isPlaneStress: plane === "stress", material },
-    ]) ?? { complaint: "" };
-    const command = answer.complaint === undefined ? asFretting(model, answer, cycles.trim(), loads.trim() !== "") : "";
+    ]);
+    const shown = answer ?? aside.before ?? { complaint: "" };
+    const command = answer && answer.complaint === undefined ? asFretting(model, answer, cycles.trim(), loads.trim() !== "") : "";
     return html`${entries()}
-        <p id="loads-note" class="note ${answer.complaint ? "bad" : ""}" aria-live="polite">${remarkOf(answer)}</p>
+        ${waiting(aside)}
+        <p id="loads-note" class="note ${answer?.complaint ? "bad" : ""}" aria-live="polite">${answer ? remarkOf(answer) : ""}</p>
         <h2>Worst places</h2>
-        ${answers(answer, model)}
+        ${answers(shown, model, answer === undefined)}
         <details><summary>This cycle as a command</summary>${copyButton("Copy the command", () => command)}
             <pre id="as-fretting" tabindex="0">${command}</pre></details>`;
 }

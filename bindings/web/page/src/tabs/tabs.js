@@ -52,6 +52,6 @@ export function tabPanels(model) {
         (name) => html`<div role="tabpanel" id="panel-${name}" aria-labelledby="tab-${name}"
             aria-busy=${asides[name]?.busy || nothing} ?hidden=${name !== state.tab}>
             <p class="note bad" role="alert">${name === state.tab ? fault : ""}</p>
-            <div class=${seen === model ? "" : "old"}>${drawn[name]}</div></div>`,
+            <div class=${seen === model ? "" : "old"} ?inert=${seen !== model}>${drawn[name]}</div></div>`,
     );
 }

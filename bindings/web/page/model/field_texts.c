@@ -26,6 +26,10 @@ static void take(char *field, input_texts *texts)
     if (sign == NULL)
         return;
     *sign = '\0';
+    if (strcmp(field, "decimal_sign") == 0) {
+        texts->cell_decimal_sign = sign[1];
+        return;
+    }
     if (strcmp(field, "profile") == 0 || strcmp(field, "hull") == 0) {
         take_profile(sign + 1, field[0] == 'h', texts);
         return;

@@ -36,7 +36,7 @@ const char *json_end(void);
 /* ---- field_texts ---- The texts of the form, as JavaScript hands them over. */
 
 /* From "name=text" of each input, with U+001E between them; it takes them apart in place. The text
- * of "profile" has its rows, that of "hull" the same for their convex hull. */
+ * of "decimal_sign" is that of the others, a point where it is missing; that of "profile" has its rows, that of "hull" the same for their convex hull. */
 input_texts field_texts(char *fields);
 
 /* What is to be known of the profile of the last texts; or "". */

@@ -2,13 +2,24 @@
 // Numbers as they are typed, with a decimal point or comma, and as they are shown.
 import { numberOf } from "./answers/library.js";
 
-const mayBeThousands = /^[+-]?[1-9]\d{0,2},\d{3}$/;
+const other = { ".": ",", ",": "." };
+const mayBeThousands = { ",": /^[+-]?[1-9]\d{0,2},\d{3}$/, ".": /^[+-]?[1-9]\d{0,2}\.\d{3}$/ };
+const plain = (text) => text.trim().replaceAll("\u2212", "-").replace(/\s/g, " ");
 
-/** With a decimal point, as the model reads it. A comma that may separate thousands stays, unless it was chosen as decimal sign. */
+/** With the chosen decimal sign, as the model reads it. The other sign counts as one too, but where it may separate thousands: there it
+ * stays, and the model refuses it. */
+export function withSign(text, sign) {
+    const typed = plain(text),
+        stray = other[sign];
+    const isDecimal = typed.split(stray).length === 2 && !typed.includes(sign) && !mayBeThousands[stray].test(typed);
+    return isDecimal ? typed.replace(stray, sign) : typed;
+}
+
+/** With a decimal point; a text that the model refuses under this sign stays one that it refuses. */
 export function withPoint(text, sign) {
-    const plain = text.trim().replaceAll("\u2212", "-").replace(/\s/g, " ");
-    const isDecimal = plain.split(",").length === 2 && !plain.includes(".");
-    return isDecimal && (sign === "," || !mayBeThousands.test(plain)) ? plain.replace(",", ".") : plain;
+    const typed = withSign(text, sign);
+    if (sign === ".") return typed;
+    return typed.includes(".") ? typed.replaceAll(".", ",") : typed.replace(",", ".");
 }
 
 /** NaN where the text is no number. */

@@ -46,6 +46,17 @@ test("a thousands comma in a field is refused, a decimal comma is read", () => {
     assert.equal(solveHolding({ ...bodies, P: "12,500" }, ",").inputs.P, 12.5);
 });
 
+test("under the decimal comma a point that may separate thousands is refused, another is read", () => {
+    const [{ input, text }] = solveHolding({ ...bodies, P: "1.900" }, ",").faults;
+    assert.match(`${input}: ${text}`, /^P: P 1\.900: .*the decimal sign is a comma/);
+    assert.equal(readNumber("1.900", ","), NaN);
+    assert.equal(readNumber("1.900", "."), 1.9);
+    for (const [typed, P] of [["1.9", 1.9], ["1900.125", 1900.125], ["1,900", 1.9]])
+        assert.deepEqual([solveHolding({ ...bodies, P: typed }, ",").inputs.P, readNumber(typed, ",")], [P, P]);
+    const loads = "P\tQ\n300\t20\n300\t-20\n";
+    assert.match(cycleOf(bodies, loads, ",", "2", { ...swt, material: "sf\t1.900" }).complaint, /sf.*number/);
+});
+
 test("the decimal comma is read in pasted rows where it is chosen", () => {
     const texts = { ...bodies, yield_stress: "900" },
         told = solveRows("P\tQ\n300.5\t40.25\n", texts, ".");

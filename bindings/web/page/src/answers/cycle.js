@@ -16,8 +16,9 @@ const namesAndRests = (text) =>
 
 /** The text is a material file, JSON or a name and a number a line: as lines for the model. */
 function linesOfMaterial(text, sign) {
-    const entries = text.trim().startsWith("{") ? Object.entries(JSON.parse(text)) : namesAndRests(text);
-    return entries.map(([name, value]) => `${name}=${withPoint(String(value), sign)}`).join("\n");
+    const isJson = text.trim().startsWith("{"); // whose numbers have a point
+    const entries = isJson ? Object.entries(JSON.parse(text)) : namesAndRests(text);
+    return entries.map(([name, value]) => `${name}=${withPoint(String(value), isJson ? "." : sign)}`).join("\n");
 }
 
 /**

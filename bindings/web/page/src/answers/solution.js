@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case as the model answers it: from texts to numbers, results and verdict, or what is wrong.
 import { answeredContact, ask } from "./library.js";
-import { withPoint } from "../number.js";
+import { withPoint, withSign } from "../number.js";
 import { rowsOfProfile } from "../pads.js";
 
-/** The texts for the model, one after the other. The profile is "hull" where its convex hull is taken. */
-export function textsFor({ hull, ...texts }, sign) {
-    const lineOf = ([name, text]) =>
-        name === "profile"
-            ? `${hull ? "hull" : name}=${rowsOfProfile(text, sign)}`
-            : `${name}=${withPoint(text, sign)}`;
-    return Object.entries(texts).map(lineOf).join("\x1e");
-}
+const profileLine = (name, text, hull, sign) => `${hull ? "hull" : name}=${rowsOfProfile(text, sign)}`;
+const linesFor = ({ hull, ...texts }, sign, write) =>
+    Object.entries(texts).map(([name, text]) =>
+        name === "profile" ? profileLine(name, text, hull, sign) : `${name}=${write(text, sign)}`,
+    );
+
+/** The texts for the model, one after the other, with their decimal sign. The profile is "hull" where its convex hull is taken. */
+export const textsFor = (texts, sign) => [`decimal_sign=${sign}`, ...linesFor(texts, sign, withSign)].join("\x1e");
+
+/** The same with a decimal point, as constants of rows that have a sign of their own. */
+export const constantsFor = (texts, sign) => linesFor(texts, sign, withPoint).join("\x1e");
 
 /** What an answer of the model has where nothing is said of it. */
 const none = { inputs: {}, faults: [], setup: null, hardest: null, results: null, verdict: null, remark: "" };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pasted tables as the model reads them; many cases, a row each.
 import { ask } from "./library.js";
-import { textsFor } from "./solution.js";
+import { constantsFor } from "./solution.js";
 
 /** The model knows tabs, ; and , between cells. Without any in the first line that is not blank, spaces do. */
 export function separated(text) {
@@ -15,7 +15,7 @@ export function separated(text) {
  */
 export function solveRows(text, texts, sign) {
     if (text.trim() === "") return { complaint: "" };
-    const { faults, ...answer } = ask("rows", separated(text), textsFor(texts, sign), sign.charCodeAt(0));
+    const { faults, ...answer } = ask("rows", separated(text), constantsFor(texts, sign), sign.charCodeAt(0));
     if (faults) return { complaint: faults[0].text };
     return answer.rows ? { constants: {}, ...answer } : { complaint: "no rows below the names" };
 }

@@ -284,7 +284,7 @@ enum {
  * says what each means. The sum is 0 where nothing is doubtful. For what is not known give NaN,
  * which adds no doubt; 0 adds none either, except as safety.                                    new
  *   theta     any number; the angle between flank and surface, rad
- *   alpha     any number; a/b under the load; 0 is the sharp wedge
+ *   alpha     a/b under the load, any number; 0 is the sharp wedge
  *   beta      any number; rwedge_dundurs_beta()
  *   f         any number; the coefficient of friction
  *   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane

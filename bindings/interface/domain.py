@@ -83,6 +83,12 @@ def bound(domain: Domain, sign: str, value: float | None, factor: int) -> None:
         domain.high, domain.high_open = value, sign == "<"
 
 
+def meaning_of(domain: Domain) -> str:
+    """What stands before the first condition: "a/b, rounding over contact half-width"."""
+    end = min((domain.text.find(condition) for condition in domain.conditions), default=len(domain.text))
+    return domain.text[:end].rstrip(" ,;")
+
+
 def domain_of(text: str, name: str, others: set[str]) -> Domain:
     """The conditions on one argument in the line that it shares with others."""
     domain = Domain(text, finite="HUGE_VAL" not in text)

@@ -17,7 +17,7 @@ import textwrap
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from domain import Domain, domain_of
+from domain import Domain, domain_of, meaning_of
 
 # How a parameter is declared, and what that makes it. "handle" reads the object, "changed" changes or frees it.
 ROLES = (
@@ -339,6 +339,8 @@ class Reader:
             if p.name in listed:
                 domains.append(domain_of(listed[p.name][0], p.name, listed[p.name][1]))
         nearest = next((d for d in domains if d.conditions), None)
+        if nearest and not meaning_of(nearest):
+            nearest.text = ", ".join([*filter(None, map(meaning_of, domains))][:1] + [nearest.text])
         if not nearest:
             self.refuse(function.line, f"rwedge_{function.name}(): the domain of {p.name} is missing: a line with a condition, "
                                        '"as in rwedge_...()", or a list for several functions')

@@ -50,6 +50,15 @@ def declared(comment, declaration):
 
 
 class Texts(unittest.TestCase):
+    def test_an_argument_says_what_it_is_where_a_function_narrows_its_domain(self):
+        """A line such as "alpha  0, or at least 1e-14" stands for the domain alone: the meaning is that of the list for all."""
+        interface = read(HEADER)
+        texts = {f.name: {p.name: p.domain.text for p in f.parameters if p.domain} for f in interface.functions}
+        of_ratio = "a/b, rounding over contact half-width"
+        self.assertEqual(texts["yield_point"]["alpha"], f"{of_ratio}, 0, or at least 1e-14")
+        self.assertTrue(texts["elastic_limit"]["alpha"].startswith(f"{of_ratio}, 0, or at least 1e-14: "))
+        self.assertTrue(texts["load"]["alpha"].startswith(f"{of_ratio}, finite, "))
+
     def test_the_help_speaks_of_its_own_language(self):
         """C's places in memory, statuses, and arguments that only C has, are not in it."""
         interface = read(HEADER)

@@ -15,7 +15,7 @@ enum { STEPS = 24 }; /* from load to load, for smooth curves */
 typedef void visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
                      dataset *rows);
 
-/* Of the loads from the first on, and the states between two. Where one of those has no closed
+/* Visits the loads from the first on, and the states between two. Where one of those has no closed
  * form, the curve is straight from there. Loads before the first cycle have no number and no
  * place. */
 static void visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)

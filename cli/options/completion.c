@@ -9,7 +9,8 @@
 #include <errno.h>
 #include <string.h>
 
-/* As the shell's quotes want it: with a backslash before the characters that are special there. */
+/* Prints what the shell's quotes want: a backslash stands before the characters that are special
+ * there. */
 static void print_quoted(const char *text, const char *special)
 {
     for (const char *c = text; *c != '\0'; c++) {

@@ -44,7 +44,7 @@ static bool is_taken(const records *rows, const char *name)
     return false;
 }
 
-/* Of two values with one name, readers of JSON take the last. */
+/* Readers of JSON take the last of two values with one name. */
 static void keep_name(records *rows, const char *name)
 {
     const size_t size = strlen(name) + 24;

@@ -56,7 +56,7 @@ struct records {
     uint64_t described_kinds; /* a bit for each */
 };
 
-/* Of a format that writes nothing there. */
+/* A format that writes nothing there has it. */
 void records_nothing(records *rows);
 
 /* To be called before the rows: meanings and units of columns by their names. */
@@ -110,7 +110,7 @@ extern const char *const grid_formats[]; /* of the second */
     "format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How results are written (default csv)", \
         formats
 
-/* For a command whose rows have texts of a file in them. */
+/* The option of a command whose rows have texts of a file in them. */
 #define NO_FORMULAS_OPTION                                                                         \
     "no-formulas", '\0', POPT_ARG_NONE, NULL, OPTION_NO_FORMULAS,                                  \
         "In csv and tsv a ' before texts that a spreadsheet would compute: = + - @", NULL

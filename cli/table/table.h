@@ -27,7 +27,7 @@ typedef struct {
 enum { WEDGE_TABLES = 5, TABLE_COUNT = 7 };
 extern const table tables[TABLE_COUNT];
 
-/* Of all tables. */
+/* The columns of all tables. */
 extern const column_kind table_columns[COLUMN_KINDS];
 
 /* The table of a name, of the wedge or of a flat pad; NULL where there is none. */

@@ -7,7 +7,7 @@ enum { LINE = 1024 };
 static char line[LINE] = "rwedge";
 static bool whole = true;
 
-/* For a byte that is no character. */
+/* It stands for a byte that is no character. */
 static const char replacement[] = "\xef\xbf\xbd";
 static const char cut[] = " ...";
 

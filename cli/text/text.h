@@ -46,7 +46,7 @@ void notice(const char *format, ...) PRINTF_LIKE(1, 2);
 
 /* ---- memory ---- Memory, or the end of the command with a message. */
 
-/* As calloc() and realloc(), but they never return NULL. For the first thread alone. */
+/* They are calloc() and realloc() that never return NULL. The first thread alone may call them. */
 void *memory_zeroed(size_t count, size_t size);
 void *memory_resized(void *old, size_t size);
 

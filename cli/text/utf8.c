@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* As the first byte says; 0 where it cannot be the first. */
+/* How many bytes the first one announces; 0 where it cannot be the first. */
 static size_t announced(unsigned char first)
 {
     if (first < 0x80)

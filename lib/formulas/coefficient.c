@@ -52,7 +52,7 @@ static double bracket(double alpha, uint32_t m)
 
 double rwedge_coefficient(double alpha, int32_t n)
 {
-    /* For m alpha below it the bracket is m^2 - 1, with a relative error of its square. */
+    /* Where m alpha is below it the bracket is m^2 - 1, with a relative error of its square. */
     static const double SHARP = 1e-9;
     if (!rw_is_magnitude(alpha) || n < 0)
         return NAN;

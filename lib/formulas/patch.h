@@ -96,10 +96,10 @@ typedef struct {
     double load, moment, tilt;
 } rw_pressing;
 
-/* Of the wedge that has the arc for its rounding, without the part `side` of its tilt. An arc on
- * the right of the patch makes the tilt -1, one on its left 1: that is `side`, or 0. Where
- * an arc reaches into the patch only a little, what is left of the tilt is small, and keeps its
- * digits. */
+/* The pressing of the wedge that has the arc for its rounding, without the part `side` of its tilt.
+ * An arc on the right of the patch makes the tilt -1, one on its left 1: that is `side`, or 0.
+ * Where an arc reaches into the patch only a little, what is left of the tilt is small, and keeps
+ * its digits. */
 rw_pressing rw_arc_pressing(rw_arc arc, rw_patch patch, int *side);
 
 /* v - sin(v) cos(v), 0 <= v <= pi/2: of the order (2/3) v^3. */

@@ -105,7 +105,7 @@ typedef struct {
     int slip;    /* the slope beyond: the sign of slip; 0 where nothing slips */
 } rw_departure;
 
-/* For a load with |shear| <= load. Without slip the path is only cut off, or extended. */
+/* The load has |shear| <= load. Without slip the path is only cut off, or extended. */
 rw_departure rw_memory_departure(const rw_memory *memory, rw_memory_loads to);
 rw_departure rw_departure_from(const rw_path *path, rw_memory_loads to);
 

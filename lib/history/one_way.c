@@ -18,8 +18,8 @@
 
 #include <float.h>
 
-/* Of gaps, and of edges over the width. A gap grows with the distance from the edge, to the power
- * 3/2 next to it. */
+/* The rounding of gaps, and of edges over the width. A gap grows with the distance from the edge,
+ * to the power 3/2 next to it. */
 static const double ROUNDING = 1e-12, EDGE_ROUNDING = 8 * DBL_EPSILON;
 
 /* How often an interval is halved. */

@@ -84,8 +84,8 @@ RW_INLINE double angle_part_of_A(const rw_potential *p, const rw_elliptic *e, do
     return 0.5 * rw_angle_over(x, y, alpha, p->per_alpha);
 }
 
-/* For alpha < 1. E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all three nonnegative, and
- * |E|^2 - 1 = -2 c0 cos(v)/E_size. */
+/* It holds below alpha = 1. E = S+/(cos(zeta) + c0) is (E_re + i E_im)/E_size, all three
+ * nonnegative, and |E|^2 - 1 = -2 c0 cos(v)/E_size. */
 RW_INLINE rw_field rw_rounded_field(const rw_potential *p, rw_place at, rw_elliptic e)
 {
     const double shrink = rw_elliptic_shrink(&e), alpha = p->alpha, c0 = p->c0;

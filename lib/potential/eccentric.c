@@ -5,7 +5,7 @@
 
 /* ---- Preparation ---- */
 
-/* For a patch within the rounding: Hertz. */
+/* A patch within the rounding is Hertz' contact. */
 static rw_half_view plain_view(const rw_eccentric *p, double side)
 {
     return (rw_half_view){.edge = side > 0 ? p->patch.right : -p->patch.left};

@@ -18,7 +18,7 @@ typedef struct {
     double cos2; /* |cos(zeta)|^2, not 0 */
 } rw_elliptic;
 
-/* For x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1.
+/* The place has x >= 0, y >= 0, both below 1e8 or so; beyond is x - 1.
  *
  * sinh(w) cos(v) = y and sinh(w)^2 - cos(v)^2 = |z|^2 - 1 =: m make a quadratic equation. Its
  * larger root has no cancellation, and the smaller one is y over it. m itself cancels for |z|

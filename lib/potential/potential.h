@@ -28,9 +28,9 @@ static inline rw_field rw_field_multiple(double factor, rw_field a)
     return (rw_field){factor * a.G_re, factor * a.G_im, factor * a.H_re, factor * a.H_im};
 }
 
-/* Of the profile of rounding a >= 0, pressed to the half-width c > 0, both in the unit of the
- * points; a/c finite. It takes a and c, not their quotient: where two of a, c and a point are
- * nearly equal, their difference counts, and a quotient would lose its digits. */
+/* The potential of the profile of rounding a >= 0, pressed to the half-width c > 0, both in the
+ * unit of the points; a/c finite. It takes a and c, not their quotient: where two of a, c and a
+ * point are nearly equal, their difference counts, and a quotient would lose its digits. */
 void rw_potential_init(rw_potential *potential, double a, double c);
 
 /* y >= 0. x and y over the half-width are 0 or at least 1e-60 in magnitude, and not both 0 for

@@ -10,7 +10,7 @@
 #include "strength/maxima.h"
 #include "stress/von_mises.h"
 
-/* For alpha >= 1 the load and the stresses both fall like 1/alpha. A quotient of the two is the
+/* From alpha = 1 on the load and the stresses both fall like 1/alpha. A quotient of the two is the
  * same as for alpha = 1. */
 static double shape(double alpha)
 {

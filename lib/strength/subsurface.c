@@ -183,7 +183,7 @@ bool rw_subsurface_maximum(double alpha, double f, double kappa, rw_maximum *max
     const double probe = depth_of_last_rise(alpha);
     const double rise = steepness(probe, &on_axis);
     const double pressure = -rw_potential_at(&potential, 0, probe).G_im;
-    /* For the smallest tips there may be a maximum at f > 0 although kappa is too large for one
+    /* The smallest tips may have a maximum at f > 0 although kappa is too large for one
      * on the axis. Then the path starts with a smaller kappa. */
     on_axis.kappa = fmin(kappa, 0.9 * rise / pressure);
     path_point point = {.t = 0, .x = 0, .y = depth_of_maximum(&on_axis, probe)};

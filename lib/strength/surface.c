@@ -75,8 +75,8 @@ static double place_of_maximum(const surface *c)
 {
     if (c->f == 0)
         return 0; /* J2 = kappa p^2 */
-    /* For kappa = 0 the slope is odd in psi, so 0 is always a root. It is the maximum if the slope
-     * falls there. */
+    /* Where kappa is 0 the slope is odd in psi, so 0 is always a root. It is the maximum if the
+     * slope falls there. */
     const double start = c->kappa > 0 ? 0 : 5e-10;
     const double end = 1 - 1e-9; /* at 1 the slope is infinite */
     if (slope_of_J2(start, c) <= 0)

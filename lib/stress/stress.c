@@ -68,7 +68,7 @@ static rw_stress_state changed(const tractions *t, change by, double x, double y
                     t->c > 0 ? rw_field_multiple(factor, by(&t->stick, x, y)) : NO_FIELD);
 }
 
-/* For an analytic function d/dy is i d/dx; y G' has the term G' besides. */
+/* An analytic function has d/dy = i d/dx; y G' has the term G' besides. */
 static rw_field by_y(const rw_potential *potential, double x, double y)
 {
     const rw_field d = rw_potential_by_x(potential, x, y);

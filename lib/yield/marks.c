@@ -13,7 +13,7 @@ int rw_main_marks(const rwedge_contact *contact)
     return 3 + 2 * (int)rw_arcs_of(&contact->geometry).count;
 }
 
-/* Of an arc as far as it is in contact; its nearer edge where it is not. */
+/* The middle of an arc as far as it is in contact, and its nearer edge where it is not. */
 static double main_place(const rwedge_contact *contact, int i)
 {
     const rw_patch patch = rw_memory_end(&contact->memory)->patch;

@@ -5,7 +5,7 @@
 
 /* ---- Strength ---- */
 
-/* As many digits as a design needs. */
+/* A design needs so many digits. */
 enum { DIGITS = 4 };
 
 typedef struct {

@@ -9,7 +9,8 @@
 /* errno for an error of Windows. */
 int errno_of(DWORD error);
 
-/* As CreateFile(), for anyone else to read, write and remove the file too. Not inherited. It sets
+/* Opens as CreateFile() does, and lets anyone else read, write and remove the file. Children do not
+ * inherit it. It sets
  * errno. */
 HANDLE open_shared(const char *path, DWORD access, DWORD disposition, DWORD flags);
 

@@ -1176,6 +1176,64 @@ RWEDGE_API int32_t rwedge_fatemi_socie_damage_field(
     double nu, int32_t plane_stress, double k_over_sy, double G, double tf, double b, double gf,
     double c, double limit, double value[], double cycles[], double angle[], double out_of_plane[]);
 
+/* ---- Cracks ---------------------------------------------------------------------------------- */
+
+/* A straight crack of the half-plane from a place of its surface. Its faces are free; K_I < 0 would
+ * need faces that overlap, and is formal. The contact is taken as if there were no crack, which is
+ * some per cent off once the crack is longer than a tenth of the contact's half-width.
+ *   angle   rad, from the normal of the surface towards +x, -1.31 <= angle <= 1.31: 75 degrees
+ *   length  of the crack, 1e-60 to 1e60 */
+
+/* How many places rwedge_crack_weights() takes for its error: 97 + 2 |degrees|.                 new
+ * 0 outside the domain. */
+RWEDGE_API size_t rwedge_crack_points(double angle);
+
+/* Weights of the stresses along a crack, for any length l: K_I is sqrt(l) times the sum of
+ * normal_I[k] s[k] + shear_I[k] t[k], and K_II the same with normal_II and shear_II. s and t are
+ * the stresses without the crack at the distance place[k] l from the mouth, s = n.S.n across the
+ * crack's line, t = d.S.n along it, with d = (sin angle, cos angle), n = (cos angle, -sin angle): a
+ * contact's, residual ones, those of another program.       Bueckner (1970), see lib/README.md; new
+ *   m         number of places, >= 2, at most 512
+ *   place     receives m numbers, in the length; 1, the tip, is the first
+ *   normal_I, shear_I, normal_II, shear_II  each receives m numbers
+ * RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ERANGE for m, RWEDGE_ENOMEM, RWEDGE_ENOCONV. With the m of
+ * rwedge_crack_points() K differs from the exact one by less than 1e-9 of sqrt(pi l) times the
+ * largest stress on the line up to 60 degrees, 1e-6 beyond. */
+RWEDGE_API int32_t rwedge_crack_weights(double angle, size_t m, double place[], double normal_I[],
+                                        double shear_I[], double normal_II[], double shear_II[]);
+
+/* What of K_II counts. Friction of the faces lies between the last two. Values never change; new
+ * ones are added at the end. */
+enum {
+    RWEDGE_SHEAR_NONE = 0,   /* nothing: mode I alone */
+    RWEDGE_SHEAR_LOCKED = 1, /* its range while K_I > 0: closed faces do not slide */
+    RWEDGE_SHEAR_FREE = 2    /* its range over the whole cycle: closed faces slide freely */
+};
+
+/* What a cycle changes of K, for n cracks. K changes straight from load to load, and from the last
+ * to the first; K_I < 0 counts as 0 in its range, but not in R.                                 new
+ *   loads      number of loads of the cycle, >= 1
+ *   K_I, K_II  finite; loads * n numbers each: that of load i and crack j is at [i n + j]
+ *   shear      0 <= shear <= 2: RWEDGE_SHEAR_NONE and so on
+ *   range_I, range_II, K_max, R  each receives n numbers: K_max is the largest sqrt(K_I^2 + K_II^2)
+ *              while K_I > 0; R the least K_I over the largest, 0 where the largest is not positive
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE for loads = 0; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_crack_ranges(size_t loads, size_t n, const double K_I[],
+                                       const double K_II[], int32_t shear, double range_I[],
+                                       double range_II[], double K_max[], double R[]);
+
+/* Threshold of the range of K for a crack that may be short, dK_th sqrt(l/(l + a0)). a0 is (dK_th/(Y
+ * ds0))^2/pi with Y = 1.1215222552310553, that of an edge crack under uniform tension: so a plain
+ * specimen at its fatigue limit stands on the threshold where l goes to 0. The length of
+ * rwedge_critical_distance() has no Y: it is Y^2 a0.
+ *                                       El Haddad, Topper and Smith (1979), see lib/README.md
+ *   length  1e-60 to 1e60
+ *   dK_th   range of the threshold of long cracks, stress times root of length, 0 or 1e-60 to 1e60
+ *   ds0     range of the plain fatigue limit, stress, 1e-60 to 1e60, or HUGE_VAL: dK_th for any
+ *           length; both of one stress ratio
+ * NaN outside. Relative error below 4 epsilon. */
+RWEDGE_API double rwedge_short_crack_threshold(double length, double dK_th, double ds0);
+
 /* ---- The paper's series ---------------------------------------------------------------------- */
 
 /* A pressure p = -sqrt(1-x^2) sum_k a_k U_k(x), k = 0 ... terms-1, and its stresses. The paper's

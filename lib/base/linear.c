@@ -4,8 +4,17 @@
 #include <float.h>
 #include <math.h>
 
+static void swap(size_t n, double row[], double other[])
+{
+    for (size_t j = 0; j < n; j++) {
+        const double kept = row[j];
+        row[j] = other[j];
+        other[j] = kept;
+    }
+}
+
 /* Rows below the pivot are swapped for the largest. */
-static bool pivot(size_t n, double A[], double b[], size_t k)
+static bool pivot(size_t n, size_t sides, double A[], double b[], size_t k)
 {
     size_t best = k;
     for (size_t i = k + 1; i < n; i++)
@@ -14,37 +23,46 @@ static bool pivot(size_t n, double A[], double b[], size_t k)
     const double size = fabs(A[best * n + k]);
     if (!(isgreater(size, DBL_MIN) && isless(size, HUGE_VAL)))
         return false;
-    for (size_t j = 0; j < n && best != k; j++) {
-        const double other = A[best * n + j];
-        A[best * n + j] = A[k * n + j];
-        A[k * n + j] = other;
+    if (best != k) {
+        swap(n, A + best * n, A + k * n);
+        swap(sides, b + best * sides, b + k * sides);
     }
-    const double other = b[best];
-    b[best] = b[k];
-    b[k] = other;
     return true;
 }
 
-bool rw_solve(size_t n, double A[], double b[])
+static void subtract(size_t n, double factor, const double row[], double from[])
+{
+    for (size_t j = 0; j < n; j++)
+        from[j] -= factor * row[j];
+}
+
+/* From the last row upwards. */
+static bool substitute(size_t n, size_t sides, const double A[], double b[])
+{
+    for (size_t k = n; k-- > 0;) {
+        for (size_t j = k + 1; j < n; j++)
+            subtract(sides, A[k * n + j], b + j * sides, b + k * sides);
+        for (size_t side = 0; side < sides; side++) {
+            b[k * sides + side] /= A[k * n + k];
+            if (!isfinite(b[k * sides + side]))
+                return false;
+        }
+    }
+    return true;
+}
+
+bool rw_solve(size_t n, size_t sides, double A[], double b[])
 {
     for (size_t k = 0; k < n; k++) {
-        if (!pivot(n, A, b, k))
+        if (!pivot(n, sides, A, b, k))
             return false;
         for (size_t i = k + 1; i < n; i++) {
             const double factor = A[i * n + k] / A[k * n + k];
-            for (size_t j = k; j < n; j++)
-                A[i * n + j] -= factor * A[k * n + j];
-            b[i] -= factor * b[k];
+            subtract(n - k, factor, A + k * n + k, A + i * n + k);
+            subtract(sides, factor, b + k * sides, b + i * sides);
         }
     }
-    for (size_t k = n; k-- > 0;) {
-        for (size_t j = k + 1; j < n; j++)
-            b[k] -= A[k * n + j] * b[j];
-        b[k] /= A[k * n + k];
-        if (!isfinite(b[k]))
-            return false;
-    }
-    return true;
+    return substitute(n, sides, A, b);
 }
 
 /* In four sums, which a processor does at the same time. */

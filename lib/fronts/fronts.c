@@ -38,7 +38,7 @@ static bool find_layers(rw_fronts *f, const double ratio[2])
         for (int row = 0; row < n; row++)
             for (int k = 0; k < n; k++)
                 A[row * n + k] = p->ratio[k][row_side[row]][row_after[row]];
-        if (!rw_solve((size_t)n, A, B[i]))
+        if (!rw_solve((size_t)n, 1, A, B[i]))
             return false;
         memcpy(f->layer_of[i].weight, B[i], sizeof B[i]);
     }
@@ -266,7 +266,7 @@ bool rw_fronts_polynomial(const rw_fronts *f, rw_stuck *s)
     double A[RW_MOST_FRONTS * RW_MOST_FRONTS] = {0};
     conditions_at_infinity(f, s, A, s->p);
     conditions_of_gaps(f, s, A, s->p);
-    return rw_solve((size_t)(2 * s->count), A, s->p);
+    return rw_solve((size_t)(2 * s->count), 1, A, s->p);
 }
 
 double rw_polynomial_at(const rw_stuck *s, double place)

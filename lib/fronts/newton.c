@@ -144,7 +144,7 @@ static bool find_step(const rw_fronts *f, const double J[], const double r[], do
     for (int i = 0; i < n; i++)
         d[i] = -r[i];
     pass_flat_parts(f, A, r, d);
-    if (!rw_solve((size_t)n, A, d))
+    if (!rw_solve((size_t)n, 1, A, d))
         return false;
     for (int j = 0; j < f->fronts; j++)
         stop_at_kinks(f, j, d);

@@ -222,7 +222,7 @@ static double move_fronts(rw_fronts *f, const rw_problem *p, rw_zones *zones, in
         for (int i = 0; i < n; i++)
             J[i * n + j] = (K[i] - moved[i]) / SMALL;
     }
-    if (!rw_solve((size_t)n, J, K))
+    if (!rw_solve((size_t)n, 1, J, K))
         return NAN;
     *count = 0;
     for (int j = 0; j < n; j++) {

@@ -147,8 +147,8 @@ CLAIM(a_matrix_that_has_no_solution_is_refused)
 {
     double b[] = {1, 1}, singular[] = {1, 2, 2, 4}, endless[] = {HUGE_VAL}, small[] = {1e-300},
            large[] = {1e300}, indefinite[] = {1, 2, 2, 1};
-    assert_false(rw_solve(2, singular, b));
-    assert_false(rw_solve(1, endless, b));
-    assert_false(rw_solve(1, small, large));
+    assert_false(rw_solve(2, 1, singular, b));
+    assert_false(rw_solve(1, 1, endless, b));
+    assert_false(rw_solve(1, 1, small, large));
     assert_false(rw_cholesky(2, indefinite));
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lives: how far the curve at the life is from the value, over its slope. Critical distances. */
+/* Lives: how far the curve at the life is from the value, over its slope. Critical distances, and
+ * the threshold of short cracks. */
 #include <float.h>
 #include <math.h>
 
@@ -77,5 +78,14 @@ const row LIFE_ROWS[] = {
     {"critical_distance", "1e-60 to 1e60", "relative", 4 * DBL_EPSILON, "4 eps", 1,
      calling(rwedge_critical_distance, {{"dK_th", some_size}, {"ds0", some_size}}),
      relative_to([](const double *v) { return sqr(ball(v[0]) / v[1]) / pi(); })},
+    {"short_crack_threshold", "1e-60 to 1e60", "relative", 4 * DBL_EPSILON, "4 eps", 1,
+     calling(rwedge_short_crack_threshold,
+             {{"length", some_size}, {"dK_th", some_size}, {"ds0", some_size}}),
+     relative_to([](const double *v) {
+         /* K/(sigma sqrt(pi l)) of an edge crack, 1.12152225523105526228077, by the closed form */
+         const ball edge = ball(1.1215222552310553) - ball(3.7719226073315e-17);
+         const ball root = ball(v[1]) / (edge * v[2]);
+         return v[1] / sqrt(1 + sqr(root) / (pi() * v[0]));
+     })},
     {},
 };

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A dislocation on a straight line from the surface of the half-plane, which it leaves free of
+ * traction. */
+#ifndef RW_DISLOCATION_H
+#define RW_DISLOCATION_H
+
+#include "base/complex.h"
+
+/* On the line: tension across it, and shear along it with the sign of txy on a normal line. */
+typedef struct {
+    double normal, shear;
+} rw_line_stress;
+
+/* The stress at the distance r from the mouth of a dislocation at the distance t, both along the
+ * unit vector `direction` into the half-plane. The real part of its density opens the line, the
+ * imaginary part slides along it. r_less_t is given, because r - t would lose digits. */
+rw_line_stress rw_dislocation_stress(rw_complex direction, double r, double t, double r_less_t,
+                                     rw_complex density);
+
+#endif

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Bueckner's weight functions: the stress on the line of the crack that does no work on any
+ * dislocation of the crack, and is sqrt(2/(pi (l - r))) at the tip.
+ *   Places are l cos^14(u/2) from the mouth, equally spaced in u, with dislocations halfway between
+ * them: there the trapezoidal rule is right for Cauchy's kernel too. At the tip all is even in u.
+ * Towards the mouth, where densities are no power of the distance, places crowd so that the rule
+ * sees little of it: the error falls with m^-14, with cos^2 it would fall with m^-2. */
+#include "crack/weights.h"
+
+#include "base/domain.h"
+#include "base/linear.h"
+#include "crack/dislocation.h"
+
+#include <rwedge.h>
+#include <stdlib.h>
+
+enum { GRADE = 7, FEWEST = 2, MOST = 512 };
+
+/* 75 degrees: beyond, the narrow wedge beside the crack takes too many places. */
+static const double STEEPEST = 1.31;
+
+bool rw_is_crack_angle(double angle)
+{
+    return islessequal(fabs(angle), STEEPEST);
+}
+
+/* The rule of m places on the line of a crack of the length 1. */
+typedef struct {
+    rw_complex direction;
+    size_t m;
+    double half_step; /* of u/2 */
+    double tip;       /* weight of the stress at the tip */
+} rule;
+
+static rule rule_of(double angle, size_t m)
+{
+    const double step = RW_HALF_PI / ((double)m - 0.5);
+    return (rule){{sin(angle), cos(angle)}, m, step / 2, sqrt(2 * GRADE / RW_PI) * step};
+}
+
+static double seventh_power(double x)
+{
+    const double square = x * x, cube = square * x;
+    return cube * cube * x;
+}
+
+static double cosine_squared(const rule *line, size_t half_steps)
+{
+    const double cosine = cos((double)half_steps * line->half_step);
+    return cosine * cosine;
+}
+
+static double place_of(const rule *line, size_t k)
+{
+    return seventh_power(cosine_squared(line, 2 * k));
+}
+
+/* The distances from the mouth of the place k, r, and of the dislocation just before the place j,
+ * t. */
+typedef struct {
+    double r, t, r_less_t;
+} distances;
+
+/* With t = w^7 and r = (w y)^7 it is r - t = t (y - 1)(1 + y + ... + y^6); w (y - 1) is the product
+ * of two sines. */
+static distances between(const rule *line, size_t k, size_t j)
+{
+    const double to_place = (double)(2 * k), to_dislocation = (double)(2 * j - 1);
+    const double w = cosine_squared(line, 2 * j - 1), r = place_of(line, k), t = seventh_power(w);
+    const double y = cosine_squared(line, 2 * k) / w;
+    const double apart = sin((to_dislocation + to_place) * line->half_step) *
+                         sin((to_dislocation - to_place) * line->half_step) / w;
+    double powers = 1;
+    for (int i = 1; i < GRADE; i++)
+        powers = 1 + y * powers;
+    return (distances){r, t, t * apart * powers};
+}
+
+/* The equations: A of 2 (m - 1) unknowns, b of as many rows of right-hand sides. The unknowns are
+ * the weights over their places, those of the normal stress first. */
+typedef struct {
+    size_t unknowns, sides;
+    double *A, *b;
+} equations;
+
+static rw_line_stress stress_of(const rule *line, const distances *d, rw_complex density)
+{
+    return rw_dislocation_stress(line->direction, d->r, d->t, d->r_less_t, density);
+}
+
+/* The work on the dislocation of this density before the place j. The weight at the tip is
+ * known. */
+static void write_equation(const rule *line, size_t j, rw_complex density, double A[], double b[])
+{
+    const size_t n = line->m - 1;
+    const distances to_tip = between(line, 0, j);
+    const rw_line_stress at_tip = stress_of(line, &to_tip, density);
+    b[0] = -line->tip * at_tip.normal;
+    b[1] = -line->tip * at_tip.shear;
+    for (size_t k = 1; k <= n; k++) {
+        const distances d = between(line, k, j);
+        const rw_line_stress stress = stress_of(line, &d, density);
+        A[k - 1] = d.r * stress.normal;
+        A[n + k - 1] = d.r * stress.shear;
+    }
+}
+
+static void write_equations(const rule *line, const size_t at[], const equations *all)
+{
+    static const rw_complex OPENS = {1, 0}, SLIDES = {0, 1};
+    const size_t n = line->m - 1;
+    for (size_t j = 1; j <= n; j++) {
+        const size_t opens = j - 1, slides = n + j - 1;
+        double *b = all->b + opens * all->sides, *other = all->b + slides * all->sides;
+        write_equation(line, j, OPENS, all->A + opens * all->unknowns, b);
+        write_equation(line, j, SLIDES, all->A + slides * all->unknowns, other);
+        for (size_t i = 2; i < all->sides; i++) {
+            b[i] = j <= at[i - 2] ? -8 * RW_PI : 0; /* dislocations that are deeper open it */
+            other[i] = 0;
+        }
+    }
+}
+
+static void copy_rows(const rule *line, const equations *solved, double row[])
+{
+    const size_t m = line->m;
+    for (size_t i = 0; i < solved->sides; i++) {
+        double *normal = row + i * 2 * m, *shear = normal + m;
+        normal[0] = i == 0 ? line->tip : 0;
+        shear[0] = i == 1 ? line->tip : 0;
+        for (size_t k = 1; k < m; k++) {
+            normal[k] = place_of(line, k) * solved->b[(k - 1) * solved->sides + i];
+            shear[k] = place_of(line, k) * solved->b[(m + k - 2) * solved->sides + i];
+        }
+    }
+}
+
+void rw_crack_places(size_t m, double place[])
+{
+    const rule line = rule_of(0, m);
+    for (size_t k = 0; k < m; k++)
+        place[k] = place_of(&line, k);
+}
+
+int32_t rw_crack_rows(double angle, size_t m, size_t openings, const size_t at[], double row[])
+{
+    const rule line = rule_of(angle, m);
+    equations all = {.unknowns = 2 * (m - 1), .sides = 2 + openings};
+    all.A = malloc((all.unknowns + all.sides) * all.unknowns * sizeof *all.A);
+    if (!all.A)
+        return RWEDGE_ENOMEM;
+    all.b = all.A + all.unknowns * all.unknowns;
+    write_equations(&line, at, &all);
+    const bool is_solved = rw_solve(all.unknowns, all.sides, all.A, all.b);
+    if (is_solved)
+        copy_rows(&line, &all, row);
+    free(all.A);
+    return is_solved ? RWEDGE_OK : RWEDGE_ENOCONV;
+}
+
+size_t rwedge_crack_points(double angle)
+{
+    static const double ROUNDING = 1e-9; /* of whole degrees in rad */
+    if (!rw_is_crack_angle(angle))
+        return 0;
+    return 97 + (size_t)ceil(2 * fabs(angle) * 180 / RW_PI - ROUNDING);
+}
+
+int32_t rwedge_crack_weights(double angle, size_t m, double place[], double normal_I[],
+                             double shear_I[], double normal_II[], double shear_II[])
+{
+    if (!place || !normal_I || !shear_I || !normal_II || !shear_II)
+        return RWEDGE_ENULL;
+    if (!rw_is_crack_angle(angle))
+        return RWEDGE_EDOMAIN;
+    if (m < FEWEST || m > MOST)
+        return RWEDGE_ERANGE;
+    double *row = malloc(4 * m * sizeof *row);
+    const int32_t status = row ? rw_crack_rows(angle, m, 0, NULL, row) : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK) {
+        double *const receives[] = {normal_I, shear_I, normal_II, shear_II};
+        for (size_t i = 0; i < 4; i++)
+            for (size_t k = 0; k < m; k++)
+                receives[i][k] = row[i * m + k];
+        rw_crack_places(m, place);
+    }
+    free(row);
+    return status;
+}

@@ -1185,7 +1185,7 @@ RWEDGE_API int32_t rwedge_fatemi_socie_damage_field(
  *   length  of the crack, 1e-60 to 1e60 */
 
 /* How many places rwedge_crack_weights() takes for its error: 97 + 2 |degrees|.                 new
- * 0 outside the domain. */
+ *   angle  any number; it is 0 for angles that are not in the domain */
 RWEDGE_API size_t rwedge_crack_points(double angle);
 
 /* Weights of the stresses along a crack, for any length l: K_I is sqrt(l) times the sum of
@@ -1193,8 +1193,8 @@ RWEDGE_API size_t rwedge_crack_points(double angle);
  * the stresses without the crack at the distance place[k] l from the mouth, s = n.S.n across the
  * crack's line, t = d.S.n along it, with d = (sin angle, cos angle), n = (cos angle, -sin angle): a
  * contact's, residual ones, those of another program.       Bueckner (1970), see lib/README.md; new
- *   m         number of places, >= 2, at most 512
- *   place     receives m numbers, in the length; 1, the tip, is the first
+ *   m      number of places, rwedge_crack_points() or another one, 2 to 512
+ *   place  receives m numbers, in the length; 1, the tip, is the first
  *   normal_I, shear_I, normal_II, shear_II  each receives m numbers
  * RWEDGE_EDOMAIN, RWEDGE_ENULL, RWEDGE_ERANGE for m, RWEDGE_ENOMEM, RWEDGE_ENOCONV. With the m of
  * rwedge_crack_points() K differs from the exact one by less than 1e-9 of sqrt(pi l) times the
@@ -1222,9 +1222,9 @@ RWEDGE_API int32_t rwedge_crack_ranges(size_t loads, size_t n, const double K_I[
                                        const double K_II[], int32_t shear, double range_I[],
                                        double range_II[], double K_max[], double R[]);
 
-/* Threshold of the range of K for a crack that may be short, dK_th sqrt(l/(l + a0)). a0 is (dK_th/(Y
- * ds0))^2/pi with Y = 1.1215222552310553, that of an edge crack under uniform tension: so a plain
- * specimen at its fatigue limit stands on the threshold where l goes to 0. The length of
+/* Threshold of the range of K for a crack that may be short, dK_th sqrt(l/(l + a0)), where a0 is
+ * (dK_th/(Y ds0))^2/pi. Y = 1.1215222552310553 is that of an edge crack under uniform tension: so a
+ * plain specimen at its fatigue limit stands on the threshold where l goes to 0. The length of
  * rwedge_critical_distance() has no Y: it is Y^2 a0.
  *                                       El Haddad, Topper and Smith (1979), see lib/README.md
  *   length  1e-60 to 1e60

@@ -13,9 +13,10 @@ ARRAYS = "The arguments are arrays of one size; where one has the size 1, it goe
 IN_MATLAB = (  # arrays have sizes and two dimensions, results need no place
     (r"(rwedge_(?:contact|series))_create\(", r"\1("), (r"(rwedge_(?:contact|series))_(\w+)\(", r"\1.\2("),
     (r"each receives loads \* n numbers, the n of the first load first(; not one of the\s+inputs)?", "results, a column for each load"),
-    (r"(?:each )?receives? n numbers: ", "result: "), (r"each receives? n numbers", "results, n numbers each"),
-    (r"receives? n numbers", "result, n numbers"), (r"receives? one number", "result"), (r"loads \* n stresses", "points by loads, stresses"),
+    (r"(?:each )?receives? [nm] numbers: ", "result: "),
+    (r"each receives? ([nm]) numbers", r"results, \1 numbers each"), (r"receives? ([nm]) numbers", r"result, \1 numbers"), (r"receives? one number", "result"), (r"loads \* n stresses", "points by loads, stresses"),
     (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"),
+    (r"loads \* n numbers each", "points by loads"),
     (r"RWEDGE_MEASURE_(\w+)", r"rwedge_measure('\1')"))
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
 

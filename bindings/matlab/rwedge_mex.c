@@ -311,14 +311,15 @@ static void take_size(const entry *call, int j, int size, size_t count, size_t n
 
 /* The sizes of the arrays, which must agree, or what a function tells. Numbers must be scalars.
  * An array of two sizes has the points down and the loads across: MATLAB's columns come first. */
-static void measure(const entry *call, void *object, const mxArray *const arguments[], size_t n[])
+static void measure(const entry *call, void *object, const mxArray *const arguments[],
+                    const double *const v[], size_t n[])
 {
     bool known[ENTRY_SIZES] = {false};
     for (int j = 0; j < call->sizes; j++)
         if (call->size[j].teller) {
             double told;
             double *const r[] = {&told};
-            entry_named(call->size[j].teller)->call(object, NULL, NULL, r, NULL);
+            entry_named(call->size[j].teller)->call(object, NULL, v, r, NULL);
             n[j] = (size_t)told;
             known[j] = true;
         }
@@ -366,7 +367,7 @@ static void whole(const entry *call, void *object, const mxArray *const argument
     size_t n[ENTRY_SIZES] = {0};
     for (int j = 0; j < call->arguments; j++)
         v[j] = numbers_of(call, j, arguments[j]);
-    measure(call, object, arguments, n);
+    measure(call, object, arguments, v, n);
     for (int j = 0; j < call->results; j++) {
         results[j] = result_array(&call->result[j], n);
         r[j] = mxGetPr(results[j]);

@@ -182,7 +182,8 @@ function sizesOf(name, about, values, address) {
     const arrays = about.parameters.filter((p) => p.role === "in array");
     for (const p of about.parameters) {
         if (p.role === "size" && values.has(p.name)) tell(p.name, values.get(p.name));
-        if (p.givenBy) tell(p.name, library[p.givenBy.replace(/^(rwedge_)?/, "rwedge_")](address));
+        const teller = p.givenBy && library[p.givenBy.replace(/^(rwedge_)?/, "rwedge_")];
+        if (teller) tell(p.name, teller(...[...(address ? [address] : []), ...values.values()].slice(0, teller.length)));
     }
     for (const p of arrays.filter((array) => array.size.length === 1)) tell(p.size[0], values.get(p.name).length, p.name);
     for (const p of arrays.filter((array) => array.size.length === 2)) {

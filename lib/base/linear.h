@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A x = b by elimination, A of n rows of n, b of n rows of right-hand sides; x takes the place of b.
- * false where A is singular to rounding. */
+/* A x = b by elimination, A of n rows of n, b of n rows of right-hand sides; x takes the place of
+ * b. false where A is singular to rounding. */
 bool rw_solve(size_t n, size_t sides, double A[], double b[]);
 
 /* A = L L', A of n rows of n, symmetric and positive; L takes the place of its lower half. false

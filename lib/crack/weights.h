@@ -14,9 +14,9 @@ bool rw_is_crack_angle(double angle);
 /* The m places, in the length of the crack from its mouth, the tip first. */
 void rw_crack_places(size_t m, double place[]);
 
-/* The rows that each have 2 m weights, m of the normal stress and m of the shear stress at the
- * places: those of K_I/sqrt(l) and K_II/sqrt(l), and of E'/l times the opening at the places at[0]
- * ... at[openings - 1], none of which is the tip. The opening of a place errs by m^-2, its mean from
+/* Rows of 2 m weights each, m of the normal stress and m of the shear stress at the places: those
+ * of K_I/sqrt(l) and K_II/sqrt(l), and of E'/l times the opening at the places at[0] ...
+ * at[openings - 1], none of which is the tip. The opening of a place errs by m^-2, the mean from
  * one dislocation to the next does not. RWEDGE_ENOMEM, RWEDGE_ENOCONV. */
 int32_t rw_crack_rows(double angle, size_t m, size_t openings, const size_t at[], double row[]);
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How the calls of calls.py are written for a language: as the documentation shows them, with what tells their results. For C and
 Fortran they make a program; others evaluate a text, which stands behind the call and a tab."""
-from header import Function, filled
-from languages import C, Fortran, JavaScript, Matlab, Python
+from header import Function, Parameter, filled
+from languages import C, Fortran, JavaScript, Matlab, Python, plain
 from write_fortran import folded
 
 TEMPLATES = {"c": "../tests/answers/answer.c.in", "fortran": "fortran/answer.f90.in"}
@@ -13,7 +13,8 @@ TEXTS = {"javascript": JavaScript(), "matlab": Matlab(), "python": Python()}  # 
 
 
 def in_c(f: Function, line: str, values: dict, counts: dict[str, int]) -> list[str]:
-    lines = [f"const size_t {p.name} = rwedge_{p.given_by}({f.family});" for p in f.of("size") if p.given_by]
+    first = f.family or ", ".join(plain(values[p.name]) for p in f.of("in"))
+    lines = [f"const size_t {p.name} = rwedge_{p.given_by}({first});" for p in f.of("size") if p.given_by]
     for p in f.of("in array"):
         if values[p.name] == "before":
             lines += [f"const double *const {p.name} = before;", f"const size_t {p.size[0]} = count_before;"]
@@ -27,12 +28,18 @@ def in_c(f: Function, line: str, values: dict, counts: dict[str, int]) -> list[s
     return ["{", *(f"    {x}" for x in lines), "}"]
 
 
+def teller(f: Function, size: Parameter, values: dict) -> str:
+    """How Fortran asks for a size."""
+    numbers = ", ".join(Fortran().text(values[p.name], p) for p in f.of("in"))
+    return size.given_by.replace("_", "%", 1) + "()" if f.family else f"rwedge_{size.given_by}({numbers})"
+
+
 def in_fortran(f: Function, line: str, values: dict, counts: dict[str, int]) -> list[str]:
     text = Fortran().call(f, values)
     if not f.outputs and f.results:
         value = text.partition(" = ")[2]
         return [f"call tell('{line}', [real({f'len({value})' if f.result == 'text' else value}, c_double)], rwedge_ok)"]
-    known = {**{p.name: p.given_by.replace("_", "%", 1) + "()" for p in f.of("size")}, **counts}
+    known = {**{p.name: teller(f, p, values) for p in f.of("size")}, **counts}
     sizes = [[str(known[size]) for size in reversed(p.size)] for p in f.outputs]  # last to first
     lines = [f"real(c_double) :: {p.name}" + f"({', '.join(own)})" * bool(own) for p, own in zip(f.outputs, sizes)]
     lines += ["stat = rwedge_ok", text, "contact = copy"] if f.method == "copy" else [f"{text[:-1]}, stat)"]

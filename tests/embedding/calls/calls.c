@@ -103,7 +103,7 @@ static void tell_sizes(const entry *e, places *p)
 {
     for (int j = 0; j < e->sizes; j++) {
         double told = (double)size_of(e), *const result[] = {&told};
-        if (e->size[j].teller != NULL)
+        if (e->size[j].teller != NULL && e->takes_object) /* other sizes may be any */
             entry_named(e->size[j].teller)->call(p->object, NULL, NULL, result, NULL);
         p->n[j] = told < CALL_OUTPUTS ? (size_t)told : 0;
     }

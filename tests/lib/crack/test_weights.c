@@ -56,8 +56,8 @@ static void under_tension(const crack *c, double K[2])
                   sqrt(PI);
 }
 
-/* From a rule of Legendre polynomials on panels, the density and its value at the tip; at 75 degrees
- * that errs by 6e-10. */
+/* From a rule of Legendre polynomials on panels, and the density at the tip. At 75 degrees that
+ * errs by 6e-10. */
 CLAIM(tension_along_the_surface_gives_what_another_rule_gives)
 {
     static const double known[][4] = {

@@ -34,7 +34,8 @@ def _inputs(about: dict[str, Any], given: tuple[Any, ...]) -> dict[str, Any]:
 
 def _sizes(about: dict[str, Any], address: Any, values: dict[str, Any]) -> dict[str, int]:
     """The sizes, which a function tells or the arrays have: they must agree."""
-    sizes: dict[str, int] = {size: function(teller)(address) for size, teller in about["given by"].items()}
+    sizes: dict[str, int] = {size: function(teller)(*(values.get(name, address) for _, name in FUNCTIONS[teller]["parameters"]))
+                             for size, teller in about["given by"].items()}
     for name, value in values.items():
         for size, count in zip(about["sizes"].get(name, ()), np.shape(value)):
             if sizes.setdefault(size, count) != count:

@@ -83,7 +83,7 @@ const row LIFE_ROWS[] = {
              {{"length", some_size}, {"dK_th", some_size}, {"ds0", some_size}}),
      relative_to([](const double *v) {
          /* K/(sigma sqrt(pi l)) of an edge crack, 1.12152225523105526228077, by the closed form */
-         const ball edge = ball(1.1215222552310553) - ball(3.7719226073315e-17);
+         const ball edge = ball(1.1215222552310553) - ball(4.71848858483295e-17);
          const ball root = ball(v[1]) / (edge * v[2]);
          return v[1] / sqrt(1 + sqr(root) / (pi() * v[0]));
      })},

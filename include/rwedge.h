@@ -1205,16 +1205,16 @@ RWEDGE_API int32_t rwedge_crack_weights(double angle, size_t m, double place[], 
 /* What of K_II counts. Friction of the faces lies between the last two. Values never change; new
  * ones are added at the end. */
 enum {
-    RWEDGE_SHEAR_NONE = 0,   /* nothing: mode I alone */
-    RWEDGE_SHEAR_LOCKED = 1, /* its range while K_I > 0: closed faces do not slide */
-    RWEDGE_SHEAR_FREE = 2    /* its range over the whole cycle: closed faces slide freely */
+    RWEDGE_FACES_MODE_I = 0, /* nothing: mode I alone */
+    RWEDGE_FACES_LOCKED = 1, /* its range while K_I > 0: closed faces do not slide */
+    RWEDGE_FACES_FREE = 2    /* its range over the whole cycle: closed faces slide freely */
 };
 
 /* What a cycle changes of K, for n cracks. K changes straight from load to load, and from the last
  * to the first; K_I < 0 counts as 0 in its range, but not in R.                                 new
  *   loads      number of loads of the cycle, >= 1
  *   K_I, K_II  finite; loads * n numbers each: that of load i and crack j is at [i n + j]
- *   shear      0 <= shear <= 2: RWEDGE_SHEAR_NONE and so on
+ *   shear      0 <= shear <= 2: RWEDGE_FACES_MODE_I and so on
  *   range_I, range_II, K_max, R  each receives n numbers: K_max is the largest sqrt(K_I^2 + K_II^2)
  *              while K_I > 0; R the least K_I over the largest, 0 where the largest is not positive
  * RWEDGE_EDOMAIN; RWEDGE_ERANGE for loads = 0; RWEDGE_ENULL. */

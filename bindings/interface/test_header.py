@@ -65,12 +65,12 @@ class Texts(unittest.TestCase):
         for name, text in write_matlab.texts(interface).items():
             self.assertIn("\n%   ", text)
             self.assertNotRegex(text, r"\[i n \+ j\]|loads \* n|receives? n|% +loads  |rwedge_(contact|series)_\w+\(\)|NULL|rwedge:null"
-                                r"|_destroy\(\)|Unless|RWEDGE_(E[A-Z]+|OK|MEASURE_\w+)\b")
+                                r"|_destroy\(\)|Unless|RWEDGE_(E[A-Z]+|OK|(MEASURE|FACES)_\w+)\b")
             self.assertTrue(name in ("rwedge_contact.m", "rwedge_series.m") or "rwedge:handle" not in text)
         for f in interface.functions:
             doc = write_python.docstring(f, "new")
             if f.name not in ("version", "strerror") and not f.name.endswith("_destroy"):
-                self.assertNotRegex(doc, r"RWEDGE_(E[A-Z]+|OK|MEASURE_\w+)\b|rwedge_|NULL|HUGE_VAL|Free with", f.name)
+                self.assertNotRegex(doc, r"RWEDGE_(E[A-Z]+|OK|(MEASURE|FACES)_\w+)\b|rwedge_|NULL|HUGE_VAL|Free with", f.name)
                 self.assertNotRegex(doc.split("\n\n")[1], "^(NaN|Relative) ")  # what it is, first
                 for p in f.inputs:
                     self.assertRegex(doc, rf"\n{p.name} : .*\n    \S", f.name)

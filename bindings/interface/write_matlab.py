@@ -17,7 +17,7 @@ IN_MATLAB = (  # arrays have sizes and two dimensions, results need no place
     (r"each receives? ([nm]) numbers", r"results, \1 numbers each"), (r"receives? ([nm]) numbers", r"result, \1 numbers"), (r"receives? one number", "result"), (r"loads \* n stresses", "points by loads, stresses"),
     (r"at \[i n \+ j\]", "at (j, i)"), (r"loads numbers each", "a number for each load"),
     (r"loads \* n numbers each", "points by loads"),
-    (r"RWEDGE_MEASURE_(\w+)", r"rwedge_measure('\1')"))
+    (r"RWEDGE_MEASURE_(\w+)", r"rwedge_measure('\1')"), (r"RWEDGE_FACES_(\w+)", r"rwedge_faces('\1')"))
 LICENCE = "\n% SPDX-License-Identifier: GPL-3.0-or-later\n"  # last: the first comment is the help text
 
 

@@ -23,7 +23,7 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
     ("0, which a new contact has,", "0"), ("RWEDGE_EPATH", "PathError"), ("RWEDGE_ESLIDING", "SlidingError"), ("RWEDGE_(EDOMAIN|ERANGE)", "ValueError"),
     (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
-    ("HUGE_VAL", "inf"), ("RWEDGE_MEASURE_", "Measure."))
+    ("HUGE_VAL", "inf"), ("RWEDGE_MEASURE_", "Measure."), ("RWEDGE_FACES_", "Faces."))
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library; besides what makes or frees an object.
 BY_HAND = {"contact_load", "contact_apply", "contact_yield_factor", "contact_loads", "contact_state", "series_coefficient",

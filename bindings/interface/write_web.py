@@ -19,7 +19,8 @@ TOP = """\
 """
 IN_JAVASCRIPT = (  # statuses, pointers and limits, in the words of JavaScript
     WITHOUT_NULL, (r"(; |, )?RWEDGE_ENULL", ""),
-    (r"rwedge_(?:contact|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"), ("RWEDGE_MEASURE_", "Measure."))
+    (r"rwedge_(?:contact|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"), ("RWEDGE_MEASURE_", "Measure."),
+    ("RWEDGE_FACES_", "Faces."))
 
 
 def told(f: Function, size: Parameter) -> bool:

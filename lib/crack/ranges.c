@@ -64,15 +64,15 @@ rw_crack_range rw_crack_range_of(size_t loads, size_t stride, const double K_I[]
     }
     rw_crack_range range = {.I = fmax(I.most, 0) - fmax(I.least, 0)};
     const span open = open_span(&cycle, &range.K_max);
-    if (shear != RWEDGE_SHEAR_NONE)
-        range.II = range_of(shear == RWEDGE_SHEAR_FREE ? &II : &open);
+    if (shear != RWEDGE_FACES_MODE_I)
+        range.II = range_of(shear == RWEDGE_FACES_FREE ? &II : &open);
     range.R = I.most > 0 ? I.least / I.most : 0;
     return range;
 }
 
 bool rw_is_crack_shear(int32_t shear)
 {
-    return shear >= RWEDGE_SHEAR_NONE && shear <= RWEDGE_SHEAR_FREE;
+    return shear >= RWEDGE_FACES_MODE_I && shear <= RWEDGE_FACES_FREE;
 }
 
 static bool are_intensities(size_t n, const double K[])

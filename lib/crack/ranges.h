@@ -13,7 +13,7 @@ typedef struct {
     double R;     /* least over largest K_I, 0 where that is not positive */
 } rw_crack_range;
 
-/* K of the load i is at [i stride]; shear is RWEDGE_SHEAR_NONE and so on. */
+/* K of the load i is at [i stride]; shear is RWEDGE_FACES_MODE_I and so on. */
 rw_crack_range rw_crack_range_of(size_t loads, size_t stride, const double K_I[],
                                  const double K_II[], int32_t shear);
 

@@ -48,7 +48,7 @@ CLAIM(ranges_are_those_of_the_straight_way_between_loads)
         I[i] = random_between(&state, -1, 1.2);
         II[i] = random_between(&state, -1, 1);
     }
-    for (int32_t shear = RWEDGE_SHEAR_NONE; shear <= RWEDGE_SHEAR_FREE; shear++)
+    for (int32_t shear = RWEDGE_FACES_MODE_I; shear <= RWEDGE_FACES_FREE; shear++)
         assert_ok(
             rwedge_crack_ranges(LOADS, CRACKS, I, II, shear, range_I, range_II[shear], K_max, R));
     for (size_t j = 0; j < CRACKS; j++) {
@@ -62,10 +62,10 @@ CLAIM(ranges_are_those_of_the_straight_way_between_loads)
                 largest = fmax(largest, hypot(fine_I[i], fine_II[i]));
         }
         assert_within(range_I[j], most - fmax(least, 0), 1e-14);
-        assert_within(range_II[RWEDGE_SHEAR_NONE][j], 0, 0);
-        assert_within(range_II[RWEDGE_SHEAR_LOCKED][j],
+        assert_within(range_II[RWEDGE_FACES_MODE_I][j], 0, 0);
+        assert_within(range_II[RWEDGE_FACES_LOCKED][j],
                       range_while(LOADS * FINE, fine_I, fine_II, 0), 4.0 / FINE);
-        assert_within(range_II[RWEDGE_SHEAR_FREE][j],
+        assert_within(range_II[RWEDGE_FACES_FREE][j],
                       range_while(LOADS * FINE, fine_I, fine_II, -HUGE_VAL), 1e-14);
         assert_within(K_max[j], largest, 4.0 / FINE);
         assert_within(R[j], most > 0 ? least / most : 0, 1e-12);
@@ -77,7 +77,7 @@ CLAIM(more_loads_on_the_same_way_change_nothing)
     const double I[] = {3, -1, 2}, II[] = {1, 4, -2};
     const double I_parts[] = {3, 2, 0.5, -1, -0.25, 1.25, 2},
                  II_parts[] = {1, 1.75, 2.875, 4, 2.5, -0.5, -2};
-    for (int32_t shear = RWEDGE_SHEAR_NONE; shear <= RWEDGE_SHEAR_FREE; shear++) {
+    for (int32_t shear = RWEDGE_FACES_MODE_I; shear <= RWEDGE_FACES_FREE; shear++) {
         const ranges coarse = ranges_of(3, I, II, shear),
                      fine = ranges_of(7, I_parts, II_parts, shear);
         assert_close(fine.I, coarse.I, 1e-14);
@@ -85,14 +85,14 @@ CLAIM(more_loads_on_the_same_way_change_nothing)
         assert_close(fine.K_max, coarse.K_max, 1e-14);
         assert_close(fine.R, coarse.R, 1e-14);
     }
-    assert_close(ranges_of(3, I, II, RWEDGE_SHEAR_LOCKED).II, 1 + 0.75 * 3 + 2, 1e-14);
+    assert_close(ranges_of(3, I, II, RWEDGE_FACES_LOCKED).II, 1 + 0.75 * 3 + 2, 1e-14);
 }
 
 CLAIM(a_crack_that_is_closed_all_the_time_has_no_range)
 {
     const double I[] = {-3, -1}, II[] = {1, 4};
-    const ranges locked = ranges_of(2, I, II, RWEDGE_SHEAR_LOCKED),
-                 free_faces = ranges_of(2, I, II, RWEDGE_SHEAR_FREE);
+    const ranges locked = ranges_of(2, I, II, RWEDGE_FACES_LOCKED),
+                 free_faces = ranges_of(2, I, II, RWEDGE_FACES_FREE);
     assert_true(locked.I == 0 && locked.II == 0 && locked.K_max == 0 && locked.R == 0);
     assert_true(free_faces.I == 0 && free_faces.II == 3);
 }

@@ -26,6 +26,8 @@ typedef struct {
     size_t across;             /* of a grid: how many rows are side by side; 0 for curves */
     data_row *row;
     size_t count;
+    double
+        worst[3]; /* of figure measure: x, y, and the largest value, which may lie between rows */
 } dataset;
 
 void dataset_add(dataset *to, data_row row);

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- Along the loads ---- */
@@ -138,41 +139,68 @@ const figure figure_fretting = {.name = "fretting",
 
 enum { DEPTHS = 121, COLUMNS = 81, ROWS = 41 };
 
-static void measure_place(const figure_case *inputs, const last_cycle *last, double x, double y,
-                          dataset *rows)
+static void add_places(const figure_case *inputs, const measured *result, dataset *rows)
 {
-    measured_place at = {.x = x, .y = y};
-    case_check(inputs, last_cycle_measure(last, 1, &at));
-    dataset_add(rows, (data_row){.number = {x, y, at.value[inputs->measure]}});
+    for (size_t i = 0; i < result->count; i++)
+        dataset_add(rows, (data_row){.number = {result->place[i].x, result->place[i].y,
+                                                result->place[i].value[inputs->measure]}});
+}
+
+/* That of the places, and between them on the line of the best. */
+static void note_worst(const figure_case *inputs, const last_cycle *last, const measured *result,
+                       dataset *rows)
+{
+    worst_table found = {.last = last};
+    worst_find(result, &found);
+    const worst_row *row = &found.row[inputs->measure];
+    if (row->value > rows->worst[2]) {
+        rows->worst[0] = row->x;
+        rows->worst[1] = row->y;
+        rows->worst[2] = row->value;
+    }
 }
 
 static void measure_surface(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     const measured result = measure_usual(inputs, last);
-    for (size_t i = 0; i < result.count; i++)
-        dataset_add(rows, (data_row){.number = {result.place[i].x, 0,
-                                                result.place[i].value[inputs->measure]}});
+    add_places(inputs, &result, rows);
+    note_worst(inputs, last, &result, rows);
 }
 
 /* Down to the half-width, dense at the surface. */
 static void measure_depth(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     const measured along = measure_usual(inputs, last);
-    const double x = along.place[measured_best(&along, inputs->measure)].x;
+    measured_place place[DEPTHS];
+    const measured below = {place, DEPTHS, 0};
     for (int i = 0; i < DEPTHS; i++) {
         const double part = (double)i / (DEPTHS - 1);
-        measure_place(inputs, last, x, inputs->half_width * part * part, rows);
+        place[i] = (measured_place){.x = along.place[measured_best(&along, inputs->measure)].x,
+                                    .y = inputs->half_width * part * part};
     }
+    case_check(inputs, last_cycle_measure(last, DEPTHS, place));
+    add_places(inputs, &below, rows);
+    note_worst(inputs, last, &below, rows);
 }
 
+/* The peaks of the surface are too narrow for its grid. */
 static void measure_field(const figure_case *inputs, const last_cycle *last, dataset *rows)
 {
     const double middle = (last->left + last->right) / 2, half = (last->right - last->left) / 2;
+    const measured along = measure_usual(inputs, last);
+    const measured grid = {memory_zeroed(ROWS * COLUMNS, sizeof *grid.place), ROWS * COLUMNS,
+                           COLUMNS};
     rows->across = COLUMNS;
     for (int j = 0; j < ROWS; j++)
         for (int i = 0; i < COLUMNS; i++)
-            measure_place(inputs, last, middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
-                          half * pow((double)j / (ROWS - 1), 1.5), rows);
+            grid.place[j * COLUMNS + i] =
+                (measured_place){.x = middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
+                                 .y = half * pow((double)j / (ROWS - 1), 1.5)};
+    case_check(inputs, last_cycle_measure(last, grid.count, grid.place));
+    add_places(inputs, &grid, rows);
+    note_worst(inputs, last, &along, rows);
+    note_worst(inputs, last, &grid, rows);
+    free(grid.place);
 }
 
 static void compute_measure(const figure_case *inputs, dataset *rows)
@@ -187,7 +215,7 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
 
 static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE *script)
 {
-    const double worst = dataset_largest(rows, 2);
+    const double worst = rows->worst[2];
     const char *unit = measure_kinds[inputs->measure].unit;
     const bool has_unit = strcmp(unit, "none") != 0;
     char text[80];
@@ -200,6 +228,9 @@ static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE
         *star = ' ';
     script_text(script, "title", measure_kinds[inputs->measure].title);
     script_text(script, "unit", text);
+    script_number(script, "worst_x", rows->worst[0]);
+    script_number(script, "worst_y", rows->worst[1]);
+    script_number(script, "worst", worst);
     script_number(script, "step", step_of_levels(worst));
     fprintf(script, "along = %d\n",
             inputs->over == OVER_FIELD   ? 0

@@ -2,11 +2,9 @@
 # Along the surface (1) or the depth (2), or as contours (0).
 stats $rows using 1 nooutput prefix "x"
 stats $rows using 2 nooutput prefix "y"
-stats $rows using 1:3 nooutput prefix "along_x"
-stats $rows using 2:3 nooutput prefix "along_y"
-worst = along_x_max_y
-caption = (along == 0 ? "largest of the grid" : "worst").sprintf(": %.4g at", worst).(along == 0 ? "\n" : " ")
-caption = caption.it("x")." = ".said("%.4g", along_x_pos_max_y).", ".it("y")." = ".said("%.4g", along_y_pos_max_y)
+stats $rows using 3 nooutput prefix "value"
+caption = sprintf("worst: %.4g at", worst).(along == 0 ? "\n" : " ")
+caption = caption.it("x")." = ".said("%.4g", worst_x).", ".it("y")." = ".said("%.4g", worst_y)
 if (along == 0) {
     height = 3
     top = worst
@@ -20,7 +18,7 @@ if (along == 0) {
 } else {
     xtext = it(along == 1 ? "x" : "y")
     ytext = unit
-    set yrange [1.05*min(0, along_x_min_y):end_of(1.05*worst)]
+    set yrange [1.05*min(0, value_min):end_of(1.05*worst)]
     set ytics tic(1.05*worst)
     ratio = 0.75
 }

@@ -17,7 +17,7 @@ wish command:x86_64-w64-mingw32-gcc=gcc-mingw-w64-x86-64 command:x86_64-w64-ming
     command:/usr/lib/wine/wine64=wine64 command:dpkg-source=dpkg-dev command:python3=python3 \
     command:musl-gcc=musl-tools command:aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu \
     command:aarch64-linux-gnu-gfortran=gfortran-aarch64-linux-gnu \
-    command:qemu-aarch64=qemu-user command:ruby=ruby
+    command:qemu-aarch64=qemu-user
 wish command:node=nodejs command:npm=npm command:clang=clang command:wasm-ld=lld command:llvm-nm=llvm command:llvm-readobj=llvm \
     file:/usr/lib/wasm32-wasi/libc.a=wasi-libc \
     file:/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a=libclang-rt-dev-wasm32

@@ -43,7 +43,7 @@ What a person does now, in this order; what cannot be taken back comes last:
  4. the archive that gives a DOI, from that release (Zenodo reads CITATION.cff); the DOI into packages/who.json for the next version
  5. python/: twine check, then to the test registry; install it there in an empty environment; then to PyPI
  6. npm publish --dry-run, then npm publish, of rwedge-$version-npm.tgz
- 7. recipes/: each as a proposal to its collection (Conan, conda, vcpkg, Homebrew); the URL in them must answer
+ 7. recipes/: each as a proposal to its collection (Conan, conda); the URL in them must answer
  8. debian-*/: sign the source package, and ask for a sponsor
  9. packages/paper/: name the authors, and submit it with the DOI
 END

@@ -89,19 +89,13 @@ static void compute(const contact_case *setup, const rwedge_contact *contact, si
 
 /* ---- The command ---- */
 
-static struct poptOption history_output_option_table[] = {
-    {FORMAT_OPTION("csv|tsv|json|xlsx|series")},
-    {INCLUDED(other_output_option_table), NULL, NULL},
-    POPT_TABLEEND,
-};
-
 static const struct poptOption options[] = {
     {INCLUDED(input_option_table), "The contact:", NULL},
     {INCLUDED(strength_option_table), "Its strength:", NULL},
     {INCLUDED(history_option_table), "Its loads:", NULL},
     {INCLUDED(place_option_table), "Stresses at points in place of a row for each load:", NULL},
     {NO_FORMULAS_OPTION},
-    {INCLUDED(history_output_option_table), "Common options:", NULL},
+    {INCLUDED(output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
 };
 
@@ -115,9 +109,7 @@ static void describe(FILE *stream)
           stream);
     columns_describe(columns, AFTER_COUNT, 13, stream);
     fputs("\nWith points, a row for each load and point: load, x, y (the depth), sxx, syy,\n"
-          "szz, txy, s1, s2, von_mises, tau_max. With -o NAME.vtk.series a file for each\n"
-          "load, for ParaView: NAME_0001.vtk and so on, or NAME_b0001.vtk where the series\n"
-          "that is replaced has those names. Its files are then removed.\n"
+          "szz, txy, s1, s2, von_mises, tau_max.\n"
           "\nLoads that have no closed form are computed. With --exact they are an error that\n"
           "names the line; nothing is then written, unless --until is given.\n",
           stream);
@@ -167,8 +159,6 @@ static void write_rows(void *of_plan, records *rows)
     }
 }
 
-static const char *const formats[] = {"csv", "tsv", "json", "xlsx", "series", NULL};
-
 static void say_doubts(const plan *job)
 {
     char where[LOAD_PLACE_SIZE];
@@ -187,25 +177,15 @@ static int history(const arguments *line)
 {
     plan job = {.at = {0}};
     output_options how;
-    output_options_read_of(line, formats, "", &how);
+    output_options_read(line, &how);
     if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
         usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
     places_read(line, how.decimal_sign, &job.at);
-    if (how.format == NULL && (how.path == NULL || strcmp(how.path, "-") == 0))
-        usage_error("--format series: writes several files; allowed with: --output "
-                    "NAME.vtk.series");
-    if (how.format == NULL && job.at.count == 0)
-        usage_error("--output %s: needs points; allowed with: --at, --points, or --x and --depth",
-                    how.path);
     contact_history_read(line, how.decimal_sign, 1, 1, &job.history);
-    const point_rows points = {&job.history, &job.at};
     const bool has_points = job.at.count > 0;
     for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
         passed_check(&job.history.loads, has_points ? point_columns[i] : columns[i].name);
-    if (how.format == NULL)
-        series_write(&points, line, &how);
-    else
-        output_options_write(&how, write_rows, &job);
+    output_options_write(&how, write_rows, &job);
     say_doubts(&job);
     return STATUS_DONE;
 }

@@ -87,12 +87,4 @@ void passed_cells(const load_history *loads, size_t row, records *rows);
 /* Refuses a column that has the name of this result. */
 void passed_check(const load_history *loads, const char *result);
 
-/* ---- series ---- The stresses at points after each load as files for ParaView: one for each load,
- * and one that names them all. */
-
-/* Writes NAME_0001.vtk and so on, or NAME_b0001.vtk where the series that is replaced has those
- * names, beside NAME.vtk.series, which is the output and comes last. The files of the series that
- * is replaced are then removed. */
-void series_write(const point_rows *points, const arguments *line, const output_options *how);
-
 #endif

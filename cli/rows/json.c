@@ -12,18 +12,12 @@
 
 #include <jansson.h>
 
-char *json_quoted(const char *text)
+static void put_text(records *rows, const char *text)
 {
     errno = 0;
     json_t *string = json_string(text);
     char *encoded = string != NULL ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
     json_decref(string);
-    return encoded;
-}
-
-static void put_text(records *rows, const char *text)
-{
-    char *encoded = json_quoted(text);
     if (encoded == NULL)
         failure("%s: %s", rows->out->name,
                 errno == ENOMEM ? "out of memory" : "a text is not UTF-8, which JSON needs");

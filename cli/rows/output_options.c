@@ -6,19 +6,11 @@
 #include <string.h>
 #include <strings.h>
 
-struct poptOption output_option_table[] = {
-    {FORMAT_OPTION("csv|tsv|json|xlsx")},
-    {INCLUDED(other_output_option_table), NULL, NULL},
-    POPT_TABLEEND,
-};
+#define FORMAT_OPTION(formats)                                                                     \
+    "format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How results are written (default csv)", \
+        formats
 
-struct poptOption grid_output_option_table[] = {
-    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
-    {INCLUDED(other_output_option_table), NULL, NULL},
-    POPT_TABLEEND,
-};
-
-struct poptOption other_output_option_table[] = {
+static struct poptOption other_output_option_table[] = {
     {VALUE("digits", OPTION_DIGITS),
      "Significant digits, 1 to 17 (default 17: numbers read back to the same bits)", "N"},
     {FLAG("decimal-comma", OPTION_DECIMAL_COMMA),
@@ -31,6 +23,18 @@ struct poptOption other_output_option_table[] = {
     POPT_TABLEEND,
 };
 
+struct poptOption output_option_table[] = {
+    {FORMAT_OPTION("csv|tsv|json|xlsx")},
+    {INCLUDED(other_output_option_table), NULL, NULL},
+    POPT_TABLEEND,
+};
+
+struct poptOption grid_output_option_table[] = {
+    {FORMAT_OPTION("csv|tsv|json|xlsx|vtk")},
+    {INCLUDED(other_output_option_table), NULL, NULL},
+    POPT_TABLEEND,
+};
+
 const char *const grid_formats[] = {"csv", "tsv", "json", "xlsx", "vtk", NULL};
 
 /* The formats of rows; of places they are the same and one more. */
@@ -39,8 +43,8 @@ static const record_format *const record_formats[] = {&delimited_format, &delimi
                                                       &json_format, &xlsx_format, &vtk_format};
 
 /* The formats of all commands. */
-static const char *const all_formats[] = {"csv", "tsv", "json", "xlsx",   "vtk",
-                                          "svg", "png", "pdf",  "series", NULL};
+static const char *const all_formats[] = {"csv", "tsv", "json", "xlsx", "vtk",
+                                          "svg", "png", "pdf",  NULL};
 
 /* Its place in a list that ends with NULL; -1 where it is not there. */
 static int place_of(const char *name, const char *const formats[])

@@ -86,11 +86,6 @@ bool records_go_on(const records *rows);
 /* Ends the file, if it has begun; output_finish() reports failures of the output. */
 void records_end(records *rows);
 
-/* ---- json ---- */
-
-/* A text as a string of JSON. Free it. NULL where it is not UTF-8, or memory is short: errno. */
-char *json_quoted(const char *text);
-
 /* ---- spreadsheet ---- XLSX. */
 
 /* What follows, a header first, goes to the next of several sheets. */
@@ -100,15 +95,9 @@ void spreadsheet_next_sheet(records *rows);
  * written, and where. */
 
 /* Tables to include (POPT_ARG_INCLUDE_TABLE): of a command that writes rows; of one whose rows are
- * places, which VTK can have too; the same without --format, for a command with formats of its
- * own. */
-extern struct poptOption output_option_table[], grid_output_option_table[],
-    other_output_option_table[];
+ * places, which VTK can have too. */
+extern struct poptOption output_option_table[], grid_output_option_table[];
 extern const char *const grid_formats[]; /* of the second */
-
-#define FORMAT_OPTION(formats)                                                                     \
-    "format", '\0', POPT_ARG_STRING, NULL, OPTION_FORMAT, "How results are written (default csv)", \
-        formats
 
 /* The option of a command whose rows have texts of a file in them. */
 #define NO_FORMULAS_OPTION                                                                         \

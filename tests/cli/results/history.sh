@@ -73,19 +73,6 @@ prints_kept "a grid" listed history loads.csv $specimen --x -0.2,0.1 --depth 0,0
 run history --E1 72100 --nu1 0.33 --theta 0.05 --a 0 --f 0.3 --load 100,0 --at 0,0
 same "the sharp apex" "1,0,0,,,,,,,," "$(tail -n 1 out)"
 
-# A series for ParaView: each file is that of field, but for its title.
-does history loads.csv $specimen --x -0.3:0.3:0.1 --depth 0:0.2:0.1 -o series.vtk.series
-same "files" "series.vtk.series series_0001.vtk series_0002.vtk series_0003.vtk series_0004.vtk" "$(ls series* | paste -s -d ' ' -)"
-run field $specimen --history loads.csv --x -0.3:0.3:0.1 --y 0:0.2:0.1 --format vtk
-same "the last file" "" "$(sed 2d series_0004.vtk >a; sed 2d out | diff a -)"
-called="series.vtk.series"
-same "names and times" "series_0001.vtk 1 series_0002.vtk 2 series_0003.vtk 3 series_0004.vtk 4" "$(sed -n 's/.*"name": "\(.*\)", "time": \([0-9]*\).*/\1 \2/p' series.vtk.series | paste -s -d ' ' -)"
-run history loads.csv $specimen --at '-0.2,0;0.1,0.05' -o loose.series
-same "points that are no grid" "DATASET POLYDATA;POINTS 2 double;-0.2 0 0;0.1 0.05 0;VERTICES 2 4;1 0;1 1;POINT_DATA 2" \
-    "$(sed -n 4,11p loose_0002.vtk | paste -s -d ';' -)"
-refuses "--output x.series: needs points; allowed with: --at, --points, or --x and --depth" history loads.csv $specimen -o x.series
-refuses "--format series: writes several files; allowed with: --output NAME.vtk.series" history loads.csv $specimen --format series
-
 # A history that leaves the closed form, or cannot be: the line, why, and nothing written; with --until, what was before.
 fails() { # MESSAGE TEXT
     printf "$2" >bad.csv
@@ -123,19 +110,6 @@ run history --E1 74100 --nu1 0.33 --theta 0.1 --radius 178 --f 0.65 --yield-stre
 message_has "a load yields the body: its stresses exceed the yield stress"
 same "no word of P_yield" "" "$(grep P_yield err)"
 
-# A second series takes other names: the old one is whole until it is replaced. Its files are removed then.
-printf 'P,Q\n135.75,0\n135.75,30\n' >two.csv
-run history two.csv $specimen --at 0,0 -o again.vtk.series
-run history rest.csv $specimen --load 135.75,0 --at 0,0 -o again.vtk.series
-same "names of the second" "again_b0001.vtk again_b0002.vtk" "$(ls again*.vtk | paste -s -d ' ' -)"
-same "and in its list" 2 "$(grep -c '"again_b000[12].vtk"' again.vtk.series)"
-cp again_b0001.vtk first
-printf 'P,Q\n135.75,0\n135.75,30\n135.75,50\n' >refused.csv
-run history refused.csv $specimen --at 0,0 -o again.vtk.series
-same "a series that fails leaves the old one" "1 again_b0001.vtk again_b0002.vtk" "$status $(ls again*.vtk | paste -s -d ' ' -)"
-same "its files too" "" "$(cmp first again_b0001.vtk 2>&1)"
-printf 'x,y\n0,0\n' >own_0001.vtk
-refuses "--output own_0001.vtk: it is the file of --points; allowed: another file" history two.csv $specimen --points own_0001.vtk -o own.series
 refuses "--P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
 refuses "missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
 refuses "--at 1,-1: y is a depth, and must not be below 0" history loads.csv $specimen --at 1,-1

@@ -383,6 +383,41 @@ RWEDGE_API int32_t rwedge_contact_create_flat(double a, double R, double A, doub
 RWEDGE_API int32_t rwedge_contact_create_profile(size_t n, const double x[], const double slope[],
                                                  double A, double f, rwedge_contact **contact);
 
+/* Kinds of pads. */
+enum {
+    RWEDGE_PAD_WEDGE = 0,    /* theta, a: rwedge_contact_create() */
+    RWEDGE_PAD_CYLINDER = 1, /* R: rwedge_contact_create_flat() with a = 0 */
+    RWEDGE_PAD_FLAT = 2,     /* a, R: rwedge_contact_create_flat() */
+    RWEDGE_PAD_PROFILE = 3   /* places: rwedge_contact_create_profile() */
+};
+
+/* The kind of the contact's pad, RWEDGE_PAD_...; -1 for NULL.                                new */
+RWEDGE_API int32_t rwedge_contact_kind(const rwedge_contact *contact);
+
+/* The numbers with which a contact was created, to the same bits; 0 for one that its kind of pad
+ * does not have.                                                                                new
+ *   theta  angle of the flanks, rad: of a wedge
+ *   a      half-width of the rounding or of the flat, length: of a wedge and of a flat pad
+ *   R      radius, length: of a cylinder and of the edges of a flat pad
+ *   A      composite compliance, 1/stress
+ *   f      coefficient of friction
+ * RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_pad(const rwedge_contact *contact, double *theta, double *a,
+                                      double *R, double *A, double *f);
+
+/* How many places rwedge_contact_places() gives; 0 for NULL.                                 new */
+RWEDGE_API size_t rwedge_contact_place_count(const rwedge_contact *contact);
+
+/* The pad, of any kind, as places with slopes: rwedge_contact_create_profile() takes them.      new
+ *   n      rwedge_contact_place_count()
+ *   x      receives n numbers, length: the places, from left to right; equal places are a kink
+ *   slope  receives n numbers: the slopes there
+ * Places inside a part of one slope are left out.
+ * RWEDGE_ERANGE where n is another number; RWEDGE_ENULL. x has the bits that were given; the slopes
+ * are sums, each rounded. */
+RWEDGE_API int32_t rwedge_contact_places(const rwedge_contact *contact, size_t n, double x[],
+                                         double slope[]);
+
 /* How much a bulk tension stretches the surface of the half-plane against that of the wedge: A/4 of
  * the tension unless it is set. That is right for bodies of equal compliance. For others it is
  * (1 - nu1^2)/E1 of the tension, E1 and nu1 being those of the half-plane.                      new
@@ -390,6 +425,11 @@ RWEDGE_API int32_t rwedge_contact_create_profile(size_t n, const double x[], con
  * RWEDGE_EDOMAIN where the bodies touch: it is set before the first load, or when they are
  * separated; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_tension);
+
+/* The strain per bulk tension, 1/stress: A/4, or that of rwedge_contact_set_strain(), to rounding.
+ *                                                                                               new
+ * NaN for NULL. */
+RWEDGE_API double rwedge_contact_strain(const rwedge_contact *contact);
 
 /* An independent copy, history and all: to try a load and go back.
  * RWEDGE_ENULL, RWEDGE_ENOMEM. */
@@ -450,6 +490,10 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
  * n times as long as a wedge. rwedge_contact_error() tells the error that was reached.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
+
+/* The tolerance of loads that have no closed form: as rwedge_contact_allow_error() has it.      new
+ * NaN for NULL. */
+RWEDGE_API double rwedge_contact_tolerance(const rwedge_contact *contact);
 
 /* Estimated error of q over f times the peak pressure; 0 while the state is in closed form. It
  * grows with the loads that the tractions still depend on, and may pass the tolerance. The estimate

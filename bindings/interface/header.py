@@ -389,7 +389,7 @@ def read(path: str | Path) -> Interface:
 # ---- For those that write a language ----
 
 NAMES = {"A": "compliance"}  # where a and A are one name
-WITHOUT_NULL = (r"[,;] (NaN|0|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?\b0 for NULL", "")
+WITHOUT_NULL = (r"[,;] (NaN|-?[01]|and) for NULL| or NULL| ?\bNaN for NULL\.|,? ?\b0 for NULL", "")
 
 
 def name_of(p: Parameter) -> str:

@@ -52,7 +52,7 @@ def flat(numbers: list) -> list:
 def plain(value) -> str:
     """A number as most languages read it, to the last bit; a name stays."""
     short = str(value) if isinstance(value, (int, str)) else f"{value:g}"
-    return short if isinstance(value, (int, str)) or float(short) == value else repr(value)
+    return short if isinstance(value, (int, str)) or float(short) == value and short != "-0" else repr(value)
 
 
 class C:
@@ -153,7 +153,7 @@ class Fortran(Language):
         if f.result in ("value", "text"):
             return f"{f.result} = {write_fortran.called(f, values)}"
         passed = dict(zip([p.name for p in f.inputs], values))
-        return "call " + write_fortran.called(f, [passed.get(p.name, p.name) for p in f.parameters if p in f.inputs + f.outputs])
+        return "call " + write_fortran.called(f, [passed.get(p.name, self.of_name(p)) for p in f.parameters if p in f.inputs + f.outputs])
 
 
 class JavaScript(Language):

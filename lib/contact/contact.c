@@ -45,6 +45,11 @@ int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_ten
     return RWEDGE_OK;
 }
 
+double rwedge_contact_strain(const rwedge_contact *contact)
+{
+    return contact ? contact->strain * (contact->geometry.A / 4) : NAN;
+}
+
 int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
 {
     if (!contact)
@@ -54,6 +59,11 @@ int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
     rw_contact_drop_kept(contact);
     contact->tolerance = tolerance;
     return RWEDGE_OK;
+}
+
+double rwedge_contact_tolerance(const rwedge_contact *contact)
+{
+    return contact ? contact->tolerance : NAN;
 }
 
 double rwedge_contact_error(const rwedge_contact *contact)

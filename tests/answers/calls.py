@@ -10,6 +10,7 @@ language, programs.py writes them for it.
 Every function of the header is called, with arguments that differ from each other, so that no two of them can be exchanged
 unnoticed; then come the ends of the domains.
 """
+import csv
 import math
 import sys
 from pathlib import Path
@@ -210,6 +211,19 @@ def objects():
                     sample(f, 4)
 
 
+def stored():
+    """Contacts as earlier versions wrote them: what each language makes of them."""
+    told = [interface["contact_" + name] for name in ("kind", "pad", "places", "strain", "tolerance", "error", "loads", "edges")]
+    for path in sorted((TOP / "tests" / "data").glob("state-*.csv")):
+        names, *rows = csv.reader(path.read_text().splitlines())
+        for row in rows:
+            x = [float(row[names.index(f"x{i}")]) for i in range(1, 6)]
+            call(interface["contact_restore"], [list(map(float, row[names.index("state"):]))])
+            call(interface["contact_tractions"], [x])
+            for f in told:
+                call(f, [])
+
+
 def ends():
     """Of formulas: each argument in turn at the ends of its domain, and beyond."""
     for f in (f for f in interface.functions if f.result == "value" and not f.family):
@@ -227,6 +241,7 @@ def ends():
 def main():
     formulas()
     objects()
+    stored()
     ends()
     print(program(LANGUAGE, calls))
 

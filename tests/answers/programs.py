@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How the calls of calls.py are written for a language: as the documentation shows them, with what tells their results. For C and
 Fortran they make a program; others evaluate a text, which stands behind the call and a tab."""
-from header import Function, Parameter, filled
+from header import Function, Parameter, filled, name_of
 from languages import C, Fortran, JavaScript, Matlab, Python, plain
 from write_fortran import folded
 
@@ -41,9 +41,9 @@ def in_fortran(f: Function, line: str, values: dict, counts: dict[str, int]) -> 
         return [f"call tell('{line}', [real({f'len({value})' if f.result == 'text' else value}, c_double)], rwedge_ok)"]
     known = {**{p.name: teller(f, p, values) for p in f.of("size")}, **counts}
     sizes = [[str(known[size]) for size in reversed(p.size)] for p in f.outputs]  # last to first
-    lines = [f"real(c_double) :: {p.name}" + f"({', '.join(own)})" * bool(own) for p, own in zip(f.outputs, sizes)]
+    lines = [f"real(c_double) :: {name_of(p)}" + f"({', '.join(own)})" * bool(own) for p, own in zip(f.outputs, sizes)]
     lines += ["stat = rwedge_ok", text, "contact = copy"] if f.method == "copy" else [f"{text[:-1]}, stat)"]
-    lines.append(f"call tell('{line}', [{', '.join(f.results) or 'real(c_double) ::'}], stat)")
+    lines.append(f"call tell('{line}', [{', '.join(map(name_of, f.outputs)) or 'real(c_double) ::'}], stat)")
     return ["block", *(f"    {x}" for x in lines), "end block"]
 
 

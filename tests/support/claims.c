@@ -37,7 +37,7 @@ reference reference_open(const char *name)
 
 bool reference_next(reference *table)
 {
-    char line[1024];
+    static char line[1 << 15];
     if (!fgets(line, sizeof line, table->stream)) {
         fclose(table->stream);
         return false;

@@ -296,7 +296,8 @@ static bool minds_null(const entry *e, const places *p)
 {
     double value = MARK;
     const int32_t status = call_at(e, p, &value);
-    return e->has_status ? status == RWEDGE_ENULL : status == RWEDGE_EDOMAIN || value == 0;
+    return e->has_status ? status == RWEDGE_ENULL
+                         : status == RWEDGE_EDOMAIN || value == 0 || value == -1;
 }
 
 const char *complaint_about_null(const public_call *call, const double v[])

@@ -64,6 +64,56 @@ CLAIM(a_contact_whose_first_load_is_computed_is_restored)
                  (rw_loads){4, 0, 0.4, 0.1});
 }
 
+/* ---- States of earlier versions ---- */
+
+/* The columns of tests/data/state-*.csv. */
+enum {
+    COLUMN_KIND = 1,
+    COLUMN_PAD,
+    COLUMN_STRAIN = 7,
+    COLUMN_TOLERANCE,
+    COLUMN_ERROR,
+    COLUMN_X,
+    COLUMN_P = 15,
+    COLUMN_Q = 20,
+    COLUMN_SIZE = 25
+};
+
+static void assert_pad(const rwedge_contact *contact, const double row[])
+{
+    double told[5];
+    assert_int_equal(rwedge_contact_kind(contact), (int)row[COLUMN_KIND]);
+    assert_ok(rwedge_contact_pad(contact, &told[0], &told[1], &told[2], &told[3], &told[4]));
+    for (int i = 0; i < 5; i++)
+        assert_true(told[i] == row[COLUMN_PAD + i]);
+    assert_close(rwedge_contact_strain(contact), row[COLUMN_STRAIN], 1e-15);
+    assert_true(rwedge_contact_tolerance(contact) == row[COLUMN_TOLERANCE]);
+}
+
+static size_t restore_all(const char *name)
+{
+    reference table = reference_open(name);
+    while (reference_next(&table)) {
+        const double *row = table.cell;
+        rwedge_contact *contact =
+            restored((contact_state){(size_t)row[COLUMN_SIZE], table.cell + COLUMN_SIZE + 1});
+        double p[5], q[5];
+        assert_pad(contact, row);
+        assert_true(rwedge_contact_error(contact) == row[COLUMN_ERROR]);
+        assert_ok(rwedge_contact_tractions(contact, 5, row + COLUMN_X, p, q));
+        for (int i = 0; i < 5; i++)
+            assert_true(p[i] == row[COLUMN_P + i] && q[i] == row[COLUMN_Q + i]);
+    }
+    return table.row;
+}
+
+/* Version 1.0.0 had no states. */
+CLAIM(contacts_of_earlier_versions_are_restored)
+{
+    assert_int_equal(restore_all("state-1.1.0.csv"), 4);
+    assert_int_equal(restore_all("state-1.2.0.csv"), 11);
+}
+
 /* Each number, changed; each length but the right one. */
 CLAIM(damage_is_noticed)
 {

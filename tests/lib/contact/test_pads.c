@@ -56,6 +56,77 @@ CLAIM(edges_off_the_centre_are_counted_from_the_corners)
     assert_true(edges_of(pads[0]).left == -edges_of(pads[2]).right);
 }
 
+/* ---- What a contact is ---- */
+
+static void assert_pad(const rwedge_contact *contact, int32_t kind, double theta, double a,
+                       double R)
+{
+    double told[5];
+    assert_int_equal(rwedge_contact_kind(contact), kind);
+    assert_ok(rwedge_contact_pad(contact, &told[0], &told[1], &told[2], &told[3], &told[4]));
+    assert_true(told[0] == theta && told[1] == a && told[2] == R && told[3] == A && told[4] == F);
+}
+
+CLAIM(a_contact_tells_its_pad)
+{
+    const double x[] = {-1, 1}, slope[] = {-THETA, THETA};
+    assert_pad(create_wedge(0.1, 0.7, A, F), RWEDGE_PAD_WEDGE, 0.1, 0.7, 0);
+    assert_pad(flat(0), RWEDGE_PAD_CYLINDER, 0, 0, 10);
+    assert_pad(APPLY(flat(0.4), {0.1, 0.01, 0, 0}), RWEDGE_PAD_FLAT, 0, 0.4, 10);
+    assert_pad(profile(2, x, slope), RWEDGE_PAD_PROFILE, 0, 0, 0);
+    assert_int_equal(rwedge_contact_kind(NULL), -1);
+}
+
+/* Places inside a part of one slope are left out, kinks are not. */
+CLAIM(a_contact_tells_its_places)
+{
+    const double x[] = {-1, -0.4, -0.2, 0.1, 0.1, 0.5, 0.6, 0.8},
+                 slope[] = {-0.1, -0.02, -0.02, -0.02, 0.01, 0.05, 0.05, 0.12},
+                 kept_x[] = {-1, -0.4, 0.1, 0.1, 0.5, 0.6, 0.8},
+                 kept_slope[] = {-0.1, -0.02, -0.02, 0.01, 0.05, 0.05, 0.12};
+    double told_x[7], told_slope[7];
+    const rwedge_contact *contact = profile(8, x, slope);
+    assert_int_equal(rwedge_contact_place_count(contact), 7);
+    assert_int_equal(rwedge_contact_places(contact, 6, told_x, told_slope), RWEDGE_ERANGE);
+    assert_ok(rwedge_contact_places(contact, 7, told_x, told_slope));
+    for (int i = 0; i < 7; i++) {
+        assert_true(told_x[i] == kept_x[i]);
+        assert_within(told_slope[i], kept_slope[i], 7e-15 * 0.11);
+    }
+    assert_int_equal(rwedge_contact_place_count(NULL), 0);
+}
+
+/* A wedge and a flat as profiles touch as they do. */
+CLAIM(the_places_of_any_pad_make_a_profile_like_it)
+{
+    rwedge_contact *pads[] = {create_wedge(0.1, 0.7, A, F), create_wedge(0.1, 0, A, F), flat(0),
+                              flat(0.4)};
+    for (int i = 0; i < 4; i++) {
+        double x[4], slope[4];
+        const size_t n = rwedge_contact_place_count(pads[i]);
+        assert_int_equal(n, i == 3 ? 4 : 2);
+        assert_ok(rwedge_contact_places(pads[i], n, x, slope));
+        rwedge_contact *like = APPLY(profile(n, x, slope), {0.2, 0.01, 0, 0});
+        apply(pads[i], 0.2, 0.01, 0, 0);
+        const rw_patch edges = edges_of(pads[i]);
+        assert_close(edges_of(like).left, edges.left, 1e-13);
+        assert_close(edges_of(like).right, edges.right, 1e-13);
+    }
+}
+
+/* The others are told as they were given, on a copy too. */
+CLAIM(a_contact_tells_its_strain_and_its_tolerance)
+{
+    rwedge_contact *contact = allowing(flat(0.4), 1e-3);
+    assert_close(rwedge_contact_strain(contact), A / 4, 1e-15);
+    assert_ok(rwedge_contact_set_strain(contact, 0.3 * A));
+    contact = copy_of(contact);
+    assert_close(rwedge_contact_strain(contact), 0.3 * A, 1e-15);
+    assert_true(rwedge_contact_tolerance(contact) == 1e-3);
+    assert_nan(rwedge_contact_strain(NULL));
+    assert_nan(rwedge_contact_tolerance(NULL));
+}
+
 /* ---- Pads that are the same ---- */
 
 /* With a moment and a tension, in closed form. */

@@ -20,7 +20,7 @@ from ._header import FUNCTIONS
 from ._labels import Numbers, aligned, plain
 from ._library import EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, PathError, check, function, real
 from ._loads import Columns, History, Loads, columns, given_columns
-from ._made import ContactMethods, _contact_stresses
+from ._made import ContactMethods, Pad, _contact_stresses
 from ._ufuncs import Points
 from ._validity import warn
 
@@ -28,6 +28,7 @@ _copy, _destroy = function("contact_copy"), function("contact_destroy")
 _load, _apply, _obstacle = (function("contact_" + name) for name in ("load", "apply", "obstacle"))
 _stress_history = function("contact_stress_history")
 _loads, _restore = function("contact_loads"), function("contact_restore")
+_kind, _pad = function("contact_kind"), function("contact_pad")
 _formula_half_width = function("half_width")
 
 
@@ -43,25 +44,20 @@ class YieldFactor(NamedTuple):
 
 
 class _Pad(NamedTuple):
-    """What a contact is, and the class's method that makes such a one, with its arguments."""
+    """What a contact is: the numbers that its kind of pad does not have are 0."""
 
+    kind: Pad
     theta: float
     a: float
+    R: float
     A: float
     f: float
-    kind: str = ""
-    other: dict[str, float] | None = None  # in place of theta and a
 
 
-def _pad_of(state: NDArray[Any]) -> _Pad:
-    """By its size and its arcs, from left to right, each with its part of the curvature."""
-    wedge, reach, arcs = _Pad(*state[2:6].tolist()), state[17], int(state[19])
-    if reach == arcs == 0:
-        return wedge
-    left, right = state[20:23].tolist(), state[23:26].tolist()
-    if arcs == 2 and wedge.theta == 1 and left == [-right[1], -right[0], right[2]]:
-        return wedge._replace(kind=".flat", other={"a": right[0], "R": wedge.a})
-    return wedge._replace(kind=".profile") if arcs else wedge._replace(kind=".cylinder", other={"R": wedge.a})
+def _pad_of(handle: ctypes.c_void_p) -> _Pad:
+    numbers = [ctypes.c_double() for _ in range(5)]
+    check("contact_pad", _pad(handle, *map(ctypes.byref, numbers)))
+    return _Pad(Pad(_kind(handle)), *(number.value for number in numbers))
 
 
 def _restored(kind: type[Contact], state: NDArray[Any]) -> Contact:
@@ -182,13 +178,13 @@ class Contact(ContactMethods):
         values, handle = {key: real(key, value) for key, value in numbers.items()}, ctypes.c_void_p()
         check(name, function(name)(*arrays, *values.values(), ctypes.byref(handle)), values)
         self._begin(handle)
-        self._pad = _pad_of(self.state())
         self.allow_error(tolerance)
         return self
 
     def _begin(self, handle: ctypes.c_void_p) -> None:
         self._lock = threading.RLock()
         self._adopt(handle, _destroy)
+        self._pad = _pad_of(handle)
         with _adding:
             _contacts.add(self)
 
@@ -217,9 +213,10 @@ class Contact(ContactMethods):
 
     def __repr__(self) -> str:
         pad = self._pad
-        shown = {**(pad.other or {"theta": pad.theta, "a": pad.a}), "A": pad.A, "f": pad.f}
-        parameters = ", ".join(f"{name}={value}" for name, value in shown.items())
-        return f"<rwedge.Contact{pad.kind} {parameters}, at P={self.P}, Q={self.Q}>"
+        maker, own = {Pad.WEDGE: ("", "theta a"), Pad.CYLINDER: (".cylinder", "R"), Pad.FLAT: (".flat", "a R"),
+                      Pad.PROFILE: (".profile", "")}[pad.kind]
+        parameters = ", ".join(f"{name}={getattr(pad, name)}" for name in [*own.split(), "A", "f"])
+        return f"<rwedge.Contact{maker} {parameters}, at P={self.P}, Q={self.Q}>"
 
     def load(self, P: Numbers, Q: Numbers = 0.0) -> None:
         if np.ndim(P) or np.ndim(Q):  # type: ignore[arg-type]
@@ -238,8 +235,8 @@ class Contact(ContactMethods):
             self._check_loads(self._address, loads)
 
     def _alpha(self, P: float) -> float:
-        theta, a, A, _, kind, _ = self._pad
-        b = 0 if kind else _formula_half_width(theta, a, A, P)
+        kind, theta, a, _, A, _ = self._pad
+        b = _formula_half_width(theta, a, A, P) if kind == Pad.WEDGE else 0
         return a / b if b > 0 else math.nan
 
     def _check_loads(self, address: Any, loads: Loads, place: str = "") -> None:
@@ -356,7 +353,6 @@ class Contact(ContactMethods):
         check("contact_restore", status)
         contact = cls.__new__(cls)
         contact._begin(handle)
-        contact._pad = _pad_of(numbers)
         return contact
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -388,13 +384,18 @@ class Contact(ContactMethods):
 
     @property
     def theta(self) -> float:
-        """Angle between flank and surface, rad."""
+        """Angle between flank and surface, rad; 0 of another pad than the wedge."""
         return self._pad.theta
 
     @property
     def a(self) -> float:
-        """Half-width of the rounding, length."""
+        """Half-width of the rounding of the wedge, or of the flat of a flat pad, length; 0 of another pad."""
         return self._pad.a
+
+    @property
+    def R(self) -> float:
+        """Radius of a cylinder, or of the edges of a flat pad, length; 0 of another pad."""
+        return self._pad.R
 
     @property
     def A(self) -> float:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ._contact import Contact
 from ._labels import Numbers
 from ._library import Error
+from ._made import Pad
 from ._optional import need
 from ._ufuncs import UFUNCS
 
@@ -54,7 +55,17 @@ def _loaded(contact: Contact) -> float:
 
 def _scales(contact: Contact, units: Units | None) -> tuple[float, float]:
     """The units in which lengths and stresses are drawn."""
-    return (contact.half_width, contact.theta / contact.A) if units is None else (1.0, 1.0)
+    return (contact.half_width, _angle(contact) / contact.A) if units is None else (1.0, 1.0)
+
+
+def _angle(contact: Contact) -> float:
+    """That of the flanks; of any pad, half of the change of its slope."""
+    _, slope = contact.places
+    return contact.theta or float(slope[-1] - slope[0]) / 2
+
+
+def _is_sharp(contact: Contact) -> bool:
+    return contact.kind == Pad.WEDGE and contact.a == 0
 
 
 def tractions(contact: Contact, ax: Any = None, units: Units | None = None, **line: Any) -> tuple[Any, ...]:
@@ -95,9 +106,8 @@ def tractions(contact: Contact, ax: Any = None, units: Units | None = None, **li
     ax, (length, stress) = _axes(ax), _scales(contact, units)
     left, right = contact.edges
     angles = np.linspace(-math.pi / 2, math.pi / 2, SURFACE_POINTS)
-    kinks = contact.stick_zone if contact.stick_half_width > 0 else ()
-    x = np.union1d((left + right) / 2 + (right - left) / 2 * np.sin(angles), kinks)
-    x = x[x != 0] if contact.a == 0 else x
+    x = np.union1d((left + right) / 2 + (right - left) / 2 * np.sin(angles), np.concatenate(contact.zones[:2]))
+    x = x[x != 0] if _is_sharp(contact) else x
     p, q = contact.tractions(x)
     factor = stress if units else stress / math.pi
     drawn = [ax.plot(x / length, -p / factor, color=BLACK, linewidth=THIN)[0]]
@@ -154,7 +164,7 @@ def field(contact: Contact, nu: SupportsFloat, ax: Any = None, units: Units | No
     left, right = contact.edges
     middle = (left + right) / 2
     x, y = middle + reach * b * np.linspace(-1, 1, COLUMNS), reach * b * np.linspace(0, 1, ROWS)[:, None] ** 1.5
-    if contact.a == 0:
+    if _is_sharp(contact):
         x = np.where(x == 0, np.nan, x)  # the apex
     sqrt_J2 = UFUNCS["von_mises"](*contact.stresses(x, y), float(nu)) / math.sqrt(3) / stress
     step = _step(float(np.nanmax(sqrt_J2)))
@@ -165,7 +175,7 @@ def field(contact: Contact, nu: SupportsFloat, ax: Any = None, units: Units | No
     lines = ax.contour(*grid, sqrt_J2, levels, colors=BLACK, linewidths=THIN)
     ax.clabel(lines, fontsize="small", fmt=lambda level: f"{level:.6g}")
     _zones(contact, ax, length)
-    if contact.a > 0:
+    if not _is_sharp(contact):
         first = contact.yield_factor(nu, 10 * stress * float(sqrt_J2.max()))  # of so strong a body that none yields
         ax.plot(first.x / length, first.y / length, "o", color=VERMILLION, fillstyle="none", clip_on=False)
     ax.set_aspect("equal")
@@ -178,13 +188,14 @@ def field(contact: Contact, nu: SupportsFloat, ax: Any = None, units: Units | No
 
 
 def _zones(contact: Contact, ax: Any, length: float) -> None:
-    """The surface, and above it the contact as an empty bar, the stick zone filled."""
+    """The surface, and above it the contact as an empty bar, its stick zones filled if it slips too."""
     b = contact.half_width / length
     patch = need("matplotlib.patches", "rwedge.plot").Rectangle
-    (left, right), zone = contact.edges, contact.stick_zone if contact.f > 0 and contact.stick_half_width > 0 else (0.0, 0.0)
-    slips = zone != (0.0, 0.0) and contact.stick_half_width < contact.half_width
-    if slips:
-        ax.add_patch(patch((zone[0] / length, -0.09 * b), (zone[1] - zone[0]) / length, 0.06 * b, color=BLACK, linewidth=0))
+    slips = bool(contact.zones[2].any())
+    for start, end, slip in zip(*contact.zones):
+        if slips and slip == 0:
+            ax.add_patch(patch((start / length, -0.09 * b), (end - start) / length, 0.06 * b, color=BLACK, linewidth=0))
+    left, right = contact.edges
     ax.add_patch(patch((left / length, -0.09 * b), (right - left) / length, 0.06 * b, fill=False, linewidth=0.8))
     ax.axhline(0, color=BLACK, linewidth=1)
 
@@ -257,7 +268,7 @@ def loop(contact: Contact, Q: Numbers, ax: Any = None, units: Units | None = Non
     for i, force in enumerate(path):
         moving.load(contact.P, force)
         moved[i] = displacement(moving)
-    width, force = (1.0, 1.0) if units else (contact.f * contact.theta * b, contact.f * contact.P)
+    width, force = (1.0, 1.0) if units else (contact.f * _angle(contact) * b, contact.f * contact.P)
     drawn: NDArray[Any] = ax.plot(moved / width, path / force, **_style(ax, line))
     ax.set_xlabel(f"displacement by slip / {units[0]}" if units else r"displacement by slip / $(f\theta b)$")
     ax.set_ylabel(f"$Q$ / ({units[1]} {units[0]})" if units else "$Q/(fP)$")

@@ -590,17 +590,12 @@ RWEDGE_API int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact,
  *   Q1, Q2          |Q| <= f P, as for rwedge_contact_load()
  *   sigma1, sigma2  finite
  *   left, right     its edges, length
- * The compliances are equal: a tension stretches the surface by A/4 of it.
+ * It has the pad, the friction and the strain per tension of the contact, whose own loads do not
+ * count.
  * RWEDGE_EABSENT where all slides at times, or separates; RWEDGE_EPATH where the edges slip in
  * opposite directions, or the contacts at the two points pass each other at one edge;
  * RWEDGE_ESLIDING, RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Error as that of
  * rwedge_contact_stick_zone(). */
-RWEDGE_API int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1,
-                                          double M1, double Q1, double sigma1, double P2, double M2,
-                                          double Q2, double sigma2, double *left, double *right);
-
-/* The same for the pad, the friction and the strain per tension of a contact. Its own loads do not
- * count. */
 RWEDGE_API int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact, double P1,
                                                   double M1, double Q1, double sigma1, double P2,
                                                   double M2, double Q2, double sigma2, double *left,
@@ -727,17 +722,18 @@ RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, do
 /* ---- A cycle of loads ------------------------------------------------------------------------ */
 
 /* What a contact undergoes in a cycle of loads, reached one after the other in straight steps, as
- * by rwedge_contact_apply(). The functions start from the contact as it is, and leave it so. For a
- * steady state load it with the cycle first: once under constant P and M, twice where they change,
- * some times more where loads have no closed form.
- *   loads          number of loads of the cycle, >= 1
- *   P              0, or at least 1e-8 of the last P
- *   M, Q, sigma    finite: loads numbers each, as P
+ * by rwedge_contact_apply(). rwedge_cycle_create() goes through the loads once, and keeps of each
+ * state what the questions need; rwedge_cycle_destroy() frees it. A cycle does not change: any
+ * number of threads may ask it at a time. The contact that it was made from may change or be freed.
+ *   loads          number of loads of the cycle, rwedge_cycle_loads()
  *   E              Young's modulus, stress, 1e-60 to 1e60
  *   nu             Poisson's ratio of the half-plane, 0 <= nu <= 0.5
  *   plane_stress   0 <= plane_stress <= 1: 0 for plane strain, 1 for plane stress
  *   constant       of the criterion, 0 or 1e-60 to 1e60: see rwedge_criterion_field()
  *   su             McDiarmid's, stress, 1e-60 to 1e60 */
+
+/* A cycle of loads that a contact has gone through. */
+typedef struct rwedge_cycle rwedge_cycle;
 
 /* The measures of a cycle. Values never change; new ones are added at the end. */
 enum {
@@ -755,16 +751,37 @@ enum {
     RWEDGE_MEASURE_DANG_VAN = 11
 };
 
-/* Goes through the cycle and keeps the states on the way until the next load,
- * rwedge_contact_set_strain() or rwedge_contact_allow_error(). The functions below use the kept
- * states where they are called with the same loads: then only their places take time. Several
- * threads may call them until then. A copy of the contact does not have the states.             new
- * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ENOCONV, RWEDGE_ERANGE, RWEDGE_ENULL,
- * RWEDGE_ENOMEM: as rwedge_contact_cycle_worst() has them for stresses. The states are kept too
- * where only the slip is not known. */
-RWEDGE_API int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loads,
-                                             const double P[], const double M[], const double Q[],
-                                             const double sigma[]);
+/* A cycle of a contact, which starts from the contact as it is, and leaves it so. For a steady
+ * state load the contact with the cycle first: once under constant P and M, twice where they
+ * change, some times more where loads have no closed form.                                      new
+ *   loads        number of loads, >= 1
+ *   P            0, or at least 1e-8 of the last P
+ *   M, Q, sigma  finite: loads numbers each, as P
+ *   cycle        receives the handle
+ * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ENOCONV as rwedge_contact_apply() has them;
+ * RWEDGE_ERANGE for loads = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. There is a cycle too where only its
+ * slip is not known. */
+RWEDGE_API int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loads,
+                                       const double P[], const double M[], const double Q[],
+                                       const double sigma[], rwedge_cycle **cycle);
+
+/* Frees a cycle; NULL is allowed. */
+RWEDGE_API void rwedge_cycle_destroy(rwedge_cycle *cycle);
+
+/* How many loads the cycle has; 0 for NULL. */
+RWEDGE_API size_t rwedge_cycle_loads(const rwedge_cycle *cycle);
+
+/* Stresses at n points after each load of the cycle: as rwedge_contact_stresses(), to the same
+ * bits.                                                                                         new
+ *   loads          rwedge_cycle_loads()
+ *   x, y           length, finite, y >= 0: n numbers each; not the apex (0, 0) of a loaded sharp
+ *                  wedge
+ *   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
+ *                  inputs
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_cycle_stresses(const rwedge_cycle *cycle, size_t loads, size_t n,
+                                         const double x[], const double y[], double sxx[],
+                                         double syy[], double txy[]);
 
 /* What friction does at n places of the surface in the cycle. All is 0 where there is no contact.
  * Slip counts from when a place came into contact. Where the contact leaves it and comes back, slip
@@ -778,18 +795,15 @@ RWEDGE_API int32_t rwedge_contact_keep_cycle(rwedge_contact *contact, size_t loa
  * RWEDGE_EPATH where the slip has no closed form after one of the loads, or on the way to
  * separation. After rwedge_contact_allow_error() it is computed instead, unless the cycle slides
  * fully off the centre; slip that is not known before the cycle is taken for that after it, as in a
- * steady cycle. RWEDGE_EDOMAIN, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Under
- * constant P and M slip and energy are those of rwedge_contact_slip() and the tractions. Where P or
- * M change, a step is cut into 32 parts, or into changes of at least 1 % of P where the shear is
- * computed: the energy of the contact then errs by 0.1 % in usual cycles, and by 1 % where only a
- * small part slips. Computed slip of places that slip as they come into contact errs by 1 % at a
- * tolerance of 1e-4, and by 0.05 % at 1e-6. */
-RWEDGE_API int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, size_t loads,
-                                                 const double P[], const double M[],
-                                                 const double Q[], const double sigma[], size_t n,
-                                                 const double x[], double slip_range[],
-                                                 double ruiz_f1[], double ruiz_f2[],
-                                                 double energy[]);
+ * steady cycle. RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Under constant P and M
+ * slip and energy are those of rwedge_contact_slip() and the tractions. Where P or M change, a step
+ * is cut into 32 parts, or into changes of at least 1 % of P where the shear is computed: the
+ * energy of the contact then errs by 0.1 % in usual cycles, and by 1 % where only a small part
+ * slips. Computed slip of places that slip as they come into contact errs by 1 % at a tolerance of
+ * 1e-4, and by 0.05 % at 1e-6. */
+RWEDGE_API int32_t rwedge_cycle_friction(const rwedge_cycle *cycle, size_t n, const double x[],
+                                         double slip_range[], double ruiz_f1[], double ruiz_f2[],
+                                         double energy[]);
 
 /* Where a measure of the cycle is largest on a line along x: at one of the given places, or between
  * them, next to the largest values.                                                             new
@@ -799,16 +813,13 @@ RWEDGE_API int32_t rwedge_contact_cycle_friction(const rwedge_contact *contact, 
  *   value                   at least 0, finite: the measure there, n numbers, 0 where there is none
  *   y                       depth, length, finite, y >= 0; 0 for slip, F1, F2 and energy
  *   worst_x, worst_value    each receives one number
- * RWEDGE_EDOMAIN where rwedge_contact_apply() has it, and for slip where y is not 0; RWEDGE_ERANGE
- * for n = 0; RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ENULL, RWEDGE_ENOMEM. The place is found to
- * 1e-10 of the distance of its neighbours where the top is not flat. */
-RWEDGE_API int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measure,
-                                              size_t loads, const double P[], const double M[],
-                                              const double Q[], const double sigma[], size_t n,
-                                              const double x[], const double value[], double y,
-                                              double E, double nu, int32_t plane_stress,
-                                              double constant, double su, double *worst_x,
-                                              double *worst_value);
+ * RWEDGE_EDOMAIN for slip where y is not 0; RWEDGE_ERANGE for n = 0; RWEDGE_EPATH as
+ * rwedge_cycle_friction() has it; RWEDGE_ENULL, RWEDGE_ENOMEM. The place is found to 1e-10 of the
+ * distance of its neighbours where the top is not flat. */
+RWEDGE_API int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure, size_t n,
+                                      const double x[], const double value[], double y, double E,
+                                      double nu, int32_t plane_stress, double constant, double su,
+                                      double *worst_x, double *worst_value);
 
 /* The length of the theory of critical distances, (dK_th/ds0)^2/pi.
  *                                         Taylor (1999); El Haddad, Smith and Topper (1979)
@@ -821,18 +832,35 @@ RWEDGE_API double rwedge_critical_distance(double dK_th, double ds0);
  * half-plane: after each load at half of the length L (the point), or their means over 2 L (the
  * line). rwedge_criterion_field() gives the criteria of these stresses. L is a property of the
  * material: rwedge_critical_distance().                      Taylor (1999), see lib/README.md; new
+ *   loads          rwedge_cycle_loads()
  *   x              length, finite; not the apex 0 of a loaded sharp wedge
  *   angle          -1.5 <= angle <= 1.5, rad, from the surface's normal towards +x
  *   length         L, length, 1e-60 to 1e60
  *   line           0 <= line <= 1: 0 for the point, 1 for the line
  *   sxx, syy, txy  each receives loads numbers
- * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM;
- * RWEDGE_ENOCONV where the means do not settle to 1e-10 of the stresses, which is their error. */
-RWEDGE_API int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads,
-                                              const double P[], const double M[], const double Q[],
-                                              const double sigma[], double x, double angle,
-                                              double length, int32_t line, double sxx[],
-                                              double syy[], double txy[]);
+ * RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM; RWEDGE_ENOCONV where the means do not
+ * settle to 1e-10 of the stresses, which is their error. */
+RWEDGE_API int32_t rwedge_cycle_below(const rwedge_cycle *cycle, size_t loads, double x,
+                                      double angle, double length, int32_t line, double sxx[],
+                                      double syy[], double txy[]);
+
+/* The displacement that slip adds after each load of the cycle, as rwedge_contact_displacement()
+ * has it.                                                                                       new
+ *   loads         rwedge_cycle_loads()
+ *   b             length, > 0, finite
+ *   displacement  receives loads numbers
+ * RWEDGE_EABSENT where the bodies are apart after a load; RWEDGE_EPATH where the slip is not known
+ * after one; RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ENULL. Error as there. */
+RWEDGE_API int32_t rwedge_cycle_displacement(const rwedge_cycle *cycle, size_t loads, double b,
+                                             double displacement[]);
+
+/* The zone that never slips in the cycle, nor leaves the contact. In a steady cycle between two
+ * loads it is that of rwedge_contact_permanent_stick().                                         new
+ *   left, right  its edges, length: of the widest where there are several
+ * RWEDGE_EABSENT where there is none; RWEDGE_ENULL; RWEDGE_ENOMEM. Error as that of
+ * rwedge_contact_stick_zone(); of computed loads, the states after which tell it, theirs. */
+RWEDGE_API int32_t rwedge_cycle_permanent_stick(const rwedge_cycle *cycle, double *left,
+                                                double *right);
 
 /* The displacement that slip adds: how much further remote points of the half-plane have moved
  * tangentially, relative to the wedge's, than if the contact were bonded over |x| < b. Its loop

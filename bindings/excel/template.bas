@@ -157,6 +157,22 @@ Private Function contact_after(ByVal theta As Double, ByVal a As Double, ByVal c
     contact_after = status
 End Function
 
+' A cycle of loads of a contact after its history, for the functions below; to be freed by who asked for it.
+Private Function cycle_after(ByVal theta As Double, ByVal a As Double, ByVal compliance As Double, ByVal f As Double, _
+        ByVal P_history As Variant, ByVal Q_history As Variant, ByVal P As Variant, ByVal M As Variant, ByVal Q As Variant, _
+        ByVal sigma As Variant, ByRef cycle As LongPtr) As Long
+    Dim P_list() As Double, M_list() As Double, Q_list() As Double, sigma_list() As Double
+    Dim contact As LongPtr, n As Long, status As Long
+    status = contact_after(theta, a, compliance, f, P_history, Q_history, contact)
+    If status = RWEDGE_OK Then status = read_list(P, P_list, n)
+    If status = RWEDGE_OK Then status = read_list(M, M_list, n)
+    If status = RWEDGE_OK Then status = read_list(Q, Q_list, n)
+    If status = RWEDGE_OK Then status = read_list(sigma, sigma_list, n)
+    If status = RWEDGE_OK Then status = c_cycle_create(contact, n, P_list(0), M_list(0), Q_list(0), sigma_list(0), cycle)
+    If contact <> 0 Then c_contact_destroy contact
+    cycle_after = status
+End Function
+
 ' A series fitted to samples of a pressure, for the functions below; to be freed by who asked for it.
 Private Function series_through(ByVal x_samples As Variant, ByVal p_samples As Variant, ByVal terms As Long, _
         ByRef series As LongPtr) As Long

@@ -11,7 +11,7 @@
 !   errmsg the reason in words, with the arguments and what is allowed. Where stat is absent, an error ends the program with
 !   that text.
 ! - On error the outputs are as they were.
-! - rwedge_contact and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
+! - rwedge_contact, rwedge_cycle and rwedge_series are freed when they go out of scope. contact2 = contact1 copies the history: to try a
 !   load and go back. Assign contacts themselves, not objects that hold them; do not ALLOCATE one with SOURCE=, and do not
 !   return one from a function: compilers copy the handle there, not what it holds. Such a copy is noticed: it is as if it had
 !   not been created. Arrays of rank 1 and 2 are assigned too, which may overlap; with "use rwedge, only: ..." name
@@ -46,21 +46,12 @@ module rwedge
         final :: finalize_contact
     end type
 
-    ! The paper's series. It never changes once made, so that copies share it.
-    type, extends(owner), public :: rwedge_series
-        private
-        integer, pointer :: users => null()
-    contains
-        {series procedures}
-        procedure, private :: assign_series
-        generic :: assignment(=) => assign_series
-        final :: finalize_series
-    end type
+    {shared types}
 
     ! Of arrays, which may overlap.
     interface assignment(=)
         module procedure assign_contacts, assign_contact_to_all, assign_grid_of_contacts, assign_contact_to_grid
-        module procedure assign_several_series, assign_series_to_all
+        {shared assignments}
     end interface
     public :: assignment(=)
 
@@ -271,78 +262,7 @@ contains
         call this%destroy()
     end subroutine
 
-    subroutine own_series(this, handle)
-        class(rwedge_series), intent(inout) :: this
-        type(c_ptr), intent(in) :: handle
-        call this%destroy()
-        call set(this, handle)
-        allocate (this%users)
-        this%users = 1
-    end subroutine
-
-    ! this = from, which share the series from then on.
-    subroutine assign_series(this, from)
-        class(rwedge_series), intent(inout) :: this
-        type(rwedge_series), intent(in) :: from
-        type(c_ptr) :: handle
-        integer, pointer :: users
-        handle = assigned(from)
-        nullify (users)
-        if (c_associated(handle)) then
-            users => from%users
-            !$omp atomic
-            users = users + 1
-        end if
-        call this%destroy() ! which may be from
-        call set(this, handle)
-        this%users => users
-    end subroutine
-
-    ! The same of arrays, which may overlap: no series that is shared goes before all are.
-    subroutine assign_several_series(this, from)
-        type(rwedge_series), intent(inout) :: this(:)
-        type(rwedge_series), intent(in) :: from(:)
-        type(rwedge_series) :: shared(size(from))
-        integer :: i
-        do i = 1, size(from)
-            call assign_series(shared(i), from(i))
-        end do
-        do i = 1, size(from)
-            call assign_series(this(i), shared(i))
-        end do
-    end subroutine
-
-    subroutine assign_series_to_all(this, from)
-        type(rwedge_series), intent(inout) :: this(:)
-        type(rwedge_series), intent(in) :: from
-        integer :: i
-        do i = 1, size(this)
-            call assign_series(this(i), from)
-        end do
-    end subroutine
-
-    !> Frees; NULL is allowed.
-    subroutine series_destroy(this)
-        class(rwedge_series), intent(inout) :: this
-        integer :: left
-        if (c_associated(own(this))) then
-            !$omp atomic capture
-            this%users = this%users - 1
-            left = this%users
-            !$omp end atomic
-            if (left == 0) then
-                call c_series_destroy(this%handle)
-                deallocate (this%users)
-            end if
-        end if
-        nullify (this%users)
-        call set(this, c_null_ptr)
-    end subroutine
-
-    impure elemental subroutine finalize_series(this)
-        type(rwedge_series), intent(inout) :: this
-        call this%destroy()
-    end subroutine
+    {shared life}
 
     {procedures}
 end module

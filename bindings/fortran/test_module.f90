@@ -27,6 +27,7 @@ program test_module
         call arrays()
         call contacts()
         call points()
+        call a_cycle()
         call several_series()
         call copies()
         call overlapping()
@@ -158,6 +159,29 @@ contains
         call contact%tractions(x, grid_p(:, 1:2), grid_q, stat, errmsg)
         call says(errmsg, '', 'arrays of one shape', stat, rwedge_erange)
         deallocate (contact)
+    end subroutine
+
+    subroutine a_cycle()
+        type(rwedge_contact) :: pad
+        type(rwedge_cycle) :: cycle, shared
+        real(c_double) :: left, right, l, r
+        real(c_double), dimension(2) :: slip, f1, f2, energy
+        integer :: stat
+        call pad%create(0.01d0, 2d0, 1.82d-5, 0.3d0)
+        call pad%load(2000d0, 0d0)
+        call pad%load(2000d0, 300d0)
+        call cycle%create(pad, [2000d0, 2000d0], [0d0, 0d0], [-300d0, 300d0], [0d0, 0d0])
+        shared = cycle
+        call cycle%destroy()
+        call pad%permanent_stick(2000d0, 0d0, -300d0, 0d0, 2000d0, 0d0, 300d0, 0d0, l, r)
+        call shared%friction([0d0, 0.99d0 * pad%half_width()], slip, f1, f2, energy)
+        call pad%destroy()
+        call shared%permanent_stick(left, right)
+        call claim('a cycle lives on', shared%loads() == 2 .and. cycle%loads() == 0)
+        call claim('what never slips', abs(left - l) < 1d-12 .and. abs(right - r) < 1d-12)
+        call claim('the edge slips', .not. slip(1) > 0 .and. slip(2) > 0)
+        call cycle%permanent_stick(left, right, stat)
+        call claim('no cycle', stat == rwedge_enull)
     end subroutine
 
     subroutine several_series()

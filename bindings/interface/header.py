@@ -27,9 +27,9 @@ ROLES = (
     (r"const double (\w+)\[\]", "in array"),
     (r"double \*(\w+)", "out"),
     (r"double (\w+)\[\]", "out array"),
-    (r"const rwedge_(contact|series) \*\w+", "handle"),
-    (r"rwedge_(contact|series) \*\w+", "changed"),
-    (r"rwedge_(contact|series) \*\*\w+", "created"),
+    (r"const rwedge_(\w+) \*\w+", "handle"),
+    (r"rwedge_(\w+) \*\w+", "changed"),
+    (r"rwedge_(\w+) \*\*\w+", "created"),
 )
 RETURNS = ("double", "int32_t", "size_t", "const char *", "void")
 SECTION = re.compile(r"/\* ---- (.*?) -+ \*/")
@@ -57,7 +57,7 @@ class Parameter:
     name: str
     declared: str  # in C
     role: str
-    kind: str  # double, int32_t, size_t, contact or series
+    kind: str  # double, int32_t, size_t, or an object: contact, cycle or series
     domain: Domain | None = None
     size: tuple[str, ...] = ()  # of an array: the names of the sizes whose product it has
     optional: bool = False  # an output that may be NULL
@@ -90,8 +90,18 @@ class Function:
 
     @property
     def family(self) -> str:
-        """contact or series where the function is of an object, as the name says too, or nothing."""
-        return next((p.kind for p in self.of("handle", "changed", "created")), "")
+        """contact, cycle or series where the function is of an object, as the name says too, or nothing: of the one it makes."""
+        return next((p.kind for p in self.of("created") + self.of("handle", "changed")), "")
+
+    @property
+    def object(self) -> str:
+        """The kind of the object that it reads or changes, or nothing."""
+        return next((p.kind for p in self.of("handle", "changed")), "")
+
+    @property
+    def is_copy(self) -> bool:
+        """Does it make an object of another one of its kind?"""
+        return bool(self.of("created")) and self.object == self.family
 
     @property
     def method(self) -> str:
@@ -131,7 +141,7 @@ class Interface:
     statuses: dict[str, int]
     bits: dict[str, int]  # of other enumerations
     functions: list[Function]
-    objects: dict[str, list[list[str]]] = field(default_factory=dict)  # contact, series: the comments above their declaration
+    objects: dict[str, list[list[str]]] = field(default_factory=dict)  # by their kinds: the comments above their declaration
 
     def __getitem__(self, name: str) -> Function:
         return next(f for f in self.functions if f.name == name)

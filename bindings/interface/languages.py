@@ -19,8 +19,9 @@ TOP = Path(__file__).resolve().parents[2]
 FREED = "It is freed when the last variable that holds it goes."
 INSTEAD = {
     ("strerror", "Python"): "It is the message of `rwedge.Error`; `.status` is the number.",
-    ("contact_destroy", "Python"): FREED, ("series_destroy", "Python"): FREED,
+    ("contact_destroy", "Python"): FREED, ("cycle_destroy", "Python"): FREED, ("series_destroy", "Python"): FREED,
     ("contact_create", "Excel"): "No cell holds a contact: `RWEDGE_CONTACT_...` take what it is made of, and its loads.",
+    ("cycle_create", "Excel"): "No cell holds a cycle: `RWEDGE_CYCLE_...` take what its contact is made of, and its loads.",
     ("series_create", "Excel"): "No cell holds a series: `RWEDGE_SERIES_...` take the samples of a fit.",
     ("series_fit", "Excel"): "`RWEDGE_SERIES_...` take the samples, and fit them in every cell.",
     ("strerror", "Excel"): "The cell shows `#NUM!`, `#N/A` or `#VALUE!`.",
@@ -31,13 +32,15 @@ NO_OBJECT = "No cell holds an object."
 OTHERS = {
     ("version", "Python"): "rwedge.__version__",
     ("contact_loads", "Python"): "P, M, Q, sigma = contact.loads",
+    ("cycle_create", "Python"): "cycle = rwedge.Cycle(contact, dict(P={}, M={}, Q={}, sigma={}))",
+    ("cycle_loads", "Python"): "value = len(cycle)",
     ("series_coefficient", "Python"): "series.coefficients[{}]",
     ("series_potential", "Python"): "re_plus_i_im = series.potential({})",
     ("elastic_limits", "Python"): "limit = rwedge.elastic_limit({})",
     ("smith_watson_topper_field", "Python"): "value, angle = rwedge.smith_watson_topper({}, axis=0)",
     ("fatemi_socie_field", "Python"): "value, angle = rwedge.fatemi_socie({}, axis=0)",
     ("contact_copy", "MATLAB, Octave"): "copy = contact.copy()",
-    ("contact_destroy", "MATLAB, Octave"): "delete(contact)", ("series_destroy", "MATLAB, Octave"): "delete(series)",
+    ("contact_destroy", "MATLAB, Octave"): "delete(contact)", ("cycle_destroy", "MATLAB, Octave"): "delete(cycle)", ("series_destroy", "MATLAB, Octave"): "delete(series)",
     ("strerror", "Fortran"): "text = rwedge_error_text({})",
     ("contact_copy", "Fortran"): "copy = contact",
     ("version", "Excel"): "=RWEDGE_VERSION()",
@@ -105,7 +108,8 @@ class Language:
         if (f.name, self.name) in INSTEAD:
             return ""
         other = OTHERS.get((f.name, self.name))
-        return other.format(", ".join(values)) if other else self.rule(f, values)
+        places = values if other and other.count("{}") > 1 else [", ".join(values)]
+        return other.format(*places) if other else self.rule(f, values)
 
     def text(self, value, p: Parameter) -> str:
         return f"[{', '.join(self.text(v, p) for v in value)}]" if isinstance(value, list) else plain(value)
@@ -117,7 +121,8 @@ class Python(Language):
     def rule(self, f: Function, values: list[str]) -> str:
         bare = not f.inputs and write_python.is_general(f) and bool(f.of("handle"))
         names = ", ".join(p.name for p in f.outputs + f.of("created"))
-        owner = f"rwedge.{f.family.title()}" if f.of("created") and not f.of("handle") else f.family or "rwedge"
+        owner = f"rwedge.{f.family.title()}" if f.of("created") and not f.is_copy else f.family or "rwedge"
+        values = [f.object] * bool(f.of("created") and f.object and not f.is_copy) + values
         called = ".".join(filter(None, [owner, f.method.removeprefix("create").lstrip("_")]))
         return f"{names} = " * bool(names) + called + ("" if bare else f"({', '.join(values)})")
 
@@ -172,9 +177,9 @@ class JavaScript(Language):
         return super().text(flat(value) if isinstance(value, list) else value, p)
 
     def rule(self, f: Function, values: list[str]) -> str:
-        arguments, made_by = ", ".join(values), f.family.title()
+        arguments, made_by = ", ".join([*write_web.made_of(f), *values]), f.family.title()
         if f.of("created"):
-            maker = f"new {made_by}" if f.method == "create" else f"{f.family if f.of('handle') else made_by}.{f.method}"
+            maker = f"new {made_by}" if f.method == "create" else f"{f.family if f.is_copy else made_by}.{f.method}"
             return f"const {f.of('created')[0].name} = {maker}({arguments});"
         names = ", ".join(p.name for p in f.outputs)
         left = f"const {{ {names} }} = " if len(f.outputs) > 1 else f"const {names} = " if names else ""
@@ -187,6 +192,7 @@ class Excel(Language):
 
     name, lexer = "Excel", "text"
     MADE_OF = {"contact": ["0.01", "2", "1.82E-5", "0.3", "P2:P3", "Q2:Q3"], "series": ["X2:X4", "P2:P4", "2"], "": []}
+    MADE_OF["cycle"] = [*MADE_OF["contact"], "P2:P3", "M2:M3", "Q2:Q3", "S2:S3"]
 
     def of_name(self, p: Parameter) -> str:
         return write_excel.name_of(p)

@@ -49,6 +49,16 @@ def declared(comment, declaration):
         return read(path).functions[-1], before.count("\n") + 1 + comment.count("\n") + 1
 
 
+class Objects(unittest.TestCase):
+    def test_an_object_may_be_made_of_one_of_another_kind(self):
+        interface = read(HEADER)
+        made, copied, friction = (interface[name] for name in ("cycle_create", "contact_copy", "cycle_friction"))
+        self.assertEqual((made.family, made.object, made.is_copy), ("cycle", "contact", False))
+        self.assertEqual((copied.family, copied.object, copied.is_copy), ("contact", "contact", True))
+        self.assertEqual((friction.family, friction.object), ("cycle", "cycle"))
+        self.assertEqual(list(interface.objects), ["contact", "cycle", "series"])
+
+
 class Texts(unittest.TestCase):
     def test_an_argument_says_what_it_is_where_a_function_narrows_its_domain(self):
         """A line such as "alpha  0, or at least 1e-14" stands for the domain alone: the meaning is that of the list for all."""
@@ -64,9 +74,9 @@ class Texts(unittest.TestCase):
         interface = read(HEADER)
         for name, text in write_matlab.texts(interface).items():
             self.assertIn("\n%   ", text)
-            self.assertNotRegex(text, r"\[i n \+ j\]|loads \* n|receives? n|% +loads  |rwedge_(contact|series)_\w+\(\)|NULL|rwedge:null"
+            self.assertNotRegex(text, r"\[i n \+ j\]|loads \* n|receives? n|% +loads  |rwedge_(contact|cycle|series)_\w+\(\)|NULL|rwedge:null"
                                 r"|_destroy\(\)|Unless|RWEDGE_(E[A-Z]+|OK|(MEASURE|FACES)_\w+)\b")
-            self.assertTrue(name in ("rwedge_contact.m", "rwedge_series.m") or "rwedge:handle" not in text)
+            self.assertTrue(name in ("rwedge_contact.m", "rwedge_cycle.m", "rwedge_series.m") or "rwedge:handle" not in text)
         for f in interface.functions:
             doc = write_python.docstring(f, "new")
             if f.name not in ("version", "strerror") and not f.name.endswith("_destroy"):
@@ -140,9 +150,9 @@ class Reader(unittest.TestCase):
         self.assertFalse(interface["load"].may_be_infinite or interface["compliance"].may_be_infinite)
 
     def test_only_what_takes_arrays_is_a_formula_of_arrays(self):
-        """contact_permanent_stick, "the same" of a formula, once stood in for it: Python's loop called it without a contact."""
+        """A maker of a contact, "the same" of another one, once stood in for it."""
         interface = read(HEADER)
-        self.assertIn("The same", interface["contact_permanent_stick"].text)
+        self.assertIn("The same", interface["contact_create_flat"].text)
         pairs = {f.array_of: f.name for f in interface.functions if f.array_of}
         self.assertLessEqual({("stress", "stresses"), ("elastic_limit", "elastic_limits")}, set(pairs.items()))
         self.assertEqual([name for name in pairs.values() if not interface[name].of("in array")], [])

@@ -64,7 +64,8 @@ typedef struct {{
 
 typedef struct {{
     const char *name;
-    const char *family; /* "contact", "series", or "" */
+    const char *family; /* "contact", "cycle", "series", or "": what it makes, or else takes */
+    const char *object; /* the kind that it takes, or "" */
     entry_call *call;
     entry_text *text; /* or NULL where there is none */
     char takes_object, changes_object, makes_object, has_status;
@@ -194,7 +195,7 @@ def row(f: Function, statuses: dict[str, int]) -> str:
     errors = sum(1 << statuses[e] for e in f.errors)
     lists = [f"{f.name}_{part}" if count else "NULL"
              for part, count in (("arguments", arguments), ("results", f.results), ("sizes", sizes))]
-    return (f'    {{"{f.name}", "{f.family}", entry_{f.name}, {text}, {", ".join(str(int(x)) for x in flags)}, {errors:#x},\n'
+    return (f'    {{"{f.name}", "{f.family}", "{f.object}", entry_{f.name}, {text}, {", ".join(str(int(x)) for x in flags)}, {errors:#x},\n'
             f"     {quoted(f.array_of)}, {len(arguments)}, {len(f.results)}, {len(sizes)}, {', '.join(lists)},\n"
             f"     {quoted(f.path)}}},")
 

@@ -15,14 +15,18 @@ from header import EQUATION, Function, Interface, Parameter, filled, name_of
 
 WIDTH = 128
 # Declared for the template's own functions.
-FOR_TEMPLATE = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "series_fit", "series_destroy"}
-# Histories are of P and Q, and who fits a series says how many terms.
-NOT_OFFERED = {"contact_error", "contact_obstacle", "series_terms"}
+FOR_TEMPLATE = {"version", "strerror", "contact_create", "contact_load", "contact_destroy", "cycle_create", "cycle_destroy",
+                "series_fit", "series_destroy"}
+# Histories are of P and Q, who gives a cycle knows its loads, and who fits a series how many terms.
+NOT_OFFERED = {"cycle_loads", "contact_error", "contact_obstacle", "series_terms"}
 
 # What a handle is made of: worksheet arguments, and the template's function that makes it.
 HANDLES = {
     "contact": (["ByVal theta As Double", "ByVal a As Double", "ByVal compliance As Double", "ByVal f As Double",
                  "ByVal P_history As Variant", "ByVal Q_history As Variant"], "contact_after"),
+    "cycle": (["ByVal theta As Double", "ByVal a As Double", "ByVal compliance As Double", "ByVal f As Double",
+               "ByVal P_history As Variant", "ByVal Q_history As Variant", "ByVal P As Variant", "ByVal M As Variant",
+               "ByVal Q As Variant", "ByVal sigma As Variant"], "cycle_after"),
     "series": (["ByVal x_samples As Variant", "ByVal p_samples As Variant", "ByVal terms As Long"], "series_through"),
 }
 

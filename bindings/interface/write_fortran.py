@@ -12,7 +12,7 @@ from header import EQUATION, NAMES, Function, Interface, Parameter, filled, name
 
 WIDTH = 128
 # Written in the template: what has another name here or no handle, and what frees.
-BY_HAND = {"version", "strerror", "contact_destroy", "series_destroy"}
+BY_HAND = {"version", "strerror", "contact_destroy", "cycle_destroy", "series_destroy"}
 TYPES = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "size_t": "integer(c_size_t)", "const char *": "type(c_ptr)"}
 
 
@@ -81,7 +81,7 @@ def passed(f: Function, sizes: dict[str, str], at: str = "") -> str:
         name = name_of(p)
         k = f.outputs.index(p) + 1 if p in f.outputs else 0
         if p.role in ("handle", "changed"):
-            owner = "from" if f.of("created") else "this"
+            owner = "from" if f.is_copy else "this" if f.object == f.family else p.name
             words.append(f"own({owner})")
         elif p.role == "created":
             words.append("created")
@@ -222,7 +222,7 @@ def procedure(f: Function) -> list[str]:
     own = [(f"class(rwedge_{f.family}), intent({'in' if f.of('handle') and not f.of('created') else 'inout'})", "this")] \
         if f.family else []
     if f.of("created") and f.of("handle"):
-        own.append((f"type(rwedge_{f.family}), intent(in)", "from"))
+        own.append((f"type(rwedge_{f.object}), intent(in)", "from" if f.is_copy else f.object))
     name = f.name if f.family else f"rwedge_{f.name}"
     dummies = own + [in_fortran(p) for p in f.parameters if p in f.inputs or p in f.outputs]
     names = [n.split("(")[0] for _, n in dummies]
@@ -240,7 +240,8 @@ def procedure(f: Function) -> list[str]:
 
 def called(f: Function, arguments: list[str]) -> str:
     """How a user calls it, but for what stands before."""
-    return f"{f'{f.family}%' if f.family else 'rwedge_'}{f.method}({', '.join(arguments)})"
+    made_of = [f.object] * bool(f.of("created") and f.object and not f.is_copy)
+    return f"{f'{f.family}%' if f.family else 'rwedge_'}{f.method}({', '.join(made_of + arguments)})"
 
 
 # ---- The module ----
@@ -292,12 +293,31 @@ def grid(f: Function) -> list[str]:
     return ["!> The same of arrays of rank 2.", *block(head, lines, "end subroutine"), ""]
 
 
+def shared(interface: Interface) -> list[str]:
+    """The kinds of objects that never change once made, so that copies share them."""
+    return [kind for kind in interface.objects if not any(f.of("changed") and f.result == "status" for f in interface.of(kind))]
+
+
+def shared_type(interface: Interface, kind: str) -> list[str]:
+    return ["! It never changes once made, so that copies share it.", f"type, extends(owner), public :: rwedge_{kind}", "    private",
+            "    integer, pointer :: users => null()", "contains", *("    " + line for line in bound(interface, kind)),
+            f"    procedure, private :: assign_{kind}", f"    generic :: assignment(=) => assign_{kind}",
+            f"    final :: finalize_{kind}", "end type", ""]
+
+
+def shared_life(kind: str) -> list[str]:
+    return filled("fortran/shared.f90", {}).replace("{kind}", kind).split("\n")[2:]
+
+
 def module(interface: Interface) -> str:
     statuses = ", ".join(f"{name.lower()} = {value}" for name, value in {**interface.statuses, **interface.bits}.items())
     public = [f"rwedge_{f.name}" for f in interface.functions if not f.family and f.name not in BY_HAND]
     return filled("fortran/template.f90", {
         "statuses": [f"integer(c_int32_t), parameter, public :: {statuses}"], "public": [f"public :: {', '.join(public)}"],
-        "contact procedures": bound(interface, "contact"), "series procedures": bound(interface, "series"),
+        "contact procedures": bound(interface, "contact"),
+        "shared types": [line for kind in shared(interface) for line in shared_type(interface, kind)][:-1],
+        "shared assignments": [f"module procedure assign_several_of_{kind}, assign_{kind}_to_all" for kind in shared(interface)],
+        "shared life": [line for kind in shared(interface) for line in shared_life(kind)][:-1],
         "interfaces": [line for f in interface.functions for line in [*interface_of(f), ""]][:-1],
         "procedures": procedures(interface)})
 

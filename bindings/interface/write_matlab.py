@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the functions and classes for MATLAB and GNU Octave: each a call of rwedge_mex, with the comment of rwedge.h as its
-help text. What is not the same for every function of a class is in rwedge_contact.m.in and rwedge_series.m.in."""
+help text. What is not the same for every function of a class is in rwedge_contact.m.in, rwedge_cycle.m.in and
+rwedge_series.m.in."""
 from __future__ import annotations
 
 import re
@@ -11,7 +12,7 @@ from write_c import reason
 
 ARRAYS = "The arguments are arrays of one size; where one has the size 1, it goes with all along that dimension."
 IN_MATLAB = (  # arrays have sizes and two dimensions, results need no place
-    (r"(rwedge_(?:contact|series))_create\(", r"\1("), (r"(rwedge_(?:contact|series))_(\w+)\(", r"\1.\2("),
+    (r"(rwedge_(?:contact|cycle|series))_create\(", r"\1("), (r"(rwedge_(?:contact|cycle|series))_(\w+)\(", r"\1.\2("),
     (r"each receives loads \* n numbers, the n of the first load first(; not one of the\s+inputs)?", "results, a column for each load"),
     (r"(?:each )?receives? [nm] numbers: ", "result: "),
     (r"each receives? ([nm]) numbers", r"results, \1 numbers each"), (r"receives? ([nm]) numbers", r"result, \1 numbers"), (r"receives? one number", "result"), (r"loads \* n stresses", "points by loads, stresses"),
@@ -39,7 +40,8 @@ def call(results: list[str], name: str, arguments: list[str]) -> str:
 def called(f: Function, values: list[str]) -> str:
     """How a user calls it."""
     if f.of("created"):
-        return call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), values)
+        made_of = [f.object] * bool(f.object and not f.is_copy)
+        return call([f.family], f"rwedge_{f.family}" + f".{f.method}" * (f.method != "create"), made_of + values)
     return call(f.results, f"{f.family}.{f.method}" if f.family else f"rwedge_{f.array_of or f.name}", values)
 
 
@@ -142,5 +144,5 @@ def enumeration_text(kind: str, numbers: dict[str, int]) -> str:
 def texts(interface: Interface) -> dict[str, str]:
     made = {f"rwedge_{f.name}.m": function_text(f) for f in interface.functions if not f.family and not f.array_of}
     made.update({f"rwedge_{kind.lower()}.m": enumeration_text(kind, numbers) for kind, numbers in interface.enumerations.items()})
-    made.update({f"rwedge_{family}.m": class_text(interface, family) for family in ("contact", "series")})
+    made.update({f"rwedge_{family}.m": class_text(interface, family) for family in interface.objects})
     return made

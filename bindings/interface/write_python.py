@@ -22,12 +22,12 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     WITHOUT_NULL, (r",? ?never NULL", ""), (r"Static text\.| ?Nothing is written unless every\s+point is in the domain\.", ""), (r"\bat n points\b", "at points"),
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
     ("0, which a new contact has,", "0"), ("RWEDGE_EPATH", "PathError"), ("RWEDGE_ESLIDING", "SlidingError"), ("RWEDGE_(EDOMAIN|ERANGE)", "ValueError"),
-    (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_series_(\w+)\(\)", r"Series.\1()"), (r"rwedge_(\w+\(\))", r"\1"),
+    (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_cycle_create\(\)", r"Cycle()"), (r"rwedge_(cycle|series)_(\w+)\(\)", lambda m: f"{m[1].title()}.{m[2]}()"), (r"rwedge_(\w+\(\))", r"\1"),
     ("HUGE_VAL", "inf"), ("RWEDGE_MEASURE_", "Measure."), ("RWEDGE_FACES_", "Faces."))
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library; besides what makes or frees an object.
 BY_HAND = {"contact_load", "contact_apply", "contact_yield_factor", "contact_loads", "contact_state", "series_coefficient",
-           "series_potential", "stresses", "elastic_limits", "version", "strerror",
+           "series_potential", "cycle_loads", "cycle_stresses", "cycle_friction", "stresses", "elastic_limits", "version", "strerror",
            # generalized ufuncs take any number of points
            "smith_watson_topper_field", "fatemi_socie_field"}
 # Of these the methods that have the header's text, with what Python adds to it.
@@ -36,6 +36,7 @@ TOLERANCE = "``tolerance``, of q over f times the peak pressure, is as ``Contact
 ADDED = {"contact_load": ALL_OR_NONE, "contact_apply": ALL_OR_NONE + " What has no closed form is computed, and ``error`` tells how exactly, "
          "unless the contact's ``tolerance`` is 0.", "contact_create_flat": TOLERANCE, "contact_create_profile": TOLERANCE,
          "contact_yield_factor": "", "contact_state": "``Contact.restore(state)`` goes on to the same bits.", "contact_restore": "",
+         "cycle_stresses": "The result unpacks into sxx, syy, txy, each an array of (load, point).", "cycle_friction": "",
          "series_fit": "x and p are of one dimension and the same length. At least terms samples, samples times terms <= 2^27, samples times terms^2 <= 2^33 (half a minute).",
          "series_potential": "The result is complex."}
 
@@ -262,7 +263,7 @@ def made_py(interface: Interface) -> str:
     text = MADE.format(names=[*interface.enumerations, *(f.name for f in made if not f.family)], functions="\n".join(functions),
                        enumerations="\n\n\n".join(starmap(enumeration, interface.enumerations.items())))
     text += "\n".join(definition(f, "") + "\n" for f in made if not f.family)
-    for family in ("contact", "series"):
+    for family in interface.objects:
         methods = [definition(f, "    ") for f in interface.of(family) if is_general(f)]
         methods += [inherited(interface[name]) for name in ADDED if interface[name].family == family]
         text += f"\nclass {family.title()}Methods(Object):\n" + ("\n".join(methods) or "    pass\n") + "\n"
@@ -270,7 +271,7 @@ def made_py(interface: Interface) -> str:
 
 
 # The classes that are written by hand, by their modules.
-CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle", "_loads": "Loads", "_series": "Series",
+CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction", "_loads": "Loads", "_series": "Series", "_stress_history": "StressHistory",
            "_library": "AbsentError Error PathError SlidingError", "_validity": "ValidityWarning"}
 PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
 from typing import Any, Protocol, overload, type_check_only

@@ -19,7 +19,7 @@ TOP = """\
 """
 IN_JAVASCRIPT = (  # statuses, pointers and limits, in the words of JavaScript
     WITHOUT_NULL, (r"(; |, )?RWEDGE_ENULL", ""),
-    (r"rwedge_(?:contact|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"), ("RWEDGE_MEASURE_", "Measure."),
+    (r"rwedge_(?:contact|cycle|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"), ("RWEDGE_MEASURE_", "Measure."),
     ("RWEDGE_FACES_", "Faces."))
 
 
@@ -32,6 +32,11 @@ def told(f: Function, size: Parameter) -> bool:
 def arguments(f: Function) -> list[Parameter]:
     """What JavaScript gives: the numbers and arrays, and the sizes that no array tells."""
     return [p for p in f.parameters if p in f.inputs or p.role == "size" and not told(f, p)]
+
+
+def made_of(f: Function) -> list[str]:
+    """The object of another kind that it makes its own of."""
+    return [f.object] if f.of("created") and f.object and not f.is_copy else []
 
 
 def is_formula(f: Function) -> bool:
@@ -73,7 +78,7 @@ def call(f: Function) -> str:
     names = ", ".join(p.name for p in arguments(f))
     if is_formula(f):
         return f'formula("{f.name}", [{names}])'
-    this = "this" if f.of("handle", "changed") else "null"
+    this = "null" if not f.object else "this" if f.object == f.family else f.object
     return f'call("{f.name}", {this}, [{names}])'
 
 
@@ -82,11 +87,12 @@ def definition(f: Function) -> str:
     if not f.family:
         return f"export function {f.name}({names}) {{\n    return {call(f)};\n}}\n"
     if f.method == "create":
+        names = ", ".join([*made_of(f), *(p.name for p in arguments(f))])
         return f'    constructor({names}) {{\n        adopt(this, "{f.family}", {call(f)});\n    }}\n'
     if f.method == "destroy":
         return "    free() {\n        free(this);\n    }\n"
     if f.of("created"):
-        head, prototype = (f.method, "Object.getPrototypeOf(this)") if f.of("handle") else (f"static {f.method}", "this.prototype")
+        head, prototype = (f.method, "Object.getPrototypeOf(this)") if f.is_copy else (f"static {f.method}", "this.prototype")
         return f'    {head}({names}) {{\n        return adopt(Object.create({prototype}), "{f.family}", {call(f)});\n    }}\n'
     return f"    {f.method}({names}) {{\n        return {call(f)};\n    }}\n"
 
@@ -96,7 +102,7 @@ def module(interface: Interface) -> str:
              'export { statuses } from "./description.mjs";\nexport { RwedgeError } from "./runtime.mjs";\n']
     parts += [f"export const {kind} = Object.freeze({json.dumps(numbers)});" for kind, numbers in interface.enumerations.items()]
     parts += [definition(f) for f in interface.of("")]
-    for family in ("contact", "series"):
+    for family in interface.objects:
         methods = [definition(f) for f in interface.of(family)]
         parts.append(f"export class {family.title()} {{\n" + "\n".join(methods) + "}\n")
     return "\n".join(parts)
@@ -147,11 +153,11 @@ def declarations(f: Function) -> list[str]:
     parameters = arguments(f)
     head = "" if f.family else "export function "
     if f.family and f.method == "create":
-        return [f"constructor({typed(parameters)});"]
+        return [f"constructor({', '.join([*(f'{kind}: {kind.title()}' for kind in made_of(f)), typed(parameters)])});"]
     if f.method == "destroy":
         return ["free(): void;"]
     if f.of("created"):
-        static = "" if f.of("handle") else "static "
+        static = "" if f.is_copy else "static "
         return [f"{static}{f.method}({typed(parameters)}): {f.family.title()};"]
     if of_points(f):
         mixed = ", ".join(f"{p.name}: {'number | Numbers' if p.kind == 'double' and (is_formula(f) or p.role == 'in array') else 'number'}"
@@ -185,7 +191,7 @@ def types(interface: Interface) -> str:
         lines += [f"/** The numbers RWEDGE_{kind.upper()}_... of the header. */", f"export const {kind}: {{ {of_kind} }};", ""]
     for f in interface.of(""):
         lines += [*comment(f, ""), *declarations(f), ""]
-    for family in ("contact", "series"):
+    for family in interface.objects:
         lines.append(f"export class {family.title()} {{")
         for f in interface.of(family):
             lines += [*comment(f, "    "), *(f"    {line}" for line in declarations(f)), ""]

@@ -106,7 +106,7 @@ static void fail_with(int32_t status, const entry *call, const void *object,
 {
     message[0] = '\0';
     add("rwedge_%s: %s", call->name, rwedge_strerror(status));
-    if (status == RWEDGE_EABSENT && strcmp(call->family, "contact") == 0 && object &&
+    if (status == RWEDGE_EABSENT && strcmp(call->object, "contact") == 0 && object &&
         rwedge_contact_half_width(object) == 0)
         add(": the contact is unloaded");
     const char *why = status == RWEDGE_EPATH ? obstacle(call, object, v, at) : NULL;
@@ -123,14 +123,41 @@ static void fail_with(int32_t status, const entry *call, const void *object,
 
 static double alive;
 
+static void destroy_contact(void *object)
+{
+    rwedge_contact_destroy(object);
+}
+
+static void destroy_cycle(void *object)
+{
+    rwedge_cycle_destroy(object);
+}
+
+static void destroy_series(void *object)
+{
+    rwedge_series_destroy(object);
+}
+
+/* The families of objects: the function that frees one, as a command and in C. */
+enum { FAMILIES = 3 };
+static const struct {
+    const char *name, *command;
+    void (*destroy)(void *object);
+} families[FAMILIES] = {{"contact", "contact_destroy", destroy_contact},
+                        {"cycle", "cycle_destroy", destroy_cycle},
+                        {"series", "series_destroy", destroy_series}};
+
 /* The first number: when and where this copy of the file was loaded, as after build_rwedge there
- * may be two, that of the old objects and the new; below 0 for a series. */
+ * may be two, that of the old objects and the new; times 1, 2 or 3 for the family. */
 static double owner_of(const char *family)
 {
     static double number;
+    int i = 0;
     if (number == 0)
         number = ldexp((double)time(NULL), 20) + (double)((uintptr_t)&number >> 12 & 0xfffff);
-    return strcmp(family, "contact") == 0 ? number : -number;
+    while (strcmp(families[i].name, family) != 0)
+        i++;
+    return (i + 1) * number;
 }
 
 static void *find(const char *family, const mxArray *handle)
@@ -151,16 +178,6 @@ static mxArray *keep(const char *family, void *object)
     mxGetPr(handle)[0] = owner_of(family);
     mxGetPr(handle)[1] = (double)(uintptr_t)object;
     return handle;
-}
-
-static void destroy(const char *family, void *object)
-{
-    if (strcmp(family, "contact") == 0)
-        rwedge_contact_destroy(object);
-    else
-        rwedge_series_destroy(object);
-    if (--alive == 0)
-        mexUnlock();
 }
 
 /* ---- Arrays ---------------------------------------------------------------------------------- */
@@ -387,12 +404,17 @@ static mxArray *run_command(const char *name, int count, const mxArray *const ar
         return mxCreateString(rwedge_version());
     if (strcmp(name, "alive") == 0)
         return mxCreateDoubleScalar(alive);
-    const char *family = strcmp(name, "series_destroy") == 0 ? "series" : "contact";
-    if (count != 1 || (family[0] == 'c' && strcmp(name, "contact_destroy") != 0))
+    int i = 0;
+    while (i < FAMILIES && strcmp(name, families[i].command) != 0)
+        i++;
+    if (count != 1 || i == FAMILIES)
         fail("arguments", "rwedge_%s: no such function", name);
-    void *object = find(family, arguments[0]);
-    if (object)
-        destroy(family, object);
+    void *object = find(families[i].name, arguments[0]);
+    if (object) {
+        families[i].destroy(object);
+        if (--alive == 0)
+            mexUnlock();
+    }
     return NULL;
 }
 
@@ -416,9 +438,9 @@ static void call_entry(const entry *call, int nlhs, mxArray *plhs[], int nrhs,
 {
     void *object = NULL, *made = NULL;
     if (call->takes_object) {
-        object = nrhs > 0 ? find(call->family, prhs[0]) : NULL;
+        object = nrhs > 0 ? find(call->object, prhs[0]) : NULL;
         if (!object)
-            fail("handle", "rwedge_%s: there is no such %s (any more)", call->name, call->family);
+            fail("handle", "rwedge_%s: there is no such %s (any more)", call->name, call->object);
         nrhs--;
         prhs++;
     }

@@ -201,8 +201,9 @@ function contacts()
     tilted = rwedge_contact(0.01, 0.5, 1.8e-5, 0.6);
     tilted.apply(1000, 100, 0, 0);
     refused('path', {'the two edges would slip in opposite directions'}, @() tilted.apply(1000, 100, 0, 500));
+    sticking = rwedge_contact(0.1, 17.8, 4.81e-5, 0.65);
     refused('path', {'where the edges slip in opposite directions'}, ...
-        @() rwedge_permanent_stick(0.1, 17.8, 4.81e-5, 0.65, 300, 0, 0, 0, 300, 0, 0, 900));
+        @() sticking.permanent_stick(300, 0, 0, 0, 300, 0, 0, 900));
     [factor, x, y] = all.yield_factor(0.3, 300);
     claim('yield factor', factor > 0 && y >= 0 && abs(x) <= all.half_width());
     refused('domain', {'slope'}, @() rwedge_contact.create_profile([0 1], [0.1 0], 1e-4, 0.5));
@@ -250,7 +251,7 @@ function cycles()
     Q = [20; -10; 28];
     x = [-0.2 0.05 0.3 0.1];
     y = [0 0.1 0 0.2];
-    [sxx, syy, txy] = pad.cycle([60 + 0 * Q, Q], x, y);
+    [sxx, syy, txy] = pad.stresses_after([60 + 0 * Q, Q], x, y);
     for i = 1:3
         single.load(60, Q(i));
         [a, b, c] = single.stresses(x, y);
@@ -258,14 +259,32 @@ function cycles()
             isequal(txy(:, i), c'));
     end
     four = single.copy();
-    claim('a row of two or of four', isequal(pad.cycle([60 -20], x, y), four.cycle([60 0 -20 0], x, y)));
+    claim('a row of two or of four', isequal(pad.stresses_after([60 -20], x, y), four.stresses_after([60 0 -20 0], x, y)));
     identifier = '';
     try
-        pad.cycle([60 0 20], x, y);
+        pad.stresses_after([60 0 20], x, y);
     catch err
         identifier = err.identifier;
     end
     claim('a row of three is refused', strcmp(identifier, 'rwedge:size'));
+    cycle = rwedge_cycle(pad, [60; 60], [0; 0], [20; -20], [0; 0]);
+    [left, right] = cycle.permanent_stick();
+    [l, r] = pad.permanent_stick(60, 0, 20, 0, 60, 0, -20, 0);
+    claim('what never slips', abs(left - l) < 1e-12 && abs(right - r) < 1e-12);
+    b = pad.half_width();
+    clear pad
+    slip = cycle.friction([0 0.99 * b]);
+    claim('a cycle outlives its contact', cycle.loads() == 2 && slip(1) == 0 && slip(2) > 0);
+    [sxx, ~, ~] = cycle.stresses(x, y);
+    claim('a column for each load', isequal(size(sxx), [4 2]));
+    delete(cycle);
+    identifier = '';
+    try
+        cycle.loads();
+    catch err
+        identifier = err.identifier;
+    end
+    claim('a cycle that was deleted is none', strcmp(identifier, 'rwedge:handle'));
 end
 
 global failures

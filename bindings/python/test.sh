@@ -67,5 +67,5 @@ SKBUILD_BUILD_DIR=$folder/package_sdist pip_in "$folder/venv" install --quiet --
 older=$folder/venv/older
 [ -d "$older/numpy" ] || fetch "$locked/older.txt" "$folder/venv" --target "$older"
 export PYTHONPATH="$older"
-pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_cycle.py" \
+pytest_of "$source/tests/test_formulas.py" "$source/tests/test_contact.py" "$source/tests/test_stress_history.py" \
     "$source/tests/test_series.py" -m 'not long' "$@"

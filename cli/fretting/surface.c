@@ -23,7 +23,7 @@ void history_cycle(const contact_history *history, const criteria *asked, last_c
         if (all != NULL)
             doubts_add(all, doubts_of_state(&history->setup, contact));
     }
-    last_cycle_end(cycle);
+    status_check(last_cycle_end(cycle), "the cycle");
 }
 
 /* ---- Its places ---- */

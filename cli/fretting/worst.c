@@ -105,9 +105,8 @@ static measured_place measures_below(const last_cycle *cycle, const distance *be
     const size_t n = cycle->loads;
     measured_place at;
     double *stress = memory_zeroed(3 * n, sizeof *stress);
-    status_check(rwedge_contact_cycle_below(cycle->before, n, cycle->P, cycle->M, cycle->Q,
-                                            cycle->sigma, x, below->angle * PI / 180, below->length,
-                                            below->is_line, stress, stress + n, stress + 2 * n),
+    status_check(rwedge_cycle_below(cycle->cycle, n, x, below->angle * PI / 180, below->length,
+                                    below->is_line, stress, stress + n, stress + 2 * n),
                  "--length");
     status_check(last_cycle_criteria(cycle, 1, stress, &at), "--length");
     return at;

@@ -39,7 +39,6 @@ int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_ten
     const double strain = 4 * (strain_per_tension / contact->geometry.A);
     if (!rw_is_magnitude(strain))
         return RWEDGE_EDOMAIN;
-    rw_contact_drop_kept(contact);
     contact->strain = strain;
     contact->memory.corners[0].stretch = rw_contact_stretch(contact, contact->loads.sigma);
     return RWEDGE_OK;
@@ -56,7 +55,6 @@ int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
         return RWEDGE_ENULL;
     if (tolerance != 0 && !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2)))
         return RWEDGE_EDOMAIN;
-    rw_contact_drop_kept(contact);
     contact->tolerance = tolerance;
     return RWEDGE_OK;
 }
@@ -85,7 +83,6 @@ static rwedge_contact *copy_of(const rwedge_contact *contact, bool *is_whole)
     copy->computed.now = rw_numerical_copy(contact->computed.now, is_whole);
     copy->computed.start = rw_numerical_copy(contact->computed.start, is_whole);
     copy->computed.exact = copy_of(contact->computed.exact, is_whole);
-    copy->kept = NULL;
     return copy;
 }
 
@@ -101,13 +98,6 @@ int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy
     }
     *copy = copied;
     return RWEDGE_OK;
-}
-
-void rw_contact_drop_kept(rwedge_contact *contact)
-{
-    if (contact->kept)
-        contact->destroy_kept(contact->kept);
-    contact->kept = NULL;
 }
 
 void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b)
@@ -131,7 +121,6 @@ void rwedge_contact_destroy(rwedge_contact *contact)
 {
     if (!contact)
         return;
-    rw_contact_drop_kept(contact);
     rw_memory_destroy(&contact->memory);
     rw_slip_origins_destroy(&contact->slip.origins);
     rw_contact_drop_computed(contact);

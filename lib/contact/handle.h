@@ -62,8 +62,6 @@ struct rwedge_contact {
     rw_dissipated energy;
     rw_sliding sliding;
     rw_computed computed;
-    void *kept; /* what a room above keeps until the next load; NULL: nothing. A copy has none */
-    void (*destroy_kept)(void *kept);
 };
 
 /* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
@@ -71,8 +69,6 @@ int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact 
 
 /* The contacts exchange all they have. */
 void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b);
-
-void rw_contact_drop_kept(rwedge_contact *contact);
 
 /* Ends the computed shear. The contact is without shear until its phase is set anew. */
 void rw_contact_drop_computed(rwedge_contact *contact);

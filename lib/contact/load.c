@@ -294,7 +294,6 @@ static int32_t apply_to_numerical(rwedge_contact *contact, rw_loads to)
 
 static int32_t apply(rwedge_contact *contact, rw_loads to)
 {
-    rw_contact_drop_kept(contact);
     if (contact->phase == RW_COMPUTED)
         return apply_to_numerical(contact, to);
     const int32_t status = apply_whole(contact, to);

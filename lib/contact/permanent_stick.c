@@ -78,19 +78,3 @@ int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact, double P1,
     rwedge_contact_destroy(second);
     return status;
 }
-
-int32_t rwedge_permanent_stick(double theta, double a, double A, double f, double P1, double M1,
-                               double Q1, double sigma1, double P2, double M2, double Q2,
-                               double sigma2, double *left, double *right)
-{
-    rwedge_contact *contact;
-    if (!left || !right)
-        return RWEDGE_ENULL;
-    int32_t status = rwedge_contact_create(theta, a, A, f, &contact);
-    if (status != RWEDGE_OK)
-        return status;
-    status = rwedge_contact_permanent_stick(contact, P1, M1, Q1, sigma1, P2, M2, Q2, sigma2, left,
-                                            right);
-    rwedge_contact_destroy(contact);
-    return status;
-}

@@ -9,7 +9,7 @@
  * Off the centre it is the slip of a place, plus the displacement that the tractions cause
  * there. */
 #include "base/always.h"
-#include "contact/contact.h"
+#include "cycle/cycle.h"
 #include "traction/transform.h"
 
 /* int P(s)/s ds from 0 to s, in theta/A. */
@@ -106,4 +106,47 @@ double rwedge_contact_displacement(const rwedge_contact *contact, double b)
         return NAN;
     return rw_contact_is_off_centre(contact) || contact->geometry.pad ? off_centre(contact, b)
                                                                       : centred(contact, b);
+}
+
+/* After each load; whether all are known. Nothing is written where there is no place for it. */
+static bool displacements(const rw_states *all, double b, double displacement[])
+{
+    bool are_known = true;
+    for (size_t i = 0, load = 0; i < all->count; i++) {
+        if (!all->states[i].is_load)
+            continue;
+        const double value = rwedge_contact_displacement(all->states[i].contact, b);
+        are_known = are_known && !isnan(value);
+        if (displacement)
+            displacement[load++] = value;
+    }
+    return are_known;
+}
+
+static bool are_together(const rw_states *all)
+{
+    bool are = true;
+    for (size_t i = 0; i < all->count; i++)
+        are = are && !(all->states[i].is_load && isnan(all->states[i].patch.left));
+    return are;
+}
+
+int32_t rwedge_cycle_displacement(const rwedge_cycle *cycle, size_t loads, double b,
+                                  double displacement[])
+{
+    if (!cycle || !displacement)
+        return RWEDGE_ENULL;
+    if (!rw_is_positive(b))
+        return RWEDGE_EDOMAIN;
+    const rw_states *all = &cycle->on_the_way;
+    if (loads != all->loads)
+        return RWEDGE_ERANGE;
+    if (cycle->slip_status != RWEDGE_OK)
+        return cycle->slip_status;
+    if (!are_together(all))
+        return RWEDGE_EABSENT;
+    if (!displacements(all, b, NULL))
+        return RWEDGE_EPATH;
+    displacements(all, b, displacement);
+    return RWEDGE_OK;
 }

@@ -42,15 +42,15 @@ static bool make_nodes(int level, const ray *line, nodes *all)
 }
 
 /* The means of sxx, syy, txy for each load. */
-static int32_t means(const rw_cycle *cycle, int level, const ray *line, double mean[])
+static int32_t means(const rwedge_cycle *cycle, int level, const ray *line, double mean[])
 {
     nodes at;
     if (!make_nodes(level, line, &at))
         return RWEDGE_ENOMEM;
-    double *stress = malloc(3 * cycle->loads * at.count * sizeof *stress);
+    double *stress = malloc(3 * cycle->at_loads.loads * at.count * sizeof *stress);
     const int32_t status =
         stress ? rw_cycle_stresses(cycle, at.count, at.x, at.y, stress) : RWEDGE_ENOMEM;
-    for (size_t row = 0; row < 3 * cycle->loads && status == RWEDGE_OK; row++) {
+    for (size_t row = 0; row < 3 * cycle->at_loads.loads && status == RWEDGE_OK; row++) {
         mean[row] = 0;
         for (size_t i = 0; i < at.count; i++)
             mean[row] += at.weight[i] * stress[row * at.count + i];
@@ -70,9 +70,9 @@ static bool are_settled(size_t n, const double before[], const double mean[])
     return change <= SETTLED * largest;
 }
 
-static int32_t settled_means(const rw_cycle *cycle, const ray *line, double mean[])
+static int32_t settled_means(const rwedge_cycle *cycle, const ray *line, double mean[])
 {
-    const size_t n = 3 * cycle->loads;
+    const size_t n = 3 * cycle->at_loads.loads;
     double *before = malloc(n * sizeof *before);
     int32_t status = before ? means(cycle, FIRST_LEVEL, line, mean) : RWEDGE_ENOMEM;
     for (int level = FIRST_LEVEL + 1; status == RWEDGE_OK; level++) {
@@ -85,21 +85,10 @@ static int32_t settled_means(const rw_cycle *cycle, const ray *line, double mean
     return status;
 }
 
-static int32_t stresses_at(const rw_cycle *cycle, const ray *line, double stress[])
+static int32_t stresses_at(const rwedge_cycle *cycle, const ray *line, double stress[])
 {
     const double x = line->x + line->end * sin(line->angle), y = line->end * cos(line->angle);
     return rw_cycle_stresses(cycle, 1, &x, &y, stress);
-}
-
-static int32_t go_through(const rwedge_contact *contact, const rw_load_history *history,
-                          bool is_line, const ray *line, double stress[])
-{
-    rw_cycle cycle;
-    int32_t status = rw_cycle_of(contact, history, RW_STRESS_ALONE, &cycle);
-    if (status == RWEDGE_OK)
-        status = is_line ? settled_means(&cycle, line, stress) : stresses_at(&cycle, line, stress);
-    rw_cycle_destroy(&cycle);
-    return status;
 }
 
 double rwedge_critical_distance(double dK_th, double ds0)
@@ -110,27 +99,26 @@ double rwedge_critical_distance(double dK_th, double ds0)
     return ratio * ratio / RW_PI;
 }
 
-int32_t rwedge_contact_cycle_below(const rwedge_contact *contact, size_t loads, const double P[],
-                                   const double M[], const double Q[], const double sigma[],
-                                   double x, double angle, double length, int32_t line,
-                                   double sxx[], double syy[], double txy[])
+int32_t rwedge_cycle_below(const rwedge_cycle *cycle, size_t loads, double x, double angle,
+                           double length, int32_t line, double sxx[], double syy[], double txy[])
 {
-    const rw_load_history history = {loads, P, M, Q, sigma};
-    if (!contact || !rw_is_load_history(&history) || !sxx || !syy || !txy)
+    if (!cycle || !sxx || !syy || !txy)
         return RWEDGE_ENULL;
     if (!rw_is_signed(x) || !islessequal(fabs(angle), 1.5) || !rw_is_positive(length) || line < 0 ||
         line > 1)
         return RWEDGE_EDOMAIN;
-    if (loads == 0 || loads > SIZE_MAX / 3 / sizeof *sxx)
+    if (loads != cycle->at_loads.loads || loads > SIZE_MAX / 3 / sizeof *sxx)
         return RWEDGE_ERANGE;
     double *stress = malloc(3 * loads * sizeof *stress);
+    if (!stress)
+        return RWEDGE_ENOMEM;
     const ray way = {x, angle, line ? 2 * length : length / 2};
     const int32_t status =
-        stress ? go_through(contact, &history, line == 1, &way, stress) : RWEDGE_ENOMEM;
-    for (size_t i = 0; i < loads && status == RWEDGE_OK; i++) {
-        sxx[i] = stress[i];
-        syy[i] = stress[loads + i];
-        txy[i] = stress[2 * loads + i];
+        line ? settled_means(cycle, &way, stress) : stresses_at(cycle, &way, stress);
+    if (status == RWEDGE_OK) {
+        memcpy(sxx, stress, loads * sizeof *sxx);
+        memcpy(syy, stress + loads, loads * sizeof *syy);
+        memcpy(txy, stress + 2 * loads, loads * sizeof *txy);
     }
     free(stress);
     return status;

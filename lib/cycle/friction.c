@@ -7,7 +7,7 @@
 #include "cycle/cycle.h"
 
 typedef struct {
-    const rw_cycle *cycle;
+    const rw_states *all;
     double x, inside; /* the place; inside: moved off the edges of the states */
     bool touches;
     double slip, limit;     /* of the last state in which it slipped: slip; f |p| */
@@ -23,12 +23,12 @@ static const double MARGIN = 4;
 
 /* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an
  * edge, and the place must be on the same side of it in all states. */
-static double off_the_edges(const rw_cycle *cycle, double x)
+static double off_the_edges(const rw_states *all, double x)
 {
-    const double margin = MARGIN * cycle->rounding;
+    const double margin = MARGIN * all->rounding;
     double left = -HUGE_VAL, right = HUGE_VAL;
-    for (size_t i = 0; i < cycle->count; i++) {
-        const rw_patch patch = cycle->states[i].patch;
+    for (size_t i = 0; i < all->count; i++) {
+        const rw_patch patch = all->states[i].patch;
         if (islessequal(fabs(patch.left - x), margin))
             left = fmax(left, patch.left);
         if (islessequal(fabs(patch.right - x), margin))
@@ -49,11 +49,11 @@ static double clamped(double x, rw_patch patch)
 }
 
 /* NaN outside the contact. */
-static double slip_at(const rw_cycle *cycle, size_t state, double x)
+static double slip_at(const rw_states *all, size_t state, double x)
 {
-    const rw_state *now = &cycle->states[state];
+    const rw_state *now = &all->states[state];
     double slip = NAN;
-    if (is_in(now, cycle->rounding, x)) {
+    if (is_in(now, all->rounding, x)) {
         const double inside = clamped(x, now->patch);
         rwedge_contact_slip(now->contact, 1, &inside, &slip);
     }
@@ -63,7 +63,7 @@ static double slip_at(const rw_cycle *cycle, size_t state, double x)
 /* f |p|. */
 static double limit_at(const place *at, size_t state)
 {
-    const rw_state *now = &at->cycle->states[state];
+    const rw_state *now = &at->all->states[state];
     return now->contact->f * fabs(rw_contact_pressure(now->contact, clamped(at->x, now->patch)));
 }
 
@@ -114,13 +114,13 @@ static void refresh_limit(place *at, size_t state)
  * itself, which jumps at the border of the places that the contact has never left. */
 static void leave(place *at, size_t to)
 {
-    const rw_cycle *cycle = at->cycle;
-    const rw_patch before = cycle->states[to - 1].patch, after = cycle->states[to].patch;
+    const rw_states *all = at->all;
+    const rw_patch before = all->states[to - 1].patch, after = all->states[to].patch;
     const bool is_left = at->inside < after.left;
     const double start = is_left ? before.left : before.right;
     const double end = is_left ? after.left : after.right;
-    const double margin = MARGIN * cycle->rounding, near = is_left ? end + margin : end - margin;
-    const double change = slip_at(cycle, to, near) - slip_at(cycle, to - 1, near);
+    const double margin = MARGIN * all->rounding, near = is_left ? end + margin : end - margin;
+    const double change = slip_at(all, to, near) - slip_at(all, to - 1, near);
     refresh_limit(at, to - 1);
     if (!isnan(change)) /* part of the contact is where some of it was */
         slip_to(at, at->slip + change * (at->inside - start) / (end - start), 0);
@@ -133,13 +133,13 @@ static void leave(place *at, size_t to)
  * shear after a load. */
 static void go_to(place *at, size_t to)
 {
-    const rw_state *now = &at->cycle->states[to];
+    const rw_state *now = &at->all->states[to];
     const bool is_new = !at->touches;
     if (is_new)
         touch(at, to);
     if (is_new || at->inside < now->stuck.left || at->inside > now->stuck.right) {
         refresh_limit(at, to - 1);
-        slip_to(at, slip_at(at->cycle, to, at->inside), limit_at(at, to));
+        slip_to(at, slip_at(at->all, to, at->inside), limit_at(at, to));
         at->limit_at = to;
         at->shear = fmax(at->shear, now->is_load ? 0 : shear_at(at, now));
     }
@@ -150,25 +150,25 @@ static void go_to(place *at, size_t to)
 /* Slip before the cycle adds nothing to the energy of the cycle. */
 static void begin(place *at, double before)
 {
-    const rw_state *first = at->cycle->states;
-    if (!is_in(first, at->cycle->rounding, at->inside))
+    const rw_state *first = at->all->states;
+    if (!is_in(first, at->all->rounding, at->inside))
         return;
     touch(at, 0);
     at->offset = before;
-    at->slip = at->least = at->most = slip_at(at->cycle, 0, at->inside);
+    at->slip = at->least = at->most = slip_at(at->all, 0, at->inside);
     at->limit = limit_at(at, 0);
     at->shear = shear_at(at, first);
 }
 
 /* Goes through the cycle. `before` is the slip of the present stay that the cycle does not know. */
-static place go_through(const rw_cycle *cycle, double x, double before)
+static place go_through(const rw_states *all, double x, double before)
 {
-    place at = {.cycle = cycle, .x = x, .lowest = HUGE_VAL, .highest = -HUGE_VAL};
-    at.inside = off_the_edges(cycle, x);
+    place at = {.all = all, .x = x, .lowest = HUGE_VAL, .highest = -HUGE_VAL};
+    at.inside = off_the_edges(all, x);
     begin(&at, before);
     const bool began = at.touches;
-    for (size_t i = 1; i < cycle->count; i++)
-        if (is_in(&cycle->states[i], cycle->rounding, at.inside))
+    for (size_t i = 1; i < all->count; i++)
+        if (is_in(&all->states[i], all->rounding, at.inside))
             go_to(&at, i);
         else if (at.touches)
             leave(&at, i);
@@ -179,10 +179,10 @@ static place go_through(const rw_cycle *cycle, double x, double before)
     return at;
 }
 
-rw_slip_measures rw_slip_measures_at(const rw_cycle *cycle, double x)
+rw_slip_measures rw_slip_measures_at(const rw_states *all, double x)
 {
-    place at = go_through(cycle, x, 0);
-    if (cycle->is_counted) /* it is taken for the slip that the last stay ends with */
-        at = go_through(cycle, x, at.slip);
+    place at = go_through(all, x, 0);
+    if (all->is_counted) /* it is taken for the slip that the last stay ends with */
+        at = go_through(all, x, at.slip);
     return (rw_slip_measures){fmax(at.highest - at.lowest, 0), at.shear, at.energy};
 }

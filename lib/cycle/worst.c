@@ -10,7 +10,7 @@ typedef struct {
 } material;
 
 typedef struct {
-    rw_cycle cycle;
+    const rwedge_cycle *cycle;
     int32_t measure;
     material material;
     double y;
@@ -32,7 +32,7 @@ static bool is_answer(line *l, int32_t status)
 
 static double friction_of(const line *l, double x, const double *sxx)
 {
-    const rw_slip_measures at = rw_slip_measures_at(&l->cycle, x);
+    const rw_slip_measures at = rw_slip_measures_at(&l->cycle->on_the_way, x);
     switch (l->measure) {
     case RWEDGE_MEASURE_SLIP_RANGE:
         return at.slip_range;
@@ -41,7 +41,7 @@ static double friction_of(const line *l, double x, const double *sxx)
     case RWEDGE_MEASURE_RUIZ_F1:
         return at.shear * at.slip_range;
     default:
-        return at.shear * at.slip_range * fmax(rw_largest_stress(&l->cycle, 1, sxx, 0), 0);
+        return at.shear * at.slip_range * fmax(rw_largest_stress(l->cycle, 1, sxx, 0), 0);
     }
 }
 
@@ -52,7 +52,7 @@ static bool is_of_friction(int32_t measure)
 
 static double measure_of(line *l, double x, const double *sxx)
 {
-    const size_t loads = l->cycle.loads;
+    const size_t loads = l->cycle->at_loads.loads;
     const material *m = &l->material;
     double value = NAN, angle, out_of_plane;
     if (is_of_friction(l->measure))
@@ -66,9 +66,9 @@ static double measure_of(line *l, double x, const double *sxx)
 static bool has_stress(const line *l, double x)
 {
     bool has = true;
-    for (size_t i = 0; i < l->cycle.count; i++)
-        has = has && (!l->cycle.states[i].is_load ||
-                      rw_contact_has_stress(l->cycle.states[i].contact, x, l->y));
+    for (size_t i = 0; i < l->cycle->at_loads.count; i++)
+        has = has && (!l->cycle->at_loads.states[i].is_load ||
+                      rw_contact_has_stress(l->cycle->at_loads.states[i].contact, x, l->y));
     return has;
 }
 
@@ -78,7 +78,7 @@ static double measure_at(line *l, double x)
 {
     if (is_of_friction(l->measure) && l->measure != RWEDGE_MEASURE_RUIZ_F2)
         return has_stress(l, x) ? friction_of(l, x, NULL) : NAN;
-    const int32_t status = rw_cycle_stresses(&l->cycle, 1, &x, &l->y, l->stress);
+    const int32_t status = rw_cycle_stresses(l->cycle, 1, &x, &l->y, l->stress);
     return is_answer(l, status) ? measure_of(l, x, l->stress) : NAN;
 }
 
@@ -160,39 +160,31 @@ static int32_t check(const line *l, size_t n, const double x[], const double val
     return is_of_friction(l->measure) && l->y != 0 ? RWEDGE_EDOMAIN : RWEDGE_OK;
 }
 
-/* Through the loads, and then from place to place. */
-static int32_t find(const rwedge_contact *contact, const rw_load_history *loads, line *l, size_t n,
-                    const double x[], const double value[], peak *best)
+/* From place to place. */
+static int32_t find(line *l, size_t n, const double x[], const double value[], peak *best)
 {
-    const rw_cycle_use use = is_of_friction(l->measure) ? RW_SLIP_TOO : RW_STRESS_ALONE;
-    int32_t status = rw_cycle_of(contact, loads, use, &l->cycle);
-    if (status == RWEDGE_OK && !(l->stress = malloc(3 * loads->count * sizeof *l->stress)))
-        status = RWEDGE_ENOMEM;
-    if (status == RWEDGE_OK) {
-        *best = search(l, n, x, value);
-        status = l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
-    }
+    l->stress = malloc(3 * l->cycle->at_loads.loads * sizeof *l->stress);
+    if (!l->stress)
+        return RWEDGE_ENOMEM;
+    *best = search(l, n, x, value);
     free(l->stress);
-    rw_cycle_destroy(&l->cycle);
-    return status;
+    return l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
 }
 
-int32_t rwedge_contact_cycle_worst(const rwedge_contact *contact, int32_t measure, size_t loads,
-                                   const double P[], const double M[], const double Q[],
-                                   const double sigma[], size_t n, const double x[],
-                                   const double value[], double y, double E, double nu,
-                                   int32_t plane_stress, double constant, double su,
-                                   double *worst_x, double *worst_value)
+int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure, size_t n, const double x[],
+                           const double value[], double y, double E, double nu,
+                           int32_t plane_stress, double constant, double su, double *worst_x,
+                           double *worst_value)
 {
-    const rw_load_history history = {loads, P, M, Q, sigma};
-    line l = {.measure = measure, .material = {E, nu, constant, su, plane_stress}, .y = y};
-    if (!contact || !rw_is_load_history(&history) || (n > 0 && (!x || !value)) || !worst_x ||
-        !worst_value)
+    line l = {cycle, measure, {E, nu, constant, su, plane_stress}, y, NULL, false};
+    if (!cycle || (n > 0 && (!x || !value)) || !worst_x || !worst_value)
         return RWEDGE_ENULL;
     peak best;
     int32_t status = check(&l, n, x, value);
+    if (status == RWEDGE_OK && is_of_friction(measure))
+        status = cycle->slip_status;
     if (status == RWEDGE_OK)
-        status = find(contact, &history, &l, n, x, value, &best);
+        status = find(&l, n, x, value, &best);
     if (status == RWEDGE_OK) {
         *worst_x = best.x;
         *worst_value = best.value;

@@ -29,8 +29,8 @@ OWN = {**{(f"{criterion}_damage{field}", name): number for criterion, c in (("sm
           for field in ("", "_field") for name, number in (("b", -0.078), ("c", c))},
        ("smith_watson_topper_life", "b"): -0.078, ("smith_watson_topper_life", "c"): -0.62, ("fatemi_socie_life", "b"): -0.08,
        ("fatemi_socie_life", "c"): -0.6, ("contact_create", "f"): 0.3, ("series_fit", "terms"): 2, ("validity", "beta"): 0, ("series_coefficient", "k"): 2,
-       ("yield_load", "f"): 0.3, ("permanent_stick", "f"): 0.3, ("contact_create_flat", "f"): 0.3,
-       ("contact_create_profile", "f"): 0.3, ("contact_cycle_worst", "y"): 0, ("contact_apply", "M"): 0,
+       ("yield_load", "f"): 0.3, ("contact_create_flat", "f"): 0.3,
+       ("contact_create_profile", "f"): 0.3, ("cycle_worst", "y"): 0, ("contact_apply", "M"): 0,
        ("contact_apply", "Q"): 500, ("findley", "k"): 0.25, ("findley_field", "k"): 0.25}
 UNLOADED = {"contact_set_strain"}  # refused once the bodies touch
 # The tool's command with the same numbers.

@@ -25,7 +25,7 @@ FIGURES = {
                   "stress stresses von_mises contact_stresses"),
     "loop": ("Loops of a cycle of Q under constant P: their area is the energy", "loop", "contact_load contact_dissipated_energy contact_slip"),
     "eccentric": ("Stick zone off the centre, where a bulk tension grows with Q", "eccentric",
-                  "contact_apply contact_stick_zone permanent_stick contact_largest_tension_step"),
+                  "contact_apply contact_stick_zone contact_permanent_stick cycle_permanent_stick contact_largest_tension_step"),
     "history-loop": ("The loop of a history with bulk tension", f"loop {CYCLE} --cycles 2", ""),
     "history": ("Stresses at the trailing edge in the last cycle", f"history {CYCLE} --cycles 2 --at -0.2067,0", "contact_stress_history"),
     "fretting": ("Smith, Watson and Topper's parameter along the surface", f"fretting {CYCLE}",

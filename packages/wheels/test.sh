@@ -3,7 +3,7 @@
 folder=$packages/python
 work=$build/wheels/test
 source=$top/bindings/python
-tests="$source/tests/test_formulas.py $source/tests/test_contact.py $source/tests/test_cycle.py $source/tests/test_series.py"
+tests="$source/tests/test_formulas.py $source/tests/test_contact.py $source/tests/test_stress_history.py $source/tests/test_series.py"
 command -v llvm-readobj >/dev/null || { echo "not tested: $product, for lack of llvm-readobj" | tee -a "$tested"; exit 77; }
 rm -rf "$work"
 mkdir -p "$work"

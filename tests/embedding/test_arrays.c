@@ -16,7 +16,7 @@ static int points_of(const entry *e)
 {
     const int last = e->sizes - 1;
     if (e->sizes == 0 || e->results == 0 || strcmp(e->name, "rainflow") == 0 ||
-        strcmp(e->name, "contact_cycle_below") == 0) /* an array of loads, which are a history */
+        e->size[0].teller) /* an array of loads, which are a history or those of the object */
         return -1;
     const signed char *of_result = e->result[0].sizes;
     return e->pointwise || (last > 0 && (of_result[0] == last || of_result[1] == last)) ? last : -1;

@@ -66,7 +66,7 @@ static bool take_usual(arguments *left, double v[])
 {
     const entry *e = left->call->entry;
     draw_inside(left->call, &left->seed, v);
-    if (e->takes_object && strcmp(e->family, "contact") == 0)
+    if (strcmp(e->object, "contact") == 0)
         v[0] = COMPUTED;
     for (int i = 0; left->usual == 0 && i < left->call->arguments; i++)
         v[i] = 0;

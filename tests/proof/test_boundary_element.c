@@ -250,8 +250,10 @@ static void cycle_at(const rwedge_contact *pressed, const double x[], double per
         P[i] = MIXED_LOADS[i + 1].P, M[i] = MIXED_LOADS[i + 1].M;
         Q[i] = MIXED_LOADS[i + 1].Q, sigma[i] = MIXED_LOADS[i + 1].sigma;
     }
-    assert_ok(rwedge_contact_cycle_friction(pressed, MIXED - 1, P, M, Q, sigma, ELEMENTS, x,
-                                            slip_range, F1, F2, per_area));
+    rwedge_cycle *cycle;
+    assert_ok(rwedge_cycle_create(pressed, MIXED - 1, P, M, Q, sigma, &cycle));
+    assert_ok(rwedge_cycle_friction(cycle, ELEMENTS, x, slip_range, F1, F2, per_area));
+    rwedge_cycle_destroy(cycle);
 }
 
 /* The energy of a load differs by 0.1, 0.1, 0.5 and 0.9 %; with 40 steps a load by up to 7 %: it is

@@ -62,7 +62,7 @@ def at_the_edge(contact, Q, r):
     edge = contact.edges[0]
     p, q = contact.tractions(edge + r)
     places = edge + np.concatenate([-r[::-1], [0], r])
-    cycle = contact.cycle({"P": P, "M": M, "Q": Q * np.cos(np.linspace(0, 2 * math.pi, 25))}, places, 0)
+    cycle = contact.stresses_after({"P": P, "M": M, "Q": Q * np.cos(np.linspace(0, 2 * math.pi, 25))}, places, 0)
     return {"p": -p, "q": -q, "slips": contact.stick_zone[0] - edge, "x": places - edge,
             "swt": rwedge.smith_watson_topper(*cycle, E, NU, axis=0)[0]}
 

@@ -73,13 +73,13 @@ def main():
     contact.apply(P, 0, Q, sigma)  # the first loading differs from the cycles after it
     phase = np.cos(np.linspace(0, 2 * math.pi, 49))
     before = contact.dissipated_energy
-    cycle = contact.cycle({"P": P, "Q": Q * phase, "sigma": sigma * phase}, x, 0)
-    value, angle = rwedge.smith_watson_topper(*cycle, E, nu, axis=0)
+    stresses = contact.stresses_after({"P": P, "Q": Q * phase, "sigma": sigma * phase}, x, 0)
+    value, angle = rwedge.smith_watson_topper(*stresses, E, nu, axis=0)
     worst = value.argmax()
     left, right = contact.stick_zone
     print("the first of them, as a test: Q and sigma in phase, fully reversed")
     print(f"  contact {b:.4f} mm, stick zone from {left:.4f} to {right:.4f} mm")
-    never = rwedge.permanent_stick(contact.theta, contact.a, contact.A, f, P, 0, -Q, -sigma, P, 0, Q, sigma)
+    never = contact.permanent_stick(P, 0, -Q, -sigma, P, 0, Q, sigma)
     print("  never slips in a cycle: from {:.4f} to {:.4f} mm".format(*never))
     print(f"  dissipated per cycle {1000 * (contact.dissipated_energy - before):.3f} µJ per mm of thickness")
     print(f"  Smith-Watson-Topper {value[worst]:.4f} MPa at x = {x[worst] / b:.4f} b, plane {math.degrees(angle[worst]):.1f} degrees")

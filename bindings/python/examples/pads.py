@@ -37,7 +37,7 @@ def after_a_cycle(contact, x):
     contact.apply(P, M, [Q, -Q, Q], [SIGMA, -SIGMA, SIGMA])
     p, q = contact.tractions(x)
     phase = np.cos(np.linspace(0, 2 * math.pi, 25))
-    cycle = contact.cycle({"P": P, "M": M, "Q": Q * phase, "sigma": SIGMA * phase}, x, 0)
+    cycle = contact.stresses_after({"P": P, "M": M, "Q": Q * phase, "sigma": SIGMA * phase}, x, 0)
     return {"p": -p, "q": -q, "swt": rwedge.smith_watson_topper(*cycle, E, NU, axis=0)[0]}
 
 

@@ -35,7 +35,7 @@ def worst_of(lag, b):
     """Smith, Watson and Topper's parameter of a second cycle, the largest at the left edge and at the right one; error of q."""
     contact, x = pressed(), b * np.linspace(0.9, 1.1, 41)
     contact.apply(**lagging(lag))
-    cycle = contact.cycle(lagging(lag), [-x, x], 0)
+    cycle = contact.stresses_after(lagging(lag), [-x, x], 0)
     value, _ = rwedge.smith_watson_topper(*cycle, E, NU, axis=0)
     return *value.max(axis=1), contact.error
 

@@ -38,7 +38,7 @@ def steady(loads):
 
 def damage(vibration, x):
     loads = flight(vibration)
-    return steady(loads).cycle(loads, x, 0).damage(STEEL)
+    return steady(loads).stresses_after(loads, x, 0).damage(STEEL)
 
 
 def main():

@@ -32,7 +32,7 @@ def main():
             except (rwedge.Error, IndexError):
                 print(call, "error", sep=",")
                 continue
-            if isinstance(result, (rwedge.Contact, rwedge.Series)):  # what makes one begins the next
+            if isinstance(result, (rwedge.Contact, rwedge.Cycle, rwedge.Series)):  # what makes one begins the next
                 known[type(result).__name__.lower()], result = result, None
             known["before"] = np.array([]) if result is None else numbers_of(result)
             print(call, *map(bits, known["before"]), sep=",")

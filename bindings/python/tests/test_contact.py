@@ -116,7 +116,7 @@ def test_a_path_without_closed_form_is_computed_unless_that_is_refused():
         assert contact.error == 0
         contact.apply(*loads[1])
         assert contact.error > 0
-    cycle = coarse.cycle(loads[2:], x, 0.1)
+    cycle = coarse.stresses_after(loads[2:], x, 0.1)
     fine.apply(*loads[2])
     p, q = fine.tractions(x)
     np.testing.assert_allclose(coarse.tractions(x)[1], q, rtol=0, atol=1e-4 * 0.5 * -p.min())

@@ -17,7 +17,7 @@ from rwedge._header import FUNCTIONS
 
 FORMULAS = {name: value for name, value in vars(rwedge).items() if isinstance(getattr(value, "ufunc", None), np.ufunc)
             and not name.startswith("_")}
-UFUNCS = {name: value for name, value in FORMULAS.items() if value.signature is None}  # others are of a cycle: test_cycle.py
+UFUNCS = {name: value for name, value in FORMULAS.items() if value.signature is None}  # others are of a cycle: test_stress_history.py
 
 
 def first_calls():

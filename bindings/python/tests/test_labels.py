@@ -85,7 +85,7 @@ class Quantity:
         return np.array(0.001)
 
 
-@pytest.mark.parametrize("call", [lambda c, q: c.tractions(q), lambda c, q: c.cycle({"Q": 100}, q, 0), lambda c, q: c.cycle({"Q": q}, 0, 0),
+@pytest.mark.parametrize("call", [lambda c, q: c.tractions(q), lambda c, q: c.stresses_after({"Q": 100}, q, 0), lambda c, q: c.stresses_after({"Q": q}, 0, 0),
                                   lambda c, q: rwedge.Series(0.25, 4).pressure(q), lambda c, q: c.stress_history(q, [0], [0], [0], [0], [0])])
 def test_quantities_with_a_unit_are_refused(contact, call):
     with pytest.raises(TypeError, match="has a unit, which would be lost"):

@@ -35,7 +35,7 @@ def test_it_needs_the_c_and_the_math_library_only():
     assert {"rwedge_" + name for name in FUNCTIONS} <= names
 
 
-@pytest.mark.parametrize("kind, maker", [(rwedge.Contact, "contact_create"), (rwedge.Series, "series_create")])
+@pytest.mark.parametrize("kind, maker", [(rwedge.Contact, "contact_create"), (rwedge.Cycle, "cycle_create"), (rwedge.Series, "series_create")])
 def test_an_object_and_all_it_does_is_explained(kind, maker):
     """By the header, of which the methods have their texts; those of the classes are written by hand."""
     for argument, domain in FUNCTIONS[maker]["domains"].items():
@@ -59,11 +59,14 @@ p, q = contact.tractions([0.1, 0.2])
 factor: float = contact.yield_factor(0.3, 300).factor
 limit = rwedge.elastic_limit([0.1, 0.2], 0.3, 0.3)
 one: float = rwedge.load(0.25)
-cycle = contact.cycle({"P": 1000, "Q": [100, -100]}, [0.1, 0.2], 0)
-sxx, syy, txy = cycle
+stresses = contact.stresses_after({"P": 1000, "Q": [100, -100]}, [0.1, 0.2], 0)
+sxx, syy, txy = stresses
 worst, angle = rwedge.smith_watson_topper(sxx, syy, txy, 200e3, nu=0.3, axis=0)
-worst, angle = rwedge.smith_watson_topper(*cycle, E=200e3, nu=0.3, axis=0)
+worst, angle = rwedge.smith_watson_topper(*stresses, E=200e3, nu=0.3, axis=0)
 contact.load([1000, 1100], 10)
+cycle = contact.cycle({"P": 1000, "Q": [100, -100]})
+slip_range = cycle.friction([0.1, 0.2]).slip_range
+left, right = cycle.permanent_stick
 contact.load("a")  # type: ignore[arg-type]
 named = rwedge.elastic_limit(0.25, f=[0.1, 0.2], nu=0.3, out=None)
 contact.load()  # type: ignore[call-arg]
@@ -71,7 +74,7 @@ rwedge.yield_point("a", 3, 4)  # type: ignore[arg-type]
 rwedge.load(0.25, 3)  # type: ignore[call-overload]
 rwedge.load(1j)  # type: ignore[call-overload]
 rwedge.load(0.25, friction=3)  # type: ignore[call-overload]
-contact.cycle({"P": 1000}, "a", 3)  # type: ignore[arg-type]
+contact.stresses_after({"P": 1000}, "a", 3)  # type: ignore[arg-type]
 contact.stresses("a", 3)  # type: ignore[arg-type]
 rwedge.absent(1)  # type: ignore[attr-defined]
 """

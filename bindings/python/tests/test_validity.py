@@ -38,7 +38,7 @@ def test_what_is_doubtful(call, doubts):
 def test_the_numbers_of_the_header_have_names():
     """The help once told of RWEDGE_MEASURE_..., which only C has."""
     assert rwedge.validity_text(rwedge.Doubt.YIELD) == rwedge.validity_text(4) and rwedge.Measure.SWT == 1
-    assert "Measure.STRESS_RANGE and so on" in rwedge.Contact.cycle_worst.__doc__
+    assert "Measure.STRESS_RANGE and so on" in rwedge.Cycle.worst.__doc__
 
 
 def test_as_an_error_it_leaves_the_contact_as_it_was():
@@ -62,12 +62,11 @@ def test_a_formula_warns_of_each_line_that_called():
     assert len(lines) == len(caught) == 3
 
 
-DOVETAIL = 0.1, 17.8, 4.81e-5, 0.65
-
-
 def test_permanent_stick_tells_no_closed_form_from_no_stick_zone():
-    with pytest.warns(RuntimeWarning, match="no closed form encountered in permanent_stick: where the edges slip in opposite directions"):
-        assert math.isnan(rwedge.permanent_stick(*DOVETAIL, 300, 0, 0, 0, 300, 0, 0, 900)[0])
-    assert math.isnan(rwedge.permanent_stick(*DOVETAIL, 300, 0, 195, 0, 300, 0, -195, 0)[0])  # all slides: there is none
-    with pytest.warns(RuntimeWarning, match="invalid value encountered in permanent_stick"):
-        rwedge.permanent_stick(*DOVETAIL, 300, 0, 400, 0, 300, 0, 0, 0)
+    dovetail = rwedge.Contact(0.1, 17.8, 4.81e-5, 0.65)
+    with pytest.raises(rwedge.PathError, match="where the edges slip in opposite directions"):
+        dovetail.permanent_stick(300, 0, 0, 0, 300, 0, 0, 900)
+    with pytest.raises(rwedge.AbsentError):  # all slides
+        dovetail.permanent_stick(300, 0, 195, 0, 300, 0, -195, 0)
+    with pytest.raises(rwedge.SlidingError):
+        dovetail.permanent_stick(300, 0, 400, 0, 300, 0, 0, 0)

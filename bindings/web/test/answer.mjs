@@ -27,7 +27,7 @@ for (const line of readFileSync(0, "ascii").trimEnd().split("\n")) {
     const [call, text] = line.split("\t");
     try {
         let result = new Function(...Object.keys(known), `return ${text.split(" = ").at(-1)}`)(...Object.values(known));
-        for (const [name, kind] of [["contact", rwedge.Contact], ["series", rwedge.Series]])
+        for (const [name, kind] of [["contact", rwedge.Contact], ["cycle", rwedge.Cycle], ["series", rwedge.Series]])
             if (result instanceof kind) [known[name], result] = [result, undefined]; // what makes one begins the next
         known.before = Float64Array.from(numbersOf(result));
         answers.push([call, ...Array.from(known.before, bits)].join(","));

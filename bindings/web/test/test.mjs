@@ -78,7 +78,25 @@ test("what has no closed form, or does not exist, says why", () => {
     assert.throws(() => contact.edges(), refused("RWEDGE_EABSENT", /, when separated$/));
     contact.apply(1000, 100, 0, 0);
     assert.throws(() => contact.apply(1000, 100, 0, 500), refused("RWEDGE_EPATH", /, the two edges would slip in opposite directions/));
-    assert.throws(() => rwedge.permanent_stick(0.1, 17.8, 4.81e-5, 0.65, 300, 0, 0, 0, 300, 0, 0, 900), refused("RWEDGE_EPATH", /, where the edges slip/));
+    const pad = new Contact(0.1, 17.8, 4.81e-5, 0.65);
+    assert.throws(() => pad.permanent_stick(300, 0, 0, 0, 300, 0, 0, 900), refused("RWEDGE_EPATH", /, where the edges slip/));
+});
+
+test("a cycle is made of a contact, which it outlives", () => {
+    const contact = made();
+    contact.load(1000, 0);
+    contact.load(1000, 300);
+    const cycle = new rwedge.Cycle(contact, [1000, 1000], [0, 0], [-300, 300], [0, 0]), b = contact.half_width();
+    const before = cycle.friction([0, 0.99 * b]), { left, right } = cycle.permanent_stick();
+    assert.deepEqual({ left, right }, contact.permanent_stick(1000, 0, -300, 0, 1000, 0, 300, 0));
+    contact.free();
+    assert.equal(cycle.loads(), 2);
+    assert.ok(before.slip_range[0] === 0 && before.slip_range[1] > 0);
+    assert.deepEqual(cycle.friction([0, 0.99 * b]), before);
+    assert.equal(cycle.stresses([0, b], [1, 1]).sxx.length, 4);
+    cycle.free();
+    assert.throws(() => cycle.loads(), { name: "TypeError", message: "this Cycle has been freed" });
+    assert.throws(() => new rwedge.Cycle(new Series(0.25, 5), [1], [0], [0], [0]), { name: "TypeError", message: "this Series is no contact" });
 });
 
 test("a method of another object is refused", () => {

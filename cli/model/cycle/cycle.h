@@ -156,6 +156,7 @@ typedef struct {
     const contact_case *setup;
     criteria asked;
     rwedge_contact *before;    /* the contact before the cycle */
+    rwedge_cycle *cycle;       /* what the contact goes through */
     size_t loads;              /* of the cycle */
     double *P, *M, *Q, *sigma; /* `loads` numbers each */
     double *edges;             /* of contact and stick zone, in no order */
@@ -172,8 +173,8 @@ void last_cycle_begin(const contact_case *setup, const criteria *asked,
 /* Adds a load, which the contact is under. */
 void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle);
 
-/* To be called after the last load, before the measures. */
-void last_cycle_end(last_cycle *cycle);
+/* To be called after the last load, before the measures. Returns the library's status. */
+int32_t last_cycle_end(last_cycle *cycle);
 
 void last_cycle_free(last_cycle *cycle);
 

@@ -44,18 +44,19 @@ void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle)
     note(contact, cycle);
 }
 
-/* Where memory is too short for the states, the measures go through the cycle again. */
-void last_cycle_end(last_cycle *cycle)
+int32_t last_cycle_end(last_cycle *last)
 {
-    rwedge_contact_keep_cycle(cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q,
-                              cycle->sigma);
-    cycle->slip_known =
-        rwedge_contact_cycle_friction(cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q,
-                                      cycle->sigma, 0, NULL, NULL, NULL, NULL, NULL) == RWEDGE_OK;
+    int32_t status = rwedge_cycle_create(last->before, last->loads, last->P, last->M, last->Q,
+                                         last->sigma, &last->cycle);
+    if (status == RWEDGE_OK)
+        status = rwedge_cycle_friction(last->cycle, 0, NULL, NULL, NULL, NULL, NULL);
+    last->slip_known = status == RWEDGE_OK;
+    return status == RWEDGE_EPATH ? RWEDGE_OK : status;
 }
 
 void last_cycle_free(last_cycle *cycle)
 {
+    rwedge_cycle_destroy(cycle->cycle);
     rwedge_contact_destroy(cycle->before);
     free(cycle->P);
     free(cycle->edges);
@@ -145,15 +146,11 @@ static int32_t fatigue(const last_cycle *cycle, size_t n, const double x[], cons
 {
     const size_t all = cycle->loads * n;
     double *stress = malloc((3 * all + 1) * sizeof *stress);
-    rwedge_contact *going = NULL;
-    int32_t status = stress == NULL ? RWEDGE_ENOMEM : rwedge_contact_copy(cycle->before, &going);
-    if (status == RWEDGE_OK)
-        status = rwedge_contact_stress_history(going, cycle->loads, cycle->P, cycle->M, cycle->Q,
-                                               cycle->sigma, n, x, y, stress, stress + all,
-                                               stress + 2 * all);
+    int32_t status = stress == NULL ? RWEDGE_ENOMEM
+                                    : rwedge_cycle_stresses(cycle->cycle, cycle->loads, n, x, y,
+                                                            stress, stress + all, stress + 2 * all);
     if (status == RWEDGE_OK)
         status = last_cycle_criteria(cycle, n, stress, at);
-    rwedge_contact_destroy(going);
     free(stress);
     return status;
 }
@@ -174,9 +171,8 @@ static int32_t friction(const last_cycle *cycle, size_t n, const double x[], con
             work[4 * n + count++] = x[i];
     if (!cycle->slip_known || count == 0)
         return RWEDGE_OK;
-    const int32_t status = rwedge_contact_cycle_friction(
-        cycle->before, cycle->loads, cycle->P, cycle->M, cycle->Q, cycle->sigma, count,
-        work + 4 * n, work, work + n, work + 2 * n, work + 3 * n);
+    const int32_t status = rwedge_cycle_friction(cycle->cycle, count, work + 4 * n, work, work + n,
+                                                 work + 2 * n, work + 3 * n);
     for (size_t i = 0, k = 0; i < n && status == RWEDGE_OK; i++)
         if (is_rubbed(cycle, x[i], y[i])) {
             at[i].value[MEASURE_SLIP_RANGE] = work[k];
@@ -221,10 +217,10 @@ int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const me
         x[i] = line[i].x;
         value[i] = fmax(line[i].value[column], 0); /* 0 where it is not known */
     }
-    const int32_t status = rwedge_contact_cycle_worst(
-        cycle->before, measure_kinds[column].number, cycle->loads, cycle->P, cycle->M, cycle->Q,
-        cycle->sigma, n, x, value, line[0].y, cycle->setup->E1, asked->nu, asked->is_plane_stress,
-        criterion >= 0 ? asked->constant[criterion] : 0, strength_of(asked), worst_x, worst_value);
+    const int32_t status = rwedge_cycle_worst(
+        cycle->cycle, measure_kinds[column].number, n, x, value, line[0].y, cycle->setup->E1,
+        asked->nu, asked->is_plane_stress, criterion >= 0 ? asked->constant[criterion] : 0,
+        strength_of(asked), worst_x, worst_value);
     free(x);
     return status;
 }

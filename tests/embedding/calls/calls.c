@@ -51,6 +51,19 @@ static rwedge_contact *contact_of_case(int i)
     return contact;
 }
 
+/* From half of its Q, or from a first load, to the contact's loads. */
+static rwedge_cycle *cycle_of(const rwedge_contact *contact)
+{
+    double P, M, Q, sigma;
+    rwedge_cycle *cycle = NULL;
+    rwedge_contact_loads(contact, &P, &M, &Q, &sigma);
+    const double p = P > 0 ? P : 4, q = P > 0 ? Q : 1;
+    const double P2[] = {p, p}, M2[] = {M, M}, Q2[] = {q / 2, q}, sigma2[] = {sigma, sigma};
+    if (rwedge_cycle_create(contact, OBJECT_LOADS, P2, M2, Q2, sigma2, &cycle) != RWEDGE_OK)
+        abort();
+    return cycle;
+}
+
 static rwedge_series *series_of_case(int i)
 {
     static const struct {
@@ -65,28 +78,40 @@ static rwedge_series *series_of_case(int i)
 void *object_of(const entry *e, double number)
 {
     static rwedge_contact *contacts[OBJECTS];
+    static rwedge_cycle *cycles[OBJECTS];
     static rwedge_series *series[OBJECTS];
     const int i = (int)fabs(fmod(number, OBJECTS));
     if (contacts[0] == NULL)
         for (int k = OBJECTS - 1; k >= 0; k--) {
             series[k] = series_of_case(k);
             contacts[k] = contact_of_case(k);
+            cycles[k] = cycle_of(contacts[k]);
         }
-    return strcmp(e->family, "contact") == 0 ? (void *)contacts[i] : (void *)series[i];
+    return strcmp(e->object, "contact") == 0 ? (void *)contacts[i]
+           : strcmp(e->object, "cycle") == 0 ? (void *)cycles[i]
+                                             : (void *)series[i];
 }
 
 /* ---- A function as a call ---- */
 
-static size_t size_of(const entry *e)
+static bool is_of_cycle(const entry *e)
 {
-    return e->sizes > 1 ? 2 : (size_t)array_size;
+    return strcmp(e->object, "cycle") == 0;
+}
+
+/* Of a size of the function; the first one of a cycle's functions may be the cycle's. */
+static size_t size_of(const entry *e, int k)
+{
+    return is_of_cycle(e) && e->size[k].teller ? OBJECT_LOADS
+           : e->sizes > 1                      ? 2
+                                               : (size_t)array_size;
 }
 
 static int count_of(const entry *e, const signed char sizes[2])
 {
     int count = 1;
     for (int k = 0; k < 2; k++)
-        count *= sizes[k] < 0 ? 1 : (int)size_of(e);
+        count *= sizes[k] < 0 ? 1 : (int)size_of(e, sizes[k]);
     return count;
 }
 
@@ -102,7 +127,7 @@ typedef struct {
 static void tell_sizes(const entry *e, places *p)
 {
     for (int j = 0; j < e->sizes; j++) {
-        double told = (double)size_of(e), *const result[] = {&told};
+        double told = (double)size_of(e, j), *const result[] = {&told};
         if (e->size[j].teller != NULL && e->takes_object) /* other sizes may be any */
             entry_named(e->size[j].teller)->call(p->object, NULL, NULL, result, NULL);
         p->n[j] = told < CALL_OUTPUTS ? (size_t)told : 0;
@@ -130,6 +155,8 @@ static void free_object(const entry *e, void *object)
 {
     if (strcmp(e->family, "contact") == 0)
         rwedge_contact_destroy(object);
+    else if (strcmp(e->family, "cycle") == 0)
+        rwedge_cycle_destroy(object);
     else
         rwedge_series_destroy(object);
 }
@@ -268,7 +295,8 @@ static const double MARK = -6.02214076e23; /* what an output is before: no resul
 const char *complaint_of(const public_call *call, const double v[], double out[], int32_t *status)
 {
     const entry *e = call->entry;
-    const bool any = e->sizes > 0 && e->size[0].teller; /* numbers that say nothing by themselves */
+    /* a state: numbers that say nothing by themselves */
+    const bool any = e->sizes > 0 && e->size[0].teller && !is_of_cycle(e);
     for (int i = 0; i < CALL_OUTPUTS; i++)
         out[i] = MARK;
     bool changed;

@@ -23,8 +23,9 @@ typedef struct {
     uint32_t also_allowed; /* statuses, as bits, that arguments in the domain may have too */
 } public_call;
 
-/* Of each family, which its functions are called with. The last contact is computed. */
-enum { OBJECTS = 9, COMPUTED = OBJECTS - 1 };
+/* Of each family, which its functions are called with. The last contact is computed. A cycle of
+ * each contact has two loads. */
+enum { OBJECTS = 9, COMPUTED = OBJECTS - 1, OBJECT_LOADS = 2 };
 
 /* The number in front of the arguments of a function that takes an object. */
 extern const entry_argument which_object;

@@ -16,13 +16,11 @@ static const struct {
     double usual[ENTRY_ARGUMENTS];
 } hints[] = {
     {"subsurface_yield", {0.3, 0.05, NAN}},
-    {"permanent_stick", {0.5, 0.3, 1, 0.5, 3, 0, 0.1, 0, 4, 0, 0.05, NAN}},
     {"contact_permanent_stick", {3, 0, 0.1, 0, 4, 0, 0.05, NAN}},
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
-    {"contact_cycle_friction", {4, 0.05, 0, 0, NAN}},
-    {"contact_keep_cycle", {4, 0.05, 0, 0}},
-    {"contact_cycle_below", {4, 0.05, 0, 0, 0.3, 0.2, 0.1, 1}},
-    {"contact_cycle_worst", {NAN, 4, 0.05, 0, 0, 0.1, 1, 0, 1, 0.3, 0, 1, NAN}},
+    {"cycle_create", {4, 0.05, 0, 0}},
+    {"cycle_below", {0.3, 0.2, 0.1, 1}},
+    {"cycle_worst", {NAN, 0.1, 1, 0, 1, 0.3, 0, 1, NAN}},
 };
 
 /* The next of a sequence in [0, 1): splitmix64. */

@@ -4,6 +4,14 @@
 
 static const double F = 0.5;
 
+/* Of a pad that need not be loaded. */
+static int32_t stick_between(const rwedge_contact *pad, rw_loads one, rw_loads two, double *left,
+                             double *right)
+{
+    return rwedge_contact_permanent_stick(pad, one.P, one.M, one.Q, one.sigma, two.P, two.M, two.Q,
+                                          two.sigma, left, right);
+}
+
 /* The slip length 2 K_T/(f K_N) of a small Q: to 0.1 % at Q/(fP) = 0.001, 9 % at 0.1. */
 CLAIM(the_slip_length_is_that_of_the_asymptotes)
 {
@@ -28,8 +36,8 @@ CLAIM(what_never_slips_is_what_cycles_leave)
         APPLY(create(0.4, F), {0.5, 0.1, 0, 0}, {0.5, 0.1, 0.2, 0.02}, {0.5, 0.1, -0.1, -0.03},
               {0.5, 0.1, 0.2, 0.02}, {0.5, 0.1, -0.1, -0.03});
     double left, right;
-    assert_ok(rwedge_permanent_stick(THETA, 0.4, A, F, 0.5, 0.1, -0.1, -0.03, 0.5, 0.1, 0.2, 0.02,
-                                     &left, &right));
+    assert_ok(stick_between(create(0.4, F), (rw_loads){0.5, 0.1, -0.1, -0.03},
+                            (rw_loads){0.5, 0.1, 0.2, 0.02}, &left, &right));
     assert_within(stick_zone_of(contact).left, left, 1e-13);
     assert_within(stick_zone_of(contact).right, right, 1e-13);
 }
@@ -39,9 +47,9 @@ CLAIM(what_never_slips_is_what_cycles_leave)
 CLAIM(the_whole_smaller_contact_may_stick)
 {
     double left, right;
-    assert_ok(rwedge_permanent_stick(.1, 17.8, 4.81e-5, .65, 300, 0, 140, 0, 488, 0, 60, 0, &left,
-                                     &right));
     rwedge_contact *contact = APPLY(create_wedge(.1, 17.8, 4.81e-5, .65), {300, 0, 0, 0});
+    assert_ok(stick_between(contact, (rw_loads){300, 0, 140, 0}, (rw_loads){488, 0, 60, 0}, &left,
+                            &right));
     assert_within(right, edges_of(contact).right, 1e-14 * right);
     assert_within(left, edges_of(contact).left, 1e-14 * right);
     apply(contact, 300, 0, 140, 0);
@@ -56,9 +64,11 @@ CLAIM(the_whole_smaller_contact_may_stick)
 CLAIM(a_cycle_may_touch_sliding)
 {
     double left, right, l, r;
-    assert_ok(rwedge_permanent_stick(THETA, 0.4, A, 0.3, 1000, 0, nextafter(300, 400), 0, 1000, 0,
-                                     0, 0, &left, &right));
-    assert_ok(rwedge_permanent_stick(THETA, 0.4, A, 0.3, 1000, 0, 300, 0, 1000, 0, 0, 0, &l, &r));
+    const rw_loads rests = {1000, 0, 0, 0};
+    const rwedge_contact *pad = create(0.4, 0.3);
+    assert_ok(
+        stick_between(pad, (rw_loads){1000, 0, nextafter(300, 400), 0}, rests, &left, &right));
+    assert_ok(stick_between(pad, (rw_loads){1000, 0, 300, 0}, rests, &l, &r));
     assert_within(right, r, 1e-15 * r);
 }
 
@@ -85,8 +95,8 @@ CLAIM(cycles_without_a_permanent_stick_zone_say_why)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const double *v = cases[i].v;
         double left = 7, right = 7;
-        assert_int_equal(rwedge_permanent_stick(THETA, 0.4, A, cases[i].f, v[0], v[1], v[2], v[3],
-                                                v[4], v[5], v[6], v[7], &left, &right),
+        assert_int_equal(stick_between(create(0.4, cases[i].f), (rw_loads){v[0], v[1], v[2], v[3]},
+                                       (rw_loads){v[4], v[5], v[6], v[7]}, &left, &right),
                          cases[i].status);
         assert_true(left == 7 && right == 7);
     }

@@ -45,6 +45,27 @@ static rwedge_contact *after(double a, const loads *cycle, int times)
     return contact;
 }
 
+static void destroy_cycle(void *cycle)
+{
+    rwedge_cycle_destroy(cycle);
+}
+
+/* The cycle lives to the end of the claim; NULL where it is refused. */
+static int32_t try_cycle(const rwedge_contact *contact, const loads *c, rwedge_cycle **cycle)
+{
+    *cycle = NULL;
+    const int32_t status = rwedge_cycle_create(contact, LOADS(c), cycle);
+    free_after_claim(*cycle, destroy_cycle);
+    return status;
+}
+
+static const rwedge_cycle *cycle_from(const rwedge_contact *contact, const loads *c)
+{
+    rwedge_cycle *cycle;
+    assert_ok(try_cycle(contact, c, &cycle));
+    return cycle;
+}
+
 typedef struct {
     double range[PLACES], f1[PLACES], f2[PLACES], energy[PLACES];
 } friction;
@@ -52,8 +73,12 @@ typedef struct {
 static int32_t friction_at(const rwedge_contact *contact, const loads *c, size_t n,
                            const double x[], friction *at)
 {
-    return rwedge_contact_cycle_friction(contact, LOADS(c), n, x, at->range, at->f1, at->f2,
-                                         at->energy);
+    rwedge_cycle *cycle = NULL;
+    int32_t status = rwedge_cycle_create(contact, LOADS(c), &cycle);
+    if (status == RWEDGE_OK)
+        status = rwedge_cycle_friction(cycle, n, x, at->range, at->f1, at->f2, at->energy);
+    rwedge_cycle_destroy(cycle);
+    return status;
 }
 
 static friction rubbed(const rwedge_contact *contact, const loads *c, size_t n, const double x[])
@@ -380,47 +405,46 @@ CLAIM(a_computed_load_that_hardly_changes_P_is_one_step)
 
 /* ---- The worst place ---- */
 
-static double at_one_place(const rwedge_contact *contact, const loads *c, int measure, double x)
+static double at_one_place(const rwedge_cycle *cycle, int measure, double x)
 {
+    const size_t count = rwedge_cycle_loads(cycle);
     const double y = 0;
     double v[12], s[3][MOST], angle, out_of_plane;
-    rwedge_contact *going = copy_of(contact);
-    rwedge_contact_stress_history(going, LOADS(c), 1, &x, &y, s[0], s[1], s[2]);
+    rwedge_cycle_stresses(cycle, count, 1, &x, &y, s[0], s[1], s[2]);
     if (measure >= RWEDGE_MEASURE_SLIP_RANGE && measure <= RWEDGE_MEASURE_ENERGY_PER_AREA)
-        rwedge_contact_cycle_friction(contact, LOADS(c), 1, &x, &v[3], &v[4], &v[5], &v[6]);
+        rwedge_cycle_friction(cycle, 1, &x, &v[3], &v[4], &v[5], &v[6]);
     else
-        rwedge_criterion_field(measure, c->count, 1, s[0], s[1], s[2], 70, 0.3, 0, 0.4, 500,
+        rwedge_criterion_field(measure, count, 1, s[0], s[1], s[2], 70, 0.3, 0, 0.4, 500,
                                &v[measure], &angle, &out_of_plane);
     return v[measure];
 }
 
-static int32_t worst_of(const rwedge_contact *contact, int measure, const loads *c, size_t n,
-                        const double x[], const double value[], double *at, double *worst)
+static int32_t worst_of(const rwedge_cycle *cycle, int measure, size_t n, const double x[],
+                        const double value[], double *at, double *worst)
 {
-    return rwedge_contact_cycle_worst(contact, measure, LOADS(c), n, x, value, 0, 70, 0.3, 0, 0.4,
-                                      500, at, worst);
+    return rwedge_cycle_worst(cycle, measure, n, x, value, 0, 70, 0.3, 0, 0.4, 500, at, worst);
 }
 
 /* From 21 places; 801 are looked at. */
 CLAIM(the_worst_is_found_between_the_places)
 {
     enum { COARSE = 21, FINE = 801 };
-    const loads cycle = CYCLE({1, 0, 0.4, 0.01}, {1, 0, -0.3, -0.01});
+    const loads given = CYCLE({1, 0, 0.4, 0.01}, {1, 0, -0.3, -0.01});
     rwedge_contact *contact = APPLY(create(0.4, F), {1, 0, 0, 0});
+    const rwedge_cycle *cycle = cycle_from(contact, &given);
     const double b = rwedge_contact_half_width(contact);
     for (int measure = 0; measure <= RWEDGE_MEASURE_DANG_VAN; measure++) {
         double x[COARSE], value[COARSE], worst, top = 0, scanned = 0;
         for (int i = 0; i < COARSE; i++) {
             x[i] = b * (2.0 * i / (COARSE - 1) - 1);
-            value[i] = fmax(at_one_place(contact, &cycle, measure, x[i]), 0);
+            value[i] = fmax(at_one_place(cycle, measure, x[i]), 0);
         }
         for (int i = 0; i < FINE; i++)
-            scanned = fmax(scanned,
-                           at_one_place(contact, &cycle, measure, b * (2.0 * i / (FINE - 1) - 1)));
-        assert_ok(worst_of(contact, measure, &cycle, COARSE, x, value, &worst, &top));
+            scanned = fmax(scanned, at_one_place(cycle, measure, b * (2.0 * i / (FINE - 1) - 1)));
+        assert_ok(worst_of(cycle, measure, COARSE, x, value, &worst, &top));
         assert_true(top >= scanned * (1 - 1e-12));
         assert_close(top, scanned, 3e-3);
-        assert_close(top, at_one_place(contact, &cycle, measure, worst), 1e-15);
+        assert_close(top, at_one_place(cycle, measure, worst), 1e-15);
     }
 }
 
@@ -434,26 +458,29 @@ CLAIM(the_worst_is_found_among_equals)
     rwedge_contact *contact = create(0.4, F), *sharp = create(0, F);
     load(contact, 1, 0);
     load(sharp, 1, 0);
+    const rwedge_cycle *slips = cycle_from(contact, &slipping),
+                       *rests = cycle_from(contact, &resting),
+                       *of_sharp = cycle_from(sharp, &slipping);
     const double b = rwedge_contact_half_width(contact);
     double x[COARSE], value[COARSE], at, top, highest = 0;
     for (int i = 0; i < COARSE; i++) {
         x[i] = b * (2.0 * i / (COARSE - 1) - 1);
-        value[i] = at_one_place(contact, &slipping, RWEDGE_MEASURE_RUIZ_F1, x[i]);
+        value[i] = at_one_place(slips, RWEDGE_MEASURE_RUIZ_F1, x[i]);
         highest = fmax(highest, value[i]);
     }
-    assert_ok(worst_of(contact, RWEDGE_MEASURE_RUIZ_F1, &slipping, COARSE, x, value, &at, &top));
+    assert_ok(worst_of(slips, RWEDGE_MEASURE_RUIZ_F1, COARSE, x, value, &at, &top));
     assert_true(top >= highest);
-    assert_close(top, at_one_place(contact, &slipping, RWEDGE_MEASURE_RUIZ_F1, at), 1e-15);
+    assert_close(top, at_one_place(slips, RWEDGE_MEASURE_RUIZ_F1, at), 1e-15);
     for (int i = 0; i < COARSE; i++)
         value[i] = highest / 2;
-    assert_ok(worst_of(contact, RWEDGE_MEASURE_RUIZ_F1, &slipping, COARSE, x, value, &at, &top));
+    assert_ok(worst_of(slips, RWEDGE_MEASURE_RUIZ_F1, COARSE, x, value, &at, &top));
     assert_true(top >= highest / 2);
     memset(value, 0, sizeof value);
-    assert_ok(worst_of(contact, RWEDGE_MEASURE_SLIP_RANGE, &resting, COARSE, x, value, &at, &top));
+    assert_ok(worst_of(rests, RWEDGE_MEASURE_SLIP_RANGE, COARSE, x, value, &at, &top));
     assert_true(top == 0);
     const double around[] = {-0.2, 0.2, 0.6}, guess[] = {1e-9, 2e-9, 1e-9};
     for (int measure = 0; measure <= RWEDGE_MEASURE_SLIP_RANGE; measure++) {
-        assert_ok(worst_of(sharp, measure, &slipping, 3, around, guess, &at, &top));
+        assert_ok(worst_of(of_sharp, measure, 3, around, guess, &at, &top));
         assert_true(at != 0 && isfinite(top));
     }
 }
@@ -501,17 +528,17 @@ CLAIM(critical_distances_take_the_point_and_the_mean_of_the_line)
                 stress_mean(contact, &cycle, angle, 2 * length, expected);
             else
                 stress_below(contact, &cycle, angle, length / 2, expected);
-            assert_ok(rwedge_contact_cycle_below(contact, LOADS(&cycle), x, angle, length, line,
-                                                 sxx, syy, txy));
+            assert_ok(rwedge_cycle_below(cycle_from(contact, &cycle), cycle.count, x, angle, length,
+                                         line, sxx, syy, txy));
             const double size = fabs(expected[0]) + fabs(expected[1]) + fabs(expected[2]);
             assert_within(sxx[1], expected[0], 1e-8 * size);
             assert_within(syy[1], expected[1], 1e-8 * size);
             assert_within(txy[1], expected[2], 1e-8 * size);
         }
     double kept = 7;
-    assert_int_equal(rwedge_contact_cycle_below(contact, 0, cycle.P, cycle.M, cycle.Q, cycle.sigma,
-                                                x, 0, 1, 0, &kept, &kept, &kept),
-                     RWEDGE_ERANGE);
+    assert_int_equal(
+        rwedge_cycle_below(cycle_from(contact, &cycle), 1, x, 0, 1, 0, &kept, &kept, &kept),
+        RWEDGE_ERANGE);
     assert_true(kept == 7);
 }
 
@@ -522,8 +549,8 @@ CLAIM(a_mean_that_does_not_settle_is_refused)
     rwedge_contact *contact = APPLY(create(0, F), {1, 0, 0, 0});
     const double b = rwedge_contact_half_width(contact);
     double sxx[2] = {7}, syy[2] = {7}, txy[2] = {7};
-    assert_int_equal(rwedge_contact_cycle_below(contact, LOADS(&cycle), 1.32311 * b, -1.49839,
-                                                408.671, 1, sxx, syy, txy),
+    assert_int_equal(rwedge_cycle_below(cycle_from(contact, &cycle), cycle.count, 1.32311 * b,
+                                        -1.49839, 408.671, 1, sxx, syy, txy),
                      RWEDGE_ENOCONV);
     assert_true(sxx[0] == 7 && syy[0] == 7 && txy[0] == 7);
 }
@@ -615,95 +642,150 @@ CLAIM(there_is_no_displacement_without_contact)
     assert_nan(rwedge_contact_displacement(contact, 1));
 }
 
-/* ---- A cycle that is kept ---- */
-
-enum { ANSWERS = 3 + 4 + 2 + 3 * MOST };
-
-/* Friction, a worst place, stresses below, with their statuses. */
-static void ask(const rwedge_contact *contact, const loads *c, double answer[ANSWERS])
+CLAIM(the_displacements_of_a_cycle_are_those_of_its_loads)
 {
-    const double x = 0.1, value = 1e-9;
-    memset(answer, 0, ANSWERS * sizeof *answer);
-    answer[0] = rwedge_contact_cycle_friction(contact, LOADS(c), 1, &x, &answer[3], &answer[4],
-                                              &answer[5], &answer[6]);
-    answer[1] = rwedge_contact_cycle_worst(contact, RWEDGE_MEASURE_SWT, LOADS(c), 1, &x, &value, 0,
-                                           70, 0.3, 0, 0.4, 1, &answer[7], &answer[8]);
-    answer[2] = rwedge_contact_cycle_below(contact, LOADS(c), x, 0, 0.2, 0, &answer[9],
-                                           &answer[9 + MOST], &answer[9 + 2 * MOST]);
-}
-
-static void assert_same_answers(const rwedge_contact *contact, const rwedge_contact *other,
-                                const loads *cycle)
-{
-    double answer[ANSWERS], expected[ANSWERS];
-    ask(contact, cycle, answer);
-    ask(other, cycle, expected);
-    assert_memory_equal(answer, expected, sizeof answer);
-}
-
-static int32_t keep(rwedge_contact *contact, const loads *c)
-{
-    return rwedge_contact_keep_cycle(contact, LOADS(c));
-}
-
-/* Of the second cycle, which separates, the slip is not known. (When a cycle was kept again, states
- * were used that it had freed.) */
-CLAIM(a_kept_cycle_gives_the_bits_of_one_that_is_not)
-{
-    const loads cycles[] = {CYCLE({1, 0, 0.4, 0}, {0.8, 0, -0.3, 0}),
-                            CYCLE({0.5, 0, 0.1, 0}, {0, 0, 0, 0})},
-                others[] = {CYCLE({0.9, 0, 0.4, 0}, {0.8, 0, -0.3, 0}),
-                            CYCLE({1, 0.01, 0.4, 0}, {0.8, 0, -0.3, 0}),
-                            CYCLE({1, 0, 0.3, 0}, {0.8, 0, -0.3, 0}),
-                            CYCLE({1, 0, 0.4, 0.01}, {0.8, 0, -0.3, 0})};
-    for (int i = 0; i < 2; i++) {
-        rwedge_contact *contact =
-                           i == 0 ? after(0.4, cycles, 1) : APPLY(create(0.4, F), {1, 0, 0, 0}),
-                       *plain = copy_of(contact);
-        assert_ok(keep(contact, &cycles[i]));
-        assert_same_answers(contact, plain, &cycles[i]);
-        assert_ok(keep(contact, &cycles[i]));
-        assert_same_answers(contact, plain, &cycles[i]);
-        for (size_t k = 0; k < sizeof others / sizeof *others; k++)
-            assert_same_answers(contact, plain, &others[k]);
-        assert_same_answers(copy_of(contact), plain, &cycles[i]);
-        apply(contact, 0.9, 0, 0.1, 0);
-        apply(plain, 0.9, 0, 0.1, 0);
-        assert_same_answers(contact, plain, &cycles[i]);
+    const loads cycle = CYCLE({1, 0, 0.4, 0}, {0.8, 0, -0.3, 0}, {1.1, 0, 0.2, 0});
+    rwedge_contact *contact = after(0.4, &cycle, 2);
+    double displacement[3] = {7};
+    assert_ok(rwedge_cycle_displacement(cycle_from(contact, &cycle), 3, 10, displacement));
+    for (size_t i = 0; i < cycle.count; i++) {
+        load(contact, cycle.P[i], cycle.Q[i]);
+        assert_within(displacement[i], rwedge_contact_displacement(contact, 10), 1e-14 * F * THETA);
     }
 }
 
-CLAIM(a_cycle_that_is_refused_is_not_kept)
+CLAIM(a_cycle_without_displacements_says_why)
 {
-    loads cycle = CYCLE({1, 0, 0.4, 0}, {1, 0, -0.3, 0});
-    rwedge_contact *contact = after(0.4, &cycle, 1);
-    assert_ok(keep(contact, &cycle));
-    loads none = cycle, slides = cycle;
-    none.count = 0;
-    slides.Q[1] = 0.6;
-    assert_int_equal(keep(contact, &none), RWEDGE_ERANGE);
-    assert_int_equal(keep(contact, &slides), RWEDGE_ESLIDING);
-    assert_same_answers(contact, copy_of(contact), &cycle);
+    const loads apart = CYCLE({1, 0, 0.1, 0}, {0, 0, 0, 0}), unknown = CYCLE({1, 0.2, F, 0});
+    rwedge_contact *contact = APPLY(create(0.4, F), {1, 0.2, 0, 0});
+    double v[2] = {7, 7};
+    assert_int_equal(rwedge_cycle_displacement(cycle_from(create(0.4, F), &apart), 2, 1, v),
+                     RWEDGE_EABSENT);
+    assert_int_equal(rwedge_cycle_displacement(cycle_from(contact, &unknown), 1, 1, v),
+                     RWEDGE_EPATH);
+    assert_int_equal(rwedge_cycle_displacement(cycle_from(contact, &unknown), 2, 1, v),
+                     RWEDGE_ERANGE);
+    assert_int_equal(rwedge_cycle_displacement(cycle_from(contact, &unknown), 1, 0, v),
+                     RWEDGE_EDOMAIN);
+    assert_true(v[0] == 7 && v[1] == 7);
+}
+
+/* ---- What never slips ---- */
+
+/* Between two loads it is the closed form of what cycles leave; of three loads, the smallest of
+ * pairs. */
+CLAIM(what_never_slips_in_a_steady_cycle_is_the_closed_form)
+{
+    static const rw_loads one = {0.5, 0.1, -0.1, -0.03}, two = {0.5, 0.1, 0.2, 0.02};
+    const loads pair = CYCLE(one, two), more = CYCLE(one, {0.5, 0.1, 0.05, -0.005}, two),
+                growing = CYCLE({300, 0, 140, 0}, {488, 0, 60, 0});
+    const loads first = CYCLE({0.5, 0.1, 0, 0}, one, two, one, two);
+    rwedge_contact *contact = after(0.4, &first, 1), *pad = create_wedge(.1, 17.8, 4.81e-5, .65);
+    APPLY(pad, {300, 0, 0, 0}, {300, 0, 140, 0});
+    double left, right, l, r;
+    assert_ok(rwedge_contact_permanent_stick(contact, one.P, one.M, one.Q, one.sigma, two.P, two.M,
+                                             two.Q, two.sigma, &left, &right));
+    assert_ok(rwedge_cycle_permanent_stick(cycle_from(contact, &pair), &l, &r));
+    assert_true(fabs(l - left) < 1e-13 && fabs(r - right) < 1e-13);
+    assert_ok(rwedge_cycle_permanent_stick(cycle_from(contact, &more), &l, &r));
+    assert_true(fabs(l - left) < 1e-13 && fabs(r - right) < 1e-13);
+    assert_ok(rwedge_cycle_permanent_stick(cycle_from(pad, &growing), &l, &r));
+    assert_within(r, edges_of(pad).right, 1e-14 * r);
+    assert_within(l, edges_of(pad).left, 1e-14 * r);
+}
+
+/* Of a computed cycle it is where nothing slips. */
+CLAIM(what_never_slips_in_a_computed_cycle_does_not_slip)
+{
+    const loads cycle = CYCLE({1, 0, 0.2, 0.3}, {1, 0, -0.2, -0.3});
+    rwedge_contact *contact = APPLY(allowing(create(0.4, F), 1e-4), {1, 0, 0, 0});
+    assert_ok(go_through(contact, &cycle));
+    const rwedge_cycle *steady = cycle_from(contact, &cycle);
+    const double b = rwedge_contact_half_width(contact);
+    double left, right;
+    friction at;
+    assert_ok(rwedge_cycle_permanent_stick(steady, &left, &right));
+    assert_true(left < right && -b < left && right < b);
+    const double x[] = {left - 0.05 * b, left, (left + right) / 2, right, right + 0.05 * b};
+    assert_ok(rwedge_cycle_friction(steady, 5, x, at.range, at.f1, at.f2, at.energy));
+    for (int i = 1; i < 4; i++)
+        assert_within(at.range[i], 0, 1e-3 * F * THETA * b);
+    assert_true(at.range[0] > 1e-4 * F * THETA * b && at.range[4] > 1e-4 * F * THETA * b);
+}
+
+CLAIM(a_cycle_in_which_all_slips_or_separates_has_no_such_zone)
+{
+    const loads slides = CYCLE({1, 0, F, 0}, {1, 0, 0, 0}),
+                apart = CYCLE({1, 0, 0, 0}, {0, 0, 0, 0}), same = CYCLE({1, 0, 0, 0}, {1, 0, 0, 0});
+    rwedge_contact *contact = APPLY(create(0.4, F), {1, 0, 0, 0}),
+                   *smooth = APPLY(create(0.4, 0), {1, 0, 0, 0});
+    double left = 7, right = 7;
+    const rwedge_cycle *none[] = {cycle_from(contact, &slides), cycle_from(contact, &apart),
+                                  cycle_from(create(0.4, F), &same), cycle_from(smooth, &same)};
+    for (int i = 0; i < 4; i++)
+        assert_int_equal(rwedge_cycle_permanent_stick(none[i], &left, &right), RWEDGE_EABSENT);
+    assert_true(left == 7 && right == 7);
+}
+
+/* ---- The object ---- */
+
+CLAIM(a_cycle_has_the_stresses_of_its_loads_one_by_one)
+{
+    const loads cycle = CYCLE({1, 0, 0.4, 0}, {0.8, 0.1, -0.3, 0}, {0.9, 0, 0.2, 0.1});
+    rwedge_contact *contact = APPLY(allowing(create(0.4, F), 1e-2), {1, 0, 0, 0});
+    const double x[] = {-0.3, 0.1, 2}, y[] = {0, 0.2, 0};
+    double s[3][9], t[3][9];
+    const rwedge_cycle *made = cycle_from(contact, &cycle);
+    assert_int_equal(rwedge_cycle_loads(made), 3);
+    assert_int_equal(rwedge_cycle_loads(NULL), 0);
+    assert_ok(rwedge_cycle_stresses(made, 3, 3, x, y, s[0], s[1], s[2]));
+    assert_ok(rwedge_contact_stress_history(contact, LOADS(&cycle), 3, x, y, t[0], t[1], t[2]));
+    assert_memory_equal(s, t, sizeof s);
+}
+
+/* Of the second cycle, which separates, the slip is not known: its stresses are. */
+CLAIM(a_cycle_outlives_its_contact)
+{
+    const loads cycles[] = {CYCLE({1, 0, 0.4, 0}, {0.8, 0, -0.3, 0}),
+                            CYCLE({1, 0, 0, 0}, {1, 0, 0.4, 0.15}, {0, 0, 0, 0})};
+    for (int i = 0; i < 2; i++) {
+        rwedge_contact *contact;
+        assert_ok(rwedge_contact_create(THETA, 0.4, A, F, &contact));
+        const rwedge_cycle *cycle = cycle_from(contact, &cycles[i]), *same;
+        same = cycle_from(contact, &cycles[i]);
+        const double x = 0.1, y = 0;
+        double s[2][3][MOST] = {{{0}}}, rubs[2][4] = {{0}};
+        const size_t count = cycles[i].count;
+        for (int k = 0; k < 2; k++) {
+            const rwedge_cycle *asked = k == 0 ? same : cycle;
+            assert_ok(rwedge_cycle_stresses(asked, count, 1, &x, &y, s[k][0], s[k][1], s[k][2]));
+            assert_int_equal(rwedge_cycle_friction(asked, 1, &x, &rubs[k][0], &rubs[k][1],
+                                                   &rubs[k][2], &rubs[k][3]),
+                             i == 0 ? RWEDGE_OK : RWEDGE_EPATH);
+            if (k == 0)
+                rwedge_contact_destroy(contact);
+        }
+        assert_memory_equal(s[0], s[1], sizeof s[0]);
+        assert_memory_equal(rubs[0], rubs[1], sizeof rubs[0]);
+    }
 }
 
 /* ---- Refusals ---- */
 
 CLAIM(more_numbers_than_memory_has_are_refused)
 {
-    const size_t many = SIZE_MAX / 16, fewer = SIZE_MAX / 1000;
+    const size_t many = SIZE_MAX / 16;
     const double v[] = {1, 1}, none[] = {0, 0};
     double out[4];
     rwedge_contact *contact = APPLY(create(0.4, F), {1, 0, 0, 0});
-    assert_int_equal(rwedge_contact_keep_cycle(contact, many, v, none, none, none), RWEDGE_ERANGE);
-    assert_int_equal(rwedge_contact_cycle_friction(contact, fewer, v, none, none, none, 1, none,
-                                                   out, out, out, out),
+    rwedge_cycle *cycle = NULL;
+    assert_int_equal(rwedge_cycle_create(contact, many, v, none, none, none, &cycle),
                      RWEDGE_ERANGE);
-    assert_int_equal(rwedge_contact_cycle_friction(contact, 2, v, none, none, none, many, none, out,
-                                                   out, out, out),
+    assert_ok(rwedge_cycle_create(contact, 2, v, none, none, none, &cycle));
+    free_after_claim(cycle, destroy_cycle);
+    assert_int_equal(rwedge_cycle_friction(cycle, many, none, out, out, out, out), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_cycle_stresses(cycle, 2, many, none, none, out, out, out),
                      RWEDGE_ERANGE);
-    assert_int_equal(
-        rwedge_contact_cycle_below(contact, many, v, none, none, none, 0.1, 0, 1, 0, out, out, out),
-        RWEDGE_ERANGE);
 }
 
 CLAIM(a_refusal_leaves_the_outputs)
@@ -731,9 +813,9 @@ CLAIM(a_refusal_leaves_the_outputs)
                {1, 1, {0}, {-1}, 0, RWEDGE_EDOMAIN},  {1, 1, {0}, {NAN}, 0, RWEDGE_EDOMAIN},
                {3, 1, {0}, {1}, 0.1, RWEDGE_EDOMAIN}, {1, 1, {0}, {1}, -1, RWEDGE_EDOMAIN}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-        assert_int_equal(rwedge_contact_cycle_worst(contact, bad[i].measure, LOADS(&cycle),
-                                                    bad[i].n, bad[i].x, bad[i].value, bad[i].y, 70,
-                                                    0.3, 0, 0, 1, &worst_x, &worst),
+        assert_int_equal(rwedge_cycle_worst(cycle_from(contact, &cycle), bad[i].measure, bad[i].n,
+                                            bad[i].x, bad[i].value, bad[i].y, 70, 0.3, 0, 0, 1,
+                                            &worst_x, &worst),
                          bad[i].status);
     assert_true(worst_x == 7 && worst == 7);
 }

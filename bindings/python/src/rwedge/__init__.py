@@ -5,7 +5,8 @@ Formulas are NumPy ufuncs that take arguments by name too: they broadcast, take 
 Outside its domain a formula gives NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does
 (``numpy.errstate(invalid="raise")`` makes an exception of it); NaN among the arguments gives NaN without a warning.
 
-``Contact`` is a contact with a history of loads, ``Cycle`` the stresses through such a history, ``Series`` the paper's series.
+``Contact`` is a contact with a history of loads, ``Cycle`` what it undergoes in a cycle of them, ``StressHistory`` the stresses
+through loads, ``Series`` the paper's series.
 ``stresses()`` is the ufunc ``stress``, but raises. These raise ValueError outside the domain, and warn of doubtful results
 (``ValidityWarning``). NaN among points gives NaN; as a parameter, a load or a sample it is refused.
 
@@ -21,18 +22,21 @@ _need("numpy", "rwedge")
 from . import _made  # noqa: E402
 from ._contact import Contact, YieldFactor
 from ._criteria import Damage, Plane
-from ._cycle import Cycle
+from ._cycle import Cycle, Friction
 from ._library import AbsentError, Error, PathError, SlidingError
 from ._library import function as _function
 from ._loads import Loads
 from ._made import *  # noqa: F403
+from ._renamed import now_called as _now_called
 from ._series import Series
+from ._stress_history import StressHistory
 from ._ufuncs import UFUNCS as _UFUNCS
 from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
-_CLASSES = (AbsentError, Contact, Cycle, Damage, Error, Loads, PathError, Plane, Series, SlidingError, ValidityWarning, YieldFactor)
+_CLASSES = (AbsentError, Contact, Cycle, Damage, Error, Friction, Loads, PathError, Plane, Series, SlidingError, StressHistory,
+            ValidityWarning, YieldFactor)
 for _class in _CLASSES:
     _class.__module__ = __name__
 __version__ = _function("version")().decode()
@@ -48,3 +52,7 @@ def stresses(alpha, f, c, x, y):
     """Stresses sxx, syy, txy in the broadcast shape of the arguments, as the ufunc ``stress``. A ValueError says which
     arguments are outside the domain; NaN gives NaN. Source: Eq. (28), (32), (33) with E4, E8; new."""
     return _stresses(alpha, f, c, x, y)
+
+
+def __getattr__(name):
+    raise AttributeError(_now_called(name) or f"module 'rwedge' has no attribute '{name}'")

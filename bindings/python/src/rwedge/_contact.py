@@ -21,6 +21,8 @@ from ._labels import Numbers, aligned, plain
 from ._library import EDOMAIN, EPATH, ERANGE, OK, AbsentError, Error, PathError, check, function, real
 from ._loads import Columns, History, Loads, columns, given_columns
 from ._made import ContactMethods, Pad, _contact_stresses
+from ._renamed import now_called
+from ._stress_history import StressHistory
 from ._ufuncs import Points
 from ._validity import warn
 
@@ -286,7 +288,13 @@ class Contact(ContactMethods):
         finally:
             _destroy(trial)
 
-    def cycle(self, loads: History, x: Numbers, y: Numbers) -> Cycle:
+    def cycle(self, loads: History, *places: Numbers) -> Cycle:
+        """What the contact undergoes in a cycle of loads, without changing it: ``Cycle(contact, loads)``. Source: new."""
+        if places:  # as it was before version 2.0
+            raise TypeError(f"Contact.cycle() takes the loads alone: {now_called('Contact.cycle')}")
+        return Cycle(self, loads)
+
+    def stresses_after(self, loads: History, x: Numbers, y: Numbers) -> StressHistory:
         """Stresses at points (x, y) of the half-plane while the contact goes through loads, in one call to the library: as
         ``apply`` and ``stresses`` after each, to the same bits, and faster. The contact then has the last of the loads.
 
@@ -300,8 +308,8 @@ class Contact(ContactMethods):
 
         Returns
         -------
-        cycle : Cycle
-            with the array ``stress`` (load, point, component); ``sxx, syy, txy = cycle``
+        stresses : StressHistory
+            with the array ``stress`` (load, point, component); ``sxx, syy, txy = stresses``
 
         Raises
         ------
@@ -312,7 +320,8 @@ class Contact(ContactMethods):
 
         See Also
         --------
-        Cycle : what it gives
+        StressHistory : what it gives
+        Cycle.stresses : the same of loads that the contact does not keep
         smith_watson_topper, fatemi_socie : fatigue parameters at these points
 
         Examples
@@ -320,7 +329,7 @@ class Contact(ContactMethods):
         >>> import rwedge
         >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
         >>> pad.load(2000)
-        >>> sxx, syy, txy = pad.cycle({"P": 2000, "Q": [300, -300, 300]}, x=[-2, -1], y=0)
+        >>> sxx, syy, txy = pad.stresses_after({"P": 2000, "Q": [300, -300, 300]}, x=[-2, -1], y=0)
         >>> sxx.shape
         (3, 2)
         """
@@ -337,7 +346,12 @@ class Contact(ContactMethods):
             some, stress = stress, np.full((3, len(history[0]), x.size), math.nan)
             stress[:, :, known.ravel()] = some
         shape = 3, len(history[0]), *x.shape
-        return Cycle(Loads(*history), x, y, np.moveaxis(stress.reshape(shape), 0, -1), labels)  # type: ignore[arg-type]
+        return StressHistory(Loads(*history), x, y, np.moveaxis(stress.reshape(shape), 0, -1), labels)  # type: ignore[arg-type]
+
+    def __getattr__(self, name: str) -> Any:
+        if message := now_called(f"Contact.{name}"):
+            raise AttributeError(message)
+        return object.__getattribute__(self, name)  # which says what is wrong
 
     def state(self) -> NDArray[np.float64]:
         numbers: NDArray[np.float64] = self._call("contact_state")

@@ -1,173 +1,108 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stresses at points through a history of loads, and the forms that other packages take them in."""
+"""A cycle of loads of a contact."""
 from __future__ import annotations
 
-from typing import Any, Iterator, SupportsFloat
+import ctypes
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._criteria import Criteria
-from ._library import real
-from ._loads import Loads
-from ._optional import need
-from ._ufuncs import UFUNCS
+from ._labels import Numbers, aligned, plain
+from ._library import OK, check, function
+from ._loads import History, Loads, columns, given_columns
+from ._made import CycleMethods
+from ._stress_history import StressHistory
 
-NAMES = {"sxx": "stress along the surface", "syy": "stress normal to the surface", "txy": "shear stress",
-         "szz": "stress across the plane", "P": "normal load", "M": "moment", "Q": "tangential load", "sigma": "bulk tension",
-         "x": "place along the surface", "y": "depth"}
+if TYPE_CHECKING:
+    from ._contact import Contact
+
+_create, _destroy = function("cycle_create"), function("cycle_destroy")
 
 
-class Cycle(Criteria):
-    """Stresses at points while a contact goes through loads, as ``Contact.cycle`` gives them. Tension is positive.
+class Friction(NamedTuple):
+    """What friction does at places of the surface in a cycle, each in the shape of the places."""
 
-    It unpacks into its components, ``sxx, syy, txy = cycle``, each an array of (load, point), where point stands for all
-    dimensions of x and y. So ``rwedge.smith_watson_topper(*cycle, E, nu, axis=0)`` is Smith, Watson and Topper's parameter
-    at every point.
+    slip_range: NDArray[np.float64]
+    ruiz_f1: NDArray[np.float64]
+    ruiz_f2: NDArray[np.float64]
+    energy: NDArray[np.float64]
 
-    Attributes
+
+class Cycle(CycleMethods):
+    """What a contact undergoes in a cycle of loads, which it starts as it is; the contact itself stays as it is.
+
+    For a steady state load the contact with the cycle first: once under constant P and M, twice where they change, some times
+    more where loads have no closed form.
+
+    Parameters
     ----------
-    stress : ndarray
-        (load, point, component), the components being sxx, syy, txy; a stress
-    loads : Loads
-        P, Q force/length, M force, sigma stress: an array of all loads each
-    x, y : ndarray
-        the points, length, in their broadcast shape
+    contact : Contact
+        it may change, or go, while the cycle is there
+    loads : mapping, frame, or array_like
+        P, M, Q, sigma as ``Contact.stresses_after`` takes them
 
-    Criteria of fatigue, damage and lives at the points are methods. They take ``material``, a mapping with the constants that
-    each names, and ``plane_stress``, which is for contacts with such a compliance; otherwise it is plane strain.
+    Raises
+    ------
+    ValueError
+        (``rwedge.Error``) where ``Contact.apply`` does. The message names the load
+    MemoryError
 
-    Source: new.
+    Notes
+    -----
+    A cycle goes through the loads once, when it is made; its questions then take the time of their places. It never changes:
+    any number of threads may ask it at a time. It cannot be pickled: send the contact and the loads.
 
-    See Also
-    --------
-    Contact.cycle : which makes it
+    Source: lib/README.md, "Cycles"; new.
 
     Examples
     --------
     >>> import rwedge
     >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.3)
-    >>> pad.load(2000)
-    >>> cycle = pad.cycle({"P": 2000, "Q": [300, -300, 300]}, x=[-2, -1], y=0)
+    >>> pad.apply(2000, 0, [0, 300, -300], 0)
+    >>> cycle = rwedge.Cycle(pad, {"P": 2000, "Q": [300, -300]})
     >>> cycle
-    <rwedge.Cycle of 3 loads at 2 points>
-    >>> cycle.stress.shape, cycle.voigt(nu=0.3).shape
-    ((3, 2, 3), (3, 2, 6))
-    >>> value, angle = rwedge.smith_watson_topper(*cycle, 205e3, 0.3, axis=0)
-    >>> value.shape
-    (2,)
+    <rwedge.Cycle of 2 loads>
+    >>> left, right = cycle.permanent_stick
+    >>> left == -right
+    True
+    >>> cycle.friction([0.0, 1.9]).slip_range > 0
+    array([False,  True])
     """
 
     loads: Loads
-    x: NDArray[Any]
-    y: NDArray[Any]
-    stress: NDArray[np.float64]
 
-    def __init__(self, loads: Loads, x: NDArray[Any], y: NDArray[Any], stress: NDArray[np.float64], labels: Any = None) -> None:
-        self.loads, self.x, self.y, self.stress, self._labels = loads, x, y, stress, labels
+    def __init__(self, contact: Contact, loads: History) -> None:
+        arrays, handle = given_columns(loads), ctypes.c_void_p()
+        with contact._lock:
+            history = columns(arrays, contact.loads)
+            status = _create(contact._address, len(history[0]), *(column.ctypes.data for column in history), ctypes.byref(handle))
+            if status != OK:
+                nowhere = np.empty(0)
+                contact._find_fault(history, nowhere, nowhere)
+            check("cycle_create", status, {"loads": len(history[0])})
+        self._adopt(handle, _destroy)
+        self.loads = Loads(*history)  # type: ignore[arg-type]
 
-    def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        return iter(np.moveaxis(self.stress, -1, 0))
-
-    def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
-        if copy is False and dtype not in (None, self.stress.dtype):
-            raise ValueError("another type of number needs a copy")
-        return np.array(self.stress, dtype=dtype, copy=True) if copy else np.asarray(self.stress, dtype=dtype)
+    def __len__(self) -> int:
+        return len(self.loads.P)  # type: ignore[arg-type]
 
     def __repr__(self) -> str:
-        return f"<rwedge.Cycle of {self.stress.shape[0]} loads at {self.x.size} points>"
+        return f"<rwedge.Cycle of {len(self)} loads>"
 
-    @property
-    def sxx(self) -> NDArray[np.float64]:
-        """Stress along the surface, (load, point)."""
-        return self.stress[..., 0]
+    def stresses(self, x: Numbers, y: Numbers) -> StressHistory:
+        points, labelled = aligned((x, y))
+        x, y = np.broadcast_arrays(*map(plain, points))
+        labels = None if labelled is None else labelled(np.zeros(x.shape))
+        known = ~(np.isnan(x) | np.isnan(y))
+        stress = np.full((3, len(self), *x.shape), math.nan)
+        stress[:, :, known] = self._call("cycle_stresses", x[known], y[known])
+        return StressHistory(self.loads, x, y, np.moveaxis(stress, 0, -1), labels)
 
-    @property
-    def syy(self) -> NDArray[np.float64]:
-        """Stress normal to the surface, (load, point)."""
-        return self.stress[..., 1]
-
-    @property
-    def txy(self) -> NDArray[np.float64]:
-        """Shear stress, (load, point)."""
-        return self.stress[..., 2]
-
-    def szz(self, nu: SupportsFloat) -> NDArray[np.float64]:
-        """The stress across the plane, (load, point): nu (sxx+syy) in plane strain; 0 in plane stress, for nu = 0.
-
-        Parameters
-        ----------
-        nu : float
-            Poisson's ratio of the half-plane, 0 <= nu <= 0.5
-
-        Source: ``out_of_plane_stress``.
-        """
-        result: NDArray[np.float64] = UFUNCS["out_of_plane_stress"](self.sxx, self.syy, real("nu", nu))
-        return result
-
-    def voigt(self, nu: SupportsFloat) -> NDArray[np.float64]:
-        """The full tensor, (load, point, 6), in Voigt's order xx, yy, zz, yz, xz, xy, as FatPy takes it. x is along the
-        surface, y into the half-plane; yz and xz are 0.
-
-        Parameters
-        ----------
-        nu : float
-            Poisson's ratio of the half-plane, 0 <= nu <= 0.5; 0 for plane stress
-
-        Source: ``out_of_plane_stress``; the order of Voigt (1910).
-        """
-        tensor = np.zeros((*self.stress.shape[:-1], 6))
-        for place, component in ((0, self.sxx), (1, self.syy), (2, self.szz(nu)), (5, self.txy)):
-            tensor[..., place] = component
-        return tensor
-
-    def to_pandas(self, nu: SupportsFloat) -> Any:
-        """A frame with a row for each load and point, and the columns S11, S22, S33, S12, S13, S23, as pyLife takes it
-        (``frame.equistress.mises()``). 1 is x, along the surface, 2 is y, into the half-plane. The index has the levels load
-        and point; points of more dimensions are numbered row by row, those of a labelled Series have its labels. Needs
-        pandas.
-
-        Parameters
-        ----------
-        nu : float
-            Poisson's ratio of the half-plane, 0 <= nu <= 0.5; 0 for plane stress
-        """
-        pandas = need("pandas", "Cycle.to_pandas()")
-        xx, yy, zz, yz, xz, xy = np.moveaxis(self.voigt(nu), -1, 0)
-        points = getattr(self._labels, "index", None)
-        points = range(self.x.size) if points is None else points
-        index = pandas.MultiIndex.from_product([range(self.stress.shape[0]), points], names=["load", "point"])
-        return pandas.DataFrame({"S11": xx.ravel(), "S22": yy.ravel(), "S33": zz.ravel(), "S12": xy.ravel(), "S13": xz.ravel(),
-                                 "S23": yz.ravel()}, index=index)
-
-    def to_xarray(self, nu: SupportsFloat | None = None, length: str = "mm", stress: str = "MPa") -> Any:
-        """A Dataset of sxx, syy, txy, and with nu of szz, over load and the dimensions of the points: those of x and y where
-        they have names, point otherwise. P, M, Q, sigma go along load. Each has a long_name and units. Needs xarray.
-
-        Parameters
-        ----------
-        nu : float, optional
-            Poisson's ratio of the half-plane, 0 <= nu <= 0.5; 0 for plane stress
-        length, stress : str
-            what the units are called; the others are made of them
-        """
-        xarray = need("xarray", "Cycle.to_xarray()")
-        dims, coordinates = getattr(self._labels, "dims", None), getattr(self._labels, "coords", {})
-        if dims is None:
-            dims = ["point"] if self.x.ndim == 1 else [f"point_{k}" for k in range(self.x.ndim)]
-        force = f"{stress} {length}"
-        units = {"P": force, "Q": force, "M": f"{force} {length}", "x": length, "y": length}
-
-        def about(name: str) -> dict[str, str]:
-            return {"long_name": NAMES[name], "units": units.get(name, stress)}
-
-        values = {"sxx": self.sxx, "syy": self.syy, "txy": self.txy}
-        if nu is not None:
-            values["szz"] = self.szz(nu)
-        places = {name: (dims, where, about(name)) for name, where in (("x", self.x), ("y", self.y)) if name not in coordinates}
-        data = xarray.Dataset({name: (["load", *dims], value, about(name)) for name, value in values.items()},
-                              {"load": np.arange(self.stress.shape[0]), **coordinates, **places,
-                               **{name: ("load", value, about(name)) for name, value in self.loads._asdict().items()}})
-        for name in ("x", "y"):
-            data[name].attrs.update(about(name))
-        return data
+    def friction(self, x: Numbers) -> Friction:
+        points, labelled = aligned((x,))
+        x = plain(points[0])
+        known, results = ~np.isnan(x), np.full((4, *np.shape(x)), math.nan)
+        results[:, known] = self._call("cycle_friction", x[known])
+        return Friction(*(results if labelled is None else map(labelled, results)))

@@ -239,9 +239,10 @@ static void write_verdict(void)
 
 static void write_answer(void)
 {
-    last_cycle_end(&asked.last);
-    const int32_t status = measure();
-    if (asked.along.count == 0)
+    int32_t status = last_cycle_end(&asked.last);
+    if (status == RWEDGE_OK)
+        status = measure();
+    if (status == RWEDGE_OK && asked.along.count == 0)
         json_refuse("", "there is no contact in the cycle");
     else if (status != RWEDGE_OK)
         json_refuse("", "This cannot be computed: %s", rwedge_strerror(status));

@@ -315,8 +315,8 @@ bool draw_permanent(probe *call)
     const double to = argument(call, "sigma2", from + most * (1.8 * uniform(call) - 0.9));
     return contact && other && rwedge_contact_edges(contact.get(), &r[2], &r[3]) == RWEDGE_OK &&
            rwedge_contact_edges(other.get(), &r[4], &r[5]) == RWEDGE_OK &&
-           rwedge_permanent_stick(v[THETA], v[ROUNDING], v[COMPLIANCE], f, v[LOAD], v[MOMENT], one,
-                                  from, P, M, two, to, &r[0], &r[1]) == RWEDGE_OK;
+           rwedge_contact_permanent_stick(contact.get(), v[LOAD], v[MOMENT], one, from, P, M, two,
+                                          to, &r[0], &r[1]) == RWEDGE_OK;
 }
 
 /* (N1 + N2 - |T2 - T1|)/2; all of the smaller contact where that patch is larger than it. */
@@ -378,7 +378,7 @@ const row ECCENTRIC_ROWS[] = {
     {"contact_largest_tension_step", "the same",
      "relative, times max(1, \\|x\\|/width), over 1 - \\|delta\\|", 1e-14, "1e-14", 1,
      draw_stick_zone, judge_tension_step},
-    {"permanent_stick", "P, M constant or in proportion",
+    {"contact_permanent_stick", "P, M constant or in proportion",
      "of the contact's width or \\|x\\|, over 1 - \\|delta\\| and the root of what sticks of P",
      1e-14, "1e-14", 1, draw_permanent, judge_permanent},
     {},

@@ -72,9 +72,10 @@ OWN = {
     ("contact_create", "f"): [0.6],
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
-    ("contact_cycle_friction", "x"): [1.75, -1.9, 2.2, 1.82, -1.72, 1.95, -2.25],  # at the edges, where it slips
+    ("cycle_create", "P"): [2000], ("cycle_create", "M"): [60], ("cycle_create", "Q"): [100, -300, 200], ("cycle_create", "sigma"): [-2],
+    ("cycle_friction", "x"): [1.75, -1.9, 2.2, 1.82, -1.72, 1.95, -2.25],  # at the edges, where it slips
     ("contact_create_profile", "slope"): [-0.01, 0, 0.01], ("contact_create_profile", "f"): [0.6], ("contact_create_flat", "f"): [0.6],
-    ("contact_cycle_worst", "y"): [0], ("criterion_field", "measure"): [1, 2, 7, 10],
+    ("cycle_worst", "y"): [0], ("criterion_field", "measure"): [1, 2, 7, 10],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
     ("validity", "f"): [0, 0.3, 0.05],
 }
@@ -88,6 +89,7 @@ OBJECTS = {
                 ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900))] +
                [("contact_apply", four) for four in
                 ((0, 0, 0, 1), (2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))],
+    "cycle": [],  # of the last contact
     "series": [],
 }
 interface = read(TOP / "include" / "rwedge.h")
@@ -141,8 +143,8 @@ def text_of(value):
     return value if value == "@" else repr(value)
 
 
-def sampled(function, variant, present={}):
-    """The arguments of a call; other arguments take other steps through their values. present: loads that a cycle keeps."""
+def sampled(function, variant):
+    """The arguments of a call; other arguments take other steps through their values."""
     arguments = []
     for j, p in enumerate(function.inputs):
         numbers, stride = values(function, p), 1 + j % 3
@@ -150,9 +152,6 @@ def sampled(function, variant, present={}):
             arguments.append(numbers)
         elif len(p.size) == 2:
             arguments.append([[numbers[(stride * variant + LOADS * i + j) % len(numbers)] for i in range(POINTS)] for j in range(LOADS)])
-        elif p.name in present and p.size == ("loads",):
-            step = {"P": 0 if present["M"] else 5, "Q": 60}.get(p.name, 0)
-            arguments.append([present[p.name] + i * step for i in range(LOADS)])
         elif p.size:
             size = LOADS if p.size[0] != function.of("size")[-1].name else SAMPLES.get(function.name, POINTS)
             arguments.append([numbers[(stride * variant + i) % len(numbers)] for i in range(size)])
@@ -161,15 +160,9 @@ def sampled(function, variant, present={}):
     return arguments
 
 
-def sample(function, count, present={}):
+def sample(function, count):
     for variant in range(count if function.inputs else 1):
-        call(function, sampled(function, variant, present))
-
-
-def loads_after(function, arguments):
-    """P, M, Q, sigma after a call that changes a contact."""
-    last = [value[-1] if isinstance(value, list) else value for value in arguments]
-    return dict(zip([p.name for p in function.inputs], last)) if function.method in ("load", "apply", "stress_history") else {}
+        call(function, sampled(function, variant))
 
 
 # What a contact of another pad goes through.
@@ -196,16 +189,14 @@ def objects():
             steps = history if maker.method == "create" else ANOTHER_PAD if maker.method.startswith("create_") else history[-1:]
             for name, arguments in steps:
                 call(interface[name], arguments)
-                present = {"M": 0, "sigma": 0, **loads_after(interface[name], arguments)}
                 if arguments[0] == 0 or len(arguments) == 1:
                     continue  # separated, it tells nothing
                 for f in readers:
-                    sample(f, 1 if maker.method != "create" else 2, present)
+                    sample(f, 1 if maker.method != "create" else 2)
             for f in others:
-                sample(f, 2, present if f.method == "keep_cycle" else {})
-                present = {**present, **loads_after(f, sampled(f, 1))}
+                sample(f, 2)
                 for reader in readers:
-                    sample(reader, 1, present)
+                    sample(reader, 1)
             if not steps:
                 for f in readers:
                     sample(f, 4)

@@ -34,6 +34,8 @@ def main():
                 continue
             if isinstance(result, (rwedge.Contact, rwedge.Cycle, rwedge.Series)):  # what makes one begins the next
                 known[type(result).__name__.lower()], result = result, None
+            if isinstance(result, rwedge.StressHistory):
+                result = tuple(result)
             known["before"] = np.array([]) if result is None else numbers_of(result)
             print(call, *map(bits, known["before"]), sep=",")
 

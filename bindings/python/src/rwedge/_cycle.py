@@ -71,8 +71,6 @@ class Cycle(CycleMethods):
     array([False,  True])
     """
 
-    loads: Loads
-
     def __init__(self, contact: Contact, loads: History) -> None:
         arrays, handle = given_columns(loads), ctypes.c_void_p()
         with contact._lock:
@@ -83,10 +81,15 @@ class Cycle(CycleMethods):
                 contact._find_fault(history, nowhere, nowhere)
             check("cycle_create", status, {"loads": len(history[0])})
         self._adopt(handle, _destroy)
-        self.loads = Loads(*history)  # type: ignore[arg-type]
+        self._loads = Loads(*history)  # type: ignore[arg-type]
 
     def __len__(self) -> int:
-        return len(self.loads.P)  # type: ignore[arg-type]
+        return len(self._loads.P)  # type: ignore[arg-type]
+
+    @property
+    def loads(self) -> Loads:
+        """P, Q force/length, M force, sigma stress: an array of all loads each. Source: new."""
+        return self._loads
 
     def __repr__(self) -> str:
         return f"<rwedge.Cycle of {len(self)} loads>"

@@ -50,7 +50,7 @@ def life(pad):
     contact = rwedge.Contact.cylinder(pad["R"], A, pad["f"])
     contact.load(P)
     log = 0.7 * pad["f"] * P * np.array([1, -1, 0.5, -0.2, 1, -1])
-    return float(contact.cycle({"P": P, "Q": log}, -contact.half_width, 0).life(METAL))
+    return float(contact.stresses_after({"P": P, "Q": log}, -contact.half_width, 0).life(METAL))
 
 
 def further(contact, Q):

@@ -42,7 +42,7 @@ def test_loads_of_different_indexes_are_refused(contact):
     assert (contact.copy().cycle(alike, 0.1, 0.2).stress == contact.copy().cycle({"P": P, "Q": Q}, 0.1, 0.2).stress).all()
     for other in (pandas.Series(Q[::-1], index=[5, 4, 3]), xarray.DataArray(Q, dims="load")):
         with pytest.raises(rwedge.Error, match=r"P and Q have different indexes: .* Q.to_numpy\(\)"):
-            contact.cycle({**alike, "Q": other}, 0.1, 0.2)
+            contact.stresses_after({**alike, "Q": other}, 0.1, 0.2)
         with pytest.raises(rwedge.Error, match="P and Q have different indexes"):
             contact.load(alike["P"], other)
     with pytest.raises(rwedge.Error, match="different indexes"):

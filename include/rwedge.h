@@ -813,7 +813,7 @@ RWEDGE_API int32_t rwedge_cycle_friction(const rwedge_cycle *cycle, size_t n, co
  *   value                   at least 0, finite: the measure there, n numbers, 0 where there is none
  *   y                       depth, length, finite, y >= 0; 0 for slip, F1, F2 and energy
  *   worst_x, worst_value    each receives one number
- * RWEDGE_EDOMAIN for slip where y is not 0; RWEDGE_ERANGE for n = 0; RWEDGE_EPATH as
+ * RWEDGE_EDOMAIN where y is not 0 for slip; RWEDGE_ERANGE for n = 0; RWEDGE_EPATH as
  * rwedge_cycle_friction() has it; RWEDGE_ENULL, RWEDGE_ENOMEM. The place is found to 1e-10 of the
  * distance of its neighbours where the top is not flat. */
 RWEDGE_API int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure, size_t n,

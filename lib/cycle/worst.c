@@ -145,7 +145,7 @@ static bool is_material(const material *m)
 static bool are_measured(size_t n, const double x[], const double value[])
 {
     for (size_t i = 0; i < n; i++)
-        if (!rw_is_signed(x[i]) || !isfinite(value[i]) || value[i] < 0)
+        if (!rw_is_signed(x[i]) || !rw_is_magnitude(value[i]))
             return false;
     return true;
 }

@@ -39,7 +39,7 @@ def test_loads_of_different_indexes_are_refused(contact):
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
     P, Q = [2000.0, 2100.0, 2200.0], [100.0, 200.0, 300.0]
     alike = {"P": pandas.Series(P, index=[3, 4, 5]), "Q": pandas.Series(Q, index=[3, 4, 5])}
-    assert (contact.copy().cycle(alike, 0.1, 0.2).stress == contact.copy().cycle({"P": P, "Q": Q}, 0.1, 0.2).stress).all()
+    assert (contact.copy().stresses_after(alike, 0.1, 0.2).stress == contact.copy().stresses_after({"P": P, "Q": Q}, 0.1, 0.2).stress).all()
     for other in (pandas.Series(Q[::-1], index=[5, 4, 3]), xarray.DataArray(Q, dims="load")):
         with pytest.raises(rwedge.Error, match=r"P and Q have different indexes: .* Q.to_numpy\(\)"):
             contact.stresses_after({**alike, "Q": other}, 0.1, 0.2)

@@ -119,8 +119,8 @@ class Criteria:
         >>> metal = {"E": 162e3, "nu": 0.3, "sf": 475.4, "b": -0.078, "ef": 0.612, "c": -0.62}
         >>> pad = rwedge.Contact(theta=0.01, a=2.0, A=1.82e-5, f=0.6)
         >>> pad.load(2000)
-        >>> cycle = pad.cycle({"P": 2000, "Q": [900, -900, 300, -300]}, x=-pad.half_width, y=0)
-        >>> float(cycle.damage(metal).cycles)
+        >>> stresses = pad.stresses_after({"P": 2000, "Q": [900, -900, 300, -300]}, x=-pad.half_width, y=0)
+        >>> float(stresses.damage(metal).cycles)
         2.0
         """
         if criterion not in CURVES:

@@ -541,8 +541,10 @@ RWEDGE_API int32_t rwedge_contact_edges(const rwedge_contact *contact, double *l
 RWEDGE_API int32_t rwedge_contact_beyond_flat(const rwedge_contact *contact, double *left,
                                               double *right);
 
-/* The edges of the stick zone. Friction is exhausted, |q| = f |p|, between these edges and those of
- * the contact. They are the edges of the contact where it slips nowhere.                        new
+/* The outermost edges of the zones that stick. Friction is exhausted, |q| = f |p|, between these
+ * edges and those of the contact. Without a closed form several zones may stick, and slip lies
+ * between them: rwedge_contact_zones() has them all. The edges are those of the contact where it
+ * slips nowhere.                                                                                new
  *   left, right  length
  * RWEDGE_EABSENT in full sliding, and when separated; RWEDGE_ENULL. After one step of Q and sigma
  * the error is that of the contact's edges, over the root of the part of P that the zone carries,
@@ -606,8 +608,9 @@ RWEDGE_API int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact,
  *                                                                   Eq. (7), (11), (15), inverse */
 RWEDGE_API double rwedge_contact_half_width(const rwedge_contact *contact);
 
-/* Half-width c of the stick zone, length. Outside it, c < |x| < b, friction is exhausted: |q| = f
- * |p|. A ring that came into contact with |dQ| = f dP, to rounding, counts as outside too, though
+/* Half-width c of the stick zone, length: half of the distance between the edges that
+ * rwedge_contact_stick_zone() gives. Outside it, c < |x| < b, friction is exhausted: |q| = f |p|. A
+ * ring that came into contact with |dQ| = f dP, to rounding, counts as outside too, though
  * it has not slipped. c is b where all sticks, 0 in full sliding and when separated; NaN for NULL.
  *                                                                                  Eq. (25); new */
 RWEDGE_API double rwedge_contact_stick_half_width(const rwedge_contact *contact);

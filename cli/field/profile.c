@@ -34,6 +34,7 @@ static void describe(FILE *stream)
 
 typedef struct {
     loaded_contact loaded;
+    stick_zones sticks;
     range x;        /* the places, if points is 0 */
     int64_t points; /* so many places from edge to edge */
 } plan;
@@ -51,11 +52,11 @@ static double x_of(const plan *job, int64_t i)
                sin(PI / 2 * (double)(2 * i - (job->points - 1)) / (double)(job->points - 1));
 }
 
-static const char *zone_of(const loaded_contact *loaded, double x)
+static const char *zone_of(const loaded_contact *loaded, const stick_zones *sticks, double x)
 {
     if (!(x > loaded->touches.left && x < loaded->touches.right))
         return "free";
-    return x > loaded->sticks.left && x < loaded->sticks.right ? "stick" : "slip";
+    return stick_zones_have(sticks, x) ? "stick" : "slip";
 }
 
 /* NAN, an empty cell, for stresses at a sharp edge, which are infinite, and for slip outside the
@@ -77,8 +78,9 @@ static int32_t look(const loaded_contact *loaded, double at, double value[])
     return status == RWEDGE_EPATH ? RWEDGE_OK : status;
 }
 
-static void write_row(const loaded_contact *loaded, records *rows, double x)
+static void write_row(const plan *job, records *rows, double x)
 {
+    const loaded_contact *loaded = &job->loaded;
     const double at = x * loaded->length_unit;
     double value[COLUMN_COUNT];
     const int32_t status = look(loaded, at, value);
@@ -87,7 +89,8 @@ static void write_row(const loaded_contact *loaded, records *rows, double x)
     value[X] = x;
     value[SLIP] /= loaded->slip_unit;
     for (int i = 0; i < COLUMN_COUNT; i++)
-        records_value(rows, i == ZONE ? cell_text(zone_of(loaded, at)) : cell_number(value[i]));
+        records_value(rows, i == ZONE ? cell_text(zone_of(loaded, &job->sticks, at))
+                                      : cell_number(value[i]));
     records_end_row(rows);
     progress_step();
 }
@@ -99,7 +102,7 @@ static void write_profile(void *of_plan, records *rows)
     progress_start(rows->show_progress, count, "rows");
     records_columns(rows, columns, COLUMN_COUNT);
     for (int64_t i = 0; i < count && records_go_on(rows); i++)
-        write_row(&job->loaded, rows, x_of(job, i));
+        write_row(job, rows, x_of(job, i));
 }
 
 static int profile(const arguments *line)
@@ -120,7 +123,9 @@ static int profile(const arguments *line)
     loaded_contact_read(line, how.decimal_sign, &job.loaded);
     if (job.points > 0 && job.loaded.b == 0)
         usage_error("--x: missing; after the last load there is no contact to take points from");
+    job.sticks = stick_zones_of(job.loaded.setup.contact);
     output_options_write(&how, write_profile, &job);
+    stick_zones_free(&job.sticks);
     if (rwedge_contact_slip(job.loaded.setup.contact, 1, &job.loaded.touches.left, &slip) ==
         RWEDGE_EPATH)
         notice("the slip has no closed form after these loads: the column slip is empty");

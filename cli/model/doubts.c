@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 /* Beside the library's bits. */
-enum { DOUBT_STATE = 1 << 20, DOUBT_SLOPE = 1 << 21 };
+enum { DOUBT_STATE = 1 << 20, DOUBT_SLOPE = 1 << 21, DOUBT_ZONES = 1 << 22 };
 
 static const double STEEP = 0.1;
 
@@ -21,19 +21,27 @@ int32_t doubts_of(const contact_case *setup, double left, double right, double s
     return bits | (is_steep ? DOUBT_SLOPE : 0);
 }
 
+int32_t doubt_of_zones(const rwedge_contact *contact)
+{
+    stick_zones zones = stick_zones_of(contact);
+    stick_zones_free(&zones);
+    return zones.count > 1 ? DOUBT_ZONES : 0;
+}
+
 doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
 {
     const pad *shape = &setup->shape;
     double left = 0, right = 0;
     rwedge_contact_edges(contact, &left, &right);
     const double error = rwedge_contact_error(contact);
+    const int32_t several = doubt_of_zones(contact);
     if (!(factor < 1))
-        return (doubts){doubts_of(setup, left, right, NAN), error};
+        return (doubts){doubts_of(setup, left, right, NAN) | several, error};
     const double P = loads_of(contact).P, P_yield = /* not known of other pads */
                                           rwedge_yield_load(shape->theta, shape->a, setup->A,
                                                             setup->f, setup->nu1, setup->k);
     const int32_t bits = doubts_of(setup, left, right, P_yield / P);
-    return (doubts){bits | (P > P_yield ? 0 : DOUBT_STATE), error};
+    return (doubts){bits | several | (P > P_yield ? 0 : DOUBT_STATE), error};
 }
 
 doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact)
@@ -58,7 +66,9 @@ bool doubts_next(doubts *left, char text[DOUBT_SIZE])
     if (bit != 0) {
         snprintf(
             text, DOUBT_SIZE, "%s",
-            bit == DOUBT_STATE ? "a load yields the body: its stresses exceed the yield stress"
+            bit == DOUBT_STATE   ? "a load yields the body: its stresses exceed the yield stress"
+            : bit == DOUBT_ZONES ? "several zones stick, with slip between them: of their edges "
+                                   "the outermost are told"
             : bit == DOUBT_SLOPE
                 ? "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"
                 : rwedge_validity_text(bit));

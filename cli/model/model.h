@@ -170,6 +170,9 @@ int32_t doubts_of(const contact_case *setup, double left, double right, double s
  * under a P that alone would not make it yield. */
 doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact);
 
+/* That of a contact that sticks in several zones, or none. */
+int32_t doubt_of_zones(const rwedge_contact *contact);
+
 /* The same where rwedge_contact_yield_factor() is known; NAN is not known. */
 doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor);
 
@@ -182,6 +185,17 @@ bool doubts_next(doubts *left, char text[DOUBT_SIZE]);
 
 /* Adds the texts of the doubts to a list that is separated by "; ". */
 void doubts_write(doubts all, char *text, size_t size);
+
+/* ---- zones ---- The zones of a contact that stick, from left to right. */
+
+typedef struct {
+    size_t count;
+    double *left, *right; /* their edges */
+} stick_zones;
+
+stick_zones stick_zones_of(const rwedge_contact *contact); /* to be freed */
+bool stick_zones_have(const stick_zones *zones, double x); /* inside of one of them */
+void stick_zones_free(stick_zones *zones);
 
 /* ---- tensor ---- The stress at a point of body 1, and what follows from it. */
 

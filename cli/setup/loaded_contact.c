@@ -130,7 +130,7 @@ static void read_dimensional(const arguments *line, char decimal_sign, const inp
 void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contact *loaded)
 {
     input_texts texts;
-    zone *touches = &loaded->touches, *sticks = &loaded->sticks;
+    zone *touches = &loaded->touches;
     *loaded = (loaded_contact){.length_unit = 1, .slip_unit = 1};
     input_texts_from_options(line, &texts);
     input_options_check_hull(line);
@@ -140,7 +140,6 @@ void loaded_contact_read(const arguments *line, char decimal_sign, loaded_contac
         read_dimensional(line, decimal_sign, &texts, &loaded->setup);
     const rwedge_contact *contact = loaded->setup.contact;
     rwedge_contact_edges(contact, &touches->left, &touches->right);
-    rwedge_contact_stick_zone(contact, &sticks->left, &sticks->right);
     loaded->b = rwedge_contact_half_width(contact) / loaded->length_unit;
     loaded->left = touches->left / loaded->length_unit;
     loaded->right = touches->right / loaded->length_unit;

@@ -114,8 +114,8 @@ typedef struct {
 } zone;
 
 typedef struct {
-    contact_case setup;   /* in natural units its shape, friction, nu1 and contact alone */
-    zone touches, sticks; /* in the contact's own unit */
+    contact_case setup; /* in natural units its shape, friction, nu1 and contact alone */
+    zone touches;       /* in the contact's own unit */
     /* half-width and edges of the contact, as they are written: 1, -1 and 1 in natural units; 0
      * when separated */
     double b, left, right;

@@ -261,8 +261,9 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
         (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, why)))
         return false;
     const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
-    answer->doubts.bits = doubts_of(setup, answer->value[RESULT_LEFT].number,
-                                    answer->value[RESULT_RIGHT].number, safety);
+    answer->doubts.bits =
+        doubt_of_zones(setup->contact) | doubts_of(setup, answer->value[RESULT_LEFT].number,
+                                                   answer->value[RESULT_RIGHT].number, safety);
     answer->warnings[0] = '\0';
     doubts_write(answer->doubts, answer->warnings, sizeof answer->warnings);
     if (isinf(safety))

@@ -104,3 +104,17 @@ rwedge $command: P is above P_yield: the contact yields in full sliding" "$(cat 
 done
 
 finish
+
+# Several zones may stick. A place at the limit of friction lies in none of them.
+zones="--E1 72100 --nu1 .33 --theta .05 --a .5 --f .3 --tolerance 1e-3 --load 100,0,0,0 --load 123.01,0,-25.03,-86.14 \
+--load 139.27,0,-14.89,-114.33 --load 104.74,0,16.59,-144.07 --load 76.86,0,18.49,84.65"
+does profile $zones --points 2001
+same "several zones stick" "free slip stick slip stick slip free" "$(column zone out | uniq | paste -s -d ' ' -)"
+same "no place at the limit of friction sticks, and every place that slips is there" "0 0" "$(awk -F, '
+    function size(v) { return v < 0 ? -v : v }
+    NR > 1 && $4 == "stick" && size($3) > 0.3 * size($2) * (1 - 1e-7) { stick++ }
+    NR > 1 && $4 == "slip" && size($3) < 0.3 * size($2) * (1 - 1e-3) { slip++ }
+    END { print stick + 0, slip + 0 }' out)"
+same "profile says that several zones stick" 1 "$(grep -c "several zones stick" err)"
+run solve $zones
+same "solve says it" 1 "$(cat out err | grep -c "several zones stick")"

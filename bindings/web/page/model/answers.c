@@ -4,6 +4,9 @@
 #include "page.h"
 
 #include "model/results/results.h"
+#include "text/text.h"
+
+#include <stdlib.h>
 
 /* ---- Words ---- */
 
@@ -123,6 +126,17 @@ static void write_hardest(const contact_case *setup, results *answer)
                  answer->hardest_von_mises);
 }
 
+static void write_zones(const rwedge_contact *contact)
+{
+    const size_t n = rwedge_contact_zone_count(contact);
+    double *edges = memory_zeroed(3 * n + 1, sizeof *edges);
+    rwedge_contact_zones(contact, n, edges, edges + n, edges + 2 * n);
+    for (size_t i = 0; i < n; i++)
+        json_add("{'zones':[{'from':%n,'to':%n,'slip':%n}]}", edges[i], edges[n + i],
+                 edges[2 * n + i]);
+    free(edges);
+}
+
 static void write_results(const contact_case *setup, char decimal_sign, const char *length)
 {
     results answer;
@@ -137,6 +151,7 @@ static void write_results(const contact_case *setup, char decimal_sign, const ch
         return;
     }
     write_hardest(setup, &answer);
+    write_zones(setup->contact);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const cell *value = &answer.value[i];
         if (value->text != NULL && value->text[0] != '\0')

@@ -91,10 +91,11 @@ function tipText({ pad, a, flat, left, right }, toX, toY, free) {
     return tip + path("sizes", `M${u},${v}l34,26`) + mark(u + 38, v + 36, "R");
 }
 
-function stickText({ stick_left, stick_right }, toX) {
-    if (!(stick_right > stick_left)) return "";
-    const [from, to] = [toX(stick_left), toX(stick_right)];
-    return path("stuck", `M${from},${box.surface}H${to}`) + mark((from + to) / 2, box.surface + 16, "sticks", "middle");
+function stickText({ sticks }, toX) {
+    const drawn = sticks.map(({ from, to }) => [toX(from), toX(to)]).map(
+        ([from, to]) => path("stuck", `M${from},${box.surface}H${to}`) + mark((from + to) / 2, box.surface + 16, "sticks", "middle"),
+    );
+    return drawn.join("");
 }
 
 /** Where the stress is largest; depths are half as large as widths. */
@@ -125,7 +126,7 @@ function placed(shape) {
     return { reach, pressed, free, toX, toY };
 }
 
-/** shape: { pad, height, a, flat, left, right, tilt, stick_left, stick_right, pressure: [[x, share of the highest]], M, Q, sigma, hardest, worst }. */
+/** shape: { pad, height, a, flat, left, right, tilt, sticks: [{ from, to }], pressure: [[x, share of the highest]], M, Q, sigma, hardest, worst }. */
 function drawingText(shape) {
     const { reach, pressed, free, toX, toY } = placed(shape);
     const outline = Array.from({ length: 121 }, (_, i) => reach * (i / 60 - 1)).map(
@@ -154,7 +155,7 @@ function drawingText(shape) {
     return plotText(box, title, parts);
 }
 
-const schematic = { a: 0.4, radius: 0.4, left: -1, right: 1, tilt: 0, pressure: [], M: 0, Q: 0, sigma: 0 };
+const schematic = { a: 0.4, radius: 0.4, left: -1, right: 1, tilt: 0, sticks: [], pressure: [], M: 0, Q: 0, sigma: 0 };
 const shapes = {
     wedge: { theta: 1 },
     cylinder: { theta: 1, a: 4 },
@@ -163,7 +164,7 @@ const shapes = {
 };
 
 /** The drawing of a case, with the worst place of its cycle, if there is one; a drawing of no particular contact where there are no results. */
-export function drawingOf({ pad, setup, contact, results, hardest }, worst) {
+export function drawingOf({ pad, setup, contact, results, zones, hardest }, worst) {
     if (!results) {
         const shape = { ...schematic, pad, ...shapes[pad] };
         return drawingText({ ...shape, height: heightOf({ ...shape, places: [] }) });
@@ -176,6 +177,7 @@ export function drawingOf({ pad, setup, contact, results, hardest }, worst) {
         ...setup,
         pad,
         worst,
+        sticks: setup.f === 0 ? [] : zones.filter(({ slip }) => slip === 0),
         hardest: setup.k === null ? null : hardest,
         height: heightOf(setup),
         pressure: Array.from(x, (v, i) => [v, Math.abs(p[i]) / most]),

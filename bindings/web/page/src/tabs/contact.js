@@ -27,11 +27,9 @@ function tractions({ contact, setup, results }) {
 }
 
 function plotOf(model, curves) {
-    const { left, right, stick_left: from, stick_right: to } = model.results;
-    const sticks = from !== null && to > from;
-    const slip = (from, to, name = "slips") => ({ from, to, style: "slip", name });
-    const partial = [slip(left, from), { from, to, style: "stick", name: "sticks" }, slip(to, right)];
-    const bands = sticks ? partial : [slip(left, right, "slides")];
+    const slips = model.zones.some(({ slip }) => slip === 0) ? "slips" : "slides";
+    const bands = model.zones.map(({ from, to, slip }) =>
+        slip === 0 ? { from, to, style: "stick", name: "sticks" } : { from, to, style: "slip", name: slips });
     return {
         title: "Pressure and shear traction along the surface",
         curves,

@@ -22,10 +22,13 @@ function hardestText({ hardest, setup, unit, write }) {
         : `${text}; it yields there first, at ${write(hardest.factor)} times these stresses.`;
 }
 
-/** Above the frame: the contact, and the zone that sticks. */
-function surfaceOf({ left, right, stick_left: from, stick_right: to }) {
-    const contact = { from: left, to: right, style: "curve one", name: "contact" };
-    return from !== null && to > from ? [contact, { from, to, style: "curve three", name: "sticks" }] : [contact];
+/** Above the frame: the contact, and the zones that stick. */
+function surfaceOf({ results: { left, right }, setup, zones }) {
+    const sticks = setup.f === 0 ? [] : zones.filter(({ slip }) => slip === 0);
+    return [
+        { from: left, to: right, style: "curve one", name: "contact" },
+        ...sticks.map(({ from, to }) => ({ from, to, style: "curve three", name: "sticks" })),
+    ];
 }
 
 function plotOf(model, { grid, field }) {
@@ -37,7 +40,7 @@ function plotOf(model, { grid, field }) {
             yLabel: withUnit("depth y", unit.length),
             unit: unit.stress,
             points: hardest ? [{ x: hardest.x, y: hardest.y, name: hardestText(model) }] : [],
-            surface: surfaceOf(model.results),
+            surface: surfaceOf(model),
         },
     );
 }

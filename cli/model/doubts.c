@@ -66,9 +66,9 @@ bool doubts_next(doubts *left, char text[DOUBT_SIZE])
     if (bit != 0) {
         snprintf(
             text, DOUBT_SIZE, "%s",
-            bit == DOUBT_STATE   ? "a load yields the body: its stresses exceed the yield stress"
-            : bit == DOUBT_ZONES ? "several zones stick, with slip between them: of their edges "
-                                   "the outermost are told"
+            bit == DOUBT_STATE ? "a load yields the body: its stresses exceed the yield stress"
+            : bit == DOUBT_ZONES
+                ? "several zones stick and it slips between them: the outermost edges are told"
             : bit == DOUBT_SLOPE
                 ? "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"
                 : rwedge_validity_text(bit));

@@ -1309,6 +1309,45 @@ RWEDGE_API int32_t rwedge_crack_ranges(size_t loads, size_t n, const double K_I[
  * NaN outside. Relative error below 4 epsilon. */
 RWEDGE_API double rwedge_short_crack_threshold(double length, double dK_th, double ds0);
 
+/* K of cracks of n lengths, from one place and at one angle, after each load of a cycle. overlap is
+ * the share of the line where faces would overlap under that load: 0 where the crack is open
+ * everywhere. Where it is not, K is that of faces that pass through each other.            new
+ *   x        of the mouth, length, finite
+ *   loads    rwedge_cycle_loads()
+ *   length   1e-60 to 1e60: n numbers
+ *   K_I, K_II  each receives loads * n numbers, the n of the first load first; stress times root of
+ *            length
+ *   overlap  receives loads * n numbers, as K_I
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ENOCONV. Error as that of
+ * rwedge_crack_weights(). */
+RWEDGE_API int32_t rwedge_cycle_crack(const rwedge_cycle *cycle, double x, double angle,
+                                      size_t loads, size_t n, const double length[], double K_I[],
+                                      double K_II[], double overlap[]);
+
+/* Does a crack grow in a cycle from the initial to the final length, and in how many cycles? It
+ * grows where dK, the root of the squares of its ranges by rwedge_crack_ranges(), is beyond the
+ * threshold of rwedge_short_crack_threshold(), by C (dK^m - threshold^m) a cycle. It breaks where
+ * K_max reaches K_c. The constants are those of the stress ratio of the cycle.                  new
+ *   x               of the mouth, length, finite
+ *   shear           as in rwedge_crack_ranges()
+ *   constants       5
+ *   law             any number: dK_th, ds0, C, m, K_c. dK_th and ds0 as in
+ *                   rwedge_short_crack_threshold(); C in length over K^m, > 0; 0.1 <= m <= 100; K_c
+ *                   > 0, HUGE_VAL where it never breaks
+ *   initial, final  lengths, 1e-60 to 1e60
+ *   arrest          the length where it stops, cycles being HUGE_VAL then, or breaks; the initial
+ *                   one where it does not grow at all; HUGE_VAL where it reaches the final length
+ *   cycles          to the final length, or to where it breaks; HUGE_VAL beyond 1e60, too
+ *   least, least_at  the smallest dK over the threshold from the initial to the final length, and
+ *                   that length; HUGE_VAL where dK_th is 0
+ * RWEDGE_EDOMAIN where initial is not below final, and for a constant; RWEDGE_ERANGE for constants;
+ * RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ENOCONV. Where K is exact, arrest is to 1e-9, cycles to 1e-6
+ * of themselves, with RWEDGE_FACES_LOCKED to 1e-5. */
+RWEDGE_API int32_t rwedge_cycle_growth(const rwedge_cycle *cycle, double x, double angle,
+                                       int32_t shear, size_t constants, const double law[],
+                                       double initial, double final, double *arrest, double *cycles,
+                                       double *least, double *least_at);
+
 /* ---- The paper's series ---------------------------------------------------------------------- */
 
 /* A pressure p = -sqrt(1-x^2) sum_k a_k U_k(x), k = 0 ... terms-1, and its stresses. The paper's

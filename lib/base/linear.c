@@ -65,8 +65,7 @@ bool rw_solve(size_t n, size_t sides, double A[], double b[])
     return substitute(n, sides, A, b);
 }
 
-/* In four sums, which a processor does at the same time. */
-static double dot(size_t n, const double x[], const double y[])
+double rw_dot(size_t n, const double x[], const double y[])
 {
     double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
     size_t i = 0;
@@ -85,8 +84,8 @@ bool rw_cholesky(size_t n, double A[])
 {
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j < i; j++)
-            A[i * n + j] = (A[i * n + j] - dot(j, A + i * n, A + j * n)) / A[j * n + j];
-        const double rest = A[i * n + i] - dot(i, A + i * n, A + i * n);
+            A[i * n + j] = (A[i * n + j] - rw_dot(j, A + i * n, A + j * n)) / A[j * n + j];
+        const double rest = A[i * n + i] - rw_dot(i, A + i * n, A + i * n);
         if (!isgreater(rest, 0))
             return false;
         A[i * n + i] = sqrt(rest);
@@ -97,7 +96,7 @@ bool rw_cholesky(size_t n, double A[])
 void rw_cholesky_solve(size_t n, const double L[], double b[])
 {
     for (size_t i = 0; i < n; i++)
-        b[i] = (b[i] - dot(i, L + i * n, b)) / L[i * n + i];
+        b[i] = (b[i] - rw_dot(i, L + i * n, b)) / L[i * n + i];
     for (size_t i = n; i-- > 0;) {
         b[i] /= L[i * n + i];
         for (size_t j = 0; j < i; j++)

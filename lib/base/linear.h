@@ -18,4 +18,7 @@ bool rw_cholesky(size_t n, double A[]);
 /* L L' x = b; x takes the place of b. */
 void rw_cholesky_solve(size_t n, const double L[], double b[]);
 
+/* The sum of the products, in four sums, which a processor does at the same time. */
+double rw_dot(size_t n, const double x[], const double y[]);
+
 #endif

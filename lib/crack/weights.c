@@ -83,37 +83,36 @@ typedef struct {
     double *A, *b;
 } equations;
 
-static rw_line_stress stress_of(const rule *line, const distances *d, rw_complex density)
+/* The work of the stress at the place k on the dislocation before the place j, in the row of the
+ * equation: 0 where its density opens the line, 1 where it slides along it. The weight at the tip
+ * is known. */
+static void write_work(const rule *line, size_t k, size_t j, const equations *all)
 {
-    return rw_dislocation_stress(line->direction, d->r, d->t, d->r_less_t, density);
-}
-
-/* The work on the dislocation of this density before the place j. The weight at the tip is
- * known. */
-static void write_equation(const rule *line, size_t j, rw_complex density, double A[], double b[])
-{
+    static const rw_complex DENSITY[] = {{1, 0}, {0, 1}};
     const size_t n = line->m - 1;
-    const distances to_tip = between(line, 0, j);
-    const rw_line_stress at_tip = stress_of(line, &to_tip, density);
-    b[0] = -line->tip * at_tip.normal;
-    b[1] = -line->tip * at_tip.shear;
-    for (size_t k = 1; k <= n; k++) {
-        const distances d = between(line, k, j);
-        const rw_line_stress stress = stress_of(line, &d, density);
-        A[k - 1] = d.r * stress.normal;
-        A[n + k - 1] = d.r * stress.shear;
+    const distances d = between(line, k, j);
+    for (size_t i = 0; i < 2; i++) {
+        const size_t row = i * n + j - 1;
+        const rw_line_stress stress =
+            rw_dislocation_stress(line->direction, d.r, d.t, d.r_less_t, DENSITY[i]);
+        double *A = all->A + row * all->unknowns, *b = all->b + row * all->sides;
+        if (k == 0) {
+            b[0] = -line->tip * stress.normal;
+            b[1] = -line->tip * stress.shear;
+        } else {
+            A[k - 1] = d.r * stress.normal;
+            A[n + k - 1] = d.r * stress.shear;
+        }
     }
 }
 
 static void write_equations(const rule *line, const size_t at[], const equations *all)
 {
-    static const rw_complex OPENS = {1, 0}, SLIDES = {0, 1};
     const size_t n = line->m - 1;
     for (size_t j = 1; j <= n; j++) {
-        const size_t opens = j - 1, slides = n + j - 1;
-        double *b = all->b + opens * all->sides, *other = all->b + slides * all->sides;
-        write_equation(line, j, OPENS, all->A + opens * all->unknowns, b);
-        write_equation(line, j, SLIDES, all->A + slides * all->unknowns, other);
+        double *b = all->b + (j - 1) * all->sides, *other = b + n * all->sides;
+        for (size_t k = 0; k <= n; k++)
+            write_work(line, k, j, all);
         for (size_t i = 2; i < all->sides; i++) {
             b[i] = j <= at[i - 2] ? -8 * RW_PI : 0; /* dislocations that are deeper open it */
             other[i] = 0;

@@ -268,6 +268,51 @@ static double history(const work *w)
     return out[0][0];
 }
 
+/* ---- Cracks in a cycle of P and Q: 48 loads, 50 lengths, 97 places ---- */
+
+enum { CRACK_LOADS = 48, LENGTHS = 50, LINE = 97, ON_CRACKS = LENGTHS * LINE };
+
+static rwedge_cycle *cycle_of_cracks(double *edge, double length[])
+{
+    double right;
+    rwedge_cycle *steady;
+    rwedge_contact *contact = before_history(OF_Q, CRACK_LOADS);
+    for (size_t i = 0; i < CRACK_LOADS; i++)
+        must(rwedge_contact_apply(contact, P, 0, loads[2][i], 0));
+    must(rwedge_contact_edges(contact, edge, &right));
+    must(
+        rwedge_cycle_create(contact, CRACK_LOADS, loads[0], loads[1], loads[2], loads[3], &steady));
+    rwedge_contact_destroy(contact);
+    for (int j = 0; j < LENGTHS; j++)
+        length[j] = 0.01 * pow(1.1, j);
+    return steady;
+}
+
+static double stresses_on_cracks(const work *w)
+{
+    static double x[ON_CRACKS], y[ON_CRACKS];
+    double edge, length[LENGTHS];
+    rwedge_cycle *steady = cycle_of_cracks(&edge, length);
+    for (int i = 0; i < ON_CRACKS; i++) {
+        x[i] = edge;
+        y[i] = length[i / LINE] * pow(cos(TURN / 4 * (i % LINE) / (LINE - 0.5)), 14);
+    }
+    must(rwedge_cycle_stresses(steady, CRACK_LOADS, (size_t)w->n / CRACK_LOADS, x, y, out[0],
+                               out[1], out[2]));
+    rwedge_cycle_destroy(steady);
+    return out[0][0];
+}
+
+static double cracks(const work *w)
+{
+    double edge, length[LENGTHS];
+    rwedge_cycle *steady = cycle_of_cracks(&edge, length);
+    must(rwedge_cycle_crack(steady, edge, 0, CRACK_LOADS, (size_t)w->n / CRACK_LOADS / LINE, length,
+                            out[0], out[1], out[2]));
+    rwedge_cycle_destroy(steady);
+    return out[0][0];
+}
+
 /* ---- Criteria of that cycle ---- */
 
 static double value[PLACES], angle[PLACES], azimuth[PLACES];
@@ -318,6 +363,8 @@ const work works[] = {
     {"stresses through one that lags", history, LAGGING, 300, 48 * 300},
     {"2 points, 2000 corners, by calls", history_by_calls, REVERSALS, 2, 2 * MOST_LOADS},
     {"2 points, 2000 corners, in one call", history, REVERSALS, 2, 2 * MOST_LOADS},
+    {"stresses on the lines of cracks", stresses_on_cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
+    {"K of those cracks", cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
     {"Smith-Watson-Topper of 40 loads", smith_watson_topper, 0, 0, PLACES},
     {"Smith-Watson-Topper, all planes", criterion, RWEDGE_MEASURE_SWT, 0, PLACES},
     {"Findley of 40 loads", criterion, RWEDGE_MEASURE_FINDLEY, 0, PLACES},

@@ -230,12 +230,14 @@ static double settled(question *q, double low, double high, double whole, double
 static double life(question *q, double initial, double final)
 {
     static const double SETTLED = 1e-8;
-    enum { PANELS = 8 };
-    double whole[PANELS], all = 0, sum = 0;
-    const double low = log(initial), step = (log(final) - low) / PANELS;
-    for (int i = 0; i < PANELS; i++)
+    enum { MOST_PANELS = 64 }; /* to begin with: two an octave, as far as that goes */
+    const double octaves = log(final / initial) / log(2);
+    const int panels = (int)fmin(fmax(ceil(2 * octaves), 1), MOST_PANELS);
+    double whole[MOST_PANELS], all = 0, sum = 0;
+    const double low = log(initial), step = (log(final) - low) / panels;
+    for (int i = 0; i < panels; i++)
         all += whole[i] = panel(q, low + i * step, low + (i + 1) * step);
-    for (int i = 0; i < PANELS && isfinite(all); i++)
+    for (int i = 0; i < panels && isfinite(all); i++)
         sum += settled(q, low + i * step, low + (i + 1) * step, whole[i], SETTLED * all, 0);
     return isfinite(all) && sum <= RW_LARGEST ? sum : HUGE_VAL;
 }

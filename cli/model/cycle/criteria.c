@@ -42,7 +42,7 @@ double criteria_fatemi_socie(const contact_case *setup, double k)
 const char *const material_names[MATERIAL_COUNT] = {
     "swt_limit", "fs_limit", "findley_limit", "lambda", "crossland_limit", "dang_van_limit",
     /* curves of life, and the critical distance */
-    "sf", "b", "ef", "c", "G", "tf", "b0", "gf", "c0", "dK_th", "ds0",
+    "sf", "b", "ef", "c", "G", "tf", "b0", "gf", "c0", "dK_th", "ds0", "paris_C", "paris_m", "K_c",
     /* what an input or an option has too */
     "E", "nu", "yield_stress", "fs_k", "findley_k", "kappa", "t_A", "su", "crossland_alpha",
     "dang_van_alpha"};

@@ -81,6 +81,9 @@ enum {
     MATERIAL_C0,
     MATERIAL_DK_TH,
     MATERIAL_DS0,
+    MATERIAL_PARIS_C,
+    MATERIAL_PARIS_M,
+    MATERIAL_K_C,
     /* From here on an input or an option has the same. */
     MATERIAL_E,
     MATERIAL_NU,

@@ -21,7 +21,7 @@ says 'Usage: rwedge COMMAND' 'table' 'Exit status' '--version'
 for option in --help -h; do
     prints_kept "help without a command" whole $option
 done
-for command in solve table profile field history fretting figure workbook; do
+for command in solve table profile field history fretting crack figure workbook; do
     kept whole $command --help
     says "Usage: rwedge $command"
     same "lines over 81 columns" 0 "$(awk 'length > 81' out | wc -l | tr -d ' ')"
@@ -54,7 +54,7 @@ for word in $(grep -o -e '--[a-z][a-z-]*' help | sort -u) \
     same "README has $word" yes "$(grep -q -e "$word" "$readme" "$here/../../../tables/README.md" && echo yes)"
 done
 
-for command in solve profile field history fretting figure; do
+for command in solve profile field history fretting crack figure; do
     called="rwedge $command --help"
     "$rwedge" $command --help >out
     columns=$(sed -n '/^Results/,/^$/p; /^Columns/,/^$/p; /^Figures/,/^$/p' out | # a line: "  x, y  the point"

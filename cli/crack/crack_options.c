@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "crack.h"
+
+#include <math.h>
+#include <string.h>
+
+const char *const shear_names[SHEARS] = {"none", "locked", "free"};
+
+struct poptOption crack_option_table[] = {
+    {VALUE("edge", OPTION_EDGE), "The mouth: an edge of the largest contact of the cycle",
+     "left|right"},
+    {VALUE("x", OPTION_X), "Or its place", "NUMBER"},
+    {VALUE("angle", OPTION_ANGLE),
+     "From the surface's normal towards +x, -75 to 75 deg (default 0)", "NUMBER"},
+    {VALUE("angle-range", OPTION_ANGLE_RANGE), "Or several; the worst is named", "RANGE"},
+    {VALUE("lengths", OPTION_LENGTHS), "Lengths of the crack, ascending", "RANGE"},
+    {VALUE("from", OPTION_FROM), "Or 25 lengths from this one", "NUMBER"},
+    {VALUE("to", OPTION_TO), "to that one, each longer by the same factor", "NUMBER"},
+    {VALUE("shear", OPTION_SHEAR),
+     "How K_II counts: not at all, while the crack is open, always (default: all three)",
+     "none|locked|free"},
+    {VALUE("dK-th", OPTION_DK_TH), "Threshold of long cracks, a range of K", "NUMBER"},
+    {VALUE("ds0", OPTION_DS0), "Plain fatigue limit, a range of stress: for short cracks",
+     "NUMBER"},
+    {VALUE("C", OPTION_PARIS_C), "Growth a cycle is C (dK^m - threshold^m)", "NUMBER"},
+    {VALUE("m", OPTION_PARIS_M), "its exponent, 0.1 to 100", "NUMBER"},
+    {VALUE("K-c", OPTION_K_C), "K at which it breaks", "NUMBER"},
+    {VALUE("K-in", OPTION_K_IN),
+     "The unit of length in the K of these constants, beside lengths in mm: m for MPa sqrt(m)",
+     "m|mm"},
+    {VALUE("material", OPTION_MATERIAL),
+     "Constants by name, JSON or CSV: dK_th, ds0, paris_C, paris_m, K_c", "FILE"},
+    POPT_TABLEEND,
+};
+
+/* ---- Constants ---- */
+
+/* Of an option, or of the material; NAN where neither has it. */
+static double constant(const arguments *line, int option, const char *name, double of_material,
+                       double least)
+{
+    const char *text = line->value[option];
+    double value = of_material;
+    if (text != NULL && !(number_read(text, &value) && value >= least && number_is_size(value)))
+        usage_error("--%s %s: must be a number%s 1e-60 to 1e60", name, text,
+                    least > 0 ? "" : ", 0 or");
+    return value;
+}
+
+/* What an m in the unit of K makes of the constants: lengths are in mm. */
+static void take_unit(const char *unit, crack_law *law)
+{
+    const bool is_m = unit != NULL && strcmp(unit, "m") == 0, is_mm = unit != NULL && !is_m;
+    if (is_mm && strcmp(unit, "mm") != 0)
+        usage_error("--K-in %s: must be m or mm", unit);
+    if (unit == NULL)
+        usage_error("--K-in: missing; needed beside constants of K: m where they are in MPa "
+                    "sqrt(m), mm where they are in MPa sqrt(mm), 31.6 times as large");
+    if (is_mm)
+        return;
+    law->dK_th *= sqrt(1000);
+    law->K_c *= sqrt(1000);
+    law->C *= pow(1000, -law->m / 2);
+}
+
+void crack_law_read(const arguments *line, const material *constants, crack_law *law)
+{
+    const double *v = constants->value;
+    const char *exponent = line->value[OPTION_PARIS_M];
+    law->dK_th = constant(line, OPTION_DK_TH, "dK-th", v[MATERIAL_DK_TH], 0);
+    law->ds0 = constant(line, OPTION_DS0, "ds0", v[MATERIAL_DS0], 1e-60);
+    law->C = constant(line, OPTION_PARIS_C, "C", v[MATERIAL_PARIS_C], 1e-60);
+    law->m = constant(line, OPTION_PARIS_M, "m", v[MATERIAL_PARIS_M], 1e-60);
+    law->K_c = constant(line, OPTION_K_C, "K-c", v[MATERIAL_K_C], 1e-60);
+    if (law->m < 0.1 || law->m > 100)
+        usage_error("--m %s: must be a number from 0.1 to 100", exponent != NULL ? exponent : "");
+    if (isnan(law->C) != isnan(law->m))
+        usage_error("--%s: missing; needed beside --%s", isnan(law->C) ? "C" : "m",
+                    isnan(law->C) ? "m" : "C");
+    if (!isnan(law->ds0) && isnan(law->dK_th))
+        usage_error("--dK-th: missing; needed beside --ds0");
+    if (!isnan(law->dK_th) || !isnan(law->C) || !isnan(law->K_c))
+        take_unit(line->value[OPTION_K_IN], law);
+    else if (line->value[OPTION_K_IN] != NULL)
+        usage_error("--K-in %s: needs --dK-th, --C or --K-c", line->value[OPTION_K_IN]);
+}
+
+bool crack_has_threshold(const crack_plan *plan)
+{
+    return !isnan(plan->law.dK_th);
+}
+
+bool crack_has_rate(const crack_plan *plan)
+{
+    return !isnan(plan->law.C);
+}
+
+/* ---- The crack ---- */
+
+static double read_number(const arguments *line, int option, const char *name, double low,
+                          double high)
+{
+    const char *text = line->value[option];
+    double value;
+    if (!(number_read(text, &value) && value >= low && value <= high))
+        usage_error("--%s %s: must be a number from %g to %g", name, text, low, high);
+    return value;
+}
+
+static double read_mouth(const arguments *line, const last_cycle *last)
+{
+    const char *edge = line->value[OPTION_EDGE], *x = line->value[OPTION_X];
+    if ((edge != NULL) == (x != NULL))
+        usage_error("--edge: %s; one of --edge left, --edge right and --x NUMBER is needed",
+                    edge == NULL ? "missing" : "given together with --x");
+    if (x != NULL)
+        return read_number(line, OPTION_X, "x", -1e60, 1e60);
+    const bool is_left = strcmp(edge, "left") == 0;
+    if (!is_left && strcmp(edge, "right") != 0)
+        usage_error("--edge %s: must be left or right", edge);
+    if (isnan(last->left))
+        usage_error("--edge %s: there is no contact in the cycle; allowed: --x", edge);
+    return is_left ? last->left : last->right;
+}
+
+static void read_angles(const arguments *line, crack_plan *plan)
+{
+    const char *one = line->value[OPTION_ANGLE], *several = line->value[OPTION_ANGLE_RANGE];
+    double outside;
+    if (one != NULL && several != NULL)
+        usage_error("--angle %s: given together with --angle-range; allowed: one of the two", one);
+    plan->has_angles = several != NULL;
+    range_option(plan->has_angles ? "angle-range" : "angle",
+                 several != NULL ? several
+                 : one != NULL   ? one
+                                 : "0",
+                 &plan->angles);
+    if (!range_within(&plan->angles, -75, 75, &outside))
+        usage_error("--angle%s %s: must not have %g; allowed: -75 to 75",
+                    plan->has_angles ? "-range" : "", several != NULL ? several : one, outside);
+    if (one != NULL && plan->angles.count != 1)
+        usage_error("--angle %s: must be one number; several are --angle-range", one);
+}
+
+enum { LENGTHS_MAX = 10000, LENGTHS_USUAL = 25 };
+
+static void read_from_to(const arguments *line, crack_plan *plan)
+{
+    if (line->value[OPTION_FROM] == NULL || line->value[OPTION_TO] == NULL)
+        usage_error("--%s: missing; --lengths, or --from and --to, are needed",
+                    line->value[OPTION_FROM] != NULL ? "to"
+                    : line->value[OPTION_TO] != NULL ? "from"
+                                                     : "lengths");
+    const double from = read_number(line, OPTION_FROM, "from", 1e-60, 1e60),
+                 to = read_number(line, OPTION_TO, "to", 1e-60, 1e60);
+    if (from >= to)
+        usage_error("--from %s: must be below --to %s", line->value[OPTION_FROM],
+                    line->value[OPTION_TO]);
+    plan->lengths = LENGTHS_USUAL;
+    plan->length = memory_zeroed(plan->lengths, sizeof *plan->length);
+    for (size_t i = 0; i < plan->lengths; i++)
+        plan->length[i] = from * pow(to / from, (double)i / (LENGTHS_USUAL - 1));
+    plan->length[plan->lengths - 1] = to;
+}
+
+static void read_lengths(const arguments *line, crack_plan *plan)
+{
+    const char *text = line->value[OPTION_LENGTHS];
+    range values;
+    if (text == NULL) {
+        read_from_to(line, plan);
+        return;
+    }
+    if (line->value[OPTION_FROM] != NULL || line->value[OPTION_TO] != NULL)
+        usage_error("--lengths %s: given together with --%s; allowed: one of the two", text,
+                    line->value[OPTION_FROM] != NULL ? "from" : "to");
+    range_option("lengths", text, &values);
+    if (values.count > LENGTHS_MAX)
+        usage_error("--lengths %s: must not have more than %d values", text, LENGTHS_MAX);
+    plan->lengths = (size_t)values.count;
+    plan->length = memory_zeroed(plan->lengths, sizeof *plan->length);
+    for (size_t i = 0; i < plan->lengths; i++) {
+        plan->length[i] = range_value(&values, (int64_t)i);
+        if (!(plan->length[i] >= 1e-60 && plan->length[i] <= 1e60) ||
+            (i > 0 && plan->length[i] <= plan->length[i - 1]))
+            usage_error("--lengths %s: must ascend, and be 1e-60 to 1e60", text);
+    }
+}
+
+static void read_shear(const char *text, crack_plan *plan)
+{
+    bool is_known = text == NULL;
+    for (int i = 0; i < SHEARS; i++) {
+        plan->is_wanted[i] = text == NULL || strcmp(text, shear_names[i]) == 0;
+        is_known = is_known || plan->is_wanted[i];
+    }
+    if (!is_known)
+        usage_error("--shear %s: must be none, locked or free", text);
+}
+
+void crack_read(const arguments *line, const last_cycle *last, crack_plan *plan)
+{
+    plan->last = last;
+    plan->x = read_mouth(line, last);
+    read_angles(line, plan);
+    read_lengths(line, plan);
+    read_shear(line->value[OPTION_SHEAR], plan);
+}

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rwedge crack: K, growth and verdicts themselves are tested in tests/lib/crack; here it is that the right ones stand in the right
+# columns, by closed forms and reference values, and that no unit of K is guessed.
+. "$(dirname "$0")/../claims.sh"
+
+# row NAME LINE: the cell of a column in a line of out, from 2.
+row() { sed -n "1p;$2p" out | awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } NR == 2 { print $c }'; }
+
+# says TEXT...: each is in the output.
+says() {
+    for text; do
+        same "output has '$text'" yes "$(grep -qF -e "$text" out && echo yes)"
+    done
+}
+
+# A plain specimen: 1.1215222552310553 sigma sqrt(pi l).
+printf 'P,Q,sigma\n0,0,100\n0,0,20\n' >pulled.csv
+plain="--E1 72100 --nu1 0.33 --radius 50 --f 0.6 --x 0"
+does crack pulled.csv $plain --lengths 0.5,2
+same "columns" "length,shear,K_I_max,K_I_min,K_II_max,K_II_min,dK_I,dK_II,dK,K_max,R,overlap" "$(head -n 1 out)"
+same "rows" 7 "$(wc -l <out | tr -d ' ')"
+close_to "K_I_max" 281.12393955901 "$(row K_I_max 5)" 1e-12
+close_to "dK" 224.89915164721 "$(row dK 5)" 1e-12
+close_to "R" 0.2 "$(row R 5)" 1e-12
+same "overlap" 0 "$(row overlap 5)"
+same "shears" "none locked free" "$(column shear out | sed -n '1,3p' | tr '\n' ' ' | sed 's/ $//')"
+does crack pulled.csv $plain --lengths 2 --angle 45 --each-load
+same "columns of loads" "load,length,K_I,K_II" "$(head -n 1 out)"
+close_to "K_I" 176.6947723157 "$(row K_I 2)" 1e-12
+close_to "K_II" 91.36439257728 "$(row K_II 2)" 1e-12
+close_to "the second load" 18.272878515456 "$(row K_II 3)" 1e-12
+does crack pulled.csv $plain --lengths 2 --angle-range 0:45:45 --shear free
+same "columns of angles" "angle,length,shear" "$(head -n 1 out | cut -d , -f 1-3)"
+same "angles" "0 45" "$(column angle out | tail -n 2 | tr '\n' ' ' | sed 's/ $//')"
+
+# Paris: 2 (1/sqrt(l1) - 1/sqrt(l2))/(C (1.1215 80 sqrt(pi))^3), where m is 3.
+does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --C 1e-12 --m 3 --K-in mm
+life=$(awk 'BEGIN { y = 1.1215222552310553 * 80 * sqrt(3.141592653589793)
+    printf "%.17g", 2 * (1 / sqrt(0.5) - 1 / sqrt(2)) / (1e-12 * y ^ 3) }')
+close_to "life" "$life" "$(row cycles 2)" 1e-9
+same "at the last length" 0 "$(row cycles 4)"
+cp out as_mm
+does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --C 3.1622776601683795e-8 --m 3 --K-in m
+close_to "constants in m" "$life" "$(row cycles 2)" 1e-9
+printf '{"paris_C": 1e-12, "paris_m": 3}' >material.json
+does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --material material.json --K-in mm
+same "constants of a material" "$(cat as_mm)" "$(cat out)"
+
+# Where it breaks: (K_c/(1.1215 100))^2/pi.
+does crack pulled.csv $plain --from 0.5 --to 2 --shear none --C 1e-12 --m 3 --K-c 220 --K-in mm --verdict
+same "it does not stop" "" "$(row arrest_length 2)"
+says "By mode I the crack breaks at 1.225, where K is K_c"
+
+# The cycle of tests/data/crack_growth.csv, tension 60, by its reference values; the cylinder of A = 3e-5.
+awk 'BEGIN { print "P,Q,sigma"; for (k = 1; k <= 24; k++) { c = cos(k * 3.141592653589793 / 12); printf "120,%.17g,%.17g\n", 50 * c, 60 * c } }' >cycle.csv
+hertz="--E1 133333.33333333333 --nu1 0 --radius 60 --f 0.6 --load 120,0 --load 120,0,50,60 --edge left"
+law="--dK-th 66.4 --ds0 248 --C 3.1622776601683795e-12 --m 3 --K-in mm"
+does crack cycle.csv $hertz --from 0.03708 --to 2.967 $law --verdict
+same "columns of a verdict" "shear,arrest_length,cycles,least_ratio,least_length,verdict" "$(head -n 1 out)"
+close_to "mode I stops" 0.1485268160 "$(row arrest_length 2)" 1e-8
+close_to "locked faces stop" 0.2038304205 "$(row arrest_length 3)" 1e-8
+close_to "free faces grow through" 1034075.23 "$(row cycles 4)" 1e-6
+says "By mode I the crack stops at 0.1485" "With K_II of free faces the crack grows through to 2.967, in 1.03408e+06 cycles"
+message_has "beyond a length of 0.03708, a tenth of its half-width, K is some per cent off"
+does crack cycle.csv $hertz --from 0.03708 --to 2.967 $law --shear free
+close_to "the same from the rows" 1034075.23 "$(row cycles 2)" 1e-6
+close_to "the ratio there" "$(awk -v a="$(row dK 2)" -v b="$(row threshold 2)" 'BEGIN { printf "%.17g", a / b }')" "$(row dK_over_threshold 2)" 1e-12
+does crack cycle.csv $hertz --from 0.03708 --to 2.967 $law --verdict --angle-range=-20,0 --shear none
+message_has "worst: at 0 deg: By mode I the crack stops at 0.1485"
+says "By mode I the crack does not grow: dK is 0.97 of the threshold at 0.03708"
+
+# A crack under the contact is pressed together at its mouth: that is said.
+does crack cycle.csv $hertz --lengths 1,2 --angle 45
+message_has "at 45 deg faces overlap under the largest K_I"
+
+# What is refused.
+refuses "--K-in: missing; needed beside constants of K: m where they are in MPa sqrt(m), mm where they are in MPa sqrt(mm), 31.6 times as large" crack cycle.csv $hertz --lengths 1 --dK-th 66
+refuses "--K-in km: must be m or mm" crack cycle.csv $hertz --lengths 1 --dK-th 66 --K-in km
+refuses "--K-in m: needs --dK-th, --C or --K-c" crack cycle.csv $hertz --lengths 1 --K-in m
+refuses "--m: missing; needed beside --C" crack cycle.csv $hertz --lengths 1 --C 1 --K-in m
+refuses "--dK-th: missing; needed beside --ds0" crack cycle.csv $hertz --lengths 1 --ds0 1
+refuses "--lengths: missing; --lengths, or --from and --to, are needed" crack cycle.csv $hertz
+refuses "--to: missing; --lengths, or --from and --to, are needed" crack cycle.csv $hertz --from 1
+refuses "--lengths 2,1: must ascend, and be 1e-60 to 1e60" crack cycle.csv $hertz --lengths 2,1
+refuses "--edge: given together with --x; one of --edge left, --edge right and --x NUMBER is needed" crack cycle.csv $hertz --lengths 1 --x 1
+refuses "--edge middle: must be left or right" crack cycle.csv --E1 72100 --nu1 0 --radius 60 --f 0.6 --load 120,0 --load 120,0,50,60 --lengths 1 --edge middle
+refuses "--angle 80: must not have 80; allowed: -75 to 75" crack cycle.csv $hertz --lengths 1 --angle 80
+refuses "--shear all: must be none, locked or free" crack cycle.csv $hertz --lengths 1 --shear all
+refuses "--verdict: needs --dK-th, or --C and --m" crack cycle.csv $hertz --from 1 --to 2 --verdict
+
+finish

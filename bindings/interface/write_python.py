@@ -27,7 +27,7 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library; besides what makes or frees an object.
 BY_HAND = {"contact_load", "contact_apply", "contact_yield_factor", "contact_loads", "contact_state", "series_coefficient",
-           "series_potential", "cycle_loads", "cycle_stresses", "cycle_friction", "stresses", "elastic_limits", "version", "strerror",
+           "series_potential", "cycle_loads", "cycle_stresses", "cycle_friction", "cycle_growth", "stresses", "elastic_limits", "version", "strerror",
            # generalized ufuncs take any number of points
            "smith_watson_topper_field", "fatemi_socie_field"}
 # Of these the methods that have the header's text, with what Python adds to it.
@@ -37,6 +37,7 @@ ADDED = {"contact_load": ALL_OR_NONE, "contact_apply": ALL_OR_NONE + " What has 
          "unless the contact's ``tolerance`` is 0.", "contact_create_flat": TOLERANCE, "contact_create_profile": TOLERANCE,
          "contact_yield_factor": "", "contact_state": "``Contact.restore(state)`` goes on to the same bits.", "contact_restore": "",
          "cycle_stresses": "The result unpacks into sxx, syy, txy, each an array of (load, point).", "cycle_friction": "",
+         "cycle_growth": "law may be a mapping too, without ds0 and K_c where they are infinite. The result's ``verdict`` says it in words.",
          "series_fit": "x and p are of one dimension and the same length. At least terms samples, samples times terms <= 2^27, samples times terms^2 <= 2^33 (half a minute).",
          "series_potential": "The result is complex."}
 
@@ -271,7 +272,7 @@ def made_py(interface: Interface) -> str:
 
 
 # The classes that are written by hand, by their modules.
-CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction", "_loads": "Loads", "_series": "Series", "_stress_history": "StressHistory",
+CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction Growth", "_loads": "Loads", "_series": "Series", "_stress_history": "StressHistory",
            "_library": "AbsentError Error PathError SlidingError", "_validity": "ValidityWarning"}
 PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
 from typing import Any, Protocol, overload, type_check_only

@@ -70,6 +70,8 @@ OWN = {
     ("subsurface_yield", "nu"): [0.31, 0.27, 0.33],
     ("half_width", "P"): [1000, 0, 2300],  # of A and P it has the product: 0 tells which is which
     ("contact_create", "f"): [0.6],
+    ("crack_ranges", "shear"): [0, 1, 2], ("cycle_growth", "shear"): [0, 1, 2],
+    ("cycle_growth", "law"): [0.5, 2, 1, 3, 4], ("cycle_growth", "initial"): [0.01, 0.02], ("cycle_growth", "final"): [1, 2],
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
     ("cycle_create", "P"): [2000], ("cycle_create", "M"): [60], ("cycle_create", "Q"): [100, -300, 200], ("cycle_create", "sigma"): [-2],
@@ -80,7 +82,7 @@ OWN = {
     ("validity", "f"): [0, 0.3, 0.05],
 }
 NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
-SAMPLES = {"series_fit": 9}
+SAMPLES = {"series_fit": 9, "cycle_growth": 5}
 # The objects, each with the calls that change it: strain by tension, normal load, both loads together, Q reversed, P and Q to and fro; with
 # moment and tension.
 OBJECTS = {

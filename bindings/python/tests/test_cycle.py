@@ -121,3 +121,48 @@ def test_the_table_of_old_names_is_pythons():
     for old, new in ((row[2], row[3]) for row in rows if row[2].strip("`")):
         name = re.sub(r"\(.*", "", old.strip("`")).removeprefix("rwedge.")
         assert now_called(name).endswith(new.replace("`", "")), (old, new)
+
+
+# ---- Cracks ----
+
+LAW = {"dK_th": 66.4, "ds0": 248, "C": 1e-7 / 1000**1.5, "m": 3}
+
+
+@pytest.fixture
+def steady():
+    """The cycle of tests/data/crack_growth.csv with a tension of 60, under a cylinder."""
+    contact = rwedge.Contact.flat(a=0, R=60, A=3e-5, f=0.6)
+    share = np.cos(np.arange(1, 25) * math.pi / 12)
+    contact.load(120)
+    contact.apply(120, 0, 50, 60)
+    contact.apply(120, 0, 50 * share, 60 * share)
+    return contact.cycle({"P": 120, "Q": 50 * share, "sigma": 60 * share}), contact.edges[0]
+
+
+def test_a_crack_stops_or_grows_as_the_faces_have_it(steady):
+    cycle, edge = steady
+    stops = cycle.growth(edge, 0, rwedge.Faces.MODE_I, LAW, 0.03708, 2.967)
+    assert stops.arrest == pytest.approx(0.148526816, rel=1e-8) and math.isinf(stops.cycles)
+    assert stops.verdict == "By mode I the crack stops at 0.1485"
+    grows = cycle.growth(edge, 0, rwedge.Faces.FREE, [*LAW.values(), math.inf], 0.03708, 2.967)
+    assert grows.cycles == pytest.approx(1034075.23, rel=1e-6) and math.isinf(grows.arrest)
+    assert grows.verdict.startswith("With K_II of free faces the crack grows through to 2.967, in 1.03408e+06 cycles; closest")
+    none = cycle.growth(edge, math.radians(-20), 0, LAW, 0.03708, 2.967)
+    assert none.arrest == 0.03708 and none.verdict.startswith("By mode I the crack does not grow from 0.03708")
+    breaks = cycle.growth(edge, 0, 2, {**LAW, "K_c": 150}, 0.03708, 2.967)
+    assert re.match("With K_II of free faces the crack breaks at .*, in .* cycles", breaks.verdict)
+    with pytest.raises(TypeError, match="law has ds0, K_c, C: it must have dK_th, ds0, C, m, K_c"):
+        cycle.growth(edge, 0, 2, {"C": 1}, 1, 2)
+
+
+def test_weights_give_the_k_of_a_cycle(steady):
+    cycle, edge = steady
+    angle, length = -0.3, 0.2
+    place, normal_I, shear_I, normal_II, shear_II = rwedge.crack_weights(angle)
+    c, s = math.cos(angle), math.sin(angle)
+    sxx, syy, txy = cycle.stresses(edge + length * place * s, length * place * c)
+    normal, shear = c * c * sxx - 2 * c * s * txy + s * s * syy, c * s * (sxx - syy) + (c * c - s * s) * txy
+    K_I, K_II, overlap = cycle.crack(edge, angle, [length])
+    np.testing.assert_allclose(K_I[:, 0], length**0.5 * (normal @ normal_I + shear @ shear_I), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(K_II[:, 0], length**0.5 * (normal @ normal_II + shear @ shear_II), rtol=0, atol=1e-9)
+    assert len(place) == rwedge.crack_points(angle) and overlap.shape == (24, 1)

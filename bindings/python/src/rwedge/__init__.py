@@ -22,7 +22,7 @@ _need("numpy", "rwedge")
 from . import _made  # noqa: E402
 from ._contact import Contact, YieldFactor
 from ._criteria import Damage, Plane
-from ._cycle import Cycle, Friction
+from ._cycle import Cycle, Friction, Growth
 from ._library import AbsentError, Error, PathError, SlidingError
 from ._library import function as _function
 from ._loads import Loads
@@ -35,7 +35,7 @@ from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
-_CLASSES = (AbsentError, Contact, Cycle, Damage, Error, Friction, Loads, PathError, Plane, Series, SlidingError, StressHistory,
+_CLASSES = (AbsentError, Contact, Cycle, Damage, Error, Friction, Growth, Loads, PathError, Plane, Series, SlidingError, StressHistory,
             ValidityWarning, YieldFactor)
 for _class in _CLASSES:
     _class.__module__ = __name__

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -28,6 +29,38 @@ class Friction(NamedTuple):
     ruiz_f1: NDArray[np.float64]
     ruiz_f2: NDArray[np.float64]
     energy: NDArray[np.float64]
+
+
+class _Growth(NamedTuple):
+    arrest: float
+    cycles: float
+    least: float
+    least_at: float
+
+
+class Growth(_Growth):
+    """How a crack grows: ``arrest`` is the length where it stops, ``cycles`` being infinite then, or breaks; infinite where it
+    reaches the final length. ``least`` is the smallest range of K over the threshold, at the length ``least_at``."""
+
+    shear: int
+    initial: float
+    final: float
+
+    @property
+    def verdict(self) -> str:
+        """A sentence, with its assumption."""
+        said = f"{_ASSUMPTIONS[self.shear]} the crack "
+        closest = f"closest to the threshold, {self.least:.3g}, at {self.least_at:.4g}" * math.isfinite(self.least)
+        if math.isinf(self.cycles) and self.arrest == self.initial:
+            return f"{said}does not grow from {self.initial:.4g}: dK is as small as {self.least:.3g} of the threshold, at {self.least_at:.4g}"
+        if math.isinf(self.cycles) and math.isfinite(self.arrest):
+            return f"{said}stops at {self.arrest:.4g}"
+        end = f"breaks at {self.arrest:.4g}" if math.isfinite(self.arrest) else f"grows through to {self.final:.4g}"
+        return f"{said}{end}, in {self.cycles:.6g} cycles" + f"; {closest}" * bool(closest)
+
+
+_LAW = ("dK_th", "ds0", "C", "m", "K_c")
+_ASSUMPTIONS = ("By mode I", "With K_II while it is open", "With K_II of free faces")
 
 
 class Cycle(CycleMethods):
@@ -102,6 +135,17 @@ class Cycle(CycleMethods):
         stress = np.full((3, len(self), *x.shape), math.nan)
         stress[:, :, known] = self._call("cycle_stresses", x[known], y[known])
         return StressHistory(self.loads, x, y, np.moveaxis(stress, 0, -1), labels)
+
+    def growth(self, x: float, angle: float, shear: int, law: Mapping[str, float] | Numbers, initial: float,
+               final: float) -> Growth:
+        if isinstance(law, Mapping):
+            given = {"ds0": math.inf, "K_c": math.inf, **law}
+            if given.keys() != set(_LAW):
+                raise TypeError(f"law has {', '.join(given)}: it must have {', '.join(_LAW)}")
+            law = [given[name] for name in _LAW]
+        growth = Growth(*self._call("cycle_growth", x, angle, shear, law, initial, final))
+        growth.shear, growth.initial, growth.final = int(shear), float(initial), float(final)
+        return growth
 
     def friction(self, x: Numbers) -> Friction:
         points, labelled = aligned((x,))

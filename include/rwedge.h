@@ -1309,15 +1309,14 @@ RWEDGE_API int32_t rwedge_crack_ranges(size_t loads, size_t n, const double K_I[
  * NaN outside. Relative error below 4 epsilon. */
 RWEDGE_API double rwedge_short_crack_threshold(double length, double dK_th, double ds0);
 
-/* K of cracks of n lengths, from one place and at one angle, after each load of a cycle. overlap is
- * the share of the line where faces would overlap under that load: 0 where the crack is open
- * everywhere. Where it is not, K is that of faces that pass through each other.            new
+/* K of cracks of n lengths, from one place and at one angle, after each load of a cycle: stress
+ * times root of length. overlap is the share of the line where faces would overlap under that load,
+ * 0 where the crack is open everywhere. Where it is not, K is that of faces that pass through each
+ * other.                                                                                        new
  *   x        of the mouth, length, finite
  *   loads    rwedge_cycle_loads()
  *   length   1e-60 to 1e60: n numbers
- *   K_I, K_II  each receives loads * n numbers, the n of the first load first; stress times root of
- *            length
- *   overlap  receives loads * n numbers, as K_I
+ *   K_I, K_II, overlap  each receives loads * n numbers, the n of the first load first
  * RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ENOCONV. Error as that of
  * rwedge_crack_weights(). */
 RWEDGE_API int32_t rwedge_cycle_crack(const rwedge_cycle *cycle, double x, double angle,

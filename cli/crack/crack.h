@@ -64,8 +64,8 @@ extern const int crack_column_count;
 void crack_rows_write(void *of_plan, records *rows);
 void crack_loads_write(void *of_plan, records *rows);
 
-/* ---- crack_verdict ---- Whether the crack stops, in a row and a sentence for each way in which K_II
- * counts. */
+/* ---- crack_verdict ---- Whether the crack stops, in a row and a sentence for each way in which
+ * K_II counts. */
 
 extern const column_kind verdict_columns[];
 extern const int verdict_column_count;

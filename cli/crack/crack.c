@@ -20,18 +20,18 @@ static const struct poptOption options[] = {
 
 static void describe(FILE *stream)
 {
-    fputs(
-        "\nLOADS.csv is a cycle of loads, gone through as for \"rwedge fretting\"; the last time\n"
-        "counts. The crack is straight, its faces are free, and the contact is as if there\n"
-        "were none. K_I below 0 counts as 0 in a range. K changes straight between loads.\n"
-        "\nColumns:\n",
-        stream);
+    fputs("\nLOADS.csv is a cycle of loads, gone through as for \"rwedge fretting\": the last\n"
+          "time counts. The crack is straight, its faces are free, and the contact is as if\n"
+          "there were none. K_I below 0 counts as 0 in a range. K changes straight between\n"
+          "loads.\n"
+          "\nColumns:\n",
+          stream);
     columns_describe(crack_columns, crack_column_count, 18, stream);
     fputs("\nWith --verdict, a row for each way in which K_II counts:\n", stream);
     columns_describe(verdict_columns, verdict_column_count, 18, stream);
     fputs("\nThe threshold of a short crack is dK_th sqrt(l/(l + a0)), El Haddad's, with a0 =\n"
-          "(dK_th/(1.1215 ds0))^2/pi; without --ds0 it is dK_th. The constants are those of the\n"
-          "stress ratio of the cycle. C gives mm a cycle.\n",
+          "(dK_th/(1.1215 ds0))^2/pi; without --ds0 it is dK_th. The constants are those of\n"
+          "the stress ratio of the cycle. C gives mm a cycle.\n",
           stream);
 }
 

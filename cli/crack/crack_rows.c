@@ -40,7 +40,7 @@ const column_kind crack_columns[] = {
     {"overlap", "share of the line where faces overlap at K_I_max", NULL},
     {"threshold", "of dK, with --dK-th", "stress length^(1/2)"},
     {"dK_over_threshold", "above 1 it grows", NULL},
-    {"cycles", "from here to the last length, with --C and --m; empty where it stops", NULL},
+    {"cycles", "to the last length, with --C and --m; empty where it stops", NULL},
 };
 const int crack_column_count = COLUMNS;
 

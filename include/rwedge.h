@@ -339,6 +339,58 @@ RWEDGE_API double rwedge_normal_load(double theta, double a, double A, double b)
 RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, double nu,
                                     double k);
 
+/* ---- Profiles that were measured ------------------------------------------------------------- */
+
+/* The convex hull of a profile by its heights: the largest convex profile that is nowhere above
+ * them. Heights that are convex to rounding stay as they are.                                  new
+ *   n       number of places, 2 to 2^24
+ *   x       length, finite: of each place, from left to right, no two equal
+ *   height  length, finite: of the pad above the half-plane
+ *   hull    receives n numbers, length
+ * RWEDGE_EDOMAIN where a place is not right of the one before; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_profile_hull(size_t n, const double x[], const double height[],
+                                       double hull[]);
+
+/* The slopes of a profile by its heights, of their convex hull, as rwedge_contact_create_profile()
+ * takes them: the slope of the line between two places is the slope in their middle. The last place
+ * is the last of x, with the slope before it: there are n, and the profile is the same.         new
+ *   n       as above
+ *   x       as above
+ *   height  as above
+ *   place, slope  each receives n numbers: length; number
+ * Where a slope is pi/2 or more, no contact can be made of them.
+ * RWEDGE_EDOMAIN where a place is not right of the one before; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_profile_slopes(size_t n, const double x[], const double height[],
+                                         double place[], double slope[]);
+
+/* How many places rwedge_profile_fit() gives: one more than arcs, where these are 1 to 16, else 17.
+ *                                                                                               new
+ *   arcs  any integer */
+RWEDGE_API size_t rwedge_profile_places(int32_t arcs);
+
+/* The convex profile that is nearest to heights in least squares. It is made of arcs, each of one
+ * curvature, between places that are looked for too; their number is the one for which Schwarz's
+ * criterion (BIC) is lowest, unless it is given.
+ *                            Lawson and Hanson, Solving Least Squares Problems (1974), ch. 23; new
+ *   n       number of heights, 8 to 2^24
+ *   x       length, finite: of each height, from left to right; two may be equal
+ *   height  length, finite: of the pad above the half-plane
+ *   arcs    how many arcs, 0 <= arcs <= 16; 0 for as many as the heights ask for
+ *   m       number of places, rwedge_profile_places() or fewer, 2 to 17: there are fewer arcs
+ *   place, slope  each receives m numbers: where arcs begin and end, length; the slope there.
+ *                 Places that are not needed repeat the last one: they may stay in a profile,
+ *                 and there are as many arcs as other places
+ *   level   receives the height at the first place, length
+ *   rms     receives the root of the mean square of what is left of the heights, length: the noise
+ * The slope between places is linear: level, place and slope give the height everywhere.
+ * RWEDGE_EDOMAIN where a place is left of the one before, where all heights or all places are
+ * equal, and where arcs >= m; RWEDGE_EABSENT where the heights are those of no one pad: of a plane,
+ * of one that points down, or of two contacts with a pocket between them that is deeper than the
+ * noise; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ENOCONV. A place is found to 1/8192 of the length. */
+RWEDGE_API int32_t rwedge_profile_fit(size_t n, const double x[], const double height[],
+                                      int32_t arcs, size_t m, double place[], double slope[],
+                                      double *level, double *rms);
+
 /* ---- A contact with a load history ----------------------------------------------------------- */
 
 /* One contact and what it remembers of its loads. It is exact for any history of P and Q: see

@@ -57,20 +57,23 @@ static void read_at(const char *text, places *to)
 
 /* ---- --points ---- */
 
-static void read_file(const char *path, const char *encoding, char decimal_sign, places *to)
+static void read_file(const arguments *line, char decimal_sign, places *to)
 {
+    const char *path = line->value[OPTION_POINTS];
+    const reading how = reading_of(line, decimal_sign);
     static const pair_columns wanted = {.first = "x",
                                         .second = "y",
+                                        .dimension = "length",
                                         .needed = "x and y, the depth",
                                         .rows = "points",
                                         .most = PLACES_MAX,
                                         .complaint_about = complaint_about};
     pairs all;
-    pairs_read(path, encoding, decimal_sign, &wanted, &all);
+    pairs_read(path, &how, &wanted, &all);
     if (all.problem.text[0] != '\0')
         failure("%s", all.problem.text);
-    if (all.unused.text[0] != '\0')
-        notice("%s: %s", path, all.unused.text);
+    if (all.remark.text[0] != '\0')
+        notice("%s: %s", path, all.remark.text);
     *to = (places){.x = all.first, .y = all.second, .count = all.count};
 }
 
@@ -115,7 +118,7 @@ void places_read(const arguments *line, char decimal_sign, places *to)
     if (at != NULL)
         read_at(at, to);
     else if (points != NULL)
-        read_file(points, line->value[OPTION_ENCODING], decimal_sign, to);
+        read_file(line, decimal_sign, to);
     else if (x != NULL)
         read_grid(line, to);
 }

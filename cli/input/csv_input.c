@@ -22,7 +22,11 @@ typedef struct {
     char block[BLOCK];
     size_t begin, end; /* what of the block has not been parsed */
     bool at_start, after_return;
-    bool has_ended, too_many; /* of the row */
+    bool is_scanning;              /* the block that was read first is all there is */
+    bool has_own;                  /* the file says how its cells are separated */
+    size_t first_begin, first_end; /* of what is scanned */
+    bool is_quoted, in_line;       /* for runs of blanks */
+    bool has_ended, too_many;      /* of the row */
     int64_t next_line;
     size_t length, used;
     char row[CSV_ROW_BYTES + 2];   /* as it stands in the file */
@@ -64,7 +68,7 @@ static void take_end(int end, void *of_reader)
 static void separate_by(reader *in, char separator)
 {
     in->seen.separator = separator;
-    csv_set_delim(&in->parser, (unsigned char)separator);
+    csv_set_delim(&in->parser, separator == CSV_BLANKS ? '\t' : (unsigned char)separator);
 }
 
 static void start_parser(reader *in)
@@ -86,6 +90,7 @@ csv_input *csv_input_open(const char *path, char separator, const char *encoding
     in->seen.row.whole = in->row;
     in->seen.name = in->text->name;
     in->seen.separator = is_tsv ? '\t' : separator;
+    in->has_own = is_tsv;
     start_parser(in);
     in->seen.problem = in->text->problem;
     return &in->seen;
@@ -134,6 +139,7 @@ static void find_separator(reader *in)
     if (in->end > before + 1 && strncasecmp(line, says, before) == 0 &&
         strchr(",;\t|", line[before]) != NULL && strchr("\r\n", line[before + 1]) != NULL) {
         separate_by(in, line[before]);
+        in->has_own = true;
         in->begin = before + 1; /* a blank line is left */
     } else if (has_tabs_only(line, in->end, in->seen.separator))
         separate_by(in, '\t');
@@ -147,22 +153,53 @@ static bool not_closed(reader *in)
     return stop(in, "a quote that is not closed");
 }
 
+/* Fills the block where all of it has been parsed. False at the end of the file, or where there is
+ * a problem. */
+static bool has_bytes(reader *in)
+{
+    if (in->begin < in->end)
+        return true;
+    if (in->is_scanning)
+        return false;
+    const bool is_read = text_input_read(in->text, in->block, BLOCK, &in->end);
+    in->begin = 0;
+    in->seen.problem = in->text->problem;
+    in->seen.has_mark = in->text->has_mark;
+    if (is_read && in->at_start)
+        find_separator(in);
+    return is_read && in->end > 0;
+}
+
+static bool is_blank_byte(char byte)
+{
+    return byte == ' ' || byte == '\t';
+}
+
+/* Whether a run of blanks separates two cells; it is passed over. */
+static bool pass_blanks(reader *in)
+{
+    bool any = false;
+    while (has_bytes(in) && is_blank_byte(in->block[in->begin])) {
+        in->begin++;
+        any = true;
+    }
+    return any && in->in_line && in->begin < in->end && !ends_line(in->block[in->begin]);
+}
+
 /* False at the end of the file, or where there is a problem. */
 static bool next_byte(reader *in, char *byte)
 {
-    if (in->begin == in->end) {
-        const bool is_read = text_input_read(in->text, in->block, BLOCK, &in->end);
-        in->begin = 0;
-        in->seen.problem = in->text->problem;
-        in->seen.has_mark = in->text->has_mark;
-        if (is_read && in->at_start)
-            find_separator(in);
-        if (!is_read || in->end == 0)
-            return false;
+    if (in->seen.separator == CSV_BLANKS && !in->is_quoted && pass_blanks(in)) {
+        *byte = '\t';
+        return true;
     }
+    if (!has_bytes(in))
+        return false;
     *byte = in->block[in->begin++];
     in->next_line += ends_line(*byte) && !(in->after_return && *byte == '\n');
     in->after_return = *byte == '\r';
+    in->is_quoted = in->is_quoted != (*byte == '"');
+    in->in_line = !ends_line(*byte);
     return true;
 }
 
@@ -232,6 +269,59 @@ bool csv_input_next(csv_input *in)
     while (there && is_blank(&in->row))
         there = next_row((reader *)in);
     return there;
+}
+
+/* ---- Looking ahead ---- */
+
+static void start_anew(reader *in, char separator)
+{
+    csv_free(&in->parser);
+    start_parser(in);
+    separate_by(in, in->has_own ? in->seen.separator : separator);
+    in->begin = in->first_begin;
+    in->end = in->first_end;
+    in->next_line = 1;
+    in->after_return = in->is_quoted = in->in_line = false;
+    in->seen.problem.text[0] = '\0';
+}
+
+bool csv_input_scan(csv_input *seen, char separator)
+{
+    reader *in = (reader *)seen;
+    if (seen->problem.text[0] != '\0' && !in->is_scanning)
+        return false;
+    if (!in->is_scanning) {
+        if (!has_bytes(in))
+            return false;
+        in->first_begin = in->begin;
+        in->first_end = in->end;
+        in->is_scanning = seen->takes_malformed = true;
+    }
+    start_anew(in, separator);
+    return true;
+}
+
+void csv_input_begin(csv_input *seen, char separator)
+{
+    reader *in = (reader *)seen;
+    if (!in->is_scanning)
+        return;
+    start_anew(in, separator);
+    in->is_scanning = false;
+}
+
+bool csv_input_names_separator(const csv_input *in)
+{
+    return ((const reader *)in)->has_own;
+}
+
+char csv_input_guess(const csv_input *seen, char usual)
+{
+    const reader *in = (const reader *)seen;
+    return in->has_own ? seen->separator
+           : has_tabs_only(in->block + in->first_begin, in->first_end - in->first_begin, usual)
+               ? '\t'
+               : usual;
 }
 
 bool csv_input_header(csv_input *in, csv_row *row)

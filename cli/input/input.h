@@ -34,6 +34,9 @@ void text_input_close(text_input *in);
 /* ---- csv_input ---- Rows of a CSV file (RFC 4180), one at a time: memory holds one row, however
  * many there are. */
 
+/* A separator: runs of blanks and tabs. */
+enum { CSV_BLANKS = ' ' };
+
 /* A longer row, or one with more cells, does not belong to a table for this tool. */
 enum { CSV_ROW_BYTES = 1 << 20, CSV_ROW_CELLS = 1000 };
 
@@ -66,6 +69,19 @@ csv_input *csv_input_open(const char *path, char separator, const char *encoding
  * rows. */
 bool csv_input_next(csv_input *in);
 
+/* Reads the rows at the beginning of the file, as far as they are at hand, as often as it is
+ * called,
+ * each time as if that were the separator, unless the file names one. False where there are none.
+ * */
+bool csv_input_scan(csv_input *in, char separator);
+
+/* Begins in earnest, after scans. */
+void csv_input_begin(csv_input *in, char separator);
+
+/* Whether the file names its separator; the one that its first line has, the usual one or tabs. */
+bool csv_input_names_separator(const csv_input *in);
+char csv_input_guess(const csv_input *in, char usual);
+
 /* Reads the first row, which is kept. False where there is a problem. */
 bool csv_input_header(csv_input *in, csv_row *row);
 
@@ -87,13 +103,65 @@ void csv_input_close(csv_input *in);
 void csv_row_keep(const csv_input *in, csv_row *row);
 void csv_row_free(csv_row *row);
 
+/* ---- table_input ---- A table in a file: what stands above it is passed over, its header is
+ * found,
+ * and its units; the rows below it, without comments, which begin with #. Memory holds a row. */
+
+/* How files are to be read. */
+typedef struct {
+    char decimal_sign;
+    const char *encoding;     /* NULL: UTF-8 */
+    const char *columns;      /* as in naming */
+    const unit_system *units; /* NULL */
+    bool drops;               /* rows that lack a number, in place of refusing them */
+    bool is_command;
+} reading;
+
+/* What a table must have. */
+typedef struct {
+    /* Finds the columns among the names of a header that has been begun. False, with the
+     * complaint. */
+    bool (*find)(void *context, header *names, complaint *why);
+    void *context;
+    /* the names of so many columns where the file has none; NULL refuses that */
+    const char *const *(*usual)(size_t count);
+    bool takes_malformed; /* rows, as csv_input has it */
+    bool counts_missing;  /* rows that lack a number are counted, and refused or left out */
+} table_wanted;
+
+typedef struct {
+    csv_input *in;
+    csv_row first, units; /* that have the names, and units below them */
+    naming how;
+    header names;
+    table_wanted wanted;
+    char decimal_sign;
+    int64_t first_line; /* that is not blank */
+    bool is_pending;    /* the row at hand is the next one */
+    bool drops;
+    size_t missing; /* rows that lack a number */
+    complaint first_missing;
+    complaint remark; /* what was passed over; known at the end */
+} table_input;
+
+/* Opens a file, or standard input where path is "-", and reads its header. False where there is a
+ * problem, that of `in`. Close it in either case. It must not move. */
+bool table_open(const char *path, const reading *how, const table_wanted *wanted, table_input *t);
+
+/* Reads the next row, that of `in`. False at the end, or where there is a problem. */
+bool table_next(table_input *t);
+
+void table_close(table_input *t);
+
 /* ---- pairs ---- A CSV file of which two columns are numbers: points, or a profile. */
 
 /* What the file must have. */
 typedef struct {
     const char *first, *second, *instead; /* the last may be there for the second; or NULL */
-    const char *const *usual;             /* two names for a file that has none; NULL refuses it */
-    const char *needed, *rows;            /* "x and y, the depth"; "points" */
+    const char *dimension, *other;        /* of the second; of what is there instead */
+    /* the names of two columns in a file that has none; NULL refuses it */
+    const char *const *(*usual)(size_t count);
+    const char *needed, *rows; /* "x and y, the depth"; "points" */
     size_t most;
     /* what is wrong with such numbers, or NULL */
     const char *(*complaint_about)(double first, double second);
@@ -104,21 +172,19 @@ typedef struct {
     double *first, *second;
     int64_t *line;      /* on which each stands */
     const char *column; /* what the second is */
-    complaint unused;   /* columns with numbers that are not used */
+    complaint remark;   /* what was passed over, and columns with numbers that are not used */
     complaint problem;  /* why it cannot be read, with the name of the file; "" where it can */
 } pairs;
 
 /* Reads it all, but for what follows a problem. Free it. */
-void pairs_read(const char *path, const char *encoding, char decimal_sign,
-                const pair_columns *wanted, pairs *to);
+void pairs_read(const char *path, const reading *how, const pair_columns *wanted, pairs *to);
 void pairs_free(pairs *all);
 
 /* ---- profiles ---- The profiles of pads, each from a file of its name. */
 
 /* Reads a file, unless it has been read, and gives what is to be known of it: columns that are not
- * used, the hull; or "". What is wrong with it is kept too. Not while threads look for profiles.
- * Columns without names are x and height where that is taken. */
-const char *profiles_read(const char *name, char decimal_sign, bool takes_hull, bool takes_unnamed);
+ * used, the hull; or "". What is wrong with it is kept too. Not while threads look for profiles. */
+const char *profiles_read(const char *name, const reading *how, const profile_making *making);
 
 /* Those that have been read: of input_texts. */
 const pad_profile *profiles_named(const char *name, complaint *why);

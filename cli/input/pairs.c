@@ -5,76 +5,77 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A file that is read. */
+/* The columns of a file. */
 typedef struct {
-    csv_input *in;
     const pair_columns *wanted;
-    char decimal_sign;
-    header names;
+    const char *name; /* of the second */
     size_t column[2];
-    pairs *to;
-} reading;
+} pair_finding;
 
-/* ---- The first row ---- */
+/* ---- The header ---- */
 
 /* Either the second column or what may stand for it. */
-static bool find_second(reading *r, complaint *why)
+static bool find_second(pair_finding *r, const header *names, complaint *why)
 {
     const char *second = r->wanted->second, *other = r->wanted->instead;
-    const size_t none = r->names.count;
+    const size_t none = names->count;
     size_t instead = none;
-    if (!header_column(&r->names, second, &r->column[1], why) ||
-        (other != NULL && !header_column(&r->names, other, &instead, why)))
+    if (!header_column(names, second, &r->column[1], why) ||
+        (other != NULL && !header_column(names, other, &instead, why)))
         return false;
     if (r->column[1] < none && instead < none)
         return complain(why, "column %s: given together with %s; allowed: one of the two", other,
                         second);
-    r->to->column = instead < none ? other : second;
+    r->name = instead < none ? other : second;
     r->column[1] = instead < none ? instead : r->column[1];
     return true;
 }
 
-static bool find_columns(reading *r, const char *const names[], size_t count)
+static bool find_columns(void *of_finding, header *names, complaint *why)
 {
-    complaint why;
-    header_find(names, count, 0, 0, NULL, &r->names, &why);
-    if (!header_column(&r->names, r->wanted->first, &r->column[0], &why) || !find_second(r, &why))
-        return csv_input_stop(r->in, "%s", why.text);
+    pair_finding *r = of_finding;
+    const pair_columns *wanted = r->wanted;
+    if (!header_column(names, wanted->first, &r->column[0], why) || !find_second(r, names, why))
+        return false;
     for (int i = 0; i < 2; i++) {
-        if (r->column[i] == r->names.count)
-            return csv_input_stop(r->in, "column %s: missing; needed: %s%s",
-                                  i == 0 ? r->wanted->first : r->wanted->second, r->wanted->needed,
-                                  header_hint(r->names.name, r->names.count));
-        r->names.is_used[r->column[i]] = true;
+        if (r->column[i] < names->count)
+            continue;
+        complain(why, "column %s: missing; needed: %s%s", i == 0 ? wanted->first : wanted->second,
+                 wanted->needed, header_hint(names->name, names->count));
+        header_write_names(names, why);
+        return false;
     }
-    return true;
+    header_note_labels(names);
+    return header_need(names, r->column[0], wanted->first, "length", SHARE_NONE, NEED_PLACE, why) &&
+           header_need(names, r->column[1], r->name,
+                       r->name == wanted->instead ? wanted->other : wanted->dimension, SHARE_NONE,
+                       NEED_NUMBER, why);
 }
 
 /* ---- Rows ---- */
 
-static bool refuse_row(const reading *r, const char *reason)
+static bool refuse_row(const table_input *t, const char *reason)
 {
-    return csv_input_stop(r->in, "line %" PRId64 ": %s", r->in->row.line, reason);
+    return csv_input_stop(t->in, "line %" PRId64 ": %s", t->in->row.line, reason);
 }
 
-static bool read_row(reading *r)
+static bool read_row(table_input *t, const pair_finding *r, pairs *to)
 {
     double value[2];
-    pairs *to = r->to;
     complaint why;
-    const csv_row *row = &r->in->row;
-    if (!header_fits(r->names.count, row->count, r->in->separator, &why))
-        return refuse_row(r, why.text);
+    const csv_row *row = &t->in->row;
+    if (!header_fits(t->names.count, row->count, t->in->separator, &why))
+        return refuse_row(t, why.text);
     for (int i = 0; i < 2; i++)
-        if (!cell_read(row->cell[r->column[i]], i == 0 ? r->wanted->first : to->column,
-                       r->decimal_sign, &value[i], &why))
-            return refuse_row(r, why.text);
+        if (!header_cell(&t->names, row->cell, r->column[i], i == 0 ? r->wanted->first : to->column,
+                         t->decimal_sign, &value[i], &why))
+            return refuse_row(t, why.text);
     if (r->wanted->complaint_about != NULL &&
         r->wanted->complaint_about(value[0], value[1]) != NULL)
-        return refuse_row(r, r->wanted->complaint_about(value[0], value[1]));
+        return refuse_row(t, r->wanted->complaint_about(value[0], value[1]));
     if (to->count == r->wanted->most)
-        return csv_input_stop(r->in, "more than %zu %s", r->wanted->most, r->wanted->rows);
-    header_note_unused(&r->names, row->cell);
+        return csv_input_stop(t->in, "more than %zu %s", r->wanted->most, r->wanted->rows);
+    header_note_unused(&t->names, row->cell);
     to->first = memory_for_one_more(to->first, to->count, sizeof *to->first);
     to->second = memory_for_one_more(to->second, to->count, sizeof *to->second);
     to->line = memory_for_one_more(to->line, to->count, sizeof *to->line);
@@ -84,37 +85,25 @@ static bool read_row(reading *r)
     return true;
 }
 
-/* The first row has the names, or numbers where names may be missing. */
-static bool read_first(reading *r, csv_row *first)
+void pairs_read(const char *path, const reading *how, const pair_columns *wanted, pairs *to)
 {
-    const char *const *usual = r->wanted->usual;
-    double number;
-    if (!csv_input_header(r->in, first))
-        return false;
-    if (usual != NULL && number_read_cell(first->cell[0], r->decimal_sign, &number))
-        return find_columns(r, usual, 2) && read_row(r);
-    return find_columns(r, first->cell, first->count);
-}
-
-void pairs_read(const char *path, const char *encoding, char decimal_sign,
-                const pair_columns *wanted, pairs *to)
-{
+    pair_finding r = {.wanted = wanted};
+    const table_wanted needed = {
+        .find = find_columns, .context = &r, .usual = wanted->usual, .counts_missing = true};
+    table_input t;
     *to = (pairs){.count = 0};
-    reading r = {.in = csv_input_open(path, decimal_sign == ',' ? ';' : ',', encoding),
-                 .wanted = wanted,
-                 .decimal_sign = decimal_sign,
-                 .to = to};
-    csv_row first = {.cell = NULL};
-    if (read_first(&r, &first))
-        while (csv_input_next(r.in) && read_row(&r))
+    if (table_open(path, how, &needed, &t)) {
+        to->column = r.name;
+        while (table_next(&t) && read_row(&t, &r, to))
             continue;
-    if (r.in->problem.text[0] == '\0' && to->count == 0)
-        csv_input_stop(r.in, "no %s; needed: rows of %s and %s", wanted->rows, wanted->first,
-                       to->column);
-    header_write_unused(&r.names, to->unused.text, sizeof to->unused.text);
-    csv_row_free(&first);
-    to->problem = r.in->problem;
-    csv_input_close(r.in);
+        if (t.in->problem.text[0] == '\0' && to->count == 0)
+            csv_input_stop(t.in, "no %s; needed: rows of %s and %s", wanted->rows, wanted->first,
+                           to->column);
+    }
+    to->remark = t.remark;
+    header_write_unused(&t.names, to->remark.text, sizeof to->remark.text);
+    to->problem = t.in->problem;
+    table_close(&t);
 }
 
 void pairs_free(pairs *all)

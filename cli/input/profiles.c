@@ -24,34 +24,46 @@ static entry *entry_named(const char *name)
     return NULL;
 }
 
-static void take(const pairs *rows, bool takes_hull, entry *to)
+static void take(pairs *rows, const profile_making *how, entry *to)
 {
-    static const char hull[] = "; --hull takes it";
     profile_remark remark;
-    const bool taken =
-        strcmp(rows->column, "height") == 0
-            ? pad_profile_of_heights(rows->count, rows->first, rows->second, takes_hull,
-                                     &to->places, &remark)
-            : pad_profile_of_slopes(rows->count, rows->first, rows->second, &to->places, &remark);
+    scan all = {rows->count, rows->first, rows->second, rows->line};
+    const bool are_heights = strcmp(rows->column, "height") == 0;
+    const size_t means = scan_settle(&all, are_heights);
+    const bool taken = (are_heights ? pad_profile_of_heights
+                                    : pad_profile_of_slopes)(&all, how, &to->places, &remark);
     complaint text = {""};
-    if (remark.text[0] != '\0')
-        complain(&text, "%.200s: line %" PRId64 ": %s%s", to->name, rows->line[remark.place],
-                 remark.text, !taken && strstr(remark.text, "hull") != NULL ? hull : "");
+    if (remark.text[0] != '\0' && remark.line > 0)
+        complain(&text, "%.200s: line %" PRId64 ": %s", to->name, remark.line, remark.text);
+    else if (remark.text[0] != '\0')
+        complain(&text, "%.200s: %s", to->name, remark.text);
     strcpy(taken ? to->remark : to->problem.text, text.text);
-    if (rows->unused.text[0] != '\0')
-        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, rows->unused.text);
+    if (means > 0)
+        list_add(to->remark, sizeof to->remark, "; ",
+                 "%.200s: %zu place%s more than once: their heights are averaged", to->name, means,
+                 means > 1 ? "s are there" : " is there");
+    if (rows->remark.text[0] != '\0')
+        list_add(to->remark, sizeof to->remark, "; ", "%.200s: %s", to->name, rows->remark.text);
 }
 
-const char *profiles_read(const char *name, char decimal_sign, bool takes_hull, bool takes_unnamed)
+static const char *const *usual_names(size_t count)
 {
-    static const char *const usual[] = {"x", "height"};
+    static const char *const names[] = {"x", "height"};
+    return count == 2 ? names : NULL;
+}
+
+const char *profiles_read(const char *name, const reading *how, const profile_making *making)
+{
+    enum { MOST = 1000000 };
     const pair_columns wanted = {.first = "x",
                                  .second = "slope",
                                  .instead = "height",
-                                 .usual = takes_unnamed ? usual : NULL,
+                                 .dimension = "slope",
+                                 .other = "length",
+                                 .usual = making->takes_unnamed ? usual_names : NULL,
                                  .needed = "x, and slope or height",
                                  .rows = "places",
-                                 .most = PROFILE_PLACES + 1};
+                                 .most = MOST};
     pairs rows;
     if (entry_named(name) != NULL)
         return "";
@@ -60,9 +72,9 @@ const char *profiles_read(const char *name, char decimal_sign, bool takes_hull, 
     strcpy(to->name, name);
     entries = memory_for_one_more(entries, entry_count, sizeof *entries);
     entries[entry_count++] = to;
-    pairs_read(name, NULL, decimal_sign, &wanted, &rows);
+    pairs_read(name, how, &wanted, &rows);
     if (rows.problem.text[0] == '\0')
-        take(&rows, takes_hull, to);
+        take(&rows, making, to);
     else
         to->problem = rows.problem;
     pairs_free(&rows);
@@ -90,6 +102,7 @@ void profiles_forget(size_t count)
     while (entry_count > count) {
         entry *last = entries[--entry_count];
         free(last->name);
+        pad_profile_free(&last->places);
         free(last);
     }
 }

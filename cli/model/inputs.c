@@ -39,13 +39,13 @@ const input_kind input_kinds[INPUT_COUNT] = {
                        "Any convex pad: a CSV file with the columns x, and slope or height", "FILE",
                        "name", "the profile", ANY},
     [INPUT_P] = {NAMES("P"), "Normal force per unit length", "FORCE", "force/length",
-                 "the normal force", ABOVE_0},
+                 "the normal force", ABOVE_0, SHARE_OF_WIDTH},
     [INPUT_M] = {NAMES("M"), "Moment per unit length, positive presses the side x > 0 (default 0)",
-                 "MOMENT", "force", "the moment", ANY},
+                 "MOMENT", "force", "the moment", ANY, SHARE_OF_WIDTH},
     [INPUT_Q] = {NAMES("Q"), "Tangential force per unit length (default 0)", "FORCE",
-                 "force/length", "the tangential force", ANY},
+                 "force/length", "the tangential force", ANY, SHARE_OF_WIDTH},
     [INPUT_SIGMA] = {NAMES("sigma"), "Bulk tension of body 1 along the surface (default 0)",
-                     "STRESS", "stress", "the bulk tension", ANY},
+                     "STRESS", "stress", "the bulk tension", ANY, SHARE_OF_SECTION},
     [INPUT_F] = {NAMES("f"), "Coefficient of friction, or --friction (default 0)", "NUMBER", "none",
                  "the coefficient of friction", 0, 1e6, false, "a number from 0 to 1000000"},
     [INPUT_K] = {NAMES("k"), "Yield stress of body 1 in pure shear", "STRESS", "stress",
@@ -99,10 +99,41 @@ static bool is_in(double value, const input_kind *kind)
                       : value >= kind->lo && value <= kind->hi;
 }
 
+/* What the number of a text is multiplied by. */
+static bool find_factor(const input_texts *texts, int input, const char *own, double *factor,
+                        complaint *why)
+{
+    const unit_system *units = texts->units != NULL ? texts->units : &units_unknown;
+    const input_kind *kind = &input_kinds[input];
+    complaint reason;
+    *factor = texts->cell_factor[input];
+    if (own == NULL && texts->is_cell[input] && *factor != 0)
+        return true;
+    return units_factor(units, own, kind->unit, kind->of, factor, &reason) ||
+           complain(why, "%s %.60s: %s%s", input_name(texts, input), texts->text[input],
+                    reason.text,
+                    !units->is_known ? ": --units, such as --units mm,N,MPa, converts it" : "");
+}
+
+/* Reads a number in the working units; *is_number says whether it is one. */
+static bool read_number(const input_texts *texts, int input, double *value, bool *is_number,
+                        complaint *why)
+{
+    const char *own;
+    double factor;
+    *is_number = quantity_read(texts->text[input],
+                               texts->is_cell[input] ? texts->cell_decimal_sign : '.', value, &own);
+    if (!*is_number)
+        return true;
+    if (!find_factor(texts, input, own, &factor, why))
+        return false;
+    *value *= factor;
+    return true;
+}
+
 bool input_read(const input_texts *texts, int input, double *value, complaint *why)
 {
     const char *text = texts->text[input];
-    const char decimal_sign = texts->is_cell[input] ? texts->cell_decimal_sign : '.';
     const input_kind *kind = &input_kinds[input];
     const bool rigid = strcasecmp(text, "inf") == 0;
     if (input == INPUT_PROFILE) {
@@ -111,8 +142,10 @@ bool input_read(const input_texts *texts, int input, double *value, complaint *w
         return places != NULL;
     }
     *value = HUGE_VAL;
-    if (rigid ? input == INPUT_E2
-              : number_read_cell(text, decimal_sign, value) && is_in(*value, kind)) {
+    bool is_number = false;
+    if (!rigid && !read_number(texts, input, value, &is_number, why))
+        return false;
+    if (rigid ? input == INPUT_E2 : is_number && is_in(*value, kind)) {
         /* the header's first page: whatever has a size is 0 or 1e-60 to 1e60 */
         if (rigid || input == INPUT_NU1 || input == INPUT_NU2 || number_is_size(*value))
             return true;

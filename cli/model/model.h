@@ -12,6 +12,46 @@
 
 #include <rwedge.h>
 
+/* ---- units ---- Units of quantities as people write them, and the working units of a command. */
+
+/* Its size in newtons, metres and radians, and its powers of the root of both. */
+typedef struct {
+    double size;
+    int half_force, half_length;
+    bool is_angle;
+} measuring_unit;
+
+/* Reads a whole text, such as "N/mm", "kN", "MPa sqrt(m)". False where it is no unit. */
+bool unit_read(const char *text, measuring_unit *to);
+
+/* Whether a word of so many bytes looks like a unit; a power may follow, and the case of longer
+ * words does not matter. */
+bool unit_is_word(const char *word, size_t length);
+
+/* The working units, and what forces of the whole contact are divided by. */
+typedef struct {
+    bool is_known;
+    double length, force; /* in metres and newtons */
+    double width;         /* of the contact out of the plane; NAN where it is not given */
+    double section;       /* on which a tension acts that is given as a force; NAN */
+    double K_length;      /* in metres, of the root in a bare stress intensity; NAN */
+} unit_system;
+extern const unit_system units_unknown;
+
+/* Reads "mm,N,MPa": the sizes of these. False, with the complaint. */
+bool units_read(const char *text, unit_system *units, complaint *why);
+
+/* Which quantities may be given for the whole contact. */
+typedef enum { SHARE_NONE, SHARE_OF_WIDTH, SHARE_OF_SECTION } unit_share;
+
+/* What a number with its own unit, NULL for none, is multiplied by to be one of the dimension,
+ * "force/length", in the working units. False, with the complaint, where it cannot be. */
+bool units_factor(const unit_system *units, const char *own, const char *dimension, unit_share of,
+                  double *factor, complaint *why);
+
+/* Reads a number that a unit may follow; *own is that part of the text, NULL for none. */
+bool quantity_read(const char *text, char decimal_sign, double *value, const char **own);
+
 /* ---- inputs ---- The inputs that define a contact: for each its names as option and as column,
  * its domain, and how its text is read. */
 
@@ -44,6 +84,7 @@ typedef struct {
     double lo, hi;
     bool open; /* the ends are not in the domain */
     const char *domain;
+    unit_share of; /* whether it may be given for the whole contact */
 } input_kind;
 extern const input_kind input_kinds[INPUT_COUNT];
 
@@ -52,6 +93,9 @@ typedef struct {
     const char *text[INPUT_COUNT]; /* NULL where not given; an empty cell is as good as none */
     bool is_cell[INPUT_COUNT];
     char cell_decimal_sign;
+    /* what a number of a cell is multiplied by, as its column has it; 0 where nothing is known */
+    double cell_factor[INPUT_COUNT];
+    const unit_system *units; /* NULL where no unit is known */
     /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
      * where else inputs are given, "columns or options", or NULL */
     const char *how_comma, *where_else;

@@ -105,7 +105,7 @@ static void keep(arguments *line, const syntax *grammar, int number, char *value
                     find(grammar->options, number)->longName, value);
     if (*kept == NULL)
         *kept = value != NULL ? value : memory_zeroed(1, 1);
-    else if (value != NULL && number == grammar->repeated) {
+    else if (value != NULL && (number == grammar->repeated || number == OPTION_COLUMN)) {
         *kept = memory_resized(*kept, strlen(*kept) + strlen(value) + 2);
         strcat(strcat(*kept, "\n"), value);
         free(value);

@@ -24,8 +24,9 @@ enum {
     OPTION_ENCODING,
     OPTION_THREADS,
     OPTION_NO_FORMULAS,
+    OPTION_COLUMN, /* may be repeated, wherever it is */
     OPTION_OWN,
-    OPTION_LIMIT = 80
+    OPTION_LIMIT = 120
 };
 
 typedef struct {

@@ -4,34 +4,72 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include <rwedge.h>
 
-/* ---- pad ---- The profile of a pad by its slopes at places, linear between them. */
+/* ---- profile ---- The profile of a pad by its slopes at places, linear between them. */
 
 enum { PROFILE_PLACES = 1000 };
 
 typedef struct {
     size_t count;
     double x[PROFILE_PLACES], slope[PROFILE_PLACES];
+    double left, right; /* the outermost places that were given */
+    bool is_cut;        /* flanks beyond them were left out */
+    /* of heights: where they were measured, and how far they are above the profile that was made
+     * of them by hull or fit; none where they are convex */
+    size_t scanned;
+    double *scan_x, *above;
+    int32_t arcs; /* of a fit; 0 of none */
+    double rms;   /* of what a fit leaves */
 } pad_profile;
 
-/* What is wrong with it, and at which of the places that were given; or what the hull has changed.
- */
+void pad_profile_free(pad_profile *profile);
+
+/* Places as a file has them, from left to right, and the line of each. */
 typedef struct {
-    size_t place;
+    size_t count;
+    double *x, *value; /* slopes or heights */
+    int64_t *line;
+} scan;
+
+/* Puts places in order; those of heights that are equal become one, with the mean of the heights.
+ * Returns how many that were. */
+size_t scan_settle(scan *all, bool are_heights);
+
+/* How a profile is made of a scan. */
+typedef struct {
+    bool takes_hull;     /* of heights that are not convex */
+    bool fits;           /* the convex profile nearest to the heights */
+    int32_t arcs;        /* of the fit; 0 for as many as the heights ask for */
+    bool is_down;        /* heights point away from body 2 */
+    bool is_from_lowest; /* x is to be 0 at the lowest place */
+    bool takes_unnamed;  /* columns without names are x and height */
+    bool is_command;     /* messages may name options */
+} profile_making;
+
+/* What is wrong with it, and in which line; or what is to be known of it. */
+typedef struct {
+    int64_t line; /* 0 for none */
     char text[450];
 } profile_remark;
 
 /* Makes a profile from slopes. False, with the remark, where they are not convex. */
-bool pad_profile_of_slopes(size_t n, const double x[], const double slope[], pad_profile *to,
+bool pad_profile_of_slopes(const scan *given, const profile_making *how, pad_profile *to,
                            profile_remark *remark);
 
 /* Makes a profile from heights above the surface: the slope of the line between two places is the
- * slope in their middle. Where the hull is asked for, heights that are not convex are lowered to
- * it, and the remark says by how much. False, with the remark, where they are not convex. */
-bool pad_profile_of_heights(size_t n, const double x[], const double height[], bool takes_hull,
-                            pad_profile *to, profile_remark *remark);
+ * slope in their middle. Where the hull or a fit is asked for, the remark says what it changes.
+ * False, with the remark, where no profile can be made of them. */
+bool pad_profile_of_heights(const scan *given, const profile_making *how, pad_profile *to,
+                            profile_remark *remark);
+
+/* Its height at x above its lowest place. */
+double pad_profile_height(const pad_profile *profile, double x);
+
+/* Its lowest place, the middle of a flat one; NAN where an end is the lowest. */
+double pad_profile_lowest(const pad_profile *profile);
 
 /* ---- pad ---- The shape of body 2. */
 

@@ -1,12 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "setup.h"
 
-enum { OTHER_NAMES = 3, CONTACT_INPUTS = INPUT_K };
+#include <string.h>
 
-struct poptOption input_option_table[CONTACT_INPUTS + OTHER_NAMES + 1] = {
+enum { OTHER_OPTIONS = 7, CONTACT_INPUTS = INPUT_K };
+
+struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
     [CONTACT_INPUTS] = {HULL_OPTION},
+    {FLAG("fit", OPTION_FIT),
+     "Fit the heights of a profile: the convex profile nearest to them in least squares", NULL},
+    {VALUE("heights", OPTION_HEIGHTS), "Which way the heights of a profile point (default up)",
+     "up|down"},
+    {VALUE("origin", OPTION_ORIGIN),
+     "Where x is 0, which P passes through: as in the profile, or at its lowest place", "lowest"},
     OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
     OTHER_NAME("nu", OPTION_INPUT + INPUT_NU1),
+    {INCLUDED(reading_option_table), "Units, and columns of files:", NULL},
     POPT_TABLEEND,
 };
 struct poptOption strength_option_table[INPUT_COUNT - CONTACT_INPUTS + 1] = {
@@ -22,6 +31,77 @@ struct poptOption exactness_option_table[] = {
      "How exactly these are computed: error of q over f p0, 1e-6 to 1e-2 (default 1e-4)", "NUMBER"},
     POPT_TABLEEND,
 };
+
+struct poptOption reading_option_table[] = {
+    {VALUE("units", OPTION_UNITS),
+     "Working units, to which those behind names and numbers are converted", "mm,N,MPa"},
+    {VALUE("width", OPTION_WIDTH),
+     "Width of the contact out of the plane: P, M and Q are of the whole, and divided by it",
+     "LENGTH"},
+    {VALUE("section", OPTION_SECTION), "Area by which sigma is divided where it is a force",
+     "AREA"},
+    {VALUE("column", OPTION_COLUMN),
+     "A column by its name in the file, or its number where there are no names; repeat it",
+     "NAME=THEIRS"},
+    {FLAG("drop", OPTION_DROP), "Leave out rows that lack a number: empty, NaN or -9999", NULL},
+    POPT_TABLEEND,
+};
+
+/* ---- Units and files ---- */
+
+static double read_size(const arguments *line, int number, const char *name)
+{
+    const char *text = line->value[number];
+    double size = NAN;
+    if (text != NULL && !(number_read(text, &size) && size > 0 && number_is_size(size)))
+        usage_error("--%s %s: must be a number above 0, in the working units", name, text);
+    return size;
+}
+
+const unit_system *units_of(const arguments *line)
+{
+    static unit_system units;
+    complaint why;
+    units = units_unknown;
+    if (line->value[OPTION_UNITS] != NULL && !units_read(line->value[OPTION_UNITS], &units, &why))
+        usage_error("--units %s", why.text);
+    units.width = read_size(line, OPTION_WIDTH, "width");
+    units.section = read_size(line, OPTION_SECTION, "section");
+    return &units;
+}
+
+/* A name that no table has would be passed over. */
+static void check_columns(const char *columns)
+{
+    static const char *const others[] = {"x", "y", "slope", "height"};
+    for (const char *text = columns; text != NULL && *text != '\0';) {
+        const size_t length = strcspn(text, "\n"), own = strcspn(text, "=");
+        bool known = false;
+        for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
+            known = known || (strlen(others[i]) == own && strncmp(others[i], text, own) == 0);
+        for (int i = 0; i < INPUT_COUNT; i++)
+            known = known || (strlen(input_kinds[i].column) == own &&
+                              strncmp(input_kinds[i].column, text, own) == 0);
+        if (own >= length || !known)
+            usage_error("--column %.*s: must be NAME=THEIRS, such as P='Normal Force', with a name "
+                        "that is read here: P, M, Q, sigma, x, y, slope, height, or an input",
+                        (int)length, text);
+        text += length + (text[length] == '\n');
+    }
+}
+
+reading reading_of(const arguments *line, char decimal_sign)
+{
+    check_columns(line->value[OPTION_COLUMN]);
+    return (reading){.decimal_sign = decimal_sign,
+                     .encoding = line->value[OPTION_ENCODING],
+                     .columns = line->value[OPTION_COLUMN],
+                     .units = units_of(line),
+                     .drops = line->value[OPTION_DROP] != NULL,
+                     .is_command = true};
+}
+
+/* ---- Inputs ---- */
 
 static struct poptOption option_of(int input)
 {
@@ -58,10 +138,28 @@ static double read_tolerance(const arguments *line)
     return tolerance;
 }
 
+/* How the profile of an option is made of its file. */
+profile_making profile_making_of(const arguments *line)
+{
+    const char *heights = line->value[OPTION_HEIGHTS], *origin = line->value[OPTION_ORIGIN];
+    if (heights != NULL && strcmp(heights, "up") != 0 && strcmp(heights, "down") != 0)
+        usage_error("--heights %s: must be up or down", heights);
+    if (origin != NULL && strcmp(origin, "lowest") != 0)
+        usage_error("--origin %s: must be lowest", origin);
+    if (line->value[OPTION_FIT] != NULL && line->value[OPTION_HULL] != NULL)
+        usage_error("--fit: given together with --hull; allowed: one of the two");
+    return (profile_making){.takes_hull = line->value[OPTION_HULL] != NULL,
+                            .fits = line->value[OPTION_FIT] != NULL,
+                            .is_down = heights != NULL && strcmp(heights, "down") == 0,
+                            .is_from_lowest = origin != NULL,
+                            .is_command = true};
+}
+
 void input_texts_from_options(const arguments *line, input_texts *texts)
 {
     complaint why;
     *texts = (input_texts){.cell_decimal_sign = '.',
+                           .units = units_of(line),
                            .how_comma = "with --decimal-comma",
                            .where_else = "columns or options",
                            .profile_named = profiles_named,
@@ -71,9 +169,9 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
     const char *profile = texts->text[INPUT_PROFILE];
     if (profile == NULL)
         return;
-    const char *remark =
-        profiles_read(profile, line->value[OPTION_DECIMAL_COMMA] != NULL ? ',' : '.',
-                      line->value[OPTION_HULL] != NULL, false);
+    const reading how = reading_of(line, line->value[OPTION_DECIMAL_COMMA] != NULL ? ',' : '.');
+    const profile_making making = profile_making_of(line);
+    const char *remark = profiles_read(profile, &how, &making);
     if (profiles_named(profile, &why) == NULL)
         failure("%s", why.text);
     notice("%s", remark);
@@ -81,6 +179,15 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
 
 void input_options_check_hull(const arguments *line)
 {
-    if (line->value[OPTION_HULL] != NULL && line->value[OPTION_INPUT + INPUT_PROFILE] == NULL)
-        usage_error("--hull: needs --profile");
+    static const struct {
+        int number;
+        const char *name;
+    } options[] = {{OPTION_HULL, "--hull"},
+                   {OPTION_FIT, "--fit"},
+                   {OPTION_HEIGHTS, "--heights"},
+                   {OPTION_ORIGIN, "--origin"}};
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++)
+        if (line->value[options[i].number] != NULL &&
+            line->value[OPTION_INPUT + INPUT_PROFILE] == NULL)
+            usage_error("%s: needs --profile", options[i].name);
 }

@@ -2,6 +2,7 @@
 #include "setup.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 struct poptOption load_option_table[] = {
@@ -29,8 +30,9 @@ bool history_is_given(const arguments *line)
 void history_check(const arguments *line)
 {
     const char *encoding = line->value[OPTION_ENCODING];
-    if (encoding != NULL && history_file(line) == NULL)
-        usage_error("--encoding %s: needs --history", encoding);
+    if (encoding != NULL && history_file(line) == NULL &&
+        line->value[OPTION_INPUT + INPUT_PROFILE] == NULL)
+        usage_error("--encoding %s: needs --history or --profile", encoding);
     if (encoding != NULL)
         text_input_check(encoding);
     for (int i = INPUT_P; i <= INPUT_SIGMA && history_is_given(line); i++)
@@ -65,6 +67,18 @@ static void say_four_values(const char *line, int length)
                line, M, moment, P, line, M, moment);
 }
 
+/* A load as it was typed: forces of the whole contact, and a tension that may be a force. Of two
+ * numbers, moment and tension are those of the load before, which were shared out then. */
+static void share_out(const unit_system *units, bool is_whole, load *to)
+{
+    const double width = isnan(units->width) ? 1 : units->width,
+                 section = isnan(units->section) ? 1 : units->section;
+    to->P /= width;
+    to->Q /= width;
+    to->M /= is_whole ? width : 1;
+    to->sigma /= is_whole ? section : 1;
+}
+
 /* Of two numbers, moment and tension stay as they are; without P there is no moment. */
 void load_history_read_list(const arguments *line, load_history *loads)
 {
@@ -83,6 +97,7 @@ void load_history_read_list(const arguments *line, load_history *loads)
         else
             usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
                         (int)(length < 60 ? length : 60), lines);
+        share_out(units_of(line), count == 4, &to);
         if (loads->count == 0)
             say_four_values(lines, (int)length);
         add(loads, to, (csv_row){.whole = lines});
@@ -92,21 +107,24 @@ void load_history_read_list(const arguments *line, load_history *loads)
 
 /* ---- A file ---- */
 
+static bool find_columns(void *context, header *names, complaint *why)
+{
+    (void)context;
+    return load_header_find(names, why);
+}
+
 /* A row that is no load ends the command: the loads after it would belong to another history. */
-static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
+static void read_rows(table_input *t, load_history *loads)
 {
     load to;
     csv_row row;
     complaint why;
-    csv_input_header(in, &loads->first);
-    csv_input_check(in);
-    if (!load_header_find(loads->first.cell, loads->first.count, &loads->names, &why))
-        failure("%s: %s", in->name, why.text);
-    while (csv_input_next(in)) {
-        if (!load_row_read(&loads->names, in->row.cell, in->row.count, in->separator, decimal_sign,
+    csv_input *in = t->in;
+    while (table_next(t)) {
+        if (!load_row_read(&t->names, in->row.cell, in->row.count, in->separator, t->decimal_sign,
                            &to, &why))
             failure("%s: line %" PRId64 ": %s", in->name, in->row.line, why.text);
-        header_note_unused(&loads->names, in->row.cell);
+        header_note_unused(&t->names, in->row.cell);
         csv_row_keep(in, &row);
         add(loads, to, row);
     }
@@ -115,19 +133,25 @@ static void read_rows(csv_input *in, char decimal_sign, load_history *loads)
 
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
 {
+    static table_input t; /* the header points into it */
+    const table_wanted wanted = {.find = find_columns, .counts_missing = true};
     const char *file = history_file(line);
     if (file == NULL) {
         load_history_read_list(line, loads);
         return;
     }
-    csv_input *in =
-        csv_input_open(file, decimal_sign == ',' ? ';' : ',', line->value[OPTION_ENCODING]);
-    *loads = (load_history){.name = in->name};
-    read_rows(in, decimal_sign, loads);
+    const reading how = reading_of(line, decimal_sign);
+    table_open(file, &how, &wanted, &t);
+    csv_input_check(t.in);
+    *loads = (load_history){.name = t.in->name};
+    read_rows(&t, loads);
     if (loads->count == 0)
-        failure("%s: no loads; needed: rows of P and Q", in->name);
-    loads->has_mark = in->has_mark;
-    csv_input_close(in);
+        failure("%s: no loads; needed: rows of P and Q", t.in->name);
+    loads->names = t.names;
+    loads->has_mark = t.in->has_mark;
+    if (t.remark.text[0] != '\0')
+        notice("%s: %s", t.in->name, t.remark.text);
+    csv_input_close(t.in); /* the names stay */
 }
 
 /* ---- Applied ---- */

@@ -24,6 +24,14 @@ enum {
     OPTION_HULL = OPTION_INPUT + INPUT_COUNT,
     OPTION_EXACT,
     OPTION_TOLERANCE,
+    OPTION_UNITS,
+    OPTION_WIDTH,
+    OPTION_SECTION,
+    OPTION_DROP,
+    OPTION_FIT,
+    OPTION_HEIGHTS,
+    OPTION_ORIGIN,
+    OPTION_K_IN,
     OPTION_AFTER_INPUTS
 };
 
@@ -38,6 +46,18 @@ extern struct poptOption input_option_table[], strength_option_table[], shape_op
 
 /* Fills the tables with the words of the inputs. */
 void input_options_prepare(void);
+
+/* How files are read: their units, columns and rows; for a command without inputs, too. */
+extern struct poptOption reading_option_table[];
+
+/* The working units that a command line gives. */
+const unit_system *units_of(const arguments *line);
+
+/* How the files of a command line are to be read. */
+reading reading_of(const arguments *line, char decimal_sign);
+
+/* How the profile of a command line is made of its file. */
+profile_making profile_making_of(const arguments *line);
 
 /* Those on a command line; reads the profile. An impossible tolerance is a mistake. */
 void input_texts_from_options(const arguments *line, input_texts *texts);
@@ -59,9 +79,8 @@ extern struct poptOption load_option_table[];
 
 typedef struct {
     const char *name; /* of the file, as messages call it; NULL where --load gave the loads */
-    csv_row first;    /* of the file, and what its columns are */
-    header names;
-    bool has_mark; /* whether the file begins with the mark of Unicode */
+    header names;     /* what the columns of the file are */
+    bool has_mark;    /* whether the file begins with the mark of Unicode */
     load *load;
     csv_row *row; /* of the file, where each stands; of --load its text and what follows */
     size_t count;

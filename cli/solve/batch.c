@@ -21,8 +21,10 @@ typedef struct {
 typedef struct {
     const arguments *line;
     const output_options *how;
-    csv_input *in;
-    csv_row first;
+    table_input file;
+    csv_input *in; /* of it */
+    reading reading;
+    profile_making making;
     case_table table;
     records *rows;
     int64_t count, failed;
@@ -102,10 +104,10 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
 /* ---- The file ---- */
 
 /* A quote that is left open may close in a later row, and take the rows between. */
-static bool next_row(const run *r)
+static bool next_row(run *r)
 {
     const csv_row *row = &r->in->row;
-    if (!csv_input_next(r->in))
+    if (!table_next(&r->file))
         return false;
     if (row->malformed || row->count == r->table.names.count || strpbrk(row->whole, "\r\n") == NULL)
         return true;
@@ -121,8 +123,7 @@ static void read_profile(const run *r, const char *name)
     if (name[0] == '\0' || strcmp(name, "-") == 0 || file_kind_of(name) == FILE_OTHER)
         return;
     output_options_spare(r->how, name, "file of a cell in column ", "profile");
-    notice("%s",
-           profiles_read(name, r->how->decimal_sign, r->line->value[OPTION_HULL] != NULL, false));
+    notice("%s", profiles_read(name, &r->reading, &r->making));
 }
 
 /* Reads rows until there are enough for the threads; false where no more follow. Where memory is
@@ -171,26 +172,31 @@ static void write_rows(void *of_run, records *rows)
     csv_input_check(r->in);
 }
 
-static void read_header(run *r)
+/* Which columns are inputs. A table of which no row would be solved is refused. */
+static bool find_columns(void *of_run, header *names, complaint *why)
 {
-    complaint why;
-    r->in->takes_malformed = true;
-    csv_input_header(r->in, &r->first);
-    csv_input_check(r->in);
-    if (!header_find(r->first.cell, r->first.count, 0, INPUT_COUNT, &r->table.constants,
-                     &r->table.names, &why))
-        failure("%s: %s", r->in->name, why.text);
+    run *r = of_run;
+    if (!header_find(0, INPUT_COUNT, &r->table.constants, names, why))
+        return false;
+    r->table.names = *names;
+    return case_table_begin(&r->table, why);
+}
+
+static void read_header(run *r, const char *path)
+{
+    const table_wanted wanted = {.find = find_columns, .context = r, .takes_malformed = true};
+    table_open(path, &r->reading, &wanted, &r->file);
+    r->in = r->file.in;
     const input_texts *constants = &r->table.constants;
     for (int i = 0; i < INPUT_COUNT; i++)
-        if (constants->text[i] != NULL && header_has_input(&r->table.names, i))
+        if (constants->text[i] != NULL && header_has_input(&r->file.names, i))
             usage_error("%s %s: %s has a column for it; allowed: one of the two",
                         input_name(constants, i), constants->text[i], r->in->name);
+    csv_input_check(r->in);
     if (r->line->value[OPTION_HULL] != NULL && r->table.constants.text[INPUT_PROFILE] == NULL &&
         !header_has_input(&r->table.names, INPUT_PROFILE))
         usage_error("--hull: needs --profile, or a column profile");
     r->table.separator = r->in->separator;
-    if (!case_table_begin(&r->table, &why))
-        failure("%s: %s", r->in->name, why.text);
 }
 
 int batch_run(const arguments *line, const char *path, const input_texts *constants,
@@ -199,16 +205,18 @@ int batch_run(const arguments *line, const char *path, const input_texts *consta
     run r = {.line = line,
              .how = how,
              .table = {.constants = *constants, .wanted = wanted},
-             .in = csv_input_open(path, how->decimal_sign == ',' ? ';' : ',',
-                                  line->value[OPTION_ENCODING]),
+             .reading = reading_of(line, how->decimal_sign),
+             .making = profile_making_of(line),
              .constant_profiles = profiles_count(),
              .held = memory_zeroed(HELD_ROWS, sizeof *r.held),
              .answers = memory_zeroed(HELD_ROWS, sizeof *r.answers)};
     r.table.constants.cell_decimal_sign = how->decimal_sign;
     char where[300];
-    read_header(&r);
+    read_header(&r, path);
     output_options_write(how, write_rows, &r);
     unused_say(&r.table.names, r.in->name);
+    if (r.file.remark.text[0] != '\0')
+        notice("%s: %s", r.in->name, r.file.remark.text);
     if (r.failed > 0)
         notice("%s: %" PRId64 " of %" PRId64 " rows could not be solved: see the column error",
                r.in->name, r.failed, r.count);

@@ -80,9 +80,14 @@ OWN = {
     ("cycle_worst", "y"): [0], ("criterion_field", "measure"): [1, 2, 7, 10],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
     ("validity", "f"): [0, 0.3, 0.05],
+    ("profile_fit", "arcs"): [0, 1, 2],
 }
+# Places from left to right, and heights of a bowl that no parabola is: whichever follow each other.
+for _name in ("profile_hull", "profile_slopes", "profile_fit"):
+    OWN[_name, "x"] = [0.25 * i for i in range(64)]
+    OWN[_name, "height"] = [(i - 32) ** 4 / 1e5 + i * 7 % 5 / 100 for i in range(64)]
 NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
-SAMPLES = {"series_fit": 9, "cycle_growth": 5}
+SAMPLES = {"series_fit": 9, "cycle_growth": 5, "profile_fit": 12}
 # The objects, each with the calls that change it: strain by tension, normal load, both loads together, Q reversed, P and Q to and fro; with
 # moment and tension.
 OBJECTS = {
@@ -155,7 +160,8 @@ def sampled(function, variant):
         elif len(p.size) == 2:
             arguments.append([[numbers[(stride * variant + LOADS * i + j) % len(numbers)] for i in range(POINTS)] for j in range(LOADS)])
         elif p.size:
-            size = LOADS if p.size[0] != function.of("size")[-1].name else SAMPLES.get(function.name, POINTS)
+            told = function.of("size")[0 if function.name == "profile_fit" else -1].name
+            size = LOADS if p.size[0] != told else SAMPLES.get(function.name, POINTS)
             arguments.append([numbers[(stride * variant + i) % len(numbers)] for i in range(size)])
         else:
             arguments.append(numbers[stride * variant % len(numbers)])

@@ -14,7 +14,7 @@ def numbers_of(result):
     """All numbers of the results, one after the other; of a text its length."""
     if isinstance(result, str):
         return np.array([len(result)])
-    parts = (result.real, result.imag) if np.iscomplexobj(result) else result if isinstance(result, tuple) else (result,)
+    parts = result if isinstance(result, tuple) else (result.real, result.imag) if np.iscomplexobj(result) else (result,)
     return np.concatenate([np.ravel(part) for part in parts])
 
 

@@ -15,6 +15,8 @@ static input_texts texts_of(const case_table *table, const char *const text[INPU
         if (table->constants.text[i] == NULL) {
             texts.text[i] = text[i];
             texts.is_cell[i] = true;
+            if (header_has_input(&table->names, i))
+                texts.cell_factor[i] = table->names.factor[table->names.column[i]];
         }
     return texts;
 }

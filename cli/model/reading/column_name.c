@@ -24,8 +24,10 @@ static char plain_letter(uint32_t code)
         return (char)('0' + code % 16);
     if (code == 0xb9)
         return '1';
-    if (code == 0xb7 || code == 0x22c5 || code == 0x207b || code == 0x2212)
-        return '.'; /* between units, and a minus */
+    if (code == 0xb7 || code == 0x22c5)
+        return '.'; /* between units */
+    if (code == 0x207b || code == 0x2212)
+        return '-';
     if (code == 0xa0 || (code >= 0x2000 && code <= 0x200f) || code == 0x202f || code == 0x205f ||
         code == 0x2060 || code == 0x3000 || code == 0xfeff)
         return ' ';
@@ -63,25 +65,6 @@ bool column_name_is_like(const char *a, size_t length, const char *b)
 
 /* ---- Units ---- */
 
-/* A single letter must have its case: n is a number, N are newtons. */
-static bool is_unit(const char *word, size_t length)
-{
-    static const char *const units[] = {
-        "N",    "mN",   "daN",       "kN",        "MN",       "newton", "lb",
-        "lbs",  "lbf",  "kip",       "kgf",       "Pa",       "hPa",    "kPa",
-        "MPa",  "GPa",  "bar",       "psi",       "ksi",      "m",      "cm",
-        "mm",   "um",   "\xc2\xb5m", "in",        "ft",       "inch",   "inches",
-        "Nm",   "Nmm",  "kNm",       "\xce\xbcm", "deg",      "rad",    "degree",
-        "mrad", "grad", "degrees",   "radians",   "\xc2\xb0", "%",      "percent"};
-    while (length > 1 && isdigit((unsigned char)word[length - 1]))
-        length--; /* mm2 */
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
-        if (strlen(units[i]) == length &&
-            (length == 1 ? word[0] == units[i][0] : strncasecmp(word, units[i], length) == 0))
-            return true;
-    return false;
-}
-
 static size_t word_length(const char *text)
 {
     size_t length = 0;
@@ -99,7 +82,7 @@ static bool is_unit_text(const char *text)
         if (!any && length == 2 && strncmp(text, "in ", 3) == 0)
             return true;
         const bool power = any && length == strspn(text, "0123456789");
-        if (length > 0 && !power && !is_unit(text, length))
+        if (length > 0 && !power && !unit_is_word(text, length))
             return false;
         any = any || length > 0;
         text += length > 0 ? length : 1;
@@ -116,4 +99,62 @@ size_t column_name_stem(const char *plain)
         if (is_filler(plain[i]) && is_unit_text(plain + i))
             return i;
     return bracket;
+}
+
+/* ---- The unit of a name ---- */
+
+static size_t trimmed(const char *text, size_t length)
+{
+    while (length > 0 && is_filler(text[length - 1]))
+        length--;
+    return length;
+}
+
+static void copy_unit(const char *from, size_t length, char own[COLUMN_NAME_SIZE])
+{
+    while (length > 0 && (from[0] == ' ' || from[0] == '_' || from[0] == '/' || from[0] == ','))
+        from++, length--;
+    if (length > 3 && strncmp(from, "in ", 3) == 0)
+        from += 3, length -= 3;
+    while (length > 0 && from[length - 1] == ' ')
+        length--;
+    memcpy(own, from, length);
+    own[length] = '\0';
+}
+
+/* The group of brackets that ends the text: where it begins; the length where there is none. */
+static size_t last_group(const char *plain, size_t length)
+{
+    static const char open[] = "[({<", close[] = "])}>";
+    const char *kind = length > 0 ? strchr(close, plain[length - 1]) : NULL;
+    if (kind == NULL || *kind == '\0')
+        return length;
+    for (size_t i = length - 1; i-- > 0;)
+        if (plain[i] == open[kind - close])
+            return i;
+    return length;
+}
+
+size_t column_name_unit(const char *plain, char own[COLUMN_NAME_SIZE])
+{
+    size_t length = strlen(plain);
+    measuring_unit known;
+    while (length > 0 && plain[length - 1] == ' ')
+        length--;
+    const size_t group = last_group(plain, length);
+    own[0] = '\0';
+    if (group < length) {
+        copy_unit(plain + group + 1, length - group - 2, own);
+        if (strcmp(own, "-") == 0 || strcmp(own, "1") == 0)
+            own[0] = '\0';
+        return trimmed(plain, group);
+    }
+    for (size_t i = 1; i < length; i++)
+        if (is_filler(plain[i]) && is_unit_text(plain + i)) {
+            copy_unit(plain + i, length - i, own);
+            if (unit_read(own, &known))
+                return trimmed(plain, i);
+        }
+    own[0] = '\0';
+    return length;
 }

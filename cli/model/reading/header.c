@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 /* ---- Columns that are inputs ---- */
 
@@ -21,22 +22,205 @@ bool header_is_input(const header *names, size_t column)
 
 bool header_has(const header *names, const char *name)
 {
-    complaint why;
-    size_t column;
-    return !header_column(names, name, &column, &why) || column < names->count;
+    for (size_t i = 0; i < names->count; i++)
+        if (strcmp(names->name[i], name) == 0)
+            return true;
+    return false;
+}
+
+void header_begin(const char *const name[], size_t count, const naming *how, header *names)
+{
+    static const naming plain = {.columns = NULL};
+    *names = (header){.name = name, .count = count, .how = how != NULL ? how : &plain};
+    for (int i = 0; i < INPUT_COUNT; i++)
+        names->column[i] = count;
+    for (size_t i = 0; i < count && i < HEADER_COLUMNS; i++)
+        names->factor[i] = 1;
+}
+
+/* ---- The column of a name ---- */
+
+/* The name that stands for this one: how long it is, NULL where none was given. */
+static const char *name_for(const naming *how, const char *name, size_t *length)
+{
+    for (const char *line = how->columns; line != NULL && *line != '\0';) {
+        const size_t whole = strcspn(line, "\n"), own = strcspn(line, "=");
+        if (own < whole && own == strlen(name) && strncmp(line, name, own) == 0) {
+            *length = whole - own - 1;
+            return line + own + 1;
+        }
+        line += whole + (line[whole] == '\n');
+    }
+    return NULL;
+}
+
+static bool is_blank_char(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+/* Whether a name, without the blanks around it, has these letters. */
+static bool is_exactly(const char *name, size_t size, const char *wanted, size_t length)
+{
+    while (size > 0 && is_blank_char(name[0]))
+        name++, size--;
+    while (size > 0 && is_blank_char(name[size - 1]))
+        size--;
+    return size == length && strncmp(name, wanted, length) == 0;
+}
+
+/* Whether it stands before a unit that is known. */
+static bool is_before_unit(const char *name, const char *wanted, size_t length)
+{
+    char plain[COLUMN_NAME_SIZE], own[COLUMN_NAME_SIZE];
+    measuring_unit known;
+    column_name_make_plain(name, plain);
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (strcmp(plain, input_kinds[i].column) == 0)
+            return false; /* theta_deg */
+    const size_t stem = column_name_unit(plain, own);
+    return stem < strlen(plain) && (own[0] == '\0' || unit_read(own, &known)) &&
+           is_exactly(plain, stem, wanted, length);
+}
+
+/* The columns of that name; where there is none, those of that name and a unit. */
+static bool find_named(const header *names, const char *wanted, size_t length, size_t *column)
+{
+    bool once = true;
+    *column = names->count;
+    for (int with_unit = 0; with_unit < 2 && *column == names->count; with_unit++)
+        for (size_t i = 0; i < names->count; i++) {
+            if (with_unit ? !is_before_unit(names->name[i], wanted, length)
+                          : !is_exactly(names->name[i], strlen(names->name[i]), wanted, length))
+                continue;
+            once = once && *column == names->count;
+            *column = i;
+        }
+    return once;
+}
+
+/* How much of a name that was given stands before a unit. */
+static size_t stem_of_given(const char *given, size_t length)
+{
+    char plain[COLUMN_NAME_SIZE], own[COLUMN_NAME_SIZE];
+    snprintf(plain, sizeof plain, "%.*s", (int)length, given);
+    return column_name_unit(plain, own);
 }
 
 bool header_column(const header *names, const char *name, size_t *column, complaint *why)
 {
-    *column = names->count;
-    for (size_t i = 0; i < names->count; i++) {
-        if (strcmp(names->name[i], name) != 0)
-            continue;
-        if (*column < i)
-            return complain(why, "column %s: there twice; allowed: once", name);
-        *column = i;
+    size_t length;
+    const char *given = name_for(names->how, name, &length);
+    const char *wanted = given != NULL ? given : name;
+    length = given != NULL ? length : strlen(name);
+    bool once = find_named(names, wanted, length, column);
+    if (given != NULL && *column == names->count) /* "height (um)": the unit is given too */
+        once = find_named(names, wanted, stem_of_given(given, length), column);
+    if (!once)
+        return complain(why, "column %.*s: there twice; allowed: once", (int)length, wanted);
+    if (given != NULL && *column == names->count) {
+        complain(why, "column %.*s, for %s: missing", (int)length, given, name);
+        header_write_names(names, why);
+        return false;
     }
     return true;
+}
+
+/* ---- Columns that are needed ---- */
+
+/* The unit of a column, from its name or from below it; "" for none. */
+static void find_unit(const header *names, size_t column, const char *name,
+                      char own[COLUMN_NAME_SIZE])
+{
+    char plain[COLUMN_NAME_SIZE];
+    const char *given;
+    size_t length;
+    column_name_make_plain(names->name[column], plain);
+    own[0] = '\0';
+    if (!is_exactly(plain, strlen(plain), name, strlen(name))) /* theta_deg is a name */
+        column_name_unit(plain, own);
+    if (own[0] == '\0' && (given = name_for(names->how, name, &length)) != NULL) {
+        snprintf(plain, sizeof plain, "%.*s", (int)length, given);
+        column_name_unit(plain, own);
+    }
+    if (own[0] != '\0' || names->how->unit_row == NULL)
+        return;
+    const char *text = names->how->unit_row[column];
+    text += strspn(text, " \t[(-");
+    snprintf(own, COLUMN_NAME_SIZE, "%.*s", (int)strcspn(text, "])"), text);
+}
+
+bool header_need(header *names, size_t column, const char *name, const char *dimension,
+                 unit_share of, column_need need, complaint *why)
+{
+    char own[COLUMN_NAME_SIZE];
+    const naming *how = names->how;
+    const unit_system *units = how->units != NULL ? how->units : &units_unknown;
+    complaint reason;
+    names->needed[column] = (unsigned char)need;
+    names->is_used[column] = true;
+    if (how->takes_any_unit)
+        return true;
+    find_unit(names, column, name, own);
+    if (units_factor(units, own[0] != '\0' ? own : NULL, dimension, of, &names->factor[column],
+                     &reason))
+        return true;
+    return complain(why, "column '%.60s': %s%s", names->name[column], reason.text,
+                    !units->is_known && how->is_command
+                        ? ": --units, such as --units mm,N,MPa, converts it"
+                        : "");
+}
+
+bool header_has_numbers(const header *names, const char *const cells[], size_t count,
+                        char decimal_sign)
+{
+    bool any = false;
+    double number;
+    for (size_t i = 0; i < names->count; i++) {
+        if (names->needed[i] == NEED_NOTHING)
+            continue;
+        if (i >= count || !number_read_cell(cells[i], decimal_sign, &number))
+            return false;
+        any = true;
+    }
+    return any;
+}
+
+static bool is_missing(const char *text, column_need need, char decimal_sign)
+{
+    static const char *const marks[] = {"", "nan", "na", "n/a", "#n/a"};
+    char bare[8];
+    double number;
+    text += strspn(text, " \t");
+    size_t length = strlen(text);
+    while (length > 0 && is_blank_char(text[length - 1]))
+        length--;
+    snprintf(bare, sizeof bare, "%.*s", (int)length, text);
+    for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++)
+        if (length < sizeof bare && strcasecmp(bare, marks[i]) == 0)
+            return true;
+    return need == NEED_NUMBER && number_read_cell(text, decimal_sign, &number) && number == -9999;
+}
+
+size_t header_missing(const header *names, const char *const cells[], char decimal_sign)
+{
+    size_t i = 0;
+    while (i < names->count && (names->needed[i] == NEED_NOTHING ||
+                                !is_missing(cells[i], (column_need)names->needed[i], decimal_sign)))
+        i++;
+    return i;
+}
+
+void header_write_names(const header *names, complaint *why)
+{
+    char list[260] = "";
+    double number;
+    if (names->count > 0 && number_read_cell(names->name[0], '.', &number))
+        return; /* no names */
+    for (size_t i = 0; i < names->count && strlen(list) < 200; i++)
+        list_add(list, sizeof list, ", ", "'%.40s'", names->name[i]);
+    list_add(why->text, sizeof why->text, "", "; the names there: %s%s", list,
+             names->how->is_command ? "; --column NAME='THEIR NAME' takes one" : "");
 }
 
 /* ---- Columns that are probably meant for an input ---- */
@@ -119,6 +303,18 @@ static int synonym_for(const sources *from, const char *name, size_t length)
     return INPUT_COUNT;
 }
 
+/* Whether it is the name that stands for another one. */
+static bool is_given_name(const header *names, const char *name)
+{
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        size_t length;
+        const char *given = name_for(names->how, input_kinds[i].column, &length);
+        if (given != NULL && is_exactly(name, strlen(name), given, length))
+            return true;
+    }
+    return false;
+}
+
 /* If a column that is meant for an input passed through, nobody would notice: friction, for one, is
  * 0 by default. */
 static bool check_other(const sources *from, const char *name, complaint *why)
@@ -134,9 +330,14 @@ static bool check_other(const sources *from, const char *name, complaint *why)
         meant = synonym_for(from, plain, stem);
     if (meant == INPUT_COUNT)
         return true;
-    return complain(why, "column '%.60s': allowed: %s%s%s", name, input_kinds[meant].column,
-                    has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
-                    slip ? "" : ", or another name if it is something else");
+    complain(why, "column '%.60s': allowed: %s%s%s", name, input_kinds[meant].column,
+             has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
+             slip ? "" : ", or another name if it is something else");
+    if (!from->names->how->is_command)
+        return false;
+    list_add(why->text, sizeof why->text, "; ", "--column %s='%.60s' takes it",
+             input_kinds[meant].column, name);
+    return false;
 }
 
 /* A column that says which row it is, not what is computed. A capital T may be a force. */
@@ -152,22 +353,33 @@ static bool is_label(const char *name)
            (is_among("t", plain, stem) && memchr(plain, 't', stem) != NULL);
 }
 
-bool header_find(const char *const name[], size_t count, int first, int end,
-                 const input_texts *options, header *names, complaint *why)
+void header_note_labels(header *names)
+{
+    for (size_t i = 0; i < names->count; i++)
+        names->is_used[i] = names->is_used[i] || is_label(names->name[i]);
+}
+
+bool header_find(int first, int end, const input_texts *options, header *names, complaint *why)
 {
     const sources from = {names, first, end, options};
-    *names = (header){.name = name, .count = count};
-    for (int i = 0; i < INPUT_COUNT; i++)
-        names->column[i] = count;
-    for (int i = first; i < end; i++)
-        if (!header_column(names, input_kinds[i].column, &names->column[i], why))
+    for (int i = first; i < end; i++) {
+        const input_kind *kind = &input_kinds[i];
+        if (!header_column(names, kind->column, &names->column[i], why))
             return false;
-    for (size_t i = 0; i < count; i++) {
-        const bool is_input = header_is_input(names, i);
-        if (!is_input && !check_other(&from, name[i], why))
+        if (names->column[i] == names->count)
+            continue;
+        names->is_used[names->column[i]] = true;
+        if (i != INPUT_PROFILE && !header_need(names, names->column[i], kind->column, kind->unit,
+                                               kind->of, NEED_NUMBER, why))
             return false;
-        names->is_used[i] = is_input || is_label(name[i]);
     }
+    for (size_t i = 0; i < names->count; i++) {
+        const bool is_input = header_is_input(names, i);
+        if (!is_input && !is_given_name(names, names->name[i]) &&
+            !check_other(&from, names->name[i], why))
+            return false;
+    }
+    header_note_labels(names);
     return true;
 }
 
@@ -232,27 +444,33 @@ const char *header_hint(const char *const name[], size_t count)
                : "";
 }
 
-bool cell_read(const char *text, const char *column, char decimal_sign, double *value,
-               complaint *why)
+bool header_cell(const header *names, const char *const cells[], size_t column,
+                 const char *column_name, char decimal_sign, double *value, complaint *why)
 {
-    if (number_read_cell(text, decimal_sign, value))
+    const char *text = cells[column];
+    if (number_read_cell(text, decimal_sign, value)) {
+        *value *= names->factor[column];
         return true;
+    }
     if (text[strspn(text, " \t")] == '\0')
-        return complain(why, "%s: the cell is empty", column);
-    return complain(why, "%s %.60s: must be a number, with a decimal %s", column, text,
+        return complain(why, "%s: the cell is empty", column_name);
+    return complain(why, "%s %.60s: must be a number, with a decimal %s", column_name, text,
                     decimal_sign == ',' ? "comma" : "point");
 }
 
 /* ---- A row that is a load ---- */
 
-bool load_header_find(const char *const name[], size_t count, header *names, complaint *why)
+bool load_header_find(header *names, complaint *why)
 {
-    if (!header_find(name, count, INPUT_P, INPUT_SIGMA + 1, NULL, names, why))
+    if (!header_find(INPUT_P, INPUT_SIGMA + 1, NULL, names, why))
         return false;
     if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
         return true;
-    return complain(why, "column %s: missing; a history needs P and Q%s",
-                    header_has_input(names, INPUT_P) ? "Q" : "P", header_hint(name, count));
+    complain(why, "column %s: missing; a history needs P and Q%s",
+             header_has_input(names, INPUT_P) ? "Q" : "P", header_hint(names->name, names->count));
+    if (names->how->is_command)
+        header_write_names(names, why);
+    return false;
 }
 
 /* Moment and tension are 0 where they have no column. */
@@ -263,8 +481,9 @@ bool load_row_read(const header *names, const char *const cells[], size_t count,
     if (!header_fits(names->count, count, separator, why))
         return false;
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
-        if (header_has_input(names, i) && !cell_read(cells[names->column[i]], input_kinds[i].column,
-                                                     decimal_sign, &value[i], why))
+        if (header_has_input(names, i) &&
+            !header_cell(names, cells, names->column[i], input_kinds[i].column, decimal_sign,
+                         &value[i], why))
             return false;
     *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
     return true;

@@ -21,47 +21,93 @@ size_t column_name_make_plain(const char *name, char plain[COLUMN_NAME_SIZE]);
  * whole name where it has none. */
 size_t column_name_stem(const char *plain);
 
+/* The unit behind a plain name, "" for none, as "N/mm" of "P [N/mm]", "Load(8801:Load) (N/mm)", "P
+ * in
+ * N/mm"; it need not be one that is known. Returns how much of the name stands before it. */
+size_t column_name_unit(const char *plain, char own[COLUMN_NAME_SIZE]);
+
 /* Whether two names have the same letters and digits, whatever stands between them. The first has
  * `length` bytes. */
 bool column_name_is_like(const char *a, size_t length, const char *b);
 
-/* ---- header ---- The first row of a table: which of its columns are inputs. It is read from texts
- * alone, wherever they come from. */
+/* ---- header ---- The row of names of a table: which of its columns are inputs. It is read from
+ * texts alone, wherever they come from. */
 
 /* A table with more columns is none that is meant. */
 enum { HEADER_COLUMNS = 1000 };
 
+/* How the columns of a table are to be understood. */
+typedef struct {
+    const char *columns;         /* "P=Normal Force", a line each; NULL */
+    const unit_system *units;    /* NULL where no unit is known */
+    const char *const *unit_row; /* the units below the names; NULL */
+    bool is_command;             /* messages may name options */
+    bool takes_any_unit;         /* units are not looked at yet */
+} naming;
+
 typedef struct {
     const char *const *name; /* as they stand in the table; they must outlive this */
     size_t count;
-    size_t column[INPUT_COUNT];      /* where each input is; count where it is not there */
-    bool is_used[HEADER_COLUMNS];    /* inputs, and labels of the rows */
-    bool has_number[HEADER_COLUMNS]; /* columns that are not used, in a row that was noted */
+    const naming *how;
+    size_t column[INPUT_COUNT];           /* where each input is; count where it is not there */
+    double factor[HEADER_COLUMNS];        /* of what is needed: to the working units */
+    unsigned char needed[HEADER_COLUMNS]; /* whether numbers must stand there: a column_need */
+    bool is_used[HEADER_COLUMNS];         /* inputs, and labels of the rows */
+    bool has_number[HEADER_COLUMNS];      /* columns that are not used, in a row that was noted */
 } header;
+
+/* A place has no mark for a missing value: -9999 is a number there. */
+typedef enum { NEED_NOTHING, NEED_NUMBER, NEED_PLACE } column_need;
+
+/* Begins with names alone, none of which is looked for yet. */
+void header_begin(const char *const name[], size_t count, const naming *how, header *names);
 
 /* Finds the inputs from `first` on, before `end`, among the names; other names are columns like any
  * other. An input that the options give needs no column; the options may be NULL. False, with the
  * complaint,
- *   - where an input is there twice,
+ *   - where an input is there twice, or has a unit that cannot be taken,
  *   - where a name is nearly that of an input, or is followed by a unit, as "Q [N]" or "Q in N",
+ *     and no working units are known,
  *   - where a name usually means an input that nothing gives. */
-bool header_find(const char *const name[], size_t count, int first, int end,
-                 const input_texts *options, header *names, complaint *why);
+bool header_find(int first, int end, const input_texts *options, header *names, complaint *why);
+
+/* Marks the columns that say which row it is, such as a time, as used. */
+void header_note_labels(header *names);
 
 bool header_has_input(const header *names, int input);
 bool header_is_input(const header *names, size_t column);
 bool header_has(const header *names, const char *name);
 
-/* The column of a name; the count where it is not there. False, with the complaint, where it is
- * there twice. */
+/* The column of a name, or of the name that stands for it; the count where it is not there. False,
+ * with the complaint, where it is there twice, or a name that was given for it is not there. */
 bool header_column(const header *names, const char *name, size_t *column, complaint *why);
+
+/* Takes the column of a name as needed, with numbers of that dimension. False, with the complaint,
+ * where its
+ * unit cannot be taken. */
+bool header_need(header *names, size_t column, const char *name, const char *dimension,
+                 unit_share of, column_need need, complaint *why);
+
+/* Whether all columns that are needed, and at least one, have numbers in a row. */
+bool header_has_numbers(const header *names, const char *const cells[], size_t count,
+                        char decimal_sign);
+
+/* The first needed column whose cell is empty, or marks a missing value: NaN, -9999; the count
+ * where
+ * there is none. */
+size_t header_missing(const header *names, const char *const cells[], char decimal_sign);
+
+/* "; the names there: 'Time', 'Load'; --column NAME='THEIR NAME' takes one", to be added where a
+ * name was
+ * not found. */
+void header_write_names(const header *names, complaint *why);
 
 /* Whether a row has as many cells as the header; the complaint says so if not. */
 bool header_fits(size_t columns, size_t cells, char separator, complaint *why);
 
-/* Reads a number. False, with the complaint, where the cell has none. */
-bool cell_read(const char *text, const char *column, char decimal_sign, double *value,
-               complaint *why);
+/* Reads the number of a cell in the working units. False, with the complaint, where it has none. */
+bool header_cell(const header *names, const char *const cells[], size_t column,
+                 const char *column_name, char decimal_sign, double *value, complaint *why);
 
 /* Notes the columns that nothing uses but that have a number in this row: one of them may be meant
  * for an input, and nobody would notice. */
@@ -77,7 +123,7 @@ const char *header_hint(const char *const name[], size_t count);
 
 /* Finds the columns of a load: P and Q, and M and sigma, which may lack. False, with the
  * complaint. */
-bool load_header_find(const char *const name[], size_t count, header *names, complaint *why);
+bool load_header_find(header *names, complaint *why);
 
 /* Reads a row of so many cells between separators. False, with the complaint, where it is no
  * load. */

@@ -75,7 +75,7 @@ ROWS
 cat >expected <<'ERRORS'
 E1 -1: Young's modulus of body 1 must be a number above 0
 Q 21: must not exceed f P = 20: there is no equilibrium
-E1 2e5 MPa: Young's modulus of body 1 must be a number above 0
+E1 2e5 MPa: has the unit 'MPa', and no working units are known: --units, such as --units mm,N,MPa, converts it
 E1: the cell is empty
 7 cells in this row, 9 in the header
 10 cells in this row, 9 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma: 7,210000,0.3,0.05,1,100,10,0.2,300,extra
@@ -192,25 +192,42 @@ header "column P: there twice; allowed: once" "P,P" $fixed
 header "radius (a column): given together with a; allowed: one of the two" "P,a,radius" $fixed
 header "theta_deg (a column): given together with --theta; allowed: one of the two" "P,a,theta_deg" $fixed
 header "--nu2 0.3: needs E2; allowed: both, or neither for two bodies of one material" "P,a" $fixed --nu2 0.3
-header "column 'Yield stress': allowed: yield_stress" "P,a,Yield stress" $fixed
-header "column 'e1': allowed: E1" "P,a,e1" $fixed
+header "column 'Yield stress': allowed: yield_stress; --column yield_stress='Yield stress' takes it" "P,a,Yield stress" $fixed
+header "column 'e1': allowed: E1; --column E1='e1' takes it" "P,a,e1" $fixed
 # What is meant for an input must not pass for a remark: the contact would be solved without it.
-for name in " f" "f [-]"; do
-    header "column '$name': allowed: f" "P,a,$name" $fixed --f 0.3
+header "column 'q': allowed: Q; --column Q='q' takes it" "P;a;q" $fixed --f 0.3 --decimal-comma
+header "column 'Shear force in kN': allowed: Q, or another name if it is something else; --column Q='Shear force in kN' takes it" \
+    "P,a,Shear force in kN" $fixed --f 0.3
+header "column 'K': allowed: k; --column k='K' takes it" "P,a,K" $fixed
+# A unit is converted to the working ones, which must be known. "-" is none; blanks around a name are no part of it.
+unit() { # UNIT HEADER OPTIONS...
+    own=$1
+    names=$2
+    shift 2
+    header "column '${names##*[,;]}': has the unit '$own', and no working units are known: --units, such as --units mm,N,MPa, converts it" \
+        "$names" "$@"
+}
+unit N/mm "P;a;Q [N/mm]" $fixed --f 0.3 --decimal-comma
+unit N/mm "P;a;Q(N/mm)" $fixed --f 0.3 --decimal-comma
+for name in Q/N "Q in N" Q_N "Q N"; do
+    unit N "P;a;$name" $fixed --f 0.3 --decimal-comma
 done
-for name in "Q " "Q [N/mm]" "Q(N/mm)" "Q / (N/mm)" q Q/N "Q in N" Q_N "Q N" "Q, N/mm" Q% "Q N·mm⁻¹"; do
-    header "column '$name': allowed: Q" "P;a;$name" $fixed --f 0.3 --decimal-comma
+unit % "P;a;Q%" $fixed --f 0.3 --decimal-comma
+unit N.mm-1 "P;a;Q N·mm⁻¹" $fixed --f 0.3 --decimal-comma
+unit N 'sep=;\nP;a;Q N' $fixed --f 0.3
+unit deg "P,a,theta in deg" --E1 1 --nu1 0
+unit deg "P,a,theta (deg)" --E1 1 --nu1 0
+for name in " f" "f [-]" "f "; do
+    printf 'P,a,%s\n100,1,0.3\n' "$name" >named.csv
+    does_quietly solve -i named.csv $fixed --Q 30
+    same "friction in '$name'" 1 "$(column Q_over_fP out)"
 done
-header "column 'Q N': allowed: Q" 'sep=;\nP;a;Q N' $fixed --f 0.3
-header "column 'Shear force in kN': allowed: Q, or another name if it is something else" "P,a,Shear force in kN" $fixed --f 0.3
-header "column 'theta in deg': allowed: theta in radians or theta_deg" "P,a,theta in deg" --E1 1 --nu1 0
-header "column 'K': allowed: k" "P,a,K" $fixed
-header "column 'theta (deg)': allowed: theta_deg" "P,a,theta (deg)" --E1 1 --nu1 0
 synonym() { # ALLOWED HEADER OPTIONS...
     allowed=$1
     names=$2
     shift 2
-    header "column '${names##*,}': allowed: $allowed, or another name if it is something else" "$names" "$@"
+    header "column '${names##*,}': allowed: $allowed, or another name if it is something else; \
+--column $allowed='${names##*,}' takes it" "$names" "$@"
 }
 for name in mu friction friction_coefficient "mu [-]" μ "μ [-]"; do
     synonym f "P,a,$name" $fixed

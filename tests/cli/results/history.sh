@@ -120,7 +120,7 @@ printf '1000,0\n1000,100\n' >bad.csv
 cannot "bad.csv: column P: missing; a history needs P and Q; the first row has numbers, where the names of the columns must be" \
     history bad.csv $specimen
 printf 'x,z\n1,2\n' >bad.csv
-cannot "bad.csv: column y: missing; needed: x and y, the depth" history loads.csv $specimen --points bad.csv
+cannot "bad.csv: column y: missing; needed: x and y, the depth; the names there: 'x', 'z'; --column NAME='THEIR NAME' takes one" history loads.csv $specimen --points bad.csv
 # Nothing of a file of points is dropped or guessed.
 printf 'x,y,x\n1,2,3\n' >bad.csv
 cannot "bad.csv: column x: there twice; allowed: once" history loads.csv $specimen --points bad.csv

@@ -106,7 +106,7 @@ printf 'Q,sigma,P,M\n0,0,100,5\n20,40,100,5\n-10,40,100,5\n' >history.csv
 does_quietly profile $specimen --history history.csv --points 21
 same "from a file" "" "$(diff listed out)"
 printf 'Q,sigma,P,M\n0,0,100,5\n20,,100,5\n' >gap.csv
-cannot "gap.csv: line 3: sigma: the cell is empty" profile $specimen --history gap.csv
+cannot "gap.csv: 1 row without a number, the first in line 3, column sigma: ''; --drop leaves such rows out" profile $specimen --history gap.csv
 
 # What slips while the contact moves has no closed form of the slip; all else has.
 does profile $specimen --load 135.75,10,0,0 --load 135.75,10,38,50 --load 125,9.2,30,50 --points 5

@@ -118,18 +118,20 @@ bad() { # MESSAGE LINES
     printf "$2" >bad.csv
     cannot "profile bad.csv: $1" solve $steel $loads --profile bad.csv
 }
-bad "line 3: x -2: left of the place before it; allowed: places from left to right" 'x,slope\n-1,0\n-2,1\n'
-bad "line 3: height 0.1: not convex at 1 place, x = 0; the convex hull is lower by up to 0.1, at x = 0; --hull takes it" \
-    'x,height\n-1,0\n0,0.1\n1,0\n'
+bad "line 2: slope 0: less than the slope before it: the profile is not convex there; allowed: slopes that do not fall" \
+    'x,slope\n-1,0\n-2,1\n'
+bad "line 3: height 0.1: the heights point down; --heights down turns them" 'x,height\n-1,0\n0,0.1\n1,0\n'
+bad "line 4: height 0.2: not convex at 1 place, x = 0; the convex hull is lower by up to 0.1, at x = 0; of noise, --fit; --hull \
+takes it" 'x,height\n-2,1\n-1,0.1\n0,0.2\n1,0.1\n2,1\n'
 bad "line 3: slope -0.2: less than the slope before it: the profile is not convex there; allowed: slopes that do not fall" \
     'x,slope\n-1,-0.1\n0,-0.2\n1,0\n'
 bad "line 3: slope b: must be a number, with a decimal point" 'x,slope\n-1,0\n0,b\n'
-bad "line 3: x: the cell is empty" 'x,slope\n-1,0\n,1\n'
+bad "1 row without a number, the first in line 3, column x: ''; --drop leaves such rows out" 'x,slope\n-1,0\n,1\n'
 bad "line 3: slope 1.6: must be below pi/2 in magnitude" 'x,slope\n-1,0\n0,1.6\n'
-bad "line 3: x 0: there twice; heights need places apart" 'x,height\n0,0\n0,1\n'
+bad "line 2: 1 place; allowed: 2 to 1000" 'x,height\n0,0\n0,1\n'
 bad "line 3: slope 0.1: all slopes are equal: a plane" 'x,slope\n-1,0.1\n0,0.1\n'
-bad "line 2: 1 places; allowed: 2 to 1000" 'x,slope\n-1,0.1\n'
-bad "column slope: missing; needed: x, and slope or height" 'x,z\n-1,0.1\n'
+bad "line 2: 1 place; allowed: 2 to 1000" 'x,slope\n-1,0.1\n'
+bad "column slope: missing; needed: x, and slope or height; the names there: 'x', 'z'; --column NAME='THEIR NAME' takes one" 'x,z\n-1,0.1\n'
 bad "column height: given together with slope; allowed: one of the two" 'x,height,slope\n-1,0.1,0\n'
 
 finish

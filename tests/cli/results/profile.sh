@@ -80,8 +80,8 @@ history_fails "line 3: Q x: must be a number, with a decimal point" 'P,Q\n300,0\
 history_fails "line 2: 1 cells in this row, 2 in the header" 'P,Q\n300\n'
 history_fails "line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" \
     'P,Q\n135.75,0\n135,75,0\n'
-history_fails "column Q: missing; a history needs P and Q" 'P,T\n300,0\n'
-history_fails "column 'q': allowed: Q" 'P,q\n300,0\n'
+history_fails "column Q: missing; a history needs P and Q; the names there: 'P', 'T'; --column NAME='THEIR NAME' takes one" 'P,T\n300,0\n'
+history_fails "column 'q': allowed: Q; --column Q='q' takes it" 'P,q\n300,0\n'
 history_fails "no loads; needed: rows of P and Q" 'P,Q\n'
 
 # Doubts are said once, on stderr, as "solve" says them; the rows are as ever.

@@ -16,6 +16,7 @@ static const struct {
     double usual[ENTRY_ARGUMENTS];
 } hints[] = {
     {"subsurface_yield", {0.3, 0.05, NAN}},
+    {"profile_fit", {NAN, NAN, 1}},
     {"contact_permanent_stick", {3, 0, 0.1, 0, 4, 0, 0.05, NAN}},
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
     {"cycle_create", {4, 0.05, 0, 0}},
@@ -57,15 +58,18 @@ double draw_argument(const entry *e, int j, uint64_t *state)
     return draw_number(&e->argument[j], state);
 }
 
-/* The places and the slopes of a profile rise. */
+/* The places and the slopes of a profile rise, its heights first fall. */
 static void sort_profile(const public_call *call, double v[])
 {
     const double STEP = 0.01;
-    if (strcmp(call->entry->name, "contact_create_profile") != 0)
+    const char *name = call->entry->name;
+    const bool by_heights = strncmp(name, "profile_", 8) == 0 && call->arguments > 1;
+    const int n = by_heights ? call->arguments / 2 : array_size;
+    if (strcmp(name, "contact_create_profile") != 0 && !by_heights)
         return;
-    for (int i = 1; i < array_size; i++) {
+    for (int i = 1; i < n; i++) {
         v[i] = v[0] / 8 + STEP * i;
-        v[array_size + i] = v[array_size] / 8 + STEP * i;
+        v[n + i] = by_heights ? v[n] / 8 + STEP * i * (i - 3) : v[n] / 8 + STEP * i;
     }
 }
 

@@ -22,20 +22,28 @@ static void leave_to_columns(const header *names, input_texts *constants)
         constants->text[INPUT_FLAT] = constants->text[INPUT_PROFILE] = NULL;
 }
 
-static bool begin(const csv_row *first, char *fields, char decimal_sign, case_table *table)
+/* A table of cases, and what the form gives for its columns. */
+typedef struct {
+    input_texts form;
+    char decimal_sign;
+    case_table table;
+} pasted_cases;
+
+/* The form stands for no column that is nearly named: nothing is given but the columns. */
+static bool find_columns(void *of_cases, header *names, complaint *why)
 {
-    complaint why;
-    table->constants = field_texts(fields);
-    /* the form stands for no column that is nearly named: nothing is given but the columns */
-    if (!header_find(first->cell, first->count, 0, INPUT_COUNT, NULL, &table->names, &why))
-        return json_refuse("", "%s", why.text);
+    pasted_cases *cases = of_cases;
+    case_table *table = &cases->table;
+    if (!header_find(0, INPUT_COUNT, NULL, names, why))
+        return false;
+    *table = (case_table){.constants = cases->form, .names = *names};
     leave_to_columns(&table->names, &table->constants);
     for (int i = 0; i < INPUT_COUNT; i++)
         table->constants.is_cell[i] = header_has_input(&table->names, i);
-    table->constants.cell_decimal_sign = decimal_sign;
+    table->constants.cell_decimal_sign = cases->decimal_sign;
     table->constants.how_comma = "if that is chosen above";
     table->constants.where_else = "columns, or the case of the form";
-    return case_table_begin(table, &why) || json_refuse("", "%s", why.text);
+    return case_table_begin(table, why);
 }
 
 static void write_head(const case_table *table)
@@ -71,35 +79,38 @@ static void write_row(const case_table *table, const csv_row *row)
 }
 
 /* The rows below the names; or the problem, where they cannot be read on. */
-static void write_rows(csv_input *in, case_table *table)
+static void write_rows(table_input *rows, case_table *table)
 {
-    complaint unused = {""};
-    while (csv_input_next(in)) {
+    csv_input *in = rows->in;
+    complaint unused;
+    while (table_next(rows)) {
         write_row(table, &in->row);
         if (in->row.count == table->names.count)
             header_note_unused(&table->names, in->row.cell);
     }
+    unused = rows->remark;
     header_write_unused(&table->names, unused.text, sizeof unused.text);
     json_add("{'unused':%t}", unused.text);
     if (in->problem.text[0] != '\0')
-        json_refuse("", "%s", in->problem.text);
+        json_refuse("", "%s", pasted_problem(rows));
 }
 
 /* Of pasted rows, and the case of the form for the columns that they lack: columns, results,
  * constants, rows with their colour and fault, columns that are not used. */
 EXPORTED const char *page_rows(const char *text, char *fields, int decimal_sign)
 {
-    csv_row first;
-    csv_input *in = pasted_open(text, &first);
-    case_table table = {0};
+    static table_input rows;
+    static pasted_cases cases;
+    const reading how = {.decimal_sign = (char)decimal_sign};
+    const table_wanted wanted = {.find = find_columns, .context = &cases, .takes_malformed = true};
     json_begin();
-    if (first.cell == NULL)
-        json_refuse("", "%s", in->problem.text);
-    else if (begin(&first, fields, (char)decimal_sign, &table)) {
-        write_head(&table);
-        write_rows(in, &table);
-    }
-    csv_row_free(&first);
-    csv_input_close(in);
+    cases = (pasted_cases){.form = field_texts(fields), .decimal_sign = (char)decimal_sign};
+    pasted_offer(text);
+    if (table_open("", &how, &wanted, &rows)) {
+        write_head(&cases.table);
+        write_rows(&rows, &cases.table);
+    } else
+        json_refuse("", "%s", pasted_problem(&rows));
+    table_close(&rows);
     return json_end();
 }

@@ -11,7 +11,9 @@ static const char PROFILE_NAME[] = "pasted", BETWEEN[] = "\x1e";
 static void take_profile(const char *rows, bool takes_hull, input_texts *texts)
 {
     pasted_offer(rows);
-    remark = profiles_read(PROFILE_NAME, '.', takes_hull, true);
+    const reading how = {.decimal_sign = '.'};
+    const profile_making making = {.takes_hull = takes_hull, .takes_unnamed = true};
+    remark = profiles_read(PROFILE_NAME, &how, &making);
     texts->text[INPUT_PROFILE] = PROFILE_NAME;
 }
 

@@ -31,53 +31,48 @@ static const char *const *usual_names(size_t count)
     return count == 2 ? names[0] : count == 4 ? names[1] : NULL;
 }
 
-static bool is_load(const csv_row *row, char decimal_sign)
+static bool find_columns(void *context, header *names, complaint *why)
 {
-    double number;
-    for (size_t i = 0; i < row->count; i++)
-        if (!number_read_cell(row->cell[i], decimal_sign, &number))
-            return false;
-    return true;
+    (void)context;
+    return load_header_find(names, why);
 }
 
-static bool take_row(const header *names, const csv_row *row, char decimal_sign, load_list *loads)
+static bool take_row(const table_input *rows, load_list *loads)
 {
     load to;
     complaint why = {"misplaced quotes"};
+    const csv_row *row = &rows->in->row;
     if (row->malformed ||
-        !load_row_read(names, row->cell, row->count, '\0', decimal_sign, &to, &why))
+        !load_row_read(&rows->names, row->cell, row->count, '\0', rows->decimal_sign, &to, &why))
         return json_refuse("", "line %" PRId64 ": %s", row->line, why.text);
     load_list_add(loads, to, (int)row->line);
     return true;
 }
 
-static bool take_rows(csv_input *in, const csv_row *first, char decimal_sign, load_list *loads)
+static bool take_rows(table_input *rows, load_list *loads)
 {
-    header names;
-    complaint why;
-    const bool bare = usual_names(first->count) != NULL && is_load(first, decimal_sign);
-    if (!load_header_find(bare ? usual_names(first->count) : first->cell, first->count, &names,
-                          &why))
-        return json_refuse("", "%s", why.text);
-    bool taken = !bare || take_row(&names, first, decimal_sign, loads);
-    while (taken && csv_input_next(in)) {
-        taken = take_row(&names, &in->row, decimal_sign, loads);
-        if (taken)
-            header_note_unused(&names, in->row.cell);
+    while (table_next(rows)) {
+        if (!take_row(rows, loads))
+            return false;
+        header_note_unused(&rows->names, rows->in->row.cell);
     }
-    if (taken)
-        header_write_unused(&names, loads->unused.text, sizeof loads->unused.text);
-    return taken && (loads->count > 0 || json_refuse("", "no loads below the names"));
+    loads->unused = rows->remark;
+    header_write_unused(&rows->names, loads->unused.text, sizeof loads->unused.text);
+    return rows->in->problem.text[0] != '\0' || loads->count > 0 ||
+           json_refuse("", "no loads below the names");
 }
 
 bool load_list_read(const char *text, char decimal_sign, load_list *loads)
 {
-    csv_row first;
-    csv_input *in = pasted_open(text, &first);
-    bool read = first.cell != NULL && take_rows(in, &first, decimal_sign, loads);
-    if (in->problem.text[0] != '\0' || first.cell == NULL)
-        read = json_refuse("", "%s", in->problem.text);
-    csv_row_free(&first);
-    csv_input_close(in);
+    static table_input rows;
+    const reading how = {.decimal_sign = decimal_sign};
+    const table_wanted wanted = {
+        .find = find_columns, .usual = usual_names, .takes_malformed = true};
+    pasted_offer(text);
+    const bool open = table_open("", &how, &wanted, &rows);
+    bool read = open && take_rows(&rows, loads);
+    if (rows.in->problem.text[0] != '\0')
+        read = json_refuse("", "%s", pasted_problem(&rows));
+    table_close(&rows);
     return read;
 }

@@ -36,7 +36,8 @@ const char *json_end(void);
 /* ---- field_texts ---- The texts of the form, as JavaScript hands them over. */
 
 /* From "name=text" of each input, with U+001E between them; it takes them apart in place. The text
- * of "decimal_sign" is that of the others, a point where it is missing; that of "profile" has its rows, that of "hull" the same for their convex hull. */
+ * of "decimal_sign" is that of the others, a point where it is missing; that of "profile" has its
+ * rows, that of "hull" the same for their convex hull. */
 input_texts field_texts(char *fields);
 
 /* What is to be known of the profile of the last texts; or "". */
@@ -55,12 +56,11 @@ bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, lo
 
 /* ---- pasted ---- Rows that were pasted, read as the tool reads a file. */
 
-/* Cells stand between tabs as a spreadsheet gives them, or between ; or , as a file has them. The
- * text must outlive the input. The first row is kept; it has no cells where there is none. */
-csv_input *pasted_open(const char *text, csv_row *first);
-
-/* What a file that is opened next has in it, whatever its name. */
+/* What a file that is opened next has in it, whatever its name. The text must outlive the input. */
 void pasted_offer(const char *text);
+
+/* What is wrong with pasted rows; "" for nothing. */
+const char *pasted_problem(const table_input *rows);
 
 /* ---- load_list ---- Loads one after the other, pasted as a table. */
 

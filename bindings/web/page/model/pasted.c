@@ -45,22 +45,15 @@ int failure(const char *format, ...)
 
 void pasted_offer(const char *text)
 {
-    pasted = text;
+    pasted = text + (strncmp(text, MARK, 3) == 0 ? 3 : 0);
 }
 
-csv_input *pasted_open(const char *text, csv_row *first)
+/* The problem of a table, without the name of its file, which has none. */
+const char *pasted_problem(const table_input *rows)
 {
-    text += strncmp(text, MARK, 3) == 0 ? 3 : 0;
-    const char *line = text + strspn(text, "\r\n");
-    const size_t length = strcspn(line, "\r\n");
-    const char separator = memchr(line, '\t', length) != NULL  ? '\t'
-                           : memchr(line, ';', length) != NULL ? ';'
-                                                               : ',';
-    pasted = text;
-    csv_input *in = csv_input_open("", separator, NULL);
-    in->takes_malformed = true;
-    *first = (csv_row){.cell = NULL};
-    if (csv_input_next(in))
-        csv_row_keep(in, first);
-    return in;
+    const char *text = rows->in->problem.text, *name = rows->in->name;
+    const size_t length = strlen(name);
+    return strncmp(text, name, length) == 0 && strncmp(text + length, ": ", 2) == 0
+               ? text + length + 2
+               : text;
 }

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Files as instruments and people write them give the numbers of the clean file, or the one step that helps. Small ones stand in
+# tests/data/instruments; others of their kind are made here.
+. "$(dirname "$0")/../claims.sh"
+
+rig=$data/instruments
+steel="--E1 210000 --nu1 0.3 --P 500"
+# Hertz, R = 50: b = sqrt(2 P R A/pi), p0 = 2 P/(pi b).
+hertz_b=0.52523191832366 hertz_p0=606.0368288349928
+
+is_hertz() { # WHAT TOLERANCE: of what solve has printed
+    status_is 0
+    close_to "b of $1" $hertz_b "$(value b)" "$2"
+    close_to "p0 of $1" $hertz_p0 "$(value p0)" "$2"
+}
+clean() { # FILE OPTIONS...: the same as the clean file
+    file=$1
+    shift
+    run solve $steel --profile "$rig/$file" "$@"
+    is_hertz "$file" 1e-12
+}
+
+# ---- Profiles ----
+for file in p_ok.csv p_comment.csv p_desc.csv p_dup.csv p_tab.txt off_0.5.csv; do
+    clean $file
+done
+clean p_empty.csv --drop
+clean p_nan.csv --drop
+clean p_names.csv --column x=X --column height=Z
+clean p_unitsrow.csv --units mm,N,MPa
+clean p_units_head.csv --units mm,N,MPa
+clean p_um.csv --units mm,N,MPa --column 'x=x (um)' --column 'height=height (um)'
+clean p_down.csv --heights down
+clean start0_L2.csv --origin lowest
+clean start0_L10.csv --origin lowest
+run solve --E1 '210 GPa' --nu1 0.3 --P '500 N/mm' --units mm,N,MPa --profile "$rig/p_ok.csv"
+is_hertz "units of options" 1e-12
+run solve $steel --profile "$rig/p_comment.csv"
+message_is "rwedge solve: $rig/p_comment.csv: header in line 3"
+run solve $steel --profile "$rig/p_dup.csv"
+message_is "rwedge solve: $rig/p_dup.csv: 1 place is there more than once: their heights are averaged"
+told() { # MESSAGE FILE OPTIONS...
+    message=$1 file=$2
+    shift 2
+    cannot "profile $rig/$file: $message" solve $steel --profile "$rig/$file" "$@"
+}
+told "1 row without a number, the first in line 32, column height: ''; --drop leaves such rows out" p_empty.csv
+told "column x: missing; needed: x, and slope or height; the names there: 'X', 'Z'; --column NAME='THEIR NAME' takes one" p_names.csv
+told "column 'x': has the unit 'mm', and no working units are known: --units, such as --units mm,N,MPa, converts it" p_unitsrow.csv
+told "line 102: height 0: the heights point down; --heights down turns them" p_down.csv
+told "column Y, for x: missing; the names there: 'X', 'Z'; --column NAME='THEIR NAME' takes one" p_names.csv --column x=Y
+
+# ---- Fits ----
+run solve $steel --profile "$rig/cyl900_noise.csv" --fit
+is_hertz "noise that is fitted" 0.01
+message_has "fitted by 1 arc; rms of what is left 0.000194"
+cp "$rig/cyl900_noise.csv" noise.csv
+run solve $steel --profile noise.csv
+message_has "; of noise, --fit; --hull takes it"
+awk 'BEGIN { print "x,height"; for (i = -300; i <= 300; i++) { x = i / 100; print x "," x * x / 100 + 0.005 * exp(-x * x / 0.09) } }' >two.csv
+cannot "profile two.csv: the heights are not those of one convex pad, beyond their noise: two contacts, with a pocket between them; \
+allowed: the part of one of them" solve $steel --profile two.csv --fit
+awk 'BEGIN { print "x,height"; for (i = -1500; i <= 1500; i++) { x = i / 300; printf "%.17g,%.17g\n", x, x * x / 100 } }' >many.csv
+cannot "profile many.csv: line 3002: 3000 places; allowed: 2 to 1000; of more heights, --fit makes a few arcs" \
+    solve $steel --profile many.csv
+run solve $steel --profile many.csv --fit
+is_hertz "3001 places" 1e-6
+
+# ---- Logs ----
+pad="--radius 50 --E1 72100 --nu1 0.33 --f 0.5"
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n' >clean.csv
+kept first history clean.csv $pad
+log() { # FILE OPTIONS...: the first two loads are those of the clean file
+    file=$1
+    shift
+    run history "$file" $pad "$@"
+    status_is 0
+    for name in P Q sigma left stick_left stick_right; do
+        column $name first >expected
+        column $name out | head -n 2 | paste -d ' ' expected - >both
+        close_rows "$name of $file" 1e-12 1e-12
+    done
+}
+log "$rig/log_comment.csv"
+log "$rig/log_lower.csv" --column P=p --column Q=q
+log "$rig/log_names.csv" --column P=N --column sigma=sigma_bulk
+log "$rig/log_mts.csv" --units mm,N,MPa
+log "$rig/log_units_in_header.csv" --units mm,N,MPa
+log "$rig/log_forces_N.csv" --width 4
+log "$rig/log_units_in_header.csv" --units mm,N,MPa --width 4 # a force per length is divided by nothing
+run history "$rig/log_mts_head.csv" $pad --column P='Normal Force' --column Q='Fretting Force' --units mm,N,MPa --width 4
+status_is 0
+same "loads of a machine in kN, over 4 mm" "135.75 135.75 135.75|0 38.75 -38.75" \
+    "$(column P out | paste -s -d ' ' -)|$(column Q out | paste -s -d ' ' -)"
+cannot "$rig/log_mts_head.csv: line 4: column 'Normal Force': allowed: P, or another name if it is something else; \
+--column P='Normal Force' takes it" history "$rig/log_mts_head.csv" $pad
+cannot "$rig/log_mts_head.csv: line 4: column 'Normal Force': the unit 'kN' is that of the whole contact; needed: a unit of \
+force/length, or --width" history "$rig/log_mts_head.csv" $pad --column P='Normal Force' --column Q='Fretting Force' --units mm,N,MPa
+printf 'P,Q,sigma\n135.75,0,0\n,1,2\n135.75,NaN,3\n135.75,38.75,-9999\n135.75,38.75,100\n' >gaps.csv
+cannot "gaps.csv: 3 rows without a number, the first in line 3, column P: ''; --drop leaves such rows out" history gaps.csv $pad
+log gaps.csv --drop
+printf 'P,Q,sigma\n543,0,0\n543,155,1200\n' >section.csv
+log section.csv --width 4 --section 12
+printf 'P,Q,sigma [N]\n135.75,0,0\n135.75,38.75,1200\n' >section.csv
+log section.csv --units mm,N,MPa --section 12
+run solve --radius 50 --E1 72100 --nu1 0.33 --f 0.5 --load 543,0 --load 543,0,155,1200 --width 4 --section 12
+close_to "Q over f P of loads on the command line" 0.57090239410681399 "$(value Q_over_fP)" 1e-12
+
+# ---- Where the header is ----
+printf 'P,Q\n1,0\nP,Q\n2,0\n' >twice.csv
+cannot "twice.csv: the header is in line 1 and again in line 3; needed: one table" history twice.csv $pad
+printf '135.75;0;x;0\n135.75;38.75;y;100\n' >bare.csv
+log bare.csv --column P=1 --column Q=2 --column sigma=4
+printf '# P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n' >numpy.csv
+log numpy.csv
+
+# Separator x preamble x units x comments x order x line ends x encoding: 3 x 3 x 3 x 2 x 2 x 2 x 2 forms of one log.
+for separator in comma semicolon tab blanks; do
+    case $separator in comma) s=, ;; semicolon) s=';' ;; tab) s=$tab ;; blanks) s='   ' ;; esac
+    for preamble in none text long; do
+        for units in none names row; do
+            for comments in no yes; do
+                for order in PQS SQP; do
+                    for ends in lf crlf; do
+                        awk -v s="$s" -v preamble=$preamble -v units=$units -v comments=$comments -v order=$order '
+                            function row(P, Q, sigma) { print order == "PQS" ? P s Q s sigma : sigma s Q s P }
+                            BEGIN {
+                                if (preamble != "none") { print "Rig 7, operator N. N."; print ""; print "rate" s "100" }
+                                if (preamble == "long") for (i = 0; i < 150; i++) print "channel " i ": off"
+                                if (comments == "yes") print "# P, Q: see the manual"
+                                if (units == "names") row("P[kN/m]", "Q[N/mm]", "sigma[MPa]"); else row("P", "Q", "sigma")
+                                if (units == "row") row("kN/m", "N/mm", "MPa")
+                                row(135.75, 0, 0)
+                                if (comments == "yes") print "# pause"
+                                row(135.75, 38.75, 100)
+                            }' >made.csv
+                        [ $ends = lf ] || { sed 's/$/\r/' made.csv >ends.csv && mv ends.csv made.csv; }
+                        option=
+                        [ $units = none ] || option="--units mm,N,MPa"
+                        "$rwedge" history made.csv $pad $option >out 2>err || true
+                        called="history of $separator, preamble $preamble, units $units, comments $comments, $order, $ends"
+                        same "the rows" "$(cut -d , -f 2-9 first)" "$(cut -d , -f 2-9 out)"
+                    done
+                done
+            done
+        done
+    done
+done
+if command -v iconv >/dev/null; then
+    for encoding in UTF-16 WINDOWS-1252; do
+        printf 'Messung in \302\265m\nP;Q;sigma\n135.75;0;0\n135.75;38.75;100\n' | iconv -f UTF-8 -t $encoding >made.csv
+        log made.csv $([ $encoding = UTF-16 ] || echo --encoding windows-1252)
+    done
+fi
+
+# ---- Options ----
+refuses "--units mm,N,GPa: N per mm^2 is no GPa; needed: consistent units, such as mm,N,MPa or m,N,Pa or in,lbf,psi or um,mN,GPa" \
+    solve $steel --radius 50 --units mm,N,GPa
+refuses "--column P: must be NAME=THEIRS, such as P='Normal Force', with a name that is read here: P, M, Q, sigma, x, y, slope, \
+height, or an input" history clean.csv $pad --column P
+refuses "--E1 210 GPa: has the unit 'GPa', and no working units are known: --units, such as --units mm,N,MPa, converts it" \
+    solve --E1 '210 GPa' --nu1 0.3 --P 500 --radius 50
+refuses "--P 500 N: the unit 'N' is that of the whole contact; needed: a unit of force/length, or --width" \
+    solve --E1 210000 --nu1 0.3 --P '500 N' --radius 50 --units mm,N,MPa
+for units in m,N,Pa in,lbf,psi um,mN,GPa; do
+    run solve --E1 '210 GPa' --nu1 0.3 --P '500 N/mm' --radius '50 mm' --units $units
+    case $units in m,*) b=0.52523191832366e-3 ;; in,*) b=0.0206784219812464567 ;; um,*) b=525.23191832366 ;; esac
+    close_to "b in $units" $b "$(value b)" 1e-13
+done
+
+finish

@@ -533,8 +533,9 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
 
 /* From now on, loads that have no closed form are computed instead of refused. The tolerance is the
  * error of q over f times the peak pressure. The closed form is used wherever it holds, to the same
- * bits. It holds again after full sliding, after separation, and, if P and M have not changed
- * since, after a load that slips past all that was computed.                                    new
+ * bits. Where tractions have one of which slip or energy have none, these are computed beside it.
+ * It holds again after full sliding, after separation, and, if P and M have not changed since,
+ * after a load that slips past all that was computed.                                           new
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
  * A load that does not reach the tolerance is tried once more with ten times the tolerance. A load
  * whose shear cannot be found, or that adds more than 0.1 to the error, fails with RWEDGE_ENOCONV
@@ -737,8 +738,9 @@ RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge
  *                                                                             Eq. (17) to (21); new
  *   x     length, |x| <= b: points outside have no partner
  *   slip  receives n numbers
- * RWEDGE_EPATH off the centre where rings of contact slipped at once when they came into contact,
- * or slipped after they had been added to others that slipped before, and once it has slid fully.
+ * RWEDGE_EPATH off the centre once it has slid fully; and, unless rwedge_contact_allow_error()
+ * allows errors, where rings of contact slipped at once when they came into contact, or slipped
+ * after they had been added to others that slipped before.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
  * Error below 1e-12 f theta b, for loads that differ by 1 % or more. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
@@ -748,14 +750,15 @@ RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, 
  * time integral of the traction times the rate of slip over the contact, without the rigid
  * displacement in full sliding. It never falls. In a cycle under constant P it is the area of the
  * loop of Q over the rigid displacement.                                                        new
- * NaN for NULL. A load off the centre that slips while P or M change, or slides, has no single
- * integral. The energy is then NaN until the bodies have separated. From the next load on it counts
- * again, without what was dissipated in between. Relative error of each load's share below 1e-12,
- * plus epsilon times P over the change of Q/f where slip reaches an older layer. Off the centre it
- * is below 1e-12 plus 1e-14 times P over the change of Q/f. Both grow with 1/(1 - |tilt|/theta),
- * and with |x| at the edges over the width where that is above 1. A load without a closed form
- * under which P or M change has no such accuracy: the shares of 99 of 100 random loads were right
- * to 3 % or to 1e-6 of (f P)^2 A, and those of all to 5 %. */
+ * NaN for NULL. A load off the centre that slips while P or M change has no single integral: the
+ * energy is computed if rwedge_contact_allow_error() allows errors. Otherwise, and after a load off
+ * the centre that slides fully, it is NaN until the bodies have separated. From the next load on it
+ * counts again, without what was dissipated in between. Relative error of each load's share below
+ * 1e-12, plus epsilon times P over the change of Q/f where slip reaches an older layer. Off the
+ * centre it is below 1e-12 plus 1e-14 times P over the change of Q/f. Both grow with 1/(1 -
+ * |tilt|/theta), and with |x| at the edges over the width where that is above 1. A load without a
+ * closed form under which P or M change has no such accuracy: the shares of 99 of 100 random loads
+ * were right to 3 % or to 1e-6 of (f P)^2 A, and those of all to 5 %. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of

@@ -56,6 +56,10 @@ int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
     if (tolerance != 0 && !(isgreaterequal(tolerance, 1e-6) && islessequal(tolerance, 1e-2)))
         return RWEDGE_EDOMAIN;
     contact->tolerance = tolerance;
+    if (tolerance == 0)
+        rw_contact_drop_beside(contact);
+    if (contact->beside)
+        contact->beside->tolerance = tolerance;
     return RWEDGE_OK;
 }
 
@@ -83,6 +87,7 @@ static rwedge_contact *copy_of(const rwedge_contact *contact, bool *is_whole)
     copy->computed.now = rw_numerical_copy(contact->computed.now, is_whole);
     copy->computed.start = rw_numerical_copy(contact->computed.start, is_whole);
     copy->computed.exact = copy_of(contact->computed.exact, is_whole);
+    copy->beside = copy_of(contact->beside, is_whole);
     return copy;
 }
 
@@ -117,6 +122,12 @@ void rw_contact_drop_computed(rwedge_contact *contact)
         contact->phase = RW_OFF_CENTRE;
 }
 
+void rw_contact_drop_beside(rwedge_contact *contact)
+{
+    rwedge_contact_destroy(contact->beside);
+    contact->beside = NULL;
+}
+
 void rwedge_contact_destroy(rwedge_contact *contact)
 {
     if (!contact)
@@ -124,6 +135,7 @@ void rwedge_contact_destroy(rwedge_contact *contact)
     rw_memory_destroy(&contact->memory);
     rw_slip_origins_destroy(&contact->slip.origins);
     rw_contact_drop_computed(contact);
+    rw_contact_drop_beside(contact);
     rw_pad_destroy(contact->geometry.pad);
     free(contact);
 }
@@ -154,5 +166,8 @@ size_t rwedge_contact_memory(const rwedge_contact *contact)
 
 double rwedge_contact_dissipated_energy(const rwedge_contact *contact)
 {
-    return contact && contact->energy.is_known ? contact->energy.sum : NAN;
+    if (!contact)
+        return NAN;
+    const rw_dissipated *energy = &rw_contact_of_slip(contact)->energy;
+    return energy->is_known ? energy->sum : NAN;
 }

@@ -35,11 +35,14 @@ typedef struct {
     rwedge_contact *exact; /* the contact in its last closed form; NULL: it had none */
 } rw_computed;
 
+/* A load is computed where its closed form leaves this unknown. */
+typedef enum { RW_NONE_FOLLOWED, RW_SLIP_FOLLOWED, RW_SLIP_AND_ENERGY_FOLLOWED } rw_followed;
+
 /* What slip counts from: slip.c. */
 typedef struct {
     rw_slip_origins origins;
-    bool is_known;    /* whether they tell the slip off the centre too */
-    bool is_followed; /* loads in whose closed form the slip is not known are computed */
+    bool is_known; /* whether they tell the slip off the centre too */
+    rw_followed followed;
     rw_patch settled; /* off the centre: where it may have slipped; the rest touched later */
 } rw_slip_record;
 
@@ -62,6 +65,9 @@ struct rwedge_contact {
     rw_dissipated energy;
     rw_sliding sliding;
     rw_computed computed;
+    /* In closed form: the same contact, which has computed the loads whose slip or energy has no
+     * closed form; both are known from it. NULL: from this one, if they are known. beside.c */
+    rwedge_contact *beside;
 };
 
 /* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
@@ -73,6 +79,9 @@ void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b);
 /* Ends the computed shear. The contact is without shear until its phase is set anew. */
 void rw_contact_drop_computed(rwedge_contact *contact);
 
+/* Ends what is beside a contact. */
+void rw_contact_drop_beside(rwedge_contact *contact);
+
 /* Whether it has had a moment, or another tension than at first, since the bodies touched. */
 static inline bool rw_contact_is_off_centre(const rwedge_contact *c)
 {
@@ -80,9 +89,16 @@ static inline bool rw_contact_is_off_centre(const rwedge_contact *c)
            (c->phase == RW_SLIDING && c->sliding.is_off_centre);
 }
 
+/* The contact from which slip and energy are known, if they are. */
+static inline const rwedge_contact *rw_contact_of_slip(const rwedge_contact *c)
+{
+    return c->beside ? c->beside : c;
+}
+
 static inline bool rw_contact_knows_slip(const rwedge_contact *c)
 {
-    return !rw_contact_is_off_centre(c) || c->slip.is_known;
+    const rwedge_contact *other = rw_contact_of_slip(c);
+    return !rw_contact_is_off_centre(other) || other->slip.is_known;
 }
 
 /* The stretch that a bulk tension makes, in the unit of the memory. */

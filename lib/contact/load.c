@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The next load of a contact: what it does. */
 #include "contact/beginning.h"
+#include "contact/beside.h"
 #include "contact/step_to.h"
 #include "history/dissipation.h"
 
@@ -146,12 +147,14 @@ static share share_of(const rwedge_contact *contact, const rw_step *step,
     return (share){f * g->theta * (f * g->theta / g->A) * rw_edge_work(memory, departure, g), true};
 }
 
-/* Whether the closed form of a step leaves the slip unknown, though it could be computed. */
-static bool loses_slip(const rwedge_contact *contact, const rw_step *step,
-                       const rw_departure *departure)
+/* Whether the closed form of a step leaves unknown what is followed. */
+static bool loses(const rwedge_contact *contact, const rw_step *step, const rw_departure *departure,
+                  share energy)
 {
-    return is_off_centre(contact, step) && !slides(departure) &&
-           !keeps_origin(contact, step, departure->slip);
+    const rw_followed followed = contact->slip.followed;
+    return followed != RW_NONE_FOLLOWED && is_off_centre(contact, step) && !slides(departure) &&
+           (!keeps_origin(contact, step, departure->slip) ||
+            (followed == RW_SLIP_AND_ENERGY_FOLLOWED && !energy.is_known));
 }
 
 static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
@@ -231,11 +234,21 @@ static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
 
 /* ---- With a closed form ---- */
 
+/* The energy of the way to separation, where its closed form is not known. */
+static int32_t compute_separation(const rwedge_contact *contact, share *energy)
+{
+    if (energy->is_known || contact->slip.followed != RW_SLIP_AND_ENERGY_FOLLOWED)
+        return RWEDGE_OK;
+    const int32_t status = rw_numerical_energy_to_separation(contact, &energy->value);
+    energy->is_known = status == RWEDGE_OK && !isnan(energy->value);
+    return status;
+}
+
 /* The straight line as one step. */
 static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
 {
     rw_step step;
-    const int32_t status = rw_step_to(contact, to, &step);
+    int32_t status = rw_step_to(contact, to, &step);
     if (status != RWEDGE_OK)
         return status;
     rw_departure departure = {.corner = {0}};
@@ -243,9 +256,12 @@ static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
         return RWEDGE_EPATH;
     if (departure.slip != 0 && !slides(&departure) && !rw_has_width(departure.corner.patch))
         return RWEDGE_ERANGE;
-    if (contact->slip.is_followed && loses_slip(contact, &step, &departure))
-        return RWEDGE_EPATH;
-    return go_on(contact, to, &step, &departure, share_of(contact, &step, &departure));
+    share energy = share_of(contact, &step, &departure);
+    if (to.P == 0)
+        status = compute_separation(contact, &energy);
+    else if (loses(contact, &step, &departure, energy))
+        status = RWEDGE_EPATH;
+    return status == RWEDGE_OK ? go_on(contact, to, &step, &departure, energy) : status;
 }
 
 /* A line that has no closed form as one step may have one in pieces. */
@@ -277,9 +293,11 @@ static void return_to_closed_form(rwedge_contact *contact)
         rwedge_contact_copy(contact->computed.exact, &exact) != RWEDGE_OK)
         return;
     exact->tolerance = contact->tolerance;
+    exact->slip.followed = contact->slip.followed;
     if (apply_whole(exact, contact->loads) == RWEDGE_OK && rw_numerical_agrees(contact, exact)) {
         exact->energy = contact->energy;
         rw_contact_exchange(contact, exact);
+        exact = rw_contact_keep_beside(contact, exact);
     }
     rwedge_contact_destroy(exact);
 }
@@ -292,7 +310,7 @@ static int32_t apply_to_numerical(rwedge_contact *contact, rw_loads to)
     return status;
 }
 
-static int32_t apply(rwedge_contact *contact, rw_loads to)
+int32_t rw_contact_apply_alone(rwedge_contact *contact, rw_loads to)
 {
     if (contact->phase == RW_COMPUTED)
         return apply_to_numerical(contact, to);
@@ -311,27 +329,19 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
     return in_pieces == RWEDGE_EPATH ? apply_numerically(contact, to) : in_pieces;
 }
 
-int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
-{
-    return contact ? apply(contact, (rw_loads){P, M, Q, sigma}) : RWEDGE_ENULL;
-}
-
-int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
-{
-    if (!contact)
-        return RWEDGE_ENULL;
-    return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
-}
-
 /* In closed form slip counts from here where there is no origin. */
 int32_t rw_contact_follow_slip(rwedge_contact *contact)
 {
+    rwedge_contact *beside = contact->beside;
+    if (beside) {
+        contact->beside = NULL;
+        rw_contact_exchange(contact, beside);
+        rwedge_contact_destroy(beside);
+    }
     rw_slip_record *slip = &contact->slip;
     rw_computed *computed = &contact->computed;
-    slip->is_followed = contact->tolerance > 0;
-    if (computed->exact)
-        computed->exact->slip.is_followed = slip->is_followed;
-    if (!slip->is_followed || rw_contact_knows_slip(contact))
+    slip->followed = contact->tolerance > 0 ? RW_SLIP_FOLLOWED : RW_NONE_FOLLOWED;
+    if (slip->followed == RW_NONE_FOLLOWED || rw_contact_knows_slip(contact))
         return RWEDGE_OK;
     const rw_frame frame = rw_contact_frame(contact);
     if (computed->now && !rw_numerical_count_slip(computed->now, &frame, NULL, NULL))

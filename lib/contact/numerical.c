@@ -161,12 +161,10 @@ static double stray(const rwedge_contact *c, const rw_step *step)
     return c->computed.strayed + apart / rw_peak_friction(&frame, c->computed.now->now.contact);
 }
 
-/* The energy that has been dissipated from one state to the other. */
-static double work_between(const rwedge_contact *c, const rw_numerical *before,
-                           const rw_numerical *after)
+/* What has been dissipated, of that of a computed shear. */
+static double work_of(const rwedge_contact *c, double energy)
 {
-    return c->geometry.theta * rw_unit_stress(&c->geometry) *
-           (after->now.energy - before->now.energy);
+    return c->geometry.theta * rw_unit_stress(&c->geometry) * energy;
 }
 
 /* Keeps a copy of the contact in its last closed form. */
@@ -216,26 +214,41 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
         rw_numerical_destroy(next);
         return status;
     }
-    *energy = work_between(c, c->computed.now ? c->computed.now : start, next);
+    *energy =
+        work_of(c, next->now.energy - (c->computed.now ? c->computed.now : start)->now.energy);
     take(c, start, next, strayed);
     forget_shear(c, step);
     return RWEDGE_OK;
 }
 
+/* A copy of the computed shear, or that of the closed form; NULL where memory is short. */
+static rw_numerical *start_of(const rwedge_contact *c)
+{
+    bool is_whole = true;
+    rw_numerical *n = c->computed.now ? rw_numerical_copy(c->computed.now, &is_whole)
+                                      : rw_numerical_of_closed_form(c);
+    if (is_whole)
+        return n;
+    rw_numerical_destroy(n);
+    return NULL;
+}
+
 int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energy)
 {
     const rw_frame frame = rw_contact_frame(c);
-    const rw_scaled_loads from = c->computed.now->now.at, away = {.stretch = from.stretch};
     double left = 1;
     int effort = RW_MOST_EFFORT;
-    bool is_whole = true;
-    rw_numerical *n = rw_numerical_copy(c->computed.now, &is_whole);
-    int32_t status = is_whole ? RWEDGE_OK : RWEDGE_ENOMEM;
+    rw_numerical *n = start_of(c);
+    if (!n)
+        return RWEDGE_ENOMEM;
+    const double before = n->now.energy;
+    const rw_scaled_loads from = n->now.at, away = {.stretch = from.stretch};
+    int32_t status = RWEDGE_OK;
     while (left > LAST_TOUCH && status == RWEDGE_OK) {
         status = rw_numerical_step(n, &frame, rw_part_of_line(away, from, left / 2), &effort);
         left = status == RWEDGE_OK ? left / 2 : left;
     }
-    *energy = left <= LAST_STICK ? work_between(c, c->computed.now, n) : NAN;
+    *energy = left <= LAST_STICK ? work_of(c, n->now.energy - before) : NAN;
     rw_numerical_destroy(n);
     return status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : RWEDGE_OK;
 }

@@ -9,6 +9,7 @@ static int32_t load_once(const rwedge_contact *like, rw_loads to, rwedge_contact
     int32_t status = rwedge_contact_copy(like, contact);
     if (status == RWEDGE_OK) {
         rw_contact_drop_computed(*contact);
+        rw_contact_drop_beside(*contact);
         (*contact)->tolerance = 0;
         (*contact)->energy = (rw_dissipated){.is_known = true};
         status = rwedge_contact_apply(*contact, 0, 0, 0, to.sigma);

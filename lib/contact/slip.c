@@ -114,6 +114,6 @@ int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const doubl
     if (!rw_contact_knows_slip(contact))
         return RWEDGE_EPATH;
     for (size_t i = 0; i < n; i++)
-        slip[i] = slip_of(contact, x[i]);
+        slip[i] = slip_of(rw_contact_of_slip(contact), x[i]);
     return RWEDGE_OK;
 }

@@ -105,6 +105,19 @@ static bool is_shear_sound(const rwedge_contact *c)
            is_numerical_sound(c->computed.start);
 }
 
+/* Whether the contact beside this one has the same edges. */
+static bool is_beside_sound(const rwedge_contact *c)
+{
+    if (!c->beside)
+        return true;
+    const rw_patch own = rw_memory_end(&c->memory)->patch,
+                   other = rw_memory_end(&c->beside->memory)->patch;
+    const double width = own.right - own.left;
+    return c->phase == RW_OFF_CENTRE && c->tolerance > 0 && c->beside->tolerance > 0 &&
+           is_near(other.left, own.left, width) && is_near(other.right, own.right, width) &&
+           rw_is_contact_sound(c->beside);
+}
+
 bool rw_is_contact_sound(const rwedge_contact *c)
 {
     const rw_slip_origins *origins = &c->slip.origins;
@@ -114,6 +127,7 @@ bool rw_is_contact_sound(const rwedge_contact *c)
            isfinite(c->energy.rest) && rw_is_magnitude(c->sliding.largest_load) &&
            rw_is_magnitude(c->strain) && are_loads_sound(c) && is_share_sound(c) &&
            is_shear_sound(c) && (!c->computed.exact || rw_is_contact_sound(c->computed.exact)) &&
+           is_beside_sound(c) &&
            origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
 }
 

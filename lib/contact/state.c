@@ -10,8 +10,9 @@
 
 #include <stdlib.h>
 
-/* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad. */
-static const double VERSION = 3;
+/* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad, version 4
+ * what is beside the contact. */
+static const double VERSION = 4;
 
 /* How many numbers they take, at least. */
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7, ELEMENT = 5, ARC = 3 };
@@ -24,7 +25,8 @@ typedef struct {
     double version;
     const rw_geometry *geometry;
     bool is_sound, is_short; /* of memory */
-    bool is_inner;           /* in a contact that another one keeps */
+    bool is_inner;           /* in the last closed form of another contact */
+    bool is_beside;          /* in a contact beside another one */
 } stream;
 
 static void require(stream *t, bool condition)
@@ -264,6 +266,23 @@ static void pass_exact(stream *t, rwedge_contact *c)
     t->is_inner = true;
     if (has(t, *exact))
         pass_contact(t, *exact);
+    t->is_inner = false;
+}
+
+/* The same contact, from which slip and energy are known. */
+static void pass_beside(stream *t, rwedge_contact *c)
+{
+    bool has_beside = c->beside;
+    pass_flag(t, &has_beside);
+    if (!has_beside || !t->is_sound)
+        return;
+    if (t->in)
+        c->beside = calloc(1, sizeof *c->beside);
+    t->is_beside = true;
+    if (has(t, c->beside))
+        pass_contact(t, c->beside);
+    if (t->in && c->beside)
+        c->beside->slip.followed = RW_SLIP_AND_ENERGY_FOLLOWED;
 }
 
 static void pass_numerical(stream *t, rwedge_contact *c)
@@ -369,6 +388,8 @@ static void pass_contact(stream *t, rwedge_contact *c)
     pass_origins(t, &c->slip.origins);
     if (t->version > 2)
         pass_numerical(t, c);
+    if (t->version > 3 && !t->is_inner && !t->is_beside)
+        pass_beside(t, c);
     if (!t->in || !t->is_sound)
         return;
     c->sliding = sliding;
@@ -414,7 +435,7 @@ int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **
 {
     if (!state || !contact)
         return RWEDGE_ENULL;
-    if (n <= HEAD || !(state[0] == 1 || state[0] == 2 || state[0] == VERSION) ||
+    if (n <= HEAD || !(state[0] == 1 || state[0] == 2 || state[0] == 3 || state[0] == VERSION) ||
         state[1] != sum_of_bits(state + HEAD, n - HEAD))
         return RWEDGE_EDOMAIN;
     rwedge_contact *restored = calloc(1, sizeof *restored);

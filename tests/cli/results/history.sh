@@ -138,4 +138,11 @@ message_is "rwedge history: --load 135,02,0,0: P 135 and M 02; a decimal is writ
 run history $specimen --load 135,2,0,0 --load 135,0
 message_is ""
 
+# A step of P, Q and sigma together: the energy of the last cycle by boundary elements.
+printf 'P,Q,sigma\n220,60,50\n180,-20,10\n' >dovetail.csv
+run history dovetail.csv --load 200,0 --cycles 3 --radius 25 --E1 72100 --nu1 .33 --f .5
+same "tractions have a closed form" "0 0 0 0 0 0" "$(column error out | paste -s -d ' ' -)"
+same "slip and energy are known" "0 0" "$(column largest_slip out | grep -cx -) $(column energy out | grep -cx -)"
+close_to "energy of the last cycle" 0.004234 "$(column energy out | awk 'NR == 4 { a = $1 } END { printf "%.17g", $1 - a }')" 1e-3
+
 finish

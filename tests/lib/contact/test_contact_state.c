@@ -340,7 +340,7 @@ CLAIM(a_shear_of_another_contact_is_refused)
 CLAIM(older_states_are_read)
 {
     /* its place; that of three numbers of the pad; numbers at the end */
-    enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 2 };
+    enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 3 };
     rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.5, 0, 0.1, 0});
     contact_state s = state_of(contact);
     s.size -= 3 + END;

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Off the centre the tractions of a load may have a closed form of which slip or energy have none.
+ * If the contact allows errors, the same contact is then kept beside it, as it was before that
+ * load. That one computes each load whose slip or energy has no closed form. So tractions have the
+ * bits of their closed form, and slip and energy are known. */
+#include "contact/beside.h"
+
+static bool knows_all(const rwedge_contact *contact)
+{
+    return rw_contact_knows_slip(contact) && rw_contact_of_slip(contact)->energy.is_known;
+}
+
+rwedge_contact *rw_contact_keep_beside(rwedge_contact *contact, rwedge_contact *other)
+{
+    if (contact->slip.followed != RW_NONE_FOLLOWED || contact->tolerance == 0 ||
+        contact->phase == RW_APART || contact->phase == RW_SLIDING ||
+        contact->phase == RW_COMPUTED || knows_all(contact) || !knows_all(other))
+        return other;
+    other->slip.followed = RW_SLIP_AND_ENERGY_FOLLOWED;
+    contact->beside = other;
+    return NULL;
+}
+
+/* Whether a closed form of the next load may leave slip or energy unknown. */
+static bool may_lose(const rwedge_contact *contact, rw_loads to)
+{
+    return contact->tolerance > 0 && contact->f > 0 && contact->slip.followed == RW_NONE_FOLLOWED &&
+           contact->phase != RW_COMPUTED && knows_all(contact) &&
+           (rw_contact_is_off_centre(contact) || to.M != 0 || to.sigma != contact->loads.sigma ||
+            !rw_is_symmetric(&contact->geometry));
+}
+
+/* The load of the contact that follows slip and energy. Where it cannot be computed, they are not
+ * known any more. */
+static int32_t follow(rwedge_contact *contact, rw_loads to)
+{
+    const rw_followed before = contact->slip.followed;
+    contact->slip.followed = RW_SLIP_AND_ENERGY_FOLLOWED;
+    const int32_t status = rw_contact_apply_alone(contact, to);
+    contact->slip.followed = before;
+    return status;
+}
+
+/* The first load that may lose them. `ahead` has the load. */
+static int32_t begin(rwedge_contact *contact, rwedge_contact *ahead, rw_loads to)
+{
+    const bool loses = ahead->phase == RW_OFF_CENTRE && !knows_all(ahead);
+    const bool is_apart = ahead->phase == RW_APART && !ahead->energy.is_known;
+    if (!loses && !is_apart) {
+        rw_contact_exchange(contact, ahead);
+        rwedge_contact_destroy(ahead);
+        return RWEDGE_OK;
+    }
+    const int32_t status = follow(contact, to);
+    if (status == RWEDGE_ENOMEM) {
+        rwedge_contact_destroy(ahead);
+        return status;
+    }
+    if (is_apart && status == RWEDGE_OK) {
+        rwedge_contact_destroy(ahead);
+        return status;
+    }
+    rw_contact_exchange(contact, ahead);
+    if (status == RWEDGE_OK)
+        ahead = rw_contact_keep_beside(contact, ahead);
+    rwedge_contact_destroy(ahead);
+    return RWEDGE_OK;
+}
+
+/* A load of both. `ahead` has it, and nothing beside it. Where it has no closed form, or neither is
+ * loaded any more, the other one is the contact from then on. */
+static int32_t go_on(rwedge_contact *contact, rwedge_contact *ahead, rw_loads to)
+{
+    rwedge_contact *other = contact->beside;
+    const int32_t status = follow(other, to);
+    if (status == RWEDGE_ENOMEM) {
+        rwedge_contact_destroy(ahead);
+        return status;
+    }
+    contact->beside = NULL;
+    if (status == RWEDGE_OK && (ahead->phase == RW_COMPUTED || ahead->phase == RW_APART)) {
+        rw_contact_exchange(contact, other);
+        contact->slip.followed = RW_NONE_FOLLOWED;
+    } else {
+        rw_contact_exchange(contact, ahead);
+        if (status == RWEDGE_OK)
+            other = rw_contact_keep_beside(contact, other);
+    }
+    rwedge_contact_destroy(ahead);
+    rwedge_contact_destroy(other);
+    return RWEDGE_OK;
+}
+
+static int32_t apply(rwedge_contact *contact, rw_loads to)
+{
+    if (!contact->beside && !may_lose(contact, to))
+        return rw_contact_apply_alone(contact, to);
+    rwedge_contact *ahead;
+    int32_t status = rwedge_contact_copy(contact, &ahead);
+    if (status != RWEDGE_OK)
+        return status;
+    rw_contact_drop_beside(ahead);
+    status = rw_contact_apply_alone(ahead, to);
+    if (status != RWEDGE_OK) {
+        rwedge_contact_destroy(ahead);
+        return status;
+    }
+    return contact->beside ? go_on(contact, ahead, to) : begin(contact, ahead, to);
+}
+
+int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
+{
+    return contact ? apply(contact, (rw_loads){P, M, Q, sigma}) : RWEDGE_ENULL;
+}
+
+int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
+{
+    if (!contact)
+        return RWEDGE_ENULL;
+    return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
+}

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A contact in closed form, and beside it the same one whose slip and energy are computed. */
+#ifndef RW_BESIDE_H
+#define RW_BESIDE_H
+
+#include "contact/contact.h"
+
+/* The next load, of the contact alone. */
+int32_t rw_contact_apply_alone(rwedge_contact *contact, rw_loads to);
+
+/* Keeps the other one, which has the same loads, beside the contact if slip and energy are known
+ * from it alone. Returns what is to be destroyed, or NULL. */
+rwedge_contact *rw_contact_keep_beside(rwedge_contact *contact, rwedge_contact *other);
+
+#endif

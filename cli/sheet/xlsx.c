@@ -41,6 +41,15 @@ static void keep(xlsx *book, lxw_error error)
         book->error = error;
 }
 
+/* More than libxlsxwriter takes at a time, for a sheet, a row or the end of the file: where it
+ * lacks memory, it may end by a signal. */
+static void need_memory(void)
+{
+    enum { SPARE = 4 << 20 };
+    void *volatile spare = malloc(SPARE); /* volatile: or the compiler leaves both calls out */
+    free(memory_checked(spare));
+}
+
 /* ---- Styles ---------------------------------------------------------------------------------- */
 
 /* Six to nine digits show. False where memory is short. */
@@ -91,6 +100,7 @@ xlsx *xlsx_begin(output *out, const char *title)
         failure("%s: the variable SOURCE_DATE_EPOCH: must be a whole number of seconds, 0 to "
                 "253402300799, the end of the year 9999",
                 out->name);
+    need_memory();
     xlsx *book = memory_zeroed(1, sizeof *book);
     book->out = out;
     lxw_workbook_options options = {.constant_memory = LXW_TRUE};
@@ -109,6 +119,7 @@ void xlsx_sheet(xlsx *book, const char *name)
 {
     lxw_worksheet *sheet = workbook_get_worksheet_by_name(book->workbook, name);
     const bool is_new = sheet == NULL;
+    need_memory();
     if (is_new)
         sheet = workbook_add_worksheet(book->workbook, name);
     if (sheet == NULL) {
@@ -123,6 +134,7 @@ void xlsx_sheet(xlsx *book, const char *name)
 void xlsx_finish(xlsx *book)
 {
     char buffer[1 << 14];
+    need_memory();
     errno = 0;
     keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
@@ -141,12 +153,16 @@ void xlsx_finish(xlsx *book)
 
 void xlsx_number(xlsx *book, int row, int column, double value, xlsx_style style)
 {
+    if (column == 0)
+        need_memory();
     keep(book,
          worksheet_write_number(book->current, CELL_AT(row, column), value, book->style[style]));
 }
 
 void xlsx_text(xlsx *book, int row, int column, const char *text, xlsx_style style)
 {
+    if (column == 0)
+        need_memory();
     if (!utf8_is_whole(text))
         keep(book, LXW_ERROR_PARAMETER_VALIDATION);
     else

@@ -123,6 +123,19 @@ fails "rwedge workbook: quote.csv: line 2: a quote that is not closed" quote.csv
 printf 'a,b\n1,2\n\n3\n' >ragged.csv
 fails "rwedge workbook: ragged.csv: line 4: 1 cells in this row, 2 in the header" ragged.csv
 
+# Where memory ends, anywhere on the way, the command says so, and no signal ends it. The tool alone takes $base kB.
+base=500000
+while [ "$base" -gt 4000 ] && (ulimit -v $((base - 2000)) && "$rwedge" --version) >/dev/null 2>&1; do
+    base=$((base - 2000))
+done
+if (ulimit -v 500000 && "$rwedge" --version) >/dev/null 2>&1; then # an address sanitizer reserves more
+    for more in $(seq 0 250 12000); do
+        shell "(ulimit -v $((base + more)) && exec \"\$rwedge\" workbook law.csv limits.csv -o short.xlsx)"
+        same "status with $more kB" "$status" "$(echo "0 1 127" | tr ' ' '\n' | grep -x "$status")" # 127: not even loaded
+    done
+    same "enough at last" 0 "$status"
+fi
+
 # The tool's own files with a decimal comma: read by the option, and refused without it.
 "$rwedge" table contact-law --a-over-b 0:1.5:0.5 --decimal-comma -o comma.csv
 "$rwedge" table contact-law --a-over-b 0:1.5:0.5 --decimal-comma -o comma.tsv

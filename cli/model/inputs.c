@@ -76,7 +76,22 @@ const char *input_name(const input_texts *texts, int input)
 bool input_is_given(const input_texts *texts, int input)
 {
     const char *text = texts->text[input];
+    if (texts->has_number[input])
+        return true;
     return text != NULL && (!texts->is_cell[input] || text[strspn(text, " \t")] != '\0');
+}
+
+void input_set(input_texts *texts, int input, double value)
+{
+    const int other = input_alternative(input);
+    texts->text[input] = NULL;
+    texts->is_cell[input] = false;
+    texts->has_number[input] = true;
+    texts->number[input] = value;
+    if (other < 0)
+        return;
+    texts->text[other] = NULL;
+    texts->has_number[other] = false;
 }
 
 /* Adds what the commonest mistakes need. */
@@ -131,8 +146,19 @@ static bool read_number(const input_texts *texts, int input, double *value, bool
     return true;
 }
 
+static bool take_number(const input_texts *texts, int input, double *value, complaint *why)
+{
+    const input_kind *kind = &input_kinds[input];
+    *value = texts->number[input];
+    return (is_in(*value, kind) && number_is_size(*value)) ||
+           complain(why, "%s %.6g: %s must be %s", input_name(texts, input), *value, kind->subject,
+                    kind->domain);
+}
+
 bool input_read(const input_texts *texts, int input, double *value, complaint *why)
 {
+    if (texts->has_number[input])
+        return take_number(texts, input, value, why);
     const char *text = texts->text[input];
     const input_kind *kind = &input_kinds[input];
     const bool rigid = strcasecmp(text, "inf") == 0;

@@ -92,6 +92,9 @@ extern const input_kind input_kinds[INPUT_COUNT];
 typedef struct {
     const char *text[INPUT_COUNT]; /* NULL where not given; an empty cell is as good as none */
     bool is_cell[INPUT_COUNT];
+    /* a number in place of a text, where there is one */
+    bool has_number[INPUT_COUNT];
+    double number[INPUT_COUNT];
     char cell_decimal_sign;
     /* what a number of a cell is multiplied by, as its column has it; 0 where nothing is known */
     double cell_factor[INPUT_COUNT];
@@ -118,6 +121,9 @@ const char *input_name(const input_texts *texts, int input);
 
 /* Whether a text is there; an empty cell is none. */
 bool input_is_given(const input_texts *texts, int input);
+
+/* Has a number stand for an input, in place of its text and of that of its alternative. */
+void input_set(input_texts *texts, int input, double value);
 
 /* Reads an input that is given. False, with the complaint, where it is outside its domain. E2 may
  * be HUGE_VAL, "inf"; the value of a profile is the number of its places. */

@@ -68,15 +68,6 @@ static bool find_in_proportion(const contact_case *setup, int input, double safe
 
 /* ---- Together ---- */
 
-static void put(input_texts *texts, int input, const char *text)
-{
-    const int other = input_alternative(input);
-    texts->text[input] = text;
-    texts->is_cell[input] = false;
-    if (other >= 0)
-        texts->text[other] = NULL;
-}
-
 /* The rest of the case, with 1 for what is looked for, and without Q: that is judged with the
  * answer. */
 static bool read_rest(const input_texts *texts, int input, contact_case *setup, complaint *why)
@@ -88,7 +79,7 @@ static bool read_rest(const input_texts *texts, int input, contact_case *setup, 
         if (input_is_given(texts, off_centre[i]) && input_read(texts, off_centre[i], &value, why) &&
             value != 0)
             return refuse("with M or sigma there is no safety, only the yield factor", why);
-    put(&rest, input, "1");
+    input_set(&rest, input, 1);
     rest.text[INPUT_Q] = NULL;
     if (!case_read(&rest, CASE_OF_SOLVE, setup, why))
         return false;
@@ -98,7 +89,6 @@ static bool read_rest(const input_texts *texts, int input, contact_case *setup, 
 bool inverse_find(const input_texts *texts, int input, double safety, contact_case *setup,
                   double *value, complaint *why)
 {
-    char text[NUMBER_SIZE];
     input_texts all = *texts;
     if (!read_rest(texts, input, setup, why))
         return false;
@@ -109,8 +99,7 @@ bool inverse_find(const input_texts *texts, int input, double safety, contact_ca
     if (has_formulas && !(input == INPUT_F ? find_friction(setup, safety, value, why)
                                            : find_in_proportion(setup, input, safety, value, why)))
         return false;
-    number_write(*value, NUMBER_DIGITS, '.', text);
-    put(&all, input, text);
+    input_set(&all, input, *value);
     rwedge_contact_destroy(setup->contact);
     return case_read(&all, CASE_OF_SOLVE, setup, why);
 }

@@ -186,9 +186,9 @@ bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, lo
         return false;
     *nu = value[INPUT_NU1];
     if (is_plane_stress)
-        texts.text[INPUT_NU1] = "0";
+        input_set(&texts, INPUT_NU1, 0);
     if (is_plane_stress && input_is_given(&texts, INPUT_NU2))
-        texts.text[INPUT_NU2] = "0";
+        input_set(&texts, INPUT_NU2, 0);
     *form = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         texts.text[i] = NULL;

@@ -42,11 +42,22 @@ const column_kind result_kinds[RESULT_COUNT] = {
     [RESULT_WARNINGS] = {"warnings", "what makes these numbers doubtful", "text"},
 };
 
+/* Edges need moment or tension; the yield factor takes longest. The others are for everybody. */
+static const enum {
+    NEEDS_NOTHING,
+    NEEDS_EDGES,
+    NEEDS_YIELD_FACTOR
+} needs[RESULT_COUNT] = {
+    [RESULT_LEFT] = NEEDS_EDGES,       [RESULT_RIGHT] = NEEDS_EDGES,
+    [RESULT_STICK_LEFT] = NEEDS_EDGES, [RESULT_STICK_RIGHT] = NEEDS_EDGES,
+    [RESULT_TILT] = NEEDS_EDGES,       [RESULT_YIELD_FACTOR] = NEEDS_YIELD_FACTOR,
+};
+
 bool results_include(results_wanted wanted, int result)
 {
-    if (result == RESULT_YIELD_FACTOR)
-        return wanted.yield_factor;
-    return wanted.edges || result < RESULT_LEFT || result > RESULT_TILT;
+    return needs[result] == NEEDS_EDGES          ? wanted.edges
+           : needs[result] == NEEDS_YIELD_FACTOR ? wanted.yield_factor
+                                                 : true;
 }
 
 /* Of the contact under P alone, whose half-width is b. */

@@ -19,7 +19,7 @@ enum {
     RESULT_Q_OVER_FP,
     RESULT_C,
     RESULT_C_OVER_B,
-    RESULT_LEFT, /* up to the tilt, where there is moment or tension */
+    RESULT_LEFT,
     RESULT_RIGHT,
     RESULT_STICK_LEFT,
     RESULT_STICK_RIGHT,
@@ -35,7 +35,7 @@ enum {
     RESULT_YIELD_X,
     RESULT_YIELD_Y,
     RESULT_YIELD_BRANCH,
-    RESULT_YIELD_FACTOR, /* of the present state: only where it is asked for, as it takes longest */
+    RESULT_YIELD_FACTOR, /* of the present state */
     RESULT_WARNINGS,
     RESULT_COUNT
 };
@@ -44,8 +44,7 @@ extern const column_kind result_kinds[RESULT_COUNT];
 
 /* Which results that not everybody asks for are wanted. */
 typedef struct {
-    bool yield_factor; /* takes longest */
-    bool edges;        /* with the tilt */
+    bool yield_factor, edges;
 } results_wanted;
 bool results_include(results_wanted wanted, int result);
 

@@ -21,7 +21,7 @@ says 'Usage: rwedge COMMAND' 'table' 'Exit status' '--version'
 for option in --help -h; do
     prints_kept "help without a command" whole $option
 done
-for command in solve table profile field history fretting crack figure workbook; do
+for command in $(sed -n '/^Commands/,/^$/s/^  \([a-z]*\) .*/\1/p' whole | grep -vx help); do
     kept whole $command --help
     says "Usage: rwedge $command"
     same "lines over 81 columns" 0 "$(awk 'length > 81' out | wc -l | tr -d ' ')"

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the README shows is what the program prints, whatever the locale.
+#     readme.sh PROGRAM REFERENCES [write]    write: the README then shows what the program prints
+write=${3:-}
 . "$(dirname "$0")/../claims.sh"
 
+readme=$here/../../../cli/README.md
 # Each example into files of its own: N.command, N.expected; and the files that examples read.
 awk '
     /^```csv [a-z.]*$/ { file = $2; next }
@@ -11,7 +14,7 @@ awk '
     /^```$/ { inside = 0; next }
     !inside { next }
     /^\$ / { n++; print substr($0, 3) > (n ".command"); printf "" > (n ".expected"); next }
-    { print > (n ".expected") }' "$here/../../../cli/README.md"
+    { print > (n ".expected") }' "$readme"
 
 use_decimal_comma
 for file in *.command; do
@@ -20,6 +23,18 @@ for file in *.command; do
     "$rwedge" $arguments >out 2>&1
     same "output" "$(cat "${file%.command}.expected")" "$(cat out)"
 done
+[ "$write" != write ] || {
+    for file in *.command; do
+        arguments=$(sed 's/^rwedge //' "$file")
+        "$rwedge" $arguments >"${file%.command}.expected" 2>&1
+    done
+    awk '/^```console$/ { inside = 1 }
+        /^```$/ { inside = 0 }
+        !inside || /^```console$/ { print; next }
+        /^\$ / { print; n++; while ((getline line < (n ".expected")) > 0) print line }' "$readme" >README.md
+    cp README.md "$readme"
+    exit 0
+}
 same "there are examples" yes "$([ "$checks" -ge 10 ] && echo yes)"
 
 finish

@@ -31,7 +31,6 @@ enum {
     OPTION_FIT,
     OPTION_HEIGHTS,
     OPTION_ORIGIN,
-    OPTION_K_IN,
     OPTION_AFTER_INPUTS
 };
 

@@ -260,6 +260,39 @@ RWEDGE_API int32_t rwedge_subsurface_yield(double alpha, double f, double nu, do
 RWEDGE_API int32_t rwedge_surface_yield(double alpha, double f, double nu, double *limit,
                                         double *x);
 
+/* Shakedown limit P/(bk): the load that a pad or stylus carries pass after pass. Below it the
+ * half-plane may yield in the first passes, and is elastic from then on, because residual stresses
+ * stay. Von Mises, plane strain, perfect plasticity, small strain; the contact slides from far to
+ * far, again and again, in one direction or both, with the same P and f. For such passes Melan's
+ * theorem is exact: lib/README.md, "Shakedown".                                                 new
+ *   alpha  0, or at least 1e-3
+ *   limit  receives P/(bk)
+ *   y      depth that governs, in b; 0 is the surface
+ * The sharp wedge has the limit 0, but for f = 0 with nu = 0.5. For Hertz' contact Johnson's limit
+ * at the surface, k over f, is 4 to 10 % too high for von Mises with nu = 0.3: szz does not follow
+ * the residual stress.
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL. The limit is exact to 1e-10, the depth to 1e-6. It takes as long as
+ * some 25 elastic limits. */
+RWEDGE_API int32_t rwedge_shakedown_limit(double alpha, double f, double nu, double *limit,
+                                          double *y);
+
+/* The shakedown limit of the highest local maximum below the surface. With that of the surface it
+ * makes two branches, which interpolate better than the smaller of them.                        new
+ *   alpha  as above
+ *   limit  receives P/(bk)
+ *   y      its depth, in b; deeper than 0.01 b and 0.01 a
+ * RWEDGE_EABSENT where there is no such maximum: the surface governs. RWEDGE_EDOMAIN; RWEDGE_ENULL.
+ * The limit is exact to 1e-10. */
+RWEDGE_API int32_t rwedge_subsurface_shakedown(double alpha, double f, double nu, double *limit,
+                                               double *y);
+
+/* The shakedown limit of the surface.                                                           new
+ *   alpha  as above
+ *   limit  receives P/(bk)
+ * RWEDGE_EABSENT for f = 0 with nu = 0.5: there is no deviator. RWEDGE_EDOMAIN; RWEDGE_ENULL.
+ * The limit is exact to 1e-10. */
+RWEDGE_API int32_t rwedge_surface_shakedown(double alpha, double f, double nu, double *limit);
+
 /* Critical friction: the f at which yield jumps from below to the surface. It is 0 where yield is
  * at the surface without friction already. (The smallest of these tips, a/b < 0.0026, yield
  * below the surface again in an interval of f: lib/README.md.)                          Fig. 4; new
@@ -338,6 +371,15 @@ RWEDGE_API double rwedge_normal_load(double theta, double a, double A, double b)
  * for f = 0 and nu near 0.5. */
 RWEDGE_API double rwedge_yield_load(double theta, double a, double A, double f, double nu,
                                     double k);
+
+/* The load P up to which a given contact in full sliding shakes down, force/length: at it P/(bk) is
+ * the shakedown limit of its a/b.                                                               new
+ *   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+ * It is 0 for the sharp wedge, and HUGE_VAL where the contact is 1000 a wide before it is reached.
+ * For f = 0 and nu = 0.5 it is infinite if k > 0.386 theta/A. To 1e-9 of the load, times dlnP/dlnk.
+ */
+RWEDGE_API double rwedge_shakedown_load(double theta, double a, double A, double f, double nu,
+                                        double k);
 
 /* ---- Profiles that were measured ------------------------------------------------------------- */
 
@@ -776,6 +818,18 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
  * below 1e-12. */
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
                                                double *factor, double *x, double *y);
+
+/* How far the present state, in full sliding, is from the shakedown limit of repeated passes: k
+ * over the smallest peak of sqrt(J2) that residual stresses can leave. A bulk tension changes
+ * nothing.
+ * rwedge_shakedown_limit() says what is assumed.                                                new
+ *   nu      Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+ *   factor  receives the factor on the stresses; 0 where a kink of the profile is in the contact
+ *   y       the depth that governs, length; may be NULL
+ * RWEDGE_EABSENT unless all of the contact slides. RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE
+ * where the factor leaves the domain. Exact to 1e-9 for up to 4 arcs, to 1e-4 for a hundred. */
+RWEDGE_API int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact, double nu,
+                                                   double k, double *factor, double *y);
 
 /* ---- A cycle of loads ------------------------------------------------------------------------ */
 

@@ -12,17 +12,10 @@
 #include <math.h>
 #include <stdbool.h>
 
-enum { DIMENSIONS = 3, SUPPORT = 4 };
+enum { DIMENSIONS = 3 };
 
 /* A point is outside if it is by more than this part of the largest coordinate: a few roundings. */
 static const double OUTSIDE = 8 * DBL_EPSILON;
-
-/* The points of the support lie on the ball, and no smaller ball is around them. */
-typedef struct {
-    rw_ball ball;
-    int count;
-    size_t support[SUPPORT];
-} supported;
 
 static size_t farthest(size_t n, const rw_point points[], const rw_point *centre, double *square)
 {
@@ -41,17 +34,19 @@ static size_t farthest(size_t n, const rw_point points[], const rw_point *centre
 /* ---- The ball through all points of a support ---- */
 
 /* The centre from the first point of the support is a sum of the edges to the others, with these
- * weights; false where the edges are dependent. */
-static bool weigh(int size, double edge[][DIMENSIONS], double weight[])
+ * weights; false where the edges are dependent. Where the centre is on x[2] = 0, the edges are
+ * too: a point then lies on the ball with the square of its height besides. */
+static bool weigh(int dimensions, int size, double edge[][DIMENSIONS], const double rise[],
+                  double weight[])
 {
     double gram[DIMENSIONS * DIMENSIONS];
     for (int i = 0; i < size; i++) {
         for (int j = 0; j < size; j++) {
             gram[i * size + j] = 0;
-            for (int k = 0; k < DIMENSIONS; k++)
+            for (int k = 0; k < dimensions; k++)
                 gram[i * size + j] += edge[i][k] * edge[j][k];
         }
-        weight[i] = gram[i * size + i] / 2;
+        weight[i] = (gram[i * size + i] + rise[i]) / 2;
     }
     if (!rw_cholesky((size_t)size, gram))
         return false;
@@ -59,36 +54,55 @@ static bool weigh(int size, double edge[][DIMENSIONS], double weight[])
     return true;
 }
 
-/* The smallest ball with these points on it; false where it is not the smallest around them. */
-static bool ball_through(const rw_point points[], supported *s)
+/* The space in which the centre may be, and the ball so far. */
+typedef struct {
+    int dimensions;
+    const rw_point *points;
+    double slack;
+    rw_ball ball;
+} growth;
+
+static double rise_above(const growth *g, const rw_point *p, const rw_point *origin)
 {
-    const rw_point *origin = &points[s->support[0]];
-    double edge[DIMENSIONS][DIMENSIONS], weight[DIMENSIONS], first = 1;
-    for (int i = 1; i < s->count; i++)
-        for (int k = 0; k < DIMENSIONS; k++)
-            edge[i - 1][k] = points[s->support[i]].x[k] - origin->x[k];
-    if (!weigh(s->count - 1, edge, weight))
+    return g->dimensions == DIMENSIONS ? 0 : (p->x[2] - origin->x[2]) * (p->x[2] + origin->x[2]);
+}
+
+/* The smallest ball with the points of its support on it; false where it is not the smallest around
+ * them. */
+static bool ball_through(const growth *g, rw_ball *ball)
+{
+    const rw_point *origin = &g->points[ball->support[0]];
+    double edge[DIMENSIONS][DIMENSIONS], rise[DIMENSIONS], *weight = ball->weight + 1, first = 1;
+    for (int i = 1; i < ball->count; i++) {
+        const rw_point *p = &g->points[ball->support[i]];
+        for (int k = 0; k < g->dimensions; k++)
+            edge[i - 1][k] = p->x[k] - origin->x[k];
+        rise[i - 1] = rise_above(g, p, origin);
+    }
+    if (!weigh(g->dimensions, ball->count - 1, edge, rise, weight))
         return false;
-    s->ball.centre = *origin;
-    for (int i = 0; i < s->count - 1; i++) {
+    ball->centre = *origin;
+    if (g->dimensions < DIMENSIONS)
+        ball->centre.x[2] = 0;
+    for (int i = 0; i < ball->count - 1; i++) {
         if (!(weight[i] > 0))
             return false;
         first -= weight[i];
-        for (int k = 0; k < DIMENSIONS; k++)
-            s->ball.centre.x[k] += weight[i] * edge[i][k];
+        for (int k = 0; k < g->dimensions; k++)
+            ball->centre.x[k] += weight[i] * edge[i][k];
     }
-    s->ball.radius = sqrt(rw_squared_distance(&s->ball.centre, origin));
+    ball->radius = sqrt(rw_squared_distance(&ball->centre, origin));
+    ball->weight[0] = first;
     return first > 0;
 }
 
 /* ---- One more point ---- */
 
-static bool holds(const rw_ball *ball, double slack, const rw_point points[], const supported *all,
-                  size_t more)
+static bool holds(const growth *g, const rw_ball *ball, size_t more)
 {
-    for (int i = 0; i <= all->count; i++) {
-        const rw_point *p = &points[i < all->count ? all->support[i] : more];
-        if (sqrt(rw_squared_distance(p, &ball->centre)) > ball->radius + slack)
+    for (int i = 0; i <= g->ball.count; i++) {
+        const rw_point *p = &g->points[i < g->ball.count ? g->ball.support[i] : more];
+        if (sqrt(rw_squared_distance(p, &ball->centre)) > ball->radius + g->slack)
             return false;
     }
     return true;
@@ -96,17 +110,17 @@ static bool holds(const rw_ball *ball, double slack, const rw_point points[], co
 
 /* The smallest ball around the support and one more point, which is on it. False if rounding
  * leaves none that is larger. */
-static bool grow(supported *s, double slack, const rw_point points[], size_t more)
+static bool grow(growth *g, size_t more)
 {
-    const unsigned choices = (1u << s->count) - (s->count == SUPPORT); /* not all, and one more */
-    for (unsigned choice = 1; choice < choices; choice++) { /* one is the ball, to rounding */
-        supported next = {.count = 1, .support = {more}};
-        for (int i = 0; i < s->count; i++)
-            if (choice >> i & 1)
-                next.support[next.count++] = s->support[i];
-        if (ball_through(points, &next) && holds(&next.ball, slack, points, s, more)) {
-            const bool is_larger = next.ball.radius > s->ball.radius;
-            *s = is_larger ? next : *s;
+    const int most = g->dimensions + 1; /* points on the ball */
+    for (unsigned choice = 0; choice < 1u << g->ball.count; choice++) {
+        rw_ball next = {.count = 1, .support = {more}};
+        for (int i = 0; i < g->ball.count; i++)
+            if (choice >> i & 1 && next.count < RW_BALL_SUPPORT)
+                next.support[next.count++] = g->ball.support[i];
+        if (next.count <= most && ball_through(g, &next) && holds(g, &next, more)) {
+            const bool is_larger = next.radius > g->ball.radius;
+            g->ball = is_larger ? next : g->ball;
             return is_larger;
         }
     }
@@ -122,17 +136,28 @@ static double largest_coordinate(size_t n, const rw_point points[])
     return largest;
 }
 
-rw_ball rw_smallest_ball(size_t n, const rw_point points[])
+static rw_ball smallest_ball(int dimensions, size_t n, const rw_point points[])
 {
-    const double slack = OUTSIDE * largest_coordinate(n, points);
-    supported s = {.ball = {.centre = points[0]}, .count = 1};
+    growth g = {
+        dimensions, points, OUTSIDE * largest_coordinate(n, points), {.count = 1, .support = {0}}};
+    ball_through(&g, &g.ball); /* one point */
     for (;;) {
         double square;
-        const size_t more = farthest(n, points, &s.ball.centre, &square);
+        const size_t more = farthest(n, points, &g.ball.centre, &square);
         const double distance = sqrt(square);
-        if (distance <= s.ball.radius + slack || !grow(&s, slack, points, more)) {
-            s.ball.radius = fmax(s.ball.radius, distance);
-            return s.ball;
+        if (distance <= g.ball.radius + g.slack || !grow(&g, more)) {
+            g.ball.radius = fmax(g.ball.radius, distance);
+            return g.ball;
         }
     }
+}
+
+rw_ball rw_smallest_ball(size_t n, const rw_point points[])
+{
+    return smallest_ball(DIMENSIONS, n, points);
+}
+
+rw_ball rw_smallest_mirrored_ball(size_t n, const rw_point points[])
+{
+    return smallest_ball(DIMENSIONS - 1, n, points);
 }

@@ -68,6 +68,8 @@ OWN = {
     ("subsurface_yield", "alpha"): [0.25, 0.37, 0.81, 1.7],  # and little friction: the branch must exist
     ("subsurface_yield", "f"): [0.1, 0.02, 0.07],
     ("subsurface_yield", "nu"): [0.31, 0.27, 0.33],
+    ("subsurface_shakedown", "alpha"): [0.25, 0.37, 0.81, 1.7], ("subsurface_shakedown", "f"): [0.1, 0.02, 0.07],
+    ("subsurface_shakedown", "nu"): [0.31, 0.27, 0.33],
     ("half_width", "P"): [1000, 0, 2300],  # of A and P it has the product: 0 tells which is which
     ("contact_create", "f"): [0.6],
     ("crack_ranges", "shear"): [0, 1, 2], ("cycle_growth", "shear"): [0, 1, 2],

@@ -87,6 +87,17 @@ static double limits_one_by_one(const work *w)
     return sum;
 }
 
+static double shakedown_limits(const work *w)
+{
+    double sum = 0, f, limit, y;
+    for (long i = 0; i < w->n; i++) {
+        const double alpha = case_of(i, &f);
+        must(rwedge_shakedown_limit(alpha, f, 0.3, &limit, &y));
+        sum += limit;
+    }
+    return sum;
+}
+
 static double limits_in_array(const work *w)
 {
     for (long i = 0; i < w->n; i++)
@@ -343,6 +354,7 @@ const work works[] = {
     {"elastic limit, cold", limits_one_by_one, 0, 0, PAPER_LIMITS / 5},
     {"elastic limit, 2600 of them", limits_one_by_one, 0, 0, 4 * PAPER_LIMITS},
     {"elastic limit, in an array", limits_in_array, 0, 0, PAPER_LIMITS},
+    {"shakedown limit", shakedown_limits, 0, 0, PAPER_LIMITS / 5},
     {"pressure", pressures, 0, 0, POINTS},
     {"stress after P and then Q", points_of_corners, 2, 0, POINTS},
     {"stress, 250 corners", points_of_corners, 250, 0, POINTS / 2},

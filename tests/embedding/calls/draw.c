@@ -17,6 +17,7 @@ static const struct {
 } hints[] = {
     {"subsurface_yield", {0.3, 0.05, NAN}},
     {"profile_fit", {NAN, NAN, 1}},
+    {"subsurface_shakedown", {0.3, 0.05, NAN}},
     {"contact_permanent_stick", {3, 0, 0.1, 0, 4, 0, 0.05, NAN}},
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
     {"cycle_create", {4, 0.05, 0, 0}},

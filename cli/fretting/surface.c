@@ -20,8 +20,10 @@ void history_cycle(const contact_history *history, const criteria *asked, last_c
         if (step < first)
             continue;
         last_cycle_add(contact, cycle);
-        if (all != NULL)
-            doubts_add(all, doubts_of_state(&history->setup, contact));
+        if (all == NULL)
+            continue;
+        doubts_add(all, doubts_of_state(&history->setup, contact));
+        all->bits |= doubt_of_sliding(contact);
     }
     status_check(last_cycle_end(cycle), "the cycle");
 }

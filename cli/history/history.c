@@ -79,6 +79,7 @@ static void compute(const contact_case *setup, const rwedge_contact *contact, si
         failure("load %zu: %s", number, rwedge_strerror(status));
     value[ENERGY] = rwedge_contact_dissipated_energy(contact);
     row->doubts = doubts_of_factor(setup, contact, value[YIELD_FACTOR]);
+    row->doubts.bits |= doubt_of_sliding(contact);
     value[ESTIMATE] = row->doubts.error;
     for (int i = 0; i < AFTER_COUNT; i++)
         row->value[i] = cell_number(value[i]);

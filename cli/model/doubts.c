@@ -5,7 +5,12 @@
 #include <stdio.h>
 
 /* Beside the library's bits. */
-enum { DOUBT_STATE = 1 << 20, DOUBT_SLOPE = 1 << 21, DOUBT_ZONES = 1 << 22 };
+enum {
+    DOUBT_STATE = 1 << 20,
+    DOUBT_SLOPE = 1 << 21,
+    DOUBT_ZONES = 1 << 22,
+    DOUBT_SLIDES = 1 << 23
+};
 
 static const double STEEP = 0.1;
 
@@ -26,6 +31,15 @@ int32_t doubt_of_zones(const rwedge_contact *contact)
     stick_zones zones = stick_zones_of(contact);
     stick_zones_free(&zones);
     return zones.count > 1 ? DOUBT_ZONES : 0;
+}
+
+int32_t doubt_of_sliding(const rwedge_contact *contact)
+{
+    double left, right;
+    const bool touches = rwedge_contact_half_width(contact) > 0;
+    return touches && rwedge_contact_stick_zone(contact, &left, &right) == RWEDGE_EABSENT
+               ? DOUBT_SLIDES
+               : 0;
 }
 
 doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
@@ -69,6 +83,8 @@ bool doubts_next(doubts *left, char text[DOUBT_SIZE])
             bit == DOUBT_STATE ? "a load yields the body: its stresses exceed the yield stress"
             : bit == DOUBT_ZONES
                 ? "several zones stick and it slips between them: the outermost edges are told"
+            : bit == DOUBT_SLIDES
+                ? "it slides fully: the loads do not tell how far nor what that dissipates"
             : bit == DOUBT_SLOPE
                 ? "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"
                 : rwedge_validity_text(bit));

@@ -220,6 +220,9 @@ int32_t doubts_of(const contact_case *setup, double left, double right, double s
  * under a P that alone would not make it yield. */
 doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact);
 
+/* That of a contact in a history that slides fully, or none. */
+int32_t doubt_of_sliding(const rwedge_contact *contact);
+
 /* That of a contact that sticks in several zones, or none. */
 int32_t doubt_of_zones(const rwedge_contact *contact);
 

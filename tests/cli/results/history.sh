@@ -145,4 +145,11 @@ same "tractions have a closed form" "0 0 0 0 0 0" "$(column error out | paste -s
 same "slip and energy are known" "0 0" "$(column largest_slip out | grep -cx -) $(column energy out | grep -cx -)"
 close_to "energy of the last cycle" 0.004234 "$(column energy out | awk 'NR == 4 { a = $1 } END { printf "%.17g", $1 - a }')" 1e-3
 
+# A log that slides fully does not tell how far: its energy is that without this way.
+printf 'P,Q\n100,30\n100,-30\n100,20\n' >slides.csv
+run history slides.csv $specimen
+same "rows that slide say so" "1 1 0" \
+    "$(column warnings out | awk '{ print /it slides fully: the loads do not tell how far/ + 0 }' | paste -s -d ' ' -)"
+same "and standard error" 1 "$(grep -c "it slides fully" err)"
+
 finish

@@ -175,6 +175,15 @@ column() {
         { print $c == "" ? "-" : $c }' "$2"
 }
 
+# by_name PROGRAM FILE [AWK-OPTION...]: awk on CSV, with a variable of the name of each column: $sxx is its cell.
+by_name() {
+    program=$1 table=$2
+    shift 2
+    # shellcheck disable=SC2046
+    awk -F, $(sed q "$table" | tr , '\n' | awk '/^[A-Za-z_][A-Za-z_0-9]*$/ && $0 != "length" { print "-v", $0 "=" NR }') "$@" \
+        "$program" "$table"
+}
+
 # skip_without_xlsx STATUS MESSAGE: after a run that would have written XLSX.
 skip_without_xlsx() {
     [ "$status" -eq "$1" ] || return 0

@@ -6,22 +6,22 @@
 contact="--E1 210000 --nu1 0.25 --theta 0.05 --a 0.1 --f 0.3"
 does field $contact --P 300 --Q 90
 same "points by default" 3321 "$(column x out | wc -l | tr -d ' ')"
-awk -F, 'NR > 1 { z = 0.25 * ($3 + $4); printf "%.17g %.17g\n",
-    sqrt((($3 - $4) ^ 2 + ($4 - z) ^ 2 + (z - $3) ^ 2) / 2 + 3 * $5 ^ 2), $6 }' out >both
+by_name 'NR > 1 { z = 0.25 * ($sxx + $syy); printf "%.17g %.17g\n",
+    sqrt((($sxx - $syy) ^ 2 + ($syy - z) ^ 2 + (z - $sxx) ^ 2) / 2 + 3 * $txy ^ 2), $von_mises }' out >both
 close_rows von_mises 1e-12 0
-awk -F, 'NR > 1 { s = $7; print 1, 1 + (($3 - s) * ($4 - s) - $5 ^ 2) / ($3 ^ 2 + $4 ^ 2 + $5 ^ 2) }' out >both
+by_name 'NR > 1 { s = $s1; print 1, 1 + (($sxx - s) * ($syy - s) - $txy ^ 2) / ($sxx ^ 2 + $syy ^ 2 + $txy ^ 2) }' out >both
 close_rows "s1 is a principal stress" 1e-12 0
 # The others by their definitions: s1 + s2 is the trace, tau_max the largest of three differences, s1 the normal stress of its plane.
-awk -F, 'function max(a, b) { return a > b ? a : b } function abs(a) { return a < 0 ? -a : a }
-    NR > 1 { size = abs($3) + abs($4) + abs($5); a = $11 * 3.14159265358979324 / 180
-    print 1, 1 + ($7 + $9 - $3 - $4) / size; print 1, 1 + ($8 - 0.25 * ($3 + $4)) / size
-    print 1, 1 + (2 * $10 - max(abs($7 - $9), max(abs($7 - $8), abs($9 - $8)))) / size
-    print 1, 1 + ($3 * sin(a) ^ 2 + $4 * cos(a) ^ 2 + 2 * $5 * sin(a) * cos(a) - $7) / size }' out >both
+by_name 'function max(a, b) { return a > b ? a : b } function abs(a) { return a < 0 ? -a : a }
+    NR > 1 { size = abs($sxx) + abs($syy) + abs($txy); a = $s1_angle * 3.14159265358979324 / 180
+    print 1, 1 + ($s1 + $s2 - $sxx - $syy) / size; print 1, 1 + ($szz - 0.25 * ($sxx + $syy)) / size
+    print 1, 1 + (2 * $tau_max - max(abs($s1 - $s2), max(abs($s1 - $szz), abs($s2 - $szz)))) / size
+    print 1, 1 + ($sxx * sin(a) ^ 2 + $syy * cos(a) ^ 2 + 2 * $txy * sin(a) * cos(a) - $s1) / size }' out >both
 close_rows "s2, szz, tau_max, s1_angle" 1e-12 0
-same "s1 below the mean" "" "$(awk -F, 'NR > 1 && 2 * $7 < $3 + $4' out)"
+same "s1 below the mean" "" "$(by_name 'NR > 1 && 2 * $s1 < $sxx + $syy' out)"
 cp out sliding
-largest=$(awk -F, 'NR > 1 && $6 > m { m = $6 } END { print m }' out)
-edge=$(awk -F, 'NR > 1 && $1 > 2 * w { w = $1 / 2 } END { printf "%.17g", w }' out)
+largest=$(by_name 'NR > 1 && $von_mises > m { m = $von_mises } END { print m }' out)
+edge=$(by_name 'NR > 1 && $x > 2 * w { w = $x / 2 } END { printf "%.17g", w }' out)
 run solve $contact --P 300 --Q 90
 close_to "the grid is 2 b wide" "$(value b)" "$edge" 1e-15
 close_to "largest von Mises stress" "$(value von_mises_sliding)" "$largest" 0.05
@@ -45,8 +45,8 @@ close_to "Flamant" "$(awk 'BEGIN { print -2 * 300 / (3.14159265358979 * 1000) }'
 
 # Rows: x fastest; a history; the apex of the sharp wedge is empty, and nan in VTK.
 run field $contact --load 300,0 --load 300,60 --load 300,-60 --x -0.1:0.1:0.1 --y 0,0.05
-same "order" "-0.1 0 0 0 0.1 0 -0.1 0.05 0 0.05 0.1 0.05" "$(awk -F, 'NR > 1 { print $1, $2 }' out | paste -s -d ' ' -)"
-same "sign of txy under the contact after the reversal" "+" "$(awk -F, 'NR == 3 { print ($5 > 0 ? "+" : "-") }' out)"
+same "order" "-0.1 0 0 0 0.1 0 -0.1 0.05 0 0.05 0.1 0.05" "$(by_name 'NR > 1 { print $x, $y }' out | paste -s -d ' ' -)"
+same "sign of txy under the contact after the reversal" "+" "$(by_name 'NR == 3 { print ($txy > 0 ? "+" : "-") }' out)"
 # Below the sharp wedge: mean stress -(2/pi) arsinh(1/y), half the difference (2/pi)/sqrt(1 + y^2).
 prints "x,y,sxx,syy,txy,von_mises,s1,szz,s2,tau_max,s1_angle
 0,0,,,,,,,,,

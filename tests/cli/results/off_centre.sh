@@ -27,9 +27,10 @@ prints "$(cat once)" solve $specimen --history loads.csv
 turned="--load 135.75,0 --load 135.75,38.75 --load 135.75,-10"
 kept slides solve $specimen --yield-stress 500 --P 135.75 --Q -10
 run history $specimen --yield-stress 500 $turned
-tail -n 1 out >last
+cp out steps
 does_quietly solve $specimen --yield-stress 500 $turned --yield-factor
-same "contact, stick zone, tension and yield factor of a history" "$(awk -F, '{ print $6, $7, $8, $9, ($12 > $13 ? $12 : $13), $16 }' last)" \
+same "contact, stick zone, tension and yield factor of a history" "$(by_name 'END { print $left, $right, $stick_left, $stick_right,
+    ($tension_left > $tension_right ? $tension_left : $tension_right), $yield_factor }' steps)" \
     "$(value left) $(value right) $(value stick_left) $(value stick_right) $(value max_tension) $(value yield_factor)"
 for name in p0 Q_over_fP max_tension_sliding von_mises_sliding f_critical load_over_bk P_over_bk P_yield safety yield_x yield_y yield_branch; do
     same "$name, after a history" "$(awk -F, -v name=$name '$1 == name { print $2 }' slides)" "$(value $name)"
@@ -62,7 +63,7 @@ kept without solve $plain
 run solve $plain --M 0 --sigma 0
 same "columns" left,right,stick_left,stick_right,tilt "$(head -n 1 out | cut -d , -f 13-17)"
 same "the others" "" "$(cut -d , -f 1-12,18- out | diff without - 2>&1)"
-same "edges and tilt" "1 1 0" "$(awk -F, 'NR == 2 { print ($13 == -$5 && $14 == $5), ($15 == -$11 && $16 == $11), $17 }' out)"
+same "edges and tilt" "1 1 0" "$(by_name 'NR == 2 { print ($left == -$b && $right == $b), ($stick_left == -$c && $stick_right == $c), $tilt }' out)"
 
 # A moment on Hertz' contact moves its middle to M/P, and tilts by M/(P R).
 run solve --E1 210000 --nu1 0.3 --theta 0.05 --radius 100 --P 100 --M 20 --f 0.3 --k 300 --yield-factor

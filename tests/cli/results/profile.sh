@@ -11,7 +11,7 @@ wedge="$contact --a 0.1" # a/b = 0.7 under P = 300
 does profile $wedge --P 300 --Q 40 --points 2001
 same "zones" "free slip stick slip free" \
     "$(column zone out | uniq | paste -s -d ' ' -)"
-same "ends and middle" "0 0" "$(awk -F, 'NR == 2 { a = $1 } NR == 1002 { m = $1 } END { print a + $1, m }' out)"
+same "ends and middle" "0 0" "$(by_name 'NR == 2 { a = $x } NR == 1002 { m = $x } END { print a + $x, m }' out)"
 kept listed profile $wedge --load 300,0 --load 300,60 --load 300,-30 --load 200,10 --points 2001
 printf 'step,P,Q\n1,300,0\n2,300,60\n3,300,-30\n4,200,10\n' >history.csv
 prints_kept "history from a file" listed profile $wedge --history history.csv --points 2001
@@ -24,15 +24,15 @@ prints_kept "--P and --Q are Q under constant P" twice profile $wedge --P 300 --
 # Mindlin: loading to Q1 = 45, and back to Q2 = -9, f P = 90. In b: c = sqrt(1 - Q1/(fP)), and the reversal reaches
 # c' = sqrt(1 - (Q1 - Q2)/(2 f P)); q(0) = -f p0 ((1 - c) - 2 (1 - c')).
 run profile $hertz --load 300,0 --load 300,45 --load 300,-9 --points 2001
-p0=$(sed -n 1002p out | cut -d , -f 2)
+p0=$(column p out | sed -n 1001p)
 awk -v p0="$p0" 'BEGIN { printf "%.17g", 0.3 * p0 * ((1 - sqrt(0.5)) - 2 * (1 - sqrt(0.7))) }' >expected
-close_to "q(0) after unloading" "$(cat expected)" "$(sed -n 1002p out | cut -d , -f 3)" 1e-12
-b=$(tail -n 1 out | cut -d , -f 1)
-c=$(awk -F, '$4 == "stick" { x = $1 } END { print x }' out)
+close_to "q(0) after unloading" "$(cat expected)" "$(column q out | sed -n 1001p)" 1e-12
+b=$(column x out | tail -n 1)
+c=$(by_name '$zone == "stick" { last = $x } END { print last }' out)
 awk -v b="$b" -v c="$c" 'BEGIN { print sqrt(0.7), c / b }' >both
 close_rows "stick zone after unloading" 0.002 0
 same "signs of q from the middle outwards: friction resists the last motion" "+" \
-    "$(awk -F, '$4 == "slip" { print ($3 > 0 ? "+" : "-") }' out | uniq | paste -s -d ' ' -)"
+    "$(by_name '$zone == "slip" { print ($q > 0 ? "+" : "-") }' out | uniq | paste -s -d ' ' -)"
 
 # Natural and dimensional are one: x in b, p and q in theta/A, slip in theta b.
 kept dimensional profile $wedge --P 300 --Q 40 --points 21
@@ -47,7 +47,7 @@ for natural in "--q-over-fp 0.44444444444444442" "--c-over-b $c"; do
           printf "%.12g %.12g\n", g[FNR] * 1e4, $6 * 0.05 * b * 1e4 }' dimensional out >both
     close_rows "natural units, $natural" 2e-5 1e-8
 done
-same "edges in natural units" "-1 1" "$(awk -F, 'NR == 2 { print $1 } END { print $1 }' out | paste -s -d ' ' -)"
+same "edges in natural units" "-1 1" "$(by_name 'NR == 2 { print $x } END { print $x }' out | paste -s -d ' ' -)"
 
 # Where: a range, a list; outside there is nothing but stress. Hertz in full sliding: p = -sqrt(1 - x^2), sxx = p - 2 f x
 # and slip = -f x^2/2 inside, sxx = 2 f (|x| - sqrt(x^2 - 1)) outside.
@@ -110,11 +110,11 @@ zones="--E1 72100 --nu1 .33 --theta .05 --a .5 --f .3 --tolerance 1e-3 --load 10
 --load 139.27,0,-14.89,-114.33 --load 104.74,0,16.59,-144.07 --load 76.86,0,18.49,84.65"
 does profile $zones --points 2001
 same "several zones stick" "free slip stick slip stick slip free" "$(column zone out | uniq | paste -s -d ' ' -)"
-same "no place at the limit of friction sticks, and every place that slips is there" "0 0" "$(awk -F, '
+same "no place at the limit of friction sticks, and every place that slips is there" "0 0" "$(by_name '
     function size(v) { return v < 0 ? -v : v }
-    NR > 1 && $4 == "stick" && size($3) > 0.3 * size($2) * (1 - 1e-7) { stick++ }
-    NR > 1 && $4 == "slip" && size($3) < 0.3 * size($2) * (1 - 1e-3) { slip++ }
-    END { print stick + 0, slip + 0 }' out)"
+    NR > 1 && $zone == "stick" && size($q) > 0.3 * size($p) * (1 - 1e-7) { sticking++ }
+    NR > 1 && $zone == "slip" && size($q) < 0.3 * size($p) * (1 - 1e-3) { slipping++ }
+    END { print sticking + 0, slipping + 0 }' out)"
 same "profile says that several zones stick" 1 "$(grep -c "several zones stick" err)"
 run solve $zones
 same "solve says it" 1 "$(cat out err | grep -c "several zones stick")"

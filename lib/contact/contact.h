@@ -47,8 +47,8 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
     return memory->corners[corner].ratio - beyond;
 }
 
-/* The pressure at a place of a loaded contact, not the apex of the sharp wedge. */
-double rw_contact_pressure(const rwedge_contact *contact, double x);
+/* The pressure at a place of a contact, not the apex of the sharp wedge, in theta/A. */
+double rw_pressure_of(const rw_geometry *geometry, rw_patch patch, double x);
 
 /* From now on the slip stays known, if the contact allows errors, until it slides. Where it is not
  * known now it counts from here. RWEDGE_ENOMEM. */
@@ -81,6 +81,7 @@ void rw_add_traction(const rw_traction *traction, double f, int n, const double 
 /* Whether the point is in the domain, in units of the half-width too, and has a finite stress: the
  * apex of a loaded sharp wedge has none. */
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y);
+bool rw_has_stress(const rw_geometry *geometry, double half_width, double x, double y);
 
 /* The stresses of the fields and a bulk tension. */
 void rw_contact_stresses_from(const rwedge_contact *contact, double sigma, const rw_fields *normal,

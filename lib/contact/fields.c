@@ -5,15 +5,18 @@
 #include "traction/transform.h"
 #include "stress/stress.h"
 
-bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
+bool rw_has_stress(const rw_geometry *geometry, double b, double x, double y)
 {
     if (!rw_is_signed(x) || !rw_is_magnitude(y))
         return false;
-    const double b = rwedge_contact_half_width(contact);
     if (b == 0)
         return true;
-    return rw_is_signed(x / b) && rw_is_magnitude(y / b) &&
-           !(y == 0 && rw_is_kink(&contact->geometry, x));
+    return rw_is_signed(x / b) && rw_is_magnitude(y / b) && !(y == 0 && rw_is_kink(geometry, x));
+}
+
+bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y)
+{
+    return rw_has_stress(&contact->geometry, rwedge_contact_half_width(contact), x, y);
 }
 
 /* The shear that is no sum of patches but computed. */
@@ -24,7 +27,7 @@ static const rw_traction *shear_of(const rwedge_contact *contact)
 
 /* ---- Tractions ---- */
 
-static double patch_pressure(rw_patch patch, const rw_geometry *g, double x)
+double rw_pressure_of(const rw_geometry *g, rw_patch patch, double x)
 {
     if (!g->pad && rw_patch_middle(patch) == 0)
         return rw_patch_pressure(g->a, patch.right, x);
@@ -32,12 +35,6 @@ static double patch_pressure(rw_patch patch, const rw_geometry *g, double x)
     double pressure;
     rw_pad_pressures(&arcs, patch, 1, &x, &pressure);
     return 0 - pressure;
-}
-
-double rw_contact_pressure(const rwedge_contact *contact, double x)
-{
-    const rw_geometry *g = &contact->geometry;
-    return rw_unit_stress(g) * patch_pressure(rw_memory_end(&contact->memory)->patch, g, x);
 }
 
 int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
@@ -54,7 +51,7 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
         const double at = x[i];
         double shear = 0, pressure = 0;
         for (size_t j = 1; j < memory->count; j++) {
-            pressure = rw_unit_stress(g) * patch_pressure(memory->corners[j].patch, g, at);
+            pressure = rw_unit_stress(g) * rw_pressure_of(g, memory->corners[j].patch, at);
             shear += rw_patch_weight(memory, j) * pressure;
         }
         p[i] = pressure; /* the last patch is the contact */

@@ -1,32 +1,48 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The states that a contact goes through in a cycle of loads, and what happens to a place. */
+/* The states that a contact goes through in a cycle of loads, and what happens to a place. Of a
+ * state that is kept which the questions need: its shear, edges, and how slip goes on from the
+ * state before. */
 #ifndef RW_CYCLE_H
 #define RW_CYCLE_H
 
-#include "contact/contact.h"
+#include "contact/record.h"
+
+/* The slip of places that come into contact in a step, since they did, is known at so many. */
+enum { RW_RING = 6 };
+
+/* How far the surfaces have moved tangentially against each other, at a place x of a state, is
+ *     unit sum + slope x + shift
+ * with the sum of friction.c. It counts from the same for all states of a cycle; while the place is
+ * in contact it changes by slip alone. */
+typedef struct {
+    double slope, shift;
+} rw_displacement;
 
 typedef struct {
-    rwedge_contact *contact;
-    rw_loads loads;   /* that led here */
-    rw_patch patch;   /* of the contact; NaN when separated */
-    rw_patch stuck;   /* where nothing has slipped since the state before; none if computed */
-    bool is_load;     /* after a load; else on the way to one, where P or M changes */
-    bool is_computed; /* this state or the one before it */
+    rw_patch patch; /* of the contact; NaN when separated */
+    rw_patch stuck; /* where nothing has slipped since the state before; none if computed */
+    bool is_load;   /* after a load; else on the way to one, where P or M changes */
+    bool is_computed;
+    rw_patch *sticks; /* where a computed state sticks: `stick_count` patches, its own */
+    int stick_count;
+    double noise; /* the error of a computed slip: what sticks has not slipped so little */
+    rw_displacement displacement;
+    double ring[2][RW_RING]; /* at the left, right edge: slip since they touched (states.c) */
+    double leave[2];         /* slip at the edge since the state before, where it moves inwards */
 } rw_state;
 
-/* The states of a cycle. The first one is that before it. */
-typedef struct {
-    rw_state *states;
-    size_t count, loads;
-    double rounding; /* of an edge */
-    bool is_counted; /* slip counts from its first state, where it was not known */
-} rw_states;
-
-/* Stresses are of the states after the loads alone, slip is of those on the way too: a load that is
- * cut into parts ends in other bits. */
+/* The first state on the way is that before the cycle. */
 struct rwedge_cycle {
-    rw_states at_loads, on_the_way;
-    int32_t slip_status; /* RWEDGE_EPATH where the slip of a state has no closed form */
+    rwedge_contact *before;
+    rw_load_history loads; /* its arrays are the cycle's own, in one block */
+    rw_record at_loads;    /* what the loads leave */
+    rw_record on_the_way;  /* all states, for slip */
+    rw_state *states;
+    size_t count, capacity;
+    double rounding;      /* of an edge */
+    double least, most;   /* half-widths after loads; least: 0 where the bodies are apart once */
+    rw_patch never_slips; /* the widest such zone; without width where there is none */
+    int32_t slip_status;  /* RWEDGE_EPATH where the slip of a state has no closed form */
 };
 
 /* What friction does at a place of the surface. All 0 where there is no contact in the cycle. */
@@ -34,7 +50,17 @@ typedef struct {
     double slip_range, shear, energy; /* shear: the largest magnitude of q */
 } rw_slip_measures;
 
-rw_slip_measures rw_slip_measures_at(const rw_states *all, double x);
+/* false where memory is short. */
+bool rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_slip_measures *measures);
+
+/* The node k of a ring: the part of the way from its inner to its outer end. */
+static inline double rw_ring_node(int k)
+{
+    return (1 - cos(RW_PI * (2 * k + 1) / (2 * RW_RING))) / 2;
+}
+
+/* Whether a place has finite stresses after all loads. */
+bool rw_cycle_has_stress(const rwedge_cycle *cycle, double x, double y);
 
 /* The stresses after each load at n places, 3 loads n numbers: those of a load one after the other,
  * sxx of all loads first, then syy and txy. */
@@ -43,5 +69,18 @@ int32_t rw_cycle_stresses(const rwedge_cycle *cycle, size_t n, const double x[],
 
 /* The largest sxx after any load at the place i, from the stresses at n places. */
 double rw_largest_stress(const rwedge_cycle *cycle, size_t n, const double stress[], size_t i);
+
+/* The zones that never slip so far, as steps are added: stuck.c. */
+typedef struct {
+    rw_patch *all;
+    size_t count;
+} rw_stuck_zones;
+
+/* Begins with a contact. Leaves of them what a step leaves: where the patch sticks, or the zones of
+ * a computed state. false where memory is short. */
+bool rw_stuck_begin(rw_stuck_zones *zones, const rwedge_contact *contact);
+bool rw_stuck_go_on(rw_stuck_zones *zones, const rwedge_contact *after, rw_patch stuck,
+                    double rounding);
+rw_patch rw_stuck_widest(const rw_stuck_zones *zones);
 
 #endif

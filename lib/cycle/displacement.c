@@ -12,6 +12,9 @@
 #include "cycle/cycle.h"
 #include "traction/transform.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 /* int P(s)/s ds from 0 to s, in theta/A. */
 static double load_integral(double a, double s)
 {
@@ -108,27 +111,21 @@ double rwedge_contact_displacement(const rwedge_contact *contact, double b)
                                                                       : centred(contact, b);
 }
 
-/* After each load; whether all are known. Nothing is written where there is no place for it. */
-static bool displacements(const rw_states *all, double b, double displacement[])
+/* Goes through the loads once more. */
+static int32_t displacements(const rwedge_cycle *cycle, rwedge_contact *going, double b,
+                             double displacement[])
 {
-    bool are_known = true;
-    for (size_t i = 0, load = 0; i < all->count; i++) {
-        if (!all->states[i].is_load)
-            continue;
-        const double value = rwedge_contact_displacement(all->states[i].contact, b);
-        are_known = are_known && !isnan(value);
-        if (displacement)
-            displacement[load++] = value;
+    int32_t status = rw_contact_follow_slip(going);
+    for (size_t i = 0; i < cycle->loads.count && status == RWEDGE_OK; i++) {
+        const rw_loads to = rw_loads_at(&cycle->loads, i);
+        status = rwedge_contact_apply(going, to.P, to.M, to.Q, to.sigma);
+        if (status == RWEDGE_OK && going->phase == RW_APART)
+            status = RWEDGE_EABSENT;
+        displacement[i] = rwedge_contact_displacement(going, b);
+        if (status == RWEDGE_OK && isnan(displacement[i]))
+            status = RWEDGE_EPATH;
     }
-    return are_known;
-}
-
-static bool are_together(const rw_states *all)
-{
-    bool are = true;
-    for (size_t i = 0; i < all->count; i++)
-        are = are && !(all->states[i].is_load && isnan(all->states[i].patch.left));
-    return are;
+    return status;
 }
 
 int32_t rwedge_cycle_displacement(const rwedge_cycle *cycle, size_t loads, double b,
@@ -138,15 +135,18 @@ int32_t rwedge_cycle_displacement(const rwedge_cycle *cycle, size_t loads, doubl
         return RWEDGE_ENULL;
     if (!rw_is_positive(b))
         return RWEDGE_EDOMAIN;
-    const rw_states *all = &cycle->on_the_way;
-    if (loads != all->loads)
+    if (loads != cycle->loads.count)
         return RWEDGE_ERANGE;
     if (cycle->slip_status != RWEDGE_OK)
         return cycle->slip_status;
-    if (!are_together(all))
-        return RWEDGE_EABSENT;
-    if (!displacements(all, b, NULL))
-        return RWEDGE_EPATH;
-    displacements(all, b, displacement);
-    return RWEDGE_OK;
+    rwedge_contact *going = NULL;
+    double *found = malloc(loads * sizeof *found);
+    int32_t status = found ? rwedge_contact_copy(cycle->before, &going) : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK)
+        status = displacements(cycle, going, b, found);
+    if (status == RWEDGE_OK)
+        memcpy(displacement, found, loads * sizeof *found);
+    rwedge_contact_destroy(going);
+    free(found);
+    return status;
 }

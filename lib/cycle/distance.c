@@ -47,10 +47,10 @@ static int32_t means(const rwedge_cycle *cycle, int level, const ray *line, doub
     nodes at;
     if (!make_nodes(level, line, &at))
         return RWEDGE_ENOMEM;
-    double *stress = malloc(3 * cycle->at_loads.loads * at.count * sizeof *stress);
+    double *stress = malloc(3 * cycle->loads.count * at.count * sizeof *stress);
     const int32_t status =
         stress ? rw_cycle_stresses(cycle, at.count, at.x, at.y, stress) : RWEDGE_ENOMEM;
-    for (size_t row = 0; row < 3 * cycle->at_loads.loads && status == RWEDGE_OK; row++) {
+    for (size_t row = 0; row < 3 * cycle->loads.count && status == RWEDGE_OK; row++) {
         mean[row] = 0;
         for (size_t i = 0; i < at.count; i++)
             mean[row] += at.weight[i] * stress[row * at.count + i];
@@ -72,7 +72,7 @@ static bool are_settled(size_t n, const double before[], const double mean[])
 
 static int32_t settled_means(const rwedge_cycle *cycle, const ray *line, double mean[])
 {
-    const size_t n = 3 * cycle->at_loads.loads;
+    const size_t n = 3 * cycle->loads.count;
     double *before = malloc(n * sizeof *before);
     int32_t status = before ? means(cycle, FIRST_LEVEL, line, mean) : RWEDGE_ENOMEM;
     for (int level = FIRST_LEVEL + 1; status == RWEDGE_OK; level++) {
@@ -107,7 +107,7 @@ int32_t rwedge_cycle_below(const rwedge_cycle *cycle, size_t loads, double x, do
     if (!rw_is_signed(x) || !islessequal(fabs(angle), 1.5) || !rw_is_positive(length) || line < 0 ||
         line > 1)
         return RWEDGE_EDOMAIN;
-    if (loads != cycle->at_loads.loads || loads > SIZE_MAX / 3 / sizeof *sxx)
+    if (loads != cycle->loads.count || loads > SIZE_MAX / 3 / sizeof *sxx)
         return RWEDGE_ERANGE;
     double *stress = malloc(3 * loads * sizeof *stress);
     if (!stress)

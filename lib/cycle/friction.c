@@ -1,20 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Slip, shear and energy of a place, from state to state. Slip is counted from when the place came
- * into contact. A place that the contact leaves and meets again has several stays in the cycle. The
- * last stay continues as the first one of the next cycle. Any other stay begins with the slip at
- * the end of the stay before it: so a place beside an edge slips as much as a place that the edge
- * does not pass. */
+/* Slip, shear and energy of a place, from state to state. Slip is the displacement of the surfaces
+ * against each other, counted from when the place came into contact first. Where the contact leaves
+ * it and comes back, slip goes on from the displacement at the moment when they meet again. */
 #include "cycle/cycle.h"
 
+#include "history/gap.h"
+#include "traction/transform.h"
+
+#include <stdlib.h>
+
+/* The sums over the first pieces of a state, of the displacement and of the shear over f. */
 typedef struct {
-    const rw_states *all;
-    double x, inside; /* the place; inside: moved off the edges of the states */
+    double displacement, shear;
+    rw_patch patch;
+} level;
+
+typedef struct {
+    const rwedge_cycle *cycle;
+    double x, inside;    /* the place; inside: moved off the edges of the states */
+    level *levels;       /* levels[0] is for no piece */
+    size_t top;          /* of the present state */
+    const rw_piece *own; /* those of the next state */
     bool touches;
-    double slip, limit;     /* of the last state in which it slipped: slip; f |p| */
-    size_t limit_at;        /* the state of that limit */
-    double least, most;     /* slip of the present stay */
-    double offset;          /* the slip that the stay begins with */
-    double lowest, highest; /* of all stays that have ended */
+    double slip, limit; /* of the last state in which it slipped: displacement; f |p| */
+    size_t limit_at;    /* the state of that limit */
+    double least, most; /* displacement while in contact */
     double shear, energy;
 } place;
 
@@ -23,12 +33,12 @@ static const double MARGIN = 4;
 
 /* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an
  * edge, and the place must be on the same side of it in all states. */
-static double off_the_edges(const rw_states *all, double x)
+static double off_the_edges(const rwedge_cycle *cycle, double x)
 {
-    const double margin = MARGIN * all->rounding;
+    const double margin = MARGIN * cycle->rounding;
     double left = -HUGE_VAL, right = HUGE_VAL;
-    for (size_t i = 0; i < all->count; i++) {
-        const rw_patch patch = all->states[i].patch;
+    for (size_t i = 0; i < cycle->count; i++) {
+        const rw_patch patch = cycle->states[i].patch;
         if (islessequal(fabs(patch.left - x), margin))
             left = fmax(left, patch.left);
         if (islessequal(fabs(patch.right - x), margin))
@@ -48,60 +58,67 @@ static double clamped(double x, rw_patch patch)
     return fmin(fmax(x, patch.left), patch.right);
 }
 
-/* NaN outside the contact. */
-static double slip_at(const rw_states *all, size_t state, double x)
+/* ---- A state ---- */
+
+static double pressure_of(const place *at, rw_patch patch)
 {
-    const rw_state *now = &all->states[state];
-    double slip = NAN;
-    if (is_in(now, all->rounding, x)) {
-        const double inside = clamped(x, now->patch);
-        rwedge_contact_slip(now->contact, 1, &inside, &slip);
-    }
-    return slip;
+    const double x = clamped(at->x, patch);
+    return fabs(x - at->x) <= at->cycle->rounding
+               ? rw_pressure_of(&at->cycle->before->geometry, patch, x)
+               : 0;
+}
+
+static void add_piece(place *at, size_t to, const rw_piece *piece)
+{
+    const rw_geometry *g = &at->cycle->before->geometry;
+    const rw_patch patch = piece->patch;
+    const double gap = rw_patch_has(patch, at->inside) ? 0 : rw_patch_gap(g, patch, at->inside);
+    const level *below = &at->levels[to - 1];
+    at->levels[to] = (level){below->displacement + piece->weight * (gap - rw_height(g, at->inside)),
+                             below->shear + piece->weight * pressure_of(at, patch), patch};
+}
+
+static void follow(place *at, size_t state)
+{
+    const rw_entry *entry = &at->cycle->on_the_way.entries[state];
+    for (size_t i = 0; i < entry->own; i++)
+        add_piece(at, entry->kept + i + 1, &at->own[i]);
+    at->own += entry->own;
+    at->top = entry->kept + entry->own;
+}
+
+static double displacement_at(const place *at, size_t state)
+{
+    const rwedge_contact *c = at->cycle->before;
+    const rw_state *now = &at->cycle->states[state];
+    const double sum =
+        now->is_computed
+            ? rw_traction_displacement(&at->cycle->on_the_way.entries[state].shear, at->inside)
+            : c->f * at->levels[at->top].displacement;
+    return c->geometry.theta * sum + now->displacement.slope * at->inside + now->displacement.shift;
 }
 
 /* f |p|. */
 static double limit_at(const place *at, size_t state)
 {
-    const rw_state *now = &at->all->states[state];
-    return now->contact->f * fabs(rw_contact_pressure(now->contact, clamped(at->x, now->patch)));
+    const rwedge_contact *c = at->cycle->before;
+    const rw_patch patch = at->cycle->states[state].patch;
+    return c->f * rw_unit_stress(&c->geometry) *
+           fabs(rw_pressure_of(&c->geometry, patch, clamped(at->x, patch)));
 }
 
-static double shear_at(const place *at, const rw_state *now)
+static double shear_at(const place *at, size_t state)
 {
-    const double x = clamped(at->x, now->patch);
-    double p, q = 0;
-    rwedge_contact_tractions(now->contact, 1, &x, &p, &q);
-    return fabs(q);
+    const rwedge_contact *c = at->cycle->before;
+    const rw_state *now = &at->cycle->states[state];
+    const double shear = now->is_computed
+                             ? rw_traction_at(&at->cycle->on_the_way.entries[state].shear,
+                                              clamped(at->x, now->patch))
+                             : c->f * at->levels[at->top].shear;
+    return rw_unit_stress(&c->geometry) * fabs(shear);
 }
 
-/* Where a place slips, its shear is f |p| all the way from one state to the next; p is taken to
- * change in proportion to the slip. */
-static void slip_to(place *at, double slip, double limit)
-{
-    at->energy += (at->limit + limit) / 2 * fabs(slip - at->slip);
-    at->most = fmax(at->most, slip);
-    at->least = fmin(at->least, slip);
-    at->slip = slip;
-    at->limit = limit;
-}
-
-/* ---- Stays ---- */
-
-static void touch(place *at, size_t state)
-{
-    at->touches = true;
-    at->slip = at->limit = at->least = at->most = 0;
-    at->limit_at = state;
-}
-
-static void end_stay(place *at)
-{
-    at->lowest = fmin(at->lowest, at->offset + at->least);
-    at->highest = fmax(at->highest, at->offset + at->most);
-    at->offset += at->slip;
-    at->touches = false;
-}
+/* ---- From state to state ---- */
 
 static void refresh_limit(place *at, size_t state)
 {
@@ -109,80 +126,126 @@ static void refresh_limit(place *at, size_t state)
         at->limit = limit_at(at, state);
 }
 
-/* The place slips until the edge passes it. Its slip is interpolated: the change of slip is known
- * at the edge's new position, and 0 at its old one. The change is interpolated, not the slip
- * itself, which jumps at the border of the places that the contact has never left. */
-static void leave(place *at, size_t to)
+static void be_at(place *at, double slip)
 {
-    const rw_states *all = at->all;
-    const rw_patch before = all->states[to - 1].patch, after = all->states[to].patch;
-    const bool is_left = at->inside < after.left;
-    const double start = is_left ? before.left : before.right;
-    const double end = is_left ? after.left : after.right;
-    const double margin = MARGIN * all->rounding, near = is_left ? end + margin : end - margin;
-    const double change = slip_at(all, to, near) - slip_at(all, to - 1, near);
-    refresh_limit(at, to - 1);
-    if (!isnan(change)) /* part of the contact is where some of it was */
-        slip_to(at, at->slip + change * (at->inside - start) / (end - start), 0);
-    end_stay(at);
+    at->most = fmax(at->most, slip);
+    at->least = fmin(at->least, slip);
+    at->slip = slip;
 }
 
-/* ---- From state to state ---- */
+/* Where a place slips, its shear is f |p| all the way from one state to the next; p is taken to
+ * change in proportion to the slip. Next to an edge, where it is 0, it is like a root of that. */
+static void slip_to(place *at, double slip, double limit)
+{
+    const bool has_edge = at->limit == 0 || limit == 0;
+    at->energy += (at->limit + limit) * (has_edge ? 2.0 / 3 : 0.5) * fabs(slip - at->slip);
+    at->limit = limit;
+    be_at(at, slip);
+}
+
+/* The slip of a place since it came into contact in the step to a state: of the polynomial through
+ * the nodes of its ring. */
+static double slip_since_touch(const place *at, size_t state)
+{
+    const rw_state *states = at->cycle->states, *now = &states[state];
+    const rw_patch old = state > 0 ? states[state - 1].patch : now->patch;
+    const bool is_new =
+        isnan(old.left) || !(fmax(old.left, now->patch.left) < fmin(old.right, now->patch.right));
+    const double middle = rw_patch_middle(now->patch);
+    const int side = at->inside < (is_new ? middle : old.left) ? 0 : 1;
+    const double inner = is_new ? middle : side == 0 ? old.left : old.right;
+    const double outer = side == 0 ? now->patch.left : now->patch.right;
+    const double part = (at->inside - inner) / (outer - inner);
+    double sum = 0;
+    for (int i = 0; i < RW_RING; i++) {
+        double weight = 1;
+        for (int k = 0; k < RW_RING; k++)
+            weight *= k == i ? 1 : (part - rw_ring_node(k)) / (rw_ring_node(i) - rw_ring_node(k));
+        sum += weight * now->ring[side][i];
+    }
+    return sum;
+}
+
+/* Whether a place has stuck since it slipped last: in closed form as the step tells, in a computed
+ * state where it sticks and has moved by no more than the error. */
+static bool has_stuck(const place *at, const rw_state *now, double slip)
+{
+    bool sticks = at->inside >= now->stuck.left && at->inside <= now->stuck.right;
+    for (int i = 0; i < now->stick_count && !sticks; i++)
+        sticks = at->inside >= now->sticks[i].left && at->inside <= now->sticks[i].right &&
+                 fabs(slip - at->slip) <= now->noise;
+    return sticks;
+}
 
 /* A place that slips at the end of a step has the shear f |p|. A place that sticks has its largest
  * shear after a load. */
 static void go_to(place *at, size_t to)
 {
-    const rw_state *now = &at->all->states[to];
+    const rw_state *now = &at->cycle->states[to];
     const bool is_new = !at->touches;
-    if (is_new)
-        touch(at, to);
-    if (is_new || at->inside < now->stuck.left || at->inside > now->stuck.right) {
-        refresh_limit(at, to - 1);
-        slip_to(at, slip_at(at->all, to, at->inside), limit_at(at, to));
+    const bool rests = !is_new && at->inside >= now->stuck.left && at->inside <= now->stuck.right;
+    const double slip = rests ? at->slip : displacement_at(at, to);
+    if (is_new || !has_stuck(at, now, slip)) {
+        refresh_limit(at, is_new ? to : to - 1);
+        if (is_new) {
+            be_at(at, slip - slip_since_touch(at, to));
+            at->limit = 0;
+        }
+        slip_to(at, slip, limit_at(at, to));
+        at->shear = fmax(at->shear, now->is_load ? 0 : shear_at(at, to));
         at->limit_at = to;
-        at->shear = fmax(at->shear, now->is_load ? 0 : shear_at(at, now));
     }
+    at->touches = true;
     if (now->is_load)
-        at->shear = fmax(at->shear, shear_at(at, now));
+        at->shear = fmax(at->shear, shear_at(at, to));
+}
+
+/* The place slips until the edge passes it. Its slip is interpolated: the change of slip is known
+ * at the edge's new position, and 0 at its old one. */
+static void leave(place *at, size_t to)
+{
+    const rw_state *now = &at->cycle->states[to];
+    const rw_patch before = now[-1].patch, after = now->patch;
+    const int side = at->inside < after.left ? 0 : 1;
+    const double start = side == 0 ? before.left : before.right;
+    const double end = side == 0 ? after.left : after.right;
+    const bool overlaps = fmax(before.left, after.left) < fmin(before.right, after.right);
+    refresh_limit(at, to - 1);
+    if (overlaps)
+        slip_to(at, at->slip + now->leave[side] * (at->inside - start) / (end - start), 0);
+    at->touches = false;
 }
 
 /* Slip before the cycle adds nothing to the energy of the cycle. */
-static void begin(place *at, double before)
+static void begin(place *at)
 {
-    const rw_state *first = at->all->states;
-    if (!is_in(first, at->all->rounding, at->inside))
+    if (!is_in(at->cycle->states, at->cycle->rounding, at->inside))
         return;
-    touch(at, 0);
-    at->offset = before;
-    at->slip = at->least = at->most = slip_at(at->all, 0, at->inside);
+    at->touches = true;
+    be_at(at, displacement_at(at, 0));
     at->limit = limit_at(at, 0);
-    at->shear = shear_at(at, first);
+    at->shear = shear_at(at, 0);
 }
 
-/* Goes through the cycle. `before` is the slip of the present stay that the cycle does not know. */
-static place go_through(const rw_states *all, double x, double before)
+bool rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_slip_measures *measures)
 {
-    place at = {.all = all, .x = x, .lowest = HUGE_VAL, .highest = -HUGE_VAL};
-    at.inside = off_the_edges(all, x);
-    begin(&at, before);
-    const bool began = at.touches;
-    for (size_t i = 1; i < all->count; i++)
-        if (is_in(&all->states[i], all->rounding, at.inside))
+    place at = {.cycle = cycle, .x = x, .own = cycle->on_the_way.own.all};
+    at.levels = calloc(cycle->on_the_way.most + 1, sizeof *at.levels);
+    if (!at.levels)
+        return false;
+    at.least = HUGE_VAL;
+    at.most = -HUGE_VAL;
+    at.inside = off_the_edges(cycle, x);
+    for (size_t i = 0; i < cycle->count; i++) {
+        follow(&at, i);
+        if (i == 0)
+            begin(&at);
+        else if (is_in(&cycle->states[i], cycle->rounding, at.inside))
             go_to(&at, i);
         else if (at.touches)
             leave(&at, i);
-    if (at.touches) {
-        at.offset = began ? 0 : at.offset;
-        end_stay(&at);
     }
-    return at;
-}
-
-rw_slip_measures rw_slip_measures_at(const rw_states *all, double x)
-{
-    place at = go_through(all, x, 0);
-    if (all->is_counted) /* it is taken for the slip that the last stay ends with */
-        at = go_through(all, x, at.slip);
-    return (rw_slip_measures){fmax(at.highest - at.lowest, 0), at.shear, at.energy};
+    free(at.levels);
+    *measures = (rw_slip_measures){fmax(at.most - at.least, 0), at.shear, at.energy};
+    return true;
 }

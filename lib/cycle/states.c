@@ -1,41 +1,136 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How a contact goes through the loads of a cycle. Where P or M changes, states on the way to a
+ * load are noted too: a copy of the contact goes there in parts. Loads in whose closed form the
+ * slip is not known are computed by a second contact, which goes on beside the first one. */
 #include "cycle/cycle.h"
 
-#include <stdlib.h>
+#include "base/array.h"
+#include "history/gap.h"
+#include "traction/transform.h"
 
-/* A step in which P or M changes is cut into PARTS, and where an edge of the contact turns: places
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The displacement of a state ---- */
+
+/* Of a computed state; without its shift. */
+static double computed_displacement(const rwedge_contact *c, double x)
+{
+    const rw_numerical_state *now = &c->computed.now->now;
+    return c->geometry.theta *
+           (rw_traction_displacement(&now->shear.traction, x) + now->at.stretch * x - now->move);
+}
+
+/* What the zones of a computed state that stick have moved. */
+static double move_of(const rwedge_contact *c)
+{
+    return c->phase == RW_COMPUTED ? c->geometry.theta * c->computed.now->now.move : 0;
+}
+
+/* The sum over the patches is of their gap less the height of the profile; where all has stuck
+ * since the bodies touched, what is left is linear. */
+static double slope_of(const rwedge_contact *c)
+{
+    const rw_memory *path = &c->memory;
+    const double unit = c->f * c->geometry.theta;
+    if (c->phase == RW_COMPUTED)
+        return c->geometry.theta * c->computed.now->now.at.stretch;
+    const double ratio = path->count > 1 ? path->corners[1].ratio : 0;
+    return unit * (ratio * path->corners[0].tilt - path->corners[0].stretch);
+}
+
+static double closed_displacement(const rwedge_contact *c, double x)
+{
+    double sum = 0;
+    for (size_t i = 1; i < c->memory.count; i++) {
+        const rw_patch patch = c->memory.corners[i].patch;
+        const double gap = rw_patch_has(patch, x) ? 0 : rw_patch_gap(&c->geometry, patch, x);
+        sum += rw_patch_weight(&c->memory, i) * (gap - rw_height(&c->geometry, x));
+    }
+    return c->f * c->geometry.theta * sum + slope_of(c) * x;
+}
+
+static double displacement_of(const rwedge_contact *c, double x)
+{
+    return c->phase == RW_COMPUTED ? computed_displacement(c, x) : closed_displacement(c, x);
+}
+
+/* The slip of a place in contact. */
+static double slip_at(const rwedge_contact *c, double x)
+{
+    double slip = 0;
+    rwedge_contact_slip(c, 1, &x, &slip);
+    return slip;
+}
+
+/* A place of both patches, or of the second alone. */
+static double place_in(rw_patch before, rw_patch after)
+{
+    const double left = fmax(before.left, after.left), right = fmin(before.right, after.right);
+    return left < right ? (left + right) / 2 : rw_patch_middle(after);
+}
+
+/* By how much the shift changes from a state to the next one: displacement and slip of a place that
+ * stays in contact change alike; one that comes anew has slipped since it did. What separates meets
+ * again where it was. */
+static double shift_between(const rwedge_contact *before, const rwedge_contact *after, rw_patch old,
+                            rw_patch now)
+{
+    const bool is_apart = isnan(now.left);
+    const double x = is_apart ? rw_patch_middle(old) : place_in(old, now);
+    const bool stays = !is_apart && rw_patch_has(old, x);
+    if (is_apart && isnan(old.left))
+        return 0;
+    if (stays && before->phase == RW_COMPUTED && after->phase == RW_COMPUTED)
+        return after->geometry.theta * (rw_traction_at(&after->computed.now->origin, x) -
+                                        rw_traction_at(&before->computed.now->origin, x));
+    return (is_apart ? 0 : slip_at(after, x)) - (stays ? slip_at(before, x) : 0) -
+           (displacement_of(after, x) - displacement_of(before, x));
+}
+
+/* The inner and the outer end of what the contact has gained, or lost, at an edge. */
+static rw_patch ring_of(rw_patch old, rw_patch now, int side)
+{
+    const bool is_new = isnan(old.left) || !(fmax(old.left, now.left) < fmin(old.right, now.right));
+    const double middle = rw_patch_middle(now);
+    return side == 0 ? (rw_patch){is_new ? middle : old.left, now.left}
+                     : (rw_patch){is_new ? middle : old.right, now.right};
+}
+
+/* ---- Steps ---- */
+
+/* A step in which P or M changes is cut into parts, and where an edge of the contact turns: places
  * that it leaves and meets again slip anew. Where the step ends in separation no edge turns, and
  * its last part is halved again and again, because the contact shrinks to nothing. */
-enum { PARTS = 32, HALVINGS = 10, STATES_A_STEP = PARTS + HALVINGS };
+enum { PARTS = 32, HALVINGS = 10, MOST_PARTS = 128, MOST_COMPUTED = 48 };
 
 static double share_of(int part, int parts)
 {
     return part < parts ? (double)part / parts : 1 - ldexp(1.0 / parts, parts - 1 - part);
 }
 
-/* Each part costs a computed shear a step. So no part changes P, or M over the half-width, by less
- * than this part of P: a measured log has such noise in every load. */
-static const double LEAST_CHANGE = 0.01;
+/* In a part an edge moves by at most this, over the half-width: a measured log has such noise in
+ * every load. */
+static const double FINE = 0.003, COARSE = 0.005;
 
-static int parts_of(const rw_state *from, rw_loads to)
+static int parts_of(const rwedge_contact *from, rw_patch old, rw_patch now)
 {
-    if (!from->contact->computed.now || to.P == 0)
+    if (isnan(now.left) || isnan(old.left))
         return PARTS;
-    const rw_loads old = from->contact->loads;
-    const double half = rw_patch_half_width(from->patch);
-    const double least = LEAST_CHANGE * old.P, most = PARTS * least;
-    const double change =
-        fmin(fabs(to.P - old.P), most) + fmin(fabs(to.M - old.M), most * half) / half;
-    return (int)fmin(PARTS, ceil(change / least));
+    const bool is_computed = from->phase == RW_COMPUTED;
+    const double moved = fmax(fabs(now.left - old.left), fabs(now.right - old.right)) /
+                         fmax(rw_patch_half_width(now), rw_patch_half_width(old));
+    const double parts = ceil(moved / (is_computed ? COARSE : FINE));
+    return (int)fmax(1, fmin(parts, is_computed ? MOST_COMPUTED : MOST_PARTS));
 }
 
 /* The patch in which a straight step slips nowhere: where the paths before and after it part. That
  * is the last corner that both have in common, or a corner beyond at which one of them leaves the
- * segment that both begin with. */
+ * segment that both begin with. Not known of a computed step. */
 static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact *after)
 {
-    if (before->computed.now || after->computed.now)
-        return (rw_patch){HUGE_VAL, -HUGE_VAL}; /* not known of any place */
+    if (before->phase == RW_COMPUTED || after->phase == RW_COMPUTED)
+        return (rw_patch){HUGE_VAL, -HUGE_VAL};
     const rw_memory *path = &after->memory, *old = &before->memory;
     const rw_path old_path = rw_memory_path(old);
     const size_t common = rw_memory_common(path, &old_path);
@@ -47,121 +142,250 @@ static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact
     return next->load < next_of_old->load ? next->patch : next_of_old->patch;
 }
 
-/* Adds the state after a step from the last one. */
-static int32_t add_state(rw_states *all, rw_loads to)
+static rw_patch patch_of(const rwedge_contact *c)
 {
-    const rwedge_contact *before = all->states[all->count - 1].contact;
-    rw_state *next = &all->states[all->count];
-    int32_t status = rwedge_contact_copy(before, &next->contact);
-    if (status != RWEDGE_OK)
-        return status;
-    all->count++; /* to be destroyed */
-    status = rwedge_contact_apply(next->contact, to.P, to.M, to.Q, to.sigma);
-    if (status != RWEDGE_OK)
-        return status;
-    const rw_memory *path = &next->contact->memory;
-    next->patch = path->count > 1 ? rw_memory_end(path)->patch : (rw_patch){NAN, NAN};
-    next->stuck = stuck_between(before, next->contact);
-    next->is_computed = before->phase == RW_COMPUTED || next->contact->phase == RW_COMPUTED;
-    next->loads = to;
-    next->is_load = false;
+    return c->memory.count > 1 ? rw_memory_end(&c->memory)->patch : (rw_patch){NAN, NAN};
+}
+
+/* ---- Notes ---- */
+
+static const double ROUNDING = 1e-12; /* of an edge, in widths of the contact */
+
+static rw_state *next_state(rwedge_cycle *cycle)
+{
+    rw_state *states = rw_grown(cycle->states, cycle->count, &cycle->capacity, 1, sizeof *states);
+    if (!states)
+        return NULL;
+    cycle->states = states;
+    return &states[cycle->count];
+}
+
+/* What happens at the edges in the step. */
+static void note_edges(rw_state *next, const rwedge_contact *before, const rwedge_contact *after,
+                       rw_patch old)
+{
+    for (int side = 0; side < 2; side++) {
+        const rw_patch ring = ring_of(old, next->patch, side);
+        const bool grows = rw_patch_has(next->patch, ring.left) && ring.left != ring.right;
+        const bool shrinks = rw_patch_has(old, ring.right) && ring.left != ring.right;
+        for (int k = 0; k < RW_RING && grows; k++)
+            next->ring[side][k] =
+                slip_at(after, ring.left + (ring.right - ring.left) * rw_ring_node(k));
+        if (shrinks && !grows)
+            next->leave[side] = slip_at(after, ring.right) - slip_at(before, ring.right);
+    }
+}
+
+/* The error of a computed slip, over the tolerance, the mean pressure and the compliance. */
+static const double NOISE = 0.5;
+
+/* Where a computed state sticks. */
+static bool note_sticks(rw_state *next, const rwedge_contact *after)
+{
+    const rw_zones zones = rw_contact_zones(after);
+    next->noise = NOISE * after->tolerance * after->f * after->geometry.A * after->loads.P;
+    next->sticks = malloc(RW_MOST_ZONES * sizeof *next->sticks);
+    for (int i = 0; next->sticks && i < zones.count; i++)
+        if (zones.zone[i].label == 0)
+            next->sticks[next->stick_count++] = (rw_patch){zones.zone[i].left, zones.zone[i].right};
+    return next->sticks != NULL;
+}
+
+/* Notes a state for slip; `lender` as in rw_record_add(). */
+static int32_t note(rwedge_cycle *cycle, const rwedge_contact *before, const rwedge_contact *after,
+                    const rw_entry *lender)
+{
+    rw_state *next = next_state(cycle);
+    if (!next || !rw_record_add(&cycle->on_the_way, after, lender))
+        return RWEDGE_ENOMEM;
+    *next = (rw_state){.patch = patch_of(after), .is_computed = after->phase == RW_COMPUTED};
+    cycle->count++;
+    if (next->is_computed && !note_sticks(next, after))
+        return RWEDGE_ENOMEM;
+    if (!isnan(next->patch.left))
+        cycle->rounding = fmax(cycle->rounding, ROUNDING * (next->patch.right - next->patch.left));
+    next->displacement.slope = slope_of(after);
+    if (!before)
+        return RWEDGE_OK;
+    next->stuck = stuck_between(before, after);
+    const rw_patch old = patch_of(before);
+    next->displacement.shift = next[-1].displacement.shift + move_of(before) +
+                               shift_between(before, after, old, next->patch) - move_of(after);
+    if (!isnan(next->patch.left))
+        note_edges(next, before, after, old);
     return RWEDGE_OK;
 }
 
-static void drop_states(rw_states *all, size_t count)
+/* ---- The way ---- */
+
+static rw_turns turns_of(const rwedge_contact *from, rw_patch old, rw_patch now)
 {
-    while (all->count > count)
-        rwedge_contact_destroy(all->states[--all->count].contact);
+    const rw_arcs arcs = rw_arcs_of(&from->geometry);
+    return isnan(old.left) || isnan(now.left) ? (rw_turns){{1, 1}} : rw_arcs_turns(&arcs, old, now);
 }
 
-static rw_turns turns_of(const rw_state *from, rw_loads to)
+/* Goes on, and notes the state. */
+static int32_t go_part(rwedge_cycle *cycle, rwedge_contact *going, rw_loads to)
 {
-    const rw_arcs arcs = rw_arcs_of(&from->contact->geometry);
-    const rw_patch after = rw_contact_patch_under(from->contact, to);
-    return from->contact->loads.P > 0 && !isnan(after.left)
-               ? rw_arcs_turns(&arcs, from->patch, after)
-               : (rw_turns){{1, 1}};
+    rwedge_contact *before;
+    int32_t status = rwedge_contact_copy(going, &before);
+    if (status != RWEDGE_OK)
+        return status;
+    status = rwedge_contact_apply(going, to.P, to.M, to.Q, to.sigma);
+    if (status == RWEDGE_OK && !rw_contact_knows_slip(going))
+        status = RWEDGE_EPATH;
+    if (status == RWEDGE_OK)
+        status = note(cycle, before, going, NULL);
+    rwedge_contact_destroy(before);
+    return status;
 }
 
-/* Adds the states on the way to a load. Where one of them has no closed form, none is added: the
- * step as a whole has one. On the way to separation the slip is then not known, RWEDGE_EPATH. */
-static int32_t add_parts(rw_states *all, rw_loads to)
+/* Goes along the way to a load, but not to the load itself, and notes the states. It ends where one
+ * of them has no closed form: the step as a whole has one. On the way to separation the slip is
+ * then not known, RWEDGE_EPATH. */
+static int32_t go_parts(rwedge_cycle *cycle, rwedge_contact *going, rw_loads to)
 {
-    const size_t count = all->count;
-    const rw_loads from = all->states[count - 1].contact->loads;
+    const rw_loads from = going->loads;
+    const rw_patch old = patch_of(going), now = rw_contact_patch_under(going, to);
     int32_t status = RWEDGE_OK;
     if (from.P == to.P && from.M == to.M)
         return status;
-    const int parts = parts_of(&all->states[count - 1], to);
-    const int end = to.P == 0 ? STATES_A_STEP : parts;
-    const rw_turns turns = turns_of(&all->states[count - 1], to);
+    const int parts = parts_of(going, old, now), end = to.P == 0 ? parts + HALVINGS : parts;
+    const rw_turns turns = turns_of(going, old, now);
     double done = 0;
     for (int i = 1; done < 1 && status == RWEDGE_OK;) {
         const double share = i < end ? share_of(i, parts) : 1;
         done = rw_stop_before(&turns, done, share);
         i += done == share;
         if (done < 1)
-            status = add_state(all, rw_loads_between(from, to, done));
+            status = go_part(cycle, going, rw_loads_between(from, to, done));
     }
-    if (status == RWEDGE_OK || status == RWEDGE_ENOMEM)
-        return status;
-    drop_states(all, count);
-    return to.P == 0 ? RWEDGE_EPATH : RWEDGE_OK;
+    return status == RWEDGE_OK || status == RWEDGE_ENOMEM ? status
+           : to.P == 0                                    ? RWEDGE_EPATH
+                                                          : RWEDGE_OK;
 }
 
-static int32_t go_through(const rw_load_history *loads, bool is_cut, rw_states *all)
+/* ---- Loads ---- */
+
+/* The contact, a copy that goes ahead to each load in parts, and the one that goes on where the
+ * contact does not know its slip: NULL where there is none. */
+typedef struct {
+    rwedge_contact *contact, *ahead, *follower;
+    rw_stuck_zones stuck;
+} walk;
+
+/* What the whole step leaves stuck has stuck in its parts too. */
+static void stick_in_parts(rwedge_cycle *cycle, size_t from, rw_patch stuck)
 {
-    int32_t status = RWEDGE_OK;
-    for (size_t i = 0; i < loads->count && status == RWEDGE_OK; i++) {
-        const rw_loads to = rw_loads_at(loads, i);
-        if (is_cut)
-            status = add_parts(all, to);
-        if (status == RWEDGE_OK)
-            status = add_state(all, to);
-        all->states[all->count - 1].is_load = true;
+    for (size_t i = from; i < cycle->count; i++) {
+        rw_patch *own = &cycle->states[i].stuck;
+        if (stuck.right - stuck.left > own->right - own->left && !cycle->states[i].is_computed)
+            *own = stuck;
     }
-    for (size_t i = 0; i < all->count && status == RWEDGE_OK && is_cut; i++)
-        status = rwedge_contact_slip(all->states[i].contact, 0, NULL, NULL);
-    return status;
 }
 
-/* ---- All ---- */
-
-static const double ROUNDING = 1e-12; /* of an edge, in widths of the contact */
-
-/* What is made so far is to be destroyed after an error too. */
-static int32_t create_states(const rwedge_contact *contact, const rw_load_history *loads,
-                             bool is_cut, rw_states *all)
+/* The slip of a load that the contact has gone to, or which the follower computes. */
+static int32_t follow_slip(rwedge_cycle *cycle, walk *w, rw_loads to)
 {
-    *all = (rw_states){.loads = loads->count};
-    if (loads->count == 0 || loads->count > SIZE_MAX / STATES_A_STEP / sizeof *all->states - 1)
-        return RWEDGE_ERANGE;
-    all->states = malloc((loads->count * STATES_A_STEP + 1) * sizeof *all->states);
-    if (!all->states)
-        return RWEDGE_ENOMEM;
-    rw_state *first = all->states;
-    *first = (rw_state){.patch = {NAN, NAN}};
-    int32_t status = rwedge_contact_copy(contact, &first->contact);
-    if (status != RWEDGE_OK)
-        return status;
-    all->count = 1;
-    all->is_counted = !rw_contact_knows_slip(contact);
-    rwedge_contact_edges(contact, &first->patch.left, &first->patch.right);
-    if (is_cut)
-        status = rw_contact_follow_slip(first->contact);
+    if (!w->follower && rw_contact_knows_slip(w->contact)) {
+        const rw_entry *lender = &cycle->at_loads.entries[cycle->at_loads.count - 1];
+        return note(cycle, w->ahead, w->contact, lender);
+    }
+    if (!w->follower) {
+        w->follower = w->ahead;
+        w->ahead = NULL;
+    }
+    const int32_t status = rw_contact_follow_slip(w->follower);
+    return status == RWEDGE_OK ? go_part(cycle, w->follower, to) : status;
+}
+
+static void note_half_width(rwedge_cycle *cycle, double b)
+{
+    if (b > 0)
+        cycle->least = cycle->most > 0 ? fmin(cycle->least, b) : b;
+    cycle->most = fmax(cycle->most, b);
+}
+
+/* RWEDGE_EPATH, or another reason, of the slip is not one of the load. */
+static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_loads to)
+{
+    const size_t first = cycle->count;
+    rwedge_contact *before = NULL;
+    rwedge_contact_destroy(w->ahead);
+    w->ahead = NULL;
+    int32_t status = rwedge_contact_copy(w->contact, &w->ahead);
+    if (status == RWEDGE_OK && rw_contact_knows_slip(w->ahead))
+        status = rw_contact_follow_slip(w->ahead);
+    if (status == RWEDGE_OK && cycle->slip_status == RWEDGE_OK)
+        cycle->slip_status = go_parts(cycle, w->follower ? w->follower : w->ahead, to);
     if (status == RWEDGE_OK)
-        status = go_through(loads, is_cut, all);
-    for (size_t i = 0; i < all->count && status == RWEDGE_OK; i++) {
-        const rw_patch patch = all->states[i].patch;
-        all->rounding = fmax(all->rounding, ROUNDING * (patch.right - patch.left));
+        status = rwedge_contact_copy(w->contact, &before);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_apply(w->contact, to.P, to.M, to.Q, to.sigma);
+    if (status == RWEDGE_OK && !rw_record_add(&cycle->at_loads, w->contact, NULL))
+        status = RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK) {
+        const rw_patch stuck = stuck_between(before, w->contact);
+        note_half_width(cycle, rwedge_contact_half_width(w->contact));
+        if (cycle->slip_status == RWEDGE_OK)
+            cycle->slip_status = follow_slip(cycle, w, to);
+        stick_in_parts(cycle, first, w->follower ? (rw_patch){0, 0} : stuck);
+        if (cycle->count > first)
+            cycle->states[cycle->count - 1].is_load = true;
+        if (!rw_stuck_go_on(&w->stuck, w->contact, stuck, cycle->rounding))
+            status = RWEDGE_ENOMEM;
     }
+    rwedge_contact_destroy(before);
+    return cycle->slip_status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : status;
+}
+
+/* Slip that is not known before the cycle counts from its beginning. */
+static int32_t begin(rwedge_cycle *cycle, walk *w)
+{
+    int32_t status = rwedge_contact_copy(cycle->before, &w->contact);
+    if (status == RWEDGE_OK && !rw_stuck_begin(&w->stuck, w->contact))
+        status = RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK && !rw_contact_knows_slip(w->contact)) {
+        status = rwedge_contact_copy(w->contact, &w->follower);
+        if (status == RWEDGE_OK)
+            status = rw_contact_follow_slip(w->follower);
+        if (status == RWEDGE_OK && !rw_contact_knows_slip(w->follower))
+            cycle->slip_status = RWEDGE_EPATH;
+    }
+    if (status == RWEDGE_OK)
+        status = note(cycle, NULL, w->follower ? w->follower : w->contact, NULL);
     return status;
 }
 
-static void destroy_states(rw_states *all)
+static int32_t go_through(rwedge_cycle *cycle)
 {
-    drop_states(all, 0);
-    free(all->states);
+    walk w = {NULL, NULL, NULL, {NULL, 0}};
+    int32_t status = begin(cycle, &w);
+    for (size_t i = 0; i < cycle->loads.count && status == RWEDGE_OK; i++)
+        status = go_to(cycle, &w, rw_loads_at(&cycle->loads, i));
+    if (status == RWEDGE_OK)
+        cycle->never_slips = rw_stuck_widest(&w.stuck);
+    rwedge_contact_destroy(w.contact);
+    rwedge_contact_destroy(w.ahead);
+    rwedge_contact_destroy(w.follower);
+    free(w.stuck.all);
+    return status;
+}
+
+/* ---- Life ---- */
+
+static bool keep_loads(rwedge_cycle *cycle, const rw_load_history *loads)
+{
+    const size_t n = loads->count;
+    double *all = malloc(4 * n * sizeof *all);
+    if (!all)
+        return false;
+    memcpy(all, loads->P, n * sizeof *all);
+    memcpy(all + n, loads->M, n * sizeof *all);
+    memcpy(all + 2 * n, loads->Q, n * sizeof *all);
+    memcpy(all + 3 * n, loads->sigma, n * sizeof *all);
+    cycle->loads = (rw_load_history){n, all, all + n, all + 2 * n, all + 3 * n};
+    return true;
 }
 
 int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loads, const double P[],
@@ -171,14 +395,15 @@ int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loads, const d
     const rw_load_history history = {loads, P, M, Q, sigma};
     if (!contact || !rw_is_load_history(&history) || !cycle)
         return RWEDGE_ENULL;
+    if (loads == 0 || loads > SIZE_MAX / 4 / sizeof *P)
+        return RWEDGE_ERANGE;
     rwedge_cycle *created = calloc(1, sizeof *created);
     if (!created)
         return RWEDGE_ENOMEM;
-    int32_t status = create_states(contact, &history, false, &created->at_loads);
-    if (status == RWEDGE_OK) {
-        created->slip_status = create_states(contact, &history, true, &created->on_the_way);
-        status = created->slip_status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : RWEDGE_OK;
-    }
+    int32_t status = keep_loads(created, &history) ? rwedge_contact_copy(contact, &created->before)
+                                                   : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK)
+        status = go_through(created);
     if (status == RWEDGE_OK)
         *cycle = created;
     else
@@ -190,12 +415,17 @@ void rwedge_cycle_destroy(rwedge_cycle *cycle)
 {
     if (!cycle)
         return;
-    destroy_states(&cycle->at_loads);
-    destroy_states(&cycle->on_the_way);
+    rwedge_contact_destroy(cycle->before);
+    free((double *)cycle->loads.P);
+    rw_record_destroy(&cycle->on_the_way);
+    rw_record_destroy(&cycle->at_loads);
+    for (size_t i = 0; i < cycle->count; i++)
+        free(cycle->states[i].sticks);
+    free(cycle->states);
     free(cycle);
 }
 
 size_t rwedge_cycle_loads(const rwedge_cycle *cycle)
 {
-    return cycle ? cycle->at_loads.loads : 0;
+    return cycle ? cycle->loads.count : 0;
 }

@@ -30,9 +30,11 @@ static bool is_answer(line *l, int32_t status)
     return status == RWEDGE_OK;
 }
 
-static double friction_of(const line *l, double x, const double *sxx)
+static double friction_of(line *l, double x, const double *sxx)
 {
-    const rw_slip_measures at = rw_slip_measures_at(&l->cycle->on_the_way, x);
+    rw_slip_measures at;
+    if (!is_answer(l, rw_slip_measures_at(l->cycle, x, &at) ? RWEDGE_OK : RWEDGE_ENOMEM))
+        return NAN;
     switch (l->measure) {
     case RWEDGE_MEASURE_SLIP_RANGE:
         return at.slip_range;
@@ -52,7 +54,7 @@ static bool is_of_friction(int32_t measure)
 
 static double measure_of(line *l, double x, const double *sxx)
 {
-    const size_t loads = l->cycle->at_loads.loads;
+    const size_t loads = l->cycle->loads.count;
     const material *m = &l->material;
     double value = NAN, angle, out_of_plane;
     if (is_of_friction(l->measure))
@@ -63,21 +65,12 @@ static double measure_of(line *l, double x, const double *sxx)
     return value;
 }
 
-static bool has_stress(const line *l, double x)
-{
-    bool has = true;
-    for (size_t i = 0; i < l->cycle->at_loads.count; i++)
-        has = has && (!l->cycle->at_loads.states[i].is_load ||
-                      rw_contact_has_stress(l->cycle->at_loads.states[i].contact, x, l->y));
-    return has;
-}
-
 /* The measure at one place; NaN at the apex of a sharp wedge. Among the measures of friction only
  * Ruiz' F2 needs stresses. */
 static double measure_at(line *l, double x)
 {
     if (is_of_friction(l->measure) && l->measure != RWEDGE_MEASURE_RUIZ_F2)
-        return has_stress(l, x) ? friction_of(l, x, NULL) : NAN;
+        return rw_cycle_has_stress(l->cycle, x, l->y) ? friction_of(l, x, NULL) : NAN;
     const int32_t status = rw_cycle_stresses(l->cycle, 1, &x, &l->y, l->stress);
     return is_answer(l, status) ? measure_of(l, x, l->stress) : NAN;
 }
@@ -163,7 +156,7 @@ static int32_t check(const line *l, size_t n, const double x[], const double val
 /* From place to place. */
 static int32_t find(line *l, size_t n, const double x[], const double value[], peak *best)
 {
-    l->stress = malloc(3 * l->cycle->at_loads.loads * sizeof *l->stress);
+    l->stress = malloc(3 * l->cycle->loads.count * sizeof *l->stress);
     if (!l->stress)
         return RWEDGE_ENOMEM;
     *best = search(l, n, x, value);

@@ -45,6 +45,9 @@ struct rwedge_cycle {
     int32_t slip_status;  /* RWEDGE_EPATH where the slip of a state has no closed form */
 };
 
+/* The height of a profile, over theta, up to a constant. */
+double rw_profile_height(const rw_geometry *geometry, double x);
+
 /* What friction does at a place of the surface. All 0 where there is no contact in the cycle. */
 typedef struct {
     double slip_range, shear, energy; /* shear: the largest magnitude of q */

@@ -18,6 +18,7 @@ typedef struct {
 typedef struct {
     const rwedge_cycle *cycle;
     double x, inside;    /* the place; inside: moved off the edges of the states */
+    double height;       /* of the profile there */
     level *levels;       /* levels[0] is for no piece */
     size_t top;          /* of the present state */
     const rw_piece *own; /* those of the next state */
@@ -72,9 +73,9 @@ static void add_piece(place *at, size_t to, const rw_piece *piece)
 {
     const rw_geometry *g = &at->cycle->before->geometry;
     const rw_patch patch = piece->patch;
-    const double gap = rw_patch_has(patch, at->inside) ? 0 : rw_patch_gap(g, patch, at->inside);
+    const double gap = rw_patch_gap(g, patch, at->inside);
     const level *below = &at->levels[to - 1];
-    at->levels[to] = (level){below->displacement + piece->weight * (gap - rw_height(g, at->inside)),
+    at->levels[to] = (level){below->displacement + piece->weight * (gap - at->height),
                              below->shear + piece->weight * pressure_of(at, patch), patch};
 }
 
@@ -236,6 +237,7 @@ bool rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_slip_measures *
     at.least = HUGE_VAL;
     at.most = -HUGE_VAL;
     at.inside = off_the_edges(cycle, x);
+    at.height = rw_profile_height(&cycle->before->geometry, at.inside);
     for (size_t i = 0; i < cycle->count; i++) {
         follow(&at, i);
         if (i == 0)

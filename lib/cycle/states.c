@@ -39,13 +39,27 @@ static double slope_of(const rwedge_contact *c)
     return unit * (ratio * path->corners[0].tilt - path->corners[0].stretch);
 }
 
+double rw_profile_height(const rw_geometry *g, double x)
+{
+    const rw_arcs arcs = rw_arcs_of(g);
+    double sum = 0;
+    for (size_t i = 0; i < arcs.count; i++) {
+        const rw_arc arc = rw_arc_at(&arcs, i);
+        const double from_middle = x - (arc.left + arc.right) / 2, width = arc.right - arc.left;
+        sum += rw_arc_weight(&arcs, i) * (x > arc.left && x < arc.right
+                                              ? from_middle * (from_middle / width) + width / 4
+                                              : fabs(from_middle));
+    }
+    return sum;
+}
+
 static double closed_displacement(const rwedge_contact *c, double x)
 {
+    const double height = rw_profile_height(&c->geometry, x);
     double sum = 0;
     for (size_t i = 1; i < c->memory.count; i++) {
         const rw_patch patch = c->memory.corners[i].patch;
-        const double gap = rw_patch_has(patch, x) ? 0 : rw_patch_gap(&c->geometry, patch, x);
-        sum += rw_patch_weight(&c->memory, i) * (gap - rw_height(&c->geometry, x));
+        sum += rw_patch_weight(&c->memory, i) * (rw_patch_gap(&c->geometry, patch, x) - height);
     }
     return c->f * c->geometry.theta * sum + slope_of(c) * x;
 }
@@ -191,12 +205,16 @@ static bool note_sticks(rw_state *next, const rwedge_contact *after)
     return next->sticks != NULL;
 }
 
-/* Notes a state for slip; `lender` as in rw_record_add(). */
-static int32_t note(rwedge_cycle *cycle, const rwedge_contact *before, const rwedge_contact *after,
+/* Notes a state for slip, which may be computed beside the contact; `lender` as in
+ * rw_record_add(), of the contact alone. */
+static int32_t note(rwedge_cycle *cycle, const rwedge_contact *from, const rwedge_contact *to,
                     const rw_entry *lender)
 {
+    const rwedge_contact *before = from ? rw_contact_of_slip(from) : NULL,
+                         *after = rw_contact_of_slip(to);
+    const rw_entry *same = after == to ? lender : NULL;
     rw_state *next = next_state(cycle);
-    if (!next || !rw_record_add(&cycle->on_the_way, after, lender))
+    if (!next || !rw_record_add(&cycle->on_the_way, after, same))
         return RWEDGE_ENOMEM;
     *next = (rw_state){.patch = patch_of(after), .is_computed = after->phase == RW_COMPUTED};
     cycle->count++;

@@ -907,12 +907,12 @@ RWEDGE_API int32_t rwedge_cycle_stresses(const rwedge_cycle *cycle, size_t loads
  *   energy      receives n numbers: dissipated per area, the integral of q d(slip)
  * RWEDGE_EPATH where the slip has no closed form after one of the loads, or on the way to
  * separation. After rwedge_contact_allow_error() it is computed instead, unless the cycle slides
- * fully off the centre. RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Under constant P
- * and M slip and energy are those of rwedge_contact_slip() and the tractions. Where P or M change,
- * a step is cut into parts in which no edge moves by more than 0.3 % of the half-width, 0.5 % where
- * the shear is computed, or into the most parts, 128 and 48: the energy of the contact then errs by
- * 0.2 % in usual cycles. Computed slip of places that slip as they come into contact errs by 1 % at
- * a tolerance of 1e-4, and by 0.05 % at 1e-6. */
+ * fully off the centre. RWEDGE_EDOMAIN, RWEDGE_ERANGE, RWEDGE_ENULL, RWEDGE_ENOMEM. Under constant
+ * P and M slip and energy are those of rwedge_contact_slip() and the tractions. Where P or M
+ * change, a step is cut into parts in which no edge moves by more than 0.3 % of the half-width,
+ * 0.5 % where the shear is computed, or into the most parts, 128 and 48: the energy of the contact
+ * then errs by 0.2 % in usual cycles. Computed slip of places that slip as they come into contact
+ * errs by 1 % at a tolerance of 1e-4, and by 0.05 % at 1e-6. */
 RWEDGE_API int32_t rwedge_cycle_friction(const rwedge_cycle *cycle, size_t n, const double x[],
                                          double slip_range[], double ruiz_f1[], double ruiz_f2[],
                                          double energy[]);
@@ -961,16 +961,17 @@ RWEDGE_API int32_t rwedge_cycle_below(const rwedge_cycle *cycle, size_t loads, d
  *   loads         rwedge_cycle_loads()
  *   b             length, > 0, finite
  *   displacement  receives loads numbers
- * RWEDGE_EABSENT where the bodies are apart after a load; RWEDGE_EPATH where the slip is not known
- * after one; RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ENULL. Error as there. */
+ * It goes through the loads once more. RWEDGE_EABSENT where the bodies are apart after a load;
+ * RWEDGE_EPATH where the slip is not known after one; RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ENULL;
+ * RWEDGE_ENOMEM. Error as there. */
 RWEDGE_API int32_t rwedge_cycle_displacement(const rwedge_cycle *cycle, size_t loads, double b,
                                              double displacement[]);
 
 /* The zone that never slips in the cycle, nor leaves the contact. In a steady cycle between two
  * loads it is that of rwedge_contact_permanent_stick().                                         new
  *   left, right  its edges, length: of the widest where there are several
- * RWEDGE_EABSENT where there is none; RWEDGE_ENULL; RWEDGE_ENOMEM. Error as that of
- * rwedge_contact_stick_zone(); of computed loads, the states after which tell it, theirs. */
+ * RWEDGE_EABSENT where there is none; RWEDGE_ENULL. Error as that of rwedge_contact_stick_zone();
+ * of computed loads, the states after which tell it, theirs. */
 RWEDGE_API int32_t rwedge_cycle_permanent_stick(const rwedge_cycle *cycle, double *left,
                                                 double *right);
 

@@ -10,6 +10,9 @@ void history_cycle(const contact_history *history, const criteria *asked, last_c
 {
     const size_t steps = history->steps, rows = history->loads.count;
     const size_t first = steps > rows ? steps - rows : 0;
+    if (steps < rows * (size_t)history->cycles)
+        usage_error("--until: the loads end before the last one; a cycle needs all of them: leave "
+                    "it out, and mend or remove the line that is named");
     if (all != NULL)
         doubts_add(all, history->doubts_before);
     rwedge_contact *contact = contact_history_begin(history);

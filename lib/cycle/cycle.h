@@ -53,8 +53,14 @@ typedef struct {
     double slip_range, shear, energy; /* shear: the largest magnitude of q */
 } rw_slip_measures;
 
-/* false where memory is short. */
-bool rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_slip_measures *measures);
+/* Room for the sums over the pieces of a state at a place, to be freed; NULL where memory is short. */
+typedef struct {
+    double displacement, shear;
+} rw_piece_sum;
+
+rw_piece_sum *rw_cycle_room(const rwedge_cycle *cycle);
+
+rw_slip_measures rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_piece_sum room[]);
 
 /* The node k of a ring: the part of the way from its inner to its outer end. */
 static inline double rw_ring_node(int k)

@@ -104,8 +104,8 @@ int32_t rwedge_cycle_below(const rwedge_cycle *cycle, size_t loads, double x, do
 {
     if (!cycle || !sxx || !syy || !txy)
         return RWEDGE_ENULL;
-    if (!rw_is_signed(x) || !islessequal(fabs(angle), 1.5) || !rw_is_positive(length) || line < 0 ||
-        line > 1)
+    if (!rw_is_signed(x) || !rw_is_signed(angle) || fabs(angle) > 1.5 || !rw_is_positive(length) ||
+        line < 0 || line > 1)
         return RWEDGE_EDOMAIN;
     if (loads != cycle->loads.count || loads > SIZE_MAX / 3 / sizeof *sxx)
         return RWEDGE_ERANGE;

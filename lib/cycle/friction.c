@@ -9,17 +9,11 @@
 
 #include <stdlib.h>
 
-/* The sums over the first pieces of a state, of the displacement and of the shear over f. */
-typedef struct {
-    double displacement, shear;
-    rw_patch patch;
-} level;
-
 typedef struct {
     const rwedge_cycle *cycle;
     double x, inside;    /* the place; inside: moved off the edges of the states */
     double height;       /* of the profile there */
-    level *levels;       /* levels[0] is for no piece */
+    rw_piece_sum *sums;  /* over the first pieces of the state; sums[0] is for none */
     size_t top;          /* of the present state */
     const rw_piece *own; /* those of the next state */
     bool touches;
@@ -74,9 +68,9 @@ static void add_piece(place *at, size_t to, const rw_piece *piece)
     const rw_geometry *g = &at->cycle->before->geometry;
     const rw_patch patch = piece->patch;
     const double gap = rw_patch_gap(g, patch, at->inside);
-    const level *below = &at->levels[to - 1];
-    at->levels[to] = (level){below->displacement + piece->weight * (gap - at->height),
-                             below->shear + piece->weight * pressure_of(at, patch), patch};
+    const rw_piece_sum *below = &at->sums[to - 1];
+    at->sums[to] = (rw_piece_sum){below->displacement + piece->weight * (gap - at->height),
+                                  below->shear + piece->weight * pressure_of(at, patch)};
 }
 
 static void follow(place *at, size_t state)
@@ -95,7 +89,7 @@ static double displacement_at(const place *at, size_t state)
     const double sum =
         now->is_computed
             ? rw_traction_displacement(&at->cycle->on_the_way.entries[state].shear, at->inside)
-            : c->f * at->levels[at->top].displacement;
+            : c->f * at->sums[at->top].displacement;
     return c->geometry.theta * sum + now->displacement.slope * at->inside + now->displacement.shift;
 }
 
@@ -115,7 +109,7 @@ static double shear_at(const place *at, size_t state)
     const double shear = now->is_computed
                              ? rw_traction_at(&at->cycle->on_the_way.entries[state].shear,
                                               clamped(at->x, now->patch))
-                             : c->f * at->levels[at->top].shear;
+                             : c->f * at->sums[at->top].shear;
     return rw_unit_stress(&c->geometry) * fabs(shear);
 }
 
@@ -228,12 +222,15 @@ static void begin(place *at)
     at->shear = shear_at(at, 0);
 }
 
-bool rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_slip_measures *measures)
+rw_piece_sum *rw_cycle_room(const rwedge_cycle *cycle)
 {
-    place at = {.cycle = cycle, .x = x, .own = cycle->on_the_way.own.all};
-    at.levels = calloc(cycle->on_the_way.most + 1, sizeof *at.levels);
-    if (!at.levels)
-        return false;
+    return malloc((cycle->on_the_way.most + 1) * sizeof(rw_piece_sum));
+}
+
+rw_slip_measures rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_piece_sum room[])
+{
+    place at = {.cycle = cycle, .x = x, .own = cycle->on_the_way.own.all, .sums = room};
+    room[0] = (rw_piece_sum){0, 0};
     at.least = HUGE_VAL;
     at.most = -HUGE_VAL;
     at.inside = off_the_edges(cycle, x);
@@ -247,7 +244,5 @@ bool rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_slip_measures *
         else if (at.touches)
             leave(&at, i);
     }
-    free(at.levels);
-    *measures = (rw_slip_measures){fmax(at.most - at.least, 0), at.shear, at.energy};
-    return true;
+    return (rw_slip_measures){fmax(at.most - at.least, 0), at.shear, at.energy};
 }

@@ -57,13 +57,11 @@ static int32_t slip_measures(const rwedge_cycle *cycle, size_t n, const double x
         return RWEDGE_ERANGE;
     double *surface = calloc(n + 1, sizeof *surface),
            *sxx = malloc((3 * cycle->loads.count * n + 1) * sizeof *sxx);
-    int32_t status = surface && sxx ? rw_cycle_stresses(cycle, n, x, surface, sxx) : RWEDGE_ENOMEM;
+    rw_piece_sum *room = rw_cycle_room(cycle);
+    const int32_t status =
+        surface && sxx && room ? rw_cycle_stresses(cycle, n, x, surface, sxx) : RWEDGE_ENOMEM;
     for (size_t i = 0; i < n && status == RWEDGE_OK; i++) {
-        rw_slip_measures at;
-        if (!rw_slip_measures_at(cycle, x[i], &at)) {
-            status = RWEDGE_ENOMEM;
-            break;
-        }
+        const rw_slip_measures at = rw_slip_measures_at(cycle, x[i], room);
         slip_range[i] = at.slip_range;
         ruiz_f1[i] = at.shear * at.slip_range;
         ruiz_f2[i] = fmax(rw_largest_stress(cycle, n, sxx, i), 0) * ruiz_f1[i];
@@ -71,6 +69,7 @@ static int32_t slip_measures(const rwedge_cycle *cycle, size_t n, const double x
     }
     free(surface);
     free(sxx);
+    free(room);
     return status;
 }
 

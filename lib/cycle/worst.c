@@ -14,7 +14,8 @@ typedef struct {
     int32_t measure;
     material material;
     double y;
-    double *stress;     /* room for those of one place */
+    double *stress; /* room for those of one place */
+    rw_piece_sum *room;
     bool lacked_memory; /* somewhere */
 } line;
 
@@ -30,11 +31,9 @@ static bool is_answer(line *l, int32_t status)
     return status == RWEDGE_OK;
 }
 
-static double friction_of(line *l, double x, const double *sxx)
+static double friction_of(const line *l, double x, const double *sxx)
 {
-    rw_slip_measures at;
-    if (!is_answer(l, rw_slip_measures_at(l->cycle, x, &at) ? RWEDGE_OK : RWEDGE_ENOMEM))
-        return NAN;
+    const rw_slip_measures at = rw_slip_measures_at(l->cycle, x, l->room);
     switch (l->measure) {
     case RWEDGE_MEASURE_SLIP_RANGE:
         return at.slip_range;
@@ -80,7 +79,7 @@ static double measure_at(line *l, double x)
 static peak better(line *l, peak best, double x)
 {
     const double value = measure_at(l, x);
-    return value > best.value ? (peak){x, value} : best;
+    return isgreater(value, best.value) ? (peak){x, value} : best; /* not where it is NaN */
 }
 
 /* The interval is halved around its best place, to 1e-10 of it. After a few rounds the gain still
@@ -157,10 +156,12 @@ static int32_t check(const line *l, size_t n, const double x[], const double val
 static int32_t find(line *l, size_t n, const double x[], const double value[], peak *best)
 {
     l->stress = malloc(3 * l->cycle->loads.count * sizeof *l->stress);
-    if (!l->stress)
-        return RWEDGE_ENOMEM;
-    *best = search(l, n, x, value);
+    l->room = rw_cycle_room(l->cycle);
+    l->lacked_memory = !l->stress || !l->room;
+    if (!l->lacked_memory)
+        *best = search(l, n, x, value);
     free(l->stress);
+    free(l->room);
     return l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
 }
 
@@ -169,10 +170,10 @@ int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure, size_t n,
                            int32_t plane_stress, double constant, double su, double *worst_x,
                            double *worst_value)
 {
-    line l = {cycle, measure, {E, nu, constant, su, plane_stress}, y, NULL, false};
+    line l = {cycle, measure, {E, nu, constant, su, plane_stress}, y, NULL, NULL, false};
     if (!cycle || (n > 0 && (!x || !value)) || !worst_x || !worst_value)
         return RWEDGE_ENULL;
-    peak best;
+    peak best = {0, 0};
     int32_t status = check(&l, n, x, value);
     if (status == RWEDGE_OK && is_of_friction(measure))
         status = cycle->slip_status;

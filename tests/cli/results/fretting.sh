@@ -121,6 +121,10 @@ run fretting cycle.csv $specimen --load 2000,0 --load 135.75,0 --yield-stress 50
 message_has "rwedge fretting: P is above P_yield: the contact yields in full sliding"
 refuses "--load 135.75,41: Q 41: must not exceed f P = 40.725: there is no equilibrium" \
     fretting cycle.csv $specimen --until --load 135.75,0 --load 135.75,41
+printf 'P,Q\n135.75,20\n135.75,-20\n135.75,41\n' >ends.csv
+run fretting ends.csv $specimen --until
+status_is 2
+message_has "rwedge fretting: --until: the loads end before the last one; a cycle needs all of them: leave it out, and mend or remove the line that is named"
 refuses "cycle.csv: given together with --history; allowed: one of the two" \
     fretting cycle.csv $specimen --history all.csv --load 135.75,0
 cannot "cycle.csv: line 2: no closed form: the contact would grow under a shear that does not grow in proportion to it; apply it as two loads: first P and M, then Q and sigma; without --exact it is computed" \

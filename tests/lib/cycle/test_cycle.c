@@ -170,9 +170,9 @@ CLAIM(energy_is_that_of_the_contact)
     energies_of_the_places_add_up(0, &none, &three, 3, 5e-3);
 }
 
-/* They were 1.2 % less, where a small part slips in closed form, and 4.3 % more, where computed slip
- * errs by as much as it is. The rule of these places errs by 0.9 % beside the kinks of the profile,
- * and the computed energies differ by 0.1 %. */
+/* They were 1.2 % less, where a small part slips in closed form, and 4.3 % more, where computed
+ * slip errs by as much as it is. The rule of these places errs by 0.9 % beside the kinks of the
+ * profile; the computed energies differ by 0.1 %. */
 CLAIM(energy_is_that_of_the_contact_where_a_small_part_slips)
 {
     static const double places[] = {-2, -1, -1, 0.3, 1, 2.5},

@@ -12,7 +12,7 @@ enum { OPENINGS = 16 };
 
 size_t rw_crack_loads(const rw_crack *crack)
 {
-    return crack->cycle->at_loads.loads;
+    return crack->cycle->loads.count;
 }
 
 /* The line has parts from (i/16)^2 to ((i + 1)/16)^2; the place next to the middle of each. */
@@ -166,7 +166,7 @@ int32_t rwedge_cycle_crack(const rwedge_cycle *cycle, double x, double angle, si
         return RWEDGE_ENULL;
     if (!rw_is_signed(x) || !rw_is_crack_angle(angle) || !are_lengths(n, length))
         return RWEDGE_EDOMAIN;
-    if (loads != cycle->at_loads.loads || n > SIZE_MAX / 4 / sizeof(double) / loads)
+    if (loads != cycle->loads.count || n > SIZE_MAX / 4 / sizeof(double) / loads)
         return RWEDGE_ERANGE;
     rw_crack crack;
     int32_t status = rw_crack_create(cycle, x, angle, &crack);

@@ -32,7 +32,7 @@ FIGURES = {
                  "smith_watson_topper smith_watson_topper_field"),
 }
 WORKED = "bindings/python/examples"
-CASES = {"calculix": "", "design": "--rows 60 --columns 41 --workers 0 --check 1", "dovetail": "", "fretting": "", "pads": "", "phase": "", "spectrum": ""}
+CASES = {"calculix": "", "design": "--rows 60 --columns 41 --workers 0 --check 1", "dovetail": "", "fretting": "", "pads": "", "phase": "", "spectrum": "", "total_life": ""}
 
 
 def can_run(case: str) -> bool:

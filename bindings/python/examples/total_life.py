@@ -17,7 +17,7 @@ import rwedge
 E, NU, STEEL = 206800, 0.3, {"sf": 827, "b": -0.11, "ef": 0.95, "c": -0.64, "limit": 0}
 LAW = {"dK_th": 0, "C": 6.9e-12 * 1000 / math.sqrt(1000)**3, "m": 3}
 R, F, P, Q, SIGMA, END = 50, 0.75, 300, 130, 160, 10
-LENGTHS = np.geomspace(0.01, 2, 25)
+LENGTHS = np.geomspace(0.01, 2, 41)
 
 
 def steady_cycle():
@@ -43,7 +43,7 @@ def main():
     grows = np.array([cycle.growth(edge, 0, rwedge.Faces.MODE_I, LAW, length, END).cycles for length in LENGTHS])
     least = np.argmin(begins + grows)
     print("length, mm      cycles to start it      cycles to grow through")
-    for row in zip(LENGTHS[::4], begins[::4], grows[::4]):
+    for row in zip(LENGTHS[::5], begins[::5], grows[::5]):
         print("{:10.4f}{:24.4g}{:28.4g}".format(*row))
     print(f"life {begins[least] + grows[least]:.3g} cycles, of which {begins[least]:.3g} start a crack of {LENGTHS[least]:.3g} mm")
 

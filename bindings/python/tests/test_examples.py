@@ -23,6 +23,7 @@ DRAWN = {  # what each must print
     "pads": r"the flat pad has 0\.87 times the cylinder's",
     "phase": r"\n +0° +1\.4774 +0\.2531 +0e\+00\n[^$]*\n +90° +0\.894\d +0\.978\d [^$]*\nthe log: [2-9]\d of 96 loads exact",
     "spectrum": r"with vibration +46 [^$]*\nthe vibration does 94 % of the damage",
+    "total_life": r"\n +2\.0000 [^$]*\nlife 7\.[78]\d*e\+05 cycles, of which [^$]*start a crack of 0\.04",
     "design": r"^2460 pads in [^$]*\n0 differ from the serial result[^$]*\nfriction up to 0\.6: R of at least 41\.5 mm",
     "many": r"^60 pads and logs, 0 numbers differ [^$]*Q = 50: 0\.0004\d* N dissipated, Q = 100: 0\.005",
     "gradients": r"^10000 gradients under vmap: 0 of 30000 numbers differ [^$]*, b 0\.2500 mm: [^$]*off the root by [1-9]e-(1\d|0[89]) ",

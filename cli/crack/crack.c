@@ -11,6 +11,8 @@ static const struct poptOption options[] = {
     {INCLUDED(strength_option_table), "Its strength:", NULL},
     {INCLUDED(history_option_table), "Its loads:", NULL},
     {INCLUDED(crack_option_table), "The crack:", NULL},
+    {VALUE("material", OPTION_MATERIAL),
+     "Constants by name, JSON or CSV: dK_th, ds0, paris_C, paris_m, K_c", "FILE"},
     {FLAG("verdict", OPTION_VERDICT), "Whether it stops, in place of the rows", NULL},
     {FLAG("each-load", OPTION_EACH_LOAD), "K after each load, in place of the rows", NULL},
     {THREADS_OPTION},

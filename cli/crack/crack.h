@@ -53,6 +53,7 @@ void crack_law_read(const arguments *line, const material *constants, crack_law 
 void crack_read(const arguments *line, const last_cycle *last, crack_plan *plan);
 
 bool crack_has_threshold(const crack_plan *plan);
+double crack_threshold(const crack_plan *plan, double length); /* NAN without */
 bool crack_has_rate(const crack_plan *plan);
 
 /* ---- crack_rows ---- What a cycle does to the crack at each length. */

@@ -28,8 +28,6 @@ struct poptOption crack_option_table[] = {
     {VALUE("K-in", OPTION_K_IN),
      "The unit of length in the K of these constants, beside lengths in mm: m for MPa sqrt(m)",
      "m|mm"},
-    {VALUE("material", OPTION_MATERIAL),
-     "Constants by name, JSON or CSV: dK_th, ds0, paris_C, paris_m, K_c", "FILE"},
     POPT_TABLEEND,
 };
 
@@ -88,6 +86,12 @@ void crack_law_read(const arguments *line, const material *constants, crack_law 
 bool crack_has_threshold(const crack_plan *plan)
 {
     return !isnan(plan->law.dK_th);
+}
+
+double crack_threshold(const crack_plan *plan, double length)
+{
+    return rwedge_short_crack_threshold(length, plan->law.dK_th,
+                                        isnan(plan->law.ds0) ? HUGE_VAL : plan->law.ds0);
 }
 
 bool crack_has_rate(const crack_plan *plan)

@@ -168,8 +168,7 @@ static void fill(const crack_plan *plan, const intensities *K, size_t j, int she
     value[LENGTH] = plan->length[j];
     value[DK] = hypot(value[DK_I], value[DK_II]);
     value[OVERLAP] = K->overlap[largest * n + j];
-    value[THRESHOLD] = rwedge_short_crack_threshold(
-        plan->length[j], plan->law.dK_th, isnan(plan->law.ds0) ? HUGE_VAL : plan->law.ds0);
+    value[THRESHOLD] = crack_threshold(plan, plan->length[j]);
     value[DK_OVER_THRESHOLD] = value[DK] / value[THRESHOLD];
 }
 

@@ -7,14 +7,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { FIGURE_COUNT = 12 };
+enum { FIGURE_COUNT = 13 };
 static const figure *const figures[FIGURE_COUNT] = {
-    &figure_pressure,  &figure_normal,  &figure_sliding,  &figure_yield_point,
-    &figure_tension,   &figure_shear,   &figure_field,    &figure_loop,
-    &figure_eccentric, &figure_history, &figure_fretting, &figure_measure};
+    &figure_pressure, &figure_normal,  &figure_sliding, &figure_yield_point, &figure_tension,
+    &figure_shear,    &figure_field,   &figure_loop,    &figure_eccentric,   &figure_history,
+    &figure_fretting, &figure_measure, &figure_crack};
 
 enum {
-    OPTION_FIGURE_VARIABLE = OPTION_AFTER_CRITERIA,
+    OPTION_FIGURE_VARIABLE = OPTION_AFTER_CRACK,
     OPTION_DATA = OPTION_FIGURE_VARIABLE + FIGURE_VARIABLES,
     OPTION_NO_TITLE,
     OPTION_MEASURE,
@@ -50,13 +50,14 @@ static const struct poptOption options[] = {
     {VALUE("sigma-over-max", OPTION_FIGURE_VARIABLE + SIGMA_OVER_MAX),
      "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
     {INCLUDED(history_figure_option_table),
-     "A contact and its loads, for history, fretting, and the loop of any history:", NULL},
+     "A contact and its loads, for history, fretting, crack, and the loop of any history:", NULL},
     {VALUE("measure", OPTION_MEASURE),
      "Of figure measure: a column of \"rwedge fretting\" (default swt)", "COLUMN"},
     {VALUE("over", OPTION_OVER),
      "Along the surface, below its worst place, or as contours (default surface)",
      "surface|depth|field"},
     {INCLUDED(criteria_option_table), "Criteria, of figure measure:", NULL},
+    {INCLUDED(crack_option_table), "The crack, of figure crack:", NULL},
     {FLAG("data", OPTION_DATA), "Write the numbers behind the figure instead of a picture", NULL},
     {FLAG("no-title", OPTION_NO_TITLE), "Leave the title out of the picture", NULL},
     {VALUE("format", OPTION_FORMAT),
@@ -159,12 +160,18 @@ static void refuse_others(const arguments *line, const figure *chosen)
     for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES && !chosen->has_history; i++)
         if (line->value[i] != NULL)
             usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
-                        "and loop with --history or --load",
+                        "crack, and loop with --history or --load",
                         chosen->name);
     const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
+    const bool has_crack = chosen == &figure_crack;
     for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA && chosen != &figure_measure; i++)
-        if (line->value[i] != NULL || is_given)
+        if ((line->value[i] != NULL && !(has_crack && i == OPTION_MATERIAL)) || is_given)
             usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
+    bool crack_is_given = line->value[OPTION_X] != NULL;
+    for (int i = OPTION_AFTER_CRITERIA; i < OPTION_AFTER_CRACK; i++)
+        crack_is_given = crack_is_given || line->value[i] != NULL;
+    if (crack_is_given && !has_crack)
+        usage_error("figure %s: a crack is for figure crack", chosen->name);
 }
 
 /* ---- A measure ---- */
@@ -205,20 +212,34 @@ static void read_measure_and_place(const arguments *line, figure_case *inputs)
                     measure_kinds[inputs->measure].column);
 }
 
+/* Goes through the cycle, because it has the edges. */
+static void read_crack(const arguments *line, figure_case *inputs)
+{
+    const criteria usual = criteria_usual(&inputs->history.setup);
+    if (line->value[OPTION_ANGLE_RANGE] != NULL)
+        usage_error("--angle-range %s: figure crack has one angle; allowed: --angle",
+                    line->value[OPTION_ANGLE_RANGE]);
+    crack_law_read(line, &inputs->constants, &inputs->crack.law);
+    history_cycle(&inputs->history, &usual, &inputs->last, NULL);
+    crack_read(line, &inputs->last, &inputs->crack);
+    if (inputs->crack.lengths < 2)
+        usage_error("--lengths %s: must have two values at least", line->value[OPTION_LENGTHS]);
+}
+
 static void read_history(const arguments *line, char decimal_sign, figure_case *inputs)
 {
     const figure *chosen = inputs->kind;
-    const bool has_measure = chosen == &figure_measure;
+    const bool has_measure = chosen == &figure_measure, has_crack = chosen == &figure_crack;
     const contact_case *setup = &inputs->history.setup;
     arguments bodies = *line;
     /* friction and Poisson's ratio are variables of other figures */
     bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
     bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
     bodies.operand = NULL;
-    if (has_measure) {
+    if (has_measure || has_crack)
         material_read(bodies.value[OPTION_MATERIAL], &bodies, &inputs->constants);
+    if (has_measure)
         criteria_read(&bodies, &inputs->constants, &inputs->asked);
-    }
     read_case(line, inputs);
     if (chosen == &figure_history && line->value[OPTION_AT] == NULL)
         usage_error("--at: missing; figure history needs a point x,y");
@@ -233,6 +254,8 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
                  pad_half_width(&setup->shape, setup->A, inputs->history.loads.load[i].P));
     if (has_measure)
         read_measure_and_place(&bodies, inputs);
+    if (has_crack)
+        read_crack(&bodies, inputs);
 }
 
 static const char *read_picture_format(const arguments *line, output_options *how)

@@ -115,7 +115,7 @@ same "JSON" '{"a_over_b": 0, "b_sigma_over_fP": 1},' "$(sed -n 2p out)"
 run figure 6 --data --decimal-comma --digits 3
 same "decimal comma" "0,005;1" "$(sed -n 3p out)"
 # Mistakes.
-all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure"
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack"
 refuses "which figure must follow; allowed: $all" figure
 refuses "1: unknown figure; allowed: $all" figure 1
 refuses "log.csv: unexpected; allowed: one figure, and options; --history gives a file of loads" figure fretting log.csv
@@ -146,6 +146,16 @@ cut -d , -f 1-2 out | tail -n +2 >drawn
 same "places of fretting" many "$([ "$(wc -l <drawn)" -gt 200 ] && echo many)"
 run fretting loads.csv $specimen --cycles 2
 same "SWT of fretting" "" "$(cut -d , -f 1,4 out | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+# The ranges of a crack's K are those of its command.
+crack="--load 135.75,0 --edge left --dK-th 2.1 --ds0 248 --K-in m"
+does figure crack --history loads.csv $specimen $crack --from 0.01 --to 1 --data
+same "columns of crack" "length,dK_none,dK_locked,dK_free,threshold" "$(head -n 1 out)"
+sed -n '1p;$p' out >drawn
+does crack loads.csv $specimen $crack --lengths 1
+awk -F, 'NR == FNR { if (FNR == 2) split($0, drawn); next } FNR > 1 { print $9, drawn[FNR] } FNR == 2 { print $13, drawn[5] }' drawn out >both
+close_rows "ranges of K" 1e-12 0
+refuses "figure fretting: a crack is for figure crack" figure fretting --history loads.csv $specimen --edge left
+refuses "--angle-range 0,1: figure crack has one angle; allowed: --angle" figure crack --history loads.csv $specimen $crack --from 0.01 --to 1 --angle-range 0,1
 # Any measure: along the surface as fretting has it, below its worst place, on a grid.
 does figure measure --history loads.csv $specimen --cycles 2 --measure crossland --crossland-alpha 0.3 --data
 same "columns of measure" "x,y,value" "$(head -n 1 out)"
@@ -190,7 +200,7 @@ close_to "the loop closes" "$(awk -F, '$1 == 2 { print $6 }' out)" "$(awk -F, '$
 run figure history --at -0.2,0.01 --history two.csv $specimen --data
 same "the whole cycle" "2 4" "$(sed -n '2p;$p' out | cut -d , -f 1 | paste -s -d ' ' -)"
 refuses "--at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
-refuses "figure 4: a contact and its loads are for history, fretting, measure, and loop with --history or --load" figure 4 --E1 3
+refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, and loop with --history or --load" figure 4 --E1 3
 cannot "loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
     figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 

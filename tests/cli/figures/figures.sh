@@ -135,6 +135,11 @@ for over in surface field; do
     named=$(sed -n 's/.*worst: \([0-9.]*\) at.*/\1/p' drawn.svg)
     close_to "the worst, over $over" "$largest" "$named" 1e-3
 done
+# The place where a crack stops is drawn and named.
+awk 'BEGIN { print "P,Q,sigma"; for (k = 1; k <= 24; k++) { c = cos(k * 3.141592653589793 / 12); printf "120,%.17g,%.17g\n", 50 * c, 60 * c } }' >cycle.csv
+draws svg crack --history cycle.csv --E1 133333.33333333333 --nu1 0 --radius 60 --f 0.6 --load 120,0 --load 120,0,50,60 --edge left \
+    --from 0.01 --to 3 --dK-th 66.4 --ds0 248 --K-in mm
+same "where it stops" 1 "$(grep -c 'where it stops, 0.1485' drawn.svg)"
 draws svg 4 --no-title
 same "title" 0 "$(grep -c 'Elastic limit' drawn.svg)"
 

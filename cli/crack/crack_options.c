@@ -45,20 +45,21 @@ static double constant(const arguments *line, int option, const char *name, doub
     return value;
 }
 
-/* What an m in the unit of K makes of the constants: lengths are in mm. */
-static void take_unit(const char *unit, crack_law *law)
+/* What the unit of length in K makes of the constants. Lengths are in mm, unless --units says. */
+static void take_unit(const arguments *line, crack_law *law)
 {
-    const bool is_m = unit != NULL && strcmp(unit, "m") == 0, is_mm = unit != NULL && !is_m;
-    if (is_mm && strcmp(unit, "mm") != 0)
-        usage_error("--K-in %s: must be m or mm", unit);
+    const char *unit = line->value[OPTION_K_IN];
+    const unit_system *working = units_of(line);
+    const bool is_m = unit != NULL && strcmp(unit, "m") == 0;
     if (unit == NULL)
         usage_error("--K-in: missing; needed beside constants of K: m where they are in MPa "
                     "sqrt(m), mm where they are in MPa sqrt(mm), 31.6 times as large");
-    if (is_mm)
-        return;
-    law->dK_th *= sqrt(1000);
-    law->K_c *= sqrt(1000);
-    law->C *= pow(1000, -law->m / 2);
+    if (!is_m && strcmp(unit, "mm") != 0)
+        usage_error("--K-in %s: must be m or mm", unit);
+    const double ratio = (is_m ? 1 : 1e-3) / (working->is_known ? working->length : 1e-3);
+    law->dK_th *= sqrt(ratio);
+    law->K_c *= sqrt(ratio);
+    law->C *= pow(ratio, -law->m / 2);
 }
 
 void crack_law_read(const arguments *line, const material *constants, crack_law *law)
@@ -78,7 +79,7 @@ void crack_law_read(const arguments *line, const material *constants, crack_law 
     if (!isnan(law->ds0) && isnan(law->dK_th))
         usage_error("--dK-th: missing; needed beside --ds0");
     if (!isnan(law->dK_th) || !isnan(law->C) || !isnan(law->K_c))
-        take_unit(line->value[OPTION_K_IN], law);
+        take_unit(line, law);
     else if (line->value[OPTION_K_IN] != NULL)
         usage_error("--K-in %s: needs --dK-th, --C or --K-c", line->value[OPTION_K_IN]);
 }

@@ -42,6 +42,8 @@ same "at the last length" 0 "$(row cycles 4)"
 cp out as_mm
 does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --C 3.1622776601683795e-8 --m 3 --K-in m
 close_to "constants in m" "$life" "$(row cycles 2)" 1e-9
+does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --C 1e-12 --m 3 --K-in m --units m,N,Pa
+close_to "lengths in m" "$life" "$(row cycles 2)" 1e-9
 printf '{"paris_C": 1e-12, "paris_m": 3}' >material.json
 does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --material material.json --K-in mm
 same "constants of a material" "$(cat as_mm)" "$(cat out)"

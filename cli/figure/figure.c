@@ -50,7 +50,7 @@ static const struct poptOption options[] = {
     {VALUE("sigma-over-max", OPTION_FIGURE_VARIABLE + SIGMA_OVER_MAX),
      "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
     {INCLUDED(history_figure_option_table),
-     "A contact and its loads, for history, fretting, crack, and the loop of any history:", NULL},
+     "A contact and its loads, for history, fretting, measure, crack, and loop:", NULL},
     {VALUE("measure", OPTION_MEASURE),
      "Of figure measure: a column of \"rwedge fretting\" (default swt)", "COLUMN"},
     {VALUE("over", OPTION_OVER),

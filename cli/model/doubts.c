@@ -9,10 +9,51 @@ enum {
     DOUBT_STATE = 1 << 20,
     DOUBT_SLOPE = 1 << 21,
     DOUBT_ZONES = 1 << 22,
-    DOUBT_SLIDES = 1 << 23
+    DOUBT_SLIDES = 1 << 23,
+    DOUBT_BEYOND = 1 << 24,
+    DOUBT_AWAY = 1 << 25,
+    DOUBT_FLANKS = 1 << 26
 };
 
 static const double STEEP = 0.1;
+
+/* P acts at x = 0, wherever a profile has it: at one end of a scan, say. A moment may be meant to
+ * move the contact. */
+static int32_t doubt_of_origin(const contact_case *setup, double left, double right)
+{
+    const pad_profile *places = setup->shape.places;
+    if (places == NULL || !(right > left))
+        return 0;
+    if (left < places->left || right > places->right)
+        return places->is_cut ? DOUBT_FLANKS : DOUBT_BEYOND;
+    const double lowest = pad_profile_lowest(places);
+    const bool is_moved = setup->M != 0 || setup->has_history;
+    return is_moved || (lowest >= left && lowest <= right) ? 0 : DOUBT_AWAY;
+}
+
+static const char *text_of(int32_t bit)
+{
+    static const struct {
+        int32_t bit;
+        const char *text;
+    } texts[] = {
+        {DOUBT_STATE, "a load yields the body: its stresses exceed the yield stress"},
+        {DOUBT_ZONES,
+         "several zones stick and it slips between them: the outermost edges are told"},
+        {DOUBT_SLIDES, "it slides fully: the loads do not tell how far nor what that dissipates"},
+        {DOUBT_SLOPE,
+         "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"},
+        {DOUBT_BEYOND, "P acts at x = 0 and the contact reaches beyond the places of the profile: "
+                       "--origin lowest or --M moves it"},
+        {DOUBT_AWAY,
+         "P acts at x = 0 and the contact is away from the lowest place of the profile: "
+         "--origin lowest or --M moves it"},
+        {DOUBT_FLANKS, "the contact reaches flanks that were left out as too steep"}};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+        if (texts[i].bit == bit)
+            return texts[i].text;
+    return rwedge_validity_text(bit);
+}
 
 int32_t doubts_of(const contact_case *setup, double left, double right, double safety)
 {
@@ -23,7 +64,7 @@ int32_t doubts_of(const contact_case *setup, double left, double right, double s
                         is_wedge && touches ? shape->a / (right / 2 - left / 2) : NAN, setup->beta,
                         setup->f, setup->k / setup->E1, safety);
     const bool is_steep = !is_wedge && touches && pad_steepest(shape, left, right) > STEEP;
-    return bits | (is_steep ? DOUBT_SLOPE : 0);
+    return bits | (is_steep ? DOUBT_SLOPE : 0) | doubt_of_origin(setup, left, right);
 }
 
 int32_t doubt_of_zones(const rwedge_contact *contact)
@@ -78,16 +119,7 @@ bool doubts_next(doubts *left, char text[DOUBT_SIZE])
     const bool is_computed = left->error > 0;
     left->bits -= bit;
     if (bit != 0) {
-        snprintf(
-            text, DOUBT_SIZE, "%s",
-            bit == DOUBT_STATE ? "a load yields the body: its stresses exceed the yield stress"
-            : bit == DOUBT_ZONES
-                ? "several zones stick and it slips between them: the outermost edges are told"
-            : bit == DOUBT_SLIDES
-                ? "it slides fully: the loads do not tell how far nor what that dissipates"
-            : bit == DOUBT_SLOPE
-                ? "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"
-                : rwedge_validity_text(bit));
+        snprintf(text, DOUBT_SIZE, "%s", text_of(bit));
         return true;
     }
     snprintf(text, DOUBT_SIZE, "computed numerically: tractions to about %.1g of f p0",

@@ -15,7 +15,7 @@ enum { PROFILE_PLACES = 1000 };
 typedef struct {
     size_t count;
     double x[PROFILE_PLACES], slope[PROFILE_PLACES];
-    double left, right; /* the outermost places that were given */
+    double left, right; /* the outermost heights; of slopes, which stay beyond, infinite */
     bool is_cut;        /* flanks beyond them were left out */
     /* of heights: where they were measured, and how far they are above the profile that was made
      * of them by hull or fit; none where they are convex */

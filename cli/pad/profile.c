@@ -156,8 +156,8 @@ bool pad_profile_of_slopes(const scan *given, const profile_making *how, pad_pro
         !is_convex(given, remark))
         return false;
     take(given->count, given->x, given->value, to);
-    to->left = to->x[0];
-    to->right = to->x[to->count - 1];
+    to->left = -HUGE_VAL; /* the slope stays */
+    to->right = HUGE_VAL;
     *remark = (profile_remark){0, ""};
     return move_origin(how, to, remark);
 }

@@ -144,7 +144,7 @@ static const struct poptOption options[] = {
      "Rounding over contact half-width a/b; 0 is the sharp wedge, from 1 on it is Hertz' contact",
      "RANGE"},
     {VALUE("pad", OPTION_PAD),
-     "Of a flat pad, whose a is half of the flat; elastic-limit and contact-law (default wedge)",
+     "Of a flat pad, whose a is half of the flat; not for all tables (default wedge)",
      "wedge|flat"},
     {VALUE("friction", OPTION_VARIABLE + FRICTION), "Coefficient of friction, or --f", "RANGE"},
     {VALUE("nu", OPTION_VARIABLE + NU), "Poisson's ratio of the half-plane, 0 to 0.5, or --nu1",
@@ -215,7 +215,7 @@ static void choose_table(const arguments *line, plan *job)
         usage_error("--pad %s: unknown pad; allowed: wedge, flat", pad);
     job->table = table_named(line->operand[0], is_flat);
     if (job->table == NULL)
-        usage_error("--pad flat: not for %s; allowed: elastic-limit, contact-law",
+        usage_error("--pad flat: not for %s; allowed: elastic-limit, contact-law, shakedown-limit",
                     line->operand[0]);
 }
 

@@ -24,7 +24,7 @@ typedef struct {
 } table;
 
 /* The tables of the wedge, and then those of a flat pad. */
-enum { WEDGE_TABLES = 5, TABLE_COUNT = 7 };
+enum { WEDGE_TABLES = 6, TABLE_COUNT = 9 };
 extern const table tables[TABLE_COUNT];
 
 /* The columns of all tables. */

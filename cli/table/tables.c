@@ -63,6 +63,24 @@ static int32_t flat_elastic_limit(const double value[], cell row[])
     return RWEDGE_OK;
 }
 
+/* The state is mirror-symmetric without friction too: one depth governs. */
+static int32_t flat_shakedown_limit(const double value[], cell row[])
+{
+    const double alpha = value[A_OVER_B];
+    double factor, y;
+    rwedge_contact *contact;
+    int32_t status = slide(alpha, value[FRICTION], &contact);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_shakedown_factor(contact, value[NU], 1, &factor, &y);
+    rwedge_contact_destroy(contact);
+    if (status != RWEDGE_OK)
+        return status;
+    row[0] = cell_number(load_of(alpha) * factor);
+    row[1] = cell_number(rounded(y));
+    row[2] = cell_text(y > 0 ? "subsurface" : "surface");
+    return RWEDGE_OK;
+}
+
 static int32_t flat_contact_law(const double value[], cell row[])
 {
     const contact_case setup = {.shape = value[A_OVER_B] > 0 ? pad_flat(value[A_OVER_B], RADIUS)
@@ -112,6 +130,23 @@ static int32_t elastic_limit(const double value[], cell row[])
     row[3] = cell_text(is_below ? "subsurface" : "surface");
     row[4] = cell_number(below);
     row[5] = cell_number(surface);
+    return status;
+}
+
+static int32_t shakedown_limit(const double value[], cell row[])
+{
+    const double alpha = value[A_OVER_B], f = value[FRICTION], nu = value[NU];
+    double limit = NAN, y = 0, below = NAN, surface = NAN, y_below;
+    int32_t status = rwedge_shakedown_limit(alpha, f, nu, &limit, &y);
+    if (alpha > 0 && status == RWEDGE_OK)
+        status = existing(rwedge_subsurface_shakedown(alpha, f, nu, &below, &y_below));
+    if (alpha > 0 && status == RWEDGE_OK)
+        status = existing(rwedge_surface_shakedown(alpha, f, nu, &surface));
+    row[0] = cell_number(limit);
+    row[1] = cell_number(rounded(y));
+    row[2] = cell_text(y > 0 ? "subsurface" : "surface");
+    row[3] = cell_number(below);
+    row[4] = cell_number(surface);
     return status;
 }
 
@@ -184,6 +219,12 @@ const table tables[TABLE_COUNT] = {
      .across = Q_OVER_FP,
      .quantity = {"c_over_b"},
      .row = stick_zone},
+    {.name = "shakedown-limit",
+     .summary = "load P/(bk) that is carried pass after pass, and its depth",
+     .has = {[A_OVER_B] = true, [FRICTION] = true, [NU] = true},
+     .across = FRICTION,
+     .quantity = {"P_over_bk", "y_over_b", "branch", "P_over_bk_subsurface", "P_over_bk_surface"},
+     .row = shakedown_limit},
     {.name = "elastic-limit",
      .summary = "load at first yield P/(bk) of a flat pad, and where",
      .has = {[A_OVER_B] = true, [FRICTION] = true, [NU] = true},
@@ -198,13 +239,20 @@ const table tables[TABLE_COUNT] = {
      .quantity = {"APR_over_b2", "APR_over_a2", "largest_pressure", "middle_pressure"},
      .row = flat_contact_law,
      .ratio = &flat_over_b},
+    {.name = "shakedown-limit",
+     .summary = "load P/(bk) a flat pad carries pass after pass, depth",
+     .has = {[A_OVER_B] = true, [FRICTION] = true, [NU] = true},
+     .across = FRICTION,
+     .quantity = {"P_over_bk", "y_over_b", "branch"},
+     .row = flat_shakedown_limit,
+     .ratio = &flat_over_b},
 };
 
 const column_kind table_columns[COLUMN_KINDS] = {
     {"a_over_b", "rounding over contact; 1 and more is Hertz' contact", "none"},
     {"f", "coefficient of friction", "none"},
     {"nu", "Poisson's ratio of the half-plane, plane strain", "none"},
-    {"P_over_bk", "elastic limit P/(bk) in full sliding", "none"},
+    {"P_over_bk", "elastic limit P/(bk) in full sliding, or that of shakedown", "none"},
     {"x_over_b", "where it yields first; x > 0 is towards the leading edge", "b"},
     {"y_over_b", "and how deep", "b"},
     {"branch", "surface or subsurface: where that point is", "text"},

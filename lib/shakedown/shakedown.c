@@ -158,7 +158,7 @@ int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact, double nu
         return RWEDGE_ENULL;
     if (!rw_is_poisson(nu) || !rw_is_positive(k))
         return RWEDGE_EDOMAIN;
-    if (contact->phase != RW_SLIDING)
+    if (contact->phase != RW_SLIDING && (contact->f > 0 || contact->phase == RW_APART))
         return RWEDGE_EABSENT;
     const rw_pass pass = {.arcs = rw_arcs_of(&contact->geometry),
                           .patch = rw_memory_end(&contact->memory)->patch,

@@ -137,7 +137,7 @@ same "in CSV they stay" "note,P,a,f,note,,,note_2" "$(head -n 1 out | cut -d , -
 
 # Messages: neither control characters of two bytes, nor marks of direction, nor broken characters reach the terminal.
 for bytes in '\302\233' '\342\200\256' '\033' '\377'; do
-    refuses "x?y: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone" \
+    refuses "x?y: unknown table; allowed: elastic-limit, max-tension, contact-law, critical-friction, stick-zone, shakedown-limit" \
         table "$(printf "x${bytes}y")"
 done
 

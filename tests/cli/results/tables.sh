@@ -50,7 +50,14 @@ same "without friction on the right" yes "$(awk -F, 'NR == 2 && $5 > 0.8 && $6 >
 limit=$(sed -n 3p out | cut -d , -f 4)
 run solve --E1 4e5 --nu1 0.3 --flat 1 --radius 100 --P "$(awk 'BEGIN { printf "%.17g", 4e5 / 91 * (atan2(sqrt(0.75), 0.5) - sqrt(0.75) / 2) }')" --f 0.3 --Q 0
 close_to "limit of one contact" "$(value P_over_bk)" "$limit" 1e-8
-refuses "--pad flat: not for max-tension; allowed: elastic-limit, contact-law" table max-tension --pad flat
+# Of tests/data/shakedown.csv; a cylinder has the limit of a/b = 1.
+run table shakedown-limit --a-over-b 0.5,1 --friction 0.1,0.4 --nu 0.3
+sed -n 3,4p out | cut -d , -f 4 >limits
+close_to "shakedown at the surface" "$(sed -n 1p limits)" 3.174490712 1e-9
+close_to "shakedown below the surface" "$(sed -n 2p limits)" 5.598645857 1e-9
+run table shakedown-limit --pad flat --a-over-b 0 --friction 0.1 --nu 0.3
+close_to "shakedown of a cylinder" "$(sed -n 2p out | cut -d , -f 4)" 5.598645857 1e-9
+refuses "--pad flat: not for max-tension; allowed: elastic-limit, contact-law, shakedown-limit" table max-tension --pad flat
 refuses "--pad square: unknown pad; allowed: wedge, flat" table contact-law --pad square
 refuses "--a-over-b 1: a/b of a flat pad must be a number from 0 to 0.999" table contact-law --pad flat --a-over-b 1
 

@@ -212,6 +212,17 @@ CLAIM(a_cylinder_has_the_limit_of_hertz)
     }
 }
 
+CLAIM(without_friction_every_contact_slides)
+{
+    rwedge_contact *contact = create(1, 0);
+    double factor = 7, y;
+    assert_int_equal(rwedge_contact_shakedown_factor(contact, 0.3, 1, &factor, &y), RWEDGE_EABSENT);
+    const double P = rwedge_shakedown_load(THETA, 1, A, 0, 0.3, 0.1);
+    load(contact, P, 0);
+    assert_ok(rwedge_contact_shakedown_factor(contact, 0.3, 0.1, &factor, &y));
+    assert_close(factor, 1, 1e-9);
+}
+
 CLAIM(what_does_not_slide_or_is_outside_is_refused)
 {
     double limit = 7, y = 7;

@@ -240,7 +240,7 @@ const table tables[TABLE_COUNT] = {
      .row = flat_contact_law,
      .ratio = &flat_over_b},
     {.name = "shakedown-limit",
-     .summary = "load P/(bk) a flat pad carries pass after pass, depth",
+     .summary = "P/(bk) a flat pad carries pass after pass, depth",
      .has = {[A_OVER_B] = true, [FRICTION] = true, [NU] = true},
      .across = FRICTION,
      .quantity = {"P_over_bk", "y_over_b", "branch"},

@@ -3,7 +3,6 @@
 #ifndef RW_COMPLEX_H
 #define RW_COMPLEX_H
 
-#include "base/always.h"
 #include "base/select.h"
 #include "base/logarithm.h"
 
@@ -37,7 +36,7 @@ static inline rw_complex rw_complex_root(rw_complex z)
 {
     const double r = sqrt(z.re * z.re + z.im * z.im);
     const double large = sqrt((r + fabs(z.re)) / 2);
-    const double small = ALWAYS(large > 0) ? fabs(z.im) / (2 * large) : 0; /* no place is an end */
+    const double small = large > 0 ? fabs(z.im) / (2 * large) : 0;
     return z.re >= 0 ? (rw_complex){large, copysign(small, z.im)}
                      : (rw_complex){small, copysign(large, z.im)};
 }

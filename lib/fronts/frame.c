@@ -47,6 +47,12 @@ static void note_bend(bends *b, place at)
     b->jump[i] = jump;
 }
 
+/* Of an arc; a kink has no length. */
+static double curvature_of(double weight, double half_length)
+{
+    return half_length > DBL_MIN ? fmin(weight / half_length, DBL_MAX) : DBL_MAX;
+}
+
 rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
 {
     rw_frame frame = {.arcs = arcs, .f = f, .tolerance = tolerance, .far_off = 0.1};
@@ -58,7 +64,7 @@ rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
             note_bend(&all, last);
             last = (place){.x = arc.left};
         }
-        last.after = fmin(rw_arc_weight(&arcs, i) / rw_arc_half_length(arc), DBL_MAX);
+        last.after = curvature_of(rw_arc_weight(&arcs, i), rw_arc_half_length(arc));
         note_bend(&all, last);
         last = (place){arc.right, last.after, 0};
     }

@@ -7,6 +7,8 @@
 #include "fronts/grid.h"
 #include "rwedge.h"
 
+#include <fenv.h>
+
 static const double F = 0.5, P = 4, Q = 1.2, TOLERANCE = 1e-6;
 static const double NOT_KNOWN[2] = {NAN, NAN};
 
@@ -178,4 +180,18 @@ CLAIM(layers_that_are_alike_have_no_weights)
             s->problem.ratio[k][i / 2][i % 2] = 1;
     assert_false(rw_fronts_begin(&s->fronts, &s->problem, &stuck, ratio));
     rw_friction_destroy(&friction);
+}
+
+/* A kink is an arc without length: its curvature was its weight over 0. */
+CLAIM(the_frame_of_a_profile_with_a_kink_raises_no_exception)
+{
+    const double x[] = {-1, -0.2, -0.2, 1}, slope[] = {-1, -0.5, 0.1, 1};
+    rwedge_contact *pad = NULL;
+    assert_ok(rwedge_contact_create_profile(4, x, slope, 1, F, &pad));
+    feclearexcept(FE_ALL_EXCEPT);
+    const rw_frame frame = rw_frame_of(rw_arcs_of(&pad->geometry), F, TOLERANCE);
+    assert_int_equal(fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
+    assert_int_equal(frame.bends, 3);
+    assert_true(frame.bend[1] == -0.2);
+    rwedge_contact_destroy(pad);
 }

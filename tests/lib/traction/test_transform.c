@@ -180,3 +180,10 @@ CLAIM(elements_are_not_narrower_than_rounding)
     assert_within(rw_traction_at(&t, 0.5 + 5 * DBL_EPSILON), 0.5, 0.1);
     rw_traction_destroy(&t);
 }
+
+/* A place may be the end of an element to rounding. */
+CLAIM(the_root_of_zero_is_zero)
+{
+    const rw_complex root = rw_complex_root((rw_complex){0, 0});
+    assert_true(root.re == 0 && root.im == 0);
+}

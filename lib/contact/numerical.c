@@ -115,6 +115,17 @@ static bool is_on_line_from_touching(const rwedge_contact *c, const rw_numerical
            sum <= RW_ROUNDING_OF_FRICTION * c->f * now->at.P / rw_patch_half_width(now->contact);
 }
 
+/* A load that adds more than this to the error, over the tolerance, has not converged. */
+static const double MOST_ADDED = 10;
+
+/* What a load adds to the error, which counts by the peak pressure after it. */
+static double added(const rw_frame *frame, const rw_numerical *from, const rw_numerical *next)
+{
+    const double before = rw_peak_friction(frame, from->now.contact),
+                 after = rw_peak_friction(frame, next->now.contact);
+    return rw_numerical_error(next) - rw_numerical_error(from) * before / after;
+}
+
 /* A step from the state `from`. Unless RWEDGE_OK, there is no next state. */
 static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_numerical *from,
                      rw_numerical **next)
@@ -124,9 +135,11 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
     bool is_whole = true;
     *next = is_on_line_from_touching(c, from, to) ? rw_numerical_of_touching(c, to)
                                                   : rw_numerical_copy(from, &is_whole);
-    const int32_t status = !*next || !is_whole ? RWEDGE_ENOMEM
-                           : is_at(*next, to)  ? RWEDGE_OK
-                                               : advance(*next, &frame, to, step->patch);
+    int32_t status = !*next || !is_whole ? RWEDGE_ENOMEM
+                     : is_at(*next, to)  ? RWEDGE_OK
+                                         : advance(*next, &frame, to, step->patch);
+    if (status == RWEDGE_OK && added(&frame, from, *next) > MOST_ADDED * c->tolerance)
+        status = RWEDGE_ENOCONV;
     if (status != RWEDGE_OK) {
         rw_numerical_destroy(*next);
         *next = NULL;

@@ -39,9 +39,6 @@ rw_patch rw_zones_widest_stick(const rw_zones *z, rw_patch patch)
 /* Edges that differ by less than this, over the width, count as one place. */
 static const double SAME_EDGE = 1e-12;
 
-/* Violations over the tolerance that count as none. */
-static const double ALLOWED = 0.2;
-
 /* F per time, from the pressure by which a moving patch changes, that of a flat punch: dp/ds =
  * (P'/pi + kappa (x - m))/sqrt((x - left)(right - x)), kappa from the moment. */
 static double rate_of_friction(const rw_problem *p, double x)
@@ -67,12 +64,12 @@ void rw_friction_before(const rw_problem *p, size_t n, const double x[], double 
 }
 
 /* f times the pressure of the rest of a layer, before or after the step. */
-static double rest_friction(const rw_problem *p, const rw_layer_rest *rest, double x)
+static double rest_friction(double f, const rw_layer_rest *rest, double x)
 {
     const rw_patch patch = rest->patch;
     if (!(x > patch.left && x < patch.right))
         return 0;
-    return p->frame->f * sqrt((x - patch.left) * (patch.right - x)) / rw_patch_half_width(patch) *
+    return f * sqrt((x - patch.left) * (patch.right - x)) / rw_patch_half_width(patch) *
            rw_layer_rest_pressure(rest, x);
 }
 
@@ -91,8 +88,8 @@ void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[],
     for (int k = 1; k < count; k++)
         for (size_t i = 0; i < n; i++)
             change[(size_t)k * stride + i] = rw_power(scale_of(p), k, x[i]) * change[i] +
-                                             rest_friction(p, &p->rest[k][1], x[i]) -
-                                             rest_friction(p, &p->rest[k][0], x[i]);
+                                             rest_friction(p->frame->f, &p->rest[k][1], x[i]) -
+                                             rest_friction(p->frame->f, &p->rest[k][0], x[i]);
 }
 
 /* That of the polynomial slope of a layer, outside of its patch. */
@@ -166,48 +163,73 @@ double rw_place_of(const rw_problem *p, double angle)
 /* The distance from an edge, over the half-width, at which layers are compared with friction. */
 static const double AT_EDGE = 1e-6;
 
-/* Notes each layer over friction at the edges: D of that layer there. */
-static void note_ratios(rw_problem *p, int after)
-{
-    const rw_patch patch = after ? p->to : p->from;
-    for (int side = 0; side < 2; side++) {
-        const double inside = AT_EDGE * rw_patch_half_width(patch);
-        const double x = side ? patch.right - inside : patch.left + inside;
-        const double friction = fmax(rw_exact_friction(p->frame, patch, x), DBL_MIN);
-        p->ratio[0][side][after] = 1;
-        for (int k = 1; k < RW_LAYERS; k++)
-            p->ratio[k][side][after] =
-                rw_power(scale_of(p), k, x) + rest_friction(p, &p->rest[k][after], x) / friction;
-    }
-}
-
 /* The integral of u^k p. */
-static double moment_of(const rw_problem *p, const rw_friction *friction, int k)
+static double moment_of(double f, rw_power_scale scale, const rw_friction *friction, int k)
 {
     const rw_traction *t = &friction->traction;
     double sum = 0;
     for (size_t i = 0; i < t->count; i++)
         for (int j = 0; j < RW_TERMS; j++)
-            sum += t->elements[i].load[j] * rw_power(scale_of(p), k, t->elements[i].x[j]);
-    return sum / p->frame->f;
+            sum += t->elements[i].load[j] * rw_power(scale, k, t->elements[i].x[j]);
+    return sum / f;
+}
+
+/* The rests of the layers on a patch, and the integrals of u^k p. */
+static void find_rests(const rw_frame *frame, const rw_friction *friction, rw_power_scale scale,
+                       int count, rw_layer_rest rest[], double moment[])
+{
+    const rw_pressing own = rw_arcs_pressing(&frame->arcs, friction->contact);
+    for (int k = 0; k < count; k++) {
+        moment[k] = k == 0 ? own.load : moment_of(frame->f, scale, friction, k);
+        rest[k] = rw_layer_rest_of(scale, friction->contact, own.tilt, moment, k);
+    }
+}
+
+/* Each layer over friction at an edge: D of that layer there. */
+static void find_ratios(const rw_frame *frame, rw_patch patch, rw_power_scale scale, int count,
+                        const rw_layer_rest rest[], int side, double ratio[])
+{
+    const double inside = AT_EDGE * rw_patch_half_width(patch);
+    const double x = side ? patch.right - inside : patch.left + inside;
+    const double friction = fmax(rw_exact_friction(frame, patch, x), DBL_MIN);
+    for (int k = 0; k < count; k++)
+        ratio[k] =
+            k == 0 ? 1 : rw_power(scale, k, x) + rest_friction(frame->f, &rest[k], x) / friction;
+}
+
+double rw_layers_ratio(const rw_frame *frame, const rw_friction *friction, rw_patch to,
+                       const rw_layers *layers, int side)
+{
+    const rw_power_scale scale = {rw_patch_middle(to), rw_patch_half_width(to)};
+    rw_layer_rest rest[RW_LAYERS];
+    double moment[RW_LAYERS], ratio[RW_LAYERS], D = 0;
+    find_rests(frame, friction, scale, layers->count, rest, moment);
+    find_ratios(frame, friction->contact, scale, layers->count, rest, side, ratio);
+    for (int k = 0; k < layers->count; k++)
+        D += layers->weight[k] * ratio[k];
+    return D;
 }
 
 /* Adds the layers' loads and tilts on the patch after the step, or takes away those before it. */
 static void note_patch(rw_problem *p, int after)
 {
     const rw_friction *friction = after ? p->after : p->before;
-    const rw_pressing own = rw_arcs_pressing(&p->frame->arcs, friction->contact);
+    const rw_power_scale scale = scale_of(p);
     const int sign = after ? 1 : -1;
-    double moment[RW_LAYERS];
+    rw_layer_rest rest[RW_LAYERS];
+    double moment[RW_LAYERS], ratio[RW_LAYERS];
+    find_rests(p->frame, friction, scale, RW_LAYERS, rest, moment);
     for (int k = 0; k < RW_LAYERS; k++) {
-        rw_layer_rest *rest = &p->rest[k][after];
-        moment[k] = k == 0 ? own.load : moment_of(p, friction, k);
-        *rest = rw_layer_rest_of(scale_of(p), friction->contact, own.tilt, moment, k);
-        const rw_pressing share = rw_layer_rest_pressing(rest);
+        const rw_pressing share = rw_layer_rest_pressing(&rest[k]);
+        p->rest[k][after] = rest[k];
         p->load[k] += sign * (moment[k] + share.load);
         p->tilt[k] += sign * share.tilt;
     }
-    note_ratios(p, after);
+    for (int side = 0; side < 2; side++) {
+        find_ratios(p->frame, friction->contact, scale, RW_LAYERS, rest, side, ratio);
+        for (int k = 0; k < RW_LAYERS; k++)
+            p->ratio[k][side][after] = ratio[k];
+    }
 }
 
 void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *before,
@@ -218,7 +240,7 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
     const double slack = SAME_EDGE * (to.right - to.left);
     *p = (rw_problem){.frame = frame,
                       .scale = after->peak,
-                      .allowed = ALLOWED * frame->tolerance,
+                      .allowed = RW_ALLOWED * frame->tolerance,
                       .from = from,
                       .to = to,
                       .both = {fmin(from.left, to.left), fmax(from.right, to.right)},

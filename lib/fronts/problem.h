@@ -19,6 +19,9 @@
 
 enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 128 };
 
+/* Violations over the tolerance that count as none. */
+#define RW_ALLOWED 0.2
+
 /* A zone that sticks, label 0, or slips, label S = +-1, the sign of t. Neighbours share their
  * ends. */
 typedef struct {
@@ -88,6 +91,11 @@ void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[],
 /* w' of layer k per weight at n <= RW_TERMS places, besides that of what sticks: 0 but where an
  * edge passes. */
 void rw_layer_slopes(const rw_problem *p, int k, size_t n, const double x[], double slope[]);
+
+/* D of the layers of a step to the contact `to`, when the left or right edge of the contact was that
+ * of this friction. */
+double rw_layers_ratio(const rw_frame *frame, const rw_friction *friction, rw_patch to,
+                       const rw_layers *layers, int side);
 
 /* The changes of shear load and stretch, less those that the layers make. */
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch);

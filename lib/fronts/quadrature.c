@@ -55,7 +55,7 @@ static void set_rule(rw_fronts *f)
 void rw_fronts_init(rw_fronts *f, double tolerance)
 {
     const double digits = -log10(tolerance);
-    const bool is_fine = digits > 4.5;
+    const bool is_fine = digits > 3.5;
     f->problem = NULL;
     f->order = is_fine ? RW_TERMS : FEW_TERMS;
     f->coarse = is_fine ? 1 : 0;

@@ -51,7 +51,7 @@ static double power_at(const way *l, double part)
     const rw_numerical_state *next = part < 0.5 ? l->half : l->there;
     rw_patch contact;
     rw_zones zones;
-    return rw_step_zones(l->work, l->from, at, &next->shear.zones, &contact, &zones)
+    return rw_step_zones(l->work, l->from, at, &next->shear.zones, true, &contact, &zones)
                ? power_of(l, contact, &zones)
                : NAN;
 }

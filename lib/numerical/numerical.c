@@ -4,6 +4,7 @@
 #include "base/array.h"
 #include "base/domain.h"
 #include "numerical/energy.h"
+#include "numerical/onset.h"
 #include "traction/transform.h"
 
 #include <stdlib.h>
@@ -34,12 +35,12 @@ static void origin_at_first(const double x[], const void *context, double origin
 }
 
 /* The tolerance of the fit of the slip, over that of the tractions. */
-static const double FIT = 0.03;
+static const double FIT_OF_SLIP = 0.03;
 
 /* Over what friction and what the stretch moves. */
 static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
 {
-    return FIT * frame->tolerance * rw_patch_half_width(s->contact) *
+    return FIT_OF_SLIP * frame->tolerance * rw_patch_half_width(s->contact) *
            fmax(rw_peak_friction(frame, s->contact), fabs(s->at.stretch));
 }
 
@@ -101,9 +102,12 @@ double rw_numerical_slip(const rw_numerical *n, double x)
 
 /* ---- Errors ---- */
 
+/* The error of the fit of a step at most, over the tolerance. */
+static const double FIT_AT_MOST = 0.1;
+
 double rw_numerical_error(const rw_numerical *n)
 {
-    double most = 0;
+    double most = n->now.error; /* states of 1.2.0 have the other errors alone */
     for (int i = 0; i < RW_PLACES; i++)
         most = fmax(most, n->error[i]);
     return most;
@@ -116,6 +120,7 @@ void rw_numerical_rescale(rw_numerical *n, double factor)
 {
     for (int i = 0; i < RW_PLACES; i++)
         n->error[i] = fmin(MOST_ERROR, factor * n->error[i]);
+    n->now.error = fmin(MOST_ERROR, factor * n->now.error);
 }
 
 void rw_numerical_add_error(rw_numerical *n, double error)
@@ -123,6 +128,7 @@ void rw_numerical_add_error(rw_numerical *n, double error)
     for (int i = 0; i < RW_PLACES; i++)
         if (rw_zones_label(&n->now.shear.zones, rw_place(n->now.contact, i)) == 0)
             n->error[i] = hypot(n->error[i], error);
+    n->now.error = hypot(n->now.error, error);
 }
 
 static double error_at(const rw_numerical *n, double x)
@@ -132,24 +138,34 @@ static double error_at(const rw_numerical *n, double x)
     return fabs(cosine) < 1 ? n->error[(int)(acos(cosine) * RW_PLACES / RW_PI)] : 0;
 }
 
-/* The error of the fit of a step, over the tolerance. */
-static const double ELEMENTS = 0.03;
+/* The error of the fit of a step as it adds up, over the tolerance. */
+static const double FIT = 0.03;
 
-/* Adds the errors of a step by place. Those of the fit and of the zones are independent from step
- * to step, and added as squares. Slip makes the traction exact, and leaves those of this step.
- * Where nothing ever slipped, the traction follows from that of the places around, whatever the
- * steps were, so that only the errors of fits add up. */
-static void note_error(rw_numerical *n, const rw_numerical_state *s, double tolerance)
+/* Whether a place that sticks after a step stuck all the time, as far as its halves tell. */
+static bool has_stuck(const rw_numerical_state *from, const rw_numerical_state *half, double x)
 {
-    double error[RW_PLACES];
-    const double fit = ELEMENTS * tolerance, random = hypot(s->error, fit);
+    return rw_patch_has(from->contact, x) && rw_zones_label(&from->shear.zones, x) == 0 &&
+           rw_zones_label(&half->shear.zones, x) == 0;
+}
+
+/* Notes the errors of a step by place. Where it sticks the relative displacement is that of the
+ * moment when it began to stick, and so is its error. The traction follows from that displacement
+ * and from the tractions of all other places: these errors are of the present step, whatever the
+ * steps before it were. Only what fits lose adds up, as squares. */
+static void note_error(rw_numerical *n, const rw_numerical_state *half, rw_numerical_state *s,
+                       double tolerance)
+{
+    const double at_most = hypot(s->error, FIT_AT_MOST * tolerance);
+    double error[RW_PLACES], most = at_most;
     for (int i = 0; i < RW_PLACES; i++) {
         const double x = rw_place(s->contact, i), before = error_at(n, x);
-        error[i] = rw_zones_label(&s->shear.zones, x) != 0 ? random
-                   : rw_patch_has(s->unslipped, x) ? fmax(hypot(before, fit), random + s->apart[i])
-                                                   : hypot(before, random) + s->apart[i];
+        const bool slips = rw_zones_label(&s->shear.zones, x) != 0;
+        const bool is_old = has_stuck(&n->now, half, x);
+        error[i] = slips ? 0 : is_old ? hypot(before, FIT * tolerance) : s->error + s->apart[i];
+        most = slips ? most : fmax(most, (is_old ? hypot(before, at_most) : at_most) + s->apart[i]);
     }
     memcpy(n->error, error, sizeof error);
+    s->error = most;
 }
 
 /* ---- New places in contact ---- */
@@ -275,7 +291,7 @@ static bool accept(load_work *j, const rw_numerical_state *half, rw_numerical_st
     rw_settle_energy(&j->work, &n->now, half, now);
     rw_shear_state_smooth(&now->shear, now->contact,
                           frame->tolerance * rw_peak_friction(frame, now->contact));
-    note_error(n, now, frame->tolerance);
+    note_error(n, half, now, frame->tolerance);
     drop(&n->now);
     move(&n->now, now);
     return true;
@@ -302,7 +318,7 @@ static bool end_step(load_work *j, trial *t, rw_scaled_loads to, bool is_last, d
             move(&t->both, &t->whole);
             *error = 0;
         } else if (rw_implicit_step(w, &t->half, to, guess, is_last, &t->both))
-            *error = rw_compare(w->frame, from->contact, &t->whole, &t->half, &t->both);
+            *error = rw_compare(w, from->contact, &t->whole, &t->half, &t->both);
     }
     drop(&t->whole);
     const bool is_done =
@@ -330,6 +346,14 @@ static double part_of(double left, double part)
 
 static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
                              int effort, double *error);
+static bool advance_over_onset(load_work *j, int division, rw_scaled_loads to, double length,
+                               int effort, double onset, double *error);
+
+/* The part of a step, known as a whole or not, after which slip begins at an edge that grows. */
+static double onset_in(load_work *j, const rw_numerical_state *whole)
+{
+    return is_known(whole) ? rw_onset_of_slip(&j->work, &j->next->now, whole) : 1;
+}
 
 /* Goes on to a load. It is divided until the error of each part is small, or the effort is spent.
  * `length` is that of the load as a part of all. `error` on return: of the step, if it was one. */
@@ -340,6 +364,9 @@ static bool advance(load_work *j, int division, rw_scaled_loads to, double lengt
     const bool is_last = division == DIVISIONS || length <= SHORTEST || j->work.effort > effort;
     if (is_last && !is_known(&t->whole))
         rw_implicit_step(&j->work, &j->next->now, to, NULL, true, &t->whole);
+    const double onset = is_last ? 1 : onset_in(j, &t->whole);
+    if (onset < 1)
+        return advance_over_onset(j, division, to, length, effort, onset, error);
     return end_step(j, t, to, is_last, error) ||
            (!is_last && !j->work.is_short &&
             advance_in_parts(j, division, to, length, effort, error));
@@ -372,6 +399,23 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
     return is_done;
 }
 
+/* To the moment at which slip begins at an edge, and from there on. */
+static bool advance_over_onset(load_work *j, int division, rw_scaled_loads to, double length,
+                               int effort, double onset, double *error)
+{
+    const rw_scaled_loads at = rw_part_of_line(j->next->now.at, to, onset);
+    rw_numerical_state *whole = &j->at[division + 1].whole;
+    const int half = j->work.effort + (effort - j->work.effort) / 2;
+    drop(&j->at[division].whole);
+    rw_implicit_step(&j->work, &j->next->now, at, NULL, false, whole);
+    if (!advance(j, division + 1, at, length * onset, half, error))
+        return false;
+    rw_implicit_step(&j->work, &j->next->now, to, NULL, false, whole);
+    const bool is_done = advance(j, division + 1, to, length * (1 - onset), effort, error);
+    *error = HUGE_VAL;
+    return is_done;
+}
+
 /* The friction of a contact goes from load to load. The last place is the last to be given to
  * another contact. */
 static void lend_friction(rw_numerical *n, rw_work *w)
@@ -389,32 +433,32 @@ static void keep_friction(rw_work *w, rw_numerical *n)
         }
 }
 
-static int32_t try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
+/* A copy that has gone to a load, in `next`; NULL where memory is short, or there is no answer. */
+static int32_t try_load(const rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
+                        int *effort, rw_numerical **next)
 {
     load_work *j = malloc(sizeof *j);
+    *next = NULL;
     if (!j)
         return RWEDGE_ENOMEM;
     rw_work_init(&j->work, frame, *effort);
     memset(j->at, 0, sizeof j->at);
     int32_t status = RWEDGE_ENOMEM;
     bool is_whole = true;
-    rw_numerical *next = j->next = rw_numerical_copy(n, &is_whole);
+    j->next = rw_numerical_copy(n, &is_whole);
     if (is_whole) {
-        lend_friction(next, &j->work);
+        lend_friction(j->next, &j->work);
         double error;
-        rw_implicit_step(&j->work, &next->now, to, NULL, false, &j->at[0].whole);
-        const bool is_done = advance(j, 0, to, 1, *effort / 2, &error) && !j->work.is_short &&
-                             rw_numerical_error(next) <= frame->far_off + 2 * rw_numerical_error(n);
+        rw_implicit_step(&j->work, &j->next->now, to, NULL, false, &j->at[0].whole);
+        const bool is_done = advance(j, 0, to, 1, *effort / 2, &error);
         *effort -= j->work.effort;
-        keep_friction(&j->work, next);
-        const rw_numerical before = *n;
-        if (is_done) {
-            *n = *next;
-            *next = before;
-        }
-        status = is_done ? RWEDGE_OK : j->work.is_short ? RWEDGE_ENOMEM : RWEDGE_ENOCONV;
+        keep_friction(&j->work, j->next);
+        status = j->work.is_short ? RWEDGE_ENOMEM : is_done ? RWEDGE_OK : RWEDGE_ENOCONV;
     }
-    rw_numerical_destroy(next);
+    if (status == RWEDGE_OK)
+        *next = j->next;
+    else
+        rw_numerical_destroy(j->next);
     for (int i = 0; i <= DIVISIONS; i++) {
         drop(&j->at[i].whole);
         drop(&j->at[i].half);
@@ -424,19 +468,45 @@ static int32_t try_load(rw_numerical *n, const rw_frame *frame, rw_scaled_loads 
     return status;
 }
 
-/* A load that fails is tried once more with ten times the tolerance and a quarter of the effort;
- * rwedge_contact_error() then says so. */
+/* The better of two tries, of which the other is freed. NULL is none. */
+static rw_numerical *better_of(rw_numerical *a, rw_numerical *b)
+{
+    const bool is_first = !b || (a && rw_numerical_error(a) <= rw_numerical_error(b));
+    rw_numerical_destroy(is_first ? b : a);
+    return is_first ? a : b;
+}
+
+/* A load that adds more than this to the error, over the tolerance, is tried once more, with ten
+ * times the tolerance and a quarter of the effort: larger steps may err less where the effort did
+ * not suffice for small ones. */
+static const double ENOUGH = 2, LOOSER = 10, LOOSEST = 1e-2;
+
+/* What a try adds to the error; HUGE_VAL where there is none. */
+static double added(const rw_numerical *n, const rw_numerical *next)
+{
+    return next ? rw_numerical_error(next) - rw_numerical_error(n) : HUGE_VAL;
+}
+
 int32_t rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
-    static const double LOOSEST = 1e-2;
-    rw_frame looser = rw_frame_of(frame->arcs, frame->f, fmin(10 * frame->tolerance, LOOSEST));
-    looser.far_off = frame->far_off;
+    const rw_frame looser =
+        rw_frame_of(frame->arcs, frame->f, fmin(LOOSER * frame->tolerance, LOOSEST));
     int rest = *effort / 4;
-    const int32_t status = try_load(n, frame, to, effort);
-    if (status != RWEDGE_ENOCONV || !(looser.tolerance > frame->tolerance))
-        return status;
-    *effort -= rest;
-    const int32_t second = try_load(n, &looser, to, &rest);
-    *effort += rest;
-    return second;
+    rw_numerical *next, *other;
+    int32_t status = try_load(n, frame, to, effort, &next);
+    if (status != RWEDGE_ENOMEM && added(n, next) > ENOUGH * frame->tolerance &&
+        looser.tolerance > frame->tolerance) {
+        *effort -= rest;
+        status = try_load(n, &looser, to, &rest, &other);
+        *effort += rest;
+        next = better_of(next, other);
+    }
+    const bool is_done = status != RWEDGE_ENOMEM && added(n, next) <= frame->far_off;
+    if (is_done) {
+        const rw_numerical before = *n;
+        *n = *next;
+        *next = before;
+    }
+    rw_numerical_destroy(next);
+    return status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : is_done ? RWEDGE_OK : RWEDGE_ENOCONV;
 }

@@ -371,8 +371,10 @@ static bool complete(const after *n, double tolerance, rw_outcome *o)
 static after prepare(rw_fronts *f, rw_outcome *o)
 {
     *o = (rw_outcome){.violation = 0};
-    const rw_layers layers = rw_fronts_zones(f, &o->state.zones);
-    rw_fronts_collect(f, &o->state.zones, &layers, f->finest);
+    o->layers = rw_fronts_zones(f, &o->state.zones);
+    for (int side = 0, i = f->fronts; side < 2; side++)
+        o->D[side] = f->sticks_to_edge[side] ? f->y[i++] : NAN;
+    rw_fronts_collect(f, &o->state.zones, &o->layers, f->finest);
     rw_fronts_prepare(f);
     return (after){f->problem, &o->state.zones, rw_stuck_of(f, &o->state.zones), f, NULL, NULL};
 }
@@ -396,7 +398,7 @@ bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *
                         const rw_layers *layers, rw_outcome *o)
 {
     const double error = GRID_ERROR / g->n;
-    *o = (rw_outcome){.violation = error};
+    *o = (rw_outcome){.violation = error, .layers = *layers, .D = {NAN, NAN}};
     rw_grid_zones_met(g, p, &o->state.zones);
     const after n = {p, &o->state.zones, {.count = 0}, f, g, layers};
     return complete(&n, fmax(fit_tolerance(p), FIT * error * p->scale), o);

@@ -14,8 +14,10 @@ typedef struct {
     double energy;    /* in theta^2/A */
     double doubt;     /* by how much friction that changes may make the energy wrong */
     double move;      /* of what sticks: the constant part of dw */
-    bool is_short;    /* memory was short */
-    rw_zones wrong;   /* parts that should have another label */
+    rw_layers layers;
+    double D[2];    /* at the left, right edge after the step, NaN where it is not known */
+    bool is_short;  /* memory was short */
+    rw_zones wrong; /* parts that should have another label */
 } rw_outcome;
 
 /* Removes kinks, except fronts, without which the traction is fitted to the tolerance too: each

@@ -138,15 +138,20 @@ static double excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones
     return sum * sqrt(length / s.half);
 }
 
-void rw_rates_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, double ratio[2])
+void rw_rates_free_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, double ratio[2])
 {
     rw_stuck s;
     const int sign = first_sign(zones);
     const bool is_known = solve(f, p, zones, sign, &s);
-    for (int side = 0; side < 2; side++) {
-        const double D = is_known ? ratio_at(p, zones, sign, &s, side) : NAN;
-        ratio[side] = isnan(D) ? NAN : fmax(-1, fmin(1, D));
-    }
+    for (int side = 0; side < 2; side++)
+        ratio[side] = is_known ? ratio_at(p, zones, sign, &s, side) : NAN;
+}
+
+void rw_rates_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, double ratio[2])
+{
+    rw_rates_free_ratio(f, p, zones, ratio);
+    for (int side = 0; side < 2; side++)
+        ratio[side] = isnan(ratio[side]) ? NAN : fmax(-1, fmin(1, ratio[side]));
 }
 
 /* What slips the same way in both. */

@@ -15,7 +15,10 @@
 double rw_rates_wrong(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
                       const rw_zones *after);
 
-/* D at the edges that grow and stick (layers.h), not beyond +-1; else NaN. */
+/* D at the edges that grow and stick (layers.h), else NaN: as the zones have it, and not beyond
+ * +-1. */
+void rw_rates_free_ratio(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
+                         double ratio[2]);
 void rw_rates_ratio(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones,
                     double ratio[2]);
 

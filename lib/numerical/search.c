@@ -324,7 +324,8 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
     return best->state.traction.count > 0;
 }
 
-bool rw_search_zones(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_zones *zones)
+bool rw_search_zones(rw_work *w, const rw_problem *p, const rw_zones *guess, bool by_grid,
+                     rw_zones *zones)
 {
     const rw_zones start = moved_to(*guess, p->to);
     rw_outcome outcome;
@@ -335,7 +336,7 @@ bool rw_search_zones(rw_work *w, const rw_problem *p, const rw_zones *guess, rw_
         rw_fronts_zones(&w->fronts, zones);
         return true;
     }
-    if (!rw_search(w, p, NULL, false, &outcome))
+    if (!by_grid || !rw_search(w, p, NULL, false, &outcome))
         return false;
     *zones = outcome.state.zones;
     rw_traction_destroy(&outcome.state.traction);

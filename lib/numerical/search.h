@@ -33,8 +33,8 @@ bool rw_search(rw_work *work, const rw_problem *problem, const rw_zones *guess, 
                rw_outcome *best);
 
 /* The zones alone, without their outcome: where it can be, by exact fronts of zones like those of
- * `guess`. false where they are not found. */
-bool rw_search_zones(rw_work *work, const rw_problem *problem, const rw_zones *guess,
+ * `guess`, else, with `by_grid`, of any. false where they are not found. */
+bool rw_search_zones(rw_work *work, const rw_problem *problem, const rw_zones *guess, bool by_grid,
                      rw_zones *zones);
 
 #endif

@@ -68,13 +68,15 @@ static bool set_step(rw_work *w, const rw_numerical_state *from, rw_scaled_loads
     return set_problem(w, from, to, contact, p);
 }
 
-static double rate_error(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
-                         const rw_numerical_state *there)
+static void note_rate_errors(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
+                             rw_numerical_state *there)
 {
-    return fmax(rw_rates_error_at_start(&w->fronts, &w->start, &from->shear.zones,
-                                        &there->shear.zones),
-                rw_rates_wrong(&w->fronts, &w->end, &there->shear.zones, &there->shear.zones)) /
-           p->scale;
+    const rw_zones *before = &from->shear.zones, *after = &there->shear.zones;
+    const double at_start = rw_rates_error_at_start(&w->fronts, &w->start, before, after),
+                 at_end = rw_rates_wrong(&w->fronts, &w->end, after, after);
+    there->start_error = at_start / p->scale;
+    there->end_error = at_end / p->scale;
+    there->rate_error = fmax(there->start_error, there->end_error);
 }
 
 /* A step whose loads change by more than this, as traction over friction, is looked at half-way
@@ -113,8 +115,10 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
         .move = from->move + outcome.move,
         .energy = from->energy + outcome.energy,
         .doubt = outcome.doubt,
+        .layers = outcome.layers,
+        .D = {outcome.D[0], outcome.D[1]},
         .error = outcome.violation};
-    there->rate_error = rate_error(w, p, from, there);
+    note_rate_errors(w, p, from, there);
     there->is_exact = is_exact(w, p, from, there);
     return true;
 }
@@ -129,13 +133,13 @@ bool rw_implicit_step(rw_work *w, const rw_numerical_state *from, rw_scaled_load
 }
 
 bool rw_step_zones(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to,
-                   const rw_zones *guess, rw_patch *contact, rw_zones *zones)
+                   const rw_zones *guess, bool by_grid, rw_patch *contact, rw_zones *zones)
 {
     rw_problem p;
     if (!set_step(w, from, to, &p))
         return false;
     *contact = p.to;
-    return rw_search_zones(w, &p, guess, zones);
+    return rw_search_zones(w, &p, guess, by_grid, zones);
 }
 
 /* Whether all places that stick in `inner` stick in `outer` too. */
@@ -198,15 +202,22 @@ static void spread(bool left_out[], double apart[])
             apart[i] = fmax(apart[i], apart[i + 1]);
 }
 
-/* The error is at most this many times the difference of a step from its halves, in 97 of 100
- * histories (tests/random/test_random_loads.c). Steps are of second order, or of a lower one where
- * a front runs back into a zone that slipped, and such errors add up. */
-static const double DOUBT = 2;
+/* The error is at most this many times the difference of a step from its halves: in 98 of 100 loads
+ * (tests/random/test_random_errors.c). Steps are of second order, or of a lower one where a front
+ * runs back into a zone that slipped, or where the contact changes. */
+static const double DOUBT = 2, DOUBT_IF_CHANGED = 3;
 
 /* Of places that came into contact in the step and stick: each errs in this step alone, and the
  * halves by 0.18 times as much as the whole. The error is largest at this part of the way from the
  * edge to where it was before. */
-static const double DOUBT_IF_NEW = 0.5, WORST = 0.2;
+static const double DOUBT_IF_NEW = 0.75, WORST = 0.2;
+
+static double doubt_at(rw_patch before, rw_patch now, double x)
+{
+    return !rw_patch_has(before, x)        ? DOUBT_IF_NEW
+           : rw_patch_is_same(before, now) ? DOUBT
+                                           : DOUBT_IF_CHANGED;
+}
 
 /* Where the tractions at a place are compared. */
 static double compared(rw_patch before, rw_patch now, double x)
@@ -225,7 +236,7 @@ static double difference(double scale, rw_patch before, const rw_numerical_state
     double most = 0;
     for (int i = 0; i < RW_PLACES; i++) {
         const double place = rw_place(a->contact, i), x = compared(before, a->contact, place);
-        const double doubt = rw_patch_has(before, place) ? DOUBT : DOUBT_IF_NEW;
+        const double doubt = doubt_at(before, a->contact, place);
         left_out[i] = is_at_front(a, place) || is_at_front(b, place);
         apart[i] = left_out[i] ? 0
                                : doubt *
@@ -238,17 +249,42 @@ static double difference(double scale, rw_patch before, const rw_numerical_state
     return most;
 }
 
+/* By how much D half-way differs from that of the whole, at an edge that sticks. A difference that
+ * is quadratic in time is a quarter of it in each half, and two thirds of that on average. So it
+ * changes the traction at the place of the old edge by this part of friction there. */
+static const double OF_RATIO = 1.0 / 6;
+
+static double growth_error(rw_work *w, rw_patch before, const rw_numerical_state *whole,
+                           const rw_numerical_state *half, const rw_numerical_state *both)
+{
+    double most = 0;
+    for (int side = 0; side < 2; side++) {
+        const double old = side ? before.right : before.left;
+        const rw_friction *friction = isnan(whole->D[side] + half->D[side] + both->D[side])
+                                          ? NULL
+                                          : friction_of(w, half->contact);
+        if (!friction || !rw_patch_has(whole->contact, old))
+            continue;
+        const double D = rw_layers_ratio(w->frame, friction, whole->contact, &whole->layers, side);
+        most =
+            fmax(most, fabs(D - half->D[side]) * rw_exact_friction(w->frame, whole->contact, old));
+    }
+    return OF_RATIO * most / rw_peak_friction(w->frame, whole->contact);
+}
+
 /* Energies, over the square of scale and half-width, may differ by this many times the tolerance of
  * tractions. The energy of the halves is of second order. */
 static const double ENERGY = 30;
 
-double rw_compare(const rw_frame *frame, rw_patch before, const rw_numerical_state *whole,
+double rw_compare(rw_work *w, rw_patch before, const rw_numerical_state *whole,
                   const rw_numerical_state *half, rw_numerical_state *both)
 {
+    const rw_frame *frame = w->frame;
     const double scale = rw_peak_friction(frame, whole->contact);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
-    both->error += half->error + half->rate_error + both->rate_error;
+    both->error += half->error + half->rate_error + both->rate_error +
+                   growth_error(w, before, whole, half, both);
     const double apart = difference(scale, before, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
     both->doubt += half->doubt;

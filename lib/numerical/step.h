@@ -29,13 +29,17 @@ typedef struct {
     rw_shear_state shear;
     rw_patch contact;
     rw_scaled_loads at;
-    bool is_still;           /* the contact is as it was at the beginning */
-    rw_patch unslipped;      /* the widest part that has not slipped since then */
-    double move, energy;     /* the rigid move of the zones that stick, the energy: so far */
-    double doubt;            /* of the energy of the step that led here (outcome.h) */
-    double error;            /* violations of the step that led here, over the scale */
-    double rate_error;       /* its error by the rates at its ends (rates.h), over the scale */
-    bool is_exact;           /* what sticks after that step stuck all the time */
+    bool is_still;       /* the contact is as it was at the beginning */
+    rw_patch unslipped;  /* the widest part that has not slipped since then */
+    double move, energy; /* the rigid move of the zones that stick, the energy: so far */
+    double doubt;        /* of the energy of the step that led here (outcome.h) */
+    double error;        /* violations of the step that led here, over the scale; of the present
+                                state: all of its error */
+    double start_error, end_error, rate_error; /* its errors by the rates at its ends (rates.h),
+                                and the larger one, over the scale */
+    bool is_exact;                             /* what sticks after that step stuck all the time */
+    rw_layers layers; /* of the step that led here, and D at its end (outcome.h) */
+    double D[2];
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_numerical_state;
 
@@ -49,10 +53,10 @@ bool rw_implicit_step(rw_work *work, const rw_numerical_state *from, rw_scaled_l
 void rw_step_rates(const rw_work *work, rw_scaled_loads from, rw_scaled_loads to, rw_patch contact,
                    rw_problem *rates);
 
-/* The contact and its zones alone after a step, which are like those of `guess`.
- * false where they are not found. */
+/* The contact and its zones alone after a step, which are like those of `guess`, or any with
+ * `by_grid`. false where they are not found. */
 bool rw_step_zones(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
-                   const rw_zones *guess, rw_patch *contact, rw_zones *zones);
+                   const rw_zones *guess, bool by_grid, rw_patch *contact, rw_zones *zones);
 
 /* `from` and `there` were reached from one state, half-way and as a whole, under constant P and M.
  * Whether the step from the one to the other has the end `there` too: then the whole is exact, and
@@ -62,7 +66,7 @@ bool rw_step_goes_on(rw_work *work, const rw_numerical_state *from, rw_numerical
 /* Compares both halves of a step, the first of which ends at `half`, with the step as a whole. It
  * began in the contact `before`. The difference bounds the error of the halves, which is noted
  * there. Returns it, or that of the energies, over what is allowed. */
-double rw_compare(const rw_frame *frame, rw_patch before, const rw_numerical_state *whole,
+double rw_compare(rw_work *work, rw_patch before, const rw_numerical_state *whole,
                   const rw_numerical_state *half, rw_numerical_state *both);
 
 #endif

@@ -2,7 +2,7 @@
 /* Loads of P, M, Q and bulk tension at random, as tests and joints have them. They are computed
  * where there is no closed form. Each load is done or it does not converge. One that is done leaves
  * a shear that is finite and within friction; one that is not leaves the contact as it was, to the
- * last bit. And the error that is told is honest.
+ * last bit.
  *
  *     test_random_loads HISTORIES [SEED] [PATTERN]
  *
@@ -15,10 +15,9 @@
  * Each history has a seed of its own, SEED and those after it. A load that does not converge, or
  * takes longer than LONGEST, is told with the command that follows its history alone.
  *
- * The first claim fails if more than one load in 100,000 does not converge, or if one takes more
- * than LONGEST seconds of the processor. The second fails where the error that is told is not
- * between the true one and 30 times that in 9 of 10 histories, but for one. A tenth of the
- * tolerance counts as none. What else a computed shear obeys: ../lib/contact/test_shear_laws.c. */
+ * The claim fails if more than one load in 100,000 does not converge, or if one takes more than
+ * LONGEST seconds of the processor. Whether the error that is told is honest: test_random_errors.c.
+ * What else a computed shear obeys: ../lib/contact/test_shear_laws.c. */
 #include "contact/numerical.h"
 #include "histories.h"
 
@@ -176,100 +175,4 @@ CLAIM(loads_as_tests_have_them_are_done)
         tally.loads, tally.computed, tally.unsolved, tally.slowest, tally.worst);
     assert_true(tally.unsolved <= tally.loads / LOADS_PER_UNSOLVED);
     assert_true(tally.slowest <= LONGEST);
-}
-
-/* ---- The error that is told ---- */
-
-/* It is held against a contact that follows each load in parts, the shorter the earlier, to a
- * hundredth of the tolerance. Within a hundredth of the half-width of a front of slip, at or within
- * any of the loads, it is not: q rises there like a root. */
-enum { FEW = 4, PARTS = 20, PLACES = 400 };
-static const double TOLERANCE = 1e-3;
-
-/* 1/256 ... 1/32, then 1/16 ... 1. */
-static void set_parts(double part[])
-{
-    for (int i = 0; i < PARTS; i++)
-        part[i] = i < 4 ? ldexp(1, i - 8) : (i - 3) / 16.0;
-}
-
-/* Where fronts are, or have been: a front that turned within a load has left a kink. */
-typedef struct {
-    int count;
-    double at[2 * FEW * (RW_MOST_ZONES + RW_MOST_KINKS)];
-} fronts;
-
-static void note_fronts(const rwedge_contact *contact, fronts *f)
-{
-    double left[RW_MOST_ZONES], right[RW_MOST_ZONES], slip[RW_MOST_ZONES];
-    const size_t n = rwedge_contact_zone_count(contact);
-    if (rwedge_contact_zones(contact, n, left, right, slip) == RWEDGE_OK)
-        for (size_t i = 0; i + 1 < n; i++)
-            f->at[f->count++] = right[i];
-    const rw_shear_state *shear = contact->computed.now ? &contact->computed.now->now.shear : NULL;
-    for (int i = 0; shear && i < shear->kinks; i++)
-        f->at[f->count++] = shear->kink[i];
-}
-
-static bool is_at_front(const fronts *f, double x, double reach)
-{
-    for (int i = 0; i < f->count; i++)
-        if (fabs(x - f->at[i]) < reach)
-            return true;
-    return false;
-}
-
-/* Over f times the peak pressure. */
-static double error_beside(const programme *p, const rwedge_contact *better, const fronts *seen)
-{
-    const rw_patch edges = edges_of(p->contact);
-    const double middle = rw_patch_middle(edges), half = rw_patch_half_width(edges);
-    double error = 0, peak = 0;
-    for (int i = 0; i < PLACES; i++) {
-        const double x = middle - half * cos(PI * (i + 0.5) / PLACES);
-        peak = fmax(peak, -pressure(better, x));
-        if (!is_at_front(seen, x, 0.01 * half))
-            error = fmax(error, fabs(shear(p->contact, x) - shear(better, x)));
-    }
-    return error / (p->f * peak);
-}
-
-static bool is_honest(const programme *p, double error, double own)
-{
-    const double told = rwedge_contact_error(p->contact);
-    const bool holds =
-        told >= error - own - 1e-12 && told <= 30 * fmax(error + own, TOLERANCE / 10);
-    if (!holds)
-        print_message("    history %ld: told %.1e, true %.1e to %.1e\n", tally.history, told, error,
-                      own);
-    return holds;
-}
-
-/* Of the wedge. Whether all loads are done too. */
-static bool survey(long history)
-{
-    const programme p = draw_programme(history, history % 2 ? STEPS_OF_ALL : STEPS, 0);
-    rwedge_contact *better = allowing(copy_of(p.contact), TOLERANCE / 100);
-    fronts seen = {0};
-    double part[PARTS];
-    allowing(p.contact, TOLERANCE);
-    set_parts(part);
-    for (int i = 0; i < FEW; i++) {
-        const rw_loads to = draw_loads(&p, i);
-        if (try_load(p.contact, to) != RWEDGE_OK || try_parts(better, to, PARTS, part) != RWEDGE_OK)
-            return false;
-        note_fronts(p.contact, &seen);
-        note_fronts(better, &seen);
-    }
-    return is_honest(&p, error_beside(&p, better, &seen), rwedge_contact_error(better));
-}
-
-CLAIM(the_error_that_is_told_is_honest)
-{
-    const long first = (long)seed_or(1), histories = cases_or(4);
-    long honest = 0;
-    for (long i = first; i < first + histories; i++)
-        honest += survey(i);
-    print_message("    %ld histories: %ld told an honest error\n", histories, honest);
-    assert_true((double)honest >= 0.9 * (double)histories - 1);
 }

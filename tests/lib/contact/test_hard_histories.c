@@ -31,17 +31,20 @@ static rwedge_contact *flat_pad(double tolerance)
 }
 
 /* All of the contact slips, outwards or inwards, from a place that no grid resolves: it did not
- * converge, and the whole history ended there. */
+ * converge, and the whole history ended there. What such a load adds to the error is within ten
+ * times the tolerance; where that is too much it does not converge, and all is as before. */
 CLAIM(a_contact_under_tension_may_lose_nearly_all_of_its_load)
 {
     const double sigma[] = {10, -20};
     rwedge_contact *pad = APPLY(flat_pad(1e-4), {300, 0, 0, 0}, {300, 0, 50, 10});
     for (int i = 0; i < 2; i++) {
-        rwedge_contact *next = APPLY(copy_of(pad), {1e-4, 0, 0, sigma[i]});
-        assert_within(rwedge_contact_error(next), 0, 0.2);
+        rwedge_contact *next = copy_of(pad);
+        refuse(next, 1e-4, 0, 0, sigma[i], RWEDGE_ENOCONV);
+        APPLY(allowing(next, 1e-2), {1e-4, 0, 0, sigma[i]});
+        assert_within(rwedge_contact_error(next), 0, 0.1);
         assert_within(shear(next, 0.9), -copysign(0.5, sigma[i]) * pressure(next, 0.9),
                       -0.1 * pressure(next, 0.9));
-        apply(next, 300, 0, 30, 5);
+        apply(allowing(next, 1e-4), 300, 0, 30, 5);
         assert_within(rwedge_contact_error(next), 0, 1e-4);
     }
 }
@@ -151,7 +154,7 @@ CLAIM(a_pad_that_touches_under_tension_and_sticks_keeps_its_strain)
 CLAIM(a_pad_that_touches_under_a_moment_and_a_tension_keeps_its_strain)
 {
     rwedge_contact *pad = APPLY(flat_pad(1e-6), {300, 60, 0, 60});
-    assert_within(rwedge_contact_error(pad), 0, 1.5e-6); /* of all parts of the load */
+    assert_within(rwedge_contact_error(pad), 0, 2e-6); /* of all parts of the load */
     for (int k = -9; k <= 9; k++)
         assert_within(relative_strain(pad, 0.1 * k, 60), 0, 3e-6 * 0.5 * -pressure(pad, 1));
     assert_in_range(rwedge_contact_state_size(pad), 0, 4000);
@@ -200,7 +203,8 @@ CLAIM(slip_ends_at_an_edge_that_grows)
  * took minutes, and memory as it went. */
 CLAIM(a_pad_touches_under_a_tension_of_any_size)
 {
-    rwedge_contact *pad = APPLY(flat_pad(1e-4), {300, 0, 20, 1e14});
+    refuse(flat_pad(1e-4), 300, 0, 20, 1e14, RWEDGE_ENOCONV); /* its error is 4e-3 */
+    rwedge_contact *pad = APPLY(flat_pad(1e-3), {300, 0, 20, 1e14});
     const double error = rwedge_contact_error(pad);
     assert_within(error, 0, 0.1);
     for (int side = -1; side <= 1; side += 2)
@@ -208,6 +212,22 @@ CLAIM(a_pad_touches_under_a_tension_of_any_size)
             const double p = pressure(pad, side * 0.1 * i);
             assert_within(shear(pad, side * 0.1 * i), -side * 0.5 * p, -error * 0.5 * p);
         }
+}
+
+/* An edge passes all of the flat as the pad touches. Effort for its zones ran out: at a tolerance
+ * of 1e-4 the error was told as 0.02, at 1e-3 as 2e-3. */
+CLAIM(a_pad_that_touches_on_its_corner_errs_no_more_at_a_finer_tolerance)
+{
+    const rw_loads to = {0.39638695182366596, 0.33209160219909156, 0.14031765424683654,
+                         -0.1981408692961819};
+    rwedge_contact *pad = allowing(create_flat(1, 10, 1, 0.5), 1e-3);
+    assert_ok(try_load(pad, to));
+    assert_within(rwedge_contact_error(pad), 0, 1e-3);
+    pad = allowing(create_flat(1, 10, 1, 0.5), 1e-4);
+    if (try_load(pad, to) == RWEDGE_OK)
+        assert_within(rwedge_contact_error(pad), 0, 10 * 1e-4);
+    else
+        assert_true(rwedge_contact_error(pad) == 0);
 }
 
 /* ---- Rolling ---- */

@@ -460,10 +460,10 @@ CLAIM(zones_are_not_searched_when_the_effort_is_spent)
     const rw_scaled_loads to = {4, 0, 0.5, 0};
     rw_patch contact;
     rw_zones zones;
-    assert_true(rw_step_zones(&c->work, now, to, &now->shear.zones, &contact, &zones));
+    assert_true(rw_step_zones(&c->work, now, to, &now->shear.zones, true, &contact, &zones));
     assert_int_equal(zones.count, 3);
     c->work.effort = RW_MOST_EFFORT + 1;
-    assert_false(rw_step_zones(&c->work, now, to, &now->shear.zones, &contact, &zones));
+    assert_false(rw_step_zones(&c->work, now, to, &now->shear.zones, true, &contact, &zones));
 }
 
 /* Of zones that all slip, each the other way, no more are kept than there is room for. */

@@ -92,8 +92,8 @@ void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[],
  * edge passes. */
 void rw_layer_slopes(const rw_problem *p, int k, size_t n, const double x[], double slope[]);
 
-/* D of the layers of a step to the contact `to`, when the left or right edge of the contact was that
- * of this friction. */
+/* D of the layers of a step to the contact `to`, when the left or right edge of the contact was
+ * that of this friction. */
 double rw_layers_ratio(const rw_frame *frame, const rw_friction *friction, rw_patch to,
                        const rw_layers *layers, int side);
 

@@ -9,8 +9,8 @@ static const double NEAREST = 0.02;
 /* An edge grows if it moves by more than this part of the half-width. */
 static const double LEAST_GROWTH = 1e-6;
 
-/* Slip begins where |D| is 1 - CLOSE, found to the part EXACT of the step: the first part must stick
- * to its end. */
+/* Slip begins where |D| is 1 - CLOSE, found to the part EXACT of the step: the first part must
+ * stick to its end. */
 static const double EXACT = 1e-3, CLOSE = 1e-3;
 
 /* Of regula falsi, and of halvings for the moment at which slip turns. */

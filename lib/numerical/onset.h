@@ -8,8 +8,8 @@
 
 #include "numerical/step.h"
 
-/* The part of the step from the one state to the other at which that is, 0 < part < 1; 1 where there
- * is no such moment, or none is found. */
+/* The part of the step from the one state to the other at which that is, 0 < part < 1; 1 where
+ * there is no such moment, or none is found. */
 double rw_onset_of_slip(rw_work *work, const rw_numerical_state *from,
                         const rw_numerical_state *there);
 

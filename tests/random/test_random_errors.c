@@ -4,8 +4,9 @@
  *     test_random_errors HISTORIES [SEED] [PATTERN]
  *
  * Each history has a seed of its own, SEED and those after it; with HISTORIES alone SEED is the
- * time, and is printed. There are four pads: the rounded wedge, a flat pad, a profile of random slopes with
- * kinks, a cylinder. There are five kinds of history, of a pressing by P and three loads:
+ * time, and is printed. There are four pads: the rounded wedge, a flat pad, a profile of random
+ * slopes with kinks, a cylinder. There are five kinds of history, of a pressing by P and three
+ * loads:
  *   growing    P grows by up to 2.5 times in each load, M = 0 or a little, with Q and tension;
  *   sticking   the same with a third of Q and tension, so that most of the contact sticks;
  *   rocking    M swings by up to 0.4 P b, P by 5 %, with Q and tension;

@@ -579,10 +579,11 @@ RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, doubl
  * It holds again after full sliding, after separation, and, if P and M have not changed since,
  * after a load that slips past all that was computed.                                           new
  *   tolerance  0, or 1e-6 to 1e-2: 0, which a new contact has, refuses such loads with RWEDGE_EPATH
- * A load that does not reach the tolerance is tried once more with ten times the tolerance. A load
- * whose shear cannot be found, or that adds more than 0.1 to the error, fails with RWEDGE_ENOCONV
- * and leaves the contact as before: smaller steps may succeed. A profile of n arcs in contact takes
- * n times as long as a wedge. rwedge_contact_error() tells the error that was reached.
+ * A load that adds twice the tolerance to the error is tried once more with ten times the
+ * tolerance, and the better answer is taken. A load that adds more than ten times the tolerance
+ * fails with RWEDGE_ENOCONV and leaves the contact as before: a larger tolerance may succeed. A
+ * profile of n arcs in contact takes n times as long as a wedge. rwedge_contact_error() tells the
+ * error that was reached.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. */
 RWEDGE_API int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance);
 

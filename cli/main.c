@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge: finds the command, and does what all commands need. */
 #include "system/system.h"
+#include "fretting/fretting.h"
 #include "setup/setup.h"
 
 #include <errno.h>
@@ -123,6 +124,7 @@ int main(int argc, char **argv)
     signals_install();
     invocation_keep(argc, words);
     input_options_prepare();
+    criteria_options_prepare();
     const command *chosen = argc > 1 ? command_named(words[1]) : NULL;
     if (chosen != NULL)
         return run_command(chosen, argc - 1, words + 1);

@@ -19,7 +19,7 @@
  * Domain. Lengths, loads, moduli, stresses, the compliance, friction, the angle theta, and ratios
  * of lengths such as a/b and x/b have a size: they are 0, where that is allowed, or 1e-60 to 1e60
  * in magnitude. A result that would leave this range is an error. These arguments have no size:
- * nu, nu1, nu2, Q_over_fP, AP_over_theta_a.
+ * nu, nu1, nu2, angle, Q_over_fP, AP_over_theta_a.
  *
  * Arguments that many functions share:
  *   alpha  a/b, rounding over contact half-width, finite, >= 0; 0 is the sharp wedge, >= 1 is
@@ -182,17 +182,14 @@ RWEDGE_API int32_t rwedge_stress_gradient(double alpha, double f, double c, doub
 
 /* How the stresses change with the contact: d/dalpha, d/df and d/dc of them at a place of which x
  * and y, in b, stay, in theta/A; closed form.                                                   new
- *   x, y                             as in rwedge_stress_gradient()
- *   sxx_alpha, syy_alpha, txy_alpha  d/dalpha, each receives one number; 0 for the sharp wedge
- *   sxx_f, syy_f, txy_f              d/df, each receives one number
- *   sxx_c, syy_c, txy_c              d/dc, each receives one number; that of a growing c for c = 0
+ *   x, y     as in rwedge_stress_gradient()
+ *   d_alpha  receives 3 numbers: d/dalpha of sxx, syy and txy; 0 for the sharp wedge
+ *   d_f      receives 3 numbers: d/df of them
+ *   d_c      receives 3 numbers: d/dc of them; that of a growing c for c = 0
  * RWEDGE_EDOMAIN where x is such an edge and y is 0; RWEDGE_ENULL. Error as that of
  * rwedge_stress_gradient(). */
 RWEDGE_API int32_t rwedge_stress_sensitivity(double alpha, double f, double c, double x, double y,
-                                             double *sxx_alpha, double *syy_alpha,
-                                             double *txy_alpha, double *sxx_f, double *syy_f,
-                                             double *txy_f, double *sxx_c, double *syy_c,
-                                             double *txy_c);
+                                             double d_alpha[3], double d_f[3], double d_c[3]);
 
 /* ---- Strength -------------------------------------------------------------------------------- */
 
@@ -840,11 +837,8 @@ RWEDGE_API int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact
  * state what the questions need; rwedge_cycle_destroy() frees it. A cycle does not change: any
  * number of threads may ask it at a time. The contact that it was made from may change or be freed.
  *   loads          number of loads of the cycle, rwedge_cycle_loads()
- *   E              Young's modulus, stress, 1e-60 to 1e60
  *   nu             Poisson's ratio of the half-plane, 0 <= nu <= 0.5
- *   plane_stress   0 <= plane_stress <= 1: 0 for plane strain, 1 for plane stress
- *   constant       of the criterion, 0 or 1e-60 to 1e60: see rwedge_criterion_field()
- *   su             McDiarmid's, stress, 1e-60 to 1e60 */
+ *   plane_stress   0 <= plane_stress <= 1: 0 for plane strain, 1 for plane stress */
 
 /* A cycle of loads that a contact has gone through. */
 typedef struct rwedge_cycle rwedge_cycle;
@@ -862,7 +856,9 @@ enum {
     RWEDGE_MEASURE_MODIFIED_WOHLER = 8,
     RWEDGE_MEASURE_MCDIARMID = 9,
     RWEDGE_MEASURE_CROSSLAND = 10,
-    RWEDGE_MEASURE_DANG_VAN = 11
+    RWEDGE_MEASURE_DANG_VAN = 11,
+    RWEDGE_MEASURE_SWT_IN_PLANE = 12,
+    RWEDGE_MEASURE_FATEMI_SOCIE_IN_PLANE = 13
 };
 
 /* A cycle of a contact, which starts from the contact as it is, and leaves it so. For a steady
@@ -921,19 +917,23 @@ RWEDGE_API int32_t rwedge_cycle_friction(const rwedge_cycle *cycle, size_t n, co
 
 /* Where a measure of the cycle is largest on a line along x: at one of the given places, or between
  * them, next to the largest values.                                                             new
- *   measure                 0 <= measure <= 11: RWEDGE_MEASURE_STRESS_RANGE and so on; SWT and
- *                           Fatemi-Socie over all planes
+ *   measure                 0 <= measure <= 13: RWEDGE_MEASURE_STRESS_RANGE and so on
+ *   constants               rwedge_criterion_constants(measure) numbers, of at most 1e60 in
+ *                           magnitude: as for rwedge_criterion()
  *   x                       length, finite; one after the other: n numbers
  *   value                   at least 0, finite: the measure there, n numbers, 0 where there is none
  *   y                       depth, length, finite, y >= 0; 0 for slip, F1, F2 and energy
  *   worst_x, worst_value    each receives one number
- * RWEDGE_EDOMAIN where y is not 0 for slip; RWEDGE_ERANGE for n = 0; RWEDGE_EPATH as
- * rwedge_cycle_friction() has it; RWEDGE_ENULL, RWEDGE_ENOMEM. The place is found to 1e-10 of the
- * distance of its neighbours where the top is not flat. */
-RWEDGE_API int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure, size_t n,
-                                      const double x[], const double value[], double y, double E,
-                                      double nu, int32_t plane_stress, double constant, double su,
-                                      double *worst_x, double *worst_value);
+ * RWEDGE_EDOMAIN where rwedge_criterion() has it, and for slip where y is not 0; RWEDGE_ERANGE for
+ * n = 0; RWEDGE_EPATH as rwedge_cycle_friction() has it; RWEDGE_ENULL, RWEDGE_ENOMEM. The place is
+ * found to 1e-10 of the distance of its neighbours where the top is not flat. Places where nothing
+ * cycles are passed over: those whose amplitude of sqrt(J2) is below a thousandth of the largest at
+ * the given places. There a mean stress alone would make Findley's criterion, McDiarmid's,
+ * Crossland's and Dang Van's large, and the modified Woehler curve's. */
+RWEDGE_API int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure,
+                                      const double constants[], size_t n, const double x[],
+                                      const double value[], double y, double nu,
+                                      int32_t plane_stress, double *worst_x, double *worst_value);
 
 /* The length of the theory of critical distances, (dK_th/ds0)^2/pi.
  *                                         Taylor (1999); El Haddad, Smith and Topper (1979)
@@ -1018,273 +1018,169 @@ RWEDGE_API double rwedge_largest_shear(double sxx, double syy, double txy, doubl
 RWEDGE_API int32_t rwedge_principal_stresses(double sxx, double syy, double txy, double *s1,
                                              double *s2, double *angle);
 
-/* Smith, Watson and Topper's parameter of a cycle of stresses at one point, a stress: the largest
- * value of
- *     sn_max den/2
- * over the planes that contain z alone. In the cycle, sn_max is the plane's largest normal stress
- * (0 for a plane that is never in tension), den the range of its normal strain. Strains are elastic
- * and plane, exx = (1+nu)/E ((1-nu) sxx - nu syy). For plane stress give E (1+2nu)/(1+nu)^2 for E
- * and nu/(1+nu) for nu.
- *                     Smith, Watson, Topper (1970); on planes Socie (1987); see lib/README.md; new
- *   n              number of loads of the cycle, >= 1; their order does not matter
- *   sxx, syy, txy  n stresses each
- *   E              Young's modulus, stress, 1e-60 to 1e60
- *   value, angle   each receives one number. The angle is that of the plane, as in
- *                  rwedge_principal_stresses(); of one of them where several planes have the
- *                  value, 0 where the value is 0
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 s^2 (1+nu)/E, s being
- * the largest principal stress of the cycle in magnitude: planes are not sampled, and none exceeds
- * the value by more. The time grows like n; like n^2 where n is above 64 and many loads in turn
- * are the worst for neighbouring planes, as on a circular path: 30 000 take some 10 s. */
-RWEDGE_API int32_t rwedge_smith_watson_topper(size_t n, const double sxx[], const double syy[],
-                                              const double txy[], double E, double nu,
-                                              double *value, double *angle);
+/* ---- Criteria of fatigue --------------------------------------------------------------------- */
 
-/* The same at n points.
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value, angle   each receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_smith_watson_topper_field(size_t loads, size_t n, const double sxx[],
-                                                    const double syy[], const double txy[],
-                                                    double E, double nu, double value[],
-                                                    double angle[]);
-
-/* Fatemi and Socie's parameter of a cycle of stresses at one point, a strain: the largest value of
- *     (dgamma/2) (1 + k sn_max/sy)
- * over the planes that contain z. Where szz is an extreme principal stress, other planes may have a
- * larger value: rwedge_fatemi_socie_planes(). In the cycle, dgamma is the range of the plane's
- * shear strain, 2(1+nu)/E times its shear stress, and sn_max its largest normal stress: where that
- * is compressive it counts as it is, but no plane counts less than 0.
- *                                                 Fatemi and Socie (1988), see lib/README.md; new
- *   k_over_sy  k over the yield stress in tension sy, 1/stress, 0 or 1e-60 to 1e60; k is 0.3 to 1
- *              for most metals
- *   others     as in rwedge_smith_watson_topper()
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL. Error below 1e-14 (1 + s k/sy) s
- * (1+nu)/E. */
-RWEDGE_API int32_t rwedge_fatemi_socie(size_t n, const double sxx[], const double syy[],
-                                       const double txy[], double E, double nu, double k_over_sy,
-                                       double *value, double *angle);
-
-/* The same at n points.
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value, angle   each receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const double sxx[],
-                                             const double syy[], const double txy[], double E,
-                                             double nu, double k_over_sy, double value[],
-                                             double angle[]);
-
-/* ---- Criteria over all planes ---------------------------------------------------------------- */
-
-/* For a cycle of stresses in plane strain, szz = nu (sxx+syy). For plane stress give nu = 0, or
- * plane_stress = 1 where E is an argument. Planes are not sampled: no plane exceeds the one that is
- * named by more than the error, or by more than 1e-7 of the value where a whole curve of planes is
- * nearly as bad.
+/* A criterion of a cycle of stresses at one point has a number, RWEDGE_MEASURE_SWT and so on, and
+ * constants: those of the material. The functions below tell which criteria there are, and which
+ * constants each has, in which order.
+ *
+ * Strains are elastic. In plane strain szz = nu (sxx+syy), in plane stress 0. The shear stress on a
+ * plane is a path in two dimensions. Its amplitude tau_a is the radius of the smallest circle
+ * around the path: half of the range for a straight path. sn_max is the largest normal stress on
+ * the plane in the cycle, negative in compression. The order of the loads does not matter.
+ *
+ * SWT, a stress: the largest sn_max e_a, e_a being the amplitude of the plane's normal strain; 0
+ * for planes that are never in tension. Smith, Watson, Topper (1970); on planes Socie (1987)
+ * FATEMI_SOCIE, a strain: the largest gamma_a (1 + k sn_max/sy), gamma_a = 2(1+nu)/E tau_a being
+ * the amplitude of the shear strain; no plane counts less than 0. Fatemi and Socie (1988)
+ * FINDLEY, a stress: the largest tau_a + k sn_max. Findley (1959)
+ * MODIFIED_WOHLER, a stress: tau_a + kappa min(rho, rho_lim), rho = sn_max/tau_a, on the plane of
+ * the largest tau_a; of several the one of the largest sn_max. rho_lim = lambda/(2 kappa) where it
+ * is given as 0. Safe where it is at most lambda. It is 0 where no stress changes: where tau_a is
+ * below 1e-12 of the largest stress. The fully reversed limits t_A in torsion and s_A in tension
+ * give kappa = t_A - s_A/2 and lambda = t_A. Susmel and Lazzarin (2002), Lazzarin and Susmel (2003)
+ * MCDIARMID, a ratio: tau_a/t_A + sn_max/(2 su) on the plane of the largest tau_a, as above. Safe
+ * where it is below 1. McDiarmid (1991)
+ * CROSSLAND, a stress: the amplitude of sqrt(J2), which is the radius of the smallest sphere around
+ * the path of the stress deviator, plus alpha times the largest hydrostatic stress (sxx+syy+szz)/3.
+ * The amplitude is not half of the range of sqrt(J2): that is 0 for a deviator that only rotates.
+ * Crossland (1956)
+ * DANG_VAN, a stress: the largest tau(t) + alpha sH(t) of the loads t. tau is the largest shear
+ * stress of the deviator less the centre of the smallest sphere around its path: after shakedown,
+ * residual stresses have shifted the path to that centre. sH is the hydrostatic stress, negative in
+ * compression, where it lowers the value. Dang Van (1973)
+ * STRESS_RANGE, a stress: the largest sxx less the smallest.
+ * SWT_IN_PLANE and FATEMI_SOCIE_IN_PLANE: the same as SWT and FATEMI_SOCIE, of the planes that
+ * contain z alone. Where szz is an extreme principal stress, other planes may have a larger value.
+ *
+ * Findley, McDiarmid, Crossland and Dang Van count a mean stress where nothing cycles too: there
+ * they say nothing of fatigue.
+ *
  * The plane's normal is (x, y, z) = (cos(o) sin(a), cos(o) cos(a), sin(o)), a = angle, -pi/2 < a <=
  * pi/2, o = out_of_plane, 0 <= o <= pi/2, both in rad: the plane contains z where o is 0. The plane
- * with -o is equally bad.
- * The shear stress on a plane is a path in two dimensions. Its amplitude tau_a is the radius of the
- * smallest circle around the path: half of the range for a straight path. sn_max is the largest
- * normal stress on the plane in the cycle, negative in compression.
- * The order of the loads does not matter. The time grows like n.
- *   n              number of loads of the cycle, >= 1
+ * with -o is equally bad. The angles are those of one of the planes where several have the value,
+ * and 0 for criteria without a plane. Planes are not sampled: no plane exceeds the one that is
+ * named by more than the error, or by more than 1e-7 of the value where a whole curve of planes is
+ * nearly as bad.
+ *
+ * Errors, s being the largest stress of the cycle: SWT 1e-14 s^2 (1+nu)/E; Fatemi-Socie 1e-14 (1 +
+ * s k/sy) s (1+nu)/E; Findley 1e-14 (1+k) s; Crossland and Dang Van 1e-14 (1+alpha) s. The plane of
+ * the largest shear is as uncertain as the root of a rounding: McDiarmid 1e-6 s (1/t_A + 1/su); of
+ * the modified Woehler curve tau_a 1e-8 s, and rho 1e-6 s/tau_a.
+ *
+ *   criterion      0 <= criterion <= 13: RWEDGE_MEASURE_STRESS_RANGE and so on, but not those of
+ *                  friction, 3 to 6
+ *   j              which of the constants, >= 0, counted from 0
  *   sxx, syy, txy  stresses, of at most 1e60 in magnitude: n each, or as said
  *   nu             Poisson's ratio, 0 <= nu <= 0.5
- *   E              Young's modulus, stress, 1e-60 to 1e60
  *   plane_stress   0 <= plane_stress <= 1: 0 for plane strain, 1 for plane stress */
 
-/* Smith, Watson and Topper's parameter as rwedge_smith_watson_topper(), over all planes.        new
+/* How many measures of a cycle there are. Their numbers are 0, 1, ... up to one less.        new */
+RWEDGE_API int32_t rwedge_criterion_count(void);
+
+/* The name of a measure, such as "modified_wohler". Empty for any other number. Static text, never
+ * NULL.
+ *   criterion  any integer */
+RWEDGE_API const char *rwedge_criterion_name(int32_t criterion);
+
+/* The name of a measure for people, such as "Modified Woehler parameter". Empty for any other
+ * number. Static text, never NULL.
+ *   criterion  any integer */
+RWEDGE_API const char *rwedge_criterion_title(int32_t criterion);
+
+/* What a measure is, in a few words. Empty for any other number. Static text, never NULL.
+ *   criterion  any integer */
+RWEDGE_API const char *rwedge_criterion_text(int32_t criterion);
+
+/* What a measure is counted in: "stress", "none", "length", or "force/length" and the like. Empty
+ * for any other number. Static text, never NULL.
+ *   criterion  any integer */
+RWEDGE_API const char *rwedge_criterion_unit(int32_t criterion);
+
+/* The name of the material's constant below which a criterion is safe, such as "lambda"; "1" where
+ * that is the number 1. Empty where there is none. Static text, never NULL.
+ *   criterion  any integer */
+RWEDGE_API const char *rwedge_criterion_limit(int32_t criterion);
+
+/* How many constants a criterion has; 0 for measures without one, and for any other number.     new
+ *   criterion  any integer */
+RWEDGE_API int32_t rwedge_criterion_constants(int32_t criterion);
+
+/* How many constants its damage and its life have: those of the criterion, and behind them those of
+ * its curve of life; 0 where it has none.                                                       new
+ *   criterion  any integer */
+RWEDGE_API int32_t rwedge_damage_constants(int32_t criterion);
+
+/* The name of a constant, such as "kappa": first those of the criterion, then those of its curve of
+ * life. Constants of the same name are the same. Empty where there are not so many. Static text,
+ * never NULL.
+ *   criterion, j  any integer */
+RWEDGE_API const char *rwedge_constant_name(int32_t criterion, int32_t j);
+
+/* What a constant is, in a few words. Empty where there are not so many. Static text, never NULL.
+ *   criterion, j  any integer */
+RWEDGE_API const char *rwedge_constant_text(int32_t criterion, int32_t j);
+
+/* What a constant is counted in: "stress", "1/stress" or "none". Empty where there are not so many.
+ * Static text, never NULL.
+ *   criterion, j  any integer */
+RWEDGE_API const char *rwedge_constant_unit(int32_t criterion, int32_t j);
+
+/* What a constant may be: from low to high, as whatever has a size 0 or at least 1e-60 in
+ * magnitude.                                                                                    new
+ *   low, high  each receives one number
+ * RWEDGE_EABSENT where there are not so many constants; RWEDGE_EDOMAIN; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_constant_range(int32_t criterion, int32_t j, double *low, double *high);
+
+/* What a constant is where a material does not give it.                                         new
+ *   criterion, j  any integer
+ * NaN where a material has to give it, NaN where there are not so many. */
+RWEDGE_API double rwedge_constant_usual(int32_t criterion, int32_t j);
+
+/* A criterion of a cycle of stresses at one point, by its number, and its plane.                new
+ *   constants      rwedge_criterion_constants(criterion) numbers, of at most 1e60 in magnitude: as
+ *                  rwedge_constant_name() names them, each in its rwedge_constant_range()
+ *   n              number of loads of the cycle, >= 1; their order does not matter
  *   value, angle, out_of_plane  each receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 s^2
- * (1+nu)/E, s being the largest stress of the cycle. */
-RWEDGE_API int32_t rwedge_smith_watson_topper_planes(size_t n, const double sxx[],
-                                                     const double syy[], const double txy[],
-                                                     double E, double nu, int32_t plane_stress,
-                                                     double *value, double *angle,
-                                                     double *out_of_plane);
+ * RWEDGE_EDOMAIN where a constant is outside its range, and for measures of friction; RWEDGE_ERANGE
+ * for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. The time grows like n; for planes that contain z alone
+ * like n^2 where n is above 64 and many loads in turn are the worst for neighbouring planes, as on
+ * a circular path: 30 000 take some 10 s. */
+RWEDGE_API int32_t rwedge_criterion(int32_t criterion, const double constants[], size_t n,
+                                    const double sxx[], const double syy[], const double txy[],
+                                    double nu, int32_t plane_stress, double *value, double *angle,
+                                    double *out_of_plane);
 
 /* The same at n points.
+ *   constants      rwedge_criterion_constants(criterion) numbers, of at most 1e60 in magnitude
  *   loads          number of loads of the cycle, >= 1
  *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
  *   value, angle, out_of_plane  each receives n numbers
  * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_smith_watson_topper_planes_field(size_t loads, size_t n,
-                                                           const double sxx[], const double syy[],
-                                                           const double txy[], double E, double nu,
-                                                           int32_t plane_stress, double value[],
-                                                           double angle[], double out_of_plane[]);
-
-/* Fatemi and Socie's parameter over all planes: the largest gamma_a (1 + k sn_max/sy), gamma_a =
- * 2(1+nu)/E tau_a being the amplitude of the shear strain. rwedge_fatemi_socie() leaves out the
- * planes that do not contain z; where szz is an extreme principal stress they can be worse.
- *                                                 Fatemi and Socie (1988), see lib/README.md; new
- *   k_over_sy      as in rwedge_fatemi_socie()
- *   value, angle, out_of_plane  each receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 + s
- * k/sy) s (1+nu)/E. */
-RWEDGE_API int32_t rwedge_fatemi_socie_planes(size_t n, const double sxx[], const double syy[],
-                                              const double txy[], double E, double nu,
-                                              int32_t plane_stress, double k_over_sy, double *value,
-                                              double *angle, double *out_of_plane);
-
-/* The same at n points.
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value, angle, out_of_plane  each receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_fatemi_socie_planes_field(size_t loads, size_t n, const double sxx[],
-                                                    const double syy[], const double txy[],
-                                                    double E, double nu, int32_t plane_stress,
-                                                    double k_over_sy, double value[],
-                                                    double angle[], double out_of_plane[]);
-
-/* Findley's parameter, a stress: the largest tau_a + k sn_max.                     Findley (1959)
- *   k              share of the normal stress, 0 or 1e-60 to 1e60; 0.2 to 0.3 for most metals
- *   value, angle, out_of_plane  each receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1+k)
- * s. */
-RWEDGE_API int32_t rwedge_findley(size_t n, const double sxx[], const double syy[],
-                                  const double txy[], double nu, double k, double *value,
-                                  double *angle, double *out_of_plane);
-
-/* The same at n points.
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value, angle, out_of_plane  each receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_findley_field(size_t loads, size_t n, const double sxx[],
-                                        const double syy[], const double txy[], double nu, double k,
-                                        double value[], double angle[], double out_of_plane[]);
-
-/* Susmel's modified Woehler curve, a stress: tau_a + kappa rho, rho = sn_max/tau_a, on the plane of
- * the largest tau_a; of several the one of the largest sn_max. Safe where it is at most lambda.
- * 0 where no stress changes.                                          Susmel and Lazzarin (2002)
- *   kappa          stress, 0 or 1e-60 to 1e60: the fully reversed limits t_A in torsion and s_A in
- *                  tension give kappa = t_A - s_A/2, lambda = t_A
- *   value, angle, out_of_plane  each receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error of tau_a below 1e-8
- * s; of rho below 1e-6 s/tau_a, because the plane is as uncertain as the root of a rounding. */
-RWEDGE_API int32_t rwedge_modified_wohler(size_t n, const double sxx[], const double syy[],
-                                          const double txy[], double nu, double kappa,
-                                          double *value, double *angle, double *out_of_plane);
-
-/* The same at n points.
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value, angle, out_of_plane  each receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_modified_wohler_field(size_t loads, size_t n, const double sxx[],
-                                                const double syy[], const double txy[], double nu,
-                                                double kappa, double value[], double angle[],
-                                                double out_of_plane[]);
-
-/* McDiarmid's criterion, a ratio: tau_a/t_A + sn_max/(2 su) on the plane of the largest tau_a; of
- * several the one of the largest sn_max. Safe where it is below 1.               McDiarmid (1991)
- *   t_A            fully reversed limit in torsion, stress, 1e-60 to 1e60
- *   su             tensile strength, stress, 1e-60 to 1e60
- *   value, angle, out_of_plane  each receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-6 s (1/t_A +
- * 1/su), as in rwedge_modified_wohler(). */
-RWEDGE_API int32_t rwedge_mcdiarmid(size_t n, const double sxx[], const double syy[],
-                                    const double txy[], double nu, double t_A, double su,
-                                    double *value, double *angle, double *out_of_plane);
-
-/* The same at n points.
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value, angle, out_of_plane  each receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_mcdiarmid_field(size_t loads, size_t n, const double sxx[],
-                                          const double syy[], const double txy[], double nu,
-                                          double t_A, double su, double value[], double angle[],
-                                          double out_of_plane[]);
-
-/* Crossland's criterion, a stress: the amplitude of sqrt(J2), which is the radius of the smallest
- * sphere around the path of the stress deviator, plus alpha times the largest hydrostatic stress
- * (sxx+syy+szz)/3. The amplitude is not half of the range of sqrt(J2): that is 0 for a deviator
- * that only rotates.
- *                                                                          Crossland (1956)
- *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
- *   value  receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 +
- * alpha) s, s being the largest stress of the cycle. */
-RWEDGE_API int32_t rwedge_crossland(size_t n, const double sxx[], const double syy[],
-                                    const double txy[], double nu, double alpha, double *value);
-
-/* The same at n points.
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value          receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_crossland_field(size_t loads, size_t n, const double sxx[],
-                                          const double syy[], const double txy[], double nu,
-                                          double alpha, double value[]);
-
-/* Dang Van's criterion, a stress: the largest tau(t) + alpha sH(t) of the loads t. tau is the
- * largest shear stress of the deviator less the centre of the smallest sphere around its path:
- * after shakedown, residual stresses have shifted the path to that centre. sH is the hydrostatic
- * stress, negative in compression, where it lowers the value.                 Dang Van (1973)
- *   alpha  share of the hydrostatic stress, 0 or 1e-60 to 1e60
- *   value  receives one number
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Error below 1e-14 (1 +
- * alpha) s, s being the largest stress of the cycle. */
-RWEDGE_API int32_t rwedge_dang_van(size_t n, const double sxx[], const double syy[],
-                                   const double txy[], double nu, double alpha, double *value);
-
-/* The same at n points.
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value          receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_dang_van_field(size_t loads, size_t n, const double sxx[],
-                                         const double syy[], const double txy[], double nu,
-                                         double alpha, double value[]);
-
-/* A measure of a cycle of stresses at n points, by its number: the range of sxx, or the criterion
- * of rwedge_smith_watson_topper_planes(), rwedge_fatemi_socie_planes() and so on.               new
- *   measure        0 <= measure <= 11: RWEDGE_MEASURE_STRESS_RANGE and so on
- *   loads          number of loads of the cycle, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   constant       k_over_sy, k, kappa, t_A or alpha of that function, 0 or 1e-60 to 1e60
- *   su             McDiarmid's, stress, 1e-60 to 1e60
- *   value, angle, out_of_plane  each receives n numbers; the angles are 0 where there is no plane
- * RWEDGE_EDOMAIN where the measure is one of friction, 3 to 6, and where that function has it;
- * RWEDGE_ERANGE for loads = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. Errors as those of that function. */
-RWEDGE_API int32_t rwedge_criterion_field(int32_t measure, size_t loads, size_t n,
-                                          const double sxx[], const double syy[],
-                                          const double txy[], double E, double nu,
-                                          int32_t plane_stress, double constant, double su,
+RWEDGE_API int32_t rwedge_criterion_field(int32_t criterion, const double constants[], size_t loads,
+                                          size_t n, const double sxx[], const double syy[],
+                                          const double txy[], double nu, int32_t plane_stress,
                                           double value[], double angle[], double out_of_plane[]);
 
 /* ---- Lives ----------------------------------------------------------------------------------- */
 
-/* Cycles to failure by Smith, Watson and Topper: N where sf^2/E (2N)^(2b) + sf ef (2N)^(b+c) is the
- * parameter. HUGE_VAL for 0, below the limit, and beyond 1e60.     Smith, Watson, Topper (1970)
- *   swt    the parameter, stress, 0 or 1e-60 to 1e60
- *   E      Young's modulus, stress, 1e-60 to 1e60
- *   sf     fatigue strength coefficient, stress, 1e-60 to 1e60
- *   b      fatigue strength exponent, -2 <= b <= -0.01
- *   ef     fatigue ductility coefficient, 1e-60 to 1e60
- *   c      fatigue ductility exponent, -2 <= c <= -0.01
- *   limit  0 or 1e-60 to 1e60; below it, a run-out, the life is infinite; 0 for none
- * NaN outside the domain, and for a life below 1e-60. Relative error below 1e-11. */
-RWEDGE_API double rwedge_smith_watson_topper_life(double swt, double E, double sf, double b,
-                                                  double ef, double c, double limit);
+/* Lives and damage are those of SWT and FATEMI_SOCIE. Their constants are those of the criterion,
+ * and behind them those of the curve of life:
+ * SWT: N where sf^2/E (2N)^(2b) + sf ef (2N)^(b+c) is the parameter. Smith, Watson, Topper (1970)
+ * FATEMI_SOCIE: N where tf/G (2N)^b0 + gf (2N)^c0 is the parameter. Fatemi and Socie (1988)
+ * Below the limit, a run-out, the life is infinite; a limit of 0 is none.
+ *   criterion     1 <= criterion <= 2: RWEDGE_MEASURE_SWT, RWEDGE_MEASURE_FATEMI_SOCIE
+ *   nu            Poisson's ratio, 0 <= nu <= 0.5
+ *   plane_stress  0 <= plane_stress <= 1: 0 for plane strain, 1 for plane stress */
 
-/* Cycles to failure by Fatemi and Socie: N where tf/G (2N)^b + gf (2N)^c is the parameter. HUGE_VAL
- * for 0, below the limit, and beyond 1e60.                              Fatemi and Socie (1988)
- *   fatemi_socie  the parameter, a strain, 0 or 1e-60 to 1e60
- *   G             shear modulus, stress, 1e-60 to 1e60
- *   tf            shear fatigue strength coefficient, stress, 1e-60 to 1e60
- *   b             shear fatigue strength exponent, -2 <= b <= -0.01
- *   gf            shear fatigue ductility coefficient, 1e-60 to 1e60
- *   c             shear fatigue ductility exponent, -2 <= c <= -0.01
- *   limit         0 or 1e-60 to 1e60; below it, a run-out, the life is infinite; 0 for none
- * NaN outside the domain, and for a life below 1e-60. Relative error below 1e-11. */
-RWEDGE_API double rwedge_fatemi_socie_life(double fatemi_socie, double G, double tf, double b,
-                                           double gf, double c, double limit);
+/* Cycles to failure at a value of a criterion. HUGE_VAL for 0, below the limit, and beyond 1e60.
+ *                                                                                               new
+ *   constants  rwedge_damage_constants(criterion) numbers, of at most 1e60 in magnitude: as
+ *              rwedge_constant_name() names them, each in its rwedge_constant_range()
+ *   parameter  the value of the criterion, 0 or 1e-60 to 1e60
+ * NaN outside the domain or the ranges, NaN for a life below 1e-60, and NaN for NULL. Relative
+ * error below 1e-11. */
+RWEDGE_API double rwedge_life(int32_t criterion, const double constants[], double parameter);
 
 /* The cycles of a history by rainflow. A history that repeats is counted from its largest value to
  * its return: no half cycle is left over. In other histories the cycles left over count half.
@@ -1301,67 +1197,40 @@ RWEDGE_API double rwedge_fatemi_socie_life(double fatemi_socie, double G, double
 RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repeats, double range[],
                                    double mean[], double count[]);
 
-/* Damage of a block of stresses that repeats, by Smith, Watson and Topper's parameter: Miner's sum
- * on the plane where it is largest, of all planes. 1/value blocks are the life.
- *                                                    Bannantine and Socie (1991), Miner (1945); new
- * The cycles are those of the plane's normal strain, by rwedge_rainflow() of a history that
- * repeats. Each has the largest normal stress from its first load to where it closes, which may be
- * between two loads. A cycle with the parameter S adds 1/N(S), N being its life.
- *   n       number of loads of the block, >= 1, in their order; stresses change straight between
- *   sf, b, ef, c, limit         as in rwedge_smith_watson_topper_life()
- *   value, cycles               each receives one number: the sum; how many cycles there are
- *   angle, out_of_plane         each receives one number
- *   others                      as in rwedge_smith_watson_topper_planes()
+/* Damage of a block of stresses that repeats: Miner's sum on the plane where it is largest, of all
+ * planes. 1/value blocks are the life.               Bannantine and Socie (1991), Miner (1945); new
+ * The cycles are counted by rwedge_rainflow() of a history that repeats: of SWT those of the
+ * plane's normal strain, of FATEMI_SOCIE those of its shear strain in one direction, the direction
+ * of the largest sum. Each has the largest normal stress from its first load to where it closes,
+ * which may be between two loads. A cycle with the parameter S adds 1/N(S), N being its life.
+ *   constants      as in rwedge_life()
+ *   n              number of loads of the block, >= 1, in their order; stresses change straight
+ *                  between
+ *   sxx, syy, txy  stresses, of at most 1e60 in magnitude: n numbers each
+ *   value, cycles  each receives one number: the sum; how many cycles there are
+ *   plane          receives 2 numbers: angle and out_of_plane of rwedge_criterion()
  * RWEDGE_EDOMAIN, also for a life below 1e-60; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL;
  * RWEDGE_ENOMEM. The sum on a plane errs by 1e-11, plus what 1e-13 of the criterion changes in the
  * lives. Damage is not smooth over the planes: it is sampled at every 5 degrees, and finer around
  * the worst planes. In no random block of the tests was the damage of another plane larger by 1e-4.
  * With a limit, a cycle that is at the limit may be missed. A block of one cycle has the plane of
  * the criterion. */
-RWEDGE_API int32_t rwedge_smith_watson_topper_damage(size_t n, const double sxx[],
-                                                     const double syy[], const double txy[],
-                                                     double E, double nu, int32_t plane_stress,
-                                                     double sf, double b, double ef, double c,
-                                                     double limit, double *value, double *cycles,
-                                                     double *angle, double *out_of_plane);
+RWEDGE_API int32_t rwedge_damage(int32_t criterion, const double constants[], size_t n,
+                                 const double sxx[], const double syy[], const double txy[],
+                                 double nu, int32_t plane_stress, double *value, double *cycles,
+                                 double plane[2]);
 
 /* The same at n points.
+ *   constants      as in rwedge_life()
  *   loads          number of loads of the block, >= 1
  *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value, cycles, angle, out_of_plane  each receives n numbers
+ *   value, cycles  each receives n numbers
+ *   plane          receives 2 * n numbers: the angle at each point, then out_of_plane at each
  * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_smith_watson_topper_damage_field(
-    size_t loads, size_t n, const double sxx[], const double syy[], const double txy[], double E,
-    double nu, int32_t plane_stress, double sf, double b, double ef, double c, double limit,
-    double value[], double cycles[], double angle[], double out_of_plane[]);
-
-/* Damage of a block of stresses that repeats, by Fatemi and Socie's parameter. The cycles are those
- * of the plane's shear strain in one direction, the direction of the largest sum.
- *                                                    Bannantine and Socie (1991), Miner (1945); new
- *   n                     number of loads of the block, >= 1, in their order
- *   k_over_sy             as in rwedge_fatemi_socie()
- *   G, tf, b, gf, c, limit  as in rwedge_fatemi_socie_life()
- *   value, cycles         each receives one number: the sum; how many cycles there are
- *   angle, out_of_plane   each receives one number
- *   others                as in rwedge_fatemi_socie_planes()
- * RWEDGE_EDOMAIN, also for a life below 1e-60; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL;
- * RWEDGE_ENOMEM. Accuracy as of rwedge_smith_watson_topper_damage(). */
-RWEDGE_API int32_t rwedge_fatemi_socie_damage(size_t n, const double sxx[], const double syy[],
-                                              const double txy[], double E, double nu,
-                                              int32_t plane_stress, double k_over_sy, double G,
-                                              double tf, double b, double gf, double c,
-                                              double limit, double *value, double *cycles,
-                                              double *angle, double *out_of_plane);
-
-/* The same at n points.
- *   loads          number of loads of the block, >= 1
- *   sxx, syy, txy  loads * n stresses each: that of load i at point j is at [i n + j]
- *   value, cycles, angle, out_of_plane  each receives n numbers
- * Nothing is written unless every stress is in the domain. */
-RWEDGE_API int32_t rwedge_fatemi_socie_damage_field(
-    size_t loads, size_t n, const double sxx[], const double syy[], const double txy[], double E,
-    double nu, int32_t plane_stress, double k_over_sy, double G, double tf, double b, double gf,
-    double c, double limit, double value[], double cycles[], double angle[], double out_of_plane[]);
+RWEDGE_API int32_t rwedge_damage_field(int32_t criterion, const double constants[], size_t loads,
+                                       size_t n, const double sxx[], const double syy[],
+                                       const double txy[], double nu, int32_t plane_stress,
+                                       double value[], double cycles[], double plane[]);
 
 /* ---- Cracks ---------------------------------------------------------------------------------- */
 

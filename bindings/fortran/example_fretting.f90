@@ -41,7 +41,7 @@ program example_fretting
     integer, parameter :: steps = 12
     real(c_double), parameter :: E = 72e3_c_double, nu = 0.33_c_double, theta = 0.005_c_double ! an aluminium alloy
     real(c_double), parameter :: radius = 20, f = 0.6_c_double, k = 190, P = 60, Q_max = 0.8_c_double * f * P
-    real(c_double) :: compliance, a, b, before, Q, slip(1), factor, factor_min, swt, angle
+    real(c_double) :: compliance, a, b, before, Q, slip(1), factor, factor_min, swt, angle, out_of_plane
     real(c_double), dimension(0:steps) :: cycle
     real(c_double), dimension(1, 0:steps) :: sxx, syy, txy
     type(rwedge_contact) :: ahead
@@ -63,7 +63,7 @@ program example_fretting
     cycle = [(Q_max * merge(1 - 4.0_c_double * i / steps, 4.0_c_double * i / steps - 3, i <= steps / 2), i = 0, steps)]
     ahead = accepted
     call ahead%stress_history(0 * cycle + P, 0 * cycle, cycle, 0 * cycle, [-b], [0.0_c_double], sxx, syy, txy)
-    call rwedge_smith_watson_topper(sxx(1, :), syy(1, :), txy(1, :), E, nu, swt, angle)
+    call rwedge_criterion(rwedge_measure_swt_in_plane, [E], sxx(1, :), syy(1, :), txy(1, :), nu, 0, swt, angle, out_of_plane)
 
     write (*, '(a8, a11, a13)') 'Q', 'sxx', 'slip at .9 b'
     factor_min = huge(factor_min)

@@ -19,7 +19,7 @@
 ! - Where C says that a pointer is NULL, create() has not been called; HUGE_VAL is ieee_value(0d0, ieee_positive_inf).
 module rwedge
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_null_ptr, c_ptr, c_size_t
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     private

@@ -26,7 +26,7 @@ ROLES = (
     (r"size_t (\w+)", "size"),
     (r"const double (\w+)\[\]", "in array"),
     (r"double \*(\w+)", "out"),
-    (r"double (\w+)\[\]", "out array"),
+    (r"double (\w+)\[\d*\]", "out array"),
     (r"const rwedge_(\w+) \*\w+", "handle"),
     (r"rwedge_(\w+) \*\w+", "changed"),
     (r"rwedge_(\w+) \*\*\w+", "created"),
@@ -45,6 +45,7 @@ SENTENCE = re.compile(r"(?<=\.)(?<!Fig\.)\s+")
 WITHOUT_SIZE = re.compile(r"These arguments have no size: (.*?)\.")
 REASON = re.compile(r"(RWEDGE_E[A-Z]+) ((?:after|in|off|when|where) [^;.:]*)")
 REFUSES_MORE = re.compile(r"RWEDGE_EDOMAIN(?: where|, also for)|NaN (?!outside the domain(?: of \w+| or NULL)?[.;]|for NULL[.;])")
+TOLD = re.compile(r"rwedge_(\w+)\((\w+)\) numbers")
 ELSEWHERE = re.compile(r"as (?:above|(?:in|for) rwedge_(\w+)\(\))")
 
 
@@ -62,6 +63,8 @@ class Parameter:
     size: tuple[str, ...] = ()  # of an array: the names of the sizes whose product it has
     optional: bool = False  # an output that may be NULL
     given_by: str = ""  # of a size: the function that tells it
+    given_from: str = ""  # and the argument that this function takes, or "" where it takes the object
+    fixed: int = 0  # of a size: the number that it always is
     described: bool = False  # in the function's own comment
 
 
@@ -76,6 +79,7 @@ class Function:
     line: int
     comment: list[str]  # as written, without the stars
     introduction: list[list[str]]  # the comments that stand alone between the declaration before and this one
+    implied: list[Parameter] = field(default_factory=list)  # sizes of arrays that are no arguments: fixed, or told by a function
     text: str = ""  # the prose
     equation: str = ""
     errors: list[str] = field(default_factory=list)
@@ -115,6 +119,11 @@ class Function:
     @property
     def outputs(self) -> list[Parameter]:
         return self.of("out", "out array")
+
+    @property
+    def sizes(self) -> list[Parameter]:
+        """Those that are arguments, and those that are not."""
+        return self.of("size") + self.implied
 
     @property
     def results(self) -> list[str]:
@@ -291,7 +300,7 @@ class Reader:
     def parameter(self, text: str, line: int) -> Parameter:
         for pattern, role in ROLES:
             if match := re.fullmatch(pattern, text):
-                name = re.search(r"(\w+)(?:\[\])?$", text)[1]
+                name = re.search(r"(\w+)(?:\[\d*\])?$", text)[1]
                 kind = match[1] if "rwedge_" in pattern else re.search(r"double|int32_t|size_t", text)[0]
                 return Parameter(name, text, role, kind)
         self.refuse(line, f"not a parameter of the conventions: {text}")
@@ -365,21 +374,44 @@ class Reader:
         self.refuse(function.line, f"rwedge_{function.name}(): there is no argument {p.name} to be as in another function")
 
     def size_of(self, function: Function, p: Parameter, text: str) -> tuple[str, ...]:
-        """The product that the array's line names, or "receives n numbers", or else the size in front of the array."""
+        """That of the declaration, the product that the array's line names, what a function tells, "receives n numbers", as
+        elsewhere, or else the size in front of the array."""
         sizes = [q.name for q in function.of("size")]
+        if match := re.search(r"\[(\d+)\]$", p.declared):
+            return (self.imply(function, match[1], fixed=int(match[1])),)
+        if match := TOLD.search(text):
+            return (self.imply(function, f"{p.name}_count", given_by=match[1], given_from=match[2]),)
         product = re.search(r"(\w+(?: \* \w+)+) \w", text)
-        if product and set(product[1].split(" * ")) <= set(sizes):
-            return tuple(product[1].split(" * "))
+        factors = product[1].split(" * ") if product else []
+        if factors and {n for n in factors if not n.isdigit()} <= set(sizes):
+            return tuple(self.imply(function, n, fixed=int(n)) if n.isdigit() else n for n in factors)
         if match := re.search(r"receives? (\w+(?: \* \w+)*) numbers", text):
             if match[1] not in sizes:
                 self.refuse(function.line, f"rwedge_{function.name}(): {p.name} receives {match[1]} numbers, which is no size")
             return (match[1],)
+        if (match := ELSEWHERE.match(text)) and match[1]:
+            return self.size_elsewhere(function, p, match[1])
         before = [q.name for q in function.parameters[:function.parameters.index(p)] if q.role == "size"]
         if not before:
             self.refuse(function.line, f"rwedge_{function.name}(): no size stands before the array {p.name}")
         if p.role == "out array" and len(sizes) > 1:
             self.refuse(function.line, f"rwedge_{function.name}(): of {p.name} must be said: receives ... numbers")
         return (before[-1],)
+
+    @staticmethod
+    def imply(function: Function, name: str, **about: int | str) -> str:
+        """Notes a size that is no argument."""
+        if name not in {q.name for q in function.implied}:
+            function.implied.append(Parameter(name, "", "implied", "size_t", **about))
+        return name
+
+    def size_elsewhere(self, function: Function, p: Parameter, name: str) -> tuple[str, ...]:
+        """That of the same array in another function."""
+        other = next((f for f in self.interface.functions if f.name == name), None)
+        sizes = next((q.size for q in other.parameters if q.name == p.name), ()) if other else ()
+        for size in (q for q in other.implied if q.name in sizes) if other else ():
+            self.imply(function, size.name, given_by=size.given_by, given_from=size.given_from, fixed=size.fixed)
+        return sizes
 
 
 def paragraphs(lines: list[str]) -> list[list[str]]:

@@ -37,8 +37,6 @@ OTHERS = {
     ("series_coefficient", "Python"): "series.coefficients[{}]",
     ("series_potential", "Python"): "re_plus_i_im = series.potential({})",
     ("elastic_limits", "Python"): "limit = rwedge.elastic_limit({})",
-    ("smith_watson_topper_field", "Python"): "value, angle = rwedge.smith_watson_topper({}, axis=0)",
-    ("fatemi_socie_field", "Python"): "value, angle = rwedge.fatemi_socie({}, axis=0)",
     ("contact_copy", "MATLAB, Octave"): "copy = contact.copy()",
     ("contact_destroy", "MATLAB, Octave"): "delete(contact)", ("cycle_destroy", "MATLAB, Octave"): "delete(cycle)", ("series_destroy", "MATLAB, Octave"): "delete(series)",
     ("strerror", "Fortran"): "text = rwedge_error_text({})",

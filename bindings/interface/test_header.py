@@ -87,11 +87,11 @@ class Texts(unittest.TestCase):
 
     def test_the_help_of_python_has_its_types_and_exceptions(self):
         interface = read(HEADER)
-        doc = {name: write_python.docstring(interface[name], "new") for name in ("validity", "contact_edges", "load", "findley")}
+        doc = {name: write_python.docstring(interface[name], "new") for name in ("validity", "contact_edges", "load", "criterion")}
         self.assertIn("theta : float\n", doc["validity"])
         self.assertIn("Raises\n------\nAbsentError\n    when separated\n", doc["contact_edges"])
         self.assertIn("alpha : array_like\n", doc["load"])
-        self.assertIn("sxx : array_like, (..., n)\n", doc["findley"])
+        self.assertIn("sxx : array_like, (..., n)\n", doc["criterion"])
 
 
 class Reader(unittest.TestCase):

@@ -56,10 +56,15 @@ typedef struct {{
     char optional;        /* may be NULL */
 }} entry_result;
 
+/* A size that is no argument of the function: fixed, or told by another function from the numbers
+ * v. */
+typedef size_t entry_count(const double *const v[]);
+
 typedef struct {{
     const char *name;
     const char *teller; /* the function that tells the size, or NULL where an array does */
     const char *allowed;
+    entry_count *count; /* or NULL */
 }} entry_size;
 
 typedef struct {{
@@ -80,6 +85,12 @@ typedef struct {{
     const entry_size *size;
     const char *path; /* when there is no closed form, or NULL where nothing is said */
 }} entry;
+
+/* An integer, or one that no function takes. */
+static inline int32_t entry_whole(double v)
+{{
+    return v >= INT32_MIN && v <= INT32_MAX && v == floor(v) ? (int32_t)v : INT32_MIN;
+}}
 
 /* Whether a number is inside the domain of an argument, by itself. */
 static inline int entry_allows(const entry_argument *a, double v)
@@ -141,7 +152,7 @@ def number(value: float) -> str:
 
 
 def argument(f: Function, p: Parameter) -> str:
-    d, sizes = p.domain, [q.name for q in f.of("size")]
+    d, sizes = p.domain, [q.name for q in f.sizes]
     whole = p.kind == "int32_t"
     allowed = ", ".join((["whole"] if whole else []) + d.conditions)
     own_sizes = [*(sizes.index(n) for n in p.size), -1, -1][:2]
@@ -151,14 +162,23 @@ def argument(f: Function, p: Parameter) -> str:
 
 
 def result(f: Function, name: str, size: tuple[str, ...], optional: bool = False) -> str:
-    sizes = [q.name for q in f.of("size")]
+    sizes = [q.name for q in f.sizes]
     own_sizes = [*(sizes.index(n) for n in size), -1, -1][:2]
     return f'{{"{name}", {{{own_sizes[0]}, {own_sizes[1]}}}, {int(optional)}}}'
 
 
-def size(p: Parameter) -> str:
+def size(f: Function, p: Parameter) -> str:
     allowed = ", ".join(p.domain.conditions) if p.domain else ""
-    return f'{{"{p.name}", {quoted(p.given_by)}, "{allowed}"}}'
+    teller = "" if p.given_from else p.given_by
+    return f'{{"{p.name}", {quoted(teller)}, "{allowed}", {f"{f.name}_{p.name}" if p.role == "implied" else "NULL"}}}'
+
+
+def counts(f: Function) -> str:
+    """How many numbers there are of each size that is no argument."""
+    names = [q.name for q in f.inputs]
+    return "".join(f"static size_t {f.name}_{p.name}(const double *const v[])\n{{\n    (void)v;\n    return "
+                   + (str(p.fixed) if p.fixed else f"(size_t)rwedge_{p.given_by}(entry_whole(v[{names.index(p.given_from)}][0]))")
+                   + ";\n}\n" for p in f.implied)
 
 
 def quoted(text: str) -> str:
@@ -171,7 +191,7 @@ def call(f: Function) -> str:
     for p in f.parameters:
         k = (f.inputs if p in f.inputs else f.outputs if p in f.outputs else sizes if p in sizes else [p]).index(p)
         passed.append({
-            "in": f"v[{k}][0]" if p.kind == "double" else f"(int32_t)v[{k}][0]", "in array": f"v[{k}]", "size": f"n[{k}]",
+            "in": f"v[{k}][0]" if p.kind == "double" else f"entry_whole(v[{k}][0])", "in array": f"v[{k}]", "size": f"n[{k}]",
             "out": f"r[{k}]", "out array": f"r[{k}]", "handle": f"(const rwedge_{p.kind} *)object",
             "changed": f"(rwedge_{p.kind} *)object", "created": f"(rwedge_{p.kind} **)made"}[p.role])
     text = f"rwedge_{f.name}({', '.join(passed)})"
@@ -188,7 +208,7 @@ def adapter(f: Function) -> str:
 
 
 def row(f: Function, statuses: dict[str, int]) -> str:
-    arguments, sizes = f.inputs, f.of("size")
+    arguments, sizes = f.inputs, f.sizes
     flags = [bool(f.of("handle", "changed")), bool(f.of("changed")), bool(f.of("created")), f.result == "status", f.pointwise,
              f.refuses_more, f.may_be_infinite]
     text = f"text_{f.name}" if f.result == "text" else "NULL"
@@ -202,9 +222,9 @@ def row(f: Function, statuses: dict[str, int]) -> str:
 
 def tables(f: Function) -> str:
     results = [result(f, p.name, p.size, p.optional) for p in f.outputs] or [result(f, name, ()) for name in f.results]
-    return "".join(f"static const entry_{kind} {f.name}_{kind}s[] = {{\n    " + ",\n    ".join(items) + "};\n"
+    return counts(f) + "".join(f"static const entry_{kind} {f.name}_{kind}s[] = {{\n    " + ",\n    ".join(items) + "};\n"
                    for kind, items in (("argument", [argument(f, p) for p in f.inputs]), ("result", results),
-                                       ("size", [size(p) for p in f.of("size")])) if items)
+                                       ("size", [size(f, p) for p in f.sizes])) if items)
 
 
 def reason(status: str) -> str:
@@ -219,7 +239,7 @@ def entries(interface: Interface) -> list[Function]:
 def texts(interface: Interface) -> dict[str, str]:
     listed = entries(interface)
     most = {"arguments": max(len(f.inputs) for f in listed), "results": max(len(f.outputs) for f in listed),
-            "sizes": max(len(f.of("size")) for f in listed)}
+            "sizes": max(len(f.sizes) for f in listed)}
     lines = [TOP.format(**most), *(adapter(f) + tables(f) for f in listed),
              "static const entry entries[] = {", *(row(f, interface.statuses) for f in listed), "};",
              "enum { ENTRY_COUNT = sizeof entries / sizeof entries[0] };", "", FOUND,

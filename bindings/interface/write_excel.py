@@ -94,11 +94,12 @@ def statements(f, name, handle):
     variables = [f"{x} As Double" for x in single] + [f"{x}_list() As Double" for x in lists]
     sizes = {name: f"{p.size[0]}" for name, p in zip(lists, f.of("in array"))}
     variables += [f"{x}() As Double" for x in several] + [f"{n} As Long" for n in dict.fromkeys(sizes.values())]
+    told = [f"If status = RWEDGE_OK Then {p.name} = c_{p.given_by}({p.given_from})" for p in f.implied if p.given_by]
     lines = ["status = find_library()"]
     if handle:
         variables.append(f"{handle} As LongPtr")
         lines = [f"status = {HANDLES[handle][1]}({', '.join(names(HANDLES[handle][0]) + [handle])})"]
-    lines += [f"If status = RWEDGE_OK Then status = read_list({x}, {x}_list, {n})" for x, n in sizes.items()]
+    lines += told + [f"If status = RWEDGE_OK Then status = read_list({x}, {x}_list, {n})" for x, n in sizes.items()]
     if f.returns == "double":
         result = f"finite({call})"
     elif f.result in ("value", "text"):
@@ -107,7 +108,7 @@ def statements(f, name, handle):
         count = " * ".join(f.of("out array")[0].size)
         arrays = ", ".join(f"{x}(0 To {count} - 1)" for x in several)
         lines += ["If status = RWEDGE_OK Then", f"    ReDim {arrays}", f"    status = {call}", "End If"]
-        result = f"table_of({count}, {', '.join(several)})"
+        result = f"table_of({count}, {', '.join(several)})" if not single else f"Array({', '.join(single + elements(f))})"
     else:
         lines.append(f"If status = RWEDGE_OK Then status = {call}")
         result = f"Array({', '.join(single)})"
@@ -118,11 +119,18 @@ def statements(f, name, handle):
     return [f"    {line}" for line in dims + lines]
 
 
+def elements(f: Function) -> list[str]:
+    """Those of arrays of a fixed size, which stand in a row with the single results."""
+    return [f"{name_of(p)}({k})" for p in f.of("out array") for k in range(int(p.size[0]))]
+
+
 def fits_cells(f: Function) -> bool:
-    """A cell holds and changes no object, and has no array of two sizes nor one whose size a function tells."""
+    """A cell holds and changes no object, and has no array of two sizes nor one whose size a function of the object tells."""
+    kinds = {(p.role, p.size) for p in f.outputs}
+    fixed = {p.name for p in f.implied if p.fixed}
     return f.returns in ("double", "int32_t", "const char *") and bool(f.results) and not f.of("created", "changed") and \
-        not any(p.given_by for p in f.of("size")) and not any(len(p.size) == 2 for p in f.inputs) and \
-        len({(p.role, p.size) for p in f.outputs}) < 2
+        not any(p.given_by for p in f.of("size")) and not any(len(p.size) == 2 for p in f.inputs + f.outputs) and \
+        (len(kinds) < 2 or all(set(size) <= fixed for _, size in kinds))
 
 
 def is_offered(f: Function) -> bool:
@@ -144,8 +152,11 @@ def worksheet_function(f: Function, before: Function) -> str:
     notes = []
     if family:
         notes.append(f"In a cell: the {family} is made of {', '.join(names(HANDLES[family][0]))}.")
-    if f.of("out array"):
-        notes.append(f"In a cell: a row for each point: {', '.join(names_of(f, 'out array'))}.")
+    if f.of("out array") and not f.of("out"):
+        row = "of the table" if f.implied and not f.of("size") else "for each point"
+        notes.append(f"In a cell: a row {row}: {', '.join(names_of(f, 'out array'))}.")
+    elif f.of("out array"):
+        notes.append(f"In a cell: the row {', '.join(names_of(f, 'out'))}, and the numbers of {', '.join(names_of(f, 'out array'))}.")
     elif f.of("out"):
         notes.append(f"In a cell: the row {', '.join(names_of(f, 'out'))}.")
     comments = "\n\n".join("\n".join(("' " + line).rstrip() for line in c) for c in [*f.introduction, f.comment])

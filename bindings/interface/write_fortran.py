@@ -132,6 +132,9 @@ def conclude(f: Function, status: str, names: list[str], values: list[str], more
 
 def extent(f: Function, size: str, kind: str = "") -> tuple[Parameter, str]:
     """The first array that has a size, and how Fortran asks for it; loads are the second dimension, C's first."""
+    about = next(p for p in f.sizes if p.name == size)
+    if about.role == "implied":
+        return about, str(about.fixed or f"c_{about.given_by}({about.given_from})")
     arrays = [p for p in f.inputs + f.outputs if size in p.size]
     first = next((p for p in arrays if len(p.size) == 1), arrays[0])
     dimension = f", {2 - first.size.index(size)}" if len(first.size) == 2 else ""
@@ -145,7 +148,7 @@ def sizes_of(f: Function) -> dict[str, str]:
 def agreement(f: Function) -> list[str]:
     """The conditions that arrays fit each other."""
     conditions = []
-    for size in f.of("size"):
+    for size in f.sizes:
         first, of_first = extent(f, size.name)
         others = [p for p in f.inputs + f.outputs if p.size == (size.name,) and p is not first]
         if len(others) == 1:
@@ -227,11 +230,14 @@ def procedure(f: Function) -> list[str]:
     dummies = own + [in_fortran(p) for p in f.parameters if p in f.inputs or p in f.outputs]
     names = [n.split("(")[0] for _, n in dummies]
     if f.result in ("value", "text"):
-        elemental = "" if f.result == "text" else "elemental " if f.inputs or not f.family else "pure "
+        arrays = bool(f.of("in array"))
+        elemental = "" if f.result == "text" else "elemental " if not arrays and (f.inputs or not f.family) else "pure "
         kind = "character(:), allocatable" if f.result == "text" else TYPES[f.returns]
         value = passed(f, {}) if f.result == "value" else f"text_of({passed(f, {})})"
+        fitting = [f"value = ieee_value(value, ieee_quiet_nan)", f"if ({' .and. '.join(agreement(f))}) value = {value}"]
         return [*comment(f), *block(f"{elemental}function {name}({', '.join(names)}) result({f.result})",
-                                    [*declarations([*dummies, (kind, f.result)]), f"{f.result} = {value}"], "end function"), ""]
+                                    [*declarations([*dummies, (kind, f.result)]), *(fitting if arrays else [f"{f.result} = {value}"])],
+                                    "end function"), ""]
     plain = bool(f.of("changed", "created", "in array", "out array") or any(p.optional for p in f.outputs))
     head = f"{'' if plain else 'impure elemental '}subroutine {name}({', '.join(names + ['stat', 'errmsg'])})"
     local, statements = body(f)

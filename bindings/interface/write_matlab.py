@@ -48,7 +48,7 @@ def called(f: Function, values: list[str]) -> str:
 def without_pointers(text: str, method: bool) -> str:
     """A method's object may have been deleted, which is rwedge:handle; nothing else can be NULL."""
     text = text.replace("RWEDGE_ENULL", "rwedge:handle") if method else re.sub(r"(?m)[,;] RWEDGE_ENULL|^RWEDGE_ENULL, ", "", text)
-    text = re.sub(r"[;,] (NaN|-?[01]|and) for NULL| or NULL|; (each )?may be NULL|, never NULL", "", text)
+    text = re.sub(r"[;,] (NaN|-?[01]|and) for NULL|,? and NaN for NULL|\s+or\s+NULL|; (each )?may be NULL|,\s+never\s+NULL", "", text)
     return re.sub(r" ?\bNaN for NULL\. ?", "", text)
 
 

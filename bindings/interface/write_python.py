@@ -12,6 +12,7 @@ import math
 import re
 import textwrap
 from itertools import starmap
+from pathlib import Path
 
 import write_c
 from domain import Domain
@@ -22,14 +23,12 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
     WITHOUT_NULL, (r",? ?never NULL", ""), (r"Static text\.| ?Nothing is written unless every\s+point is in the domain\.", ""), (r"\bat n points\b", "at points"),
     (": RWEDGE_EABSENT", ": NaN, without a warning"), ("would return RWEDGE_EPATH", "would raise PathError"), (r"(; |, )?RWEDGE_ENULL", ""),
     ("0, which a new contact has,", "0"), ("RWEDGE_EPATH", "PathError"), ("RWEDGE_ESLIDING", "SlidingError"), ("RWEDGE_(EDOMAIN|ERANGE)", "ValueError"),
-    (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_cycle_create\(\)", r"Cycle()"), (r"rwedge_(cycle|series)_(\w+)\(\)", lambda m: f"{m[1].title()}.{m[2]}()"), (r"rwedge_(\w+\(\))", r"\1"),
+    (r"rwedge_contact_(\w+)\(\)", r"Contact.\1()"), (r"rwedge_cycle_create\(\)", r"Cycle()"), (r"rwedge_(cycle|series)_(\w+)\(\)", lambda m: f"{m[1].title()}.{m[2]}()"), (r"rwedge_(\w+\(\w*\))", r"\1"),
     ("HUGE_VAL", "inf"), ("RWEDGE_MEASURE_", "Measure."), ("RWEDGE_FACES_", "Faces."))
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library; besides what makes or frees an object.
 BY_HAND = {"contact_load", "contact_apply", "contact_yield_factor", "contact_loads", "contact_state", "series_coefficient",
-           "series_potential", "cycle_loads", "cycle_stresses", "cycle_friction", "cycle_growth", "stresses", "elastic_limits", "version", "strerror",
-           # generalized ufuncs take any number of points
-           "smith_watson_topper_field", "fatemi_socie_field"}
+           "series_potential", "cycle_loads", "cycle_stresses", "cycle_friction", "cycle_growth", "stresses", "elastic_limits", "version", "strerror"}
 # Of these the methods that have the header's text, with what Python adds to it.
 ALL_OR_NONE = "Of arrays, one load after the other: all of them, or none where one is refused."
 TOLERANCE = "``tolerance``, of q over f times the peak pressure, is as ``Contact`` has it."
@@ -48,12 +47,21 @@ def one_line(text: str) -> str:
 
 def is_ufunc(f: Function) -> bool:
     """Does it take and give nothing but doubles, and take whole numbers too?"""
-    return (f.result == "status" or f.returns == "double") and {p.role for p in f.parameters} <= {"in", "out"} and bool(f.inputs)
+    return (f.result == "status" or f.returns == "double") and {p.role for p in f.parameters} <= {"in", "out"} and any(p.kind == "double" for p in f.inputs)
 
 
 def is_gufunc(f: Function) -> bool:
-    """Is it of a cycle: arrays of one size, then numbers, which give numbers?"""
-    return f.result == "status" and not f.family and {p.role for p in f.parameters} == {"size", "in array", "in", "out"}
+    """Is it of arrays, such as a cycle and the constants of a criterion, and of numbers, which give numbers, or so many of them?"""
+    numbers = f.result == "status" or f.returns == "double"
+    implied = {p.name for p in f.implied}
+    arrays = bool(f.of("in array") or f.implied) and all(len(p.size) == 1 for p in f.of("in array"))
+    return numbers and not f.family and not f.of("handle", "changed", "created") and arrays and len(f.of("size")) < 2 and \
+        all(set(p.size) <= implied for p in f.of("out array"))
+
+
+def of_loads(f: Function, p: Parameter) -> bool:
+    """Is it an array of the size that is an argument, such as a number for each load?"""
+    return p.role == "in array" and set(p.size) <= {q.name for q in f.of("size")}
 
 
 def is_formula(f: Function) -> bool:
@@ -90,7 +98,7 @@ def listed(inputs: list[Parameter], f: Function) -> list[str]:
     lines = []
     for p in inputs:
         kind = "array_like" if is_formula(f) or is_of_points(f) or p.role == "in array" else "int" if p.kind == "int32_t" else "float"
-        of_cycle = ", (..., n)" if is_gufunc(f) and p.role == "in array" else ""
+        of_cycle = ", (..., n)" if is_gufunc(f) and of_loads(f, p) else ", (..., m)" if is_gufunc(f) and p.role == "in array" else ""
         lines += [f"{p.name} : {kind}{of_cycle}", *indented(replaced(p.domain.text, IN_PYTHON))]
     return lines
 
@@ -129,7 +137,9 @@ def raised(f: Function) -> list[str]:
 
 def returned(f: Function) -> str:
     if is_formula(f):
-        return "float64, in the broadcast shape of the arguments" + ", without the axis of the loads" * is_gufunc(f)
+        cycle = ", without the axis of the loads" * any(of_loads(f, p) for p in f.inputs)
+        more = "".join(f"; {p.name} with a last axis of {p.size[0]}" for p in f.of("out array"))
+        return "float64, in the broadcast shape of the arguments" + cycle + more
     if is_of_points(f):
         return "ndarray, in the broadcast shape of the arguments; NaN gives NaN"
     if f.result == "text" and not f.outputs:
@@ -153,7 +163,7 @@ def docstring(f: Function, equation: str) -> str:
     if f.results:
         lines += ["Returns", "-------", f"{', '.join(outputs) or f.method} : {returned(f)}"]
     lines += [] if is_formula(f) else raised(f)
-    end = [*(refused(f) if is_formula(f) else []), *[CYCLES] * is_gufunc(f), units(f)]
+    end = [*(refused(f) if is_formula(f) else []), *[CYCLES] * (is_gufunc(f) and any(of_loads(f, p) for p in f.inputs)), units(f)]
     notes = one_line(" ".join([ADDED.get(f.name, ""), *rest, *(s for paragraph in general for s in sentences(paragraph)), *end]))
     text = "\n".join([*lines, "", "Notes", "-----", *textwrap.wrap(notes, 100), f"Source: {equation}."])
     return re.sub(r"\|([^|\n]+)\|", r"abs(\1)", text)  # |Q| is a substitution to what reads reStructuredText
@@ -179,10 +189,11 @@ def header_py(interface: Interface) -> str:
         kind = "ufunc" if is_ufunc(f) else "gufunc" if is_gufunc(f) else "general" if is_general(f) else "by hand"
         about = {
             "result": f.returns,
-            "parameters": tuple((re.sub(r" ?\w+(\[\])?$", " *" if "[" in p.declared else "", p.declared), p.name)
+            "parameters": tuple((re.sub(r" ?\w+(\[\d*\])?$", " *" if "[" in p.declared else "", p.declared), p.name)
                                 for p in f.parameters),
             "roles": tuple(p.role for p in f.parameters),
             "sizes": {p.name: p.size for p in f.parameters if p.size},
+            "implied": {p.name: (p.fixed, p.given_by, p.given_from) for p in f.implied},
             "given by": {p.name: p.given_by for p in f.parameters if p.given_by},
             "reasons": {interface.statuses[status]: replaced(why, IN_PYTHON) for status, why in f.reasons.items()},
             "domains": {p.name: allowed(p.domain) for p in f.parameters if allowed(p.domain)},
@@ -272,6 +283,7 @@ def made_py(interface: Interface) -> str:
 
 
 # The classes that are written by hand, by their modules.
+NAMED = re.findall(r'^    "(\w+)": \("', (Path(__file__).resolve().parents[1] / "python/src/rwedge/_named.py").read_text(encoding="utf-8"), re.M)
 CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction Growth", "_loads": "Loads", "_series": "Series", "_stress_history": "StressHistory",
            "_library": "AbsentError Error PathError SlidingError", "_validity": "ValidityWarning"}
 PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
@@ -329,20 +341,23 @@ class _{name}(Protocol):
 
 def formula_type(f: Function) -> str:
     result = f"tuple[{', '.join(['float64'] * len(f.outputs))}]" if f.outputs else "float64"
-    scalars = ", ".join(f"{p.name}: {'Scalar' if p.kind == 'double' else 'int'}" for p in f.inputs)
+    scalars = ", ".join(f"{p.name}: {'Numbers' if p.size else 'Scalar' if p.kind == 'double' else 'int'}" for p in f.inputs)
     numbers = ", ".join(f"{p.name}: Numbers" for p in f.inputs)
-    if is_gufunc(f):
+    if any(of_loads(f, p) for p in f.inputs):
         named = ", ".join(f"{p.name}: Numbers" for p in f.of("in"))
         return OF_CYCLE.format(name=f.name, numbers=numbers, named=named, result=f"tuple[{', '.join(['Any'] * len(f.outputs))}]")
+    if is_gufunc(f):
+        result = f"tuple[{', '.join(['Any'] * len(f.outputs))}]" if f.outputs else "Any"
     return FORMULA.format(name=f.name, scalars=scalars, numbers=numbers, result=result)
 
 
 def init_pyi(interface: Interface) -> str:
     classes = {name: module for module, names in CLASSES.items() for name in names.split()}
     functions = [f for f in interface.functions if is_formula(f) or is_general(f) and not f.family]
-    names = textwrap.wrap(", ".join(f'"{n}"' for n in [*classes, "stresses", *interface.enumerations, *(f.name for f in functions)]) + ",", 120, initial_indent="    ",
+    names = textwrap.wrap(", ".join(f'"{n}"' for n in [*classes, "stresses", *NAMED, *interface.enumerations, *(f.name for f in functions)]) + ",", 120, initial_indent="    ",
                           subsequent_indent="    ")
     formulas = [f"from ._made import {name} as {name}" for name in interface.enumerations]
+    formulas += ["from ._named import Named", "", *(f"{name}: Named" for name in NAMED), ""]
     formulas += [formula_type(f) if is_formula(f) else f"from ._made import {f.name} as {f.name}" for f in functions]
     return PYI.format(names="\n".join(names), classes="\n".join(f"from .{classes[name]} import {name} as {name}" for name in classes),
                       formulas="\n".join(formulas))

@@ -19,7 +19,7 @@ TOP = """\
 """
 IN_JAVASCRIPT = (  # statuses, pointers and limits, in the words of JavaScript
     WITHOUT_NULL, (r"(; |, )?RWEDGE_ENULL", ""),
-    (r"rwedge_(?:contact|cycle|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"), ("RWEDGE_MEASURE_", "Measure."),
+    (r"rwedge_(?:contact|cycle|series)_(\w+\(\))", r"\1"), (r"rwedge_(\w+\(\w*\))", r"\1"), ("HUGE_VAL", "Infinity"), ("RWEDGE_E", "E"), ("RWEDGE_MEASURE_", "Measure."),
     ("RWEDGE_FACES_", "Faces."))
 
 
@@ -68,7 +68,9 @@ def description(interface: Interface) -> str:
     functions = {f.name: {"result": f.result, "pointwise": of_points(f), "arguments": [p.name for p in arguments(f)],
                           "reasons": {interface.statuses[status]: words(why) for status, why in f.reasons.items()
                                       if status in ("RWEDGE_EABSENT", "RWEDGE_EPATH") and "obstacle" not in why},
-                          "parameters": [about_parameter(p) for p in f.parameters]} for f in interface.functions}
+                          "parameters": [about_parameter(p) for p in f.parameters],
+                          "implied": [{"name": p.name, "fixed": p.fixed, "givenBy": p.given_by, "givenFrom": p.given_from} for p in f.implied]}
+                 for f in interface.functions}
     lines = [f"    {name}: {json.dumps(about)}," for name, about in functions.items()]
     statuses = json.dumps(interface.statuses)
     return "\n".join([TOP, f"export const statuses = Object.freeze({statuses});", "export const functions = {", *lines, "};", ""])

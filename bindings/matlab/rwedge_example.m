@@ -27,6 +27,6 @@ b = pad.half_width();
 x = b * linspace(-1.2, 1.2, 241);
 x(end + 1) = -b; % the trailing edge, to the bit: there it is worst
 [sxx, syy, txy] = pad.stresses_after([P + 0 * Q(:), Q(:)], x, 0 * x);
-[value, angle] = rwedge_smith_watson_topper_field(sxx, syy, txy, E, nu);
+[value, angle, out] = rwedge_criterion_field(rwedge_measure('SWT_IN_PLANE'), E, sxx, syy, txy, nu, 0);
 [worst, at] = max(value);
 fprintf('Smith-Watson-Topper: at most %.6f MPa, at x = %.4f b, plane %.1f degrees\n', worst, x(at) / b, angle(at) * 180 / pi);

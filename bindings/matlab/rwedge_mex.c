@@ -326,26 +326,35 @@ static void take_size(const entry *call, int j, int size, size_t count, size_t n
     known[size] = true;
 }
 
+/* Those that a function tells, or that are fixed. 0 is told where any size will do, or where the
+ * function is going to refuse. */
+static void tell_sizes(const entry *call, void *object, const double *const v[], size_t n[],
+                       bool known[])
+{
+    for (int j = 0; j < call->sizes; j++) {
+        double told = call->size[j].count ? (double)call->size[j].count(v) : 0;
+        double *const r[] = {&told};
+        if (call->size[j].teller)
+            entry_named(call->size[j].teller)->call(object, NULL, v, r, NULL);
+        n[j] = (size_t)told;
+        known[j] = call->size[j].teller || told > 0;
+    }
+}
+
 /* The sizes of the arrays, which must agree, or what a function tells. Numbers must be scalars.
  * An array of two sizes has the points down and the loads across: MATLAB's columns come first. */
 static void measure(const entry *call, void *object, const mxArray *const arguments[],
                     const double *const v[], size_t n[])
 {
     bool known[ENTRY_SIZES] = {false};
-    for (int j = 0; j < call->sizes; j++)
-        if (call->size[j].teller) {
-            double told;
-            double *const r[] = {&told};
-            entry_named(call->size[j].teller)->call(object, NULL, v, r, NULL);
-            n[j] = (size_t)told;
-            known[j] = true;
-        }
+    for (int j = 0; j < call->arguments; j++)
+        if (call->argument[j].sizes[0] < 0 && mxGetNumberOfElements(arguments[j]) != 1)
+            fail("size", "rwedge_%s: %s is a scalar", call->name, call->argument[j].name);
+    tell_sizes(call, object, v, n, known);
     for (int j = 0; j < call->arguments; j++) {
         const signed char *sizes = call->argument[j].sizes;
         const size_t count = mxGetNumberOfElements(arguments[j]),
                      rows = (size_t)mxGetDimensions(arguments[j])[0];
-        if (sizes[0] < 0 && count != 1)
-            fail("size", "rwedge_%s: %s is a scalar", call->name, call->argument[j].name);
         if (sizes[0] >= 0)
             take_size(call, j, sizes[0], sizes[1] < 0 ? count : rows ? count / rows : 0, n, known);
         if (sizes[1] >= 0)

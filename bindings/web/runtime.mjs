@@ -180,6 +180,11 @@ function sizesOf(name, about, values, address) {
         sizes.set(size, n);
     };
     const arrays = about.parameters.filter((p) => p.role === "in array");
+    for (const p of about.implied) {
+        // 0 is told where any number will do, or where the function is going to refuse
+        const count = p.fixed || library[`rwedge_${p.givenBy}`](values.get(p.givenFrom));
+        if (count > 0) tell(p.name, count);
+    }
     for (const p of about.parameters) {
         if (p.role === "size" && values.has(p.name)) tell(p.name, values.get(p.name));
         const teller = p.givenBy && library[p.givenBy.replace(/^(rwedge_)?/, "rwedge_")];

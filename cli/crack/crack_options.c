@@ -64,13 +64,12 @@ static void take_unit(const arguments *line, crack_law *law)
 
 void crack_law_read(const arguments *line, const material *constants, crack_law *law)
 {
-    const double *v = constants->value;
     const char *exponent = line->value[OPTION_PARIS_M];
-    law->dK_th = constant(line, OPTION_DK_TH, "dK-th", v[MATERIAL_DK_TH], 0);
-    law->ds0 = constant(line, OPTION_DS0, "ds0", v[MATERIAL_DS0], 1e-60);
-    law->C = constant(line, OPTION_PARIS_C, "C", v[MATERIAL_PARIS_C], 1e-60);
-    law->m = constant(line, OPTION_PARIS_M, "m", v[MATERIAL_PARIS_M], 1e-60);
-    law->K_c = constant(line, OPTION_K_C, "K-c", v[MATERIAL_K_C], 1e-60);
+    law->dK_th = constant(line, OPTION_DK_TH, "dK-th", material_value(constants, "dK_th"), 0);
+    law->ds0 = constant(line, OPTION_DS0, "ds0", material_value(constants, "ds0"), 1e-60);
+    law->C = constant(line, OPTION_PARIS_C, "C", material_value(constants, "paris_C"), 1e-60);
+    law->m = constant(line, OPTION_PARIS_M, "m", material_value(constants, "paris_m"), 1e-60);
+    law->K_c = constant(line, OPTION_K_C, "K-c", material_value(constants, "K_c"), 1e-60);
     if (law->m < 0.1 || law->m > 100)
         usage_error("--m %s: must be a number from 0.1 to 100", exponent != NULL ? exponent : "");
     if (isnan(law->C) != isnan(law->m))

@@ -182,7 +182,7 @@ static int read_measure(const char *text, const criteria *asked)
     char allowed[600] = "";
     int column = text == NULL ? MEASURE_SWT : -1;
     for (int i = 0; i < COLUMN_COUNT; i++) {
-        const measure_kind *kind = &measure_kinds[i];
+        const measure_kind *kind = measure_kind_of(i);
         if (!column_is_wanted(asked, i) || kind->part != PART_VALUE)
             continue;
         list_add(allowed, sizeof allowed, ", ", "%s", kind->column);
@@ -206,10 +206,10 @@ static void read_measure_and_place(const arguments *line, figure_case *inputs)
     if (inputs->over == OVER_COUNT)
         usage_error("--over %s: must be surface, depth or field", over);
     const bool is_of_friction = inputs->measure >= MEASURE_SLIP_RANGE &&
-                                measure_kinds[inputs->measure].criterion == NO_CRITERION;
+                                measure_kind_of(inputs->measure)->criterion == NO_CRITERION;
     if (is_of_friction && inputs->over != OVER_SURFACE)
         usage_error("--over %s: %s is of the surface alone", over,
-                    measure_kinds[inputs->measure].column);
+                    measure_kind_of(inputs->measure)->column);
 }
 
 /* Goes through the cycle, because it has the edges. */

@@ -216,7 +216,7 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
 static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     const double worst = rows->worst[2];
-    const char *unit = measure_kinds[inputs->measure].unit;
+    const char *unit = measure_kind_of(inputs->measure)->unit;
     const bool has_unit = strcmp(unit, "none") != 0;
     char text[80];
     if (worst == 0)
@@ -226,7 +226,7 @@ static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE
     char *star = strchr(text, '*'); /* would begin italics */
     if (star != NULL)
         *star = ' ';
-    script_text(script, "title", measure_kinds[inputs->measure].title);
+    script_text(script, "title", measure_kind_of(inputs->measure)->title);
     script_text(script, "unit", text);
     script_number(script, "worst_x", rows->worst[0]);
     script_number(script, "worst_y", rows->worst[1]);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fretting.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -9,88 +10,122 @@
 
 #include <jansson.h>
 
-struct poptOption criteria_option_table[] = {
-    {VALUE("criteria", OPTION_CRITERIA),
-     "Columns of these alone: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, "
-     "dang-van, swt-damage, fatemi-socie-damage",
-     "LIST"},
-    {VALUE("fs-k", OPTION_OF(MATERIAL_FS_K)),
-     "Fatemi and Socie's k, beside a yield stress (default 1)", "NUMBER"},
-    {VALUE("findley-k", OPTION_OF(MATERIAL_FINDLEY_K)), "Findley's k", "NUMBER"},
-    {VALUE("kappa", OPTION_OF(MATERIAL_KAPPA)), "kappa of the modified Woehler curve, a stress",
-     "NUMBER"},
-    {VALUE("t-a", OPTION_OF(MATERIAL_T_A)), "McDiarmid's fully reversed limit in torsion",
-     "NUMBER"},
-    {VALUE("su", OPTION_OF(MATERIAL_SU)), "McDiarmid's tensile strength", "NUMBER"},
-    {VALUE("crossland-alpha", OPTION_OF(MATERIAL_CROSSLAND_ALPHA)),
-     "Crossland's share of the hydrostatic stress", "NUMBER"},
-    {VALUE("dang-van-alpha", OPTION_OF(MATERIAL_DANG_VAN_ALPHA)), "Dang Van's", "NUMBER"},
+/* ---- The options ---- */
+
+enum { TEXT_SIZE = 200 };
+
+static const struct poptOption last_options[] = {
     {FLAG("plane-stress", OPTION_PLANE_STRESS),
      "Plane stress, of contact and criteria (default: plane strain)", NULL},
     {VALUE("material", OPTION_MATERIAL), "Constants of body 1 by name, JSON or CSV", "FILE"},
     {VALUE("archard", OPTION_ARCHARD),
      "Depth worn per energy and area; the profile does not change", "NUMBER"},
-    POPT_TABLEEND,
 };
+enum { LAST_OPTIONS = sizeof last_options / sizeof last_options[0] };
+
+/* --criteria, an option for each constant, the last ones, the end. */
+struct poptOption criteria_option_table[1 + MATERIAL_MAX + LAST_OPTIONS + 1];
+
+/* "findley-k" */
+static const char *option_name(int constant)
+{
+    static char names[MATERIAL_MAX][MEASURE_NAME_SIZE];
+    char *name = names[constant];
+    snprintf(name, MEASURE_NAME_SIZE, "%s", material_name(constant));
+    for (char *c = name; *c != '\0'; c++)
+        *c = *c == '_' ? '-' : (char)tolower((unsigned char)*c);
+    return name;
+}
+
+static struct poptOption list_option(void)
+{
+    static char text[TEXT_SIZE * 2] = "Columns of these alone: ";
+    const size_t begins = strlen(text);
+    for (int i = 0; i < CRITERION_COUNT; i++)
+        if (criterion_exists(i))
+            list_add(text + begins, sizeof text - begins, ", ", "%s", criterion_name(i));
+    return (struct poptOption){VALUE("criteria", OPTION_CRITERIA), text, "LIST"};
+}
+
+void criteria_options_prepare(void)
+{
+    struct poptOption *next = criteria_option_table;
+    *next++ = list_option();
+    for (int i = 0; i < material_count(); i++)
+        if (material_is_option(i))
+            *next++ = (struct poptOption){VALUE(option_name(i), OPTION_CONSTANT + i),
+                                          material_meaning(i), "NUMBER"};
+    for (int i = 0; i < LAST_OPTIONS; i++)
+        *next++ = last_options[i];
+}
 
 /* ---- Constants ---- */
 
-static const char *name_of(int number)
+static void read_constant(const arguments *line, int i, criteria *asked)
 {
-    const struct poptOption *option = criteria_option_table;
-    while (option->val != number)
-        option++;
-    return option->longName;
+    const char *text = line->value[OPTION_CONSTANT + i];
+    double *value = &asked->given.value[i];
+    if (text != NULL && !(number_read(text, value) && material_is_in_range(i, *value)))
+        usage_error("--%s %s: must be a number, %s", option_name(i), text, material_allowed(i));
 }
 
-/* NAN where it is not given. */
-static double read_constant(const arguments *line, int number, double least)
+static double read_archard(const arguments *line)
 {
-    const char *text = line->value[number];
+    const char *text = line->value[OPTION_ARCHARD];
     double value = NAN;
-    if (text != NULL && !(number_read(text, &value) && value >= least && number_is_size(value)))
-        usage_error("--%s %s: must be a number%s 1e-60 to 1e60", name_of(number), text,
-                    least > 0 ? "" : ", 0 or");
+    if (text != NULL && !(number_read(text, &value) && value >= 1e-60 && number_is_size(value)))
+        usage_error("--archard %s: must be a number 1e-60 to 1e60", text);
     return value;
 }
 
-static void need(const criteria *asked, int criterion, double constant, const char *option)
-{
-    if (asked->is_wanted[criterion] && isnan(constant))
-        usage_error("%s: needs --%s", criterion_kinds[criterion].name, option);
-}
+/* ---- What is asked for ---- */
 
-static void read_constants(const arguments *line, criteria *asked)
+/* An option of a criterion asks for it. So do its first constant, and the one that it must not
+ * exceed, in a file: a tensile strength does not, as many materials have one. */
+static bool is_asked_for(const arguments *line, const material *constants, int criterion)
 {
-    asked->archard = read_constant(line, OPTION_ARCHARD, 1e-60);
-    asked->su = read_constant(line, OPTION_OF(MATERIAL_SU), 1e-60);
-    for (int i = 0; i < CRITERION_COUNT; i++) {
-        const int constant = criterion_kinds[i].constant;
-        if (constant == MATERIAL_COUNT)
-            continue;
-        asked->constant[i] =
-            read_constant(line, OPTION_OF(constant), constant == MATERIAL_T_A ? 1e-60 : 0);
-        asked->is_wanted[i] = asked->is_listed ? asked->is_wanted[i] : !isnan(asked->constant[i]);
-        need(asked, i, asked->constant[i], name_of(OPTION_OF(constant)));
+    for (int j = 0; j < rwedge_criterion_constants(criterion); j++) {
+        const char *name = rwedge_constant_name(criterion, j);
+        const int i = material_constant(name);
+        const bool tells = j == 0 || strcmp(name, rwedge_criterion_limit(criterion)) == 0;
+        const bool is_given = !isnan(constants->value[i]) && tells;
+        if (material_is_option(i) && strcmp(name, "fs_k") != 0 &&
+            (line->value[OPTION_CONSTANT + i] != NULL || is_given))
+            return true;
     }
-    if (!asked->is_listed && !isnan(asked->su))
-        asked->is_wanted[CRITERION_MCDIARMID] = true;
-    need(asked, CRITERION_MCDIARMID, asked->constant[CRITERION_MCDIARMID], "t-a");
-    need(asked, CRITERION_MCDIARMID, asked->su, "su");
+    return false;
 }
 
-/* ---- --criteria ---- */
+/* A constant that lacks, as the contact or an option or the file gives it. */
+NO_RETURN static void refuse_lacking(int criterion, const char *constant)
+{
+    const int i = material_constant(constant);
+    char others[TEXT_SIZE] = "";
+    if (strcmp(constant, "yield_stress") == 0)
+        usage_error("%s: needs --yield-stress", criterion_name(criterion));
+    if (material_is_option(i))
+        usage_error("%s: needs --%s, or %s of --material", criterion_name(criterion),
+                    option_name(i), constant);
+    for (int j = rwedge_criterion_constants(criterion - DAMAGE);
+         j < rwedge_damage_constants(criterion - DAMAGE); j++)
+        if (isnan(rwedge_constant_usual(criterion - DAMAGE, j)))
+            list_add(others, sizeof others, ", ", "%s",
+                     rwedge_constant_name(criterion - DAMAGE, j));
+    usage_error("%s: needs %s of --material", criterion_name(criterion), others);
+}
 
 static void read_names(const char *text, criteria *asked)
 {
-    char allowed[200] = "";
+    char allowed[TEXT_SIZE * 2] = "";
     for (int i = 0; i < CRITERION_COUNT; i++)
-        list_add(allowed, sizeof allowed, ", ", "%s", criterion_kinds[i].name);
+        if (criterion_exists(i))
+            list_add(allowed, sizeof allowed, ", ", "%s", criterion_name(i));
     for (const char *word = text; word != NULL;) {
         const size_t length = strcspn(word, ",");
         int i = 0;
-        while (i < CRITERION_COUNT && (strlen(criterion_kinds[i].name) != length ||
-                                       strncmp(criterion_kinds[i].name, word, length) != 0))
+        while (i < CRITERION_COUNT &&
+               !(criterion_exists(i) && strlen(criterion_name(i)) == length &&
+                 strncmp(criterion_name(i), word, length) == 0))
             i++;
         if (i == CRITERION_COUNT)
             usage_error("--criteria %s: must be a list of: %s", text, allowed);
@@ -119,41 +154,53 @@ static void read_plane_stress(arguments *line, criteria *asked)
 void criteria_read(arguments *line, const material *constants, criteria *asked)
 {
     *asked = criteria_usual(&(contact_case){.nu1 = NAN});
-    asked->constants = constants;
+    asked->given = *constants;
+    for (int i = 0; i < material_count(); i++)
+        read_constant(line, i, asked);
+    asked->archard = read_archard(line);
     asked->is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL;
     if (asked->is_plane_stress)
         read_plane_stress(line, asked);
     asked->is_listed = line->value[OPTION_CRITERIA] != NULL;
     read_names(line->value[OPTION_CRITERIA], asked);
-    read_constants(line, asked);
+    for (int i = 0; i < DAMAGE && !asked->is_listed; i++)
+        asked->is_wanted[i] = is_asked_for(line, constants, i);
 }
 
-/* Damage is written where its criterion is, or by itself. */
-static void read_damage(int criterion, int damage, const char *needed, criteria *asked)
+/* What is wanted must have its constants. SWT is always computed, and Fatemi and Socie's with a
+ * yield stress. */
+static void take_criterion(const contact_case *setup, int i, criteria *asked)
 {
-    const int of_life = criterion == CRITERION_SWT ? MATERIAL_SF : MATERIAL_G;
-    const bool has_life = !isnan(asked->constants->value[of_life]);
-    if (asked->is_wanted[damage] && !has_life)
-        usage_error("%s: needs %s of --material", criterion_kinds[damage].name, needed);
-    asked->is_wanted[damage] =
-        (asked->is_wanted[damage] || asked->is_wanted[criterion] || !asked->is_listed) &&
-        has_life && !isnan(asked->constant[criterion]);
-    asked->constant[damage] = asked->is_wanted[damage] ? asked->constant[criterion] : NAN;
+    const bool is_usual = i == RWEDGE_MEASURE_SWT || i == RWEDGE_MEASURE_FATEMI_SOCIE;
+    const char *lacks = criteria_take(setup, i, asked);
+    if (lacks != NULL && asked->is_wanted[i])
+        refuse_lacking(i, lacks);
+    asked->is_computed[i] = lacks == NULL && (asked->is_wanted[i] || is_usual);
+}
+
+/* Damage is written where its criterion is, or by itself; without a list, where it has a curve. */
+static void take_damage(const contact_case *setup, int criterion, criteria *asked)
+{
+    const int damage = criterion + DAMAGE;
+    const char *lacks = criteria_take(setup, damage, asked);
+    if (lacks != NULL && asked->is_wanted[damage])
+        refuse_lacking(damage, lacks);
+    const bool is_asked = asked->is_wanted[damage] || asked->is_wanted[criterion];
+    asked->is_wanted[damage] = lacks == NULL && (is_asked || !asked->is_listed);
+    asked->is_computed[damage] = asked->is_wanted[damage];
 }
 
 void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *asked)
 {
-    const char *text = line->value[OPTION_OF(MATERIAL_FS_K)];
-    double k = 1;
-    if (text != NULL && !(number_read(text, &k) && k >= 0 && k <= 1e6))
-        usage_error("--fs-k %s: must be a number from 0 to 1000000", text);
-    if (text != NULL && isnan(setup->k))
-        usage_error("--fs-k %s: needs --k or --yield-stress", text);
-    asked->constant[CRITERION_FATEMI_SOCIE] = criteria_fatemi_socie(setup, k);
-    need(asked, CRITERION_FATEMI_SOCIE, setup->k, "yield-stress");
-    need(asked, CRITERION_FS_DAMAGE, setup->k, "yield-stress");
-    read_damage(CRITERION_SWT, CRITERION_SWT_DAMAGE, "sf, b, ef, c", asked);
-    read_damage(CRITERION_FATEMI_SOCIE, CRITERION_FS_DAMAGE, "G, tf, b0, gf, c0", asked);
+    const char *k = line->value[OPTION_CONSTANT + material_constant("fs_k")];
+    if (k != NULL && isnan(setup->k))
+        usage_error("--fs-k %s: needs --k or --yield-stress", k);
+    for (int i = 0; i < DAMAGE; i++)
+        if (criterion_exists(i))
+            take_criterion(setup, i, asked);
+    for (int i = 0; i < DAMAGE; i++)
+        if (criterion_exists(i + DAMAGE))
+            take_damage(setup, i, asked);
     if (!asked->is_plane_stress)
         asked->nu = setup->nu1;
 }
@@ -168,6 +215,8 @@ static void set(const char *file, const char *name, double value, material *cons
                 file, name);
     if (!isnan(constants->value[i]))
         failure("%s: %.60s: there twice; allowed: once", file, name);
+    if (!material_is_in_range(i, value))
+        failure("%s: %s %g: must be a number, %s", file, name, value, material_allowed(i));
     constants->value[i] = value;
 }
 
@@ -234,40 +283,70 @@ static void read_csv(const char *path, const char *encoding, material *constants
 
 static void need_any(const char *path, const material *constants)
 {
-    for (int i = 0; i < MATERIAL_COUNT; i++)
+    for (int i = 0; i < material_count(); i++)
         if (!isnan(constants->value[i]))
             return;
     failure("%s: no constants; needed: names and numbers", path);
 }
 
-/* Either all of these or none. */
-static void need_group(const char *path, const material *constants, int first, int last)
+static void refuse_part(const char *path, const char *missing, const char *there)
 {
-    int missing = -1, there = -1;
-    for (int i = first; i <= last; i++)
-        *(isnan(constants->value[i]) ? &missing : &there) = i;
-    if (missing >= 0 && there >= 0)
-        failure("%s: %s: missing; needed beside %s", path, material_names[missing],
-                material_names[there]);
+    if (missing != NULL && there != NULL)
+        failure("%s: %s: missing; needed beside %s", path, missing, there);
 }
 
-/* What the file has stands for options that are not given. k without a yield stress, and su without
- * t_A, say nothing. */
-static void hand_over(const material *constants, arguments *line)
+/* Of a curve of life, and of a critical distance, either all constants are there or none. */
+static void need_groups(const char *path, const material *constants)
 {
-    static char texts[MATERIAL_COUNT][NUMBER_SIZE];
-    static const int inputs[] = {INPUT_E1, INPUT_NU1, INPUT_YIELD_STRESS};
-    char **value = line->value;
-    for (int i = MATERIAL_E; i < MATERIAL_COUNT; i++) {
-        const int option = i < MATERIAL_FS_K ? OPTION_INPUT + inputs[i - MATERIAL_E] : OPTION_OF(i);
-        const bool is_idle =
-            (i == MATERIAL_FS_K && value[OPTION_INPUT + INPUT_YIELD_STRESS] == NULL) ||
-            (i == MATERIAL_SU && value[OPTION_OF(MATERIAL_T_A)] == NULL) ||
-            (i == MATERIAL_YIELD_STRESS && value[OPTION_INPUT + INPUT_K] != NULL);
-        if (isnan(constants->value[i]) || value[option] != NULL || is_idle)
+    for (int32_t i = 0; i < rwedge_criterion_count(); i++) {
+        const char *missing = NULL, *there = NULL;
+        for (int32_t j = rwedge_criterion_constants(i); j < rwedge_damage_constants(i); j++)
+            if (isnan(rwedge_constant_usual(i, j)))
+                *(isnan(material_value(constants, rwedge_constant_name(i, j))) ? &missing
+                                                                               : &there) =
+                    rwedge_constant_name(i, j);
+        refuse_part(path, missing, there);
+    }
+    const bool has_threshold = !isnan(material_value(constants, "dK_th")),
+               has_range = !isnan(material_value(constants, "ds0"));
+    if (has_threshold != has_range)
+        refuse_part(path, has_threshold ? "ds0" : "dK_th", has_threshold ? "dK_th" : "ds0");
+}
+
+/* E is a hundred times such a stress or more in metals: below ten times it is in another unit. */
+static void mind_units(const char *path, const material *constants)
+{
+    static const double TIMES = 10;
+    const double E = material_value(constants, "E");
+    for (int i = 0; i < material_count(); i++)
+        if (material_is_stress(i) && strcmp(material_name(i), "E") != 0 &&
+            strcmp(material_name(i), "G") != 0 && constants->value[i] * TIMES > E)
+            failure("%s: E %g: less than ten times %s %g; is it in GPa? needed: one unit for both",
+                    path, E, material_name(i), constants->value[i]);
+}
+
+/* What the file has stands for inputs that are not given; E and nu must not differ from them. k
+ * stands for a yield stress. */
+static void hand_over(const char *path, const material *constants, arguments *line)
+{
+    static const struct {
+        const char *name;
+        int input;
+    } inputs[] = {{"E", INPUT_E1}, {"nu", INPUT_NU1}, {"yield_stress", INPUT_YIELD_STRESS}};
+    static char texts[3][NUMBER_SIZE];
+    for (int i = 0; i < 3; i++) {
+        const double value = material_value(constants, inputs[i].name);
+        char **given = &line->value[OPTION_INPUT + inputs[i].input];
+        double own;
+        if (isnan(value) || (i == 2 && line->value[OPTION_INPUT + INPUT_K] != NULL))
             continue;
-        number_write(constants->value[i], NUMBER_DIGITS, '.', texts[i]);
-        value[option] = texts[i];
+        if (*given != NULL && i < 2 && number_read(*given, &own) && own != value)
+            usage_error("--%s1 %s: %s has %s %g; allowed: one of the two", inputs[i].name, *given,
+                        path, inputs[i].name, value);
+        if (*given != NULL)
+            continue;
+        number_write(value, NUMBER_DIGITS, '.', texts[i]);
+        *given = texts[i];
     }
 }
 
@@ -282,8 +361,7 @@ void material_read(const char *path, arguments *line, material *constants)
     else
         read_csv(path, line->value[OPTION_ENCODING], constants);
     need_any(path, constants);
-    need_group(path, constants, MATERIAL_SF, MATERIAL_C);
-    need_group(path, constants, MATERIAL_G, MATERIAL_C0);
-    need_group(path, constants, MATERIAL_DK_TH, MATERIAL_DS0);
-    hand_over(constants, line);
+    need_groups(path, constants);
+    mind_units(path, constants);
+    hand_over(path, constants, line);
 }

@@ -37,7 +37,8 @@ static const struct poptOption options[] = {
 
 static void describe_column(int column, FILE *stream)
 {
-    fprintf(stream, "  %-15s %s\n", measure_kinds[column].column, measure_kinds[column].meaning);
+    fprintf(stream, "  %-15s %s\n", measure_kind_of(column)->column,
+            measure_kind_of(column)->meaning);
 }
 
 static void describe(FILE *stream)
@@ -54,7 +55,7 @@ static void describe(FILE *stream)
         describe_column(i, stream);
     fputs("and at the end, for --criteria, or where their constants are given:\n", stream);
     for (int i = MEASURE_COUNT; i < COLUMN_COUNT; i++)
-        if (measure_kinds[i].part == PART_VALUE)
+        if (measure_kind_of(i)->part == PART_VALUE && measure_kind_of(i)->column[0] != '\0')
             describe_column(i, stream);
     fputs("with NAME_angle and NAME_out_of_plane: from the normal of its plane to the plane\n"
           "of x and y, 0 to 90 deg.\n",
@@ -126,7 +127,7 @@ static void write_rows(void *of_plan, records *rows)
     records_name(rows, "y");
     for (int i = 0; i < COLUMN_COUNT; i++)
         if (column_is_wanted(&job->last.asked, i))
-            records_name(rows, measure_kinds[i].column);
+            records_name(rows, measure_kind_of(i)->column);
     records_end_header(rows);
     for (size_t i = 0; i < result->count && records_go_on(rows); i++) {
         const measured_place *place = &result->place[i];
@@ -157,8 +158,8 @@ static distance read_distance(const arguments *line, const material *constants)
     if (angle != NULL && !(number_read(angle, &below.angle) && fabs(below.angle) <= 85))
         usage_error("--angle %s: must be a number from -85 to 85", angle);
     if (text == NULL && (method != NULL || angle != NULL))
-        below.length = rwedge_critical_distance(constants->value[MATERIAL_DK_TH],
-                                                constants->value[MATERIAL_DS0]);
+        below.length = rwedge_critical_distance(material_value(constants, "dK_th"),
+                                                material_value(constants, "ds0"));
     if (angle != NULL && isnan(below.length))
         usage_error("--angle %s: needs --length, or dK_th and ds0 of --material", angle);
     if (method != NULL && isnan(below.length))

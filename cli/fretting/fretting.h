@@ -21,24 +21,25 @@ void surface_places(const arguments *line, char decimal_sign, const last_cycle *
 /* ---- criteria_options ---- Options of criteria of fatigue: which are asked for, and their
  * constants. */
 
-/* OPTION_OF() a constant: those of a material that an option has too are in the same order. */
+/* OPTION_CONSTANT + i is that of a material's constant, where it has one. */
 enum {
-    OPTION_CONSTANTS = OPTION_AFTER_PLACES,
-    OPTION_CRITERIA = OPTION_CONSTANTS + MATERIAL_COUNT - MATERIAL_FS_K,
+    OPTION_CONSTANT = OPTION_AFTER_PLACES,
+    OPTION_CRITERIA = OPTION_CONSTANT + MATERIAL_MAX,
     OPTION_PLANE_STRESS,
     OPTION_ARCHARD,
     OPTION_MATERIAL,
     OPTION_AFTER_CRITERIA
 };
-#define OPTION_OF(constant) (OPTION_CONSTANTS + (constant)-MATERIAL_FS_K)
 
+/* Makes the table of the library's criteria, before any command is read. */
+void criteria_options_prepare(void);
 extern struct poptOption criteria_option_table[];
 
 /* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
  * from then on. */
 void criteria_read(arguments *line, const material *constants, criteria *asked);
 
-/* To be called when the contact is read: sets Fatemi and Socie's constant, then those of damage. */
+/* To be called when the contact is read: takes the constants of what is asked for. */
 void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *asked);
 
 /* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants

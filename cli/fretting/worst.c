@@ -16,7 +16,7 @@ static double part_of(const measured_place *at, int criterion, measure_part part
 /* Which is not smooth: the worst of the places stands. */
 static bool is_damage(int column)
 {
-    return measure_criterion(column) >= CRITERION_SWT_DAMAGE;
+    return measure_criterion(column) >= DAMAGE;
 }
 
 void worst_find(const measured *result, worst_table *worst)
@@ -26,7 +26,7 @@ void worst_find(const measured *result, worst_table *worst)
     for (int i = 0; i < COLUMN_COUNT; i++) {
         const size_t best = measured_best(result, i);
         const measured_place *place = &result->place[best];
-        const bool is_worst = place->value[i] > 0 && measure_kinds[i].part == PART_VALUE &&
+        const bool is_worst = place->value[i] > 0 && measure_kind_of(i)->part == PART_VALUE &&
                               column_is_wanted(&last->asked, i);
         row[i] =
             (worst_row){place->x, place->y, is_worst ? place->value[i] : NAN,
@@ -82,7 +82,7 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
         const worst_row *row = &worst->row[i];
         if (isnan(row->value))
             continue;
-        list_add(text, size, "; ", "%s %.6g at x = %.6g", measure_kinds[i].column, row->value,
+        list_add(text, size, "; ", "%s %.6g at x = %.6g", measure_kind_of(i)->column, row->value,
                  row->x + 0);
         if (is_deep)
             list_add(text, size, "", ", y = %.6g", row->y + 0);
@@ -117,7 +117,7 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
                         cell cells[COLUMNS])
 {
     const bool is_below = !isnan(worst->below.length) && row->y == 0;
-    const material *constants = worst->last->asked.constants;
+    const material *constants = &worst->last->asked.given;
     measured_place at = {.x = row->x, .y = row->y};
     if (is_below)
         at = measures_below(worst->last, &worst->below, row->x);
@@ -146,7 +146,7 @@ void worst_write_rows(void *of_worst, records *rows)
         const int criterion = measure_criterion(i);
         const bool has_verdict =
             criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion]);
-        cell cells[COLUMNS] = {cell_text(measure_kinds[i].column), cell_number(row->value),
+        cell cells[COLUMNS] = {cell_text(measure_kind_of(i)->column), cell_number(row->value),
                                cell_number(row->x), cell_number(row->y)};
         if (isnan(row->value) || (worst->is_verdict && !has_verdict))
             continue;

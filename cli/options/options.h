@@ -26,7 +26,7 @@ enum {
     OPTION_NO_FORMULAS,
     OPTION_COLUMN, /* may be repeated, wherever it is */
     OPTION_OWN,
-    OPTION_LIMIT = 120
+    OPTION_LIMIT = 160
 };
 
 typedef struct {

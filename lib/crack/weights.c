@@ -21,7 +21,7 @@ static const double STEEPEST = 1.31;
 
 bool rw_is_crack_angle(double angle)
 {
-    return rw_is_signed(angle) && fabs(angle) <= STEEPEST;
+    return islessequal(fabs(angle), STEEPEST);
 }
 
 /* The rule of m places on the line of a crack of the length 1. */

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a measure of a cycle is largest on a line, also between the places at which it is known. */
 #include "cycle/cycle.h"
+#include "measures/criterion.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct {
-    double E, nu, constant, su;
+    const double *constants; /* of the criterion */
+    double nu;
     int32_t plane_stress;
 } material;
 
@@ -16,6 +19,7 @@ typedef struct {
     double y;
     double *stress; /* room for those of one place */
     rw_piece_sum *room;
+    double least;       /* amplitude of sqrt(J2) of a place that is not passed over */
     bool lacked_memory; /* somewhere */
 } line;
 
@@ -58,10 +62,28 @@ static double measure_of(line *l, double x, const double *sxx)
     double value = NAN, angle, out_of_plane;
     if (is_of_friction(l->measure))
         return friction_of(l, x, sxx);
-    is_answer(l, rwedge_criterion_field(l->measure, loads, 1, sxx, sxx + loads, sxx + 2 * loads,
-                                        m->E, m->nu, m->plane_stress, m->constant, m->su, &value,
-                                        &angle, &out_of_plane));
+    is_answer(l,
+              rwedge_criterion(l->measure, m->constants, loads, sxx, sxx + loads, sxx + 2 * loads,
+                               m->nu, m->plane_stress, &value, &angle, &out_of_plane));
     return value;
+}
+
+/* The amplitude of sqrt(J2): what the criteria that count a mean stress have but for it. */
+static double amplitude_of(line *l, const double *sxx)
+{
+    static const double no_mean[1] = {0};
+    const size_t loads = l->cycle->loads.count;
+    double value = 0, angle, out_of_plane;
+    is_answer(l, rwedge_criterion(RWEDGE_MEASURE_CROSSLAND, no_mean, loads, sxx, sxx + loads,
+                                  sxx + 2 * loads, l->material.nu, l->material.plane_stress, &value,
+                                  &angle, &out_of_plane));
+    return value;
+}
+
+static double amplitude_at(line *l, double x)
+{
+    const int32_t status = rw_cycle_stresses(l->cycle, 1, &x, &l->y, l->stress);
+    return is_answer(l, status) ? amplitude_of(l, l->stress) : 0;
 }
 
 /* The measure at one place; NaN at the apex of a sharp wedge. Among the measures of friction only
@@ -71,7 +93,9 @@ static double measure_at(line *l, double x)
     if (is_of_friction(l->measure) && l->measure != RWEDGE_MEASURE_RUIZ_F2)
         return rw_cycle_has_stress(l->cycle, x, l->y) ? friction_of(l, x, NULL) : NAN;
     const int32_t status = rw_cycle_stresses(l->cycle, 1, &x, &l->y, l->stress);
-    return is_answer(l, status) ? measure_of(l, x, l->stress) : NAN;
+    if (!is_answer(l, status) || (l->least > 0 && amplitude_of(l, l->stress) < l->least))
+        return NAN;
+    return measure_of(l, x, l->stress);
 }
 
 /* ---- The search ---- */
@@ -128,10 +152,33 @@ static peak search(line *l, size_t n, const double x[], const double value[])
     return best;
 }
 
-static bool is_material(const material *m)
+/* ---- Where nothing cycles ---- */
+
+/* A place cycles if its amplitude is at least this part of the largest one. */
+static const double CYCLES = 1e-3;
+
+/* The values of the places that cycle, 0 of the others, which have no fatigue: a criterion that
+ * counts a mean stress may be largest there. */
+static void pass_over(line *l, size_t n, const double x[], double value[])
 {
-    return rw_is_positive(m->E) && rw_is_poisson(m->nu) && m->plane_stress >= 0 &&
-           m->plane_stress <= 1 && rw_is_magnitude(m->constant) && rw_is_positive(m->su);
+    double *amplitude = malloc(n * sizeof *amplitude);
+    l->lacked_memory = l->lacked_memory || !amplitude;
+    double largest = 0;
+    for (size_t i = 0; amplitude && i < n; i++) {
+        amplitude[i] = amplitude_at(l, x[i]);
+        largest = fmax(largest, amplitude[i]);
+    }
+    l->least = CYCLES * largest;
+    for (size_t i = 0; amplitude && i < n; i++)
+        value[i] = amplitude[i] < l->least ? 0 : value[i];
+    free(amplitude);
+}
+
+static bool is_measured(const line *l)
+{
+    const material *m = &l->material;
+    return (is_of_friction(l->measure) || rw_has_constants(l->measure, m->constants)) &&
+           rw_is_poisson(m->nu) && rw_is_switch(m->plane_stress);
 }
 
 static bool are_measured(size_t n, const double x[], const double value[])
@@ -144,8 +191,7 @@ static bool are_measured(size_t n, const double x[], const double value[])
 
 static int32_t check(const line *l, size_t n, const double x[], const double value[])
 {
-    if (l->measure < RWEDGE_MEASURE_STRESS_RANGE || l->measure > RWEDGE_MEASURE_DANG_VAN ||
-        !is_material(&l->material) || !rw_is_magnitude(l->y) || !are_measured(n, x, value))
+    if (!is_measured(l) || !rw_is_magnitude(l->y) || !are_measured(n, x, value))
         return RWEDGE_EDOMAIN;
     if (n == 0)
         return RWEDGE_ERANGE;
@@ -155,23 +201,31 @@ static int32_t check(const line *l, size_t n, const double x[], const double val
 /* From place to place. */
 static int32_t find(line *l, size_t n, const double x[], const double value[], peak *best)
 {
+    double *kept = malloc(n * sizeof *kept);
     l->stress = malloc(3 * l->cycle->loads.count * sizeof *l->stress);
     l->room = rw_cycle_room(l->cycle);
-    l->lacked_memory = !l->stress || !l->room;
-    if (!l->lacked_memory)
-        *best = search(l, n, x, value);
+    int32_t status = kept && l->stress && l->room ? RWEDGE_OK : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK) {
+        memcpy(kept, value, n * sizeof *kept);
+        if (rw_counts_mean(l->measure))
+            pass_over(l, n, x, kept);
+        *best = search(l, n, x, kept);
+        status = l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
+    }
+    free(kept);
     free(l->stress);
     free(l->room);
-    return l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
+    return status;
 }
 
-int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure, size_t n, const double x[],
-                           const double value[], double y, double E, double nu,
-                           int32_t plane_stress, double constant, double su, double *worst_x,
-                           double *worst_value)
+int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure, const double constants[],
+                           size_t n, const double x[], const double value[], double y, double nu,
+                           int32_t plane_stress, double *worst_x, double *worst_value)
 {
-    line l = {cycle, measure, {E, nu, constant, su, plane_stress}, y, NULL, NULL, false};
-    if (!cycle || (n > 0 && (!x || !value)) || !worst_x || !worst_value)
+    line l = {
+        .cycle = cycle, .measure = measure, .material = {constants, nu, plane_stress}, .y = y};
+    if (!cycle || (n > 0 && (!x || !value)) || !worst_x || !worst_value ||
+        (!constants && rwedge_criterion_constants(measure) > 0))
         return RWEDGE_ENULL;
     peak best = {0, 0};
     int32_t status = check(&l, n, x, value);

@@ -7,6 +7,7 @@
 #include "life/miner.h"
 
 #include "base/domain.h"
+#include "measures/catalogue.h"
 
 #include <stdlib.h>
 
@@ -184,8 +185,9 @@ static rw_plane_damage worst_of(rw_miner_sum *m, const rw_stress_field *f, size_
 
 /* ---- A field ---- */
 
+/* plane: the angle at each point, then out_of_plane at each. */
 typedef struct {
-    double *damage, *cycles, *angle, *out_of_plane;
+    double *damage, *cycles, *plane;
 } results;
 
 static void give(const rw_plane_damage *v, size_t n, const results *r)
@@ -193,8 +195,8 @@ static void give(const rw_plane_damage *v, size_t n, const results *r)
     for (size_t j = 0; j < n; j++) {
         r->damage[j] = v[j].damage;
         r->cycles[j] = v[j].cycles;
-        r->angle[j] = rw_plane_angle(v[j].at.psi.cosine, v[j].at.psi.sine);
-        r->out_of_plane[j] = rw_angle(fabs(v[j].at.beta.cosine), fabs(v[j].at.beta.sine));
+        r->plane[j] = rw_plane_angle(v[j].at.psi.cosine, v[j].at.psi.sine);
+        r->plane[n + j] = rw_angle(fabs(v[j].at.beta.cosine), fabs(v[j].at.beta.sine));
     }
 }
 
@@ -213,67 +215,26 @@ static int32_t sum_up(const rw_stress_field *f, rw_miner_sum *m, const results *
     return status;
 }
 
-static int32_t damage(const rw_stress_field *f, bool in_domain, const rw_criterion *c,
-                      const rw_life_curve *curve, const results *r)
+int32_t rwedge_damage_field(int32_t criterion, const double constants[], size_t loads, size_t n,
+                            const double sxx[], const double syy[], const double txy[], double nu,
+                            int32_t plane_stress, double value[], double cycles[], double plane[])
 {
-    const int32_t status =
-        rw_field_status(f, r->damage && r->cycles && r->angle && r->out_of_plane);
-    rw_miner_sum m = {.criterion = c, .curve = curve};
+    const rw_stress_field f = rw_stress_field_of(loads, n, sxx, syy, txy, nu, plane_stress);
+    const int32_t status = rw_field_status(&f, constants && value && cycles && plane);
+    rw_life_curve curve;
     if (status != RWEDGE_OK)
         return status;
-    return in_domain ? sum_up(f, &m, r) : RWEDGE_EDOMAIN;
+    if (!rw_is_switch(plane_stress) || !rw_life_curve_of(criterion, constants, &curve))
+        return RWEDGE_EDOMAIN;
+    const rw_criterion of_planes = rw_measure_of(criterion)->of_planes(&f, constants);
+    rw_miner_sum m = {.criterion = &of_planes, .curve = &curve};
+    return sum_up(&f, &m, &(results){value, cycles, plane});
 }
 
-int32_t rwedge_smith_watson_topper_damage_field(size_t loads, size_t n, const double sxx[],
-                                                const double syy[], const double txy[], double E,
-                                                double nu, int32_t plane_stress, double sf,
-                                                double b, double ef, double c, double limit,
-                                                double value[], double cycles[], double angle[],
-                                                double out_of_plane[])
+int32_t rwedge_damage(int32_t criterion, const double constants[], size_t n, const double sxx[],
+                      const double syy[], const double txy[], double nu, int32_t plane_stress,
+                      double *value, double *cycles, double plane[2])
 {
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    rw_criterion criterion;
-    rw_life_curve curve;
-    const bool in_domain = rw_smith_watson_topper(E, nu, plane_stress, &criterion) &&
-                           rw_smith_watson_topper_curve(E, sf, b, ef, c, limit, &curve);
-    return damage(&f, in_domain, &criterion, &curve,
-                  &(results){value, cycles, angle, out_of_plane});
-}
-
-int32_t rwedge_fatemi_socie_damage_field(size_t loads, size_t n, const double sxx[],
-                                         const double syy[], const double txy[], double E,
-                                         double nu, int32_t plane_stress, double k_over_sy,
-                                         double G, double tf, double b, double gf, double c,
-                                         double limit, double value[], double cycles[],
-                                         double angle[], double out_of_plane[])
-{
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    rw_criterion criterion;
-    rw_life_curve curve;
-    const bool in_domain = rw_fatemi_socie(E, nu, plane_stress, k_over_sy, &criterion) &&
-                           rw_fatemi_socie_curve(G, tf, b, gf, c, limit, &curve);
-    return damage(&f, in_domain, &criterion, &curve,
-                  &(results){value, cycles, angle, out_of_plane});
-}
-
-int32_t rwedge_smith_watson_topper_damage(size_t n, const double sxx[], const double syy[],
-                                          const double txy[], double E, double nu,
-                                          int32_t plane_stress, double sf, double b, double ef,
-                                          double c, double limit, double *value, double *cycles,
-                                          double *angle, double *out_of_plane)
-{
-    return rwedge_smith_watson_topper_damage_field(n, 1, sxx, syy, txy, E, nu, plane_stress, sf, b,
-                                                   ef, c, limit, value, cycles, angle,
-                                                   out_of_plane);
-}
-
-int32_t rwedge_fatemi_socie_damage(size_t n, const double sxx[], const double syy[],
-                                   const double txy[], double E, double nu, int32_t plane_stress,
-                                   double k_over_sy, double G, double tf, double b, double gf,
-                                   double c, double limit, double *value, double *cycles,
-                                   double *angle, double *out_of_plane)
-{
-    return rwedge_fatemi_socie_damage_field(n, 1, sxx, syy, txy, E, nu, plane_stress, k_over_sy, G,
-                                            tf, b, gf, c, limit, value, cycles, angle,
-                                            out_of_plane);
+    return rwedge_damage_field(criterion, constants, n, 1, sxx, syy, txy, nu, plane_stress, value,
+                               cycles, plane);
 }

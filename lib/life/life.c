@@ -6,7 +6,7 @@
 
 #include "base/always.h"
 #include "base/domain.h"
-#include "rwedge.h"
+#include "measures/catalogue.h"
 
 /* A bound on logarithms: exp() of minus this is negligible, but does not underflow, which would set
  * errno. */
@@ -86,51 +86,37 @@ double rw_life_by_table(rw_life_table *table, double value)
     return cycles_of(from->u + t * (rise + (1 - t) * bend));
 }
 
-static bool is_slope(double v)
+/* ---- The curves ---- */
+
+static rw_life_curve swt_curve(double E, const double c[])
 {
-    return isfinite(v) && v >= -2 && v <= -0.01;
+    const double sf = c[0], b = c[1], ef = c[2], exponent = c[3];
+    return (rw_life_curve){{log(sf * sf / E), log(sf * ef)}, {2 * b, b + exponent}, c[4]};
 }
 
-/* Whether a strength with its exponent b and a ductility with its exponent c are in their
- * domains. */
-static bool is_curve(double strength, double b, double ductility, double c, double limit)
+static rw_life_curve fatemi_socie_curve(const double c[])
 {
-    return rw_is_positive(strength) && is_slope(b) && rw_is_positive(ductility) && is_slope(c) &&
-           rw_is_magnitude(limit);
+    const double G = c[0], tf = c[1], b0 = c[2], gf = c[3], c0 = c[4];
+    return (rw_life_curve){{log(tf / G), log(gf)}, {b0, c0}, c[5]};
 }
 
-bool rw_smith_watson_topper_curve(double E, double sf, double b, double ef, double c, double limit,
-                                  rw_life_curve *curve)
+bool rw_life_curve_of(int32_t criterion, const double constants[], rw_life_curve *curve)
 {
-    if (!rw_is_positive(E) || !is_curve(sf, b, ef, c, limit))
+    const rw_measure *measure = rw_measure_of(criterion);
+    const int count = rwedge_damage_constants(criterion);
+    if (count == 0 || !rw_are_constants(measure, count, constants))
         return false;
-    *curve = (rw_life_curve){{log(sf * sf / E), log(sf * ef)}, {2 * b, b + c}, limit};
+    const double *own = constants + measure->own;
+    *curve =
+        criterion == RWEDGE_MEASURE_SWT ? swt_curve(constants[0], own) : fatemi_socie_curve(own);
     return true;
 }
 
-bool rw_fatemi_socie_curve(double G, double tf, double b, double gf, double c, double limit,
-                           rw_life_curve *curve)
-{
-    if (!rw_is_positive(G) || !is_curve(tf, b, gf, c, limit))
-        return false;
-    *curve = (rw_life_curve){{log(tf / G), log(gf)}, {b, c}, limit};
-    return true;
-}
-
-double rwedge_smith_watson_topper_life(double swt, double E, double sf, double b, double ef,
-                                       double c, double limit)
+double rwedge_life(int32_t criterion, const double constants[], double parameter)
 {
     rw_life_curve curve;
-    if (!rw_is_magnitude(swt) || !rw_smith_watson_topper_curve(E, sf, b, ef, c, limit, &curve))
+    if (!constants || !rw_is_magnitude(parameter) ||
+        !rw_life_curve_of(criterion, constants, &curve))
         return NAN;
-    return rw_life(&curve, swt);
-}
-
-double rwedge_fatemi_socie_life(double fatemi_socie, double G, double tf, double b, double gf,
-                                double c, double limit)
-{
-    rw_life_curve curve;
-    if (!rw_is_magnitude(fatemi_socie) || !rw_fatemi_socie_curve(G, tf, b, gf, c, limit, &curve))
-        return NAN;
-    return rw_life(&curve, fatemi_socie);
+    return rw_life(&curve, parameter);
 }

@@ -1,19 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fatigue parameters of cycles of stresses, on the critical plane. In plane strain, with the waves
- * of plane_search.h, the normal strain of a plane is (1+nu)/E ((1-2nu) s + n - s), and its shear
- * strain 2(1+nu)/E q. */
-#include "measures/field.h"
+/* Fatigue parameters of cycles of stresses, on the worst of the planes that contain z. With the
+ * waves of plane_search.h, the normal strain of a plane is (1+nu)/E (mean s + n - s), mean being
+ * 1-2nu in plane strain and 1 - 2nu/(1+nu) in plane stress, and its shear strain 2(1+nu)/E q. */
+#include "measures/planes.h"
 #include "planes/plane_search.h"
 
-static int32_t check(const rw_stress_field *f, double E, const double value[], const double angle[])
-{
-    const int32_t status = rw_field_status(f, value && angle);
-    return status == RWEDGE_OK && !rw_is_positive(E) ? RWEDGE_EDOMAIN : status;
-}
-
 /* Point by point, the largest product of the two waves, times `unit`. */
-static void search(const rw_stress_field *f, rw_stress_cycle waves, double unit, double value[],
-                   double angle[])
+static int32_t search(const rw_stress_field *f, rw_stress_cycle waves, double unit,
+                      const rw_criterion_results *results)
 {
     waves.loads = f->loads;
     waves.stride = f->points;
@@ -22,46 +16,25 @@ static void search(const rw_stress_field *f, rw_stress_cycle waves, double unit,
         waves.syy = f->syy + i;
         waves.txy = f->txy + i;
         rw_direction phi;
-        value[i] = unit * rw_plane_search(&waves, &phi);
-        angle[i] = rw_plane_angle(phi.cosine, phi.sine);
+        results->value[i] = unit * rw_plane_search(&waves, &phi);
+        results->angle[i] = rw_plane_angle(phi.cosine, phi.sine);
+        results->out_of_plane[i] = 0;
     }
+    return RWEDGE_OK;
 }
 
-int32_t rwedge_smith_watson_topper_field(size_t loads, size_t n, const double sxx[],
-                                         const double syy[], const double txy[], double E,
-                                         double nu, double value[], double angle[])
+int32_t rw_smith_watson_topper_in_plane(const rw_stress_field *f, const double constants[],
+                                        const rw_criterion_results *results)
 {
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    const int32_t status = check(&f, E, value, angle);
-    if (status == RWEDGE_OK)
-        search(&f, (rw_stress_cycle){.gain = 1, .mean = 1 - 2 * nu, .normal = 1}, (1 + nu) / E / 2,
-               value, angle);
-    return status;
+    const double nu = f->nu, mean = f->is_plane_stress ? 1 - 2 * nu / (1 + nu) : 1 - 2 * nu;
+    return search(f, (rw_stress_cycle){.gain = 1, .mean = mean, .normal = 1},
+                  (1 + nu) / constants[0] / 2, results);
 }
 
-int32_t rwedge_fatemi_socie_field(size_t loads, size_t n, const double sxx[], const double syy[],
-                                  const double txy[], double E, double nu, double k_over_sy,
-                                  double value[], double angle[])
+int32_t rw_fatemi_socie_in_plane(const rw_stress_field *f, const double constants[],
+                                 const rw_criterion_results *results)
 {
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    const int32_t status = check(&f, E, value, angle);
-    if (status == RWEDGE_OK && !rw_is_magnitude(k_over_sy))
-        return RWEDGE_EDOMAIN;
-    if (status == RWEDGE_OK)
-        search(&f, (rw_stress_cycle){.offset = 1, .gain = k_over_sy, .shear = 1}, (1 + nu) / E,
-               value, angle);
-    return status;
-}
-
-int32_t rwedge_smith_watson_topper(size_t n, const double sxx[], const double syy[],
-                                   const double txy[], double E, double nu, double *value,
-                                   double *angle)
-{
-    return rwedge_smith_watson_topper_field(n, 1, sxx, syy, txy, E, nu, value, angle);
-}
-
-int32_t rwedge_fatemi_socie(size_t n, const double sxx[], const double syy[], const double txy[],
-                            double E, double nu, double k_over_sy, double *value, double *angle)
-{
-    return rwedge_fatemi_socie_field(n, 1, sxx, syy, txy, E, nu, k_over_sy, value, angle);
+    const double gain = constants[1] / constants[2];
+    return search(f, (rw_stress_cycle){.offset = 1, .gain = gain, .shear = 1},
+                  (1 + f->nu) / constants[0], results);
 }

@@ -8,12 +8,38 @@
 
 #include <stdint.h>
 
-/* The stress of load i at point j is at [i points + j]. */
+/* The stress of load i at point j is at [i points + j]. across: the stress across the plane over
+ * sxx+syy; nu in plane strain, 0 in plane stress. */
 typedef struct {
     size_t loads, points;
     const double *sxx, *syy, *txy;
-    double nu;
+    double nu, across;
+    bool is_plane_stress;
 } rw_stress_field;
+
+/* Of each point of a field; the angles are those of the plane, 0 where there is none. */
+typedef struct {
+    double *value, *angle, *out_of_plane;
+} rw_criterion_results;
+
+/* A criterion of a field that can be measured, by constants in their ranges. */
+typedef int32_t rw_criterion_of_field(const rw_stress_field *f, const double constants[],
+                                      const rw_criterion_results *results);
+
+/* The range of sxx, which needs no constants. */
+rw_criterion_of_field rw_stress_range;
+
+static inline bool rw_is_switch(int32_t value)
+{
+    return value == 0 || value == 1;
+}
+
+static inline rw_stress_field rw_stress_field_of(size_t loads, size_t n, const double sxx[],
+                                                 const double syy[], const double txy[], double nu,
+                                                 int32_t plane_stress)
+{
+    return (rw_stress_field){loads, n, sxx, syy, txy, nu, plane_stress ? 0 : nu, plane_stress != 0};
+}
 
 static inline bool rw_field_in_domain(const rw_stress_field *f)
 {

@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Criteria of the smallest sphere around the path of the stress deviator. In plane strain the
  * deviator has three components, (d, txy, (1-2nu)/sqrt(3) s), whose length is sqrt(J2). */
-#include "measures/field.h"
+#include "measures/mesoscopic.h"
+
 #include "planes/smallest_ball.h"
 
 #include <stdlib.h>
 
 static double hydrostatic(const rw_stress_field *f, size_t k)
 {
-    return (1 + f->nu) * (f->sxx[k] + f->syy[k]) / 3;
+    return (1 + f->across) * (f->sxx[k] + f->syy[k]) / 3;
 }
 
 static rw_point deviator(const rw_stress_field *f, size_t k, double unit)
 {
     const double s = (f->sxx[k] + f->syy[k]) / 2, d = (f->syy[k] - f->sxx[k]) / 2;
-    return (rw_point){{d / unit, f->txy[k] / unit, (1 - 2 * f->nu) / sqrt(3) * (s / unit)}};
+    return (rw_point){{d / unit, f->txy[k] / unit, (1 - 2 * f->across) / sqrt(3) * (s / unit)}};
 }
 
 /* The largest shear stress of a deviator: half of the difference of its outermost principal
@@ -50,13 +51,9 @@ static double dang_van(const rw_stress_field *f, size_t point, const rw_ball *ba
 typedef double criterion(const rw_stress_field *f, size_t point, const rw_ball *ball, double unit,
                          double alpha);
 
-static int32_t measured(const rw_stress_field *f, criterion *at, double alpha, double value[])
+static int32_t measured(const rw_stress_field *f, criterion *at, double alpha,
+                        const rw_criterion_results *results)
 {
-    const int32_t status = rw_field_status(f, value != NULL);
-    if (status != RWEDGE_OK)
-        return status;
-    if (!rw_is_magnitude(alpha))
-        return RWEDGE_EDOMAIN;
     rw_point *path = calloc(f->loads, sizeof *path);
     if (!path)
         return RWEDGE_ENOMEM;
@@ -65,34 +62,21 @@ static int32_t measured(const rw_stress_field *f, criterion *at, double alpha, d
         for (size_t i = 0; i < f->loads; i++)
             path[i] = deviator(f, i * f->points + j, unit);
         const rw_ball ball = rw_smallest_ball(f->loads, path);
-        value[j] = at(f, j, &ball, unit, alpha);
+        results->value[j] = at(f, j, &ball, unit, alpha);
+        results->angle[j] = results->out_of_plane[j] = 0;
     }
     free(path);
     return RWEDGE_OK;
 }
 
-int32_t rwedge_crossland_field(size_t loads, size_t n, const double sxx[], const double syy[],
-                               const double txy[], double nu, double alpha, double value[])
+int32_t rw_crossland(const rw_stress_field *f, const double constants[],
+                     const rw_criterion_results *results)
 {
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    return measured(&f, crossland, alpha, value);
+    return measured(f, crossland, constants[0], results);
 }
 
-int32_t rwedge_dang_van_field(size_t loads, size_t n, const double sxx[], const double syy[],
-                              const double txy[], double nu, double alpha, double value[])
+int32_t rw_dang_van(const rw_stress_field *f, const double constants[],
+                    const rw_criterion_results *results)
 {
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    return measured(&f, dang_van, alpha, value);
-}
-
-int32_t rwedge_crossland(size_t n, const double sxx[], const double syy[], const double txy[],
-                         double nu, double alpha, double *value)
-{
-    return rwedge_crossland_field(n, 1, sxx, syy, txy, nu, alpha, value);
-}
-
-int32_t rwedge_dang_van(size_t n, const double sxx[], const double syy[], const double txy[],
-                        double nu, double alpha, double *value)
-{
-    return rwedge_dang_van_field(n, 1, sxx, syy, txy, nu, alpha, value);
+    return measured(f, dang_van, constants[0], results);
 }

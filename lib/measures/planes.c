@@ -8,9 +8,8 @@
  * differ by rounding. */
 static const double TIE = 1e-8;
 
-typedef struct {
-    double *value, *angle, *out_of_plane;
-} results;
+/* Of the largest stress: no stress changes but by rounding where the amplitude is below that. */
+static const double NO_CHANGE = 1e-12;
 
 rw_severity rw_severity_in(const rw_criterion *c, double unit)
 {
@@ -29,9 +28,11 @@ static double value_of(const rw_criterion *c, const rw_worst_plane *plane, doubl
 {
     const double sum = rw_value_in(c, unit) * plane->value +
                        unit * (c->per_amplitude * plane->amplitude + c->per_peak * plane->peak);
-    return c->per_ratio > 0 && plane->amplitude > 0
-               ? sum + c->per_ratio * (plane->peak / plane->amplitude)
-               : sum;
+    if (!c->has_ratio)
+        return sum;
+    if (plane->amplitude < NO_CHANGE)
+        return 0;
+    return sum + fmin(c->per_ratio * (plane->peak / plane->amplitude), c->most_by_ratio);
 }
 
 void rw_set_loads(const rw_stress_field *f, size_t point, const rw_criterion *c, double unit,
@@ -40,13 +41,13 @@ void rw_set_loads(const rw_stress_field *f, size_t point, const rw_criterion *c,
     for (size_t i = 0; i < f->loads; i++) {
         const size_t k = i * f->points + point;
         const double xx = f->sxx[k] / unit, yy = f->syy[k] / unit;
-        const rw_plane_load load = {xx, yy, f->txy[k] / unit,
-                                    c->is_plane_stress ? 0 : f->nu * (xx + yy)};
+        const rw_plane_load load = {xx, yy, f->txy[k] / unit, f->across * (xx + yy)};
         rw_plane_cycle_set(cycle, i, &load, &c->severity);
     }
 }
 
-static int32_t search(const rw_stress_field *f, const rw_criterion *c, const results *r)
+int32_t rw_search_planes(const rw_stress_field *f, const rw_criterion *c,
+                         const rw_criterion_results *results)
 {
     rw_plane_cycle *cycle = rw_plane_cycle_create(f->loads);
     if (!cycle)
@@ -56,144 +57,52 @@ static int32_t search(const rw_stress_field *f, const rw_criterion *c, const res
         const rw_severity severity = rw_severity_in(c, unit);
         rw_set_loads(f, j, c, unit, cycle);
         const rw_worst_plane plane = rw_worst_plane_of(cycle, &severity);
-        r->value[j] = value_of(c, &plane, unit);
-        r->angle[j] = plane.angle;
-        r->out_of_plane[j] = plane.out_of_plane;
+        results->value[j] = value_of(c, &plane, unit);
+        results->angle[j] = plane.angle;
+        results->out_of_plane[j] = plane.out_of_plane;
     }
     rw_plane_cycle_destroy(cycle);
     return RWEDGE_OK;
 }
 
-static int32_t measured(const rw_stress_field *f, bool in_domain, const rw_criterion *c,
-                        const results *r)
-{
-    const int32_t status = rw_field_status(f, r->value && r->angle && r->out_of_plane);
-    if (status != RWEDGE_OK)
-        return status;
-    return in_domain ? search(f, c, r) : RWEDGE_EDOMAIN;
-}
-
-/* ---- Smith, Watson and Topper; Fatemi and Socie ---- */
-
-static bool is_switch(int32_t value)
-{
-    return value == 0 || value == 1;
-}
+/* ---- The criteria ---- */
 
 /* The normal strain of a plane is (1+nu)/E (n - nu/(1+nu) (sxx+syy+szz)), n its normal stress. */
-bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c)
+rw_criterion rw_smith_watson_topper(const rw_stress_field *f, const double constants[])
 {
-    if (!is_switch(plane_stress) || !rw_is_positive(E) || !rw_is_poisson(nu))
-        return false;
-    const double shift = plane_stress != 0 ? -2 * nu / (1 + nu) : -2 * nu;
-    *c = (rw_criterion){.severity = {.is_strain = true, .gain = 1, .shift = shift},
-                        .is_plane_stress = plane_stress != 0,
-                        .per_value = (1 + nu) / E};
-    return true;
+    const double nu = f->nu, shift = f->is_plane_stress ? -2 * nu / (1 + nu) : -2 * nu;
+    return (rw_criterion){.severity = {.is_strain = true, .gain = 1, .shift = shift},
+                          .per_value = (1 + nu) / constants[0]};
 }
 
-bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy, rw_criterion *c)
+rw_criterion rw_fatemi_socie(const rw_stress_field *f, const double constants[])
 {
-    if (!is_switch(plane_stress) || !rw_is_positive(E) || !rw_is_poisson(nu) ||
-        !rw_is_magnitude(k_over_sy))
-        return false;
-    *c = (rw_criterion){.severity = {.offset = 1, .gain = k_over_sy},
-                        .is_plane_stress = plane_stress != 0,
-                        .per_value = 2 * (1 + nu) / E};
-    return true;
+    return (rw_criterion){.severity = {.offset = 1, .gain = constants[1] / constants[2]},
+                          .per_value = 2 * (1 + f->nu) / constants[0]};
 }
 
-int32_t rwedge_smith_watson_topper_planes_field(size_t loads, size_t n, const double sxx[],
-                                                const double syy[], const double txy[], double E,
-                                                double nu, int32_t plane_stress, double value[],
-                                                double angle[], double out_of_plane[])
+rw_criterion rw_findley(const rw_stress_field *f, const double constants[])
 {
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    rw_criterion c;
-    const bool in_domain = rw_smith_watson_topper(E, nu, plane_stress, &c);
-    return measured(&f, in_domain, &c, &(results){value, angle, out_of_plane});
+    (void)f;
+    return (rw_criterion){.severity = {.is_sum = true, .gain = constants[0]}, .per_value = 1};
 }
 
-int32_t rwedge_fatemi_socie_planes_field(size_t loads, size_t n, const double sxx[],
-                                         const double syy[], const double txy[], double E,
-                                         double nu, int32_t plane_stress, double k_over_sy,
-                                         double value[], double angle[], double out_of_plane[])
+/* kappa rho_lim is lambda/2 where no other rho_lim is given. */
+rw_criterion rw_modified_wohler(const rw_stress_field *f, const double constants[])
 {
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    rw_criterion c;
-    const bool in_domain = rw_fatemi_socie(E, nu, plane_stress, k_over_sy, &c);
-    return measured(&f, in_domain, &c, &(results){value, angle, out_of_plane});
+    (void)f;
+    const double kappa = constants[0], lambda = constants[1], rho_lim = constants[2];
+    return (rw_criterion){.severity = {.is_sum = true, .gain = TIE},
+                          .per_amplitude = 1,
+                          .has_ratio = true,
+                          .per_ratio = kappa,
+                          .most_by_ratio = rho_lim > 0 ? kappa * rho_lim : lambda / 2};
 }
 
-/* ---- Findley; Susmel; McDiarmid ---- */
-
-int32_t rwedge_findley_field(size_t loads, size_t n, const double sxx[], const double syy[],
-                             const double txy[], double nu, double k, double value[],
-                             double angle[], double out_of_plane[])
+rw_criterion rw_mcdiarmid(const rw_stress_field *f, const double constants[])
 {
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    const rw_criterion c = {.severity = {.is_sum = true, .gain = k}, .per_value = 1};
-    return measured(&f, rw_is_magnitude(k), &c, &(results){value, angle, out_of_plane});
-}
-
-int32_t rwedge_modified_wohler_field(size_t loads, size_t n, const double sxx[], const double syy[],
-                                     const double txy[], double nu, double kappa, double value[],
-                                     double angle[], double out_of_plane[])
-{
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    const rw_criterion c = {
-        .severity = {.is_sum = true, .gain = TIE}, .per_amplitude = 1, .per_ratio = kappa};
-    return measured(&f, rw_is_magnitude(kappa), &c, &(results){value, angle, out_of_plane});
-}
-
-int32_t rwedge_mcdiarmid_field(size_t loads, size_t n, const double sxx[], const double syy[],
-                               const double txy[], double nu, double t_A, double su, double value[],
-                               double angle[], double out_of_plane[])
-{
-    const rw_stress_field f = {loads, n, sxx, syy, txy, nu};
-    const bool in_domain = rw_is_positive(t_A) && rw_is_positive(su);
-    const rw_criterion c = {.severity = {.is_sum = true, .gain = TIE},
-                            .per_amplitude = in_domain ? 1 / t_A : 0,
-                            .per_peak = in_domain ? 1 / (2 * su) : 0};
-    return measured(&f, in_domain, &c, &(results){value, angle, out_of_plane});
-}
-
-/* ---- At one point ---- */
-
-int32_t rwedge_smith_watson_topper_planes(size_t n, const double sxx[], const double syy[],
-                                          const double txy[], double E, double nu,
-                                          int32_t plane_stress, double *value, double *angle,
-                                          double *out_of_plane)
-{
-    return rwedge_smith_watson_topper_planes_field(n, 1, sxx, syy, txy, E, nu, plane_stress, value,
-                                                   angle, out_of_plane);
-}
-
-int32_t rwedge_fatemi_socie_planes(size_t n, const double sxx[], const double syy[],
-                                   const double txy[], double E, double nu, int32_t plane_stress,
-                                   double k_over_sy, double *value, double *angle,
-                                   double *out_of_plane)
-{
-    return rwedge_fatemi_socie_planes_field(n, 1, sxx, syy, txy, E, nu, plane_stress, k_over_sy,
-                                            value, angle, out_of_plane);
-}
-
-int32_t rwedge_findley(size_t n, const double sxx[], const double syy[], const double txy[],
-                       double nu, double k, double *value, double *angle, double *out_of_plane)
-{
-    return rwedge_findley_field(n, 1, sxx, syy, txy, nu, k, value, angle, out_of_plane);
-}
-
-int32_t rwedge_modified_wohler(size_t n, const double sxx[], const double syy[], const double txy[],
-                               double nu, double kappa, double *value, double *angle,
-                               double *out_of_plane)
-{
-    return rwedge_modified_wohler_field(n, 1, sxx, syy, txy, nu, kappa, value, angle, out_of_plane);
-}
-
-int32_t rwedge_mcdiarmid(size_t n, const double sxx[], const double syy[], const double txy[],
-                         double nu, double t_A, double su, double *value, double *angle,
-                         double *out_of_plane)
-{
-    return rwedge_mcdiarmid_field(n, 1, sxx, syy, txy, nu, t_A, su, value, angle, out_of_plane);
+    (void)f;
+    return (rw_criterion){.severity = {.is_sum = true, .gain = TIE},
+                          .per_amplitude = 1 / constants[0],
+                          .per_peak = 1 / (2 * constants[1])};
 }

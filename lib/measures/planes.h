@@ -10,14 +10,22 @@
  * plane has. */
 typedef struct {
     rw_severity severity; /* gain is per stress */
-    bool is_plane_stress;
-    double per_value, per_amplitude, per_peak, per_ratio; /* ratio: of the peak to the amplitude */
+    double per_value, per_amplitude, per_peak;
+    bool has_ratio; /* of the peak to the amplitude: what it adds, and at most */
+    double per_ratio, most_by_ratio;
 } rw_criterion;
 
-/* Smith, Watson and Topper's; Fatemi and Socie's. False outside the domain; *c is
- * then as before. */
-bool rw_smith_watson_topper(double E, double nu, int32_t plane_stress, rw_criterion *c);
-bool rw_fatemi_socie(double E, double nu, int32_t plane_stress, double k_over_sy, rw_criterion *c);
+/* The criterion of a field by constants in their ranges. */
+typedef rw_criterion rw_plane_criterion(const rw_stress_field *f, const double constants[]);
+rw_plane_criterion rw_smith_watson_topper, rw_fatemi_socie, rw_findley, rw_modified_wohler,
+    rw_mcdiarmid;
+
+/* The largest value at each point. */
+int32_t rw_search_planes(const rw_stress_field *f, const rw_criterion *c,
+                         const rw_criterion_results *results);
+
+/* The same of the planes that contain z. */
+rw_criterion_of_field rw_smith_watson_topper_in_plane, rw_fatemi_socie_in_plane;
 
 /* The severity of stresses in the unit, and what a value of it counts. */
 rw_severity rw_severity_in(const rw_criterion *c, double unit);

@@ -158,20 +158,17 @@ int32_t rwedge_stress_gradient(double alpha, double f, double c, double x, doubl
 }
 
 int32_t rwedge_stress_sensitivity(double alpha, double f, double c, double x, double y,
-                                  double *sxx_alpha, double *syy_alpha, double *txy_alpha,
-                                  double *sxx_f, double *syy_f, double *txy_f, double *sxx_c,
-                                  double *syy_c, double *txy_c)
+                                  double d_alpha[3], double d_f[3], double d_c[3])
 {
-    if (!sxx_alpha || !syy_alpha || !txy_alpha || !sxx_f || !syy_f || !txy_f || !sxx_c || !syy_c ||
-        !txy_c)
+    if (!d_alpha || !d_f || !d_c)
         return RWEDGE_ENULL;
     if (!is_contact(alpha, f, c) || !is_point(alpha, x, y) || !is_smooth_at(alpha, c, x, y))
         return RWEDGE_EDOMAIN;
     const tractions t = make_tractions(alpha, f, c);
     const double per_alpha = alpha > 0 ? 1 / alpha : 0;
-    rw_give_stress(changed(&t, rw_potential_by_rounding, x, y, per_alpha), sxx_alpha, syy_alpha,
-                   txy_alpha);
-    rw_give_stress(by_friction(&t, x, y), sxx_f, syy_f, txy_f);
-    rw_give_stress(by_stick_zone(&t, x, y), sxx_c, syy_c, txy_c);
+    rw_give_stress(changed(&t, rw_potential_by_rounding, x, y, per_alpha), &d_alpha[0], &d_alpha[1],
+                   &d_alpha[2]);
+    rw_give_stress(by_friction(&t, x, y), &d_f[0], &d_f[1], &d_f[2]);
+    rw_give_stress(by_stick_zone(&t, x, y), &d_c[0], &d_c[1], &d_c[2]);
     return RWEDGE_OK;
 }

@@ -14,8 +14,8 @@ NUMBERS = {
     "theta": 0.01, "a": 2, "A": 1.82e-5, "R": 200, "P": 2000, "Q": 300, "b": 2.2, "k": 300, "M": 500, "sigma": 10,
     "beta": 0.1, "k_over_E": 0.0015, "safety": 0.9, "terms": 4, "doubt": 4, "status": 1,
     "sxx": 120, "syy": -64, "txy": 55, "E": 200e3, "k_over_sy": 0.0025, "strain_per_tension": 4.55e-6, "measure": 1,
-    "plane_stress": 0, "repeats": 0, "angle": 0, "length": 0.1, "line": 1, "kappa": 50, "constant": 0.0025, "tolerance": 1e-3,
-    "swt": 4.05, "fatemi_socie": 0.005, "sf": 475.4, "ef": 0.612, "tf": 450, "gf": 0.7, "G": 62e3, "limit": 0, "t_A": 160, "su": 500, "dK_th": 5, "ds0": 400,
+    "plane_stress": 0, "repeats": 0, "angle": 0, "length": 0.1, "line": 1, "tolerance": 1e-3,
+    "criterion": 1, "j": 0, "parameter": 4.05, "dK_th": 5, "ds0": 400,
     "P1": 2000, "M1": 0, "Q1": 300, "sigma1": 10, "P2": 2000, "M2": 0, "Q2": -300, "sigma2": -10,
 }
 # Of an array.
@@ -25,13 +25,14 @@ LISTS = {
     "slope": [-0.01, 0, 0.02], "value": [0.1, 0.05, 0.02], "state": "state",
     "P": [2000, 2000], "M": [0, 0], "Q": [-300, 300], "sigma": [0, 0],
 }
-OWN = {**{(f"{criterion}_damage{field}", name): number for criterion, c in (("smith_watson_topper", -0.62), ("fatemi_socie", -0.6))
-          for field in ("", "_field") for name, number in (("b", -0.078), ("c", c))},
-       ("smith_watson_topper_life", "b"): -0.078, ("smith_watson_topper_life", "c"): -0.62, ("fatemi_socie_life", "b"): -0.08,
-       ("fatemi_socie_life", "c"): -0.6, ("contact_create", "f"): 0.3, ("series_fit", "terms"): 2, ("validity", "beta"): 0, ("series_coefficient", "k"): 2,
+SWT = [200e3]
+SWT_LIFE = [*SWT, 475.4, -0.078, 0.612, -0.62, 0]
+OWN = {**{(name, "constants"): SWT for name in ("criterion", "criterion_field", "cycle_worst")},
+       **{(name, "constants"): SWT_LIFE for name in ("life", "damage", "damage_field")},
+       ("contact_create", "f"): 0.3, ("series_fit", "terms"): 2, ("validity", "beta"): 0, ("series_coefficient", "k"): 2,
        ("yield_load", "f"): 0.3, ("contact_create_flat", "f"): 0.3,
        ("contact_create_profile", "f"): 0.3, ("cycle_worst", "y"): 0, ("contact_apply", "M"): 0,
-       ("contact_apply", "Q"): 500, ("findley", "k"): 0.25, ("findley_field", "k"): 0.25}
+       ("contact_apply", "Q"): 500}
 UNLOADED = {"contact_set_strain"}  # refused once the bodies touch
 # The tool's command with the same numbers.
 COMMANDS = {
@@ -70,5 +71,5 @@ def value_of(f: Function, p: Parameter):
     number = OWN.get((f.name, p.name), NUMBERS.get(p.name))
     if not p.size:
         return of_domain(p) if number is None else number
-    of = LISTS.get(p.name) or [of_domain(p)] * 3
+    of = number if isinstance(number, list) else LISTS.get(p.name) or [of_domain(p)] * 3
     return [of, [-v for v in of]] if len(p.size) == 2 else of

@@ -29,7 +29,7 @@ FIGURES = {
     "history-loop": ("The loop of a history with bulk tension", f"loop {CYCLE} --cycles 2", ""),
     "history": ("Stresses at the trailing edge in the last cycle", f"history {CYCLE} --cycles 2 --at -0.2067,0", "contact_stress_history"),
     "fretting": ("Smith, Watson and Topper's parameter along the surface", f"fretting {CYCLE}",
-                 "smith_watson_topper smith_watson_topper_field"),
+                 "criterion criterion_field"),
 }
 WORKED = "bindings/python/examples"
 CASES = {"calculix": "", "design": "--rows 60 --columns 41 --workers 0 --check 1", "dovetail": "", "fretting": "", "pads": "", "phase": "", "spectrum": "", "total_life": ""}

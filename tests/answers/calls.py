@@ -53,6 +53,7 @@ QUANTITIES = {
     "sxx": [120, -80, 45, 210, -33, 7], "syy": [-64, 31, 150, -12, 88], "txy": [55, -140, 26, 73],
     "E": [200e3, 72e3, 110e3],
     "k_over_sy": [0.0025, 0.001, 0.0042],
+    "criterion": [1, 2, 7, 8, 9, 10, 11, 12, 13], "measure": [1, 2, 7, 10], "j": [0], "parameter": [0.9, 0.02, 3], "plane_stress": [0, 1],
     "state": "@", "doubt": [1, 2, 4, 8, 3],
     "M": [60], "sigma": [1],
     "sf": [475, 900], "ef": [0.6, 0.3], "tf": [450, 300], "gf": [0.7, 1.1], "G": [62e3, 27e3], "limit": [0],
@@ -79,7 +80,7 @@ OWN = {
     ("cycle_create", "P"): [2000], ("cycle_create", "M"): [60], ("cycle_create", "Q"): [100, -300, 200], ("cycle_create", "sigma"): [-2],
     ("cycle_friction", "x"): [1.75, -1.9, 2.2, 1.82, -1.72, 1.95, -2.25],  # at the edges, where it slips
     ("contact_create_profile", "slope"): [-0.01, 0, 0.01], ("contact_create_profile", "f"): [0.6], ("contact_create_flat", "f"): [0.6],
-    ("cycle_worst", "y"): [0], ("criterion_field", "measure"): [1, 2, 7, 10],
+    ("cycle_worst", "y"): [0],
     ("validity", "theta"): [0.01, 0.2, 0.05, 1.1],
     ("validity", "f"): [0, 0.3, 0.05],
     ("profile_fit", "arcs"): [0, 1, 2],
@@ -88,6 +89,9 @@ OWN = {
 for _name in ("profile_hull", "profile_slopes", "profile_fit"):
     OWN[_name, "x"] = [0.25 * i for i in range(64)]
     OWN[_name, "height"] = [(i - 32) ** 4 / 1e5 + i * 7 % 5 / 100 for i in range(64)]
+# The constants of each criterion; those of its damage, where there are more, from its own on.
+CONSTANTS = {1: [200e3], 2: [200e3, 0.6, 400], 7: [0.3], 8: [40, 120, 0.7], 9: [160, 500], 10: [0.3], 11: [0.2], 12: [72e3], 13: [72e3, 0.5, 350]}
+OF_LIFE = {1: [475, -0.078, 0.6, -0.62, 0], 2: [62e3, 450, -0.08, 0.7, -0.6, 0]}
 NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
 SAMPLES = {"series_fit": 9, "cycle_growth": 5, "profile_fit": 12}
 # The objects, each with the calls that change it: strain by tension, normal load, both loads together, Q reversed, P and Q to and fro; with
@@ -140,7 +144,7 @@ def call(function, arguments):
     for p, value in zip(function.inputs, arguments):
         if p.size and value != "@":
             counts.update(zip(p.size, (len(value), len(value[0]) if isinstance(value[0], list) else 0)))
-    numbers = sum(math.prod(counts.get(size, 0) for size in p.size) for p in function.outputs)
+    numbers = sum(math.prod(int(size) if size.isdigit() else counts.get(size, 0) for size in p.size) for p in function.outputs)
     line = ",".join([f"{function.name}:{numbers or len(function.results)}", *map(text_of, arguments)])
     values = {p.name: "before" if value == "@" else value for p, value in zip(function.inputs, arguments)}
     calls.append(written(LANGUAGE, function, line, values, counts))
@@ -157,8 +161,12 @@ def sampled(function, variant):
     arguments = []
     for j, p in enumerate(function.inputs):
         numbers, stride = values(function, p), 1 + j % 3
+        teller = next((q for q in function.implied if q.given_by and q.name in p.size), None)
         if numbers == "@":
             arguments.append(numbers)
+        elif teller:
+            criterion = arguments[[q.name for q in function.inputs].index(teller.given_from)]
+            arguments.append(CONSTANTS[criterion] + (OF_LIFE[criterion] if teller.given_by == "damage_constants" else []))
         elif len(p.size) == 2:
             arguments.append([[numbers[(stride * variant + LOADS * i + j) % len(numbers)] for i in range(POINTS)] for j in range(LOADS)])
         elif p.size:
@@ -229,6 +237,8 @@ def ends():
     """Of formulas: each argument in turn at the ends of its domain, and beyond."""
     for f in (f for f in interface.functions if f.result == "value" and not f.family):
         for j, p in enumerate(f.inputs):
+            if p.size:
+                continue
             d = p.domain
             edges = [v for v in (d.low, d.high) if math.isfinite(v)] + [0.0, 1e-300, 1e300, -1.0, math.inf, math.nan]
             if p.kind == "int32_t":

@@ -40,7 +40,7 @@ def in_fortran(f: Function, line: str, values: dict, counts: dict[str, int]) -> 
         value = text.partition(" = ")[2]
         return [f"call tell('{line}', [real({f'len({value})' if f.result == 'text' else value}, c_double)], rwedge_ok)"]
     known = {**{p.name: teller(f, p, values) for p in f.of("size")}, **counts}
-    sizes = [[str(known[size]) for size in reversed(p.size)] for p in f.outputs]  # last to first
+    sizes = [[str(known.get(size, size)) for size in reversed(p.size)] for p in f.outputs]  # last to first
     lines = [f"real(c_double) :: {name_of(p)}" + f"({', '.join(own)})" * bool(own) for p, own in zip(f.outputs, sizes)]
     lines += ["stat = rwedge_ok", text, "contact = copy"] if f.method == "copy" else [f"{text[:-1]}, stat)"]
     lines.append(f"call tell('{line}', [{', '.join(map(name_of, f.outputs)) or 'real(c_double) ::'}], stat)")

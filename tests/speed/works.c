@@ -328,17 +328,13 @@ static double cracks(const work *w)
 
 static double value[PLACES], angle[PLACES], azimuth[PLACES];
 
-static double smith_watson_topper(const work *w)
-{
-    must(rwedge_smith_watson_topper_field(CYCLE_LOADS, (size_t)w->n, cycle[0], cycle[1], cycle[2],
-                                          110000, 0.33, value, angle));
-    return value[0];
-}
-
 static double criterion(const work *w)
 {
-    must(rwedge_criterion_field((int32_t)w->first, CYCLE_LOADS, (size_t)w->n, cycle[0], cycle[1],
-                                cycle[2], 110000, 0.33, 0, 0.3, 1, value, angle, azimuth));
+    const int32_t number = (int32_t)w->first;
+    const int is_of_strain = number == RWEDGE_MEASURE_SWT || number == RWEDGE_MEASURE_SWT_IN_PLANE;
+    const double constants[] = {is_of_strain ? 110000 : 0.3};
+    must(rwedge_criterion_field(number, constants, CYCLE_LOADS, (size_t)w->n, cycle[0], cycle[1],
+                                cycle[2], 0.33, 0, value, angle, azimuth));
     return value[0];
 }
 
@@ -377,7 +373,7 @@ const work works[] = {
     {"2 points, 2000 corners, in one call", history, REVERSALS, 2, 2 * MOST_LOADS},
     {"stresses on the lines of cracks", stresses_on_cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
     {"K of those cracks", cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
-    {"Smith-Watson-Topper of 40 loads", smith_watson_topper, 0, 0, PLACES},
+    {"Smith-Watson-Topper of 40 loads", criterion, RWEDGE_MEASURE_SWT_IN_PLANE, 0, PLACES},
     {"Smith-Watson-Topper, all planes", criterion, RWEDGE_MEASURE_SWT, 0, PLACES},
     {"Findley of 40 loads", criterion, RWEDGE_MEASURE_FINDLEY, 0, PLACES},
     {"Crossland of 40 loads", criterion, RWEDGE_MEASURE_CROSSLAND, 0, PLACES},

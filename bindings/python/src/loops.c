@@ -23,21 +23,27 @@ RWEDGE_API const void *rwedge_entry(const char *name)
     return many ? many : entry_named(name);
 }
 
-/* Evaluates one point, of arrays of n numbers where they are not its own. Was it outside the
+/* How many numbers an argument or a result has. */
+static size_t count_of(const signed char sizes[2], const size_t n[])
+{
+    return sizes[0] < 0 ? 1 : n[sizes[0]];
+}
+
+/* Evaluates one point, of arrays of the sizes n where they are not its own. Was it outside the
  * domain? */
-static bool point(const entry *call, void *object, size_t n, const double *const v[],
+static bool point(const entry *call, void *object, const size_t n[], const double *const v[],
                   double *const r[])
 {
-    const size_t sizes[ENTRY_SIZES] = {n};
-    const int32_t status = call->call(object, sizes, v, r, NULL);
+    const int32_t status = call->call(object, n, v, r, NULL);
     if (status == RWEDGE_OK && (call->has_status || !isnan(*r[0])))
         return false;
     bool nan = false;
     for (int k = 0; k < call->arguments; k++)
-        for (size_t j = 0; j < (call->argument[k].sizes[0] < 0 ? 1 : n); j++)
+        for (size_t j = 0; j < count_of(call->argument[k].sizes, n); j++)
             nan |= isnan(v[k][j]);
     for (int k = 0; k < call->results; k++)
-        *r[k] = NAN;
+        for (size_t j = 0; j < count_of(call->result[k].sizes, n); j++)
+            r[k][j] = NAN;
     return status != RWEDGE_EABSENT && !nan;
 }
 
@@ -68,6 +74,7 @@ static bool is_shared(const entry *call, const intptr_t *steps)
  * the domain? */
 static bool block(const entry *call, char **args, const intptr_t *steps, intptr_t i, size_t n)
 {
+    static const size_t alone[ENTRY_SIZES] = {1};
     const int first = call->takes_object, results = first + call->arguments;
     double in[ENTRY_ARGUMENTS][BLOCK], out[ENTRY_RESULTS][BLOCK], *r[ENTRY_RESULTS];
     const double *v[ENTRY_ARGUMENTS];
@@ -86,7 +93,7 @@ static bool block(const entry *call, char **args, const intptr_t *steps, intptr_
                 v[k] = &in[k][j];
             for (int k = 0; k < call->results; k++)
                 r[k] = &out[k][j];
-            invalid |= point(call, object, 1, v, r);
+            invalid |= point(call, object, alone, v, r);
         }
     for (int k = 0; k < call->results; k++)
         for (size_t j = 0; j < n; j++)
@@ -105,26 +112,66 @@ static bool points(const entry *call, char **args, const intptr_t *dimensions,
     return invalid;
 }
 
-/* ---- Functions of a cycle: arrays along an axis of their own --------------------------------- */
+/* ---- Functions of arrays along axes of their own, such as a cycle ---------------------------- */
 
-/* Evaluates point i, whose arguments are put next to each other. Was it outside the domain? */
-static bool cycle(const entry *call, char **args, const intptr_t *steps, intptr_t i, intptr_t loads,
-                  double *arguments)
+/* NumPy gives the sizes in the order in which arguments and results first have them. */
+static void take_sizes(const entry *call, const intptr_t *dimensions, size_t n[])
 {
-    const intptr_t *step = steps + call->arguments + call->results; /* from load to load */
-    double out[ENTRY_RESULTS], *r[ENTRY_RESULTS];
-    const double *v[ENTRY_ARGUMENTS];
-    for (int k = 0; k < call->arguments; k++, arguments += loads + 1) {
-        const bool is_array = call->argument[k].sizes[0] >= 0;
-        gather(false, args[k] + i * steps[k], is_array ? *step++ : 0, is_array ? (size_t)loads : 1,
-               arguments);
-        v[k] = arguments;
+    bool known[ENTRY_SIZES] = {false};
+    int next = 1;
+    for (int k = 0; k < call->arguments + call->results; k++) {
+        const int size = k < call->arguments ? call->argument[k].sizes[0]
+                                             : call->result[k - call->arguments].sizes[0];
+        if (size >= 0 && !known[size]) {
+            n[size] = (size_t)dimensions[next++];
+            known[size] = true;
+        }
     }
-    for (int k = 0; k < call->results; k++)
-        r[k] = &out[k];
-    const bool invalid = point(call, NULL, (size_t)loads, v, r);
-    for (int k = 0; k < call->results; k++)
-        *(double *)(void *)(args[call->arguments + k] + i * steps[call->arguments + k]) = out[k];
+}
+
+/* Whether no array is shorter than the function takes it for. */
+static bool are_long_enough(const entry *call, const size_t n[], const double *const v[])
+{
+    for (int s = 0; s < call->sizes; s++)
+        if (call->size[s].count && call->size[s].count(v) > n[s])
+            return false;
+    return true;
+}
+
+/* Puts the numbers of a result where NumPy wants them. */
+static void scatter(const double from[], size_t n, char *to, intptr_t step)
+{
+    for (size_t j = 0; j < n; j++, to += step)
+        *(double *)(void *)to = from[j];
+}
+
+/* Evaluates point i, whose arguments and results are put next to each other in `room`. Was it
+ * outside the domain? */
+static bool cycle(const entry *call, char **args, const intptr_t *steps, intptr_t i,
+                  const size_t n[], double *room)
+{
+    const int inputs = call->arguments;
+    const intptr_t *step = steps + inputs + call->results; /* from number to number of an array */
+    const double *v[ENTRY_ARGUMENTS];
+    double *r[ENTRY_RESULTS];
+    for (int k = 0; k < inputs; k++) {
+        const signed char *sizes = call->argument[k].sizes;
+        const size_t count = count_of(sizes, n);
+        gather(false, args[k] + i * steps[k], sizes[0] >= 0 ? *step++ : 0, count, room);
+        v[k] = room;
+        room += count + 1;
+    }
+    for (int k = 0; k < call->results; room += count_of(call->result[k++].sizes, n))
+        r[k] = room;
+    const bool fits = are_long_enough(call, n, v);
+    const bool invalid = !fits || point(call, NULL, n, v, r);
+    for (int k = 0; k < call->results; k++) {
+        const signed char *sizes = call->result[k].sizes;
+        const size_t count = count_of(sizes, n);
+        for (size_t j = 0; j < count && !fits; j++)
+            r[k][j] = NAN;
+        scatter(r[k], count, args[inputs + k] + i * steps[inputs + k], sizes[0] >= 0 ? *step++ : 0);
+    }
     return invalid;
 }
 
@@ -132,16 +179,21 @@ static bool cycle(const entry *call, char **args, const intptr_t *steps, intptr_
 static bool cycles(const entry *call, char **args, const intptr_t *dimensions,
                    const intptr_t *steps)
 {
-    const intptr_t loads = dimensions[1];
-    double *arguments = malloc((size_t)(loads + 1) * (size_t)call->arguments * sizeof *arguments);
-    bool invalid = !arguments;
+    size_t n[ENTRY_SIZES] = {0}, all = 0;
+    take_sizes(call, dimensions, n);
+    for (int k = 0; k < call->arguments; k++)
+        all += count_of(call->argument[k].sizes, n) + 1;
+    for (int k = 0; k < call->results; k++)
+        all += count_of(call->result[k].sizes, n);
+    double *room = malloc(all * sizeof *room);
+    bool invalid = !room;
     for (intptr_t i = 0; i < *dimensions; i++)
-        if (arguments)
-            invalid |= cycle(call, args, steps, i, loads, arguments);
+        if (room)
+            invalid |= cycle(call, args, steps, i, n, room);
         else
             for (int k = call->arguments; k < call->arguments + call->results; k++)
                 *(double *)(void *)(args[k] + i * steps[k]) = NAN;
-    free(arguments);
+    free(room);
     return invalid;
 }
 

@@ -165,7 +165,7 @@ def test_columns_that_are_no_loads_are_left_alone(pad):
     assert pad.loads == (2000, 0, 100, 0)
 
 
-METAL = {"E": E, "nu": NU, "yield_stress": 500, "fs_k": 0.5, "findley_k": 0.3, "kappa": 30, "t_A": 160, "su": 500, "crossland_alpha": 0.3,
+METAL = {"E": E, "nu": NU, "yield_stress": 500, "fs_k": 0.5, "findley_k": 0.3, "kappa": 30, "lambda": 100, "t_A": 160, "su": 500, "crossland_alpha": 0.3,
          "dang_van_alpha": 0.2, "sf": 475.4, "b": -0.078, "ef": 0.612, "c": -0.62, "G": 62e3, "tf": 450, "b0": -0.08, "gf": 0.7, "c0": -0.6}
 
 
@@ -174,7 +174,7 @@ def test_criteria_by_a_material_are_those_of_the_functions(pad, plane_stress):
     cycle, nu = pad.stresses_after({"Q": Q}, X, Y), 0 if plane_stress else NU
     expected = {"smith_watson_topper": rwedge.smith_watson_topper_planes(*cycle, E, NU, plane_stress, axis=0),
                 "fatemi_socie": rwedge.fatemi_socie_planes(*cycle, E, NU, plane_stress, 0.5 / 500, axis=0),
-                "findley": rwedge.findley(*cycle, nu, 0.3, axis=0), "modified_wohler": rwedge.modified_wohler(*cycle, nu, 30, axis=0),
+                "findley": rwedge.findley(*cycle, nu, 0.3, axis=0), "modified_wohler": rwedge.modified_wohler(*cycle, nu, 30, 100, axis=0),
                 "mcdiarmid": rwedge.mcdiarmid(*cycle, nu, 160, 500, axis=0), "crossland": rwedge.crossland(*cycle, nu, 0.3, axis=0),
                 "dang_van": rwedge.dang_van(*cycle, nu, 0.2, axis=0)}
     for name, results in expected.items():
@@ -188,3 +188,39 @@ def test_a_constant_that_the_material_lacks_is_named(pad):
     assert set(cycle.damage(METAL).cycles.ravel()) <= {0, 1} and np.isinf(cycle.life({**METAL, "swt_limit": 1e9})).all()
     with pytest.raises(rwedge.Error, match="must be one of swt, fatemi-socie"):
         cycle.damage(METAL, "findley")
+    with pytest.raises(rwedge.Error, match="the material has no lambda"):
+        cycle.modified_wohler({"nu": NU, "kappa": 30})
+
+
+@pytest.mark.parametrize("wrong, message", [
+    ({"swt_limt": 1}, "swt_limt, which is no constant that is known: did you mean swt_limit"),
+    ({"fs_K": 1}, "did you mean fs_k"),
+    ({"b": 0.078}, "b = 0.078: allowed is -2 to -0.01"),
+    ({"swt_limit": -1}, "swt_limit = -1: allowed is 0, or 1e-60 to 1e"),
+])
+def test_a_constant_that_is_unknown_or_wrong_is_an_error(pad, wrong, message):
+    with pytest.raises(rwedge.Error, match=message):
+        pad.stresses_after({"Q": Q}, X, 0).damage({**METAL, **wrong})
+
+
+def test_a_criterion_by_its_number_is_that_by_its_name(pad):
+    cycle = pad.stresses_after({"Q": Q}, X, 0)
+    last = [np.moveaxis(component, 0, -1) for component in cycle]
+    value, angle, out_of_plane = rwedge.criterion(rwedge.Measure.FINDLEY, [0.3], *last, NU, 0)
+    assert np.array_equal(cycle.criterion(METAL, "findley"), (value, angle, out_of_plane))
+    assert np.array_equal(rwedge.findley(*last, nu=NU, k=0.3), (value, angle, out_of_plane))
+    assert np.array_equal(rwedge.criterion(7, np.array([0.3, 0.0])[:, None, None, None], *last, NU, 0)[0][0], value)
+    metal = [E, 475.4, -0.078, 0.612, -0.62, 0]
+    sum_, cycles, plane = rwedge.damage(rwedge.Measure.SWT, metal, *last, NU, 0)
+    assert plane.shape == (*sum_.shape, 2)
+    damage = cycle.damage(METAL)
+    assert np.array_equal(damage.value, sum_) and np.array_equal(damage.out_of_plane, plane[..., 1])
+    assert rwedge.life(1, metal, [1.0, 2.0]).shape == (2,)
+    assert rwedge.life(1, metal, 1.0) == rwedge.smith_watson_topper_life(1.0, E, 475.4, -0.078, 0.612, -0.62, 0)
+    with pytest.warns(RuntimeWarning, match="constants has 1 numbers, 3 are needed"):
+        rwedge.criterion(rwedge.Measure.MODIFIED_WOHLER, [30], *last, NU, 0)
+
+
+def test_an_old_name_says_the_new_one():
+    with pytest.raises(AttributeError, match=r"findley_field has another name since version 2.0: criterion_field\("):
+        rwedge.findley_field

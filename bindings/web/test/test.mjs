@@ -59,9 +59,10 @@ test("what is wrong is said", () => {
     assert.throws(() => rwedge.load(10n), TypeError);
     assert.throws(() => rwedge.elastic_limit([0.1, 0.2], [0.1], 0.3), /arrays of 2 and 1 numbers/);
     assert.throws(() => made().stress_history([1, 2], [0], [0, 0], [0, 0], [0], [1]), /M has 1 numbers/);
-    assert.throws(() => rwedge.smith_watson_topper_field(2, [1, 2, 3], [1, 2, 3], [1, 2, 3], 2e5, 0.3), /sxx must have loads \* n numbers/);
-    assert.throws(() => rwedge.smith_watson_topper_field(0, [], [], [], 2e5, 0.3), Error);
-    assert.throws(() => rwedge.smith_watson_topper_field(-1, [1], [1], [1], 2e5, 0.3), Error);
+    assert.throws(() => rwedge.criterion_field(12, [2e5], 2, [1, 2, 3], [1, 2, 3], [1, 2, 3], 0.3, 0), /sxx must have loads \* n numbers/);
+    assert.throws(() => rwedge.criterion_field(12, [2e5], 0, [], [], [], 0.3, 0), Error);
+    assert.throws(() => rwedge.criterion_field(12, [2e5], -1, [1], [1], [1], 0.3, 0), Error);
+    assert.throws(() => rwedge.criterion(rwedge.Measure.SWT, [], [1], [1], [1], 0.3, 0), /constants has 0 numbers/);
 });
 
 test("an array that is refused says at which element", () => {
@@ -142,10 +143,14 @@ test("a contact remembers its loads", () => {
     assert.equal(typeof contact.memory(), "number");
     // two loads at three points
     const { sxx, syy, txy } = made().stress_history([1000, 1000], [0, 0], [0, 200], [0, 0], places, [1, 1, 1]);
-    const cycle = rwedge.smith_watson_topper_field(2, sxx, syy, txy, 2e5, 0.3);
+    const cycle = rwedge.criterion_field(rwedge.Measure.SWT, [2e5], 2, sxx, syy, txy, 0.3, 0);
     const at = (stress) => [stress[1], stress[4]];
     assert.equal(cycle.value.length, 3);
-    assert.equal(cycle.value[1], rwedge.smith_watson_topper(at(sxx), at(syy), at(txy), 2e5, 0.3).value);
+    assert.equal(cycle.value[1], rwedge.criterion(rwedge.Measure.SWT, [2e5], at(sxx), at(syy), at(txy), 0.3, 0).value);
+    const metal = [2e5, 475, -0.078, 0.6, -0.62, 0], damage = rwedge.damage(rwedge.Measure.SWT, metal, at(sxx), at(syy), at(txy), 0.3, 0);
+    assert.equal(damage.plane.length, 2);
+    assert.equal(rwedge.damage_field(1, metal, 2, sxx, syy, txy, 0.3, 0).plane.length, 6);
+    assert.ok(rwedge.life(1, metal, 1) > 0);
 });
 
 test("a class may be derived", () => {

@@ -2,74 +2,74 @@
 #include "cycle.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-const criterion_kind criterion_kinds[CRITERION_COUNT] = {
-    {"swt", MATERIAL_COUNT, MATERIAL_SWT_LIMIT},
-    {"fatemi-socie", MATERIAL_COUNT, MATERIAL_FS_LIMIT},
-    {"findley", MATERIAL_FINDLEY_K, MATERIAL_FINDLEY_LIMIT},
-    {"modified-wohler", MATERIAL_KAPPA, MATERIAL_LAMBDA},
-    {"mcdiarmid", MATERIAL_T_A, MATERIAL_COUNT},
-    {"crossland", MATERIAL_CROSSLAND_ALPHA, MATERIAL_CROSSLAND_LIMIT},
-    {"dang-van", MATERIAL_DANG_VAN_ALPHA, MATERIAL_DANG_VAN_LIMIT},
-    {"swt-damage", MATERIAL_COUNT, MATERIAL_COUNT},
-    {"fatemi-socie-damage", MATERIAL_COUNT, MATERIAL_COUNT},
-};
+/* ---- Criteria ---- */
+
+bool criterion_is_damage(int criterion)
+{
+    return criterion >= DAMAGE;
+}
+
+bool criterion_exists(int criterion)
+{
+    return criterion_is_damage(criterion) ? rwedge_damage_constants(criterion - DAMAGE) > 0
+                                          : rwedge_criterion_constants(criterion) > 0;
+}
+
+const char *criterion_name(int criterion)
+{
+    static char names[CRITERION_COUNT][MEASURE_NAME_SIZE];
+    char *name = names[criterion];
+    snprintf(name, MEASURE_NAME_SIZE, "%s%s",
+             rwedge_criterion_name(criterion_is_damage(criterion) ? criterion - DAMAGE : criterion),
+             criterion_is_damage(criterion) ? "-damage" : "");
+    for (char *c = name; *c != '\0'; c++)
+        *c = *c == '_' ? '-' : *c;
+    return name;
+}
 
 bool column_is_wanted(const criteria *asked, int column)
 {
-    const int criterion = measure_kinds[column].criterion;
+    const measure_kind *kind = measure_kind_of(column);
     if (column == COLUMN_WEAR)
         return !isnan(asked->archard);
-    return column < MEASURE_COUNT || criterion == NO_CRITERION || asked->is_wanted[criterion];
+    return kind->column[0] != '\0' && (column < MEASURE_COUNT || kind->criterion == NO_CRITERION ||
+                                       asked->is_wanted[kind->criterion]);
 }
 
 criteria criteria_usual(const contact_case *setup)
 {
-    criteria asked = {.nu = setup->nu1, .archard = NAN, .su = NAN};
-    for (int i = 0; i < CRITERION_COUNT; i++)
-        asked.constant[i] = i == CRITERION_SWT ? 0 : NAN;
+    criteria asked = {.nu = setup->nu1, .archard = NAN, .given = material_unknown()};
+    criteria_take(setup, RWEDGE_MEASURE_SWT, &asked);
     return asked;
 }
 
-double criteria_fatemi_socie(const contact_case *setup, double k)
+/* Of the contact; otherwise as it is given; otherwise the usual one. */
+static double constant_of(const contact_case *setup, const criteria *asked, int number, int j)
 {
-    return k / (SQRT_3 * setup->k);
+    const char *name = rwedge_constant_name(number, j);
+    if (strcmp(name, "E") == 0)
+        return setup->E1;
+    if (strcmp(name, "yield_stress") == 0)
+        return SQRT_3 * setup->k;
+    const double given = material_value(&asked->given, name);
+    return isnan(given) ? rwedge_constant_usual(number, j) : given;
 }
 
-/* ---- The constants of a material ---- */
-
-const char *const material_names[MATERIAL_COUNT] = {
-    "swt_limit", "fs_limit", "findley_limit", "lambda", "crossland_limit", "dang_van_limit",
-    /* curves of life, and the critical distance */
-    "sf", "b", "ef", "c", "G", "tf", "b0", "gf", "c0", "dK_th", "ds0", "paris_C", "paris_m", "K_c",
-    /* what an input or an option has too */
-    "E", "nu", "yield_stress", "fs_k", "findley_k", "kappa", "t_A", "su", "crossland_alpha",
-    "dang_van_alpha"};
-
-material material_unknown(void)
+const char *criteria_take(const contact_case *setup, int criterion, criteria *asked)
 {
-    material constants;
-    for (int i = 0; i < MATERIAL_COUNT; i++)
-        constants.value[i] = NAN;
-    return constants;
-}
-
-int material_constant(const char *name)
-{
-    int i = MATERIAL_COUNT - 1;
-    while (i >= 0 && strcmp(name, material_names[i]) != 0)
-        i--;
-    return i;
-}
-
-bool material_is_remark(const char *name)
-{
-    return strcmp(name, "name") == 0 || strcmp(name, "source") == 0;
-}
-
-double material_allowable(const material *constants, int criterion)
-{
-    const int limit = criterion_kinds[criterion].limit;
-    return limit == MATERIAL_COUNT ? 1 : constants->value[limit];
+    const bool is_damage = criterion_is_damage(criterion);
+    const int number = is_damage ? criterion - DAMAGE : criterion;
+    const int count =
+        is_damage ? rwedge_damage_constants(number) : rwedge_criterion_constants(number);
+    const char *lacks = NULL;
+    for (int j = 0; j < count; j++) {
+        asked->constants[number][j] = constant_of(setup, asked, number, j);
+        if (lacks == NULL && isnan(asked->constants[number][j]))
+            lacks = rwedge_constant_name(number, j);
+    }
+    asked->is_computed[criterion] = lacks == NULL;
+    return lacks;
 }

@@ -10,26 +10,23 @@
 /* ---- measures ---- What a cycle of loads does to a place: the columns of "rwedge fretting", in
  * words. */
 
-/* Of fatigue; NO_CRITERION of what is none. */
-enum {
-    NO_CRITERION = -1,
-    CRITERION_SWT,
-    CRITERION_FATEMI_SOCIE,
-    CRITERION_FINDLEY,
-    CRITERION_MODIFIED_WOHLER,
-    CRITERION_MCDIARMID,
-    CRITERION_CROSSLAND,
-    CRITERION_DANG_VAN,
-    CRITERION_SWT_DAMAGE,
-    CRITERION_FS_DAMAGE,
-    CRITERION_COUNT
-};
+/* A criterion is the number that the library gives it; that plus DAMAGE is its damage. NO_CRITERION
+ * is what is none: the range of sxx, and measures of friction. */
+enum { NO_CRITERION = -1, DAMAGE = 32, CRITERION_COUNT = 2 * DAMAGE };
+
+/* Whether there is a criterion of that number. */
+bool criterion_exists(int criterion);
+bool criterion_is_damage(int criterion);
+
+/* "modified-wohler", "swt-damage": as --criteria has it. */
+const char *criterion_name(int criterion);
 
 /* The columns of a criterion: its value, the angles of its plane in degrees, and of damage the
  * number of cycles. What is no criterion is a value. */
 typedef enum { PART_VALUE, PART_ANGLE, PART_OUT_OF_PLANE, PART_CYCLES, PART_COUNT } measure_part;
 
-/* Those without a name here are found by measure_column(). */
+/* Those without a name here are found by measure_column(). There is room for criteria that the
+ * library gets: columns at the end without a name are none. */
 enum {
     MEASURE_STRESS_RANGE,
     MEASURE_SWT,
@@ -40,17 +37,19 @@ enum {
     MEASURE_ENERGY_PER_AREA,
     MEASURE_COUNT, /* those that are always there; the others follow where they are asked for */
     COLUMN_WEAR = 30,
-    COLUMN_COUNT
+    COLUMN_COUNT = 48
 };
 
+enum { MEASURE_NAME_SIZE = 48, MEASURE_TITLE_SIZE = 80 };
 typedef struct {
-    const char *column, *meaning, *unit;
+    char column[MEASURE_NAME_SIZE]; /* "" where there is none */
+    const char *meaning, *unit;
     int criterion;
     measure_part part;
-    int32_t number;    /* as the library calls the measure; -1 for none */
-    const char *title; /* of a value, as a picture has it: *a* is italic, _c a subscript */
+    int32_t number;                 /* as the library calls the measure; -1 for none */
+    char title[MEASURE_TITLE_SIZE]; /* of a value, as a picture has it */
 } measure_kind;
-extern const measure_kind measure_kinds[COLUMN_COUNT];
+const measure_kind *measure_kind_of(int column);
 
 /* A part of a criterion; -1 where it has none. */
 int measure_column(int criterion, measure_part part);
@@ -61,47 +60,31 @@ int measure_criterion(int column);
 /* The damage of a criterion; the same for damage itself and for criteria without a life. */
 int measure_damage(int criterion);
 
-/* ---- material ---- A material's constants, by name. */
+/* ---- material ---- A material's constants, by name: those of all criteria, what these must not
+ * exceed, and what a contact or a critical distance has. */
 
-enum {
-    MATERIAL_SWT_LIMIT,
-    MATERIAL_FS_LIMIT,
-    MATERIAL_FINDLEY_LIMIT,
-    MATERIAL_LAMBDA,
-    MATERIAL_CROSSLAND_LIMIT,
-    MATERIAL_DANG_VAN_LIMIT,
-    MATERIAL_SF,
-    MATERIAL_B,
-    MATERIAL_EF,
-    MATERIAL_C,
-    MATERIAL_G,
-    MATERIAL_TF,
-    MATERIAL_B0,
-    MATERIAL_GF,
-    MATERIAL_C0,
-    MATERIAL_DK_TH,
-    MATERIAL_DS0,
-    MATERIAL_PARIS_C,
-    MATERIAL_PARIS_M,
-    MATERIAL_K_C,
-    /* From here on an input or an option has the same. */
-    MATERIAL_E,
-    MATERIAL_NU,
-    MATERIAL_YIELD_STRESS,
-    MATERIAL_FS_K,
-    MATERIAL_FINDLEY_K,
-    MATERIAL_KAPPA,
-    MATERIAL_T_A,
-    MATERIAL_SU,
-    MATERIAL_CROSSLAND_ALPHA,
-    MATERIAL_DANG_VAN_ALPHA,
-    MATERIAL_COUNT
-};
-extern const char *const material_names[MATERIAL_COUNT];
+enum { MATERIAL_MAX = 48 };
 
 typedef struct {
-    double value[MATERIAL_COUNT]; /* NAN where not given */
+    double value[MATERIAL_MAX]; /* NAN where not given */
 } material;
+
+/* How many there are, and their names. */
+int material_count(void);
+const char *material_name(int constant);
+
+/* Whether a constant may have this value; in words, "0, or 1e-60 to 1e60". */
+bool material_is_in_range(int constant, double value);
+const char *material_allowed(int constant);
+
+/* What a constant is, in a few words. */
+const char *material_meaning(int constant);
+
+/* Whether it is counted as a stress. */
+bool material_is_stress(int constant);
+
+/* Whether one of the criteria has it, and the contact has not: an option gives it. */
+bool material_is_option(int constant);
 
 /* Without any constant. */
 material material_unknown(void);
@@ -109,32 +92,28 @@ material material_unknown(void);
 /* The constant of a name; -1 where none is known. */
 int material_constant(const char *name);
 
+/* That of a name that is known. */
+double material_value(const material *constants, const char *name);
+
 /* Whether a name is a remark on the constants, such as their source. */
 bool material_is_remark(const char *name);
 
 /* The allowable value of a criterion; NAN where it is not known. */
 double material_allowable(const material *constants, int criterion);
 
-/* ---- criteria ---- Criteria of fatigue over all planes: which are asked for, and their
- * constants. */
+/* ---- criteria ---- Criteria of fatigue: which are asked for, and their constants. */
 
-typedef struct {
-    const char *name;
-    int constant; /* of the material; MATERIAL_COUNT: it needs none of its own */
-    int limit;    /* what it must not exceed, of the material; MATERIAL_COUNT: 1 */
-} criterion_kind;
-extern const criterion_kind criterion_kinds[CRITERION_COUNT];
+enum { CONSTANTS_MAX = 16 }; /* of a criterion and its curve of life */
 
 typedef struct {
     bool is_listed;                  /* by --criteria; otherwise what has its constants is wanted */
     bool is_wanted[CRITERION_COUNT]; /* with columns of its own */
+    bool is_computed[CRITERION_COUNT];
     bool is_plane_stress;
-    double nu;                 /* of body 1 */
-    double archard;            /* depth worn per energy and area; NAN for none */
-    const material *constants; /* NULL for none */
-    /* Of the library's criteria; NAN: not known. Fatemi and Socie's is k over the yield stress. Of
-     * damage it is that of its criterion. */
-    double constant[CRITERION_COUNT], su;
+    double nu;                               /* of body 1 */
+    double archard;                          /* depth worn per energy and area; NAN for none */
+    material given;                          /* by options, or by --material */
+    double constants[DAMAGE][CONSTANTS_MAX]; /* of each criterion, then of its curve of life */
 } criteria;
 
 /* Whether a column is written. */
@@ -143,15 +122,17 @@ bool column_is_wanted(const criteria *asked, int column);
 /* The criteria by default: Smith, Watson and Topper's alone, in plane strain. */
 criteria criteria_usual(const contact_case *setup);
 
-/* Fatemi and Socie's constant, their k over the yield stress; NAN without a yield stress. */
-double criteria_fatemi_socie(const contact_case *setup, double k);
+/* The constants of a criterion or its damage, of the contact, of what is given, or the usual ones.
+ * NULL where all are known, which may then be computed; or the name of the first that lacks. */
+const char *criteria_take(const contact_case *setup, int criterion, criteria *asked);
 
 /* ---- last_cycle ---- The last cycle of a history of loads, and what it does to a place. */
 
 /* A place of body 1, y the depth, with its measures: NAN where a measure has no value. */
 typedef struct {
     double x, y;
-    bool is_shown; /* among the rows that are written */
+    bool is_shown;    /* among the rows that are written */
+    double amplitude; /* of sqrt(J2); where it is next to nothing, nothing cycles */
     double value[COLUMN_COUNT];
 } measured_place;
 
@@ -213,7 +194,8 @@ typedef struct {
  * contact. */
 measured stops_usual(const last_cycle *cycle);
 
-/* The place with the largest value of a column, the first of several. */
+/* The place with the largest value of a column, the first of several. Of a criterion it is not
+ * looked for where nothing cycles. */
 size_t measured_best(const measured *result, int column);
 
 /* The given places, in any order, and the edges between them, which are not shown. */

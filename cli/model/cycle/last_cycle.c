@@ -68,47 +68,29 @@ static void forget(measured_place *at)
 {
     for (int i = 0; i < COLUMN_COUNT; i++)
         at->value[i] = NAN;
+    at->amplitude = 0;
 }
 
-/* McDiarmid's strength counts for no other. */
-static double strength_of(const criteria *asked)
+/* The value, both angles and the cycles of damage: four lists of n numbers each, as the parts of a
+ * measure. */
+static int32_t criterion_at(const last_cycle *cycle, int i, size_t n, const double *stress,
+                            double *work)
 {
-    return isnan(asked->su) ? 1 : asked->su;
-}
-
-/* Damage, the two angles, its cycles: four lists of n numbers each, as the parts of a measure. */
-static int32_t damage(const last_cycle *cycle, int i, size_t n, const double *stress, double *work)
-{
-    const double *v = cycle->asked.constants->value, E = cycle->setup->E1;
-    const double limit = material_allowable(
-        cycle->asked.constants, i == CRITERION_SWT_DAMAGE ? CRITERION_SWT : CRITERION_FATEMI_SOCIE);
-    const double run_out = isnan(limit) ? 0 : limit;
-    const size_t all = cycle->loads * n;
     const criteria *asked = &cycle->asked;
-    if (i == CRITERION_SWT_DAMAGE)
-        return rwedge_smith_watson_topper_damage_field(
-            cycle->loads, n, stress, stress + all, stress + 2 * all, E, asked->nu,
-            asked->is_plane_stress, v[MATERIAL_SF], v[MATERIAL_B], v[MATERIAL_EF], v[MATERIAL_C],
-            run_out, work, work + 3 * n, work + n, work + 2 * n);
-    return rwedge_fatemi_socie_damage_field(
-        cycle->loads, n, stress, stress + all, stress + 2 * all, E, asked->nu,
-        asked->is_plane_stress, asked->constant[i], v[MATERIAL_G], v[MATERIAL_TF], v[MATERIAL_B0],
-        v[MATERIAL_GF], v[MATERIAL_C0], run_out, work, work + 3 * n, work + n, work + 2 * n);
+    const size_t loads = cycle->loads, all = loads * n;
+    const double *syy = stress + all, *txy = syy + all;
+    if (criterion_is_damage(i))
+        return rwedge_damage_field(i - DAMAGE, asked->constants[i - DAMAGE], loads, n, stress, syy,
+                                   txy, asked->nu, asked->is_plane_stress, work, work + 3 * n,
+                                   work + n);
+    return rwedge_criterion_field(i, asked->constants[i], loads, n, stress, syy, txy, asked->nu,
+                                  asked->is_plane_stress, work, work + n, work + 2 * n);
 }
 
 static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
                              double *work, measured_place at[])
 {
-    const size_t all = cycle->loads * n;
-    const criteria *asked = &cycle->asked;
-    const int32_t status =
-        i >= CRITERION_SWT_DAMAGE
-            ? damage(cycle, i, n, stress, work)
-            : rwedge_criterion_field(measure_kinds[measure_column(i, PART_VALUE)].number,
-                                     cycle->loads, n, stress, stress + all, stress + 2 * all,
-                                     cycle->setup->E1, asked->nu, asked->is_plane_stress,
-                                     asked->constant[i], strength_of(asked), work, work + n,
-                                     work + 2 * n);
+    const int32_t status = criterion_at(cycle, i, n, stress, work);
     for (int part = PART_VALUE; part < PART_COUNT && status == RWEDGE_OK; part++) {
         const int column = measure_column(i, (measure_part)part);
         const bool is_angle = part == PART_ANGLE || part == PART_OUT_OF_PLANE;
@@ -119,23 +101,33 @@ static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const dou
     return status;
 }
 
+/* The range of sxx, and the amplitude of sqrt(J2): Crossland's without the mean stress. */
+static int32_t add_ranges(const last_cycle *cycle, size_t n, const double *stress, double *work,
+                          measured_place at[])
+{
+    static const double no_mean[1] = {0};
+    const int32_t asked[2] = {RWEDGE_MEASURE_STRESS_RANGE, RWEDGE_MEASURE_CROSSLAND};
+    const size_t all = cycle->loads * n;
+    int32_t status = RWEDGE_OK;
+    for (int i = 0; i < 2 && status == RWEDGE_OK; i++) {
+        status = rwedge_criterion_field(asked[i], no_mean, cycle->loads, n, stress, stress + all,
+                                        stress + 2 * all, cycle->asked.nu,
+                                        cycle->asked.is_plane_stress, work, work + n, work + 2 * n);
+        for (size_t j = 0; j < n && status == RWEDGE_OK; j++)
+            *(i == 0 ? &at[j].value[MEASURE_STRESS_RANGE] : &at[j].amplitude) = work[j];
+    }
+    return status;
+}
+
 int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *stress,
                             measured_place at[])
 {
-    const size_t all = cycle->loads * n;
     double *work = malloc((4 * n + 1) * sizeof *work);
     for (size_t j = 0; j < n; j++)
         forget(&at[j]);
-    int32_t status =
-        work == NULL
-            ? RWEDGE_ENOMEM
-            : rwedge_criterion_field(RWEDGE_MEASURE_STRESS_RANGE, cycle->loads, n, stress,
-                                     stress + all, stress + 2 * all, cycle->setup->E1,
-                                     cycle->asked.nu, 0, 0, 1, work, work + n, work + 2 * n);
-    for (size_t j = 0; j < n && status == RWEDGE_OK; j++)
-        at[j].value[MEASURE_STRESS_RANGE] = work[j];
+    int32_t status = work == NULL ? RWEDGE_ENOMEM : add_ranges(cycle, n, stress, work, at);
     for (int i = 0; i < CRITERION_COUNT && status == RWEDGE_OK; i++)
-        if (!isnan(cycle->asked.constant[i]))
+        if (cycle->asked.is_computed[i])
             status = add_criterion(cycle, i, n, stress, work, at);
     free(work);
     return status;
@@ -211,16 +203,15 @@ int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const me
                          double *worst_x, double *worst_value)
 {
     const criteria *asked = &cycle->asked;
-    const int criterion = measure_criterion(column);
     double *x = memory_zeroed(2 * n, sizeof *x), *value = x + n;
     for (size_t i = 0; i < n; i++) {
         x[i] = line[i].x;
         value[i] = fmax(line[i].value[column], 0); /* 0 where it is not known */
     }
-    const int32_t status = rwedge_cycle_worst(
-        cycle->cycle, measure_kinds[column].number, n, x, value, line[0].y, cycle->setup->E1,
-        asked->nu, asked->is_plane_stress, criterion >= 0 ? asked->constant[criterion] : 0,
-        strength_of(asked), worst_x, worst_value);
+    const int32_t number = measure_kind_of(column)->number;
+    const int32_t status =
+        rwedge_cycle_worst(cycle->cycle, number, asked->constants[number], n, x, value, line[0].y,
+                           asked->nu, asked->is_plane_stress, worst_x, worst_value);
     free(x);
     return status;
 }
@@ -228,5 +219,5 @@ int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const me
 double measured_life(const measured_place *at, int criterion)
 {
     const int damage = measure_damage(criterion);
-    return damage < CRITERION_SWT_DAMAGE ? NAN : 1 / at->value[measure_column(damage, PART_VALUE)];
+    return criterion_is_damage(damage) ? 1 / at->value[measure_column(damage, PART_VALUE)] : NAN;
 }

@@ -89,13 +89,23 @@ measured stops_at(const last_cycle *cycle, size_t n, const double x[])
     return all;
 }
 
+/* As in rwedge_contact_cycle_worst(): a place cycles if its amplitude is at least this part of the
+ * largest. */
+static const double CYCLES = 1e-3;
+
 size_t measured_best(const measured *result, int column)
 {
+    const bool is_of_fatigue = measure_kind_of(column)->criterion != NO_CRITERION;
+    double largest = 0, most = NAN;
     size_t best = 0;
+    for (size_t i = 0; i < result->count && is_of_fatigue; i++)
+        largest = fmax(largest, result->place[i].amplitude);
     for (size_t i = 0; i < result->count; i++) {
         const double value = result->place[i].value[column];
-        if (isnan(result->place[best].value[column]) || value > result->place[best].value[column])
-            best = i;
+        if (result->place[i].amplitude < CYCLES * largest || isnan(value))
+            continue;
+        if (isnan(most) || value > most)
+            best = i, most = value;
     }
     return best;
 }

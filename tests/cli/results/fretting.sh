@@ -181,7 +181,7 @@ close_to "Fatemi-Socie in plane stress" "$(awk -v w="$wrong" 'BEGIN { printf "%.
 usual=$(head -n 1 whole)
 run fretting hills.csv $specimen --at 0,0 --criteria crossland,swt --crossland-alpha 0.3
 same "columns that are asked for" "$usual,swt_out_of_plane,crossland" "$(head -n 1 out)"
-run fretting hills.csv $specimen --findley-k 0.3 --kappa 30 --t-a 160 --su 500 --crossland-alpha 0.3 --dang-van-alpha 0.2 --worst worst.csv
+run fretting hills.csv $specimen --findley-k 0.3 --kappa 30 --lambda 100 --t-a 160 --su 500 --crossland-alpha 0.3 --dang-van-alpha 0.2 --worst worst.csv
 same "columns whose constants are given" "findley,findley_angle,findley_out_of_plane,modified_wohler,modified_wohler_angle,modified_wohler_out_of_plane,mcdiarmid,mcdiarmid_angle,mcdiarmid_out_of_plane,crossland,dang_van" \
     "$(head -n 1 out | cut -d , -f 12-)"
 expect="findley modified_wohler mcdiarmid crossland dang_van"
@@ -213,6 +213,17 @@ same "criteria alone" "swt crossland swt_damage" "$(sed 1d out | cut -d , -f 1 |
 close_to "safety" "$(awk -v v="$(verdict crossland value)" 'BEGIN { printf "%.17g", 100 / v }')" "$(verdict crossland safety)" 1e-14
 close_to "the life has the parameter" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" 'BEGIN {
     printf "%.17g", 475.4 ^ 2 / 72100 * (2 * N) ^ -0.156 + 475.4 * 0.612 * (2 * N) ^ -0.698 }')" 1e-12
+# The modified Woehler curve at the edge of contact; nothing cycles far from it under a mean tension, where it was worst.
+printf 'P,Q,sigma\n93.2489395167137,41.96202278252117,110\n93.2489395167137,-41.96202278252117,-70\n' >rig.csv
+printf 'E,74000\nnu,0.33\nkappa,40\nlambda,71\ndK_th,132.8\nds0,248\n' >al4cu.csv
+does fretting rig.csv --radius 50 --f 0.75 --material al4cu.csv --at-worst --method point --criteria modified-wohler
+close_to "the worst place" -0.378 "$(verdict modified_wohler x)" 1e-3
+close_to "the modified Woehler curve below it" 125.06 "$(verdict modified_wohler at_length)" 1e-4
+close_to "its safety" 0.568 "$(verdict modified_wohler safety)" 1e-3
+printf 'P,Q,sigma\n93.2489395167137,41.96202278252117,100\n93.2489395167137,0,10\n' >rig.csv
+does fretting rig.csv --radius 50 --f 0.75 --material al4cu.csv --at-worst --method point --criteria modified-wohler
+close_to "the worst place at another ratio" -0.378 "$(verdict modified_wohler x)" 1e-3
+does fretting cycle.csv $shape --material metal.csv --at-worst
 x=$(verdict crossland x)
 run fretting cycle.csv $shape --material metal.csv --at-worst --length 0.02 --criteria crossland
 same "one row" 2 "$(wc -l <out | tr -d ' ')"
@@ -272,11 +283,25 @@ cannot "nowhere.json: No such file or directory" fretting cycle.csv $specimen --
 printf '{"sy": 475}' >short.json
 cannot "short.json: sy: no constant that is known here; see rwedge fretting in its manual" fretting cycle.csv $specimen --material short.json
 
-refuses "findley: needs --findley-k" fretting hills.csv $specimen --criteria findley
-refuses "mcdiarmid: needs --t-a" fretting hills.csv $specimen --su 500
+# What is often given in another unit, or with another sign; another body than that of the file.
+printf 'E,72.1\nsf,475.4\nb,-0.078\nef,0.612\nc,-0.62\n' >bad.csv
+cannot "bad.csv: E 72.1: less than ten times sf 475.4; is it in GPa? needed: one unit for both" fretting cycle.csv $shape --material bad.csv
+printf 'sf,475.4\nb,0.078\nef,0.612\nc,-0.62\n' >bad.csv
+cannot "bad.csv: b 0.078: must be a number, -2 to -0.01" fretting cycle.csv $specimen --material bad.csv
+printf 'swt_limit,-1\n' >bad.csv
+cannot "bad.csv: swt_limit -1: must be a number, 0, or 1e-60 to 1e60" fretting cycle.csv $specimen --material bad.csv
+refuses "--E1 70000: metal.csv has E 72100; allowed: one of the two" fretting cycle.csv $shape --E1 70000 --material metal.csv
+does fretting cycle.csv $shape --E1 72100 --material metal.csv
+
+refuses "findley: needs --findley-k, or findley_k of --material" fretting hills.csv $specimen --criteria findley
+refuses "mcdiarmid: needs --t-a, or t_A of --material" fretting hills.csv $specimen --su 500
+refuses "modified-wohler: needs --lambda, or lambda of --material" fretting hills.csv $specimen --kappa 40
+refuses "modified-wohler: needs --kappa, or kappa of --material" fretting hills.csv $specimen --lambda 71
+printf 'lambda,71\n' >half.csv
+refuses "modified-wohler: needs --kappa, or kappa of --material" fretting hills.csv $specimen --material half.csv
 refuses "fatemi-socie: needs --yield-stress" fretting hills.csv $specimen --criteria swt,fatemi-socie
-refuses "--kappa -1: must be a number, 0 or 1e-60 to 1e60" fretting hills.csv $specimen --kappa=-1
-refuses "--criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van, swt-damage, fatemi-socie-damage" \
+refuses "--kappa -1: must be a number, 0, or 1e-60 to 1e60" fretting hills.csv $specimen --kappa=-1
+refuses "--criteria swt,fs: must be a list of: swt, fatemi-socie, findley, modified-wohler, mcdiarmid, crossland, dang-van, swt-in-plane, fatemi-socie-in-plane, swt-damage, fatemi-socie-damage" \
     fretting hills.csv $specimen --criteria swt,fs
 
 # Wear is K times the energy, at the places and in the last line; the angle of a critical distance is to the normal.

@@ -103,11 +103,14 @@ static bool is_of_cycle(const entry *e)
 static size_t size_of(const entry *e, int k)
 {
     const size_t FIT = 8; /* a fit needs more heights than its unknowns */
+    int given = 0;
     if (strcmp(e->name, "profile_fit") == 0)
         return FIT;
-    return is_of_cycle(e) && e->size[k].teller ? OBJECT_LOADS
-           : e->sizes > 1                      ? 2
-                                               : (size_t)array_size;
+    for (int j = 0; j < e->sizes; j++)
+        given += e->size[j].count == NULL;
+    if (e->size[k].count != NULL)
+        return implied_count(e, k);
+    return is_of_cycle(e) && e->size[k].teller ? OBJECT_LOADS : given > 1 ? 2 : (size_t)array_size;
 }
 
 static int count_of(const entry *e, const signed char sizes[2])
@@ -285,11 +288,27 @@ const public_call *public_calls(void)
 
 /* ---- The rules for errors ---- */
 
+/* How many numbers of an argument the function reads: constants that a criterion does not have are
+ * there, but not read. */
+static int read_of(const entry *e, int j, const places *p)
+{
+    const int size = e->argument[j].sizes[0], all = count_of(e, e->argument[j].sizes);
+    if (size < 0 || e->size[size].count == NULL)
+        return all;
+    const size_t told = e->size[size].count(p->v);
+    return told < (size_t)all ? (int)told : all;
+}
+
 static bool are_in_their_domains(const public_call *call, const double v[])
 {
-    for (int i = 0; i < call->arguments; i++)
-        if (call->argument[i] != &which_object && !entry_allows(call->argument[i], v[i]))
-            return false;
+    const entry *e = call->entry;
+    double out[CALL_OUTPUTS];
+    places p;
+    take_places(e, v, out, &p);
+    for (int j = 0; j < e->arguments; j++)
+        for (int i = 0; i < read_of(e, j, &p); i++)
+            if (!entry_allows(&e->argument[j], p.v[j][i]))
+                return false;
     return true;
 }
 
@@ -347,8 +366,10 @@ const char *complaint_about_null(const public_call *call, const double v[])
     if (e->makes_object && !minds_null(e, &p))
         return "no place for an object, and no error";
     for (int j = 0; j < e->arguments; j++) {
+        const int size = e->argument[j].sizes[0];
+        const bool is_empty = size >= 0 && e->size[size].count && e->size[size].count(all.v) == 0;
         p = all, p.v[j] = NULL;
-        if (e->argument[j].sizes[0] >= 0 && !minds_null(e, &p))
+        if (size >= 0 && !is_empty && !minds_null(e, &p))
             return "an array that is NULL, and no error";
     }
     for (int j = 0; e->has_status && j < e->results; j++) {

@@ -44,6 +44,12 @@ void draw_inside(const public_call *call, uint64_t *state, double v[]);
 double draw_number(const entry_argument *a, uint64_t *state); /* one of them */
 double draw_argument(const entry *e, int j, uint64_t *state); /* with which there is a result */
 
+/* How many numbers there are of a size that is no argument: for the criterion that is drawn. */
+size_t implied_count(const entry *e, int size);
+
+/* The constants of that criterion, n of them, in their ranges, where the argument is such. */
+void draw_constants(const entry *e, int j, size_t n, double v[]);
+
 /* What is wrong with a call's answer, by the header's rules for errors: NULL if nothing. Calls it.
  * A call that is refused changes neither its outputs nor its object. */
 const char *complaint_of(const public_call *call, const double v[], double out[], int32_t *status);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
+#define ANY NAN
 
 /* ---- Numbers in the domain ---- */
 
@@ -22,7 +23,12 @@ static const struct {
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
     {"cycle_create", {4, 0.05, 0, 0}},
     {"cycle_below", {0.3, 0.2, 0.1, 1}},
-    {"cycle_worst", {NAN, 0.1, 1, 0, 1, 0.3, 0, 1, NAN}},
+    {"cycle_worst", {RWEDGE_MEASURE_FATEMI_SOCIE, 1, 0.1, 1, 0, 0.3, 0}},
+    {"criterion", {RWEDGE_MEASURE_MODIFIED_WOHLER, ANY, ANY, ANY, ANY, ANY, ANY}},
+    {"criterion_field", {RWEDGE_MEASURE_MODIFIED_WOHLER, ANY, ANY, ANY, ANY, ANY, ANY}},
+    {"life", {RWEDGE_MEASURE_FATEMI_SOCIE, ANY, ANY}},
+    {"damage", {RWEDGE_MEASURE_FATEMI_SOCIE, ANY, ANY, ANY, ANY, ANY, ANY}},
+    {"damage_field", {RWEDGE_MEASURE_FATEMI_SOCIE, ANY, ANY, ANY, ANY, ANY, ANY}},
 };
 
 /* The next of a sequence in [0, 1): splitmix64. */
@@ -59,6 +65,32 @@ double draw_argument(const entry *e, int j, uint64_t *state)
     return draw_number(&e->argument[j], state);
 }
 
+size_t implied_count(const entry *e, int size)
+{
+    double usual[ENTRY_ARGUMENTS];
+    const double *v[ENTRY_ARGUMENTS];
+    for (int j = 0; j < e->arguments; j++) {
+        usual[j] = 0;
+        v[j] = &usual[j];
+        for (size_t i = 0; i < COUNT(hints); i++)
+            if (strcmp(hints[i].name, e->name) == 0 && !isnan(hints[i].usual[j]))
+                usual[j] = hints[i].usual[j];
+    }
+    return e->size[size].count(v);
+}
+
+void draw_constants(const entry *e, int j, size_t n, double v[])
+{
+    uint64_t state = 0;
+    if (strcmp(e->argument[j].name, "constants") != 0)
+        return;
+    for (int32_t k = 0; k < (int32_t)n; k++) {
+        double low = 0, high = 0;
+        rwedge_constant_range((int32_t)draw_argument(e, 0, &state), k, &low, &high);
+        v[k] = high > 1 ? 1 + 0.1 * k : (low + high) / 2;
+    }
+}
+
 /* The places and the slopes of a profile rise, its heights first fall. */
 static void sort_profile(const public_call *call, double v[])
 {
@@ -74,6 +106,20 @@ static void sort_profile(const public_call *call, double v[])
     }
 }
 
+static void fill_constants(const public_call *call, double v[])
+{
+    for (int i = 0; i < call->arguments; i++) {
+        const entry_argument *a = call->argument[i];
+        int last = i;
+        while (last + 1 < call->arguments && call->argument[last + 1] == a)
+            last++;
+        if (a != &which_object)
+            draw_constants(call->entry, (int)(a - call->entry->argument), (size_t)(last - i + 1),
+                           v + i);
+        i = last;
+    }
+}
+
 void draw_inside(const public_call *call, uint64_t *state, double v[])
 {
     for (int i = 0; i < call->arguments; i++) {
@@ -83,6 +129,7 @@ void draw_inside(const public_call *call, uint64_t *state, double v[])
                    : draw_argument(call->entry, (int)(a - call->entry->argument), state);
     }
     sort_profile(call, v);
+    fill_constants(call, v);
 }
 
 /* ---- Edges ---- */

@@ -373,9 +373,9 @@ CLAIM(a_cycle_of_many_loads_takes_the_time_and_the_memory_of_its_loads)
     assert_ok(rwedge_cycle_friction(cycle, PLACES_OF_IT, x, v[0], v[1], v[2], v[3]));
     for (int32_t measure = RWEDGE_MEASURE_SLIP_RANGE; measure <= RWEDGE_MEASURE_ENERGY_PER_AREA;
          measure++)
-        assert_ok(rwedge_cycle_worst(cycle, measure, PLACES_OF_IT, x,
-                                     v[measure - RWEDGE_MEASURE_SLIP_RANGE], 0, 70e3, 0.3, 0, 0, 1,
-                                     &worst_x, &worst));
+        assert_ok(rwedge_cycle_worst(cycle, measure, NULL, PLACES_OF_IT, x,
+                                     v[measure - RWEDGE_MEASURE_SLIP_RANGE], 0, 0.3, 0, &worst_x,
+                                     &worst));
     const double asked = processor_time() - start - applied;
     struct rusage used;
     getrusage(RUSAGE_SELF, &used);
@@ -542,24 +542,37 @@ CLAIM(a_computed_load_that_hardly_changes_P_is_one_step)
 
 /* ---- The worst place ---- */
 
+/* Of each measure. */
+static const double CONSTANTS[RWEDGE_MEASURE_FATEMI_SOCIE_IN_PLANE + 1][3] = {
+    [RWEDGE_MEASURE_SWT] = {70},
+    [RWEDGE_MEASURE_FATEMI_SOCIE] = {70, 0.4, 1},
+    [RWEDGE_MEASURE_FINDLEY] = {0.4},
+    [RWEDGE_MEASURE_MODIFIED_WOHLER] = {0.4, 500},
+    [RWEDGE_MEASURE_MCDIARMID] = {0.4, 500},
+    [RWEDGE_MEASURE_CROSSLAND] = {0.4},
+    [RWEDGE_MEASURE_DANG_VAN] = {0.4},
+    [RWEDGE_MEASURE_SWT_IN_PLANE] = {70},
+    [RWEDGE_MEASURE_FATEMI_SOCIE_IN_PLANE] = {70, 0.4, 1}};
+
 static double at_one_place(const rwedge_cycle *cycle, int measure, double x)
 {
     const size_t count = rwedge_cycle_loads(cycle);
     const double y = 0;
-    double v[12], s[3][MOST], angle, out_of_plane;
+    double v[14], s[3][MOST], angle, out_of_plane;
     rwedge_cycle_stresses(cycle, count, 1, &x, &y, s[0], s[1], s[2]);
     if (measure >= RWEDGE_MEASURE_SLIP_RANGE && measure <= RWEDGE_MEASURE_ENERGY_PER_AREA)
         rwedge_cycle_friction(cycle, 1, &x, &v[3], &v[4], &v[5], &v[6]);
     else
-        rwedge_criterion_field(measure, count, 1, s[0], s[1], s[2], 70, 0.3, 0, 0.4, 500,
-                               &v[measure], &angle, &out_of_plane);
+        assert_ok(rwedge_criterion(measure, CONSTANTS[measure], count, s[0], s[1], s[2], 0.3, 0,
+                                   &v[measure], &angle, &out_of_plane));
     return v[measure];
 }
 
 static int32_t worst_of(const rwedge_cycle *cycle, int measure, size_t n, const double x[],
                         const double value[], double *at, double *worst)
 {
-    return rwedge_cycle_worst(cycle, measure, n, x, value, 0, 70, 0.3, 0, 0.4, 500, at, worst);
+    return rwedge_cycle_worst(cycle, measure, CONSTANTS[measure], n, x, value, 0, 0.3, 0, at,
+                              worst);
 }
 
 /* From 21 places; 801 are looked at. */
@@ -570,7 +583,7 @@ CLAIM(the_worst_is_found_between_the_places)
     rwedge_contact *contact = APPLY(create(0.4, F), {1, 0, 0, 0});
     const rwedge_cycle *cycle = cycle_from(contact, &given);
     const double b = rwedge_contact_half_width(contact);
-    for (int measure = 0; measure <= RWEDGE_MEASURE_DANG_VAN; measure++) {
+    for (int measure = 0; measure <= RWEDGE_MEASURE_FATEMI_SOCIE_IN_PLANE; measure++) {
         double x[COARSE], value[COARSE], worst, top = 0, scanned = 0;
         for (int i = 0; i < COARSE; i++) {
             x[i] = b * (2.0 * i / (COARSE - 1) - 1);
@@ -619,6 +632,29 @@ CLAIM(the_worst_is_found_among_equals)
     for (int measure = 0; measure <= RWEDGE_MEASURE_SLIP_RANGE; measure++) {
         assert_ok(worst_of(of_sharp, measure, 3, around, guess, &at, &top));
         assert_true(at != 0 && isfinite(top));
+    }
+}
+
+/* Beside a contact that sticks under a tension which does not change, only the edge cycles. There
+ * the mean stress alone made the criterion large: it was worst where nothing cycles. */
+CLAIM(a_criterion_is_not_worst_where_nothing_cycles)
+{
+    enum { COARSE = 41 };
+    const int32_t with_mean[] = {RWEDGE_MEASURE_FINDLEY, RWEDGE_MEASURE_MODIFIED_WOHLER,
+                                 RWEDGE_MEASURE_MCDIARMID, RWEDGE_MEASURE_CROSSLAND,
+                                 RWEDGE_MEASURE_DANG_VAN};
+    const loads given = CYCLE({1, 0, 0.05, 0.3}, {1, 0, -0.05, 0.3});
+    rwedge_contact *contact = APPLY(create(0.4, F), {0, 0, 0, 0.3}, {1, 0, 0, 0.3});
+    const rwedge_cycle *cycle = cycle_from(contact, &given);
+    const double b = rwedge_contact_half_width(contact);
+    for (int k = 0; k < 5; k++) {
+        double x[COARSE], value[COARSE], worst = 0, top = 0;
+        for (int i = 0; i < COARSE; i++) {
+            x[i] = b * (1 + 1e4 * pow(i / (COARSE - 1.0), 4)); /* the last is far away */
+            value[i] = fmax(at_one_place(cycle, with_mean[k], x[i]), 0);
+        }
+        assert_ok(worst_of(cycle, with_mean[k], COARSE, x, value, &worst, &top));
+        assert_true(worst < 100 * b && top > 0);
     }
 }
 
@@ -945,14 +981,20 @@ CLAIM(a_refusal_leaves_the_outputs)
         size_t n;
         double x[2], value[2], y;
         int32_t status;
-    } bad[] = {{-1, 1, {0}, {1}, 0, RWEDGE_EDOMAIN},  {12, 1, {0}, {1}, 0, RWEDGE_EDOMAIN},
+    } bad[] = {{-1, 1, {0}, {1}, 0, RWEDGE_EDOMAIN},  {14, 1, {0}, {1}, 0, RWEDGE_EDOMAIN},
                {1, 0, {0}, {1}, 0, RWEDGE_ERANGE},    {1, 1, {NAN}, {1}, 0, RWEDGE_EDOMAIN},
                {1, 1, {0}, {-1}, 0, RWEDGE_EDOMAIN},  {1, 1, {0}, {NAN}, 0, RWEDGE_EDOMAIN},
                {3, 1, {0}, {1}, 0.1, RWEDGE_EDOMAIN}, {1, 1, {0}, {1}, -1, RWEDGE_EDOMAIN}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-        assert_int_equal(rwedge_cycle_worst(cycle_from(contact, &cycle), bad[i].measure, bad[i].n,
-                                            bad[i].x, bad[i].value, bad[i].y, 70, 0.3, 0, 0, 1,
-                                            &worst_x, &worst),
+        assert_int_equal(rwedge_cycle_worst(cycle_from(contact, &cycle), bad[i].measure,
+                                            CONSTANTS[1], bad[i].n, bad[i].x, bad[i].value,
+                                            bad[i].y, 0.3, 0, &worst_x, &worst),
                          bad[i].status);
+    assert_int_equal(rwedge_cycle_worst(cycle_from(contact, &cycle), RWEDGE_MEASURE_SWT, NULL, 1,
+                                        &x, &x, 0, 0.3, 0, &worst_x, &worst),
+                     RWEDGE_ENULL);
+    assert_int_equal(rwedge_cycle_worst(cycle_from(contact, &cycle), RWEDGE_MEASURE_SWT, &none, 1,
+                                        &x, &x, 0, 0.3, 0, &worst_x, &worst),
+                     RWEDGE_EDOMAIN);
     assert_true(worst_x == 7 && worst == 7);
 }

@@ -15,31 +15,26 @@ typedef struct {
     int32_t plane_stress;
 } block;
 
-static const double E = 72100, K_OVER_SY = 1 / 400.0, G = 27000;
-static const double SF = 475.4, B = -0.078, EF = 0.612, C = -0.62;
-static const double TF = 300, B0 = -0.08, GF = 0.9, C0 = -0.6;
+static const double E = 72100, K_OVER_SY = 1 / 400.0;
+static const double OF_SWT[] = {72100, 475.4, -0.078, 0.612, -0.62, 0},
+                    OF_SHEAR[] = {72100, 1, 400, 27000, 300, -0.08, 0.9, -0.6, 0};
 
 static double life_of(const block *k, double parameter)
 {
-    return k->is_shear ? rwedge_fatemi_socie_life(parameter, G, TF, B0, GF, C0, 0)
-                       : rwedge_smith_watson_topper_life(parameter, E, SF, B, EF, C, 0);
+    return k->is_shear ? rwedge_life(RWEDGE_MEASURE_FATEMI_SOCIE, OF_SHEAR, parameter)
+                       : rwedge_life(RWEDGE_MEASURE_SWT, OF_SWT, parameter);
 }
 
 typedef struct {
-    double value, cycles, angle, out;
+    double value, cycles, plane[2];
 } damage;
 
 static damage damage_of(const block *k)
 {
     damage d;
-    const int32_t status =
-        k->is_shear ? rwedge_fatemi_socie_damage(k->n, k->sxx, k->syy, k->txy, E, k->nu,
-                                                 k->plane_stress, K_OVER_SY, G, TF, B0, GF, C0, 0,
-                                                 &d.value, &d.cycles, &d.angle, &d.out)
-                    : rwedge_smith_watson_topper_damage(k->n, k->sxx, k->syy, k->txy, E, k->nu,
-                                                        k->plane_stress, SF, B, EF, C, 0, &d.value,
-                                                        &d.cycles, &d.angle, &d.out);
-    assert_ok(status);
+    assert_ok(rwedge_damage(k->is_shear ? RWEDGE_MEASURE_FATEMI_SOCIE : RWEDGE_MEASURE_SWT,
+                            k->is_shear ? OF_SHEAR : OF_SWT, k->n, k->sxx, k->syy, k->txy, k->nu,
+                            k->plane_stress, &d.value, &d.cycles, d.plane));
     return d;
 }
 
@@ -58,18 +53,17 @@ CLAIM(cycles_below_the_limit_do_no_damage)
 {
     const double sxx[6] = {300, -50, 200, -280, 120, 60}, zero[6] = {0}, still[2] = {300, 300};
     const double small = 200 * 250 / 2 / E;
-    double value, cycles, angle, out;
-    assert_ok(rwedge_smith_watson_topper_damage(6, sxx, zero, zero, E, 0.3, 1, SF, B, EF, C,
-                                                1.1 * small, &value, &cycles, &angle, &out));
-    assert_close(value,
-                 1 / rwedge_smith_watson_topper_life(300 * 290 / E, E, SF, B, EF, C, 1.1 * small),
-                 1e-9);
+    double limited[] = {72100, 475.4, -0.078, 0.612, -0.62, 1.1 * small}, value, cycles, plane[2];
+    assert_ok(rwedge_damage(RWEDGE_MEASURE_SWT, limited, 6, sxx, zero, zero, 0.3, 1, &value,
+                            &cycles, plane));
+    assert_close(value, 1 / rwedge_life(RWEDGE_MEASURE_SWT, limited, 300 * 290 / E), 1e-9);
     assert_close(cycles, 3, 0);
-    assert_ok(rwedge_smith_watson_topper_damage(6, sxx, zero, zero, E, 0.3, 1, SF, B, EF, C, 1e3,
-                                                &value, &cycles, &angle, &out));
+    limited[5] = 1e3;
+    assert_ok(rwedge_damage(RWEDGE_MEASURE_SWT, limited, 6, sxx, zero, zero, 0.3, 1, &value,
+                            &cycles, plane));
     assert_true(value == 0);
-    assert_ok(rwedge_fatemi_socie_damage(2, still, zero, zero, E, 0.3, 1, 0.1, 80, SF, B, EF, C, 0,
-                                         &value, &cycles, &angle, &out));
+    assert_ok(rwedge_damage(RWEDGE_MEASURE_FATEMI_SOCIE, OF_SHEAR, 2, still, zero, zero, 0.3, 1,
+                            &value, &cycles, plane));
     assert_true(value == 0);
 }
 
@@ -240,22 +234,25 @@ CLAIM(no_scanned_plane_has_more_damage)
         assert_true(k.n > 2 || d.cycles == 1);
         assert_true(sampled <= d.value * (1 + 1e-4));
         if (!k.is_shear) /* the plane that is named has it */
-            assert_close(scanned_at(&k, d.angle, d.out, 0), d.value, 1e-9);
+            assert_close(scanned_at(&k, d.plane[0], d.plane[1], 0), d.value, 1e-9);
         else
-            assert_close(in_all_directions(&k, d.angle, d.out), d.value, 1e-4);
+            assert_close(in_all_directions(&k, d.plane[0], d.plane[1]), d.value, 1e-4);
     }
 }
 
 /* Of what each argument by itself allows. */
 CLAIM(refusals_leave_the_results_alone)
 {
-    double v = 1, c = 2, a = 3, o = 4;
+    double v = 1, c = 2, plane[2] = {3, 4};
     const double s[2] = {300, -280}, huge[2] = {1e60, -1e60};
-    assert_int_equal(rwedge_smith_watson_topper_damage(2, huge, s, s, E, 0.3, 0, SF, B, EF, C, 0,
-                                                       &v, &c, &a, &o),
-                     RWEDGE_EDOMAIN);
-    assert_int_equal(rwedge_fatemi_socie_damage(0, s, s, s, E, 0.3, 0, K_OVER_SY, G, TF, B0, GF, C0,
-                                                0, &v, &c, &a, &o),
-                     RWEDGE_ERANGE);
-    assert_true(v == 1 && c == 2 && a == 3 && o == 4);
+    assert_int_equal(
+        rwedge_damage(RWEDGE_MEASURE_SWT, OF_SWT, 2, huge, s, s, 0.3, 0, &v, &c, plane),
+        RWEDGE_EDOMAIN);
+    assert_int_equal(
+        rwedge_damage(RWEDGE_MEASURE_FATEMI_SOCIE, OF_SHEAR, 0, s, s, s, 0.3, 0, &v, &c, plane),
+        RWEDGE_ERANGE);
+    assert_int_equal(
+        rwedge_damage(RWEDGE_MEASURE_FINDLEY, OF_SHEAR, 2, s, s, s, 0.3, 0, &v, &c, plane),
+        RWEDGE_EDOMAIN);
+    assert_true(v == 1 && c == 2 && plane[0] == 3 && plane[1] == 4);
 }

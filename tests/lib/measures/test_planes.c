@@ -6,7 +6,7 @@
 
 enum { LOADS_MAX = 400 };
 
-/* Of planes that contain z, in plane strain; of all. */
+/* Of planes that contain z; of all. */
 typedef enum {
     SMITH_WATSON_TOPPER,
     FATEMI_SOCIE,
@@ -30,23 +30,13 @@ typedef struct {
 
 static int32_t ask(const cycle *c, criterion asked, worst *w)
 {
-    const double *xx = c->sxx, *yy = c->syy, *xy = c->txy;
-    double *value = &w->value, *angle = &w->angle, *out = &w->out_of_plane;
-    switch (asked) {
-    case SMITH_WATSON_TOPPER:
-        return rwedge_smith_watson_topper(c->n, xx, yy, xy, c->E, c->nu, value, angle);
-    case FATEMI_SOCIE:
-        return rwedge_fatemi_socie(c->n, xx, yy, xy, c->E, c->nu, c->k, value, angle);
-    case SMITH_WATSON_TOPPER_ALL:
-        return rwedge_smith_watson_topper_planes(c->n, xx, yy, xy, c->E, c->nu, c->plane_stress,
-                                                 value, angle, out);
-    case FATEMI_SOCIE_ALL:
-        return rwedge_fatemi_socie_planes(c->n, xx, yy, xy, c->E, c->nu, c->plane_stress, c->k,
-                                          value, angle, out);
-    default:
-        return rwedge_findley(c->n, xx, yy, xy, c->plane_stress ? 0 : c->nu, c->k, value, angle,
-                              out);
-    }
+    static const int32_t numbers[CRITERIA] = {
+        RWEDGE_MEASURE_SWT_IN_PLANE, RWEDGE_MEASURE_FATEMI_SOCIE_IN_PLANE, RWEDGE_MEASURE_SWT,
+        RWEDGE_MEASURE_FATEMI_SOCIE, RWEDGE_MEASURE_FINDLEY};
+    const double of_strain[3] = {c->E, c->k, 1};
+    const double *constants = asked == FINDLEY ? &c->k : of_strain;
+    return rwedge_criterion(numbers[asked], constants, c->n, c->sxx, c->syy, c->txy, c->nu,
+                            c->plane_stress, &w->value, &w->angle, &w->out_of_plane);
 }
 
 static worst worst_of(const cycle *c, criterion asked)
@@ -246,7 +236,6 @@ CLAIM(the_worst_plane_is_that_of_a_scan)
         for (size_t i = 0; i < TURNS * sizeof counts / sizeof *counts; i++)
             for (criterion asked = 0; asked < (i < TURNS * FEW ? CRITERIA : IN_PLANE); asked++) {
                 draw_cycle(&c, kind, counts[i / TURNS], &seed);
-                c.plane_stress = c.plane_stress && asked >= IN_PLANE;
                 assert_worst(&c, asked);
             }
 }
@@ -290,10 +279,8 @@ CLAIM(a_static_stress_across_a_plane_without_strain_hides_no_worse_one)
 /* Under a large k the worst plane is that of the peak; its amplitude may be next to nothing. */
 CLAIM(a_peak_without_amplitude_is_a_number)
 {
-    const double sxx[] = {-1, 0}, syy[] = {0.8, 0.9}, txy[] = {0, 1e-310};
-    double value, angle, out_of_plane;
-    assert_ok(rwedge_findley(2, sxx, syy, txy, 0, 1e12, &value, &angle, &out_of_plane));
-    assert_close(value, 0.9e12, 1e-12);
+    const cycle c = {.n = 2, .sxx = {-1, 0}, .syy = {0.8, 0.9}, .txy = {0, 1e-310}, .k = 1e12};
+    assert_close(worst_of(&c, FINDLEY).value, 0.9e12, 1e-12);
 }
 
 /* A shear that turns twice: on each plane that contains z, others of the loads are the worst. */
@@ -301,12 +288,14 @@ CLAIM(each_of_many_loads_in_turn_is_the_worst)
 {
     enum { N = 2048 };
     static double sxx[N], syy[N], txy[N];
+    const double k = 0.25;
     double value, angle, out_of_plane;
     for (int i = 0; i < N; i++) {
         const double t = 4 * PI * i / N;
         syy[i] = 100 * cos(t), sxx[i] = -syy[i], txy[i] = 100 * sin(t);
     }
-    assert_ok(rwedge_findley(N, sxx, syy, txy, 0.3, 0.25, &value, &angle, &out_of_plane));
+    assert_ok(rwedge_criterion(RWEDGE_MEASURE_FINDLEY, &k, N, sxx, syy, txy, 0.3, 0, &value, &angle,
+                               &out_of_plane));
     assert_close(value, 125, 1e-14);
 }
 
@@ -364,20 +353,52 @@ CLAIM(harmless_cycles_have_none)
         }
 }
 
+/* ---- The ratio of the modified Woehler curve ---- */
+
+/* Of a shear +-t under a mean tension m, whose plane is that of x or y. */
+static double modified_wohler(double t, double m, const double constants[3])
+{
+    const double sxx[2] = {0, 0}, syy[2] = {m, m}, txy[2] = {t, -t};
+    double value, angle, out_of_plane;
+    assert_ok(rwedge_criterion(RWEDGE_MEASURE_MODIFIED_WOHLER, constants, 2, sxx, syy, txy, 0, 0,
+                               &value, &angle, &out_of_plane));
+    return value;
+}
+
+CLAIM(the_ratio_of_a_mean_stress_to_a_shear_counts_up_to_its_limit)
+{
+    const double constants[3] = {40, 71, 0}, own_limit[3] = {40, 71, 0.5};
+    assert_close(modified_wohler(100, 60, constants), 100 + 40 * 0.6, 1e-12);
+    assert_close(modified_wohler(100, 88.75, constants), 100 + 71 / 2.0, 1e-12); /* rho_lim */
+    assert_close(modified_wohler(100, 500, constants), 100 + 71 / 2.0, 1e-12);
+    assert_close(modified_wohler(100, 60, own_limit), 100 + 40 * 0.5, 1e-12);
+    assert_close(modified_wohler(100, -60, constants), 100, 1e-12); /* of the planes that shear so,
+                                                                       that of x is not pressed */
+}
+
+/* It was 1.2e16: of a shear that is a rounding. */
+CLAIM(a_mean_stress_alone_has_no_modified_wohler_parameter)
+{
+    const double constants[3] = {40, 71, 0};
+    assert_true(modified_wohler(0, 110, constants) == 0);
+    assert_true(modified_wohler(1e-14, 110, constants) == 0);
+    assert_close(modified_wohler(1e-6, 110, constants), 71 / 2.0, 1e-7);
+}
+
 /* ---- Errors ---- */
 
 CLAIM(a_cycle_has_loads_and_no_more_than_there_are_addresses)
 {
     static const cycle none = {.E = 1, .nu = 0.3};
-    const double s[2] = {1, 2};
+    const double s[3] = {1, 2, 3};
     worst w = {5, 6, 7};
     for (criterion asked = 0; asked < CRITERIA; asked++)
         assert_int_equal(ask(&none, asked, &w), RWEDGE_ERANGE);
-    assert_int_equal(
-        rwedge_smith_watson_topper_field((size_t)-1 / 4, 8, s, s, s, 1, 0.3, &w.value, &w.angle),
-        RWEDGE_ERANGE);
-    assert_int_equal(rwedge_findley_field(2, SIZE_MAX / 8, s, s, s, 0.3, 0.2, &w.value, &w.angle,
-                                          &w.out_of_plane),
+    assert_int_equal(rwedge_criterion_field(RWEDGE_MEASURE_SWT_IN_PLANE, s, (size_t)-1 / 4, 8, s, s,
+                                            s, 0.3, 0, &w.value, &w.angle, &w.out_of_plane),
+                     RWEDGE_ERANGE);
+    assert_int_equal(rwedge_criterion_field(RWEDGE_MEASURE_FINDLEY, s, 2, SIZE_MAX / 8, s, s, s,
+                                            0.3, 0, &w.value, &w.angle, &w.out_of_plane),
                      RWEDGE_ERANGE);
     assert_true(w.value == 5 && w.angle == 6 && w.out_of_plane == 7);
 }

@@ -23,8 +23,7 @@ static int32_t gradient(const double v[5], double d[6])
 
 static int32_t sensitivity(const double v[5], double d[9])
 {
-    return rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], &d[0], &d[1], &d[2], &d[3],
-                                     &d[4], &d[5], &d[6], &d[7], &d[8]);
+    return rwedge_stress_sensitivity(v[0], v[1], v[2], v[3], v[4], d, d + 3, d + 6);
 }
 
 CLAIM(derivatives_end_at_the_edges)

@@ -27,6 +27,8 @@ from ._library import AbsentError, Error, PathError, SlidingError
 from ._library import function as _function
 from ._loads import Loads
 from ._made import *  # noqa: F403
+from ._named import NAMED as _NAMED
+from ._named import Named as _Named
 from ._renamed import now_called as _now_called
 from ._series import Series
 from ._stress_history import StressHistory
@@ -43,7 +45,8 @@ __version__ = _function("version")().decode()
 
 # All functions of the header that take and give nothing but numbers.
 globals().update({name: _Formula(ufunc) for name, ufunc in _UFUNCS.items()})
-__all__ = [*(_class.__name__ for _class in _CLASSES), "stresses", *_UFUNCS, *_made.__all__]
+globals().update({name: _Named(name) for name in _NAMED})
+__all__ = [*(_class.__name__ for _class in _CLASSES), "stresses", *_UFUNCS, *_NAMED, *_made.__all__]
 
 _stresses = _Points("stress")
 

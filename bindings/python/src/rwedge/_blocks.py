@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import threading
 import time
 from typing import Any, Callable, Iterator
@@ -23,6 +24,12 @@ def blocks(total: int, first: int) -> Iterator[slice]:
         count = max(1, int(count * min(8, SECONDS / (time.monotonic() - began + 1e-6))))
 
 
+def _own_shapes(ufunc: np.ufunc) -> list[tuple[int, ...]]:
+    """The last dimensions of each result, which a signature such as (n)->(),(2) tells."""
+    outputs = (ufunc.signature or "").partition("->")[2].split("),(")
+    return [tuple(map(int, re.findall(r"\d+", output))) for output in outputs] if ufunc.signature else [()] * ufunc.nout
+
+
 def in_blocks(ufunc: np.ufunc, arguments: tuple[Any, ...], core: tuple[int, ...]) -> Any:
     """ufunc(*arguments) for numbers and plain arrays. core: how many last dimensions of each argument go into one call."""
     shapes = [np.shape(value)[:np.ndim(value) - own] for value, own in zip(arguments, core)]
@@ -33,7 +40,7 @@ def in_blocks(ufunc: np.ufunc, arguments: tuple[Any, ...], core: tuple[int, ...]
     axis = int(np.argmax(shape))
     arrays = [np.moveaxis(np.broadcast_to(value, shape + np.shape(value)[np.ndim(value) - own:]), axis, 0) if own_shape else value
               for value, own, own_shape in zip(arguments, core, shapes)]
-    results = tuple(np.empty(shape) for _ in range(ufunc.nout))
+    results = tuple(np.empty(shape + own_shape) for own_shape in _own_shapes(ufunc))
     views = [np.moveaxis(result, axis, 0) for result in results]
     for part in blocks(shape[axis], FEW * shape[axis] // size):
         ufunc(*(value[part] if own_shape else value for value, own_shape in zip(arrays, shapes)), out=tuple(v[part] for v in views))

@@ -2,17 +2,33 @@
 """Criteria of fatigue at the points of a cycle, by the constants of a material."""
 from __future__ import annotations
 
-from typing import Any, Mapping, NamedTuple, SupportsFloat
+import ctypes
+import difflib
+import math
+from typing import Any, Mapping, NamedTuple, NoReturn, SupportsFloat
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._library import EDOMAIN, Error, real
+from ._library import function as library_function
 from ._ufuncs import UFUNCS, Formula
 
 Material = Mapping[str, SupportsFloat]
-CURVES = {"swt": ("smith_watson_topper_damage", ("sf", "b", "ef", "c"), "swt_limit"),
-          "fatemi-socie": ("fatemi_socie_damage", ("G", "tf", "b0", "gf", "c0"), "fs_limit")}
+SMALLEST = 1e-60  # but for 0, nothing that has a size is smaller
+
+
+def _constants(number: int, count: int) -> tuple[str, ...]:
+    return tuple(library_function("constant_name")(number, j).decode() for j in range(count))
+
+
+# As the library has them: a measure by its name; the constants of each by its number, and those of its damage.
+NUMBERS = {library_function("criterion_name")(i).decode(): i for i in range(library_function("criterion_count")())}
+OWN = {i: _constants(i, library_function("criterion_constants")(i)) for i in NUMBERS.values()}
+OF_DAMAGE = {i: _constants(i, library_function("damage_constants")(i)) for i in NUMBERS.values()}
+LIMITS = {library_function("criterion_limit")(i).decode() for i in NUMBERS.values()}
+# What else the material of a file may have.
+KNOWN = {"name", "source", "nu", "dK_th", "ds0", "paris_C", "paris_m", "K_c", *LIMITS, *(name for names in (*OWN.values(), *OF_DAMAGE.values()) for name in names)}
 
 
 class Plane(NamedTuple):
@@ -39,62 +55,89 @@ class Criteria:
 
     stress: NDArray[np.float64]
 
-    def _measured(self, name: str, material: Material, plane_stress: bool, constants: tuple[Any, ...]) -> Any:
-        """rwedge_name() at every point; constants are numbers, or names of constants of the material."""
-        numbers = [self._constant(material, value) if isinstance(value, str) else value for value in constants]
-        if plane_stress and "E" not in constants:
-            numbers[0] = 0.0  # nu counts for the stress across the plane alone
-        if "E" in constants:
-            numbers.insert(2, int(plane_stress))
+    def _measured(self, function: str, number: int, material: Material, plane_stress: bool, names: tuple[str, ...]) -> Any:
+        """rwedge_criterion() or rwedge_damage() at every point, by the constants of these names."""
+        unknown = sorted(set(material) - KNOWN)
+        if unknown:
+            near = difflib.get_close_matches(unknown[0], KNOWN, 1)
+            hint = f": did you mean {near[0]}?" if near else f"; known are {', '.join(sorted(KNOWN - {'1', ''}))}"
+            raise Error(f"the material has {unknown[0]}, which is no constant that is known{hint}", EDOMAIN)
+        constants = [self._constant(material, number, j, name) for j, name in enumerate(names)]
+        nu = real("nu", material["nu"]) if "nu" in material else self._missing("nu")
         errors: Any = {"invalid": "ignore"} if np.isnan(self.stress).any() else {}
         with np.errstate(**errors):
-            return Formula(UFUNCS[name])(*np.moveaxis(self.stress, -1, 0), *numbers, axis=0)
+            return Formula(UFUNCS[function])(number, constants, *np.moveaxis(self.stress, -1, 0), nu, int(plane_stress), axis=0)
 
     @staticmethod
-    def _constant(material: Material, name: str) -> float:
-        if name not in material:
-            raise Error(f"the material has no {name}", EDOMAIN)
-        return real(name, material[name])
+    def _missing(name: str) -> NoReturn:
+        raise Error(f"the material has no {name}", EDOMAIN)
 
-    def _k_over_sy(self, material: Material) -> float:
-        return real("fs_k", material.get("fs_k", 1)) / self._constant(material, "yield_stress")
+    def _constant(self, material: Material, number: int, j: int, name: str) -> float:
+        """One that the material has, or the usual one; in its range."""
+        value = real(name, material[name] if name in material else library_function("constant_usual")(number, j))
+        if name not in material and math.isnan(value):
+            self._missing(name)
+        low, high = ctypes.c_double(), ctypes.c_double()
+        library_function("constant_range")(number, j, ctypes.byref(low), ctypes.byref(high))
+        if not (low.value <= value <= high.value and (value == 0 or abs(value) >= SMALLEST)):
+            zero = "0, or 1e-60" if low.value == 0 else f"{low.value:g}"
+            raise Error(f"the material has {name} = {value:g}: allowed is {zero} to {high.value:g}", EDOMAIN)
+        return value
+
+    def criterion(self, material: Material, criterion: str, plane_stress: bool = False) -> Plane:
+        """A criterion by its name, such as "findley", over all planes. Constants: ``nu``, and those of the criterion, by the names
+        that ``constant_name`` tells.
+
+        Parameters
+        ----------
+        material : mapping
+            constants by name, as in the files of ``rwedge fretting --material``; others than the criterion's are left alone, others
+            than the known ones refused
+        criterion : str
+            its name, as ``criterion_name`` tells it
+        plane_stress : bool
+            plane stress; plane strain otherwise
+
+        Source: ``criterion``.
+        """
+        number = NUMBERS.get(criterion, -1)
+        if number < 0 or library_function("criterion_unit")(number) not in (b"stress", b"none"):
+            raise Error(f"criterion = {criterion!r}: must be one of {', '.join(n for n, i in NUMBERS.items() if OWN[i])}", EDOMAIN)
+        return Plane(*self._measured("criterion", number, material, plane_stress, OWN[number]))
 
     def smith_watson_topper(self, material: Material, plane_stress: bool = False) -> Plane:
         """Smith, Watson and Topper's parameter over all planes, a stress. Its strain is an amplitude. Constants: ``E``, ``nu``.
-        Source: ``smith_watson_topper_planes``."""
-        return Plane(*self._measured("smith_watson_topper_planes", material, plane_stress, ("E", "nu")))
+        Source: ``criterion``."""
+        return self.criterion(material, "swt", plane_stress)
 
     def fatemi_socie(self, material: Material, plane_stress: bool = False) -> Plane:
         """Fatemi and Socie's parameter over all planes. Its strain is an amplitude. Constants: ``E``, ``nu``, ``yield_stress``,
-        and ``fs_k``, 1 where it is missing. Source: ``fatemi_socie_planes``."""
-        constants = "E", "nu", self._k_over_sy(material)
-        return Plane(*self._measured("fatemi_socie_planes", material, plane_stress, constants))
+        and ``fs_k``, 1 where it is missing. Source: ``criterion``."""
+        return self.criterion(material, "fatemi_socie", plane_stress)
 
     def findley(self, material: Material, plane_stress: bool = False) -> Plane:
         """Findley's parameter, a stress: the largest amplitude of the shear + k times the largest normal stress. Constants:
-        ``nu``, ``findley_k``. Source: ``findley``."""
-        return Plane(*self._measured("findley", material, plane_stress, ("nu", "findley_k")))
+        ``nu``, ``findley_k``. Source: ``criterion``."""
+        return self.criterion(material, "findley", plane_stress)
 
     def modified_wohler(self, material: Material, plane_stress: bool = False) -> Plane:
         """Susmel's modified Wöhler curve, a stress: on the plane of the largest amplitude of the shear. Constants: ``nu``,
-        ``kappa``. Source: ``modified_wohler``."""
-        return Plane(*self._measured("modified_wohler", material, plane_stress, ("nu", "kappa")))
+        ``kappa``, ``lambda``, and ``rho_lim``, lambda/(2 kappa) where it is missing. Source: ``criterion``."""
+        return self.criterion(material, "modified_wohler", plane_stress)
 
     def mcdiarmid(self, material: Material, plane_stress: bool = False) -> Plane:
-        """McDiarmid's criterion, a ratio that is safe below 1. Constants: ``nu``, ``t_A``, ``su``. Source: ``mcdiarmid``."""
-        return Plane(*self._measured("mcdiarmid", material, plane_stress, ("nu", "t_A", "su")))
+        """McDiarmid's criterion, a ratio that is safe below 1. Constants: ``nu``, ``t_A``, ``su``. Source: ``criterion``."""
+        return self.criterion(material, "mcdiarmid", plane_stress)
 
     def crossland(self, material: Material, plane_stress: bool = False) -> NDArray[np.float64]:
         """Crossland's criterion, a stress: the amplitude of sqrt(J2) + alpha times the largest hydrostatic stress. Constants:
-        ``nu``, ``crossland_alpha``. Source: ``crossland``."""
-        value: NDArray[np.float64] = self._measured("crossland", material, plane_stress, ("nu", "crossland_alpha"))
-        return value
+        ``nu``, ``crossland_alpha``. Source: ``criterion``."""
+        return self.criterion(material, "crossland", plane_stress).value
 
     def dang_van(self, material: Material, plane_stress: bool = False) -> NDArray[np.float64]:
         """Dang Van's criterion, a stress: the largest shear about the centre of the path + alpha times the hydrostatic stress.
-        Constants: ``nu``, ``dang_van_alpha``. Source: ``dang_van``."""
-        value: NDArray[np.float64] = self._measured("dang_van", material, plane_stress, ("nu", "dang_van_alpha"))
-        return value
+        Constants: ``nu``, ``dang_van_alpha``. Source: ``criterion``."""
+        return self.criterion(material, "dang_van", plane_stress).value
 
     def damage(self, material: Material, criterion: str = "swt", plane_stress: bool = False) -> Damage:
         """Damage of a pass of the loads that repeats, by Miner's sum on the plane where it is largest. Cycles are counted by
@@ -111,7 +154,7 @@ class Criteria:
         plane_stress : bool
             plane stress; plane strain otherwise
 
-        Source: ``smith_watson_topper_damage``, ``fatemi_socie_damage``.
+        Source: ``damage``.
 
         Examples
         --------
@@ -123,12 +166,12 @@ class Criteria:
         >>> float(stresses.damage(metal).cycles)
         2.0
         """
-        if criterion not in CURVES:
-            raise Error(f"criterion = {criterion!r}: must be one of {', '.join(CURVES)}", EDOMAIN)
-        name, constants, limit = CURVES[criterion]
-        k_over_sy = (self._k_over_sy(material),) if criterion == "fatemi-socie" else ()
-        run_out = real(limit, material.get(limit, 0))
-        return Damage(*self._measured(name, material, plane_stress, ("E", "nu", *k_over_sy, *constants, run_out)))
+        laws = {name.replace("_", "-"): number for name, number in NUMBERS.items() if OF_DAMAGE[number]}
+        if criterion not in laws:
+            raise Error(f"criterion = {criterion!r}: must be one of {', '.join(laws)}", EDOMAIN)
+        number = laws[criterion]
+        value, cycles, plane = self._measured("damage", number, material, plane_stress, OF_DAMAGE[number])
+        return Damage(value, cycles, plane[..., 0], plane[..., 1])
 
     def life(self, material: Material, criterion: str = "swt", plane_stress: bool = False) -> NDArray[np.float64]:
         """How many passes of the loads until failure: one over ``damage``, infinite where there is none.

@@ -36,6 +36,9 @@ def _sizes(about: dict[str, Any], address: Any, values: dict[str, Any]) -> dict[
     """The sizes, which a function tells or the arrays have: they must agree."""
     sizes: dict[str, int] = {size: function(teller)(*(values.get(name, address) for _, name in FUNCTIONS[teller]["parameters"]))
                              for size, teller in about["given by"].items()}
+    for size, (fixed, teller, argument) in about["implied"].items():
+        if told := fixed or function(teller)(values[argument]):  # 0 is told where any number will do, or the call is refused
+            sizes[size] = told
     for name, value in values.items():
         for size, count in zip(about["sizes"].get(name, ()), np.shape(value)):
             if sizes.setdefault(size, count) != count:

@@ -9,6 +9,11 @@ _RENAMED = {
     "Contact.cycle_worst": "Contact.cycle(loads).worst(measure, ...)",
     "Contact.cycle_below": "Contact.cycle(loads).below(x, angle, length, line)",
     "Contact.keep_cycle": "Contact.cycle(loads)",
+    **{f"{name}_field": f"criterion_field(criterion, constants, ...), or {name}(..., axis=0)" for name in
+       ("smith_watson_topper", "smith_watson_topper_planes", "fatemi_socie", "fatemi_socie_planes", "findley", "modified_wohler",
+        "mcdiarmid", "crossland", "dang_van")},
+    **{f"{name}_damage_field": f"damage_field(criterion, constants, ...), or {name}_damage(..., axis=0)" for name in
+       ("smith_watson_topper", "fatemi_socie")},
 }
 
 

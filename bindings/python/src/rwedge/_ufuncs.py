@@ -55,14 +55,19 @@ def ufunc(name: str, loop: str = "points") -> np.ufunc:
     outputs, signature = parameters.count("double *") or 1, None
     if FUNCTIONS[name]["made"] == "gufunc":
         loop, inputs = "cycles", [DOUBLE] * len(arguments)
-        axes = ",".join("(n)" if kind == "const double *" else "()" for kind in arguments)
-        signature = f"{axes}->{','.join(['()'] * outputs)}".encode()
+        axes = [_axis(name, parameter) for kind, parameter in FUNCTIONS[name]["parameters"] if kind != "size_t"]
+        signature = f"{','.join(axes[:len(arguments)])}->{','.join(axes[len(arguments):] or ['()'])}".encode()
     symbol = ctypes.c_char.in_dll(_library, "rwedge_loop_" + loop)
     pointers = (ctypes.c_void_p * 1)(ctypes.addressof(symbol)), (ctypes.c_void_p * 1)(_entry(name.encode()))
     texts = bytes([*inputs, *[DOUBLE] * outputs]), name.encode(), FUNCTIONS[name]["doc"].encode()
     _kept.append((pointers, texts, signature))
     (loops, datas), (types, title, doc) = pointers, texts
     return _from_func_and_data(loops, datas, types, 1, len(inputs), outputs, NO_IDENTITY, title, doc, 0, signature)
+
+
+def _axis(name: str, parameter: str) -> str:
+    """The axis of an array, "(n)" or "(3)", as NumPy's signatures have it; "()" of a number."""
+    return f"({','.join(FUNCTIONS[name]['sizes'].get(parameter, ()))})"
 
 
 UFUNCS = {name: ufunc(name) for name, about in FUNCTIONS.items() if about["made"] in ("ufunc", "gufunc")}
@@ -84,10 +89,13 @@ class Formula:
 
     def __init__(self, function: np.ufunc) -> None:
         self.ufunc, self.__name__, self.__doc__, self.__module__ = function, function.__name__, function.__doc__, "rwedge"
-        arguments = [(kind, name) for kind, name in FUNCTIONS[self.__name__]["parameters"] if kind in ARGUMENTS]
+        self._about = about = FUNCTIONS[self.__name__]
+        arguments = [(kind, name) for kind, name in about["parameters"] if kind in ARGUMENTS]
         self._names, self._core = [name for _, name in arguments], tuple(int("*" in kind) for kind, _ in arguments)
+        sizes = [name for kind, name in about["parameters"] if kind == "size_t"]
+        self._of_loads = [about["sizes"].get(name, ("",))[0] in sizes for name in self._names]
         # For plain numbers, as it costs less than to have the warnings told to us
-        self._quiet = ufunc(self.__name__, "quiet") if not any(self._core) else None
+        self._quiet = ufunc(self.__name__, "quiet") if about["made"] == "ufunc" else None
         self.__signature__ = inspect.Signature([inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD)
                                                 for name in self._names])
 
@@ -119,7 +127,9 @@ class Formula:
     def _why(self, values: tuple[Any, ...], results: Any) -> str:
         """Which arguments were refused first, and whether it was for want of a closed form."""
         name = self.__name__
-        if EPATH in FUNCTIONS[name]["reasons"]:
+        if self._about["implied"] and (why := self._wrong_size(values)):
+            return f"invalid value encountered in {name}: {why}"
+        if EPATH in self._about["reasons"]:
             first, *numbers = np.broadcast_arrays(results[0], *values)
             places = [ctypes.c_double() for _ in results]
             for place in np.argwhere(np.isnan(first)):
@@ -127,8 +137,18 @@ class Formula:
                 if status not in (OK, EABSENT):
                     break
             if status == EPATH:
-                return f"no closed form encountered in {name}: {FUNCTIONS[name]['reasons'][EPATH]}"
+                return f"no closed form encountered in {name}: {self._about['reasons'][EPATH]}"
         return f"invalid value encountered in {name}"
+
+    def _wrong_size(self, values: tuple[Any, ...]) -> str:
+        """Which array has not so many numbers as a function tells, if it is that."""
+        given = dict(zip(self._names, values))
+        for size, (_, teller, of) in self._about["implied"].items():
+            told = int(function(teller)(int(np.max(given[of])))) if teller else 0
+            for name, sizes in self._about["sizes"].items():
+                if told and size in sizes and np.shape(given[name])[-1] < told:
+                    return f"{name} has {np.shape(given[name])[-1]} numbers, {told} are needed"
+        return ""
 
     def _in_order(self, values: tuple[Any, ...], options: dict[str, Any]) -> tuple[tuple[Any, ...], dict[str, Any]]:
         """The arguments that were given by name, out of the options and behind the others; those of a cycle with its axis last."""
@@ -138,9 +158,10 @@ class Formula:
             raise TypeError(f"{self.__name__}() takes {', '.join(self._names)}: {len(values)} given by place, and "
                             f"{', '.join(wrong or options)} by name")
         values += tuple([options.pop(name) for name in names])
-        if options.keys() == {"axis"} and any(self._core) and all(type(value) is np.ndarray for value, own in zip(values, self._core) if own):
+        if "axis" in options and any(self._of_loads):
             axis = options.pop("axis")
-            values = tuple(np.moveaxis(value, axis, -1) if own else value for value, own in zip(values, self._core))
+            values = tuple(np.moveaxis(value if hasattr(value, "ndim") else np.asarray(value), axis, -1) if of_loads else value
+                           for value, of_loads in zip(values, self._of_loads))
         return values, options
 
     def __getattr__(self, name: str) -> Any:

@@ -29,8 +29,8 @@ EXPORTED const char *page_words(void)
         json_add("{'results':[{'name':%t,'unit':%t,'meaning':%t}]}", result_kinds[i].name,
                  result_kinds[i].unit, result_kinds[i].meaning);
     for (int i = 0; i < COLUMN_COUNT; i++)
-        json_add("{'measures':{%t:{'unit':%t,'meaning':%t}}}", measure_kinds[i].column,
-                 measure_kinds[i].unit, measure_kinds[i].meaning);
+        json_add("{'measures':{%t:{'unit':%t,'meaning':%t}}}", measure_kind_of(i)->column,
+                 measure_kind_of(i)->unit, measure_kind_of(i)->meaning);
     return json_end();
 }
 

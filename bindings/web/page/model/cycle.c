@@ -46,6 +46,9 @@ static bool read_constants(char *lines)
             return json_refuse("", "%.60s: no constant that is known here", name);
         if (!number_read_cell(text, '.', &asked.constants.value[constant]))
             return json_refuse("", "%.60s: must be a number", name);
+        if (!material_is_in_range(constant, asked.constants.value[constant]))
+            return json_refuse("", "%.60s %s: must be a number, %s", name, text,
+                               material_allowed(constant));
     }
     return true;
 }
@@ -55,38 +58,27 @@ static void choose(const char *column)
 {
     asked.column = MEASURE_SWT;
     for (int i = 0; i < COLUMN_COUNT; i++)
-        if (strcmp(column, measure_kinds[i].column) == 0)
+        if (strcmp(column, measure_kind_of(i)->column) == 0)
             asked.column = i;
     asked.criterion = measure_criterion(asked.column);
-}
-
-static double constant_of(int constant)
-{
-    return constant < MATERIAL_COUNT ? asked.constants.value[constant] : 0;
 }
 
 /* The usual criteria and that which is chosen. False where it lacks what it needs. */
 static bool collect_criteria(double nu, bool is_plane_stress)
 {
     criteria *wanted = &asked.wanted;
-    const int i = asked.criterion, own = criterion_kinds[i].constant;
-    const double fs_k = asked.constants.value[MATERIAL_FS_K];
-    const bool lacks_su = i == CRITERION_MCDIARMID && isnan(asked.constants.value[MATERIAL_SU]);
-    const bool lacks_own = isnan(constant_of(own));
+    const int i = asked.criterion;
     *wanted = criteria_usual(&asked.setup);
     wanted->nu = nu;
     wanted->is_plane_stress = is_plane_stress;
-    wanted->constants = &asked.constants;
-    wanted->su = asked.constants.value[MATERIAL_SU];
-    wanted->constant[i] = constant_of(own);
-    wanted->constant[CRITERION_FATEMI_SOCIE] =
-        criteria_fatemi_socie(&asked.setup, isnan(fs_k) ? 1 : fs_k);
-    if (i == CRITERION_FATEMI_SOCIE && isnan(asked.setup.k))
-        return json_refuse("criterion", "needs a yield stress");
-    return !(lacks_own || lacks_su) ||
-           json_refuse("criterion", "needs %s%s%s of the material",
-                       lacks_own ? material_names[own] : "", lacks_own && lacks_su ? " and " : "",
-                       lacks_su ? "su" : "");
+    wanted->given = asked.constants;
+    criteria_take(&asked.setup, RWEDGE_MEASURE_FATEMI_SOCIE, wanted);
+    const char *lacks = i == NO_CRITERION ? NULL : criteria_take(&asked.setup, i, wanted);
+    if (lacks == NULL)
+        return true;
+    return strcmp(lacks, "yield_stress") == 0
+               ? json_refuse("criterion", "needs a yield stress")
+               : json_refuse("criterion", "needs %s of the material", lacks);
 }
 
 /* ---- The loads ---- */
@@ -173,7 +165,7 @@ static void write_along(const double *number)
 
 static void write_column(int column)
 {
-    json_add("{'measured':{%t:", measure_kinds[column].column);
+    json_add("{'measured':{%t:", measure_kind_of(column)->column);
     write_along(&asked.along.place->value[column]);
     json_add("}}");
 }
@@ -185,7 +177,8 @@ static void write_worst(int column)
     double *value = &at.value[column];
     if (*value > 0 && last_cycle_worst(&asked.last, column, along->count, along->place, &at.x,
                                        value) == RWEDGE_OK)
-        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kinds[column].column, at.x, *value);
+        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kind_of(column)->column, at.x,
+                 *value);
     if (column == asked.column)
         asked.worst = at;
 }
@@ -201,7 +194,7 @@ static void write_measures(void)
         write_column(i);
         if (i + 1 == MEASURE_SLIP_RANGE && !is_usual)
             write_column(asked.column);
-        if (measure_kinds[i].part == PART_VALUE)
+        if (measure_kind_of(i)->part == PART_VALUE)
             write_worst(i);
     }
     if (!is_usual)
@@ -211,18 +204,13 @@ static void write_measures(void)
 /* By damage at the worst place; NAN where the constants are not given. */
 static double worst_life(void)
 {
-    double *constant = asked.last.asked.constant;
-    constant[measure_damage(asked.criterion)] = constant[asked.criterion];
+    const int damage = measure_damage(asked.criterion);
+    if (!criterion_is_damage(damage) ||
+        criteria_take(&asked.setup, damage, &asked.last.asked) != NULL)
+        return NAN;
     return last_cycle_measure(&asked.last, 1, &asked.worst) == RWEDGE_OK
                ? measured_life(&asked.worst, asked.criterion)
                : NAN;
-}
-
-static void write_constant(int constant)
-{
-    if (constant != MATERIAL_COUNT)
-        json_add("{'constants':{%t:%n}}", material_names[constant],
-                 asked.constants.value[constant]);
 }
 
 /* What the chosen criterion comes to where it is worst, and its constants. */
@@ -232,9 +220,9 @@ static void write_verdict(void)
     const double value = asked.worst.value[asked.column];
     json_add("{'limit':%n,'safety':%n,'life':%n}", limit, value > 0 ? limit / value : NAN,
              worst_life());
-    write_constant(criterion_kinds[asked.criterion].constant);
-    if (asked.criterion == CRITERION_MCDIARMID)
-        write_constant(MATERIAL_SU);
+    for (int32_t j = 0; j < rwedge_criterion_constants(asked.criterion); j++)
+        json_add("{'constants':{%t:%n}}", rwedge_constant_name(asked.criterion, j),
+                 asked.wanted.constants[asked.criterion][j]);
 }
 
 static void write_answer(void)

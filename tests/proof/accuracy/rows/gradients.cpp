@@ -125,6 +125,14 @@ ball judge_sensitivity(const probe &call)
                                                error_of(call.result + 6, by_stick_zone(call))));
 }
 
+/* The results one by one, which are next to each other. */
+int32_t sensitivity(double alpha, double f, double c, double x, double y, double *by_alpha,
+                    double *, double *, double *by_f, double *, double *, double *by_c, double *,
+                    double *)
+{
+    return rwedge_stress_sensitivity(alpha, f, c, x, y, by_alpha, by_f, by_c);
+}
+
 const drawn alpha = {"alpha", some_alpha}, f = {"f", some_friction}, c = {"c", some_stick_zone};
 const std::vector<drawn> PLACE = {alpha, f, c, some_point};
 
@@ -136,6 +144,6 @@ const row GRADIENT_ROWS[] = {
     {"stress_gradient", PLACES, "of the parts", 1e-12, "1e-12", 1,
      calling(rwedge_stress_gradient, PLACE, is_smooth), judge_gradient},
     {"stress_sensitivity", PLACES, "of the parts", 1e-12, "1e-12", 1,
-     calling(rwedge_stress_sensitivity, PLACE, is_smooth), judge_sensitivity},
+     calling(sensitivity, PLACE, is_smooth), judge_sensitivity},
     {},
 };

@@ -57,6 +57,19 @@ ball judge_fatemi_socie(const probe &call)
     return error_of_life(call, tf / G, call.value[B], call.value[DUCTILITY], call.value[C]);
 }
 
+/* Without a limit. */
+double swt_life(double swt, double E, double sf, double b, double ef, double c)
+{
+    const double constants[] = {E, sf, b, ef, c, 0};
+    return rwedge_life(RWEDGE_MEASURE_SWT, constants, swt);
+}
+
+double fatemi_socie_life(double fatemi_socie, double G, double tf, double b0, double gf, double c0)
+{
+    const double constants[] = {1, 1, 1, G, tf, b0, gf, c0, 0};
+    return rwedge_life(RWEDGE_MEASURE_FATEMI_SOCIE, constants, fatemi_socie);
+}
+
 double some_size(probe *call)
 {
     return log_between(call, 1e-60, 1e60);
@@ -67,13 +80,12 @@ double some_size(probe *call)
 #define METALS "constants of metals, no limit"
 
 const row LIFE_ROWS[] = {
-    {"smith_watson_topper_life", METALS, "relative", 1e-11, "1e-11", 1,
-     calling(rwedge_smith_watson_topper_life,
-             metal({"swt", "E", "sf", "b", "ef", "c"}, 150e3, 1000), may_be_told),
+    {"life, swt", METALS, "relative", 1e-11, "1e-11", 1,
+     calling(swt_life, metal({"swt", "E", "sf", "b", "ef", "c"}, 150e3, 1000), may_be_told),
      judge_smith_watson_topper},
-    {"fatemi_socie_life", METALS, "relative", 1e-11, "1e-11", 1,
-     calling(rwedge_fatemi_socie_life,
-             metal({"fatemi_socie", "G", "tf", "b", "gf", "c"}, 60e3, 600), may_be_told),
+    {"life, fatemi_socie", METALS, "relative", 1e-11, "1e-11", 1,
+     calling(fatemi_socie_life, metal({"fatemi_socie", "G", "tf", "b0", "gf", "c0"}, 60e3, 600),
+             may_be_told),
      judge_fatemi_socie},
     {"critical_distance", "1e-60 to 1e60", "relative", 4 * DBL_EPSILON, "4 eps", 1,
      calling(rwedge_critical_distance, {{"dK_th", some_size}, {"ds0", some_size}}),

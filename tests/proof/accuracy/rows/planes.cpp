@@ -33,32 +33,27 @@ bool are_apart(const double *v)
     return R > least && fabs(mean + R - z) > least && fabs(mean - R - z) > least;
 }
 
-/* A function of strains takes E before nu. Its principal stresses are apart, or are any. */
-enum { STRESSES, STRAINS };
+/* Its principal stresses are apart, or are any. */
 enum { APART, ANY };
 
-/* The parameter of a cycle, and its plane; what is not drawn is 0. */
-template <typename... Rest>
-std::function<bool(probe *)> of_cycle(int32_t (*parameter)(size_t, const double *, const double *,
-                                                           const double *, Rest...),
-                                      const std::vector<drawn> &others, int kind, int loads)
+/* A criterion of a cycle, and its plane. Its constants are those that are drawn, and 1 behind them:
+ * the yield stress beside k_over_sy. */
+std::function<bool(probe *)> of_cycle(int32_t criterion, const std::vector<drawn> &constants,
+                                      int loads)
 {
     return [=](probe *call) {
         some_cycle(call);
-        double v[ARGUMENTS_MAX], opposite[3][2];
+        double opposite[3][2], given[4] = {0, 0, 1};
         if (loads == APART && !are_apart(call->value))
             return false;
-        for (const drawn &a : others)
+        for (const drawn &a : constants)
             a.draw(call);
-        std::copy_n(call->value, ARGUMENTS_MAX, v);
-        if (kind == STRAINS)
-            std::swap(v[NU], v[NU + 1]);
+        std::copy_n(call->value + NU + 1, constants.size(), given);
         for (int i = 0; i < 3; i++)
-            opposite[i][0] = v[i], opposite[i][1] = -v[i];
-        in_order next = {v + NU, call->result};
-        const std::tuple<size_t, const double *, const double *, const double *, Rest...> all{
-            2, opposite[0], opposite[1], opposite[2], (Rest)next...};
-        return gives(call, std::apply(parameter, all));
+            opposite[i][0] = call->value[i], opposite[i][1] = -call->value[i];
+        return gives(call, rwedge_criterion(criterion, given, 2, opposite[0], opposite[1],
+                                            opposite[2], call->value[NU], 0, &call->result[0],
+                                            &call->result[1], &call->result[2]));
     };
 }
 
@@ -167,12 +162,14 @@ ball judge_smith_watson_topper(const probe &call)
 
 /* ---- Susmel, McDiarmid ---- */
 
-/* (s1-s3)/2 + kappa |s1+s3|/(s1-s3), over the first and kappa */
+/* (s1-s3)/2 + kappa min(|s1+s3|/(s1-s3), rho_lim), over the first and kappa */
 ball judge_modified_wohler(const probe &call)
 {
     const outermost at = outermost_of(call);
-    const double kappa = call.value[4];
-    return error_over(call.result[0], at.half + kappa * at.mean / at.half,
+    const double kappa = call.value[4], lambda = call.value[5], rho_lim = call.value[6];
+    const ball most = rho_lim > 0 ? kappa * ball(rho_lim) : ball(lambda) / 2;
+    const ball by_ratio = kappa * at.mean / at.half;
+    return error_over(call.result[0], at.half + (by_ratio < most ? by_ratio : most),
                       at.s + kappa * at.s / at.half); /* s + kappa s/tau_a */
 }
 
@@ -250,29 +247,34 @@ const drawn E = {"E", [](probe *call) { return log_between(call, 1e-3, 1e6); }},
             k_over_sy = {"k_over_sy", some_k_over_sy}, k = {"k", some_part},
             alpha = {"alpha", some_part},
             kappa = {"kappa", [](probe *call) { return some_stress(call, 0, 1); }},
+            lambda = {"lambda", [](probe *call) { return 1e-50 + some_stress(call, 0.1, 4); }},
+            rho_lim = {"rho_lim",
+                       [](probe *call) { return chance(call, 0.5) ? 0 : between(call, 0.1, 2); }},
             t_A = {"t_A", [](probe *call) { return 1e-50 + some_stress(call, 0.1, 10); }},
             su = {"su", [](probe *call) { return call->value[4] * between(call, 1, 10); }};
 
 } // namespace
 
 const row PLANE_ROWS[] = {
-    {"smith_watson_topper", "two opposite loads", "of s^2 (1+nu)/E", 1e-14, "1e-14", 1,
-     of_cycle(rwedge_smith_watson_topper, {E}, STRAINS, ANY), judge_swt_on_z},
-    {"fatemi_socie", "two opposite loads; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14, "1e-14", 1,
-     of_cycle(rwedge_fatemi_socie, {E, k_over_sy}, STRAINS, ANY), judge_fatemi_socie_on_z},
-    {"smith_watson_topper_planes", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
-     of_cycle(rwedge_smith_watson_topper_planes, {E}, STRAINS, APART), judge_smith_watson_topper},
-    {"fatemi_socie_planes", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
-     of_cycle(rwedge_fatemi_socie_planes, {E}, STRAINS, APART), judge_fatemi_socie},
+    {"swt_in_plane", "two opposite loads", "of s^2 (1+nu)/E", 1e-14, "1e-14", 1,
+     of_cycle(RWEDGE_MEASURE_SWT_IN_PLANE, {E}, ANY), judge_swt_on_z},
+    {"fatemi_socie_in_plane", "two opposite loads; k/sy", "of (1 + s k/sy) s (1+nu)/E", 1e-14,
+     "1e-14", 1, of_cycle(RWEDGE_MEASURE_FATEMI_SOCIE_IN_PLANE, {E, k_over_sy}, ANY),
+     judge_fatemi_socie_on_z},
+    {"swt", OPPOSITE, "of s^2 (1+nu)/E", 1e-14, "1e-14", 0.1,
+     of_cycle(RWEDGE_MEASURE_SWT, {E}, APART), judge_smith_watson_topper},
+    {"fatemi_socie", OPPOSITE "; k/sy 0", "of s (1+nu)/E", 1e-14, "1e-14", 0.1,
+     of_cycle(RWEDGE_MEASURE_FATEMI_SOCIE, {E}, APART), judge_fatemi_socie},
     {"findley", OPPOSITE, "of (1+k) s", 1e-14, "1e-14", 0.1,
-     of_cycle(rwedge_findley, {k}, STRESSES, APART), judge_findley},
+     of_cycle(RWEDGE_MEASURE_FINDLEY, {k}, APART), judge_findley},
     {"modified_wohler", OPPOSITE, "of s + kappa s/tau_a", 1e-6, "1e-6", 0.1,
-     of_cycle(rwedge_modified_wohler, {kappa}, STRESSES, APART), judge_modified_wohler},
+     of_cycle(RWEDGE_MEASURE_MODIFIED_WOHLER, {kappa, lambda, rho_lim}, APART),
+     judge_modified_wohler},
     {"mcdiarmid", OPPOSITE, "of s (1/t_A + 1/su)", 1e-6, "1e-6", 0.1,
-     of_cycle(rwedge_mcdiarmid, {t_A, su}, STRESSES, APART), judge_mcdiarmid},
+     of_cycle(RWEDGE_MEASURE_MCDIARMID, {t_A, su}, APART), judge_mcdiarmid},
     {"crossland", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1,
-     of_cycle(rwedge_crossland, {alpha}, STRESSES, ANY), judge_sphere<false>},
+     of_cycle(RWEDGE_MEASURE_CROSSLAND, {alpha}, ANY), judge_sphere<false>},
     {"dang_van", "two opposite loads", "of (1+alpha) s", 1e-14, "1e-14", 1,
-     of_cycle(rwedge_dang_van, {alpha}, STRESSES, ANY), judge_sphere<true>},
+     of_cycle(RWEDGE_MEASURE_DANG_VAN, {alpha}, ANY), judge_sphere<true>},
     {},
 };

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cycle.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A constant that a criterion has is told by the library; a limit, and what a contact or a critical
+ * distance has, is not: number is -1. */
+typedef struct {
+    const char *name, *meaning;
+    int32_t number, j;
+    double low, high;
+} constant;
+
+typedef struct {
+    constant list[MATERIAL_MAX];
+    int count;
+} catalogue;
+
+static bool has(const catalogue *known, const char *name)
+{
+    for (int i = 0; i < known->count; i++)
+        if (strcmp(known->list[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+static void add(catalogue *known, constant next)
+{
+    if (next.name[0] != '\0' && !has(known, next.name) && known->count < MATERIAL_MAX)
+        known->list[known->count++] = next;
+}
+
+static void add_those_of_criteria(catalogue *known)
+{
+    for (int32_t i = 0; i < rwedge_criterion_count(); i++)
+        for (int32_t j = 0; rwedge_constant_name(i, j)[0] != '\0'; j++) {
+            constant next = {rwedge_constant_name(i, j), rwedge_constant_text(i, j), i, j, 0, 0};
+            rwedge_constant_range(i, j, &next.low, &next.high);
+            add(known, next);
+        }
+    for (int32_t i = 0; i < rwedge_criterion_count(); i++)
+        if (strcmp(rwedge_criterion_limit(i), "1") != 0)
+            add(known, (constant){rwedge_criterion_limit(i), "what its criterion must not exceed",
+                                  -1, 0, 0, 1e60});
+}
+
+/* Made once, before any thread. */
+static const catalogue *constants_known(void)
+{
+    static catalogue known;
+    if (known.count > 0)
+        return &known;
+    add_those_of_criteria(&known);
+    add(&known, (constant){"nu", "Poisson's ratio", -1, 0, -1, 0.5});
+    add(&known, (constant){"dK_th", "range of the threshold of long cracks", -1, 0, 0, 1e60});
+    add(&known, (constant){"ds0", "range of the plain fatigue limit", -1, 0, 1e-60, 1e60});
+    add(&known, (constant){"paris_C", "factor of the growth of a crack", -1, 0, 1e-60, 1e60});
+    add(&known, (constant){"paris_m", "exponent of the growth of a crack", -1, 0, 1e-60, 1e60});
+    add(&known, (constant){"K_c", "K at which it breaks", -1, 0, 1e-60, 1e60});
+    return &known;
+}
+
+int material_count(void)
+{
+    return constants_known()->count;
+}
+
+const char *material_name(int i)
+{
+    return constants_known()->list[i].name;
+}
+
+const char *material_meaning(int i)
+{
+    return constants_known()->list[i].meaning;
+}
+
+bool material_is_in_range(int i, double value)
+{
+    const constant *one = &constants_known()->list[i];
+    return value >= one->low && value <= one->high && number_is_size(value);
+}
+
+const char *material_allowed(int i)
+{
+    static char text[60];
+    const constant *one = &constants_known()->list[i];
+    const double low = one->low == 0 ? 1e-60 : one->low;
+    const char *zero = one->low == 0 ? "0, or " : "";
+    if (one->high == 1e60)
+        snprintf(text, sizeof text, "%s%g to 1e60", zero, low);
+    else
+        snprintf(text, sizeof text, "%s%g to %g", zero, low, one->high);
+    return text;
+}
+
+bool material_is_stress(int i)
+{
+    const constant *one = &constants_known()->list[i];
+    return one->number >= 0 && strcmp(rwedge_constant_unit(one->number, one->j), "stress") == 0;
+}
+
+bool material_is_option(int i)
+{
+    const constant *one = &constants_known()->list[i];
+    return one->number >= 0 && one->j < rwedge_criterion_constants(one->number) &&
+           strcmp(one->name, "E") != 0 && strcmp(one->name, "yield_stress") != 0;
+}
+
+material material_unknown(void)
+{
+    material constants;
+    for (int i = 0; i < MATERIAL_MAX; i++)
+        constants.value[i] = NAN;
+    return constants;
+}
+
+int material_constant(const char *name)
+{
+    int i = material_count() - 1;
+    while (i >= 0 && strcmp(name, material_name(i)) != 0)
+        i--;
+    return i;
+}
+
+double material_value(const material *constants, const char *name)
+{
+    return constants->value[material_constant(name)];
+}
+
+bool material_is_remark(const char *name)
+{
+    return strcmp(name, "name") == 0 || strcmp(name, "source") == 0;
+}
+
+double material_allowable(const material *constants, int criterion)
+{
+    const char *limit = criterion_is_damage(criterion) ? "1" : rwedge_criterion_limit(criterion);
+    if (limit[0] == '\0')
+        return NAN;
+    return strcmp(limit, "1") == 0 ? 1 : material_value(constants, limit);
+}

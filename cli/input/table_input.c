@@ -132,6 +132,28 @@ static bool has_numbers(const table_input *t, const csv_row *row)
     return header_has_numbers(&t->names, row->cell, row->count, t->decimal_sign);
 }
 
+static size_t numbers_in(const csv_row *row, char decimal_sign)
+{
+    size_t numbers = 0;
+    double number;
+    for (size_t i = 0; i < row->count; i++)
+        numbers += number_read_cell(row->cell[i], decimal_sign, &number) ? 1 : 0;
+    return numbers;
+}
+
+/* Whether the rows without names begin with row i. A row of as many cells above it has names, which
+ * are not the usual ones. A mistake in the first row leaves it the first one, if the next is of
+ * numbers. */
+static bool is_first_unnamed(const table_input *t, const beginning *all, size_t i)
+{
+    const csv_row *row = &all->row[i];
+    if (i > 0 && all->row[i - 1].count == row->count)
+        return false;
+    return has_numbers(t, row) ||
+           (numbers_in(row, t->decimal_sign) > 0 && i + 1 < all->count &&
+            all->row[i + 1].count == row->count && has_numbers(t, &all->row[i + 1]));
+}
+
 /* Whether row i has the names, and numbers stand below it, or in it where it has no names. */
 static bool is_header(table_input *t, const beginning *all, size_t i, naming_mode mode,
                       int64_t *units)
@@ -145,7 +167,9 @@ static bool is_header(table_input *t, const beginning *all, size_t i, naming_mod
     if (names == NULL || row->count == 0 || row->malformed ||
         (mode == COMMENTED) != is_comment(row) || !find(t, names, row->count, &how, &why))
         return false;
-    if (mode == PLACED || mode == USUAL)
+    if (mode == USUAL)
+        return is_first_unnamed(t, all, i);
+    if (mode == PLACED)
         return has_numbers(t, row);
     for (size_t j = i + 1; j < all->count && j <= i + BELOW; j++) {
         if (has_numbers(t, &all->row[j]))
@@ -184,11 +208,7 @@ static bool look(table_input *t, char separator, naming_mode mode, finding *to)
 
 static bool is_of_numbers(const csv_row *row, char decimal_sign)
 {
-    size_t numbers = 0;
-    double number;
-    for (size_t i = 0; i < row->count; i++)
-        numbers += number_read_cell(row->cell[i], decimal_sign, &number) ? 1 : 0;
-    return numbers * 2 > row->count;
+    return numbers_in(row, decimal_sign) * 2 > row->count;
 }
 
 /* The line that probably has the names: the first of as many cells as the first row of numbers, or

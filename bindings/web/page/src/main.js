@@ -42,7 +42,7 @@ const settings = () => html`
     ${choice("units", "Units", unitSystems, ({ target }) => states.setUnits(target.value, converts()))}
     ${choice("digits", "Digits", states.digits, setter("digits"))}
     ${choice("sign", "Decimal sign", states.signs, ({ target }) => states.setSign(target.value))}
-    <span><input type="checkbox" id="convert"><label for="convert">convert numbers with the units</label></span>
+    <span><input type="checkbox" id="convert" checked><label for="convert">convert numbers with the units</label></span>
     ${copyButton("Copy a link to this case", link, () => (states.isTooLong() ? "Copied without the pasted rows" : "Copied"))}
     <span><input type="file" id="open-case" class="hidden" accept=".txt,text/plain" @change=${openCase}><label
         for="open-case" class="button">Open a saved case</label></span>`;

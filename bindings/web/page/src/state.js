@@ -4,7 +4,8 @@ import { readNumber, writeNumber } from "./number.js";
 import { padOf, pads } from "./pads.js";
 import { measures } from "./answers/stresses.js";
 import { conversion, unitSystems } from "./units.js";
-import { criteria, inputNames, inputs } from "./answers/words.js";
+import { constants, criteria, inputNames, inputs } from "./answers/words.js";
+import { convertedMaterial, convertedTable } from "./convert.js";
 
 /** Two steel bodies, as in the workbook. */
 const example = { E1: "210000", nu1: "0.3", theta: "0.01", a: "0.05", P: "190", Q: "20", f: "0.2", k: "400" };
@@ -93,7 +94,7 @@ export const written = (value, digits) => writeNumber(value, digits, state.sign)
 /** As short as it is, for ticks and files. */
 export const shortNumber = (value) => String(value).replace(".", state.sign);
 
-/** Changes the numbers of the form and the place that is looked at, by their dimensions; pasted tables stay. */
+/** Changes the numbers of the form and the place that is looked at, by their dimensions. */
 function changeNumbers(changed) {
     for (const [name, text] of Object.entries(state.texts))
         if (name !== "profile") state.texts[name] = changed(text, inputs[name]?.unit);
@@ -112,12 +113,30 @@ export function setSign(sign) {
     draw();
 }
 
+const ofProfile = { x: "length", height: "length" };
+
+/** The pasted tables in other units. factor(dimension) */
+function convertTables(factor) {
+    const { sign, texts } = state,
+        ofInputs = (name) => factor(inputs[name]?.unit);
+    if (texts.profile) texts.profile = convertedTable(texts.profile, ["x", "height"], (name) => factor(ofProfile[name]), sign);
+    state.loads = convertedTable(state.loads, [], ofInputs, sign);
+    state.batch = convertedTable(state.batch, [], ofInputs, sign);
+    state.material = convertedMaterial(state.material, (name) => factor(constants[name]), sign);
+}
+
+/** Other units: all numbers go with them, or the labels alone change. */
 export function setUnits(units, converts) {
+    const factor = (dimension) => (converts ? conversion(state.units, units, dimension) : 1);
     changeNumbers((text, dimension) => {
-        const factor = converts ? conversion(state.units, units, dimension) : 1,
-            value = typed(text);
-        return factor === 1 || Number.isNaN(value) ? text : written(value * factor, 12);
+        const value = typed(text);
+        return factor(dimension) === 1 || Number.isNaN(value) ? text : written(value * factor(dimension), 12);
     });
+    try {
+        convertTables(factor);
+    } catch {
+        // constants that are no JSON yet stay as they are; the tab says what is wrong with them
+    }
     set({ units });
 }
 

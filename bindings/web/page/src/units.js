@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units are labels: any consistent set does. Where the user says so, numbers go from one set to another.
+// Any consistent set of units does. Where the set changes, numbers go from one to the other, or the labels alone change.
 
 const made = (length, force, stress) => ({
     length,
@@ -26,9 +26,17 @@ export const unitSystems = {
 /** What a number of a dimension is multiplied by; 1 where a set has no sizes. */
 export function conversion(from, to, dimension) {
     const [length, force] = ["length", "force"].map((size) => unitSystems[from][size] / unitSystems[to][size]);
-    const factors = { length, force, "force/length": force / length, stress: force / length ** 2 };
+    const stress = force / length ** 2;
+    const factors = {
+        length,
+        force,
+        stress,
+        "force/length": force / length,
+        "1/stress": 1 / stress,
+        "stress*sqrt(length)": stress * Math.sqrt(length),
+    };
     return Number.isFinite(length) ? (factors[dimension] ?? 1) : 1;
 }
 
 export const unitsRemark =
-    "Any consistent units do; those shown are labels, unless \u201cconvert\u201d is set. Forces are per unit length.";
+    "Any consistent units do. Another choice converts all numbers, pasted ones too, unless \u201cconvert\u201d is off. Forces are per unit length.";

@@ -12,6 +12,7 @@ import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/answers/solution.js";
 import { fieldOf, gridOf, measures, valuesAt } from "../src/answers/stresses.js";
 import { solveRows } from "../src/answers/tables.js";
+import { convertedMaterial, convertedTable } from "../src/convert.js";
 import { conversion } from "../src/units.js";
 import { inputs } from "../src/answers/words.js";
 import { assertNear, ofPads, optionsOf, parabola, rowsOf, usual } from "./shared.mjs";
@@ -226,16 +227,16 @@ test("what is wrong with a profile has its line as pasted, with names or without
     const { theta, a, ...rest } = usual,
         rows = ["-1 0.05", "-0.5 0.0125", "0 0", "0.5 0.0125", "1 0.05"];
     for (const before of [[], ["x height"], ["", " "], ["", "x height", ""]])
-        for (const [row, words] of [
+        for (const [row, words, line = 3] of [
             ["0 x", "height x: must be a number"],
             ["0 0 0", "3 cells in this row"],
-            ["-0.7 0", "x -0.7: left of the place before it"],
+            ["-0.7 0", "height 0.0125: not convex at 1 place", 2], // places may come in any order
             ['0 "0"x', "misplaced quotes"],
         ])
             for (const end of ["\n", "\r\n"]) {
                 const profile = [...before, ...rows.with(2, row)].join(end),
                     { text } = solveHolding({ ...rest, profile }, ".").faults[0];
-                assert.ok(text.includes(`: line ${before.length + 3}: ${words}`), `${profile}: ${text}`);
+                assert.ok(text.includes(`: line ${before.length + line}: ${words}`), `${profile}: ${text}`);
             }
     const first = solveHolding({ ...rest, profile: rows.with(0, "-1 x").join("\n") }, ".").faults[0];
     assert.ok(first.text.includes(": line 1: height x: "), first.text);
@@ -259,6 +260,24 @@ test("constants of a material are read as lines or JSON; what is unknown is name
     assert.equal(read("su 500", ".").complaint, "McDiarmid needs t_A of the material");
     assert.match(read("{", ".").complaint, /^the material: /);
     assert.match(read("dang_van_alpha -1", ".", "dang_van").complaint, /outside its domain/);
+});
+
+test("pasted tables go from one set of units to another, each column by its own dimension", () => {
+    const inInches = (name) => conversion("mm", "in", inputs[name]?.unit);
+    const [P, M, sigma] = ["P", "M", "sigma"].map(inInches);
+    assertNear(P, 25.4 / 4.4482216152605, 1e-14, "N/mm in lbf/in");
+    assertNear(M, 1 / 4.4482216152605, 1e-14, "N in lbf");
+    assertNear(sigma, 25.4 ** 2 / 4.4482216152605, 1e-14, "MPa in psi");
+    const numbersOf = (text) => text.split("\n").map((line) => line.split(/[\t;, ]+/).map(Number));
+    for (const [text, sign] of [["t\tP\tM\tsigma\n1\t100\t2.5\t-30\n", "."], ["t,P,M,sigma\n1,100,2.5,-30", "."], ["t;P;M;sigma\n1;100;2,5;-30", ","], ["t P M sigma\n1 100 2.5 -30", "."]]) {
+        const [, row] = numbersOf(convertedTable(text, [], inInches, sign).replaceAll(sign === "," ? "," : "none", "."));
+        [1, 100 * P, 2.5 * M, -30 * sigma].forEach((value, i) => assertNear(row[i], value, 1e-11, text));
+    }
+    assert.equal(convertedTable("# by hand\nP [kN/mm],Q\n3,x\n", [], inInches, "."), "# by hand\nP [kN/mm],Q\n3,x\n");
+    assert.equal(convertedTable("1 2\n3 4", ["x", "height"], () => 10, "."), "10 20\n30 40");
+    const ofMaterial = (name) => ({ sf: 145, k: 1 })[name];
+    assert.equal(convertedMaterial("sf\t2\nk = 0.3\nsource\ta paper 5", ofMaterial, "."), "sf\t290\nk = 0.3\nsource\ta paper 5");
+    assert.deepEqual(JSON.parse(convertedMaterial('{"sf": 2, "k": 0.3}', ofMaterial, ".")), { sf: 290, k: 0.3 });
 });
 
 test("a field and the hardest place have the stresses of their places", () => {

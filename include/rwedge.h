@@ -592,8 +592,8 @@ RWEDGE_API double rwedge_contact_tolerance(const rwedge_contact *contact);
  * grows with the loads that the tractions still depend on, and may pass the tolerance. The estimate
  * leaves out places nearer than a hundredth of the half-width to an edge of a slip zone, present or
  * past, even within a load: q rises there like a root. At other places q erred by less than the
- * estimate in 98 of 100 random histories of P, M, Q and sigma. In the others it erred by up to 2.3
- * times as much: smaller steps are safer.                                                       new
+ * estimate in 98.9 of 100 random loads of P, M, Q and sigma, of 1040 on four pads. In the others it
+ * erred by up to 3.3 times as much: a smaller tolerance is safer.                               new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 

@@ -53,7 +53,8 @@ typedef struct {
     double slip_range, shear, energy; /* shear: the largest magnitude of q */
 } rw_slip_measures;
 
-/* Room for the sums over the pieces of a state at a place, to be freed; NULL where memory is short. */
+/* Room for the sums over the pieces of a state at a place, to be freed; NULL where memory is
+ * short. */
 typedef struct {
     double displacement, shear;
 } rw_piece_sum;

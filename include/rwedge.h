@@ -1298,7 +1298,8 @@ RWEDGE_API double rwedge_short_crack_threshold(double length, double dK_th, doub
  *   loads    rwedge_cycle_loads()
  *   length   1e-60 to 1e60: n numbers
  *   K_I, K_II, overlap  each receives loads * n numbers, the n of the first load first
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ENOCONV. Error as that of
+ * RWEDGE_EDOMAIN where a coordinate on the crack is neither 0 nor of the size that places have;
+ * RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ENOCONV. Error as that of
  * rwedge_crack_weights(). */
 RWEDGE_API int32_t rwedge_cycle_crack(const rwedge_cycle *cycle, double x, double angle,
                                       size_t loads, size_t n, const double length[], double K_I[],

@@ -725,6 +725,17 @@ RWEDGE_API size_t rwedge_contact_memory(const rwedge_contact *contact);
 RWEDGE_API int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n,
                                             const double x[], double p[], double q[]);
 
+/* The largest pressure of a contact and its place, a magnitude. It is rwedge_peak_pressure(), in
+ * the middle of the contact, where a wedge or a cylinder is not tilted or touches with its rounding
+ * alone; else it is looked for.                                            Eq. (10), (16); new
+ *   pressure  stress: to rounding what rwedge_contact_tractions() gives at x
+ *   x         length; where it is looked for, to 1e-7 of the contact's width. Of two tops that are
+ *             equal, as a flat pad has them, it is one
+ * RWEDGE_EABSENT when separated, and where the pressure is infinite: at the apex of a sharp wedge,
+ * and where a kink of a profile touches. RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_peak_pressure(const rwedge_contact *contact, double *pressure,
+                                                double *x);
+
 /* Stresses at n points (x, y) of the half-plane, tension positive.        Eq. (28), (32), (33); new
  *   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge
  *   sxx, syy, txy  each receives n numbers
@@ -785,6 +796,13 @@ RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge
  * Error below 1e-12 f theta b, for loads that differ by 1 % or more. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
                                        double slip[]);
+
+/* The largest magnitude of the slip that rwedge_contact_slip() tells, and its place.            new
+ *   slip  length; 0 where nothing has slipped
+ *   x     length; the left edge where nothing has slipped
+ * RWEDGE_EABSENT when separated; RWEDGE_EPATH as there; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_contact_largest_slip(const rwedge_contact *contact, double *slip,
+                                               double *x);
 
 /* Energy dissipated by friction since the contact was created, per unit thickness (a force): the
  * time integral of the traction times the rate of slip over the contact, without the rigid

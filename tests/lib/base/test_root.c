@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The numerical tools of lib/base/: roots, quadrature, least squares. */
+/* The numerical tools of lib/base/: roots, largest values, quadrature, least squares. */
 #include "claims.h"
 #include "base/least_squares.h"
 #include "base/linear.h"
+#include "base/maximum.h"
 #include "rwedge.h"
 #include "base/root.h"
 
@@ -75,6 +76,58 @@ CLAIM(a_search_ends)
 {
     assert_nan(rw_root(jump, NULL, -1, 2, 0));
     assert_within(rw_root(jump, NULL, -1, 2, 1e-12), 0, 1e-12);
+}
+
+/* ---- Largest values ---- */
+
+static double spike(double x, const void *top)
+{
+    return 2 - sqrt(fabs(line(x, top)) / 4);
+}
+
+/* 64 steps, dense at the ends: the widest is 0.05 of the half-length. */
+CLAIM(the_largest_value_is_found_to_1e_10_of_the_steps)
+{
+    double place[RW_SPREAD], value[RW_SPREAD];
+    rw_spread_places(-3, 1, place);
+    assert_true(place[0] == -3 && place[RW_SPREAD - 1] == 1);
+    for (int i = 1; i < RW_SPREAD; i++)
+        assert_true(place[i] > place[i - 1] && place[i] - place[i - 1] < 0.1);
+    for (double top = -3; top < 1; top += 0.173) {
+        const rw_maximum found = rw_largest_value(spike, &top, RW_SPREAD, place, value);
+        assert_within(found.x, top, 1e-10 * 0.2);
+        assert_true(found.value == spike(found.x, &top));
+    }
+}
+
+static double two_tops(double x, const void *second)
+{
+    return fmax(1 - x * x, 1.001 - 1e3 * pow(line(x, second), 2));
+}
+
+/* At the places the lower top is the higher one. */
+CLAIM(of_tops_nearly_as_high_the_highest_is_found)
+{
+    const double place[] = {-1, 0, 1, 1.995, 3}, second = 2;
+    double value[5];
+    const rw_maximum found = rw_largest_value(two_tops, &second, 5, place, value);
+    assert_true(value[1] > value[3]);
+    assert_within(found.x, second, 1e-8);
+    assert_close(found.value, 1.001, 1e-14);
+}
+
+static double even(double x, const void *value)
+{
+    (void)x;
+    return *(const double *)value;
+}
+
+CLAIM(the_first_of_equal_values_counts)
+{
+    const double place[] = {-2, 0, 2}, zero = 0, one = 1;
+    double value[3];
+    assert_true(rw_largest_value(even, &zero, 3, place, value).x == -2);
+    assert_true(rw_largest_value(even, &one, 1, place, value).x == -2);
 }
 
 /* ---- Quadrature ---- */

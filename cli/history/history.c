@@ -10,7 +10,7 @@
 /* The columns: the load and the zones, then what they lead to. */
 enum { LOAD, P, M, Q, SIGMA, LEFT, RIGHT, STICK_LEFT, STICK_RIGHT, TILT, AFTER_ZONES };
 enum { PRESSURE = AFTER_ZONES, TENSION_LEFT, TENSION_RIGHT, SLIP, ENERGY, AFTER_ENERGY };
-enum { YIELD_FACTOR = AFTER_ENERGY, YIELD_X, YIELD_Y, WARNINGS, ESTIMATE, AFTER_COUNT };
+enum { YIELD_FACTOR = AFTER_ENERGY, YIELD_X, YIELD_Y, WARNINGS, ESTIMATE, P0_X, AFTER_COUNT };
 
 static const column_kind columns[AFTER_COUNT] = {
     {"load", "its number, from 1", NULL},
@@ -33,6 +33,7 @@ static const column_kind columns[AFTER_COUNT] = {
     {"yield_y", "and how deep", NULL},
     {"warnings", "what makes these numbers doubtful", NULL},
     {"error", "estimated, of q over f p0, where it is computed; 0 is exact", NULL},
+    {"p0_x", "where the pressure is largest", NULL},
 };
 
 /* The row of a load. */
@@ -42,12 +43,6 @@ typedef struct {
     doubts doubts;
 } after_load;
 
-static double slip_size_at(const void *contact, double x)
-{
-    double slip;
-    return rwedge_contact_slip(contact, 1, &x, &slip) == RWEDGE_OK ? fabs(slip) : NAN;
-}
-
 /* What there is to tell of a contact that touches. */
 static int32_t touch(const contact_case *setup, const rwedge_contact *contact, double value[])
 {
@@ -56,8 +51,11 @@ static int32_t touch(const contact_case *setup, const rwedge_contact *contact, d
         return RWEDGE_OK;
     rwedge_contact_stick_zone(contact, &value[STICK_LEFT], &value[STICK_RIGHT]);
     value[TILT] = rwedge_contact_tilt(contact);
-    value[PRESSURE] = peak_pressure(setup, contact);
-    value[SLIP] = peak_over(value[LEFT], value[RIGHT], slip_size_at, contact);
+    const int32_t peak = rwedge_contact_peak_pressure(contact, &value[PRESSURE], &value[P0_X]);
+    if (status == RWEDGE_OK && peak != RWEDGE_EABSENT)
+        status = peak;
+    double x;
+    rwedge_contact_largest_slip(contact, &value[SLIP], &x); /* or it is not known */
     if (status != RWEDGE_OK || isnan(setup->k))
         return status;
     status = rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &value[YIELD_FACTOR],

@@ -64,19 +64,6 @@ bool pad_is_kink(const pad *shape, double x)
     return false;
 }
 
-size_t pad_corners(const pad *shape)
-{
-    return shape->places != NULL ? shape->places->count : 2;
-}
-
-double pad_corner(const pad *shape, size_t i)
-{
-    if (shape->places != NULL)
-        return shape->places->x[i];
-    const double end = shape->kind == PAD_FLAT ? shape->flat : shape->a;
-    return i == 0 ? -end : end;
-}
-
 static double slope_at(const pad_profile *places, double x)
 {
     size_t i = 0;

@@ -102,11 +102,6 @@ double pad_half_width(const pad *shape, double A, double P);
 /* Whether the pressure is infinite at x, where x is in contact. */
 bool pad_is_kink(const pad *shape, double x);
 
-/* Places at which the curvature of the profile changes, or may be infinite: how many, and one of
- * them. */
-size_t pad_corners(const pad *shape);
-double pad_corner(const pad *shape, size_t i);
-
 /* The steepest slope of the profile between left and right; that of a wedge is theta. */
 double pad_steepest(const pad *shape, double left, double right);
 

@@ -83,19 +83,18 @@ static int32_t flat_shakedown_limit(const double value[], cell row[])
 
 static int32_t flat_contact_law(const double value[], cell row[])
 {
-    const contact_case setup = {.shape = value[A_OVER_B] > 0 ? pad_flat(value[A_OVER_B], RADIUS)
-                                                             : pad_cylinder(RADIUS),
-                                .A = 1};
     const double alpha = value[A_OVER_B], total = RADIUS * load_of(alpha), middle = 0;
-    double p, q;
+    double p, q, peak, x;
     rwedge_contact *contact;
     int32_t status = slide(alpha, 0, &contact);
     if (status == RWEDGE_OK)
         status = rwedge_contact_tractions(contact, 1, &middle, &p, &q);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_peak_pressure(contact, &peak, &x);
     row[0] = cell_number(total);
     row[1] = cell_number(total / (alpha * alpha));
     if (status == RWEDGE_OK) {
-        row[2] = cell_number(RADIUS * peak_pressure(&setup, contact));
+        row[2] = cell_number(RADIUS * peak);
         row[3] = cell_number(-RADIUS * p);
     }
     rwedge_contact_destroy(contact);

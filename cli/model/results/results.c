@@ -12,7 +12,7 @@ const column_kind result_kinds[RESULT_COUNT] = {
     [RESULT_B] = {"b", "half-width of the contact", "length"},
     [RESULT_A_OVER_B] = {"a_over_b", "rounding over contact; 1 and more is Hertz' contact", "none"},
     [RESULT_AP_OVER_THETA_B] = {"AP_over_theta_b", "load A P/(theta b)", "none"},
-    [RESULT_P0] = {"p0", "peak pressure, at x = 0", "stress"},
+    [RESULT_P0] = {"p0", "largest pressure, at p0_x; empty where it is infinite", "stress"},
     [RESULT_P_TRANSITION] = {"p_transition", "pressure where the rounding meets the flank, x = a",
                              "stress"},
     [RESULT_Q_OVER_FP] = {"Q_over_fP", "tangential force over its sliding value", "none"},
@@ -40,6 +40,7 @@ const column_kind result_kinds[RESULT_COUNT] = {
     [RESULT_YIELD_BRANCH] = {"yield_branch", "surface or subsurface", "text"},
     [RESULT_YIELD_FACTOR] = {"yield_factor", "k over the largest sqrt(J2) under P and Q", "none"},
     [RESULT_WARNINGS] = {"warnings", "what makes these numbers doubtful", "text"},
+    [RESULT_P0_X] = {"p0_x", "where the pressure is largest", "length"},
 };
 
 /* Edges need moment or tension; the yield factor takes longest. The others are for everybody. */
@@ -60,6 +61,13 @@ bool results_include(results_wanted wanted, int result)
                                                  : true;
 }
 
+/* The pressure is NAN where it is infinite, or not known. */
+static void put_peak(double pressure, double x, cell row[])
+{
+    row[RESULT_P0] = cell_number(pressure);
+    row[RESULT_P0_X] = isnan(pressure) ? cell_text("") : cell_number(x);
+}
+
 /* Of the contact under P alone, whose half-width is b. */
 static void geometry(const contact_case *setup, double b, cell row[])
 {
@@ -69,7 +77,7 @@ static void geometry(const contact_case *setup, double b, cell row[])
     row[RESULT_BETA] = cell_number(setup->beta);
     row[RESULT_RADIUS] = cell_number(shape->radius);
     row[RESULT_B] = cell_number(b);
-    row[RESULT_P0] = cell_number(unit * rwedge_peak_pressure(alpha)); /* empty of other pads */
+    put_peak(unit * rwedge_peak_pressure(alpha), 0, row);
     if (shape->kind == PAD_WEDGE) {
         row[RESULT_ROUNDING] = cell_number(shape->a);
         row[RESULT_A_OVER_B] = cell_number(alpha);
@@ -102,25 +110,34 @@ static void put_friction(const contact_case *setup, double c, double c_over_b, d
 
 /* ---- Under a moment or a tension, after a history, and of pads without formulas ---- */
 
-/* Corrects the results of geometry(): the pressure's top and its values at x = -a and a have no
- * closed form under a moment. Returns the library's status. */
+/* Returns the library's status. */
+static int32_t put_peak_of(const rwedge_contact *contact, cell row[])
+{
+    double pressure = NAN, x = NAN;
+    const int32_t status = rwedge_contact_peak_pressure(contact, &pressure, &x);
+    put_peak(pressure, x, row);
+    return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
+}
+
+/* Corrects the results of geometry(): the pressures at x = -a and a differ under a moment. Returns
+ * the library's status. */
 static int32_t results_of_state(const contact_case *setup, cell row[])
 {
     const rwedge_contact *contact = setup->contact;
     const bool has_formulas = pad_has_formulas(&setup->shape);
     double edge[2], sxx[2], left = 0, right = 0;
-    const int32_t status =
-        setup->status == RWEDGE_OK ? edge_tensions(contact, edge, sxx) : setup->status;
+    int32_t status = setup->status == RWEDGE_OK ? edge_tensions(contact, edge, sxx) : setup->status;
     if (status != RWEDGE_OK)
         return status;
     const double b = rwedge_contact_half_width(contact),
                  c = rwedge_contact_stick_half_width(contact);
     if (setup->M != 0 || !has_formulas) {
         row[RESULT_B] = cell_number(b);
-        row[RESULT_P0] = row[RESULT_P_TRANSITION] = cell_text("");
+        row[RESULT_P_TRANSITION] = cell_text("");
+        status = put_peak_of(contact, row);
     }
-    if (!has_formulas)
-        row[RESULT_P0] = cell_number(peak_pressure(setup, contact));
+    if (status != RWEDGE_OK)
+        return status;
     if (setup->M != 0 && setup->shape.kind == PAD_WEDGE) {
         row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
         row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));

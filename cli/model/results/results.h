@@ -37,6 +37,7 @@ enum {
     RESULT_YIELD_BRANCH,
     RESULT_YIELD_FACTOR, /* of the present state */
     RESULT_WARNINGS,
+    RESULT_P0_X,
     RESULT_COUNT
 };
 
@@ -78,19 +79,6 @@ int32_t results_of_sliding(const contact_case *setup, cell row[]);
  * load of the case; the case has 1 for this input. NAN where there is none within the known part of
  * the pad. */
 double sliding_find(const contact_case *setup, int input, double safety);
-
-/* ---- peak ---- The largest value of a function over a contact. */
-
-/* NAN where it has no value, which no peak is. */
-typedef double peak_function(const void *context, double x);
-
-/* Finds the largest value at places that are dense at the edges, and then around the best place, to
- * 1e-10 of the distance of its neighbours. */
-double peak_over(double left, double right, peak_function *f, const void *context);
-
-/* The largest pressure of a contact in its present state, a magnitude; NAN where it is infinite, or
- * not known. */
-double peak_pressure(const contact_case *setup, const rwedge_contact *contact);
 
 /* ---- inverse ---- The input with which a contact has a safety. */
 

@@ -10,7 +10,7 @@ cells() {
 # The tests of Nowell and Hills: a cylinder on a specimen under bulk tension in phase with Q. Those of solve, below, are theirs (off_centre.sh).
 printf 'time,P,Q,sigma,name\n0,135.75,0,0,press\n0.5,135.75,38.75,100,pull\n1,135.75,-38.75,-100,push\n1.5,135.75,38.75,100,"pull, again"\n' >loads.csv
 does_quietly history loads.csv $specimen
-same "columns" "time,name,load,P,M,Q,sigma,left,right,stick_left,stick_right,tilt,peak_pressure,tension_left,tension_right,largest_slip,energy,yield_factor,yield_x,yield_y,warnings,error" \
+same "columns" "time,name,load,P,M,Q,sigma,left,right,stick_left,stick_right,tilt,peak_pressure,tension_left,tension_right,largest_slip,energy,yield_factor,yield_x,yield_y,warnings,error,p0_x" \
     "$(head -n 1 out)"
 same "columns that pass through" '0,press,1,|0.5,pull,2,|1,push,3,|1.5,"pull, again",4,' "$(tail -n +2 out | sed 's/135.*//' | paste -s -d '|' -)"
 sed -i 's/"pull, again"/again/' out
@@ -45,6 +45,10 @@ run history $specimen --load 100,5,0,0
 peak=$(cells peak_pressure)
 run profile $specimen --load 100,5,0,0 --points 4001
 close_to "peak pressure" "$(column p out | awk '{ if (-$1 > m) m = -$1 } END { print m }')" "$peak" 1e-6
+place=$(by_name 'NR > 1 && -$p > m { m = -$p; at = $x } END { print at }' out)
+run solve $specimen --P 100 --M 5
+close_to "peak pressure of solve" "$(value p0)" "$peak" 1e-12
+close_to "its place, to the points of profile" "$(value p0_x)" "$place" 0.01
 
 # Energy of a cycle of Q under Hertz' pressure, from the loop of Q over the displacement by slip, r/2 + (1 - r) ln(1 - r)/2
 # times A f P/pi with r = Q/(fP), which unloading and reloading follow twice (Mindlin, Masing).

@@ -69,10 +69,13 @@ same "edges and tilt" "1 1 0" "$(by_name 'NR == 2 { print ($left == -$b && $righ
 run solve --E1 210000 --nu1 0.3 --theta 0.05 --radius 100 --P 100 --M 20 --f 0.3 --k 300 --yield-factor
 close_to "middle" 0.2 "$(echo "$(value left) $(value right)" | awk '{ printf "%.17g", ($1 + $2) / 2 }')" 1e-12
 close_to tilt 0.002 "$(value tilt)" 1e-12
-same "p0 and p_transition" " " "$(value p0) $(value p_transition)"
-factor=$(value yield_factor)
+close_to p0_x 0.2 "$(value p0_x)" 1e-12
+same p_transition "" "$(value p_transition)"
+factor=$(value yield_factor) p0=$(value p0)
 run solve --E1 210000 --nu1 0.3 --theta 0.05 --radius 100 --P 100 --f 0.3 --k 300 --yield-factor
 close_to "yield factor, the same" "$(value yield_factor)" "$factor" 1e-12
+close_to "p0, the same" "$(value p0)" "$p0" 1e-12
+same "p0_x in the middle" 0 "$(value p0_x)"
 
 # The ends of the profile are the edges that solve gives.
 kept solved solve $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50

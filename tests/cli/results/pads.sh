@@ -5,8 +5,8 @@
 pi=3.14159265358979323846
 steel="--E1 210000 --nu1 0.3"
 loads="--P 300 --Q 40 --f 0.3"
-same_results() { # WHAT RELATIVE FILE FILE: numbers of both lists, and what is empty
-    awk -F, 'NR == FNR { one[$1] = $2; next } $2 ~ /^-?[0-9]/ && $1 in one { print $2, one[$1] }' "$4" "$3" >both
+same_results() { # WHAT RELATIVE FILE FILE: numbers of both lists, and what is empty; p0_x, a place that is looked for, is not exact
+    awk -F, 'NR == FNR { one[$1] = $2; next } $2 ~ /^-?[0-9]/ && $1 in one && $1 != "p0_x" { print $2, one[$1] }' "$4" "$3" >both
     close_rows "$1" "$2" 1e-15
 }
 
@@ -32,6 +32,7 @@ A=$(awk 'BEGIN { printf "%.17g", 4 * (1 - 0.09) / 210000 }')
 P=$(awk -v A="$A" -v pi=$pi 'BEGIN { c = sqrt(0.75); printf "%.17g", 4 / (A * 100) * (pi / 3 - 0.5 * c) }')
 run solve $steel --flat 1 --radius 100 --P "$P" --Q 0 --f 0.3 --k 500
 close_to "b" 2 "$(value b)" 1e-14
+same "the pressure is largest beyond a corner" 1 "$(value p0_x | awk '{ x = $1 < 0 ? -$1 : $1; print (x > 1 && x < 2) }')"
 close_to "max_tension_sliding" "$(awk -v P="$P" -v pi=$pi 'BEGIN { printf "%.17g", 0.3 * P / 2 / (pi / 3 - sqrt(3) / 4) }')" \
     "$(value max_tension_sliding)" 1e-13
 close_to "P_over_bk" "$(value P_over_bk)" "$(awk -v P="$P" -v v="$(value von_mises_sliding)" \

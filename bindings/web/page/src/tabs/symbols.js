@@ -9,6 +9,7 @@ export const symbols = {
     left: "x\u2081",
     right: "x\u2082",
     p0: "p\u2080",
+    p0_x: "x of p\u2080",
     p_transition: "p(a)",
     c: "c",
     c_over_b: "c/b",
@@ -24,7 +25,7 @@ export const symbols = {
 
 export const groups = [
     { title: "Size", names: ["b", "a", "radius", "a_over_b", "left", "right"] },
-    { title: "Pressure", names: ["p0", "p_transition"] },
+    { title: "Pressure", names: ["p0", "p0_x", "p_transition"] },
     { title: "Stick", names: ["c", "c_over_b", "Q_over_fP"] },
     { title: "Tension", names: ["max_tension", "max_tension_sliding"] },
     { title: "Strength", names: ["yield_factor", "safety", "P_yield", "yield_x", "yield_y"] },

@@ -326,6 +326,16 @@ static void take_size(const entry *call, int j, int size, size_t count, size_t n
     known[size] = true;
 }
 
+/* The arguments of a function that tells a size: those of the call, by their names. */
+static void arguments_of_teller(const entry *teller, const entry *call, const double *const v[],
+                                const double *own[])
+{
+    for (int i = 0; i < teller->arguments; i++)
+        for (int j = 0; j < call->arguments; j++)
+            if (strcmp(teller->argument[i].name, call->argument[j].name) == 0)
+                own[i] = v[j];
+}
+
 /* Those that a function tells, or that are fixed. 0 is told where any size will do, or where the
  * function is going to refuse. */
 static void tell_sizes(const entry *call, void *object, const double *const v[], size_t n[],
@@ -334,8 +344,12 @@ static void tell_sizes(const entry *call, void *object, const double *const v[],
     for (int j = 0; j < call->sizes; j++) {
         double told = call->size[j].count ? (double)call->size[j].count(v) : 0;
         double *const r[] = {&told};
-        if (call->size[j].teller)
-            entry_named(call->size[j].teller)->call(object, NULL, v, r, NULL);
+        if (call->size[j].teller) {
+            const entry *teller = entry_named(call->size[j].teller);
+            const double *own[ENTRY_ARGUMENTS] = {NULL};
+            arguments_of_teller(teller, call, v, own);
+            teller->call(object, NULL, own, r, NULL);
+        }
         n[j] = (size_t)told;
         known[j] = call->size[j].teller || told > 0;
     }

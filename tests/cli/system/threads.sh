@@ -57,7 +57,7 @@ watch()
 # The places of a cycle are shared out too: one thread once had them all. A script that calls the tool has one itself.
 if [ -r /proc/self/status ] && [ "$(head -c 2 "$rwedge")" != '#!' ]; then
     awk 'BEGIN { print "P,Q"; for (i = 0; i < 24; i++) printf "135.75,%.6g\n", 38 * sin(0.9 * i) }' >loads.csv
-    "$rwedge" fretting loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --depth 0:0.1:0.002 --kappa 100 --threads 3 \
+    "$rwedge" fretting loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --depth 0:0.1:0.002 --kappa 100 --lambda 100 --threads 3 \
         -o places.csv 2>/dev/null &
     process=$!
     watch Threads

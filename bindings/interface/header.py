@@ -87,7 +87,7 @@ class Function:
     accuracy: list[str] = field(default_factory=list)
     array_of: str = ""  # the function whose results for many points it gives: "The same ..."
     refuses_more: bool = False  # arguments too of which each by itself is in its domain
-    may_be_infinite: bool = False  # the value: HUGE_VAL
+    may_be_infinite: bool = False  # the value, or a result: HUGE_VAL
 
     def of(self, *roles: str) -> list[Parameter]:
         return [p for p in self.parameters if p.role in roles]
@@ -320,7 +320,8 @@ class Reader:
         function.accuracy = [s for s in SENTENCE.split(" ".join(function.text.split())) if re.search(r"[Ee]rror (below|of)\b", s)]
         if before and not function.accuracy:
             function.accuracy = before.accuracy
-        function.may_be_infinite = function.returns == "double" and "HUGE_VAL" in function.text
+        function.may_be_infinite = function.returns == "double" and "HUGE_VAL" in function.text or \
+            any("HUGE_VAL" in own[p.name][0] for p in function.outputs if p.name in own)
         for p in function.parameters:
             self.describe_parameter(function, p, own, before)
         function.refuses_more = bool(REFUSES_MORE.search(function.text)) or bool(before and before.refuses_more) or \

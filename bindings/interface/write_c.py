@@ -76,7 +76,7 @@ typedef struct {{
     char takes_object, changes_object, makes_object, has_status;
     char pointwise;       /* all its arrays are of one size, point by point */
     char refuses_more;    /* arguments too of which each by itself is inside */
-    char may_be_infinite; /* its value */
+    char may_be_infinite; /* its value, or a result */
     unsigned errors;      /* 1 << status, for those that the header names */
     const char *array_of; /* the function whose results it gives for many points, or NULL */
     int arguments, results, sizes;

@@ -319,7 +319,7 @@ static void mind_units(const char *path, const material *constants)
     static const double TIMES = 10;
     const double E = material_value(constants, "E");
     for (int i = 0; i < material_count(); i++)
-        if (material_is_stress(i) && strcmp(material_name(i), "E") != 0 &&
+        if (strcmp(material_unit(i), "stress") == 0 && strcmp(material_name(i), "E") != 0 &&
             strcmp(material_name(i), "G") != 0 && constants->value[i] * TIMES > E)
             failure("%s: E %g: less than ten times %s %g; is it in GPa? needed: one unit for both",
                     path, E, material_name(i), constants->value[i]);

@@ -80,8 +80,8 @@ const char *material_allowed(int constant);
 /* What a constant is, in a few words. */
 const char *material_meaning(int constant);
 
-/* Whether it is counted as a stress. */
-bool material_is_stress(int constant);
+/* Its dimension, as that of a column; "" where it is that of a law. */
+const char *material_unit(int constant);
 
 /* Whether one of the criteria has it, and the contact has not: an option gives it. */
 bool material_is_option(int constant);

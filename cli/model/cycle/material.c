@@ -11,6 +11,7 @@ typedef struct {
     const char *name, *meaning;
     int32_t number, j;
     double low, high;
+    const char *unit;
 } constant;
 
 typedef struct {
@@ -36,14 +37,15 @@ static void add_those_of_criteria(catalogue *known)
 {
     for (int32_t i = 0; i < rwedge_criterion_count(); i++)
         for (int32_t j = 0; rwedge_constant_name(i, j)[0] != '\0'; j++) {
-            constant next = {rwedge_constant_name(i, j), rwedge_constant_text(i, j), i, j, 0, 0};
+            constant next = {rwedge_constant_name(i, j), rwedge_constant_text(i, j), i, j, 0, 0,
+                             rwedge_constant_unit(i, j)};
             rwedge_constant_range(i, j, &next.low, &next.high);
             add(known, next);
         }
     for (int32_t i = 0; i < rwedge_criterion_count(); i++)
         if (strcmp(rwedge_criterion_limit(i), "1") != 0)
             add(known, (constant){rwedge_criterion_limit(i), "what its criterion must not exceed",
-                                  -1, 0, 0, 1e60});
+                                  -1, 0, 0, 1e60, rwedge_criterion_unit(i)});
 }
 
 /* Made once, before any thread. */
@@ -53,12 +55,16 @@ static const catalogue *constants_known(void)
     if (known.count > 0)
         return &known;
     add_those_of_criteria(&known);
-    add(&known, (constant){"nu", "Poisson's ratio", -1, 0, -1, 0.5});
-    add(&known, (constant){"dK_th", "range of the threshold of long cracks", -1, 0, 0, 1e60});
-    add(&known, (constant){"ds0", "range of the plain fatigue limit", -1, 0, 1e-60, 1e60});
-    add(&known, (constant){"paris_C", "factor of the growth of a crack", -1, 0, 1e-60, 1e60});
-    add(&known, (constant){"paris_m", "exponent of the growth of a crack", -1, 0, 1e-60, 1e60});
-    add(&known, (constant){"K_c", "K at which it breaks", -1, 0, 1e-60, 1e60});
+    add(&known, (constant){"nu", "Poisson's ratio", -1, 0, -1, 0.5, "none"});
+    add(&known, (constant){"dK_th", "range of the threshold of long cracks", -1, 0, 0, 1e60,
+                           "stress*sqrt(length)"});
+    add(&known,
+        (constant){"ds0", "range of the plain fatigue limit", -1, 0, 1e-60, 1e60, "stress"});
+    add(&known, (constant){"paris_C", "factor of the growth of a crack", -1, 0, 1e-60, 1e60, ""});
+    add(&known,
+        (constant){"paris_m", "exponent of the growth of a crack", -1, 0, 1e-60, 1e60, "none"});
+    add(&known,
+        (constant){"K_c", "K at which it breaks", -1, 0, 1e-60, 1e60, "stress*sqrt(length)"});
     return &known;
 }
 
@@ -96,10 +102,9 @@ const char *material_allowed(int i)
     return text;
 }
 
-bool material_is_stress(int i)
+const char *material_unit(int i)
 {
-    const constant *one = &constants_known()->list[i];
-    return one->number >= 0 && strcmp(rwedge_constant_unit(one->number, one->j), "stress") == 0;
+    return constants_known()->list[i].unit;
 }
 
 bool material_is_option(int i)

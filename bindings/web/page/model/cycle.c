@@ -220,9 +220,11 @@ static void write_verdict(void)
     const double value = asked.worst.value[asked.column];
     json_add("{'limit':%n,'safety':%n,'life':%n}", limit, value > 0 ? limit / value : NAN,
              worst_life());
-    for (int32_t j = 0; j < rwedge_criterion_constants(asked.criterion); j++)
-        json_add("{'constants':{%t:%n}}", rwedge_constant_name(asked.criterion, j),
-                 asked.wanted.constants[asked.criterion][j]);
+    for (int32_t j = 0; j < rwedge_criterion_constants(asked.criterion); j++) {
+        const char *name = rwedge_constant_name(asked.criterion, j);
+        if (material_is_option(material_constant(name)))
+            json_add("{'constants':{%t:%n}}", name, asked.wanted.constants[asked.criterion][j]);
+    }
 }
 
 static void write_answer(void)

@@ -17,7 +17,8 @@ static int points_of(const entry *e)
     int last = e->sizes - 1;
     while (last >= 0 && e->size[last].count != NULL)
         last--;
-    if (last < 0 || e->results == 0 || strcmp(e->name, "rainflow") == 0 ||
+    const bool is_whole = strcmp(e->name, "rainflow") == 0 || strncmp(e->name, "profile_", 8) == 0;
+    if (last < 0 || e->results == 0 || is_whole ||
         e->size[0].teller) /* an array of loads, which are a history or those of the object */
         return -1;
     const signed char *of_result = e->result[0].sizes;

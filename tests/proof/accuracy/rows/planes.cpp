@@ -70,7 +70,7 @@ double some_stress(probe *call, double lo, double hi)
 
 double some_k_over_sy(probe *call)
 {
-    const double k = log_between(call, 1e-3, 1e3) / fabs(call->value[0]);
+    const double k = fmin(log_between(call, 1e-3, 1e3) / fabs(call->value[0]), 1e60);
     return chance(call, 0.1) ? 0 : k;
 }
 

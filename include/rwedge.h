@@ -1211,7 +1211,8 @@ RWEDGE_API double rwedge_life(int32_t criterion, const double constants[], doubl
  *   mean     receives n numbers: the mean of these two
  *   count    receives n numbers: 1, 1/2 for what is left over, 0 where no cycle begins
  * RWEDGE_EDOMAIN; RWEDGE_ERANGE for n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. A value between its
- * neighbours is no turn. Of equal values in a row only the first may be one. */
+ * neighbours is no turn. Of equal values in a row only the first may be one. The tolerance is 0:
+ * values are compared as they are, and values that differ by rounding are different. */
 RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repeats, double range[],
                                    double mean[], double count[]);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* ASTM E1049-85, 5.4.4 and, for a history that repeats, 5.4.5. The turns that no cycle has taken
  * wait on a stack. Each value of the history is put on it: a value that goes on in the direction of
- * the last one replaces it; a range that is not smaller than the range before it closes the cycle
- * of that one. */
+ * the last one replaces it; a value that comes back to the turn before the last one, or beyond it,
+ * closes the cycle of these two. Values are compared and not ranges: a range is rounded. */
 #include "life/rainflow.h"
 
 #include "base/domain.h"
@@ -65,6 +65,15 @@ static bool goes_on(const rainflow *r, double value)
     return last > before ? value > last : value < last;
 }
 
+/* Whether a value comes back to the turn before the last one. */
+static bool comes_back(const rainflow *r, double value)
+{
+    if (r->count < 2)
+        return false;
+    const double from = r->turn[r->count - 2].value, last = r->turn[r->count - 1].value;
+    return from > last ? value >= from : value <= from;
+}
+
 static void push(rainflow *r, rw_reversal next)
 {
     const rw_reversal before = r->count > 0 ? r->turn[r->count - 1] : next;
@@ -75,8 +84,7 @@ static void push(rainflow *r, rw_reversal next)
     }
     if (goes_on(r, next.value))
         drop_last(r);
-    while (r->count >= 2 &&
-           fabs(next.value - r->turn[r->count - 1].value) >= range_of(&r->turn[r->count - 2])) {
+    while (comes_back(r, next.value)) {
         if (r->count == 2 && !r->repeats)
             add_half(r);
         else

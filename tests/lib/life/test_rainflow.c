@@ -3,6 +3,8 @@
 #include "claims.h"
 #include "rwedge.h"
 
+#include <float.h>
+
 enum { MAX = 24 };
 
 typedef struct {
@@ -78,6 +80,32 @@ CLAIM(what_stands_still_has_no_cycles)
     }
     assert_true(all_counts(&(history){4, {0, 1, 1, 3}}, 0) == 0.5);
     assert_true(all_counts(&(history){4, {0, 1, 1, 3}}, 1) == 1);
+}
+
+/* 1.2.0 left half cycles over, of the ranges 0.5, 5.6e-17, 4.4e-16: it compared rounded ranges. */
+CLAIM(values_that_differ_by_rounding_leave_no_half_cycle_over)
+{
+    const double above = 0.30000000000000004, low = -499.9999999999999, end = -20.000000000000004;
+    ASSERT_COUNTED((&(history){3, {1, -1e17, 0.5}}), 1, {1, -1e17, 1});
+    ASSERT_COUNTED((&(history){3, {above, -20, 0.3}}), 1, {above, -20, 1});
+    ASSERT_COUNTED((&(history){6, {0.006, low, 2.9999999999999996, 3, 0.005, end}}), 1, {3, low, 1},
+                   {0.006, end, 1});
+}
+
+/* Values one or two roundings apart, drawn at random. */
+CLAIM(a_history_that_repeats_has_whole_cycles_alone)
+{
+    uint64_t seed = 5;
+    for (int i = 0; i < 2000; i++) {
+        history h = {.n = 12};
+        double range[MAX], mean[MAX], count[MAX];
+        for (size_t j = 0; j < h.n; j++)
+            h.value[j] = floor(3 * random_fraction(&seed)) - 1 +
+                         floor(4 * random_fraction(&seed)) * DBL_EPSILON / 2;
+        assert_ok(rwedge_rainflow(h.n, h.value, 1, range, mean, count));
+        for (size_t j = 0; j < h.n; j++)
+            assert_true(count[j] == 0 || count[j] == 1);
+    }
 }
 
 CLAIM(refusals_leave_the_counts_alone)

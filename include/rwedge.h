@@ -1221,7 +1221,9 @@ RWEDGE_API int32_t rwedge_rainflow(size_t n, const double value[], int32_t repea
  * The cycles are counted by rwedge_rainflow() of a history that repeats: of SWT those of the
  * plane's normal strain, of FATEMI_SOCIE those of its shear strain in one direction, the direction
  * of the largest sum. Each has the largest normal stress from its first load to where it closes,
- * which may be between two loads. A cycle with the parameter S adds 1/N(S), N being its life.
+ * which may be between two loads. A cycle with the parameter S adds 1/N(S), N being its life. On
+ * planes through z, loads with the same shear and another mean stress are counted on either side, a
+ * hair beside the plane, and the larger sum is taken.
  *   constants      as in rwedge_life()
  *   n              number of loads of the block, >= 1, in their order; stresses change straight
  *                  between

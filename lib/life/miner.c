@@ -13,6 +13,12 @@ static const double LARGE = 0.7;
 /* Cycles this small, relative to the largest, are rounding and are not counted. */
 static const double ROUNDING = 1e-9;
 
+/* On a plane through z, loads that differ by their mean stress alone have the same shear. A hair
+ * beside the plane their shears differ, and other cycles close; on its other side, others again.
+ * HAIR is how far they are moved apart, relative to the amplitude. A sum beside the plane counts if
+ * it is larger by JUMP: less is the HAIR itself. sin(beta) of a plane THROUGH_Z is not larger. */
+static const double HAIR = 1e-11, JUMP = 1e-8, THROUGH_Z = 1e-9;
+
 bool rw_miner_create(rw_miner_sum *m, size_t loads)
 {
     m->cycle = rw_plane_cycle_create(loads);
@@ -132,9 +138,9 @@ bool rw_miner_may_exceed(rw_miner_sum *m, rw_direction across, double peak, doub
            damage;
 }
 
-rw_plane_damage rw_miner_count(rw_miner_sum *m, const rw_sheared_plane *p)
+/* The damage of the component that has been resolved. */
+static rw_plane_damage sum_of(rw_miner_sum *m, const rw_sheared_plane *p)
 {
-    resolve(m, p->across);
     const size_t cycles =
         rw_rainflow(m->cycle->loads, m->along, m->other, true, m->stack, m->counted);
     rw_plane_damage v = {*p, 0, 0};
@@ -147,6 +153,37 @@ rw_plane_damage rw_miner_count(rw_miner_sum *m, const rw_sheared_plane *p)
         v.cycles += m->counted[k].count;
         v.damage +=
             m->counted[k].count * damage_of(m, m->counted[k].range / 2, m->counted[k].highest);
+    }
+    return v;
+}
+
+/* What a turn of the plane and of its direction towards z adds to the shear, to a factor. */
+static double lift_of(const rw_miner_sum *m, size_t i)
+{
+    return m->cycle->item[i].z - m->other[i];
+}
+
+/* The damage a hair beside a plane through z, on this side of it: 1 or -1. */
+static rw_plane_damage sum_beside(rw_miner_sum *m, const rw_sheared_plane *p, double side)
+{
+    const double amplitude = resolve(m, p->across);
+    double most = 0;
+    for (size_t i = 0; i < m->cycle->loads; i++)
+        most = rw_larger(most, fabs(lift_of(m, i)));
+    for (size_t i = 0; i < m->cycle->loads && most > 0; i++)
+        m->along[i] += side * HAIR * amplitude * (lift_of(m, i) / most);
+    return sum_of(m, p);
+}
+
+rw_plane_damage rw_miner_count(rw_miner_sum *m, const rw_sheared_plane *p)
+{
+    resolve(m, p->across);
+    rw_plane_damage v = sum_of(m, p);
+    if (m->severity.is_strain || fabs(p->beta.sine) > THROUGH_Z)
+        return v;
+    for (int side = -1; side <= 1; side += 2) {
+        const rw_plane_damage beside = sum_beside(m, p, side);
+        v = beside.damage > (1 + JUMP) * v.damage ? beside : v;
     }
     return v;
 }

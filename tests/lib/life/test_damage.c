@@ -240,6 +240,62 @@ CLAIM(no_scanned_plane_has_more_damage)
     }
 }
 
+/* ---- Loads that have the same shear on every plane through z ---- */
+
+/* Levels that repeat, drawn at random. Before ties were counted on either side, planes beside the
+ * one that was found had 7.6, 1.5 and 4.1 % more. */
+static const block EVEN[] = {
+    {.n = 11,
+     .sxx = {0, 200, -100, 100, -200, 0, 100, -200, -200, -200, 200},
+     .syy = {-100, -100, 100, 100, -200, 0, 200, 200, -100, 200, 100},
+     .txy = {-200, 100, 200, -100, 200, -100, 200, 0, 200, 100, -100},
+     .nu = 0.25280878683552144,
+     .is_shear = true,
+     .plane_stress = 1},
+    {.n = 6,
+     .sxx = {-100, 0, -100, 100, 100, 100},
+     .syy = {-100, 0, 100, 0, 100, 100},
+     .txy = {0, 100, 0, 100, -100, 100},
+     .nu = 0.29716858877800406,
+     .is_shear = true,
+     .plane_stress = 1},
+    {.n = 11,
+     .sxx = {100, 100, 0, 100, 0, -100, -100, 100, 0, 200, 0},
+     .syy = {100, -200, -200, -200, 0, 0, 100, -200, 200, 0, -200},
+     .txy = {-100, 0, 100, 100, -100, 200, -100, -100, 200, -100, 200},
+     .nu = 0.3053726634010673,
+     .is_shear = true,
+     .plane_stress = 1},
+};
+
+/* The largest damage of planes and directions within h of a plane. Loads are kept apart by more
+ * than rounding. */
+static double scanned_beside(const block *k, const double plane[2], double h, uint64_t *seed)
+{
+    double best = 0;
+    for (int i = 0; i < 2000; i++) {
+        double by[3];
+        for (int j = 0; j < 3; j++)
+            by[j] = h * (2 * random_fraction(seed) - 1);
+        if (fabs(by[1] * by[2]) > 1e-11)
+            best = fmax(best, scanned_at(k, plane[0] + by[0], plane[1] + by[1], by[2]));
+    }
+    return best;
+}
+
+/* The planes that are scanned are at most 1e-5 away, where damage is smaller by less than 1e-6. */
+CLAIM(no_plane_a_hair_beside_the_one_that_is_found_has_more_damage)
+{
+    uint64_t seed = 3;
+    for (size_t b = 0; b < sizeof EVEN / sizeof EVEN[0]; b++) {
+        const damage d = damage_of(&EVEN[b]);
+        assert_true(d.plane[1] == 0);
+        for (double h = 1e-2; h > 1e-6; h /= 10)
+            assert_true(scanned_beside(&EVEN[b], d.plane, h, &seed) <= d.value * (1 + 1e-6));
+        assert_close(scanned_beside(&EVEN[b], d.plane, 1e-5, &seed), d.value, 1e-6);
+    }
+}
+
 /* Of what each argument by itself allows. */
 CLAIM(refusals_leave_the_results_alone)
 {

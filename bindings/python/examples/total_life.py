@@ -3,8 +3,8 @@
 Topper's parameter at that depth, and the cycles in which it grows through. Their sum is least at one length (Navarro's
 way). Prints both for each length, and the least sum.                                             total_life.py PICTURE
 
-Normalized steel SAE 1015 under a cylinder. Its life is by the constants in tables/materials/. Growth is that of ferritic-pearlitic
-steels, 6.9e-12 m (dK in MPa sqrt(m))^3 a cycle: S. T. Rolfe, J. M. Barsom, Fracture and Fatigue Control in Structures (1977).
+Normalized steel SAE 1015 under a cylinder. Its life is by the constants in tables/materials/. Growth is by an assumed law of the
+size that steels have, 6.9e-12 m (dK in MPa sqrt(m))^3 a cycle: take the constants of your own material.
 Units are N and mm, so that K is in MPa sqrt(mm).
 """
 import math

@@ -66,16 +66,27 @@ static void take_slopes(size_t corners, const size_t corner[], const double x[],
     }
 }
 
-int32_t rwedge_profile_hull(size_t n, const double x[], const double height[], double hull[])
+/* The corners of the hull, which the caller frees; the heights must be a profile's. */
+static int32_t find_corners(size_t n, const double x[], const double height[], size_t **corner,
+                            size_t *corners)
 {
-    if (!x || !height || !hull)
-        return RWEDGE_ENULL;
     if (n < 2 || n > RW_MOST_HEIGHTS || !rw_are_heights(n, x, height, true))
         return RWEDGE_EDOMAIN;
-    size_t *corner = malloc(n * sizeof *corner);
-    if (!corner)
+    *corner = malloc(n * sizeof **corner);
+    if (!*corner)
         return RWEDGE_ENOMEM;
-    const size_t corners = rw_hull(n, x, height, corner);
+    *corners = rw_hull(n, x, height, *corner);
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_profile_hull(size_t n, const double x[], const double height[], double hull[])
+{
+    size_t *corner, corners;
+    if (!x || !height || !hull)
+        return RWEDGE_ENULL;
+    const int32_t status = find_corners(n, x, height, &corner, &corners);
+    if (status != RWEDGE_OK)
+        return status;
     take_heights(corners, corner, x, height, hull);
     free(corner);
     return RWEDGE_OK;
@@ -84,14 +95,12 @@ int32_t rwedge_profile_hull(size_t n, const double x[], const double height[], d
 int32_t rwedge_profile_slopes(size_t n, const double x[], const double height[], double place[],
                               double slope[])
 {
+    size_t *corner, corners;
     if (!x || !height || !place || !slope)
         return RWEDGE_ENULL;
-    if (n < 2 || n > RW_MOST_HEIGHTS || !rw_are_heights(n, x, height, true))
-        return RWEDGE_EDOMAIN;
-    size_t *corner = malloc(n * sizeof *corner);
-    if (!corner)
-        return RWEDGE_ENOMEM;
-    const size_t corners = rw_hull(n, x, height, corner);
+    const int32_t status = find_corners(n, x, height, &corner, &corners);
+    if (status != RWEDGE_OK)
+        return status;
     take_slopes(corners, corner, x, height, slope);
     free(corner);
     for (size_t i = 1; i < n; i++)

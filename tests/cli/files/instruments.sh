@@ -126,7 +126,7 @@ log bare.csv --column P=1 --column Q=2 --column sigma=4
 printf '# P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n' >numpy.csv
 log numpy.csv
 
-# Separator x preamble x units x comments x order x line ends x encoding: 3 x 3 x 3 x 2 x 2 x 2 x 2 forms of one log.
+# Separator x preamble x units x comments x order x line ends: 4 x 3 x 3 x 2 x 2 x 2 forms of one log.
 for separator in comma semicolon tab blanks; do
     case $separator in comma) s=, ;; semicolon) s=';' ;; tab) s=$tab ;; blanks) s='   ' ;; esac
     for preamble in none text long; do
@@ -147,10 +147,11 @@ for separator in comma semicolon tab blanks; do
                                 row(135.75, 38.75, 100)
                             }' >made.csv
                         [ $ends = lf ] || { sed 's/$/\r/' made.csv >ends.csv && mv ends.csv made.csv; }
-                        option=
+                        option='' status=0
                         [ $units = none ] || option="--units mm,N,MPa"
-                        "$rwedge" history made.csv $pad $option >out 2>err || true
+                        "$rwedge" history made.csv $pad $option >out 2>err || status=$?
                         called="history of $separator, preamble $preamble, units $units, comments $comments, $order, $ends"
+                        same "the status" 0 $status
                         same "the rows" "$(cut -d , -f 2-9 first)" "$(cut -d , -f 2-9 out)"
                     done
                 done

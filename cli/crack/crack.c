@@ -45,15 +45,17 @@ typedef struct {
     crack_plan crack;
 } plan;
 
-static void read_plan(arguments *line, plan *job, output_options *how)
+static void read_plan(const arguments *line, plan *job, output_options *how)
 {
+    input_texts texts;
     output_options_read(line, how);
     if (line->value[OPTION_VERDICT] != NULL && line->value[OPTION_EACH_LOAD] != NULL)
         usage_error("--verdict: given together with --each-load; allowed: one of the two");
     job->crack.threads = threads_read(line);
-    material_read(line->value[OPTION_MATERIAL], line, &job->constants);
+    input_texts_from_options(line, &texts);
+    material_read(line, &texts, &job->constants);
     crack_law_read(line, &job->constants, &job->crack.law);
-    contact_history_read(line, how->decimal_sign, 3, 3, &job->history);
+    contact_history_read(line, &texts, how->decimal_sign, 3, 3, &job->history);
     const criteria asked = criteria_usual(&job->history.setup);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
     crack_read(line, &job->last, &job->crack);
@@ -64,16 +66,15 @@ static void read_plan(arguments *line, plan *job, output_options *how)
         usage_error("--verdict: needs two lengths at least, --from and --to");
 }
 
-static int crack(const arguments *typed)
+static int crack(const arguments *line)
 {
     plan job = {.doubts = 0};
-    arguments line = *typed; /* a material changes it */
     output_options how;
-    read_plan(&line, &job, &how);
+    read_plan(line, &job, &how);
     output_options_write(&how,
-                         line.value[OPTION_VERDICT] != NULL     ? crack_verdict_write
-                         : line.value[OPTION_EACH_LOAD] != NULL ? crack_loads_write
-                                                                : crack_rows_write,
+                         line->value[OPTION_VERDICT] != NULL     ? crack_verdict_write
+                         : line->value[OPTION_EACH_LOAD] != NULL ? crack_loads_write
+                                                                 : crack_rows_write,
                          &job.crack);
     crack_doubts_say(&job.crack);
     doubts_say(job.doubts, "");

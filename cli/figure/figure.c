@@ -232,21 +232,23 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
     const bool has_measure = chosen == &figure_measure, has_crack = chosen == &figure_crack;
     const contact_case *setup = &inputs->history.setup;
     arguments bodies = *line;
+    input_texts texts;
     /* friction and Poisson's ratio are variables of other figures */
     bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
     bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
     bodies.operand = NULL;
+    input_texts_from_options(&bodies, &texts);
     if (has_measure || has_crack)
-        material_read(bodies.value[OPTION_MATERIAL], &bodies, &inputs->constants);
+        material_read(&bodies, &texts, &inputs->constants);
     if (has_measure)
-        criteria_read(&bodies, &inputs->constants, &inputs->asked);
+        criteria_read(&bodies, &inputs->constants, &texts, &inputs->asked);
     read_case(line, inputs);
     if (chosen == &figure_history && line->value[OPTION_AT] == NULL)
         usage_error("--at: missing; figure history needs a point x,y");
     places_read(&bodies, decimal_sign, &inputs->at);
     if (inputs->at.count > 1)
         usage_error("--at %s: must be one point", line->value[OPTION_AT]);
-    contact_history_read(&bodies, decimal_sign, chosen->cycles,
+    contact_history_read(&bodies, &texts, decimal_sign, chosen->cycles,
                          chosen->cycles > 2 ? chosen->cycles : 2, &inputs->history);
     for (size_t i = 0; i < inputs->history.loads.count; i++)
         inputs->half_width =

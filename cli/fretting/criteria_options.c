@@ -136,22 +136,20 @@ static void read_names(const char *text, criteria *asked)
 
 /* ---- All ---- */
 
-static void read_plane_stress(arguments *line, criteria *asked)
+static void read_plane_stress(input_texts *texts, criteria *asked)
 {
-    static char zero[] = "0";
-    input_texts texts;
     complaint why;
-    input_texts_from_options(line, &texts);
-    if (!input_is_given(&texts, INPUT_NU1))
+    if (!input_is_given(texts, INPUT_NU1))
         return; /* it will be missed */
-    if (!input_read(&texts, INPUT_NU1, &asked->nu, &why))
+    if (!input_read(texts, INPUT_NU1, &asked->nu, &why))
         usage_error("%s", why.text);
-    line->value[OPTION_INPUT + INPUT_NU1] = zero;
-    if (input_is_given(&texts, INPUT_NU2))
-        line->value[OPTION_INPUT + INPUT_NU2] = zero;
+    input_set(texts, INPUT_NU1, 0);
+    if (input_is_given(texts, INPUT_NU2))
+        input_set(texts, INPUT_NU2, 0);
 }
 
-void criteria_read(arguments *line, const material *constants, criteria *asked)
+void criteria_read(const arguments *line, const material *constants, input_texts *texts,
+                   criteria *asked)
 {
     *asked = criteria_usual(&(contact_case){.nu1 = NAN});
     asked->given = *constants;
@@ -160,7 +158,7 @@ void criteria_read(arguments *line, const material *constants, criteria *asked)
     asked->archard = read_archard(line);
     asked->is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL;
     if (asked->is_plane_stress)
-        read_plane_stress(line, asked);
+        read_plane_stress(texts, asked);
     asked->is_listed = line->value[OPTION_CRITERIA] != NULL;
     read_names(line->value[OPTION_CRITERIA], asked);
     for (int i = 0; i < DAMAGE && !asked->is_listed; i++)
@@ -327,31 +325,30 @@ static void mind_units(const char *path, const material *constants)
 
 /* What the file has stands for inputs that are not given; E and nu must not differ from them. k
  * stands for a yield stress. */
-static void hand_over(const char *path, const material *constants, arguments *line)
+static void hand_over(const char *path, const material *constants, input_texts *texts)
 {
     static const struct {
         const char *name;
         int input;
     } inputs[] = {{"E", INPUT_E1}, {"nu", INPUT_NU1}, {"yield_stress", INPUT_YIELD_STRESS}};
-    static char texts[3][NUMBER_SIZE];
     for (int i = 0; i < 3; i++) {
         const double value = material_value(constants, inputs[i].name);
-        char **given = &line->value[OPTION_INPUT + inputs[i].input];
+        const int input = inputs[i].input;
+        const bool is_given = input_is_given(texts, input);
         double own;
-        if (isnan(value) || (i == 2 && line->value[OPTION_INPUT + INPUT_K] != NULL))
-            continue;
-        if (*given != NULL && i < 2 && number_read(*given, &own) && own != value)
-            usage_error("--%s1 %s: %s has %s %g; allowed: one of the two", inputs[i].name, *given,
-                        path, inputs[i].name, value);
-        if (*given != NULL)
-            continue;
-        number_write(value, NUMBER_DIGITS, '.', texts[i]);
-        *given = texts[i];
+        complaint why; /* of an input that is wrong: it is said when the contact is read */
+        if (is_given && !isnan(value) && i < 2 && input_read(texts, input, &own, &why) &&
+            own != value)
+            usage_error("--%s1 %s: %s has %s %g; allowed: one of the two", inputs[i].name,
+                        texts->text[input], path, inputs[i].name, value);
+        if (!isnan(value) && !is_given && !(i == 2 && input_is_given(texts, INPUT_K)))
+            input_set(texts, input, value);
     }
 }
 
-void material_read(const char *path, arguments *line, material *constants)
+void material_read(const arguments *line, input_texts *texts, material *constants)
 {
+    const char *path = line->value[OPTION_MATERIAL];
     *constants = material_unknown();
     if (path == NULL)
         return;
@@ -363,5 +360,5 @@ void material_read(const char *path, arguments *line, material *constants)
     need_any(path, constants);
     need_groups(path, constants);
     mind_units(path, constants);
-    hand_over(path, constants, line);
+    hand_over(path, constants, texts);
 }

@@ -186,18 +186,20 @@ static void read_worst(const arguments *line, output_options *worst)
     output_options_read(&its, worst);
 }
 
-static void read_plan(arguments *line, plan *job, output_options *how, output_options *worst)
+static void read_plan(const arguments *line, plan *job, output_options *how, output_options *worst)
 {
     criteria asked;
+    input_texts texts;
     output_options_read_of(line, grid_formats, "", how);
     if (how->format == &vtk_format && line->value[OPTION_AT_WORST] != NULL)
         usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
     read_worst(line, worst);
     job->threads = threads_read(line);
-    material_read(line->value[OPTION_MATERIAL], line, &job->constants);
-    criteria_read(line, &job->constants, &asked);
+    input_texts_from_options(line, &texts);
+    material_read(line, &texts, &job->constants);
+    criteria_read(line, &job->constants, &texts, &asked);
     job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
-    contact_history_read(line, how->decimal_sign, 3, 3, &job->history);
+    contact_history_read(line, &texts, how->decimal_sign, 3, 3, &job->history);
     criteria_read_strength(line, &job->history.setup, &asked);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
     surface_places(line, how->decimal_sign, &job->last, &job->result);
@@ -213,22 +215,21 @@ static void write_output(const arguments *line, const output_options *how, plan 
         output_options_write(how, write_rows, job);
 }
 
-static int fretting(const arguments *typed)
+static int fretting(const arguments *line)
 {
     plan job = {.threads = 1};
-    arguments line = *typed; /* a material and plane stress change it */
     output_options how, how_worst = {.path = NULL};
     char worst[2400];
     bool is_deep = false;
-    read_plan(&line, &job, &how, &how_worst);
+    read_plan(line, &job, &how, &how_worst);
     compute(&job);
     worst_find(&job.result, &job.worst);
     for (size_t i = 0; i < job.result.count; i++)
         is_deep = is_deep || job.result.place[i].y > 0;
     worst_write(&job.worst, is_deep, worst, sizeof worst);
-    if (job.result.line > 0 && line.value[OPTION_X] == NULL && how.format != &vtk_format)
+    if (job.result.line > 0 && line->value[OPTION_X] == NULL && how.format != &vtk_format)
         worst_add_places(&job.worst, &job.result);
-    write_output(&line, &how, &job);
+    write_output(line, &how, &job);
     if (how_worst.path != NULL)
         output_options_write(&how_worst, worst_write_rows, &job.worst);
     doubts_say(job.doubts, "");

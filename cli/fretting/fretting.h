@@ -35,16 +35,17 @@ enum {
 void criteria_options_prepare(void);
 extern struct poptOption criteria_option_table[];
 
-/* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and so are the inputs
- * from then on. */
-void criteria_read(arguments *line, const material *constants, criteria *asked);
+/* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and the inputs are
+ * set so. */
+void criteria_read(const arguments *line, const material *constants, input_texts *texts,
+                   criteria *asked);
 
 /* To be called when the contact is read: takes the constants of what is asked for. */
 void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *asked);
 
-/* Reads a file, JSON by its ending or CSV; nothing where the path is NULL. Its other constants
- * stand for options that are not given. What is wrong ends the command. */
-void material_read(const char *path, arguments *line, material *constants);
+/* Reads the file of --material, JSON by its ending or CSV, if there is one. Its E, nu and yield
+ * stress stand for inputs that are not given. What is wrong ends the command. */
+void material_read(const arguments *line, input_texts *texts, material *constants);
 
 /* ---- worst ---- Where each column of "rwedge fretting" is worst, also between the places: a line,
  * or a table. */

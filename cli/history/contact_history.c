@@ -69,14 +69,12 @@ static void try_loads(contact_history *history, bool until)
            word, why.text);
 }
 
-void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,
-                          int64_t cycles_of_two, contact_history *history)
+void contact_history_read(const arguments *line, const input_texts *texts, char decimal_sign,
+                          int64_t cycles, int64_t cycles_of_two, contact_history *history)
 {
     const char *word = line->operand != NULL ? line->operand[0] : NULL;
-    input_texts texts;
     complaint why;
     *history = (contact_history){0};
-    input_texts_from_options(line, &texts);
     input_options_check_hull(line);
     if (word != NULL && line->operand[1] != NULL)
         usage_error("%s: unexpected; allowed: one file of loads", line->operand[1]);
@@ -87,7 +85,7 @@ void contact_history_read(const arguments *line, char decimal_sign, int64_t cycl
                     "sigma; or --load P,Q for each");
     history_check(line);
     read_cycles(line, cycles);
-    if (!case_read(&texts, CASE_OF_HISTORY, &history->setup, &why))
+    if (!case_read(texts, CASE_OF_HISTORY, &history->setup, &why))
         usage_error("%s", why.text);
     status_check(history->setup.status, "the contact");
     load_history_read(line, decimal_sign, &history->loads);

@@ -176,11 +176,13 @@ static int history(const arguments *line)
 {
     plan job = {.at = {0}};
     output_options how;
+    input_texts texts;
     output_options_read(line, &how);
     if (line->value[OPTION_X] == NULL && line->value[OPTION_DEPTH] != NULL)
         usage_error("--depth %s: needs --x", line->value[OPTION_DEPTH]);
     places_read(line, how.decimal_sign, &job.at);
-    contact_history_read(line, how.decimal_sign, 1, 1, &job.history);
+    input_texts_from_options(line, &texts);
+    contact_history_read(line, &texts, how.decimal_sign, 1, 1, &job.history);
     const bool has_points = job.at.count > 0;
     for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
         passed_check(&job.history.loads, has_points ? point_columns[i] : columns[i].name);

@@ -26,8 +26,8 @@ typedef struct {
  * that cannot be applied ends the command, unless --until is given. Beside a file, --load gives
  * loads before the first cycle. The cycles are those where --cycles is not given, and where there
  * are two loads, to and fro. */
-void contact_history_read(const arguments *line, char decimal_sign, int64_t cycles,
-                          int64_t cycles_of_two, contact_history *history);
+void contact_history_read(const arguments *line, const input_texts *texts, char decimal_sign,
+                          int64_t cycles, int64_t cycles_of_two, contact_history *history);
 
 /* The row of the table that the load of this step stands in. */
 size_t contact_history_row(const contact_history *history, size_t step);

@@ -19,8 +19,9 @@ enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
 
 static bool excluded(const input_texts *texts, int input, int alternative, complaint *why)
 {
+    char number[NUMBER_SIZE];
     return complain(why, "%s %.60s: given together with %s; allowed: one of the two",
-                    input_name(texts, alternative), texts->text[alternative],
+                    input_name(texts, alternative), input_text(texts, alternative, number),
                     input_name(texts, input));
 }
 
@@ -68,14 +69,15 @@ static bool second_body_is_whole(const input_texts *texts, complaint *why)
     if (E2 == nu2)
         return true;
     double value;
+    char number[NUMBER_SIZE];
     if (E2 && !input_read(texts, INPUT_E2, &value, why))
         return false;
     if (E2 && isinf(value)) /* a rigid body has no Poisson's ratio */
         return true;
     const int there = E2 ? INPUT_E2 : INPUT_NU2, absent = E2 ? INPUT_NU2 : INPUT_E2;
-    return complain(why,
-                    "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
-                    input_name(texts, there), texts->text[there], input_name(texts, absent));
+    return complain(
+        why, "%s %.60s: needs %s; allowed: both, or neither for two bodies of one material",
+        input_name(texts, there), input_text(texts, there, number), input_name(texts, absent));
 }
 
 bool case_is_complete(const input_texts *texts, case_needs needs, complaint *why)
@@ -150,6 +152,7 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
 static bool apply_loads(const input_texts *texts, contact_case *setup, complaint *why)
 {
     const load to = {setup->P, setup->M, setup->Q, setup->sigma};
+    char number[NUMBER_SIZE];
     setup->status = loads_apply_monotonic(to, setup->contact);
     if (setup->status == RWEDGE_OK)
         return true;
@@ -157,15 +160,16 @@ static bool apply_loads(const input_texts *texts, contact_case *setup, complaint
     setup->at_fault = fault.input;
     if (fault.input == INPUT_COUNT)
         return true;
-    return complain(why, "%s %.60s: %s%s", input_name(texts, fault.input), texts->text[fault.input],
-                    fault.why.text,
-                    fault.input != INPUT_Q || input_is_given(texts, INPUT_F) ? ""
-                                                                             : "; f is missing");
+    const bool lacks_friction = fault.input == INPUT_Q && !input_is_given(texts, INPUT_F);
+    return complain(why, "%s %.60s: %s%s", input_name(texts, fault.input),
+                    input_text(texts, fault.input, number), fault.why.text,
+                    lacks_friction ? "; f is missing" : "");
 }
 
 bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, complaint *why)
 {
     double value[INPUT_COUNT];
+    char number[NUMBER_SIZE];
     *setup = (contact_case){.at_fault = INPUT_COUNT};
     if (!case_is_complete(texts, needs, why))
         return false;
@@ -179,7 +183,7 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, 
         setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], why));
     if (setup->shape.kind != PAD_WEDGE && setup->shape.radius == 0) /* only its tip may be sharp */
         return complain(why, "%s %.60s: the radius must be a number above 0%s",
-                        input_name(texts, INPUT_RADIUS), texts->text[INPUT_RADIUS],
+                        input_name(texts, INPUT_RADIUS), input_text(texts, INPUT_RADIUS, number),
                         setup->shape.kind == PAD_CYLINDER ? ", or an angle is missing" : "");
     setup->status = case_contact(setup, &setup->contact);
     if (setup->status == RWEDGE_EDOMAIN)

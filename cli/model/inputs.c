@@ -73,6 +73,14 @@ const char *input_name(const input_texts *texts, int input)
     return texts->is_cell[input] ? input_kinds[input].column : input_kinds[input].flag;
 }
 
+const char *input_text(const input_texts *texts, int input, char number[NUMBER_SIZE])
+{
+    if (!texts->has_number[input])
+        return texts->text[input];
+    number_write(texts->number[input], NUMBER_DIGITS, '.', number);
+    return number;
+}
+
 bool input_is_given(const input_texts *texts, int input)
 {
     const char *text = texts->text[input];

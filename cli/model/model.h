@@ -119,6 +119,9 @@ int input_alternative(int input);
  * an option. */
 const char *input_name(const input_texts *texts, int input);
 
+/* An input as it was given: its text, or the number that stands for it. */
+const char *input_text(const input_texts *texts, int input, char number[NUMBER_SIZE]);
+
 /* Whether a text is there; an empty cell is none. */
 bool input_is_given(const input_texts *texts, int input);
 

@@ -301,9 +301,10 @@ void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *s
 /* A rows_writer: a picture goes where rows would. */
 static void write_figure(void *of_case, records *rows)
 {
-    const figure_case *inputs = of_case;
+    figure_case *inputs = of_case;
     dataset numbers = {.column = inputs->kind->column, .text_column = inputs->kind->text_column};
     inputs->kind->compute(inputs, &numbers);
+    inputs->error = numbers.error;
     if (inputs->format == NULL)
         dataset_write(&numbers, rows);
     else
@@ -329,7 +330,7 @@ static int write_command(const arguments *line)
         read_case(line, &inputs);
     output_options_spare_files(line, &how);
     output_options_write(&how, write_figure, &inputs);
-    doubts_say((doubts){.error = inputs.history.error}, "");
+    doubts_say((doubts){.error = inputs.error}, "");
     return STATUS_DONE;
 }
 

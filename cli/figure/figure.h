@@ -27,6 +27,7 @@ typedef struct {
     size_t across;             /* of a grid: how many rows are side by side; 0 for curves */
     data_row *row;
     size_t count;
+    double error; /* the largest rwedge_contact_error() of the contacts that it is of */
     double
         worst[3]; /* of figure measure: x, y, and the largest value, which may lie between rows */
 } dataset;
@@ -65,6 +66,7 @@ typedef struct {
     contact_history history; /* of a figure that has one */
     places at;
     double half_width; /* the largest of the contact, in its cycles */
+    double error;      /* that of the dataset */
     criteria asked;    /* of figure measure, which also has a column of "rwedge fretting" */
     material constants;
     int measure, over;

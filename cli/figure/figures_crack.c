@@ -22,6 +22,7 @@ static void compute_crack(const figure_case *inputs, dataset *rows)
     const size_t loads = plan->last->loads, all = loads * LENGTHS;
     double length[LENGTHS], I[LENGTHS], II[LENGTHS], K_max[LENGTHS], R[LENGTHS];
     double dK[SHEARS][LENGTHS], *K = memory_zeroed(3 * all, sizeof *K);
+    rows->error = plan->last->error;
     take_lengths(plan, length);
     case_check(inputs, rwedge_cycle_crack(plan->last->cycle, plan->x,
                                           range_value(&plan->angles, 0) * PI / 180, loads, LENGTHS,

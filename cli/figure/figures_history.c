@@ -16,27 +16,44 @@ enum { STEPS = 24 }; /* from load to load, for smooth curves */
 typedef void visitor(const figure_case *inputs, double number, const rwedge_contact *contact,
                      dataset *rows);
 
-/* Visits the loads from the first on, and the states between two. Where one of those has no closed
- * form, the curve is straight from there. Loads before the first cycle have no number and no
- * place. */
+typedef struct {
+    const figure_case *inputs;
+    size_t first; /* loads that are seen: after it */
+    visitor *visit;
+    dataset *rows;
+    rwedge_contact *before; /* the contact before the present load */
+} way;
+
+/* Where a state on the way to a load has no closed form, the curve is straight from there. */
+static void visit_between(const way *w, size_t loads, load to)
+{
+    const load from = loads_of(w->before);
+    for (int i = 1; i < STEPS && from.P > 0; i++) {
+        if (loads_apply(loads_between(from, to, i, STEPS), w->before) != RWEDGE_OK)
+            break;
+        w->visit(w->inputs, (double)(loads - 1) + (double)i / STEPS, w->before, w->rows);
+    }
+}
+
+static void visit_load(void *of_way, size_t loads, const rwedge_contact *contact)
+{
+    way *w = of_way;
+    w->rows->error = fmax(w->rows->error, rwedge_contact_error(contact));
+    if (loads > w->first + 1)
+        visit_between(w, loads, loads_of(contact));
+    if (loads > w->first)
+        w->visit(w->inputs, (double)loads, contact, w->rows);
+    rwedge_contact_destroy(w->before);
+    case_check(w->inputs, rwedge_contact_copy(contact, &w->before));
+}
+
+/* Visits the loads after the first so many, and the states between two. Loads before the first
+ * cycle have no number and no place. */
 static void visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)
 {
-    rwedge_contact *contact = contact_history_begin(&inputs->history);
-    for (size_t step = 0; step < inputs->history.steps; step++) {
-        const load from = loads_of(contact), to = contact_history_load(&inputs->history, step);
-        rwedge_contact *trial = NULL;
-        if (step > first)
-            case_check(inputs, rwedge_contact_copy(contact, &trial));
-        for (int i = 1; i < STEPS && from.P > 0 && step > first; i++) {
-            if (loads_apply(loads_between(from, to, i, STEPS), trial) != RWEDGE_OK)
-                break;
-            visit(inputs, (double)step + (double)i / STEPS, trial, rows);
-        }
-        rwedge_contact_destroy(trial);
-        contact_history_go_on(&inputs->history, step, contact);
-        if (step >= first)
-            visit(inputs, (double)step + 1, contact, rows);
-    }
+    way w = {inputs, first, visit, rows, NULL};
+    contact_history_go(&inputs->history, visit_load, &w);
+    rwedge_contact_destroy(w.before);
 }
 
 /* ---- The stress at a point ---- */
@@ -51,11 +68,13 @@ static void add_stress(const figure_case *inputs, double number, const rwedge_co
     dataset_add(rows, (data_row){.number = {number, x, y, sxx, syy, at.value[TENSOR_SZZ], txy}});
 }
 
-/* The last cycle, from the load before it. */
+/* The last cycle, from the load before it; where the loads may end before, all. */
 static void compute_history(const figure_case *inputs, dataset *rows)
 {
-    const size_t loads = inputs->history.loads.count, steps = inputs->history.steps;
-    visit_all(inputs, steps > loads ? steps - loads - 1 : 0, add_stress, rows);
+    const contact_history *history = &inputs->history;
+    const size_t loads = history->loads.count, steps = history->steps;
+    visit_all(inputs, steps > loads && !history->is_until ? steps - loads - 1 : 0, add_stress,
+              rows);
 }
 
 const figure figure_history = {
@@ -113,6 +132,7 @@ static void compute_fretting(const figure_case *inputs, dataset *rows)
     last_cycle last;
     const criteria usual = criteria_usual(&inputs->history.setup);
     history_cycle(&inputs->history, &usual, &last, NULL);
+    rows->error = last.error;
     const measured result = measure_usual(inputs, &last);
     for (size_t i = 0; i < result.count; i++) {
         const double *v = result.place[i].value;
@@ -209,6 +229,7 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
         measure_surface, measure_depth, measure_field};
     last_cycle last;
     history_cycle(&inputs->history, &inputs->asked, &last, NULL);
+    rows->error = last.error;
     case_check(inputs, isnan(last.left) ? RWEDGE_EABSENT : RWEDGE_OK);
     ways[inputs->over](inputs, &last, rows);
 }

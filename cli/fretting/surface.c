@@ -5,29 +5,37 @@
 
 /* ---- The last cycle ---- */
 
+typedef struct {
+    const contact_history *history;
+    const criteria *asked;
+    last_cycle *cycle;
+    doubts *all; /* or NULL */
+} course;
+
+static void note_load(void *of_course, size_t loads, const rwedge_contact *contact)
+{
+    const course *to = of_course;
+    const size_t rows = to->history->loads.count, before = to->history->steps - rows;
+    if (loads == before)
+        last_cycle_begin(&to->history->setup, to->asked, contact, rows, to->cycle);
+    if (loads <= before)
+        return;
+    last_cycle_add(contact, to->cycle);
+    if (to->all == NULL)
+        return;
+    doubts_add(to->all, doubts_of_state(&to->history->setup, contact));
+    to->all->bits |= doubt_of_sliding(contact);
+}
+
 void history_cycle(const contact_history *history, const criteria *asked, last_cycle *cycle,
                    doubts *all)
 {
-    const size_t steps = history->steps, rows = history->loads.count;
-    const size_t first = steps > rows ? steps - rows : 0;
-    if (steps < rows * (size_t)history->cycles)
-        usage_error("--until: the loads end before the last one; a cycle needs all of them: leave "
-                    "it out, and mend or remove the line that is named");
+    course to = {history, asked, cycle, all};
     if (all != NULL)
         doubts_add(all, history->doubts_before);
-    rwedge_contact *contact = contact_history_begin(history);
-    for (size_t step = 0; step < steps; step++) {
-        if (step == first)
-            last_cycle_begin(&history->setup, asked, contact, steps - first, cycle);
-        contact_history_go_on(history, step, contact);
-        if (step < first)
-            continue;
-        last_cycle_add(contact, cycle);
-        if (all == NULL)
-            continue;
-        doubts_add(all, doubts_of_state(&history->setup, contact));
-        all->bits |= doubt_of_sliding(contact);
-    }
+    if (contact_history_go(history, note_load, &to) < history->steps)
+        usage_error("--until: the loads end before the last one; a cycle needs all of them: leave "
+                    "it out, and mend or remove the line that is named");
     status_check(last_cycle_end(cycle), "the cycle");
 }
 

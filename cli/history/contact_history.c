@@ -28,45 +28,39 @@ size_t contact_history_row(const contact_history *history, size_t step)
     return step % history->loads.count;
 }
 
-load contact_history_load(const contact_history *history, size_t step)
-{
-    return history->loads.load[contact_history_row(history, step)];
-}
-
-rwedge_contact *contact_history_begin(const contact_history *history)
-{
-    rwedge_contact *contact;
-    status_check(rwedge_contact_copy(history->setup.contact, &contact), "the contact");
-    return contact;
-}
-
-void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact)
-{
-    status_check(loads_apply(contact_history_load(history, step), contact), "the loads");
-}
-
-/* Where there are several cycles, the word says in which a load is refused. */
-static void try_loads(contact_history *history, bool until)
+/* Where there are several cycles, a word says in which a load is refused. */
+static void end_before(const contact_history *history, size_t step, const complaint *why)
 {
     char word[40] = "", place[LOAD_PLACE_SIZE];
-    const size_t wanted = history->loads.count * (size_t)history->cycles;
-    complaint why = {""};
-    rwedge_contact *contact = contact_history_begin(history);
-    while (history->steps < wanted &&
-           loads_apply_next(contact_history_load(history, history->steps), history->setup.f,
-                            contact, &why)) {
-        history->steps++;
-        history->error = fmax(history->error, rwedge_contact_error(contact));
-    }
-    if (why.text[0] == '\0')
-        return;
-    const size_t step = history->steps, row = contact_history_row(history, step);
+    const size_t row = contact_history_row(history, step);
     if (step >= history->loads.count)
         snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
-    if (!until || step == 0)
-        load_history_fail(&history->loads, row, word, &why);
+    if (!history->is_until || step == 0)
+        load_history_fail(&history->loads, row, word, why);
     notice("%s%s: %s; the results end before it", load_history_place(&history->loads, row, place),
-           word, why.text);
+           word, why->text);
+}
+
+size_t contact_history_go(const contact_history *history, load_visitor *visit, void *context)
+{
+    const load_history *loads = &history->loads;
+    complaint why = {""};
+    rwedge_contact *contact;
+    size_t step = 0;
+    status_check(rwedge_contact_copy(history->setup.contact, &contact), "the contact");
+    progress_start(history->shows_progress, (int64_t)history->steps, "loads");
+    visit(context, 0, contact);
+    while (step < history->steps &&
+           loads_apply_next(loads->load[contact_history_row(history, step)], history->setup.f,
+                            contact, &why)) {
+        visit(context, ++step, contact);
+        progress_step();
+    }
+    progress_erase();
+    rwedge_contact_destroy(contact);
+    if (why.text[0] != '\0')
+        end_before(history, step, &why);
+    return step;
 }
 
 void contact_history_read(const arguments *line, const input_texts *texts, char decimal_sign,
@@ -95,5 +89,7 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
         load_history_apply_all(&before, &history->setup, &history->doubts_before);
     }
     history->cycles = read_cycles(line, history->loads.count == 2 ? cycles_of_two : cycles);
-    try_loads(history, line->value[OPTION_UNTIL] != NULL);
+    history->steps = history->loads.count * (size_t)history->cycles;
+    history->is_until = line->value[OPTION_UNTIL] != NULL;
+    history->shows_progress = line->value[OPTION_QUIET] == NULL && stream_is_terminal(stderr);
 }

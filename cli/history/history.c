@@ -36,10 +36,9 @@ static const column_kind columns[AFTER_COUNT] = {
     {"p0_x", "where the pressure is largest", NULL},
 };
 
-/* The row of a load. */
+/* The row of a load; its warnings are the doubts. */
 typedef struct {
-    cell value[AFTER_COUNT];
-    char warnings[512]; /* the text of their cell */
+    double value[AFTER_COUNT];
     doubts doubts;
 } after_load;
 
@@ -67,7 +66,7 @@ static int32_t touch(const contact_case *setup, const rwedge_contact *contact, d
 static void compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
                     after_load *row)
 {
-    double value[AFTER_COUNT];
+    double *value = row->value;
     for (int i = 0; i < AFTER_COUNT; i++)
         value[i] = NAN;
     value[LOAD] = (double)number;
@@ -79,11 +78,17 @@ static void compute(const contact_case *setup, const rwedge_contact *contact, si
     row->doubts = doubts_of_factor(setup, contact, value[YIELD_FACTOR]);
     row->doubts.bits |= doubt_of_sliding(contact);
     value[ESTIMATE] = row->doubts.error;
+}
+
+static void write_after(const after_load *row, records *rows)
+{
+    cell cells[AFTER_COUNT];
+    char warnings[512] = "";
+    doubts_write(row->doubts, warnings, sizeof warnings);
     for (int i = 0; i < AFTER_COUNT; i++)
-        row->value[i] = cell_number(value[i]);
-    row->warnings[0] = '\0';
-    doubts_write(row->doubts, row->warnings, sizeof row->warnings);
-    row->value[WARNINGS] = cell_text(row->warnings);
+        cells[i] = cell_number(row->value[i]);
+    cells[WARNINGS] = cell_text(warnings);
+    records_row(rows, AFTER_COUNT, cells);
 }
 
 /* ---- The command ---- */
@@ -118,44 +123,51 @@ static void describe(FILE *stream)
 typedef struct {
     contact_history history;
     places at;
-    doubts doubts;    /* of any load */
-    double energy[2]; /* at the end, and a cycle before */
+    after_load *row; /* of each load; NULL with points */
+    doubts doubts;   /* of any load */
 } plan;
 
-static void write_load(plan *job, size_t step, const rwedge_contact *contact, records *rows)
+/* Nothing is written before the last load is applied. The stresses at points are too many to be
+ * kept: then the loads are tried first, and gone through again. */
+static void keep_row(void *of_plan, size_t loads, const rwedge_contact *contact)
 {
-    after_load row;
-    const load_history *loads = &job->history.loads;
-    const size_t place = contact_history_row(&job->history, step);
-    compute(&job->history.setup, contact, step + 1, &row);
-    doubts_add(&job->doubts, row.doubts);
-    passed_cells(loads, place, rows);
-    records_row(rows, AFTER_COUNT, row.value);
-    if (place + 1 == loads->count) {
-        job->energy[0] = job->energy[1];
-        job->energy[1] = rwedge_contact_dissipated_energy(contact);
+    plan *job = of_plan;
+    if (job->row == NULL) {
+        doubts_add(&job->doubts, (doubts){.error = rwedge_contact_error(contact)});
+        return;
     }
-    progress_step();
+    if (loads == 0)
+        return;
+    after_load *row = &job->row[loads - 1];
+    compute(&job->history.setup, contact, loads, row);
+    doubts_add(&job->doubts, row->doubts);
 }
 
 static void write_rows(void *of_plan, records *rows)
 {
-    plan *job = of_plan;
-    const point_rows points = {&job->history, &job->at};
-    const size_t count = job->history.steps * (job->at.count > 0 ? job->at.count : 1);
-    progress_start(rows->show_progress, (int64_t)count, "rows");
-    rows->mark = job->history.loads.has_mark;
-    if (job->at.count > 0) {
-        point_rows_write(&points, rows);
+    const plan *job = of_plan;
+    const contact_history *history = &job->history;
+    rows->mark = history->loads.has_mark;
+    if (job->row == NULL) {
+        point_rows_write(history, &job->at, rows);
         return;
     }
-    rwedge_contact *contact = contact_history_begin(&job->history);
-    passed_names(&job->history.loads, rows);
+    passed_names(&history->loads, rows);
     records_columns(rows, columns, AFTER_COUNT);
-    for (size_t step = 0; step < job->history.steps && records_go_on(rows); step++) {
-        contact_history_go_on(&job->history, step, contact);
-        write_load(job, step, contact, rows);
+    for (size_t step = 0; step < history->steps && records_go_on(rows); step++) {
+        passed_cells(&history->loads, contact_history_row(history, step), rows);
+        write_after(&job->row[step], rows);
     }
+}
+
+/* Dissipated in the last whole cycle of several; NAN where it is not known. */
+static double energy_of_cycle(const plan *job)
+{
+    const size_t loads = job->history.loads.count, cycles = job->history.steps / loads;
+    if (job->row == NULL || cycles < 2)
+        return NAN;
+    return job->row[cycles * loads - 1].value[ENERGY] -
+           job->row[(cycles - 1) * loads - 1].value[ENERGY];
 }
 
 static void say_doubts(const plan *job)
@@ -163,12 +175,10 @@ static void say_doubts(const plan *job)
     char where[LOAD_PLACE_SIZE];
     snprintf(where, sizeof where, "%.250s, in some rows: ",
              job->history.loads.name != NULL ? job->history.loads.name : "--load");
-    doubts all = job->doubts;
-    doubts_add(&all, (doubts){.error = job->history.error}); /* with points no row says it */
-    doubts_say(all, where);
+    doubts_say(job->doubts, where);
     unused_say(&job->history.loads.names, job->history.loads.name);
-    const double energy = job->energy[1] - job->energy[0]; /* NAN where it is not known */
-    if (job->history.cycles > 1 && job->at.count == 0 && !isnan(energy))
+    const double energy = energy_of_cycle(job);
+    if (!isnan(energy))
         notice("dissipated in the last cycle: %.6g", energy);
 }
 
@@ -186,6 +196,9 @@ static int history(const arguments *line)
     const bool has_points = job.at.count > 0;
     for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
         passed_check(&job.history.loads, has_points ? point_columns[i] : columns[i].name);
+    if (!has_points)
+        job.row = memory_zeroed(job.history.steps, sizeof *job.row);
+    job.history.steps = contact_history_go(&job.history, keep_row, &job);
     output_options_write(&how, write_rows, &job);
     say_doubts(&job);
     return STATUS_DONE;

@@ -17,27 +17,26 @@ typedef struct {
     doubts doubts_before;
     load_history loads;
     int64_t cycles; /* how often the table is gone through */
-    size_t steps;   /* how many loads are applied: all, or with --until those before the first that
-                       cannot be */
-    double error;   /* the largest rwedge_contact_error() after any of them */
+    size_t steps;   /* how many loads that are */
+    bool is_until;  /* a load that cannot be applied ends the history, not the command */
+    bool shows_progress;
 } contact_history;
 
-/* Reads the options, and a file that stands in place of --history, and tries every load: a load
- * that cannot be applied ends the command, unless --until is given. Beside a file, --load gives
- * loads before the first cycle. The cycles are those where --cycles is not given, and where there
- * are two loads, to and fro. */
+/* Reads the options, and a file that stands in place of --history. Beside a file, --load gives
+ * loads before the first cycle, which are applied. The cycles are those where --cycles is not
+ * given, and where there are two loads, to and fro. */
 void contact_history_read(const arguments *line, const input_texts *texts, char decimal_sign,
                           int64_t cycles, int64_t cycles_of_two, contact_history *history);
 
-/* The row of the table that the load of this step stands in. */
+/* The row of the table that the load of this step stands in, the first step 0. */
 size_t contact_history_row(const contact_history *history, size_t step);
-load contact_history_load(const contact_history *history, size_t step);
 
-/* A copy of the contact before its first cycle. */
-rwedge_contact *contact_history_begin(const contact_history *history);
+/* Sees the contact after so many loads; 0 is before the first cycle. */
+typedef void load_visitor(void *context, size_t loads, const rwedge_contact *contact);
 
-/* Applies the load of a step, which has been tried. */
-void contact_history_go_on(const contact_history *history, size_t step, rwedge_contact *contact);
+/* Applies each load once, and shows the contact before the first and after each. A load that cannot
+ * be applied ends the command, or with --until the history. Returns how many were applied. */
+size_t contact_history_go(const contact_history *history, load_visitor *visit, void *context);
 
 /* ---- places ---- The points of body 1 that are looked at: a list, a file of them, or a grid. */
 
@@ -69,16 +68,9 @@ void places_read_depth(const arguments *line, range *depth);
 enum { POINT_COLUMNS = 11 };
 extern const char *const point_columns[POINT_COLUMNS];
 
-typedef struct {
-    const contact_history *history;
-    const places *at;
-} point_rows;
-
-/* A row for each load and point, the points of the first load first. */
-void point_rows_write(const point_rows *points, records *rows);
-
-/* The stress at one of the points; NAN where it is infinite. */
-tensor point_rows_stress(const point_rows *points, const rwedge_contact *contact, size_t i);
+/* Goes through the loads, which can be applied. A row for each load and point, the points of the
+ * first load first. */
+void point_rows_write(const contact_history *history, const places *at, records *rows);
 
 /* Columns of a file of loads that are no loads: they go in front of the results. */
 void passed_names(const load_history *loads, records *rows);

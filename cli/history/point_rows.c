@@ -39,29 +39,40 @@ void passed_cells(const load_history *loads, size_t row, records *rows)
 
 /* ---- Rows ---- */
 
-tensor point_rows_stress(const point_rows *points, const rwedge_contact *contact, size_t i)
-{
-    const contact_case *setup = &points->history->setup;
-    return point_stress(contact, &setup->shape, setup->nu1, points->at->x[i], points->at->y[i]);
-}
+typedef struct {
+    const contact_history *history;
+    const places *at;
+    records *rows;
+} point_rows;
 
-void point_rows_write(const point_rows *points, records *rows)
+static void write_row(const point_rows *job, size_t loads, size_t i, const tensor *stress)
 {
     static const int stresses[] = {TENSOR_SXX, TENSOR_SYY, TENSOR_SZZ,       TENSOR_TXY,
                                    TENSOR_S1,  TENSOR_S2,  TENSOR_VON_MISES, TENSOR_TAU_MAX};
-    rwedge_contact *contact = contact_history_begin(points->history);
-    passed_names(&points->history->loads, rows);
-    records_header(rows, POINT_COLUMNS, point_columns);
-    for (size_t step = 0; step < points->history->steps && records_go_on(rows); step++) {
-        contact_history_go_on(points->history, step, contact);
-        for (size_t i = 0; i < points->at->count && records_go_on(rows); i++) {
-            const tensor at = point_rows_stress(points, contact, i);
-            const double value[] = {(double)(step + 1), points->at->x[i], points->at->y[i]};
-            passed_cells(&points->history->loads, contact_history_row(points->history, step), rows);
-            for (int k = 0; k < POINT_COLUMNS; k++)
-                records_value(rows, cell_number(k < 3 ? value[k] : at.value[stresses[k - 3]]));
-            records_end_row(rows);
-            progress_step();
-        }
+    const double place[] = {(double)loads, job->at->x[i], job->at->y[i]};
+    passed_cells(&job->history->loads, contact_history_row(job->history, loads - 1), job->rows);
+    for (int k = 0; k < POINT_COLUMNS; k++)
+        records_value(job->rows, cell_number(k < 3 ? place[k] : stress->value[stresses[k - 3]]));
+    records_end_row(job->rows);
+}
+
+static void write_points(void *of_job, size_t loads, const rwedge_contact *contact)
+{
+    const point_rows *job = of_job;
+    const contact_case *setup = &job->history->setup;
+    for (size_t i = 0; i < job->at->count && loads > 0 && records_go_on(job->rows); i++) {
+        const tensor stress =
+            point_stress(contact, &setup->shape, setup->nu1, job->at->x[i], job->at->y[i]);
+        write_row(job, loads, i, &stress);
     }
+}
+
+void point_rows_write(const contact_history *history, const places *at, records *rows)
+{
+    contact_history again = *history;
+    point_rows job = {&again, at, rows};
+    again.shows_progress = rows->show_progress;
+    passed_names(&history->loads, rows);
+    records_header(rows, POINT_COLUMNS, point_columns);
+    contact_history_go(&again, write_points, &job);
 }

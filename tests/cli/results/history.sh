@@ -94,6 +94,16 @@ does history bad.csv $specimen --exact --until
 message_has "bad.csv: line 3: no closed form: one edge"
 message_has "; the results end before it"
 same "rows" 2 "$(wc -l <out | tr -d ' ')"
+# A load that is not computed to ten times its tolerance, a tension of 1e14 under a pressure of hundreds, is named as well.
+printf 'P,Q,sigma\n300,0,0\n300,20,10\n300,20,1e14\n' >hard.csv
+flat="--E1 72100 --nu1 0.33 --flat 0.5 --radius 25 --f 0.5"
+rm -f x.csv
+cannot "hard.csv: line 4: an iteration did not converge: smaller loads may go" history hard.csv $flat -o x.csv
+same "nothing is written" no "$([ -e x.csv ] && echo yes || echo no)"
+refuses "--load 300,0,20,1e14: an iteration did not converge: smaller loads may go" history $flat --load 300,0 --load 300,0,20,1e14
+does history hard.csv $flat --until
+message_has "hard.csv: line 4: an iteration did not converge: smaller loads may go; the results end before it"
+same "rows" 3 "$(wc -l <out | tr -d ' ')"
 printf 'P,Q,T\n100,10,5\n100,-10,x\n' >unused.csv
 run history unused.csv $specimen
 message_is "rwedge history: unused.csv: columns with numbers that are not used: 'T'"

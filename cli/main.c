@@ -65,7 +65,14 @@ static int run_command(const command *chosen, int count, const char **words)
     words[0] = whole_name;
     message_speaker_is(whole_name);
     arguments line;
-    return arguments_read(&line, &chosen->grammar, count, words) ? chosen->run(&line) : STATUS_DONE;
+    if (!arguments_read(&line, &chosen->grammar, count, words))
+        return STATUS_DONE;
+    case_file_take(chosen->name, &line);
+    case_file_check(&line);
+    const int status = chosen->run(&line);
+    if (status == STATUS_DONE)
+        case_file_save(chosen->name, &line);
+    return status;
 }
 
 /* Options in front of a command are rwedge's own. */

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fretting.h"
 
+#include "document/document.h"
+
 #include <ctype.h>
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
 #include <strings.h>
-
-#include <jansson.h>
 
 /* ---- The options ---- */
 
@@ -218,41 +217,17 @@ static void set(const char *file, const char *name, double value, material *cons
     constants->value[i] = value;
 }
 
-/* ---- The file ---- */
-
-/* Without the mark of Unicode, which some editors write first. */
-static json_t *load_json(const char *path, json_error_t *error)
-{
-    FILE *file = fopen(path, "rb");
-    if (file == NULL)
-        failure("%s: %s", path, strerror(errno));
-    int first = fgetc(file);
-    if (first == 0xEF && fgetc(file) != EOF && fgetc(file) != EOF)
-        first = fgetc(file);
-    ungetc(first, file);
-    json_t *top = json_loadf(file, JSON_REJECT_DUPLICATES, error);
-    fclose(file);
-    return top;
-}
-
 static void read_json(const char *path, material *constants)
 {
-    json_error_t error;
-    json_t *top = load_json(path, &error), *value;
-    const char *name;
-    if (top == NULL)
-        failure("%s: line %d: %s", path, error.line, error.text);
-    if (!json_is_object(top))
-        failure("%s: must be an object of names and numbers", path);
-    json_object_foreach(top, name, value)
-    {
-        if (material_is_remark(name))
+    const node *top = path[0] == '{' ? document_read_text(path, "--material") : document_read(path);
+    for (size_t i = 0; i < top->count; i++) {
+        const node *value = &top->part[i];
+        if (material_is_remark(value->name))
             continue;
-        if (!json_is_number(value))
-            failure("%s: %.60s: must be a number", path, name);
-        set(path, name, json_number_value(value), constants);
+        if (value->kind != NODE_NUMBER)
+            failure("%s: %.60s: must be a number", path, value->name);
+        set(path, value->name, value->number, constants);
     }
-    json_decref(top);
 }
 
 static void read_csv(const char *path, const char *encoding, material *constants)
@@ -353,7 +328,7 @@ void material_read(const arguments *line, input_texts *texts, material *constant
     if (path == NULL)
         return;
     const char *ending = strrchr(path, '.');
-    if (ending != NULL && strcasecmp(ending, ".json") == 0)
+    if (path[0] == '{' || (ending != NULL && strcasecmp(ending, ".json") == 0))
         read_json(path, constants);
     else
         read_csv(path, line->value[OPTION_ENCODING], constants);

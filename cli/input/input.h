@@ -186,6 +186,12 @@ void pairs_free(pairs *all);
  * used, the hull; or "". What is wrong with it is kept too. Not while threads look for profiles. */
 const char *profiles_read(const char *name, const reading *how, const profile_making *making);
 
+/* Places that stand for a file of that name, which is read then; they are freed with it. */
+void profiles_offer(const char *name, pairs places);
+
+/* Those of a file that were kept; NULL for none. */
+const pairs *profiles_places(const char *name);
+
 /* Those that have been read: of input_texts. */
 const pad_profile *profiles_named(const char *name, complaint *why);
 

@@ -8,6 +8,8 @@
 typedef struct {
     char *name;
     pad_profile places;
+    pairs kept;
+    bool is_offered;   /* and not yet read */
     complaint problem; /* why it is none; "" */
     char remark[900];
 } entry;
@@ -52,6 +54,54 @@ static const char *const *usual_names(size_t count)
     return count == 2 ? names : NULL;
 }
 
+static entry *add(const char *name)
+{
+    entry *to = memory_zeroed(1, sizeof *to);
+    to->name = memory_zeroed(strlen(name) + 1, 1);
+    strcpy(to->name, name);
+    entries = memory_for_one_more(entries, entry_count, sizeof *entries);
+    entries[entry_count++] = to;
+    return to;
+}
+
+static double *copy_of(size_t count, const double number[])
+{
+    double *copy = memory_zeroed(count + 1, sizeof *copy);
+    memcpy(copy, number, count * sizeof *copy);
+    return copy;
+}
+
+static pairs pairs_copy(const pairs *from)
+{
+    return (pairs){.count = from->count,
+                   .first = copy_of(from->count, from->first),
+                   .second = copy_of(from->count, from->second),
+                   .column = from->column};
+}
+
+void profiles_offer(const char *name, pairs places)
+{
+    entry *to = add(name);
+    to->kept = places;
+    to->is_offered = true;
+}
+
+const pairs *profiles_places(const char *name)
+{
+    const entry *known = entry_named(name);
+    return known != NULL && known->kept.count > 0 ? &known->kept : NULL;
+}
+
+/* Makes the profile of the places, unless there is a problem with them. */
+static void settle(pairs *rows, const profile_making *how, entry *to)
+{
+    if (rows->problem.text[0] == '\0')
+        take(rows, how, to);
+    else
+        to->problem = rows->problem;
+    pairs_free(rows);
+}
+
 const char *profiles_read(const char *name, const reading *how, const profile_making *making)
 {
     enum { MOST = 1000000 };
@@ -65,19 +115,20 @@ const char *profiles_read(const char *name, const reading *how, const profile_ma
                                  .rows = "places",
                                  .most = MOST};
     pairs rows;
-    if (entry_named(name) != NULL)
+    entry *to = entry_named(name);
+    if (to != NULL && !to->is_offered)
         return "";
-    entry *to = memory_zeroed(1, sizeof *to);
-    to->name = memory_zeroed(strlen(name) + 1, 1);
-    strcpy(to->name, name);
-    entries = memory_for_one_more(entries, entry_count, sizeof *entries);
-    entries[entry_count++] = to;
-    pairs_read(name, how, &wanted, &rows);
-    if (rows.problem.text[0] == '\0')
-        take(&rows, making, to);
-    else
-        to->problem = rows.problem;
-    pairs_free(&rows);
+    if (to == NULL) {
+        to = add(name);
+        pairs_read(name, how, &wanted, &rows);
+        if (making->keeps_places)
+            to->kept = pairs_copy(&rows);
+    } else {
+        rows = pairs_copy(&to->kept);
+        rows.line = memory_zeroed(rows.count + 1, sizeof *rows.line);
+        to->is_offered = false;
+    }
+    settle(&rows, making, to);
     return to->remark;
 }
 
@@ -103,6 +154,7 @@ void profiles_forget(size_t count)
         entry *last = entries[--entry_count];
         free(last->name);
         pad_profile_free(&last->places);
+        pairs_free(&last->kept);
         free(last);
     }
 }

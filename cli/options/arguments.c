@@ -48,16 +48,22 @@ static void try_options(const struct poptOption *options, nearest_name *to)
     }
 }
 
+const char *arguments_nearest(const syntax *grammar, const char *name)
+{
+    nearest_name to = nearest_to(name);
+    try_options(grammar->options, &to);
+    return to.name;
+}
+
 static void refuse_unknown(const syntax *grammar, const char *option)
 {
     char allowed[512] = "", name[40];
     const char *typed = option + strspn(option, "-");
     snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
-    nearest_name to = nearest_to(name);
-    try_options(grammar->options, &to);
-    if (to.name != NULL)
+    const char *nearest = arguments_nearest(grammar, name);
+    if (nearest != NULL)
         usage_error("%s: unknown option; the nearest is --%s; \"%s --help\" lists all", option,
-                    to.name, message_speaker());
+                    nearest, message_speaker());
     for (int i = 0; i < OPTION_LIMIT; i++) { /* the command's own first, then the common ones */
         const struct poptOption *own = find(grammar->options, (OPTION_OWN + i) % OPTION_LIMIT);
         if (own != NULL)
@@ -140,6 +146,31 @@ bool arguments_read(arguments *line, const syntax *grammar, int argc, const char
     line->operand = poptGetArgs(context);
     check_memory();
     return true;
+}
+
+static int number_of(const struct poptOption *options, const char *name)
+{
+    for (; options->longName != NULL || options->argInfo != 0; options++) {
+        int number = 0;
+        if ((options->argInfo & POPT_ARG_MASK) == POPT_ARG_INCLUDE_TABLE)
+            number = number_of(options->arg, name);
+        else if (strcmp(options->longName, name) == 0)
+            number = options->val;
+        if (number != 0)
+            return number;
+    }
+    return 0;
+}
+
+int arguments_number(const arguments *line, const char *name)
+{
+    return number_of(line->grammar->options, name);
+}
+
+const char *arguments_name(const arguments *line, int number)
+{
+    const struct poptOption *option = find(line->grammar->options, number);
+    return option != NULL ? option->longName : NULL;
 }
 
 const char *arguments_output(const arguments *line)

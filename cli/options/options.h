@@ -49,6 +49,12 @@ typedef struct {
  * which the command is done. */
 bool arguments_read(arguments *line, const syntax *grammar, int argc, const char **argv);
 
+/* The number of the option of that name, 0 for none; the name of one of that number, as the help
+ * has it; the option whose name is nearest to one that is none, NULL where none is near. */
+int arguments_number(const arguments *line, const char *name);
+const char *arguments_name(const arguments *line, int number);
+const char *arguments_nearest(const syntax *grammar, const char *name);
+
 /* The name of the option that names the file to write; of one that names another file, as the help
  * has it, NULL where it names none. */
 const char *arguments_output(const arguments *line);

@@ -45,6 +45,7 @@ typedef struct {
     int32_t arcs;        /* of the fit; 0 for as many as the heights ask for */
     bool is_down;        /* heights point away from body 2 */
     bool is_from_lowest; /* x is to be 0 at the lowest place */
+    bool keeps_places;   /* those of the file stay, as they are there */
     bool takes_unnamed;  /* columns without names are x and height */
     bool is_command;     /* messages may name options */
 } profile_making;

@@ -1,23 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* JSON: an array of objects, one to a line; an empty cell is null. Jansson writes the texts only.
- * It would build the whole array in memory, and print every number with the same digits. So the
- * frame of the array is written here. The numbers are those of the other formats, which are valid
- * in JSON too. */
+/* JSON: an array of objects, one to a line; an empty cell is null. Jansson would build the whole
+ * array in memory, and print every number with the same digits. So it writes the texts only. The
+ * numbers are those of the other formats, which are valid in JSON too. */
 #include "rows.h"
+
+#include "document/document.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <jansson.h>
-
 static void put_text(records *rows, const char *text)
 {
-    errno = 0;
-    json_t *string = json_string(text);
-    char *encoded = string != NULL ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
-    json_decref(string);
+    char *encoded = document_quoted(text);
     if (encoded == NULL)
         failure("%s: %s", rows->out->name,
                 errno == ENOMEM ? "out of memory" : "a text is not UTF-8, which JSON needs");

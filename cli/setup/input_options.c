@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { OTHER_OPTIONS = 7, CONTACT_INPUTS = INPUT_K };
+enum { OTHER_OPTIONS = 9, CONTACT_INPUTS = INPUT_K };
 
 struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
     [CONTACT_INPUTS] = {HULL_OPTION},
@@ -13,6 +13,8 @@ struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
      "up|down"},
     {VALUE("origin", OPTION_ORIGIN),
      "Where x is 0, which P passes through: as in the profile, or at its lowest place", "lowest"},
+    {VALUE("case", OPTION_CASE), "A case from a JSON file; options replace what it has", "FILE"},
+    {VALUE("save-case", OPTION_SAVE_CASE), "Write the case to FILE, for --case", "FILE"},
     OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
     OTHER_NAME("nu", OPTION_INPUT + INPUT_NU1),
     {INCLUDED(reading_option_table), "Units, and columns of files:", NULL},
@@ -49,11 +51,19 @@ struct poptOption reading_option_table[] = {
 
 /* ---- Units and files ---- */
 
-static double read_size(const arguments *line, int number, const char *name)
+static double read_size(const arguments *line, int number, const char *name, const char *dimension,
+                        const unit_system *units)
 {
-    const char *text = line->value[number];
-    double size = NAN;
-    if (text != NULL && !(number_read(text, &size) && size > 0 && number_is_size(size)))
+    const char *text = line->value[number], *own;
+    double size = NAN, factor = 1;
+    complaint why;
+    if (text != NULL && !quantity_read(text, '.', &size, &own))
+        size = 0;
+    else if (text != NULL && !units_factor(units, own, dimension, SHARE_NONE, &factor, &why))
+        usage_error("--%s %s: %s%s", name, text, why.text,
+                    units->is_known ? "" : ": --units, such as --units mm,N,MPa, converts it");
+    size *= factor;
+    if (text != NULL && !(size > 0 && number_is_size(size)))
         usage_error("--%s %s: must be a number above 0, in the working units", name, text);
     return size;
 }
@@ -65,8 +75,8 @@ const unit_system *units_of(const arguments *line)
     units = units_unknown;
     if (line->value[OPTION_UNITS] != NULL && !units_read(line->value[OPTION_UNITS], &units, &why))
         usage_error("--units %s", why.text);
-    units.width = read_size(line, OPTION_WIDTH, "width");
-    units.section = read_size(line, OPTION_SECTION, "section");
+    units.width = read_size(line, OPTION_WIDTH, "width", "length", &units);
+    units.section = read_size(line, OPTION_SECTION, "section", "area", &units);
     return &units;
 }
 
@@ -152,6 +162,7 @@ profile_making profile_making_of(const arguments *line)
                             .fits = line->value[OPTION_FIT] != NULL,
                             .is_down = heights != NULL && strcmp(heights, "down") == 0,
                             .is_from_lowest = origin != NULL,
+                            .keeps_places = line->value[OPTION_SAVE_CASE] != NULL,
                             .is_command = true};
 }
 

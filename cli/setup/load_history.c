@@ -22,9 +22,24 @@ const char *history_file(const arguments *line)
                                                              : line->value[OPTION_HISTORY];
 }
 
+/* What has been read, or offered. */
+static load_history kept;
+static bool is_kept;
+
+void load_history_offer(const char *name, const load *to, size_t count)
+{
+    kept = (load_history){.name = name,
+                          .is_of_case = true,
+                          .load = memory_zeroed(count, sizeof *to),
+                          .row = memory_zeroed(count, sizeof *kept.row),
+                          .count = count};
+    memcpy(kept.load, to, count * sizeof *to);
+    is_kept = true;
+}
+
 bool history_is_given(const arguments *line)
 {
-    return history_file(line) != NULL || line->value[OPTION_LOAD] != NULL;
+    return history_file(line) != NULL || line->value[OPTION_LOAD] != NULL || kept.is_of_case;
 }
 
 void history_check(const arguments *line)
@@ -131,15 +146,11 @@ static void read_rows(table_input *t, load_history *loads)
     csv_input_check(in);
 }
 
-void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
+static void read_file(const arguments *line, const char *file, char decimal_sign,
+                      load_history *loads)
 {
     static table_input t; /* the header points into it */
     const table_wanted wanted = {.find = find_columns, .counts_missing = true};
-    const char *file = history_file(line);
-    if (file == NULL) {
-        load_history_read_list(line, loads);
-        return;
-    }
     const reading how = reading_of(line, decimal_sign);
     table_open(file, &how, &wanted, &t);
     csv_input_check(t.in);
@@ -154,10 +165,25 @@ void load_history_read(const arguments *line, char decimal_sign, load_history *l
     csv_input_close(t.in); /* the names stay */
 }
 
+void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
+{
+    const char *file = history_file(line);
+    if (!is_kept && file != NULL)
+        read_file(line, file, decimal_sign, &kept);
+    else if (!is_kept)
+        load_history_read_list(line, &kept);
+    is_kept = true;
+    *loads = kept;
+}
+
 /* ---- Applied ---- */
 
 const char *load_history_place(const load_history *loads, size_t row, char place[LOAD_PLACE_SIZE])
 {
+    if (loads->is_of_case)
+        snprintf(place, LOAD_PLACE_SIZE, "%.250s: load %zu", loads->name, row + 1);
+    if (loads->is_of_case)
+        return place;
     if (loads->name != NULL) {
         snprintf(place, LOAD_PLACE_SIZE, "%.250s: line %" PRId64, loads->name,
                  loads->row[row].line);

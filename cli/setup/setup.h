@@ -2,6 +2,7 @@
 #ifndef CLI_SETUP_H
 #define CLI_SETUP_H
 
+#include "document/document.h"
 #include "input/input.h"
 #include "options/options.h"
 
@@ -31,6 +32,8 @@ enum {
     OPTION_FIT,
     OPTION_HEIGHTS,
     OPTION_ORIGIN,
+    OPTION_CASE,
+    OPTION_SAVE_CASE,
     OPTION_AFTER_INPUTS
 };
 
@@ -78,6 +81,7 @@ extern struct poptOption load_option_table[];
 
 typedef struct {
     const char *name; /* of the file, as messages call it; NULL where --load gave the loads */
+    bool is_of_case;  /* loads without lines */
     header names;     /* what the columns of the file are */
     bool has_mark;    /* whether the file begins with the mark of Unicode */
     load *load;
@@ -93,7 +97,11 @@ bool history_is_given(const arguments *line);
  * history. */
 void history_check(const arguments *line);
 
-/* Reads the file where there is one, else the list; or the list of --load. */
+/* Loads of a case, which stand for a file of that name. They must stay. */
+void load_history_offer(const char *name, const load *to, size_t count);
+
+/* Reads the file where there is one, else the list; or the list of --load. What has been read once
+ * is given again. */
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads);
 void load_history_read_list(const arguments *line, load_history *loads);
 
@@ -113,6 +121,23 @@ void history_case(const arguments *line, const input_texts *texts, case_needs ne
 /* Where it stands, as messages say it: "loads.csv: line 3". */
 enum { LOAD_PLACE_SIZE = 300 };
 const char *load_history_place(const load_history *loads, size_t row, char place[LOAD_PLACE_SIZE]);
+
+/* ---- case_file ---- A case in a file: bodies, pad, loads, what is asked. Names that are none end
+ * the command. */
+
+/* Gives the values of --case to options that are not given, before anything else is read. */
+void case_file_take(const char *command_name, arguments *line);
+
+/* ---- case_writing ---- The same file written. */
+
+/* The number of an option that says what is asked of a command; 0 of other options. */
+int case_option_asked(const arguments *line, const char *name);
+
+/* Refuses what --save-case cannot write; to be called before the work. */
+void case_file_check(const arguments *line);
+
+/* Writes the file of --save-case, whole or not at all, once the command is done. */
+void case_file_save(const char *command_name, const arguments *line);
 
 /* ---- loaded_contact ---- A loaded contact to look into, dimensional or in natural units: what
  * "profile" and "field" have in common. */

@@ -55,5 +55,8 @@ else # other rooms see one header, of the room's name
     for file in $(grep -rl '<xlsxwriter\.h>' --include='*.[ch]' . | grep -v '^\./sheet/'); do
         wrong "${file#./} sees libxlsxwriter"
     done
+    for file in $(grep -rl '<jansson\.h>' --include='*.[ch]' . | grep -v '^\./document/'); do
+        wrong "${file#./} sees Jansson"
+    done
 fi
 [ "$bad" -eq 0 ] && echo "ok: $(echo $rooms | wc -w) rooms of $whole, each named before those that use it"

@@ -7,7 +7,7 @@ write=${3:-}
 readme=$here/../../../cli/README.md
 # Each example into files of its own: N.command, N.expected; and the files that examples read.
 awk '
-    /^```csv [a-z.]*$/ { file = $2; next }
+    /^```(csv|json) [a-z.]*$/ { file = $2; next }
     /^```$/ { file = "" }
     file { print > file; next }
     /^```console$/ { inside = 1; next }

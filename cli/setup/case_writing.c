@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A case as it was read: all numbers are in the working units, and forces are per unit length. */
+#include "setup.h"
+
+#include "model/words/words.h"
+#include "system/system.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* ---- JSON ---- */
+
+typedef struct {
+    output out;
+    bool is_begun; /* the object at hand */
+} writing;
+
+static void begin_name(writing *to, const char *indent, const char *name)
+{
+    output_print(&to->out, "%s\n%s\"%s\": ", to->is_begun ? "," : "", indent, name);
+    to->is_begun = true;
+}
+
+static void begin_group(writing *to, const char *name)
+{
+    begin_name(to, "  ", name);
+    output_text(&to->out, "{");
+    to->is_begun = false;
+}
+
+static void end_group(writing *to)
+{
+    output_text(&to->out, "\n  }");
+    to->is_begun = true;
+}
+
+static void put_number(writing *to, double value)
+{
+    char digits[NUMBER_SIZE];
+    number_write(value, NUMBER_DIGITS, '.', digits);
+    output_text(&to->out, digits);
+}
+
+static void put_text(writing *to, const char *text)
+{
+    char *quoted = document_quoted(text);
+    if (quoted == NULL)
+        failure("%s: the text '%.60s' is not UTF-8, which JSON needs", to->out.name, text);
+    output_text(&to->out, quoted);
+    free(quoted);
+}
+
+/* Every fourth number begins a line. */
+static void put_list(writing *to, const char *name, size_t count, const double number[])
+{
+    begin_name(to, "    ", name);
+    for (size_t i = 0; i < count; i++) {
+        output_text(&to->out, i == 0 ? "[" : i % 4 == 0 ? ",\n      " : ", ");
+        put_number(to, number[i]);
+    }
+    output_text(&to->out, "]");
+}
+
+/* ---- Groups ---- */
+
+static const char *text_of(const arguments *line, const case_word *word)
+{
+    const int number = word->option != NULL ? arguments_number(line, word->option) : 0;
+    return number != 0 ? line->value[number] : NULL;
+}
+
+static void put_word(writing *to, const case_word *word, const char *text, const input_texts *texts)
+{
+    complaint why;
+    double value;
+    begin_name(to, word->group[0] == '\0' ? "  " : "    ", word->name);
+    if (word->kind == WORD_FLAG)
+        output_text(&to->out, "true");
+    else if (word->input == INPUT_COUNT)
+        put_text(to, text);
+    else if (!input_read(texts, word->input, &value, &why))
+        failure("%s: %s", to->out.name, why.text);
+    else if (isinf(value))
+        put_text(to, "inf");
+    else
+        put_number(to, value);
+}
+
+/* What forces were divided by is not said again. */
+static void put_words(writing *to, const char *group, const arguments *line,
+                      const input_texts *texts)
+{
+    for (size_t i = 0; i < case_word_count(); i++) {
+        const case_word *word = case_word_of(i);
+        const char *text = text_of(line, word);
+        const bool is_divisor = group[0] == '\0' && word->kind == WORD_QUANTITY;
+        if (strcmp(word->group, group) == 0 && text != NULL && !is_divisor)
+            put_word(to, word, text, texts);
+    }
+}
+
+static void put_places(writing *to, const char *profile)
+{
+    const pairs *places = profile != NULL ? profiles_places(profile) : NULL;
+    if (places == NULL)
+        return;
+    put_list(to, "x", places->count, places->first);
+    put_list(to, places->column, places->count, places->second);
+}
+
+static void put_loads(writing *to, const arguments *line)
+{
+    static const char *const names[] = {"P", "M", "Q", "sigma"};
+    const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
+    load_history loads;
+    load_history_read(line, comma ? ',' : '.', &loads);
+    double *number = memory_zeroed(loads.count, sizeof *number);
+    for (int j = 0; j < 4; j++) {
+        for (size_t i = 0; i < loads.count; i++) {
+            const load *one = &loads.load[i];
+            number[i] = j == 0 ? one->P : j == 1 ? one->M : j == 2 ? one->Q : one->sigma;
+        }
+        put_list(to, names[j], loads.count, number);
+    }
+    free(number);
+}
+
+/* ---- What is asked ---- */
+
+/* Names of files, and how they are read; the words of a case. */
+int case_option_asked(const arguments *line, const char *name)
+{
+    static const char *const not_asked[] = {"case", "save-case", "load",   "history", "input",
+                                            "drop", "profile",   "points", "material"};
+    const int number = arguments_number(line, name);
+    for (size_t i = 0; i < sizeof not_asked / sizeof not_asked[0]; i++)
+        if (strcmp(not_asked[i], name) == 0)
+            return 0;
+    for (size_t i = 0; i < case_word_count(); i++)
+        if (case_word_of(i)->option != NULL && strcmp(case_word_of(i)->option, name) == 0)
+            return 0;
+    return number < OPTION_OWN || arguments_other_file(line, number) != NULL ? 0 : number;
+}
+
+static void put_asked(writing *to, const char *command_name, const arguments *line)
+{
+    begin_group(to, "asked");
+    begin_name(to, "    ", "command");
+    put_text(to, command_name);
+    begin_name(to, "    ", "options");
+    output_text(&to->out, "{");
+    to->is_begun = false;
+    for (int i = OPTION_OWN; i < OPTION_LIMIT; i++) {
+        const char *name = line->value[i] != NULL ? arguments_name(line, i) : NULL;
+        if (name == NULL || case_option_asked(line, name) == 0)
+            continue;
+        begin_name(to, "      ", name);
+        if (line->value[i][0] == '\0')
+            output_text(&to->out, "true");
+        else
+            put_text(to, line->value[i]);
+    }
+    output_text(&to->out, to->is_begun ? "\n    }" : "}");
+    end_group(to);
+}
+
+/* ---- All ---- */
+
+/* The words of a file of constants. */
+static void put_constants(writing *to, const char *path)
+{
+    double value;
+    csv_input *in = csv_input_open(path, ',', NULL);
+    for (const char *before = "{"; csv_input_next(in); before = ", ") {
+        const char **cells = in->row.cell;
+        output_text(&to->out, before);
+        put_text(to, cells[0]);
+        output_text(&to->out, ": ");
+        if (number_read_cell(cells[1], '.', &value))
+            put_number(to, value);
+        else
+            put_text(to, cells[1]);
+    }
+    csv_input_check(in);
+    csv_input_close(in);
+    output_text(&to->out, "}");
+}
+
+/* Of a file its constants stay, in its words. */
+static void put_material(writing *to, const char *text)
+{
+    const char *ending = strrchr(text, '.');
+    const bool is_json = ending != NULL && strcasecmp(ending, ".json") == 0;
+    begin_name(to, "  ", "material");
+    if (text[0] != '{' && !is_json) {
+        put_constants(to, text);
+        return;
+    }
+    char *object = text[0] == '{' ? NULL : node_written(document_read(text));
+    output_text(&to->out, object != NULL ? object : text);
+    free(object);
+}
+
+static void put_all(writing *to, const char *command_name, const arguments *line,
+                    const input_texts *texts)
+{
+    const int material = arguments_number(line, "material");
+    static const char *const groups[] = {"bodies", "pad", "loads"};
+    output_print(&to->out, "{\n  \"%s\": %d", case_version_name, CASE_VERSION);
+    to->is_begun = true;
+    put_words(to, "", line, texts);
+    for (int i = 0; i < 3; i++) {
+        begin_group(to, groups[i]);
+        put_words(to, groups[i], line, texts);
+        if (i == 1)
+            put_places(to, texts->text[INPUT_PROFILE]);
+        if (i == 2 && history_is_given(line))
+            put_loads(to, line);
+        end_group(to);
+    }
+    if (material != 0 && line->value[material] != NULL)
+        put_material(to, line->value[material]);
+    put_asked(to, command_name, line);
+    output_text(&to->out, "\n}\n");
+}
+
+void case_file_check(const arguments *line)
+{
+    const int option = arguments_number(line, "save-case"), input = arguments_number(line, "input");
+    const char *path = option != 0 ? line->value[option] : NULL;
+    if (path == NULL)
+        return;
+    if (strcmp(path, "-") == 0)
+        usage_error("--save-case -: must be the name of a file");
+    if (input != 0 && line->value[input] != NULL)
+        usage_error("--save-case %s: is of one contact, not with --input", path);
+    if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL)
+        usage_error("--save-case %s: a case has one list of loads; not with --load beside a file",
+                    path);
+    output_try(path);
+}
+
+void case_file_save(const char *command_name, const arguments *line)
+{
+    const int option = arguments_number(line, "save-case");
+    const char *path = option != 0 ? line->value[option] : NULL;
+    input_texts texts;
+    writing to;
+    if (path == NULL)
+        return;
+    input_texts_from_options(line, &texts);
+    output_open(&to.out, path);
+    put_all(&to, command_name, line, &texts);
+    output_finish(&to.out);
+}

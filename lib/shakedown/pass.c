@@ -93,6 +93,7 @@ static void put_beside(rw_pass_path *path, double mark, double length, int side)
 static void put_between(rw_pass_path *path, double left, double right)
 {
     put_beside(path, left, (right - left) / 2, 1);
+    put(path, left + (right - left) / 2);
     put_beside(path, right, (right - left) / 2, -1);
     put(path, right);
 }
@@ -115,12 +116,12 @@ static void put_inside(rw_pass_path *path, double s)
 /* How close places come to a mark, so that all have room on the grid. */
 static double closest_for(const rw_pass *pass, double step)
 {
-    static const double CLOSEST = 1e-8;
+    static const double CLOSEST = 1e-12;
     size_t marks = 2;
     for (size_t i = 0; i < pass->arcs.count; i++)
         marks += rw_arc_is_inside(rw_arc_at(&pass->arcs, i), pass->patch) ? 2 : 0;
-    const double room = (double)RW_PASS_GRID / (4 * (double)marks); /* on each side */
-    return fmax(CLOSEST, exp(-step * room) / (double)marks);
+    const double room = (double)RW_PASS_GRID / (2 * (double)marks); /* on each side */
+    return fmax(CLOSEST, exp(-log1p(step) * room) / (double)marks);
 }
 
 void rw_pass_sample(rw_pass_path *path, const rw_pass *pass, double y, double step)

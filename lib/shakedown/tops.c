@@ -3,9 +3,10 @@
 
 #include "base/domain.h"
 
-/* Three neighbouring places of the path. */
+/* Three neighbouring places of the path, which were brought closer together so many times. */
 typedef struct {
     double t[3], square[3];
+    int narrowed;
 } triple;
 
 static int highest_of(const triple *p)
@@ -26,15 +27,29 @@ static double top_of(const triple *p)
     return fmin(fmax(top, p->t[0]), p->t[2]);
 }
 
-/* The triples around their tops, with steps that are a part of the former ones. */
-static void narrow(const rw_pass_path *path, const double centre[2], int n, double part,
-                   triple around[], rw_top tops[])
+/* By what part the steps around a top become smaller, time after time. */
+static const double PARTS[] = {0.25, 0.1, 0.03, 0.03};
+enum { NARROWINGS = 4 };
+
+/* The step to the neighbours of the next middle. Where the highest is not in the middle, the top is
+ * beyond: the triple moves there as wide as it is. */
+static double next_step(triple *p)
+{
+    const double step = (p->t[2] - p->t[0]) / 2;
+    if (highest_of(p) != 1 || p->narrowed == NARROWINGS)
+        return step;
+    return PARTS[p->narrowed++] * step;
+}
+
+/* The triples around their tops. */
+static void narrow(const rw_pass_path *path, const double centre[2], int n, triple around[],
+                   rw_top tops[])
 {
     double x[3 * RW_TOPS];
     rw_point at[3 * RW_TOPS];
     for (int i = 0; i < n; i++) {
         triple *p = &around[i];
-        const double top = top_of(p), step = part * (p->t[2] - p->t[0]) / 2;
+        const double top = top_of(p), step = next_step(p);
         for (int k = 0; k < 3; k++) {
             p->t[k] = top + (k - 1) * step;
             x[3 * i + k] = rw_pass_place(path, p->t[k]);
@@ -50,6 +65,14 @@ static void narrow(const rw_pass_path *path, const double centre[2], int n, doub
     }
 }
 
+static bool are_narrow(int n, const triple around[])
+{
+    for (int i = 0; i < n; i++)
+        if (around[i].narrowed < NARROWINGS)
+            return false;
+    return true;
+}
+
 /* What the grid may hide is less than HIDDEN of the fall to the lower neighbour. */
 static bool may_exceed(double square, double before, double here, double after)
 {
@@ -59,7 +82,7 @@ static bool may_exceed(double square, double before, double here, double after)
 
 int rw_tops(const rw_pass_path *path, const double centre[2], double square, rw_top tops[])
 {
-    static const double PARTS[] = {0.25, 0.1, 0.03, 0.03};
+    enum { ROUNDS = 2 * NARROWINGS };
     const size_t n = path->n;
     const double round = 4 * path->turn;
     triple around[RW_TOPS];
@@ -72,13 +95,13 @@ int rw_tops(const rw_pass_path *path, const double centre[2], double square, rw_
         if (may_exceed(square, before, here, after)) {
             const double t0 = i > 0 ? path->t[i - 1] : path->t[n - 1] - round,
                          t2 = next > 0 ? path->t[next] : path->t[0] + round;
-            around[count] = (triple){{t0, path->t[i], t2}, {before, here, after}};
+            around[count] = (triple){{t0, path->t[i], t2}, {before, here, after}, 0};
             tops[count++] = (rw_top){path->t[i], path->path[i], here};
         }
         before = here;
         here = after;
     }
-    for (size_t k = 0; k < sizeof PARTS / sizeof *PARTS; k++)
-        narrow(path, centre, count, PARTS[k], around, tops);
+    for (int k = 0; k < ROUNDS && !are_narrow(count, around); k++)
+        narrow(path, centre, count, around, tops);
     return count;
 }

@@ -10,6 +10,7 @@ enum {
     OPTION_INPUT_FILE = OPTION_AFTER_LOADS,
     OPTION_LAYOUT,
     OPTION_YIELD_FACTOR,
+    OPTION_SHAKEDOWN,
     OPTION_VERDICT,
     OPTION_FOR,
     OPTION_SAFETY
@@ -25,6 +26,8 @@ static const struct poptOption options[] = {
      "One contact as a list of quantities, or as a row (default list)", "list|row"},
     {FLAG("yield-factor", OPTION_YIELD_FACTOR),
      "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
+    {FLAG("shakedown", OPTION_SHAKEDOWN),
+     "Add P_shakedown to the rows of a file too; needs k, takes longer", NULL},
     {FLAG("verdict", OPTION_VERDICT),
      "Say on standard error what the results come to, of one contact; takes longer", NULL},
     {VALUE("for", OPTION_FOR),
@@ -156,6 +159,9 @@ static void read_task(const arguments *line, const input_texts *texts, const cha
     task->wanted.yield_factor = line->value[OPTION_YIELD_FACTOR] != NULL;
     if (task->wanted.yield_factor && !has_strength && file == NULL)
         usage_error("--yield-factor: needs --k or --yield-stress");
+    task->wanted.shakedown = file == NULL || line->value[OPTION_SHAKEDOWN] != NULL;
+    if (line->value[OPTION_SHAKEDOWN] != NULL && !has_strength && file == NULL)
+        usage_error("--shakedown: needs --k or --yield-stress");
     task->wanted.edges = history_is_given(line) || input_is_given(texts, INPUT_M) ||
                          input_is_given(texts, INPUT_SIGMA) || input_is_given(texts, INPUT_PROFILE);
     task->says_verdict = line->value[OPTION_VERDICT] != NULL;

@@ -40,6 +40,8 @@ static void refuse(const table *chosen, const double value[], int32_t status)
             list_add(where, sizeof where, ", ", "%s = %s", variables[variable].column, text);
     }
     progress_erase();
+    if (status == RWEDGE_EDOMAIN && chosen->allowed != NULL)
+        failure("%s at %s: allowed: %s", chosen->name, where, chosen->allowed);
     failure("%s at %s: %s", chosen->name, where, rwedge_strerror(status));
 }
 

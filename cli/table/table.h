@@ -21,6 +21,7 @@ typedef struct {
     /* Fills the quantities from the values of the variables. RWEDGE_OK, or the library's status. */
     int32_t (*row)(const double value[VARIABLE_COUNT], cell row[COLUMNS_MAX]);
     const table_variable *ratio; /* a/b of another pad than the wedge; NULL */
+    const char *allowed;         /* of the variables, where the library refuses some; NULL */
 } table;
 
 /* The tables of the wedge, and then those of a flat pad. */

@@ -41,23 +41,35 @@ const column_kind result_kinds[RESULT_COUNT] = {
     [RESULT_YIELD_FACTOR] = {"yield_factor", "k over the largest sqrt(J2) under P and Q", "none"},
     [RESULT_WARNINGS] = {"warnings", "what makes these numbers doubtful", "text"},
     [RESULT_P0_X] = {"p0_x", "where the pressure is largest", "length"},
+    [RESULT_P_SHAKEDOWN] = {"P_shakedown", "P that is carried pass after pass in full sliding",
+                            "force/length"},
+    [RESULT_SAFETY_SHAKEDOWN] = {"safety_shakedown",
+                                 "P_shakedown/P: below 1 it goes on yielding in each pass", "none"},
 };
 
-/* Edges need moment or tension; the yield factor takes longest. The others are for everybody. */
+/* Edges need moment or tension; the yield factor and shakedown take longest. The others are for
+ * everybody. */
 static const enum {
     NEEDS_NOTHING,
     NEEDS_EDGES,
-    NEEDS_YIELD_FACTOR
+    NEEDS_YIELD_FACTOR,
+    NEEDS_SHAKEDOWN
 } needs[RESULT_COUNT] = {
-    [RESULT_LEFT] = NEEDS_EDGES,       [RESULT_RIGHT] = NEEDS_EDGES,
-    [RESULT_STICK_LEFT] = NEEDS_EDGES, [RESULT_STICK_RIGHT] = NEEDS_EDGES,
-    [RESULT_TILT] = NEEDS_EDGES,       [RESULT_YIELD_FACTOR] = NEEDS_YIELD_FACTOR,
+    [RESULT_LEFT] = NEEDS_EDGES,
+    [RESULT_RIGHT] = NEEDS_EDGES,
+    [RESULT_STICK_LEFT] = NEEDS_EDGES,
+    [RESULT_STICK_RIGHT] = NEEDS_EDGES,
+    [RESULT_TILT] = NEEDS_EDGES,
+    [RESULT_YIELD_FACTOR] = NEEDS_YIELD_FACTOR,
+    [RESULT_P_SHAKEDOWN] = NEEDS_SHAKEDOWN,
+    [RESULT_SAFETY_SHAKEDOWN] = NEEDS_SHAKEDOWN,
 };
 
 bool results_include(results_wanted wanted, int result)
 {
     return needs[result] == NEEDS_EDGES          ? wanted.edges
            : needs[result] == NEEDS_YIELD_FACTOR ? wanted.yield_factor
+           : needs[result] == NEEDS_SHAKEDOWN    ? wanted.shakedown
                                                  : true;
 }
 
@@ -267,6 +279,24 @@ static bool compute(const contact_case *setup, double b, results *answer, compla
     return !centred || !has_formulas || strength(setup, b, row, why);
 }
 
+/* Where P_yield is: in full sliding, without moment and tension. Empty where the library finds no
+ * load that is too large. */
+static void add_shakedown(const contact_case *setup, results *answer)
+{
+    const pad *shape = &setup->shape;
+    if (isnan(setup->k) || setup->M != 0 || setup->sigma != 0)
+        return;
+    const double P = pad_has_formulas(shape)
+                         ? rwedge_shakedown_load(shape->theta, shape->a, setup->A, setup->f,
+                                                 setup->nu1, setup->k)
+                         : sliding_shakedown(setup);
+    if (!isfinite(P) ||
+        (shape->kind == PAD_CYLINDER && !(pad_half_width(shape, setup->A, P) <= shape->radius)))
+        return;
+    answer->value[RESULT_P_SHAKEDOWN] = cell_number(P);
+    answer->value[RESULT_SAFETY_SHAKEDOWN] = cell_number(P / setup->P);
+}
+
 static bool yield_factor(const contact_case *setup, results *answer, complaint *why)
 {
     const int32_t status = results_find_hardest(setup, answer);
@@ -288,6 +318,8 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
     if (!compute(setup, b, answer, why) ||
         (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, why)))
         return false;
+    if (wanted.shakedown)
+        add_shakedown(setup, answer);
     const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
     answer->doubts.bits =
         doubt_of_zones(setup->contact) | doubts_of(setup, answer->value[RESULT_LEFT].number,

@@ -38,6 +38,8 @@ enum {
     RESULT_YIELD_FACTOR, /* of the present state */
     RESULT_WARNINGS,
     RESULT_P0_X,
+    RESULT_P_SHAKEDOWN,
+    RESULT_SAFETY_SHAKEDOWN,
     RESULT_COUNT
 };
 
@@ -45,7 +47,7 @@ extern const column_kind result_kinds[RESULT_COUNT];
 
 /* Which results that not everybody asks for are wanted. */
 typedef struct {
-    bool yield_factor, edges;
+    bool yield_factor, edges, shakedown;
 } results_wanted;
 bool results_include(results_wanted wanted, int result);
 
@@ -75,6 +77,10 @@ void results_warn(results *answer, const char *warning);
 /* Adds the results for full sliding to those of the present state. Returns the library's status. */
 int32_t results_of_sliding(const contact_case *setup, cell row[]);
 
+/* The P with which it just shakes down. NAN where there is none within the known part of the pad,
+ * 0 at a kink. */
+double sliding_shakedown(const contact_case *setup);
+
 /* The value of P, f or the radius with which first yield, in full sliding, is at `safety` times the
  * load of the case; the case has 1 for this input. NAN where there is none within the known part of
  * the pad. */
@@ -99,7 +105,7 @@ bool inverse_find(const input_texts *texts, int input, double safety, contact_ca
 
 typedef struct {
     const char *colour; /* green, amber or red */
-    char strength[400]; /* one sentence or two: by which factor it is elastic, where it yields */
+    char strength[600]; /* sentences: by which factor it is elastic, where it yields, passes */
     double factor;      /* the one that counts, of the first sentence; NAN where there is none */
     char text[1200];    /* its state in a word, and what is doubtful */
 } verdict;

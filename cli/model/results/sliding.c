@@ -3,33 +3,41 @@
 
 #include <math.h>
 
+/* Whether it is asked for first yield, or for shakedown. */
+typedef enum { LIMIT_OF_YIELD, LIMIT_OF_SHAKEDOWN } limit_kind;
+
 /* The case with another value of an input, P, f or the radius, that slides to the side of Q under
  * so many times P. */
 typedef struct {
     const contact_case *setup;
     int input;
     double k, times;
+    limit_kind of;
 } search;
 
 /* The state of a sliding contact. */
 typedef struct {
     double value, b, tension;
-    double excess; /* logarithm of the yield factor: 0 at first yield; -inf at a kink */
-    double x, y;
+    double excess; /* logarithm of the factor: 0 at the limit; -inf at a kink */
+    double x, y;   /* where it yields first; shakedown has the depth alone */
 } sliding;
 
-static int32_t look(const contact_case *setup, double k, const rwedge_contact *contact, sliding *at)
+static int32_t look(const contact_case *setup, const search *s, const rwedge_contact *contact,
+                    sliding *at)
 {
     double edge[2], sxx[2], factor = 0;
     int32_t status = edge_tensions(contact, edge, sxx);
-    if (status == RWEDGE_OK)
-        status = rwedge_contact_yield_factor(contact, setup->nu1, k, &factor, &at->x, &at->y);
+    if (status == RWEDGE_OK && s->of == LIMIT_OF_YIELD)
+        status = rwedge_contact_yield_factor(contact, setup->nu1, s->k, &factor, &at->x, &at->y);
+    else if (status == RWEDGE_OK)
+        status = rwedge_contact_shakedown_factor(contact, setup->nu1, s->k, &factor, &at->y);
     if (status != RWEDGE_OK)
         return status;
     at->b = rwedge_contact_half_width(contact);
     at->tension = fmax(sxx[0], sxx[1]);
     at->excess = log(factor);
-    yield_place_settle(&at->x, &at->y);
+    if (s->of == LIMIT_OF_YIELD)
+        yield_place_settle(&at->x, &at->y);
     return RWEDGE_OK;
 }
 
@@ -46,7 +54,7 @@ static int32_t slide(const search *s, double value, sliding *at)
     if (status == RWEDGE_OK)
         status = rwedge_contact_load(contact, P, copysign(changed.f * P, changed.Q));
     if (status == RWEDGE_OK)
-        status = look(&changed, s->k, contact, at);
+        status = look(&changed, s, contact, at);
     rwedge_contact_destroy(contact);
     return status;
 }
@@ -70,7 +78,7 @@ static bool bracket(const search *s, sliding *from, sliding *to)
 
 /* The rule of the false position, by Illinois, in the logarithms. The value is NAN where
  * there is no such one as far as the pad is known. */
-static sliding first_yield(const search *s, const sliding *present)
+static sliding find_limit(const search *s, const sliding *present)
 {
     enum { ROUNDS = 60 };
     const double CLOSE = 1e-12;
@@ -98,7 +106,7 @@ int32_t results_of_sliding(const contact_case *setup, cell row[])
     sliding now;
     const bool strong = !isnan(setup->k);
     const double k = strong ? setup->k : 1 / setup->A;
-    const search loads = {setup, INPUT_P, k, 1};
+    const search loads = {setup, INPUT_P, k, 1, LIMIT_OF_YIELD};
     const int32_t status = slide(&loads, setup->P, &now);
     if (status != RWEDGE_OK)
         return status;
@@ -107,7 +115,7 @@ int32_t results_of_sliding(const contact_case *setup, cell row[])
     row[RESULT_P_OVER_BK] = cell_number(setup->P / now.b / k * exp(now.excess));
     if (!strong)
         return RWEDGE_OK;
-    const sliding yield = first_yield(&loads, &now);
+    const sliding yield = find_limit(&loads, &now);
     row[RESULT_P_YIELD] = cell_number(yield.value);
     row[RESULT_SAFETY] = cell_number(yield.value / setup->P);
     if (isnan(yield.value))
@@ -118,9 +126,16 @@ int32_t results_of_sliding(const contact_case *setup, cell row[])
     return RWEDGE_OK;
 }
 
+double sliding_shakedown(const contact_case *setup)
+{
+    const search loads = {setup, INPUT_P, setup->k, 1, LIMIT_OF_SHAKEDOWN};
+    sliding now = {.x = 0};
+    return slide(&loads, setup->P, &now) == RWEDGE_OK ? find_limit(&loads, &now).value : NAN;
+}
+
 double sliding_find(const contact_case *setup, int input, double safety)
 {
-    const search values = {setup, input, setup->k, safety};
+    const search values = {setup, input, setup->k, safety, LIMIT_OF_YIELD};
     sliding now;
-    return slide(&values, 1, &now) == RWEDGE_OK ? first_yield(&values, &now).value : NAN;
+    return slide(&values, 1, &now) == RWEDGE_OK ? find_limit(&values, &now).value : NAN;
 }

@@ -61,6 +61,23 @@ static void add_sliding(const writer *w, const results *answer, bool alone)
         add_place(w, answer->value[RESULT_YIELD_X].number, answer->value[RESULT_YIELD_Y].number);
 }
 
+/* What repeated sliding passes do, beyond first yield. */
+static void add_passes(const writer *w, const results *answer)
+{
+    char text[NUMBER_SIZE];
+    const double passes = answer->value[RESULT_SAFETY_SHAKEDOWN].number;
+    if (answer->value[RESULT_SAFETY_SHAKEDOWN].text != NULL)
+        return;
+    list_add(w->to->strength, sizeof w->to->strength, " ",
+             passes < 1 ? "Sliding again and again, it would go on yielding: the factor on P is %s."
+             : answer->value[RESULT_SAFETY].number < 1
+                 ? "Sliding again and again, it yields at first, then carries it elastically up to "
+                   "%s times P."
+                 : "Sliding again and again, it would carry up to %s times P: elastically, once it "
+                   "has yielded at first.",
+             write(w, passes, text));
+}
+
 /* ---- The whole ---- */
 
 /* NAN, of an empty cell, is in no order. */
@@ -83,9 +100,10 @@ verdict verdict_of(const results *answer, char decimal_sign, const char *length_
     result.factor = isnan(factor) ? safety : factor;
     if (!isnan(factor))
         add_present(&w, answer, factor);
-    if (strong)
+    if (strong) {
         add_sliding(&w, answer, isnan(factor));
-    else
+        add_passes(&w, answer);
+    } else
         list_add(result.strength, sizeof result.strength, "",
                  "No yield stress is given, so nothing is known of its strength.");
     snprintf(result.text, sizeof result.text, "%s", yields(factor, safety));

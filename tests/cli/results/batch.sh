@@ -12,7 +12,10 @@ awk 'BEGIN { srand(5); print "name,theta_deg,radius,P,Q,f,yield_stress"
     for (i = 0; i < 5; i++) { f = 0.01 + rand() / 2; P = 10 + 500 * rand()
         printf "n%d,%.4g,%.4g,%.5g,%.4g,%.3g,%.4g\n", i, 0.2 + 5 * rand(), 20 * rand(), P, f * P * (2 * rand() - 1) * 0.98, f,
                100 + 900 * rand() } }' >cases.csv
-does solve -i cases.csv --E1 210000 --nu1 0.3 --yield-factor
+does solve -i cases.csv --E1 210000 --nu1 0.3
+same "columns of shakedown are asked for" 0 "$(head -n 1 out | grep -c P_shakedown)"
+refuses "--shakedown: needs --k or --yield-stress" solve --E1 210000 --nu1 0.3 --P 1 --radius 1 --shakedown
+does solve -i cases.csv --E1 210000 --nu1 0.3 --yield-factor --shakedown
 message_is "rwedge solve: cases.csv, in some rows: P is above P_yield: the contact yields in full sliding"
 cp out solved.csv
 same "rows" 6 "$(wc -l <solved.csv | tr -d ' ')"

@@ -64,6 +64,15 @@ run solve --E1 210000 --nu1 0.3 --theta 0.02 --a 0 --P 100 --f 0.2 --k 100 --ver
 message_has "It yields: the stress at a sharp apex has no bound."
 run solve --E1 210000 --nu1 0.3 --theta 0.02 --radius 100 --P 100 --f 0 --verdict
 message_has "No yield stress is given"
+# Between first yield, b k 4.88, and shakedown, b k 2 pi; beyond both; below both.
+passes() { # P TEXT: the sentence, with 2 pi b k/P in it
+    run solve --E1 210000 --nu1 0.3 --theta 0.1 --radius 100 --P "$1" --f 0 --k 100 --verdict
+    message_has "$(printf "$2" "$(awk -v b="$(value b)" -v P="$1" -v s="$(value safety_shakedown)" 'BEGIN {
+        printf "%.4g", (2 * atan2(0, -1) * b * 100 / P) ^ 2 }')")"
+}
+passes 200 "Sliding again and again, it would carry up to %s times P: elastically, once it has yielded at first."
+passes 400 "Sliding again and again, it yields at first, then carries it elastically up to %s times P."
+passes 700 "Sliding again and again, it would go on yielding: the factor on P is %s."
 # At the trailing edge the search ends beside the surface, by rounding.
 run solve --E1 210000 --nu1 0.3 --flat 1 --radius 5 --f 0.5 --P 300 --Q 60 --sigma 80 --k 350 --verdict
 message_has "it yields first at x = -1.057, y = 0, at the surface."

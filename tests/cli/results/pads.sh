@@ -42,6 +42,14 @@ run solve $steel --flat 1 --radius 100 --P "$P_yield" --Q "$(awk -v P="$P_yield"
     --f 0.3 --k 500 --yield-factor
 close_to "yield factor at P_yield" 1 "$(value yield_factor)" 1e-11
 close_to "safety at P_yield" 1 "$(value safety)" 1e-11
+run solve $steel --flat 1 --radius 100 --P "$P" --f 0.3 --k 500
+P_shakedown=$(value P_shakedown)
+run solve $steel --flat 1 --radius 100 --P "$P_shakedown" --f 0.3 --k 500
+close_to "safety_shakedown at P_shakedown" 1 "$(value safety_shakedown)" 1e-9
+b=$(value b)
+run table shakedown-limit --pad flat --a-over-b "$(awk -v b="$b" 'BEGIN { printf "%.17g", 1 / b }')" --friction 0.3 --nu 0.3
+close_to "P_shakedown of the table" "$(sed -n 2p out | cut -d , -f 4)" "$(awk -v P="$P_shakedown" -v b="$b" \
+    'BEGIN { printf "%.17g", P / b / 500 }')" 1e-9
 
 # The same pad by its slopes, and by heights of its arcs: parabolas, whose slopes half-way are exact.
 printf 'x;slope\n-101;-1\n-1;0\n1;0\n101;1\n' >slopes.csv

@@ -22,6 +22,9 @@ is von_mises_sliding "sqrt(3) * 100 / sqrt(2 * A * 100 * 100 / pi) / 4.880036" 1
 same yield_x 0 "$(value yield_x)"
 is yield_y "0.7043 * 4.880036 * 100 * 2 * A * 100 / pi" 1e-4
 same yield_branch subsurface "$(value yield_branch)"
+# Pass after pass P = pi 2 b k, as max txy = p0/4.
+is P_shakedown "(2 * pi) ^ 2 * 100 ^ 2 * 2 * A * 100 / pi" 1e-9
+is safety_shakedown "(2 * pi) ^ 2 * 100 * 2 * A * 100 / pi" 1e-9
 for name in Q_over_fP c c_over_b; do
     same "$name without friction" "" "$(value $name)"
 done
@@ -35,6 +38,7 @@ done
 same P_yield 0 "$(value P_yield)"
 same safety 0 "$(value safety)"
 same yield_branch surface "$(value yield_branch)"
+same P_shakedown 0 "$(value P_shakedown)"
 
 # The same contact given in another way is the same.
 kept first solve $steel --theta 0.1 --a 1 --P 100 --Q 5 --f 0.2 --k 100

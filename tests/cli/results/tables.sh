@@ -57,6 +57,8 @@ close_to "shakedown at the surface" "$(sed -n 1p limits)" 3.174490712 1e-9
 close_to "shakedown below the surface" "$(sed -n 2p limits)" 5.598645857 1e-9
 run table shakedown-limit --pad flat --a-over-b 0 --friction 0.1 --nu 0.3
 close_to "shakedown of a cylinder" "$(sed -n 2p out | cut -d , -f 4)" 5.598645857 1e-9
+cannot "shakedown-limit at nu = 0.3, a_over_b = 0.0005, f = 0.3: allowed: an a_over_b of 0, or of 0.001 and more" \
+    table shakedown-limit --a-over-b 0.0005 --friction 0.3 --nu 0.3
 refuses "--pad flat: not for max-tension; allowed: elastic-limit, contact-law, shakedown-limit" table max-tension --pad flat
 refuses "--pad square: unknown pad; allowed: wedge, flat" table contact-law --pad square
 refuses "--a-over-b 1: a/b of a flat pad must be a number from 0 to 0.999" table contact-law --pad flat --a-over-b 1

@@ -143,7 +143,7 @@ static void write_results(const contact_case *setup, char decimal_sign, const ch
 {
     results answer;
     complaint why;
-    const results_wanted wanted = {.edges = true};
+    const results_wanted wanted = {.edges = true, .shakedown = true};
     bool there = results_compute(setup, wanted, &answer, &why);
     if (there && setup->status != RWEDGE_OK)
         there = complain(&why, "%s", rwedge_strerror(setup->status));

@@ -49,6 +49,8 @@ table max-tension max-tension --a-over-b 0:1:0.01 --friction 0.1:0.8:0.1
 table contact-law contact-law --a-over-b 0.01:2:0.01
 for nu in 0.25 0.30 0.35; do
     table "flat-elastic-limit-nu-$nu" elastic-limit --pad flat --nu "$nu"
+    table "shakedown-limit-nu-$nu" shakedown-limit --nu "$nu"
+    table "flat-shakedown-limit-nu-$nu" shakedown-limit --pad flat --nu "$nu"
 done
 table flat-contact-law contact-law --pad flat --a-over-b 0:0.99:0.01
 table critical-friction critical-friction --a-over-b "$fine" --nu 0.2:0.5:0.025

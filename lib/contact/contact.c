@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact with a load history: how it is made, copied and freed, and its present loads. */
-#include "contact/pads.h"
 #include "contact/handle.h"
 
 #include "base/array.h"

@@ -32,12 +32,6 @@ static inline rw_loads rw_loads_between(rw_loads from, rw_loads to, double part)
                                   from.sigma + part * (to.sigma - from.sigma)};
 }
 
-/* The patch under the next loads; NaN where they are refused or separate the bodies. */
-rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to);
-
-/* Why a straight line to the loads, as one step, has no closed form. */
-rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to);
-
 /* The traction of a history is a sum of patches, one for each corner of its path: the pressure
  * of the contact under the corner's load, times f and the step that D makes there. The last
  * patch is the contact itself. */
@@ -49,10 +43,6 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
 
 /* The pressure at a place of a contact, not the apex of the sharp wedge, in theta/A. */
 double rw_pressure_of(const rw_geometry *geometry, rw_patch patch, double x);
-
-/* From now on the slip stays known, if the contact allows errors, until it slides. Where it is not
- * known now it counts from here. RWEDGE_ENOMEM. */
-int32_t rw_contact_follow_slip(rwedge_contact *contact);
 
 /* The zones of a contact, none where the bodies are apart. */
 rw_zones rw_contact_zones(const rwedge_contact *contact);

@@ -31,7 +31,7 @@ typedef struct {
 typedef struct {
     rw_numerical *now;
     rw_numerical *start;   /* where the last straight line began */
-    double strayed;        /* how far the loads since were off that line: numerical.c */
+    double strayed;        /* how far the loads since were off that line */
     rwedge_contact *exact; /* the contact in its last closed form; NULL: it had none */
 } rw_computed;
 

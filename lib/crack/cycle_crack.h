@@ -3,7 +3,7 @@
 #ifndef RW_CYCLE_CRACK_H
 #define RW_CYCLE_CRACK_H
 
-#include "cycle/cycle.h"
+#include "cycle/states.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -9,7 +9,8 @@
  * Off the centre it is the slip of a place, plus the displacement that the tractions cause
  * there. */
 #include "base/always.h"
-#include "cycle/cycle.h"
+#include "cycle/states.h"
+#include "loading/beside.h"
 #include "traction/transform.h"
 
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * length, or their means over twice the length. Means are taken by the rule of tanh-sinh: equal
  * steps of t, distances that crowd towards the ends of the line, where stresses have roots and
  * logarithms. Steps are halved until the means settle. */
-#include "cycle/cycle.h"
+#include "cycle/states.h"
 
 #include <stdlib.h>
 #include <string.h>

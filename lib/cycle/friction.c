@@ -2,7 +2,7 @@
 /* Slip, shear and energy of a place, from state to state. Slip is the displacement of the surfaces
  * against each other, counted from when the place came into contact first. Where the contact leaves
  * it and comes back, slip goes on from the displacement at the moment when they meet again. */
-#include "cycle/cycle.h"
+#include "cycle/states.h"
 
 #include "history/gap.h"
 #include "traction/transform.h"

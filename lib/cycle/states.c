@@ -2,10 +2,12 @@
 /* How a contact goes through the loads of a cycle. Where P or M changes, states on the way to a
  * load are noted too: a copy of the contact goes there in parts. Loads in whose closed form the
  * slip is not known are computed by a second contact, which goes on beside the first one. */
-#include "cycle/cycle.h"
+#include "cycle/states.h"
 
 #include "base/array.h"
 #include "history/gap.h"
+#include "loading/beside.h"
+#include "loading/step_to.h"
 #include "traction/transform.h"
 
 #include <stdlib.h>

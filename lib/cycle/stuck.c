@@ -2,7 +2,7 @@
 /* The zone that never slips in a cycle: the part that all steps have in common of where they slip
  * nowhere. A step in closed form has one such patch, which the paths before and after it have in
  * common. Of a computed step it is where the state after it sticks. */
-#include "cycle/cycle.h"
+#include "cycle/states.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a measure of a cycle is largest on a line, also between the places at which it is known. */
-#include "cycle/cycle.h"
+#include "cycle/states.h"
 #include "measures/criterion.h"
 
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The patch of a load and a moment or a tilt. Under one load both edges move to the same side, and
  * the moment and the tilt grow with them. */
-#include "formulas/pad.h"
+#include "formulas/arcs.h"
 
 #include "base/always.h"
 #include "base/domain.h"

@@ -4,7 +4,7 @@
 #define RW_SIZE_H
 
 #include "base/domain.h"
-#include "formulas/pad.h"
+#include "formulas/arcs.h"
 
 typedef struct {
     double theta, a, A; /* a of a pad: where it is curved most, the slope changes by theta over a */

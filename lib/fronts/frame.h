@@ -4,7 +4,7 @@
 #ifndef RW_FRAME_H
 #define RW_FRAME_H
 
-#include "formulas/pad.h"
+#include "formulas/arcs.h"
 #include "traction/traction.h"
 
 enum { RW_MOST_BENDS = 24 };

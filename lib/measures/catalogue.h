@@ -3,7 +3,7 @@
 #ifndef RW_CATALOGUE_H
 #define RW_CATALOGUE_H
 
-#include "measures/field.h"
+#include "measures/stress_cycles.h"
 #include "measures/planes.h"
 
 /* From low to high; usual where a material does not give it, NAN where it has to. */

@@ -2,7 +2,7 @@
 #ifndef RW_CRITERION_H
 #define RW_CRITERION_H
 
-#include "measures/field.h"
+#include "measures/stress_cycles.h"
 
 #include <stdint.h>
 

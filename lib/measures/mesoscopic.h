@@ -3,7 +3,7 @@
 #ifndef RW_MESOSCOPIC_H
 #define RW_MESOSCOPIC_H
 
-#include "measures/field.h"
+#include "measures/stress_cycles.h"
 
 rw_criterion_of_field rw_crossland, rw_dang_van;
 

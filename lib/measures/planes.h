@@ -3,7 +3,7 @@
 #ifndef RW_PLANES_H
 #define RW_PLANES_H
 
-#include "measures/field.h"
+#include "measures/stress_cycles.h"
 #include "planes/worst_plane.h"
 
 /* What makes the criterion of the search: its value is the sum of these parts of what the worst

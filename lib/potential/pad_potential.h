@@ -3,7 +3,7 @@
 #ifndef RW_PAD_POTENTIAL_H
 #define RW_PAD_POTENTIAL_H
 
-#include "formulas/pad.h"
+#include "formulas/arcs.h"
 #include "potential/eccentric.h"
 
 /* The pressure at n places of the surface, 0 outside of the patch; not at a kink. */

@@ -3,7 +3,7 @@
 #ifndef RW_PASS_H
 #define RW_PASS_H
 
-#include "formulas/pad.h"
+#include "formulas/arcs.h"
 #include "planes/smallest_ball.h"
 
 /* A contact in full sliding. Stresses are in theta/A. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Results in the domain, or none. That the formulas are right, proof/accuracy shows. */
 #include "claims.h"
-#include "formulas/pad.h"
+#include "formulas/arcs.h"
 #include "rwedge.h"
 
 #include <fenv.h>

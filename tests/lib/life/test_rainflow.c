@@ -63,7 +63,7 @@ CLAIM(the_example_of_the_standard)
 }
 
 /* E. Haibach, "Betriebsfestigkeit", fig. 3.3-30, as pyLife's tests have it: what they call the
- * residuals is counted half, range by range. ../../others/programs.py counts random histories by
+ * residuals is counted half, range by range. ../../others/published.py counts random histories by
  * pyLife itself. */
 CLAIM(the_example_of_haibach)
 {

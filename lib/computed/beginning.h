@@ -3,7 +3,7 @@
 #ifndef RW_CONTACT_BEGINNING_H
 #define RW_CONTACT_BEGINNING_H
 
-#include "contact/numerical.h"
+#include "computed/computed_load.h"
 
 /* Loads are on a line, and a traction is within friction, but for this part of friction. */
 #define RW_ROUNDING_OF_FRICTION 1e-9

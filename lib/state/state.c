@@ -3,8 +3,7 @@
  * form and a checksum of all that follows; the pad and the present loads; the path of the memory;
  * the origins of slip; the computed shear. The numbers are those that the contact holds, to the
  * last bit, so that a restored contact goes on as the original would. */
-#include "contact/pads.h"
-#include "contact/sound.h"
+#include "state/sound.h"
 
 #include "base/logarithm.h"
 

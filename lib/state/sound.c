@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "contact/sound.h"
+#include "state/sound.h"
 
 /* Two numbers that follow from each other in a contact differ by no more than this, relatively,
  * whatever was rounded. */

@@ -1,5 +1,50 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "formulas/pad.h"
+#include "formulas/arcs.h"
+
+#include "base/array.h"
+
+rw_pad *rw_pad_create(size_t count)
+{
+    rw_pad *pad = malloc(sizeof *pad);
+    if (!pad)
+        return NULL;
+    *pad = (rw_pad){.arcs = malloc(count * sizeof *pad->arcs),
+                    .weights = malloc(count * sizeof *pad->weights)};
+    if (pad->arcs && pad->weights)
+        return pad;
+    rw_pad_destroy(pad);
+    return NULL;
+}
+
+rw_pad *rw_pad_copy(const rw_pad *pad, bool *is_whole)
+{
+    rw_pad *copy = rw_copied(pad, pad != NULL, sizeof *copy, is_whole);
+    if (!copy)
+        return NULL;
+    copy->arcs = rw_copied(pad->arcs, pad->count, sizeof *pad->arcs, is_whole);
+    copy->weights = rw_copied(pad->weights, pad->count, sizeof *pad->weights, is_whole);
+    return copy;
+}
+
+void rw_pad_destroy(rw_pad *pad)
+{
+    if (!pad)
+        return;
+    free(pad->arcs);
+    free(pad->weights);
+    free(pad);
+}
+
+void rw_pad_append(rw_pad *pad, rw_arc arc, double weight)
+{
+    pad->arcs[pad->count] = arc;
+    pad->weights[pad->count++] = weight;
+    pad->is_symmetric = true;
+    for (size_t i = 0, j = pad->count - 1; i <= j && j < pad->count; i++, j--)
+        if (pad->arcs[i].left != -pad->arcs[j].right || pad->arcs[i].right != -pad->arcs[j].left ||
+            pad->weights[i] != pad->weights[j])
+            pad->is_symmetric = false;
+}
 
 /* An arc outside the patch has a tilt of -1 or 1. These are added apart: for a symmetric pad they
  * cancel exactly. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cycles of stresses at many points, as the measures take them. */
-#ifndef RW_FIELD_H
-#define RW_FIELD_H
+#ifndef RW_STRESS_CYCLES_H
+#define RW_STRESS_CYCLES_H
 
 #include "base/domain.h"
 #include "rwedge.h"

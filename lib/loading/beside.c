@@ -3,7 +3,7 @@
  * If the contact allows errors, the same contact is then kept beside it, as it was before that
  * load. That one computes each load whose slip or energy has no closed form. So tractions have the
  * bits of their closed form, and slip and energy are known. */
-#include "contact/beside.h"
+#include "loading/beside.h"
 
 static bool knows_all(const rwedge_contact *contact)
 {

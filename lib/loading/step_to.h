@@ -9,6 +9,12 @@
  * allowed. */
 int32_t rw_step_to(const rwedge_contact *contact, rw_loads to, rw_step *step);
 
+/* The patch under the next loads; NaN where they are refused or separate the bodies. */
+rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to);
+
+/* Why a straight line to the loads, as one step, has no closed form. */
+rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to);
+
 /* Rounding may put both edges at one place. A patch of NaN is not known yet, and counts as wide. */
 bool rw_has_width(rw_patch patch);
 

@@ -2,8 +2,8 @@
 /* The states that a contact goes through in a cycle of loads, and what happens to a place. Of a
  * state that is kept which the questions need: its shear, edges, and how slip goes on from the
  * state before. */
-#ifndef RW_CYCLE_H
-#define RW_CYCLE_H
+#ifndef RW_STATES_H
+#define RW_STATES_H
 
 #include "contact/record.h"
 

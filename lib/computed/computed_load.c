@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "contact/beginning.h"
+#include "computed/beginning.h"
 
 #include <stdlib.h>
 

@@ -3,8 +3,8 @@
  * one arc for its rounding. So the load of a patch, its moment and its tilt are sums over the arcs,
  * and no term cancels another. In the unit theta, half of the angle between the outermost slopes,
  * the weights add up to 1. */
-#ifndef RW_PAD_H
-#define RW_PAD_H
+#ifndef RW_ARCS_H
+#define RW_ARCS_H
 
 #include "formulas/patch.h"
 
@@ -16,6 +16,12 @@ typedef struct {
     rw_arc *arcs; /* from left to right */
     double *weights;
 } rw_pad;
+
+/* A pad with room for `count` arcs. NULL where memory is short. */
+rw_pad *rw_pad_create(size_t count);
+rw_pad *rw_pad_copy(const rw_pad *pad, bool *is_whole); /* as other parts are: memory.h */
+void rw_pad_destroy(rw_pad *pad);                       /* NULL is allowed */
+void rw_pad_append(rw_pad *pad, rw_arc arc, double weight);
 
 /* The arcs of a pad, or the wedge's one. */
 typedef struct {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The step to the next loads: whether they are allowed, and where they lead. */
-#include "contact/step_to.h"
+#include "loading/step_to.h"
 
 #include "base/domain.h"
 #include "formulas/pressure.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cycle/cycle.h"
+#include "cycle/states.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Why a load has no closed form, and which other loads lead there: they are tried on copies. */
-#include "contact/contact.h"
+#include "loading/step_to.h"
 
 /* In the order in which they are tried. The last always leads there. */
 typedef enum { PRESSING_FIRST, SHEAR_FIRST, LESS_TENSION, FARTHER, SEPARATED, WAYS } way;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How a computed shear begins: from a closed form, or where the bodies touch. */
-#include "contact/beginning.h"
+#include "computed/beginning.h"
 
 #include "base/domain.h"
 #include "base/sort.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The next load of a contact: what it does. */
-#include "contact/beginning.h"
-#include "contact/beside.h"
-#include "contact/step_to.h"
+#include "computed/beginning.h"
+#include "loading/beside.h"
+#include "loading/step_to.h"
 #include "history/dissipation.h"
 
 /* Gives new corners their patches: the last corner is the contact itself. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact whose shear has no closed form. Its memory then holds the contact alone, without shear,
  * and the shear stands apart (numerical/numerical.h). */
-#ifndef RW_CONTACT_NUMERICAL_H
-#define RW_CONTACT_NUMERICAL_H
+#ifndef RW_COMPUTED_LOAD_H
+#define RW_COMPUTED_LOAD_H
 
 #include "contact/contact.h"
 

@@ -45,7 +45,7 @@ for python in python3 /usr/bin/python3; do
     if $python -c 'import uno' 2>/dev/null; then python_with_uno=$python; fi
 done
 if command -v soffice >/dev/null && [ -n "$python_with_uno" ]; then
-    "$python_with_uno" -B "$here/test/cells.py" rwedge.bas "$here/test/cells.bas" "$work"
+    "$python_with_uno" -B "$here/test/run_cells.py" rwedge.bas "$here/test/cells.bas" "$work"
 else
     echo "SKIPPED: the module's own code, for lack of LibreOffice with Python's uno"
 fi

@@ -20,7 +20,7 @@ fail()
     exit 1
 }
 
-# The module alone is Fortran 2008 (tests/package/package.sh). In programs gfortran 14 then warns wherever a contact goes out of
+# The module alone is Fortran 2008 (tests/package/installed.sh). In programs gfortran 14 then warns wherever a contact goes out of
 # scope, of a rule of 2008 about other objects. That an allocatable array may be used uninitialised is a false alarm of gfortran.
 strict='-std=f2018 -Wall -Wextra -pedantic -Werror -Wno-maybe-uninitialized'
 

@@ -42,7 +42,7 @@ cp "$sources/zlib/zlib.h" "$sources/zlib/zconf.h" include
 archive z "$sources"/zlib/adler32.c "$sources"/zlib/crc32.c "$sources"/zlib/deflate.c "$sources"/zlib/trees.c \
     "$sources"/zlib/zutil.c "$sources"/zlib/compress.c "$sources"/zlib/inflate.c "$sources"/zlib/inftrees.c "$sources"/zlib/inffast.c
 
-# Its temporary files are the tool's: cli/system/windows/files.c.
+# Its temporary files are the tool's: cli/system/windows/windows_files.c.
 cp -r "$sources"/libxlsxwriter/include/. include
 minizip=$sources/libxlsxwriter/third_party/minizip
 archive xlsxwriter -include "$here/for_xlsxwriter.h" -DUSE_STANDARD_TMPFILE -DNOCRYPT -DNOUNCRYPT -I"$minizip" \

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every function may be called from any number of threads, and many threads may read a handle at
  * a time. Two and eight threads each do all of the work with the same handles. They give the bits
- * that one thread gives. threads.sh runs this under the thread sanitizer too, which also sees
- * accesses that do not show in a result.
+ * that one thread gives. thread_sanitizer.sh runs this under the thread sanitizer too, which also
+ * sees accesses that do not show in a result.
  *
  *     test_threads [NUMBERS]     how many arguments of each function */
 #define _POSIX_C_SOURCE 200809L

@@ -9,4 +9,4 @@ library=$2
 . "$here/../support/venv.sh"
 venv "$here/packages/$3.txt" "$tools"
 export PYTHONDONTWRITEBYTECODE=1
-exec "$tools/bin/python" "$here/programs.py" "$library" "$3"
+exec "$tools/bin/python" "$here/published.py" "$library" "$3"

@@ -7,8 +7,8 @@
  *
  * The claim fails where the energy of a load differs by more than 3 % from that of the short steps,
  * in more than one load of 50. */
-#include "contact/beginning.h"
-#include "contact/numerical.h"
+#include "computed/beginning.h"
+#include "computed/computed_load.h"
 #include "histories.h"
 
 static const double TOLERANCE = 1e-3;

@@ -18,7 +18,7 @@
  * The claim fails if more than one load in 100,000 does not converge, or if one takes more than
  * LONGEST seconds of the processor. Whether the error that is told is honest: test_random_errors.c.
  * What else a computed shear obeys: ../lib/contact/test_shear_laws.c. */
-#include "contact/numerical.h"
+#include "computed/computed_load.h"
 #include "histories.h"
 
 #include <stdio.h>

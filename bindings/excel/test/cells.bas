@@ -1,5 +1,5 @@
 ' SPDX-License-Identifier: GPL-3.0-or-later
-' Appended to rwedge.bas by cells.py: functions in place of the DLL's, whose results show what they were given, and what the
+' Appended to rwedge.bas by run_cells.py: functions in place of the DLL's, whose results show what they were given, and what the
 ' worksheet functions must make of them.
 
 Private library_is_there As Long, contacts_alive As Long, loads As Long

@@ -25,7 +25,7 @@ exports="$exports $(python3 -B "$top/bindings/interface/header.py" --names "$top
 cli=$top/cli
 # shellcheck disable=SC2046
 sh "$here/../link.sh" ../page -D_XOPEN_SOURCE=700 -I"$top/include" -I"$cli" -Isources/libcsv \
-    "$here"/model/*.c "$cli"/model/*.c "$cli"/model/*/*.c "$cli"/pad/*.c "$cli"/input/pairs.c "$cli"/input/profiles.c "$cli"/input/table_input.c "$cli"/text/list.c "$cli"/text/memory.c "$cli"/text/nearest.c "$cli"/number/number.c "$cli"/text/utf8.c \
+    "$here"/model/*.c "$cli"/model/*.c "$cli"/model/*/*.c "$cli"/pad/*.c "$cli"/input/pairs.c "$cli"/input/profiles.c "$cli"/input/table_input.c "$cli"/text/list.c "$cli"/text/checked_memory.c "$cli"/text/nearest.c "$cli"/number/number.c "$cli"/text/utf8.c \
     "$cli"/input/csv_input.c sources/libcsv/libcsv.c $(printf -- '-Wl,--export=%s ' $exports)
 node "$here/make/texts.mjs" "$top" "$folder" >../page/texts.mjs
 node "$here/make/page.mjs" "$folder" "$output" "$(clang --version | head -n 1)"

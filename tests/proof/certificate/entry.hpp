@@ -4,7 +4,7 @@
 #ifndef ENTRY_HPP
 #define ENTRY_HPP
 
-#include "field.hpp"
+#include "square.hpp"
 
 #include <map>
 #include <string>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The potential of one contact over squares of the half-plane, lengths in b, stresses in
  * theta/A. */
-#ifndef FIELD_HPP
-#define FIELD_HPP
+#ifndef SQUARE_HPP
+#define SQUARE_HPP
 
 #include "balls/patch.hpp"
 #include "model.hpp"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Can others use it? Installed by find_package and pkg-config, as a subproject, from C++.
-#     package.sh SOURCE BUILD [all]      all: also without GSL and LAPACK, and by a static host
+#     installed.sh SOURCE BUILD [all]      all: also without GSL and LAPACK, and by a static host
 set -eu
 source=$(realpath "$1") build=$(realpath "$2")
 work=$(mktemp -d)
@@ -33,23 +33,23 @@ try "the static library runs" "$work/found/with_rwedge_static"
 
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 # shellcheck disable=SC2046
-try "pkg-config, shared" cc "$consumer/main.c" -o "$work/shared" $(pkg-config --cflags --libs rwedge) -lm
+try "pkg-config, shared" cc "$consumer/consumer.c" -o "$work/shared" $(pkg-config --cflags --libs rwedge) -lm
 try "runs" env LD_LIBRARY_PATH="$libdir" "$work/shared"
 # shellcheck disable=SC2046
-try "pkg-config, static" cc "$consumer/main.c" -o "$work/static" $(pkg-config --cflags rwedge) \
+try "pkg-config, static" cc "$consumer/consumer.c" -o "$work/static" $(pkg-config --cflags rwedge) \
     "$libdir/librwedge.a" $(pkg-config --libs --static rwedge | sed "s/ *-lrwedge//")
 try "runs" "$work/static"
 if [ -f "$(cc -print-file-name=libgsl.a)" ]; then
     # shellcheck disable=SC2046
-    try "pkg-config, all static" cc -static "$consumer/main.c" -o "$work/all_static" $(pkg-config --cflags --libs --static rwedge)
+    try "pkg-config, all static" cc -static "$consumer/consumer.c" -o "$work/all_static" $(pkg-config --cflags --libs --static rwedge)
     try "runs" "$work/all_static"
 else
     echo "not tried: all static (there is no libgsl.a)"
 fi
 try "C++ compiles the header" c++ -std=c++98 -Wall -Wextra -Wpedantic -Werror -Wno-long-long -x c++ -fsyntax-only \
-    -I"$prefix/include" "$consumer/main.c"
-try "C++ links" c++ -x c++ "$consumer/main.c" -x none -I"$prefix/include" -o "$work/cxx" -L"$libdir" -lrwedge
-try "C99 compiles the header" cc -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$prefix/include" "$consumer/main.c"
+    -I"$prefix/include" "$consumer/consumer.c"
+try "C++ links" c++ -x c++ "$consumer/consumer.c" -x none -I"$prefix/include" -o "$work/cxx" -L"$libdir" -lrwedge
+try "C99 compiles the header" cc -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$prefix/include" "$consumer/consumer.c"
 
 if command -v gfortran >/dev/null 2>&1; then
     # Without -Werror: what is not of 2008 is an error, and gfortran 14 warns of finalizers (bindings/fortran/test.sh).

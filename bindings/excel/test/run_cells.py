@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the module's own code in LibreOffice's Basic, which understands most of Excel's, on the claims of cells.bas: cells.py
+"""Runs the module's own code in LibreOffice's Basic, which understands most of Excel's, on the claims of cells.bas: run_cells.py
 MODULE CLAIMS FOLDER. It cannot call DLLs: functions of Basic stand for them. Needs LibreOffice and its Python module uno."""
 import os
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What programs of others say to the same cases.    programs.py LIBRARY contact_mechanics | tamaas | pylife
+"""What programs of others say to the same cases.    published.py LIBRARY contact_mechanics | tamaas | pylife
 
 Lengths in b, stresses in theta/A. Each figure is printed with what it may be: about 1.5 times what was measured."""
 import ctypes

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "field.hpp"
+#include "square.hpp"
 
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # With each gcc and clang that is here: no warning, and the tests. The test of the tables, among these, writes them anew and compares.
-#     compilers.sh SOURCE BUILD
+#     every_compiler.sh SOURCE BUILD
 set -eu
 build=$(cd "$2" && pwd)
 cd "$1"

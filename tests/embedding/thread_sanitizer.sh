@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs under the thread sanitizer: eight threads with shared handles give the same bits without a data race. So do the threads of
-# the tool.    threads.sh SOURCE BUILD
+# the tool.    thread_sanitizer.sh SOURCE BUILD
 set -eu
 build=$(cd "$2" && pwd)/threads
 cd "$1"

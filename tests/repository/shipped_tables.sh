@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # tables/ is what the tool writes now. CSV files and pictures are compared by their bytes, spreadsheets by their unzipped parts.
-#     tables.sh SOURCE TOOL
+#     shipped_tables.sh SOURCE TOOL
 set -eu
 source=$1 tool=$2
 work=$(mktemp -d)

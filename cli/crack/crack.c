@@ -11,8 +11,6 @@ static const struct poptOption options[] = {
     {INCLUDED(strength_option_table), "Its strength:", NULL},
     {INCLUDED(history_option_table), "Its loads:", NULL},
     {INCLUDED(crack_option_table), "The crack:", NULL},
-    {VALUE("material", OPTION_MATERIAL),
-     "Constants by name, JSON or CSV: dK_th, ds0, paris_C, paris_m, K_c", "FILE"},
     {FLAG("verdict", OPTION_VERDICT), "Whether it stops, in place of the rows", NULL},
     {FLAG("each-load", OPTION_EACH_LOAD), "K after each load, in place of the rows", NULL},
     {THREADS_OPTION},
@@ -53,7 +51,7 @@ static void read_plan(const arguments *line, plan *job, output_options *how)
         usage_error("--verdict: given together with --each-load; allowed: one of the two");
     job->crack.threads = threads_read(line);
     input_texts_from_options(line, &texts);
-    material_read(line, &texts, &job->constants);
+    job->constants = *material_of(line);
     crack_law_read(line, &job->constants, &job->crack.law);
     contact_history_read(line, &texts, how->decimal_sign, 3, 3, &job->history);
     const criteria asked = criteria_usual(&job->history.setup);

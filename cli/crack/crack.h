@@ -18,7 +18,6 @@ enum {
     OPTION_PARIS_C,
     OPTION_PARIS_M,
     OPTION_K_C,
-    OPTION_K_IN,
     OPTION_SHEAR,
     OPTION_AFTER_CRACK
 };

@@ -25,51 +25,48 @@ struct poptOption crack_option_table[] = {
     {VALUE("C", OPTION_PARIS_C), "Growth a cycle is C (dK^m - threshold^m)", "NUMBER"},
     {VALUE("m", OPTION_PARIS_M), "its exponent, 0.1 to 100", "NUMBER"},
     {VALUE("K-c", OPTION_K_C), "K at which it breaks", "NUMBER"},
-    {VALUE("K-in", OPTION_K_IN),
-     "The unit of length in the K of these constants, beside lengths in mm: m for MPa sqrt(m)",
-     "m|mm"},
     POPT_TABLEEND,
 };
 
 /* ---- Constants ---- */
 
-/* Of an option, or of the material; NAN where neither has it. */
-static double constant(const arguments *line, int option, const char *name, double of_material,
-                       double least)
-{
-    const char *text = line->value[option];
-    double value = of_material;
-    if (text != NULL && !(number_read(text, &value) && value >= least && number_is_size(value)))
-        usage_error("--%s %s: must be a number%s 1e-60 to 1e60", name, text,
-                    least > 0 ? "" : ", 0 or");
-    return value;
-}
+static const struct {
+    int option;
+    const char *flag, *name; /* that of a material */
+} constants_of_law[] = {{OPTION_PARIS_M, "--m", "paris_m"},
+                        {OPTION_DK_TH, "--dK-th", "dK_th"},
+                        {OPTION_DS0, "--ds0", "ds0"},
+                        {OPTION_K_C, "--K-c", "K_c"},
+                        {OPTION_PARIS_C, "--C", "paris_C"}};
+enum { LAW_COUNT = sizeof constants_of_law / sizeof constants_of_law[0] };
 
-/* What the unit of length in K makes of the constants. Lengths are in mm, unless --units says. */
-static void take_unit(const arguments *line, crack_law *law)
+/* An option stands for what the material has; the exponent comes before what needs it. */
+static void take_option(const arguments *line, int i, material *all)
 {
-    const char *unit = line->value[OPTION_K_IN];
-    const unit_system *working = units_of(line);
-    const bool is_m = unit != NULL && strcmp(unit, "m") == 0;
-    if (unit == NULL)
-        usage_error("--K-in: missing; needed beside constants of K: m where they are in MPa "
-                    "sqrt(m), mm where they are in MPa sqrt(mm), 31.6 times as large");
-    if (!is_m && strcmp(unit, "mm") != 0)
-        usage_error("--K-in %s: must be m or mm", unit);
-    const double ratio = (is_m ? 1 : 1e-3) / (working->is_known ? working->length : 1e-3);
-    law->dK_th *= sqrt(ratio);
-    law->K_c *= sqrt(ratio);
-    law->C *= pow(ratio, -law->m / 2);
+    const char *text = line->value[constants_of_law[i].option];
+    const int constant = material_constant(constants_of_law[i].name);
+    complaint why;
+    if (text == NULL || material_take(constant, text, '.', units_of(line), all, &why))
+        return;
+    const bool lacks_unit = strncmp(why.text, "needs its unit", 14) == 0;
+    usage_error("%s %s: %s%s", constants_of_law[i].flag, text, why.text,
+                lacks_unit ? ", beside --units; or --K-in m where it is in MPa sqrt(m), mm where "
+                             "it is in MPa sqrt(mm), 31.6 times as large"
+                           : "");
 }
 
 void crack_law_read(const arguments *line, const material *constants, crack_law *law)
 {
     const char *exponent = line->value[OPTION_PARIS_M];
-    law->dK_th = constant(line, OPTION_DK_TH, "dK-th", material_value(constants, "dK_th"), 0);
-    law->ds0 = constant(line, OPTION_DS0, "ds0", material_value(constants, "ds0"), 1e-60);
-    law->C = constant(line, OPTION_PARIS_C, "C", material_value(constants, "paris_C"), 1e-60);
-    law->m = constant(line, OPTION_PARIS_M, "m", material_value(constants, "paris_m"), 1e-60);
-    law->K_c = constant(line, OPTION_K_C, "K-c", material_value(constants, "K_c"), 1e-60);
+    material all = *constants;
+    if (line->value[OPTION_PARIS_C] != NULL && exponent == NULL &&
+        isnan(material_value(constants, "paris_m")))
+        usage_error("--m: missing; needed beside --C");
+    for (int i = 0; i < LAW_COUNT; i++)
+        take_option(line, i, &all);
+    *law = (crack_law){material_value(&all, "dK_th"), material_value(&all, "ds0"),
+                       material_value(&all, "paris_C"), material_value(&all, "paris_m"),
+                       material_value(&all, "K_c")};
     if (law->m < 0.1 || law->m > 100)
         usage_error("--m %s: must be a number from 0.1 to 100", exponent != NULL ? exponent : "");
     if (isnan(law->C) != isnan(law->m))
@@ -77,9 +74,7 @@ void crack_law_read(const arguments *line, const material *constants, crack_law 
                     isnan(law->C) ? "m" : "C");
     if (!isnan(law->ds0) && isnan(law->dK_th))
         usage_error("--dK-th: missing; needed beside --ds0");
-    if (!isnan(law->dK_th) || !isnan(law->C) || !isnan(law->K_c))
-        take_unit(line, law);
-    else if (line->value[OPTION_K_IN] != NULL)
+    if (isnan(law->dK_th) && isnan(law->C) && isnan(law->K_c) && line->value[OPTION_K_IN] != NULL)
         usage_error("--K-in %s: needs --dK-th, --C or --K-c", line->value[OPTION_K_IN]);
 }
 

@@ -15,8 +15,8 @@ static const struct poptOption options[] = {
     POPT_TABLEEND,
 };
 
-enum { X, P, Q, ZONE, SXX, SLIP, COLUMN_COUNT };
-static const column_kind columns[COLUMN_COUNT] = {
+enum { X, P, Q, ZONE, SXX, SLIP, PROFILE_COLUMNS };
+static const column_kind columns[PROFILE_COLUMNS] = {
     [X] = {"x", "along the surface"},
     [P] = {"p", "pressure, negative in compression"},
     [Q] = {"q", "shear traction, txy at the surface; q = f p where it slips under Q > 0"},
@@ -28,7 +28,7 @@ static const column_kind columns[COLUMN_COUNT] = {
 static void describe(FILE *stream)
 {
     fputs("\nA RANGE is START:STOP:STEP, a comma list, or one number.\n\nColumns:\n", stream);
-    columns_describe(columns, COLUMN_COUNT, 5, stream);
+    columns_describe(columns, PROFILE_COLUMNS, 5, stream);
     loaded_contact_describe(stream);
 }
 
@@ -82,13 +82,13 @@ static void write_row(const plan *job, records *rows, double x)
 {
     const loaded_contact *loaded = &job->loaded;
     const double at = x * loaded->length_unit;
-    double value[COLUMN_COUNT];
+    double value[PROFILE_COLUMNS];
     const int32_t status = look(loaded, at, value);
     if (status != RWEDGE_OK)
         failure("x = %.17g: %s", x, rwedge_strerror(status));
     value[X] = x;
     value[SLIP] /= loaded->slip_unit;
-    for (int i = 0; i < COLUMN_COUNT; i++)
+    for (int i = 0; i < PROFILE_COLUMNS; i++)
         records_value(rows, i == ZONE ? cell_text(zone_of(loaded, &job->sticks, at))
                                       : cell_number(value[i]));
     records_end_row(rows);
@@ -100,7 +100,7 @@ static void write_profile(void *of_plan, records *rows)
     const plan *job = of_plan;
     const int64_t count = job->points > 0 ? job->points : job->x.count;
     progress_start(rows->show_progress, count, "rows");
-    records_columns(rows, columns, COLUMN_COUNT);
+    records_columns(rows, columns, PROFILE_COLUMNS);
     for (int64_t i = 0; i < count && records_go_on(rows); i++)
         write_row(job, rows, x_of(job, i));
 }

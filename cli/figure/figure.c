@@ -30,6 +30,8 @@ static struct poptOption history_figure_option_table[] = {
     {HULL_OPTION},
     {INCLUDED(history_option_table), NULL, NULL},
     {VALUE("at", OPTION_AT), "The point of figure history", "x,y"},
+    {MATERIAL_OPTION},
+    {K_IN_OPTION},
     POPT_TABLEEND,
 };
 
@@ -165,7 +167,7 @@ static void refuse_others(const arguments *line, const figure *chosen)
     const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
     const bool has_crack = chosen == &figure_crack;
     for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA && chosen != &figure_measure; i++)
-        if ((line->value[i] != NULL && !(has_crack && i == OPTION_MATERIAL)) || is_given)
+        if (line->value[i] != NULL || is_given)
             usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
     bool crack_is_given = line->value[OPTION_X] != NULL;
     for (int i = OPTION_AFTER_CRITERIA; i < OPTION_AFTER_CRACK; i++)
@@ -238,8 +240,7 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
     bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
     bodies.operand = NULL;
     input_texts_from_options(&bodies, &texts);
-    if (has_measure || has_crack)
-        material_read(&bodies, &texts, &inputs->constants);
+    inputs->constants = *material_of(&bodies);
     if (has_measure)
         criteria_read(&bodies, &inputs->constants, &texts, &inputs->asked);
     read_case(line, inputs);

@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fretting.h"
 
-#include "document/document.h"
-
 #include <ctype.h>
-#include <inttypes.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
 /* ---- The options ---- */
 
@@ -16,7 +12,6 @@ enum { TEXT_SIZE = 200 };
 static const struct poptOption last_options[] = {
     {FLAG("plane-stress", OPTION_PLANE_STRESS),
      "Plane stress, of contact and criteria (default: plane strain)", NULL},
-    {VALUE("material", OPTION_MATERIAL), "Constants of body 1 by name, JSON or CSV", "FILE"},
     {VALUE("archard", OPTION_ARCHARD),
      "Depth worn per energy and area; the profile does not change", "NUMBER"},
 };
@@ -200,140 +195,4 @@ void criteria_read_strength(const arguments *line, const contact_case *setup, cr
             take_damage(setup, i, asked);
     if (!asked->is_plane_stress)
         asked->nu = setup->nu1;
-}
-
-/* ---- A file of constants ---- */
-
-static void set(const char *file, const char *name, double value, material *constants)
-{
-    const int i = material_constant(name);
-    if (i < 0)
-        failure("%s: %.60s: no constant that is known here; see rwedge fretting in its manual",
-                file, name);
-    if (!isnan(constants->value[i]))
-        failure("%s: %.60s: there twice; allowed: once", file, name);
-    if (!material_is_in_range(i, value))
-        failure("%s: %s %g: must be a number, %s", file, name, value, material_allowed(i));
-    constants->value[i] = value;
-}
-
-static void read_json(const char *path, material *constants)
-{
-    const node *top = path[0] == '{' ? document_read_text(path, "--material") : document_read(path);
-    for (size_t i = 0; i < top->count; i++) {
-        const node *value = &top->part[i];
-        if (material_is_remark(value->name))
-            continue;
-        if (value->kind != NODE_NUMBER)
-            failure("%s: %.60s: must be a number", path, value->name);
-        set(path, value->name, value->number, constants);
-    }
-}
-
-static void read_csv(const char *path, const char *encoding, material *constants)
-{
-    csv_input *in = csv_input_open(path, ',', encoding);
-    while (csv_input_next(in)) {
-        const char **cells = in->row.cell;
-        double value, more;
-        if (in->row.count < 2)
-            failure("%s: line %" PRId64 ": must be a name and a number, with a comma between", path,
-                    in->row.line);
-        if (material_is_remark(cells[0]))
-            continue;
-        if (!number_read_cell(cells[1], '.', &value))
-            failure("%s: line %" PRId64 ": %.60s: must be a number", path, in->row.line, cells[0]);
-        if (in->row.count > 2 && number_read_cell(cells[2], '.', &more))
-            failure("%s: line %" PRId64 ": %.60s: two numbers; a decimal is written 0.1", path,
-                    in->row.line, cells[0]);
-        set(path, cells[0], value, constants);
-    }
-    csv_input_check(in);
-    csv_input_close(in);
-}
-
-/* ---- All ---- */
-
-static void need_any(const char *path, const material *constants)
-{
-    for (int i = 0; i < material_count(); i++)
-        if (!isnan(constants->value[i]))
-            return;
-    failure("%s: no constants; needed: names and numbers", path);
-}
-
-static void refuse_part(const char *path, const char *missing, const char *there)
-{
-    if (missing != NULL && there != NULL)
-        failure("%s: %s: missing; needed beside %s", path, missing, there);
-}
-
-/* Of a curve of life, and of a critical distance, either all constants are there or none. */
-static void need_groups(const char *path, const material *constants)
-{
-    for (int32_t i = 0; i < rwedge_criterion_count(); i++) {
-        const char *missing = NULL, *there = NULL;
-        for (int32_t j = rwedge_criterion_constants(i); j < rwedge_damage_constants(i); j++)
-            if (isnan(rwedge_constant_usual(i, j)))
-                *(isnan(material_value(constants, rwedge_constant_name(i, j))) ? &missing
-                                                                               : &there) =
-                    rwedge_constant_name(i, j);
-        refuse_part(path, missing, there);
-    }
-    const bool has_threshold = !isnan(material_value(constants, "dK_th")),
-               has_range = !isnan(material_value(constants, "ds0"));
-    if (has_threshold != has_range)
-        refuse_part(path, has_threshold ? "ds0" : "dK_th", has_threshold ? "dK_th" : "ds0");
-}
-
-/* E is a hundred times such a stress or more in metals: below ten times it is in another unit. */
-static void mind_units(const char *path, const material *constants)
-{
-    static const double TIMES = 10;
-    const double E = material_value(constants, "E");
-    for (int i = 0; i < material_count(); i++)
-        if (strcmp(material_unit(i), "stress") == 0 && strcmp(material_name(i), "E") != 0 &&
-            strcmp(material_name(i), "G") != 0 && constants->value[i] * TIMES > E)
-            failure("%s: E %g: less than ten times %s %g; is it in GPa? needed: one unit for both",
-                    path, E, material_name(i), constants->value[i]);
-}
-
-/* What the file has stands for inputs that are not given; E and nu must not differ from them. k
- * stands for a yield stress. */
-static void hand_over(const char *path, const material *constants, input_texts *texts)
-{
-    static const struct {
-        const char *name;
-        int input;
-    } inputs[] = {{"E", INPUT_E1}, {"nu", INPUT_NU1}, {"yield_stress", INPUT_YIELD_STRESS}};
-    for (int i = 0; i < 3; i++) {
-        const double value = material_value(constants, inputs[i].name);
-        const int input = inputs[i].input;
-        const bool is_given = input_is_given(texts, input);
-        double own;
-        complaint why; /* of an input that is wrong: it is said when the contact is read */
-        if (is_given && !isnan(value) && i < 2 && input_read(texts, input, &own, &why) &&
-            own != value)
-            usage_error("--%s1 %s: %s has %s %g; allowed: one of the two", inputs[i].name,
-                        texts->text[input], path, inputs[i].name, value);
-        if (!isnan(value) && !is_given && !(i == 2 && input_is_given(texts, INPUT_K)))
-            input_set(texts, input, value);
-    }
-}
-
-void material_read(const arguments *line, input_texts *texts, material *constants)
-{
-    const char *path = line->value[OPTION_MATERIAL];
-    *constants = material_unknown();
-    if (path == NULL)
-        return;
-    const char *ending = strrchr(path, '.');
-    if (path[0] == '{' || (ending != NULL && strcasecmp(ending, ".json") == 0))
-        read_json(path, constants);
-    else
-        read_csv(path, line->value[OPTION_ENCODING], constants);
-    need_any(path, constants);
-    need_groups(path, constants);
-    mind_units(path, constants);
-    hand_over(path, constants, texts);
 }

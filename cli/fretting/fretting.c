@@ -196,7 +196,7 @@ static void read_plan(const arguments *line, plan *job, output_options *how, out
     read_worst(line, worst);
     job->threads = threads_read(line);
     input_texts_from_options(line, &texts);
-    material_read(line, &texts, &job->constants);
+    job->constants = *material_of(line);
     criteria_read(line, &job->constants, &texts, &asked);
     job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
     contact_history_read(line, &texts, how->decimal_sign, 3, 3, &job->history);

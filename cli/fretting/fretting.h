@@ -27,7 +27,6 @@ enum {
     OPTION_CRITERIA = OPTION_CONSTANT + MATERIAL_MAX,
     OPTION_PLANE_STRESS,
     OPTION_ARCHARD,
-    OPTION_MATERIAL,
     OPTION_AFTER_CRITERIA
 };
 
@@ -42,10 +41,6 @@ void criteria_read(const arguments *line, const material *constants, input_texts
 
 /* To be called when the contact is read: takes the constants of what is asked for. */
 void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *asked);
-
-/* Reads the file of --material, JSON by its ending or CSV, if there is one. Its E, nu and yield
- * stress stand for inputs that are not given. What is wrong ends the command. */
-void material_read(const arguments *line, input_texts *texts, material *constants);
 
 /* ---- worst ---- Where each column of "rwedge fretting" is worst, also between the places: a line,
  * or a table. */

@@ -52,6 +52,18 @@ bool units_factor(const unit_system *units, const char *own, const char *dimensi
 /* Reads a number that a unit may follow; *own is that part of the text, NULL for none. */
 bool quantity_read(const char *text, char decimal_sign, double *value, const char **own);
 
+/* ---- intensity ---- Stress intensities and the growth of cracks, with their units. */
+
+/* Reads a K with its unit, "4.2 MPa sqrt(m)"; or a number whose root is of the K_length of the
+ * units. In the working units, of mm where these are not known. False, with the complaint. */
+bool intensity_read(const char *text, char decimal_sign, const unit_system *units, double *value,
+                    complaint *why);
+
+/* Reads a growth a cycle, "6.9e-12 m/(MPa sqrt(m))^3", the factor of K^m; or a number in the
+ * working unit of length beside a K as above. False, with the complaint. */
+bool growth_read(const char *text, char decimal_sign, double m, const unit_system *units,
+                 double *value, complaint *why);
+
 /* ---- inputs ---- The inputs that define a contact: for each its names as option and as column,
  * its domain, and how its text is read. */
 
@@ -212,20 +224,12 @@ double case_shear_ratio(const contact_case *setup);
 
 typedef struct {
     int32_t bits;
-    double error;     /* rwedge_contact_error(), 0 where there is a closed form */
-    double tolerance; /* that was asked for; an error up to it is told, but is no doubt */
-    double hull;      /* what the hull of a profile changes in the contact, over the pad's rise */
+    double error; /* rwedge_contact_error(), 0 where there is a closed form */
 } doubts;
-
-/* The error of a contact. */
-doubts doubts_of_error(const rwedge_contact *contact);
-
-/* Whether there is more than an error up to the tolerance. */
-bool doubts_matter(doubts all);
 
 /* The doubts about a contact with these edges, both 0 where it is separated; safety is P_yield/P,
  * NAN where it is not known. */
-doubts doubts_of(const contact_case *setup, double left, double right, double safety);
+int32_t doubts_of(const contact_case *setup, double left, double right, double safety);
 
 /* The doubts about the present state of a contact. It may yield by P, or by a tension or moment
  * under a P that alone would not make it yield. */

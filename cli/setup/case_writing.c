@@ -188,12 +188,16 @@ static void put_constants(writing *to, const char *path)
     output_text(&to->out, "}");
 }
 
-/* Of a file its constants stay, in its words. */
+/* The name of one that is shipped stays; of a file its constants, in its words. */
 static void put_material(writing *to, const char *text)
 {
     const char *ending = strrchr(text, '.');
     const bool is_json = ending != NULL && strcasecmp(ending, ".json") == 0;
     begin_name(to, "  ", "material");
+    if (shipped_material_named(text) != NULL) {
+        put_text(to, text);
+        return;
+    }
     if (text[0] != '{' && !is_json) {
         put_constants(to, text);
         return;
@@ -206,7 +210,7 @@ static void put_material(writing *to, const char *text)
 static void put_all(writing *to, const char *command_name, const arguments *line,
                     const input_texts *texts)
 {
-    const int material = arguments_number(line, "material");
+    const int number = arguments_number(line, "material");
     static const char *const groups[] = {"bodies", "pad", "loads"};
     output_print(&to->out, "{\n  \"%s\": %d", case_version_name, CASE_VERSION);
     to->is_begun = true;
@@ -220,8 +224,8 @@ static void put_all(writing *to, const char *command_name, const arguments *line
             put_loads(to, line);
         end_group(to);
     }
-    if (material != 0 && line->value[material] != NULL)
-        put_material(to, line->value[material]);
+    if (number != 0 && line->value[number] != NULL)
+        put_material(to, line->value[number]);
     put_asked(to, command_name, line);
     output_text(&to->out, "\n}\n");
 }

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "setup.h"
 
+#include <math.h>
 #include <string.h>
 
-enum { OTHER_OPTIONS = 9, CONTACT_INPUTS = INPUT_K };
+enum { OTHER_OPTIONS = 10, CONTACT_INPUTS = INPUT_K };
 
 struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
     [CONTACT_INPUTS] = {HULL_OPTION},
@@ -13,6 +14,7 @@ struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
      "up|down"},
     {VALUE("origin", OPTION_ORIGIN),
      "Where x is 0, which P passes through: as in the profile, or at its lowest place", "lowest"},
+    {MATERIAL_OPTION},
     {VALUE("case", OPTION_CASE), "A case from a JSON file; options replace what it has", "FILE"},
     {VALUE("save-case", OPTION_SAVE_CASE), "Write the case to FILE, for --case", "FILE"},
     OTHER_NAME("friction", OPTION_INPUT + INPUT_F),
@@ -45,11 +47,28 @@ struct poptOption reading_option_table[] = {
     {VALUE("column", OPTION_COLUMN),
      "A column by its name in the file, or its number where there are no names; repeat it",
      "NAME=THEIRS"},
+    {K_IN_OPTION},
     {FLAG("drop", OPTION_DROP), "Leave out rows that lack a number: empty, NaN or -9999", NULL},
     POPT_TABLEEND,
 };
 
 /* ---- Units and files ---- */
+
+static unit_system assumed; /* where --units gives none */
+
+void units_assume(const unit_system *units)
+{
+    assumed = *units;
+}
+
+/* The unit of length in a K that has no unit of its own. */
+static double read_K_length(const arguments *line)
+{
+    const char *text = line->value[OPTION_K_IN];
+    if (text != NULL && strcmp(text, "m") != 0 && strcmp(text, "mm") != 0)
+        usage_error("--K-in %s: must be m or mm", text);
+    return text == NULL ? NAN : strcmp(text, "m") == 0 ? 1 : 1e-3;
+}
 
 static double read_size(const arguments *line, int number, const char *name, const char *dimension,
                         const unit_system *units)
@@ -75,6 +94,12 @@ const unit_system *units_of(const arguments *line)
     units = units_unknown;
     if (line->value[OPTION_UNITS] != NULL && !units_read(line->value[OPTION_UNITS], &units, &why))
         usage_error("--units %s", why.text);
+    if (line->value[OPTION_UNITS] == NULL && assumed.is_known) {
+        units.is_known = true;
+        units.length = assumed.length;
+        units.force = assumed.force;
+    }
+    units.K_length = read_K_length(line);
     units.width = read_size(line, OPTION_WIDTH, "width", "length", &units);
     units.section = read_size(line, OPTION_SECTION, "section", "area", &units);
     return &units;
@@ -177,6 +202,7 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
                            .tolerance = read_tolerance(line)};
     for (int i = 0; i < INPUT_COUNT; i++)
         texts->text[i] = line->value[OPTION_INPUT + i];
+    material_hand_over(line, texts);
     const char *profile = texts->text[INPUT_PROFILE];
     if (profile == NULL)
         return;

@@ -4,6 +4,7 @@
 
 #include "document/document.h"
 #include "input/input.h"
+#include "model/cycle/cycle.h"
 #include "options/options.h"
 
 /* ---- notices ---- What makes inputs and results doubtful, said on stderr. */
@@ -32,6 +33,8 @@ enum {
     OPTION_FIT,
     OPTION_HEIGHTS,
     OPTION_ORIGIN,
+    OPTION_MATERIAL,
+    OPTION_K_IN,
     OPTION_CASE,
     OPTION_SAVE_CASE,
     OPTION_AFTER_INPUTS
@@ -40,6 +43,13 @@ enum {
 #define HULL_OPTION                                                                                \
     "hull", '\0', POPT_ARG_NONE, NULL, OPTION_HULL,                                                \
         "Take the convex hull of the heights of a profile", NULL
+
+#define MATERIAL_OPTION                                                                            \
+    "material", '\0', POPT_ARG_STRING, NULL, OPTION_MATERIAL,                                      \
+        "Constants of body 1: of \"rwedge materials\", of a JSON or CSV file, or {...}", "FILE"
+#define K_IN_OPTION                                                                                \
+    "K-in", '\0', POPT_ARG_STRING, NULL, OPTION_K_IN,                                              \
+        "Unit of length of constants in K without a unit: m for MPa sqrt(m)", "m|mm"
 
 /* Tables to include: the contact and its loads; its strength; bodies and shape but for nu1; how
  * loads without a closed form are taken. Only the last is filled before input_options_prepare(). */
@@ -52,8 +62,9 @@ void input_options_prepare(void);
 /* How files are read: their units, columns and rows; for a command without inputs, too. */
 extern struct poptOption reading_option_table[];
 
-/* The working units that a command line gives. */
+/* The working units that a command line gives, or those that are assumed where it gives none. */
 const unit_system *units_of(const arguments *line);
+void units_assume(const unit_system *units);
 
 /* How the files of a command line are to be read. */
 reading reading_of(const arguments *line, char decimal_sign);
@@ -61,11 +72,34 @@ reading reading_of(const arguments *line, char decimal_sign);
 /* How the profile of a command line is made of its file. */
 profile_making profile_making_of(const arguments *line);
 
-/* Those on a command line; reads the profile. An impossible tolerance is a mistake. */
+/* Those on a command line, and what a material gives; reads the profile. An impossible tolerance is
+ * a mistake. */
 void input_texts_from_options(const arguments *line, input_texts *texts);
 
 /* Refuses --hull without a profile. */
 void input_options_check_hull(const arguments *line);
+
+/* ---- material_file ---- Constants of a material, by --material: one that is shipped, a file, or
+ * an object, {"su": 900}. What is wrong ends the command. */
+
+/* They are read once. None where there is no option. */
+const material *material_of(const arguments *line);
+
+/* E, nu and the yield stress stand for inputs that are not given. */
+void material_hand_over(const arguments *line, input_texts *texts);
+
+/* ---- shipped ---- The materials that the tool has, as the files in tables/materials. */
+
+typedef struct {
+    const char *name, *text; /* JSON */
+} shipped_material;
+extern const shipped_material shipped_materials[]; /* ends with a name of NULL */
+
+/* NULL where none has the name. */
+const shipped_material *shipped_material_named(const char *name);
+
+/* "; the nearest is sae-1015-normalized", or how to list them. */
+const char *shipped_material_hint(const char *name);
 
 /* ---- load_history ---- A history of loads, in straight steps, as the command line or a CSV file
  * gives it: read whole, and then applied, once or again and again. */

@@ -86,6 +86,12 @@ const char *material_unit(int constant);
 /* Whether one of the criteria has it, and the contact has not: an option gives it. */
 bool material_is_option(int constant);
 
+/* Takes the text of a constant, which may have its unit; one of a K must have. False, with the rest
+ * of a sentence about it. One that is last depends on others. */
+bool material_take(int constant, const char *text, char decimal_sign, const unit_system *units,
+                   material *constants, complaint *why);
+bool material_is_last(int constant);
+
 /* Without any constant. */
 material material_unknown(void);
 
@@ -95,7 +101,8 @@ int material_constant(const char *name);
 /* That of a name that is known. */
 double material_value(const material *constants, const char *name);
 
-/* Whether a name is a remark on the constants, such as their source. */
+/* Whether a name is a remark on the constants, such as their source; "units" is that of their
+ * numbers. */
 bool material_is_remark(const char *name);
 
 /* The allowable value of a criterion; NAN where it is not known. */

@@ -114,6 +114,33 @@ bool material_is_option(int i)
            strcmp(one->name, "E") != 0 && strcmp(one->name, "yield_stress") != 0;
 }
 
+bool material_take(int i, const char *text, char decimal_sign, const unit_system *units,
+                   material *constants, complaint *why)
+{
+    const constant *one = &constants_known()->list[i];
+    const char *own = NULL;
+    double value, factor = 1;
+    const bool is_read =
+        strcmp(one->name, "paris_C") == 0
+            ? growth_read(text, decimal_sign, material_value(constants, "paris_m"), units, &value,
+                          why)
+        : strcmp(one->unit, "stress*sqrt(length)") == 0
+            ? intensity_read(text, decimal_sign, units, &value, why)
+            : quantity_read(text, decimal_sign, &value, &own) || complain(why, "must be a number");
+    if (!is_read || (own != NULL && !units_factor(units, own, one->unit, SHARE_NONE, &factor, why)))
+        return false;
+    value *= factor;
+    if (!(value >= one->low && value <= one->high && number_is_size(value)))
+        return complain(why, "must be a number, %s", material_allowed(i));
+    constants->value[i] = value;
+    return true;
+}
+
+bool material_is_last(int i)
+{
+    return strcmp(constants_known()->list[i].name, "paris_C") == 0;
+}
+
 material material_unknown(void)
 {
     material constants;
@@ -137,7 +164,7 @@ double material_value(const material *constants, const char *name)
 
 bool material_is_remark(const char *name)
 {
-    return strcmp(name, "name") == 0 || strcmp(name, "source") == 0;
+    return strcmp(name, "name") == 0 || strcmp(name, "source") == 0 || strcmp(name, "units") == 0;
 }
 
 double material_allowable(const material *constants, int criterion)

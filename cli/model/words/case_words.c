@@ -11,6 +11,7 @@ static const case_word others[] = {
     {"", "units", "units", WORD_TEXT, INPUT_COUNT},
     {"", "width", "width", WORD_QUANTITY, INPUT_COUNT},
     {"", "section", "section", WORD_QUANTITY, INPUT_COUNT},
+    {"", "K_in", "K-in", WORD_TEXT, INPUT_COUNT},
     {"bodies", "plane_stress", "plane-stress", WORD_FLAG, INPUT_COUNT},
     {"pad", "x", NULL, WORD_NUMBERS, INPUT_COUNT},
     {"pad", "slope", NULL, WORD_NUMBERS, INPUT_COUNT},

@@ -17,7 +17,7 @@ round_trip() {
 printf 'P,Q,M,sigma\n100,10,0,0\n120,-10,1,20\n100,10,0,0\n' >log.csv
 printf 'x,height\n-1,0.05\n-0.6,0.018\n-0.2,0.002\n0,0\n0.3,0.003\n0.4,0.008\n0.7,0.015\n1,0.05\n' >worn.csv
 printf 'name,steel\nsf,900\nb,-0.1\nef,0.5\nc,-0.6\n' >steel.csv
-printf '{"source": "a \\"book\\"", "t_A": 200, "su": 900, "dK_th": 170, "ds0": 400}\n' >steel.json
+printf '{"source": "a \\"book\\"", "t_A": 200, "su": 900, "dK_th": "5.4 MPa sqrt(m)", "ds0": 400}\n' >steel.json
 steel="--E1 210000 --nu1 0.3"
 round_trip "a wedge" solve $steel --theta-deg 2 --radius 10 --P 300 --Q 40 --f 0.3 --yield-stress 900
 round_trip "two bodies, one of them rigid" solve $steel --E2 inf --theta 0.01 --a 0 --P 300.1
@@ -31,7 +31,7 @@ round_trip "loads one after the other" field $steel --theta 0.01 --radius 10 --f
 round_trip "a log" history log.csv $steel --theta 0.01 --radius 10 --f 0.3 --at 0.1,0.1
 round_trip "a log, in kN of 10 mm" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --width 10 --cycles 2 --x -1:1:0.5
 round_trip "a material of a CSV file" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --x 0 --material steel.csv
-round_trip "a material of a JSON file" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --x 0 --material steel.json
+round_trip "a material of a JSON file" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --x 0 --units mm,N,MPa --material steel.json
 round_trip "a crack" crack log.csv $steel --theta 0.01 --radius 10 --f 0.3 --edge left --lengths 0.01,0.02 --angle-range=-10,0
 sed 's/0.018/0.020/' worn.csv >other.csv && mv other.csv worn.csv
 prints_kept "a case holds the places" first crack --case saved.json
@@ -69,7 +69,7 @@ cannot "newer.json: rwedge_case 2: a case of another version; this program reads
 case_of '"bodies": {"E": 1}'
 cannot "case.json: bodies: E: unknown; the nearest is E1" solve --case case.json
 case_of '"pads": {}'
-cannot "case.json: pads: unknown; allowed: units, width, section, bodies, pad, loads, material, asked" solve --case case.json
+cannot "case.json: pads: unknown; allowed: units, width, section, K_in, bodies, pad, loads, material, asked" solve --case case.json
 case_of '"pad": {"x": [0, 1], "slope": [0]}'
 cannot "case.json: slope: must be a list of numbers, as many as beside it" solve --case case.json
 case_of '"pad": {"x": [0, 1]}'
@@ -108,5 +108,5 @@ done
 case_of '"zzzzzzzzzzzz": 1'
 run solve --case case.json
 same "names at the top of the schema" "$({ sed 's/.*allowed: //; s/, /\n/g' err; echo rwedge_case; echo name; } | sort | tr '\n' ' ')" \
-    "$(sed -n 's/^    "\([a-z_]*\)": {$/\1/p' "$schema" | sed '/^numbers$/d; /^quantity$/d; /^load$/d' | sort | tr '\n' ' ')"
+    "$(sed -n 's/^    "\([A-Za-z_]*\)": {$/\1/p' "$schema" | sed '/^numbers$/d; /^quantity$/d; /^load$/d' | sort | tr '\n' ' ')"
 finish

@@ -47,6 +47,23 @@ close_to "lengths in m" "$life" "$(row cycles 2)" 1e-9
 printf '{"paris_C": 1e-12, "paris_m": 3}' >material.json
 does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --material material.json --K-in mm
 same "constants of a material" "$(cat as_mm)" "$(cat out)"
+# The same with its unit: 1e-12 mm/(MPa sqrt(mm))^3 is 1e-12 1000^1.5 in mm/(MPa sqrt(m))^3, a thousandth of it in m.
+for growth in '3.1622776601683795e-08 mm/(MPa sqrt(m))^3' '3.1622776601683795e-11 m/cycle/(MPa sqrt(m))^m' '1e-12 mm/(MPa sqrt(mm))^3'; do
+    printf '{"paris_C": "%s", "paris_m": 3}' "$growth" >material.json
+    does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --material material.json --units mm,N,MPa
+    close_to "life by $growth" "$life" "$(row cycles 2)" 1e-9
+    does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --C "$growth" --m 3 --units mm,N,MPa
+    close_to "the same as an option" "$life" "$(row cycles 2)" 1e-9
+done
+printf '{"paris_C": "1e-12 m/(MPa sqrt(m))^4", "paris_m": 3}' >material.json
+cannot "material.json: paris_C 1e-12 m/(MPa sqrt(m))^4: must be a number with its unit, such as 6.9e-12 m/(MPa sqrt(m))^3, which ends with the exponent or m" \
+    crack pulled.csv $plain --lengths 0.5,1 --material material.json --units mm,N,MPa
+printf '{"dK_th": "4.2 MPa", "ds0": 248}' >material.json
+cannot "material.json: dK_th 4.2 MPa: the unit 'MPa' has the wrong dimension; needed: a unit of stress*sqrt(length)" \
+    crack pulled.csv $plain --lengths 0.5,1 --material material.json --units mm,N,MPa
+printf '{"dK_th": "4.2 MPa sqrt(m)", "ds0": 248}' >material.json
+cannot "material.json: dK_th 4.2 MPa sqrt(m): has the unit 'MPa sqrt(m)', and no working units are known: --units, such as --units mm,N,MPa, converts it" \
+    crack pulled.csv $plain --lengths 0.5,1 --material material.json
 
 # Where it breaks: (K_c/(1.1215 100))^2/pi.
 does crack pulled.csv $plain --from 0.5 --to 2 --shear none --C 1e-12 --m 3 --K-c 220 --K-in mm --verdict
@@ -76,7 +93,8 @@ does crack cycle.csv $hertz --lengths 1,2 --angle 45
 message_has "at 45 deg faces overlap under the largest K_I"
 
 # What is refused.
-refuses "--K-in: missing; needed beside constants of K: m where they are in MPa sqrt(m), mm where they are in MPa sqrt(mm), 31.6 times as large" crack cycle.csv $hertz --lengths 1 --dK-th 66
+bare='needs its unit, such as "4.2 MPa sqrt(m)", beside --units; or --K-in m where it is in MPa sqrt(m), mm where it is in MPa sqrt(mm), 31.6 times as large'
+refuses "--dK-th 66: $bare" crack cycle.csv $hertz --lengths 1 --dK-th 66
 refuses "--K-in km: must be m or mm" crack cycle.csv $hertz --lengths 1 --dK-th 66 --K-in km
 refuses "--K-in m: needs --dK-th, --C or --K-c" crack cycle.csv $hertz --lengths 1 --K-in m
 refuses "--m: missing; needed beside --C" crack cycle.csv $hertz --lengths 1 --C 1 --K-in m

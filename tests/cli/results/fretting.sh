@@ -205,7 +205,7 @@ same "off z" yes "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "fs_o
 # Verdicts: at the worst place of the surface, at half of a length below it, as the mean over twice of it.
 printf 'name,value\nE,72100\nnu,0.33\ncrossland_alpha,0.3\ncrossland_limit,100\nsf,475.4\nb,-0.078\nef,0.612\nc,-0.62\nswt_limit,0.6\ndK_th,60\nds0,250\n' >metal.csv
 printf '{"source": "none", "E": 72100, "nu": 0.33, "crossland_alpha": 0.3, "crossland_limit": 100, "dK_th": 60, "ds0": 250}' >metal.json
-shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0"
+shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0 --K-in mm"
 verdict() { awk -F, -v name="$2" -v row="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } $1 == row { print $c }' out; }
 does fretting cycle.csv $shape --material metal.csv --at-worst
 same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life,cycles" "$(head -n 1 out)"
@@ -215,13 +215,13 @@ close_to "the life has the parameter" "$(verdict swt value)" "$(awk -v N="$(verd
     printf "%.17g", 475.4 ^ 2 / 72100 * (2 * N) ^ -0.156 + 475.4 * 0.612 * (2 * N) ^ -0.698 }')" 1e-12
 # The modified Woehler curve at the edge of contact; nothing cycles far from it under a mean tension, where it was worst.
 printf 'P,Q,sigma\n93.2489395167137,41.96202278252117,110\n93.2489395167137,-41.96202278252117,-70\n' >rig.csv
-printf 'E,74000\nnu,0.33\nkappa,40\nlambda,71\ndK_th,132.8\nds0,248\n' >al4cu.csv
-does fretting rig.csv --radius 50 --f 0.75 --material al4cu.csv --at-worst --method point --criteria modified-wohler
+printf 'E,74000\nnu,0.33\nkappa,40\nlambda,71\ndK_th,4.2 MPa sqrt(m)\nds0,248\n' >al4cu.csv
+does fretting rig.csv --radius 50 --f 0.75 --units mm,N,MPa --material al4cu.csv --at-worst --method point --criteria modified-wohler
 close_to "the worst place" -0.378 "$(verdict modified_wohler x)" 1e-3
 close_to "the modified Woehler curve below it" 125.06 "$(verdict modified_wohler at_length)" 1e-4
 close_to "its safety" 0.568 "$(verdict modified_wohler safety)" 1e-3
 printf 'P,Q,sigma\n93.2489395167137,41.96202278252117,100\n93.2489395167137,0,10\n' >rig.csv
-does fretting rig.csv --radius 50 --f 0.75 --material al4cu.csv --at-worst --method point --criteria modified-wohler
+does fretting rig.csv --radius 50 --f 0.75 --units mm,N,MPa --material al4cu.csv --at-worst --method point --criteria modified-wohler
 close_to "the worst place at another ratio" -0.378 "$(verdict modified_wohler x)" 1e-3
 does fretting cycle.csv $shape --material metal.csv --at-worst
 x=$(verdict crossland x)
@@ -248,11 +248,32 @@ run fretting block.csv $shape --material no_limit.csv --criteria swt
 same "columns of damage" "swt_out_of_plane,swt_damage,swt_damage_angle,swt_damage_out_of_plane,swt_cycles" "$(head -n 1 out | cut -d , -f 12-)"
 # The shipped sets are read, and each life is that of its own constants.
 for metal in "$here"/../../../tables/materials/*.json; do
+    name=$(basename "$metal" .json)
+    grep -q '"E"' "$metal" || does solve --E1 206800 --nu1 0.3 --radius 10 --P 100 --f 0.3 --units mm,N,MPa --material "$name"
+    kept as_name materials
+    for constant in E nu sf b ef c yield_stress su; do
+        number=$(sed -n "s/^ *\"$constant\": \([-0-9.]*\),*$/\1/p" "$metal")
+        same "$constant of $name" "$number" "$(awk -F, -v name="$name" -v constant=$constant '$1 == name && $2 == constant { print $3 }' as_name)"
+    done
+    grep -q '"sf"' "$metal" || continue
+    does fretting cycle.csv $shape --material "$name" --criteria swt --at-worst
+    message_has "$name: its numbers are in mm,N,MPa, which are taken as the units of all"
+    kept as_name fretting cycle.csv $shape --material "$name" --criteria swt --at-worst
     does fretting cycle.csv $shape --material "$metal" --criteria swt --at-worst
+    same "$name by its name" "" "$(cmp as_name out 2>&1)"
     number() { sed -n "s/^ *\"$1\": \([-0-9.]*\),*$/\1/p" "$metal"; }
     close_to "the life by $(basename "$metal")" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" -v E="$(number E)" -v s="$(number sf)" \
         -v b="$(number b)" -v e="$(number ef)" -v c="$(number c)" 'BEGIN { printf "%.17g", s * s / E * (2 * N) ^ (2 * b) + s * e * (2 * N) ^ (b + c) }')" 1e-9
 done
+cannot "sae-1045-500: neither a file nor a material that is shipped; the nearest is sae-1045-500-hb" fretting cycle.csv $shape --material sae-1045-500
+cannot 'copper: neither a file nor a material that is shipped; "rwedge materials" lists them' fretting cycle.csv $shape --material copper
+# In other units the constants are converted: 206800 MPa are 29993804 psi.
+run solve --radius 1 --P 100 --nu1 0.3 --units in,lbf,psi --material sae-1015-normalized
+close_to "A by its E in psi" "$(awk 'BEGIN { printf "%.17g", 4 * (1 - 0.09) / (206800 / 0.006894757293168361) }')" "$(awk -F, '$1 == "A" { print $2 }' out)" 1e-14
+# A K without its unit is refused: 31.6 times as large or as small.
+refused="dK_th 60: needs its unit, such as \"4.2 MPa sqrt(m)\", beside --units; or --K-in m or mm"
+cannot "metal.csv: $refused" fretting cycle.csv $specimen --material metal.csv
+cannot "metal.json: $refused" fretting cycle.csv $specimen --material metal.json
 # The message names the option that reads the file, and the one that would replace it.
 refuses "--output metal.csv: it is the file of --material; allowed: another file" fretting cycle.csv $shape --material metal.csv -o metal.csv
 refuses "--worst metal.csv: it is the file of --material; allowed: another file" fretting cycle.csv $shape --material metal.csv --worst metal.csv

@@ -28,7 +28,7 @@ OWN = {i: _constants(i, library_function("criterion_constants")(i)) for i in NUM
 OF_DAMAGE = {i: _constants(i, library_function("damage_constants")(i)) for i in NUMBERS.values()}
 LIMITS = {library_function("criterion_limit")(i).decode() for i in NUMBERS.values()}
 # What else the material of a file may have.
-KNOWN = {"name", "source", "nu", "dK_th", "ds0", "paris_C", "paris_m", "K_c", *LIMITS, *(name for names in (*OWN.values(), *OF_DAMAGE.values()) for name in names)}
+KNOWN = {"name", "source", "units", "nu", "dK_th", "ds0", "paris_C", "paris_m", "K_c", *LIMITS, *(name for names in (*OWN.values(), *OF_DAMAGE.values()) for name in names)}
 
 
 class Plane(NamedTuple):

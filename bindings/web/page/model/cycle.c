@@ -229,7 +229,6 @@ static void write_verdict(void)
 
 static void write_answer(void)
 {
-    char computed[DOUBT_SIZE] = "";
     int32_t status = last_cycle_end(&asked.last);
     if (status == RWEDGE_OK)
         status = measure();
@@ -239,8 +238,7 @@ static void write_answer(void)
         json_refuse("", "This cannot be computed: %s", rwedge_strerror(status));
     else {
         load_list_write(&asked.loads);
-        doubts_write((doubts){.error = asked.last.error}, computed, sizeof computed);
-        json_add("{'slipKnown':%n,'computed':%t}", (double)asked.last.slip_known, computed);
+        json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.last.error);
         write_measures();
         write_verdict();
         answers_hand_over(asked.last.before);

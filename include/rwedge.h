@@ -944,10 +944,11 @@ RWEDGE_API int32_t rwedge_cycle_friction(const rwedge_cycle *cycle, size_t n, co
  *   worst_x, worst_value    each receives one number
  * RWEDGE_EDOMAIN where rwedge_criterion() has it, and for slip where y is not 0; RWEDGE_ERANGE for
  * n = 0; RWEDGE_EPATH as rwedge_cycle_friction() has it; RWEDGE_ENULL, RWEDGE_ENOMEM. The place is
- * found to 1e-10 of the distance of its neighbours where the top is not flat. Places where nothing
- * cycles are passed over: those whose amplitude of sqrt(J2) is below a thousandth of the largest at
- * the given places. There a mean stress alone would make Findley's criterion, McDiarmid's,
- * Crossland's and Dang Van's large, and the modified Woehler curve's. */
+ * found to about 1e-8 of the distance of its neighbours, or as well as values tell it; the value of
+ * a smooth top to rounding. Places where nothing cycles are passed over: those whose amplitude of
+ * sqrt(J2) is below a thousandth of the largest at the given places. There a mean stress alone
+ * would make Findley's criterion, McDiarmid's, Crossland's and Dang Van's large, and the modified
+ * Woehler curve's. */
 RWEDGE_API int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure,
                                       const double constants[], size_t n, const double x[],
                                       const double value[], double y, double nu,

@@ -15,10 +15,20 @@ typedef struct {
 enum { RW_SPREAD = 65 };
 void rw_spread_places(double left, double right, double place[RW_SPREAD]);
 
-/* The largest value of a function, >= 0, at n >= 1 places in ascending order, or between the
- * neighbours of one of them: the best is searched, and others that are tops and nearly as high. The
- * place is found to 1e-10 of the neighbours' distance, or as well as values tell it, whichever is
- * more. The first of equal values counts. `value` is room for n numbers. */
+/* The top of a function around a place. `at` are three places in ascending order with the values
+ * there, or in descending order; the middle one is the highest, or as high as another, and may be
+ * the first or the last place too. The place of the top is found to 1e-8 of their distance, or as
+ * well as values tell it, whichever is more. The function is >= 0; where it is not finite it has no
+ * top. A top that will not reach the value `highest` is given up. */
+rw_maximum rw_top(rw_function f, const void *context, const rw_maximum at[3], double highest);
+
+/* The largest value of a function, at n >= 1 places in ascending order, whose values are given, or
+ * between the neighbours of one of them: the best is searched, and others that are tops and nearly
+ * as high, as rw_top() does. The first of equal values counts. */
+rw_maximum rw_largest_around(rw_function f, const void *context, size_t n, const double place[],
+                             const double value[]);
+
+/* The same; the values are computed into `value`, room for n numbers. */
 rw_maximum rw_largest_value(rw_function f, const void *context, size_t n, const double place[],
                             double value[]);
 

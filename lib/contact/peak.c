@@ -44,13 +44,13 @@ static rw_maximum by_formula(const rw_geometry *g, rw_patch patch)
     return (rw_maximum){rw_patch_middle(patch), rw_unit_stress(g) * rwedge_peak_pressure(alpha)};
 }
 
-/* There may be a top in each arc of a pad. Its ends and its middle are places to look at, as far as
- * it is in contact. */
-static size_t add_arcs(const rw_pad *pad, rw_patch patch, double place[], size_t n)
+/* There may be a top in each arc. Its ends and its middle are places to look at, as far as it is in
+ * contact. */
+static size_t add_arcs(const rw_arcs *arcs, rw_patch patch, double place[], size_t n)
 {
-    for (size_t i = 0; pad && i < pad->count; i++) {
-        const double left = fmax(pad->arcs[i].left, patch.left),
-                     right = fmin(pad->arcs[i].right, patch.right);
+    for (size_t i = 0; i < arcs->count; i++) {
+        const rw_arc arc = rw_arc_at(arcs, i);
+        const double left = fmax(arc.left, patch.left), right = fmin(arc.right, patch.right);
         if (!(left < right))
             continue;
         if (n == RW_SPREAD || place[n - 1] != left)
@@ -63,13 +63,13 @@ static size_t add_arcs(const rw_pad *pad, rw_patch patch, double place[], size_t
 
 static int32_t by_search(const rwedge_contact *contact, rw_patch patch, rw_maximum *peak)
 {
-    const rw_pad *pad = contact->geometry.pad;
-    const size_t most = RW_SPREAD + (pad ? 3 * pad->count : 0);
+    const rw_arcs arcs = rw_arcs_of(&contact->geometry);
+    const size_t most = RW_SPREAD + 3 * arcs.count;
     double *place = malloc(2 * most * sizeof *place);
     if (!place)
         return RWEDGE_ENOMEM;
     rw_spread_places(patch.left, patch.right, place);
-    const size_t n = add_arcs(pad, patch, place, RW_SPREAD);
+    const size_t n = add_arcs(&arcs, patch, place, RW_SPREAD);
     rw_sort(place, n);
     *peak = rw_largest_value(pressure_at, contact, n, place, place + most);
     free(place);

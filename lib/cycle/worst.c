@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a measure of a cycle is largest on a line, also between the places at which it is known. */
+#include "base/maximum.h"
 #include "cycle/states.h"
 #include "measures/criterion.h"
 
@@ -19,19 +20,15 @@ typedef struct {
     double y;
     double *stress; /* room for those of one place */
     rw_piece_sum *room;
-    double least;       /* amplitude of sqrt(J2) of a place that is not passed over */
-    bool lacked_memory; /* somewhere */
+    double least;        /* amplitude of sqrt(J2) of a place that is not passed over */
+    bool *lacked_memory; /* somewhere */
 } line;
-
-typedef struct {
-    double x, value;
-} peak;
 
 /* ---- One place ---- */
 
-static bool is_answer(line *l, int32_t status)
+static bool is_answer(const line *l, int32_t status)
 {
-    l->lacked_memory = l->lacked_memory || status == RWEDGE_ENOMEM;
+    *l->lacked_memory = *l->lacked_memory || status == RWEDGE_ENOMEM;
     return status == RWEDGE_OK;
 }
 
@@ -55,7 +52,7 @@ static bool is_of_friction(int32_t measure)
     return measure >= RWEDGE_MEASURE_SLIP_RANGE && measure <= RWEDGE_MEASURE_ENERGY_PER_AREA;
 }
 
-static double measure_of(line *l, double x, const double *sxx)
+static double measure_of(const line *l, double x, const double *sxx)
 {
     const size_t loads = l->cycle->loads.count;
     const material *m = &l->material;
@@ -69,7 +66,7 @@ static double measure_of(line *l, double x, const double *sxx)
 }
 
 /* The amplitude of sqrt(J2): what the criteria that count a mean stress have but for it. */
-static double amplitude_of(line *l, const double *sxx)
+static double amplitude_of(const line *l, const double *sxx)
 {
     static const double no_mean[1] = {0};
     const size_t loads = l->cycle->loads.count;
@@ -80,7 +77,7 @@ static double amplitude_of(line *l, const double *sxx)
     return value;
 }
 
-static double amplitude_at(line *l, double x)
+static double amplitude_at(const line *l, double x)
 {
     const int32_t status = rw_cycle_stresses(l->cycle, 1, &x, &l->y, l->stress);
     return is_answer(l, status) ? amplitude_of(l, l->stress) : 0;
@@ -88,7 +85,7 @@ static double amplitude_at(line *l, double x)
 
 /* The measure at one place; NaN at the apex of a sharp wedge. Among the measures of friction only
  * Ruiz' F2 needs stresses. */
-static double measure_at(line *l, double x)
+static double measure_at(const line *l, double x)
 {
     if (is_of_friction(l->measure) && l->measure != RWEDGE_MEASURE_RUIZ_F2)
         return rw_cycle_has_stress(l->cycle, x, l->y) ? friction_of(l, x, NULL) : NAN;
@@ -98,58 +95,9 @@ static double measure_at(line *l, double x)
     return measure_of(l, x, l->stress);
 }
 
-/* ---- The search ---- */
-
-static peak better(line *l, peak best, double x)
+static double value_at(double x, const void *of_line)
 {
-    const double value = measure_at(l, x);
-    return isgreater(value, best.value) ? (peak){x, value} : best; /* not where it is NaN */
-}
-
-/* The interval is halved around its best place, to 1e-10 of it. After a few rounds the gain still
- * to come is less than the gain so far: a top that cannot reach the highest one is then given
- * up. */
-static peak climb(line *l, double from, double to, peak best, double highest)
-{
-    enum { ROUNDS = 34, TRIAL = 6 };
-    const double base = best.value;
-    for (int round = 0; round < ROUNDS; round++) {
-        if (round >= TRIAL && best.value + (best.value - base) < highest)
-            break;
-        const double left = from + (best.x - from) / 2, right = to - (to - best.x) / 2;
-        const peak start = best;
-        best = better(l, better(l, best, left), right);
-        from = best.x == start.x ? left : best.x == left ? from : start.x;
-        to = best.x == start.x ? right : best.x == left ? start.x : to;
-    }
-    return best;
-}
-
-/* A top is searched if its given value is at least this part of the best one. */
-static const double NEARLY = 0.97;
-enum { SEARCHES = 8 }; /* enough for tops; a plateau has more */
-
-static bool is_top(size_t n, const double value[], size_t i)
-{
-    return (i == 0 || !(value[i - 1] > value[i])) && (i + 1 == n || !(value[i + 1] > value[i]));
-}
-
-static peak search(line *l, size_t n, const double x[], const double value[])
-{
-    size_t top = 0;
-    int searches = 0;
-    for (size_t i = 1; i < n; i++)
-        top = value[i] > value[top] ? i : top;
-    peak best = {x[top], value[top]};
-    for (size_t i = 0; i < n && searches < SEARCHES; i++) {
-        if (value[i] < NEARLY * value[top] || !is_top(n, value, i) || value[i] == 0)
-            continue;
-        searches++;
-        const peak top_here = climb(l, x[i > 0 ? i - 1 : i], x[i + 1 < n ? i + 1 : i],
-                                    (peak){x[i], value[i]}, best.value);
-        best = top_here.value > best.value ? top_here : best;
-    }
-    return best;
+    return measure_at(of_line, x);
 }
 
 /* ---- Where nothing cycles ---- */
@@ -162,7 +110,7 @@ static const double CYCLES = 1e-3;
 static void pass_over(line *l, size_t n, const double x[], double value[])
 {
     double *amplitude = malloc(n * sizeof *amplitude);
-    l->lacked_memory = l->lacked_memory || !amplitude;
+    *l->lacked_memory = *l->lacked_memory || !amplitude;
     double largest = 0;
     for (size_t i = 0; amplitude && i < n; i++) {
         amplitude[i] = amplitude_at(l, x[i]);
@@ -199,7 +147,7 @@ static int32_t check(const line *l, size_t n, const double x[], const double val
 }
 
 /* From place to place. */
-static int32_t find(line *l, size_t n, const double x[], const double value[], peak *best)
+static int32_t find(line *l, size_t n, const double x[], const double value[], rw_maximum *best)
 {
     double *kept = malloc(n * sizeof *kept);
     l->stress = malloc(3 * l->cycle->loads.count * sizeof *l->stress);
@@ -209,8 +157,8 @@ static int32_t find(line *l, size_t n, const double x[], const double value[], p
         memcpy(kept, value, n * sizeof *kept);
         if (rw_counts_mean(l->measure))
             pass_over(l, n, x, kept);
-        *best = search(l, n, x, kept);
-        status = l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
+        *best = rw_largest_around(value_at, l, n, x, kept);
+        status = *l->lacked_memory ? RWEDGE_ENOMEM : RWEDGE_OK;
     }
     free(kept);
     free(l->stress);
@@ -222,12 +170,16 @@ int32_t rwedge_cycle_worst(const rwedge_cycle *cycle, int32_t measure, const dou
                            size_t n, const double x[], const double value[], double y, double nu,
                            int32_t plane_stress, double *worst_x, double *worst_value)
 {
-    line l = {
-        .cycle = cycle, .measure = measure, .material = {constants, nu, plane_stress}, .y = y};
+    bool lacked_memory = false;
+    line l = {.cycle = cycle,
+              .measure = measure,
+              .material = {constants, nu, plane_stress},
+              .y = y,
+              .lacked_memory = &lacked_memory};
     if (!cycle || (n > 0 && (!x || !value)) || !worst_x || !worst_value ||
         (!constants && rwedge_criterion_constants(measure) > 0))
         return RWEDGE_ENULL;
-    peak best = {0, 0};
+    rw_maximum best = {0, 0};
     int32_t status = check(&l, n, x, value);
     if (status == RWEDGE_OK && is_of_friction(measure))
         status = cycle->slip_status;

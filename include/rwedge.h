@@ -570,6 +570,30 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
+/* Holds the pad at its present tilt, as a rig does that guides it, or lets it turn again. M of the
+ * loads of a held pad is ignored: rwedge_contact_loads() gives the moment that holds it. While the
+ * bodies are apart, a pad is held as its profile was given, at the tilt 0.                      new
+ *   held  0 <= held <= 1: 0 lets it turn, as a new contact does; 1 holds it
+ * RWEDGE_EDOMAIN also where a profile without a load has no tilt 0, because all its slopes have one
+ * sign; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_set_rotation(rwedge_contact *contact, int32_t held);
+
+/* The next load of a held pad, at a tilt, which it keeps. It is reached in a straight line in P,
+ * tilt, Q and sigma; a pad that touches has the tilt before. Load and tilt determine the contact as
+ * load and moment do, just as smoothly. The pad keeps its tilt where P is 0.                    new
+ *   P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+ *   tilt   rad, |tilt| < pi/2; as rwedge_contact_tilt() gives it: less than theta (1 - 1e-9) in
+ *          magnitude, and of a profile between its outermost slopes
+ *   Q      |Q| <= f P, as for rwedge_contact_load()
+ *   sigma  finite, as for rwedge_contact_apply()
+ * RWEDGE_EDOMAIN where the contact is not held by rwedge_contact_set_rotation(), or where the tilt
+ * is too large. Loads that have a closed form at a changing tilt are those of
+ * rwedge_contact_apply(); at a constant one, also those that touch or grow with Q in proportion to
+ * P. Other errors as those of rwedge_contact_apply(): RWEDGE_EPATH; RWEDGE_ESLIDING; RWEDGE_ERANGE;
+ * RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_guide(rwedge_contact *contact, double P, double tilt, double Q,
+                                        double sigma);
+
 /* From now on, loads that have no closed form are computed instead of refused. The tolerance is the
  * error of q over f times the peak pressure. The closed form is used wherever it holds, to the same
  * bits. Where tractions have one of which slip or energy have none, these are computed beside it.
@@ -660,8 +684,8 @@ RWEDGE_API int32_t rwedge_contact_zones(const rwedge_contact *contact, size_t n,
 
 /* The angle by which the moment tilts the wedge, rad: |tilt| < theta. Of a profile, the slope that
  * is taken off it, between its outermost slopes.                                                new
- * 0 without a moment; NaN for NULL. Error below 1e-14 theta, where the edges have their relative
- * error. */
+ * 0 without a moment, and when separated unless it is held; NaN for NULL. Error below 1e-14 theta,
+ * where the edges have their relative error. */
 RWEDGE_API double rwedge_contact_tilt(const rwedge_contact *contact);
 
 /* How pressure and shear behave at the edges, at the distance r: |p| ~ K_N sqrt(r), and, as long as

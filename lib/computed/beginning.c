@@ -14,15 +14,17 @@ static const double TOUCH_ERROR = 0.01;
 
 rw_frame rw_contact_frame(const rwedge_contact *c)
 {
-    return rw_frame_of(rw_arcs_of(&c->geometry), c->f, c->tolerance);
+    rw_frame frame = rw_frame_of(rw_arcs_of(&c->geometry), c->f, c->tolerance);
+    frame.is_held = c->is_held;
+    return frame;
 }
 
-rw_scaled_loads rw_contact_scaled_loads(const rwedge_contact *c, double P, double M, double shear,
-                                        double stretch)
+rw_scaled_loads rw_contact_scaled_loads(const rwedge_contact *c, double P, double turn,
+                                        double shear, double stretch)
 {
     const rw_geometry *g = &c->geometry;
-    return (rw_scaled_loads){rw_as_length(g, P), rw_as_length(g, M), c->f * rw_as_length(g, shear),
-                             -c->f * stretch};
+    return (rw_scaled_loads){rw_as_length(g, P), c->is_held ? turn : rw_as_length(g, turn),
+                             c->f * rw_as_length(g, shear), -c->f * stretch};
 }
 
 /* ---- The traction of a closed form ---- */
@@ -74,9 +76,10 @@ rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *c)
 {
     const rw_corner *end = rw_memory_end(&c->memory);
     const rw_frame frame = rw_contact_frame(c);
-    rw_numerical_state now = {
-        .contact = end->patch,
-        .at = rw_contact_scaled_loads(c, c->loads.P, c->loads.M, end->shear, end->stretch)};
+    rw_numerical_state now = {.contact = end->patch,
+                              .at = rw_contact_scaled_loads(c, c->loads.P,
+                                                            c->is_held ? c->held_tilt : c->loads.M,
+                                                            end->shear, end->stretch)};
     now.shear.zones = rw_contact_zones(c);
     if (fit_traction(c, &frame, &now))
         return rw_numerical_begin(&frame, &now, rw_contact_knows_slip(c), slip_at, c);
@@ -86,10 +89,10 @@ rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *c)
 
 /* ---- Touching ---- */
 
-rw_scaled_loads rw_loads_before_touching(const rwedge_contact *c)
+rw_scaled_loads rw_loads_before_touching(const rwedge_contact *c, rw_scaled_loads to)
 {
     const double sigma = c->memory.count == 1 ? c->loads.sigma : c->touched_at;
-    return rw_contact_scaled_loads(c, 0, 0, 0, rw_contact_stretch(c, sigma));
+    return rw_contact_scaled_loads(c, 0, c->is_held ? to.turn : 0, 0, rw_contact_stretch(c, sigma));
 }
 
 /* On a straight line from touching, t grows where all sticks by (dQ/pi - dstretch x)/sqrt(b^2 -
@@ -97,7 +100,7 @@ rw_scaled_loads rw_loads_before_touching(const rwedge_contact *c)
  * part of the line after which the edges slip. */
 static double stuck_part(const rwedge_contact *c, rw_scaled_loads change, rw_patch contact)
 {
-    if (!rw_is_symmetric(&c->geometry) || change.M != 0)
+    if (!rw_is_symmetric(&c->geometry) || contact.left != -contact.right)
         return FIRST_TOUCH;
     const double rest = (c->f * change.P - fabs(change.shear)) / RW_PI;
     const double half = rest / fabs(change.stretch);
@@ -133,9 +136,9 @@ static rw_numerical *begin_in_proportion(const rwedge_contact *c, const rw_frame
 }
 
 /* Whether the contact that begins is that of a flat, which hardly grows. */
-static bool is_flat(const rw_frame *frame, const rw_numerical_state *now)
+static bool is_flat(const rw_frame *frame, rw_scaled_loads from, const rw_numerical_state *now)
 {
-    const rw_patch before = rw_arcs_patch_of_moment(&frame->arcs, now->at.P / 4, now->at.M / 4);
+    const rw_patch before = rw_patch_of_loads(frame, rw_part_of_line(from, now->at, 0.25));
     return rw_patch_half_width(now->contact) < 1.1 * rw_patch_half_width(before);
 }
 
@@ -157,16 +160,15 @@ static rw_numerical *begin_flat(const rw_frame *frame, double stretch, rw_numeri
 rw_numerical *rw_numerical_of_touching(const rwedge_contact *c, rw_scaled_loads to)
 {
     const rw_frame frame = rw_contact_frame(c);
-    const rw_scaled_loads from = rw_loads_before_touching(c);
-    const rw_scaled_loads change = {to.P, to.M, to.shear, to.stretch - from.stretch};
-    rw_numerical_state now = {.contact = rw_arcs_patch_of_moment(&frame.arcs, to.P, to.M),
-                              .at = to};
+    const rw_scaled_loads from = rw_loads_before_touching(c, to);
+    const rw_scaled_loads change = {to.P, to.turn - from.turn, to.shear, to.stretch - from.stretch};
+    rw_numerical_state now = {.contact = rw_patch_of_loads(&frame, to), .at = to};
     const double part = stuck_part(c, change, now.contact);
     if (part < 1) {
         now.at = rw_part_of_line(from, to, part);
-        now.contact = rw_arcs_patch_of_moment(&frame.arcs, now.at.P, now.at.M);
+        now.contact = rw_patch_of_loads(&frame, now.at);
     }
-    return part == FIRST_TOUCH && is_flat(&frame, &now)
+    return part == FIRST_TOUCH && is_flat(&frame, from, &now)
                ? begin_flat(&frame, from.stretch, &now)
                : begin_in_proportion(c, &frame, change, &now);
 }

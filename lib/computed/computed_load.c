@@ -21,7 +21,7 @@ static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_lo
     static const double LOOSEST = 1e-2;
     const double peak = rw_peak_friction(frame, contact);
     const double times = fmax(1, last_peak / peak);
-    rw_frame loose = rw_frame_of(frame->arcs, frame->f, fmin(LOOSEST, frame->tolerance * times));
+    rw_frame loose = rw_frame_like(frame, fmin(LOOSEST, frame->tolerance * times));
     loose.far_off = frame->far_off * times;
     rw_numerical_rescale(n, rw_peak_friction(frame, n->now.contact) / peak);
     return rw_numerical_step(n, &loose, at, effort);
@@ -35,7 +35,8 @@ static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads t
     const double last_peak = rw_peak_friction(frame, contact);
     const double folds = fabs(log(to.P / from.P)) / log(FOLD);
     const int parts = (int)fmax(1, ceil(folds - 1e-9));
-    const rw_turns turns = rw_arcs_turns(&frame->arcs, n->now.contact, contact);
+    const rw_turns turns = (frame->is_held ? rw_arcs_turns_of_tilt
+                                           : rw_arcs_turns)(&frame->arcs, n->now.contact, contact);
     int32_t status = RWEDGE_OK;
     int effort = RW_MOST_EFFORT;
     double done = 0;
@@ -44,8 +45,7 @@ static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads t
         const double fold = i < parts ? (P - from.P) / (to.P - from.P) : 1;
         done = rw_stop_before(&turns, done, fold);
         const rw_scaled_loads at = done < 1 ? rw_part_of_line(from, to, done) : to;
-        const rw_patch there =
-            done < 1 ? rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M) : contact;
+        const rw_patch there = done < 1 ? rw_patch_of_loads(frame, at) : contact;
         int share = effort / (parts - i + 1 + (done < fold));
         effort -= share;
         status = advance_part(n, frame, at, there, last_peak, &share);
@@ -57,7 +57,8 @@ static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads t
 
 static rw_scaled_loads scaled_loads_after(const rwedge_contact *c, const rw_step *step)
 {
-    return rw_contact_scaled_loads(c, step->to_P, step->to_M, step->to.shear, step->to.stretch);
+    return rw_contact_scaled_loads(c, step->to_P, c->is_held ? step->to.tilt : step->to_M,
+                                   step->to.shear, step->to.stretch);
 }
 
 /* Whether the contact stays: its edges do. */
@@ -67,7 +68,7 @@ static rw_scaled_loads next_loads(const rwedge_contact *c, const rw_step *step,
     rw_scaled_loads to = scaled_loads_after(c, step);
     if (rw_patch_is_same(step->patch, n->now.contact)) {
         to.P = n->now.at.P;
-        to.M = n->now.at.M;
+        to.turn = n->now.at.turn;
     }
     return to;
 }
@@ -85,12 +86,15 @@ static void forget_shear(rwedge_contact *c, const rw_step *step)
 enum { LOADS = 4 };
 
 /* The changes of the loads, each as a traction. */
-static void changes(const rw_numerical *n, double f, rw_scaled_loads to, double change[])
+static void changes(const rw_numerical *n, const rwedge_contact *c, rw_scaled_loads to,
+                    double change[])
 {
     const rw_scaled_loads from = n->now.at;
+    const double f = c->f;
     const double half = rw_patch_half_width(n->now.contact);
     change[0] = f * (to.P - from.P) / half;
-    change[1] = f * (to.M - from.M) / (half * half);
+    change[1] = c->is_held ? RW_HALF_PI * f * (to.turn - from.turn)
+                           : f * (to.turn - from.turn) / (half * half);
     change[2] = (to.shear - from.shear) / half;
     change[3] = to.stretch - from.stretch;
 }
@@ -98,7 +102,7 @@ static void changes(const rw_numerical *n, double f, rw_scaled_loads to, double 
 static bool is_at(const rw_numerical *n, rw_scaled_loads loads)
 {
     const rw_scaled_loads at = n->now.at;
-    return at.P == loads.P && at.M == loads.M && at.shear == loads.shear &&
+    return at.P == loads.P && at.turn == loads.turn && at.shear == loads.shear &&
            at.stretch == loads.stretch;
 }
 
@@ -108,7 +112,7 @@ static bool is_on_line_from_touching(const rwedge_contact *c, const rw_numerical
 {
     const rw_numerical_state *now = &n->now;
     double apart[LOADS], sum = 0;
-    changes(n, c->f, rw_part_of_line(rw_loads_before_touching(c), to, now->at.P / to.P), apart);
+    changes(n, c, rw_part_of_line(rw_loads_before_touching(c, to), to, now->at.P / to.P), apart);
     for (int i = 0; i < LOADS; i++)
         sum += fabs(apart[i]);
     return now->is_still && now->shear.zones.count == 1 &&
@@ -162,8 +166,8 @@ static double stray(const rwedge_contact *c, const rw_step *step)
         return HUGE_VAL;
     const rw_frame frame = rw_contact_frame(c);
     double last[LOADS], next[LOADS], product = 0, square = 0, apart = 0;
-    changes(c->computed.start, c->f, c->computed.now->now.at, last);
-    changes(c->computed.start, c->f, next_loads(c, step, c->computed.start), next);
+    changes(c->computed.start, c, c->computed.now->now.at, last);
+    changes(c->computed.start, c, next_loads(c, step, c->computed.start), next);
     for (int i = 0; i < LOADS; i++) {
         product += last[i] * next[i];
         square += next[i] * next[i];
@@ -255,7 +259,8 @@ int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energ
     if (!n)
         return RWEDGE_ENOMEM;
     const double before = n->now.energy;
-    const rw_scaled_loads from = n->now.at, away = {.stretch = from.stretch};
+    const rw_scaled_loads from = n->now.at,
+                          away = {.turn = c->is_held ? from.turn : 0, .stretch = from.stretch};
     int32_t status = RWEDGE_OK;
     while (left > LAST_TOUCH && status == RWEDGE_OK) {
         status = rw_numerical_step(n, &frame, rw_part_of_line(away, from, left / 2), &effort);

@@ -107,7 +107,9 @@ static double tilt_of(const rwedge_contact *contact)
 {
     const rw_geometry *g = &contact->geometry;
     const double tilt = g->theta * rw_memory_end(&contact->memory)->tilt;
-    return g->pad && contact->phase != RW_APART ? g->middle_slope + tilt : tilt;
+    if (contact->phase == RW_APART)
+        return contact->is_held ? g->theta * contact->held_tilt + g->middle_slope : 0;
+    return g->pad ? g->middle_slope + tilt : tilt;
 }
 
 double rwedge_contact_tilt(const rwedge_contact *contact)

@@ -12,6 +12,12 @@ typedef struct {
     double P, M, Q, sigma;
 } rw_loads;
 
+/* Loads as a contact goes to them, in a straight line. `turn` is M, or of a held pad its tilt over
+ * theta. */
+typedef struct {
+    double P, turn, Q, sigma;
+} rw_goal;
+
 /* What a contact is at present. Without friction it is centred while it is loaded. */
 typedef enum {
     RW_APART,      /* the bodies do not touch */
@@ -57,6 +63,8 @@ struct rwedge_contact {
     double f;
     double strain;    /* of the surface per bulk tension, over A/4: 1 for equal compliances */
     double tolerance; /* of loads without a closed form; 0: they are refused */
+    bool is_held;
+    double held_tilt; /* over theta */
     rw_phase phase;
     rw_loads loads;
     double touched_at; /* the bulk tension at which the bodies touched */
@@ -81,6 +89,12 @@ void rw_contact_drop_computed(rwedge_contact *contact);
 
 /* Ends what is beside a contact. */
 void rw_contact_drop_beside(rwedge_contact *contact);
+
+/* The loads as the contact takes them: a held pad keeps its tilt. */
+static inline rw_goal rw_goal_of(const rwedge_contact *c, rw_loads to)
+{
+    return (rw_goal){to.P, c->is_held ? c->held_tilt : to.M, to.Q, to.sigma};
+}
 
 /* Whether it has had a moment, or another tension than at first, since the bodies touched. */
 static inline bool rw_contact_is_off_centre(const rwedge_contact *c)

@@ -241,7 +241,8 @@ static int32_t note(rwedge_cycle *cycle, const rwedge_contact *from, const rwedg
 static rw_turns turns_of(const rwedge_contact *from, rw_patch old, rw_patch now)
 {
     const rw_arcs arcs = rw_arcs_of(&from->geometry);
-    return isnan(old.left) || isnan(now.left) ? (rw_turns){{1, 1}} : rw_arcs_turns(&arcs, old, now);
+    const bool is_straight = from->is_held || isnan(old.left) || isnan(now.left);
+    return is_straight ? (rw_turns){{1, 1}} : rw_arcs_turns(&arcs, old, now);
 }
 
 /* Goes on, and notes the state. */
@@ -268,7 +269,7 @@ static int32_t go_parts(rwedge_cycle *cycle, rwedge_contact *going, rw_loads to)
     const rw_loads from = going->loads;
     const rw_patch old = patch_of(going), now = rw_contact_patch_under(going, to);
     int32_t status = RWEDGE_OK;
-    if (from.P == to.P && from.M == to.M)
+    if (from.P == to.P && (going->is_held || from.M == to.M))
         return status;
     const int parts = parts_of(going, old, now), end = to.P == 0 ? parts + HALVINGS : parts;
     const rw_turns turns = turns_of(going, old, now);

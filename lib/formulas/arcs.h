@@ -72,6 +72,10 @@ typedef struct {
 
 rw_turns rw_arcs_turns(const rw_arcs *arcs, rw_patch from, rw_patch to);
 
+/* The same of a straight way of load and tilt. The edge that turns goes outwards first, and inwards
+ * from then on. */
+rw_turns rw_arcs_turns_of_tilt(const rw_arcs *arcs, rw_patch from, rw_patch to);
+
 /* The next part of the way, beyond `done`, to stop at: an edge turns there, or it is `next`. */
 static inline double rw_stop_before(const rw_turns *turns, double done, double next)
 {

@@ -201,3 +201,26 @@ rw_turns rw_arcs_turns(const rw_arcs *arcs, rw_patch from, rw_patch to)
                                                         : turn(arcs, side, first, dP, dM);
     return turns;
 }
+
+/* Of a straight way of load and tilt: an edge rests where the half-width is |dP|/(pi |d delta|)
+ * (path.c). The half-width passes that value once, rising with the load, because the other edge
+ * goes the way of the load. */
+rw_turns rw_arcs_turns_of_tilt(const rw_arcs *arcs, rw_patch from, rw_patch to)
+{
+    enum { HALVINGS = 40 };
+    const rw_pressing first = rw_arcs_pressing(arcs, from), last = rw_arcs_pressing(arcs, to);
+    const double dP = last.load - first.load, tilt = last.tilt - first.tilt;
+    const double rests = fabs(dP) / (RW_PI * fabs(tilt));
+    const double few = rw_patch_half_width(dP > 0 ? from : to),
+                 many = rw_patch_half_width(dP > 0 ? to : from);
+    if (!(few < rests && rests < many))
+        return (rw_turns){{1, 1}};
+    double narrow = dP > 0 ? 0 : 1, wide = 1 - narrow;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double t = narrow / 2 + wide / 2;
+        const rw_patch patch =
+            rw_arcs_patch_of_tilt(arcs, first.load + t * dP, first.tilt + t * tilt);
+        *(rw_patch_half_width(patch) > rests ? &wide : &narrow) = t;
+    }
+    return (rw_turns){{wide, wide}};
+}

@@ -73,6 +73,13 @@ rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance)
     return frame;
 }
 
+rw_frame rw_frame_like(const rw_frame *frame, double tolerance)
+{
+    rw_frame like = rw_frame_of(frame->arcs, frame->f, tolerance);
+    like.is_held = frame->is_held;
+    return like;
+}
+
 int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
 {
     int n = 0;

@@ -12,15 +12,19 @@ enum { RW_MOST_BENDS = 24 };
 /* What all steps of a contact share: the profile, friction, and the tolerance of q over f times the
  * peak pressure. Bends are places where the curvature of the profile jumps so much that a pressure
  * is not smooth there. A load after which the error is twice what it was, and `far_off` more, has
- * not converged. */
+ * not converged. Whether the pad is held says what of its loads goes straight (step.h). */
 typedef struct {
     rw_arcs arcs;
     double f, tolerance, far_off;
+    bool is_held;
     int bends;
     double bend[RW_MOST_BENDS];
 } rw_frame;
 
 rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance);
+
+/* The same with another tolerance. */
+rw_frame rw_frame_like(const rw_frame *frame, double tolerance);
 
 /* Writes the bends between two places to `at`, in order, and returns how many; `at` has room for
  * all. */

@@ -4,7 +4,8 @@
  * patch): the pressure that is added, that of a flat punch, is then positive everywhere. A
  * straight step in P and M keeps to the cone if it does at its smaller end: the line of action
  * dM/dP of what is added lies between m - s/2 and m + s/2, and where one edge rests, that end of
- * the interval moves outwards.
+ * the interval moves outwards. A straight step in P and tilt keeps to it if it does at its larger
+ * end: where s passes |dP|/(pi |d delta|), one edge rests and the other goes the way of P.
  *
  * With S the sign of slip, z = f |p| - S q is what friction has left, and y >= 0 the slip so far
  * in the direction S: z y = 0, as pressure and gap of a contact without friction, of the load N
@@ -107,6 +108,32 @@ static bool grows(const rw_step *s)
     return s->to_P > s->from_P;
 }
 
+/* How much a held pad turns. Before the bodies touch it has the tilt of the step's end. */
+static double turned(const rw_step *s)
+{
+    const rw_corner *end = rw_memory_end(s->memory);
+    return end->load == 0 ? 0 : s->to.tilt - end->tilt;
+}
+
+/* The tilt of a held pad on the way. */
+static double tilt_at(const rw_step *s, double t)
+{
+    return s->to.tilt - (1 - t) * turned(s);
+}
+
+static rw_patch patch_of(const rw_step *s, double P, double M, double held_tilt)
+{
+    return s->is_held ? rw_patch_under_tilt(s->geometry, P, held_tilt)
+                      : rw_patch_under_moment(s->geometry, P, M);
+}
+
+/* The contact on the way. */
+static rw_patch patch_at(const rw_step *s, double t)
+{
+    return patch_of(s, s->from_P + t * (s->to_P - s->from_P), s->from_M + t * (s->to_M - s->from_M),
+                    tilt_at(s, t));
+}
+
 /* Whether a step that is not constant moves both edges outwards, or both inwards. */
 static bool edges_go_together(const rw_step *s)
 {
@@ -114,7 +141,12 @@ static bool edges_go_together(const rw_step *s)
         return false;
     if (grows(s) ? s->from_P == 0 : s->to_P == 0)
         return true;
-    const rw_patch smaller = grows(s) ? rw_memory_end(s->memory)->patch : s->patch;
+    const rw_patch end = rw_memory_end(s->memory)->patch, smaller = grows(s) ? end : s->patch;
+    if (s->is_held) {
+        const double load = rw_as_length(s->geometry, fabs(s->to_P - s->from_P)), tilt = turned(s);
+        return adds_everywhere(load, (range){tilt, tilt}, grows(s) ? s->patch : end,
+                               tilt_tolerance(s, s->to));
+    }
     const double action = (s->to_M - s->from_M) / (s->to_P - s->from_P);
     return fabs(action - rw_patch_middle(smaller)) <= (0.5 + SLACK) * rw_patch_half_width(smaller);
 }
@@ -145,6 +177,8 @@ static double tilt_by(double moment, double half_width)
  * between two others; the step lasts from t = 0 to 1. */
 static range tilt_rate(const rw_step *s, rw_patch smaller, rw_patch larger)
 {
+    if (s->is_held)
+        return (range){turned(s), turned(s)};
     if (is_level(s))
         return (range){0, 0};
     const double P = rw_as_length(s->geometry, s->to_P - s->from_P);
@@ -217,7 +251,8 @@ static rw_memory_loads loads_at(const rw_step *s, double t, double load, rw_patc
     const rw_corner *end = rw_memory_end(s->memory);
     return (rw_memory_loads){.load = load,
                              .shear = end->shear + t * (s->to.shear - end->shear),
-                             .tilt = rw_pressing_of(s->geometry, contact).tilt,
+                             .tilt = s->is_held ? tilt_at(s, t)
+                                                : rw_pressing_of(s->geometry, contact).tilt,
                              .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
 }
 
@@ -226,9 +261,8 @@ static station station_at(const rw_step *s, double t, int slip, const station *l
     station at = {.t = t, .contact = s->patch, .stuck = last->stuck};
     rw_memory_loads loads = s->to;
     if (t < 1) {
-        const double P = s->from_P + t * (s->to_P - s->from_P);
-        at.contact = rw_patch_under_moment(s->geometry, P, s->from_M + t * (s->to_M - s->from_M));
-        loads = loads_at(s, t, P, at.contact);
+        at.contact = patch_at(s, t);
+        loads = loads_at(s, t, s->from_P + t * (s->to_P - s->from_P), at.contact);
     }
     at.front = rw_memory_departure(s->memory, loads);
     at.is_known = at.front.slip == slip && front_is_known(s, loads, at.contact, &at.front);
@@ -302,7 +336,7 @@ static rw_obstacle moving_step(const rw_step *s, rw_departure *d)
 
 static bool is_constant(const rw_step *s)
 {
-    return s->to_P == s->from_P && s->to_M == s->from_M;
+    return s->to_P == s->from_P && (s->is_held ? turned(s) == 0 : s->to_M == s->from_M);
 }
 
 static rw_obstacle obstacle_of(const rw_step *s, rw_departure *departure)
@@ -325,7 +359,7 @@ static bool leaves_layer(const rw_step *s, rw_memory *shorter, rw_step *rest)
     rw_step part = *s;
     part.to_P = at->load;
     part.to_M = s->from_M + t * (s->to_M - s->from_M);
-    part.patch = rw_patch_under_moment(s->geometry, part.to_P, part.to_M);
+    part.patch = patch_of(s, part.to_P, part.to_M, tilt_at(s, t));
     part.to = loads_at(s, t, at->load, part.patch);
     rw_departure d;
     if (!rw_patch_is_nested(part.patch, at->patch, part.to.tilt) ||
@@ -358,20 +392,18 @@ static size_t last_sheared(const rw_memory *memory, double tolerance)
 }
 
 /* Whether the edges of the contact, which are outside of a patch at both ends of a step, stay there
- * all the way. */
+ * all the way. Those of a held pad are farthest inwards at an end. */
 static bool stays_outside(const rw_step *s, rw_patch patch)
 {
+    if (s->is_held)
+        return true;
     const rw_corner *end = rw_memory_end(s->memory);
     const double tilt = fmax(fabs(s->to.tilt), fabs(end->tilt));
     const rw_arcs arcs = rw_arcs_of(s->geometry);
     const rw_turns turns = rw_arcs_turns(&arcs, end->patch, s->patch);
     bool is_outside = true;
-    for (double t = rw_stop_before(&turns, 0, 1); t < 1; t = rw_stop_before(&turns, t, 1)) {
-        const rw_patch at =
-            rw_patch_under_moment(s->geometry, s->from_P + t * (s->to_P - s->from_P),
-                                  s->from_M + t * (s->to_M - s->from_M));
-        is_outside &= rw_patch_is_nested(patch, at, tilt);
-    }
+    for (double t = rw_stop_before(&turns, 0, 1); t < 1; t = rw_stop_before(&turns, t, 1))
+        is_outside &= rw_patch_is_nested(patch, patch_at(s, t), tilt);
     return is_outside;
 }
 

@@ -8,10 +8,12 @@
 #include "formulas/size.h"
 #include "history/memory.h"
 
-/* A straight step of the loads. The patches are those of the contact at its ends. */
+/* A straight step of the loads: of P, M, Q and sigma; of a held pad, of P, the tilt, Q and sigma.
+ * The patches are those of the contact at its ends. */
 typedef struct {
     const rw_geometry *geometry;
     const rw_memory *memory;
+    bool is_held;
     double from_P, from_M, to_P, to_M;
     rw_memory_loads to;
     rw_patch patch; /* under the new load */

@@ -22,17 +22,17 @@ rwedge_contact *rw_contact_keep_beside(rwedge_contact *contact, rwedge_contact *
 }
 
 /* Whether a closed form of the next load may leave slip or energy unknown. */
-static bool may_lose(const rwedge_contact *contact, rw_loads to)
+static bool may_lose(const rwedge_contact *contact, rw_goal to)
 {
     return contact->tolerance > 0 && contact->f > 0 && contact->slip.followed == RW_NONE_FOLLOWED &&
            contact->phase != RW_COMPUTED && knows_all(contact) &&
-           (rw_contact_is_off_centre(contact) || to.M != 0 || to.sigma != contact->loads.sigma ||
+           (rw_contact_is_off_centre(contact) || to.turn != 0 || to.sigma != contact->loads.sigma ||
             !rw_is_symmetric(&contact->geometry));
 }
 
 /* The load of the contact that follows slip and energy. Where it cannot be computed, they are not
  * known any more. */
-static int32_t follow(rwedge_contact *contact, rw_loads to)
+static int32_t follow(rwedge_contact *contact, rw_goal to)
 {
     const rw_followed before = contact->slip.followed;
     contact->slip.followed = RW_SLIP_AND_ENERGY_FOLLOWED;
@@ -42,7 +42,7 @@ static int32_t follow(rwedge_contact *contact, rw_loads to)
 }
 
 /* The first load that may lose them. `ahead` has the load. */
-static int32_t begin(rwedge_contact *contact, rwedge_contact *ahead, rw_loads to)
+static int32_t begin(rwedge_contact *contact, rwedge_contact *ahead, rw_goal to)
 {
     const bool loses = ahead->phase == RW_OFF_CENTRE && !knows_all(ahead);
     const bool is_apart = ahead->phase == RW_APART && !ahead->energy.is_known;
@@ -69,7 +69,7 @@ static int32_t begin(rwedge_contact *contact, rwedge_contact *ahead, rw_loads to
 
 /* A load of both. `ahead` has it, and nothing beside it. Where it has no closed form, or neither is
  * loaded any more, the other one is the contact from then on. */
-static int32_t go_on(rwedge_contact *contact, rwedge_contact *ahead, rw_loads to)
+static int32_t go_on(rwedge_contact *contact, rwedge_contact *ahead, rw_goal to)
 {
     rwedge_contact *other = contact->beside;
     const int32_t status = follow(other, to);
@@ -91,7 +91,7 @@ static int32_t go_on(rwedge_contact *contact, rwedge_contact *ahead, rw_loads to
     return RWEDGE_OK;
 }
 
-static int32_t apply(rwedge_contact *contact, rw_loads to)
+int32_t rw_contact_apply(rwedge_contact *contact, rw_goal to)
 {
     if (!contact->beside && !may_lose(contact, to))
         return rw_contact_apply_alone(contact, to);
@@ -110,12 +110,15 @@ static int32_t apply(rwedge_contact *contact, rw_loads to)
 
 int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
 {
-    return contact ? apply(contact, (rw_loads){P, M, Q, sigma}) : RWEDGE_ENULL;
+    return contact ? rw_contact_apply(contact, rw_goal_of(contact, (rw_loads){P, M, Q, sigma}))
+                   : RWEDGE_ENULL;
 }
 
 int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
 {
     if (!contact)
         return RWEDGE_ENULL;
-    return apply(contact, (rw_loads){P, P == 0 ? 0 : contact->loads.M, Q, contact->loads.sigma});
+    const double M = P == 0 ? 0 : contact->loads.M;
+    const rw_loads to = {P, M, Q, contact->loads.sigma};
+    return rw_contact_apply(contact, rw_goal_of(contact, to));
 }

@@ -5,8 +5,11 @@
 
 #include "contact/contact.h"
 
-/* The next load, of the contact alone. */
-int32_t rw_contact_apply_alone(rwedge_contact *contact, rw_loads to);
+/* The next load: rwedge_contact_apply(), with the tilt of a held pad. */
+int32_t rw_contact_apply(rwedge_contact *contact, rw_goal to);
+
+/* The same, of the contact alone. */
+int32_t rw_contact_apply_alone(rwedge_contact *contact, rw_goal to);
 
 /* From now on the slip stays known, if the contact allows errors, until it slides. Where it is not
  * known now it counts from here. RWEDGE_ENOMEM. */

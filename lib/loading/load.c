@@ -30,7 +30,15 @@ static void touch(rwedge_contact *contact, double sigma)
     contact->energy.is_known = true;
 }
 
-static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
+/* The contact has the loads of a goal. */
+static void note_loads(rwedge_contact *contact, const rw_goal *to, double P, double M)
+{
+    contact->loads = (rw_loads){P, M, to->Q, to->sigma};
+    if (contact->is_held)
+        contact->held_tilt = to->turn;
+}
+
+static void go(rwedge_contact *contact, const rw_goal *to, const rw_step *step,
                const rw_departure *departure)
 {
     rw_memory *memory = &contact->memory;
@@ -38,7 +46,7 @@ static void go(rwedge_contact *contact, const rw_loads *to, const rw_step *step,
         touch(contact, contact->loads.sigma);
         memory->corners[0].tilt = step->to.tilt;
     }
-    contact->loads = (rw_loads){step->to_P, step->to_M, to->Q, to->sigma};
+    note_loads(contact, to, step->to_P, step->to_M);
     if (contact->f == 0)
         rw_memory_restart(memory, step->to, 0);
     else if (slides(departure))
@@ -157,7 +165,7 @@ static bool loses(const rwedge_contact *contact, const rw_step *step, const rw_d
             (followed == RW_SLIP_AND_ENERGY_FOLLOWED && !energy.is_known));
 }
 
-static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
+static int32_t go_on(rwedge_contact *contact, rw_goal to, const rw_step *step,
                      const rw_departure *departure, share energy)
 {
     const bool off_centre = is_off_centre(contact, step), is_separated = step->to.load == 0;
@@ -182,7 +190,7 @@ static int32_t go_on(rwedge_contact *contact, rw_loads to, const rw_step *step,
 
 /* ---- Without a closed form ---- */
 
-static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_step *step)
+static int32_t go_numerically(rwedge_contact *contact, rw_goal to, const rw_step *step)
 {
     share energy = {.is_known = true};
     const bool touches = contact->phase == RW_APART;
@@ -193,7 +201,7 @@ static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_ste
         return status;
     if (touches)
         touch(contact, before);
-    contact->loads = to;
+    note_loads(contact, &to, to.P, contact->is_held ? step->to_M : to.turn);
     contact->phase = RW_COMPUTED;
     contact->slip.settled = common_part(settled, step->patch);
     contact->slip.is_known = contact->computed.now->has_origin;
@@ -202,7 +210,7 @@ static int32_t go_numerically(rwedge_contact *contact, rw_loads to, const rw_ste
 }
 
 /* Separation and full sliding end the computed shear: what follows is in closed form again. */
-static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *step)
+static int32_t leave_shear(rwedge_contact *contact, rw_goal to, const rw_step *step)
 {
     const bool separates = step->to.load == 0;
     share work = UNKNOWN;
@@ -221,7 +229,7 @@ static int32_t leave_shear(rwedge_contact *contact, rw_loads to, const rw_step *
     return status;
 }
 
-static int32_t apply_numerically(rwedge_contact *contact, rw_loads to)
+static int32_t apply_numerically(rwedge_contact *contact, rw_goal to)
 {
     rw_step step;
     const int32_t status = rw_step_to(contact, to, &step);
@@ -245,7 +253,7 @@ static int32_t compute_separation(const rwedge_contact *contact, share *energy)
 }
 
 /* The straight line as one step. */
-static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
+static int32_t apply_whole(rwedge_contact *contact, rw_goal to)
 {
     rw_step step;
     int32_t status = rw_step_to(contact, to, &step);
@@ -268,13 +276,22 @@ static int32_t apply_whole(rwedge_contact *contact, rw_loads to)
 enum { MOST_PIECES = 40 };
 static const double SHORTEST_PIECE = 1.0 / 256;
 
-/* Each piece is tried to the end of the line, and then at ever shorter lengths. */
-static int32_t apply_in_pieces(rwedge_contact *contact, rw_loads to)
+static rw_goal part_of_way(rw_goal from, rw_goal to, double part)
 {
-    const rw_loads from = contact->loads;
+    return part == 1 ? to
+                     : (rw_goal){from.P + part * (to.P - from.P),
+                                 from.turn + part * (to.turn - from.turn),
+                                 from.Q + part * (to.Q - from.Q),
+                                 from.sigma + part * (to.sigma - from.sigma)};
+}
+
+/* Each piece is tried to the end of the line, and then at ever shorter lengths. */
+static int32_t apply_in_pieces(rwedge_contact *contact, rw_goal to)
+{
+    const rw_goal from = rw_goal_of(contact, contact->loads);
     double t = 0, next = 0.5;
     for (int i = 0; i < MOST_PIECES && t < 1 && next - t >= SHORTEST_PIECE; i++) {
-        if (apply_whole(contact, rw_loads_between(from, to, next)) == RWEDGE_OK) {
+        if (apply_whole(contact, part_of_way(from, to, next)) == RWEDGE_OK) {
             t = next;
             next = 1;
         } else
@@ -294,7 +311,8 @@ static void return_to_closed_form(rwedge_contact *contact)
         return;
     exact->tolerance = contact->tolerance;
     exact->slip.followed = contact->slip.followed;
-    if (apply_whole(exact, contact->loads) == RWEDGE_OK && rw_numerical_agrees(contact, exact)) {
+    if (apply_whole(exact, rw_goal_of(contact, contact->loads)) == RWEDGE_OK &&
+        rw_numerical_agrees(contact, exact)) {
         exact->energy = contact->energy;
         rw_contact_exchange(contact, exact);
         exact = rw_contact_keep_beside(contact, exact);
@@ -302,7 +320,7 @@ static void return_to_closed_form(rwedge_contact *contact)
     rwedge_contact_destroy(exact);
 }
 
-static int32_t apply_to_numerical(rwedge_contact *contact, rw_loads to)
+static int32_t apply_to_numerical(rwedge_contact *contact, rw_goal to)
 {
     const int32_t status = apply_numerically(contact, to);
     if (status == RWEDGE_OK)
@@ -310,7 +328,7 @@ static int32_t apply_to_numerical(rwedge_contact *contact, rw_loads to)
     return status;
 }
 
-int32_t rw_contact_apply_alone(rwedge_contact *contact, rw_loads to)
+int32_t rw_contact_apply_alone(rwedge_contact *contact, rw_goal to)
 {
     if (contact->phase == RW_COMPUTED)
         return apply_to_numerical(contact, to);

@@ -25,6 +25,8 @@ static bool keeps(const rwedge_contact *smaller, const rwedge_contact *larger)
 {
     static const double SLACK = 1e-12;
     const rw_patch patch = rw_memory_end(&smaller->memory)->patch;
+    if (smaller->is_held)
+        return true;
     const double P = larger->loads.P - smaller->loads.P, M = larger->loads.M - smaller->loads.M;
     return fabs(M - rw_patch_middle(patch) * P) <= (0.5 + SLACK) * rw_patch_half_width(patch) * P;
 }

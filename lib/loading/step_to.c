@@ -16,9 +16,6 @@ static const double SLIDING_ROUNDING = 8 * DBL_EPSILON;
  * Q/(fP) by 2e-7 of it, and below it by more. */
 static const double STEEPEST_FALL = 1e-8;
 
-/* Of the tilt over theta: closer to 1 the edges are lost in rounding. */
-static const double LARGEST_TILT = 1 - 1e-9;
-
 /* The shear T = Q/f; exactly +-P where Q is at the limit of friction, to rounding. */
 static int32_t shear_of(const rwedge_contact *contact, double P, double Q, double *shear)
 {
@@ -47,42 +44,55 @@ static bool is_in_range(const rw_geometry *g, double P)
     return g->a == 0 || rw_is_positive(rw_unit_stress(g) * rwedge_peak_pressure(g->a / b));
 }
 
-/* Whether P and M stay, to rounding. The contact then keeps the loads of the path's end: otherwise
- * many small steps could shift them unnoticed. */
-static bool is_same_pressing(const rwedge_contact *contact, rw_loads to)
+/* The moment under which a contact has its tilt. */
+static double moment_of(const rw_geometry *g, double P, rw_patch patch, double tilt)
+{
+    if (P == 0 || (tilt == 0 && rw_is_symmetric(g)))
+        return 0;
+    const rw_pressing carried = rw_pressing_of(g, patch);
+    return carried.moment / carried.load * P;
+}
+
+/* Whether P and M stay, to rounding, or P and the tilt of a held pad. The contact then keeps the
+ * loads of the path's end: otherwise many small steps could shift them unnoticed. */
+static bool is_same_pressing(const rwedge_contact *contact, rw_goal to)
 {
     const rw_corner *end = rw_memory_end(&contact->memory);
     const double arm = fmax(fabs(end->patch.left), fabs(end->patch.right));
+    if (contact->is_held)
+        return end->load > 0 && to.turn == contact->held_tilt &&
+               fabs(to.P - contact->loads.P) <= rw_memory_tolerance(end->load);
     return fabs(to.P - contact->loads.P) <= rw_memory_tolerance(end->load) &&
-           fabs(to.M - contact->loads.M) <= rw_memory_tolerance(end->load) * arm;
+           fabs(to.turn - contact->loads.M) <= rw_memory_tolerance(end->load) * arm;
 }
 
 /* The tilt of the contact under the loads; NaN where there is none. */
-static double tilt_of(const rw_geometry *g, rw_loads loads, rw_patch patch)
+static double tilt_of(const rw_geometry *g, rw_goal to, rw_patch patch)
 {
-    if (loads.P == 0 || (loads.M == 0 && rw_is_symmetric(g)))
+    if (to.P == 0 || (to.turn == 0 && rw_is_symmetric(g)))
         return 0;
     return isnan(patch.left) ? NAN : rw_pressing_of(g, patch).tilt;
 }
 
 /* The step to the loads in the units of the memory, and the patch that it leads to. */
-static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *step)
+static int32_t make_step(const rwedge_contact *contact, rw_goal to, rw_step *step)
 {
     const rw_geometry *g = &contact->geometry;
     const rw_corner *end = rw_memory_end(&contact->memory);
     *step = (rw_step){.geometry = g,
                       .memory = &contact->memory,
+                      .is_held = contact->is_held,
                       .from_P = contact->loads.P,
                       .from_M = contact->loads.M,
                       .to_P = to.P,
-                      .to_M = to.M,
+                      .to_M = to.turn,
                       .to = {.load = to.P}};
     const int32_t status = shear_of(contact, to.P, to.Q, &step->to.shear);
     if (status != RWEDGE_OK)
         return status;
     step->to.stretch = rw_contact_stretch(contact, to.sigma);
     if (is_same_pressing(contact, to) &&
-        (to.M != 0 || !rw_memory_is_plain(&contact->memory, step->to))) {
+        (to.turn != 0 || !rw_memory_is_plain(&contact->memory, step->to))) {
         step->to_P = step->from_P;
         step->to_M = step->from_M;
         step->to.load = end->load;
@@ -90,17 +100,20 @@ static int32_t make_step(const rwedge_contact *contact, rw_loads to, rw_step *st
         step->patch = end->patch;
         return RWEDGE_OK;
     }
-    step->patch = rw_patch_under_moment(g, to.P, to.M);
+    step->patch = contact->is_held ? rw_patch_under_tilt(g, to.P, to.turn)
+                                   : rw_patch_under_moment(g, to.P, to.turn);
     if (g->reach > 0 && isgreater(fmax(-step->patch.left, step->patch.right), g->reach))
         return RWEDGE_ERANGE;
-    step->to.tilt = tilt_of(g, to, step->patch);
+    step->to.tilt = contact->is_held ? to.turn : tilt_of(g, to, step->patch);
+    if (contact->is_held)
+        step->to_M = moment_of(g, to.P, step->patch, to.turn);
     return RWEDGE_OK;
 }
 
-static int32_t check(const rwedge_contact *contact, rw_loads to)
+static int32_t check(const rwedge_contact *contact, rw_goal to)
 {
-    if (!rw_is_magnitude(to.P) || !rw_is_signed(to.M) || !rw_is_signed(to.Q) ||
-        !rw_is_signed(to.sigma) || (to.P == 0 && to.M != 0))
+    if (!rw_is_magnitude(to.P) || !rw_is_signed(to.turn) || !rw_is_signed(to.Q) ||
+        !rw_is_signed(to.sigma) || (to.P == 0 && to.turn != 0 && !contact->is_held))
         return RWEDGE_EDOMAIN;
     if (to.P > 0 && (!is_in_range(&contact->geometry, to.P) ||
                      to.P < STEEPEST_FALL * rw_memory_end(&contact->memory)->load))
@@ -116,10 +129,10 @@ bool rw_has_width(rw_patch patch)
 /* Where a flank lies on the surface, to rounding, the contact has no definite edge there. */
 static bool is_tilt_possible(const rw_step *step)
 {
-    return isless(fabs(step->to.tilt), LARGEST_TILT);
+    return isless(fabs(step->to.tilt), RW_LARGEST_TILT);
 }
 
-int32_t rw_step_to(const rwedge_contact *contact, rw_loads to, rw_step *step)
+int32_t rw_step_to(const rwedge_contact *contact, rw_goal to, rw_step *step)
 {
     int32_t status = check(contact, to);
     if (status == RWEDGE_OK)
@@ -134,15 +147,16 @@ int32_t rw_step_to(const rwedge_contact *contact, rw_loads to, rw_step *step)
 rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to)
 {
     rw_step step;
-    return rw_step_to(contact, to, &step) == RWEDGE_OK && to.P > 0 ? step.patch
-                                                                   : (rw_patch){NAN, NAN};
+    return rw_step_to(contact, rw_goal_of(contact, to), &step) == RWEDGE_OK && to.P > 0
+               ? step.patch
+               : (rw_patch){NAN, NAN};
 }
 
 rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to)
 {
     rw_step step;
     rw_departure departure;
-    if (contact->f == 0 || rw_step_to(contact, to, &step) != RWEDGE_OK)
+    if (contact->f == 0 || rw_step_to(contact, rw_goal_of(contact, to), &step) != RWEDGE_OK)
         return RW_NO_OBSTACLE;
     return rw_path_departure(&step, &departure);
 }

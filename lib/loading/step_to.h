@@ -5,9 +5,12 @@
 
 #include "contact/contact.h"
 
+/* Of the tilt over theta: closer to 1 the edges are lost in rounding. */
+#define RW_LARGEST_TILT (1 - 1e-9)
+
 /* The step to the loads. RWEDGE_EDOMAIN, RWEDGE_ERANGE and RWEDGE_ESLIDING where they are not
  * allowed. */
-int32_t rw_step_to(const rwedge_contact *contact, rw_loads to, rw_step *step);
+int32_t rw_step_to(const rwedge_contact *contact, rw_goal to, rw_step *step);
 
 /* The patch under the next loads; NaN where they are refused or separate the bodies. */
 rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to);

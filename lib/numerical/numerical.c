@@ -489,8 +489,7 @@ static double added(const rw_numerical *n, const rw_numerical *next)
 
 int32_t rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
-    const rw_frame looser =
-        rw_frame_of(frame->arcs, frame->f, fmin(LOOSER * frame->tolerance, LOOSEST));
+    const rw_frame looser = rw_frame_like(frame, fmin(LOOSER * frame->tolerance, LOOSEST));
     int rest = *effort / 4;
     rw_numerical *next, *other;
     int32_t status = try_load(n, frame, to, effort, &next);

@@ -11,9 +11,17 @@ double rw_place(rw_patch contact, int i)
            rw_patch_half_width(contact) * cos(RW_PI * (i + 0.5) / RW_PLACES);
 }
 
-static rw_patch contact_of(const rw_frame *frame, rw_scaled_loads at)
+rw_patch rw_patch_of_loads(const rw_frame *frame, rw_scaled_loads at)
 {
-    return rw_arcs_patch_of_moment(&frame->arcs, at.P, at.M);
+    return frame->is_held ? rw_arcs_patch_of_tilt(&frame->arcs, at.P, at.turn)
+                          : rw_arcs_patch_of_moment(&frame->arcs, at.P, at.turn);
+}
+
+/* How fast the moment changes on a contact that the step passes. */
+static double moment_rate(const rw_frame *frame, rw_patch contact, double P, double turn)
+{
+    const double half = rw_patch_half_width(contact);
+    return frame->is_held ? rw_patch_middle(contact) * P + RW_HALF_PI * half * half * turn : turn;
 }
 
 /* Steps share their contacts. NULL where memory is short. */
@@ -53,15 +61,17 @@ static rw_patch never_slipped(const rw_numerical_state *from, const rw_problem *
 void rw_step_rates(const rw_work *w, rw_scaled_loads from, rw_scaled_loads to, rw_patch contact,
                    rw_problem *rates)
 {
-    rw_problem_init_rates(rates, w->frame, contact, to.P - from.P, to.M - from.M,
-                          to.shear - from.shear, to.stretch - from.stretch);
+    const double P = to.P - from.P;
+    const double moment = moment_rate(w->frame, contact, P, to.turn - from.turn);
+    rw_problem_init_rates(rates, w->frame, contact, P, moment, to.shear - from.shear,
+                          to.stretch - from.stretch);
 }
 
 /* Sets the step as a problem, with the rates at its ends. */
 static bool set_step(rw_work *w, const rw_numerical_state *from, rw_scaled_loads to, rw_problem *p)
 {
-    const bool is_still = to.P == from->at.P && to.M == from->at.M;
-    const rw_patch contact = is_still ? from->contact : contact_of(w->frame, to);
+    const bool is_still = to.P == from->at.P && to.turn == from->at.turn;
+    const rw_patch contact = is_still ? from->contact : rw_patch_of_loads(w->frame, to);
     rw_step_rates(w, from->at, to, from->contact, &w->start);
     rw_step_rates(w, from->at, to, contact, &w->end);
     rw_fronts_forget(&w->fronts);

@@ -5,16 +5,20 @@
 
 #include "numerical/search.h"
 
-/* Loads as the computed shear has them: P A/theta, a length; M A/theta, its square; Q A/theta; the
- * stretch of problem.h. */
+/* Loads as the computed shear has them: P A/theta, a length; Q A/theta; the stretch of problem.h.
+ * `turn` is M A/theta, a square, or of a held pad its tilt. */
 typedef struct {
-    double P, M, shear, stretch;
+    double P, turn, shear, stretch;
 } rw_scaled_loads;
+
+/* The contact under the loads. */
+rw_patch rw_patch_of_loads(const rw_frame *frame, rw_scaled_loads at);
 
 /* The loads at a part of a straight line. */
 static inline rw_scaled_loads rw_part_of_line(rw_scaled_loads from, rw_scaled_loads to, double part)
 {
-    return (rw_scaled_loads){from.P + part * (to.P - from.P), from.M + part * (to.M - from.M),
+    return (rw_scaled_loads){from.P + part * (to.P - from.P),
+                             from.turn + part * (to.turn - from.turn),
                              from.shear + part * (to.shear - from.shear),
                              from.stretch + part * (to.stretch - from.stretch)};
 }

@@ -69,6 +69,14 @@ static bool are_loads_sound(const rwedge_contact *c)
            (c->phase == RW_COMPUTED || is_near(c->loads.Q, c->f * end->shear, c->f * end->load));
 }
 
+/* Whether a held pad has its tilt. */
+static bool is_tilt_sound(const rwedge_contact *c)
+{
+    const rw_corner *end = rw_memory_end(&c->memory);
+    return !c->is_held ||
+           (fabs(c->held_tilt) < 1 && (end->load == 0 || is_near(c->held_tilt, end->tilt, 1)));
+}
+
 /* Whether the last kept path has the corners that the present one shares with it. */
 static bool is_share_sound(const rwedge_contact *c)
 {
@@ -125,9 +133,9 @@ bool rw_is_contact_sound(const rwedge_contact *c)
            rw_is_signed(c->loads.Q) && rw_is_signed(c->loads.sigma) &&
            rw_is_signed(c->touched_at) && !isless(c->energy.sum, 0) && isfinite(c->energy.sum) &&
            isfinite(c->energy.rest) && rw_is_magnitude(c->sliding.largest_load) &&
-           rw_is_magnitude(c->strain) && are_loads_sound(c) && is_share_sound(c) &&
-           is_shear_sound(c) && (!c->computed.exact || rw_is_contact_sound(c->computed.exact)) &&
-           is_beside_sound(c) &&
+           rw_is_magnitude(c->strain) && are_loads_sound(c) && is_tilt_sound(c) &&
+           is_share_sound(c) && is_shear_sound(c) &&
+           (!c->computed.exact || rw_is_contact_sound(c->computed.exact)) && is_beside_sound(c) &&
            origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
 }
 

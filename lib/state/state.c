@@ -10,8 +10,8 @@
 #include <stdlib.h>
 
 /* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad, version 4
- * what is beside the contact. */
-static const double VERSION = 4;
+ * what is beside the contact, version 5 whether the pad is held. */
+static const double VERSION = 5;
 
 /* How many numbers they take, at least. */
 enum { HEAD = 2, CORNER = 9, ORIGIN = 7, ELEMENT = 5, ARC = 3 };
@@ -232,7 +232,7 @@ static void pass_shear(stream *t, rw_numerical **shear)
         return;
     rw_numerical *n = *shear;
     rw_numerical_state *s = &n->now;
-    pass_all(t, (double *const[]){&s->at.P, &s->at.M, &s->at.shear, &s->at.stretch, NULL});
+    pass_all(t, (double *const[]){&s->at.P, &s->at.turn, &s->at.shear, &s->at.stretch, NULL});
     pass_patch(t, &s->contact);
     pass_all(t, (double *const[]){&s->move, &s->energy, &s->error, NULL});
     pass_patch(t, &s->unslipped);
@@ -350,6 +350,14 @@ static void pass_energy(stream *t, rw_dissipated *energy)
         *energy = (rw_dissipated){.is_known = false};
 }
 
+/* Whether the pad is held, and at which tilt. */
+static void pass_rotation(stream *t, rwedge_contact *c)
+{
+    pass_flag(t, &c->is_held);
+    if (c->is_held)
+        pass_finite(t, &c->held_tilt);
+}
+
 /* The phase is not among the numbers: it follows from them. */
 static rw_phase phase_of(const rwedge_contact *c, bool is_off_centre)
 {
@@ -389,6 +397,8 @@ static void pass_contact(stream *t, rwedge_contact *c)
         pass_numerical(t, c);
     if (t->version > 3 && !t->is_inner && !t->is_beside)
         pass_beside(t, c);
+    if (t->version > 4)
+        pass_rotation(t, c);
     if (!t->in || !t->is_sound)
         return;
     c->sliding = sliding;
@@ -434,8 +444,8 @@ int32_t rwedge_contact_restore(size_t n, const double state[], rwedge_contact **
 {
     if (!state || !contact)
         return RWEDGE_ENULL;
-    if (n <= HEAD || !(state[0] == 1 || state[0] == 2 || state[0] == 3 || state[0] == VERSION) ||
-        state[1] != sum_of_bits(state + HEAD, n - HEAD))
+    if (n <= HEAD || !(isgreaterequal(state[0], 1) && islessequal(state[0], VERSION)) ||
+        state[0] != floor(state[0]) || state[1] != sum_of_bits(state + HEAD, n - HEAD))
         return RWEDGE_EDOMAIN;
     rwedge_contact *restored = calloc(1, sizeof *restored);
     if (!restored)

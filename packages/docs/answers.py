@@ -17,6 +17,8 @@ def objects(f: Function) -> dict[str, object]:
     contact = rwedge.Contact(0.01, 2, 1.82e-5, 0.3, tolerance=0)
     if f.name not in examples.UNLOADED:
         contact.load([2000, 2000], [0, 300])
+    if f.name in examples.HELD:
+        contact.set_rotation(1)
     return {"rwedge": rwedge, "contact": contact, "cycle": rwedge.Cycle(contact, {"P": 2000, "Q": [-300, 300]}), "series": rwedge.Series(0.25, 4), "state": contact.state()}
 
 

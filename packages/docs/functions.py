@@ -74,7 +74,8 @@ class Pages:
         lines = ["## In each language", ""]
         if f.family and not f.of("created"):
             lines += [self.marked(f"The {f.family} of these calls is that of rwedge_{f.family}_create()" +
-                                  (", after the loads P = 2000, Q = 0 and P = 2000, Q = 300." if f.family == "contact" else
+                                  (", after the loads P = 2000, Q = 0 and P = 2000, Q = 300" + (", and held." if f.name in examples.HELD else ".")
+                                   if f.family == "contact" else
                                    ", of that contact." if f.family == "cycle" else ".")), ""]
         rows = calls(f, {p.name: examples.value_of(f, p) for p in f.inputs})
         if command := examples.COMMANDS.get(f.name):

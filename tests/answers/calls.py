@@ -94,12 +94,13 @@ CONSTANTS = {1: [200e3], 2: [200e3, 0.6, 400], 7: [0.3], 8: [40, 120, 0.7], 9: [
 OF_LIFE = {1: [475, -0.078, 0.6, -0.62, 0], 2: [62e3, 450, -0.08, 0.7, -0.6, 0]}
 NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
 SAMPLES = {"series_fit": 9, "cycle_growth": 5, "profile_fit": 12}
-# The objects, each with the calls that change it: strain by tension, normal load, both loads together, Q reversed, P and Q to and fro; with
-# moment and tension.
+# The objects, each with the calls that change it: strain by tension, normal load, both loads together, Q reversed, P and Q to and fro; held
+# at a tilt; with moment and tension.
 OBJECTS = {
     "contact": [("contact_set_strain", (0,)), ("contact_set_strain", (3.1e-6,))] +
                [("contact_load", pair) for pair in
-                ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900))] +
+                ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900), (0, 0))] +
+               [("contact_set_rotation", (1,)), ("contact_guide", (2000, 0.001, 400, 0)), ("contact_set_rotation", (0,))] +
                [("contact_apply", four) for four in
                 ((0, 0, 0, 1), (2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))],
     "cycle": [],  # of the last contact

@@ -207,8 +207,8 @@ static void is_that_in_halves(rw_work *w, const rw_numerical_state *from,
                               const rw_numerical_state *whole)
 {
     const rw_scaled_loads a = from->at, b = whole->at,
-                          middle = {a.P / 2 + b.P / 2, a.M / 2 + b.M / 2, a.shear / 2 + b.shear / 2,
-                                    a.stretch / 2 + b.stretch / 2};
+                          middle = {a.P / 2 + b.P / 2, a.turn / 2 + b.turn / 2,
+                                    a.shear / 2 + b.shear / 2, a.stretch / 2 + b.stretch / 2};
     const double lost = 0.1 * w->frame->tolerance * rw_peak_friction(w->frame, whole->contact);
     rw_numerical_state half, both;
     assert_true(rw_implicit_step(w, from, middle, NULL, false, &half));
@@ -323,7 +323,8 @@ static double traction_after(pair *c, rw_scaled_loads to, int parts, double x)
     assert_true(is_whole);
     for (int i = 1; i <= parts; i++) {
         const double u = (double)i / parts;
-        const rw_scaled_loads at = {from.P + u * (to.P - from.P), from.M + u * (to.M - from.M),
+        const rw_scaled_loads at = {from.P + u * (to.P - from.P),
+                                    from.turn + u * (to.turn - from.turn),
                                     from.shear + u * (to.shear - from.shear),
                                     from.stretch + u * (to.stretch - from.stretch)};
         rw_numerical_state next;

@@ -320,15 +320,16 @@ CLAIM(a_shear_of_another_contact_is_refused)
     APPLY(layered, {0.3, 0, 0, 0}, {0.5, 0, 0.05, 0});
     load(other, 0.6, 0);
     const contact_state whole = state_of(computed(0.5));
-    const size_t from = rwedge_contact_state_size(bare) - 2; /* the tolerance, and what follows */
+    const size_t from =
+        rwedge_contact_state_size(bare) - 3; /* what is computed, and what follows */
     const rwedge_contact *hosts[] = {bare, sheared, layered, other};
     for (int i = 0; i < 4; i++) {
         const contact_state host = state_of(hosts[i]);
-        contact_state joint = {host.size - 2 + whole.size - from, NULL};
+        contact_state joint = {host.size - 3 + whole.size - from, NULL};
         joint.number = malloc(joint.size * sizeof *joint.number);
         assert_non_null(joint.number);
-        memcpy(joint.number, host.number, (host.size - 2) * sizeof *joint.number);
-        memcpy(joint.number + host.size - 2, whole.number + from,
+        memcpy(joint.number, host.number, (host.size - 3) * sizeof *joint.number);
+        memcpy(joint.number + host.size - 3, whole.number + from,
                (whole.size - from) * sizeof *joint.number);
         assert_true(is_restored(joint) == (i == 0));
         free(joint.number);
@@ -340,7 +341,7 @@ CLAIM(a_shear_of_another_contact_is_refused)
 CLAIM(older_states_are_read)
 {
     /* its place; that of three numbers of the pad; numbers at the end */
-    enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 3 };
+    enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 4 };
     rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.5, 0, 0.1, 0});
     contact_state s = state_of(contact);
     s.size -= 3 + END;

@@ -10,8 +10,6 @@
 enum { TEXT_SIZE = 200 };
 
 static const struct poptOption last_options[] = {
-    {FLAG("plane-stress", OPTION_PLANE_STRESS),
-     "Plane stress, of contact and criteria (default: plane strain)", NULL},
     {VALUE("archard", OPTION_ARCHARD),
      "Depth worn per energy and area; the profile does not change", "NUMBER"},
 };
@@ -130,19 +128,17 @@ static void read_names(const char *text, criteria *asked)
 
 /* ---- All ---- */
 
-static void read_plane_stress(input_texts *texts, criteria *asked)
+/* In plane stress the contact does not have it, but the strains do. */
+static void read_nu(const input_texts *texts, criteria *asked)
 {
     complaint why;
     if (!input_is_given(texts, INPUT_NU1))
         return; /* it will be missed */
     if (!input_read(texts, INPUT_NU1, &asked->nu, &why))
         usage_error("%s", why.text);
-    input_set(texts, INPUT_NU1, 0);
-    if (input_is_given(texts, INPUT_NU2))
-        input_set(texts, INPUT_NU2, 0);
 }
 
-void criteria_read(const arguments *line, const material *constants, input_texts *texts,
+void criteria_read(const arguments *line, const material *constants, const input_texts *texts,
                    criteria *asked)
 {
     *asked = criteria_usual(&(contact_case){.nu1 = NAN});
@@ -150,9 +146,9 @@ void criteria_read(const arguments *line, const material *constants, input_texts
     for (int i = 0; i < material_count(); i++)
         read_constant(line, i, asked);
     asked->archard = read_archard(line);
-    asked->is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL;
+    asked->is_plane_stress = texts->is_plane_stress;
     if (asked->is_plane_stress)
-        read_plane_stress(texts, asked);
+        read_nu(texts, asked);
     asked->is_listed = line->value[OPTION_CRITERIA] != NULL;
     read_names(line->value[OPTION_CRITERIA], asked);
     for (int i = 0; i < DAMAGE && !asked->is_listed; i++)

@@ -25,7 +25,6 @@ void surface_places(const arguments *line, char decimal_sign, const last_cycle *
 enum {
     OPTION_CONSTANT = OPTION_AFTER_PLACES,
     OPTION_CRITERIA = OPTION_CONSTANT + MATERIAL_MAX,
-    OPTION_PLANE_STRESS,
     OPTION_ARCHARD,
     OPTION_AFTER_CRITERIA
 };
@@ -34,9 +33,8 @@ enum {
 void criteria_options_prepare(void);
 extern struct poptOption criteria_option_table[];
 
-/* Reads the options. In plane stress the contact is one of Poisson's ratio 0, and the inputs are
- * set so. */
-void criteria_read(const arguments *line, const material *constants, input_texts *texts,
+/* Reads the options. */
+void criteria_read(const arguments *line, const material *constants, const input_texts *texts,
                    criteria *asked);
 
 /* To be called when the contact is read: takes the constants of what is asked for. */

@@ -13,7 +13,9 @@ static const struct {
 } shapes[] = {
     {INPUT_THETA, INPUT_FLAT},     {INPUT_THETA_DEG, INPUT_FLAT},    {INPUT_A, INPUT_FLAT},
     {INPUT_THETA, INPUT_PROFILE},  {INPUT_THETA_DEG, INPUT_PROFILE}, {INPUT_A, INPUT_PROFILE},
-    {INPUT_RADIUS, INPUT_PROFILE}, {INPUT_FLAT, INPUT_PROFILE},
+    {INPUT_RADIUS, INPUT_PROFILE}, {INPUT_FLAT, INPUT_PROFILE},      {INPUT_A, INPUT_RADIUS1},
+    {INPUT_RADIUS, INPUT_RADIUS1}, {INPUT_PROFILE, INPUT_RADIUS1},   {INPUT_A, INPUT_RADIUS2},
+    {INPUT_RADIUS, INPUT_RADIUS2}, {INPUT_PROFILE, INPUT_RADIUS2},
 };
 enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
 
@@ -25,13 +27,18 @@ static bool excluded(const input_texts *texts, int input, int alternative, compl
                     input_name(texts, input));
 }
 
+static bool has_radius(const input_texts *texts)
+{
+    return input_is_given(texts, INPUT_RADIUS) || input_is_given(texts, INPUT_RADIUS1);
+}
+
 /* A radius is that of a cylinder where no angle is given. */
 static bool needs_of_shape(const input_texts *texts, int input)
 {
     const bool has_profile = input_is_given(texts, INPUT_PROFILE);
     if (input == INPUT_A || has_profile || input_is_given(texts, INPUT_FLAT))
-        return input == INPUT_A && !has_profile;
-    return !input_is_given(texts, INPUT_RADIUS);
+        return input == INPUT_A && !has_profile && !input_is_given(texts, INPUT_RADIUS1);
+    return !has_radius(texts);
 }
 
 static bool is_needed(const input_texts *texts, int input, case_needs needs)
@@ -80,6 +87,19 @@ static bool second_body_is_whole(const input_texts *texts, complaint *why)
         input_name(texts, there), input_text(texts, there, number), input_name(texts, absent));
 }
 
+/* Neither is a guess: a plane has no radius. */
+static bool radii_are_two(const input_texts *texts, complaint *why)
+{
+    const bool first = input_is_given(texts, INPUT_RADIUS1),
+               second = input_is_given(texts, INPUT_RADIUS2);
+    const int there = first ? INPUT_RADIUS1 : INPUT_RADIUS2,
+              absent = first ? INPUT_RADIUS2 : INPUT_RADIUS1;
+    return first == second ||
+           complain(why, "%s %.60s: needs %s; of a body that is plane, the other's is %s alone",
+                    input_name(texts, there), texts->text[there], input_name(texts, absent),
+                    input_kinds[INPUT_RADIUS].column);
+}
+
 bool case_is_complete(const input_texts *texts, case_needs needs, complaint *why)
 {
     bool cells = false, friction = false;
@@ -104,7 +124,7 @@ bool case_is_complete(const input_texts *texts, case_needs needs, complaint *why
                  needs == CASE_OF_HISTORY ? "here" : "where Q, sigma or a yield stress is given");
     if (cells && texts->where_else != NULL)
         list_add(why->text, sizeof why->text, "; ", "allowed: %s", texts->where_else);
-    return why->text[0] == '\0' && second_body_is_whole(texts, why);
+    return why->text[0] == '\0' && radii_are_two(texts, why) && second_body_is_whole(texts, why);
 }
 
 static double either(double value, double otherwise)
@@ -112,10 +132,27 @@ static double either(double value, double otherwise)
     return isnan(value) ? otherwise : value;
 }
 
-/* But for the shape of a profile. */
+/* Of two cylinders that of one on a plane. */
+static double radius_of(const double value[INPUT_COUNT])
+{
+    return either(value[INPUT_RADIUS], 1 / (1 / value[INPUT_RADIUS1] + 1 / value[INPUT_RADIUS2]));
+}
+
+/* Dundurs' second constant; plane stress is plane strain with other constants. */
+static double beta_of(const input_texts *texts, const contact_case *setup)
+{
+    const double nu1 = setup->nu1, nu2 = setup->nu2;
+    if (!texts->is_plane_stress)
+        return rwedge_dundurs_beta(setup->E1, nu1, setup->E2, nu2);
+    return rwedge_dundurs_beta(setup->E1 * (1 + 2 * nu1) / ((1 + nu1) * (1 + nu1)), nu1 / (1 + nu1),
+                               setup->E2 * (1 + 2 * nu2) / ((1 + nu2) * (1 + nu2)),
+                               nu2 / (1 + nu2));
+}
+
+/* But for the shape of a profile. In plane stress nothing else depends on Poisson's ratio. */
 static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
 {
-    const double radius = value[INPUT_RADIUS];
+    const double radius = radius_of(value);
     const double theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
     setup->E1 = value[INPUT_E1];
     setup->nu1 = value[INPUT_NU1];
@@ -131,9 +168,12 @@ static void fill(const input_texts *texts, const double value[INPUT_COUNT], cont
     setup->sigma = either(value[INPUT_SIGMA], 0);
     setup->f = either(value[INPUT_F], 0);
     setup->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
+    setup->beta = beta_of(texts, setup);
+    if (texts->is_plane_stress)
+        setup->nu1 = setup->nu2 = 0;
     setup->A = rwedge_compliance(setup->E1, setup->nu1, setup->E2, setup->nu2);
-    setup->beta = rwedge_dundurs_beta(setup->E1, setup->nu1, setup->E2, setup->nu2);
     setup->tolerance = texts->tolerance;
+    setup->is_plane_stress = texts->is_plane_stress;
 }
 
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
@@ -178,6 +218,12 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, 
         if (input_is_given(texts, i) && !input_read(texts, i, &value[i], why))
             return false;
     }
+    const double R1 = value[INPUT_RADIUS1], R2 = value[INPUT_RADIUS2];
+    if (!isnan(R1) && !isnan(R2) && !(1 / R1 + 1 / R2 > 0 && isfinite(1 / R1 + 1 / R2)))
+        return complain(why,
+                        "%s %.6g, %s %.6g: 1/R1 + 1/R2 must be above 0: a concave body has "
+                        "the larger radius, and neither is 0",
+                        input_name(texts, INPUT_RADIUS1), R1, input_name(texts, INPUT_RADIUS2), R2);
     fill(texts, value, setup);
     if (input_is_given(texts, INPUT_PROFILE))
         setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], why));

@@ -76,6 +76,8 @@ enum {
     INPUT_THETA_DEG,
     INPUT_A,
     INPUT_RADIUS,
+    INPUT_RADIUS1, /* of both bodies, in place of the radius; negative where concave */
+    INPUT_RADIUS2,
     INPUT_FLAT,
     INPUT_PROFILE, /* a name, not a number */
     INPUT_P,       /* the loads, up to sigma */
@@ -119,6 +121,7 @@ typedef struct {
     const pad_profile *(*profile_named)(const char *name, complaint *why);
     /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
     double tolerance;
+    bool is_plane_stress; /* in place of plane strain */
 } input_texts;
 
 /* The tolerance where none is given. */
@@ -184,10 +187,11 @@ typedef struct {
     double E1, nu1, E2, nu2; /* E2 is HUGE_VAL where body 2 is rigid */
     pad shape;
     double P, M, Q, sigma, f;
-    double k;         /* NAN where not given */
-    double A;         /* composite compliance */
-    double beta;      /* Dundurs' second constant */
-    double tolerance; /* as the texts have it */
+    double k;             /* NAN where not given */
+    double A;             /* composite compliance */
+    double beta;          /* Dundurs' second constant */
+    double tolerance;     /* as the texts have it */
+    bool is_plane_stress; /* nu1 and nu2 are 0 then */
     /* under these loads, which come as loads_apply_monotonic() has them, or by a history */
     rwedge_contact *contact;
     bool has_history;

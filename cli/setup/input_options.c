@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { OTHER_OPTIONS = 10, CONTACT_INPUTS = INPUT_K };
+enum { OTHER_OPTIONS = 11, CONTACT_INPUTS = INPUT_K };
 
 struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
     [CONTACT_INPUTS] = {HULL_OPTION},
@@ -14,6 +14,7 @@ struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
      "up|down"},
     {VALUE("origin", OPTION_ORIGIN),
      "Where x is 0, which P passes through: as in the profile, or at its lowest place", "lowest"},
+    {PLANE_STRESS_OPTION},
     {MATERIAL_OPTION},
     {VALUE("case", OPTION_CASE), "A case from a JSON file; options replace what it has", "FILE"},
     {VALUE("save-case", OPTION_SAVE_CASE), "Write the case to FILE, for --case", "FILE"},
@@ -199,7 +200,8 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
                            .how_comma = "with --decimal-comma",
                            .where_else = "columns or options",
                            .profile_named = profiles_named,
-                           .tolerance = read_tolerance(line)};
+                           .tolerance = read_tolerance(line),
+                           .is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL};
     for (int i = 0; i < INPUT_COUNT; i++)
         texts->text[i] = line->value[OPTION_INPUT + i];
     material_hand_over(line, texts);

@@ -33,6 +33,7 @@ enum {
     OPTION_FIT,
     OPTION_HEIGHTS,
     OPTION_ORIGIN,
+    OPTION_PLANE_STRESS,
     OPTION_MATERIAL,
     OPTION_K_IN,
     OPTION_CASE,
@@ -47,6 +48,9 @@ enum {
 #define MATERIAL_OPTION                                                                            \
     "material", '\0', POPT_ARG_STRING, NULL, OPTION_MATERIAL,                                      \
         "Constants of body 1: of \"rwedge materials\", of a JSON or CSV file, or {...}", "FILE"
+#define PLANE_STRESS_OPTION                                                                        \
+    "plane-stress", '\0', POPT_ARG_NONE, NULL, OPTION_PLANE_STRESS,                                \
+        "Plane stress, of contact and criteria (default: plane strain)", NULL
 #define K_IN_OPTION                                                                                \
     "K-in", '\0', POPT_ARG_STRING, NULL, OPTION_K_IN,                                              \
         "Unit of length of constants in K without a unit: m for MPa sqrt(m)", "m|mm"

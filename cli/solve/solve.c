@@ -11,6 +11,7 @@ enum {
     OPTION_LAYOUT,
     OPTION_YIELD_FACTOR,
     OPTION_SHAKEDOWN,
+    OPTION_STRENGTH_OF,
     OPTION_VERDICT,
     OPTION_FOR,
     OPTION_SAFETY
@@ -28,6 +29,8 @@ static const struct poptOption options[] = {
      "Add how far the state under P and Q is from yield; needs k, takes longer", NULL},
     {FLAG("shakedown", OPTION_SHAKEDOWN),
      "Add P_shakedown to the rows of a file too; needs k, takes longer", NULL},
+    {VALUE("strength-of", OPTION_STRENGTH_OF),
+     "The body whose stresses and yield are computed, which k is of (default 1)", "1|2"},
     {FLAG("verdict", OPTION_VERDICT),
      "Say on standard error what the results come to, of one contact; takes longer", NULL},
     {VALUE("for", OPTION_FOR),
@@ -57,7 +60,7 @@ static void describe_results(FILE *stream)
 
 typedef struct {
     results answer;
-    bool as_row, says_verdict;
+    bool as_row, says_verdict, is_mirrored;
     results_wanted wanted;
     int looked_for; /* an input, or INPUT_COUNT */
     double safety, answer_for;
@@ -104,6 +107,67 @@ static void write_rows(void *of_job, records *rows)
     (task->as_row ? write_row : write_list)(all, count, rows);
 }
 
+/* ---- The strength of body 2 ---- */
+
+static void swap(input_texts *texts, int one, int other)
+{
+    const char *text = texts->text[one];
+    texts->text[one] = texts->text[other];
+    texts->text[other] = text;
+}
+
+/* What is wrong with a modulus is said by its own name. */
+static void check_bodies(const input_texts *texts)
+{
+    complaint why;
+    double value;
+    for (int i = INPUT_E1; i <= INPUT_NU2; i++)
+        if (input_is_given(texts, i) && !input_read(texts, i, &value, &why))
+            usage_error("%s", why.text);
+        else if (input_is_given(texts, i) && isinf(value))
+            usage_error("--strength-of 2: body 2 is rigid, so it has no stresses");
+}
+
+/* Body 2 becomes body 1, seen from its own side: the result at (x, y) belongs to (-x, -y). What is
+ * of body 1 or has a side is refused. */
+static bool take_strength(const arguments *line, input_texts *texts)
+{
+    static const int one_sided[] = {INPUT_M, INPUT_SIGMA, INPUT_PROFILE};
+    const char *body = line->value[OPTION_STRENGTH_OF];
+    if (body == NULL || strcmp(body, "1") == 0)
+        return false;
+    if (strcmp(body, "2") != 0)
+        usage_error("--strength-of %s: must be 1 or 2", body);
+    for (size_t i = 0; i < sizeof one_sided / sizeof one_sided[0]; i++)
+        if (input_is_given(texts, one_sided[i]))
+            usage_error("--strength-of 2: not with %s; allowed: P and Q on a pad with two equal "
+                        "sides",
+                        input_kinds[one_sided[i]].flag);
+    if (line->value[OPTION_MATERIAL] != NULL)
+        usage_error("--strength-of 2: not with --material, which is of body 1; allowed: the "
+                    "constants of both bodies");
+    if (line->value[OPTION_INPUT_FILE] != NULL || history_is_given(line) ||
+        line->value[OPTION_FOR] != NULL)
+        usage_error("--strength-of 2: is of one contact and its load, not with --input, --load, "
+                    "--history and --for");
+    check_bodies(texts);
+    if (input_is_given(texts, INPUT_E2)) {
+        swap(texts, INPUT_E1, INPUT_E2);
+        swap(texts, INPUT_NU1, INPUT_NU2);
+    }
+    return true;
+}
+
+/* Back to the axes and the order of the bodies: places have the other sign, stresses their own. */
+static void mirror(results *answer)
+{
+    static const int turned[] = {RESULT_BETA, RESULT_YIELD_X, RESULT_YIELD_Y};
+    for (size_t i = 0; i < sizeof turned / sizeof turned[0]; i++)
+        answer->value[turned[i]].number = 0 - answer->value[turned[i]].number;
+    answer->hardest_x = 0 - answer->hardest_x;
+    answer->hardest_y = 0 - answer->hardest_y;
+}
+
 /* ---- The case ---- */
 
 /* The input that is looked for is found; or all are given; or the loads come from a history. */
@@ -138,6 +202,8 @@ static void solve_one(const arguments *line, const input_texts *texts, job *task
     read_case(line, texts, task, how->decimal_sign, &setup);
     if (!results_compute(&setup, wanted, &task->answer, &why))
         failure("%s", why.text);
+    if (task->is_mirrored)
+        mirror(&task->answer);
     output_options_write(how, write_rows, task);
     doubts_say(task->answer.doubts, "");
     if (task->says_verdict)
@@ -207,6 +273,7 @@ static int solve(const arguments *line)
     input_texts texts;
     const char *file = line->value[OPTION_INPUT_FILE];
     input_texts_from_options(line, &texts);
+    task.is_mirrored = take_strength(line, &texts);
     arguments_no_operand(line);
     output_options_read(line, &how);
     check_files(line, file);

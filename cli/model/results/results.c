@@ -279,12 +279,12 @@ static bool compute(const contact_case *setup, double b, results *answer, compla
     return !centred || !has_formulas || strength(setup, b, row, why);
 }
 
-/* Where P_yield is: in full sliding, without moment and tension. Empty where the library finds no
- * load that is too large. */
+/* Where P_yield is: in full sliding, without moment and tension; in plane strain. Empty where the
+ * library finds no load that is too large. */
 static void add_shakedown(const contact_case *setup, results *answer)
 {
     const pad *shape = &setup->shape;
-    if (isnan(setup->k) || setup->M != 0 || setup->sigma != 0)
+    if (isnan(setup->k) || setup->M != 0 || setup->sigma != 0 || setup->is_plane_stress)
         return;
     const double P = pad_has_formulas(shape)
                          ? rwedge_shakedown_load(shape->theta, shape->a, setup->A, setup->f,

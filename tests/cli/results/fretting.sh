@@ -317,7 +317,7 @@ does fretting cycle.csv $shape --E1 72100 --material metal.csv
 does fretting cycle.csv $shape --E1 72.1GPa --units mm,N,MPa --material metal.csv
 refuses "--E1 72GPa: metal.csv has E 72100; allowed: one of the two" fretting cycle.csv $shape --E1 72GPa --units mm,N,MPa --material metal.csv
 # An input that plane stress sets is named with its number.
-refuses "--nu2 0: needs --E2; allowed: both, or neither for two bodies of one material" fretting cycle.csv $shape --material metal.csv --nu2 0.3 --plane-stress
+refuses "--nu2 0.3: needs --E2; allowed: both, or neither for two bodies of one material" fretting cycle.csv $shape --material metal.csv --nu2 0.3 --plane-stress
 
 refuses "findley: needs --findley-k, or findley_k of --material" fretting hills.csv $specimen --criteria findley
 refuses "mcdiarmid: needs --t-a, or t_A of --material" fretting hills.csv $specimen --su 500

@@ -100,4 +100,43 @@ close_to "yield factor in full sliding" "$limit" "$(value yield_factor)" 1e-10
 run solve $steel --theta 0.05 --a 1 --P 100 --f 0.1 --Q 3 --k 100 --yield-factor
 same "in partial slip" larger "$(awk "BEGIN { if ($(value yield_factor) > $limit) print \"larger\" }")"
 
+
+# ---- Two bodies ----
+# Two cylinders: ANSYS Mechanical APDL Verification Manual, VM191, after Chandrasekaran, Haisler and Goforth (1987): b 1.20, with three
+# digits; by Hertz, with E* = 16000, 1.19971.
+does solve --E1 30000 --nu1 0.25 --E2 29120 --nu2 0.3 --radius1 10 --radius2 13 --P 3200 --f 0
+close_to "b of VM191" 1.20 "$(value b)" 4e-3
+close_to "b of VM191 by Hertz" "$(awk 'BEGIN { printf "%.17g", sqrt(4 * 3200 / (0.1 + 1 / 13) / (3.14159265358979324 * 16000)) }')" "$(value b)" 1e-14
+close_to "R of VM191" "$(awk 'BEGIN { printf "%.17g", 130 / 23 }')" "$(value radius)" 1e-15
+# VM272 there: two half cylinders of 8, E 200, nu 0.3, in plane strain under 10 and 0.93622 in all. By Hertz and Cattaneo; f is 0.2 here.
+does solve --E1 200 --nu1 0.3 --radius1 8 --radius2 8 --P 10 --Q 0.93622 --f 0.2
+close_to "b of VM272" "$(awk 'BEGIN { printf "%.17g", sqrt(4 * 10 * 4 * 2 * 0.91 / (3.14159265358979324 * 200)) }')" "$(value b)" 1e-14
+close_to "stick zone of VM272" "$(awk 'BEGIN { printf "%.17g", sqrt(1 - 0.93622 / 2) }')" "$(value c_over_b)" 1e-12
+does solve --E1 210000 --nu1 0.3 --radius1 -11 --radius2 10 --P 100
+close_to "a roller in a race" 110 "$(value radius)" 1e-14
+refuses "--radius1 10, --radius2 -9: 1/R1 + 1/R2 must be above 0: a concave body has the larger radius, and neither is 0" \
+    solve --E1 1 --nu1 0.3 --radius1 10 --radius2 -9 --P 1
+refuses "--radius1 10: needs --radius2; of a body that is plane, the other's is radius alone" solve --E1 1 --nu1 0.3 --radius1 10 --P 1
+refuses "--radius1 10: given together with --radius; allowed: one of the two" solve --E1 1 --nu1 0.3 --radius1 10 --radius2 9 --radius 3 --P 1
+# Plane stress: 1/E of each body, and Dundurs' beta with kappa (3 - nu)/(1 + nu).
+does solve --E1 30000 --nu1 0.25 --E2 29120 --nu2 0.3 --radius 10 --P 3200 --plane-stress
+close_to "A in plane stress" "$(awk 'BEGIN { printf "%.17g", 2 / 30000 + 2 / 29120 }')" "$(value A)" 1e-14
+close_to "beta in plane stress" "$(awk 'BEGIN { m1 = 12000; m2 = 11200; k1 = 2.75 / 1.25; k2 = 2.7 / 1.3
+    printf "%.17g", (m1 * (k2 - 1) - m2 * (k1 - 1)) / (m1 * (k2 + 1) + m2 * (k1 + 1)) }')" "$(value dundurs_beta)" 1e-12
+does solve --E1 210000 --nu1 0.3 --theta 0.01 --radius 10 --P 300 --f 0.3 --k 400 --plane-stress
+close_to "yield in plane stress has no szz" "$(awk 'BEGIN { print 1 }')" \
+    "$("$rwedge" solve --E1 210000 --nu1 0 --theta 0.01 --radius 10 --P 300 --f 0.3 --k 400 | awk -F, -v P="$(value P_yield)" '$1 == "P_yield" { printf "%.17g", P / $2 }')" 1e-14
+same "no shakedown of plane strain" "" "$(value P_shakedown)"
+# The pad's own strength is that of the bodies the other way round, its places mirrored.
+other="--theta 0.01 --radius 10 --P 300 --Q 60 --f 0.3 --k 200 --yield-factor"
+does solve --E1 210000 --nu1 0.3 --E2 72000 --nu2 0.33 $other
+kept turned solve --E1 210000 --nu1 0.3 --E2 72000 --nu2 0.33 $other
+awk -F, -v OFS=, '$1 == "dundurs_beta" || $1 == "yield_x" || $1 == "yield_y" { if ($2 != 0 && !sub(/^-/, "", $2)) $2 = "-" $2 } { print $1, $2 }' turned >expected
+sed '/^yield_x/d' expected >expected_rest
+kept pad solve --E1 72000 --nu1 0.33 --E2 210000 --nu2 0.3 $other --strength-of 2
+same "the strength of body 2" "" "$(awk -F, -v OFS=, '{ print $1, $2 }' pad | sed '/^yield_x/d' | diff - expected_rest 2>&1)"
+close_to "its place" "$(awk -F, '$1 == "yield_x" { print $2 }' expected)" "$(awk -F, '$1 == "yield_x" { print $2 }' pad)" 1e-5
+refuses "--strength-of 2: body 2 is rigid, so it has no stresses" solve --E1 1 --nu1 0.3 --E2 inf --radius 1 --P 1 --strength-of 2
+refuses "--strength-of 2: not with --sigma; allowed: P and Q on a pad with two equal sides" solve --E1 1 --nu1 0.3 --radius 1 --P 1 --sigma 1 --f 1 --strength-of 2
+refuses "--strength-of 3: must be 1 or 2" solve --E1 1 --nu1 0.3 --radius 1 --P 1 --strength-of 3
 finish

@@ -67,7 +67,7 @@ static void take_sign_off(csv_row *row)
 /* "1", "2" and so on, for columns that are given by their places. */
 static const char *const *place_names(void)
 {
-    static char text[HEADER_COLUMNS][5];
+    static char text[HEADER_COLUMNS][12]; /* of any int */
     static const char *names[HEADER_COLUMNS];
     for (int i = 0; i < HEADER_COLUMNS && names[HEADER_COLUMNS - 1] == NULL; i++) {
         snprintf(text[i], sizeof text[i], "%d", i + 1);

@@ -52,8 +52,10 @@ static double coefficient(const boundary_element *s, size_t i, size_t j)
     if (i < s->n && j < s->n)
         return s->influence[i > j ? i - j : j - i];
     const size_t least = i < j ? i : j, most = i < j ? j : i;
+    if (least >= s->n) /* both are unknowns of the pad, which has no place there */
+        return 0;
     const double lever = most == s->n ? 1 : s->x[least];
-    return least >= s->n ? 0 : i < s->n ? -lever : lever;
+    return i < s->n ? -lever : lever;
 }
 
 /* The displacement at element i less the wanted one. */

@@ -25,24 +25,37 @@ enum {
 };
 
 const column_kind crack_columns[] = {
-    {"angle", "of the crack, with --angle-range", "degrees"},
-    {"length", "of the crack", "length"},
-    {"shear", "how K_II counts: none, locked, free", NULL},
-    {"K_I_max", "largest K_I after a load", "stress length^(1/2)"},
-    {"K_I_min", "smallest K_I; below 0 it is formal", "stress length^(1/2)"},
-    {"K_II_max", "largest K_II", "stress length^(1/2)"},
-    {"K_II_min", "smallest K_II", "stress length^(1/2)"},
-    {"dK_I", "range of K_I above 0", "stress length^(1/2)"},
-    {"dK_II", "range of K_II, as shear says", "stress length^(1/2)"},
-    {"dK", "root of the sum of their squares", "stress length^(1/2)"},
-    {"K_max", "largest root of K_I^2 + K_II^2 while open", "stress length^(1/2)"},
-    {"R", "K_I_min over K_I_max; 0 where K_I is never above 0", NULL},
-    {"overlap", "share of the line where faces overlap at K_I_max", NULL},
-    {"threshold", "of dK, with --dK-th", "stress length^(1/2)"},
-    {"dK_over_threshold", "above 1 it grows", NULL},
-    {"cycles", "to the last length, with --C and --m; empty where it stops", NULL},
+    [ANGLE] = {"angle", "of the crack, with --angle-range", "degrees"},
+    [LENGTH] = {"length", "of the crack", "length"},
+    [SHEAR] = {"shear", "how K_II counts: none, locked, free", NULL},
+    [K_I_MAX] = {"K_I_max", "largest K_I after a load", "stress length^(1/2)"},
+    [K_I_MIN] = {"K_I_min", "smallest K_I; below 0 it is formal", "stress length^(1/2)"},
+    [K_II_MAX] = {"K_II_max", "largest K_II", "stress length^(1/2)"},
+    [K_II_MIN] = {"K_II_min", "smallest K_II", "stress length^(1/2)"},
+    [DK_I] = {"dK_I", "range of K_I above 0", "stress length^(1/2)"},
+    [DK_II] = {"dK_II", "range of K_II, as shear says", "stress length^(1/2)"},
+    [DK] = {"dK", "root of the sum of their squares", "stress length^(1/2)"},
+    [K_MAX] = {"K_max", "largest root of K_I^2 + K_II^2 while open", "stress length^(1/2)"},
+    [RATIO] = {"R", "K_I_min over K_I_max; 0 where K_I is never above 0", NULL},
+    [OVERLAP] = {"overlap", "share of the line where faces overlap at K_I_max", NULL},
+    [THRESHOLD] = {"threshold", "of dK, with --dK-th", "stress length^(1/2)"},
+    [DK_OVER_THRESHOLD] = {"dK_over_threshold", "above 1 it grows", NULL},
+    [CYCLES] = {"cycles", "to the last length, with --C and --m; empty where it stops", NULL},
 };
 const int crack_column_count = COLUMNS;
+
+/* What a column needs to be there. */
+static const enum {
+    NEEDS_NOTHING,
+    NEEDS_ANGLES,
+    NEEDS_THRESHOLD,
+    NEEDS_RATE
+} needs[COLUMNS] = {
+    [ANGLE] = NEEDS_ANGLES,
+    [THRESHOLD] = NEEDS_THRESHOLD,
+    [DK_OVER_THRESHOLD] = NEEDS_THRESHOLD,
+    [CYCLES] = NEEDS_RATE,
+};
 
 static double radians(double angle)
 {
@@ -121,17 +134,10 @@ static double *cycles_of(const crack_plan *plan, double angle)
 
 static bool is_written(const crack_plan *plan, int column)
 {
-    switch (column) {
-    case ANGLE:
-        return plan->has_angles;
-    case THRESHOLD:
-    case DK_OVER_THRESHOLD:
-        return crack_has_threshold(plan);
-    case CYCLES:
-        return crack_has_rate(plan);
-    default:
-        return true;
-    }
+    return needs[column] == NEEDS_ANGLES      ? plan->has_angles
+           : needs[column] == NEEDS_THRESHOLD ? crack_has_threshold(plan)
+           : needs[column] == NEEDS_RATE      ? crack_has_rate(plan)
+                                              : true;
 }
 
 /* The largest and smallest of a length, and the load of the largest. */

@@ -183,10 +183,10 @@ static void refuse_others(const arguments *line, const figure *chosen)
 static int read_measure(const char *text, const criteria *asked)
 {
     char allowed[600] = "";
-    int column = text == NULL ? MEASURE_SWT : -1;
-    for (int i = 0; i < COLUMN_COUNT; i++) {
+    int column = text == NULL ? measure_column(RWEDGE_MEASURE_SWT, PART_VALUE) : -1;
+    for (int i = 0; i < measure_count(); i++) {
         const measure_kind *kind = measure_kind_of(i);
-        if (!column_is_wanted(asked, i) || kind->part != PART_VALUE)
+        if (!column_is_wanted(asked, i) || (kind->part != PART_VALUE && kind->part != PART_WEAR))
             continue;
         list_add(allowed, sizeof allowed, ", ", "%s", kind->column);
         if (text != NULL && strcmp(text, kind->column) == 0)
@@ -208,9 +208,7 @@ static void read_measure_and_place(const arguments *line, figure_case *inputs)
         inputs->over++;
     if (inputs->over == OVER_COUNT)
         usage_error("--over %s: must be surface, depth or field", over);
-    const bool is_of_friction = inputs->measure >= MEASURE_SLIP_RANGE &&
-                                measure_kind_of(inputs->measure)->criterion == NO_CRITERION;
-    if (is_of_friction && inputs->over != OVER_SURFACE)
+    if (measure_kind_of(inputs->measure)->is_of_friction && inputs->over != OVER_SURFACE)
         usage_error("--over %s: %s is of the surface alone", over,
                     measure_kind_of(inputs->measure)->column);
 }

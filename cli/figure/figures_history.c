@@ -135,11 +135,10 @@ static void compute_fretting(const figure_case *inputs, dataset *rows)
     rows->error = last.error;
     const measured result = measure_usual(inputs, &last);
     for (size_t i = 0; i < result.count; i++) {
-        const double *v = result.place[i].value;
-        dataset_add(rows,
-                    (data_row){.number = {result.place[i].x, v[MEASURE_SWT], v[MEASURE_SWT_ANGLE],
-                                          v[MEASURE_SLIP_RANGE], v[MEASURE_RUIZ_F1],
-                                          v[MEASURE_RUIZ_F2], v[MEASURE_ENERGY_PER_AREA]}});
+        data_row row = {.number = {result.place[i].x}};
+        for (int k = 1; figure_fretting.column[k] != NULL; k++)
+            row.number[k] = result.place[i].value[measure_column_named(figure_fretting.column[k])];
+        dataset_add(rows, row);
     }
 }
 

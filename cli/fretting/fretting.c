@@ -35,10 +35,16 @@ static const struct poptOption options[] = {
     POPT_TABLEEND,
 };
 
-static void describe_column(int column, FILE *stream)
+/* Those that are always there, with their angles; or the values of the others. */
+static void describe_columns(bool are_always, FILE *stream)
 {
-    fprintf(stream, "  %-15s %s\n", measure_kind_of(column)->column,
-            measure_kind_of(column)->meaning);
+    for (int i = 0; i < measure_count(); i++) {
+        const measure_kind *kind = measure_kind_of(i);
+        const bool is_always = kind->condition == COLUMN_ALWAYS;
+        if (is_always == are_always &&
+            (is_always || kind->part == PART_VALUE || kind->part == PART_WEAR))
+            fprintf(stream, "  %-15s %s\n", kind->column, kind->meaning);
+    }
 }
 
 static void describe(FILE *stream)
@@ -51,12 +57,9 @@ static void describe(FILE *stream)
           "\nColumns:\n"
           "  x, y            the place, y the depth\n",
           stream);
-    for (int i = 0; i < MEASURE_COUNT; i++)
-        describe_column(i, stream);
+    describe_columns(true, stream);
     fputs("and at the end, for --criteria, or where their constants are given:\n", stream);
-    for (int i = MEASURE_COUNT; i < COLUMN_COUNT; i++)
-        if (measure_kind_of(i)->part == PART_VALUE && measure_kind_of(i)->column[0] != '\0')
-            describe_column(i, stream);
+    describe_columns(false, stream);
     fputs("with NAME_angle and NAME_out_of_plane: from the normal of its plane to the plane\n"
           "of x and y, 0 to 90 deg.\n",
           stream);
@@ -125,7 +128,7 @@ static void write_rows(void *of_plan, records *rows)
         rows->across += result->place[i].is_shown;
     records_name(rows, "x");
     records_name(rows, "y");
-    for (int i = 0; i < COLUMN_COUNT; i++)
+    for (int i = 0; i < measure_count(); i++)
         if (column_is_wanted(&job->last.asked, i))
             records_name(rows, measure_kind_of(i)->column);
     records_end_header(rows);
@@ -135,7 +138,7 @@ static void write_rows(void *of_plan, records *rows)
             continue;
         records_value(rows, cell_number(place->x));
         records_value(rows, cell_number(place->y));
-        for (int k = 0; k < COLUMN_COUNT; k++)
+        for (int k = 0; k < measure_count(); k++)
             if (column_is_wanted(&job->last.asked, k))
                 records_value(rows, cell_number(place->value[k]));
         records_end_row(rows);

@@ -50,16 +50,11 @@ typedef struct {
     bool is_line;         /* mean over twice the length; else the point at half of it */
 } distance;
 
-/* The value is NAN where the column is nowhere above 0; cycles but for damage. */
-typedef struct {
-    double x, y, value, cycles;
-} worst_row;
-
 typedef struct {
     const last_cycle *last;
     distance below;  /* where criteria count, beside the surface */
     bool is_verdict; /* criteria alone are written; those of --criteria where it is given */
-    worst_row row[COLUMN_COUNT];
+    worst_row row[COLUMN_MAX];
 } worst_table;
 
 void worst_find(const measured *result, worst_table *worst);

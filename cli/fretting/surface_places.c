@@ -58,7 +58,7 @@ static measured stops_of_range(const char *text, const last_cycle *cycle)
 
 static void make_room(size_t count, measured *result)
 {
-    result->place = memory_resized(result->place, (count + COLUMN_COUNT) * sizeof *result->place);
+    result->place = memory_resized(result->place, (count + COLUMN_MAX) * sizeof *result->place);
     result->count = count;
 }
 

@@ -4,41 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* ---- The search ---- */
-
-/* NAN where the criterion has no such part. */
-static double part_of(const measured_place *at, int criterion, measure_part part)
-{
-    const int column = measure_column(criterion, part);
-    return column >= 0 ? at->value[column] : NAN;
-}
-
-/* Which is not smooth: the worst of the places stands. */
-static bool is_damage(int column)
-{
-    return measure_criterion(column) >= DAMAGE;
-}
-
 void worst_find(const measured *result, worst_table *worst)
 {
-    const last_cycle *last = worst->last;
-    worst_row *row = worst->row;
-    for (int i = 0; i < COLUMN_COUNT; i++) {
-        const size_t best = measured_best(result, i);
-        const measured_place *place = &result->place[best];
-        const bool is_worst = place->value[i] > 0 && measure_kind_of(i)->part == PART_VALUE &&
-                              column_is_wanted(&last->asked, i);
-        row[i] =
-            (worst_row){place->x, place->y, is_worst ? place->value[i] : NAN,
-                        is_damage(i) ? part_of(place, measure_criterion(i), PART_CYCLES) : NAN};
-        if (result->line > 0 && is_worst && !is_damage(i) && i != COLUMN_WEAR)
-            /* on the line of the best place, between the places too */
-            status_check(last_cycle_worst(last, i, result->line, place - best % result->line,
-                                          &row[i].x, &row[i].value),
-                         "the worst place");
-    }
-    row[COLUMN_WEAR] = row[MEASURE_ENERGY_PER_AREA]; /* wear is worst where the energy is */
-    row[COLUMN_WEAR].value *= last->asked.archard;
+    status_check(worst_places(worst->last, result, worst->row), "the worst place");
 }
 
 /* ---- Among the places ---- */
@@ -54,7 +22,7 @@ static int in_order(const void *left, const void *right)
 void worst_add_places(const worst_table *worst, measured *result)
 {
     const size_t count = result->count;
-    for (int i = 0; i < COLUMN_COUNT; i++) {
+    for (int i = 0; i < measure_count(); i++) {
         const worst_row *row = &worst->row[i];
         bool is_there = isnan(row->value);
         for (size_t k = 0; k < result->count && !is_there; k++) {
@@ -78,7 +46,7 @@ void worst_add_places(const worst_table *worst, measured *result)
 void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size)
 {
     text[0] = '\0';
-    for (int i = 0; i < COLUMN_COUNT; i++) {
+    for (int i = 0; i < measure_count(); i++) {
         const worst_row *row = &worst->row[i];
         if (isnan(row->value))
             continue;
@@ -117,23 +85,20 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
                         cell cells[COLUMNS])
 {
     const bool is_below = !isnan(worst->below.length) && row->y == 0;
-    const material *constants = &worst->last->asked.given;
     measured_place at = {.x = row->x, .y = row->y};
     if (is_below)
         at = measures_below(worst->last, &worst->below, row->x);
     else
         status_check(last_cycle_measure(worst->last, 1, &at), "the worst place");
-    const double value = part_of(&at, criterion, PART_VALUE),
-                 allowable = material_allowable(constants, criterion),
-                 life = measured_life(&at, criterion);
+    const criterion_verdict judged = criterion_verdict_at(&worst->last->asked, &at, criterion);
     cells[4] = cell_number(is_below ? worst->below.length : NAN);
-    cells[5] = cell_number(is_below ? value : NAN);
-    cells[6] = cell_number(part_of(&at, criterion, PART_ANGLE));
-    cells[7] = cell_number(part_of(&at, criterion, PART_OUT_OF_PLANE));
-    cells[8] = cell_number(allowable);
-    cells[9] = cell_number(value > 0 ? allowable / value : NAN);
-    cells[10] = isinf(life) ? cell_text("inf") : cell_number(life);
-    cells[11] = cell_number(part_of(&at, measure_damage(criterion), PART_CYCLES));
+    cells[5] = cell_number(is_below ? judged.value : NAN);
+    cells[6] = cell_number(measured_part(&at, criterion, PART_ANGLE));
+    cells[7] = cell_number(measured_part(&at, criterion, PART_OUT_OF_PLANE));
+    cells[8] = cell_number(judged.allowable);
+    cells[9] = cell_number(judged.safety);
+    cells[10] = isinf(judged.life) ? cell_text("inf") : cell_number(judged.life);
+    cells[11] = cell_number(measured_part(&at, measure_damage(criterion), PART_CYCLES));
 }
 
 void worst_write_rows(void *of_worst, records *rows)
@@ -141,7 +106,7 @@ void worst_write_rows(void *of_worst, records *rows)
     const worst_table *worst = of_worst;
     const criteria *asked = &worst->last->asked;
     records_header(rows, COLUMNS, columns);
-    for (int i = 0; i < COLUMN_COUNT && records_go_on(rows); i++) {
+    for (int i = 0; i < measure_count() && records_go_on(rows); i++) {
         const worst_row *row = &worst->row[i];
         const int criterion = measure_criterion(i);
         const bool has_verdict =

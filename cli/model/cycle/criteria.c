@@ -33,10 +33,14 @@ const char *criterion_name(int criterion)
 bool column_is_wanted(const criteria *asked, int column)
 {
     const measure_kind *kind = measure_kind_of(column);
-    if (column == COLUMN_WEAR)
+    switch (kind->condition) {
+    case COLUMN_OF_ARCHARD:
         return !isnan(asked->archard);
-    return kind->column[0] != '\0' && (column < MEASURE_COUNT || kind->criterion == NO_CRITERION ||
-                                       asked->is_wanted[kind->criterion]);
+    case COLUMN_OF_CRITERION:
+        return asked->is_wanted[kind->criterion];
+    default:
+        return true;
+    }
 }
 
 criteria criteria_usual(const contact_case *setup)

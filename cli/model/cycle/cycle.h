@@ -22,34 +22,44 @@ bool criterion_is_damage(int criterion);
 const char *criterion_name(int criterion);
 
 /* The columns of a criterion: its value, the angles of its plane in degrees, and of damage the
- * number of cycles. What is no criterion is a value. */
-typedef enum { PART_VALUE, PART_ANGLE, PART_OUT_OF_PLANE, PART_CYCLES, PART_COUNT } measure_part;
+ * number of cycles. What is no criterion is a value. Wear is another part of the energy. */
+typedef enum {
+    PART_VALUE,
+    PART_ANGLE,
+    PART_OUT_OF_PLANE,
+    PART_CYCLES,
+    CRITERION_PARTS,
+    PART_WEAR = CRITERION_PARTS
+} measure_part;
 
-/* Those without a name here are found by measure_column(). There is room for criteria that the
- * library gets: columns at the end without a name are none. */
-enum {
-    MEASURE_STRESS_RANGE,
-    MEASURE_SWT,
-    MEASURE_SWT_ANGLE,
-    MEASURE_SLIP_RANGE = 5,
-    MEASURE_RUIZ_F1,
-    MEASURE_RUIZ_F2,
-    MEASURE_ENERGY_PER_AREA,
-    MEASURE_COUNT, /* those that are always there; the others follow where they are asked for */
-    COLUMN_WEAR = 30,
-    COLUMN_COUNT = 48
-};
+/* When a column is there. */
+typedef enum { COLUMN_ALWAYS, COLUMN_OF_CRITERION, COLUMN_OF_ARCHARD } column_condition;
+
+/* Room for the columns, also of criteria that the library gets. */
+enum { COLUMN_MAX = 48 };
 
 enum { MEASURE_NAME_SIZE = 48, MEASURE_TITLE_SIZE = 80 };
 typedef struct {
-    char column[MEASURE_NAME_SIZE]; /* "" where there is none */
+    char column[MEASURE_NAME_SIZE];
     const char *meaning, *unit;
-    int criterion;
+    int32_t number; /* as the library calls the measure */
+    bool is_damage; /* by that measure */
     measure_part part;
-    int32_t number;                 /* as the library calls the measure; -1 for none */
+    column_condition condition;
+    bool is_of_friction; /* of the surface in contact, no criterion of fatigue */
+    int criterion;
     char title[MEASURE_TITLE_SIZE]; /* of a value, as a picture has it */
 } measure_kind;
+
+/* The columns, in their order; there are measure_count(). */
+int measure_count(void);
 const measure_kind *measure_kind_of(int column);
+
+/* The column of a name; -1 where there is none. */
+int measure_column_named(const char *name);
+
+/* The column of a library's measure; -1 where there is none. */
+int measure_column_of(int32_t number, bool is_damage, measure_part part);
 
 /* A part of a criterion; -1 where it has none. */
 int measure_column(int criterion, measure_part part);
@@ -140,7 +150,7 @@ typedef struct {
     double x, y;
     bool is_shown;    /* among the rows that are written */
     double amplitude; /* of sqrt(J2); where it is next to nothing, nothing cycles */
-    double value[COLUMN_COUNT];
+    double value[COLUMN_MAX];
 } measured_place;
 
 typedef struct {
@@ -183,10 +193,6 @@ int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *str
 int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const measured_place line[],
                          double *worst_x, double *worst_value);
 
-/* The life by a criterion at a place, in passes of the loads: INFINITY for a run-out; NAN where its
- * damage is not known. */
-double measured_life(const measured_place *at, int criterion);
-
 /* ---- stops ---- The places along x at which a cycle is measured. The edges of contact and stick
  * zone after each load are among them, because stresses and slip have their peaks there. */
 
@@ -207,5 +213,26 @@ size_t measured_best(const measured *result, int column);
 
 /* The given places, in any order, and the edges between them, which are not shown. */
 measured stops_at(const last_cycle *cycle, size_t n, const double x[]);
+
+/* ---- worst_places ---- Where each column is worst, and what a criterion comes to there. */
+
+/* The value is NAN where the column is not wanted, or nowhere above 0; cycles but for damage. */
+typedef struct {
+    double x, y, value, cycles;
+} worst_row;
+
+/* Of places that are measured; on their lines also between them. Returns the library's status. */
+int32_t worst_places(const last_cycle *cycle, const measured *result, worst_row row[COLUMN_MAX]);
+
+/* What a criterion comes to at a place: its value, what it must not exceed, that over the value;
+ * the life by its damage, in passes of the loads, INFINITY for a run-out. NAN where not known. */
+typedef struct {
+    double value, allowable, safety, life;
+} criterion_verdict;
+criterion_verdict criterion_verdict_at(const criteria *asked, const measured_place *at,
+                                       int criterion);
+
+/* A part of a criterion at a place; NAN where it has no such part. */
+double measured_part(const measured_place *at, int criterion, measure_part part);
 
 #endif

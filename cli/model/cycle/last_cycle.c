@@ -66,9 +66,19 @@ void last_cycle_free(last_cycle *cycle)
 
 static void forget(measured_place *at)
 {
-    for (int i = 0; i < COLUMN_COUNT; i++)
+    for (int i = 0; i < COLUMN_MAX; i++)
         at->value[i] = NAN;
     at->amplitude = 0;
+}
+
+/* Numbers of n places into the column of a library's measure, if it has one. */
+static void store(int32_t number, bool is_damage, measure_part part, size_t n,
+                  const double number_of[], measured_place at[])
+{
+    const int column = measure_column_of(number, is_damage, part);
+    const bool is_angle = part == PART_ANGLE || part == PART_OUT_OF_PLANE;
+    for (size_t j = 0; j < n && column >= 0; j++)
+        at[j].value[column] = is_angle ? degrees(number_of[j]) : number_of[j];
 }
 
 /* The value, both angles and the cycles of damage: four lists of n numbers each, as the parts of a
@@ -90,14 +100,12 @@ static int32_t criterion_at(const last_cycle *cycle, int i, size_t n, const doub
 static int32_t add_criterion(const last_cycle *cycle, int i, size_t n, const double *stress,
                              double *work, measured_place at[])
 {
+    const bool is_damage = criterion_is_damage(i);
     const int32_t status = criterion_at(cycle, i, n, stress, work);
-    for (int part = PART_VALUE; part < PART_COUNT && status == RWEDGE_OK; part++) {
-        const int column = measure_column(i, (measure_part)part);
-        const bool is_angle = part == PART_ANGLE || part == PART_OUT_OF_PLANE;
-        const double *value = work + (size_t)part * n;
-        for (size_t j = 0; j < n && column >= 0; j++)
-            at[j].value[column] = is_angle ? degrees(value[j]) : value[j];
-    }
+    for (int part = PART_VALUE; part < CRITERION_PARTS && status == RWEDGE_OK; part++)
+        if (part != PART_CYCLES || is_damage)
+            store(is_damage ? i - DAMAGE : i, is_damage, (measure_part)part, n,
+                  work + (size_t)part * n, at);
     return status;
 }
 
@@ -113,8 +121,10 @@ static int32_t add_ranges(const last_cycle *cycle, size_t n, const double *stres
         status = rwedge_criterion_field(asked[i], no_mean, cycle->loads, n, stress, stress + all,
                                         stress + 2 * all, cycle->asked.nu,
                                         cycle->asked.is_plane_stress, work, work + n, work + 2 * n);
-        for (size_t j = 0; j < n && status == RWEDGE_OK; j++)
-            *(i == 0 ? &at[j].value[MEASURE_STRESS_RANGE] : &at[j].amplitude) = work[j];
+        if (status == RWEDGE_OK && i == 0)
+            store(asked[i], false, PART_VALUE, n, work, at);
+        for (size_t j = 0; j < n && status == RWEDGE_OK && i == 1; j++)
+            at[j].amplitude = work[j];
     }
     return status;
 }
@@ -154,46 +164,63 @@ static bool is_rubbed(const last_cycle *cycle, double x, double y)
     return y == 0 && x >= cycle->left - rounding && x <= cycle->right + rounding;
 }
 
+/* Those of friction at places in contact, beside what a list of n numbers has room for. */
+static int32_t friction_of(const last_cycle *cycle, size_t n, const double x[], double *work,
+                           measured_place at[])
+{
+    static const int32_t measures[] = {RWEDGE_MEASURE_SLIP_RANGE, RWEDGE_MEASURE_RUIZ_F1,
+                                       RWEDGE_MEASURE_RUIZ_F2, RWEDGE_MEASURE_ENERGY_PER_AREA};
+    const int32_t status =
+        rwedge_cycle_friction(cycle->cycle, n, x, work, work + n, work + 2 * n, work + 3 * n);
+    for (size_t i = 0; i < 4 && status == RWEDGE_OK; i++)
+        store(measures[i], false, PART_VALUE, n, work + i * n, at);
+    for (size_t k = 0; k < n && status == RWEDGE_OK; k++)
+        work[k] = cycle->asked.archard * work[3 * n + k];
+    if (status == RWEDGE_OK)
+        store(RWEDGE_MEASURE_ENERGY_PER_AREA, false, PART_WEAR, n, work, at);
+    return status;
+}
+
+/* From the places in contact back to all. */
 static int32_t friction(const last_cycle *cycle, size_t n, const double x[], const double y[],
-                        double *work, measured_place at[])
+                        measured_place at[])
 {
     size_t count = 0;
-    for (size_t i = 0; i < n; i++)
-        if (is_rubbed(cycle, x[i], y[i]))
-            work[4 * n + count++] = x[i];
-    if (!cycle->slip_known || count == 0)
-        return RWEDGE_OK;
-    const int32_t status = rwedge_cycle_friction(cycle->cycle, count, work + 4 * n, work, work + n,
-                                                 work + 2 * n, work + 3 * n);
-    for (size_t i = 0, k = 0; i < n && status == RWEDGE_OK; i++)
+    measured_place *rubbed = malloc((n + 1) * sizeof *rubbed);
+    double *work = malloc((5 * n + 1) * sizeof *work);
+    int32_t status = rubbed == NULL || work == NULL ? RWEDGE_ENOMEM : RWEDGE_OK;
+    for (size_t i = 0; i < n && status == RWEDGE_OK; i++)
         if (is_rubbed(cycle, x[i], y[i])) {
-            at[i].value[MEASURE_SLIP_RANGE] = work[k];
-            at[i].value[MEASURE_RUIZ_F1] = work[n + k];
-            at[i].value[MEASURE_RUIZ_F2] = work[2 * n + k];
-            at[i].value[MEASURE_ENERGY_PER_AREA] = work[3 * n + k];
-            at[i].value[COLUMN_WEAR] = cycle->asked.archard * work[3 * n + k++];
+            work[4 * n + count] = x[i];
+            rubbed[count++] = at[i];
         }
+    if (status == RWEDGE_OK && cycle->slip_known && count > 0)
+        status = friction_of(cycle, count, work + 4 * n, work, rubbed);
+    for (size_t i = 0, k = 0; i < n && status == RWEDGE_OK; i++)
+        if (is_rubbed(cycle, x[i], y[i]))
+            at[i] = rubbed[k++];
+    free(rubbed);
+    free(work);
     return status;
 }
 
 /* Stresses are infinite at a sharp edge: another point is computed in its place, and forgotten. */
 int32_t last_cycle_measure(const last_cycle *cycle, size_t n, measured_place at[])
 {
-    double *work = malloc((7 * n + 1) * sizeof *work);
-    if (work == NULL)
+    double *x = malloc((2 * n + 1) * sizeof *x), *depth = x + n;
+    if (x == NULL)
         return RWEDGE_ENOMEM;
-    double *x = work + 5 * n, *depth = x + n;
     for (size_t i = 0; i < n; i++) {
         x[i] = at[i].x;
         depth[i] = at[i].y == 0 && pad_is_kink(&cycle->setup->shape, x[i]) ? 1 : at[i].y;
     }
     int32_t status = fatigue(cycle, n, x, depth, at);
     if (status == RWEDGE_OK)
-        status = friction(cycle, n, x, depth, work, at);
+        status = friction(cycle, n, x, depth, at);
     for (size_t i = 0; i < n; i++)
         if (depth[i] != at[i].y)
             forget(&at[i]);
-    free(work);
+    free(x);
     return status;
 }
 
@@ -214,10 +241,4 @@ int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const me
                            asked->nu, asked->is_plane_stress, worst_x, worst_value);
     free(x);
     return status;
-}
-
-double measured_life(const measured_place *at, int criterion)
-{
-    const int damage = measure_damage(criterion);
-    return criterion_is_damage(damage) ? 1 / at->value[measure_column(damage, PART_VALUE)] : NAN;
 }

@@ -4,44 +4,47 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The columns of 1.x, in their order: the library's number, whether it is damage, the part. */
+/* A measure of the library or its damage, the part, and when it is written. */
 typedef struct {
     int32_t number;
     bool is_damage;
     measure_part part;
+    column_condition condition;
 } place;
 
+/* The columns of 1.x. Those of criteria that the library has got since follow. */
 static const place first_columns[] = {
-    [MEASURE_STRESS_RANGE] = {RWEDGE_MEASURE_STRESS_RANGE, false, PART_VALUE},
-    [MEASURE_SWT] = {RWEDGE_MEASURE_SWT, false, PART_VALUE},
-    [MEASURE_SWT_ANGLE] = {RWEDGE_MEASURE_SWT, false, PART_ANGLE},
-    {RWEDGE_MEASURE_FATEMI_SOCIE, false, PART_VALUE},
-    {RWEDGE_MEASURE_FATEMI_SOCIE, false, PART_ANGLE},
-    [MEASURE_SLIP_RANGE] = {RWEDGE_MEASURE_SLIP_RANGE, false, PART_VALUE},
-    [MEASURE_RUIZ_F1] = {RWEDGE_MEASURE_RUIZ_F1, false, PART_VALUE},
-    [MEASURE_RUIZ_F2] = {RWEDGE_MEASURE_RUIZ_F2, false, PART_VALUE},
-    [MEASURE_ENERGY_PER_AREA] = {RWEDGE_MEASURE_ENERGY_PER_AREA, false, PART_VALUE},
-    {RWEDGE_MEASURE_SWT, false, PART_OUT_OF_PLANE},
-    {RWEDGE_MEASURE_FATEMI_SOCIE, false, PART_OUT_OF_PLANE},
-    {RWEDGE_MEASURE_FINDLEY, false, PART_VALUE},
-    {RWEDGE_MEASURE_FINDLEY, false, PART_ANGLE},
-    {RWEDGE_MEASURE_FINDLEY, false, PART_OUT_OF_PLANE},
-    {RWEDGE_MEASURE_MODIFIED_WOHLER, false, PART_VALUE},
-    {RWEDGE_MEASURE_MODIFIED_WOHLER, false, PART_ANGLE},
-    {RWEDGE_MEASURE_MODIFIED_WOHLER, false, PART_OUT_OF_PLANE},
-    {RWEDGE_MEASURE_MCDIARMID, false, PART_VALUE},
-    {RWEDGE_MEASURE_MCDIARMID, false, PART_ANGLE},
-    {RWEDGE_MEASURE_MCDIARMID, false, PART_OUT_OF_PLANE},
-    {RWEDGE_MEASURE_CROSSLAND, false, PART_VALUE},
-    {RWEDGE_MEASURE_DANG_VAN, false, PART_VALUE},
-    {RWEDGE_MEASURE_SWT, true, PART_VALUE},
-    {RWEDGE_MEASURE_SWT, true, PART_ANGLE},
-    {RWEDGE_MEASURE_SWT, true, PART_OUT_OF_PLANE},
-    {RWEDGE_MEASURE_SWT, true, PART_CYCLES},
-    {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_VALUE},
-    {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_ANGLE},
-    {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_OUT_OF_PLANE},
-    {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_CYCLES},
+    {RWEDGE_MEASURE_STRESS_RANGE, false, PART_VALUE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_SWT, false, PART_VALUE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_SWT, false, PART_ANGLE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_FATEMI_SOCIE, false, PART_VALUE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_FATEMI_SOCIE, false, PART_ANGLE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_SLIP_RANGE, false, PART_VALUE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_RUIZ_F1, false, PART_VALUE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_RUIZ_F2, false, PART_VALUE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_ENERGY_PER_AREA, false, PART_VALUE, COLUMN_ALWAYS},
+    {RWEDGE_MEASURE_SWT, false, PART_OUT_OF_PLANE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_FATEMI_SOCIE, false, PART_OUT_OF_PLANE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_FINDLEY, false, PART_VALUE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_FINDLEY, false, PART_ANGLE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_FINDLEY, false, PART_OUT_OF_PLANE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_MODIFIED_WOHLER, false, PART_VALUE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_MODIFIED_WOHLER, false, PART_ANGLE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_MODIFIED_WOHLER, false, PART_OUT_OF_PLANE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_MCDIARMID, false, PART_VALUE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_MCDIARMID, false, PART_ANGLE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_MCDIARMID, false, PART_OUT_OF_PLANE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_CROSSLAND, false, PART_VALUE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_DANG_VAN, false, PART_VALUE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_SWT, true, PART_VALUE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_SWT, true, PART_ANGLE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_SWT, true, PART_OUT_OF_PLANE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_SWT, true, PART_CYCLES, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_VALUE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_ANGLE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_OUT_OF_PLANE, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_CYCLES, COLUMN_OF_CRITERION},
+    {RWEDGE_MEASURE_ENERGY_PER_AREA, false, PART_WEAR, COLUMN_OF_ARCHARD},
 };
 enum { FIRST_COLUMNS = sizeof first_columns / sizeof first_columns[0] };
 
@@ -49,7 +52,7 @@ enum { FIRST_COLUMNS = sizeof first_columns / sizeof first_columns[0] };
 
 static void name_column(place of, measure_kind *kind)
 {
-    static const char *const ends[PART_COUNT] = {"", "_angle", "_out_of_plane", "_cycles"};
+    static const char *const ends[CRITERION_PARTS] = {"", "_angle", "_out_of_plane", "_cycles"};
     const bool is_short =
         of.number == RWEDGE_MEASURE_FATEMI_SOCIE && (of.is_damage || of.part != PART_VALUE);
     const char *name = is_short ? "fs" : rwedge_criterion_name(of.number);
@@ -72,17 +75,37 @@ static const char *meaning_of(place of)
                         : rwedge_criterion_text(of.number);
 }
 
+static const char *unit_of(place of)
+{
+    if (of.part == PART_ANGLE || of.part == PART_OUT_OF_PLANE)
+        return "deg";
+    return of.part == PART_VALUE && !of.is_damage ? rwedge_criterion_unit(of.number) : "none";
+}
+
+static bool is_of_friction(int32_t number)
+{
+    return number >= RWEDGE_MEASURE_SLIP_RANGE && number <= RWEDGE_MEASURE_ENERGY_PER_AREA;
+}
+
 static measure_kind kind_of(place of)
 {
-    const bool is_value = of.part == PART_VALUE, is_angle = !is_value && of.part != PART_CYCLES;
     const int criterion = of.number + (of.is_damage ? DAMAGE : 0);
-    measure_kind kind = {.meaning = meaning_of(of),
-                         .unit = is_angle                    ? "deg"
-                                 : is_value && !of.is_damage ? rwedge_criterion_unit(of.number)
-                                                             : "none",
-                         .criterion = criterion_exists(criterion) ? criterion : NO_CRITERION,
+    const bool is_criterion = of.part < CRITERION_PARTS && criterion_exists(criterion);
+    measure_kind kind = {.number = of.number,
+                         .is_damage = of.is_damage,
                          .part = of.part,
-                         .number = is_value && !of.is_damage ? of.number : -1};
+                         .condition = of.condition,
+                         .is_of_friction = is_of_friction(of.number),
+                         .criterion = is_criterion ? criterion : NO_CRITERION};
+    if (of.part == PART_WEAR) {
+        kind.meaning = "worn in the cycle, --archard times energy_per_area";
+        kind.unit = "length";
+        snprintf(kind.column, sizeof kind.column, "wear_depth");
+        snprintf(kind.title, sizeof kind.title, "Depth of wear");
+        return kind;
+    }
+    kind.meaning = meaning_of(of);
+    kind.unit = unit_of(of);
     snprintf(kind.title, sizeof kind.title, "%s%s", of.is_damage ? "Damage by the " : "",
              rwedge_criterion_title(of.number));
     name_column(of, &kind);
@@ -99,43 +122,67 @@ static bool is_among_first(int32_t number)
     return false;
 }
 
+typedef struct {
+    measure_kind list[COLUMN_MAX];
+    int count;
+} all_columns;
+
 /* Those of criteria that the library has got since. */
-static void add_others(measure_kind kinds[COLUMN_COUNT])
+static void add_others(all_columns *all)
 {
-    int next = COLUMN_WEAR + 1;
     for (int32_t number = 0; number < rwedge_criterion_count(); number++)
         for (int damage = 0; damage <= 1 && !is_among_first(number); damage++)
-            for (int part = 0; part < PART_COUNT && next < COLUMN_COUNT; part++)
+            for (int part = 0; part < CRITERION_PARTS && all->count < COLUMN_MAX; part++)
                 if (criterion_exists(number + damage * DAMAGE) && (damage || part != PART_CYCLES))
-                    kinds[next++] = kind_of((place){number, damage, (measure_part)part});
+                    all->list[all->count++] =
+                        kind_of((place){number, damage, (measure_part)part, COLUMN_OF_CRITERION});
 }
 
 /* Made once, before any thread. */
+static const all_columns *columns_known(void)
+{
+    static all_columns all;
+    if (all.count > 0)
+        return &all;
+    for (int i = 0; i < FIRST_COLUMNS; i++)
+        all.list[i] = kind_of(first_columns[i]);
+    all.count = FIRST_COLUMNS;
+    add_others(&all);
+    return &all;
+}
+
+int measure_count(void)
+{
+    return columns_known()->count;
+}
+
 const measure_kind *measure_kind_of(int column)
 {
-    static measure_kind kinds[COLUMN_COUNT];
-    if (kinds[0].column[0] == '\0') {
-        for (int i = FIRST_COLUMNS; i < COLUMN_COUNT; i++)
-            kinds[i].criterion = NO_CRITERION;
-        for (int i = FIRST_COLUMNS - 1; i >= 0; i--)
-            kinds[i] = kind_of(first_columns[i]);
-        kinds[COLUMN_WEAR] =
-            (measure_kind){"wear_depth",   "worn in the cycle, --archard times energy_per_area",
-                           "length",       NO_CRITERION,
-                           PART_VALUE,     -1,
-                           "Depth of wear"};
-        add_others(kinds);
-    }
-    return &kinds[column];
+    return &columns_known()->list[column];
+}
+
+int measure_column_named(const char *name)
+{
+    int i = measure_count() - 1;
+    while (i >= 0 && strcmp(measure_kind_of(i)->column, name) != 0)
+        i--;
+    return i;
+}
+
+int measure_column_of(int32_t number, bool is_damage, measure_part part)
+{
+    const all_columns *all = columns_known();
+    int i = all->count - 1;
+    while (i >= 0 && (all->list[i].number != number || all->list[i].is_damage != is_damage ||
+                      all->list[i].part != part))
+        i--;
+    return i;
 }
 
 int measure_column(int criterion, measure_part part)
 {
-    int i = COLUMN_COUNT - 1;
-    while (i >= 0 &&
-           (measure_kind_of(i)->criterion != criterion || measure_kind_of(i)->part != part))
-        i--;
-    return i;
+    const bool is_damage = criterion_is_damage(criterion);
+    return measure_column_of(is_damage ? criterion - DAMAGE : criterion, is_damage, part);
 }
 
 int measure_criterion(int column)

@@ -28,7 +28,7 @@ EXPORTED const char *page_words(void)
     for (int i = 0; i < RESULT_COUNT; i++)
         json_add("{'results':[{'name':%t,'unit':%t,'meaning':%t}]}", result_kinds[i].name,
                  result_kinds[i].unit, result_kinds[i].meaning);
-    for (int i = 0; i < COLUMN_COUNT; i++)
+    for (int i = 0; i < measure_count(); i++)
         json_add("{'measures':{%t:{'unit':%t,'meaning':%t}}}", measure_kind_of(i)->column,
                  measure_kind_of(i)->unit, measure_kind_of(i)->meaning);
     for (int i = 0; i < material_count(); i++)

@@ -15,7 +15,7 @@ typedef struct {
     load_list loads;
     last_cycle last;
     measured along;
-    measured_place worst; /* by the chosen criterion */
+    worst_row worst[COLUMN_MAX];
 } question;
 
 static question asked;
@@ -56,10 +56,9 @@ static bool read_constants(char *lines)
 /* By its column. */
 static void choose(const char *column)
 {
-    asked.column = MEASURE_SWT;
-    for (int i = 0; i < COLUMN_COUNT; i++)
-        if (strcmp(column, measure_kind_of(i)->column) == 0)
-            asked.column = i;
+    asked.column = measure_column_named(column);
+    if (asked.column < 0)
+        asked.column = measure_column(RWEDGE_MEASURE_SWT, PART_VALUE);
     asked.criterion = measure_criterion(asked.column);
 }
 
@@ -74,8 +73,11 @@ static bool collect_criteria(double nu, bool is_plane_stress)
     wanted->given = asked.constants;
     criteria_take(&asked.setup, RWEDGE_MEASURE_FATEMI_SOCIE, wanted);
     const char *lacks = i == NO_CRITERION ? NULL : criteria_take(&asked.setup, i, wanted);
-    if (lacks == NULL)
+    if (lacks == NULL) {
+        if (i != NO_CRITERION)
+            wanted->is_wanted[i] = true;
         return true;
+    }
     return strcmp(lacks, "yield_stress") == 0
                ? json_refuse("criterion", "needs a yield stress")
                : json_refuse("criterion", "needs %s of the material", lacks);
@@ -139,7 +141,7 @@ static bool apply(load form, const char *text, char decimal_sign, const char *ti
 
 /* ---- The measures ---- */
 
-/* At places along the surface. The pressure is infinite at none. */
+/* At places along the surface, and where they are worst. The pressure is infinite at none. */
 static int32_t measure(void)
 {
     size_t n = 0;
@@ -147,8 +149,10 @@ static int32_t measure(void)
     for (size_t i = 0; i < asked.along.count; i++)
         if (!pad_is_kink(&asked.setup.shape, asked.along.place[i].x))
             asked.along.place[n++] = asked.along.place[i];
-    asked.along.count = n;
-    return last_cycle_measure(&asked.last, n, asked.along.place);
+    asked.along.count = asked.along.line = n;
+    const int32_t status = last_cycle_measure(&asked.last, n, asked.along.place);
+    return status == RWEDGE_OK && n > 0 ? worst_places(&asked.last, &asked.along, asked.worst)
+                                        : status;
 }
 
 /* ---- Answers ---- */
@@ -172,54 +176,45 @@ static void write_column(int column)
 
 static void write_worst(int column)
 {
-    const measured *along = &asked.along;
-    measured_place at = along->place[measured_best(along, column)];
-    double *value = &at.value[column];
-    if (*value > 0 && last_cycle_worst(&asked.last, column, along->count, along->place, &at.x,
-                                       value) == RWEDGE_OK)
-        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kind_of(column)->column, at.x,
-                 *value);
-    if (column == asked.column)
-        asked.worst = at;
+    const worst_row *row = &asked.worst[column];
+    if (!isnan(row->value))
+        json_add("{'worst':{%t:{'x':%n,'value':%n}}}", measure_kind_of(column)->column, row->x,
+                 row->value);
 }
 
-/* The usual measures, and the chosen criterion behind the other ones. */
+/* Those that are always there, and the chosen criterion before those of friction. */
 static void write_measures(void)
 {
-    const bool is_usual = asked.column < MEASURE_COUNT;
+    const bool is_usual = measure_kind_of(asked.column)->condition == COLUMN_ALWAYS;
     json_add("{'x':");
     write_along(&asked.along.place->x);
     json_add("}");
-    for (int i = 0; i < MEASURE_COUNT; i++) {
-        write_column(i);
-        if (i + 1 == MEASURE_SLIP_RANGE && !is_usual)
+    for (int i = 0; i < measure_count(); i++) {
+        const measure_kind *kind = measure_kind_of(i);
+        if (kind->condition != COLUMN_ALWAYS)
+            continue;
+        if (kind->number == RWEDGE_MEASURE_SLIP_RANGE && !is_usual)
             write_column(asked.column);
-        if (measure_kind_of(i)->part == PART_VALUE)
-            write_worst(i);
+        write_column(i);
+        write_worst(i);
     }
     if (!is_usual)
         write_worst(asked.column);
 }
 
-/* By damage at the worst place; NAN where the constants are not given. */
-static double worst_life(void)
-{
-    const int damage = measure_damage(asked.criterion);
-    if (!criterion_is_damage(damage) ||
-        criteria_take(&asked.setup, damage, &asked.last.asked) != NULL)
-        return NAN;
-    return last_cycle_measure(&asked.last, 1, &asked.worst) == RWEDGE_OK
-               ? measured_life(&asked.worst, asked.criterion)
-               : NAN;
-}
-
-/* What the chosen criterion comes to where it is worst, and its constants. */
+/* What the chosen criterion comes to where it is worst, and its constants. Its damage is computed
+ * there alone. */
 static void write_verdict(void)
 {
-    const double limit = material_allowable(&asked.constants, asked.criterion);
-    const double value = asked.worst.value[asked.column];
-    json_add("{'limit':%n,'safety':%n,'life':%n}", limit, value > 0 ? limit / value : NAN,
-             worst_life());
+    const worst_row *row = &asked.worst[asked.column];
+    measured_place at = {.x = row->x, .y = row->y};
+    const int damage = measure_damage(asked.criterion);
+    if (criterion_is_damage(damage))
+        criteria_take(&asked.setup, damage, &asked.last.asked);
+    if (last_cycle_measure(&asked.last, 1, &at) != RWEDGE_OK)
+        return;
+    const criterion_verdict verdict = criterion_verdict_at(&asked.last.asked, &at, asked.criterion);
+    json_add("{'limit':%n,'safety':%n,'life':%n}", verdict.allowable, verdict.safety, verdict.life);
     for (int32_t j = 0; j < rwedge_criterion_constants(asked.criterion); j++) {
         const char *name = rwedge_constant_name(asked.criterion, j);
         if (material_is_option(material_constant(name)))

@@ -1351,6 +1351,34 @@ RWEDGE_API int32_t rwedge_cycle_crack(const rwedge_cycle *cycle, double x, doubl
                                       size_t loads, size_t n, const double length[], double K_I[],
                                       double K_II[], double overlap[]);
 
+/* K of cracks as rwedge_cycle_crack() has it, but of faces that press on each other without
+ * friction: they do not overlap, and K_I is never negative. Where no face would overlap, K is that
+ * of rwedge_cycle_crack().                                                                      new
+ *   x, length  as in rwedge_cycle_crack()
+ *   loads      rwedge_cycle_loads()
+ *   K_I, K_II, closed  each receives loads * n numbers, the n of the first load first; closed is
+ *                      the share of the line where the faces touch
+ * RWEDGE_EDOMAIN as there; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ENOCONV, also where
+ * no contact of the faces is found. Where faces touch, K errs by less than 1e-3 of sqrt(pi l) times
+ * the largest stress on the line: a closed zone ends at a place of rwedge_crack_weights(). */
+RWEDGE_API int32_t rwedge_cycle_closing_crack(const rwedge_cycle *cycle, double x, double angle,
+                                              size_t loads, size_t n, const double length[],
+                                              double K_I[], double K_II[], double closed[]);
+
+/* What a cycle changes of K of cracks whose faces press on each other, by
+ * rwedge_cycle_closing_crack(). Stresses change straight from load to load; K does not, and the
+ * instants at which a crack opens and closes between loads are found.                          new
+ *   x, length  as in rwedge_cycle_crack()
+ *   shear      as in rwedge_crack_ranges()
+ *   range_I, range_II, K_max, R  each receives n numbers, as in rwedge_crack_ranges(); R is never
+ *              negative
+ * RWEDGE_EDOMAIN as rwedge_cycle_crack(); RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM;
+ * RWEDGE_ENOCONV. Error as there. */
+RWEDGE_API int32_t rwedge_cycle_closing_ranges(const rwedge_cycle *cycle, double x, double angle,
+                                               int32_t shear, size_t n, const double length[],
+                                               double range_I[], double range_II[], double K_max[],
+                                               double R[]);
+
 /* Does a crack grow in a cycle from the initial to the final length, and in how many cycles? It
  * grows where dK, the root of the squares of its ranges by rwedge_crack_ranges(), is beyond the
  * threshold of rwedge_short_crack_threshold(), by C (dK^m - threshold^m) a cycle. It breaks where
@@ -1374,6 +1402,13 @@ RWEDGE_API int32_t rwedge_cycle_growth(const rwedge_cycle *cycle, double x, doub
                                        int32_t shear, size_t constants, const double law[],
                                        double initial, double final, double *arrest, double *cycles,
                                        double *least, double *least_at);
+
+/* The same, with the ranges of rwedge_cycle_closing_ranges(): faces press on each other without
+ * friction. */
+RWEDGE_API int32_t rwedge_cycle_closing_growth(const rwedge_cycle *cycle, double x, double angle,
+                                               int32_t shear, size_t constants, const double law[],
+                                               double initial, double final, double *arrest,
+                                               double *cycles, double *least, double *least_at);
 
 /* ---- The paper's series ---------------------------------------------------------------------- */
 

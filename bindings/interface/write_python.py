@@ -28,15 +28,17 @@ IN_PYTHON = (  # statuses, pointers and limits, in the words of Python
 EXCEPTIONS = {"RWEDGE_EABSENT": "AbsentError", "RWEDGE_EPATH": "PathError", "RWEDGE_ESLIDING": "SlidingError"}
 # What the classes of src/rwedge/ define by hand, as it does more than to call the library; besides what makes or frees an object.
 BY_HAND = {"contact_load", "contact_apply", "contact_yield_factor", "contact_loads", "contact_state", "series_coefficient",
-           "series_potential", "cycle_loads", "cycle_stresses", "cycle_friction", "cycle_growth", "stresses", "elastic_limits", "version", "strerror"}
+           "series_potential", "cycle_loads", "cycle_stresses", "cycle_friction", "cycle_growth", "cycle_closing_growth",
+           "stresses", "elastic_limits", "version", "strerror"}
 # Of these the methods that have the header's text, with what Python adds to it.
 ALL_OR_NONE = "Of arrays, one load after the other: all of them, or none where one is refused."
 TOLERANCE = "``tolerance``, of q over f times the peak pressure, is as ``Contact`` has it."
+LAW_AND_VERDICT = "law may be a mapping too, without ds0 and K_c where they are infinite. The result's ``verdict`` says it in words."
 ADDED = {"contact_load": ALL_OR_NONE, "contact_apply": ALL_OR_NONE + " What has no closed form is computed, and ``error`` tells how exactly, "
          "unless the contact's ``tolerance`` is 0.", "contact_create_flat": TOLERANCE, "contact_create_profile": TOLERANCE,
          "contact_yield_factor": "", "contact_state": "``Contact.restore(state)`` goes on to the same bits.", "contact_restore": "",
          "cycle_stresses": "The result unpacks into sxx, syy, txy, each an array of (load, point).", "cycle_friction": "",
-         "cycle_growth": "law may be a mapping too, without ds0 and K_c where they are infinite. The result's ``verdict`` says it in words.",
+         "cycle_growth": LAW_AND_VERDICT, "cycle_closing_growth": LAW_AND_VERDICT,
          "series_fit": "x and p are of one dimension and the same length. At least terms samples, samples times terms <= 2^27, samples times terms^2 <= 2^33 (half a minute).",
          "series_potential": "The result is complex."}
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The stresses of a cycle on the line of a crack, weighted. The openings of places that are denser
- * towards the mouth tell where faces would overlap. */
+/* The stresses of a cycle on the line of a crack, weighted: K, and the openings of places. Where
+ * faces would overlap, these tell how much; where they press, how hard. */
 #include "crack/cycle_crack.h"
 
 #include "base/linear.h"
@@ -8,42 +8,106 @@
 
 #include <stdlib.h>
 
-enum { OPENINGS = 16 };
-
 size_t rw_crack_loads(const rw_crack *crack)
 {
     return crack->cycle->loads.count;
 }
 
-/* The line has parts from (i/16)^2 to ((i + 1)/16)^2; the place next to the middle of each. */
-static void choose_openings(const rw_crack *crack, size_t at[])
+/* ---- The places whose opening is asked ---- */
+
+/* For an overlap the line has parts from (i/16)^2 to ((i + 1)/16)^2; the place next to the middle
+ * of each. */
+enum { PARTS = 16 };
+
+static void choose_parts(const rw_crack *crack, size_t at[])
 {
     size_t k = crack->m - 1;
-    for (size_t i = 0; i < OPENINGS; i++) {
-        const double root = ((double)i + 0.5) / OPENINGS;
+    for (size_t i = 0; i < PARTS; i++) {
+        const double root = ((double)i + 0.5) / PARTS;
         while (k > 1 && crack->place[k] < root * root)
             k--;
         at[i] = k;
+        crack->share[i] = (double)(2 * i + 1) / (PARTS * PARTS);
     }
 }
 
-int32_t rw_crack_create(const rwedge_cycle *cycle, double x, double angle, rw_crack *crack)
+/* Faces press at all places but those that are next to the mouth: there places crowd, and what is
+ * so near adds less to K than the rule errs by. */
+static bool can_press(const rw_crack *crack, size_t k)
 {
-    *crack = (rw_crack){.cycle = cycle, .x = x, .angle = angle, .m = rwedge_crack_points(angle)};
-    crack->place = malloc((1 + 2 * (2 + OPENINGS)) * crack->m * sizeof *crack->place);
+    static const double NEXT_TO_MOUTH = 1e-3;
+    return k < crack->m && crack->place[k] > NEXT_TO_MOUTH;
+}
+
+/* Each has the line to the middle between it and the next, the outer ones to the tip and mouth. */
+static void choose_all(const rw_crack *crack, size_t at[])
+{
+    double above = 1;
+    for (size_t i = 0; i < crack->openings; i++) {
+        const size_t k = i + 1;
+        const bool is_last = i + 1 == crack->openings;
+        const double below = is_last ? 0 : (crack->place[k] + crack->place[k + 1]) / 2;
+        at[i] = k;
+        crack->share[i] = above - below;
+        above = below;
+    }
+}
+
+/* What a pressure at the places does: it is a tension less. */
+static int32_t copy_influence(rw_crack *crack, const size_t at[])
+{
+    const size_t n = crack->openings;
+    for (size_t i = 0; i < 2 + n; i++)
+        for (size_t k = 0; k < n; k++)
+            crack->faces.influence[i * n + k] = crack->row[i * 2 * crack->m + at[k]];
+    return rw_faces_invert(&crack->faces);
+}
+
+/* ---- A crack ---- */
+
+static int32_t write_rows(rw_crack *crack)
+{
+    const size_t n = crack->openings;
+    size_t *at = malloc(n * sizeof *at);
+    int32_t status = at ? RWEDGE_OK : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK && crack->presses)
+        status = rw_faces_create(n, &crack->faces);
+    if (status == RWEDGE_OK) {
+        (crack->presses ? choose_all : choose_parts)(crack, at);
+        status = rw_crack_rows(crack->angle, crack->m, n, at, crack->row);
+    }
+    if (status == RWEDGE_OK && crack->presses)
+        status = copy_influence(crack, at);
+    free(at);
+    return status;
+}
+
+int32_t rw_crack_create(const rwedge_cycle *cycle, double x, double angle, bool presses,
+                        rw_crack *crack)
+{
+    const size_t m = rwedge_crack_points(angle);
+    *crack = (rw_crack){.cycle = cycle, .x = x, .angle = angle, .m = m, .presses = presses};
+    crack->place = malloc(m * sizeof *crack->place);
     if (!crack->place)
         return RWEDGE_ENOMEM;
-    crack->row = crack->place + crack->m;
-    rw_crack_places(crack->m, crack->place);
-    size_t at[OPENINGS];
-    choose_openings(crack, at);
-    return rw_crack_rows(angle, crack->m, OPENINGS, at, crack->row);
+    rw_crack_places(m, crack->place);
+    crack->openings = PARTS;
+    if (presses)
+        for (crack->openings = 0; can_press(crack, crack->openings + 1);)
+            crack->openings++;
+    crack->row = malloc(((2 + crack->openings) * 2 * m + crack->openings) * sizeof *crack->row);
+    if (!crack->row)
+        return RWEDGE_ENOMEM;
+    crack->share = crack->row + (2 + crack->openings) * 2 * m;
+    return write_rows(crack);
 }
 
 void rw_crack_destroy(rw_crack *crack)
 {
     free(crack->place);
-    crack->place = NULL;
+    free(crack->row);
+    rw_faces_destroy(&crack->faces);
+    *crack = (rw_crack){0};
 }
 
 /* ---- Stresses on the line ---- */
@@ -92,39 +156,124 @@ static double weighted(const rw_crack *crack, size_t row, const double resolved[
     return rw_dot(2 * crack->m, crack->row + 2 * row * crack->m, resolved);
 }
 
-static double overlap_of(const rw_crack *crack, const double resolved[])
+/* The first `numbers` of a free state. */
+static void write_state(const rw_crack *crack, size_t numbers, const double resolved[],
+                        double state[])
+{
+    for (size_t i = 0; i < numbers; i++)
+        state[i] = weighted(crack, i, resolved);
+}
+
+/* ---- K where faces pass through each other ---- */
+
+static double overlap_of(const rw_crack *crack, const double state[])
 {
     double share = 0;
-    for (size_t i = 0; i < OPENINGS; i++)
-        if (weighted(crack, 2 + i, resolved) < 0)
-            share += (double)(2 * i + 1) / (OPENINGS * OPENINGS);
+    for (size_t i = 0; i < crack->openings; i++)
+        if (state[2 + i] < 0)
+            share += crack->share[i];
     return share;
 }
 
-int32_t rw_crack_intensities(const rw_crack *crack, size_t n, const double length[], size_t stride,
-                             double K_I[], double K_II[], double overlap[])
+static void pass_through(const rw_crack *crack, double root, const double states[], size_t j,
+                         const rw_crack_K *K)
+{
+    for (size_t i = 0; i < rw_crack_loads(crack); i++) {
+        const double *state = states + i * (2 + crack->openings);
+        K->I[i * K->stride + j] = root * state[0];
+        K->II[i * K->stride + j] = root * state[1];
+        if (K->share)
+            K->share[i * K->stride + j] = overlap_of(crack, state);
+    }
+}
+
+/* ---- K where faces press ---- */
+
+static double closed_share(const rw_crack *crack)
+{
+    double share = 0;
+    for (size_t i = 0; i < crack->openings; i++)
+        if (crack->faces.is_closed[i])
+            share += crack->share[i];
+    return fmin(share, 1);
+}
+
+static int32_t write_passings(rw_crack *crack, double root, const double states[], size_t j,
+                              const rw_crack_K *K)
+{
+    const size_t loads = rw_crack_loads(crack), numbers = 2 + crack->openings;
+    for (size_t i = 0; i < loads; i++) {
+        const size_t next = (i + 1) % loads;
+        const bool is_open = K->I[i * K->stride + j] > 0, will_be = K->I[next * K->stride + j] > 0;
+        double K_II = NAN;
+        if (is_open != will_be) {
+            const int32_t status =
+                rw_faces_pass(&crack->faces, states + (is_open ? i : next) * numbers,
+                              states + (is_open ? next : i) * numbers, &K_II);
+            if (status != RWEDGE_OK)
+                return status;
+        }
+        K->passing[i * K->stride + j] = root * K_II;
+    }
+    return RWEDGE_OK;
+}
+
+static int32_t press(rw_crack *crack, double root, const double states[], size_t j,
+                     const rw_crack_K *K)
+{
+    for (size_t i = 0; i < rw_crack_loads(crack); i++) {
+        double of_state[2];
+        const int32_t status =
+            rw_faces_press(&crack->faces, states + i * (2 + crack->openings), of_state);
+        if (status != RWEDGE_OK)
+            return status;
+        K->I[i * K->stride + j] = root * fmax(of_state[0], 0);
+        K->II[i * K->stride + j] = root * of_state[1];
+        if (K->share)
+            K->share[i * K->stride + j] = closed_share(crack);
+    }
+    return K->passing ? write_passings(crack, root, states, j, K) : RWEDGE_OK;
+}
+
+/* ---- K of lengths ---- */
+
+static int32_t write_K(rw_crack *crack, const line_stresses *line, size_t n, const double length[],
+                       const rw_crack_K *K)
+{
+    const size_t loads = rw_crack_loads(crack), numbers = 2 + crack->openings;
+    const size_t asked = crack->presses || K->share ? numbers : 2;
+    double *states = malloc((loads * numbers + 2 * crack->m) * sizeof *states);
+    if (!states)
+        return RWEDGE_ENOMEM;
+    double *resolved = states + loads * numbers;
+    int32_t status = RWEDGE_OK;
+    for (size_t j = 0; j < n && status == RWEDGE_OK; j++) {
+        for (size_t i = 0; i < loads; i++) {
+            resolve(crack, line, i, j, resolved);
+            write_state(crack, asked, resolved, states + i * numbers);
+        }
+        if (crack->presses)
+            status = press(crack, sqrt(length[j]), states, j, K);
+        else
+            pass_through(crack, sqrt(length[j]), states, j, K);
+    }
+    free(states);
+    return status;
+}
+
+int32_t rw_crack_intensities(rw_crack *crack, size_t n, const double length[], const rw_crack_K *K)
 {
     line_stresses line;
-    double *resolved = malloc(2 * crack->m * sizeof *resolved);
     int32_t status = take_stresses(crack, n, length, &line);
-    status = resolved ? status : RWEDGE_ENOMEM;
-    for (size_t i = 0; i < rw_crack_loads(crack) && status == RWEDGE_OK; i++)
-        for (size_t j = 0; j < n; j++) {
-            resolve(crack, &line, i, j, resolved);
-            const size_t at = i * stride + j;
-            K_I[at] = sqrt(length[j]) * weighted(crack, 0, resolved);
-            K_II[at] = sqrt(length[j]) * weighted(crack, 1, resolved);
-            if (overlap)
-                overlap[at] = overlap_of(crack, resolved);
-        }
+    if (status == RWEDGE_OK)
+        status = write_K(crack, &line, n, length, K);
     free(line.x);
-    free(resolved);
     return status;
 }
 
 /* ---- The public call ---- */
 
-static bool are_lengths(size_t n, const double length[])
+bool rw_are_crack_lengths(size_t n, const double length[])
 {
     for (size_t j = 0; j < n; j++)
         if (!rw_is_positive(length[j]))
@@ -133,23 +282,22 @@ static bool are_lengths(size_t n, const double length[])
 }
 
 /* The lengths in groups, so that the stresses of a group fit in memory; 3 loads n results. */
-static int32_t ask(const rw_crack *crack, size_t n, const double length[], double result[])
+static int32_t ask(rw_crack *crack, size_t n, const double length[], double result[])
 {
     const size_t all = rw_crack_loads(crack) * n;
     int32_t status = RWEDGE_OK;
     for (size_t j = 0; j < n && status == RWEDGE_OK; j += RW_CRACK_LENGTHS) {
         const size_t group = n - j < RW_CRACK_LENGTHS ? n - j : RW_CRACK_LENGTHS;
-        status = rw_crack_intensities(crack, group, length + j, n, result + j, result + all + j,
-                                      result + 2 * all + j);
+        const rw_crack_K K = {n, result + j, result + all + j, result + 2 * all + j, NULL};
+        status = rw_crack_intensities(crack, group, length + j, &K);
     }
     return status;
 }
 
-static int32_t answer(const rw_crack *crack, size_t n, const double length[], double K_I[],
-                      double K_II[], double overlap[])
+static int32_t answer(rw_crack *crack, size_t n, const double length[], double *const to[3])
 {
     const size_t all = rw_crack_loads(crack) * n;
-    double *result = malloc((3 * all + 1) * sizeof *result), *const to[] = {K_I, K_II, overlap};
+    double *result = malloc((3 * all + 1) * sizeof *result);
     const int32_t status = result ? ask(crack, n, length, result) : RWEDGE_ENOMEM;
     for (size_t i = 0; i < 3 && status == RWEDGE_OK; i++)
         for (size_t j = 0; j < all; j++)
@@ -158,20 +306,35 @@ static int32_t answer(const rw_crack *crack, size_t n, const double length[], do
     return status;
 }
 
+static int32_t intensities(const rwedge_cycle *cycle, double x, double angle, size_t loads,
+                           size_t n, const double length[], bool presses, double *const to[3])
+{
+    if (!cycle || !length || !to[0] || !to[1] || !to[2])
+        return RWEDGE_ENULL;
+    if (loads != cycle->loads.count || n > SIZE_MAX / 4 / sizeof(double) / loads)
+        return RWEDGE_ERANGE;
+    if (!rw_is_signed(x) || !rw_is_crack_angle(angle) || !rw_are_crack_lengths(n, length))
+        return RWEDGE_EDOMAIN;
+    rw_crack crack;
+    int32_t status = rw_crack_create(cycle, x, angle, presses, &crack);
+    if (status == RWEDGE_OK)
+        status = answer(&crack, n, length, to);
+    rw_crack_destroy(&crack);
+    return status;
+}
+
 int32_t rwedge_cycle_crack(const rwedge_cycle *cycle, double x, double angle, size_t loads,
                            size_t n, const double length[], double K_I[], double K_II[],
                            double overlap[])
 {
-    if (!cycle || !length || !K_I || !K_II || !overlap)
-        return RWEDGE_ENULL;
-    if (!rw_is_signed(x) || !rw_is_crack_angle(angle) || !are_lengths(n, length))
-        return RWEDGE_EDOMAIN;
-    if (loads != cycle->loads.count || n > SIZE_MAX / 4 / sizeof(double) / loads)
-        return RWEDGE_ERANGE;
-    rw_crack crack;
-    int32_t status = rw_crack_create(cycle, x, angle, &crack);
-    if (status == RWEDGE_OK)
-        status = answer(&crack, n, length, K_I, K_II, overlap);
-    rw_crack_destroy(&crack);
-    return status;
+    double *const to[] = {K_I, K_II, overlap};
+    return intensities(cycle, x, angle, loads, n, length, false, to);
+}
+
+int32_t rwedge_cycle_closing_crack(const rwedge_cycle *cycle, double x, double angle, size_t loads,
+                                   size_t n, const double length[], double K_I[], double K_II[],
+                                   double closed[])
+{
+    double *const to[] = {K_I, K_II, closed};
+    return intensities(cycle, x, angle, loads, n, length, true, to);
 }

@@ -2,8 +2,7 @@
 /* Does a crack grow from one length to another, and how long does it take? It is looked at in equal
  * steps of ln l; where it stops or breaks is bisected, dips of the range are searched. The life is
  * an integral over ln l by Gauss's rule, whose panels are halved where it has not settled. */
-#include "crack/cycle_crack.h"
-#include "crack/ranges.h"
+#include "crack/cycle_ranges.h"
 #include "crack/weights.h"
 
 #include "base/root.h"
@@ -22,26 +21,23 @@ typedef struct {
 } driving_force;
 
 typedef struct {
-    const rw_crack *crack;
+    rw_crack *crack;
     const growth_law *law;
     int32_t shear;
-    double *K; /* room for the K_I and K_II of the lengths of a call */
     int32_t status;
 } question;
 
 static void forces_at(question *q, size_t n, const double length[], driving_force force[])
 {
-    const size_t loads = rw_crack_loads(q->crack);
-    double *K_II = q->K + n * loads;
+    rw_crack_range range[RW_CRACK_LENGTHS];
     if (q->status == RWEDGE_OK)
-        q->status = rw_crack_intensities(q->crack, n, length, n, q->K, K_II, NULL);
+        q->status = rw_cycle_ranges(q->crack, q->shear, n, length, range);
     for (size_t j = 0; j < n; j++) {
         force[j] = (driving_force){0};
         if (q->status != RWEDGE_OK)
             continue;
-        const rw_crack_range range = rw_crack_range_of(loads, n, q->K + j, K_II + j, q->shear);
-        force[j].dK = hypot(range.I, range.II);
-        force[j].K_max = range.K_max;
+        force[j].dK = hypot(range[j].I, range[j].II);
+        force[j].K_max = range[j].K_max;
         force[j].threshold = rwedge_short_crack_threshold(length[j], q->law->dK_th, q->law->ds0);
     }
 }
@@ -229,7 +225,7 @@ static double settled(question *q, double low, double high, double whole, double
 
 static double life(question *q, double initial, double final)
 {
-    static const double SETTLED = 1e-8;
+    const double within = q->crack->presses ? 1e-6 : 1e-8; /* kinks where a place closes */
     enum { MOST_PANELS = 64 }; /* to begin with: two an octave, as far as that goes */
     const double octaves = log(final / initial) / log(2);
     const int panels = (int)fmin(fmax(ceil(2 * octaves), 1), MOST_PANELS);
@@ -238,7 +234,7 @@ static double life(question *q, double initial, double final)
     for (int i = 0; i < panels; i++)
         all += whole[i] = panel(q, low + i * step, low + (i + 1) * step);
     for (int i = 0; i < panels && isfinite(all); i++)
-        sum += settled(q, low + i * step, low + (i + 1) * step, whole[i], SETTLED * all, 0);
+        sum += settled(q, low + i * step, low + (i + 1) * step, whole[i], within * all, 0);
     return isfinite(all) && sum <= RW_LARGEST ? sum : HUGE_VAL;
 }
 
@@ -264,14 +260,12 @@ static growth follow(question *q, way *all, double initial, double final)
 static int32_t find(question *q, double initial, double final, growth *found)
 {
     way all = {0};
-    q->K = malloc(2 * RW_CRACK_LENGTHS * rw_crack_loads(q->crack) * sizeof *q->K);
-    int32_t status = q->K ? walk(q, initial, final, &all) : RWEDGE_ENOMEM;
+    int32_t status = walk(q, initial, final, &all);
     if (status == RWEDGE_OK) {
         *found = follow(q, &all, initial, final);
         status = q->status;
     }
     free(all.stations);
-    free(q->K);
     return status;
 }
 
@@ -285,30 +279,65 @@ static bool is_law(const double law[])
            (l.K_c == HUGE_VAL || rw_is_positive(l.K_c));
 }
 
+/* What the call asks of a crack. */
+typedef struct {
+    const rwedge_cycle *cycle;
+    double x, angle;
+    bool presses;
+    int32_t shear;
+    const double *law;
+    double initial, final;
+} asked;
+
+static int32_t check(const asked *a, size_t constants, double *const to[4])
+{
+    if (!a->cycle || !a->law || !to[0] || !to[1] || !to[2] || !to[3])
+        return RWEDGE_ENULL;
+    if (constants != CONSTANTS)
+        return RWEDGE_ERANGE;
+    if (!rw_is_signed(a->x) || !rw_is_crack_angle(a->angle) || !rw_is_crack_shear(a->shear) ||
+        !is_law(a->law) || !rw_is_positive(a->initial) || !rw_is_positive(a->final) ||
+        a->initial >= a->final)
+        return RWEDGE_EDOMAIN;
+    return RWEDGE_OK;
+}
+
+static int32_t answer(const asked *a, double *const to[4])
+{
+    const growth_law law = {a->law[0], a->law[1], a->law[2], a->law[3], a->law[4]};
+    rw_crack crack;
+    growth found;
+    int32_t status = rw_crack_create(a->cycle, a->x, a->angle, a->presses, &crack);
+    question q = {.crack = &crack, .law = &law, .shear = a->shear};
+    if (status == RWEDGE_OK)
+        status = find(&q, a->initial, a->final, &found);
+    rw_crack_destroy(&crack);
+    if (status == RWEDGE_OK) {
+        *to[0] = found.arrest;
+        *to[1] = found.cycles;
+        *to[2] = found.least;
+        *to[3] = found.least_at;
+    }
+    return status;
+}
+
 int32_t rwedge_cycle_growth(const rwedge_cycle *cycle, double x, double angle, int32_t shear,
                             size_t constants, const double law[], double initial, double final,
                             double *arrest, double *cycles, double *least, double *least_at)
 {
-    if (!cycle || !law || !arrest || !cycles || !least || !least_at)
-        return RWEDGE_ENULL;
-    if (constants != CONSTANTS)
-        return RWEDGE_ERANGE;
-    if (!rw_is_signed(x) || !rw_is_crack_angle(angle) || !rw_is_crack_shear(shear) ||
-        !is_law(law) || !rw_is_positive(initial) || !rw_is_positive(final) || initial >= final)
-        return RWEDGE_EDOMAIN;
-    const growth_law of_material = {law[0], law[1], law[2], law[3], law[4]};
-    rw_crack crack;
-    growth found;
-    int32_t status = rw_crack_create(cycle, x, angle, &crack);
-    question q = {.crack = &crack, .law = &of_material, .shear = shear};
-    if (status == RWEDGE_OK)
-        status = find(&q, initial, final, &found);
-    rw_crack_destroy(&crack);
-    if (status == RWEDGE_OK) {
-        *arrest = found.arrest;
-        *cycles = found.cycles;
-        *least = found.least;
-        *least_at = found.least_at;
-    }
-    return status;
+    const asked a = {cycle, x, angle, false, shear, law, initial, final};
+    double *const to[] = {arrest, cycles, least, least_at};
+    const int32_t status = check(&a, constants, to);
+    return status == RWEDGE_OK ? answer(&a, to) : status;
+}
+
+int32_t rwedge_cycle_closing_growth(const rwedge_cycle *cycle, double x, double angle,
+                                    int32_t shear, size_t constants, const double law[],
+                                    double initial, double final, double *arrest, double *cycles,
+                                    double *least, double *least_at)
+{
+    const asked a = {cycle, x, angle, true, shear, law, initial, final};
+    double *const to[] = {arrest, cycles, least, least_at};
+    const int32_t status = check(&a, constants, to);
+    return status == RWEDGE_OK ? answer(&a, to) : status;
 }

@@ -24,46 +24,46 @@ static double range_of(const span *seen)
     return seen->most > seen->least ? seen->most - seen->least : 0;
 }
 
-/* The cycle of one crack: K of the load i is at [i stride]. */
-typedef struct {
-    size_t loads, stride;
-    const double *K_I, *K_II;
-} cycle_of_K;
+/* K_II where K_I passes 0 between two loads. */
+static double passing_of(const rw_cycle_of_K *cycle, size_t here, size_t next)
+{
+    if (cycle->passing)
+        return cycle->passing[here];
+    const double share = cycle->I[here] / (cycle->I[here] - cycle->I[next]);
+    return (1 - share) * cycle->II[here] + share * cycle->II[next];
+}
 
 /* While it is open: K_II, and the largest of sqrt(K_I^2 + K_II^2). A step has its ends, and the
  * place where K_I passes 0. */
-static span open_span(const cycle_of_K *cycle, double *K_max)
+static span open_span(const rw_cycle_of_K *cycle, double *K_max)
 {
     span open = NOTHING;
     *K_max = 0;
     for (size_t i = 0; i < cycle->loads; i++) {
         const size_t here = i * cycle->stride, next = (i + 1) % cycle->loads * cycle->stride;
-        const double I = cycle->K_I[here], II = cycle->K_II[here], I_next = cycle->K_I[next];
+        const double I = cycle->I[here], II = cycle->II[here];
         if (I > 0) {
             see(&open, II);
             *K_max = fmax(*K_max, hypot(I, II));
         }
-        if ((I > 0) != (I_next > 0)) {
-            const double share = I / (I - I_next);
-            const double closing = (1 - share) * II + share * cycle->K_II[next];
-            see(&open, closing);
-            *K_max = fmax(*K_max, fabs(closing));
+        if ((I > 0) != (cycle->I[next] > 0)) {
+            const double passing = passing_of(cycle, here, next);
+            see(&open, passing);
+            *K_max = fmax(*K_max, fabs(passing));
         }
     }
     return open;
 }
 
-rw_crack_range rw_crack_range_of(size_t loads, size_t stride, const double K_I[],
-                                 const double K_II[], int32_t shear)
+rw_crack_range rw_crack_range_of(const rw_cycle_of_K *cycle, int32_t shear)
 {
-    const cycle_of_K cycle = {loads, stride, K_I, K_II};
     span I = NOTHING, II = NOTHING;
-    for (size_t i = 0; i < loads; i++) {
-        see(&I, K_I[i * stride]);
-        see(&II, K_II[i * stride]);
+    for (size_t i = 0; i < cycle->loads; i++) {
+        see(&I, cycle->I[i * cycle->stride]);
+        see(&II, cycle->II[i * cycle->stride]);
     }
     rw_crack_range range = {.I = fmax(I.most, 0) - fmax(I.least, 0)};
-    const span open = open_span(&cycle, &range.K_max);
+    const span open = open_span(cycle, &range.K_max);
     if (shear != RWEDGE_FACES_MODE_I)
         range.II = range_of(shear == RWEDGE_FACES_FREE ? &II : &open);
     range.R = I.most > 0 ? I.least / I.most : 0;
@@ -95,7 +95,8 @@ int32_t rwedge_crack_ranges(size_t loads, size_t n, const double K_I[], const do
         !are_intensities(loads * n, K_II))
         return RWEDGE_EDOMAIN;
     for (size_t j = 0; j < n; j++) {
-        const rw_crack_range range = rw_crack_range_of(loads, n, K_I + j, K_II + j, shear);
+        const rw_cycle_of_K cycle = {loads, n, K_I + j, K_II + j, NULL};
+        const rw_crack_range range = rw_crack_range_of(&cycle, shear);
         range_I[j] = range.I;
         range_II[j] = range.II;
         K_max[j] = range.K_max;

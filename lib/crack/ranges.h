@@ -13,9 +13,16 @@ typedef struct {
     double R;     /* least over largest K_I, 0 where that is not positive */
 } rw_crack_range;
 
-/* K of the load i is at [i stride]; shear is RWEDGE_FACES_MODE_I and so on. */
-rw_crack_range rw_crack_range_of(size_t loads, size_t stride, const double K_I[],
-                                 const double K_II[], int32_t shear);
+/* The cycle of one crack: K of the load i is at [i stride]. */
+typedef struct {
+    size_t loads, stride;
+    const double *I, *II;
+    const double *passing; /* K_II where K_I becomes 0, or more, before the next load; NULL: K is
+                              straight between loads */
+} rw_cycle_of_K;
+
+/* shear is RWEDGE_FACES_MODE_I and so on. */
+rw_crack_range rw_crack_range_of(const rw_cycle_of_K *cycle, int32_t shear);
 
 bool rw_is_crack_shear(int32_t shear);
 

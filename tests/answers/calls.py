@@ -73,8 +73,7 @@ OWN = {
     ("subsurface_shakedown", "nu"): [0.31, 0.27, 0.33],
     ("half_width", "P"): [1000, 0, 2300],  # of A and P it has the product: 0 tells which is which
     ("contact_create", "f"): [0.6],
-    ("crack_ranges", "shear"): [0, 1, 2], ("cycle_growth", "shear"): [0, 1, 2],
-    ("cycle_growth", "law"): [0.5, 2, 1, 3, 4], ("cycle_growth", "initial"): [0.01, 0.02], ("cycle_growth", "final"): [1, 2],
+    ("crack_ranges", "shear"): [0, 1, 2], ("cycle_closing_ranges", "shear"): [0, 1, 2],
     ("contact_stress_history", "P"): [2000],
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
     ("cycle_create", "P"): [2000], ("cycle_create", "M"): [60], ("cycle_create", "Q"): [100, -300, 200], ("cycle_create", "sigma"): [-2],
@@ -89,11 +88,13 @@ OWN = {
 for _name in ("profile_hull", "profile_slopes", "profile_fit"):
     OWN[_name, "x"] = [0.25 * i for i in range(64)]
     OWN[_name, "height"] = [(i - 32) ** 4 / 1e5 + i * 7 % 5 / 100 for i in range(64)]
+for _name in ("cycle_growth", "cycle_closing_growth"):
+    OWN.update({(_name, "shear"): [0, 1, 2], (_name, "law"): [0.5, 2, 1, 3, 4], (_name, "initial"): [0.01, 0.02], (_name, "final"): [1, 2]})
 # The constants of each criterion; those of its damage, where there are more, from its own on.
 CONSTANTS = {1: [200e3], 2: [200e3, 0.6, 400], 7: [0.3], 8: [40, 120, 0.7], 9: [160, 500], 10: [0.3], 11: [0.2], 12: [72e3], 13: [72e3, 0.5, 350]}
 OF_LIFE = {1: [475, -0.078, 0.6, -0.62, 0], 2: [62e3, 450, -0.08, 0.7, -0.6, 0]}
 NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
-SAMPLES = {"series_fit": 9, "cycle_growth": 5, "profile_fit": 12}
+SAMPLES = {"series_fit": 9, "cycle_growth": 5, "cycle_closing_growth": 5, "profile_fit": 12}
 # The objects, each with the calls that change it: strain by tension, normal load, both loads together, Q reversed, P and Q to and fro; held
 # at a tilt; with moment and tension.
 OBJECTS = {

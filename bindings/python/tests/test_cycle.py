@@ -155,6 +155,19 @@ def test_a_crack_stops_or_grows_as_the_faces_have_it(steady):
         cycle.growth(edge, 0, 2, {"C": 1}, 1, 2)
 
 
+def test_a_crack_under_the_contact_is_held_open_by_its_faces(steady):
+    cycle, edge = steady
+    angle = math.radians(30)
+    I, II, overlap = cycle.crack(edge, angle, [0.741646])
+    closing_I, closing_II, closed = cycle.closing_crack(edge, angle, [0.741646])
+    assert (closing_I >= 0).all() and (closing_I[overlap == 0] == I[overlap == 0]).all()
+    assert 0 < closed.max() <= 1 and not np.array_equal(II, closing_II)
+    range_I, range_II, _, R = cycle.closing_ranges(edge, angle, rwedge.Faces.FREE, [0.741646])
+    assert range_I[0] == np.ptp(closing_I) and range_II[0] == np.ptp(closing_II) and R[0] >= 0
+    normal = cycle.closing_growth(edge, 0, rwedge.Faces.MODE_I, LAW, 0.03708, 2.967)
+    assert normal.arrest == pytest.approx(0.148526816, rel=1e-8) and normal.verdict == "By mode I the crack stops at 0.1485"
+
+
 def test_weights_give_the_k_of_a_cycle(steady):
     cycle, edge = steady
     angle, length = -0.3, 0.2

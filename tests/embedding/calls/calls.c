@@ -107,7 +107,7 @@ static size_t size_of(const entry *e, int k)
     int given = 0;
     if (strcmp(e->name, "profile_fit") == 0)
         return FIT;
-    if (strcmp(e->name, "cycle_growth") == 0)
+    if (strcmp(e->name, "cycle_growth") == 0 || strcmp(e->name, "cycle_closing_growth") == 0)
         return LAW;
     for (int j = 0; j < e->sizes; j++)
         given += e->size[j].count == NULL;

@@ -24,6 +24,7 @@ static const struct {
     {"cycle_create", {4, 0.05, 0, 0}},
     {"cycle_below", {0.3, 0.2, 0.1, 1}},
     {"cycle_growth", {0.2, 0, RWEDGE_FACES_MODE_I, 1, 0.01, 0.02}},
+    {"cycle_closing_growth", {0.2, 0, RWEDGE_FACES_MODE_I, 1, 0.01, 0.02}},
     {"cycle_worst", {RWEDGE_MEASURE_FATEMI_SOCIE, 1, 0.1, 1, 0, 0.3, 0}},
     {"constant_usual", {RWEDGE_MEASURE_MODIFIED_WOHLER, 2}},
     {"criterion", {RWEDGE_MEASURE_MODIFIED_WOHLER, ANY, ANY, ANY, ANY, ANY, ANY}},

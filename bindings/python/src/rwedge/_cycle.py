@@ -138,12 +138,20 @@ class Cycle(CycleMethods):
 
     def growth(self, x: float, angle: float, shear: int, law: Mapping[str, float] | Numbers, initial: float,
                final: float) -> Growth:
+        return self._grow("cycle_growth", x, angle, shear, law, initial, final)
+
+    def closing_growth(self, x: float, angle: float, shear: int, law: Mapping[str, float] | Numbers, initial: float,
+                       final: float) -> Growth:
+        return self._grow("cycle_closing_growth", x, angle, shear, law, initial, final)
+
+    def _grow(self, name: str, x: float, angle: float, shear: int, law: Mapping[str, float] | Numbers, initial: float,
+              final: float) -> Growth:
         if isinstance(law, Mapping):
             given = {"ds0": math.inf, "K_c": math.inf, **law}
             if given.keys() != set(_LAW):
                 raise TypeError(f"law has {', '.join(given)}: it must have {', '.join(_LAW)}")
             law = [given[name] for name in _LAW]
-        growth = Growth(*self._call("cycle_growth", x, angle, shear, law, initial, final))
+        growth = Growth(*self._call(name, x, angle, shear, law, initial, final))
         growth.shear, growth.initial, growth.final = int(shear), float(initial), float(final)
         return growth
 

@@ -51,8 +51,8 @@ size_t contact_history_go(const contact_history *history, load_visitor *visit, v
     progress_start(history->shows_progress, (int64_t)history->steps, "loads");
     visit(context, 0, contact);
     while (step < history->steps &&
-           loads_apply_next(loads->load[contact_history_row(history, step)], history->setup.f,
-                            contact, &why)) {
+           loads_apply_next(loads->load[contact_history_row(history, step)], &history->setup.shape,
+                            history->setup.f, contact, &why)) {
         visit(context, ++step, contact);
         progress_step();
     }

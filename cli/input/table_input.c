@@ -55,6 +55,8 @@ static void forget(beginning *all)
 /* "# P,Q" and "# P Q": the names behind the sign. */
 static void take_sign_off(csv_row *row)
 {
+    if (row->count == 0) /* misplaced quotes */
+        return;
     const char *name = row->cell[0] + strspn(row->cell[0], " \t");
     name += *name == '#' ? 1 : 0;
     row->cell[0] = name + strspn(name, " \t");
@@ -81,7 +83,9 @@ static bool gives_places(const char *columns)
     for (const char *line = columns; line != NULL; line = strchr(line, '\n')) {
         line += *line == '\n' ? 1 : 0;
         const char *place = line + strcspn(line, "=");
-        const size_t length = *place == '=' ? strspn(place + 1, "0123456789") : 0;
+        place += place[0] == '=' && place[1] == '-' ? 1 : 0; /* the sign is turned */
+        const size_t length =
+            *place != '\n' && *place != '\0' ? strspn(place + 1, "0123456789") : 0;
         if (length > 0 && (place[1 + length] == '\0' || place[1 + length] == '\n'))
             return true;
     }

@@ -236,7 +236,9 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, 
         return complain(
             why,
             "the moduli and the rounding are so large or small that results leave 1e-60 to 1e60");
-    return setup->status != RWEDGE_OK || apply_loads(texts, setup, why);
+    return setup->status != RWEDGE_OK ||
+           (apply_loads(texts, setup, why) &&
+            (setup->status != RWEDGE_OK || loads_spare_flanks(&setup->shape, setup->contact, why)));
 }
 
 double case_shear_ratio(const contact_case *setup)

@@ -11,8 +11,7 @@ enum {
     DOUBT_ZONES = 1 << 22,
     DOUBT_SLIDES = 1 << 23,
     DOUBT_BEYOND = 1 << 24,
-    DOUBT_AWAY = 1 << 25,
-    DOUBT_FLANKS = 1 << 26
+    DOUBT_AWAY = 1 << 25
 };
 
 static const double STEEP = 0.1;
@@ -25,7 +24,7 @@ static int32_t doubt_of_origin(const contact_case *setup, double left, double ri
     if (places == NULL || !(right > left))
         return 0;
     if (left < places->left || right > places->right)
-        return places->is_cut ? DOUBT_FLANKS : DOUBT_BEYOND;
+        return DOUBT_BEYOND;
     const double lowest = pad_profile_lowest(places);
     const bool is_moved = setup->M != 0 || setup->has_history;
     return is_moved || (lowest >= left && lowest <= right) ? 0 : DOUBT_AWAY;
@@ -47,8 +46,7 @@ static const char *text_of(int32_t bit)
                        "--origin lowest or --M moves it"},
         {DOUBT_AWAY,
          "P acts at x = 0 and the contact is away from the lowest place of the profile: "
-         "--origin lowest or --M moves it"},
-        {DOUBT_FLANKS, "the contact reaches flanks that were left out as too steep"}};
+         "--origin lowest or --M moves it"}};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         if (texts[i].bit == bit)
             return texts[i].text;

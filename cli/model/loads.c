@@ -121,11 +121,25 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
                     status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
 }
 
-bool loads_apply_next(load to, double f, rwedge_contact *contact, complaint *why)
+bool loads_spare_flanks(const pad *shape, const rwedge_contact *contact, complaint *why)
+{
+    const pad_profile *places = shape->places;
+    double left = 0, right = 0;
+    if (places == NULL || !places->is_cut)
+        return true;
+    rwedge_contact_edges(contact, &left, &right);
+    return (left >= places->left && right <= places->right) ||
+           complain(why,
+                    "the contact, from %.6g to %.6g, reaches flanks that were left out as too "
+                    "steep for the theory, below %.6g and above %.6g; allowed: a smaller load",
+                    left, right, places->left, places->right);
+}
+
+bool loads_apply_next(load to, const pad *shape, double f, rwedge_contact *contact, complaint *why)
 {
     const int32_t status = loads_apply(to, contact);
     if (status == RWEDGE_OK)
-        return true;
+        return loads_spare_flanks(shape, contact, why);
     const load_fault fault = loads_fault(status, to, f, contact);
     char value[NUMBER_SIZE];
     const double part[INPUT_COUNT] = {

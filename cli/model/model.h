@@ -177,9 +177,13 @@ typedef struct {
  * the load. */
 load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *contact);
 
-/* Applies the next load of a history. False, with the reason, where the contact refuses it; the
- * contact is then as before. */
-bool loads_apply_next(load to, double f, rwedge_contact *contact, complaint *why);
+/* Applies the next load of a history to a contact of that pad. False, with the reason, where the
+ * contact refuses it, which is then as before, or where it reaches flanks that were left out. */
+bool loads_apply_next(load to, const pad *shape, double f, rwedge_contact *contact, complaint *why);
+
+/* Whether the contact is of the pad as it was measured. False, with the reason, where it reaches
+ * flanks that were left out as too steep. */
+bool loads_spare_flanks(const pad *shape, const rwedge_contact *contact, complaint *why);
 
 /* ---- contact_case ---- One contact and its load, from the texts that give it. */
 

@@ -194,13 +194,29 @@ const char *load_history_place(const load_history *loads, size_t row, char place
     return place;
 }
 
+/* Load cells often count pressing as negative. */
+static const char *sign_hint(const load_history *loads)
+{
+    static char hint[200];
+    const size_t column = loads->names.column[INPUT_P];
+    bool is_negative = !loads->is_of_case && column < loads->names.count;
+    for (size_t i = 0; i < loads->count && is_negative; i++)
+        is_negative = loads->load[i].P <= 0;
+    if (is_negative)
+        snprintf(hint, sizeof hint,
+                 "; P is never above 0: where pressing is negative, --column "
+                 "P='-%.60s' turns its sign",
+                 loads->names.name[column]);
+    return hint;
+}
+
 void load_history_fail(const load_history *loads, size_t row, const char *word,
                        const complaint *why)
 {
     char place[LOAD_PLACE_SIZE];
     load_history_place(loads, row, place);
     if (loads->name != NULL)
-        failure("%s%s: %s", place, word, why->text);
+        failure("%s%s: %s%s", place, word, why->text, sign_hint(loads));
     usage_error("%s%s: %s", place, word, why->text);
 }
 
@@ -208,7 +224,7 @@ void load_history_apply_all(const load_history *loads, const contact_case *setup
 {
     complaint why;
     for (size_t i = 0; i < loads->count; i++) {
-        if (!loads_apply_next(loads->load[i], setup->f, setup->contact, &why))
+        if (!loads_apply_next(loads->load[i], &setup->shape, setup->f, setup->contact, &why))
             load_history_fail(loads, i, "", &why);
         if (all != NULL)
             doubts_add(all, doubts_of_state(setup, setup->contact));

@@ -107,19 +107,38 @@ static size_t stem_of_given(const char *given, size_t length)
     return column_name_unit(plain, own);
 }
 
+/* The columns of a name that was given: "height (um)" has its unit too. */
+static bool find_given(const header *names, const char *given, size_t length, size_t *column)
+{
+    const bool once = find_named(names, given, length, column);
+    return *column < names->count ? once
+                                  : find_named(names, given, stem_of_given(given, length), column);
+}
+
+/* Whether a name was given with a minus before it, which turns the sign of the numbers. */
+static bool is_turned(const header *names, const char *name)
+{
+    size_t length, column;
+    const char *given = name_for(names->how, name, &length);
+    if (given == NULL || given[0] != '-')
+        return false;
+    find_given(names, given, length, &column);
+    return column == names->count;
+}
+
 bool header_column(const header *names, const char *name, size_t *column, complaint *why)
 {
     size_t length;
     const char *given = name_for(names->how, name, &length);
-    const char *wanted = given != NULL ? given : name;
-    length = given != NULL ? length : strlen(name);
-    bool once = find_named(names, wanted, length, column);
-    if (given != NULL && *column == names->count) /* "height (um)": the unit is given too */
-        once = find_named(names, wanted, stem_of_given(given, length), column);
+    const size_t turned = is_turned(names, name) ? 1 : 0;
+    const char *wanted = given != NULL ? given + turned : name;
+    length = given != NULL ? length - turned : strlen(name);
+    const bool once = given != NULL ? find_given(names, wanted, length, column)
+                                    : find_named(names, wanted, length, column);
     if (!once)
         return complain(why, "column %.*s: there twice; allowed: once", (int)length, wanted);
     if (given != NULL && *column == names->count) {
-        complain(why, "column %.*s, for %s: missing", (int)length, given, name);
+        complain(why, "column %.*s, for %s: missing", (int)length, wanted, name);
         header_write_names(names, why);
         return false;
     }
@@ -163,8 +182,10 @@ bool header_need(header *names, size_t column, const char *name, const char *dim
         return true;
     find_unit(names, column, name, own);
     if (units_factor(units, own[0] != '\0' ? own : NULL, dimension, of, &names->factor[column],
-                     &reason))
+                     &reason)) {
+        names->factor[column] *= is_turned(names, name) ? -1 : 1;
         return true;
+    }
     return complain(why, "column '%.60s': %s%s", names->name[column], reason.text,
                     !units->is_known && how->is_command
                         ? ": --units, such as --units mm,N,MPa, converts it"
@@ -309,7 +330,9 @@ static bool is_given_name(const header *names, const char *name)
     for (int i = 0; i < INPUT_COUNT; i++) {
         size_t length;
         const char *given = name_for(names->how, input_kinds[i].column, &length);
-        if (given != NULL && is_exactly(name, strlen(name), given, length))
+        const size_t minus = given != NULL && given[0] == '-' ? 1 : 0;
+        if (given != NULL && (is_exactly(name, strlen(name), given, length) ||
+                              is_exactly(name, strlen(name), given + minus, length - minus)))
             return true;
     }
     return false;

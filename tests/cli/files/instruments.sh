@@ -78,6 +78,20 @@ cannot "profile many.csv: line 3002: 3000 places; allowed: 2 to 1000; of more he
 run solve $steel --profile many.csv --fit
 is_hertz "3001 places" 1e-6
 
+# Flanks that are too steep are left out, and said; a contact that would reach them is refused.
+awk 'BEGIN { print "x,height"; for (i = -400; i <= 400; i++) { x = i / 200; h = x * x / 100; r = (x < 0 ? -x : x) - 1
+    if (r > 0) h += 3 * r; printf "%.17g,%.17g\n", x, h } }' >walls.csv
+run solve $steel --profile walls.csv --fit
+is_hertz "between flanks" 1e-3
+message_has "walls.csv: flanks steeper than 0.5 are left out: x below -1 and above 1"
+printf 'P,Q\n500,0\n2500,0\n' >grows.csv
+walls="--E1 210000 --nu1 0.3 --f 0.3 --profile walls.csv --fit"
+for command in "solve --P 2500" "solve --load 500,0 --load 2500,0" "profile --P 2500" "history grows.csv" "fretting grows.csv"; do
+    run $command $walls
+    status_is $([ "${command#solve --P}" = "$command" ] && [ "${command#profile}" = "$command" ] && [ "${command#*.csv}" != "$command" ] && echo 1 || echo 2)
+    message_has "reaches flanks that were left out as too steep for the theory, below -1 and above 1; allowed: a smaller load"
+done
+
 # ---- Logs ----
 pad="--radius 50 --E1 72100 --nu1 0.33 --f 0.5"
 printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n' >clean.csv
@@ -94,6 +108,13 @@ log() { # FILE OPTIONS...: the first two loads are those of the clean file
     done
 }
 log "$rig/log_comment.csv"
+log "$rig/log_negP.csv" --column P=-P
+printf '0 -135.75 0\n38.75 -135.75 100\n' >bare.csv
+log bare.csv --column P=-2 --column Q=1 --column sigma=3
+cannot "$rig/log_negP.csv: line 2: P -135.75: must not be below 0, and Q must be 0 where P is; P is never above 0: where pressing is \
+negative, --column P='-P' turns its sign" history "$rig/log_negP.csv" $pad
+cannot "clean.csv: column R, for P: missing; the names there: 'P', 'Q', 'sigma'; --column NAME='THEIR NAME' takes one" \
+    history clean.csv $pad --column P=-R
 log "$rig/log_lower.csv" --column P=p --column Q=q
 log "$rig/log_names.csv" --column P=N --column sigma=sigma_bulk
 log "$rig/log_mts.csv" --units mm,N,MPa

@@ -89,7 +89,7 @@ static bool collect_criteria(double nu, bool is_plane_stress)
 static bool apply_next(listed_load next, size_t cycle)
 {
     complaint why;
-    if (loads_apply_next(next.to, asked.setup.f, asked.setup.contact, &why))
+    if (loads_apply_next(next.to, &asked.setup.shape, asked.setup.f, asked.setup.contact, &why))
         return true;
     if (next.line == 0)
         return json_refuse("", "%s", why.text);

@@ -165,10 +165,12 @@ static bool is_header(table_input *t, const beginning *all, size_t i, naming_mod
     naming how = t->how;
     complaint why;
     const csv_row *row = &all->row[i];
+    const bool is_of_names = mode == NAMED || mode == COMMENTED;
     const char *const *names = names_of(t, row, mode);
     how.takes_any_unit = true; /* what is wrong with a unit is said when the header is known */
     *units = 0;
-    if (names == NULL || row->count == 0 || row->malformed ||
+    if (names == NULL || row->malformed ||
+        (is_of_names ? numbers_in(row, t->decimal_sign) == row->count : row->count == 0) ||
         (mode == COMMENTED) != is_comment(row) || !find(t, names, row->count, &how, &why))
         return false;
     if (mode == USUAL)

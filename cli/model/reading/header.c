@@ -75,6 +75,8 @@ static bool is_before_unit(const char *name, const char *wanted, size_t length)
     char plain[COLUMN_NAME_SIZE], own[COLUMN_NAME_SIZE];
     measuring_unit known;
     column_name_make_plain(name, plain);
+    if (strncmp(plain + strspn(plain, " \t"), wanted, length) != 0)
+        return false; /* most are no such column: units are not looked at */
     for (int i = 0; i < INPUT_COUNT; i++)
         if (strcmp(plain, input_kinds[i].column) == 0)
             return false; /* theta_deg */

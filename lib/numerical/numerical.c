@@ -138,9 +138,6 @@ static double error_at(const rw_numerical *n, double x)
     return fabs(cosine) < 1 ? n->error[(int)(acos(cosine) * RW_PLACES / RW_PI)] : 0;
 }
 
-/* The error of the fit of a step as it adds up, over the tolerance. */
-static const double FIT = 0.03;
-
 /* Whether a place that sticks after a step stuck all the time, as far as its halves tell. */
 static bool has_stuck(const rw_numerical_state *from, const rw_numerical_state *half, double x)
 {
@@ -151,7 +148,8 @@ static bool has_stuck(const rw_numerical_state *from, const rw_numerical_state *
 /* Notes the errors of a step by place. Where it sticks the relative displacement is that of the
  * moment when it began to stick, and so is its error. The traction follows from that displacement
  * and from the tractions of all other places: these errors are of the present step, whatever the
- * steps before it were. Only what fits lose adds up, as squares. */
+ * steps before it were. Nor does it add up what fits lose: that changes its sign within an element,
+ * and the fit of the next step takes its mean. */
 static void note_error(rw_numerical *n, const rw_numerical_state *half, rw_numerical_state *s,
                        double tolerance)
 {
@@ -161,7 +159,7 @@ static void note_error(rw_numerical *n, const rw_numerical_state *half, rw_numer
         const double x = rw_place(s->contact, i), before = error_at(n, x);
         const bool slips = rw_zones_label(&s->shear.zones, x) != 0;
         const bool is_old = has_stuck(&n->now, half, x);
-        error[i] = slips ? 0 : is_old ? hypot(before, FIT * tolerance) : s->error + s->apart[i];
+        error[i] = slips ? 0 : is_old ? before : s->error + s->apart[i];
         most = slips ? most : fmax(most, (is_old ? hypot(before, at_most) : at_most) + s->apart[i]);
     }
     memcpy(n->error, error, sizeof error);
@@ -318,7 +316,7 @@ static bool end_step(load_work *j, trial *t, rw_scaled_loads to, bool is_last, d
             move(&t->both, &t->whole);
             *error = 0;
         } else if (rw_implicit_step(w, &t->half, to, guess, is_last, &t->both))
-            *error = rw_compare(w, from->contact, &t->whole, &t->half, &t->both);
+            *error = rw_compare(w, from, &t->whole, &t->half, &t->both);
     }
     drop(&t->whole);
     const bool is_done =

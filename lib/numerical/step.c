@@ -282,19 +282,61 @@ static double growth_error(rw_work *w, rw_patch before, const rw_numerical_state
     return OF_RATIO * most / rw_peak_friction(w->frame, whole->contact);
 }
 
+/* An edge that grows and sticks: after a step the shear there is over friction what both grew by at
+ * the end. The layers and the rest of a step meet that where D is linear along its way. Where it is
+ * not, the difference grew with the square of time, so that on average it is this part of it. At
+ * the old edge it is a traction by that of friction. */
+static const double OF_RATIO_AT_END = 1.0 / 3;
+
+/* Shear over friction at an edge, from two places in the ring that is new in contact: their
+ * distance from the edge, over the width of the ring. */
+static const double BESIDE_EDGE = 0.01;
+
+static double ratio_at_edge(const rw_frame *frame, const rw_numerical_state *s, double edge,
+                            double old)
+{
+    double ratio[2];
+    for (int i = 0; i < 2; i++) {
+        const double x = edge + (i + 1) * BESIDE_EDGE * (old - edge);
+        ratio[i] = rw_traction_at(&s->shear.traction, x) / rw_exact_friction(frame, s->contact, x);
+    }
+    return 2 * ratio[0] - ratio[1];
+}
+
+static double edge_error(rw_work *w, const rw_numerical_state *from,
+                         const rw_numerical_state *there)
+{
+    rw_problem rates;
+    double D[2], most = 0;
+    if (isnan(there->D[0]) && isnan(there->D[1]))
+        return 0;
+    rw_step_rates(w, from->at, there->at, there->contact, &rates);
+    rw_rates_ratio(&w->fronts, &rates, &there->shear.zones, D);
+    for (int side = 0; side < 2; side++) {
+        const double old = side ? from->contact.right : from->contact.left;
+        const double edge = side ? there->contact.right : there->contact.left;
+        if (!isnan(D[side] + there->D[side]) && rw_patch_has(there->contact, old))
+            most = fmax(most, fabs(ratio_at_edge(w->frame, there, edge, old) - D[side]) *
+                                  rw_exact_friction(w->frame, there->contact, old));
+    }
+    return OF_RATIO_AT_END * most / rw_peak_friction(w->frame, there->contact);
+}
+
 /* Energies, over the square of scale and half-width, may differ by this many times the tolerance of
  * tractions. The energy of the halves is of second order. */
 static const double ENERGY = 30;
 
-double rw_compare(rw_work *w, rw_patch before, const rw_numerical_state *whole,
+double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *whole,
                   const rw_numerical_state *half, rw_numerical_state *both)
 {
     const rw_frame *frame = w->frame;
+    const rw_patch before = from->contact;
     const double scale = rw_peak_friction(frame, whole->contact);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
     both->error += half->error + half->rate_error + both->rate_error +
-                   growth_error(w, before, whole, half, both);
+                   fmax(growth_error(w, before, whole, half, both),
+                        fmax(edge_error(w, from, half), edge_error(w, half, both)));
     const double apart = difference(scale, before, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
     both->doubt += half->doubt;

@@ -67,10 +67,10 @@ bool rw_step_zones(rw_work *work, const rw_numerical_state *from, rw_scaled_load
  * its energy is set to the sum of both halves. */
 bool rw_step_goes_on(rw_work *work, const rw_numerical_state *from, rw_numerical_state *there);
 
-/* Compares both halves of a step, the first of which ends at `half`, with the step as a whole. It
- * began in the contact `before`. The difference bounds the error of the halves, which is noted
- * there. Returns it, or that of the energies, over what is allowed. */
-double rw_compare(rw_work *work, rw_patch before, const rw_numerical_state *whole,
+/* Compares both halves of a step, the first of which ends at `half`, with the step as a whole. The
+ * difference bounds the error of the halves, which is noted there. Returns it, or that of the
+ * energies, over what is allowed. */
+double rw_compare(rw_work *work, const rw_numerical_state *from, const rw_numerical_state *whole,
                   const rw_numerical_state *half, rw_numerical_state *both);
 
 #endif

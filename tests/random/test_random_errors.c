@@ -19,11 +19,12 @@
  * of a straight line are computed as one load. The two contacts tell how far the reference itself
  * is wrong: where that is a tenth of the error, the load does not count. Within 1/80 of the
  * half-width of a front of slip, at or within any of the loads, there is no comparison: q rises
- * there like a root. A history ends at a load whose true error is above the one that is told: those
- * after it inherit the error.
+ * there like a root. So it does at an edge that grows when slip ends there: the whole zone stops,
+ * and D jumps (lib/traction/layers.h). A history ends at a load whose true error is above the one
+ * that is told: those after it inherit the error.
  *
- * The claim fails where the true error is above the one that is told in more than MOST_ABOVE of all
- * loads and two more, or above FACTOR times that in more than one of 500 and one more. */
+ * The claim fails where the true error is above the one that is told in more than one of 100 loads
+ * and as many more as chance makes of that, or above FACTOR times that in any. */
 #include "histories.h"
 
 #include <stdlib.h>
@@ -32,12 +33,12 @@
 enum { GROWING, STICKING, ROCKING, STEPS, ALL, KINDS };
 enum { WEDGE, FLAT, PROFILE, CYLINDER, PADS };
 enum { LOADS = 3, PROFILE_PLACES = 7, PLACES = 401, COARSE = 6, FINE = 9, MOST_ZONES = 24 };
-enum { MOST_FRONTS = LOADS * (COARSE + FINE + 1) * MOST_ZONES };
+enum { MOST_FRONTS = LOADS * (COARSE + FINE + 3) * (MOST_ZONES + 2) };
 
 static const char *const KIND[KINDS] = {"growing", "sticking", "rocking", "steps", "all"};
 static const char *const PAD[PADS] = {"wedge", "flat", "profile", "cylinder"};
 
-static const double MOST_ABOVE = 0.03, FACTOR = 3;
+static const double MOST_ABOVE = 0.01, FACTOR = 3;
 
 /* ---- Loads ---- */
 
@@ -158,26 +159,47 @@ static programme draw_programme(long history)
 
 /* ---- The error ---- */
 
-/* Places where fronts are or have been. */
+/* Places where fronts are or have been, or within which an edge was when slip ended there. */
 typedef struct {
     int count;
-    double at[MOST_FRONTS];
+    rw_patch at[MOST_FRONTS];
 } fronts;
 
-static void note_fronts(const rwedge_contact *contact, fronts *f)
+/* The zones at the edges. */
+typedef struct {
+    rw_patch place;
+    double slip[2];
+} edge_zones;
+
+static void note(fronts *f, double a, double b)
+{
+    f->at[f->count++] = (rw_patch){fmin(a, b), fmax(a, b)};
+}
+
+static edge_zones note_fronts(const rwedge_contact *contact, fronts *f)
 {
     double left[MOST_ZONES], right[MOST_ZONES], slip[MOST_ZONES];
     const size_t n = rwedge_contact_zone_count(contact);
     assert_in_range(n, 1, MOST_ZONES);
     assert_ok(rwedge_contact_zones(contact, n, left, right, slip));
     for (size_t i = 0; i + 1 < n; i++)
-        f->at[f->count++] = right[i];
+        note(f, right[i], right[i]);
+    return (edge_zones){{left[0], right[n - 1]}, {slip[0], slip[n - 1]}};
+}
+
+/* Between two parts of a load. */
+static void note_ends_of_slip(edge_zones before, edge_zones after, fronts *f)
+{
+    if (before.slip[0] != 0 && after.slip[0] == 0)
+        note(f, before.place.left, after.place.left);
+    if (before.slip[1] != 0 && after.slip[1] == 0)
+        note(f, before.place.right, after.place.right);
 }
 
 static bool is_at_front(const fronts *f, double x, double reach)
 {
     for (int i = 0; i < f->count; i++)
-        if (fabs(x - f->at[i]) < reach)
+        if (x > f->at[i].left - reach && x < f->at[i].right + reach)
             return true;
     return false;
 }
@@ -186,6 +208,7 @@ static bool is_at_front(const fronts *f, double x, double reach)
 static bool go_in_parts(rwedge_contact *contact, rw_loads from, rw_loads to, int parts,
                         fronts *seen)
 {
+    edge_zones before = note_fronts(contact, seen);
     for (int k = 1; k <= parts; k++) {
         const double s = (double)k / parts, on = k < parts && k % 2 ? 1 - 4e-6 : 1;
         const rw_loads at = {from.P + s * (to.P - from.P), from.M + s * (to.M - from.M),
@@ -193,7 +216,9 @@ static bool go_in_parts(rwedge_contact *contact, rw_loads from, rw_loads to, int
                              on * (from.sigma + s * (to.sigma - from.sigma))};
         if (try_load(contact, k < parts ? at : to) != RWEDGE_OK)
             return false;
-        note_fronts(contact, seen);
+        const edge_zones after = note_fronts(contact, seen);
+        note_ends_of_slip(before, after, seen);
+        before = after;
     }
     return true;
 }
@@ -316,6 +341,13 @@ static void tell(const char *name, share s)
                   name, s.loads, s.above, s.beyond, FACTOR);
 }
 
+/* A survey of loads of which MOST_ABOVE are above has more than that, by two standard deviations,
+ * one time in 40. */
+static double most_above(int loads)
+{
+    return 1 + MOST_ABOVE * loads + 2 * sqrt(MOST_ABOVE * loads);
+}
+
 CLAIM(the_error_that_is_told_is_honest)
 {
     const bool is_everyday = cases_or(0) == 0;
@@ -337,8 +369,8 @@ CLAIM(the_error_that_is_told_is_honest)
     }
     tell("all", all);
     assert_true(all.loads > histories / 2);
-    assert_true(all.above <= 2 + MOST_ABOVE * all.loads);
-    assert_true(all.beyond <= 1 + all.loads / 500);
+    assert_true(all.above <= most_above(all.loads));
+    assert_int_equal(all.beyond, 0);
 }
 
 /* ---- Loads that were found ---- */
@@ -378,7 +410,7 @@ static const struct {
       .slope = {-0.2962786026651318, -0.15010866134418882, 0.08287098054710312, 0.10567879207528065,
                 0.20880396215116945, 0.24867874877072327, 0.2962786026651318}}},
     {5.9,
-     3,
+     1,
      {.pad = WEDGE,
       .loads = 1,
       .f = 0.35709533673241045,
@@ -401,7 +433,7 @@ static const struct {
       .slope = {-0.269858528867837, -0.15583529987002542, -0.06937917259000459,
                 0.017908849576170116, 0.16994930457692106, 0.269858528867837}}},
     {2.2,
-     3,
+     1,
      {.pad = PROFILE,
       .loads = 1,
       .f = 1.0526613390244637,

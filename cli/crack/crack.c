@@ -21,9 +21,9 @@ static const struct poptOption options[] = {
 static void describe(FILE *stream)
 {
     fputs("\nLOADS.csv is a cycle of loads, gone through as for \"rwedge fretting\": the last\n"
-          "time counts. The crack is straight, its faces are free, and the contact is as if\n"
-          "there were none. K_I below 0 counts as 0 in a range. K changes straight between\n"
-          "loads.\n"
+          "time counts. The crack is straight, and the contact is as if there were none. K_I\n"
+          "below 0 counts as 0 in a range; in the columns closing_ faces press on each\n"
+          "other, and a verdict stands on these.\n"
           "\nColumns:\n",
           stream);
     columns_describe(crack_columns, crack_column_count, 18, stream);
@@ -74,6 +74,7 @@ static int crack(const arguments *line)
                          : line->value[OPTION_EACH_LOAD] != NULL ? crack_loads_write
                                                                  : crack_rows_write,
                          &job.crack);
+    crack_verdict_say(&job.crack);
     crack_doubts_say(&job.crack);
     doubts_say(job.doubts, "");
     unused_say(&job.history.loads.names, job.history.loads.name);

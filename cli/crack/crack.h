@@ -33,6 +33,13 @@ typedef struct {
 enum { SHEARS = 3 };
 extern const char *const shear_names[SHEARS];
 
+/* The growth from one length to another. */
+typedef struct {
+    double end, cycles, least, least_at; /* as rwedge_cycle_growth() has them */
+    double first;                        /* dK over the threshold at the first length */
+    int32_t status;
+} crack_growth;
+
 typedef struct {
     const last_cycle *last;
     double x;
@@ -41,8 +48,11 @@ typedef struct {
     double *length;
     size_t lengths;
     bool is_wanted[SHEARS];
+    const char *unit; /* of length, for sentences */
     crack_law law;
     int threads;
+    crack_growth
+        *growth; /* of the angle i and the shear k at [SHEARS i + k]; NULL without verdict */
 } crack_plan;
 
 /* Reads the constants, those of a material too; a mistake ends the command. */
@@ -72,18 +82,32 @@ extern const int verdict_column_count;
 
 void crack_verdict_write(void *of_plan, records *rows);
 
-/* Says on standard error what of the model is doubtful for this crack, and after the verdicts of
- * several angles which is the worst. */
+/* Says on standard error, once they are written, what they come to: a sentence for each angle, and
+ * which is the worst. */
+void crack_verdict_say(const crack_plan *plan);
+
+/* Says on standard error what of the model is doubtful for this crack. */
 void crack_doubts_say(const crack_plan *plan);
 
-/* The growth from one length to another; ends the command where the library has no answer. */
-typedef struct {
-    double end, cycles, least, least_at; /* as rwedge_cycle_growth() has them */
-    double first;                        /* dK over the threshold at the first length */
-    int32_t status;
-} crack_growth;
+/* The growth of faces that press, or that pass through each other. */
+crack_growth crack_growth_of(const crack_plan *plan, double degrees, bool presses, int shear,
+                             double from, double to);
 
-crack_growth crack_growth_of(const crack_plan *plan, double degrees, int shear, double from,
-                             double to);
+/* K of an angle after each load for each length; of loads times lengths numbers each, to be freed
+ * at I. share is of the line where faces overlap, or touch where they press. */
+typedef struct {
+    double *I, *II, *share;
+} crack_K;
+
+crack_K crack_K_of(const crack_plan *plan, double degrees, bool presses);
+
+/* What the cycle changes of K at each length, to be freed at I: of the shear k and the length j at
+ * [lengths k + j]. */
+typedef struct {
+    double *I, *II, *K_max, *R;
+} crack_ranges;
+
+/* By K of faces that pass through each other; NULL where faces press. */
+crack_ranges crack_ranges_of(const crack_plan *plan, double degrees, const crack_K *K);
 
 #endif

@@ -197,9 +197,24 @@ static void read_shear(const char *text, crack_plan *plan)
         usage_error("--shear %s: must be none, locked or free", text);
 }
 
+/* The unit of the lengths, which constants of K need. */
+static const char *unit_of_length(const arguments *line)
+{
+    static const struct {
+        double metres;
+        const char *name;
+    } units[] = {{1, "m"}, {1e-3, "mm"}, {1e-6, "um"}, {0.0254, "in"}};
+    const unit_system *working = units_of(line);
+    for (size_t i = 0; i < sizeof units / sizeof units[0] && working->is_known; i++)
+        if (working->length == units[i].metres)
+            return units[i].name;
+    return working->is_known ? "units of length" : "mm";
+}
+
 void crack_read(const arguments *line, const last_cycle *last, crack_plan *plan)
 {
     plan->last = last;
+    plan->unit = unit_of_length(line);
     plan->x = read_mouth(line, last);
     read_angles(line, plan);
     read_lengths(line, plan);

@@ -21,6 +21,10 @@ enum {
     THRESHOLD,
     DK_OVER_THRESHOLD,
     CYCLES,
+    CLOSING, /* the columns from K_I_MAX to RATIO again, of faces that press */
+    CLOSED = CLOSING + RATIO - K_I_MAX + 1,
+    CLOSING_OVER_THRESHOLD,
+    CLOSING_CYCLES,
     COLUMNS
 };
 
@@ -41,6 +45,18 @@ const column_kind crack_columns[] = {
     [THRESHOLD] = {"threshold", "of dK, with --dK-th", "stress length^(1/2)"},
     [DK_OVER_THRESHOLD] = {"dK_over_threshold", "above 1 it grows", NULL},
     [CYCLES] = {"cycles", "to the last length, with --C and --m; empty where it stops", NULL},
+    {"closing_K_I_max", "from here on faces press, without friction", "stress length^(1/2)"},
+    {"closing_K_I_min", "never below 0", "stress length^(1/2)"},
+    {"closing_K_II_max", "as above", "stress length^(1/2)"},
+    {"closing_K_II_min", "as above", "stress length^(1/2)"},
+    {"closing_dK_I", "as above", "stress length^(1/2)"},
+    {"closing_dK_II", "as above", "stress length^(1/2)"},
+    {"closing_dK", "as above", "stress length^(1/2)"},
+    {"closing_K_max", "as above", "stress length^(1/2)"},
+    {"closing_R", "as above", NULL},
+    [CLOSED] = {"closed", "share of the line where faces touch at closing_K_I_max", NULL},
+    [CLOSING_OVER_THRESHOLD] = {"closing_dK_over_threshold", "above 1 it grows", NULL},
+    [CLOSING_CYCLES] = {"closing_cycles", "to the last length, as above", NULL},
 };
 const int crack_column_count = COLUMNS;
 
@@ -55,6 +71,8 @@ static const enum {
     [THRESHOLD] = NEEDS_THRESHOLD,
     [DK_OVER_THRESHOLD] = NEEDS_THRESHOLD,
     [CYCLES] = NEEDS_RATE,
+    [CLOSING_OVER_THRESHOLD] = NEEDS_THRESHOLD,
+    [CLOSING_CYCLES] = NEEDS_RATE,
 };
 
 static double radians(double angle)
@@ -64,35 +82,53 @@ static double radians(double angle)
 
 /* ---- K ---- */
 
-/* Of an angle, after each load for each length; of loads times lengths numbers each. */
-typedef struct {
-    double *I, *II, *overlap;
-} intensities;
-
-static intensities intensities_of(const crack_plan *plan, double angle)
+crack_K crack_K_of(const crack_plan *plan, double degrees, bool presses)
 {
     const size_t all = plan->last->loads * plan->lengths;
-    intensities K = {.I = memory_zeroed(3 * all, sizeof *K.I)};
+    crack_K K = {.I = memory_zeroed(3 * all, sizeof *K.I)};
     K.II = K.I + all;
-    K.overlap = K.II + all;
-    status_check(rwedge_cycle_crack(plan->last->cycle, plan->x, radians(angle), plan->last->loads,
-                                    plan->lengths, plan->length, K.I, K.II, K.overlap),
+    K.share = K.II + all;
+    status_check((presses ? rwedge_cycle_closing_crack : rwedge_cycle_crack)(
+                     plan->last->cycle, plan->x, radians(degrees), plan->last->loads, plan->lengths,
+                     plan->length, K.I, K.II, K.share),
                  "the crack");
     return K;
 }
 
+crack_ranges crack_ranges_of(const crack_plan *plan, double degrees, const crack_K *K)
+{
+    const size_t n = plan->lengths, all = SHEARS * n;
+    crack_ranges r = {.I = memory_zeroed(4 * all, sizeof *r.I)};
+    r.II = r.I + all;
+    r.K_max = r.II + all;
+    r.R = r.K_max + all;
+    for (int shear = 0; shear < SHEARS; shear++) {
+        const size_t at = (size_t)shear * n;
+        if (!plan->is_wanted[shear])
+            continue;
+        status_check(K == NULL ? rwedge_cycle_closing_ranges(
+                                     plan->last->cycle, plan->x, radians(degrees), shear, n,
+                                     plan->length, r.I + at, r.II + at, r.K_max + at, r.R + at)
+                               : rwedge_crack_ranges(plan->last->loads, n, K->I, K->II, shear,
+                                                     r.I + at, r.II + at, r.K_max + at, r.R + at),
+                     "the ranges of K");
+    }
+    return r;
+}
+
 /* ---- Cycles ---- */
 
-crack_growth crack_growth_of(const crack_plan *plan, double angle, int shear, double from,
-                             double to)
+crack_growth crack_growth_of(const crack_plan *plan, double angle, bool presses, int shear,
+                             double from, double to)
 {
     const crack_law *law = &plan->law;
     const double constants[] = {isnan(law->dK_th) ? 0 : law->dK_th,
                                 isnan(law->ds0) ? HUGE_VAL : law->ds0, isnan(law->C) ? 1 : law->C,
                                 isnan(law->m) ? 1 : law->m, isnan(law->K_c) ? HUGE_VAL : law->K_c};
     crack_growth g = {0};
-    g.status = rwedge_cycle_growth(plan->last->cycle, plan->x, radians(angle), shear, 5, constants,
-                                   from, to, &g.end, &g.cycles, &g.least, &g.least_at);
+    g.status = (presses ? rwedge_cycle_closing_growth : rwedge_cycle_growth)(
+        plan->last->cycle, plan->x, radians(angle), shear, 5, constants, from, to, &g.end,
+        &g.cycles, &g.least, &g.least_at);
     return g;
 }
 
@@ -100,6 +136,7 @@ crack_growth crack_growth_of(const crack_plan *plan, double angle, int shear, do
 typedef struct {
     const crack_plan *plan;
     double angle;
+    bool presses;
     crack_growth *step; /* of the length i and the shear k at [SHEARS i + k] */
 } steps;
 
@@ -109,16 +146,16 @@ static void grow(void *of_steps, int64_t i)
     const size_t from = (size_t)i / SHEARS;
     const int shear = (int)(i % SHEARS);
     if (all->plan->is_wanted[shear])
-        all->step[i] = crack_growth_of(all->plan, all->angle, shear, all->plan->length[from],
-                                       all->plan->length[from + 1]);
+        all->step[i] = crack_growth_of(all->plan, all->angle, all->presses, shear,
+                                       all->plan->length[from], all->plan->length[from + 1]);
 }
 
 /* Summed up from the last length backwards: NAN where it stops on the way. */
-static double *cycles_of(const crack_plan *plan, double angle)
+static double *cycles_of(const crack_plan *plan, double angle, bool presses)
 {
     const size_t n = plan->lengths;
     double *cycles = memory_zeroed(SHEARS * n, sizeof *cycles);
-    steps all = {plan, angle, memory_zeroed(SHEARS * n, sizeof *all.step)};
+    steps all = {plan, angle, presses, memory_zeroed(SHEARS * n, sizeof *all.step)};
     threads_run(plan->threads, (int64_t)(SHEARS * (n - 1)), grow, &all);
     for (size_t i = SHEARS * (n - 1); i-- > 0;) {
         const crack_growth *step = &all.step[i];
@@ -154,28 +191,66 @@ static void find_extremes(const crack_plan *plan, const double K[], size_t j, do
     }
 }
 
-static void fill(const crack_plan *plan, const intensities *K, size_t j, int shear,
-                 double value[COLUMNS])
+/* Of faces that pass through each other, and of faces that press. */
+enum { WAYS = 2 };
+typedef struct {
+    crack_K K[WAYS];
+    crack_ranges ranges[WAYS];
+    double *cycles[WAYS];
+} crack_results;
+
+static crack_results results_of(const crack_plan *plan, double angle)
+{
+    crack_results all = {.cycles = {NULL}};
+    for (int way = 0; way < WAYS; way++) {
+        all.K[way] = crack_K_of(plan, angle, way == 1);
+        all.ranges[way] = crack_ranges_of(plan, angle, way == 1 ? NULL : &all.K[way]);
+        if (crack_has_rate(plan))
+            all.cycles[way] = cycles_of(plan, angle, way == 1);
+    }
+    return all;
+}
+
+static void free_results(crack_results *all)
+{
+    for (int way = 0; way < WAYS; way++) {
+        free(all->K[way].I);
+        free(all->ranges[way].I);
+        free(all->cycles[way]);
+    }
+}
+
+/* The columns from K_I_max to R, and the share of the line at the largest K_I. */
+static void fill(const crack_plan *plan, const crack_K *K, const crack_ranges *ranges, size_t j,
+                 int shear, double from_K_I_max[], double *share)
 {
     size_t largest, other;
-    const size_t n = plan->lengths;
-    double *of_length = memory_zeroed(2 * plan->last->loads, sizeof *of_length);
-    for (size_t i = 0; i < plan->last->loads; i++) {
-        of_length[i] = K->I[i * n + j];
-        of_length[plan->last->loads + i] = K->II[i * n + j];
-    }
+    const size_t at = (size_t)shear * plan->lengths + j;
+    double value[COLUMNS];
     find_extremes(plan, K->II, j, &value[K_II_MAX], &value[K_II_MIN], &other);
     find_extremes(plan, K->I, j, &value[K_I_MAX], &value[K_I_MIN], &largest);
-    status_check(rwedge_crack_ranges(plan->last->loads, 1, of_length, of_length + plan->last->loads,
-                                     shear, &value[DK_I], &value[DK_II], &value[K_MAX],
-                                     &value[RATIO]),
-                 "the ranges of K");
-    free(of_length);
-    value[LENGTH] = plan->length[j];
+    value[DK_I] = ranges->I[at];
+    value[DK_II] = ranges->II[at];
     value[DK] = hypot(value[DK_I], value[DK_II]);
-    value[OVERLAP] = K->overlap[largest * n + j];
+    value[K_MAX] = ranges->K_max[at];
+    value[RATIO] = ranges->R[at];
+    for (int k = K_I_MAX; k <= RATIO; k++)
+        from_K_I_max[k - K_I_MAX] = value[k];
+    *share = K->share[largest * plan->lengths + j];
+}
+
+static void fill_row(const crack_plan *plan, const crack_results *all, size_t j, int shear,
+                     double value[COLUMNS])
+{
+    const size_t at = SHEARS * j + (size_t)shear;
+    value[LENGTH] = plan->length[j];
     value[THRESHOLD] = crack_threshold(plan, plan->length[j]);
+    fill(plan, &all->K[0], &all->ranges[0], j, shear, &value[K_I_MAX], &value[OVERLAP]);
+    fill(plan, &all->K[1], &all->ranges[1], j, shear, &value[CLOSING], &value[CLOSED]);
     value[DK_OVER_THRESHOLD] = value[DK] / value[THRESHOLD];
+    value[CLOSING_OVER_THRESHOLD] = value[CLOSING + DK - K_I_MAX] / value[THRESHOLD];
+    value[CYCLES] = crack_has_rate(plan) ? all->cycles[0][at] : NAN;
+    value[CLOSING_CYCLES] = crack_has_rate(plan) ? all->cycles[1][at] : NAN;
 }
 
 static void write_row(const crack_plan *plan, int shear, const double value[COLUMNS], records *rows)
@@ -188,19 +263,16 @@ static void write_row(const crack_plan *plan, int shear, const double value[COLU
 
 static void write_angle(const crack_plan *plan, double angle, records *rows)
 {
-    const intensities K = intensities_of(plan, angle);
-    double *cycles = crack_has_rate(plan) ? cycles_of(plan, angle) : NULL;
+    crack_results all = results_of(plan, angle);
     for (size_t j = 0; j < plan->lengths && records_go_on(rows); j++)
         for (int shear = 0; shear < SHEARS; shear++) {
             double value[COLUMNS] = {angle};
             if (!plan->is_wanted[shear])
                 continue;
-            fill(plan, &K, j, shear, value);
-            value[CYCLES] = cycles != NULL ? cycles[SHEARS * j + (size_t)shear] : NAN;
+            fill_row(plan, &all, j, shear, value);
             write_row(plan, shear, value, rows);
         }
-    free(cycles);
-    free(K.I);
+    free_results(&all);
 }
 
 void crack_rows_write(void *of_plan, records *rows)
@@ -217,19 +289,25 @@ void crack_rows_write(void *of_plan, records *rows)
 
 void crack_loads_write(void *of_plan, records *rows)
 {
-    static const char *const names[] = {"angle", "load", "length", "K_I", "K_II"};
+    static const char *const names[] = {"angle",       "load",         "length",  "K_I",   "K_II",
+                                        "closing_K_I", "closing_K_II", "overlap", "closed"};
+    enum { CELLS = sizeof names / sizeof names[0] };
     const crack_plan *plan = of_plan;
     const size_t first = plan->has_angles ? 0 : 1, n = plan->lengths;
-    records_header(rows, 5 - first, names + first);
+    records_header(rows, CELLS - first, names + first);
     for (int64_t k = 0; k < plan->angles.count; k++) {
         const double angle = range_value(&plan->angles, k);
-        const intensities K = intensities_of(plan, angle);
+        const crack_K K = crack_K_of(plan, angle, false), closing = crack_K_of(plan, angle, true);
         for (size_t i = 0; i < plan->last->loads * n && records_go_on(rows); i++) {
-            const cell row[] = {cell_number(angle), cell_number((double)(i / n + 1)),
-                                cell_number(plan->length[i % n]), cell_number(K.I[i]),
-                                cell_number(K.II[i])};
-            records_row(rows, 5 - first, row + first);
+            const double value[CELLS] = {
+                angle,        (double)(i / n + 1), plan->length[i % n], K.I[i],          K.II[i],
+                closing.I[i], closing.II[i],       K.share[i],          closing.share[i]};
+            cell row[CELLS];
+            for (int c = 0; c < CELLS; c++)
+                row[c] = cell_number(value[c]);
+            records_row(rows, CELLS - first, row + first);
         }
         free(K.I);
+        free(closing.I);
     }
 }

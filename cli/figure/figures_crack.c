@@ -16,26 +16,24 @@ static void take_lengths(const crack_plan *plan, double length[LENGTHS])
     length[LENGTHS - 1] = last;
 }
 
+/* As the verdict has it: faces press. */
 static void compute_crack(const figure_case *inputs, dataset *rows)
 {
-    const crack_plan *plan = &inputs->crack;
-    const size_t loads = plan->last->loads, all = loads * LENGTHS;
-    double length[LENGTHS], I[LENGTHS], II[LENGTHS], K_max[LENGTHS], R[LENGTHS];
-    double dK[SHEARS][LENGTHS], *K = memory_zeroed(3 * all, sizeof *K);
-    rows->error = plan->last->error;
-    take_lengths(plan, length);
-    case_check(inputs, rwedge_cycle_crack(plan->last->cycle, plan->x,
-                                          range_value(&plan->angles, 0) * PI / 180, loads, LENGTHS,
-                                          length, K, K + all, K + 2 * all));
-    for (int shear = 0; shear < SHEARS; shear++) {
-        case_check(inputs, rwedge_crack_ranges(loads, LENGTHS, K, K + all, shear, I, II, K_max, R));
-        for (int i = 0; i < LENGTHS; i++)
-            dK[shear][i] = plan->is_wanted[shear] ? hypot(I[i], II[i]) : NAN;
+    crack_plan plan = inputs->crack;
+    double length[LENGTHS], dK[SHEARS];
+    take_lengths(&inputs->crack, length);
+    plan.length = length;
+    plan.lengths = LENGTHS;
+    const crack_ranges r = crack_ranges_of(&plan, range_value(&plan.angles, 0), NULL);
+    for (int i = 0; i < LENGTHS; i++) {
+        for (int shear = 0; shear < SHEARS; shear++) {
+            const int at = shear * LENGTHS + i;
+            dK[shear] = plan.is_wanted[shear] ? hypot(r.I[at], r.II[at]) : NAN;
+        }
+        dataset_add(rows, (data_row){.number = {length[i], dK[0], dK[1], dK[2],
+                                                crack_threshold(&plan, length[i])}});
     }
-    for (int i = 0; i < LENGTHS; i++)
-        dataset_add(rows, (data_row){.number = {length[i], dK[0][i], dK[1][i], dK[2][i],
-                                                crack_threshold(plan, length[i])}});
-    free(K);
+    free(r.I);
 }
 
 /* Where the crack stops by the first way that lets it start; 0 where none does. */
@@ -45,7 +43,7 @@ static double arrest_of(const crack_plan *plan)
     for (int shear = 0; shear < SHEARS && crack_has_threshold(plan); shear++) {
         const crack_growth g =
             plan->is_wanted[shear]
-                ? crack_growth_of(plan, range_value(&plan->angles, 0), shear, first, last)
+                ? crack_growth_of(plan, range_value(&plan->angles, 0), true, shear, first, last)
                 : (crack_growth){.end = first};
         if (g.status == RWEDGE_OK && g.end > first && isfinite(g.end) && isinf(g.cycles))
             return g.end;

@@ -143,7 +143,7 @@ def test_a_crack_stops_or_grows_as_the_faces_have_it(steady):
     cycle, edge = steady
     stops = cycle.growth(edge, 0, rwedge.Faces.MODE_I, LAW, 0.03708, 2.967)
     assert stops.arrest == pytest.approx(0.148526816, rel=1e-8) and math.isinf(stops.cycles)
-    assert stops.verdict == "By mode I the crack stops at 0.1485"
+    assert stops.verdict == "By mode I the crack arrests at 0.1485"
     grows = cycle.growth(edge, 0, rwedge.Faces.FREE, [*LAW.values(), math.inf], 0.03708, 2.967)
     assert grows.cycles == pytest.approx(1034075.23, rel=1e-6) and math.isinf(grows.arrest)
     assert grows.verdict.startswith("With K_II of free faces the crack grows through to 2.967, in 1.03408e+06 cycles; closest")
@@ -165,7 +165,7 @@ def test_a_crack_under_the_contact_is_held_open_by_its_faces(steady):
     range_I, range_II, _, R = cycle.closing_ranges(edge, angle, rwedge.Faces.FREE, [0.741646])
     assert range_I[0] == np.ptp(closing_I) and range_II[0] == np.ptp(closing_II) and R[0] >= 0
     normal = cycle.closing_growth(edge, 0, rwedge.Faces.MODE_I, LAW, 0.03708, 2.967)
-    assert normal.arrest == pytest.approx(0.148526816, rel=1e-8) and normal.verdict == "By mode I the crack stops at 0.1485"
+    assert normal.arrest == pytest.approx(0.148526816, rel=1e-8) and normal.verdict == "By mode I the crack arrests at 0.1485"
 
 
 def test_weights_give_the_k_of_a_cycle(steady):

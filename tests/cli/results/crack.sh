@@ -17,7 +17,8 @@ says() {
 printf 'P,Q,sigma\n0,0,100\n0,0,20\n' >pulled.csv
 plain="--E1 72100 --nu1 0.33 --radius 50 --f 0.6 --x 0"
 does crack pulled.csv $plain --lengths 0.5,2
-same "columns" "length,shear,K_I_max,K_I_min,K_II_max,K_II_min,dK_I,dK_II,dK,K_max,R,overlap" "$(head -n 1 out)"
+closing=closing_K_I_max,closing_K_I_min,closing_K_II_max,closing_K_II_min,closing_dK_I,closing_dK_II,closing_dK,closing_K_max,closing_R,closed
+same "columns" "length,shear,K_I_max,K_I_min,K_II_max,K_II_min,dK_I,dK_II,dK,K_max,R,overlap,$closing" "$(head -n 1 out)"
 same "rows" 7 "$(wc -l <out | tr -d ' ')"
 close_to "K_I_max" 281.12393955901 "$(row K_I_max 5)" 1e-12
 close_to "dK" 224.89915164721 "$(row dK 5)" 1e-12
@@ -25,7 +26,7 @@ close_to "R" 0.2 "$(row R 5)" 1e-12
 same "overlap" 0 "$(row overlap 5)"
 same "shears" "none locked free" "$(column shear out | sed -n '1,3p' | tr '\n' ' ' | sed 's/ $//')"
 does crack pulled.csv $plain --lengths 2 --angle 45 --each-load
-same "columns of loads" "load,length,K_I,K_II" "$(head -n 1 out)"
+same "columns of loads" "load,length,K_I,K_II,closing_K_I,closing_K_II,overlap,closed" "$(head -n 1 out)"
 close_to "K_I" 176.6947723157 "$(row K_I 2)" 1e-12
 close_to "K_II" 91.36439257728 "$(row K_II 2)" 1e-12
 close_to "the second load" 18.272878515456 "$(row K_II 3)" 1e-12
@@ -68,7 +69,7 @@ cannot "material.json: dK_th 4.2 MPa sqrt(m): has the unit 'MPa sqrt(m)', and no
 # Where it breaks: (K_c/(1.1215 100))^2/pi.
 does crack pulled.csv $plain --from 0.5 --to 2 --shear none --C 1e-12 --m 3 --K-c 220 --K-in mm --verdict
 same "it does not stop" "" "$(row arrest_length 2)"
-says "By mode I the crack breaks at 1.225, where K is K_c"
+says "By mode I the crack breaks at 1.225 mm, where K is K_c, in "
 
 # The cycle of tests/data/crack_growth.csv, tension 60, by its reference values; the cylinder of A = 3e-5.
 awk 'BEGIN { print "P,Q,sigma"; for (k = 1; k <= 24; k++) { c = cos(k * 3.141592653589793 / 12); printf "120,%.17g,%.17g\n", 50 * c, 60 * c } }' >cycle.csv
@@ -79,18 +80,29 @@ same "columns of a verdict" "shear,arrest_length,cycles,least_ratio,least_length
 close_to "mode I stops" 0.1485268160 "$(row arrest_length 2)" 1e-8
 close_to "locked faces stop" 0.2038304205 "$(row arrest_length 3)" 1e-8
 close_to "free faces grow through" 1034075.23 "$(row cycles 4)" 1e-6
-says "By mode I the crack stops at 0.1485" "With K_II of free faces the crack grows through to 2.967, in 1.03408e+06 cycles"
+says "By mode I the crack arrests at 0.1485 mm" "With K_II of free faces the crack grows through to 2.967 mm, in 1.03408e+06 cycles"
+message_has "By mode I the crack arrests at 0.1485 mm; with K_II while it is open it arrests at 0.2038 mm; with K_II of free faces it grows through to 2.967 mm, in 1.03408e+06 cycles."
 message_has "beyond a length of 0.03708, a tenth of its half-width, K is some per cent off"
 does crack cycle.csv $hertz --from 0.03708 --to 2.967 $law --shear free
 close_to "the same from the rows" 1034075.23 "$(row cycles 2)" 1e-6
 close_to "the ratio there" "$(awk -v a="$(row dK 2)" -v b="$(row threshold 2)" 'BEGIN { printf "%.17g", a / b }')" "$(row dK_over_threshold 2)" 1e-12
 does crack cycle.csv $hertz --from 0.03708 --to 2.967 $law --verdict --angle-range=-20,0 --shear none
-message_has "worst: at 0 deg: By mode I the crack stops at 0.1485"
-says "By mode I the crack does not grow: dK is 0.97 of the threshold at 0.03708"
+message_has "worst: at 0 deg: By mode I the crack arrests at 0.1485 mm"
+says "By mode I the crack does not grow: dK is 0.97 of the threshold at 0.03708 mm"
 
 # A crack under the contact is pressed together at its mouth: that is said.
 does crack cycle.csv $hertz --lengths 1,2 --angle 45
 message_has "at 45 deg faces overlap under the largest K_I"
+
+# Faces that press: row 1 of tests/data/crack_closing.csv, the state of the largest K_I. A normal crack keeps its K_II.
+printf 'P,Q,sigma\n120,50,60\n' >held.csv
+does crack held.csv --E1 133333.33333333333 --nu1 0 --radius 60 --f 0.6 --load 0,0,0,60 --load 120,0,0,60 --x=-0.37082323394226202 --lengths 0.741646 --angle 30 --each-load
+close_to "K_I where faces press" 13.3488 "$(row closing_K_I 2)" 2e-3
+close_to "K_II where faces press" 117.616 "$(row closing_K_II 2)" 1e-4
+does crack cycle.csv $hertz --lengths 0.1,1 --shear locked
+same "K_I is never below 0" "0 0" "$(row closing_K_I_min 2) $(row closing_K_I_min 3)"
+same "the open crack" "$(row K_I_max 2)" "$(row closing_K_I_max 2)"
+same "K_II of a normal crack" "$(row K_II_max 3) $(row K_II_min 3)" "$(row closing_K_II_max 3) $(row closing_K_II_min 3)"
 
 # What is refused.
 bare='needs its unit, such as "4.2 MPa sqrt(m)", beside --units; or --K-in m where it is in MPa sqrt(m), mm where it is in MPa sqrt(mm), 31.6 times as large'

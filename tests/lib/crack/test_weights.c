@@ -200,10 +200,22 @@ CLAIM(forces_at_the_mouth_release_what_the_m_integral_says)
 
 enum { X = 17, DEGREES, LENGTH, K_I, K_II };
 
+/* Slopes x/R (1 + (x/w)^2) at 41 places from -2 w to 2 w. */
+static rwedge_contact *create_bowl(double R, double w, double f)
+{
+    double x[41], slope[41];
+    for (int i = 0; i < 41; i++) {
+        x[i] = (i - 20) * w / 10;
+        slope[i] = x[i] / R * (1 + x[i] * x[i] / (w * w));
+    }
+    return create_profile(41, x, slope, f);
+}
+
 static rwedge_contact *contact_of(const double cell[])
 {
-    rwedge_contact *contact = cell[0] == 0 ? create_flat(cell[1], cell[2], cell[3], cell[4])
-                                           : create_wedge(cell[1], cell[2], cell[3], cell[4]);
+    rwedge_contact *contact = cell[0] == 0   ? create_flat(cell[1], cell[2], cell[3], cell[4])
+                              : cell[0] == 1 ? create_wedge(cell[1], cell[2], cell[3], cell[4])
+                                             : create_bowl(cell[1], cell[2], cell[4]);
     for (int i = 5; i < X && isfinite(cell[i]); i += 4)
         apply(contact, cell[i], cell[i + 1], cell[i + 2], cell[i + 3]);
     return contact;
@@ -241,6 +253,25 @@ CLAIM(cracks_under_contacts_have_their_reference_values)
                       tolerance * size);
     }
     assert_int_equal(table.row, 15);
+}
+
+/* Random pads of all kinds, loads, places and lengths. The other rule differs by up to 7e-12. */
+CLAIM(cracks_under_random_histories_have_the_k_of_another_rule)
+{
+    reference table = reference_open("crack_random.csv");
+    size_t pads[3] = {0};
+    while (reference_next(&table)) {
+        const double *cell = table.cell, size = hypot(cell[K_I], cell[K_II]);
+        const rwedge_contact *contact = contact_of(cell);
+        const crack c = crack_at(cell[DEGREES]);
+        for (int mode = 0; mode < 2; mode++)
+            assert_within(intensity(contact, &c, cell[X], cell[LENGTH], mode), cell[K_I + mode],
+                          5e-11 * size);
+        pads[(int)cell[0]]++;
+    }
+    assert_int_equal(pads[0], 16);
+    assert_int_equal(pads[1], 8);
+    assert_int_equal(pads[2], 8);
 }
 
 /* ---- Refusals ---- */

@@ -54,7 +54,7 @@ class Growth(_Growth):
         if math.isinf(self.cycles) and self.arrest == self.initial:
             return f"{said}does not grow from {self.initial:.4g}: dK is as small as {self.least:.3g} of the threshold, at {self.least_at:.4g}"
         if math.isinf(self.cycles) and math.isfinite(self.arrest):
-            return f"{said}stops at {self.arrest:.4g}"
+            return f"{said}arrests at {self.arrest:.4g}"
         end = f"breaks at {self.arrest:.4g}" if math.isfinite(self.arrest) else f"grows through to {self.final:.4g}"
         return f"{said}{end}, in {self.cycles:.6g} cycles" + f"; {closest}" * bool(closest)
 

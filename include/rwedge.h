@@ -298,6 +298,53 @@ RWEDGE_API int32_t rwedge_surface_shakedown(double alpha, double f, double nu, d
  * like a square root. */
 RWEDGE_API double rwedge_critical_friction(double alpha, double nu);
 
+/* ---- Unlike bodies --------------------------------------------------------------------------- */
+
+/* Where the bodies are unlike, friction acts on the pressure. The contact of a wedge in full
+ * sliding, in its own half-width b, depends on alpha and the product of beta and f, for Q > 0: for
+ * Q < 0 it is the mirror image of that with -beta_f. lib/README.md, "Unlike bodies in full
+ * sliding".
+ *   alpha   0, or 1e-3 to 1000: a/b
+ *   beta_f  |beta_f| <= 1: rwedge_dundurs_beta() of half-plane and wedge, in this order, times f
+ *   held    0 <= held <= 1: 1 where a rig holds the wedge's rotation, its tilt being 0; 0 where it
+ *           turns until it has no moment about x = 0 */
+
+/* The contact law of unlike bodies that slide.                                                  new
+ *   AP_over_theta_b  receives the load; rwedge_load() for beta_f = 0
+ *   middle           receives the middle of the contact, in b: below 0 on the side of the trailing
+ *                    edge
+ *   tilt             receives the tilt over theta, as rwedge_contact_tilt() has it: 0 where it is
+ *                    held
+ *   tension          receives b s1/(fP) at the trailing edge; rwedge_max_tension() for beta_f = 0
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL. In the tests it was right to 1e-13. */
+RWEDGE_API int32_t rwedge_sliding_law(double alpha, double beta_f, int32_t held,
+                                      double *AP_over_theta_b, double *middle, double *tilt,
+                                      double *tension);
+
+/* The elastic limit P/(bk) of unlike bodies that slide, and where they yield.                   new
+ *   f      0 <= f <= 1e6; |beta_f| <= f/2
+ *   limit  receives P/(bk); rwedge_elastic_limit() for beta_f = 0; 0 for the sharp wedge
+ *   x, y   each receives one number: the place, in b from the apex
+ * RWEDGE_EDOMAIN where |beta_f| is above f/2; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ERANGE. In the
+ * tests it was right to 1e-12 for beta_f = 0. It takes as long as rwedge_contact_yield_factor(). */
+RWEDGE_API int32_t rwedge_sliding_limit(double alpha, double beta_f, double f, double nu,
+                                        int32_t held, double *limit, double *x, double *y);
+
+/* An estimate of what neglecting beta costs in partial slip: that of a contact that slides under Q,
+ * as if friction were Q/P. In cycles of Q under constant P fully coupled boundary elements find a
+ * change of the tension of the same sign: 0.5 to 1.3 times the estimate for a wedge or a cylinder
+ * that is held, 1.4 to 3 times for one that is free. Under other loads, such as a bulk tension out
+ * of phase, and with other pads it may be far larger: lib/README.md.                            new
+ *   beta       |beta| <= 1/2: rwedge_dundurs_beta() of half-plane and wedge
+ *   f          0 <= f <= 1e6; |beta f| Q/(fP) <= 1
+ *   Q_over_fP  0 <= Q_over_fP <= 1
+ *   swing      receives how far the contact moves, in b; below 0 to the side of the trailing edge
+ *   tension    receives by which part sxx beside the trailing edge is higher, 0.06 b from where the
+ *              contact ends at most
+ * RWEDGE_EDOMAIN where |beta f| Q/(fP) is above 1; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_coupling(double alpha, double beta, double f, double Q_over_fP,
+                                   int32_t held, double *swing, double *tension);
+
 /* ---- Validity -------------------------------------------------------------------------------- */
 
 /* What makes results doubtful: the bits of rwedge_validity(). Values never change; new ones are
@@ -521,6 +568,37 @@ RWEDGE_API int32_t rwedge_contact_set_strain(rwedge_contact *contact, double str
  *                                                                                               new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_strain(const rwedge_contact *contact);
+
+/* From now on the contact has unlike bodies, whose shear acts on the pressure. A new contact
+ * neglects that: beta is 0. With friction it serves full sliding alone, exactly: loads with |Q| =
+ * f P, in any order, and P = 0. Without friction beta changes nothing.                          new
+ *   beta  |beta| <= 1/2: rwedge_dundurs_beta() of the half-plane and the pad, in this order
+ * With mu = -beta f, or beta f where Q < 0, and N = -p, the contact solves
+ *     (1/pi) PV int N/(x-s) ds - mu N = (A/theta) (slope of the pad less the tilt).
+ * N falls to the left edge like the distance to the power 1/2 - atan(mu)/pi, to the right one like
+ * 1/2 + atan(mu)/pi. The tension beside the trailing edge is 2 f (slope of the pad less the
+ * tilt)/A, as for similar bodies.
+ * Other loads are refused with RWEDGE_EPATH, whatever rwedge_contact_allow_error() allows. Slip,
+ * energy and displacement are not known, RWEDGE_EPATH or NaN, as of any contact off the centre in
+ * full sliding. rwedge_contact_edge_asymptotes() gives RWEDGE_EABSENT and
+ * rwedge_contact_permanent_stick() RWEDGE_EPATH. All other functions serve such a contact. Edges,
+ * tilt, pressure and stresses err by less than 1e-12 of the values for |mu| <= 1 and arcs longer
+ * than 1/100 of the half-width; a shorter arc that ends nearer to an edge of the contact than 16
+ * times its length multiplies the error by the half-width over its length.
+ * RWEDGE_EDOMAIN for another beta, and where the bodies touch; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_set_beta(rwedge_contact *contact, double beta);
+
+/* The beta of rwedge_contact_set_beta(), 0 unless it is set.                                    new
+ * NaN for NULL. */
+RWEDGE_API double rwedge_contact_beta(const rwedge_contact *contact);
+
+/* Sets what follows from the bodies, beside the compliance: rwedge_contact_set_beta() and
+ * rwedge_contact_set_strain(), so that neither is forgotten.                                    new
+ *   E1, nu1, E2, nu2  as for rwedge_compliance(): of the half-plane, of the pad
+ * RWEDGE_EDOMAIN where their compliance is not that of the contact, to 1e-6, and as the two
+ * functions have it; RWEDGE_ENULL; RWEDGE_ENOMEM. The contact is then as before. */
+RWEDGE_API int32_t rwedge_contact_set_bodies(rwedge_contact *contact, double E1, double nu1,
+                                             double E2, double nu2);
 
 /* An independent copy, history and all: to try a load and go back.
  * RWEDGE_ENULL, RWEDGE_ENOMEM. */

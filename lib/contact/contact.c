@@ -80,6 +80,8 @@ static rwedge_contact *copy_of(const rwedge_contact *contact, bool *is_whole)
     rwedge_contact *copy = rw_copied(contact, contact != NULL, sizeof *copy, is_whole);
     if (!copy)
         return NULL;
+    copy->unlike =
+        rw_copied(contact->unlike, contact->unlike != NULL, sizeof *copy->unlike, is_whole);
     copy->geometry.pad = rw_pad_copy(contact->geometry.pad, is_whole);
     copy->memory = rw_memory_copy(&contact->memory, is_whole);
     copy->slip.origins = rw_slip_origins_copy(&contact->slip.origins, is_whole);
@@ -136,6 +138,7 @@ void rwedge_contact_destroy(rwedge_contact *contact)
     rw_contact_drop_computed(contact);
     rw_contact_drop_beside(contact);
     rw_pad_destroy(contact->geometry.pad);
+    free(contact->unlike);
     free(contact);
 }
 

@@ -44,6 +44,9 @@ static inline double rw_patch_weight(const rw_memory *memory, size_t corner)
 /* The pressure at a place of a contact, not the apex of the sharp wedge, in theta/A. */
 double rw_pressure_of(const rw_geometry *geometry, rw_patch patch, double x);
 
+/* The pressure of the contact itself. */
+double rw_contact_pressure(const rwedge_contact *contact, double x);
+
 /* The zones of a contact, none where the bodies are apart. */
 rw_zones rw_contact_zones(const rwedge_contact *contact);
 

@@ -126,7 +126,7 @@ int32_t rwedge_contact_edge_asymptotes(const rwedge_contact *contact, double *no
 {
     if (!contact || !normal_left || !normal_right || !shear_left || !shear_right)
         return RWEDGE_ENULL;
-    if (contact->phase == RW_APART)
+    if (contact->phase == RW_APART || contact->unlike)
         return RWEDGE_EABSENT;
     const rw_geometry *g = &contact->geometry;
     const rw_patch patch = rw_memory_end(&contact->memory)->patch;

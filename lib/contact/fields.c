@@ -37,6 +37,40 @@ double rw_pressure_of(const rw_geometry *g, rw_patch patch, double x)
     return 0 - pressure;
 }
 
+double rw_contact_pressure(const rwedge_contact *c, double x)
+{
+    const rw_patch patch = rw_memory_end(&c->memory)->patch;
+    if (!c->unlike)
+        return rw_pressure_of(&c->geometry, patch, x);
+    const rw_arcs arcs = rw_arcs_of(&c->geometry);
+    return rw_sliding_pressure(&arcs, rw_contact_way(c), patch, x);
+}
+
+/* Of unlike bodies: many places at once. */
+static void sliding_tractions(const rwedge_contact *c, size_t n, const double x[], double p[],
+                              double q[])
+{
+    static const double surface[RW_BATCH] = {0};
+    const rw_arcs arcs = rw_arcs_of(&c->geometry);
+    const rw_corner *end = rw_memory_end(&c->memory);
+    for (size_t start = 0; start < n; start += RW_BATCH) {
+        const size_t block = n - start < RW_BATCH ? n - start : RW_BATCH;
+        double pressure[RW_BATCH];
+        rw_fields fields;
+        rw_sliding_fields(&arcs, rw_contact_way(c), end->patch, (int)block, x + start, surface,
+                          &fields);
+        for (size_t i = 0; i < block; i++) {
+            const double at = x[start + i];
+            const bool is_inside = at > end->patch.left && at < end->patch.right;
+            pressure[i] = is_inside ? rw_unit_stress(&c->geometry) * fields.G_im[i] : 0;
+        }
+        for (size_t i = 0; i < block; i++) {
+            p[start + i] = pressure[i];
+            q[start + i] = c->f * end->ratio * pressure[i];
+        }
+    }
+}
+
 int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const double x[],
                                  double p[], double q[])
 {
@@ -47,6 +81,10 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
             return RWEDGE_EDOMAIN;
     const rw_geometry *g = &contact->geometry;
     const rw_memory *memory = &contact->memory;
+    if (contact->unlike && contact->phase == RW_SLIDING) {
+        sliding_tractions(contact, n, x, p, q);
+        return RWEDGE_OK;
+    }
     for (size_t i = 0; i < n; i++) {
         const double at = x[i];
         double shear = 0, pressure = 0;
@@ -79,7 +117,9 @@ static void add_corner(const rwedge_contact *contact, size_t corner, int n, cons
                        const double y[], rw_fields *of_patch, rw_fields *sum)
 {
     const rw_memory *memory = &contact->memory;
-    rw_patch_fields(&contact->geometry, memory->corners[corner].patch, n, x, y, of_patch);
+    const rw_arcs arcs = rw_arcs_of(&contact->geometry);
+    rw_sliding_fields(&arcs, rw_contact_way(contact), memory->corners[corner].patch, n, x, y,
+                      of_patch);
     rw_add_fields(of_patch, rw_patch_weight(memory, corner), n, sum);
 }
 

@@ -7,6 +7,7 @@
 #include "history/slip_origin.h"
 #include "numerical/numerical.h"
 #include "rwedge.h"
+#include "unlike/sliding_patch.h"
 
 typedef struct {
     double P, M, Q, sigma;
@@ -61,8 +62,10 @@ typedef struct {
 struct rwedge_contact {
     rw_geometry geometry; /* its pad is the contact's own */
     double f;
-    double strain;    /* of the surface per bulk tension, over A/4: 1 for equal compliances */
-    double tolerance; /* of loads without a closed form; 0: they are refused */
+    double strain;     /* of the surface per bulk tension, over A/4: 1 for equal compliances */
+    double beta;       /* Dundurs' of half-plane and pad; 0 where their coupling is neglected */
+    rw_unlike *unlike; /* of beta f; NULL where it is 0 */
+    double tolerance;  /* of loads without a closed form; 0: they are refused */
     bool is_held;
     double held_tilt; /* over theta */
     rw_phase phase;
@@ -81,6 +84,9 @@ struct rwedge_contact {
 /* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);
 
+/* Sets what follows from beta and friction. false where memory is short. */
+bool rw_contact_make_unlike(rwedge_contact *contact);
+
 /* The contacts exchange all they have. */
 void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b);
 
@@ -94,6 +100,12 @@ void rw_contact_drop_beside(rwedge_contact *contact);
 static inline rw_goal rw_goal_of(const rwedge_contact *c, rw_loads to)
 {
     return (rw_goal){to.P, c->is_held ? c->held_tilt : to.M, to.Q, to.sigma};
+}
+
+/* How the contact slides: both bodies count as similar where it does not. */
+static inline rw_sliding_way rw_contact_way(const rwedge_contact *c)
+{
+    return (rw_sliding_way){c->unlike, rw_memory_end(&c->memory)->ratio < 0 ? -1 : 1};
 }
 
 /* Whether it has had a moment, or another tension than at first, since the bodies touched. */

@@ -16,8 +16,7 @@ static int32_t give(rw_maximum peak, double *value, double *x)
 static double pressure_at(double x, const void *of)
 {
     const rwedge_contact *contact = of;
-    const rw_geometry *g = &contact->geometry;
-    return -rw_unit_stress(g) * rw_pressure_of(g, rw_memory_end(&contact->memory)->patch, x);
+    return -rw_unit_stress(&contact->geometry) * rw_contact_pressure(contact, x);
 }
 
 /* The pressure is infinite at a kink. */
@@ -85,7 +84,7 @@ int32_t rwedge_contact_peak_pressure(const rwedge_contact *contact, double *pres
     const rw_arcs arcs = rw_arcs_of(g);
     if (contact->phase == RW_APART || touches_kink(&arcs, patch))
         return RWEDGE_EABSENT;
-    if (is_of_formula(g, patch))
+    if (!contact->unlike && is_of_formula(g, patch))
         return give(by_formula(g, patch), pressure, x);
     rw_maximum peak;
     const int32_t status = by_search(contact, patch, &peak);

@@ -76,7 +76,7 @@ typedef struct {
 
 /* The points, and a level for each rw_piece; levels[0] is for no rw_piece. */
 typedef struct {
-    const rw_geometry *geometry;
+    const rwedge_contact *contact;
     int n;
     const double *x, *y;
     level *levels;
@@ -87,8 +87,10 @@ static void add_piece(const block *b, size_t at, const rw_piece *next)
 {
     level *l = &b->levels[at];
     if (!rw_patch_is_same(l->patch, next->patch)) {
+        const rw_arcs arcs = rw_arcs_of(&b->contact->geometry);
+        const rw_sliding_way slides = {b->contact->unlike, next->weight < 0 ? -1 : 1};
         l->patch = next->patch;
-        rw_patch_fields(b->geometry, next->patch, b->n, b->x, b->y, &l->field);
+        rw_sliding_fields(&arcs, slides, next->patch, b->n, b->x, b->y, &l->field);
     }
     l->sum = b->levels[at - 1].sum;
     rw_add_fields(&l->field, next->weight, b->n, &l->sum);
@@ -119,7 +121,7 @@ static void compute_blocks(const rwedge_contact *contact, const rw_record *r, le
 {
     for (size_t start = 0; start < p->n; start += RW_BATCH) {
         const int size = p->n - start < RW_BATCH ? (int)(p->n - start) : RW_BATCH;
-        block b = {&contact->geometry, size, p->x + start, p->y + start, levels, 0};
+        block b = {contact, size, p->x + start, p->y + start, levels, 0};
         for (size_t i = 0; i <= r->most; i++)
             levels[i].patch = (rw_patch){0, 0};
         const rw_piece *own = r->own.all;

@@ -62,6 +62,11 @@ double rw_pad_half_width(const rw_pad *pad, double P);
 rw_patch rw_arcs_patch_of_moment(const rw_arcs *arcs, double P, double M);
 rw_patch rw_arcs_patch_of_tilt(const rw_arcs *arcs, double P, double delta);
 
+/* The same where a patch carries something else than rw_arcs_pressing(); `wanted` is M or delta. */
+typedef rw_pressing (*rw_carried)(const void *context, rw_patch patch);
+rw_patch rw_carried_patch(const rw_arcs *arcs, rw_carried carried, const void *context, double P,
+                          double wanted, bool by_moment);
+
 /* A straight way of load and moment from one patch to another, each under load: at which parts of
  * it the left edge and the right one turn, and go outwards from then on. 0 where an edge goes
  * outwards all the way, 1 where it goes inwards. It turns once, because the set of loads under

@@ -17,15 +17,22 @@ static const rw_patch NONE = {NAN, NAN};
 
 typedef struct {
     const rw_arcs *arcs;
+    rw_carried carried; /* NULL: rw_arcs_pressing() */
+    const void *context;
     double P, wanted;
     bool by_moment;
     double left;
 } search;
 
+static rw_pressing pressing_of(const search *at, rw_patch patch)
+{
+    return at->carried ? at->carried(at->context, patch) : rw_arcs_pressing(at->arcs, patch);
+}
+
 static double load_excess(double right, const void *context)
 {
     const search *at = context;
-    return rw_arcs_pressing(at->arcs, (rw_patch){at->left, right}).load - at->P;
+    return pressing_of(at, (rw_patch){at->left, right}).load - at->P;
 }
 
 /* The right edge that goes with the left one under the load P: the load grows with the edge,
@@ -41,7 +48,7 @@ static double right_edge(const search *at)
         width *= 2;
     }
     return rw_root(load_excess, at, lo, at->left + width,
-                   at->arcs->pad ? DBL_EPSILON / 4 * width : 0);
+                   at->arcs->pad || at->carried ? DBL_EPSILON / 4 * width : 0);
 }
 
 /* The rounded edges of a narrow patch far from x = 0 have a load that differs: the moment of a pad,
@@ -50,7 +57,7 @@ static double excess(double left, const void *context)
 {
     search at = *(const search *)context;
     at.left = left;
-    const rw_pressing carried = rw_arcs_pressing(at.arcs, (rw_patch){left, right_edge(&at)});
+    const rw_pressing carried = pressing_of(&at, (rw_patch){left, right_edge(&at)});
     if (!at.by_moment)
         return carried.tilt - at.wanted;
     if (!at.arcs->pad)
@@ -136,16 +143,21 @@ double rw_pad_half_width(const rw_pad *pad, double P)
 
 /* The left edge is between -infinity, where the tilt is -1, and the right end of the profile.
  * Without P there is no moment, and at the left end of the profile the tilt is -1 already. */
+static rw_patch patch_of_any(search *s)
+{
+    const double end = rw_arc_at(s->arcs, s->arcs->count - 1).right;
+    const double lo = far_left(s, rw_arc_at(s->arcs, 0).left - s->P, s->P);
+    return search_patch(s, lo, end, DBL_EPSILON / 4 * (s->P + (end - lo)));
+}
+
 static rw_patch patch_of_pad(search *s)
 {
     const rw_pad *pad = s->arcs->pad;
-    const double end = pad->arcs[pad->count - 1].right;
     if (pad->is_symmetric && s->wanted == 0) {
         const double b = rw_pad_half_width(pad, s->P);
         return (rw_patch){-b, b};
     }
-    const double lo = far_left(s, pad->arcs[0].left - s->P, s->P);
-    return search_patch(s, lo, end, DBL_EPSILON / 4 * (s->P + (end - lo)));
+    return patch_of_any(s);
 }
 
 /* That of -M or -delta is the mirror image to the last bit. */
@@ -166,6 +178,18 @@ rw_patch rw_arcs_patch_of_moment(const rw_arcs *arcs, double P, double M)
 rw_patch rw_arcs_patch_of_tilt(const rw_arcs *arcs, double P, double tilt)
 {
     return patch_of(arcs, P, tilt, false);
+}
+
+rw_patch rw_carried_patch(const rw_arcs *arcs, rw_carried carried, const void *context, double P,
+                          double wanted, bool by_moment)
+{
+    search s = {.arcs = arcs,
+                .carried = carried,
+                .context = context,
+                .P = P,
+                .wanted = wanted,
+                .by_moment = by_moment};
+    return patch_of_any(&s);
 }
 
 /* ---- Edges that turn ---- */

@@ -24,8 +24,9 @@ rwedge_contact *rw_contact_keep_beside(rwedge_contact *contact, rwedge_contact *
 /* Whether a closed form of the next load may leave slip or energy unknown. */
 static bool may_lose(const rwedge_contact *contact, rw_goal to)
 {
-    return contact->tolerance > 0 && contact->f > 0 && contact->slip.followed == RW_NONE_FOLLOWED &&
-           contact->phase != RW_COMPUTED && knows_all(contact) &&
+    return contact->tolerance > 0 && contact->f > 0 && !contact->unlike &&
+           contact->slip.followed == RW_NONE_FOLLOWED && contact->phase != RW_COMPUTED &&
+           knows_all(contact) &&
            (rw_contact_is_off_centre(contact) || to.turn != 0 || to.sigma != contact->loads.sigma ||
             !rw_is_symmetric(&contact->geometry));
 }

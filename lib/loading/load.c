@@ -93,7 +93,8 @@ static void add_energy(rwedge_contact *contact, share step)
 static bool is_off_centre(const rwedge_contact *contact, const rw_step *step)
 {
     return contact->f > 0 && step->to.load > 0 &&
-           (rw_contact_is_off_centre(contact) || !rw_memory_is_plain(&contact->memory, step->to));
+           (contact->unlike || rw_contact_is_off_centre(contact) ||
+            !rw_memory_is_plain(&contact->memory, step->to));
 }
 
 /* What has been in contact since the first slip. */
@@ -142,7 +143,7 @@ static share share_of(const rwedge_contact *contact, const rw_step *step,
     const double f = contact->f;
     if (f == 0)
         return NONE;
-    if (rw_is_symmetric(g) && rw_memory_is_plain(memory, step->to)) {
+    if (!contact->unlike && rw_is_symmetric(g) && rw_memory_is_plain(memory, step->to)) {
         const double integral = fmax(0, rw_dissipation(memory, step->to, g));
         return (share){f * g->A * (f / RW_PI * integral), true};
     }
@@ -209,6 +210,13 @@ static int32_t go_numerically(rwedge_contact *contact, rw_goal to, const rw_step
     return RWEDGE_OK;
 }
 
+/* The departure for a load that separates the bodies or slides, whatever was before. */
+static rw_departure departure_from_all(const rwedge_contact *contact, const rw_step *step)
+{
+    const int slip = step->to.load == 0 ? 0 : step->to.shear < 0 ? -1 : 1;
+    return (rw_departure){contact->memory.corners[0], 1, slip};
+}
+
 /* Separation and full sliding end the computed shear: what follows is in closed form again. */
 static int32_t leave_shear(rwedge_contact *contact, rw_goal to, const rw_step *step)
 {
@@ -219,10 +227,7 @@ static int32_t leave_shear(rwedge_contact *contact, rw_goal to, const rw_step *s
     if (status != RWEDGE_OK)
         return status;
     work.is_known = separates && !isnan(work.value);
-    const rw_departure departure = {contact->memory.corners[0], 1,
-                                    separates            ? 0
-                                    : step->to.shear < 0 ? -1
-                                                         : 1};
+    const rw_departure departure = departure_from_all(contact, step);
     status = go_on(contact, to, step, &departure, work);
     if (status == RWEDGE_OK)
         rw_contact_drop_computed(contact);
@@ -260,7 +265,9 @@ static int32_t apply_whole(rwedge_contact *contact, rw_goal to)
     if (status != RWEDGE_OK)
         return status;
     rw_departure departure = {.corner = {0}};
-    if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
+    if (contact->unlike)
+        departure = departure_from_all(contact, &step);
+    else if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
         return RWEDGE_EPATH;
     if (departure.slip != 0 && !slides(&departure) && !rw_has_width(departure.corner.patch))
         return RWEDGE_ERANGE;
@@ -359,7 +366,7 @@ int32_t rw_contact_follow_slip(rwedge_contact *contact)
     rw_slip_record *slip = &contact->slip;
     rw_computed *computed = &contact->computed;
     slip->followed = contact->tolerance > 0 ? RW_SLIP_FOLLOWED : RW_NONE_FOLLOWED;
-    if (slip->followed == RW_NONE_FOLLOWED || rw_contact_knows_slip(contact))
+    if (contact->unlike || slip->followed == RW_NONE_FOLLOWED || rw_contact_knows_slip(contact))
         return RWEDGE_OK;
     const rw_frame frame = rw_contact_frame(contact);
     if (computed->now && !rw_numerical_count_slip(computed->now, &frame, NULL, NULL))

@@ -25,6 +25,8 @@ static const char *const TEXTS[][WAYS] = {
         IN_WORDS("the contact would grow under a shear that does not grow in proportion to it"),
 };
 
+static const char UNLIKE[] = "unlike bodies have a closed form in full sliding alone, |Q| = f P";
+
 static rw_loads twice_as_far(rw_loads from, rw_loads to)
 {
     return (rw_loads){2 * to.P - from.P, 2 * to.M - from.M, 2 * to.Q - from.Q,
@@ -72,6 +74,8 @@ const char *rwedge_contact_obstacle(const rwedge_contact *contact, double P, dou
                                     double sigma)
 {
     const rw_loads to = {P, M, Q, sigma}, itself[LOADS] = {to, to, to};
+    if (contact && contact->unlike)
+        return status_of(contact, itself) == RWEDGE_EPATH ? UNLIKE : "";
     const rw_obstacle obstacle = contact ? rw_contact_obstacle(contact, to) : RW_NO_OBSTACLE;
     if (obstacle == RW_NO_OBSTACLE || status_of(contact, itself) != RWEDGE_EPATH)
         return "";

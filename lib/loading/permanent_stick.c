@@ -65,6 +65,8 @@ int32_t rwedge_contact_permanent_stick(const rwedge_contact *contact, double P1,
 {
     if (!contact || !left || !right)
         return RWEDGE_ENULL;
+    if (contact->unlike)
+        return RWEDGE_EPATH;
     rwedge_contact *first = NULL, *second = NULL;
     rw_patch stuck = {0, 0};
     int32_t status = load_once(contact, (rw_loads){P1, M1, Q1, sigma1}, &first);

@@ -74,6 +74,39 @@ static double tilt_of(const rw_geometry *g, rw_goal to, rw_patch patch)
     return isnan(patch.left) ? NAN : rw_pressing_of(g, patch).tilt;
 }
 
+/* How unlike bodies slide under the new load. */
+static rw_sliding_way way_to(const rwedge_contact *contact, const rw_step *step)
+{
+    return (rw_sliding_way){contact->unlike, step->to.shear < 0 ? -1 : 1};
+}
+
+static void press_unlike(const rwedge_contact *contact, rw_goal to, rw_step *step)
+{
+    const rw_arcs arcs = rw_arcs_of(&contact->geometry);
+    const rw_sliding_way slides = way_to(contact, step);
+    const double P = rw_as_length(&contact->geometry, to.P);
+    step->patch = contact->is_held
+                      ? rw_sliding_patch_of_tilt(&arcs, slides, P, to.turn)
+                      : rw_sliding_patch_of_moment(&arcs, slides, P,
+                                                   rw_as_length(&contact->geometry, to.turn));
+    rw_pressing carried = {NAN, NAN, NAN};
+    if (!isnan(step->patch.left))
+        carried = rw_sliding_pressing(&arcs, slides, step->patch);
+    step->to.tilt = contact->is_held ? to.turn : carried.tilt;
+    if (contact->is_held)
+        step->to_M = carried.moment / carried.load * to.P;
+}
+
+static void press_similar(const rwedge_contact *contact, rw_goal to, rw_step *step)
+{
+    const rw_geometry *g = &contact->geometry;
+    step->patch = contact->is_held ? rw_patch_under_tilt(g, to.P, to.turn)
+                                   : rw_patch_under_moment(g, to.P, to.turn);
+    step->to.tilt = contact->is_held ? to.turn : tilt_of(g, to, step->patch);
+    if (contact->is_held)
+        step->to_M = moment_of(g, to.P, step->patch, to.turn);
+}
+
 /* The step to the loads in the units of the memory, and the patch that it leads to. */
 static int32_t make_step(const rwedge_contact *contact, rw_goal to, rw_step *step)
 {
@@ -90,8 +123,11 @@ static int32_t make_step(const rwedge_contact *contact, rw_goal to, rw_step *ste
     const int32_t status = shear_of(contact, to.P, to.Q, &step->to.shear);
     if (status != RWEDGE_OK)
         return status;
+    if (contact->unlike && fabs(step->to.shear) < to.P) /* full sliding alone has a closed form */
+        return RWEDGE_EPATH;
     step->to.stretch = rw_contact_stretch(contact, to.sigma);
-    if (is_same_pressing(contact, to) &&
+    const bool turns = contact->unlike && way_to(contact, step).way != rw_contact_way(contact).way;
+    if (!turns && is_same_pressing(contact, to) &&
         (to.turn != 0 || !rw_memory_is_plain(&contact->memory, step->to))) {
         step->to_P = step->from_P;
         step->to_M = step->from_M;
@@ -100,13 +136,12 @@ static int32_t make_step(const rwedge_contact *contact, rw_goal to, rw_step *ste
         step->patch = end->patch;
         return RWEDGE_OK;
     }
-    step->patch = contact->is_held ? rw_patch_under_tilt(g, to.P, to.turn)
-                                   : rw_patch_under_moment(g, to.P, to.turn);
+    if (contact->unlike && to.P > 0)
+        press_unlike(contact, to, step);
+    else
+        press_similar(contact, to, step);
     if (g->reach > 0 && isgreater(fmax(-step->patch.left, step->patch.right), g->reach))
         return RWEDGE_ERANGE;
-    step->to.tilt = contact->is_held ? to.turn : tilt_of(g, to, step->patch);
-    if (contact->is_held)
-        step->to_M = moment_of(g, to.P, step->patch, to.turn);
     return RWEDGE_OK;
 }
 

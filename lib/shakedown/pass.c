@@ -2,7 +2,6 @@
 #include "shakedown/pass.h"
 
 #include "base/domain.h"
-#include "potential/pad_potential.h"
 #include "stress/stress.h"
 
 void rw_pass_stresses(const rw_pass *pass, double y, size_t n, const double x[], rw_point path[])
@@ -13,7 +12,7 @@ void rw_pass_stresses(const rw_pass *pass, double y, size_t n, const double x[],
         depth[i] = y;
     for (size_t first = 0; first < n; first += RW_BATCH) {
         const int count = n - first < RW_BATCH ? (int)(n - first) : RW_BATCH;
-        rw_pad_fields(&pass->arcs, pass->patch, count, x + first, depth, &fields);
+        rw_sliding_fields(&pass->arcs, pass->slides, pass->patch, count, x + first, depth, &fields);
         for (int i = 0; i < count; i++) {
             const rw_field normal = rw_field_in(&fields, i);
             const rw_stress_state s = rw_superpose(normal, rw_field_multiple(pass->f, normal));

@@ -5,6 +5,7 @@
 
 #include "formulas/arcs.h"
 #include "planes/smallest_ball.h"
+#include "unlike/sliding_patch.h"
 
 /* A contact in full sliding. Stresses are in theta/A. */
 typedef struct {
@@ -12,6 +13,7 @@ typedef struct {
     rw_patch patch;
     double f;      /* negative where the half-plane is dragged towards -x */
     double weight; /* (1 - 2 nu)/sqrt(3) */
+    rw_sliding_way slides;
 } rw_pass;
 
 /* The deviator ((syy-sxx)/2, weight (sxx+syy)/2, txy) at n places of a depth. Its length is

@@ -163,7 +163,8 @@ int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact, double nu
     const rw_pass pass = {.arcs = rw_arcs_of(&contact->geometry),
                           .patch = rw_memory_end(&contact->memory)->patch,
                           .f = copysign(contact->f, contact->loads.Q),
-                          .weight = sqrt(rw_plane_strain_weight(nu))};
+                          .weight = sqrt(rw_plane_strain_weight(nu)),
+                          .slides = rw_contact_way(contact)};
     const double unit = rw_unit_stress(&contact->geometry);
     rw_depth depth = {.y = 0};
     double most = 0;

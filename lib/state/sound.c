@@ -13,15 +13,23 @@ static bool is_near(double value, double expected, double scale)
     return islessequal(fabs(value - expected), LOOSE * scale);
 }
 
-/* Whether a patch is that of its corner's load and tilt. */
-static bool is_patch_sound(const rw_geometry *g, const rw_corner *c)
+static rw_pressing carried_by(const rwedge_contact *contact, const rw_corner *c)
 {
+    const rw_arcs arcs = rw_arcs_of(&contact->geometry);
+    const rw_sliding_way slides = {contact->unlike, c->ratio < 0 ? -1 : 1};
+    return rw_sliding_pressing(&arcs, slides, c->patch);
+}
+
+/* Whether a patch is that of its corner's load and tilt. */
+static bool is_patch_sound(const rwedge_contact *contact, const rw_corner *c)
+{
+    const rw_geometry *g = &contact->geometry;
     const rw_patch p = c->patch;
     const double load = rw_as_length(g, c->load);
     if (!(rw_patch_half_width(p) > LEAST && fmax(-p.left, p.right) < 2 * RW_LARGEST) ||
         !(g->pad || fmax(p.left, -p.right) < g->a) || !(fabs(c->tilt) < 1))
         return false;
-    const rw_pressing carried = rw_pressing_of(g, p);
+    const rw_pressing carried = carried_by(contact, c);
     return is_near(carried.load, load, load) && is_near(carried.tilt, c->tilt, 1);
 }
 
@@ -31,7 +39,7 @@ static bool is_nested(rw_patch inner, rw_patch outer)
     return inner.left > outer.left - slack && inner.right < outer.right + slack;
 }
 
-bool rw_is_corner_sound(const rw_geometry *g, const rw_corner *c, const rw_corner *before)
+bool rw_is_corner_sound(const rwedge_contact *contact, const rw_corner *c, const rw_corner *before)
 {
     if (isnan(c->least) || isnan(c->most))
         return false;
@@ -40,7 +48,7 @@ bool rw_is_corner_sound(const rw_geometry *g, const rw_corner *c, const rw_corne
                c->patch.right == 0;
     const double run = c->load - before->load, rise = c->shear - before->shear;
     return run > 0 && c->load < 2 * RW_LARGEST && fabs(c->ratio) <= 1 &&
-           is_near(rise, c->ratio * run, c->load) && is_patch_sound(g, c) &&
+           is_near(rise, c->ratio * run, c->load) && is_patch_sound(contact, c) &&
            (before->load == 0 || is_nested(before->patch, c->patch));
 }
 
@@ -62,7 +70,7 @@ static bool are_loads_sound(const rwedge_contact *c)
     const rw_corner *end = rw_memory_end(&c->memory);
     if (end->load == 0)
         return c->loads.P == 0 && c->loads.M == 0 && c->loads.Q == 0;
-    const rw_pressing carried = rw_pressing_of(g, end->patch);
+    const rw_pressing carried = carried_by(c, end);
     const double arm = fmax(-end->patch.left, end->patch.right);
     return is_near(c->loads.P, end->load, end->load) &&
            is_near(rw_as_length(g, c->loads.M), carried.moment, carried.load * arm) &&
@@ -113,6 +121,12 @@ static bool is_shear_sound(const rwedge_contact *c)
            is_numerical_sound(c->computed.start);
 }
 
+/* Unlike bodies are apart, or slide. */
+static bool is_unlike_sound(const rwedge_contact *c)
+{
+    return !c->unlike || ((c->phase == RW_APART || c->phase == RW_SLIDING) && !c->beside);
+}
+
 /* Whether the contact beside this one has the same edges. */
 static bool is_beside_sound(const rwedge_contact *c)
 {
@@ -136,6 +150,7 @@ bool rw_is_contact_sound(const rwedge_contact *c)
            rw_is_magnitude(c->strain) && are_loads_sound(c) && is_tilt_sound(c) &&
            is_share_sound(c) && is_shear_sound(c) &&
            (!c->computed.exact || rw_is_contact_sound(c->computed.exact)) && is_beside_sound(c) &&
+           is_unlike_sound(c) &&
            origins->fresh >= (origins->count > 0 ? origins->all[origins->count - 1].end : 0);
 }
 

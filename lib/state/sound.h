@@ -8,7 +8,7 @@
 bool rw_is_pad_sound(const rw_pad *pad);
 
 /* The first corner of a path has none before it. */
-bool rw_is_corner_sound(const rw_geometry *g, const rw_corner *c, const rw_corner *before);
+bool rw_is_corner_sound(const rwedge_contact *contact, const rw_corner *c, const rw_corner *before);
 
 /* Whether an origin starts at the end of its path, and its points begin where those of the origin
  * before it end. */

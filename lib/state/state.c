@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 /* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad, version 4
- * what is beside the contact, version 5 whether the pad is held. */
+ * what is beside the contact, version 5 unlike bodies and whether the pad is held. */
 static const double VERSION = 5;
 
 /* How many numbers they take, at least. */
@@ -22,7 +22,7 @@ typedef struct {
     const double *in; /* NULL when writing or counting */
     size_t at, size;
     double version;
-    const rw_geometry *geometry;
+    const rwedge_contact *contact;
     bool is_sound, is_short; /* of memory */
     bool is_inner;           /* in the last closed form of another contact */
     bool is_beside;          /* in a contact beside another one */
@@ -119,7 +119,7 @@ static void pass_corners(stream *t, rw_corner corners[], size_t count, const rw_
 {
     for (size_t i = 0; i < count; i++) {
         pass_corner(t, &corners[i]);
-        require(t, !t->in || rw_is_corner_sound(t->geometry, &corners[i], before));
+        require(t, !t->in || rw_is_corner_sound(t->contact, &corners[i], before));
         before = &corners[i];
     }
 }
@@ -331,6 +331,15 @@ static void pass_pad(stream *t, rw_geometry *g)
     require(t, rw_is_pad_sound(g->pad));
 }
 
+/* Whether the bodies are unlike follows from beta and friction. */
+static void pass_beta(stream *t, rwedge_contact *c)
+{
+    pass_finite(t, &c->beta);
+    require(t, rw_is_signed(c->beta) && fabs(c->beta) <= 0.5 && rw_is_friction(c->f));
+    if (t->in && t->is_sound)
+        has(t, rw_contact_make_unlike(c));
+}
+
 /* What rounding left out of the sum; NaN where the energy is not known. */
 static void pass_rest_of_energy(stream *t, rw_dissipated *energy)
 {
@@ -375,7 +384,7 @@ static void pass_contact(stream *t, rwedge_contact *c)
     rw_sliding sliding = {.is_off_centre = rw_contact_is_off_centre(c)};
     if (c->phase == RW_SLIDING)
         sliding = c->sliding;
-    t->geometry = g;
+    t->contact = c;
     pass_all(t, (double *const[]){&g->theta, &g->a, &g->A, &c->f, &loads->P, &loads->M, &loads->Q,
                                   &loads->sigma, &c->touched_at, NULL});
     pass_patch(t, &c->slip.settled);
@@ -388,6 +397,8 @@ static void pass_contact(stream *t, rwedge_contact *c)
     pass_energy(t, &c->energy);
     if (t->version > 2)
         pass_pad(t, g);
+    if (t->version > 4)
+        pass_beta(t, c);
     require(t, !t->in || (rw_is_geometry(g) && rw_is_positive(rw_unit_stress(g))));
     pass_flag(t, &sliding.is_off_centre);
     pass_flag(t, &c->slip.is_known);

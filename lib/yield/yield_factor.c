@@ -284,8 +284,8 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
                             .kappa = rw_plane_strain_weight(nu),
                             .tension = contact->loads.sigma / 2 / unit,
                             .top_radius = HUGE_VAL},
-                .is_centred = !contact->computed.now && rw_is_symmetric(&contact->geometry) &&
-                              are_centred(&contact->memory)};
+                .is_centred = !contact->computed.now && !contact->unlike &&
+                              rw_is_symmetric(&contact->geometry) && are_centred(&contact->memory)};
     double most = 0;
     const rw_highest *highest = &s.highest;
     if (!is_infinite(contact, highest->kappa)) {

@@ -53,7 +53,7 @@ QUANTITIES = {
     "sxx": [120, -80, 45, 210, -33, 7], "syy": [-64, 31, 150, -12, 88], "txy": [55, -140, 26, 73],
     "E": [200e3, 72e3, 110e3],
     "k_over_sy": [0.0025, 0.001, 0.0042],
-    "criterion": [1, 2, 7, 8, 9, 10, 11, 12, 13], "measure": [1, 2, 7, 10], "j": [0], "parameter": [0.9, 0.02, 3], "plane_stress": [0, 1],
+    "criterion": [1, 2, 7, 8, 9, 10, 11, 12, 13], "measure": [1, 2, 7, 10], "j": [0], "parameter": [0.9, 0.02, 3], "plane_stress": [0, 1], "held": [0, 1], "beta_f": [0.02, -0.01],
     "state": "@", "doubt": [1, 2, 4, 8, 3],
     "M": [60], "sigma": [1],
     "sf": [475, 900], "ef": [0.6, 0.3], "tf": [450, 300], "gf": [0.7, 1.1], "G": [62e3, 27e3], "limit": [0],
@@ -95,10 +95,11 @@ CONSTANTS = {1: [200e3], 2: [200e3, 0.6, 400], 7: [0.3], 8: [40, 120, 0.7], 9: [
 OF_LIFE = {1: [475, -0.078, 0.6, -0.62, 0], 2: [62e3, 450, -0.08, 0.7, -0.6, 0]}
 NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
 SAMPLES = {"series_fit": 9, "cycle_growth": 5, "cycle_closing_growth": 5, "profile_fit": 12}
-# The objects, each with the calls that change it: strain by tension, normal load, both loads together, Q reversed, P and Q to and fro; held
-# at a tilt; with moment and tension.
+# The objects, each with the calls that change it: bodies, strain by tension, normal load, both loads together, Q reversed, P and Q to and fro;
+# held at a tilt; with moment and tension.
 OBJECTS = {
-    "contact": [("contact_set_strain", (0,)), ("contact_set_strain", (3.1e-6,))] +
+    "contact": [("contact_set_beta", (0.3,)), ("contact_set_bodies", (4 / 1.8e-5, 0, 4 / 1.8e-5, 0)),
+                ("contact_set_strain", (0,)), ("contact_set_strain", (3.1e-6,))] +
                [("contact_load", pair) for pair in
                 ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900), (0, 0))] +
                [("contact_set_rotation", (1,)), ("contact_guide", (2000, 0.001, 400, 0)), ("contact_set_rotation", (0,))] +
@@ -211,7 +212,7 @@ def objects():
             steps = history if maker.method == "create" else ANOTHER_PAD if maker.method.startswith("create_") else history[-1:]
             for name, arguments in steps:
                 call(interface[name], arguments)
-                if arguments[0] == 0 or len(arguments) == 1:
+                if arguments[0] == 0 or name.startswith("contact_set_"):
                     continue  # separated, it tells nothing
                 for f in readers:
                     sample(f, 1 if maker.method != "create" else 2)

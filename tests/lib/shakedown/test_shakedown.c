@@ -159,7 +159,7 @@ CLAIM(the_peak_at_a_depth_is_that_of_a_search_by_thirds)
                      nu = random_fraction(&seed) / 2, depth = pow(10, random_fraction(&seed) - 1),
                      y = i % 2 ? alpha * depth : 0;
         const rw_pass pass = {
-            {1, rw_rounding(alpha), NULL}, {-1, 1}, f, sqrt(rw_plane_strain_weight(nu))};
+            {1, rw_rounding(alpha), NULL}, {-1, 1}, f, sqrt(rw_plane_strain_weight(nu)), {NULL, 1}};
         const double peak = rw_least_peak_at(&pass, y, 0.07).peak;
         const double other =
             sqrt(least_square(dense_path(alpha, f, nu, y, path), path, 2, 0, 2 * peak));
@@ -170,7 +170,10 @@ CLAIM(the_peak_at_a_depth_is_that_of_a_search_by_thirds)
 static rw_pass random_pass(uint64_t *seed, double f)
 {
     const double alpha = pow(10, -3 * random_fraction(seed)), nu = random_fraction(seed) / 2;
-    return (rw_pass){{1, rw_rounding(alpha), NULL}, {-1, 1}, f, sqrt(rw_plane_strain_weight(nu))};
+    return (rw_pass){.arcs = {1, rw_rounding(alpha), NULL},
+                     .patch = {-1, 1},
+                     .f = f,
+                     .weight = sqrt(rw_plane_strain_weight(nu))};
 }
 
 /* The surface by a denser grid. Where the tip ends the path has a vertical tangent: a top may be as
@@ -224,7 +227,7 @@ CLAIM(no_depth_needs_more_strength)
         const double alpha = pow(10, -3 * random_fraction(&seed)), f = random_fraction(&seed),
                      nu = 0.49 * random_fraction(&seed);
         const rw_pass pass = {
-            {1, rw_rounding(alpha), NULL}, {-1, 1}, f, sqrt(rw_plane_strain_weight(nu))};
+            {1, rw_rounding(alpha), NULL}, {-1, 1}, f, sqrt(rw_plane_strain_weight(nu)), {NULL, 1}};
         const double most = rwedge_load(alpha) / limit_at(alpha, f, nu, NULL);
         for (double y = 1e-3 * alpha; y < 3; y *= 1.1)
             assert_true(rw_least_peak_at(&pass, y, 0.1).peak <= most * (1 + 1e-9));

@@ -337,15 +337,22 @@ CLAIM(a_shear_of_another_contact_is_refused)
 }
 
 /* A state of the first version, which did not hold the strain, is that of equal compliances. Since
- * the third, what is no wedge is after the energy, and what has no closed form at the end. */
+ * the third, what is no wedge is after the energy, and what has no closed form at the end; since
+ * the fifth, beta stands behind the pad, and how it is held at the end. */
 CLAIM(older_states_are_read)
 {
-    /* its place; that of three numbers of the pad; numbers at the end */
-    enum { STRAIN = 2 + 13, PAD = STRAIN + 2, END = 4 };
+    /* its place; that of three numbers of the pad and one of the bodies; numbers at the end */
+    enum { STRAIN = 2 + 13, PAD = STRAIN + 2, OF_PAD = 3, END = 4 };
     rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.5, 0, 0.1, 0});
     contact_state s = state_of(contact);
-    s.size -= 3 + END;
-    memmove(s.number + PAD, s.number + PAD + 3, (s.size + END - PAD) * sizeof *s.number);
+    s.size -= 2; /* beta, and whether the pad is held */
+    memmove(s.number + PAD + OF_PAD, s.number + PAD + OF_PAD + 1,
+            (s.size - PAD - OF_PAD) * sizeof *s.number);
+    s.number[0] = 4;
+    sign(s);
+    assert_state(restored(s), state_of(contact));
+    s.size -= OF_PAD + END - 1;
+    memmove(s.number + PAD, s.number + PAD + OF_PAD, (s.size + END - PAD) * sizeof *s.number);
     s.number[0] = 2;
     sign(s);
     assert_state(restored(s), state_of(contact));

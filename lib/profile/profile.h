@@ -51,9 +51,11 @@ int32_t rw_nonnegative(int32_t rows, int32_t columns, int32_t free_count, const 
 /* ---- knots ---- */
 
 /* Arcs between knots, which are whole numbers of cells: slope and level at t = -1, the rate of the
- * slope on each arc, and the sum of squares that is left. */
+ * slope on each arc, and the sum of squares that is left. A straight arc has the rate 0, whatever
+ * the heights. */
 typedef struct {
     int32_t arcs, knot[RW_MOST_ARCS + 1];
+    bool is_straight[RW_MOST_ARCS];
     double level, slope, rate[RW_MOST_ARCS], square;
 } rw_arcs;
 

@@ -164,8 +164,8 @@ CLAIM(a_cylinder_is_one_arc)
         }
 }
 
-/* The noise may be taken for a little curvature of the flat: of 40 scans with 0.5 um of noise the
- * pressure had a standard deviation of 0.9 %, and 3.2 % at most. */
+/* Of 100 other scans each, with 0.05 and 0.5 um of noise, the pressure erred by 0.04 and 0.30 % at
+ * most, where the flat is straight. Noise bends it once in 100 times. */
 CLAIM(a_flat_pad_with_rounded_edges_is_three_arcs)
 {
     const double A = 1.7333333333333333e-05, P = 400;
@@ -177,11 +177,14 @@ CLAIM(a_flat_pad_with_rounded_edges_is_three_arcs)
             const heights all = scan_of(flat, rms, seed);
             const fit to = fit_of(&all, 0);
             assert_int_equal(to.arcs, 3);
-            assert_close(peak_of(&to, A, P), exact, rms < 1e-4 ? 0.004 : 0.06);
+            assert_close(peak_of(&to, A, P), exact, rms < 1e-4 ? 0.001 : 0.005);
+            assert_close(to.slope[1], to.slope[2], 1e-15); /* the flat is straight */
         }
 }
 
-CLAIM(a_rounded_wedge_takes_six_arcs_or_so)
+/* Its knots have to move far: where they did not, it took six arcs, and a flat pad five, whose
+ * pressure erred by 77 %. */
+CLAIM(a_rounded_wedge_takes_three_arcs)
 {
     const double A = 1.7333333333333333e-05, P = 2000;
     rwedge_contact *contact;
@@ -190,12 +193,13 @@ CLAIM(a_rounded_wedge_takes_six_arcs_or_so)
     for (uint64_t seed = 1; seed <= 4; seed++) {
         const heights all = scan_of(wedge, 0.05e-3, seed);
         const fit to = fit_of(&all, 0);
-        assert_true(to.arcs >= 5 && to.arcs <= 7);
-        assert_close(peak_of(&to, A, P), exact, 0.01);
+        assert_true(to.arcs == 3 || to.arcs == 4);
+        assert_close(peak_of(&to, A, P), exact, 0.002);
     }
 }
 
-/* So many arcs as are asked for; more leave less. The fit is convex. */
+/* So many arcs as are asked for; more leave less, but for what straight arcs may cost: Schwarz's
+ * criterion gives ln(n)/n of the squares for a parameter. The fit is convex. */
 CLAIM(more_arcs_leave_less)
 {
     const heights all = scan_of(wedge, 0.5e-3, 3);
@@ -203,7 +207,7 @@ CLAIM(more_arcs_leave_less)
     for (int32_t arcs = 1; arcs <= 12; arcs++) {
         const fit to = fit_of(&all, arcs);
         assert_int_equal(to.arcs, arcs);
-        assert_true(to.rms <= before);
+        assert_true(to.rms <= before * (1 + log(MANY) / MANY));
         before = to.rms;
         for (int i = 1; i < PLACES; i++)
             assert_true(to.place[i] >= to.place[i - 1] && to.slope[i] >= to.slope[i - 1]);

@@ -11,7 +11,8 @@ enum {
     DOUBT_ZONES = 1 << 22,
     DOUBT_SLIDES = 1 << 23,
     DOUBT_BEYOND = 1 << 24,
-    DOUBT_AWAY = 1 << 25
+    DOUBT_AWAY = 1 << 25,
+    DOUBT_LOBE = 1 << 26
 };
 
 static const double STEEP = 0.1;
@@ -30,6 +31,18 @@ static int32_t doubt_of_origin(const contact_case *setup, double left, double ri
     return is_moved || (lowest >= left && lowest <= right) ? 0 : DOUBT_AWAY;
 }
 
+/* The pressure at an edge depends on a little of the height there. */
+static int32_t doubt_of_lobe(const contact_case *setup, double left, double right)
+{
+    const double NOISES = 10;
+    const pad_profile *places = setup->shape.places;
+    if (places == NULL || places->arcs == 0 || !(right > left))
+        return 0;
+    const double rise =
+        fmin(pad_fit_lobe(places, left, right, false), pad_fit_lobe(places, left, right, true));
+    return rise < NOISES * places->rms ? DOUBT_LOBE : 0;
+}
+
 static const char *text_of(int32_t bit)
 {
     static const struct {
@@ -46,7 +59,9 @@ static const char *text_of(int32_t bit)
                        "--origin lowest or --M moves it"},
         {DOUBT_AWAY,
          "P acts at x = 0 and the contact is away from the lowest place of the profile: "
-         "--origin lowest or --M moves it"}};
+         "--origin lowest or --M moves it"},
+        {DOUBT_LOBE, "the fit does not resolve the pressure at an edge of the contact: the profile "
+                     "rises there by less than ten times the noise"}};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         if (texts[i].bit == bit)
             return texts[i].text;
@@ -62,7 +77,8 @@ int32_t doubts_of(const contact_case *setup, double left, double right, double s
                         is_wedge && touches ? shape->a / (right / 2 - left / 2) : NAN, setup->beta,
                         setup->f, setup->k / setup->E1, safety);
     const bool is_steep = !is_wedge && touches && pad_steepest(shape, left, right) > STEEP;
-    return bits | (is_steep ? DOUBT_SLOPE : 0) | doubt_of_origin(setup, left, right);
+    return bits | (is_steep ? DOUBT_SLOPE : 0) | doubt_of_origin(setup, left, right) |
+           doubt_of_lobe(setup, left, right);
 }
 
 int32_t doubt_of_zones(const rwedge_contact *contact)

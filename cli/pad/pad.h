@@ -72,6 +72,19 @@ double pad_profile_height(const pad_profile *profile, double x);
 /* Its lowest place, the middle of a flat one; NAN where an end is the lowest. */
 double pad_profile_lowest(const pad_profile *profile);
 
+/* ---- pad_fit ---- What a fit leaves, and what other fits of the same heights are. */
+
+/* The largest distance of the heights from the fit between two places, and where; 0 for none. */
+double pad_fit_residue(const pad_profile *profile, double left, double right, double *x);
+
+/* How far the outer arc rises from its inner end to the right edge of the contact, or the left one,
+ * where it is curved more than the arc beside it, so that the pressure has a lobe there; else
+ * HUGE_VAL. */
+double pad_fit_lobe(const pad_profile *profile, double left, double right, bool is_right);
+
+/* Fits the same heights by another number of arcs. False where that cannot be. Free the profile. */
+bool pad_fit_again(const pad_profile *profile, int32_t arcs, pad_profile *to);
+
 /* ---- pad ---- The shape of body 2. */
 
 typedef enum { PAD_WEDGE, PAD_CYLINDER, PAD_FLAT, PAD_PROFILE } pad_kind;

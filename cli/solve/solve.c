@@ -206,6 +206,7 @@ static void solve_one(const arguments *line, const input_texts *texts, job *task
         mirror(&task->answer);
     output_options_write(how, write_rows, task);
     doubts_say(task->answer.doubts, "");
+    fit_say(&setup);
     if (task->says_verdict)
         notice("%s", verdict_of(&task->answer, how->decimal_sign, "").strength);
 }

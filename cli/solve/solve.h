@@ -12,4 +12,8 @@
 int batch_run(const arguments *line, const char *path, const input_texts *constants,
               results_wanted wanted, const output_options *how);
 
+/* Says what a fit of the pad leaves within the contact, and how p0 changes with another number of
+ * arcs; nothing of other pads. */
+void fit_say(const contact_case *setup);
+
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where the arcs of a fit begin and end. A knot is added where it reduces the squares most, then all
- * are moved, in ever smaller steps, as long as that helps; until Schwarz's criterion (BIC) does not
- * fall by more than 1. Then arcs are made straight, and knots left out, while it falls: noise would
- * bend the flat of a flat pad. */
+/* Where the arcs of a fit begin and end. A knot is added where it reduces the squares most, then
+ * all are moved, in ever smaller steps, as long as that helps; until Schwarz's criterion (BIC) does
+ * not fall by more than 1. Then arcs are made straight, and knots left out, while it falls: noise
+ * would bend the flat of a flat pad. */
 #include "profile/profile.h"
 
 #include "rwedge.h"

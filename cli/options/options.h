@@ -104,7 +104,7 @@ extern const char *const bash_lines[], *const zsh_lines[], *const fish_lines[];
 /* ---- variable ---- The variables that tables depend on, and two more of figures: for each its
  * option, its column, its domain and its range by default. */
 
-enum { A_OVER_B, FRICTION, NU, Q_OVER_FP, VARIABLE_COUNT };
+enum { A_OVER_B, FRICTION, NU, Q_OVER_FP, BETA_F, VARIABLE_COUNT };
 enum { C_OVER_B = VARIABLE_COUNT, SIGMA_OVER_MAX, FIGURE_VARIABLES };
 
 typedef struct {

@@ -12,6 +12,7 @@ const table_variable variables[FIGURE_VARIABLES] = {
                   "0:0.8:0.0125"},
     [NU] = {"nu", "nu", "Poisson's ratio", 0, 0.5, "a number from 0 to 0.5", "0.3"},
     [Q_OVER_FP] = {"q-over-fp", "Q_over_fP", "Q/(fP)", 0, 1, "a number from 0 to 1", "0:1:0.05"},
+    [BETA_F] = {"beta-f", "beta_f", "beta times f", -1, 1, "a number from -1 to 1", "-0.05,0,0.05"},
     [C_OVER_B] = {"c-over-b", "c_over_b", "c/b", 0, 1, "a number from 0 to 1", ""},
     [SIGMA_OVER_MAX] = {"sigma-over-max", "sigma_over_max", "the bulk tension", -1, 1,
                         "a number from -1 to 1", ""},

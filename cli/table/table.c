@@ -25,9 +25,9 @@ typedef struct {
 } plan;
 
 /* The variables, the one that runs fastest first: of rows; and of a grid, which has one Poisson's
- * ratio, or has it across. */
-static const int orders[2][VARIABLE_COUNT] = {{Q_OVER_FP, FRICTION, A_OVER_B, NU},
-                                              {NU, Q_OVER_FP, FRICTION, A_OVER_B}};
+ * ratio, or has it across, and one pair of bodies. */
+static const int orders[2][VARIABLE_COUNT] = {{Q_OVER_FP, FRICTION, BETA_F, A_OVER_B, NU},
+                                              {NU, BETA_F, Q_OVER_FP, FRICTION, A_OVER_B}};
 
 static void refuse(const table *chosen, const double value[], int32_t status)
 {
@@ -155,6 +155,9 @@ static const struct poptOption options[] = {
     OTHER_NAME("nu1", OPTION_VARIABLE + NU),
     {VALUE("q-over-fp", OPTION_VARIABLE + Q_OVER_FP),
      "Tangential force over its sliding value Q/(fP), 0 to 1", "RANGE"},
+    {VALUE("beta-f", OPTION_VARIABLE + BETA_F),
+     "Of unlike bodies, the wedge held: Dundurs' beta times f; for elastic-limit, max-tension",
+     "RANGE"},
     {VALUE("layout", OPTION_LAYOUT),
      "A row for each combination, or a/b down and the second variable across (default long)",
      "long|grid"},
@@ -166,7 +169,10 @@ static const struct poptOption options[] = {
 
 static void describe_table(const table *chosen, FILE *stream)
 {
-    fprintf(stream, "\n  %s%s: %s\n", chosen->name, chosen->ratio != NULL ? " --pad flat" : "",
+    fprintf(stream, "\n  %s%s: %s\n", chosen->name,
+            chosen->ratio != NULL ? " --pad flat"
+            : chosen->has[BETA_F] ? " --beta-f"
+                                  : "",
             chosen->summary);
     int width = fprintf(stream, "    columns:");
     for (int i = 0; i < VARIABLE_COUNT; i++)
@@ -209,13 +215,17 @@ static void choose_table(const arguments *line, plan *job)
         list_add(allowed, sizeof allowed, ", ", "%s", tables[i].name);
     if (line->operand == NULL || line->operand[0] == NULL)
         usage_error("the name of a table must follow; allowed: %s", allowed);
-    if (table_named(line->operand[0], false) == NULL)
+    if (table_named(line->operand[0], false, false) == NULL)
         usage_error("%s: unknown table; allowed: %s", line->operand[0], allowed);
     if (line->operand[1] != NULL)
         usage_error("%s: unexpected; allowed: one table, and options", line->operand[1]);
     if (pad != NULL && !is_flat && strcmp(pad, "wedge") != 0)
         usage_error("--pad %s: unknown pad; allowed: wedge, flat", pad);
-    job->table = table_named(line->operand[0], is_flat);
+    const char *beta_f = line->value[OPTION_VARIABLE + BETA_F];
+    job->table = table_named(line->operand[0], is_flat, beta_f != NULL);
+    if (job->table == NULL && beta_f != NULL)
+        usage_error("--beta-f %s: not for %s%s; allowed: elastic-limit, max-tension", beta_f,
+                    line->operand[0], is_flat ? " --pad flat" : "");
     if (job->table == NULL)
         usage_error("--pad flat: not for %s; allowed: elastic-limit, contact-law, shakedown-limit",
                     line->operand[0]);
@@ -266,6 +276,9 @@ static void read_layout(const arguments *line, plan *job)
         usage_error(
             "--nu %s: a grid has one Poisson's ratio; allowed: one number, or --layout long",
             line->value[OPTION_VARIABLE + NU]);
+    if (job->grid && job->axis[BETA_F].count > 1)
+        usage_error("--beta-f %s: a grid has one of it; allowed: one number, or --layout long",
+                    line->value[OPTION_VARIABLE + BETA_F]);
 }
 
 static void read_quantity(const arguments *line, plan *job)

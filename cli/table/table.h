@@ -8,7 +8,7 @@
 
 /* ---- tables ---- The tables: what each depends on, its columns, and how a row is computed. */
 
-enum { COLUMNS_MAX = 10, COLUMN_KINDS = 22 };
+enum { COLUMNS_MAX = 10, COLUMN_KINDS = 24 };
 
 typedef struct {
     const char *name;
@@ -24,15 +24,16 @@ typedef struct {
     const char *allowed;         /* of the variables, where the library refuses some; NULL */
 } table;
 
-/* The tables of the wedge, and then those of a flat pad. */
-enum { WEDGE_TABLES = 6, TABLE_COUNT = 9 };
+/* The tables of the wedge, then those of a flat pad, and those of unlike bodies. */
+enum { WEDGE_TABLES = 6, TABLE_COUNT = 11 };
 extern const table tables[TABLE_COUNT];
 
 /* The columns of all tables. */
 extern const column_kind table_columns[COLUMN_KINDS];
 
-/* The table of a name, of the wedge or of a flat pad; NULL where there is none. */
-const table *table_named(const char *name, bool is_flat);
+/* The table of a name, of the wedge or of a flat pad, of similar or of unlike bodies; NULL where
+ * there is none. */
+const table *table_named(const char *name, bool is_flat, bool is_unlike);
 
 /* One of its variables. */
 const table_variable *table_variable_of(const table *chosen, int variable);

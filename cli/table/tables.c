@@ -186,6 +186,44 @@ static int32_t stick_zone(const double value[], cell row[])
     return RWEDGE_OK;
 }
 
+/* ---- Of unlike bodies that slide, the rotation of the wedge being held ---- */
+
+static const char OF_UNLIKE[] = "an a_over_b of 0, or from 0.001 to 1000";
+
+/* beta is 1/2 at most: there is no pair of bodies with more, and no value. */
+static bool is_pair(const double value[])
+{
+    return fabs(value[BETA_F]) <= value[FRICTION] / 2;
+}
+
+static int32_t unlike_elastic_limit(const double value[], cell row[])
+{
+    double limit = NAN, x = NAN, y = NAN;
+    const int32_t status = is_pair(value)
+                               ? rwedge_sliding_limit(value[A_OVER_B], value[BETA_F],
+                                                      value[FRICTION], value[NU], 1, &limit, &x, &y)
+                               : RWEDGE_OK;
+    row[0] = cell_number(limit);
+    row[1] = cell_number(rounded(x));
+    row[2] = cell_number(rounded(y));
+    row[3] = cell_text(isnan(y) ? "" : y > 0 ? "subsurface" : "surface");
+    return status;
+}
+
+static int32_t unlike_max_tension(const double value[], cell row[])
+{
+    double total, middle, tilt, over_f;
+    const int32_t status =
+        rwedge_sliding_law(value[A_OVER_B], value[BETA_F], 1, &total, &middle, &tilt, &over_f);
+    if (status != RWEDGE_OK)
+        return status;
+    row[0] = cell_number(value[FRICTION] * over_f);
+    row[1] = cell_number(over_f);
+    row[2] = cell_number(total);
+    row[3] = cell_number(middle);
+    return status;
+}
+
 const table tables[TABLE_COUNT] = {
     {.name = "elastic-limit",
      .summary = "load at first yield P/(bk), where, and on which branch",
@@ -246,6 +284,20 @@ const table tables[TABLE_COUNT] = {
      .quantity = {"P_over_bk", "y_over_b", "branch"},
      .row = flat_shakedown_limit,
      .ratio = &flat_over_b},
+    {.name = "elastic-limit",
+     .summary = "P/(bk) at first yield of unlike bodies, and where",
+     .has = {[A_OVER_B] = true, [FRICTION] = true, [NU] = true, [BETA_F] = true},
+     .across = FRICTION,
+     .quantity = {"P_over_bk", "x_over_b", "y_over_b", "branch"},
+     .row = unlike_elastic_limit,
+     .allowed = OF_UNLIKE},
+    {.name = "max-tension",
+     .summary = "tension at the edge of unlike bodies, and the middle",
+     .has = {[A_OVER_B] = true, [FRICTION] = true, [BETA_F] = true},
+     .across = FRICTION,
+     .quantity = {"b_sigma_over_P", "b_sigma_over_fP", "AP_over_theta_b", "swing"},
+     .row = unlike_max_tension,
+     .allowed = OF_UNLIKE},
 };
 
 const column_kind table_columns[COLUMN_KINDS] = {
@@ -271,12 +323,15 @@ const column_kind table_columns[COLUMN_KINDS] = {
     {"APR_over_a2", "load A P R/a^2", "none"},
     {"largest_pressure", "largest pressure, near the edges", "b/(A R)"},
     {"middle_pressure", "pressure at x = 0", "b/(A R)"},
+    {"beta_f", "Dundurs' beta of half-plane and wedge, times f", "none"},
+    {"swing", "middle of the contact; below 0 towards the trailing edge", "b"},
 };
 
-const table *table_named(const char *name, bool is_flat)
+const table *table_named(const char *name, bool is_flat, bool is_unlike)
 {
     for (int i = 0; i < TABLE_COUNT; i++)
-        if (strcmp(tables[i].name, name) == 0 && (tables[i].ratio != NULL) == is_flat)
+        if (strcmp(tables[i].name, name) == 0 && (tables[i].ratio != NULL) == is_flat &&
+            tables[i].has[BETA_F] == is_unlike)
             return &tables[i];
     return NULL;
 }

@@ -32,7 +32,7 @@ static double excess(double middle, const void *context)
 rw_sliding_law rw_sliding_law_of(const rw_unlike *unlike, double alpha, bool is_held)
 {
     const wedge w = {{1, rw_rounding(alpha), NULL}, {unlike, 1}, is_held};
-    const double middle = rw_root(excess, &w, -0.999, 0.999, DBL_EPSILON / 4);
+    const double middle = unlike->mu == 0 ? 0 : rw_root(excess, &w, -0.999, 0.999, DBL_EPSILON / 4);
     if (isnan(middle))
         return (rw_sliding_law){NAN, NAN, NAN, NAN};
     const rw_pressing p = rw_sliding_pressing(&w.arcs, w.slides, patch_at(middle));

@@ -14,7 +14,7 @@ every_option() {
 }
 "$rwedge" --help | sed -n '/^Commands/,/^$/s/^  \([a-z]*\) .*/\1/p' >commands
 same "commands" "4" "$(grep -c -x -e solve -e table -e profile -e field commands)"
-same "options of table" 14 "$(every_option table | wc -l | tr -d ' ')"
+same "options of table" 15 "$(every_option table | wc -l | tr -d ' ')"
 
 if command -v bash >/dev/null 2>&1; then
     cat >complete.bash <<'BASH'

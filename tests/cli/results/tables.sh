@@ -59,6 +59,24 @@ run table shakedown-limit --pad flat --a-over-b 0 --friction 0.1 --nu 0.3
 close_to "shakedown of a cylinder" "$(sed -n 2p out | cut -d , -f 4)" 5.598645857 1e-9
 cannot "shakedown-limit at nu = 0.3, a_over_b = 0.0005, f = 0.3: allowed: an a_over_b of 0, or of 0.001 and more" \
     table shakedown-limit --a-over-b 0.0005 --friction 0.3 --nu 0.3
+
+# Unlike bodies: a cylinder, a/b = 3, in closed form with lambda = atan(-beta_f)/pi; limits by how much another program finds that they
+# change, in percent; no limit where |beta f| is above f/2.
+run table max-tension --beta-f 0.3,-0.2 --a-over-b 3 --friction 0.7
+awk -F, -v OFMT=%.17g 'NR > 1 { pi = 3.141592653589793; l = atan2(-$3, 1) / pi
+    print pi / 6 * (1 - 4 * l * l), $6; print -2 * l, $7; print $5 * $2, $4 }' out >both
+close_rows "load, middle and tension of a cylinder" 1e-12 0
+run table elastic-limit --beta-f -0.05,0 --a-over-b 0.5 --friction 0.5,0.8
+awk -F, 'NR > 1 { limit[$2, $4] = $5 } END { print 0.13, 100 * (limit[0.5, "-0.05"] / limit[0.5, 0] - 1)
+    print 0.13, 100 * (limit[0.8, "-0.05"] / limit[0.8, 0] - 1) }' out >both
+close_rows "P_over_bk of unlike bodies" 0 0.006
+prints "a_over_b,f,nu,beta_f,P_over_bk,x_over_b,y_over_b,branch
+0.5,0.1,0.3,0.06,,,," table elastic-limit --beta-f 0.06 --a-over-b 0.5 --friction 0.1
+refuses "--beta-f 0.1: not for stick-zone; allowed: elastic-limit, max-tension" table stick-zone --beta-f 0.1
+refuses "--beta-f 0.1: not for elastic-limit --pad flat; allowed: elastic-limit, max-tension" \
+    table elastic-limit --pad flat --beta-f 0.1
+refuses "--beta-f 0,0.1: a grid has one of it; allowed: one number, or --layout long" \
+    table max-tension --beta-f 0,0.1 --friction 0.3 --layout grid
 refuses "--pad flat: not for max-tension; allowed: elastic-limit, contact-law, shakedown-limit" table max-tension --pad flat
 refuses "--pad square: unknown pad; allowed: wedge, flat" table contact-law --pad square
 refuses "--a-over-b 1: a/b of a flat pad must be a number from 0 to 0.999" table contact-law --pad flat --a-over-b 1

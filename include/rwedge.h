@@ -1001,6 +1001,28 @@ RWEDGE_API void rwedge_cycle_destroy(rwedge_cycle *cycle);
 /* How many loads the cycle has; 0 for NULL. */
 RWEDGE_API size_t rwedge_cycle_loads(const rwedge_cycle *cycle);
 
+/* How many edges rwedge_cycle_edges() tells; 0 for NULL.                                     new */
+RWEDGE_API size_t rwedge_cycle_edge_count(const rwedge_cycle *cycle);
+
+/* The edges of the contact and of each zone that sticks, before the cycle and after each load:
+ * there stresses and slip have their peaks. They are in ascending order, each once. Of more than
+ * 200 those are left out that are closer than a 200th of the widest contact to the one before. new
+ *   n  rwedge_cycle_edge_count()
+ *   x  length, receives n numbers
+ * RWEDGE_ERANGE; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_cycle_edges(const rwedge_cycle *cycle, size_t n, double x[]);
+
+/* How many places rwedge_cycle_places() tells; 0 for NULL.                                   new */
+RWEDGE_API size_t rwedge_cycle_place_count(const rwedge_cycle *cycle);
+
+/* Places of the surface at which to measure the cycle: 201 across the widest contact, dense at its
+ * edges; 40 beyond each edge, as far as its half-width; and those of rwedge_cycle_edges(). They are
+ * in ascending order. There is none where the bodies do not touch.                             new
+ *   n  rwedge_cycle_place_count()
+ *   x  length, receives n numbers
+ * RWEDGE_ERANGE; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_cycle_places(const rwedge_cycle *cycle, size_t n, double x[]);
+
 /* Stresses at n points after each load of the cycle: as rwedge_contact_stresses(), to the same
  * bits.                                                                                         new
  *   loads          rwedge_cycle_loads()

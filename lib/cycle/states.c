@@ -343,7 +343,8 @@ static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_loads to)
         status = rwedge_contact_copy(w->contact, &before);
     if (status == RWEDGE_OK)
         status = rwedge_contact_apply(w->contact, to.P, to.M, to.Q, to.sigma);
-    if (status == RWEDGE_OK && !rw_record_add(&cycle->at_loads, w->contact, NULL))
+    if (status == RWEDGE_OK && !(rw_record_add(&cycle->at_loads, w->contact, NULL) &&
+                                 rw_edges_add(&cycle->edges, w->contact)))
         status = RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
         const rw_patch stuck = stuck_between(before, w->contact);
@@ -364,7 +365,8 @@ static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_loads to)
 static int32_t begin(rwedge_cycle *cycle, walk *w)
 {
     int32_t status = rwedge_contact_copy(cycle->before, &w->contact);
-    if (status == RWEDGE_OK && !rw_stuck_begin(&w->stuck, w->contact))
+    if (status == RWEDGE_OK &&
+        !(rw_stuck_begin(&w->stuck, w->contact) && rw_edges_add(&cycle->edges, w->contact)))
         status = RWEDGE_ENOMEM;
     if (status == RWEDGE_OK && !rw_contact_knows_slip(w->contact)) {
         status = rwedge_contact_copy(w->contact, &w->follower);
@@ -386,6 +388,8 @@ static int32_t go_through(rwedge_cycle *cycle)
         status = go_to(cycle, &w, rw_loads_at(&cycle->loads, i));
     if (status == RWEDGE_OK)
         cycle->never_slips = rw_stuck_widest(&w.stuck);
+    if (status == RWEDGE_OK)
+        rw_edges_settle(&cycle->edges);
     rwedge_contact_destroy(w.contact);
     rwedge_contact_destroy(w.ahead);
     rwedge_contact_destroy(w.follower);
@@ -443,6 +447,7 @@ void rwedge_cycle_destroy(rwedge_cycle *cycle)
     for (size_t i = 0; i < cycle->count; i++)
         free(cycle->states[i].sticks);
     free(cycle->states);
+    free(cycle->edges.all);
     free(cycle);
 }
 

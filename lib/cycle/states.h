@@ -31,6 +31,19 @@ typedef struct {
     double leave[2];         /* slip at the edge since the state before, where it moves inwards */
 } rw_state;
 
+/* Edges of the contact, and of the zones that stick: places.c. */
+typedef struct {
+    double *all;
+    size_t count, capacity;
+    rw_patch outermost; /* of the contact, where there are edges */
+} rw_edges;
+
+/* Adds those of a contact. false where memory is short. */
+bool rw_edges_add(rw_edges *edges, const rwedge_contact *contact);
+
+/* To be called after the last one: in ascending order, each once. */
+void rw_edges_settle(rw_edges *edges);
+
 /* The first state on the way is that before the cycle. */
 struct rwedge_cycle {
     rwedge_contact *before;
@@ -39,6 +52,7 @@ struct rwedge_cycle {
     rw_record on_the_way;  /* all states, for slip */
     rw_state *states;
     size_t count, capacity;
+    rw_edges edges;       /* before the cycle, and after each load */
     double rounding;      /* of an edge */
     double least, most;   /* half-widths after loads; least: 0 where the bodies are apart once */
     rw_patch never_slips; /* the widest such zone; without width where there is none */

@@ -160,11 +160,9 @@ typedef struct {
     rwedge_cycle *cycle;       /* what the contact goes through */
     size_t loads;              /* of the cycle */
     double *P, *M, *Q, *sigma; /* `loads` numbers each */
-    double *edges;             /* of contact and stick zone, in no order */
-    size_t edge_count;
-    double left, right; /* the outermost; NAN where there is no contact */
-    double error;       /* the largest rwedge_contact_error() of its states */
-    bool slip_known;    /* it has a closed form after every load */
+    double left, right;        /* the outermost edges; NAN where there is no contact */
+    double error;              /* the largest rwedge_contact_error() of its states */
+    bool slip_known;           /* it has a closed form after every load */
 } last_cycle;
 
 /* Begins a cycle of at most so many loads: copies the contact before it. */
@@ -193,8 +191,8 @@ int32_t last_cycle_criteria(const last_cycle *cycle, size_t n, const double *str
 int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const measured_place line[],
                          double *worst_x, double *worst_value);
 
-/* ---- stops ---- The places along x at which a cycle is measured. The edges of contact and stick
- * zone after each load are among them, because stresses and slip have their peaks there. */
+/* ---- stops ---- The places along x at which a cycle is measured. Those of rwedge_cycle_edges()
+ * are among them, because stresses and slip have their peaks there. */
 
 /* Lines along x, one after the other: each line has `line` places, all of one depth y, x
  * ascending. */
@@ -203,8 +201,7 @@ typedef struct {
     size_t count, line;    /* line is 0 where they are no lines */
 } measured;
 
-/* The places by default, of the surface: across the contact and beyond. None where there is no
- * contact. */
+/* The places by default, those of rwedge_cycle_places(). None where there is no contact. */
 measured stops_usual(const last_cycle *cycle);
 
 /* The place with the largest value of a column, the first of several. Of a criterion it is not

@@ -9,15 +9,12 @@
 /* A state before or after a load: its error and edges. */
 static void note(const rwedge_contact *contact, last_cycle *cycle)
 {
-    double *edge = cycle->edges + cycle->edge_count;
+    double left, right;
     cycle->error = fmax(cycle->error, rwedge_contact_error(contact));
-    if (rwedge_contact_edges(contact, &edge[0], &edge[1]) != RWEDGE_OK)
+    if (rwedge_contact_edges(contact, &left, &right) != RWEDGE_OK)
         return;
-    cycle->left = fmin(cycle->left, edge[0]);
-    cycle->right = fmax(cycle->right, edge[1]);
-    cycle->edge_count += 2;
-    if (rwedge_contact_stick_zone(contact, &edge[2], &edge[3]) == RWEDGE_OK)
-        cycle->edge_count += 2;
+    cycle->left = fmin(cycle->left, left);
+    cycle->right = fmax(cycle->right, right);
 }
 
 void last_cycle_begin(const contact_case *setup, const criteria *asked,
@@ -26,7 +23,6 @@ void last_cycle_begin(const contact_case *setup, const criteria *asked,
     *cycle = (last_cycle){.setup = setup,
                           .asked = *asked,
                           .P = memory_zeroed(4 * most, sizeof(double)),
-                          .edges = memory_zeroed(4 * (most + 1), sizeof(double)),
                           .left = NAN,
                           .right = NAN};
     cycle->M = cycle->P + most;
@@ -59,7 +55,6 @@ void last_cycle_free(last_cycle *cycle)
     rwedge_cycle_destroy(cycle->cycle);
     rwedge_contact_destroy(cycle->before);
     free(cycle->P);
-    free(cycle->edges);
 }
 
 /* ---- Measures ---- */

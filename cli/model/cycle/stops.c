@@ -4,10 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* By default: so many steps across the contact, dense at its edges, and so many beyond each edge,
- * as far as its half-width. */
-enum { INSIDE = 200, OUTSIDE = 40 };
-
 static void add(measured *to, double x, bool is_shown)
 {
     to->place[to->count++] = (measured_place){.x = x, .is_shown = is_shown};
@@ -21,75 +17,56 @@ static int ascending(const void *left, const void *right)
     return (int)b->is_shown - (int)a->is_shown;
 }
 
-/* Ascending, each once: edges of several loads are one but for rounding. Of two, one that is shown
- * stays. */
-static void sort(measured *all, double rounding)
+/* Ascending, each once. Of two, one that is shown stays. */
+static void sort(measured *all)
 {
     size_t kept = 0;
     qsort(all->place, all->count, sizeof *all->place, ascending);
     for (size_t i = 0; i < all->count; i++)
-        if (kept == 0 || all->place[i].x - all->place[kept - 1].x > rounding)
+        if (kept == 0 || all->place[i].x > all->place[kept - 1].x)
             all->place[kept++] = all->place[i];
-        else if (all->place[i].is_shown)
-            all->place[kept - 1] = all->place[i];
     all->count = all->line = kept;
-}
-
-/* Many loads have edges everywhere. Then those that are close to another are left out: tops are
- * searched between the places too. */
-static void add_edges(const last_cycle *cycle, double from, double to, bool is_shown, measured *all)
-{
-    enum { EDGES_MAX = 200 };
-    measured edges = {.place = all->place + all->count};
-    for (size_t i = 0; i < cycle->edge_count; i++)
-        if (cycle->edges[i] >= from && cycle->edges[i] <= to)
-            add(&edges, cycle->edges[i], is_shown);
-    const double width = cycle->right - cycle->left;
-    sort(&edges, 1e-12 * width);
-    if (edges.count > EDGES_MAX)
-        sort(&edges, width / EDGES_MAX);
-    all->count += edges.count;
-}
-
-static measured with_room(size_t count, const last_cycle *cycle)
-{
-    return (measured){.place = memory_zeroed(count + cycle->edge_count, sizeof(measured_place))};
 }
 
 measured stops_usual(const last_cycle *cycle)
 {
-    measured all = with_room(INSIDE + 2 * OUTSIDE, cycle);
-    const double left = cycle->left, right = cycle->right;
-    const double middle = (left + right) / 2, half = (right - left) / 2;
-    if (isnan(left))
-        return all;
-    for (int i = 1; i < INSIDE; i++)
-        add(&all, middle + half * sin(PI / 2 * (2 * i - INSIDE) / INSIDE), true);
-    for (int i = 1; i <= OUTSIDE; i++) {
-        const double part = (double)i / OUTSIDE, beyond = half * part * part;
-        add(&all, left - beyond, true);
-        add(&all, right + beyond, true);
-    }
-    add_edges(cycle, -HUGE_VAL, HUGE_VAL, true, &all);
-    sort(&all, 1e-12 * half);
+    const size_t n = rwedge_cycle_place_count(cycle->cycle);
+    double *x = memory_zeroed(n, sizeof *x);
+    measured all = {.place = memory_zeroed(n, sizeof *all.place), .line = n};
+    rwedge_cycle_places(cycle->cycle, n, x);
+    for (size_t i = 0; i < n; i++)
+        add(&all, x[i], true);
+    free(x);
     return all;
+}
+
+static void add_edges(const last_cycle *cycle, double from, double to, measured *all)
+{
+    const size_t n = rwedge_cycle_edge_count(cycle->cycle);
+    double *edge = memory_zeroed(n, sizeof *edge);
+    rwedge_cycle_edges(cycle->cycle, n, edge);
+    for (size_t i = 0; i < n; i++)
+        if (edge[i] >= from && edge[i] <= to)
+            add(all, edge[i], false);
+    free(edge);
 }
 
 measured stops_at(const last_cycle *cycle, size_t n, const double x[])
 {
-    measured all = with_room(n, cycle);
+    const size_t most = n + rwedge_cycle_edge_count(cycle->cycle);
+    measured all = {.place = memory_zeroed(most, sizeof *all.place)};
     double from = HUGE_VAL, to = -HUGE_VAL;
     for (size_t i = 0; i < n; i++) {
         add(&all, x[i], true);
         from = fmin(from, x[i]);
         to = fmax(to, x[i]);
     }
-    add_edges(cycle, from, to, false, &all);
-    sort(&all, 0);
+    add_edges(cycle, from, to, &all);
+    sort(&all);
     return all;
 }
 
-/* As in rwedge_contact_cycle_worst(): a place cycles if its amplitude is at least this part of the
+/* As in rwedge_cycle_worst(): a place cycles if its amplitude is at least this part of the
  * largest. */
 static const double CYCLES = 1e-3;
 

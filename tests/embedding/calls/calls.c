@@ -95,12 +95,13 @@ void *object_of(const entry *e, double number)
 
 /* ---- A function as a call ---- */
 
-static bool is_of_cycle(const entry *e)
+/* Whether a size is the number of loads of a cycle. */
+static bool is_of_loads(const entry *e, int k)
 {
-    return strcmp(e->object, "cycle") == 0;
+    return e->size[k].teller != NULL && strcmp(e->size[k].teller, "cycle_loads") == 0;
 }
 
-/* Of a size of the function; the first one of a cycle's functions may be the cycle's. */
+/* Of a size of the function. */
 static size_t size_of(const entry *e, int k)
 {
     const size_t FIT = 8, LAW = 5; /* a fit needs more heights than its unknowns */
@@ -113,7 +114,7 @@ static size_t size_of(const entry *e, int k)
         given += e->size[j].count == NULL;
     if (e->size[k].count != NULL)
         return implied_count(e, k);
-    return is_of_cycle(e) && e->size[k].teller ? OBJECT_LOADS : given > 1 ? 2 : (size_t)array_size;
+    return is_of_loads(e, k) ? OBJECT_LOADS : given > 1 ? 2 : (size_t)array_size;
 }
 
 static int count_of(const entry *e, const signed char sizes[2])
@@ -321,7 +322,7 @@ const char *complaint_of(const public_call *call, const double v[], double out[]
 {
     const entry *e = call->entry;
     /* a state: numbers that say nothing by themselves */
-    const bool any = e->sizes > 0 && e->size[0].teller && !is_of_cycle(e);
+    const bool any = e->sizes > 0 && e->size[0].teller && !is_of_loads(e, 0);
     for (int i = 0; i < CALL_OUTPUTS; i++)
         out[i] = MARK;
     bool changed;

@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { CALL_ARGUMENTS = 128, CALL_OUTPUTS = 256 };
+enum { CALL_ARGUMENTS = 128, CALL_OUTPUTS = 512 };
 
 /* Numbers of an array, 3 unless set before all else; of one of two sizes, 2 times 2. */
 extern int array_size;

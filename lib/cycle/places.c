@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Places along the surface at which to measure a cycle. The edges of the contact and of the zones
+ * that stick are among them, because stresses and slip have their peaks there. */
+#include "cycle/states.h"
+
+#include "base/array.h"
+#include "base/domain.h"
+#include "base/sort.h"
+
+/* So many steps across the contact, and so many beyond each edge; so many edges. */
+enum { INSIDE = 200, OUTSIDE = 40, MOST_EDGES = 200, MOST = INSIDE + 2 * OUTSIDE + MOST_EDGES + 1 };
+
+/* Edges of several loads are one but for this part of the width. */
+static const double ROUNDING = 1e-12;
+
+/* ---- Edges ---- */
+
+static bool add(rw_edges *edges, rw_patch zone)
+{
+    double *grown = rw_grown(edges->all, edges->count, &edges->capacity, 2, sizeof *grown);
+    if (!grown)
+        return false;
+    edges->all = grown;
+    edges->all[edges->count++] = zone.left;
+    edges->all[edges->count++] = zone.right;
+    return true;
+}
+
+bool rw_edges_add(rw_edges *edges, const rwedge_contact *contact)
+{
+    const rw_zones zones = rw_contact_zones(contact);
+    rw_patch patch;
+    if (rwedge_contact_edges(contact, &patch.left, &patch.right) != RWEDGE_OK)
+        return true;
+    const bool is_first = edges->count == 0;
+    edges->outermost.left = is_first ? patch.left : fmin(edges->outermost.left, patch.left);
+    edges->outermost.right = is_first ? patch.right : fmax(edges->outermost.right, patch.right);
+    bool is_added = add(edges, patch);
+    for (int i = 0; i < zones.count && is_added; i++)
+        if (zones.zone[i].label == 0)
+            is_added = add(edges, (rw_patch){zones.zone[i].left, zones.zone[i].right});
+    return is_added;
+}
+
+/* Leaves those that are further than a distance from the one before. Returns how many. */
+static size_t thin_out(double x[], size_t n, double distance)
+{
+    size_t kept = 0;
+    rw_sort(x, n);
+    for (size_t i = 0; i < n; i++)
+        if (kept == 0 || x[i] - x[kept - 1] > distance)
+            x[kept++] = x[i];
+    return kept;
+}
+
+/* Many loads have edges everywhere. Then those that are close to another are left out. */
+void rw_edges_settle(rw_edges *edges)
+{
+    const double width = edges->outermost.right - edges->outermost.left;
+    edges->count = thin_out(edges->all, edges->count, ROUNDING * width);
+    if (edges->count > MOST_EDGES)
+        edges->count = thin_out(edges->all, edges->count, width / MOST_EDGES);
+}
+
+size_t rwedge_cycle_edge_count(const rwedge_cycle *cycle)
+{
+    return cycle ? cycle->edges.count : 0;
+}
+
+int32_t rwedge_cycle_edges(const rwedge_cycle *cycle, size_t n, double x[])
+{
+    if (!cycle || !x)
+        return RWEDGE_ENULL;
+    if (n != cycle->edges.count)
+        return RWEDGE_ERANGE;
+    for (size_t i = 0; i < n; i++)
+        x[i] = cycle->edges.all[i];
+    return RWEDGE_OK;
+}
+
+/* ---- Places ---- */
+
+static size_t places_of(const rw_edges *edges, double x[MOST])
+{
+    const rw_patch patch = edges->outermost;
+    const double middle = (patch.left + patch.right) / 2, half = (patch.right - patch.left) / 2;
+    size_t n = 0;
+    if (edges->count == 0)
+        return 0;
+    for (int i = 1; i < INSIDE; i++)
+        x[n++] = middle + half * sin(RW_HALF_PI * (2 * i - INSIDE) / INSIDE);
+    for (int i = 1; i <= OUTSIDE; i++) {
+        const double part = (double)i / OUTSIDE, beyond = half * part * part;
+        x[n++] = patch.left - beyond;
+        x[n++] = patch.right + beyond;
+    }
+    for (size_t i = 0; i < edges->count; i++)
+        x[n++] = edges->all[i];
+    return thin_out(x, n, ROUNDING * half);
+}
+
+size_t rwedge_cycle_place_count(const rwedge_cycle *cycle)
+{
+    double x[MOST];
+    return cycle ? places_of(&cycle->edges, x) : 0;
+}
+
+int32_t rwedge_cycle_places(const rwedge_cycle *cycle, size_t n, double x[])
+{
+    double all[MOST];
+    if (!cycle || !x)
+        return RWEDGE_ENULL;
+    if (n != places_of(&cycle->edges, all))
+        return RWEDGE_ERANGE;
+    for (size_t i = 0; i < n; i++)
+        x[i] = all[i];
+    return RWEDGE_OK;
+}

@@ -83,9 +83,11 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
         usage_error("%s", why.text);
     status_check(history->setup.status, "the contact");
     load_history_read(line, decimal_sign, &history->loads);
+    load_history_check(&history->loads, &history->setup);
     if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL) {
         load_history before;
         load_history_read_list(line, &before);
+        load_history_check(&before, &history->setup);
         load_history_apply_all(&before, &history->setup, &history->doubts_before);
     }
     history->cycles = read_cycles(line, history->loads.count == 2 ? cycles_of_two : cycles);

@@ -7,7 +7,7 @@ static const double RADIANS_PER_DEGREE = 0.017453292519943295;
 
 /* What may be needed; some have an alternative. */
 static const int ways[] = {INPUT_E1, INPUT_NU1, INPUT_THETA, INPUT_A, INPUT_P, INPUT_F, INPUT_K};
-/* Inputs of different shapes, which exclude each other. */
+/* Inputs of different shapes, and moment and tilt, which exclude each other. */
 static const struct {
     int input, alternative;
 } shapes[] = {
@@ -15,7 +15,7 @@ static const struct {
     {INPUT_THETA, INPUT_PROFILE},  {INPUT_THETA_DEG, INPUT_PROFILE}, {INPUT_A, INPUT_PROFILE},
     {INPUT_RADIUS, INPUT_PROFILE}, {INPUT_FLAT, INPUT_PROFILE},      {INPUT_A, INPUT_RADIUS1},
     {INPUT_RADIUS, INPUT_RADIUS1}, {INPUT_PROFILE, INPUT_RADIUS1},   {INPUT_A, INPUT_RADIUS2},
-    {INPUT_RADIUS, INPUT_RADIUS2}, {INPUT_PROFILE, INPUT_RADIUS2},
+    {INPUT_RADIUS, INPUT_RADIUS2}, {INPUT_PROFILE, INPUT_RADIUS2},   {INPUT_M, INPUT_TILT},
 };
 enum { WAY_COUNT = sizeof ways / sizeof ways[0] };
 
@@ -167,6 +167,8 @@ static void fill(const input_texts *texts, const double value[INPUT_COUNT], cont
     setup->Q = either(value[INPUT_Q], 0);
     setup->sigma = either(value[INPUT_SIGMA], 0);
     setup->f = either(value[INPUT_F], 0);
+    setup->is_held = !isnan(value[INPUT_TILT]);
+    setup->tilt = value[INPUT_TILT];
     setup->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
     setup->beta = beta_of(texts, setup);
     if (texts->is_plane_stress)
@@ -185,6 +187,10 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
         status = rwedge_contact_set_strain(*contact, own_strain);
     if (status == RWEDGE_OK)
         status = rwedge_contact_allow_error(*contact, setup->tolerance);
+    if (status == RWEDGE_OK && setup->is_held)
+        status = rwedge_contact_set_rotation(*contact, 1);
+    if (status == RWEDGE_OK && setup->is_held)
+        status = rwedge_contact_guide(*contact, 0, setup->tilt, 0, 0);
     return status;
 }
 
@@ -194,6 +200,8 @@ static bool apply_loads(const input_texts *texts, contact_case *setup, complaint
     const load to = {setup->P, setup->M, setup->Q, setup->sigma};
     char number[NUMBER_SIZE];
     setup->status = loads_apply_monotonic(to, setup->contact);
+    if (setup->status == RWEDGE_OK)
+        setup->M = loads_of(setup->contact).M; /* of a held pad it is a result */
     if (setup->status == RWEDGE_OK)
         return true;
     const load_fault fault = loads_fault(setup->status, to, setup->f, setup->contact);
@@ -232,6 +240,9 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, 
                         input_name(texts, INPUT_RADIUS), input_text(texts, INPUT_RADIUS, number),
                         setup->shape.kind == PAD_CYLINDER ? ", or an angle is missing" : "");
     setup->status = case_contact(setup, &setup->contact);
+    if (setup->status == RWEDGE_EDOMAIN && setup->is_held && setup->contact != NULL)
+        return complain(why, "%s %.60s: so large a tilt lays a flank on the surface",
+                        input_name(texts, INPUT_TILT), input_text(texts, INPUT_TILT, number));
     if (setup->status == RWEDGE_EDOMAIN)
         return complain(
             why,

@@ -27,7 +27,7 @@ static int32_t doubt_of_origin(const contact_case *setup, double left, double ri
     if (left < places->left || right > places->right)
         return DOUBT_BEYOND;
     const double lowest = pad_profile_lowest(places);
-    const bool is_moved = setup->M != 0 || setup->has_history;
+    const bool is_moved = setup->M != 0 || setup->is_held || setup->has_history;
     return is_moved || (lowest >= left && lowest <= right) ? 0 : DOUBT_AWAY;
 }
 
@@ -56,10 +56,10 @@ static const char *text_of(int32_t bit)
         {DOUBT_SLOPE,
          "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"},
         {DOUBT_BEYOND, "P acts at x = 0 and the contact reaches beyond the places of the profile: "
-                       "--origin lowest or --M moves it"},
+                       "--origin lowest, --M or --tilt moves it"},
         {DOUBT_AWAY,
          "P acts at x = 0 and the contact is away from the lowest place of the profile: "
-         "--origin lowest or --M moves it"},
+         "--origin lowest, --M or --tilt moves it"},
         {DOUBT_LOBE, "the fit does not resolve the pressure at an edge of the contact: the profile "
                      "rises there by less than ten times the noise"}};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)

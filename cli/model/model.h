@@ -80,6 +80,7 @@ enum {
     INPUT_RADIUS2,
     INPUT_FLAT,
     INPUT_PROFILE, /* a name, not a number */
+    INPUT_TILT,    /* the pad is held there; an option only */
     INPUT_P,       /* the loads, up to sigma */
     INPUT_M,
     INPUT_Q,
@@ -199,6 +200,8 @@ typedef struct {
     /* under these loads, which come as loads_apply_monotonic() has them, or by a history */
     rwedge_contact *contact;
     bool has_history;
+    bool is_held; /* at the tilt; M is then a result */
+    double tilt;
     int32_t status; /* of the library, when it was asked to apply the loads */
     int at_fault;   /* the input that it refused them for; INPUT_COUNT for none */
 } contact_case;

@@ -220,6 +220,17 @@ void load_history_fail(const load_history *loads, size_t row, const char *word,
     usage_error("%s%s: %s", place, word, why->text);
 }
 
+void load_history_check(const load_history *loads, const contact_case *setup)
+{
+    complaint why;
+    for (size_t i = 0; setup->is_held && i < loads->count; i++)
+        if (loads->load[i].M != 0) {
+            complain(&why, "M %.6g: given together with --tilt; allowed: one of the two",
+                     loads->load[i].M);
+            load_history_fail(loads, i, "", &why);
+        }
+}
+
 void load_history_apply_all(const load_history *loads, const contact_case *setup, doubts *all)
 {
     complaint why;
@@ -243,6 +254,7 @@ void history_case(const arguments *line, const input_texts *texts, case_needs ne
         usage_error("%s", why.text);
     status_check(setup->status, "the contact");
     load_history_read(line, decimal_sign, &loads);
+    load_history_check(&loads, setup);
     load_history_apply_all(&loads, setup, NULL);
     unused_say(&loads.names, loads.name);
     setup->has_history = true;

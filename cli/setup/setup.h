@@ -143,6 +143,9 @@ void load_history_offer(const char *name, const load *to, size_t count);
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads);
 void load_history_read_list(const arguments *line, load_history *loads);
 
+/* Refuses a moment where the pad is held. */
+void load_history_check(const load_history *loads, const contact_case *setup);
+
 /* Applies them all, in order, to the contact of a case; the first refusal ends the command. Where
  * doubts is not NULL those of the states are added. */
 void load_history_apply_all(const load_history *loads, const contact_case *setup, doubts *all);

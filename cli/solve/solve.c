@@ -132,7 +132,7 @@ static void check_bodies(const input_texts *texts)
  * of body 1 or has a side is refused. */
 static bool take_strength(const arguments *line, input_texts *texts)
 {
-    static const int one_sided[] = {INPUT_M, INPUT_SIGMA, INPUT_PROFILE};
+    static const int one_sided[] = {INPUT_M, INPUT_TILT, INPUT_SIGMA, INPUT_PROFILE};
     const char *body = line->value[OPTION_STRENGTH_OF];
     if (body == NULL || strcmp(body, "1") == 0)
         return false;
@@ -230,7 +230,9 @@ static void read_task(const arguments *line, const input_texts *texts, const cha
     if (line->value[OPTION_SHAKEDOWN] != NULL && !has_strength && file == NULL)
         usage_error("--shakedown: needs --k or --yield-stress");
     task->wanted.edges = history_is_given(line) || input_is_given(texts, INPUT_M) ||
-                         input_is_given(texts, INPUT_SIGMA) || input_is_given(texts, INPUT_PROFILE);
+                         input_is_given(texts, INPUT_SIGMA) ||
+                         input_is_given(texts, INPUT_PROFILE) || input_is_given(texts, INPUT_TILT);
+    task->wanted.moment = input_is_given(texts, INPUT_TILT);
     task->says_verdict = line->value[OPTION_VERDICT] != NULL;
 }
 

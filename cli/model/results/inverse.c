@@ -72,13 +72,13 @@ static bool find_in_proportion(const contact_case *setup, int input, double safe
  * answer. */
 static bool read_rest(const input_texts *texts, int input, contact_case *setup, complaint *why)
 {
-    static const int off_centre[] = {INPUT_M, INPUT_SIGMA};
+    static const int off_centre[] = {INPUT_M, INPUT_TILT, INPUT_SIGMA};
     input_texts rest = *texts;
     double value;
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 3; i++)
         if (input_is_given(texts, off_centre[i]) && input_read(texts, off_centre[i], &value, why) &&
             value != 0)
-            return refuse("with M or sigma there is no safety, only the yield factor", why);
+            return refuse("with M, a tilt or sigma there is no safety, only the yield factor", why);
     input_set(&rest, input, 1);
     rest.text[INPUT_Q] = NULL;
     if (!case_read(&rest, CASE_OF_SOLVE, setup, why))

@@ -23,6 +23,7 @@ const column_kind result_kinds[RESULT_COUNT] = {
     [RESULT_STICK_LEFT] = {"stick_left", "left edge of the stick zone", "length"},
     [RESULT_STICK_RIGHT] = {"stick_right", "right edge of the stick zone", "length"},
     [RESULT_TILT] = {"tilt", "angle by which the moment tilts body 2, in radians", "rad"},
+    [RESULT_MOMENT] = {"moment", "M that holds the pad at the tilt", "force"},
     [RESULT_TENSION] = {"max_tension", "tension at the trailing edge under P and Q", "stress"},
     [RESULT_TENSION_SLIDING] = {"max_tension_sliding", "the same in full sliding, Q = f P",
                                 "stress"},
@@ -53,13 +54,15 @@ static const enum {
     NEEDS_NOTHING,
     NEEDS_EDGES,
     NEEDS_YIELD_FACTOR,
-    NEEDS_SHAKEDOWN
+    NEEDS_SHAKEDOWN,
+    NEEDS_TILT
 } needs[RESULT_COUNT] = {
     [RESULT_LEFT] = NEEDS_EDGES,
     [RESULT_RIGHT] = NEEDS_EDGES,
     [RESULT_STICK_LEFT] = NEEDS_EDGES,
     [RESULT_STICK_RIGHT] = NEEDS_EDGES,
     [RESULT_TILT] = NEEDS_EDGES,
+    [RESULT_MOMENT] = NEEDS_TILT,
     [RESULT_YIELD_FACTOR] = NEEDS_YIELD_FACTOR,
     [RESULT_P_SHAKEDOWN] = NEEDS_SHAKEDOWN,
     [RESULT_SAFETY_SHAKEDOWN] = NEEDS_SHAKEDOWN,
@@ -70,6 +73,7 @@ bool results_include(results_wanted wanted, int result)
     return needs[result] == NEEDS_EDGES          ? wanted.edges
            : needs[result] == NEEDS_YIELD_FACTOR ? wanted.yield_factor
            : needs[result] == NEEDS_SHAKEDOWN    ? wanted.shakedown
+           : needs[result] == NEEDS_TILT         ? wanted.moment
                                                  : true;
 }
 
@@ -156,6 +160,7 @@ static int32_t results_of_state(const contact_case *setup, cell row[])
     }
     rwedge_contact_stick_zone(contact, &left, &right);
     put_contact(edge[0], edge[1], rwedge_contact_tilt(contact), row);
+    row[RESULT_MOMENT] = cell_number(setup->M);
     put_friction(setup, c, c / b, left, right, row);
     row[RESULT_TENSION] = cell_number(fmax(sxx[0], sxx[1])); /* that of the trailing edge */
     if (!isnan(setup->k))
@@ -266,7 +271,7 @@ static bool compute(const contact_case *setup, double b, results *answer, compla
     const bool centred = setup->M == 0 && setup->sigma == 0;
     const bool has_formulas = pad_has_formulas(&setup->shape);
     geometry(setup, b, row);
-    if (has_formulas && centred && !setup->has_history)
+    if (has_formulas && centred && !setup->has_history && !setup->is_held)
         return state_by_formulas(setup, b, row, why) && strength(setup, b, row, why);
     int32_t status = results_of_state(setup, row);
     if (status == RWEDGE_OK && centred && !has_formulas)

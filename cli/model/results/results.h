@@ -24,6 +24,7 @@ enum {
     RESULT_STICK_LEFT,
     RESULT_STICK_RIGHT,
     RESULT_TILT,
+    RESULT_MOMENT, /* of a held pad alone */
     RESULT_TENSION,
     RESULT_TENSION_SLIDING,
     RESULT_VON_MISES_SLIDING,
@@ -47,7 +48,7 @@ extern const column_kind result_kinds[RESULT_COUNT];
 
 /* Which results that not everybody asks for are wanted. */
 typedef struct {
-    bool yield_factor, edges, shakedown;
+    bool yield_factor, edges, shakedown, moment;
 } results_wanted;
 bool results_include(results_wanted wanted, int result);
 

@@ -42,12 +42,12 @@ message_is "rwedge solve: $rig/p_dup.csv: 1 place is there more than once: their
 # P acts at x = 0: at the end of a scan that begins there.
 for file in start0_L2.csv start0_L10.csv; do
     run solve $steel --profile "$rig/$file"
-    message_is "rwedge solve: P acts at x = 0 and the contact reaches beyond the places of the profile: --origin lowest or --M moves it"
+    message_is "rwedge solve: P acts at x = 0 and the contact reaches beyond the places of the profile: --origin lowest, --M or --tilt moves it"
     same "warned of in the results of $file" 1 "$(grep -c '^warnings,.*--origin lowest' out)"
 done
 awk 'BEGIN { print "x,height"; for (i = -40; i <= 200; i++) { x = i / 20; print x "," (x - 5) * (x - 5) / 100 } }' >aside.csv
 run solve $steel --profile aside.csv
-message_has "P acts at x = 0 and the contact is away from the lowest place of the profile: --origin lowest or --M moves it"
+message_has "P acts at x = 0 and the contact is away from the lowest place of the profile: --origin lowest, --M or --tilt moves it"
 run solve $steel --profile aside.csv --origin lowest
 message_is ""
 is_hertz "a scan that is put right" 1e-9

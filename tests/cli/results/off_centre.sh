@@ -77,6 +77,39 @@ close_to "yield factor, the same" "$(value yield_factor)" "$factor" 1e-12
 close_to "p0, the same" "$(value p0)" "$p0" 1e-12
 same "p0_x in the middle" 0 "$(value p0_x)"
 
+# A cylinder that is held at a tilt is the same one beside, by R times the tilt; the moment that holds it is P times that.
+guided="--E1 210000 --nu1 0.3 --radius 100 --f 0.5"
+run solve $guided --P 200 --Q 40 --k 300 --yield-factor
+centred="$(value p0) $(value c) $(value max_tension) $(value yield_factor)"
+run solve $guided --P 200 --Q 40 --k 300 --yield-factor --tilt 0.02
+close_to "moment that holds it" 400 "$(value moment)" 1e-12
+close_to "the tilt" 0.02 "$(value tilt)" 1e-15
+close_to "where it is pressed most" 2 "$(value p0_x)" 1e-12
+i=0
+for name in p0 c max_tension yield_factor; do
+    i=$((i + 1))
+    close_to "$name of a held cylinder" "$(echo "$centred" | cut -d ' ' -f $i)" "$(value $name)" 1e-12
+done
+printf 'P,Q\n200,0\n200,60\n300,-20\n200,60\n' >rig.csv
+run history rig.csv $guided
+cp out level
+run history rig.csv $guided --tilt 0.02
+same "M of each load" "400 400 600 400" "$(by_name 'NR > 1 { printf "%s%.10g", s, $M; s = " " }' out)"
+same "edges that stick, less 2" "$(by_name 'NR > 1 { printf "%.9f %.9f,", $stick_left, $stick_right }' level)" \
+    "$(by_name 'NR > 1 { printf "%.9f %.9f,", $stick_left - 2, $stick_right - 2 }' out)"
+run field $guided --P 200 --Q 40 --x 0.3 --y 0.1
+stress=$(by_name 'NR == 2 { print $von_mises }' out)
+run field $guided --P 200 --Q 40 --x 2.3 --y 0.1 --tilt 0.02
+close_to "stress beside" "$stress" "$(by_name 'NR == 2 { print $von_mises }' out)" 1e-11
+run fretting rig.csv $guided --x 0.3 --depth 0.1
+range=$(by_name 'NR == 2 { print $stress_range }' out)
+run fretting rig.csv $guided --x 2.3 --depth 0.1 --tilt 0.02
+close_to "stress range beside" "$range" "$(by_name 'NR == 2 { print $stress_range }' out)" 1e-11
+refuses "--tilt 0.1: given together with --M; allowed: one of the two" solve $guided --P 200 --M 1 --tilt 0.1
+refuses "--tilt 1.2: so large a tilt lays a flank on the surface" solve $guided --P 200 --tilt 1.2
+refuses "--tilt 2: the tilt must be a number below pi/2 in magnitude, in radians" solve $guided --P 200 --tilt 2
+refuses "--load 200,1,0,0: M 1: given together with --tilt; allowed: one of the two" history $guided --tilt 0.1 --load 200,1,0,0
+
 # The ends of the profile are the edges that solve gives.
 kept solved solve $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50
 does_quietly profile $specimen --P 135.75 --M 10 --Q 38.75 --sigma 50 --points 2001

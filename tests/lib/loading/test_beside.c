@@ -92,6 +92,43 @@ CLAIM(what_is_beside_is_copied_and_restored)
         assert_state(apply_all(twins[i], 1, IN_PHASE + 3), state_of(contact));
 }
 
+/* The energy of a cycle by its places, with the midpoint rule over the contact. */
+static double energy_by_places(const rwedge_contact *contact, const rw_loads cycle[2])
+{
+    enum { STEPS = 400 };
+    const double P[] = {cycle[0].P, cycle[1].P}, M[] = {cycle[0].M, cycle[1].M},
+                 Q[] = {cycle[0].Q, cycle[1].Q}, sigma[] = {0, 0};
+    rwedge_cycle *made = NULL;
+    double x[STEPS], slip_range[STEPS], f1[STEPS], f2[STEPS], energy[STEPS], sum = 0;
+    const rw_patch widest = edges_of(APPLY(copy_of(contact), cycle[0])); /* P and M are largest */
+    const double left = widest.left, step = (widest.right - left) / STEPS;
+    for (int i = 0; i < STEPS; i++)
+        x[i] = left + (i + 0.5) * step;
+    assert_ok(rwedge_cycle_create(contact, 2, P, M, Q, sigma, &made));
+    const int32_t status = rwedge_cycle_friction(made, STEPS, x, slip_range, f1, f2, energy);
+    rwedge_cycle_destroy(made);
+    assert_ok(status);
+    for (int i = 0; i < STEPS; i++)
+        sum += energy[i] * step;
+    return sum;
+}
+
+/* P varies by 20 %, with Q and a moment: every load was computed, and the energy was NaN. */
+CLAIM(a_flat_pad_with_a_moment_under_a_varying_load_knows_its_energy)
+{
+    static const rw_loads cycle[2] = {{0.6, 0.03, 0.12, 0}, {0.4, -0.02, -0.08, 0}};
+    rwedge_contact *contact = allowing(create_flat(0.4, 10, A, F), 1e-4);
+    apply(contact, 0.5, 0, 0, 0);
+    double before = 0, energy = 0;
+    for (int i = 0; i < 4; i++) {
+        before = energy;
+        apply_all(contact, 2, cycle);
+        energy = rwedge_contact_dissipated_energy(contact);
+        assert_true(energy > before);
+    }
+    assert_close(energy - before, energy_by_places(contact, cycle), 0.01); /* 0.2 % of the cycle */
+}
+
 /* What is refused leaves the contact and what is beside it as they were. */
 CLAIM(a_refusal_changes_nothing)
 {

@@ -6,6 +6,7 @@
 #include "base/root.h"
 #include "contact/contact.h"
 #include "shakedown/deepest.h"
+#include "strength/limit_load.h"
 #include "stress/von_mises.h"
 
 /* The smallest tip, besides the sharp wedge. */
@@ -48,6 +49,20 @@ static bool is_infinite(double alpha, double f, double nu)
     return alpha == 0 && has_surface(f, nu);
 }
 
+static int32_t check(double alpha, double f, double nu, const double *limit, const double *y)
+{
+    if (!limit || !y)
+        return RWEDGE_ENULL;
+    return is_case(alpha, f, nu) ? RWEDGE_OK : RWEDGE_EDOMAIN;
+}
+
+static int32_t give(double alpha, rw_depth depth, double *limit, double *y)
+{
+    *limit = limit_of(alpha, depth.peak);
+    *y = depth.y;
+    return RWEDGE_OK;
+}
+
 static rw_depth deepest(double alpha, double f, double nu)
 {
     const rw_pass pass = pass_of(alpha, f, nu);
@@ -60,33 +75,24 @@ static rw_depth deepest(double alpha, double f, double nu)
 
 int32_t rwedge_shakedown_limit(double alpha, double f, double nu, double *limit, double *y)
 {
-    if (!limit || !y)
-        return RWEDGE_ENULL;
-    if (!is_case(alpha, f, nu))
-        return RWEDGE_EDOMAIN;
-    if (is_infinite(alpha, f, nu)) {
-        *limit = *y = 0;
-        return RWEDGE_OK;
-    }
-    const rw_depth depth = deepest(alpha, f, nu);
-    *limit = limit_of(alpha, depth.peak);
-    *y = depth.y;
+    const int32_t status = check(alpha, f, nu, limit, y);
+    if (status != RWEDGE_OK)
+        return status;
+    if (!is_infinite(alpha, f, nu))
+        return give(alpha, deepest(alpha, f, nu), limit, y);
+    *limit = *y = 0;
     return RWEDGE_OK;
 }
 
 int32_t rwedge_subsurface_shakedown(double alpha, double f, double nu, double *limit, double *y)
 {
-    if (!limit || !y)
-        return RWEDGE_ENULL;
-    if (!is_case(alpha, f, nu))
-        return RWEDGE_EDOMAIN;
+    const int32_t status = check(alpha, f, nu, limit, y);
+    if (status != RWEDGE_OK)
+        return status;
     const rw_pass pass = pass_of(alpha, f, nu);
     rw_depth depth;
-    if (is_infinite(alpha, f, nu) || !rw_subsurface_depth(&pass, &depth))
-        return RWEDGE_EABSENT;
-    *limit = limit_of(alpha, depth.peak);
-    *y = depth.y;
-    return RWEDGE_OK;
+    const bool has_one = !is_infinite(alpha, f, nu) && rw_subsurface_depth(&pass, &depth);
+    return has_one ? give(alpha, depth, limit, y) : RWEDGE_EABSENT;
 }
 
 int32_t rwedge_surface_shakedown(double alpha, double f, double nu, double *limit)
@@ -104,39 +110,15 @@ int32_t rwedge_surface_shakedown(double alpha, double f, double nu, double *limi
 
 /* ---- The load at which a contact with units just shakes down ---- */
 
-typedef struct {
-    double f, nu, wanted; /* wanted: the peak, A k/theta */
-} shaking;
-
-static double excess(double log_alpha, const void *context)
+static double peak(double alpha, double f, double nu)
 {
-    const shaking *s = context;
-    return s->wanted - deepest(exp(log_alpha), s->f, s->nu).peak;
-}
-
-/* As half_width_at_yield() in strength.c. */
-static double half_width_at_limit(double a, const shaking *s)
-{
-    const double share = s->wanted / deepest(1, s->f, s->nu).peak;
-    if (share <= 1)
-        return a * share;
-    const double lowest = log(SMALLEST_TIP) + 1e-9; /* exp() of it is not below */
-    if (!(excess(lowest, s) < 0))
-        return HUGE_VAL;
-    return a / exp(rw_root(excess, s, lowest, 0, 1e-13));
+    return deepest(alpha, f, nu).peak;
 }
 
 double rwedge_shakedown_load(double theta, double a, double A, double f, double nu, double k)
 {
-    const rw_geometry geometry = {.theta = theta, .a = a, .A = A};
-    if (!rw_is_geometry(&geometry) || !rw_is_friction(f) || !rw_is_poisson(nu) ||
-        !rw_is_positive(k))
-        return NAN;
-    const shaking s = {f, nu, A / theta * k};
-    if (a == 0)
-        return !has_surface(f, nu) && s.wanted > deepest(0, f, nu).peak ? HUGE_VAL : 0;
-    const double b = half_width_at_limit(a, &s);
-    return b == HUGE_VAL ? b : rwedge_normal_load(theta, a, A, b);
+    const rw_limit shakedown = {peak, SMALLEST_TIP, 1e-13};
+    return rw_limit_load(&shakedown, theta, a, A, f, nu, k);
 }
 
 /* ---- Any pad ---- */

@@ -4,13 +4,11 @@
 
 #include "base/domain.h"
 #include "base/sort.h"
+#include "base/tuned.h"
 
 /* When the bodies touch, the first step is to this part of the load, and each step grows fourfold.
  * Below it a contact that grows sticks or slides as a whole; that of a flat does not grow. */
 static const double FIRST_TOUCH = 0x1p-16;
-
-/* The error of the fit where all has stuck since the bodies touched, over the tolerance. */
-static const double TOUCH_ERROR = 0.01;
 
 rw_frame rw_contact_frame(const rwedge_contact *c)
 {
@@ -131,7 +129,7 @@ static rw_numerical *begin_in_proportion(const rwedge_contact *c, const rw_frame
     const bool sticks = most < (1 + RW_ROUNDING_OF_FRICTION) * c->f;
     rw_numerical *n = begin_stuck(frame, mean, sticks ? slope : 0, now);
     if (n)
-        rw_numerical_add_error(n, TOUCH_ERROR * c->tolerance);
+        rw_numerical_add_error(n, RW_TOUCH_ERROR * c->tolerance);
     return n;
 }
 

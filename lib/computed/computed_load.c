@@ -1,39 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "computed/beginning.h"
 
+#include "base/tuned.h"
+
 #include <stdlib.h>
 
-/* On the way to separation the work of the last part of the load is negligible. It is small, too,
- * where nothing sticks any more under a tension. */
-static const double LAST_TOUCH = 0.01, LAST_STICK = 1.0 / 32;
-
 /* ---- The next load ---- */
-
-/* P grows or falls so many times at most in one step of the numerical shear: a contact that becomes
- * much larger or smaller errs in parts of each peak pressure that it has on the way. */
-static const double FOLD = 4;
 
 /* An error while the load is small counts less at the end of the step: by the ratio of the peak
  * pressures. */
 static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at,
                             rw_patch contact, double last_peak, int *effort)
 {
-    static const double LOOSEST = 1e-2;
     const double peak = rw_peak_friction(frame, contact);
     const double times = fmax(1, last_peak / peak);
-    rw_frame loose = rw_frame_like(frame, fmin(LOOSEST, frame->tolerance * times));
+    rw_frame loose = rw_frame_like(frame, fmin(RW_LOOSEST, frame->tolerance * times));
     loose.far_off = frame->far_off * times;
     rw_numerical_rescale(n, rw_peak_friction(frame, n->now.contact) / peak);
     return rw_numerical_step(n, &loose, at, effort);
 }
 
-/* To loads under which this is the contact. A step ends where an edge turns, because slip counts
- * from when a place comes into contact. */
+/* To loads under which this is the contact, in parts where P grows or falls much: a contact that
+ * becomes much larger or smaller errs in parts of each peak pressure that it has on the way. A
+ * step ends where an edge turns, because slip counts from when a place comes into contact. */
 static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, rw_patch contact)
 {
     const rw_scaled_loads from = n->now.at;
     const double last_peak = rw_peak_friction(frame, contact);
-    const double folds = fabs(log(to.P / from.P)) / log(FOLD);
+    const double folds = fabs(log(to.P / from.P)) / log(RW_FOLD);
     const int parts = (int)fmax(1, ceil(folds - 1e-9));
     const rw_turns turns = (frame->is_held ? rw_arcs_turns_of_tilt
                                            : rw_arcs_turns)(&frame->arcs, n->now.contact, contact);
@@ -119,9 +113,6 @@ static bool is_on_line_from_touching(const rwedge_contact *c, const rw_numerical
            sum <= RW_ROUNDING_OF_FRICTION * c->f * now->at.P / rw_patch_half_width(now->contact);
 }
 
-/* A load that adds more than this to the error, over the tolerance, has not converged. */
-static const double MOST_ADDED = 10;
-
 /* What a load adds to the error, which counts by the peak pressure after it. */
 static double added(const rw_frame *frame, const rw_numerical *from, const rw_numerical *next)
 {
@@ -142,7 +133,7 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
     int32_t status = !*next || !is_whole ? RWEDGE_ENOMEM
                      : is_at(*next, to)  ? RWEDGE_OK
                                          : advance(*next, &frame, to, step->patch);
-    if (status == RWEDGE_OK && added(&frame, from, *next) > MOST_ADDED * c->tolerance)
+    if (status == RWEDGE_OK && added(&frame, from, *next) > RW_MOST_ADDED * c->tolerance)
         status = RWEDGE_ENOCONV;
     if (status != RWEDGE_OK) {
         rw_numerical_destroy(*next);
@@ -155,11 +146,8 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
 
 /* A load that continues a straight line is computed as one step from the start of the line. So
  * answers do not depend on how a caller cuts the line, and errors of many small steps do not add
- * up. All in all the loads may be off the line by this part of the tolerance. */
-static const double STRAY = 0.1;
-
-/* How far the loads so far are off the line from its start to the next load, over friction: at most
- * the last load, and those before it off the line to the last. */
+ * up. This is how far the loads so far are off the line from its start to the next load, over
+ * friction: at most the last load, and those before it off the line to the last. */
 static double stray(const rwedge_contact *c, const rw_step *step)
 {
     if (!c->computed.start)
@@ -217,7 +205,7 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
     rw_numerical *start = c->computed.start, *next = NULL;
     double strayed = stray(c, step);
     int32_t status =
-        strayed <= STRAY * c->tolerance ? reach(c, step, start, &next) : RWEDGE_ENOCONV;
+        strayed <= RW_STRAY * c->tolerance ? reach(c, step, start, &next) : RWEDGE_ENOCONV;
     if (status == RWEDGE_ENOCONV) {
         strayed = 0;
         start = new_start(c, step);
@@ -250,6 +238,8 @@ static rw_numerical *start_of(const rwedge_contact *c)
     return NULL;
 }
 
+/* The work of the last part of the load is negligible. It is small, too, where nothing sticks any
+ * more under a tension. */
 int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energy)
 {
     const rw_frame frame = rw_contact_frame(c);
@@ -262,11 +252,11 @@ int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energ
     const rw_scaled_loads from = n->now.at,
                           away = {.turn = c->is_held ? from.turn : 0, .stretch = from.stretch};
     int32_t status = RWEDGE_OK;
-    while (left > LAST_TOUCH && status == RWEDGE_OK) {
+    while (left > RW_LAST_TOUCH && status == RWEDGE_OK) {
         status = rw_numerical_step(n, &frame, rw_part_of_line(away, from, left / 2), &effort);
         left = status == RWEDGE_OK ? left / 2 : left;
     }
-    *energy = left <= LAST_STICK ? work_of(c, n->now.energy - before) : NAN;
+    *energy = left <= RW_LAST_STICK ? work_of(c, n->now.energy - before) : NAN;
     rw_numerical_destroy(n);
     return status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : RWEDGE_OK;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact whose shear has no closed form. Its memory then holds the contact alone, without shear,
- * and the shear stands apart (numerical/numerical.h). */
+ * and the shear stands apart (numerical/computed_shear.h). */
 #ifndef RW_COMPUTED_LOAD_H
 #define RW_COMPUTED_LOAD_H
 

@@ -5,7 +5,7 @@
 
 #include "formulas/size.h"
 #include "history/slip_origin.h"
-#include "numerical/numerical.h"
+#include "numerical/computed_shear.h"
 #include "rwedge.h"
 #include "unlike/sliding_patch.h"
 

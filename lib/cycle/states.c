@@ -5,6 +5,7 @@
 #include "cycle/states.h"
 
 #include "base/array.h"
+#include "base/tuned.h"
 #include "history/gap.h"
 #include "loading/beside.h"
 #include "loading/step_to.h"
@@ -125,10 +126,7 @@ static double share_of(int part, int parts)
     return part < parts ? (double)part / parts : 1 - ldexp(1.0 / parts, parts - 1 - part);
 }
 
-/* In a part an edge moves by at most this, over the half-width: a measured log has such noise in
- * every load. */
-static const double FINE = 0.003, COARSE = 0.005;
-
+/* In a part an edge moves little: a measured log has such noise in every load. */
 static int parts_of(const rwedge_contact *from, rw_patch old, rw_patch now)
 {
     if (isnan(now.left) || isnan(old.left))
@@ -136,7 +134,7 @@ static int parts_of(const rwedge_contact *from, rw_patch old, rw_patch now)
     const bool is_computed = from->phase == RW_COMPUTED;
     const double moved = fmax(fabs(now.left - old.left), fabs(now.right - old.right)) /
                          fmax(rw_patch_half_width(now), rw_patch_half_width(old));
-    const double parts = ceil(moved / (is_computed ? COARSE : FINE));
+    const double parts = ceil(moved / (is_computed ? RW_COMPUTED_EDGE_MOVE : RW_EDGE_MOVE));
     return (int)fmax(1, fmin(parts, is_computed ? MOST_COMPUTED : MOST_PARTS));
 }
 
@@ -192,14 +190,11 @@ static void note_edges(rw_state *next, const rwedge_contact *before, const rwedg
     }
 }
 
-/* The error of a computed slip, over the tolerance, the mean pressure and the compliance. */
-static const double NOISE = 0.5;
-
 /* Where a computed state sticks. */
 static bool note_sticks(rw_state *next, const rwedge_contact *after)
 {
     const rw_zones zones = rw_contact_zones(after);
-    next->noise = NOISE * after->tolerance * after->f * after->geometry.A * after->loads.P;
+    next->noise = RW_SLIP_NOISE * after->tolerance * after->f * after->geometry.A * after->loads.P;
     next->sticks = malloc(RW_MOST_ZONES * sizeof *next->sticks);
     for (int i = 0; next->sticks && i < zones.count; i++)
         if (zones.zone[i].label == 0)

@@ -3,6 +3,7 @@
 
 #include "base/domain.h"
 #include "base/sort.h"
+#include "base/tuned.h"
 #include "potential/pad_potential.h"
 
 #include <float.h>
@@ -122,10 +123,6 @@ double rw_peak_friction(const rw_frame *frame, rw_patch contact)
     return frame->f * peak;
 }
 
-/* The tolerance of the fit of friction, over that of the step: a tenth of the tolerance for the
- * traction, whose elements have other ends. */
-static const double FIT = 1e-3;
-
 typedef struct {
     const rw_frame *frame;
     rw_patch contact;
@@ -150,8 +147,8 @@ bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double s
     double at[RW_MOST_BENDS + 2];
     const size_t breaks = rw_breaks_of(frame, contact, 0, NULL, at);
     *traction = (rw_traction){0};
-    const bool is_done =
-        rw_traction_fit(traction, traction_at, &p, breaks, at, FIT * frame->tolerance * peak, 0);
+    const bool is_done = rw_traction_fit(traction, traction_at, &p, breaks, at,
+                                         RW_FIT_OF_FRICTION * frame->tolerance * peak, 0);
     if (!is_done)
         rw_traction_destroy(traction);
     return is_done;

@@ -5,6 +5,7 @@
 #include "base/domain.h"
 #include "base/linear.h"
 #include "base/processor.h"
+#include "base/tuned.h"
 
 #include <string.h>
 
@@ -92,9 +93,6 @@ rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
 
 /* ---- The polynomial ---- */
 
-/* Smaller terms, over the largest and the tolerance, are left out. */
-static const double LEAST_TERM = 1e-7;
-
 /* How many terms the series of a gap has at most. It falls by rho from term to term, the faster the
  * further the zones beside the gap reach. */
 static int most_terms(const rw_stuck *s, int gap, double middle, double half, double least)
@@ -177,7 +175,7 @@ static double gap_of_change(const rw_fronts *f, const rw_stuck *s, int gap)
     const double a = s->end[2 * gap + 1], b = s->end[2 * gap + 2];
     const double half = (b - a) / 2, middle = (a + b) / 2;
     double c[GAP_TERMS];
-    const double least = LEAST_TERM * f->problem->frame->tolerance;
+    const double least = RW_LEAST_TERM * f->problem->frame->tolerance;
     const int terms = expand_gap(s, gap, least, middle, half, c);
     double sum = 0;
     for (size_t first = 0; first < f->count; first += LANES) {

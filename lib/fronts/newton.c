@@ -3,6 +3,7 @@
  * fails. */
 #include "base/domain.h"
 #include "base/linear.h"
+#include "base/tuned.h"
 #include "fronts/fronts.h"
 
 #include <string.h>
@@ -114,9 +115,6 @@ static int inwards(const rw_fronts *f, int j)
     return f->label[j] != 0 ? 1 : -1;
 }
 
-/* Where a front would move by more than this, K stays. */
-static const double FLAT = 1;
-
 /* A front that moves into the zone that sticks lowers its own K, but not in places that have
  * slipped before: there K stays, and its slope is noise. The step of such a front is set: beyond
  * them. */
@@ -126,11 +124,11 @@ static void pass_flat_parts(const rw_fronts *f, double J[], const double r[], do
     for (int j = 0; j < f->fronts; j++) {
         const int way = r[j] * slip_at(f, j) * inwards(f, j) > 0 ? 1 : -1;
         const double slope = J[j * n + j];
-        if (way * r[j] * slope < 0 && fabs(r[j]) < FLAT * fabs(slope))
+        if (way * r[j] * slope < 0 && fabs(r[j]) < RW_FLAT * fabs(slope))
             continue;
         for (int i = 0; i < n; i++)
             J[j * n + i] = i == j;
-        d[j] = way * FLAT;
+        d[j] = way * RW_FLAT;
         stop_at_kinks(f, j, d);
     }
 }
@@ -166,9 +164,6 @@ static void update(int n, const double move[], const double change[], double J[]
     }
 }
 
-/* A step that leaves more than this of the residual asks for a new Jacobian. */
-static const double POOR = 0.1;
-
 bool rw_fronts_newton(rw_fronts *f, double nothing)
 {
     const int n = f->unknowns;
@@ -178,7 +173,7 @@ bool rw_fronts_newton(rw_fronts *f, double nothing)
     int worse = 0;
     double before = 0, size = largest(n, r);
     while (!(size < nothing)) {
-        if (!(size < POOR * before) && !jacobian(f, r, J))
+        if (!(size < RW_POOR * before) && !jacobian(f, r, J))
             return false;
         before = size;
         if (!find_step(f, J, r, d))

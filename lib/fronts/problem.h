@@ -14,13 +14,12 @@
 #define RW_PROBLEM_H
 
 #include "fronts/frame.h"
+
+#include "base/tuned.h"
 #include "traction/layers.h"
 #include "traction/traction.h"
 
 enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 128 };
-
-/* Violations over the tolerance that count as none. */
-#define RW_ALLOWED 0.2
 
 /* A zone that sticks, label 0, or slips, label S = +-1, the sign of t. Neighbours share their
  * ends. */

@@ -1,18 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerical/energy.h"
 
+#include "base/tuned.h"
+
 #include "numerical/rates.h"
-
-/* What the energy by slip errs by at most, over its doubt (outcome.h), as measured where the doubt
- * is less than the energy: of a step as a whole, and of one extrapolated from its halves. */
-static const double OF_WHOLE = 0.2, OF_HALVES = 0.04;
-
-/* The relative error that is looked for. */
-static const double ENOUGH = 0.03;
-
-/* The power is looked at in five moments, and in parts of the way in more: the parts are halved so
- * many times at most. */
-enum { HALVINGS = 3 };
 
 /* Half-way is the end where the step was taken as a whole. */
 typedef struct {
@@ -96,15 +87,15 @@ static estimate by_power(const way *l)
                             half == there ? power_at(l, 0.5)
                                           : power_of(l, half->contact, &half->shear.zones),
                             power_of(l, there->contact, &there->shear.zones)};
-    return integral(l, 0, 1, power, ENOUGH * by_three(1, power), HALVINGS);
+    return integral(l, 0, 1, power, RW_ENERGY_ENOUGH * by_three(1, power), RW_ENERGY_HALVINGS);
 }
 
 void rw_settle_energy(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *half,
                       rw_numerical_state *there)
 {
-    const double part = half == there ? OF_WHOLE : OF_HALVES;
+    const double part = half == there ? RW_ENERGY_OF_WHOLE : RW_ENERGY_OF_HALVES;
     const estimate by_slip = {there->energy - from->energy, part * there->doubt};
-    if (!(by_slip.doubt > ENOUGH * by_slip.energy))
+    if (!(by_slip.doubt > RW_ENERGY_ENOUGH * by_slip.energy))
         return;
     const int effort = w->effort; /* what steps may take does not depend on their energy */
     const estimate other = by_power(&(way){w, from, half, there});

@@ -1,20 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerical/onset.h"
 
-#include "numerical/rates.h"
+#include "base/tuned.h"
 
-/* A step is not cut nearer than this to its ends. */
-static const double NEAREST = 0.02;
+#include "numerical/rates.h"
 
 /* An edge grows if it moves by more than this part of the half-width. */
 static const double LEAST_GROWTH = 1e-6;
-
-/* Slip begins where |D| is 1 - CLOSE, found to the part EXACT of the step: the first part must
- * stick to its end. */
-static const double EXACT = 1e-3, CLOSE = 1e-3;
-
-/* Of regula falsi, and of halvings for the moment at which slip turns. */
-enum { MOST_TURNS = 12, HALVINGS = 6 };
 
 /* An edge that sticks at first and slips at the end. */
 typedef struct {
@@ -72,13 +64,13 @@ static double excess_at_start(const onset *o)
 static double find(const onset *o, double at_low)
 {
     double low = 0, high = 1, at_high = 1;
-    for (int turn = 0; turn < MOST_TURNS && high - low > EXACT; turn++) {
+    for (int turn = 0; turn < RW_ONSET_TURNS && high - low > RW_ONSET_EXACT; turn++) {
         const double guess = turn == 0 ? 0.5 : low + at_low / (at_low - at_high) * (high - low);
         const double part = fmax(low + 0.1 * (high - low), fmin(high - 0.1 * (high - low), guess));
         const double excess = excess_at(o, part);
         if (isnan(excess))
             return 1;
-        if (excess > -CLOSE) {
+        if (excess > -RW_ONSET_CLOSE) {
             high = part;
             at_high = excess;
             at_low /= turn > 0 ? 2 : 1;
@@ -113,7 +105,7 @@ static double end_of_slip(rw_work *w, const rw_numerical_state *from,
                           const rw_numerical_state *there, double allowed)
 {
     double low = 0, high = 1;
-    for (int turn = 0; turn < HALVINGS; turn++) {
+    for (int turn = 0; turn < RW_ONSET_HALVINGS; turn++) {
         const double part = (low + high) / 2, wrong = wrong_at(w, from, there, part);
         if (isnan(wrong))
             return 1;
@@ -143,7 +135,7 @@ static double onset_at(rw_work *w, const rw_numerical_state *from, const rw_nume
         return 1;
     const onset o = {w, from, there, sticking_at(&there->shear.zones, side), side};
     const double excess = excess_at_start(&o);
-    return excess < -CLOSE ? find(&o, excess) : 1;
+    return excess < -RW_ONSET_CLOSE ? find(&o, excess) : 1;
 }
 
 double rw_onset_of_slip(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *there)
@@ -158,5 +150,5 @@ double rw_onset_of_slip(rw_work *w, const rw_numerical_state *from, const rw_num
         }
     if (grows && first == 1 && there->start_error <= allowed && there->end_error > allowed)
         first = end_of_slip(w, from, there, allowed);
-    return first > NEAREST && first < 1 - NEAREST ? first : 1;
+    return first > RW_ONSET_NEAREST && first < 1 - RW_ONSET_NEAREST ? first : 1;
 }

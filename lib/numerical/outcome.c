@@ -3,10 +3,8 @@
 
 #include "base/domain.h"
 #include "base/sort.h"
+#include "base/tuned.h"
 #include "traction/transform.h"
-
-/* Points between neighbouring breaks, for Coulomb's condition. */
-enum { CHECKS = 24 };
 
 /* Kinks, bends and the edges. */
 enum { MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 2 };
@@ -14,20 +12,10 @@ enum { MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 /* Of the width: breaks that are closer are one. */
 static const double SAME_BREAK = 1e-8;
 
-/* The tolerance of the fit of a traction, over that of the step. */
-static const double FIT = 0.03;
-
-/* The old traction is a fit: of its jumps. */
-static const double NOISE = 30;
-
-/* Of many small steps each is fitted better, so that all together lose no more: from this change of
- * the loads on, as traction over friction, but not more than so many times. */
-static const double SMALL = 0.1, BEST_FIT = 0.1;
-
 static double fit_tolerance(const rw_problem *p)
 {
-    const double part = rw_problem_change(p) / (SMALL * p->scale);
-    return FIT * fmax(BEST_FIT, fmin(1, part)) * (p->frame->tolerance * p->scale);
+    const double part = rw_problem_change(p) / (RW_SMALL_STEP * p->scale);
+    return RW_FIT * fmax(RW_BEST_FIT, fmin(1, part)) * (p->frame->tolerance * p->scale);
 }
 
 /* ---- The new traction ---- */
@@ -125,7 +113,7 @@ void rw_shear_state_smooth(rw_shear_state *s, rw_patch contact, double tolerance
         const double from = kept > 0 ? s->kink[kept - 1] : contact.left;
         const double to = i + 1 < s->kinks ? s->kink[i + 1] : contact.right;
         if (is_front(&s->zones, s->kink[i]) ||
-            !rw_traction_is_smooth(&s->traction, from, to, FIT * tolerance))
+            !rw_traction_is_smooth(&s->traction, from, to, RW_FIT * tolerance))
             s->kink[kept++] = s->kink[i];
     }
     s->kinks = kept;
@@ -161,15 +149,15 @@ static void add_slip(rw_outcome *o, int label, double left, double right)
 /* Notes where the traction of a zone that sticks exceeds friction, between two breaks. */
 static void check_friction(const rw_problem *p, rw_outcome *o, double from, double to)
 {
-    double begun = NAN, before = from, x[CHECKS], t[CHECKS], F[CHECKS];
+    double begun = NAN, before = from, x[RW_CHECKS], t[RW_CHECKS], F[RW_CHECKS];
     int label = 0;
-    for (int i = 0; i < CHECKS; i++) {
-        const double half = sin(RW_HALF_PI * (i + 0.5) / CHECKS);
+    for (int i = 0; i < RW_CHECKS; i++) {
+        const double half = sin(RW_HALF_PI * (i + 0.5) / RW_CHECKS);
         x[i] = from + (to - from) * half * half;
     }
-    rw_traction_values(&o->state.traction, CHECKS, x, t);
-    rw_friction_after(p, CHECKS, x, F);
-    for (int i = 0; i < CHECKS; i++) {
+    rw_traction_values(&o->state.traction, RW_CHECKS, x, t);
+    rw_friction_after(p, RW_CHECKS, x, F);
+    for (int i = 0; i < RW_CHECKS; i++) {
         const double excess = (fabs(t[i]) - F[i]) / p->scale;
         o->violation = fmax(o->violation, excess);
         if (excess > p->allowed && isnan(begun)) {
@@ -352,7 +340,7 @@ static bool complete(const after *n, double tolerance, rw_outcome *o)
     note_kinks(p, &o->state);
     const int breaks = breaks_of(p, &o->state, at);
     o->is_short = !rw_traction_fit(&o->state.traction, traction_after, n, (size_t)breaks, at,
-                                   tolerance, NOISE);
+                                   tolerance, RW_FIT_NOISE);
     if (!o->is_short) {
         balance(p, &o->state);
         for (int i = 0; i + 1 < breaks; i++)
@@ -391,15 +379,12 @@ void rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
     check_slips(&n, o);
 }
 
-/* The error of a grid of n places, times n, over friction. No fit needs to be finer. */
-static const double GRID_ERROR = 0.3;
-
 bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *p,
                         const rw_layers *layers, rw_outcome *o)
 {
-    const double error = GRID_ERROR / g->n;
+    const double error = RW_GRID_ERROR / g->n;
     *o = (rw_outcome){.violation = error, .layers = *layers, .D = {NAN, NAN}};
     rw_grid_zones_met(g, p, &o->state.zones);
     const after n = {p, &o->state.zones, {.count = 0}, f, g, layers};
-    return complete(&n, fmax(fit_tolerance(p), FIT * error * p->scale), o);
+    return complete(&n, fmax(fit_tolerance(p), RW_FIT * error * p->scale), o);
 }

@@ -3,6 +3,7 @@
 
 #include "base/domain.h"
 #include "base/linear.h"
+#include "base/tuned.h"
 #include "numerical/pattern.h"
 
 /* The solution of the rates. S f dp/ds on all of the contact makes no slip. With this traction as
@@ -32,9 +33,6 @@ static double rate_at(const rw_fronts *f, const rw_stuck *s, bool sticks, double
     return X * rw_fronts_transform(f, x) + (sticks ? -p : p) / X;
 }
 
-/* Places in a zone or a part of one, the closer the nearer to its ends. */
-enum { POINTS = 24 };
-
 /* The end of a zone that slips from which slip is counted. Returns how far the other end is, < 0 to
  * the left. */
 static double from_front(const rw_stuck *s, rw_zone zone, double *front)
@@ -49,10 +47,10 @@ static double largest_slip(const rw_fronts *f, const rw_stuck *s, rw_zone zone, 
 {
     double front, slip = 0, most = 0;
     const double length = from_front(s, zone, &front);
-    for (int i = 0; i < POINTS; i++) {
-        const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
+    for (int i = 0; i < RW_RATE_POINTS; i++) {
+        const double angle = RW_PI * (i + 0.5) / RW_RATE_POINTS, half = sin(angle / 2);
         slip += rate_at(f, s, false, front + length * half * half) * length * sin(angle) *
-                (RW_HALF_PI / POINTS);
+                (RW_HALF_PI / RW_RATE_POINTS);
         most = fmax(most, way * zone.label * slip);
     }
     return most / sqrt(fabs(length) * s->half);
@@ -130,10 +128,10 @@ static double excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones
     rw_stuck s;
     if (!solve(f, p, zones, part.label, &s))
         return HUGE_VAL;
-    for (int i = 0; i < POINTS; i++) {
-        const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
+    for (int i = 0; i < RW_RATE_POINTS; i++) {
+        const double angle = RW_PI * (i + 0.5) / RW_RATE_POINTS, half = sin(angle / 2);
         const double excess = part.label * rate_at(f, &s, true, part.left + length * half * half);
-        sum += fmax(0, excess) * sin(angle) * (RW_HALF_PI / POINTS);
+        sum += fmax(0, excess) * sin(angle) * (RW_HALF_PI / RW_RATE_POINTS);
     }
     return sum * sqrt(length / s.half);
 }
@@ -324,10 +322,10 @@ static double power_in(const rw_fronts *f, const rw_stuck *s, rw_zone zone)
 {
     double front, slip = 0, power = 0;
     const double length = from_front(s, zone, &front);
-    for (int i = 0; i < POINTS; i++) {
-        const double angle = RW_PI * (i + 0.5) / POINTS, half = sin(angle / 2);
+    for (int i = 0; i < RW_RATE_POINTS; i++) {
+        const double angle = RW_PI * (i + 0.5) / RW_RATE_POINTS, half = sin(angle / 2);
         const double x = front + length * half * half;
-        const double step = length * sin(angle) * (RW_HALF_PI / POINTS);
+        const double step = length * sin(angle) * (RW_HALF_PI / RW_RATE_POINTS);
         const double more = rate_at(f, s, false, x) * step;
         const double friction = rw_exact_friction(f->problem->frame, f->problem->to, x);
         power -= zone.label * (slip + more / 2) * friction * fabs(step);

@@ -2,23 +2,13 @@
 #include "numerical/search.h"
 
 #include "base/domain.h"
+#include "base/tuned.h"
 #include "numerical/rates.h"
 
 #include <string.h>
 
 /* Angles of the grid; at a second trial twice as many. */
 enum { ANGLES = 96 };
-
-/* How many residuals the search for the fronts of one pattern may take: front by front in all, by
- * Newton's method for each unknown and one more. It succeeds with fewer, if at all. */
-enum { BUDGET = 120, TURNS = 10 };
-
-/* How many residuals the search for the zones of a step may take, and how many each outcome counts.
- * Beyond that a shorter step is better: its zones are nearer to the old ones, and found at once. */
-enum { SEARCH = 500, OUTCOME = 20 };
-
-/* The residual at which Newton's method ends, over the tolerance. */
-static const double RESIDUAL = 1e-5;
 
 /* A front near one of the state before starts just inside the old zone that stuck, where the
  * residual is steep; for side -1 just outside. Whether any front was moved. */
@@ -33,8 +23,8 @@ static bool start_beside(const rw_problem *p, rw_fronts *f, double angle, int si
             if ((left != 0 ? left : right) != slip || (left == 0) != (f->label[j] == 0))
                 continue;
             const double at = rw_angle_of(p, old->zone[i].right);
-            if (fabs(at - f->y[j]) < 2.5 * angle) {
-                f->y[j] = at + side * (f->label[j] != 0 ? 1 : -1) * 0.05 * angle;
+            if (fabs(at - f->y[j]) < RW_NEAR_OLD_FRONT * angle) {
+                f->y[j] = at + side * (f->label[j] != 0 ? 1 : -1) * RW_BESIDE_OLD_FRONT * angle;
                 is_moved = true;
             }
         }
@@ -54,7 +44,7 @@ static bool is_ordered(const rw_fronts *f)
  * may be a point. */
 static bool has_sliver(const rw_work *w, const rw_fronts *f)
 {
-    const double least = 0.1 * pow(w->frame->tolerance, 2.0 / 3);
+    const double least = RW_SLIVER * pow(w->frame->tolerance, 2.0 / 3);
     for (int i = 1; i + 1 < f->zones; i++)
         if (f->y[i] - f->y[i - 1] < least && f->label[i - 1] == f->label[i + 1])
             return true;
@@ -70,7 +60,7 @@ static void add_effort(rw_work *w, int residuals)
 
 static bool newton(rw_work *w, double residual)
 {
-    const int budget = TURNS * (w->fronts.unknowns + 1);
+    const int budget = RW_NEWTON_TURNS * (w->fronts.unknowns + 1);
     w->fronts.budget = budget;
     const bool is_done = rw_fronts_newton(&w->fronts, residual);
     add_effort(w, budget - w->fronts.budget);
@@ -79,9 +69,9 @@ static bool newton(rw_work *w, double residual)
 
 static bool relax(rw_work *w)
 {
-    w->fronts.budget = BUDGET;
+    w->fronts.budget = RW_RELAX_BUDGET;
     const bool is_done = rw_fronts_relax(&w->fronts);
-    add_effort(w, BUDGET - w->fronts.budget);
+    add_effort(w, RW_RELAX_BUDGET - w->fronts.budget);
     return is_done;
 }
 
@@ -109,11 +99,9 @@ static double change_of_ratios(const rw_fronts *f, const double before[2], const
 /* D at the beginning follows from the zones at the end, which it changes a little. */
 static bool settle_ratios(rw_work *w, const rw_problem *p, double D[2], double residual)
 {
-    enum { MOST_TURNS = 4 };
-    static const double SAME = 0.1; /* of the tolerance */
     rw_fronts *f = &w->fronts;
     bool is_done = true, is_settled = !f->sticks_to_edge[0] && !f->sticks_to_edge[1];
-    for (int turn = 0; turn < MOST_TURNS && is_done && !is_settled; turn++) {
+    for (int turn = 0; turn < RW_RATIO_TURNS && is_done && !is_settled; turn++) {
         const double before[2] = {D[0], D[1]};
         double y[RW_MOST_FRONTS];
         rw_zones zones;
@@ -122,7 +110,7 @@ static bool settle_ratios(rw_work *w, const rw_problem *p, double D[2], double r
         memcpy(y, f->y, sizeof y);
         rw_fronts_begin(f, p, &zones, D);
         memcpy(f->y, y, sizeof y);
-        is_settled = change_of_ratios(f, before, D) < SAME * w->frame->tolerance;
+        is_settled = change_of_ratios(f, before, D) < RW_SAME_RATIO * w->frame->tolerance;
         is_done = is_settled || newton(w, residual);
     }
     return is_done;
@@ -131,7 +119,7 @@ static bool settle_ratios(rw_work *w, const rw_problem *p, double D[2], double r
 static bool find_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, double angle)
 {
     rw_fronts *f = &w->fronts;
-    const double residual = fmax(1e-12, RESIDUAL * w->frame->tolerance) * p->scale;
+    const double residual = fmax(1e-12, RW_RESIDUAL * w->frame->tolerance) * p->scale;
     double D[2];
     ratios_at_start(w, p, zones, D);
     for (int side = 1; side >= -1; side -= 2) {
@@ -171,7 +159,7 @@ static bool try_fronts(rw_work *w, const rw_problem *p, const rw_zones *zones, d
         return false;
     if (!noted(w, rw_outcome_of_fronts(&w->fronts, outcome), outcome))
         return false;
-    w->search -= OUTCOME;
+    w->search -= RW_OUTCOME_COUNTS;
     return true;
 }
 
@@ -292,7 +280,7 @@ static void end_slip_at_edges(rw_work *w, const rw_problem *p, rw_outcome *best)
 bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coarse,
                rw_outcome *best)
 {
-    w->search = w->effort > w->most_effort ? 0 : SEARCH;
+    w->search = w->effort > w->most_effort ? 0 : RW_SEARCH_BUDGET;
     *best = NONE;
     try_guess(w, p, guess, best);
     if (best->violation <= p->allowed) {
@@ -331,7 +319,7 @@ bool rw_search_zones(rw_work *w, const rw_problem *p, const rw_zones *guess, boo
     rw_outcome outcome;
     if (w->effort > w->most_effort)
         return false;
-    w->search = SEARCH;
+    w->search = RW_SEARCH_BUDGET;
     if (find_fronts(w, p, &start, 0)) {
         rw_fronts_zones(&w->fronts, zones);
         return true;

@@ -3,6 +3,7 @@
 
 #include "base/always.h"
 #include "base/domain.h"
+#include "base/tuned.h"
 #include "numerical/rates.h"
 
 double rw_place(rw_patch contact, int i)
@@ -89,24 +90,18 @@ static void note_rate_errors(rw_work *w, const rw_problem *p, const rw_numerical
     there->rate_error = fmax(there->start_error, there->end_error);
 }
 
-/* A step whose loads change by more than this, as traction over friction, is looked at half-way
- * too: slip may begin and end within it. */
-static const double LARGE = 0.25;
-
-/* The excess that counts as none, over the violations that do: it tells too little of an error. */
-static const double LITTLE = 0.05;
-
 /* Whether a step has the right end whatever the way there. Where it slips the traction is that of
  * friction. What sticks must have stuck all the time, and must have been in contact. */
 static bool is_exact(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
                      const rw_numerical_state *there)
 {
     const rw_zones *after = &there->shear.zones;
-    return rw_problem_change(p) <= LARGE * p->scale &&
+    return rw_problem_change(p) <= RW_LARGE_STEP * p->scale &&
            fmax(there->error, there->rate_error) <= p->allowed && after->zone[0].label != 0 &&
            after->zone[after->count - 1].label != 0 &&
            rw_rates_excess_at_start(&w->fronts, &w->start, &from->shear.zones, after,
-                                    p->allowed * p->half) <= LITTLE * p->allowed * p->scale;
+                                    p->allowed * p->half) <=
+               RW_LITTLE_EXCESS * p->allowed * p->scale;
 }
 
 static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
@@ -188,16 +183,14 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_st
 
 /* ---- The error of a step ---- */
 
-/* Tractions are not compared nearer to a front than this part of the half-width: they rise there
- * like a square root, and a front moves with the error. */
-static const double AT_FRONT = 0.01;
-
+/* Tractions are not compared there: they rise like a square root, and a front moves with the
+ * error. */
 static bool is_at_front(const rw_numerical_state *s, double x)
 {
     bool is_near = false;
     for (int i = 0; i + 1 < s->shear.zones.count; i++)
         is_near = is_near || fabs(x - s->shear.zones.zone[i].right) <
-                                 AT_FRONT * rw_patch_half_width(s->contact);
+                                 RW_AT_FRONT * rw_patch_half_width(s->contact);
     return is_near;
 }
 
@@ -212,21 +205,15 @@ static void spread(bool left_out[], double apart[])
             apart[i] = fmax(apart[i], apart[i + 1]);
 }
 
-/* The error is at most this many times the difference of a step from its halves: in 98 of 100 loads
- * (tests/random/test_random_errors.c). Steps are of second order, or of a lower one where a front
- * runs back into a zone that slipped, or where the contact changes. */
-static const double DOUBT = 2, DOUBT_IF_CHANGED = 3;
-
-/* Of places that came into contact in the step and stick: each errs in this step alone, and the
- * halves by 0.18 times as much as the whole. The error is largest at this part of the way from the
- * edge to where it was before. */
-static const double DOUBT_IF_NEW = 0.75, WORST = 0.2;
-
+/* The error at a place over the difference of a step from its halves. Steps are of second order, or
+ * of a lower one where a front runs back into a zone that slipped, or where the contact changes. A
+ * place that came into contact in the step and sticks errs in this step alone, and the halves by
+ * 0.18 times as much as the whole. */
 static double doubt_at(rw_patch before, rw_patch now, double x)
 {
-    return !rw_patch_has(before, x)        ? DOUBT_IF_NEW
-           : rw_patch_is_same(before, now) ? DOUBT
-                                           : DOUBT_IF_CHANGED;
+    return !rw_patch_has(before, x)        ? RW_DOUBT_IF_NEW
+           : rw_patch_is_same(before, now) ? RW_DOUBT
+                                           : RW_DOUBT_IF_CHANGED;
 }
 
 /* Where the tractions at a place are compared. */
@@ -234,7 +221,7 @@ static double compared(rw_patch before, rw_patch now, double x)
 {
     const double edge = x < before.left ? now.left : now.right;
     const double old = x < before.left ? before.left : before.right;
-    return rw_patch_has(before, x) ? x : edge + WORST * (old - edge);
+    return rw_patch_has(before, x) ? x : edge + RW_WORST_PLACE * (old - edge);
 }
 
 /* The differences of two tractions over the scale, by place, after a step from the contact
@@ -259,11 +246,8 @@ static double difference(double scale, rw_patch before, const rw_numerical_state
     return most;
 }
 
-/* By how much D half-way differs from that of the whole, at an edge that sticks. A difference that
- * is quadratic in time is a quarter of it in each half, and two thirds of that on average. So it
- * changes the traction at the place of the old edge by this part of friction there. */
-static const double OF_RATIO = 1.0 / 6;
-
+/* By how much D half-way differs from that of the whole, at an edge that sticks, as a traction at
+ * the place of the old edge. */
 static double growth_error(rw_work *w, rw_patch before, const rw_numerical_state *whole,
                            const rw_numerical_state *half, const rw_numerical_state *both)
 {
@@ -279,30 +263,24 @@ static double growth_error(rw_work *w, rw_patch before, const rw_numerical_state
         most =
             fmax(most, fabs(D - half->D[side]) * rw_exact_friction(w->frame, whole->contact, old));
     }
-    return OF_RATIO * most / rw_peak_friction(w->frame, whole->contact);
+    return RW_OF_RATIO * most / rw_peak_friction(w->frame, whole->contact);
 }
 
-/* An edge that grows and sticks: after a step the shear there is over friction what both grew by at
- * the end. The layers and the rest of a step meet that where D is linear along its way. Where it is
- * not, the difference grew with the square of time, so that on average it is this part of it. At
- * the old edge it is a traction by that of friction. */
-static const double OF_RATIO_AT_END = 1.0 / 3;
-
-/* Shear over friction at an edge, from two places in the ring that is new in contact: their
- * distance from the edge, over the width of the ring. */
-static const double BESIDE_EDGE = 0.01;
-
+/* Shear over friction at an edge, from two places in the ring that is new in contact. */
 static double ratio_at_edge(const rw_frame *frame, const rw_numerical_state *s, double edge,
                             double old)
 {
     double ratio[2];
     for (int i = 0; i < 2; i++) {
-        const double x = edge + (i + 1) * BESIDE_EDGE * (old - edge);
+        const double x = edge + (i + 1) * RW_BESIDE_EDGE * (old - edge);
         ratio[i] = rw_traction_at(&s->shear.traction, x) / rw_exact_friction(frame, s->contact, x);
     }
     return 2 * ratio[0] - ratio[1];
 }
 
+/* At an edge that grows and sticks shear over friction is D at the end of the step. Its layers and
+ * the rest meet that where D is linear along the way. What they lack is an error, as a traction at
+ * the place of the old edge. */
 static double edge_error(rw_work *w, const rw_numerical_state *from,
                          const rw_numerical_state *there)
 {
@@ -319,12 +297,8 @@ static double edge_error(rw_work *w, const rw_numerical_state *from,
             most = fmax(most, fabs(ratio_at_edge(w->frame, there, edge, old) - D[side]) *
                                   rw_exact_friction(w->frame, there->contact, old));
     }
-    return OF_RATIO_AT_END * most / rw_peak_friction(w->frame, there->contact);
+    return RW_OF_RATIO_AT_END * most / rw_peak_friction(w->frame, there->contact);
 }
-
-/* Energies, over the square of scale and half-width, may differ by this many times the tolerance of
- * tractions. The energy of the halves is of second order. */
-static const double ENERGY = 30;
 
 double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *whole,
                   const rw_numerical_state *half, rw_numerical_state *both)
@@ -340,5 +314,5 @@ double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical
     const double apart = difference(scale, before, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
     both->doubt += half->doubt;
-    return fmax(both->error + apart, fabs(energy) / ENERGY) / frame->tolerance;
+    return fmax(both->error + apart, fabs(energy) / RW_ENERGY_APART) / frame->tolerance;
 }

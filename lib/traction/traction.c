@@ -4,6 +4,7 @@
 #include "base/array.h"
 #include "base/domain.h"
 #include "base/processor.h"
+#include "base/tuned.h"
 
 #include <float.h>
 #include <string.h>
@@ -14,9 +15,6 @@
 enum { DEPTH = 12 };
 
 static const double SHORTEST = 1e-8, ROUNDED = 64 * DBL_EPSILON;
-
-/* Of the tolerance: smaller coefficients at the end of a series are none. */
-static const double LOST = 1e-4;
 
 /* ---- Legendre polynomials ---- */
 
@@ -205,7 +203,7 @@ static bool is_fine(const fit *how, double rest, double whole)
 /* Without the last terms that are lost in the tolerance. */
 static void shorten(const fit *how, rw_element *e)
 {
-    for (int k = RW_TERMS - 1; k > 0 && fabs(e->coefficient[k]) < LOST * how->tolerance; k--)
+    for (int k = RW_TERMS - 1; k > 0 && fabs(e->coefficient[k]) < RW_LOST * how->tolerance; k--)
         e->coefficient[k] = 0;
 }
 

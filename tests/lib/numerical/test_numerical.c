@@ -3,7 +3,7 @@
  * used. */
 #include "claims.h"
 #include "contact/contact.h"
-#include "numerical/numerical.h"
+#include "numerical/computed_shear.h"
 #include "numerical/pattern.h"
 #include "numerical/rates.h"
 #include "rwedge.h"

@@ -2,8 +2,8 @@
 /* The shear of a contact whose history has no closed form: its traction on elements, the slip so
  * far and an estimate of the error. Its memory grows with the complexity of the traction, not with
  * the length of the history. */
-#ifndef RW_NUMERICAL_H
-#define RW_NUMERICAL_H
+#ifndef RW_COMPUTED_SHEAR_H
+#define RW_COMPUTED_SHEAR_H
 
 #include "numerical/step.h"
 #include "rwedge.h"
@@ -46,6 +46,10 @@ void rw_numerical_rescale(rw_numerical *numerical, double factor);
 
 /* Adds an error where it sticks, independent of those so far. */
 void rw_numerical_add_error(rw_numerical *numerical, double error);
+
+/* Notes the errors of a step by place; `half` is the state half-way, or that state itself. */
+void rw_numerical_note_error(rw_numerical *numerical, const rw_numerical_state *half,
+                             rw_numerical_state *now, double tolerance);
 
 /* The slip of a place in contact, over theta. */
 double rw_numerical_slip(const rw_numerical *numerical, double x);

@@ -4,14 +4,13 @@
 #include "base/domain.h"
 #include "base/processor.h"
 #include "base/sort.h"
+#include "base/tuned.h"
 #include "fronts/fronts.h"
 
 #include <string.h>
 
 /* The order of a panel is RW_TERMS, or less where few digits are asked for. */
 enum { FEW_TERMS = 8 };
-
-static const double RATIO = 0.12;
 
 /* Of the half-width: distances from a front are at least AT_FRONT. A panel there is at least as
  * wide as NARROWEST, unless its segment is narrow itself: rounding does not move its points. */
@@ -147,7 +146,7 @@ static void put_panel(rw_fronts *f, const rw_segment *s, int side, double near, 
 /* The width of the panel at an end. */
 static double last_panel(const rw_segment *s, int side)
 {
-    return (s->to - s->from) / 2 * pow(RATIO, s->panels[side]);
+    return (s->to - s->from) / 2 * pow(RW_PANEL_RATIO, s->panels[side]);
 }
 
 static void put_half(rw_fronts *f, const rw_segment *s, int side)
@@ -157,7 +156,7 @@ static void put_half(rw_fronts *f, const rw_segment *s, int side)
     for (int i = 0; i <= s->panels[side]; i++) {
         put_panel(f, s, side, near, far);
         near = far;
-        far = i + 1 == s->panels[side] ? half : far / RATIO;
+        far = i + 1 == s->panels[side] ? half : far / RW_PANEL_RATIO;
     }
 }
 
@@ -190,7 +189,7 @@ static double next_break(const rw_problem *p, double end, int way)
 /* Panels that shrink to a distance. */
 static double shrinking(double distance, double length)
 {
-    return ceil(log(distance / length) / log(RATIO));
+    return ceil(log(distance / length) / log(RW_PANEL_RATIO));
 }
 
 /* Towards an end of a segment, by how far from there the next front is, or another break. */

@@ -1,247 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "numerical/numerical.h"
-
-#include "base/array.h"
-#include "base/domain.h"
+/* A load in steps: each as long as its error allows. */
+#include "base/tuned.h"
 #include "numerical/energy.h"
 #include "numerical/onset.h"
-#include "traction/transform.h"
+#include "numerical/origin.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- Life ---- */
-
-typedef struct {
-    const rw_numerical_state *now;
-    rw_values slip;
-    const void *context;
-} beginning;
-
-/* The displacement by the traction and the stretch, less the rigid move of the zones that stick. */
-static double displacement(const rw_numerical_state *s, double x)
-{
-    return rw_traction_displacement(&s->shear.traction, x) + s->at.stretch * x - s->move;
-}
-
-static void origin_at_first(const double x[], const void *context, double origin[])
-{
-    const beginning *b = context;
-    double slip[RW_TERMS] = {0};
-    if (b->slip)
-        b->slip(x, b->context, slip);
-    for (int i = 0; i < RW_TERMS; i++)
-        origin[i] = slip[i] - displacement(b->now, x[i]);
-}
-
-/* The tolerance of the fit of the slip, over that of the tractions. */
-static const double FIT_OF_SLIP = 0.03;
-
-/* Over what friction and what the stretch moves. */
-static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
-{
-    return FIT_OF_SLIP * frame->tolerance * rw_patch_half_width(s->contact) *
-           fmax(rw_peak_friction(frame, s->contact), fabs(s->at.stretch));
-}
-
-bool rw_numerical_count_slip(rw_numerical *n, const rw_frame *frame, rw_values slip,
-                             const void *context)
-{
-    double at[RW_MOST_BENDS + 2];
-    const beginning b = {&n->now, slip, context};
-    const size_t breaks = rw_breaks_of(frame, n->now.contact, 0, NULL, at);
-    rw_traction_destroy(&n->origin);
-    n->has_origin = true;
-    return rw_traction_fit(&n->origin, origin_at_first, &b, breaks, at,
-                           slip_tolerance(frame, &n->now), 0);
-}
-
-rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state *now,
-                                 bool has_origin, rw_values slip, const void *context)
-{
-    rw_numerical_state begun = *now;
-    begun.is_still = true;
-    begun.unslipped = now->contact;
-    rw_numerical *n = malloc(sizeof *n);
-    if (!n) {
-        rw_traction_destroy(&begun.shear.traction);
-        return NULL;
-    }
-    *n = (rw_numerical){.now = begun};
-    if (!has_origin || rw_numerical_count_slip(n, frame, slip, context))
-        return n;
-    rw_numerical_destroy(n);
-    return NULL;
-}
-
-rw_numerical *rw_numerical_copy(const rw_numerical *n, bool *is_whole)
-{
-    rw_numerical *copy = rw_copied(n, n != NULL, sizeof *copy, is_whole);
-    if (!copy)
-        return NULL;
-    copy->now.shear.traction = rw_traction_copy(&n->now.shear.traction, is_whole);
-    copy->origin = rw_traction_copy(&n->origin, is_whole);
-    copy->friction.traction = rw_traction_copy(&n->friction.traction, is_whole);
-    return copy;
-}
-
-void rw_numerical_destroy(rw_numerical *n)
-{
-    if (!n)
-        return;
-    rw_traction_destroy(&n->now.shear.traction);
-    rw_traction_destroy(&n->origin);
-    rw_friction_destroy(&n->friction);
-    free(n);
-}
-
-double rw_numerical_slip(const rw_numerical *n, double x)
-{
-    return rw_traction_at(&n->origin, x) + displacement(&n->now, x);
-}
-
-/* ---- Errors ---- */
-
-/* The error of the fit of a step at most, over the tolerance. */
-static const double FIT_AT_MOST = 0.1;
-
-double rw_numerical_error(const rw_numerical *n)
-{
-    double most = n->now.error; /* states of 1.2.0 have the other errors alone */
-    for (int i = 0; i < RW_PLACES; i++)
-        most = fmax(most, n->error[i]);
-    return most;
-}
-
-/* Both the traction and the true one are within friction. */
-static const double MOST_ERROR = 2;
-
-void rw_numerical_rescale(rw_numerical *n, double factor)
-{
-    for (int i = 0; i < RW_PLACES; i++)
-        n->error[i] = fmin(MOST_ERROR, factor * n->error[i]);
-    n->now.error = fmin(MOST_ERROR, factor * n->now.error);
-}
-
-void rw_numerical_add_error(rw_numerical *n, double error)
-{
-    for (int i = 0; i < RW_PLACES; i++)
-        if (rw_zones_label(&n->now.shear.zones, rw_place(n->now.contact, i)) == 0)
-            n->error[i] = hypot(n->error[i], error);
-    n->now.error = hypot(n->now.error, error);
-}
-
-static double error_at(const rw_numerical *n, double x)
-{
-    const rw_patch contact = n->now.contact;
-    const double cosine = (rw_patch_middle(contact) - x) / rw_patch_half_width(contact);
-    return fabs(cosine) < 1 ? n->error[(int)(acos(cosine) * RW_PLACES / RW_PI)] : 0;
-}
-
-/* Whether a place that sticks after a step stuck all the time, as far as its halves tell. */
-static bool has_stuck(const rw_numerical_state *from, const rw_numerical_state *half, double x)
-{
-    return rw_patch_has(from->contact, x) && rw_zones_label(&from->shear.zones, x) == 0 &&
-           rw_zones_label(&half->shear.zones, x) == 0;
-}
-
-/* Notes the errors of a step by place. Where it sticks the relative displacement is that of the
- * moment when it began to stick, and so is its error. The traction follows from that displacement
- * and from the tractions of all other places: these errors are of the present step, whatever the
- * steps before it were. Nor does it add up what fits lose: that changes its sign within an element,
- * and the fit of the next step takes its mean. */
-static void note_error(rw_numerical *n, const rw_numerical_state *half, rw_numerical_state *s,
-                       double tolerance)
-{
-    const double at_most = hypot(s->error, FIT_AT_MOST * tolerance);
-    double error[RW_PLACES], most = at_most;
-    for (int i = 0; i < RW_PLACES; i++) {
-        const double x = rw_place(s->contact, i), before = error_at(n, x);
-        const bool slips = rw_zones_label(&s->shear.zones, x) != 0;
-        const bool is_old = has_stuck(&n->now, half, x);
-        error[i] = slips ? 0 : is_old ? before : s->error + s->apart[i];
-        most = slips ? most : fmax(most, (is_old ? hypot(before, at_most) : at_most) + s->apart[i]);
-    }
-    memcpy(n->error, error, sizeof error);
-    s->error = most;
-}
-
-/* ---- New places in contact ---- */
-
-/* A step in two halves. */
-typedef struct {
-    const rw_numerical *numerical; /* before it */
-    const rw_numerical_state *half, *now;
-} growth;
-
-/* Minus the displacement at the time when an edge of the contact came to a place, interpolated
- * between two states. */
-static double origin_between(const rw_numerical_state *from, const rw_numerical_state *to, double x)
-{
-    const double part = x > from->contact.right
-                            ? (x - from->contact.right) / (to->contact.right - from->contact.right)
-                            : (x - from->contact.left) / (to->contact.left - from->contact.left);
-    return -(1 - part) * displacement(from, x) - part * displacement(to, x);
-}
-
-/* Of a place that comes into contact in the step. It has slip 0 then, and keeps it where it
- * sticks. */
-static void new_origin(const double x[], const void *context, double origin[])
-{
-    const growth *g = context;
-    for (int i = 0; i < RW_TERMS; i++) {
-        const bool sticks = rw_zones_label(&g->half->shear.zones, x[i]) == 0 &&
-                            rw_zones_label(&g->now->shear.zones, x[i]) == 0;
-        origin[i] = sticks ? -displacement(g->now, x[i])
-                    : rw_patch_has(g->half->contact, x[i])
-                        ? origin_between(&g->numerical->now, g->half, x[i])
-                        : origin_between(g->half, g->now, x[i]);
-    }
-}
-
-/* Appends the origin of places that came into contact; the edge at half the step may be between. */
-static bool append_new(rw_traction *origin, const growth *g, double from, double half, double to,
-                       double tolerance)
-{
-    const bool is_between = half > from && half < to;
-    const double at[3] = {from, is_between ? half : to, to};
-    return !(from < to) ||
-           rw_traction_fit(origin, new_origin, g, is_between ? 3 : 2, at, tolerance, 0);
-}
-
-/* Whether so many elements are to be fewer: from 64 on, each time that they are twice as many. */
-static bool has_many(size_t before, size_t count)
-{
-    return count >= 64 && (before ^ count) > before;
-}
-
-/* Each step of a growing contact adds some elements. */
-static bool renew_origin(rw_numerical *n, const rw_frame *frame, const rw_numerical_state *half,
-                         const rw_numerical_state *now)
-{
-    const rw_patch before = n->now.contact, contact = now->contact;
-    const double left = fmax(contact.left, before.left), right = fmin(contact.right, before.right);
-    if (!n->has_origin || (left == contact.left && right == contact.right))
-        return true;
-    const double tolerance = slip_tolerance(frame, now);
-    const growth g = {n, half, now};
-    rw_traction origin = {0};
-    const bool is_done =
-        append_new(&origin, &g, contact.left, half->contact.left, left, tolerance) &&
-        rw_traction_append_part(&origin, &n->origin, left, right) &&
-        append_new(&origin, &g, right, half->contact.right, contact.right, tolerance);
-    if (!is_done) {
-        rw_traction_destroy(&origin);
-        return false;
-    }
-    if (has_many(n->origin.count, origin.count))
-        rw_traction_simplify(&origin, tolerance);
-    rw_traction_destroy(&n->origin);
-    n->origin = origin;
-    return true;
-}
-
-/* ---- Steps ---- */
 
 /* A load is divided so many times at most, each time into halves or shorter parts. */
 enum { DIVISIONS = 9 };
@@ -282,14 +47,14 @@ static bool accept(load_work *j, const rw_numerical_state *half, rw_numerical_st
 {
     rw_numerical *n = j->next;
     const rw_frame *frame = j->work.frame;
-    if (!renew_origin(n, frame, half, now)) {
+    if (!rw_origin_renew(n, frame, half, now)) {
         j->work.is_short = true;
         return false;
     }
     rw_settle_energy(&j->work, &n->now, half, now);
     rw_shear_state_smooth(&now->shear, now->contact,
                           frame->tolerance * rw_peak_friction(frame, now->contact));
-    note_error(n, half, now, frame->tolerance);
+    rw_numerical_note_error(n, half, now, frame->tolerance);
     drop(&n->now);
     move(&n->now, now);
     return true;
@@ -331,9 +96,10 @@ static bool end_step(load_work *j, trial *t, rw_scaled_loads to, bool is_last, d
  * of second order or more, and growth is careful. Unknown errors are HUGE_VAL. */
 static double better_length(double error)
 {
-    static const double LEAST = 0.1, MOST = 2, UNKNOWN = 0.5, ORDER = 2;
-    return error == HUGE_VAL ? UNKNOWN
-                             : fmax(LEAST, fmin(MOST, 0.8 * pow(fmax(error, 0.1), -1 / ORDER)));
+    static const double ORDER = 2;
+    return error == HUGE_VAL
+               ? RW_IF_UNKNOWN
+               : fmax(RW_SHORTER, fmin(RW_LONGER, RW_CAREFUL * pow(fmax(error, 0.1), -1 / ORDER)));
 }
 
 /* About this part, so that what is left has a whole number of them. */
@@ -474,24 +240,21 @@ static rw_numerical *better_of(rw_numerical *a, rw_numerical *b)
     return is_first ? a : b;
 }
 
-/* A load that adds more than this to the error, over the tolerance, is tried once more, with ten
- * times the tolerance and a quarter of the effort: larger steps may err less where the effort did
- * not suffice for small ones. */
-static const double ENOUGH = 2, LOOSER = 10, LOOSEST = 1e-2;
-
 /* What a try adds to the error; HUGE_VAL where there is none. */
 static double added(const rw_numerical *n, const rw_numerical *next)
 {
     return next ? rw_numerical_error(next) - rw_numerical_error(n) : HUGE_VAL;
 }
 
+/* A load that adds much to the error is tried once more, with more tolerance and a quarter of the
+ * effort: larger steps may err less where the effort did not suffice for small ones. */
 int32_t rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
-    const rw_frame looser = rw_frame_like(frame, fmin(LOOSER * frame->tolerance, LOOSEST));
+    const rw_frame looser = rw_frame_like(frame, fmin(RW_LOOSER * frame->tolerance, RW_LOOSEST));
     int rest = *effort / 4;
     rw_numerical *next, *other;
     int32_t status = try_load(n, frame, to, effort, &next);
-    if (status != RWEDGE_ENOMEM && added(n, next) > ENOUGH * frame->tolerance &&
+    if (status != RWEDGE_ENOMEM && added(n, next) > RW_TRY_AGAIN * frame->tolerance &&
         looser.tolerance > frame->tolerance) {
         *effort -= rest;
         status = try_load(n, &looser, to, &rest, &other);

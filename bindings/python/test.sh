@@ -41,7 +41,7 @@ export PATH="$folder/venv/bin:$PATH" PYTHONPYCACHEPREFIX="$folder/pycache"
 pytest_of "$source/tests" "$@"
 
 [ $long = yes ] || exit 0
-command -v ccx >/dev/null 2>&1 || echo "SKIPPED: ccx is not installed: examples/calculix.py did not run"
+command -v ccx >/dev/null 2>&1 || echo "SKIPPED: ccx is not installed: examples/calculix.py and crack_elements.py did not run"
 
 # An editable install is found.
 rm -rf editable

@@ -7,8 +7,7 @@
 enum { OPTION_EACH_LOAD = OPTION_AFTER_CRACK, OPTION_VERDICT };
 
 static const struct poptOption options[] = {
-    {INCLUDED(input_option_table), "The contact:", NULL},
-    {INCLUDED(strength_option_table), "Its strength:", NULL},
+    CONTACT_OPTIONS,
     {INCLUDED(history_option_table), "Its loads:", NULL},
     {INCLUDED(crack_option_table), "The crack:", NULL},
     {FLAG("verdict", OPTION_VERDICT), "Whether it stops, in place of the rows", NULL},

@@ -14,8 +14,7 @@ enum {
 };
 
 static const struct poptOption options[] = {
-    {INCLUDED(input_option_table), "The contact:", NULL},
-    {INCLUDED(strength_option_table), "Its strength:", NULL},
+    CONTACT_OPTIONS,
     {INCLUDED(criteria_option_table), "Criteria:", NULL},
     {INCLUDED(history_option_table), "Its loads:", NULL},
     {INCLUDED(place_option_table), "Places, by default along the surface from side to side:", NULL},

@@ -94,8 +94,7 @@ static void write_after(const after_load *row, records *rows)
 /* ---- The command ---- */
 
 static const struct poptOption options[] = {
-    {INCLUDED(input_option_table), "The contact:", NULL},
-    {INCLUDED(strength_option_table), "Its strength:", NULL},
+    CONTACT_OPTIONS,
     {INCLUDED(history_option_table), "Its loads:", NULL},
     {INCLUDED(place_option_table), "Stresses at points in place of a row for each load:", NULL},
     {NO_FORMULAS_OPTION},

@@ -60,6 +60,13 @@ enum {
 extern struct poptOption input_option_table[], strength_option_table[], shape_option_table[],
     exactness_option_table[];
 
+/* The head of the table of a command that asks a loaded contact. */
+#define CONTACT_OPTIONS                                                                            \
+    {INCLUDED(input_option_table), "The contact:", NULL},                                          \
+    {                                                                                              \
+        INCLUDED(strength_option_table), "Its strength:", NULL                                     \
+    }
+
 /* Fills the tables with the words of the inputs. */
 void input_options_prepare(void);
 

@@ -18,8 +18,7 @@ enum {
 };
 
 static const struct poptOption options[] = {
-    {INCLUDED(input_option_table), "The contact:", NULL},
-    {INCLUDED(strength_option_table), "Its strength:", NULL},
+    CONTACT_OPTIONS,
     {INCLUDED(load_option_table), "Loads that lead to it:", NULL},
     {"input", 'i', POPT_ARG_STRING, NULL, OPTION_INPUT_FILE,
      "Solve every row of a CSV file; - is standard input", "FILE"},

@@ -324,6 +324,16 @@ static double cracks(const work *w)
     return out[0][0];
 }
 
+static double closing_cracks(const work *w)
+{
+    double edge, length[LENGTHS];
+    rwedge_cycle *steady = cycle_of_cracks(&edge, length);
+    must(rwedge_cycle_closing_crack(steady, edge, 0, CRACK_LOADS, (size_t)w->n / CRACK_LOADS / LINE,
+                                    length, out[0], out[1], out[2]));
+    rwedge_cycle_destroy(steady);
+    return out[0][0];
+}
+
 /* ---- Criteria of that cycle ---- */
 
 static double value[PLACES], angle[PLACES], azimuth[PLACES];
@@ -373,6 +383,7 @@ const work works[] = {
     {"2 points, 2000 corners, in one call", history, REVERSALS, 2, 2 * MOST_LOADS},
     {"stresses on the lines of cracks", stresses_on_cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
     {"K of those cracks", cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
+    {"K of those cracks, faces press", closing_cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
     {"Smith-Watson-Topper of 40 loads", criterion, RWEDGE_MEASURE_SWT_IN_PLANE, 0, PLACES},
     {"Smith-Watson-Topper, all planes", criterion, RWEDGE_MEASURE_SWT, 0, PLACES},
     {"Findley of 40 loads", criterion, RWEDGE_MEASURE_FINDLEY, 0, PLACES},

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The life of a fretting specimen without an assumed crack: the cycles that start a crack of a length, by Smith, Watson and
-Topper's parameter at that depth, and the cycles in which it grows through. Their sum is least at one length (Navarro's
-way). Prints both for each length, and the least sum.                                             total_life.py PICTURE
+Topper's parameter at that depth, and the cycles in which it grows through. Their sum is least at one length
+(initiation and propagation apart, as C. Navarro, M. Garcia and J. Dominguez, ASTM STP10755S, 2003). Prints both for each length,
+and the least sum.                                                                                total_life.py PICTURE
 
 Normalized steel SAE 1015 under a cylinder. Its life is by the constants in tables/materials/. Growth is by an assumed law of the
 size that steels have, 6.9e-12 m (dK in MPa sqrt(m))^3 a cycle: take the constants of your own material.

@@ -72,6 +72,14 @@ def test_finite_elements_approach_the_closed_form(drawn):
     assert np.less(coarse, (0.03, 0.03, 0.01)).all() and np.less(fine, 0.5 * np.array(coarse)).all(), printed
 
 
+@pytest.mark.skipif(not shutil.which("ccx"), reason="ccx is not installed (Debian: calculix-ccx)")
+@pytest.mark.long
+def test_finite_elements_approach_the_k_of_a_crack(drawn):
+    printed, _ = drawn("crack_elements", "--refine 1")
+    coarse, fine = np.array([float(line.split()[-1]) for line in printed.splitlines()[1:]]).reshape(2, -1)  # of each length
+    assert (coarse < 0.035).all() and (fine < 0.016).all(), printed
+
+
 @pytest.mark.long
 def test_a_sweep_on_a_cluster_stores_the_bits_of_the_serial_result(tmp_path, run):
     printed = run(EXAMPLES / "design.py", tmp_path / "design.svg", "--rows", 200, "--columns", 100, "--check", 1)

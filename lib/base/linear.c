@@ -58,6 +58,8 @@ bool rw_solve(size_t n, size_t sides, double A[], double b[])
             return false;
         for (size_t i = k + 1; i < n; i++) {
             const double factor = A[i * n + k] / A[k * n + k];
+            if (factor == 0)
+                continue; /* of two systems in one, as of a normal crack: half of all rows */
             subtract(n - k, factor, A + k * n + k, A + i * n + k);
             subtract(sides, factor, b + k * sides, b + i * sides);
         }

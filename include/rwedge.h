@@ -1129,6 +1129,24 @@ RWEDGE_API int32_t rwedge_cycle_permanent_stick(const rwedge_cycle *cycle, doubl
  * point, 1e-6 of it off the centre. */
 RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, double b);
 
+/* The next load where a rig prescribes a displacement in place of Q: that of
+ * rwedge_contact_displacement(), b being the half-width under the first such load, plus what the
+ * rig gives way, its compliance times Q. In full sliding the rest is sliding: it counts in the
+ * displacements to come, and its energy, f P times the way, as dissipated. A contact that touches
+ * anew begins where the rig was when the bodies were apart.                                     new
+ *   P             0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+ *   M             finite; 0 where P is 0: as for rwedge_contact_apply()
+ *   sigma         finite, as there
+ *   displacement  length, finite
+ *   compliance    length over a force per unit length, 0, or 1e-60 to 1e60
+ *   Q             receives the force
+ * It is found by some ten trials on copies. RWEDGE_EPATH also where the displacement is not known,
+ * as off the centre once the contact has slid; other errors as those of rwedge_contact_apply():
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ESLIDING; RWEDGE_ENULL; RWEDGE_ENOMEM. Q to 1e-12 of f P
+ * where the contact is in the centre. */
+RWEDGE_API int32_t rwedge_contact_drive(rwedge_contact *contact, double P, double M, double sigma,
+                                        double displacement, double compliance, double *Q);
+
 /* ---- Measures of a stress -------------------------------------------------------------------- */
 
 /* For any stresses, of a contact or not, in any unit; tension positive, y into the half-plane.

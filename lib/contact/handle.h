@@ -28,6 +28,12 @@ typedef enum {
     RW_COMPUTED    /* the shear has no closed form */
 } rw_phase;
 
+/* Under a prescribed displacement: the half-width that it counts from, 0 where none was prescribed
+ * yet; how far the bodies have slid beyond what their loads tell. */
+typedef struct {
+    double b, slid;
+} rw_drive;
+
 /* While it slides. */
 typedef struct {
     double largest_load; /* since it slides */
@@ -75,6 +81,7 @@ struct rwedge_contact {
     rw_slip_record slip;
     rw_dissipated energy;
     rw_sliding sliding;
+    rw_drive drive;
     rw_computed computed;
     /* In closed form: the same contact, which has computed the loads whose slip or energy has no
      * closed form; both are known from it. NULL: from this one, if they are known. beside.c */

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 /* Version 2 added the strain per bulk tension, version 3 the computed shear and any pad, version 4
- * what is beside the contact, version 5 unlike bodies and whether the pad is held. */
+ * what is beside the contact, version 5 unlike bodies, a held pad, and what a rig prescribes. */
 static const double VERSION = 5;
 
 /* How many numbers they take, at least. */
@@ -359,12 +359,14 @@ static void pass_energy(stream *t, rw_dissipated *energy)
         *energy = (rw_dissipated){.is_known = false};
 }
 
-/* Whether the pad is held, and at which tilt. */
-static void pass_rotation(stream *t, rwedge_contact *c)
+/* Whether the pad is held, and at which tilt; what a rig has prescribed. */
+static void pass_guidance(stream *t, rwedge_contact *c)
 {
     pass_flag(t, &c->is_held);
     if (c->is_held)
         pass_finite(t, &c->held_tilt);
+    pass_all(t, (double *const[]){&c->drive.b, &c->drive.slid, NULL});
+    require(t, rw_is_magnitude(c->drive.b));
 }
 
 /* The phase is not among the numbers: it follows from them. */
@@ -409,7 +411,7 @@ static void pass_contact(stream *t, rwedge_contact *c)
     if (t->version > 3 && !t->is_inner && !t->is_beside)
         pass_beside(t, c);
     if (t->version > 4)
-        pass_rotation(t, c);
+        pass_guidance(t, c);
     if (!t->in || !t->is_sound)
         return;
     c->sliding = sliding;

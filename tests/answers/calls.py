@@ -101,7 +101,8 @@ OBJECTS = {
     "contact": [("contact_set_beta", (0.3,)), ("contact_set_bodies", (4 / 1.8e-5, 0, 4 / 1.8e-5, 0)),
                 ("contact_set_strain", (0,)), ("contact_set_strain", (3.1e-6,))] +
                [("contact_load", pair) for pair in
-                ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900), (0, 0))] +
+                ((1000, 0), (2000, 300), (2000, -600), (2500, -200), (1800, 700), (1800, -900))] +
+               [("contact_drive", (2000, 0, 0, 1e-3, 1e-6)), ("contact_load", (0, 0))] +
                [("contact_set_rotation", (1,)), ("contact_guide", (2000, 0.001, 400, 0)), ("contact_set_rotation", (0,))] +
                [("contact_apply", four) for four in
                 ((0, 0, 0, 1), (2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))],

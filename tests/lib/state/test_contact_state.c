@@ -321,15 +321,15 @@ CLAIM(a_shear_of_another_contact_is_refused)
     load(other, 0.6, 0);
     const contact_state whole = state_of(computed(0.5));
     const size_t from =
-        rwedge_contact_state_size(bare) - 3; /* what is computed, and what follows */
+        rwedge_contact_state_size(bare) - 5; /* what is computed, and what follows */
     const rwedge_contact *hosts[] = {bare, sheared, layered, other};
     for (int i = 0; i < 4; i++) {
         const contact_state host = state_of(hosts[i]);
-        contact_state joint = {host.size - 3 + whole.size - from, NULL};
+        contact_state joint = {host.size - 5 + whole.size - from, NULL};
         joint.number = malloc(joint.size * sizeof *joint.number);
         assert_non_null(joint.number);
-        memcpy(joint.number, host.number, (host.size - 3) * sizeof *joint.number);
-        memcpy(joint.number + host.size - 3, whole.number + from,
+        memcpy(joint.number, host.number, (host.size - 5) * sizeof *joint.number);
+        memcpy(joint.number + host.size - 5, whole.number + from,
                (whole.size - from) * sizeof *joint.number);
         assert_true(is_restored(joint) == (i == 0));
         free(joint.number);
@@ -338,14 +338,14 @@ CLAIM(a_shear_of_another_contact_is_refused)
 
 /* A state of the first version, which did not hold the strain, is that of equal compliances. Since
  * the third, what is no wedge is after the energy, and what has no closed form at the end; since
- * the fifth, beta stands behind the pad, and how it is held at the end. */
+ * the fifth, beta stands behind the pad, and how it is held and driven at the end. */
 CLAIM(older_states_are_read)
 {
     /* its place; that of three numbers of the pad and one of the bodies; numbers at the end */
     enum { STRAIN = 2 + 13, PAD = STRAIN + 2, OF_PAD = 3, END = 4 };
     rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.5, 0, 0.1, 0});
     contact_state s = state_of(contact);
-    s.size -= 2; /* beta, and whether the pad is held */
+    s.size -= 4; /* beta, whether the pad is held, and two numbers of a rig */
     memmove(s.number + PAD + OF_PAD, s.number + PAD + OF_PAD + 1,
             (s.size - PAD - OF_PAD) * sizeof *s.number);
     s.number[0] = 4;

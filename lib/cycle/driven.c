@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The next load where a rig prescribes a displacement. Q rises with the displacement, so that there
+ * is one; where even f P does not reach what is prescribed, the bodies slide on by the rest. */
+#include "contact/handle.h"
+
+#include "base/domain.h"
+#include "base/root.h"
+
+/* P, M and sigma of the load, and what is prescribed. */
+typedef struct {
+    const rwedge_contact *contact;
+    double P, M, sigma, b, displacement, compliance;
+} rig;
+
+/* The contact under the load with a Q. */
+static int32_t contact_under(const rig *r, double Q, rwedge_contact **contact)
+{
+    int32_t status = rwedge_contact_copy(r->contact, contact);
+    return status == RWEDGE_OK ? rwedge_contact_apply(*contact, r->P, r->M, Q, r->sigma) : status;
+}
+
+/* How far the rig is beyond what is prescribed. NaN where that is not known. */
+static double beyond(const rig *r, const rwedge_contact *contact, double Q)
+{
+    return rwedge_contact_displacement(contact, r->b) + r->compliance * Q + contact->drive.slid -
+           r->displacement;
+}
+
+static double beyond_with(double Q, const void *context)
+{
+    const rig *r = context;
+    rwedge_contact *contact = NULL;
+    const int32_t status = contact_under(r, Q, &contact);
+    const double value = status == RWEDGE_OK ? beyond(r, contact, Q) : NAN;
+    rwedge_contact_destroy(contact);
+    return value;
+}
+
+/* Why a Q on the way to the root has no displacement. */
+static int32_t reason(const rig *r, double Q)
+{
+    rwedge_contact *contact = NULL;
+    const int32_t status = contact_under(r, Q, &contact);
+    rwedge_contact_destroy(contact);
+    return status == RWEDGE_OK ? RWEDGE_EPATH : status;
+}
+
+/* The largest Q of one sign whose displacement is known. Off the centre that is not so where the
+ * contact slides, but up to this part of f P. */
+static const double INSIDE = 1 - 1e-6;
+
+typedef struct {
+    double Q, beyond;
+} end;
+
+static end end_of(const rig *r, int sign)
+{
+    const double limit = sign * r->contact->f * r->P;
+    const end all = {limit, beyond_with(limit, r)};
+    return isnan(all.beyond) ? (end){INSIDE * limit, beyond_with(INSIDE * limit, r)} : all;
+}
+
+/* Q, and how far the bodies slide besides; NaN where the root, or how far, is not known. */
+static double find(const rig *r, double *slid)
+{
+    const double limit = r->contact->f * r->P;
+    const end least = end_of(r, -1), most = end_of(r, 1);
+    *slid = most.beyond < 0 ? -most.beyond : least.beyond > 0 ? -least.beyond : 0;
+    if (isnan(least.beyond) || isnan(most.beyond) || (*slid > 0 && most.Q < limit) ||
+        (*slid < 0 && least.Q > -limit))
+        return NAN;
+    return most.beyond <= 0    ? limit
+           : least.beyond >= 0 ? -limit
+                               : rw_root(beyond_with, r, least.Q, most.Q, 1e-15 * limit);
+}
+
+/* Slides on. Where it slid the same way before, P grew or fell on the way. */
+static void slide(rwedge_contact *contact, const rwedge_contact *before, double slid)
+{
+    const bool slid_before = before->phase == RW_SLIDING && before->loads.Q * slid > 0;
+    const double P = slid_before ? before->loads.P / 2 + contact->loads.P / 2 : contact->loads.P;
+    contact->drive.slid += slid;
+    contact->energy.sum += contact->f * P * fabs(slid);
+}
+
+/* The half-width that displacements count from. */
+static int32_t reference(const rig *r, double *b)
+{
+    rwedge_contact *contact = NULL;
+    *b = r->contact->drive.b > 0 ? r->contact->drive.b : rwedge_contact_half_width(r->contact);
+    if (*b > 0)
+        return RWEDGE_OK;
+    const int32_t status = contact_under(r, 0, &contact);
+    *b = rwedge_contact_half_width(contact);
+    rwedge_contact_destroy(contact);
+    return status;
+}
+
+/* The bodies are apart: the next contact begins where the rig is. */
+static int32_t separate(rig *r, rwedge_contact **contact)
+{
+    const int32_t status = contact_under(r, 0, contact);
+    if (status == RWEDGE_OK)
+        (*contact)->drive.slid = r->displacement;
+    return status;
+}
+
+static int32_t drive(rig *r, double *Q, rwedge_contact **contact)
+{
+    double slid = 0;
+    *Q = 0;
+    if (r->P == 0)
+        return separate(r, contact);
+    int32_t status = reference(r, &r->b);
+    if (status != RWEDGE_OK)
+        return status;
+    *Q = find(r, &slid);
+    if (isnan(*Q))
+        return reason(r, r->contact->f * r->P);
+    status = contact_under(r, *Q, contact);
+    if (status != RWEDGE_OK)
+        return status;
+    (*contact)->drive.b = r->b;
+    if (slid != 0)
+        slide(*contact, r->contact, slid);
+    return RWEDGE_OK;
+}
+
+int32_t rwedge_contact_drive(rwedge_contact *contact, double P, double M, double sigma,
+                             double displacement, double compliance, double *Q)
+{
+    if (!contact || !Q)
+        return RWEDGE_ENULL;
+    if (!rw_is_magnitude(P) || !rw_is_signed(M) || !rw_is_signed(sigma) ||
+        !rw_is_signed(displacement) || !rw_is_magnitude(compliance))
+        return RWEDGE_EDOMAIN;
+    rig r = {contact, P, M, sigma, 0, displacement, compliance};
+    rwedge_contact *next = NULL;
+    double found;
+    const int32_t status = drive(&r, &found, &next);
+    if (status == RWEDGE_OK) {
+        rw_contact_exchange(contact, next);
+        *Q = found;
+    }
+    rwedge_contact_destroy(next);
+    return status;
+}

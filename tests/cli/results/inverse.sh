@@ -44,7 +44,8 @@ most=$(value safety)
 refused 1 "no solution: even without friction the safety is $(awk -v s="$most" 'BEGIN { printf "%.4g", s }')" \
     $steel --radius 5 --P 190 --for f --safety 9
 refused 1 "no solution: no yield stress is given" --E1 210000 --nu1 0.3 --theta 0.01 --P 190 --f 0.2 --for a --safety 2
-refused 1 "no solution: with M or sigma there is no safety" $steel --radius 5 --f 0.2 --sigma 5 --for P --safety 2
+refused 1 "no solution: with M, a tilt or sigma there is no safety" $steel --radius 5 --f 0.2 --sigma 5 --for P --safety 2
+refused 1 "no solution: with M, a tilt or sigma there is no safety" $steel --radius 5 --f 0.2 --tilt 0.01 --for P --safety 2
 refused 1 "--Q 20: must not exceed f P = " $steel --radius 5 --f 0.02 --for P --safety 2
 refused 2 "--for E1: is no input that can be found; allowed: radius, a, P, f" $steel --P 190 --for E1 --safety 2
 refused 2 "--for a: it is given too" $steel --radius 5 --P 190 --f 0.2 --for a --safety 2

@@ -11,7 +11,7 @@ static const command help_command;
 static const command *const commands[] = {&solve_command,     &table_command,   &profile_command,
                                           &field_command,     &history_command, &fretting_command,
                                           &crack_command,     &figure_command,  &workbook_command,
-                                          &materials_command, &help_command};
+                                          &materials_command, &read_command,    &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };

@@ -13,6 +13,7 @@ build=$(cd "$1" && pwd)
 shift
 [ $long = yes ] || set -- -m 'not long' "$@"
 folder=$build/python
+[ ! -x "$build/cli/rwedge" ] || export RWEDGE_TOOL="$build/cli/rwedge" # reads files
 export MPLCONFIGDIR="$folder/matplotlib" MYPY_CACHE_DIR="$folder/mypy"
 
 # versions and checksums; bindings/python/README.md says how they are renewed

@@ -217,6 +217,24 @@ static bool is_of_numbers(const csv_row *row, char decimal_sign)
     return numbers_in(row, decimal_sign) * 2 > row->count;
 }
 
+/* The separator that makes most rows of several numbers; the first of equals. */
+static char probable_separator(table_input *t, const char *separators, int count)
+{
+    static beginning all;
+    size_t most = 0;
+    char best = separators[0];
+    for (int i = 0; i < count; i++) {
+        size_t rows = 0;
+        begin_with(t, separators[i], false, &all);
+        for (size_t j = 0; j < all.count; j++)
+            rows += all.row[j].count > 1 && is_of_numbers(&all.row[j], t->decimal_sign) ? 1 : 0;
+        forget(&all);
+        best = rows > most ? separators[i] : best;
+        most = rows > most ? rows : most;
+    }
+    return best;
+}
+
 /* The line that probably has the names: the first of as many cells as the first row of numbers, or
  * the one above it. */
 static void guess(table_input *t, char separator, finding *to)
@@ -249,7 +267,7 @@ static finding find_header(table_input *t)
         for (int i = 0; i < count; i++)
             if (look(t, separators[i], (naming_mode)mode, &found))
                 return found;
-    guess(t, first, &found);
+    guess(t, probable_separator(t, separators, count), &found);
     return found;
 }
 

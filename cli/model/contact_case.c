@@ -132,10 +132,9 @@ static double either(double value, double otherwise)
     return isnan(value) ? otherwise : value;
 }
 
-/* Of two cylinders that of one on a plane. */
-static double radius_of(const double value[INPUT_COUNT])
+double case_radius(double radius1, double radius2)
 {
-    return either(value[INPUT_RADIUS], 1 / (1 / value[INPUT_RADIUS1] + 1 / value[INPUT_RADIUS2]));
+    return 1 / (1 / radius1 + 1 / radius2);
 }
 
 /* Dundurs' second constant; plane stress is plane strain with other constants. */
@@ -152,7 +151,8 @@ static double beta_of(const input_texts *texts, const contact_case *setup)
 /* But for the shape of a profile. In plane stress nothing else depends on Poisson's ratio. */
 static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
 {
-    const double radius = radius_of(value);
+    const double radius =
+        either(value[INPUT_RADIUS], case_radius(value[INPUT_RADIUS1], value[INPUT_RADIUS2]));
     const double theta = either(value[INPUT_THETA], value[INPUT_THETA_DEG] * RADIANS_PER_DEGREE);
     setup->E1 = value[INPUT_E1];
     setup->nu1 = value[INPUT_NU1];

@@ -206,6 +206,9 @@ typedef struct {
     int at_fault;   /* the input that it refused them for; INPUT_COUNT for none */
 } contact_case;
 
+/* The radius of a cylinder on a plane that touches as two cylinders do. */
+double case_radius(double radius1, double radius2);
+
 /* What must be given beside the bodies and their shape. */
 typedef enum {
     CASE_LOADS_APART, /* nothing: a history has the loads, and f may be 0 */

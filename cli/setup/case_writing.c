@@ -5,7 +5,7 @@
 #include "model/words/words.h"
 #include "system/system.h"
 
-#include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -14,7 +14,8 @@
 
 typedef struct {
     output out;
-    bool is_begun; /* the object at hand */
+    bool is_begun;      /* the object at hand */
+    bool is_of_command; /* which asked something; else what was read is written */
 } writing;
 
 static void begin_name(writing *to, const char *indent, const char *name)
@@ -88,17 +89,51 @@ static void put_word(writing *to, const case_word *word, const char *text, const
         put_number(to, value);
 }
 
-/* What forces were divided by is not said again. */
+/* As one of a cylinder on a plane. */
+static void put_two_radii(writing *to, const input_texts *texts)
+{
+    complaint why;
+    double radius1, radius2;
+    if (!input_is_given(texts, INPUT_RADIUS1) || !input_is_given(texts, INPUT_RADIUS2))
+        return;
+    if (!input_read(texts, INPUT_RADIUS1, &radius1, &why) ||
+        !input_read(texts, INPUT_RADIUS2, &radius2, &why))
+        failure("%s", why.text);
+    begin_name(to, "    ", input_kinds[INPUT_RADIUS].column);
+    put_number(to, case_radius(radius1, radius2));
+}
+
+/* What was read has neither two radii nor how a profile was made; what forces were divided by is
+ * not said again. */
+static bool is_settled(const writing *to, const case_word *word)
+{
+    const bool is_of_two = word->input == INPUT_RADIUS1 || word->input == INPUT_RADIUS2,
+               is_making = word->input == INPUT_COUNT && strcmp(word->group, "pad") == 0;
+    if (word->group[0] == '\0')
+        return word->kind == WORD_QUANTITY;
+    return !to->is_of_command && (is_of_two || is_making);
+}
+
 static void put_words(writing *to, const char *group, const arguments *line,
                       const input_texts *texts)
 {
     for (size_t i = 0; i < case_word_count(); i++) {
         const case_word *word = case_word_of(i);
         const char *text = text_of(line, word);
-        const bool is_divisor = group[0] == '\0' && word->kind == WORD_QUANTITY;
-        if (strcmp(word->group, group) == 0 && text != NULL && !is_divisor)
+        if (strcmp(word->group, group) == 0 && text != NULL && !is_settled(to, word))
             put_word(to, word, text, texts);
     }
+}
+
+/* The slopes of what was made of a profile. */
+static void put_made(writing *to, const char *profile)
+{
+    complaint why;
+    const pad_profile *made = profile != NULL ? profiles_named(profile, &why) : NULL;
+    if (made == NULL)
+        return;
+    put_list(to, "x", made->count, made->x);
+    put_list(to, "slope", made->count, made->slope);
 }
 
 static void put_places(writing *to, const char *profile)
@@ -189,8 +224,9 @@ static void put_constants(writing *to, const char *path)
 }
 
 /* The name of one that is shipped stays; of a file its constants, in its words. */
-static void put_material(writing *to, const char *text)
+static void put_material(writing *to, const char *text, const arguments *line)
 {
+    (void)line;
     const char *ending = strrchr(text, '.');
     const bool is_json = ending != NULL && strcasecmp(ending, ".json") == 0;
     begin_name(to, "  ", "material");
@@ -207,6 +243,20 @@ static void put_material(writing *to, const char *text)
     free(object);
 }
 
+/* Its constants in the working units. */
+static void put_read_material(writing *to, const char *text, const arguments *line)
+{
+    (void)text;
+    const material *constants = material_of(line);
+    begin_group(to, "material");
+    for (int i = 0; i < material_count(); i++)
+        if (!isnan(constants->value[i])) {
+            begin_name(to, "    ", material_name(i));
+            put_number(to, constants->value[i]);
+        }
+    end_group(to);
+}
+
 static void put_all(writing *to, const char *command_name, const arguments *line,
                     const input_texts *texts)
 {
@@ -219,14 +269,17 @@ static void put_all(writing *to, const char *command_name, const arguments *line
         begin_group(to, groups[i]);
         put_words(to, groups[i], line, texts);
         if (i == 1)
-            put_places(to, texts->text[INPUT_PROFILE]);
+            (to->is_of_command ? put_places : put_made)(to, texts->text[INPUT_PROFILE]);
+        if (i == 1 && !to->is_of_command)
+            put_two_radii(to, texts);
         if (i == 2 && history_is_given(line))
             put_loads(to, line);
         end_group(to);
     }
     if (number != 0 && line->value[number] != NULL)
-        put_material(to, line->value[number]);
-    put_asked(to, command_name, line);
+        (to->is_of_command ? put_material : put_read_material)(to, line->value[number], line);
+    if (to->is_of_command)
+        put_asked(to, command_name, line);
     output_text(&to->out, "\n}\n");
 }
 
@@ -249,12 +302,16 @@ void case_file_check(const arguments *line)
 void case_file_save(const char *command_name, const arguments *line)
 {
     const int option = arguments_number(line, "save-case");
-    const char *path = option != 0 ? line->value[option] : NULL;
+    if (option != 0 && line->value[option] != NULL)
+        case_file_write(command_name, line, line->value[option]);
+}
+
+void case_file_write(const char *command_name, const arguments *line, const char *path)
+{
     input_texts texts;
     writing to;
-    if (path == NULL)
-        return;
     input_texts_from_options(line, &texts);
+    to.is_of_command = command_name != NULL;
     output_open(&to.out, path);
     put_all(&to, command_name, line, &texts);
     output_finish(&to.out);

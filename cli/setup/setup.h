@@ -184,6 +184,10 @@ int case_option_asked(const arguments *line, const char *name);
 /* Refuses what --save-case cannot write; to be called before the work. */
 void case_file_check(const arguments *line);
 
+/* Writes a case, whole or not at all; NULL is standard output. Of no command it is what was read:
+ * slopes that were made of a profile, a material's constants in the working units. */
+void case_file_write(const char *command_name, const arguments *line, const char *path);
+
 /* Writes the file of --save-case, whole or not at all, once the command is done. */
 void case_file_save(const char *command_name, const arguments *line);
 

@@ -30,6 +30,9 @@ round_trip "a fit" solve $steel --profile "$data/instruments/cyl900_noise.csv" -
 round_trip "loads one after the other" field $steel --theta 0.01 --radius 10 --f 0.3 --load 100,10 --load 100,0,20,30 --x 0.1 --y 0.1
 round_trip "a log" history log.csv $steel --theta 0.01 --radius 10 --f 0.3 --at 0.1,0.1
 round_trip "a log, in kN of 10 mm" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --width 10 --cycles 2 --x -1:1:0.5
+printf 'P,Q\n100,10\n120,-10\n100,10\n' >held.csv
+round_trip "a pad that is held" history held.csv $steel --theta 0.01 --radius 10 --f 0.3 --tilt 1e-4
+round_trip "a pad that is held under one load" solve $steel --theta 0.01 --radius 10 --P 300 --tilt 1e-4
 round_trip "a material of a CSV file" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --x 0 --material steel.csv
 round_trip "a material of a JSON file" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --x 0 --units mm,N,MPa --material steel.json
 round_trip "a crack" crack log.csv $steel --theta 0.01 --radius 10 --f 0.3 --edge left --lengths 0.01,0.02 --angle-range=-10,0
@@ -109,4 +112,15 @@ case_of '"zzzzzzzzzzzz": 1'
 run solve --case case.json
 same "names at the top of the schema" "$({ sed 's/.*allowed: //; s/, /\n/g' err; echo rwedge_case; echo name; } | sort | tr '\n' ' ')" \
     "$(sed -n 's/^    "\([A-Za-z_]*\)": {$/\1/p' "$schema" | sed '/^numbers$/d; /^quantity$/d; /^load$/d' | sort | tr '\n' ' ')"
+
+# ---- Read alone: a case in the working units, of whatever is given ----
+printf 'Load;Shear\nkN;N\n1.2;0\n1.2;300\n' >rig.csv
+kept read.json read rig.csv --column P=Load --column Q=Shear --units mm,N,MPa --width '1 cm' --radius1 '10 mm' --radius2 -20 --E1 '210 GPa' \
+    --material '{"dK_th": "1 MPa sqrt(mm)", "ds0": 300}'
+same "what was read" '{ "rwedge_case": 1, "units": "mm,N,MPa", "bodies": { "E1": 210000 }, "pad": { "radius": 20 }, "loads": {
+"P": [120, 120], "M": [0, 0], "Q": [0, 30], "sigma": [0, 0] }, "material": { "dK_th": 1, "ds0": 300 } }' \
+    "$(tr -s ' \n' ' ' <read.json | sed 's/"loads": { /"loads": {\n/; s/ $//')"
+does read --profile "$data/instruments/p_down.csv" --heights down
+same "slopes are made of heights" yes "$(grep -q '"slope": \[-' out && ! grep -q height out && echo yes)"
+cannot "nowhere.csv: No such file or directory" read nowhere.csv
 finish

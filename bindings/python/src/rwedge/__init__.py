@@ -23,6 +23,7 @@ from . import _made  # noqa: E402
 from ._contact import Contact, YieldFactor
 from ._criteria import Damage, Plane
 from ._cycle import Cycle, Friction, Growth
+from ._files import Case, read_case
 from ._library import AbsentError, Error, PathError, SlidingError
 from ._library import function as _function
 from ._loads import Loads
@@ -37,7 +38,7 @@ from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
-_CLASSES = (AbsentError, Contact, Cycle, Damage, Error, Friction, Growth, Loads, PathError, Plane, Series, SlidingError, StressHistory,
+_CLASSES = (AbsentError, Case, Contact, Cycle, Damage, Error, Friction, Growth, Loads, PathError, Plane, Series, SlidingError, StressHistory,
             ValidityWarning, YieldFactor)
 for _class in _CLASSES:
     _class.__module__ = __name__
@@ -46,7 +47,7 @@ __version__ = _function("version")().decode()
 # All functions of the header that take and give nothing but numbers.
 globals().update({name: _Formula(ufunc) for name, ufunc in _UFUNCS.items()})
 globals().update({name: _Named(name) for name in _NAMED})
-__all__ = [*(_class.__name__ for _class in _CLASSES), "stresses", *_UFUNCS, *_NAMED, *_made.__all__]
+__all__ = [*(_class.__name__ for _class in _CLASSES), "read_case", "stresses", *_UFUNCS, *_NAMED, *_made.__all__]
 
 _stresses = _Points("stress")
 

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of instruments and cases, as the tool reads them: ``rwedge read`` is asked, so that there is one reader, one table of units,
+and one set of messages."""
+from __future__ import annotations
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import warnings
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Mapping
+
+import numpy as np
+
+from ._contact import Contact
+from ._library import Error
+from ._ufuncs import UFUNCS
+
+
+def _tool() -> str:
+    """RWEDGE_TOOL names it; or it is in the package; or on PATH."""
+    beside = Path(__file__).with_name("rwedge.exe" if sys.platform == "win32" else "rwedge")
+    found = os.environ.get("RWEDGE_TOOL") or (str(beside) if beside.exists() else shutil.which("rwedge"))
+    if found is None:
+        raise FileNotFoundError("reading files needs the tool rwedge, on PATH or named by the environment variable RWEDGE_TOOL")
+    return found
+
+
+def _text(value: Any) -> str:
+    """A value as an option has it; a quantity of pint with its unit."""
+    if hasattr(value, "magnitude") and hasattr(value, "units"):
+        return f"{_text(float(value.magnitude))} {value.units:~C}".replace("**", "^").strip()
+    return repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)
+
+
+def _words(name: str, value: Any) -> list[str]:
+    option = "--" + name.replace("_", "-")
+    if value is None or value is False:
+        return []
+    if value is True:
+        return [option]
+    if isinstance(value, Mapping):  # column={"P": "Normal Force"}, material={"su": 900}
+        if name == "material":
+            return [option, json.dumps({key: each if isinstance(each, (int, float)) else _text(each) for key, each in value.items()})]
+        return [word for key, theirs in value.items() for word in (option, f"{key}={theirs}")]
+    if isinstance(value, (list, tuple)):  # load=[(100, 10), (100, -10)]
+        return [word for each in value for word in (option, ",".join(_text(number) for number in each))]
+    return [option, _text(value)]
+
+
+def _ask(file: str | os.PathLike[str] | None, words: Mapping[str, Any]) -> dict[str, Any]:
+    """What the tool has read; its remarks are warnings, what is wrong an error."""
+    line = [_tool(), "read", *([os.fspath(file)] if file is not None else [])]
+    for name, value in words.items():
+        line += _words(name, value)
+    done = subprocess.run(line, capture_output=True, text=True, encoding="utf-8")
+    said = [text.removeprefix("rwedge read: ") for text in done.stderr.splitlines()]
+    if done.returncode != 0:
+        raise Error("; ".join(said) or f"rwedge read ended with {done.returncode}")
+    for remark in said:
+        warnings.warn(remark, stacklevel=4)
+    read: dict[str, Any] = json.loads(done.stdout)
+    return read
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a case file, or files and words, give: all numbers in the working units, forces per unit length.
+
+    Attributes
+    ----------
+    units : str
+        The working units, as "mm,N,MPa"; "" where none are said.
+    bodies : dict
+        E1, nu1, E2, nu2, f, k or yield_stress, plane_stress: those that are given. E2 is infinite where body 2 is rigid.
+    pad : dict
+        theta or theta_deg, a, radius, flat; of a profile x and slope, as arrays.
+    loads : dict
+        P, M, Q, sigma: numbers, or arrays of the same size, one load after the other.
+    material : dict
+        Its constants by name.
+    asked : dict
+        What the file asks of a command of the tool.
+
+    See Also
+    --------
+    read_case : reads one
+    """
+
+    units: str = ""
+    bodies: dict[str, Any] = field(default_factory=dict)
+    pad: dict[str, Any] = field(default_factory=dict)
+    loads: dict[str, Any] = field(default_factory=dict)
+    material: dict[str, float] = field(default_factory=dict)
+    asked: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def A(self) -> float:
+        """The composite compliance; in plane stress that of Poisson's ratio 0."""
+        E1, nu1 = self._of_body("E1", "E"), self._of_body("nu1", "nu")
+        E2, nu2 = self.bodies.get("E2", E1), self.bodies.get("nu2", nu1)
+        if self.bodies.get("plane_stress"):
+            nu1 = nu2 = 0
+        return float(UFUNCS["compliance"](E1, nu1, E2, nu2))
+
+    def _of_body(self, name: str, of_material: str) -> float:
+        value = self.bodies.get(name, self.material.get(of_material))
+        if value is None:
+            raise Error(f"the case has no {name}")
+        return float(value)
+
+    def contact(self, tolerance: float = 1e-4) -> Contact:
+        """The contact of the bodies and the pad, without loads. Friction that is not given is 0."""
+        pad, A, f = self.pad, self.A, self.bodies.get("f", 0.0)
+        radius = pad.get("radius")
+        theta = pad.get("theta", math.radians(pad["theta_deg"]) if "theta_deg" in pad else None)
+        if "x" in pad:
+            contact = Contact.profile(pad["x"], pad["slope"], A, f, tolerance)
+        elif "flat" in pad:
+            contact = Contact.flat(pad["flat"], pad["radius"], A, f, tolerance)
+        elif theta is None and radius is not None:
+            contact = Contact.cylinder(radius, A, f, tolerance)
+        elif theta is None:
+            raise Error("the case has no pad")
+        else:
+            contact = Contact(theta, pad["a"] if "a" in pad else theta * radius, A, f, tolerance=tolerance)
+        E2, nu2 = self.bodies.get("E2"), self.bodies.get("nu2")
+        if E2 is not None and (E2, nu2) != (self.bodies.get("E1"), self.bodies.get("nu1")):
+            nu1 = 0.0 if self.bodies.get("plane_stress") else self._of_body("nu1", "nu")
+            contact.set_strain((1 - nu1**2) / self._of_body("E1", "E"))
+        return contact
+
+
+def _arrays(group: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: np.array(value) if isinstance(value, list) else math.inf if value == "inf" else value for name, value in group.items()}
+
+
+def read_case(file: str | os.PathLike[str] | None = None, **words: Any) -> Case:
+    """A case from its file, from files of a rig, or from words: the options of the tool with ``_`` for ``-``.
+
+    The tool reads: ``rwedge`` of the same version must be on PATH, or be named by the environment variable RWEDGE_TOOL. Its remarks
+    are warnings; what is wrong is an ``Error`` with its message, which names file, line and column.
+
+    Parameters
+    ----------
+    file : path, optional
+        A case file (JSON), or a log of loads (any other ending).
+    **words
+        Inputs, E1="210 GPa" or a number, or a quantity of pint, beside units="mm,N,MPa"; width, section; profile="scan.csv" with fit,
+        hull, heights="down", origin="lowest"; column={"P": "Normal Force"}; drop=True; encoding; decimal_comma=True;
+        material="sae-1015-normalized"; load=[(P, Q), ...]. A word replaces what the file has.
+
+    Returns
+    -------
+    Case
+
+    Examples
+    --------
+    >>> case = rwedge.read_case("case.json")                                               # doctest: +SKIP
+    >>> log = rwedge.read_case("rig.csv", units="mm,N,MPa", width=8, column={"P": "Normal", "Q": "Fretting"})  # doctest: +SKIP
+    >>> contact = case.contact()                                                           # doctest: +SKIP
+    """
+    is_case = file is not None and os.fspath(file).lower().endswith(".json")
+    read = _ask(None if is_case else file, {"case": os.fspath(file), **words} if is_case and file is not None else words)
+    asked = json.loads(Path(file).read_text("utf-8-sig")).get("asked", {}) if is_case and file is not None else {}
+    groups = {name: _arrays(read.get(name, {})) for name in ("bodies", "pad", "loads", "material")}
+    return Case(units=read.get("units", ""), asked=asked, **groups)

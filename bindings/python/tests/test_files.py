@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files as the tool reads them: the numbers of a clean file, and the tool's own words where there is something to say."""
+import json
+import os
+import shutil
+
+import numpy as np
+import pytest
+
+import rwedge
+
+pytestmark = pytest.mark.skipif(not (os.environ.get("RWEDGE_TOOL") or shutil.which("rwedge")), reason="the tool is not here")
+
+
+def file(tmp_path, name, text):
+    path = tmp_path / name
+    path.write_text(text, "utf-8")
+    return path
+
+
+def test_a_case_makes_its_contact_and_loads(tmp_path):
+    path = file(tmp_path, "case.json", json.dumps({
+        "rwedge_case": 1, "units": "mm,N,MPa", "bodies": {"E1": "210 GPa", "nu1": 0.3, "f": 0.3},
+        "pad": {"theta": 0.01, "radius": 10}, "loads": {"P": 300, "Q": [40, -40]}, "asked": {"command": "history", "options": {}}}))
+    case = rwedge.read_case(path)
+    own = rwedge.Contact(theta=0.01, a=0.1, A=rwedge.compliance(210000, 0.3, 210000, 0.3), f=0.3)
+    contact = case.contact()
+    contact.load(case.loads["P"], case.loads["Q"])
+    own.load(300, [40, -40])
+    assert (contact.state() == own.state()).all()
+    assert case.units == "mm,N,MPa" and case.asked["command"] == "history"
+    assert rwedge.read_case(path, f=0.4).contact().f == 0.4  # a word replaces what the file has
+
+
+def test_a_log_has_units_and_names_of_its_own(tmp_path):
+    path = file(tmp_path, "rig.csv", "Rig 7\n\nTime;Normal;Fretting\ns;kN;kN\n0;1.2;0\n1;1.2;0.3\n")
+    with pytest.warns(UserWarning, match="rig.csv: header in line 3, units in line 4"):
+        case = rwedge.read_case(path, units="mm,N,MPa", width=8, column={"P": "Normal", "Q": "Fretting"})
+    assert case.loads["P"] == pytest.approx([150, 150], rel=1e-15)
+    assert case.loads["Q"] == pytest.approx([0, 37.5], rel=1e-15)
+    with pytest.raises(rwedge.Error, match="rig.csv: line 3: column P: missing; .*the names there: 'Time', 'Normal', 'Fretting'"):
+        rwedge.read_case(path)
+
+
+def test_a_profile_is_what_the_tool_makes_of_it(tmp_path):
+    x = np.linspace(0, 2, 41)
+    path = file(tmp_path, "scan.csv", "x [mm],height [um]\n" + "".join(f"{at:.17g},{(at - 1)**2 * 10:.17g}\n" for at in x))
+    case = rwedge.read_case(profile=path, origin="lowest", E1=210000, nu1=0.3, units="mm,N,MPa")
+    contact = case.contact()
+    contact.load(100)
+    assert contact.half_width == pytest.approx(np.sqrt(2 * 100 * 50 * case.A / np.pi), rel=1e-9)  # Hertz, R = 50
+
+
+def test_bodies_pads_and_materials(tmp_path):
+    two = rwedge.read_case(E1=30000, nu1=0.25, E2=29120, nu2=0.3, radius1=10, radius2=13)
+    contact = two.contact()
+    contact.load(3200)
+    assert contact.half_width == pytest.approx(1.19971, rel=1e-5)
+    plate = rwedge.read_case(E1=200000, nu1=0.3, radius=1, plane_stress=True)
+    assert pytest.approx(4 / 200000, rel=1e-15) == plate.A
+    assert rwedge.read_case(E1=1, nu1=0.3, E2="inf", radius=1).A == pytest.approx(2 * 0.91, rel=1e-15)
+    flat = rwedge.read_case(E1=1e5, nu1=0.3, flat=1, radius=5, f=0.2, units="mm,N,MPa",
+                            material={"su": 900, "K_c": "1 MPa sqrt(mm)"})
+    assert flat.material == {"su": 900, "K_c": 1}
+    flat.contact().load(1)
+    with pytest.warns(UserWarning, match="its numbers are in mm,N,MPa"):
+        steel = rwedge.read_case(material="sae-1015-normalized", radius=1)
+    assert steel.material["sf"] == 827 and steel.A == rwedge.compliance(206800, 0.3, 206800, 0.3)
+
+
+class Quantity:
+    """What a quantity of pint has."""
+
+    class units(str):
+        def __format__(self, form):
+            assert form == "~C"
+            return str(self)
+
+    def __init__(self, magnitude, units):
+        self.magnitude, self.units = magnitude, self.units(units)
+
+
+def test_quantities_are_converted():
+    case = rwedge.read_case(E1=Quantity(210, "GPa"), nu1=0.3, radius=Quantity(0.05, "m"), P=Quantity(500, "kN/m"), units="mm,N,MPa",
+                            material={"K_c": Quantity(1, "MPa*m**0.5")})
+    assert case.bodies["E1"] == pytest.approx(210000, rel=1e-15)
+    assert case.pad["radius"] == pytest.approx(50, rel=1e-15)
+    assert case.loads["P"] == pytest.approx(500, rel=1e-15)
+    assert case.material["K_c"] == pytest.approx(1000**0.5, rel=1e-15)
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    own = rwedge.read_case(E1=210 * unit.GPa, nu1=0.3, P=500 * unit.kN / unit.m, units="mm,N,MPa")
+    assert own.bodies["E1"] == pytest.approx(210000, rel=1e-15) and own.loads["P"] == pytest.approx(500, rel=1e-15)
+
+
+def test_what_is_wrong_is_an_error(tmp_path):
+    with pytest.raises(rwedge.Error, match="E1 -1: Young's modulus of body 1 must be a number above 0"):
+        rwedge.read_case(E1=-1)
+    with pytest.raises(rwedge.Error, match="case.json: bodies: E: unknown; the nearest is E1"):
+        rwedge.read_case(file(tmp_path, "case.json", '{"rwedge_case": 1, "bodies": {"E": 1}}'))
+    with pytest.raises(rwedge.Error, match="the case has no pad"):
+        rwedge.read_case(E1=1, nu1=0.3).contact()
+    with pytest.raises(rwedge.Error, match="--radus: unknown option; the nearest is --radius"):
+        rwedge.read_case(radus=1)

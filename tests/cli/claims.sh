@@ -184,6 +184,19 @@ by_name() {
         "$program" "$table"
 }
 
+# cell NAME ROW: of the CSV file out; the rows below the header are 1, 2 and so on, the last is $.
+cell() {
+    column "$1" out | sed -n "$2p"
+}
+
+# part_of FILE NAME...: the rows of these columns of a CSV file, in this order, without the header.
+part_of() {
+    table=$1
+    shift
+    awk -F, -v names="$*" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; n = split(names, name, " "); next }
+        { for (k = 1; k <= n; k++) printf "%s%s", $at[name[k]], k < n ? "," : "\n" }' "$table"
+}
+
 # skip_without_xlsx STATUS MESSAGE: after a run that would have written XLSX.
 skip_without_xlsx() {
     [ "$status" -eq "$1" ] || return 0

@@ -39,7 +39,7 @@ output_is "0.5,1,1.0453564728528064,1.0453564728528064"
 # The order of rows: nu slowest, then a/b, then the other variable.
 run table elastic-limit --a-over-b 0.5,1 --friction 0,0.1 --nu 0.3,0.25
 same "order" "0.5 0 0.3;0.5 0.1 0.3;1 0 0.3;1 0.1 0.3;0.5 0 0.25;0.5 0.1 0.25;1 0 0.25;1 0.1 0.25" \
-    "$(awk -F, 'NR > 1 { print $1, $2, $3 }' out | paste -s -d ';' -)"
+    "$(part_of out a_over_b f nu | tr , ' ' | paste -s -d ';' -)"
 
 # Without options: the paper's grid.
 run table elastic-limit

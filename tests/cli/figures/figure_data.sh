@@ -132,27 +132,29 @@ refuses "--digits 5: not for a picture; allowed with: --data" figure 2 --digits 
 # of a cylinder, A f P/pi (r + (1 - r) ln(1 - r))/2, r = Q/(fP).
 printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
 does figure loop --history loads.csv $specimen --data
-awk -F, 'BEGIN { nu = 0.33; r = 30 / (0.3 * 135.75); end = 4 * (1 - nu * nu) / 72100 * 0.3 * 135.75 / 3.14159265358979324 * (r + (1 - r) * log(1 - r)) / 2 }
-    $1 == 2 { print end, $6 } $1 == 3 { print -end, $6 } $1 == 4 { print end, $6 }
-    NR > 1 && $1 >= 2 { if (n++) area += ($4 + q) / 2 * ($6 - d); else first = $7; q = $4; d = $6; last = $7 }
+by_name 'BEGIN { nu = 0.33; r = 30 / (0.3 * 135.75); end = 4 * (1 - nu * nu) / 72100 * 0.3 * 135.75 / 3.14159265358979324 * (r + (1 - r) * log(1 - r)) / 2 }
+    $load == 2 { print end, $displacement } $load == 3 { print -end, $displacement } $load == 4 { print end, $displacement }
+    NR > 1 && $load >= 2 { if (n++) area += ($Q + q) / 2 * ($displacement - d); else first = $energy
+        q = $Q; d = $displacement; last = $energy }
     END { print last - first, area }' out >both
 close_rows "loop of a history" 3e-3 0
 does figure history --history loads.csv $specimen --at -0.2,0.01 --data
-awk -F, -v OFS=, 'NR > 1 && $1 == int($1) { print $2, $3, $4, $5, $6, $7 }' out >drawn
+part_of out load x y sxx syy szz txy | awk -F, '$1 == int($1)' | cut -d , -f 2- >drawn
 run history loads.csv $specimen --at -0.2,0.01
-same "stresses of history" "$(tail -n +2 out | cut -d , -f 2-7)" "$(cat drawn)"
+same "stresses of history" "$(part_of out x y sxx syy szz txy)" "$(cat drawn)"
 does figure fretting --history loads.csv $specimen --data --cycles 2
-cut -d , -f 1-2 out | tail -n +2 >drawn
+part_of out x swt >drawn
 same "places of fretting" many "$([ "$(wc -l <drawn)" -gt 200 ] && echo many)"
 run fretting loads.csv $specimen --cycles 2
-same "SWT of fretting" "" "$(cut -d , -f 1,4 out | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+same "SWT of fretting" "" "$(part_of out x swt | awk -F, 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
 # The ranges of a crack's K are those of its command.
 crack="--load 135.75,0 --edge left --dK-th 2.1 --ds0 248 --K-in m"
 does figure crack --history loads.csv $specimen $crack --from 0.01 --to 1 --data
 same "columns of crack" "length,dK_none,dK_locked,dK_free,threshold" "$(head -n 1 out)"
 sed -n '1p;$p' out >drawn
 does crack loads.csv $specimen $crack --lengths 1
-awk -F, 'NR == FNR { if (FNR == 2) split($0, drawn); next } FNR > 1 { print $9, drawn[FNR] } FNR == 2 { print $13, drawn[5] }' drawn out >both
+column dK out >ranges
+{ part_of drawn dK_none dK_locked dK_free | tail -n 1 | tr , '\n' | paste -d ' ' ranges - && echo "$(cell threshold 1) $(column threshold drawn | tail -n 1)"; } >both
 close_rows "ranges of K" 1e-12 0
 refuses "figure fretting: a crack is for figure crack" figure fretting --history loads.csv $specimen --edge left
 refuses "--angle-range 0,1: figure crack has one angle; allowed: --angle" figure crack --history loads.csv $specimen $crack --from 0.01 --to 1 --angle-range 0,1
@@ -161,7 +163,7 @@ does figure measure --history loads.csv $specimen --cycles 2 --measure crossland
 same "columns of measure" "x,y,value" "$(head -n 1 out)"
 tail -n +2 out >drawn
 run fretting loads.csv $specimen --cycles 2 --crossland-alpha 0.3
-same "Crossland along the surface" "" "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "crossland") c = i } { print $1 "," $2 "," $c }' out |
+same "Crossland along the surface" "" "$(part_of out x y crossland |
     awk 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
 for over in depth field; do
     run figure measure --history loads.csv $specimen --cycles 2 --measure crossland --crossland-alpha 0.3 --over $over --data
@@ -177,10 +179,10 @@ refuses "figure fretting: criteria and measures are for figure measure" figure f
 # Loads before the first cycle: those of fretting; for history and the loop, rows that stand before the cycle in one file.
 once="--load 135.75,0 --load 135.75,38"
 does figure fretting --history loads.csv $once $specimen --data
-cut -d , -f 1-7 out | tail -n +2 >drawn
+part_of out x swt swt_angle slip_range ruiz_f1 ruiz_f2 energy_per_area >drawn
 same "places of fretting after loads" many "$([ "$(wc -l <drawn)" -gt 200 ] && echo many)"
 run fretting loads.csv $once $specimen
-same "fretting after loads" "" "$(cut -d , -f 1,4,5,8-11 out | awk 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
+same "fretting after loads" "" "$(part_of out x swt swt_angle slip_range ruiz_f1 ruiz_f2 energy_per_area | awk 'NR == FNR { seen[$0] = 1; next } !($0 in seen)' - drawn)"
 {
     printf 'P,Q\n135.75,0\n135.75,38\n'
     tail -n +2 loads.csv
@@ -195,10 +197,10 @@ done
 # Two loads are a cycle to and fro: the loop is closed, and not half of one.
 printf 'P,Q\n135.75,30\n135.75,-30\n' >two.csv
 run figure loop --history two.csv $specimen --data
-same "last load" 4 "$(tail -n 1 out | cut -d , -f 1)"
-close_to "the loop closes" "$(awk -F, '$1 == 2 { print $6 }' out)" "$(awk -F, '$1 == 4 { print $6 }' out)" 1e-12
+same "last load" 4 "$(cell load '$')"
+close_to "the loop closes" "$(by_name '$load == 2 { print $displacement }' out)" "$(by_name '$load == 4 { print $displacement }' out)" 1e-12
 run figure history --at -0.2,0.01 --history two.csv $specimen --data
-same "the whole cycle" "2 4" "$(sed -n '2p;$p' out | cut -d , -f 1 | paste -s -d ' ' -)"
+same "the whole cycle" "2 4" "$(column load out | sed -n '1p;$p' | paste -s -d ' ' -)"
 refuses "--at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
 refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, and loop with --history or --load" figure 4 --E1 3
 cannot "loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \

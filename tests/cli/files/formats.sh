@@ -56,7 +56,7 @@ run table elastic-limit --layout grid
 awk -F, 'NR == 1 { for (i = 2; i <= NF; i++) f[i] = $i; next } { for (i = 2; i <= NF; i++) print $1 "," f[i] "," $i }' \
     out >from_grid
 run table elastic-limit
-awk -F, 'NR > 1 { print $1 "," $2 "," $4 }' out >from_long
+part_of out a_over_b f P_over_bk >from_long
 same "grid against long" "" "$(diff from_long from_grid | head -n 5)"
 
 finish

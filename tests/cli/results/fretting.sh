@@ -23,11 +23,11 @@ cp err said
 
 # The edges of contact and stick zone after each load are places.
 run history hills.csv $specimen --cycles 2
-tail -n 3 out | cut -d , -f 6-9 | tr , '\n' | sort -u >edges
+part_of out left right stick_left stick_right | tail -n 3 | tr , '\n' | sort -u >edges
 cp out states
 cp whole out
 same "edges" "" "$(while read -r x; do [ -n "$(at "$x" x)" ] || echo "$x"; done <edges)"
-left=$(tail -n 1 states | cut -d , -f 6)
+left=$(column left states | tail -n 1)
 
 # The worst of SWT is at the trailing edge: sxx alone acts there, from -345.747 to 345.747 (see off_centre.sh), and so
 # SWT = 345.747 (1 - nu^2)/E 345.747 on the plane across the surface; its range is that of sxx.
@@ -44,13 +44,14 @@ done
 # At each place the shear is f p where it slips, so the energy is 2 f p times the range, and Ruiz' F1 is f p times it.
 printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n' >cycle.csv
 run fretting cycle.csv $specimen
-awk -F, 'BEGIN { nu = 0.33; pi = 3.14159265358979324; f = 0.3; R = 10; P = 135.75; A = 4 * (1 - nu * nu) / 72100
+by_name 'BEGIN { nu = 0.33; pi = 3.14159265358979324; f = 0.3; R = 10; P = 135.75; A = 4 * (1 - nu * nu) / 72100
         b = sqrt(2 * A * P * R / pi); c = b * sqrt(1 - 30 / (f * P)); p0 = 2 * P / (pi * b) }
-    NR > 1 && $8 != "" { x = $1 < 0 ? -$1 : $1; if (x > b) x = b; s = 0; p = p0 * sqrt(1 - x * x / (b * b))
-        if (x > c) { w = sqrt(x * x - c * c); s = f / R * (x * w - c * c * log((x + w) / c)) }
-        printf "%.17g %s\n%.17g %s\n", s, $8, 2 * f * p * s, $11; if (x > c) printf "%.17g %s\n", f * p * s, $9 }' out >both
+    NR > 1 && $slip_range != "" { at = $x < 0 ? -$x : $x; if (at > b) at = b; s = 0; p = p0 * sqrt(1 - at * at / (b * b))
+        if (at > c) { w = sqrt(at * at - c * c); s = f / R * (at * w - c * c * log((at + w) / c)) }
+        printf "%.17g %s\n%.17g %s\n", s, $slip_range, 2 * f * p * s, $energy_per_area
+        if (at > c) printf "%.17g %s\n", f * p * s, $ruiz_f1 }' out >both
 close_rows "slip range, energy, F1" 1e-6 1e-10
-same "places in contact" yes "$(awk -F, 'NR > 1 && $8 != "" { n++ } END { if (n > 200) print "yes" }' out)"
+same "places in contact" yes "$(by_name 'NR > 1 && $slip_range != "" { n++ } END { if (n > 200) print "yes" }' out)"
 
 # Where it sticks and stays compressed, shear alone changes: only Fatemi and Socie's sees it, and the line does not say that nothing changes.
 run history cycle.csv $specimen --cycles 1 --at 0,0
@@ -62,10 +63,10 @@ message_has "rwedge fretting: worst: fatemi_socie "
 
 # F2 is F1 times the largest tension, 0 where there is none.
 run history cycle.csv $specimen --cycles 2 --at -0.2,0
-tension=$(tail -n 3 out | cut -d , -f 4 | sort -g | tail -n 1)
+tension=$(column sxx out | tail -n 3 | sort -g | tail -n 1)
 run fretting cycle.csv $specimen --at '-0.2,0;0,0'
-close_to "F2" "$(awk -F, -v s="$tension" 'NR == 2 { printf "%.17g", s * $9 }' out)" "$(sed -n 2p out | cut -d , -f 10)" 1e-12
-same "F2 in compression" 0 "$(sed -n 3p out | cut -d , -f 10)"
+close_to "F2" "$(by_name 'NR == 2 { printf "%.17g", s * $ruiz_f1 }' out -v s="$tension")" "$(cell ruiz_f2 1)" 1e-12
+same "F2 in compression" 0 "$(cell ruiz_f2 2)"
 
 # Under constant P the second cycle is like the third, the first is not; there are two unless P changes.
 printf 'P,Q\n135.75,10\n135.75,30\n135.75,-20\n' >cycle.csv
@@ -91,8 +92,8 @@ once="--load 135.75,0 --load 135.75,0,38,60"
 sed '$d' all.csv >but_one.csv
 places="-0.25,-0.21,-0.2,0.1,0.2"
 run history all.csv $specimen --x=$places --depth 0
-tail -n 10 out | head -n 5 | cut -d , -f 4 >high
-tail -n 5 out | cut -d , -f 4 | paste -d , high - >tensions
+column sxx out | tail -n 10 | head -n 5 >high
+column sxx out | tail -n 5 | paste -d , high - >tensions
 for file in but_one all; do
     run profile $specimen --history $file.csv --x=$places
     column slip out | tail -n 5 >slip_$file
@@ -191,16 +192,16 @@ for name in $expect; do
     column "$name" out | awk '$1 > m { m = $1 } END { printf "%.17g\n", m }'
 done | paste -d ' ' expected - >both
 close_rows "criteria in tension" 5e-6 0
-awk -F, 'NR > 1 { print $1, $2, $3 }' worst.csv | while read -r name value x; do
+part_of worst.csv measure value x | tr , ' ' | while read -r name value x; do
     echo "$(worst "$name") $x $value"
 done | awk '{ print $1, $3; print $2, $4 }' >both
 same "measures in the table of the worst" 11 "$(sed 1d worst.csv | wc -l | tr -d ' ')"
 close_rows "the table of the worst is the line" 1e-5 0
-same "the angles of Findley's plane" yes "$(awk -F, '$1 == "findley" && ($7 < 0 ? -$7 : $7) > 45 && $8 == 0 { print "yes" }' worst.csv)"
+same "the angles of Findley's plane" yes "$(by_name '$measure == "findley" && ($angle < 0 ? -$angle : $angle) > 45 && $out_of_plane == 0 { print "yes" }' worst.csv)"
 # P and Q in phase: the worst plane does not contain z, and planes that do have 6 % less.
 printf 'P,Q\n2000,600\n400,120\n' >phase.csv
 run fretting phase.csv --E1 200e3 --nu1 0.3 --theta 0.01 --a 2 --f 0.6 --yield-stress 500 --criteria fatemi-socie
-same "off z" yes "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "fs_out_of_plane") c = i; next } $6 > m { m = $6; o = $c }
+same "off z" yes "$(by_name 'NR > 1 && $fatemi_socie > m { m = $fatemi_socie; o = $fs_out_of_plane }
     END { if (o > 20 && o < 70) print "yes"; else print o }' out)"
 # Verdicts: at the worst place of the surface, at half of a length below it, as the mean over twice of it.
 printf 'name,value\nE,72100\nnu,0.33\ncrossland_alpha,0.3\ncrossland_limit,100\nsf,475.4\nb,-0.078\nef,0.612\nc,-0.62\nswt_limit,0.6\ndK_th,60\nds0,250\n' >metal.csv
@@ -209,7 +210,7 @@ shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0 --K-in mm"
 verdict() { awk -F, -v name="$2" -v row="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } $1 == row { print $c }' out; }
 does fretting cycle.csv $shape --material metal.csv --at-worst
 same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life,cycles" "$(head -n 1 out)"
-same "criteria alone" "swt crossland swt_damage" "$(sed 1d out | cut -d , -f 1 | paste -s -d ' ' -)"
+same "criteria alone" "swt crossland swt_damage" "$(column measure out | paste -s -d ' ' -)"
 close_to "safety" "$(awk -v v="$(verdict crossland value)" 'BEGIN { printf "%.17g", 100 / v }')" "$(verdict crossland safety)" 1e-14
 close_to "the life has the parameter" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" 'BEGIN {
     printf "%.17g", 475.4 ^ 2 / 72100 * (2 * N) ^ -0.156 + 475.4 * 0.612 * (2 * N) ^ -0.698 }')" 1e-12

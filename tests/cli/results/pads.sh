@@ -48,7 +48,7 @@ run solve $steel --flat 1 --radius 100 --P "$P_shakedown" --f 0.3 --k 500
 close_to "safety_shakedown at P_shakedown" 1 "$(value safety_shakedown)" 1e-9
 b=$(value b)
 run table shakedown-limit --pad flat --a-over-b "$(awk -v b="$b" 'BEGIN { printf "%.17g", 1 / b }')" --friction 0.3 --nu 0.3
-close_to "P_shakedown of the table" "$(sed -n 2p out | cut -d , -f 4)" "$(awk -v P="$P_shakedown" -v b="$b" \
+close_to "P_shakedown of the table" "$(cell P_over_bk 1)" "$(awk -v P="$P_shakedown" -v b="$b" \
     'BEGIN { printf "%.17g", P / b / 500 }')" 1e-9
 
 # The same pad by its slopes, and by heights of its arcs: parabolas, whose slopes half-way are exact.

@@ -7,16 +7,17 @@
 run table elastic-limit --a-over-b 0.1:1:0.1 --friction 0:0.8:0.05
 
 # The limit is that of the branch which is named.
-awk -F, 'NR > 1 { print $4, ($7 == "subsurface" ? $8 : $9) }' out >both
+by_name 'NR > 1 { print $P_over_bk, ($branch == "subsurface" ? $P_over_bk_subsurface : $P_over_bk_surface) }' out >both
 close_rows "P_over_bk is that of its branch" 0 0
 same "rows where the other branch has the smaller limit" "" \
-    "$(awk -F, 'NR > 1 && $8 != "" && $9 != "" && $4 != ($8 < $9 ? $8 : $9)' out)"
+    "$(by_name 'NR > 1 && $P_over_bk_subsurface != "" && $P_over_bk_surface != "" &&
+        $P_over_bk != ($P_over_bk_subsurface < $P_over_bk_surface ? $P_over_bk_subsurface : $P_over_bk_surface)' out)"
 
 run table critical-friction --a-over-b "$(column a_over_b "$data/critical_friction.csv" | paste -s -d , -)" --nu 0.3
 awk -F, 'NR == FNR { f[$1, $2] = $3; next } ($1, $2) in f { print f[$1, $2], $3 }' "$data/critical_friction.csv" out >both
 close_rows "f_critical" 1e-8 1e-9
 run table stick-zone --a-over-b 1 --q-over-fp 0.1,0.75
-awk -F, -v OFMT=%.17g 'NR > 1 { print sqrt(1 - $2), $3 }' out >both # Cattaneo and Mindlin
+by_name 'NR > 1 { print sqrt(1 - $Q_over_fP), $c_over_b }' out -v OFMT=%.17g >both # Cattaneo and Mindlin
 close_rows "c_over_b" 1e-14 0
 
 # The sharp wedge yields at its apex, and has no branches.
@@ -41,22 +42,22 @@ awk 'BEGIN { pi = 3.141592653589793
     for (i = 0; i < 3; i++) { a = i == 0 ? 0 : i == 1 ? 0.5 : 0.99; s = sqrt(1 - a * a); printf "%.17g\n", atan2(s, a) - a * s } }' |
     paste -d ' ' - got >both
 close_rows "load of a flat pad" 1e-12 0
-echo "1 $(sed -n 2p out | cut -d , -f 4)
-1 $(sed -n 2p out | cut -d , -f 5)
-$(awk -v p="$p0" 'BEGIN { printf "%.17g", 1 - 0.5 * p }') $(sed -n 3p out | cut -d , -f 5)" >both
+echo "1 $(cell largest_pressure 1)
+1 $(cell middle_pressure 1)
+$(awk -v p="$p0" 'BEGIN { printf "%.17g", 1 - 0.5 * p }') $(cell middle_pressure 2)" >both
 close_rows "pressures of a flat pad" 1e-13 0
 run table elastic-limit --pad flat --a-over-b 0.5 --friction 0,0.3 --digits 9
-same "without friction on the right" yes "$(awk -F, 'NR == 2 && $5 > 0.8 && $6 > 0.2 { print "yes" }' out)"
-limit=$(sed -n 3p out | cut -d , -f 4)
+same "without friction on the right" yes "$(by_name 'NR == 2 && $x_over_b > 0.8 && $y_over_b > 0.2 { print "yes" }' out)"
+limit=$(cell P_over_bk 2)
 run solve --E1 4e5 --nu1 0.3 --flat 1 --radius 100 --P "$(awk 'BEGIN { printf "%.17g", 4e5 / 91 * (atan2(sqrt(0.75), 0.5) - sqrt(0.75) / 2) }')" --f 0.3 --Q 0
 close_to "limit of one contact" "$(value P_over_bk)" "$limit" 1e-8
 # Of tests/data/shakedown.csv; a cylinder has the limit of a/b = 1.
 run table shakedown-limit --a-over-b 0.5,1 --friction 0.1,0.4 --nu 0.3
-sed -n 3,4p out | cut -d , -f 4 >limits
+column P_over_bk out | sed -n 2,3p >limits
 close_to "shakedown at the surface" "$(sed -n 1p limits)" 3.174490712 1e-9
 close_to "shakedown below the surface" "$(sed -n 2p limits)" 5.598645857 1e-9
 run table shakedown-limit --pad flat --a-over-b 0 --friction 0.1 --nu 0.3
-close_to "shakedown of a cylinder" "$(sed -n 2p out | cut -d , -f 4)" 5.598645857 1e-9
+close_to "shakedown of a cylinder" "$(cell P_over_bk 1)" 5.598645857 1e-9
 cannot "shakedown-limit at nu = 0.3, a_over_b = 0.0005, f = 0.3: allowed: an a_over_b of 0, or of 0.001 and more" \
     table shakedown-limit --a-over-b 0.0005 --friction 0.3 --nu 0.3
 

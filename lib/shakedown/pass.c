@@ -77,12 +77,12 @@ static void reverse(size_t n, double t[])
     }
 }
 
-/* From a mark up to `length` away, not the mark itself; side -1 is towards smaller t. The places
+/* From a mark up to `length` away, neither the mark nor the end itself; side -1 is towards smaller t. The places
  * are in the order of t. */
 static void put_beside(rw_pass_path *path, double mark, double length, int side)
 {
     const size_t before = path->n;
-    for (double d = next_offset(path, 0); d < length && path->n < RW_PASS_GRID;
+    for (double d = next_offset(path, 0); d < 0.999 * length && path->n < RW_PASS_GRID;
          d = next_offset(path, d))
         put(path, mark + side * d);
     if (side < 0)

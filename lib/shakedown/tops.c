@@ -19,6 +19,8 @@ static int highest_of(const triple *p)
 static double top_of(const triple *p)
 {
     const double left = p->t[1] - p->t[0], right = p->t[2] - p->t[1];
+    if (!(left > 0 && right > 0)) /* beside a mark they may be the same double */
+        return p->t[highest_of(p)];
     const double rise = (p->square[1] - p->square[0]) / left,
                  fall = (p->square[1] - p->square[2]) / right;
     if (!(rise + fall > 0))

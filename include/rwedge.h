@@ -950,6 +950,46 @@ RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, do
 RWEDGE_API int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact, double nu,
                                                    double k, double *factor, double *y);
 
+/* The end of wear in partial slip: Q goes to and fro by Q_a about any mean, under the present P and
+ * tilt, which stay. The zone that sticks in every cycle keeps its profile and in the end carries
+ * everything; beside it so much is worn off that nothing presses. It is a limit, an upper bound of
+ * this wear: how fast it comes, debris and a friction that changes are not in it. The zone is that
+ * of P - Q_a/f under the same tilt, of rwedge_contact_permanent_stick() under constant P and M.
+ * With the tilt held, the moment about the zone's middle ends as that zone's own; a pad that is free
+ * to tilt keeps M instead, and ends like this only in the middle: lib/README.md, "The fully worn
+ * pad".                                                                                         new
+ *   Q_a                    force/length, finite, >= 0: half of the range of Q; 0 wears nothing
+ *   left, right            edges of the zone that sticks, length
+ *   worn_left, worn_right  as far as it wears, length
+ *   area                   worn off on both sides, length^2
+ * RWEDGE_ESLIDING where Q_a is f P or more: nothing sticks. RWEDGE_EABSENT where the bodies are
+ * apart; RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where it would wear beyond the known profile.
+ * In the tests edges and area were right to 1e-10. */
+RWEDGE_API int32_t rwedge_contact_worn_zone(const rwedge_contact *contact, double Q_a, double *left,
+                                            double *right, double *worn_left, double *worn_right,
+                                            double *area);
+
+/* The largest depth that is worn off at the end of wear, and its place.                         new
+ *   Q_a    as above
+ *   depth  length
+ *   x      length: the right one of two that are equal
+ * RWEDGE_ESLIDING, RWEDGE_EABSENT as above; RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE. In the
+ * tests the depth was right to 1e-10. */
+RWEDGE_API int32_t rwedge_contact_deepest_wear(const rwedge_contact *contact, double Q_a,
+                                               double *depth, double *x);
+
+/* What is worn off at n places, and the pressure that is left, at the end of wear.             new
+ *   Q_a    as above
+ *   x      length, finite; not an edge of the zone that sticks, where the pressure is infinite, nor
+ *          the apex of a sharp wedge in it
+ *   depth  receives n numbers, length
+ *   p      receives n numbers, stress, negative as in rwedge_contact_tractions(); 0 outside the
+ *          zone
+ * RWEDGE_ESLIDING, RWEDGE_EABSENT as above; RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE. In the
+ * tests both were right to 1e-10. */
+RWEDGE_API int32_t rwedge_contact_full_wear(const rwedge_contact *contact, double Q_a, size_t n,
+                                            const double x[], double depth[], double p[]);
+
 /* ---- A cycle of loads ------------------------------------------------------------------------ */
 
 /* What a contact undergoes in a cycle of loads, reached one after the other in straight steps, as

@@ -175,6 +175,59 @@ int boundary_element_go(boundary_element *solver, int steps, rw_loads to)
     return !done;
 }
 
+/* ---- Wear ---- */
+
+/* Under P and a held tilt. */
+static bool press_held(boundary_element *s, double P, double tilt)
+{
+    s->p.count = s->n + 1;
+    for (size_t i = 0; i < s->n; i++)
+        s->p.wanted[i] = tilt * s->x[i] - profile(s, s->x[i]) - s->worn[i];
+    s->p.wanted[s->n] = -P / s->width;
+    return solve(s, &s->p);
+}
+
+/* From one extreme of Q to the other all that slips changes its shear by twice the friction. */
+static bool drag_back(boundary_element *s, double Q_a)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        s->q.highest[i] = -2 * s->f * s->p.value[i];
+        s->q.lowest[i] = -s->q.highest[i];
+        s->q.wanted[i] = 0;
+        s->q.at[i] = s->p.value[i] < 0 ? FREE : HIGHEST;
+    }
+    s->q.wanted[s->n] = -2 * Q_a / s->width;
+    return solve(s, &s->q);
+}
+
+/* Wears by a cycle, there and back; what the deepest place gains. */
+static double wear_once(boundary_element *s, double rate)
+{
+    double most = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        const double gained = -rate * s->p.value[i] * 2 * fabs(excess(s, &s->q, i));
+        s->worn[i] += gained;
+        most = fmax(most, gained);
+    }
+    return most;
+}
+
+int boundary_element_wear(boundary_element *s, double P, double tilt, double Q_a, double rate)
+{
+    enum { CYCLES_MAX = 2000 };
+    const double END = 1e-4; /* of what the first cycle wears */
+    double first = 0;
+    for (int cycle = 0; cycle < CYCLES_MAX; cycle++) {
+        if (!press_held(s, P, tilt) || !drag_back(s, Q_a))
+            return 1;
+        const double gained = wear_once(s, rate);
+        first = cycle == 0 ? gained : first;
+        if (gained < END * first)
+            return 0;
+    }
+    return 1;
+}
+
 /* ---- Beside the library ---- */
 
 /* Where slip jumps: what is beyond has come into contact since. */

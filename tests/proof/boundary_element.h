@@ -36,6 +36,7 @@ typedef struct {
     double displacement[BOUNDARY_ELEMENTS_MAX]; /* tangential, relative, less the rigid one */
     double slip[BOUNDARY_ELEMENTS_MAX];         /* since the element came into contact */
     double energy;
+    double worn[BOUNDARY_ELEMENTS_MAX]; /* off the profile: boundary_element_wear() */
     rw_loads loads;
 } boundary_element;
 
@@ -46,6 +47,11 @@ void boundary_element_start(boundary_element *solver, double theta, double a, do
 /* To these loads in so many equal, straight steps; |Q| < f P. 0, or 1 where the iteration for the
  * edges or the zones of slip did not end. */
 int boundary_element_go(boundary_element *solver, int steps, rw_loads to);
+
+/* Wear by Archard's law to its end: the depth grows by `rate` times pressure times slip, cycle by
+ * cycle, while Q goes to and fro by Q_a. P and the tilt stay, and each cycle is steady: what slips
+ * does so both ways. 0, or 1 as above. */
+int boundary_element_wear(boundary_element *solver, double P, double tilt, double Q_a, double rate);
 
 /* Differences summed up over the legs of a history, relative to friction's limit and to the largest
  * slip there could be; of the energy the last. */

@@ -72,6 +72,8 @@ picture()
 }
 picture elastic-limit 4
 picture von-mises field --a-over-b 0.25 --friction 0.6 --c-over-b 0.4
+picture shakedown shakedown
+picture worn-pad wear --E1 1000 --nu1 0.3 --radius 30 --f 0.5 --load 1.2,0.36 --load 1.2,-0.36
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -7,11 +7,11 @@
 #include <math.h>
 #include <string.h>
 
-enum { FIGURE_COUNT = 13 };
+enum { FIGURE_COUNT = 15 };
 static const figure *const figures[FIGURE_COUNT] = {
     &figure_pressure, &figure_normal,  &figure_sliding, &figure_yield_point, &figure_tension,
     &figure_shear,    &figure_field,   &figure_loop,    &figure_eccentric,   &figure_history,
-    &figure_fretting, &figure_measure, &figure_crack};
+    &figure_fretting, &figure_measure, &figure_crack,   &figure_wear,        &figure_shakedown};
 
 enum {
     OPTION_FIGURE_VARIABLE = OPTION_AFTER_CRACK,
@@ -53,7 +53,7 @@ static const struct poptOption options[] = {
     {VALUE("sigma-over-max", OPTION_FIGURE_VARIABLE + SIGMA_OVER_MAX),
      "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
     {INCLUDED(history_figure_option_table),
-     "A contact and its loads, for history, fretting, measure, crack, and loop:", NULL},
+     "A contact and its loads, for history, fretting, measure, crack, wear, and loop:", NULL},
     {VALUE("measure", OPTION_MEASURE),
      "Of figure measure: a column of \"rwedge fretting\" (default swt)", "COLUMN"},
     {VALUE("over", OPTION_OVER),
@@ -163,7 +163,7 @@ static void refuse_others(const arguments *line, const figure *chosen)
     for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES && !chosen->has_history; i++)
         if (line->value[i] != NULL)
             usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
-                        "crack, and loop with --history or --load",
+                        "crack, wear, and loop with --history or --load",
                         chosen->name);
     const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
     const bool has_crack = chosen == &figure_crack;

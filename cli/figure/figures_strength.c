@@ -145,6 +145,63 @@ const figure figure_sliding = {
     .nothing = "the elastic limit of a sharp wedge is 0",
     .script = sliding_lines};
 
+/* ---- The map of shakedown ---- */
+
+static void add_passes(const figure_case *inputs, int n, double f, dataset *rows)
+{
+    const double alpha = range_value(&inputs->value[A_OVER_B], n), nu = case_value(inputs, NU);
+    const double elastic = rwedge_elastic_limit(alpha, f, nu);
+    double shakedown, y;
+    case_check(inputs, rwedge_shakedown_limit(alpha, f, nu, &shakedown, &y));
+    dataset_add(rows, (data_row){.curve = n,
+                                 .text = y > 0 ? subsurface : surface,
+                                 .number = {alpha, f, nu, elastic, shakedown}});
+}
+
+/* The friction from which on the surface governs shakedown, where that is between 0 and the last;
+ * 0 where it is not. */
+static double jump_of_passes(const figure_case *inputs, int n)
+{
+    const double alpha = range_value(&inputs->value[A_OVER_B], n), nu = case_value(inputs, NU);
+    double low = 0, high = friction_step(FRICTION_STEPS), limit, y;
+    case_check(inputs, rwedge_shakedown_limit(alpha, low, nu, &limit, &y));
+    if (!(y > 0))
+        return 0;
+    for (int i = 0; i < 40; i++) {
+        const double middle = (low + high) / 2;
+        case_check(inputs, rwedge_shakedown_limit(alpha, middle, nu, &limit, &y));
+        *(y > 0 ? &low : &high) = middle;
+    }
+    return high < friction_step(FRICTION_STEPS) ? high : 0;
+}
+
+/* Both cusps of each curve are points of it. */
+static void compute_shakedown(const figure_case *inputs, dataset *rows)
+{
+    for (int n = 0; n < inputs->value[A_OVER_B].count; n++) {
+        const double of_yield = critical_friction(inputs, n), of_passes = jump_of_passes(inputs, n);
+        const double cusp[] = {fmin(of_yield, of_passes), fmax(of_yield, of_passes)};
+        for (int i = 0; i <= FRICTION_STEPS; i++) {
+            for (int k = 0; k < 2 && i > 0; k++)
+                if (cusp[k] > friction_step(i - 1) && cusp[k] < friction_step(i))
+                    add_passes(inputs, n, cusp[k], rows);
+            add_passes(inputs, n, friction_step(i), rows);
+        }
+    }
+}
+
+const figure figure_shakedown = {
+    .name = "shakedown",
+    .summary = "limits of first yield and of repeated sliding passes over f",
+    .use = {[A_OVER_B] = {"0.1,0.25,0.5,1", FIGURE_CURVES_MAX}, [NU] = {"0.3", 1}},
+    .column = (const char *const[]){"a_over_b", "f", "nu", "P_over_bk_elastic",
+                                    "P_over_bk_shakedown", NULL},
+    .text_column = "branch",
+    .compute = compute_shakedown,
+    .drawn = 1 << 4,
+    .nothing = "the limits of a sharp wedge are 0",
+    .script = shakedown_lines};
+
 /* ---- Fig. 5 ---- */
 
 static void add_yield_point(const figure_case *inputs, int n, double f, const char *point,

@@ -10,7 +10,8 @@ enum {
     OPTION_AT_WORST,
     OPTION_LENGTH,
     OPTION_METHOD,
-    OPTION_ANGLE
+    OPTION_ANGLE,
+    OPTION_FULL_WEAR
 };
 
 static const struct poptOption options[] = {
@@ -29,6 +30,8 @@ static const struct poptOption options[] = {
      "point|line"},
     {VALUE("angle", OPTION_ANGLE),
      "Of that way, from the surface's normal towards +x, -85 to 85 deg (default 0)", "NUMBER"},
+    {FLAG("full-wear", OPTION_FULL_WEAR),
+     "Add what is worn off where wear ends; of a cycle of Q alone", NULL},
     {THREADS_OPTION},
     {INCLUDED(grid_output_option_table), "Common options:", NULL},
     POPT_TABLEEND,
@@ -62,6 +65,13 @@ static void describe(FILE *stream)
     fputs("with NAME_angle and NAME_out_of_plane: from the normal of its plane to the plane\n"
           "of x and y, 0 to 90 deg.\n",
           stream);
+    fputs("With --full-wear, also at the end:\n"
+          "  worn_depth      worn off there where wear ends: beside the zone that sticks nothing\n"
+          "                  presses any more\n"
+          "  worn_to         as far as it wears, on this side\n"
+          "  depth_max       the largest depth\n"
+          "  worn_area       worn off on both sides\n",
+          stream);
     fputs("\nThe last line, on standard error, names the worst place of each, also between\n"
           "the places. Slip, shear and energy are those of the surface in contact. F1 is\n"
           "shear * slip, F2 tension * shear * slip (Ruiz, Boddington and Chen, 1984).\n"
@@ -82,6 +92,8 @@ typedef struct {
     measured result;
     material constants;
     worst_table worst;
+    bool has_full_wear;
+    full_wear wear;
     int threads;
     int32_t *status; /* of each batch of places */
 } plan;
@@ -130,6 +142,8 @@ static void write_rows(void *of_plan, records *rows)
     for (int i = 0; i < measure_count(); i++)
         if (column_is_wanted(&job->last.asked, i))
             records_name(rows, measure_kind_of(i)->column);
+    for (int i = 0; i < FULL_WEAR_COLUMNS && job->has_full_wear; i++)
+        records_name(rows, full_wear_columns[i]);
     records_end_header(rows);
     for (size_t i = 0; i < result->count && records_go_on(rows); i++) {
         const measured_place *place = &result->place[i];
@@ -140,6 +154,8 @@ static void write_rows(void *of_plan, records *rows)
         for (int k = 0; k < measure_count(); k++)
             if (column_is_wanted(&job->last.asked, k))
                 records_value(rows, cell_number(place->value[k]));
+        if (job->has_full_wear)
+            full_wear_write(&job->wear, place->x, place->y, rows);
         records_end_row(rows);
         progress_step();
     }
@@ -195,6 +211,9 @@ static void read_plan(const arguments *line, plan *job, output_options *how, out
     output_options_read_of(line, grid_formats, "", how);
     if (how->format == &vtk_format && line->value[OPTION_AT_WORST] != NULL)
         usage_error("--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx");
+    job->has_full_wear = line->value[OPTION_FULL_WEAR] != NULL;
+    if (job->has_full_wear && line->value[OPTION_AT_WORST] != NULL)
+        usage_error("--full-wear: adds columns to the rows, not with --at-worst");
     read_worst(line, worst);
     job->threads = threads_read(line);
     input_texts_from_options(line, &texts);
@@ -204,6 +223,8 @@ static void read_plan(const arguments *line, plan *job, output_options *how, out
     contact_history_read(line, &texts, how->decimal_sign, 3, 3, &job->history);
     criteria_read_strength(line, &job->history.setup, &asked);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
+    if (job->has_full_wear)
+        full_wear_find(&job->last, &job->wear);
     surface_places(line, how->decimal_sign, &job->last, &job->result);
 }
 

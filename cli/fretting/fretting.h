@@ -40,6 +40,23 @@ void criteria_read(const arguments *line, const material *constants, const input
 /* To be called when the contact is read: takes the constants of what is asked for. */
 void criteria_read_strength(const arguments *line, const contact_case *setup, criteria *asked);
 
+/* ---- worn_columns ---- The end of wear of a cycle of Q alone, as columns. */
+
+typedef struct {
+    const rwedge_contact *before;
+    double Q_a; /* half of the range of Q */
+    double left, right, worn_left, worn_right, area, depth;
+} full_wear;
+
+enum { FULL_WEAR_COLUMNS = 4 };
+extern const char *const full_wear_columns[FULL_WEAR_COLUMNS];
+
+/* What is wrong with the cycle ends the command. */
+void full_wear_find(const last_cycle *last, full_wear *wear);
+
+/* The columns of a place. */
+void full_wear_write(const full_wear *wear, double x, double y, records *rows);
+
 /* ---- worst ---- Where each column of "rwedge fretting" is worst, also between the places: a line,
  * or a table. */
 

@@ -87,8 +87,8 @@ static double overlap_at(double t, const void *of)
     return overlap(to->end, place(to, t));
 }
 
-/* Where the overlap ends. Beside the zone it is positive, as the root of the distance. 0 where that is
- * too close to be told. */
+/* Where the overlap ends. Beside the zone it is positive, as the root of the distance. 0 where that
+ * is too close to be told. */
 static double worn_angle(const flank *of)
 {
     enum { DOUBLINGS = 100 };

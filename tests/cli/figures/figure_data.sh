@@ -115,7 +115,7 @@ same "JSON" '{"a_over_b": 0, "b_sigma_over_fP": 1},' "$(sed -n 2p out)"
 run figure 6 --data --decimal-comma --digits 3
 same "decimal comma" "0,005;1" "$(sed -n 3p out)"
 # Mistakes.
-all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack"
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack, wear, shakedown"
 refuses "which figure must follow; allowed: $all" figure
 refuses "1: unknown figure; allowed: $all" figure 1
 refuses "log.csv: unexpected; allowed: one figure, and options; --history gives a file of loads" figure fretting log.csv
@@ -158,6 +158,25 @@ column dK out >ranges
 close_rows "ranges of K" 1e-12 0
 refuses "figure fretting: a crack is for figure crack" figure fretting --history loads.csv $specimen --edge left
 refuses "--angle-range 0,1: figure crack has one angle; allowed: --angle" figure crack --history loads.csv $specimen $crack --from 0.01 --to 1 --angle-range 0,1
+# Where wear ends: the deepest place, and the zone that sticks, are those of fretting.
+printf 'P,Q\n135.75,30\n135.75,-30\n' >shaken.csv
+does figure wear --history shaken.csv $specimen --data
+same "columns of wear" "x,worn_depth,p_before,p_after" "$(head -n 1 out)"
+deepest=$(awk -F, 'NR > 1 && $2 > most { most = $2 } END { printf "%.17g", most }' out)
+zone=$(awk -F, 'NR > 1 && $4 < 0 { x = $1 } END { printf "%.17g", x }' out)
+run fretting shaken.csv $specimen --full-wear
+close_to "the deepest place" "$(column depth_max out | sed -n 1p)" "$deepest" 1e-3
+run profile $specimen --load 135.75,0 --load 135.75,30 --points 5
+close_to "the zone that sticks" "$(awk 'BEGIN { printf "%.17g", 0.20671 * sqrt(1 - 30 / (0.3 * 135.75)) }')" "$zone" 1e-3
+# The map of shakedown, with the cusps: its limits are those of the tables.
+does figure shakedown --a-over-b 0.5 --data
+awk -F, '$2 == 0.4 { print $4, $5 }' out >drawn
+for limit in elastic shakedown; do
+    run table $limit-limit --a-over-b 0.5 --friction 0.4 --nu 0.3
+    column P_over_bk out
+done | paste -d ' ' - - | tr ' ' '\n' | paste -d ' ' - - >tabulated
+same "limits of the map" "$(cat tabulated)" "$(cat drawn)"
+same "cusps of the map" 67 "$(figure_rows=$(run figure shakedown --a-over-b 0.5 --data; tail -n +2 out | wc -l); echo $figure_rows)"
 # Any measure: along the surface as fretting has it, below its worst place, on a grid.
 does figure measure --history loads.csv $specimen --cycles 2 --measure crossland --crossland-alpha 0.3 --data
 same "columns of measure" "x,y,value" "$(head -n 1 out)"
@@ -202,7 +221,7 @@ close_to "the loop closes" "$(by_name '$load == 2 { print $displacement }' out)"
 run figure history --at -0.2,0.01 --history two.csv $specimen --data
 same "the whole cycle" "2 4" "$(column load out | sed -n '1p;$p' | paste -s -d ' ' -)"
 refuses "--at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
-refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, and loop with --history or --load" figure 4 --E1 3
+refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, wear, and loop with --history or --load" figure 4 --E1 3
 cannot "loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
     figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 

@@ -358,6 +358,22 @@ same "points" "POINTS 2 double 0.1 0 0 0.2 0.1 0" "$(grep -A 2 '^POINTS' out | p
 same "what has no value" "nan" "$(awk '/^SCALARS slip_range/ { on = 1; next } on && !/^LOOKUP/ { print $2; exit }' out)"
 refuses "--at-worst: a verdict has no format vtk; allowed: csv, tsv, json, xlsx" fretting hills.csv $specimen --at-worst --format vtk
 
+# The end of wear of a cylinder under P: the zone sticks with P - Q_a/f, b sqrt(1 - Q_a/(f P)), and beside it
+# (A Q_a/(pi f)) L - (x X - L)/(2 R) c^2 is worn off, x = c cosh L, X = sinh L.
+printf 'P,Q\n135.75,30\n135.75,-30\n' >shaken.csv
+run fretting shaken.csv $specimen --load 135.75,0 --full-wear --x 0,0.18,-0.18,0.5
+awk 'BEGIN { pi = 3.14159265358979324; A = 4 * (1 - 0.33 ^ 2) / 72100; R = 10; c = sqrt(2 * A * (135.75 - 100) * R / pi)
+    u = 0.18 / c; X = sqrt(u * u - 1); L = log(u + X); d = A * 100 / pi * L - (u * X - L) * c * c / (2 * R)
+    printf "%.17g\n0\n%.17g\n0\n", d, d }' >expected
+column worn_depth out | paste -d ' ' - expected >both
+close_rows "what is worn off" 1e-9 1e-18
+same "as far on both sides" "yes" "$(column worn_to out | awk '{ x[NR] = $1 } END { print (x[3] == -x[1] && x[3] > 0.18) ? "yes" : "no" }')"
+same "one area" 1 "$(column worn_area out | sort -u | wc -l | tr -d ' ')"
+run fretting cycle.csv $specimen --full-wear
+message_has "--full-wear: load"
+status_is 1
+refuses "--full-wear: adds columns to the rows, not with --at-worst" fretting shaken.csv $specimen --load 135.75,0 --full-wear --at-worst
+
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
 cannot "bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen

@@ -955,9 +955,9 @@ RWEDGE_API int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact
  * everything; beside it so much is worn off that nothing presses. It is a limit, an upper bound of
  * this wear: how fast it comes, debris and a friction that changes are not in it. The zone is that
  * of P - Q_a/f under the same tilt, of rwedge_contact_permanent_stick() under constant P and M.
- * With the tilt held, the moment about the zone's middle ends as that zone's own; a pad that is free
- * to tilt keeps M instead, and ends like this only in the middle: lib/README.md, "The fully worn
- * pad".                                                                                         new
+ * With the tilt held, the moment about the zone's middle ends as that zone's own; a pad that is
+ * free to tilt keeps M instead, and ends like this only in the middle: lib/README.md, "The fully
+ * worn pad".                                                                                    new
  *   Q_a                    force/length, finite, >= 0: half of the range of Q; 0 wears nothing
  *   left, right            edges of the zone that sticks, length
  *   worn_left, worn_right  as far as it wears, length

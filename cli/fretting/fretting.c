@@ -66,8 +66,8 @@ static void describe(FILE *stream)
           "of x and y, 0 to 90 deg.\n",
           stream);
     fputs("With --full-wear, also at the end:\n"
-          "  worn_depth      worn off there where wear ends: beside the zone that sticks nothing\n"
-          "                  presses any more\n"
+          "  worn_depth      worn off there where wear ends: then nothing presses beside the\n"
+          "                  zone that sticks\n"
           "  worn_to         as far as it wears, on this side\n"
           "  depth_max       the largest depth\n"
           "  worn_area       worn off on both sides\n",

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The end of wear in partial slip, while Q goes to and fro by Q_a under a constant P and a held tilt.
- * What sticks in every cycle keeps its profile; the rest wears until it carries nothing. The zone
- * that sticks is the patch of P - Q_a/f under the present tilt. With its middle m and half-width s
- * the pressure becomes
+/* The end of wear in partial slip, while Q goes to and fro by Q_a under a constant P and a held
+ * tilt. What sticks in every cycle keeps its profile; the rest wears until it carries nothing. The
+ * zone that sticks is the patch of P - Q_a/f under the present tilt. With its middle m and
+ * half-width s the pressure becomes
  *
  *     N = N(patch) + (Q_a/f)/(pi sqrt(s^2 - (x-m)^2)),
  *

@@ -1160,6 +1160,26 @@ RWEDGE_API int32_t rwedge_cycle_displacement(const rwedge_cycle *cycle, size_t l
 RWEDGE_API int32_t rwedge_cycle_permanent_stick(const rwedge_cycle *cycle, double *left,
                                                 double *right);
 
+/* Bounds of the shakedown of a cycle that stays in place: the factor on all its stresses up to
+ * which it is elastic after it has yielded at first. At the lower bound residual stresses are in
+ * equilibrium and keep it so, by Melan's theorem. Above the upper one none can: the path of the
+ * deviator at the place (x, y) fits into no ball of the radius k. That ball alone, as Dang Van's
+ * criterion takes it, is the unsafe bound: the balls of all places need not go together. Where the
+ * surface governs the two meet. Von Mises, plane strain, perfect plasticity, small strain. Stresses
+ * are those after the loads: where they turn in between, add a load. A bulk tension that changes
+ * counts.                                                                                       new
+ *   nu     0 <= nu <= 0.5
+ *   k      yield stress in pure shear, stress, finite, > 0
+ *   lower  receives the factor that is sure to be carried
+ *   upper  receives the factor above which it goes on yielding
+ *   x, y   receive the place of the upper bound, length
+ * RWEDGE_EABSENT where there is no contact after any load, or a kink of the profile in it;
+ * RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ERANGE where a bound leaves the domain, as
+ * that of a cycle of one load does. Places and depths are searched; in the tests the lower bound
+ * was right to 0.5 %. It takes up to a second. */
+RWEDGE_API int32_t rwedge_cycle_shakedown(const rwedge_cycle *cycle, double nu, double k,
+                                          double *lower, double *upper, double *x, double *y);
+
 /* The displacement that slip adds: how much further remote points of the half-plane have moved
  * tangentially, relative to the wedge's, than if the contact were bonded over |x| < b. Its loop
  * over Q encloses the energy of a cycle under constant P.                                       new

@@ -61,10 +61,11 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
 
 /* ---- As rows ---- */
 
-static const char *const columns[] = {"measure",   "value",     "x",     "y",
-                                      "length",    "at_length", "angle", "out_of_plane",
-                                      "allowable", "safety",    "life",  "cycles"};
-enum { COLUMNS = sizeof columns / sizeof columns[0] };
+static const char *const columns[] = {
+    "measure",      "value",     "x",      "y",    "length", "at_length",       "angle",
+    "out_of_plane", "allowable", "safety", "life", "cycles", "shakedown_lower", "shakedown_upper"};
+/* The last two, of verdicts alone, are of the cycle. */
+enum { VERDICT_COLUMNS = sizeof columns / sizeof columns[0], COLUMNS = VERDICT_COLUMNS - 2 };
 
 /* The criteria below the worst place of the surface, of the stresses of each load there; the means
  * may not settle to 1e-10 of the stresses. */
@@ -101,24 +102,45 @@ static void add_verdict(const worst_table *worst, int criterion, const worst_row
     cells[11] = cell_number(measured_part(&at, measure_damage(criterion), PART_CYCLES));
 }
 
+/* The factors on the stresses between which the shakedown of the cycle is; empty without a yield
+ * stress, and where the library has none. */
+static void add_shakedown(const last_cycle *last, cell cells[2])
+{
+    double lower, upper, x, y;
+    cells[0] = cells[1] = cell_number(NAN);
+    if (isnan(last->setup->k) || last->cycle == NULL ||
+        rwedge_cycle_shakedown(last->cycle, last->asked.nu, last->setup->k, &lower, &upper, &x,
+                               &y) != RWEDGE_OK)
+        return;
+    cells[0] = cell_number(lower);
+    cells[1] = cell_number(upper);
+}
+
 void worst_write_rows(void *of_worst, records *rows)
 {
     const worst_table *worst = of_worst;
     const criteria *asked = &worst->last->asked;
-    records_header(rows, COLUMNS, columns);
+    const size_t count = worst->is_verdict ? VERDICT_COLUMNS : COLUMNS;
+    cell of_cycle[2];
+    if (worst->is_verdict)
+        add_shakedown(worst->last, of_cycle);
+    records_header(rows, count, columns);
     for (int i = 0; i < measure_count() && records_go_on(rows); i++) {
         const worst_row *row = &worst->row[i];
         const int criterion = measure_criterion(i);
         const bool has_verdict =
             criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion]);
-        cell cells[COLUMNS] = {cell_text(measure_kind_of(i)->column), cell_number(row->value),
-                               cell_number(row->x), cell_number(row->y)};
+        cell cells[VERDICT_COLUMNS] = {cell_text(measure_kind_of(i)->column),
+                                       cell_number(row->value), cell_number(row->x),
+                                       cell_number(row->y)};
         if (isnan(row->value) || (worst->is_verdict && !has_verdict))
             continue;
         for (int k = 4; k < COLUMNS; k++)
             cells[k] = cell_number(NAN);
         if (criterion >= 0)
             add_verdict(worst, criterion, row, cells);
-        records_row(rows, COLUMNS, cells);
+        for (size_t k = COLUMNS; k < count; k++)
+            cells[k] = of_cycle[k - COLUMNS];
+        records_row(rows, count, cells);
     }
 }

@@ -209,7 +209,7 @@ printf '{"source": "none", "E": 72100, "nu": 0.33, "crossland_alpha": 0.3, "cros
 shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0 --K-in mm"
 verdict() { awk -F, -v name="$2" -v row="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } $1 == row { print $c }' out; }
 does fretting cycle.csv $shape --material metal.csv --at-worst
-same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life,cycles" "$(head -n 1 out)"
+same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life,cycles,shakedown_lower,shakedown_upper" "$(head -n 1 out)"
 same "criteria alone" "swt crossland swt_damage" "$(column measure out | paste -s -d ' ' -)"
 close_to "safety" "$(awk -v v="$(verdict crossland value)" 'BEGIN { printf "%.17g", 100 / v }')" "$(verdict crossland safety)" 1e-14
 close_to "the life has the parameter" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" 'BEGIN {

@@ -210,9 +210,11 @@ static int32_t find(search *s, rw_patch patch, double k, bounds *found)
     const rw_maximum left = rw_largest_value(left_at_depth, s, DEPTHS, depth, value);
     const rw_maximum least = rw_largest_value(least_at_depth, s, DEPTHS, depth, value);
     const double most = least_at_depth(least.x, s);
-    *found = (bounds){k / fmax(left.value, most), k / most, s->x, least.x};
     if (s->failed)
         return RWEDGE_ENOMEM;
+    if (!(most > 0)) /* nothing changes */
+        return RWEDGE_ERANGE;
+    *found = (bounds){k / fmax(left.value, most), k / most, s->x, least.x};
     return rw_is_magnitude(found->lower) && rw_is_magnitude(found->upper) ? RWEDGE_OK
                                                                           : RWEDGE_ERANGE;
 }

@@ -112,7 +112,8 @@ if [ $sanitize = yes ]; then
     printf 'leak:%s\n' '/rwedge$' libpopt >"$output.leaks"
     export LSAN_OPTIONS="suppressions='$output.leaks':print_suppressions=0"
     build build/debug --preset debug
-    run_tests build/debug --exclude-regex "$of_another_compiler|^example\$"
+    # Python would load the library before the sanitizer's runtime, so shipped_tables, which makes the workbook, is left out.
+    run_tests build/debug --exclude-regex "$of_another_compiler|^(example|shipped_tables)\$"
     unset LSAN_OPTIONS
 fi
 if [ -n "$long" ]; then

@@ -210,7 +210,7 @@ static bool settle(search *s, const arc *a)
     if (fabs(c[1]) <= reach * (2 * fabs(c[2]) + reach * (3 * fabs(c[3]) + reach * 4 * fabs(c[4]))))
         return false;
     const double x = rw_root(quartic_at, &slope, -reach, reach, DBL_EPSILON / 8);
-    if (ALWAYS(!isnan(x))) { /* an arc without a root is not above its ends */
+    if (!isnan(x)) { /* rounding of the bound keeps arcs too that are not above their ends */
         const rw_direction there = rw_turned_by(u, x);
         record(s, there, value_at(&peak, there), value_at(&range, there));
     }

@@ -6,7 +6,7 @@ library_options='-std=c99 -ffp-contract=off -fno-math-errno'
 
 # Left out where another compiler or the sanitizers are tried: what builds the library itself, needs another language than C, or
 # holds times against those of gcc.
-of_another_compiler='^(package|reproducible|abi|answers|speed|bindings_.*)$'
+of_another_compiler='^(package|reproducible|abi|answers|page|workbook|speed|bindings_.*)$'
 
 # compilers_here - gcc, gcc-*, clang, clang-* on this machine, each once whatever its names.
 compilers_here()

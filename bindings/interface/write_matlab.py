@@ -105,9 +105,10 @@ def function_text(f: Function) -> str:
 
 def method_text(f: Function) -> str:
     loads = bool(f.of("changed")) and "P" in inputs(f)
-    body = [call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if loads and not f.of("in array") else
+    is_plain = loads and not f.of("in array") and not f.results
+    body = [call([], f"{f.family}.go_on", [f"'{f.name}'", *inputs(f)]) if is_plain else
             call(f.results, "rwedge_mex", [f"'{f.name}'", f"{f.family}.number", *inputs(f)])]
-    body += [f"{f.family}.warn_of_size()"] if loads and f.of("in array") else []
+    body += [f"{f.family}.warn_of_size()"] if loads and not is_plain else []
     body += [f"{f.family}.warn('safety', factor)"] if "factor" in f.results else []
     head = call(f.results, f.method, [f.family, *inputs(f)])
     return "\n" + routine(head, f.method, called(f, inputs(f)), help_lines(f), len(inputs(f)) and len(inputs(f)) + 1, [f"{line};" for line in body], "    ")

@@ -217,7 +217,8 @@ static bool is_of_numbers(const csv_row *row, char decimal_sign)
     return numbers_in(row, decimal_sign) * 2 > row->count;
 }
 
-/* The separator that makes most rows of several numbers; the first of equals. */
+/* The separator that makes most rows of several numbers, with either decimal sign: a comma in
+ * 12,000 separates nothing where another does. The first of equals. */
 static char probable_separator(table_input *t, const char *separators, int count)
 {
     static beginning all;
@@ -227,7 +228,10 @@ static char probable_separator(table_input *t, const char *separators, int count
         size_t rows = 0;
         begin_with(t, separators[i], false, &all);
         for (size_t j = 0; j < all.count; j++)
-            rows += all.row[j].count > 1 && is_of_numbers(&all.row[j], t->decimal_sign) ? 1 : 0;
+            rows += all.row[j].count > 1 &&
+                            (is_of_numbers(&all.row[j], '.') || is_of_numbers(&all.row[j], ','))
+                        ? 1
+                        : 0;
         forget(&all);
         best = rows > most ? separators[i] : best;
         most = rows > most ? rows : most;

@@ -8,7 +8,12 @@
 #include "base/sort.h"
 
 /* So many steps across the contact, and so many beyond each edge; so many edges. */
-enum { INSIDE = 200, OUTSIDE = 40, MOST_EDGES = 200, MOST = INSIDE + 2 * OUTSIDE + MOST_EDGES + 1 };
+enum {
+    INSIDE = 200,
+    OUTSIDE = 40,
+    GRID = INSIDE - 1 + 2 * OUTSIDE,
+    MOST_EDGES = RW_CYCLE_PLACES - GRID
+};
 
 /* Edges of several loads are one but for this part of the width. */
 static const double ROUNDING = 1e-12;
@@ -46,20 +51,68 @@ bool rw_edges_add(rw_edges *edges, const rwedge_contact *contact)
 static size_t thin_out(double x[], size_t n, double distance)
 {
     size_t kept = 0;
-    rw_sort(x, n);
     for (size_t i = 0; i < n; i++)
         if (kept == 0 || x[i] - x[kept - 1] > distance)
             x[kept++] = x[i];
     return kept;
 }
 
+/* ---- Places ---- */
+
+/* Across the outermost edges and beyond them, from left to right. */
+static void make_grid(rw_patch patch, double x[GRID])
+{
+    const double middle = (patch.left + patch.right) / 2, half = (patch.right - patch.left) / 2;
+    double *inside = x + OUTSIDE, *right = inside + INSIDE - 2;
+    for (int i = 1; i < INSIDE; i++)
+        inside[i - 1] = middle + half * sin(RW_HALF_PI * (2 * i - INSIDE) / INSIDE);
+    for (int i = 1; i <= OUTSIDE; i++) {
+        const double part = (double)i / OUTSIDE, beyond = half * part * part;
+        x[OUTSIDE - i] = patch.left - beyond;
+        right[i] = patch.right + beyond;
+    }
+}
+
+static size_t places_of(const rw_edges *edges, double x[RW_CYCLE_PLACES])
+{
+    double grid[GRID];
+    size_t n = 0, edge = 0;
+    if (edges->count == 0)
+        return 0;
+    make_grid(edges->outermost, grid);
+    for (size_t i = 0; i < GRID; i++) {
+        while (edge < edges->count && edges->all[edge] <= grid[i])
+            x[n++] = edges->all[edge++];
+        x[n++] = grid[i];
+    }
+    while (edge < edges->count)
+        x[n++] = edges->all[edge++];
+    return thin_out(x, n, ROUNDING * (edges->outermost.right - edges->outermost.left) / 2);
+}
+
 /* Many loads have edges everywhere. Then those that are close to another are left out. */
 void rw_edges_settle(rw_edges *edges)
 {
     const double width = edges->outermost.right - edges->outermost.left;
+    rw_sort(edges->all, edges->count);
     edges->count = thin_out(edges->all, edges->count, ROUNDING * width);
     if (edges->count > MOST_EDGES)
         edges->count = thin_out(edges->all, edges->count, width / MOST_EDGES);
+    edges->places = places_of(edges, edges->place);
+}
+
+/* ---- Told ---- */
+
+/* Copies the n numbers that there are. */
+static int32_t tell(const double all[], size_t count, size_t n, double x[])
+{
+    if (n > 0 && !x)
+        return RWEDGE_ENULL;
+    if (n != count)
+        return RWEDGE_ERANGE;
+    for (size_t i = 0; i < n; i++)
+        x[i] = all[i];
+    return RWEDGE_OK;
 }
 
 size_t rwedge_cycle_edge_count(const rwedge_cycle *cycle)
@@ -69,50 +122,15 @@ size_t rwedge_cycle_edge_count(const rwedge_cycle *cycle)
 
 int32_t rwedge_cycle_edges(const rwedge_cycle *cycle, size_t n, double x[])
 {
-    if (!cycle || !x)
-        return RWEDGE_ENULL;
-    if (n != cycle->edges.count)
-        return RWEDGE_ERANGE;
-    for (size_t i = 0; i < n; i++)
-        x[i] = cycle->edges.all[i];
-    return RWEDGE_OK;
-}
-
-/* ---- Places ---- */
-
-static size_t places_of(const rw_edges *edges, double x[MOST])
-{
-    const rw_patch patch = edges->outermost;
-    const double middle = (patch.left + patch.right) / 2, half = (patch.right - patch.left) / 2;
-    size_t n = 0;
-    if (edges->count == 0)
-        return 0;
-    for (int i = 1; i < INSIDE; i++)
-        x[n++] = middle + half * sin(RW_HALF_PI * (2 * i - INSIDE) / INSIDE);
-    for (int i = 1; i <= OUTSIDE; i++) {
-        const double part = (double)i / OUTSIDE, beyond = half * part * part;
-        x[n++] = patch.left - beyond;
-        x[n++] = patch.right + beyond;
-    }
-    for (size_t i = 0; i < edges->count; i++)
-        x[n++] = edges->all[i];
-    return thin_out(x, n, ROUNDING * half);
+    return cycle ? tell(cycle->edges.all, cycle->edges.count, n, x) : RWEDGE_ENULL;
 }
 
 size_t rwedge_cycle_place_count(const rwedge_cycle *cycle)
 {
-    double x[MOST];
-    return cycle ? places_of(&cycle->edges, x) : 0;
+    return cycle ? cycle->edges.places : 0;
 }
 
 int32_t rwedge_cycle_places(const rwedge_cycle *cycle, size_t n, double x[])
 {
-    double all[MOST];
-    if (!cycle || !x)
-        return RWEDGE_ENULL;
-    if (n != places_of(&cycle->edges, all))
-        return RWEDGE_ERANGE;
-    for (size_t i = 0; i < n; i++)
-        x[i] = all[i];
-    return RWEDGE_OK;
+    return cycle ? tell(cycle->edges.place, cycle->edges.places, n, x) : RWEDGE_ENULL;
 }

@@ -31,11 +31,16 @@ typedef struct {
     double leave[2];         /* slip at the edge since the state before, where it moves inwards */
 } rw_state;
 
-/* Edges of the contact, and of the zones that stick: places.c. */
+/* So many places at which to measure a cycle at most. */
+enum { RW_CYCLE_PLACES = 479 };
+
+/* Edges of the contact, and of the zones that stick, and places to measure at: places.c. */
 typedef struct {
     double *all;
     size_t count, capacity;
     rw_patch outermost; /* of the contact, where there are edges */
+    double place[RW_CYCLE_PLACES];
+    size_t places;
 } rw_edges;
 
 /* Adds those of a contact. false where memory is short. */

@@ -199,6 +199,7 @@ CLAIM(another_number_of_places_is_refused)
     assert_int_equal(rwedge_cycle_places(cycle, rwedge_cycle_place_count(cycle) - 1, x),
                      RWEDGE_ERANGE);
     assert_int_equal(rwedge_cycle_edges(NULL, 0, x), RWEDGE_ENULL);
-    assert_int_equal(rwedge_cycle_places(cycle, 0, NULL), RWEDGE_ENULL);
+    assert_int_equal(rwedge_cycle_places(cycle, rwedge_cycle_place_count(cycle), NULL),
+                     RWEDGE_ENULL);
     assert_true(x[0] == 7);
 }

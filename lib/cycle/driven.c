@@ -10,6 +10,7 @@
 typedef struct {
     const rwedge_contact *contact;
     double P, M, sigma, b, displacement, compliance;
+    bool *lacked_memory; /* in a trial */
 } rig;
 
 /* The contact under the load with a Q. */
@@ -32,6 +33,7 @@ static double beyond_with(double Q, const void *context)
     rwedge_contact *contact = NULL;
     const int32_t status = contact_under(r, Q, &contact);
     const double value = status == RWEDGE_OK ? beyond(r, contact, Q) : NAN;
+    *r->lacked_memory = *r->lacked_memory || status == RWEDGE_ENOMEM;
     rwedge_contact_destroy(contact);
     return value;
 }
@@ -65,9 +67,10 @@ static double find(const rig *r, double *slid)
 {
     const double limit = r->contact->f * r->P;
     const end least = end_of(r, -1), most = end_of(r, 1);
+    if (isnan(least.beyond) || isnan(most.beyond))
+        return NAN;
     *slid = most.beyond < 0 ? -most.beyond : least.beyond > 0 ? -least.beyond : 0;
-    if (isnan(least.beyond) || isnan(most.beyond) || (*slid > 0 && most.Q < limit) ||
-        (*slid < 0 && least.Q > -limit))
+    if ((*slid > 0 && most.Q < limit) || (*slid < 0 && least.Q > -limit))
         return NAN;
     return most.beyond <= 0    ? limit
            : least.beyond >= 0 ? -limit
@@ -115,6 +118,8 @@ static int32_t drive(rig *r, double *Q, rwedge_contact **contact)
     if (status != RWEDGE_OK)
         return status;
     *Q = find(r, &slid);
+    if (*r->lacked_memory)
+        return RWEDGE_ENOMEM;
     if (isnan(*Q))
         return reason(r, r->contact->f * r->P);
     status = contact_under(r, *Q, contact);
@@ -134,7 +139,8 @@ int32_t rwedge_contact_drive(rwedge_contact *contact, double P, double M, double
     if (!rw_is_magnitude(P) || !rw_is_signed(M) || !rw_is_signed(sigma) ||
         !rw_is_signed(displacement) || !rw_is_magnitude(compliance))
         return RWEDGE_EDOMAIN;
-    rig r = {contact, P, M, sigma, 0, displacement, compliance};
+    bool lacked_memory = false;
+    rig r = {contact, P, M, sigma, 0, displacement, compliance, &lacked_memory};
     rwedge_contact *next = NULL;
     double found;
     const int32_t status = drive(&r, &found, &next);

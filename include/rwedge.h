@@ -326,7 +326,8 @@ RWEDGE_API int32_t rwedge_sliding_law(double alpha, double beta_f, int32_t held,
  *   limit  receives P/(bk); rwedge_elastic_limit() for beta_f = 0; 0 for the sharp wedge
  *   x, y   each receives one number: the place, in b from the apex
  * RWEDGE_EDOMAIN where |beta_f| is above f/2; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ERANGE. In the
- * tests it was right to 1e-12 for beta_f = 0. It takes as long as rwedge_contact_yield_factor(). */
+ * tests the limit was right to 1e-12 for beta_f = 0; the place is that of a search, to about 1e-7.
+ * It takes as long as rwedge_contact_yield_factor(). */
 RWEDGE_API int32_t rwedge_sliding_limit(double alpha, double beta_f, double f, double nu,
                                         int32_t held, double *limit, double *x, double *y);
 
@@ -1536,9 +1537,10 @@ RWEDGE_API int32_t rwedge_cycle_crack(const rwedge_cycle *cycle, double x, doubl
  *   loads      rwedge_cycle_loads()
  *   K_I, K_II, closed  each receives loads * n numbers, the n of the first load first; closed is
  *                      the share of the line where the faces touch
- * RWEDGE_EDOMAIN as there; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ENOCONV, also where
- * no contact of the faces is found. Where faces touch, K errs by less than 1e-3 of sqrt(pi l) times
- * the largest stress on the line: a closed zone ends at a place of rwedge_crack_weights(). */
+ * RWEDGE_EDOMAIN where rwedge_cycle_crack() has it; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM;
+ * RWEDGE_ENOCONV, also where no contact of the faces is found. Where faces touch, K errs by less
+ * than 1e-3 of sqrt(pi l) times the largest stress on the line: a closed zone ends at a place of
+ * rwedge_crack_weights(). */
 RWEDGE_API int32_t rwedge_cycle_closing_crack(const rwedge_cycle *cycle, double x, double angle,
                                               size_t loads, size_t n, const double length[],
                                               double K_I[], double K_II[], double closed[]);
@@ -1550,8 +1552,8 @@ RWEDGE_API int32_t rwedge_cycle_closing_crack(const rwedge_cycle *cycle, double 
  *   shear      as in rwedge_crack_ranges()
  *   range_I, range_II, K_max, R  each receives n numbers, as in rwedge_crack_ranges(); R is never
  *              negative
- * RWEDGE_EDOMAIN as rwedge_cycle_crack(); RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM;
- * RWEDGE_ENOCONV. Error as there. */
+ * RWEDGE_EDOMAIN where rwedge_cycle_crack() has it; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM;
+ * RWEDGE_ENOCONV. Error as that of rwedge_cycle_closing_crack(). */
 RWEDGE_API int32_t rwedge_cycle_closing_ranges(const rwedge_cycle *cycle, double x, double angle,
                                                int32_t shear, size_t n, const double length[],
                                                double range_I[], double range_II[], double K_max[],
@@ -1582,7 +1584,8 @@ RWEDGE_API int32_t rwedge_cycle_growth(const rwedge_cycle *cycle, double x, doub
                                        double *least, double *least_at);
 
 /* The same, with the ranges of rwedge_cycle_closing_ranges(): faces press on each other without
- * friction. */
+ * friction.                                                                                     new
+ *   cycles  as above, HUGE_VAL too. To 1e-5 of themselves where K is exact */
 RWEDGE_API int32_t rwedge_cycle_closing_growth(const rwedge_cycle *cycle, double x, double angle,
                                                int32_t shear, size_t constants, const double law[],
                                                double initial, double final, double *arrest,

@@ -309,7 +309,7 @@ static int32_t answer(rw_crack *crack, size_t n, const double length[], double *
 static int32_t intensities(const rwedge_cycle *cycle, double x, double angle, size_t loads,
                            size_t n, const double length[], bool presses, double *const to[3])
 {
-    if (!cycle || !length || !to[0] || !to[1] || !to[2])
+    if (!cycle || (n > 0 && (!length || !to[0] || !to[1] || !to[2])))
         return RWEDGE_ENULL;
     if (loads != cycle->loads.count || n > SIZE_MAX / 4 / sizeof(double) / loads)
         return RWEDGE_ERANGE;

@@ -41,7 +41,7 @@ int32_t rwedge_cycle_closing_ranges(const rwedge_cycle *cycle, double x, double 
                                     int32_t shear, size_t n, const double length[],
                                     double range_I[], double range_II[], double K_max[], double R[])
 {
-    if (!cycle || !length || !range_I || !range_II || !K_max || !R)
+    if (!cycle || (n > 0 && (!length || !range_I || !range_II || !K_max || !R)))
         return RWEDGE_ENULL;
     if (n > SIZE_MAX / 2 / sizeof(rw_crack_range))
         return RWEDGE_ERANGE;

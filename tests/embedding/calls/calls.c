@@ -16,7 +16,7 @@ void (*on_call)(bool begins);
 
 /* ---- Objects ---- */
 
-/* A contact before its loads, and after some. A flat pad where theta is 0. */
+/* A contact before its loads, and after some; one is held then. A flat pad where theta is 0. */
 static const struct {
     double theta, a, A, f;
     double load[4][4]; /* P, M, Q, sigma, to the first P that is 0 */
@@ -30,6 +30,7 @@ static const struct {
     {0.5, 0.3, 1, 0.5, {{4, 0.2, 0, 0}, {4, 0.2, 1, 0.01}, {4.5, 0.3, 0.5, 0.01}}},
     {0, 0.4, 0.5, 0.5, {{0.2, 0.03, 0, 0}, {0.2, 0.03, 0.06, 0.002}}},
     {0.5, 0.3, 1, 0.5, {{4, 0, 0, 0}, {4, 0, 2, 0}}}, /* it slides */
+    {0.5, 0.3, 1, 0.5, {{4, 0, 0, 0}}},               /* held */
     {0.5, 0.3, 1, 0.5, {{4, 0, 0, 0}, {4, 0, 0.5, 2}}},
 };
 
@@ -49,6 +50,7 @@ static rwedge_contact *contact_of_case(int i)
         if (rwedge_contact_apply(contact, to[0], to[1], to[2], to[3]) != RWEDGE_OK)
             abort();
     }
+    rwedge_contact_set_rotation(contact, i == HELD);
     return contact;
 }
 

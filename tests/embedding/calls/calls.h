@@ -25,7 +25,7 @@ typedef struct {
 
 /* Of each family, which its functions are called with. The last contact is computed. A cycle of
  * each contact has two loads. */
-enum { OBJECTS = 10, COMPUTED = OBJECTS - 1, OBJECT_LOADS = 2 };
+enum { OBJECTS = 11, COMPUTED = OBJECTS - 1, HELD = OBJECTS - 2, OBJECT_LOADS = 2 };
 
 /* The number in front of the arguments of a function that takes an object. */
 extern const entry_argument which_object;

@@ -23,6 +23,8 @@ static const struct {
     {"contact_worn_zone", {0.01}},
     {"contact_deepest_wear", {0.01}},
     {"contact_full_wear", {0.01, NAN}},
+    {"contact_set_bodies", {4, 0, 4, 0}},
+    {"contact_guide", {4.2, 0, 0, 0}},
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
     {"cycle_create", {4, 0.05, 0, 0}},
     {"cycle_shakedown", {0.3, 1}},

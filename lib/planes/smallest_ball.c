@@ -113,7 +113,9 @@ static bool holds(const growth *g, const rw_ball *ball, size_t more)
 static bool grow(growth *g, size_t more)
 {
     const int most = g->dimensions + 1; /* points on the ball */
-    for (unsigned choice = 0; choice < 1u << g->ball.count; choice++) {
+    /* the one point alone has a ball where its centre must be below it */
+    const unsigned first = g->dimensions < DIMENSIONS ? 0 : 1;
+    for (unsigned choice = first; choice < 1u << g->ball.count; choice++) {
         rw_ball next = {.count = 1, .support = {more}};
         for (int i = 0; i < g->ball.count; i++)
             if (choice >> i & 1 && next.count < RW_BALL_SUPPORT)

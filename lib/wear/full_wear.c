@@ -170,6 +170,9 @@ int32_t rwedge_contact_worn_zone(const rwedge_contact *contact, double Q_a, doub
     return RWEDGE_OK;
 }
 
+/* Two depths are equal that differ by this part: a few roundings. */
+static const double EQUAL = 16 * DBL_EPSILON;
+
 int32_t rwedge_contact_deepest_wear(const rwedge_contact *contact, double Q_a, double *depth,
                                     double *x)
 {
@@ -187,7 +190,7 @@ int32_t rwedge_contact_deepest_wear(const rwedge_contact *contact, double Q_a, d
     const rw_maximum on_left = rw_largest_value(depth_at, &end, RW_SPREAD, at, value);
     rw_spread_places(right, worn_right, at);
     const rw_maximum on_right = rw_largest_value(depth_at, &end, RW_SPREAD, at, value);
-    const bool is_left = on_left.value > on_right.value;
+    const bool is_left = on_left.value > (1 + EQUAL) * on_right.value;
     *depth = is_left ? on_left.value : on_right.value;
     *x = is_left ? on_left.x : on_right.x;
     return RWEDGE_OK;

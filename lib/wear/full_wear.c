@@ -16,6 +16,8 @@
 #include "contact/contact.h"
 #include "history/gap.h"
 
+#include <float.h>
+
 typedef struct {
     const rw_geometry *geometry;
     rw_patch stuck;

@@ -13,7 +13,8 @@ static inline int rw_by_size(const void *a, const void *b)
 /* The smallest first; none is NaN. */
 static inline void rw_sort(double numbers[], size_t count)
 {
-    qsort(numbers, count, sizeof *numbers, rw_by_size);
+    if (count > 0) /* qsort() takes no NULL */
+        qsort(numbers, count, sizeof *numbers, rw_by_size);
 }
 
 #endif

@@ -8,7 +8,6 @@
  *     displacement = (A f/pi) sum (D_i - D_(i+1)) int_0^(s_i) ln(b/s) dP(s).
  * Off the centre it is the slip of a place, plus the displacement that the tractions cause
  * there. */
-#include "base/always.h"
 #include "cycle/states.h"
 #include "loading/beside.h"
 #include "traction/transform.h"
@@ -94,9 +93,9 @@ static double off_centre(const rwedge_contact *contact, double b)
         sum = numerical_sum(contact, b, x);
     for (size_t i = 1; i < path->count && !contact->computed.now; i++) {
         const rw_patch patch = path->corners[i].patch;
-        if (ALWAYS(patch.left < left)) /* the first one has x inside */
+        if (patch.left < left) /* nested patches may share an edge */
             sum += panel(contact, b, x, left, patch.left);
-        if (ALWAYS(patch.right > right))
+        if (patch.right > right)
             sum += panel(contact, b, x, right, patch.right);
         left = fmin(left, patch.left);
         right = fmax(right, patch.right);

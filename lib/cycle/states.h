@@ -34,7 +34,7 @@ typedef struct {
 /* So many places at which to measure a cycle at most. */
 enum { RW_CYCLE_PLACES = 479 };
 
-/* Edges of the contact, and of the zones that stick, and places to measure at: places.c. */
+/* Edges of the contact, and of the zones that stick, and places to measure at: cycle_places.c. */
 typedef struct {
     double *all;
     size_t count, capacity;

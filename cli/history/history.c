@@ -132,7 +132,7 @@ static void keep_row(void *of_plan, size_t loads, const rwedge_contact *contact)
 {
     plan *job = of_plan;
     if (job->row == NULL) {
-        doubts_add(&job->doubts, (doubts){.error = rwedge_contact_error(contact)});
+        doubts_add(&job->doubts, doubts_of_error(contact));
         return;
     }
     if (loads == 0)

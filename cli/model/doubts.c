@@ -97,20 +97,33 @@ int32_t doubt_of_sliding(const rwedge_contact *contact)
                : 0;
 }
 
+doubts doubts_of_error(const rwedge_contact *contact)
+{
+    return (doubts){.error = rwedge_contact_error(contact),
+                    .tolerance = rwedge_contact_tolerance(contact)};
+}
+
+bool doubts_matter(doubts all)
+{
+    return all.bits != 0 || all.error > all.tolerance;
+}
+
 doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
 {
     const pad *shape = &setup->shape;
     double left = 0, right = 0;
     rwedge_contact_edges(contact, &left, &right);
-    const double error = rwedge_contact_error(contact);
-    const int32_t several = doubt_of_zones(contact);
-    if (!(factor < 1))
-        return (doubts){doubts_of(setup, left, right, NAN) | several, error};
+    doubts all = doubts_of_error(contact);
+    all.bits = doubt_of_zones(contact);
+    if (!(factor < 1)) {
+        all.bits |= doubts_of(setup, left, right, NAN);
+        return all;
+    }
     const double P = loads_of(contact).P, P_yield = /* not known of other pads */
                                           rwedge_yield_load(shape->theta, shape->a, setup->A,
                                                             setup->f, setup->nu1, setup->k);
-    const int32_t bits = doubts_of(setup, left, right, P_yield / P);
-    return (doubts){bits | several | (P > P_yield ? 0 : DOUBT_STATE), error};
+    all.bits |= doubts_of(setup, left, right, P_yield / P) | (P > P_yield ? 0 : DOUBT_STATE);
+    return all;
 }
 
 doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact)
@@ -125,6 +138,7 @@ void doubts_add(doubts *all, doubts more)
 {
     all->bits |= more.bits;
     all->error = fmax(all->error, more.error);
+    all->tolerance = fmax(all->tolerance, more.tolerance);
 }
 
 bool doubts_next(doubts *left, char text[DOUBT_SIZE])

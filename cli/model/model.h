@@ -238,8 +238,15 @@ double case_shear_ratio(const contact_case *setup);
 
 typedef struct {
     int32_t bits;
-    double error; /* rwedge_contact_error(), 0 where there is a closed form */
+    double error;     /* rwedge_contact_error(), 0 where there is a closed form */
+    double tolerance; /* that was asked for; an error up to it is told, but is no doubt */
 } doubts;
+
+/* The error of a contact. */
+doubts doubts_of_error(const rwedge_contact *contact);
+
+/* Whether there is more than an error up to the tolerance. */
+bool doubts_matter(doubts all);
 
 /* The doubts about a contact with these edges, both 0 where it is separated; safety is P_yield/P,
  * NAN where it is not known. */

@@ -105,7 +105,7 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
     if (to.M == 0) /* else it is 1 to rounding */
         loaded->length_unit = rwedge_contact_half_width(setup->contact);
     loaded->slip_unit = NATURAL_THETA * loaded->length_unit;
-    doubts_say((doubts){.error = rwedge_contact_error(setup->contact)}, "");
+    doubts_say(doubts_of_error(setup->contact), "");
 }
 
 /* ---- Dimensional ---- */

@@ -280,7 +280,7 @@ static bool compute(const contact_case *setup, double b, results *answer, compla
         return complain(why, "left: %s",
                         status == RWEDGE_ERANGE && !has_formulas ? beyond_pad
                                                                  : rwedge_strerror(status));
-    answer->doubts.error = rwedge_contact_error(setup->contact);
+    answer->doubts = doubts_of_error(setup->contact);
     return !centred || !has_formulas || strength(setup, b, row, why);
 }
 
@@ -319,7 +319,7 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
         return complain(why, "b: %s", beyond_pad);
     if (!isnormal(b) || isinf(shape->a / b))
         return complain(why, "b: %s", "so large or small that results leave 1e-60 to 1e60");
-    answer->doubts = (doubts){0, 0};
+    answer->doubts = (doubts){0};
     if (!compute(setup, b, answer, why) ||
         (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, why)))
         return false;
@@ -330,6 +330,7 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
         doubt_of_zones(setup->contact) | doubts_of(setup, answer->value[RESULT_LEFT].number,
                                                    answer->value[RESULT_RIGHT].number, safety);
     answer->warnings[0] = '\0';
+    answer->is_doubtful = doubts_matter(answer->doubts);
     doubts_write(answer->doubts, answer->warnings, sizeof answer->warnings);
     if (isinf(safety))
         bound_safety(setup, answer);
@@ -342,5 +343,6 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
 
 void results_warn(results *answer, const char *warning)
 {
+    answer->is_doubtful = true;
     list_add(answer->warnings, sizeof answer->warnings, "; ", "%s", warning);
 }

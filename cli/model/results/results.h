@@ -59,6 +59,7 @@ typedef struct {
     double hardest_x, hardest_y, hardest_von_mises; /* of results_find_hardest() */
     char warnings[512], bound[32];
     doubts doubts;
+    bool is_doubtful; /* the warnings are more than an error up to the tolerance */
 } results;
 
 /* False, with the complaint, where one cannot be computed. */

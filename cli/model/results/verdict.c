@@ -90,6 +90,18 @@ static const char *yields(double factor, double safety)
     return "";
 }
 
+/* Without a doubt the only warning may be that it is computed, and how exactly. */
+static void add_note(const results *answer, bool strong, verdict *result)
+{
+    if (!strong)
+        list_add(result->text, sizeof result->text, " ",
+                 "CAUTION: no yield stress is given, so there is no safety");
+    if (result->text[0] == '\0')
+        snprintf(result->text, sizeof result->text, "OK");
+    if (answer->warnings[0] != '\0')
+        list_add(result->text, sizeof result->text, "; ", "%s", answer->warnings);
+}
+
 verdict verdict_of(const results *answer, char decimal_sign, const char *length_unit)
 {
     verdict result = {.colour = "red"};
@@ -108,15 +120,12 @@ verdict verdict_of(const results *answer, char decimal_sign, const char *length_
                  "No yield stress is given, so nothing is known of its strength.");
     snprintf(result.text, sizeof result.text, "%s", yields(factor, safety));
     if (result.text[0] == '\0')
-        result.colour = answer->warnings[0] != '\0' || !strong ? "amber" : "green";
-    if (answer->warnings[0] != '\0')
+        result.colour = answer->is_doubtful || !strong ? "amber" : "green";
+    if (answer->is_doubtful)
         list_add(result.text, sizeof result.text, " ", "CAUTION: %s%s", answer->warnings,
                  safety < 1 && factor >= 1 ? "; under these loads it does not yield" : "");
-    else if (!strong)
-        list_add(result.text, sizeof result.text, " ",
-                 "CAUTION: no yield stress is given, so there is no safety");
-    if (result.text[0] == '\0')
-        snprintf(result.text, sizeof result.text, "OK");
+    else
+        add_note(answer, strong, &result);
     return result;
 }
 

@@ -224,6 +224,7 @@ static void write_verdict(void)
 
 static void write_answer(void)
 {
+    char computed[DOUBT_SIZE] = "";
     int32_t status = last_cycle_end(&asked.last);
     if (status == RWEDGE_OK)
         status = measure();
@@ -233,7 +234,8 @@ static void write_answer(void)
         json_refuse("", "This cannot be computed: %s", rwedge_strerror(status));
     else {
         load_list_write(&asked.loads);
-        json_add("{'slipKnown':%n,'error':%n}", (double)asked.last.slip_known, asked.last.error);
+        doubts_write((doubts){.error = asked.last.error}, computed, sizeof computed);
+        json_add("{'slipKnown':%n,'computed':%t}", (double)asked.last.slip_known, computed);
         write_measures();
         write_verdict();
         answers_hand_over(asked.last.before);

@@ -22,7 +22,7 @@ function linesOfMaterial(text, sign) {
 }
 
 /**
- * { loads, unused, slipKnown, error, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
+ * { loads, unused, slipKnown, computed: a remark, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
  * criterion with the constants it needs } or { complaint }. text: pasted loads, which are gone through so many times; without any the
  * case's own Q and sigma go to and fro. chosen: { name of the criterion, isPlaneStress, material: its text }.
  */

@@ -102,8 +102,7 @@ function remarkOf(answer) {
     if (answer.complaint !== undefined) return answer.complaint;
     const usual = "No table is given: P and M of the case come first, then its Q and \u03c3 go to and fro";
     const slip = "No slip is known after these loads";
-    const computed = `Computed numerically: tractions to about ${written(answer.error, 1)} of f p0`;
-    return [!state.loads.trim() && usual, answer.unused, !answer.slipKnown && slip, answer.error > 0 && computed]
+    return [!state.loads.trim() && usual, answer.unused, !answer.slipKnown && slip, answer.computed]
         .filter(Boolean)
         .join(". ");
 }

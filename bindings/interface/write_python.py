@@ -183,7 +183,7 @@ def bounds(domain: Domain) -> tuple:
 
 
 def header_py(interface: Interface) -> str:
-    lines = ["# SPDX-License-Identifier: GPL-3.0-or-later", '"""Made by bindings/interface from rwedge.h: do not edit."""',
+    lines = ["# SPDX-License-Identifier: GPL-3.0-or-later", '"""Made by bindings/interface from rwedge.h and cli/model/reading: do not edit."""',
              "from __future__ import annotations", "", "from math import inf", "from typing import Any", "", "FUNCTIONS: dict[str, dict[str, Any]] = {"]
     equation = ""
     for f in interface.functions:
@@ -365,6 +365,13 @@ def init_pyi(interface: Interface) -> str:
                       formulas="\n".join(formulas))
 
 
+def labels_py() -> str:
+    """What columns of loads are called that say which row it is: the tool's list."""
+    source = Path(__file__).resolve().parents[2] / "cli/model/reading/reading.h"
+    names = re.search(r'#define LABEL_NAMES\s+\\\s+"(.*)"', source.read_text(encoding="utf-8"))
+    return f"\nLABEL_NAMES = {tuple(names[1].split())!r}\n"  # type: ignore[index]
+
+
 def texts(interface: Interface) -> dict[str, str]:
-    return {**write_c.texts(interface), "_header.py": header_py(interface), "_made.py": made_py(interface),
+    return {**write_c.texts(interface), "_header.py": header_py(interface) + labels_py(), "_made.py": made_py(interface),
             "__init__.pyi": init_pyi(interface)}

@@ -94,6 +94,18 @@ def test_nan_among_the_points_gives_nan(pad):
     assert (stress[:, [0, 2]] == pad.stresses_after({"Q": Q}, x[[0, 2]], 0.5).stress).all()
 
 
+@pytest.mark.parametrize("name", ["sigma_B", "sig", "tau", "T", "time force"])
+def test_a_column_of_numbers_that_is_no_load_is_named(pad, name):
+    """A tension was left out without a word where its column was called sigma_B."""
+    with pytest.warns(UserWarning, match=f"columns with numbers that are not used: '{name}'"):
+        pad.copy().stresses_after({"Q": Q, name: Q}, 0.1, 0.5)
+
+
+@pytest.mark.parametrize("name", ["time", "Time [s]", "time_s", "t", "Zeit", "N_f", "Load", "No.", "case"])
+def test_a_label_of_rows_is_no_forgotten_load(pad, name):  # pytest makes errors of warnings
+    pad.copy().stresses_after({"Q": Q, name: Q, "note": ["a", "b", "c", "d"]}, 0.1, 0.5)
+
+
 @pytest.mark.long
 def test_forms_of_other_packages(pad):
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
@@ -161,7 +173,8 @@ def test_parameters_outside_their_domain_are_nan():
 
 def test_columns_that_are_no_loads_are_left_alone(pad):
     others = {name: [7.0] for name in ("t", "Time", "quality", "P_yield", "Q_over_fP", "sigma_max", "sxx")}
-    pad.stresses_after({"P": [2000], "Q": [100], **others}, 0, 1)
+    with pytest.warns(UserWarning, match="not used: 'quality', 'P_yield', 'Q_over_fP', 'sigma_max', 'sxx'; "):
+        pad.stresses_after({"P": [2000], "Q": [100], **others}, 0, 1)
     assert pad.loads == (2000, 0, 100, 0)
 
 

@@ -365,16 +365,15 @@ static bool check_other(const sources *from, const char *name, complaint *why)
     return false;
 }
 
+static const char label_names[] = LABEL_NAMES;
+
 /* A column that says which row it is, not what is computed. A capital T may be a force. */
 static bool is_label(const char *name)
 {
-    static const char labels[] =
-        "case id key line load name no nr number row step time cycle point label node test zeit "
-        "n_f";
     char plain[COLUMN_NAME_SIZE];
     column_name_make_plain(name, plain);
     const size_t stem = column_name_stem(plain);
-    return is_among(labels, plain, stem) ||
+    return is_among(label_names, plain, stem) ||
            (is_among("t", plain, stem) && memchr(plain, 't', stem) != NULL);
 }
 

@@ -71,6 +71,11 @@ void header_begin(const char *const name[], size_t count, const naming *how, hea
  *   - where a name usually means an input that nothing gives. */
 bool header_find(int first, int end, const input_texts *options, header *names, complaint *why);
 
+/* What columns are called that say which row it is. bindings/interface/write_python.py reads this
+ * line: Python's package warns by the same list. */
+#define LABEL_NAMES                                                                                \
+    "case id key line load name no nr number row step time cycle point label node test zeit n_f"
+
 /* Marks the columns that say which row it is, such as a time, as used. */
 void header_note_labels(header *names);
 

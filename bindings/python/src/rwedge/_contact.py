@@ -303,7 +303,8 @@ class Contact(ContactMethods):
         ----------
         loads : mapping, frame, or array_like
             P, M, Q, sigma by name, each a number or all of its values: a dict, or a frame of pandas, in which other columns
-            are left alone. A load without a name keeps its value. Or rows of P, Q, or of P, M, Q, sigma. Domains as in ``apply``
+            are left alone; numbers there that label no rows give a warning. A load without a name keeps its value. Or rows of
+            P, Q, or of P, M, Q, sigma. Domains as in ``apply``
         x, y : array_like
             length, finite, y >= 0; they broadcast, and keep their labels; NaN gives NaN
 

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 import unicodedata
+import warnings
 from typing import Any, Mapping, NamedTuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._header import LABEL_NAMES
 from ._labels import Numbers, SupportsArray, is_labelled, plain, refuse_units, same_labels
 from ._library import EDOMAIN, ERANGE, Error
+from ._validity import outside
 
 
 class Loads(NamedTuple):
@@ -25,6 +28,7 @@ class Loads(NamedTuple):
 # the name of a load with spaces around it, or with a unit behind it: after a bracket, a slash, a space, or "_"
 SPACE = r"[\s\u200b\ufeff]"
 NEARLY = re.compile(rf"(?i){SPACE}*(p|m|q|sigma)({SPACE}.*|[\[({{</,;:|].*|_[kmg]?(n|pa|lbf?|psi|ksi)m{{0,2}}([\W_].*)?)?")
+KNOWN = {name.replace("_", "") for name in LABEL_NAMES}  # of labels of rows
 Columns = tuple[NDArray[np.float64], ...]
 History = Union[Mapping[str, Any], SupportsArray, Numbers]
 
@@ -39,6 +43,31 @@ def _numbers(name: str, column: Any) -> NDArray[np.float64]:
     return array
 
 
+def _is_label(name: str) -> bool:
+    """Whether a column says which row it is, as the tool has it: "time", "Load [-]", "time_s"; "T" may be a force."""
+    words = re.findall(r"[^\W_]+", unicodedata.normalize("NFKC", re.split(r"[\[({<]", name)[0]))
+    for count in range(1, len(words) + 1):  # words behind it are a unit
+        first = "".join(words[:count])
+        if all(len(word) <= 3 for word in words[count:]) and (first == "t" or first.lower() in KNOWN):
+            return True
+    return False
+
+
+def _has_numbers(column: Any) -> bool:
+    try:
+        return (column if hasattr(column, "dtype") else np.asarray(column)).dtype.kind in "iuf"
+    except ValueError:  # no array
+        return False
+
+
+def _warn_of_unused(loads: Any, names: list[str]) -> None:
+    """A column of numbers that is no load may have been meant for one."""
+    unused = [name for name in names if not _is_label(name) and _has_numbers(loads[name])]
+    if unused:
+        warnings.warn(f"loads has columns with numbers that are not used: {', '.join(map(repr, unused))}; the names of loads are P, M, "
+                      "Q and sigma", UserWarning, stacklevel=outside())
+
+
 def _named(loads: Any) -> dict[str, Any]:
     """The columns that are named as loads are. Others, such as a time, are left alone; but not "q", " Q" or "Q [N/mm]"."""
     names = [name for name in loads.keys() if isinstance(name, str)]
@@ -47,6 +76,7 @@ def _named(loads: Any) -> dict[str, Any]:
     if wrong or not taken:
         raise Error(f"loads has the columns {', '.join(map(repr, loads.keys()))}: the names of loads are P, M, Q and sigma, without "
                     "a unit", EDOMAIN)
+    _warn_of_unused(loads, [name for name in names if name not in taken])
     return taken
 
 

@@ -16,6 +16,8 @@ enum {
 };
 
 static const double STEEP = 0.1;
+/* By less of the pad's rise a hull has raised p0 of scans with noise by less than 2 %. */
+static const double HULL_LEAST = 1e-3;
 
 /* P acts at x = 0, wherever a profile has it: at one end of a scan, say. A moment may be meant to
  * move the contact. */
@@ -68,7 +70,7 @@ static const char *text_of(int32_t bit)
     return rwedge_validity_text(bit);
 }
 
-int32_t doubts_of(const contact_case *setup, double left, double right, double safety)
+doubts doubts_of(const contact_case *setup, double left, double right, double safety)
 {
     const pad *shape = &setup->shape;
     const bool is_wedge = shape->kind == PAD_WEDGE, touches = right > left;
@@ -77,8 +79,11 @@ int32_t doubts_of(const contact_case *setup, double left, double right, double s
                         is_wedge && touches ? shape->a / (right / 2 - left / 2) : NAN, setup->beta,
                         setup->f, setup->k / setup->E1, safety);
     const bool is_steep = !is_wedge && touches && pad_steepest(shape, left, right) > STEEP;
-    return bits | (is_steep ? DOUBT_SLOPE : 0) | doubt_of_origin(setup, left, right) |
-           doubt_of_lobe(setup, left, right);
+    const double hull =
+        touches && shape->places != NULL ? pad_profile_hull_share(shape->places, left, right) : 0;
+    return (doubts){.bits = bits | (is_steep ? DOUBT_SLOPE : 0) |
+                            doubt_of_origin(setup, left, right) | doubt_of_lobe(setup, left, right),
+                    .hull = hull < HULL_LEAST ? 0 : hull};
 }
 
 int32_t doubt_of_zones(const rwedge_contact *contact)
@@ -105,7 +110,15 @@ doubts doubts_of_error(const rwedge_contact *contact)
 
 bool doubts_matter(doubts all)
 {
-    return all.bits != 0 || all.error > all.tolerance;
+    return all.bits != 0 || all.hull > 0 || all.error > all.tolerance;
+}
+
+void doubts_add(doubts *all, doubts more)
+{
+    all->bits |= more.bits;
+    all->error = fmax(all->error, more.error);
+    all->tolerance = fmax(all->tolerance, more.tolerance);
+    all->hull = fmax(all->hull, more.hull);
 }
 
 doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
@@ -116,13 +129,14 @@ doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact
     doubts all = doubts_of_error(contact);
     all.bits = doubt_of_zones(contact);
     if (!(factor < 1)) {
-        all.bits |= doubts_of(setup, left, right, NAN);
+        doubts_add(&all, doubts_of(setup, left, right, NAN));
         return all;
     }
     const double P = loads_of(contact).P, P_yield = /* not known of other pads */
                                           rwedge_yield_load(shape->theta, shape->a, setup->A,
                                                             setup->f, setup->nu1, setup->k);
-    all.bits |= doubts_of(setup, left, right, P_yield / P) | (P > P_yield ? 0 : DOUBT_STATE);
+    doubts_add(&all, doubts_of(setup, left, right, P_yield / P));
+    all.bits |= P > P_yield ? 0 : DOUBT_STATE;
     return all;
 }
 
@@ -134,20 +148,26 @@ doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact)
     return doubts_of_factor(setup, contact, factor);
 }
 
-void doubts_add(doubts *all, doubts more)
-{
-    all->bits |= more.bits;
-    all->error = fmax(all->error, more.error);
-    all->tolerance = fmax(all->tolerance, more.tolerance);
-}
-
 bool doubts_next(doubts *left, char text[DOUBT_SIZE])
 {
     const int32_t bit = left->bits & -left->bits;
-    const bool is_computed = left->error > 0;
+    const bool is_hull = left->hull > 0, is_computed = left->error > 0;
     left->bits -= bit;
     if (bit != 0) {
         snprintf(text, DOUBT_SIZE, "%s", text_of(bit));
+        return true;
+    }
+    if (is_hull) {
+        const double percent = 100 * left->hull;
+        snprintf(
+            text, DOUBT_SIZE,
+            "in the contact the hull lowers the pad by up to %.*f %% of its rise there: p0 may "
+            "be far too high; --fit is for noise",
+            percent >= 10  ? 0
+            : percent >= 1 ? 1
+                           : 2,
+            percent);
+        left->hull = 0;
         return true;
     }
     snprintf(text, DOUBT_SIZE, "computed numerically: tractions to about %.1g of f p0",

@@ -240,6 +240,7 @@ typedef struct {
     int32_t bits;
     double error;     /* rwedge_contact_error(), 0 where there is a closed form */
     double tolerance; /* that was asked for; an error up to it is told, but is no doubt */
+    double hull;      /* what the hull of a profile changes in the contact, over the pad's rise */
 } doubts;
 
 /* The error of a contact. */
@@ -250,7 +251,7 @@ bool doubts_matter(doubts all);
 
 /* The doubts about a contact with these edges, both 0 where it is separated; safety is P_yield/P,
  * NAN where it is not known. */
-int32_t doubts_of(const contact_case *setup, double left, double right, double safety);
+doubts doubts_of(const contact_case *setup, double left, double right, double safety);
 
 /* The doubts about the present state of a contact. It may yield by P, or by a tension or moment
  * under a P that alone would not make it yield. */

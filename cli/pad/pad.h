@@ -69,6 +69,10 @@ bool pad_profile_of_heights(const scan *given, const profile_making *how, pad_pr
 /* Its height at x above its lowest place. */
 double pad_profile_height(const pad_profile *profile, double x);
 
+/* What the hull that was taken of it changes between left and right, at most, over the rise from
+ * its lowest place to the farther of the two; 0 where none was taken. */
+double pad_profile_hull_share(const pad_profile *profile, double left, double right);
+
 /* Its lowest place, the middle of a flat one; NAN where an end is the lowest. */
 double pad_profile_lowest(const pad_profile *profile);
 

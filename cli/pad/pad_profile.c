@@ -103,6 +103,17 @@ double pad_profile_height(const pad_profile *profile, double x)
     return height_from_first(profile, x) - height_from_first(profile, at);
 }
 
+double pad_profile_hull_share(const pad_profile *profile, double left, double right)
+{
+    double most = 0;
+    for (size_t i = 0; i < profile->scanned && profile->arcs == 0; i++)
+        if (profile->scan_x[i] > left && profile->scan_x[i] < right)
+            most = fmax(most, profile->above[i]);
+    return most == 0
+               ? 0
+               : most / fmax(pad_profile_height(profile, left), pad_profile_height(profile, right));
+}
+
 static bool move_origin(const profile_making *how, pad_profile *to, profile_remark *remark)
 {
     if (!how->is_from_lowest)

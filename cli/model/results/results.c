@@ -326,9 +326,9 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
     if (wanted.shakedown)
         add_shakedown(setup, answer);
     const double safety = answer->value[RESULT_SAFETY].number; /* NAN where it is empty */
-    answer->doubts.bits =
-        doubt_of_zones(setup->contact) | doubts_of(setup, answer->value[RESULT_LEFT].number,
-                                                   answer->value[RESULT_RIGHT].number, safety);
+    doubts_add(&answer->doubts, doubts_of(setup, answer->value[RESULT_LEFT].number,
+                                          answer->value[RESULT_RIGHT].number, safety));
+    answer->doubts.bits |= doubt_of_zones(setup->contact);
     answer->warnings[0] = '\0';
     answer->is_doubtful = doubts_matter(answer->doubts);
     doubts_write(answer->doubts, answer->warnings, sizeof answer->warnings);

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The names of the columns of a table, and their units. */
 #include "reading.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
-
-/* ---- Columns that are inputs ---- */
 
 bool header_has_input(const header *names, int input)
 {
@@ -194,46 +192,6 @@ bool header_need(header *names, size_t column, const char *name, const char *dim
                         : "");
 }
 
-bool header_has_numbers(const header *names, const char *const cells[], size_t count,
-                        char decimal_sign)
-{
-    bool any = false;
-    double number;
-    for (size_t i = 0; i < names->count; i++) {
-        if (names->needed[i] == NEED_NOTHING)
-            continue;
-        if (i >= count || !number_read_cell(cells[i], decimal_sign, &number))
-            return false;
-        any = true;
-    }
-    return any;
-}
-
-static bool is_missing(const char *text, column_need need, char decimal_sign)
-{
-    static const char *const marks[] = {"", "nan", "na", "n/a", "#n/a"};
-    char bare[8];
-    double number;
-    text += strspn(text, " \t");
-    size_t length = strlen(text);
-    while (length > 0 && is_blank_char(text[length - 1]))
-        length--;
-    snprintf(bare, sizeof bare, "%.*s", (int)length, text);
-    for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++)
-        if (length < sizeof bare && strcasecmp(bare, marks[i]) == 0)
-            return true;
-    return need == NEED_NUMBER && number_read_cell(text, decimal_sign, &number) && number == -9999;
-}
-
-size_t header_missing(const header *names, const char *const cells[], char decimal_sign)
-{
-    size_t i = 0;
-    while (i < names->count && (names->needed[i] == NEED_NOTHING ||
-                                !is_missing(cells[i], (column_need)names->needed[i], decimal_sign)))
-        i++;
-    return i;
-}
-
 void header_write_names(const header *names, complaint *why)
 {
     char list[260] = "";
@@ -246,88 +204,7 @@ void header_write_names(const header *names, complaint *why)
              names->how->is_command ? "; --column NAME='THEIR NAME' takes one" : "");
 }
 
-/* ---- Columns that are probably meant for an input ---- */
-
-/* Other usual names of inputs. Where the input is given by its own name too, they are columns like
- * any other. */
-static const struct {
-    int input;
-    const char *names; /* separated by blanks */
-} synonyms[] = {
-    /* the Greek letter, and the sign for micro, which keyboards have */
-    {INPUT_F, "mu \xce\xbc \xc2\xb5 friction friction_coefficient coefficient_of_friction cof"},
-    {INPUT_Q, "tangential_force tangential_load shear_force shear_load"},
-    {INPUT_M, "moment"},
-    {INPUT_SIGMA, "bulk_tension bulk_stress \xcf\x83"},
-    {INPUT_P, "load force normal_force normal_load"},
-    {INPUT_YIELD_STRESS, "sigma_y \xcf\x83y Sy Re ReH Rp0.2 yield yield_strength"},
-    {INPUT_K, "tau_y \xcf\x84y"},
-    {INPUT_E1, "E youngs_modulus"},
-    {INPUT_NU1, "nu \xce\xbd \xce\xbd\x31 poissons_ratio poisson"},
-    {INPUT_NU2, "\xce\xbd\x32"},
-    {INPUT_THETA, "\xce\xb8 angle"},
-    {INPUT_RADIUS, "R"},
-};
-
-/* Where inputs come from that may stand for a column. */
-typedef struct {
-    const header *names;
-    int first, end; /* of the wanted inputs */
-    const input_texts *options;
-} sources;
-
-/* Whether the input is given, or its alternative is, as the radius for a. */
-static bool is_given_somehow(const sources *from, int input)
-{
-    const int ways[] = {input, input_alternative(input)};
-    for (int i = 0; i < 2; i++)
-        if (ways[i] >= 0 && (header_has_input(from->names, ways[i]) ||
-                             (from->options != NULL && from->options->text[ways[i]] != NULL)))
-            return true;
-    return false;
-}
-
-/* The input whose name this nearly is: "Yield stress" and " f" are slips. But p beside P, or F
- * beside f, may be another thing; so is what stands beside the input's own column. */
-static int slip_for(const sources *from, const char *name, size_t length)
-{
-    for (int i = from->first; i < from->end; i++) {
-        const char *column = input_kinds[i].column;
-        if (header_has_input(from->names, i) || !column_name_is_like(name, length, column))
-            continue;
-        if (column[1] != '\0' || memchr(name, column[0], length) != NULL ||
-            !is_given_somehow(from, i))
-            return i;
-    }
-    return INPUT_COUNT;
-}
-
-/* Whether one of the names, separated by blanks, is like this one. */
-static bool is_among(const char *names, const char *name, size_t length)
-{
-    for (size_t own; *names != '\0'; names += own + (names[own] == ' ')) {
-        char one_name[COLUMN_NAME_SIZE];
-        own = strcspn(names, " ");
-        snprintf(one_name, sizeof one_name, "%.*s", (int)own, names);
-        if (column_name_is_like(name, length, one_name))
-            return true;
-    }
-    return false;
-}
-
-static int synonym_for(const sources *from, const char *name, size_t length)
-{
-    for (size_t i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++) {
-        const int input = synonyms[i].input;
-        if (input >= from->first && input < from->end && !is_given_somehow(from, input) &&
-            is_among(synonyms[i].names, name, length))
-            return input;
-    }
-    return INPUT_COUNT;
-}
-
-/* Whether it is the name that stands for another one. */
-static bool is_given_name(const header *names, const char *name)
+bool header_is_given_name(const header *names, const char *name)
 {
     for (int i = 0; i < INPUT_COUNT; i++) {
         size_t length;
@@ -338,119 +215,6 @@ static bool is_given_name(const header *names, const char *name)
             return true;
     }
     return false;
-}
-
-/* If a column that is meant for an input passed through, nobody would notice: friction, for one, is
- * 0 by default. */
-static bool check_other(const sources *from, const char *name, complaint *why)
-{
-    char plain[COLUMN_NAME_SIZE];
-    const size_t length = column_name_make_plain(name, plain), stem = column_name_stem(plain);
-    int meant = slip_for(from, plain, length); /* "theta (deg)" is theta_deg */
-    const bool has_unit = meant == INPUT_COUNT && stem < length;
-    if (has_unit)
-        meant = slip_for(from, plain, stem);
-    const bool slip = meant < INPUT_COUNT;
-    if (!slip)
-        meant = synonym_for(from, plain, stem);
-    if (meant == INPUT_COUNT)
-        return true;
-    complain(why, "column '%.60s': allowed: %s%s%s", name, input_kinds[meant].column,
-             has_unit && meant == INPUT_THETA ? " in radians or theta_deg" : "",
-             slip ? "" : ", or another name if it is something else");
-    if (!from->names->how->is_command)
-        return false;
-    list_add(why->text, sizeof why->text, "; ", "--column %s='%.60s' takes it",
-             input_kinds[meant].column, name);
-    return false;
-}
-
-static const char label_names[] = LABEL_NAMES;
-
-/* A column that says which row it is, not what is computed. A capital T may be a force. */
-static bool is_label(const char *name)
-{
-    char plain[COLUMN_NAME_SIZE];
-    column_name_make_plain(name, plain);
-    const size_t stem = column_name_stem(plain);
-    return is_among(label_names, plain, stem) ||
-           (is_among("t", plain, stem) && memchr(plain, 't', stem) != NULL);
-}
-
-void header_note_labels(header *names)
-{
-    for (size_t i = 0; i < names->count; i++)
-        names->is_used[i] = names->is_used[i] || is_label(names->name[i]);
-}
-
-bool header_find(int first, int end, const input_texts *options, header *names, complaint *why)
-{
-    const sources from = {names, first, end, options};
-    for (int i = first; i < end; i++) {
-        const input_kind *kind = &input_kinds[i];
-        if (i == INPUT_TILT) /* the column of this name is a result */
-            continue;
-        if (!header_column(names, kind->column, &names->column[i], why))
-            return false;
-        if (names->column[i] == names->count)
-            continue;
-        names->is_used[names->column[i]] = true;
-        if (i != INPUT_PROFILE && !header_need(names, names->column[i], kind->column, kind->unit,
-                                               kind->of, NEED_NUMBER, why))
-            return false;
-    }
-    for (size_t i = 0; i < names->count; i++) {
-        const bool is_input = header_is_input(names, i);
-        if (!is_input && !is_given_name(names, names->name[i]) &&
-            !check_other(&from, names->name[i], why))
-            return false;
-    }
-    header_note_labels(names);
-    return true;
-}
-
-/* ---- Columns that nothing uses ---- */
-
-/* With either decimal sign, or in percent: a column that is not read has not been checked. */
-static bool looks_like_number(const char *text)
-{
-    char bare[40];
-    double number;
-    const size_t length = strcspn(text, "%");
-    if (length >= sizeof bare || (text[length] != '\0' && text[length + 1] != '\0'))
-        return false;
-    snprintf(bare, sizeof bare, "%.*s", (int)length, text);
-    return number_read_cell(bare, '.', &number) || number_read_cell(bare, ',', &number);
-}
-
-void header_note_unused(header *names, const char *const cells[])
-{
-    for (size_t i = 0; i < names->count; i++)
-        if (!names->is_used[i] && !names->has_number[i])
-            names->has_number[i] = looks_like_number(cells[i]);
-}
-
-void header_write_unused(const header *names, char *text, size_t size)
-{
-    char list[400] = "";
-    for (size_t i = 0; i < names->count; i++)
-        if (names->has_number[i])
-            list_add(list, sizeof list, ", ", "'%.60s'", names->name[i]);
-    if (list[0] != '\0')
-        list_add(text, size, "; ", "columns with numbers that are not used: %s", list);
-}
-
-/* ---- Rows ---- */
-
-bool header_fits(size_t columns, size_t cells, char separator, complaint *why)
-{
-    if (cells == columns)
-        return true;
-    return complain(
-        why, "%zu cells in this row, %zu in the header%s", cells, columns,
-        cells > columns && separator == ','
-            ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
-            : "");
 }
 
 const char *header_hint(const char *const name[], size_t count)
@@ -468,49 +232,4 @@ const char *header_hint(const char *const name[], size_t count)
     return strchr(name[0], '\t') != NULL
                ? "; the columns seem to be separated by tabs; allowed: commas"
                : "";
-}
-
-bool header_cell(const header *names, const char *const cells[], size_t column,
-                 const char *column_name, char decimal_sign, double *value, complaint *why)
-{
-    const char *text = cells[column];
-    if (number_read_cell(text, decimal_sign, value)) {
-        *value *= names->factor[column];
-        return true;
-    }
-    if (text[strspn(text, " \t")] == '\0')
-        return complain(why, "%s: the cell is empty", column_name);
-    return complain(why, "%s %.60s: must be a number, with a decimal %s", column_name, text,
-                    decimal_sign == ',' ? "comma" : "point");
-}
-
-/* ---- A row that is a load ---- */
-
-bool load_header_find(header *names, complaint *why)
-{
-    if (!header_find(INPUT_P, INPUT_SIGMA + 1, NULL, names, why))
-        return false;
-    if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
-        return true;
-    complain(why, "column %s: missing; a history needs P and Q%s",
-             header_has_input(names, INPUT_P) ? "Q" : "P", header_hint(names->name, names->count));
-    if (names->how->is_command)
-        header_write_names(names, why);
-    return false;
-}
-
-/* Moment and tension are 0 where they have no column. */
-bool load_row_read(const header *names, const char *const cells[], size_t count, char separator,
-                   char decimal_sign, load *to, complaint *why)
-{
-    double value[INPUT_COUNT] = {0};
-    if (!header_fits(names->count, count, separator, why))
-        return false;
-    for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
-        if (header_has_input(names, i) &&
-            !header_cell(names, cells, names->column[i], input_kinds[i].column, decimal_sign,
-                         &value[i], why))
-            return false;
-    *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
-    return true;
 }

@@ -22,8 +22,7 @@ size_t column_name_make_plain(const char *name, char plain[COLUMN_NAME_SIZE]);
 size_t column_name_stem(const char *plain);
 
 /* The unit behind a plain name, "" for none, as "N/mm" of "P [N/mm]", "Load(8801:Load) (N/mm)", "P
- * in
- * N/mm"; it need not be one that is known. Returns how much of the name stands before it. */
+ * in N/mm"; it need not be one that is known. Returns how much of the name stands before it. */
 size_t column_name_unit(const char *plain, char own[COLUMN_NAME_SIZE]);
 
 /* Whether two names have the same letters and digits, whatever stands between them. The first has
@@ -62,6 +61,32 @@ typedef enum { NEED_NOTHING, NEED_NUMBER, NEED_PLACE } column_need;
 /* Begins with names alone, none of which is looked for yet. */
 void header_begin(const char *const name[], size_t count, const naming *how, header *names);
 
+bool header_has_input(const header *names, int input);
+bool header_is_input(const header *names, size_t column);
+bool header_has(const header *names, const char *name);
+
+/* The column of a name, or of the name that stands for it; the count where it is not there. False,
+ * with the complaint, where it is there twice, or a name that was given for it is not there. */
+bool header_column(const header *names, const char *name, size_t *column, complaint *why);
+
+/* Takes the column of a name as needed, with numbers of that dimension. False, with the complaint,
+ * where its unit cannot be taken. */
+bool header_need(header *names, size_t column, const char *name, const char *dimension,
+                 unit_share of, column_need need, complaint *why);
+
+/* Whether a name was given to stand for that of an input. */
+bool header_is_given_name(const header *names, const char *name);
+
+/* "; the names there: 'Time', 'Load'; --column NAME='THEIR NAME' takes one", to be added where a
+ * name was not found. */
+void header_write_names(const header *names, complaint *why);
+
+/* Why the names of a header may lack one: "; the columns seem to be separated by ';': ..." where
+ * there is one only, or that they are numbers; or nothing. */
+const char *header_hint(const char *const name[], size_t count);
+
+/* ---- header_inputs ---- Which columns are inputs, and which are nearly so. */
+
 /* Finds the inputs from `first` on, before `end`, among the names; other names are columns like any
  * other. An input that the options give needs no column; the options may be NULL. False, with the
  * complaint,
@@ -79,33 +104,7 @@ bool header_find(int first, int end, const input_texts *options, header *names, 
 /* Marks the columns that say which row it is, such as a time, as used. */
 void header_note_labels(header *names);
 
-bool header_has_input(const header *names, int input);
-bool header_is_input(const header *names, size_t column);
-bool header_has(const header *names, const char *name);
-
-/* The column of a name, or of the name that stands for it; the count where it is not there. False,
- * with the complaint, where it is there twice, or a name that was given for it is not there. */
-bool header_column(const header *names, const char *name, size_t *column, complaint *why);
-
-/* Takes the column of a name as needed, with numbers of that dimension. False, with the complaint,
- * where its
- * unit cannot be taken. */
-bool header_need(header *names, size_t column, const char *name, const char *dimension,
-                 unit_share of, column_need need, complaint *why);
-
-/* Whether all columns that are needed, and at least one, have numbers in a row. */
-bool header_has_numbers(const header *names, const char *const cells[], size_t count,
-                        char decimal_sign);
-
-/* The first needed column whose cell is empty, or marks a missing value: NaN, -9999; the count
- * where
- * there is none. */
-size_t header_missing(const header *names, const char *const cells[], char decimal_sign);
-
-/* "; the names there: 'Time', 'Load'; --column NAME='THEIR NAME' takes one", to be added where a
- * name was
- * not found. */
-void header_write_names(const header *names, complaint *why);
+/* ---- header_rows ---- The rows below a header. */
 
 /* Whether a row has as many cells as the header; the complaint says so if not. */
 bool header_fits(size_t columns, size_t cells, char separator, complaint *why);
@@ -114,6 +113,14 @@ bool header_fits(size_t columns, size_t cells, char separator, complaint *why);
 bool header_cell(const header *names, const char *const cells[], size_t column,
                  const char *column_name, char decimal_sign, double *value, complaint *why);
 
+/* Whether all columns that are needed, and at least one, have numbers in a row. */
+bool header_has_numbers(const header *names, const char *const cells[], size_t count,
+                        char decimal_sign);
+
+/* The first needed column whose cell is empty, or marks a missing value: NaN, -9999; the count
+ * where there is none. */
+size_t header_missing(const header *names, const char *const cells[], char decimal_sign);
+
 /* Notes the columns that nothing uses but that have a number in this row: one of them may be meant
  * for an input, and nobody would notice. */
 void header_note_unused(header *names, const char *const cells[]);
@@ -121,10 +128,6 @@ void header_note_unused(header *names, const char *const cells[]);
 /* Adds "columns with numbers that are not used: 'T'" to a list, where the rows that were noted have
  * any. */
 void header_write_unused(const header *names, char *text, size_t size);
-
-/* Why the names of a header may lack one: "; the columns seem to be separated by ';': ..." where
- * there is one only, or that they are numbers; or nothing. */
-const char *header_hint(const char *const name[], size_t count);
 
 /* Finds the columns of a load: P and Q, and M and sigma, which may lack. False, with the
  * complaint. */

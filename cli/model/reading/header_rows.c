@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The rows below a header: their numbers, and those that nothing uses. */
+#include "reading.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+/* ---- Cells ---- */
+
+bool header_fits(size_t columns, size_t cells, char separator, complaint *why)
+{
+    if (cells == columns)
+        return true;
+    return complain(
+        why, "%zu cells in this row, %zu in the header%s", cells, columns,
+        cells > columns && separator == ','
+            ? "; with decimal commas, separate the cells by ';' and give --decimal-comma"
+            : "");
+}
+
+bool header_cell(const header *names, const char *const cells[], size_t column,
+                 const char *column_name, char decimal_sign, double *value, complaint *why)
+{
+    const char *text = cells[column];
+    if (number_read_cell(text, decimal_sign, value)) {
+        *value *= names->factor[column];
+        return true;
+    }
+    if (text[strspn(text, " \t")] == '\0')
+        return complain(why, "%s: the cell is empty", column_name);
+    return complain(why, "%s %.60s: must be a number, with a decimal %s", column_name, text,
+                    decimal_sign == ',' ? "comma" : "point");
+}
+
+/* ---- Numbers that are needed ---- */
+
+bool header_has_numbers(const header *names, const char *const cells[], size_t count,
+                        char decimal_sign)
+{
+    bool any = false;
+    double number;
+    for (size_t i = 0; i < names->count; i++) {
+        if (names->needed[i] == NEED_NOTHING)
+            continue;
+        if (i >= count || !number_read_cell(cells[i], decimal_sign, &number))
+            return false;
+        any = true;
+    }
+    return any;
+}
+
+static bool is_missing(const char *text, column_need need, char decimal_sign)
+{
+    static const char *const marks[] = {"", "nan", "na", "n/a", "#n/a"};
+    char bare[8];
+    double number;
+    text += strspn(text, " \t");
+    size_t length = strlen(text);
+    while (length > 0 && strchr(" \t", text[length - 1]) != NULL)
+        length--;
+    snprintf(bare, sizeof bare, "%.*s", (int)length, text);
+    for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++)
+        if (length < sizeof bare && strcasecmp(bare, marks[i]) == 0)
+            return true;
+    return need == NEED_NUMBER && number_read_cell(text, decimal_sign, &number) && number == -9999;
+}
+
+size_t header_missing(const header *names, const char *const cells[], char decimal_sign)
+{
+    size_t i = 0;
+    while (i < names->count && (names->needed[i] == NEED_NOTHING ||
+                                !is_missing(cells[i], (column_need)names->needed[i], decimal_sign)))
+        i++;
+    return i;
+}
+
+/* ---- Columns that nothing uses ---- */
+
+/* With either decimal sign, or in percent: a column that is not read has not been checked. */
+static bool looks_like_number(const char *text)
+{
+    char bare[40];
+    double number;
+    const size_t length = strcspn(text, "%");
+    if (length >= sizeof bare || (text[length] != '\0' && text[length + 1] != '\0'))
+        return false;
+    snprintf(bare, sizeof bare, "%.*s", (int)length, text);
+    return number_read_cell(bare, '.', &number) || number_read_cell(bare, ',', &number);
+}
+
+void header_note_unused(header *names, const char *const cells[])
+{
+    for (size_t i = 0; i < names->count; i++)
+        if (!names->is_used[i] && !names->has_number[i])
+            names->has_number[i] = looks_like_number(cells[i]);
+}
+
+void header_write_unused(const header *names, char *text, size_t size)
+{
+    char list[400] = "";
+    for (size_t i = 0; i < names->count; i++)
+        if (names->has_number[i])
+            list_add(list, sizeof list, ", ", "'%.60s'", names->name[i]);
+    if (list[0] != '\0')
+        list_add(text, size, "; ", "columns with numbers that are not used: %s", list);
+}
+
+/* ---- A row that is a load ---- */
+
+bool load_header_find(header *names, complaint *why)
+{
+    if (!header_find(INPUT_P, INPUT_SIGMA + 1, NULL, names, why))
+        return false;
+    if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
+        return true;
+    complain(why, "column %s: missing; a history needs P and Q%s",
+             header_has_input(names, INPUT_P) ? "Q" : "P", header_hint(names->name, names->count));
+    if (names->how->is_command)
+        header_write_names(names, why);
+    return false;
+}
+
+/* Moment and tension are 0 where they have no column. */
+bool load_row_read(const header *names, const char *const cells[], size_t count, char separator,
+                   char decimal_sign, load *to, complaint *why)
+{
+    double value[INPUT_COUNT] = {0};
+    if (!header_fits(names->count, count, separator, why))
+        return false;
+    for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
+        if (header_has_input(names, i) &&
+            !header_cell(names, cells, names->column[i], input_kinds[i].column, decimal_sign,
+                         &value[i], why))
+            return false;
+    *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
+    return true;
+}

@@ -1203,8 +1203,8 @@ RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, dou
  *   Q             receives the force
  * It is found by some ten trials on copies. RWEDGE_EPATH also where the displacement is not known,
  * as off the centre once the contact has slid; other errors as those of rwedge_contact_apply():
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ESLIDING; RWEDGE_ENULL; RWEDGE_ENOMEM. Q to 1e-12 of f P
- * where the contact is in the centre. */
+ * RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ESLIDING; RWEDGE_ENULL; RWEDGE_ENOMEM. In the tests Q was
+ * right to 1e-10 of f P. */
 RWEDGE_API int32_t rwedge_contact_drive(rwedge_contact *contact, double P, double M, double sigma,
                                         double displacement, double compliance, double *Q);
 

@@ -63,6 +63,22 @@ size_t contact_history_go(const contact_history *history, load_visitor *visit, v
     return step;
 }
 
+/* The states of a cycle are known between its loads too: at one tilt, or under moments. */
+static void refuse_turning(const load_history *loads)
+{
+    complaint why;
+    size_t i = 0;
+    if (!loads_turn(loads->load, loads->count))
+        return;
+    while (loads->load[i].tilt == loads->load[0].tilt)
+        i++;
+    complain(&why,
+             "tilt %.6g: must be that of the first load, %.6g, in a cycle; \"rwedge history\" "
+             "takes others",
+             loads->load[i].tilt, loads->load[0].tilt);
+    load_history_fail(loads, i, "", &why);
+}
+
 void contact_history_read(const arguments *line, const input_texts *texts, char decimal_sign,
                           int64_t cycles, int64_t cycles_of_two, contact_history *history)
 {
@@ -75,8 +91,8 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
     if (word != NULL && line->value[OPTION_HISTORY] != NULL)
         usage_error("%s: given together with --history; allowed: one of the two", word);
     if (!history_is_given(line))
-        usage_error("a file of loads must follow, with the columns P and Q, perhaps M, "
-                    "sigma; or --load P,Q for each");
+        usage_error("a file of loads must follow, with the columns P and Q, perhaps M "
+                    "or tilt, sigma; or --load P,Q for each");
     history_check(line);
     read_cycles(line, cycles);
     if (!case_read(texts, CASE_OF_HISTORY, &history->setup, &why))
@@ -84,6 +100,8 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
     status_check(history->setup.status, "the contact");
     load_history_read(line, decimal_sign, &history->loads);
     load_history_check(&history->loads, &history->setup);
+    if (cycles_of_two > 1)
+        refuse_turning(&history->loads);
     if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL) {
         load_history before;
         load_history_read_list(line, &before);

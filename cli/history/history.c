@@ -104,10 +104,11 @@ static const struct poptOption options[] = {
 
 static void describe(FILE *stream)
 {
-    fputs("\nLOADS.csv has the columns P and Q, and M and sigma if there are any. Others\n"
-          "pass through. Loads run in straight steps from row to row; --cycles goes through\n"
-          "the rows again and again (default once). Beside a file, --load gives loads that\n"
-          "are applied once, before it. Any consistent units.\n"
+    fputs("\nLOADS.csv has the columns P and Q, and M and sigma if there are any; or tilt in\n"
+          "place of M, the angles at which a rig holds the pad: M is then a result. Others\n"
+          "pass through. Loads run in straight steps from row to row; --cycles goes\n"
+          "through the rows again and again (default once). Beside a file, --load gives\n"
+          "loads that are applied once, before it. Any consistent units.\n"
           "\nResults, a row for each load:\n",
           stream);
     columns_describe(columns, AFTER_COUNT, 13, stream);

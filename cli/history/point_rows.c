@@ -12,7 +12,7 @@ const char *const point_columns[POINT_COLUMNS] = {"load", "x",  "y",  "sxx",    
 
 void passed_check(const load_history *loads, const char *result)
 {
-    for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
+    for (int i = INPUT_TILT; i <= INPUT_SIGMA; i++)
         if (strcmp(result, input_kinds[i].column) == 0)
             return;
     if (header_has(&loads->names, result))

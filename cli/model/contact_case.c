@@ -188,16 +188,14 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
     if (status == RWEDGE_OK)
         status = rwedge_contact_allow_error(*contact, setup->tolerance);
     if (status == RWEDGE_OK && setup->is_held)
-        status = rwedge_contact_set_rotation(*contact, 1);
-    if (status == RWEDGE_OK && setup->is_held)
-        status = rwedge_contact_guide(*contact, 0, setup->tilt, 0, 0);
+        status = loads_hold(setup->tilt, *contact);
     return status;
 }
 
 /* Results beyond the range of numbers are refused later. */
 static bool apply_loads(const input_texts *texts, contact_case *setup, complaint *why)
 {
-    const load to = {setup->P, setup->M, setup->Q, setup->sigma};
+    const load to = {.P = setup->P, .M = setup->M, .Q = setup->Q, .sigma = setup->sigma};
     char number[NUMBER_SIZE];
     setup->status = loads_apply_monotonic(to, setup->contact);
     if (setup->status == RWEDGE_OK)

@@ -12,6 +12,19 @@ load loads_of(const rwedge_contact *contact)
     return now;
 }
 
+bool loads_are_guided(const load to[], size_t count)
+{
+    return count > 0 && to[0].is_guided;
+}
+
+bool loads_turn(const load to[], size_t count)
+{
+    for (size_t i = 1; i < count; i++)
+        if (to[i].is_guided && to[i].tilt != to[0].tilt)
+            return true;
+    return false;
+}
+
 static double between(double from, double to, int i, int n)
 {
     return from + (to - from) * i / n;
@@ -19,13 +32,22 @@ static double between(double from, double to, int i, int n)
 
 load loads_between(load from, load to, int i, int n)
 {
-    return (load){between(from.P, to.P, i, n), between(from.M, to.M, i, n),
-                  between(from.Q, to.Q, i, n), between(from.sigma, to.sigma, i, n)};
+    return (load){.P = between(from.P, to.P, i, n),
+                  .M = between(from.M, to.M, i, n),
+                  .Q = between(from.Q, to.Q, i, n),
+                  .sigma = between(from.sigma, to.sigma, i, n)};
 }
 
 int32_t loads_apply(load to, rwedge_contact *contact)
 {
-    return rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
+    return to.is_guided ? rwedge_contact_guide(contact, to.P, to.tilt, to.Q, to.sigma)
+                        : rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
+}
+
+int32_t loads_hold(double tilt, rwedge_contact *contact)
+{
+    const int32_t status = rwedge_contact_set_rotation(contact, 1);
+    return status == RWEDGE_OK ? rwedge_contact_guide(contact, 0, tilt, 0, 0) : status;
 }
 
 int32_t loads_apply_monotonic(load to, rwedge_contact *contact)
@@ -81,9 +103,11 @@ static load_fault fault_at(int input, const char *format, ...)
 static load_fault domain_fault(load to, const rwedge_contact *contact)
 {
     load level = to;
-    level.M = 0;
+    level.M = level.tilt = 0;
     if (to.P < 0)
         return fault_at(INPUT_P, "must not be below 0, and Q must be 0 where P is");
+    if (to.is_guided && try_load(level, contact, 0) != RWEDGE_EDOMAIN)
+        return fault_at(INPUT_TILT, "so large a tilt lays a flank on the surface");
     if (to.P == 0 && to.M != 0)
         return fault_at(INPUT_M, "must be 0 where P is");
     if (try_load(level, contact, 0) == RWEDGE_EDOMAIN)
@@ -98,8 +122,10 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
 static load_fault path_fault(load to, const rwedge_contact *contact)
 {
     const load last = loads_of(contact);
-    load_fault fault = fault_at(INPUT_SIGMA, "no closed form: %s",
-                                rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
+    load_fault fault = to.is_guided
+                           ? fault_at(INPUT_SIGMA, "no closed form")
+                           : fault_at(INPUT_SIGMA, "no closed form: %s",
+                                      rwedge_contact_obstacle(contact, to.P, to.M, to.Q, to.sigma));
     const double most = rwedge_contact_largest_tension_step(contact, to.Q);
     if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most)
         list_add(fault.why.text, sizeof fault.why.text, "; ",
@@ -142,8 +168,11 @@ bool loads_apply_next(load to, const pad *shape, double f, rwedge_contact *conta
         return loads_spare_flanks(shape, contact, why);
     const load_fault fault = loads_fault(status, to, f, contact);
     char value[NUMBER_SIZE];
-    const double part[INPUT_COUNT] = {
-        [INPUT_P] = to.P, [INPUT_M] = to.M, [INPUT_Q] = to.Q, [INPUT_SIGMA] = to.sigma};
+    const double part[INPUT_COUNT] = {[INPUT_TILT] = to.tilt,
+                                      [INPUT_P] = to.P,
+                                      [INPUT_M] = to.M,
+                                      [INPUT_Q] = to.Q,
+                                      [INPUT_SIGMA] = to.sigma};
     if (fault.input == INPUT_COUNT || status == RWEDGE_EPATH) /* the path has no one to blame */
         return complain(why, "%s", fault.why.text);
     number_write(part[fault.input], NUMBER_DIGITS, '.', value);

@@ -80,7 +80,7 @@ enum {
     INPUT_RADIUS2,
     INPUT_FLAT,
     INPUT_PROFILE, /* a name, not a number */
-    INPUT_TILT,    /* the pad is held there; an option only */
+    INPUT_TILT,    /* the pad is held there, in place of a moment */
     INPUT_P,       /* the loads, up to sigma */
     INPUT_M,
     INPUT_Q,
@@ -152,7 +152,13 @@ bool input_read(const input_texts *texts, int input, double *value, complaint *w
 
 typedef struct {
     double P, M, Q, sigma;
+    bool is_guided; /* at the tilt, of a contact that is held; M is then a result */
+    double tilt;
 } load;
+
+/* Whether a list has guided loads; and at more than one tilt. */
+bool loads_are_guided(const load to[], size_t count);
+bool loads_turn(const load to[], size_t count);
 
 /* Those of a contact. */
 load loads_of(const rwedge_contact *contact);
@@ -162,6 +168,9 @@ load loads_between(load from, load to, int i, int n);
 
 /* Returns the library's status. */
 int32_t loads_apply(load to, rwedge_contact *contact);
+
+/* Holds the pad of a contact without loads at a tilt; returns the library's status. */
+int32_t loads_hold(double tilt, rwedge_contact *contact);
 
 /* Applies P and M, then Q and sigma together under constant P and M; returns the library's
  * status. */

@@ -107,16 +107,21 @@ static bool take_list(const char *path, const node *loads, const arguments *line
         return false;
     if (node_part(loads, "P") == NULL || node_part(loads, "Q") == NULL)
         failure("%s: loads: needs P and Q", path);
+    const bool is_guided = node_part(loads, "tilt") != NULL;
+    if (is_guided && node_part(loads, "M") != NULL)
+        failure("%s: loads: M and tilt: allowed: one of the two", path);
     double *P = load_numbers(path, loads, "P", count), *M = load_numbers(path, loads, "M", count),
            *Q = load_numbers(path, loads, "Q", count),
-           *sigma = load_numbers(path, loads, "sigma", count);
+           *sigma = load_numbers(path, loads, "sigma", count),
+           *tilt = load_numbers(path, loads, "tilt", count);
     load *to = memory_zeroed(count, sizeof *to);
     for (size_t i = 0; i < count; i++)
-        to[i] = (load){P[i], M[i], Q[i], sigma[i]};
+        to[i] = (load){P[i], M[i], Q[i], sigma[i], is_guided, tilt[i]};
     free(P);
     free(M);
     free(Q);
     free(sigma);
+    free(tilt);
     if (!history_is_given(line))
         load_history_offer(path, to, count);
     free(to);
@@ -182,6 +187,8 @@ static void take_group(const char *path, const char *group, const node *all, arg
             failure("%s: %s", path, why.text);
     if (strcmp(group, "loads") == 0 && take_list(path, all, line))
         return;
+    if (strcmp(group, "loads") == 0 && node_part(all, "tilt") != NULL)
+        failure("%s: loads: tilt: is of lists; of one load it stands in the pad", path);
     for (size_t i = 0; i < all->count; i++) {
         const case_word *word = case_word_find(group, all->part[i].name, &why);
         const bool is_replaced = strcmp(group, "loads") == 0 && history_is_given(line);

@@ -147,17 +147,20 @@ static void put_places(writing *to, const char *profile)
 
 static void put_loads(writing *to, const arguments *line)
 {
-    static const char *const names[] = {"P", "M", "Q", "sigma"};
+    static const char *const names[] = {"P", "M", "Q", "sigma", "tilt"};
     const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
     load_history loads;
     load_history_read(line, comma ? ',' : '.', &loads);
     double *number = memory_zeroed(loads.count, sizeof *number);
-    for (int j = 0; j < 4; j++) {
+    const bool is_guided = loads_are_guided(loads.load, loads.count);
+    for (int j = 0; j < 5; j++) {
         for (size_t i = 0; i < loads.count; i++) {
             const load *one = &loads.load[i];
-            number[i] = j == 0 ? one->P : j == 1 ? one->M : j == 2 ? one->Q : one->sigma;
+            const double part[] = {one->P, one->M, one->Q, one->sigma, one->tilt};
+            number[i] = part[j];
         }
-        put_list(to, names[j], loads.count, number);
+        if (j != (is_guided ? 1 : 4)) /* a tilt or a moment */
+            put_list(to, names[j], loads.count, number);
     }
     free(number);
 }

@@ -9,7 +9,8 @@ struct poptOption load_option_table[] = {
     {VALUE("load", OPTION_LOAD),
      "The next load of a history instead of --P and --Q, or P,M,Q,sigma; repeat it", "P,Q"},
     {VALUE("history", OPTION_HISTORY),
-     "A history from a CSV file with the columns P, Q, perhaps M, sigma; - is standard input",
+     "A history from a CSV file with the columns P, Q, perhaps M or tilt, sigma; - is standard "
+     "input",
      "FILE"},
     {ENCODING_OPTION},
     {INCLUDED(exactness_option_table), NULL, NULL},
@@ -106,9 +107,10 @@ void load_history_read_list(const arguments *line, load_history *loads)
         last = lines[length] == '\0';
         const int count = number_read_list(lines, length, ',', 4, number);
         if (count == 4)
-            to = (load){number[0], number[1], number[2], number[3]};
+            to = (load){.P = number[0], .M = number[1], .Q = number[2], .sigma = number[3]};
         else if (count == 2)
-            to = (load){number[0], number[0] == 0 ? 0 : to.M, number[1], to.sigma};
+            to = (load){
+                .P = number[0], .M = number[0] == 0 ? 0 : to.M, .Q = number[1], .sigma = to.sigma};
         else
             usage_error("--load %.*s: must be numbers P,Q or P,M,Q,sigma",
                         (int)(length < 60 ? length : 60), lines);
@@ -220,9 +222,32 @@ void load_history_fail(const load_history *loads, size_t row, const char *word,
     usage_error("%s%s: %s", place, word, why->text);
 }
 
-void load_history_check(const load_history *loads, const contact_case *setup)
+/* A pad that the loads hold comes down at the first tilt. */
+static void hold(const load_history *loads, contact_case *setup)
 {
     complaint why;
+    const double tilt = loads->load[0].tilt;
+    if (setup->is_held) {
+        complain(&why, "tilt %.6g: given together with --tilt; allowed: one of the two", tilt);
+        load_history_fail(loads, 0, "", &why);
+    }
+    const int32_t status = loads_hold(tilt, setup->contact);
+    if (status == RWEDGE_EDOMAIN) {
+        complain(&why, "tilt %.6g: so large a tilt lays a flank on the surface", tilt);
+        load_history_fail(loads, 0, "", &why);
+    }
+    status_check(status, "the contact");
+    setup->is_held = true;
+    setup->tilt = tilt;
+}
+
+void load_history_check(const load_history *loads, contact_case *setup)
+{
+    complaint why;
+    if (loads_are_guided(loads->load, loads->count)) {
+        hold(loads, setup);
+        return;
+    }
     for (size_t i = 0; setup->is_held && i < loads->count; i++)
         if (loads->load[i].M != 0) {
             complain(&why, "M %.6g: given together with --tilt; allowed: one of the two",

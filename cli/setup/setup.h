@@ -150,8 +150,8 @@ void load_history_offer(const char *name, const load *to, size_t count);
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads);
 void load_history_read_list(const arguments *line, load_history *loads);
 
-/* Refuses a moment where the pad is held. */
-void load_history_check(const load_history *loads, const contact_case *setup);
+/* Refuses a moment where the pad is held. Holds the pad of loads that have tilts, at the first. */
+void load_history_check(const load_history *loads, contact_case *setup);
 
 /* Applies them all, in order, to the contact of a case; the first refusal ends the command. Where
  * doubts is not NULL those of the states are added. */

@@ -196,9 +196,10 @@ static void solve_one(const arguments *line, const input_texts *texts, job *task
 {
     contact_case setup;
     complaint why;
+    read_case(line, texts, task, how->decimal_sign, &setup);
+    task->wanted.moment = setup.is_held;
     results_wanted wanted = task->wanted;
     wanted.yield_factor = wanted.yield_factor || task->says_verdict;
-    read_case(line, texts, task, how->decimal_sign, &setup);
     if (!results_compute(&setup, wanted, &task->answer, &why))
         failure("%s", why.text);
     if (task->is_mirrored)

@@ -51,6 +51,19 @@ def test_a_profile_is_what_the_tool_makes_of_it(tmp_path):
     assert contact.half_width == pytest.approx(np.sqrt(2 * 100 * 50 * case.A / np.pi), rel=1e-9)  # Hertz, R = 50
 
 
+def test_a_pad_that_is_held_has_the_moments_of_its_tilts(tmp_path):
+    path = file(tmp_path, "rig.csv", "P,Q,tilt\n200,10,0.02\n300,-10,0.01\n")
+    case = rwedge.read_case(path, E1=210000, nu1=0.3, radius=100, f=0.5)
+    contact = case.contact()
+    for P, Q, tilt in zip(*(case.loads[name] for name in ("P", "Q", "tilt"))):
+        contact.guide(P, tilt, Q, 0.0)
+        assert contact.loads().M == pytest.approx(P * 100 * tilt, rel=1e-12)  # a cylinder that turns is one beside, by R times the tilt
+    held = rwedge.read_case(E1=210000, nu1=0.3, radius=100, f=0.5, P=200, tilt=0.02)
+    contact = held.contact()
+    contact.load(held.loads["P"])
+    assert contact.loads().M == pytest.approx(400, rel=1e-12)
+
+
 def test_bodies_pads_and_materials(tmp_path):
     two = rwedge.read_case(E1=30000, nu1=0.25, E2=29120, nu2=0.3, radius1=10, radius2=13)
     contact = two.contact()

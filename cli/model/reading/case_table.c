@@ -52,11 +52,13 @@ bool case_table_begin(case_table *table, complaint *why)
     results_wanted wanted = table->wanted;
     if (!is_complete(table, why))
         return false;
-    wanted.edges = wanted.edges || header_has_input(names, INPUT_M) ||
+    wanted.moment = wanted.moment || header_has_input(names, INPUT_TILT);
+    wanted.edges = wanted.edges || wanted.moment || header_has_input(names, INPUT_M) ||
                    header_has_input(names, INPUT_SIGMA) || header_has_input(names, INPUT_PROFILE);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const bool is_input = (i == RESULT_ROUNDING && header_has_input(names, INPUT_A)) ||
-                              (i == RESULT_RADIUS && header_has_input(names, INPUT_RADIUS));
+                              (i == RESULT_RADIUS && header_has_input(names, INPUT_RADIUS)) ||
+                              (i == RESULT_TILT && header_has_input(names, INPUT_TILT));
         table->shown[i] = !is_input && results_include(wanted, i);
         if (table->shown[i] && !is_free(table, result_kinds[i].name, why))
             return false;

@@ -133,8 +133,6 @@ bool header_find(int first, int end, const input_texts *options, header *names, 
     const sources from = {names, first, end, options};
     for (int i = first; i < end; i++) {
         const input_kind *kind = &input_kinds[i];
-        if (i == INPUT_TILT) /* the column of this name is a result */
-            continue;
         if (!header_column(names, kind->column, &names->column[i], why))
             return false;
         if (names->column[i] == names->count)

@@ -110,8 +110,11 @@ void header_write_unused(const header *names, char *text, size_t size)
 
 bool load_header_find(header *names, complaint *why)
 {
-    if (!header_find(INPUT_P, INPUT_SIGMA + 1, NULL, names, why))
+    if (!header_find(INPUT_TILT, INPUT_SIGMA + 1, NULL, names, why))
         return false;
+    if (header_has_input(names, INPUT_TILT) && header_has_input(names, INPUT_M))
+        return complain(why, "column tilt: given together with column M; allowed: one of the two, "
+                             "or another name");
     if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
         return true;
     complain(why, "column %s: missing; a history needs P and Q%s",
@@ -121,18 +124,23 @@ bool load_header_find(header *names, complaint *why)
     return false;
 }
 
-/* Moment and tension are 0 where they have no column. */
+/* Moment and tension are 0 where they have no column. A tilt stands in place of a moment. */
 bool load_row_read(const header *names, const char *const cells[], size_t count, char separator,
                    char decimal_sign, load *to, complaint *why)
 {
     double value[INPUT_COUNT] = {0};
     if (!header_fits(names->count, count, separator, why))
         return false;
-    for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
+    for (int i = INPUT_TILT; i <= INPUT_SIGMA; i++)
         if (header_has_input(names, i) &&
             !header_cell(names, cells, names->column[i], input_kinds[i].column, decimal_sign,
                          &value[i], why))
             return false;
-    *to = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
+    *to = (load){.P = value[INPUT_P],
+                 .M = value[INPUT_M],
+                 .Q = value[INPUT_Q],
+                 .sigma = value[INPUT_SIGMA],
+                 .is_guided = header_has_input(names, INPUT_TILT),
+                 .tilt = value[INPUT_TILT]};
     return true;
 }

@@ -129,7 +129,7 @@ void header_note_unused(header *names, const char *const cells[]);
  * any. */
 void header_write_unused(const header *names, char *text, size_t size);
 
-/* Finds the columns of a load: P and Q, and M and sigma, which may lack. False, with the
+/* Finds the columns of a load: P and Q; sigma, and M or tilt, which may lack. False, with the
  * complaint. */
 bool load_header_find(header *names, complaint *why);
 

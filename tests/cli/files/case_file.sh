@@ -32,6 +32,8 @@ round_trip "a log" history log.csv $steel --theta 0.01 --radius 10 --f 0.3 --at 
 round_trip "a log, in kN of 10 mm" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --width 10 --cycles 2 --x -1:1:0.5
 printf 'P,Q\n100,10\n120,-10\n100,10\n' >held.csv
 round_trip "a pad that is held" history held.csv $steel --theta 0.01 --radius 10 --f 0.3 --tilt 1e-4
+printf 'P,Q,tilt\n100,10,1e-4\n120,-10,2e-4\n' >turns.csv
+round_trip "a pad that turns" history turns.csv $steel --theta 0.01 --radius 10 --f 0.3
 round_trip "a pad that is held under one load" solve $steel --theta 0.01 --radius 10 --P 300 --tilt 1e-4
 round_trip "a material of a CSV file" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --x 0 --material steel.csv
 round_trip "a material of a JSON file" fretting log.csv $steel --theta 0.01 --radius 10 --f 0.3 --x 0 --units mm,N,MPa --material steel.json

@@ -110,7 +110,7 @@ message_is "rwedge history: unused.csv: columns with numbers that are not used: 
 same "said once, not in the rows" 0 "$(grep -c 'not used' out)"
 fails "column left: a result has that name; allowed: any other" 'P,Q,left\n1,0,0\n'
 refuses "--load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
-refuses "a file of loads must follow, with the columns P and Q, perhaps M, sigma; or --load P,Q for each" history $specimen
+refuses "a file of loads must follow, with the columns P and Q, perhaps M or tilt, sigma; or --load P,Q for each" history $specimen
 
 # Loads before those of a file: as if they stood in front of them, but for their rows and the numbers of the loads.
 printf 'P,Q\n135.75,38\n135.75,-20\n' >rest.csv

@@ -105,6 +105,42 @@ run fretting rig.csv $guided --x 0.3 --depth 0.1
 range=$(by_name 'NR == 2 { print $stress_range }' out)
 run fretting rig.csv $guided --x 2.3 --depth 0.1 --tilt 0.02
 close_to "stress range beside" "$range" "$(by_name 'NR == 2 { print $stress_range }' out)" 1e-11
+
+# Tilts as a column: one tilt is that of the option; the middle of a cylinder is R times its tilt, its moment P times that.
+printf 'P,Q,tilt\n200,0,0.02\n200,60,0.02\n300,-20,0.02\n200,60,0.02\n' >held.csv
+run history rig.csv $guided --tilt 0.02
+cp out by_option
+does_quietly history held.csv $guided
+same "one tilt in a column" "$(cat by_option)" "$(cat out)"
+run fretting rig.csv $guided --tilt 0.02 --at-worst
+cp out by_option
+run fretting held.csv $guided --at-worst
+same "one tilt in a column, in a cycle" "$(cat by_option)" "$(cat out)"
+printf 'P,Q,Pad tilt [mrad]\n200,0,20\n300,0,10\n0,0,5\n100,0,-30\n' >turns.csv
+does_quietly history turns.csv $guided --units mm,N,MPa --column 'tilt=Pad tilt'
+same "middles, in a column of mrad" "2 1  -3" "$(by_name 'NR > 1 { printf "%s%s", s, $left == "" ? "" : sprintf("%.9g", ($left + $right) / 2); s = " " }' out)"
+same "moments that hold it" "400 300 0 -300" "$(by_name 'NR > 1 { printf "%s%.9g", s, $M; s = " " }' out)"
+cp out kept
+does_quietly history turns.csv $guided --units mm,N,MPa --column 'tilt=Pad tilt' --save-case turns.json
+does_quietly history --case turns.json
+same "tilts in a case" "$(cut -d , -f 1-10 kept)" "$(cut -d , -f 1-10 out)"
+run solve --case turns.json
+close_to "the last moment, of solve" -300 "$(value moment)" 1e-12
+printf 'P,tilt\n200,0.02\n300,-0.01\n' | run solve --input - $guided
+same "moments of cases" "400 -300" "$(by_name 'NR > 1 { printf "%s%.9g", s, $moment; s = " " }' out)"
+same "tilt is there once" 1 "$(head -n 1 out | tr , '\n' | grep -c '^tilt$')"
+refuses_rows() { # MESSAGE ROWS OPTION...: of a history
+    printf "$2" >rows.csv
+    message=$1
+    shift 2
+    fails_with_status 1 "rows.csv: $message" history rows.csv $guided "$@"
+}
+refuses_rows "column tilt: given together with column M; allowed: one of the two, or another name" 'P,Q,M,tilt\n1,0,0,0\n'
+refuses_rows "line 2: tilt 0.01: given together with --tilt; allowed: one of the two" 'P,Q,tilt\n1,0,0.01\n' --tilt 0.01
+refuses_rows "line 3: tilt 1.4: so large a tilt lays a flank on the surface" 'P,Q,tilt\n1,0,0\n1,0,1.4\n'
+cannot "turns.csv: line 3: tilt 0.01: must be that of the first load, 0.02, in a cycle; \"rwedge history\" takes others" \
+    fretting turns.csv $guided --units mm,N,MPa --column 'tilt=Pad tilt'
+
 refuses "--tilt 0.1: given together with --M; allowed: one of the two" solve $guided --P 200 --M 1 --tilt 0.1
 refuses "--tilt 1.2: so large a tilt lays a flank on the surface" solve $guided --P 200 --tilt 1.2
 refuses "--tilt 2: the tilt must be a number below pi/2 in magnitude, in radians" solve $guided --P 200 --tilt 2

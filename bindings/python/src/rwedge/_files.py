@@ -78,9 +78,9 @@ class Case:
     bodies : dict
         E1, nu1, E2, nu2, f, k or yield_stress, plane_stress: those that are given. E2 is infinite where body 2 is rigid.
     pad : dict
-        theta or theta_deg, a, radius, flat; of a profile x and slope, as arrays.
+        theta or theta_deg, a, radius, flat; of a profile x and slope, as arrays; tilt, in radians, where it is held.
     loads : dict
-        P, M, Q, sigma: numbers, or arrays of the same size, one load after the other.
+        P, M, Q, sigma: numbers, or arrays of the same size, one load after the other; tilt in place of M for ``Contact.guide()``.
     material : dict
         Its constants by name.
     asked : dict
@@ -114,7 +114,8 @@ class Case:
         return float(value)
 
     def contact(self, tolerance: float = 1e-4) -> Contact:
-        """The contact of the bodies and the pad, without loads. Friction that is not given is 0."""
+        """The contact of the bodies and the pad, without loads. Friction that is not given is 0. It is held where a tilt is given: at
+        the first one of a list."""
         pad, A, f = self.pad, self.A, self.bodies.get("f", 0.0)
         radius = pad.get("radius")
         theta = pad.get("theta", math.radians(pad["theta_deg"]) if "theta_deg" in pad else None)
@@ -132,6 +133,10 @@ class Case:
         if E2 is not None and (E2, nu2) != (self.bodies.get("E1"), self.bodies.get("nu1")):
             nu1 = 0.0 if self.bodies.get("plane_stress") else self._of_body("nu1", "nu")
             contact.set_strain((1 - nu1**2) / self._of_body("E1", "E"))
+        tilt = np.ravel(self.loads.get("tilt", pad.get("tilt", [])))
+        if tilt.size > 0:
+            contact.set_rotation(1)
+            contact.guide(0.0, float(tilt[0]), 0.0, 0.0)
         return contact
 
 

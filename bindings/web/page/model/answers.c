@@ -191,7 +191,8 @@ bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, lo
         input_set(&texts, INPUT_NU1, 0);
     if (is_plane_stress && input_is_given(&texts, INPUT_NU2))
         input_set(&texts, INPUT_NU2, 0);
-    *form = (load){value[INPUT_P], value[INPUT_M], value[INPUT_Q], value[INPUT_SIGMA]};
+    *form = (load){
+        .P = value[INPUT_P], .M = value[INPUT_M], .Q = value[INPUT_Q], .sigma = value[INPUT_SIGMA]};
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
         texts.text[i] = NULL;
     return write_case(&texts, CASE_OF_HISTORY, setup);

@@ -107,7 +107,8 @@ static bool to_and_fro(load form)
     if (!apply_next(before, 1))
         return false;
     load_list_add(&asked.loads, form, 0);
-    load_list_add(&asked.loads, (load){form.P, form.M, -form.Q, -form.sigma}, 0);
+    load_list_add(&asked.loads,
+                  (load){.P = form.P, .M = form.M, .Q = -form.Q, .sigma = -form.sigma}, 0);
     return true;
 }
 
@@ -126,6 +127,24 @@ static bool go_through(int64_t cycles)
     return true;
 }
 
+/* A pad whose loads have tilts comes down at the first, and keeps it: between loads of a cycle. */
+static bool hold(void)
+{
+    const load_list *loads = &asked.loads;
+    const double tilt = loads->count > 0 ? loads->load[0].to.tilt : 0;
+    if (loads->count == 0 || !loads->load[0].to.is_guided)
+        return true;
+    if (asked.setup.is_held)
+        return json_refuse("", "column tilt: given together with the tilt of the form; allowed: "
+                               "one of the two");
+    for (size_t i = 1; i < loads->count; i++)
+        if (loads->load[i].to.tilt != tilt)
+            return json_refuse("", "line %d: tilt %.6g: must be that of the first load, %.6g",
+                               loads->load[i].line, loads->load[i].to.tilt, tilt);
+    return loads_hold(tilt, asked.setup.contact) == RWEDGE_OK ||
+           json_refuse("", "tilt %.6g: so large a tilt lays a flank on the surface", tilt);
+}
+
 /* Without a text the loads of the form go to and fro. */
 static bool apply(load form, const char *text, char decimal_sign, const char *times)
 {
@@ -134,7 +153,7 @@ static bool apply(load form, const char *text, char decimal_sign, const char *ti
         return json_refuse("", "cycles must be a whole number from 1 to 1000000");
     if (asked.setup.status != RWEDGE_OK)
         return json_refuse("", "the contact cannot be made");
-    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads)
+    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads) && hold()
                             : to_and_fro(form)) &&
            go_through(cycles);
 }

@@ -111,7 +111,7 @@ let isGiven = false; // constants have been: their part is open from then on
 
 /** What is typed and chosen. */
 const entries = () => html`
-    <label for="loads">Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M and sigma</label>
+    <label for="loads">Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M or tilt, and sigma</label>
     <textarea id="loads" rows="5" placeholder="P\tQ" spellcheck="false" aria-describedby="loads-note"
         aria-invalid=${Boolean(aside.answer?.complaint)} .value=${live(state.loads)} @input=${setter("loads")}></textarea>
     <p class="tools"><label for="cycles">gone through</label>

@@ -25,7 +25,7 @@ void rw_spread_places(double left, double right, double place[RW_SPREAD])
 /* Brent's method takes about ten steps to a smooth top, and 40 to a sharp one. A step cannot be
  * less than 1.5e-8 of t. */
 enum { MAX_STEPS = 100 };
-static const double NEAREST = 1e-8, NEAREST_OF_T = 4e-8;
+static const double NEAREST_OF_T = 4e-8;
 
 /* After these steps the gain still to come is less than the gain so far. */
 enum { TRIAL = 12 };
@@ -34,7 +34,7 @@ enum { TRIAL = 12 };
 typedef struct {
     rw_function f;
     const void *context;
-    double from, length;
+    double from, length, nearest;
     rw_maximum best; /* so far */
 } search;
 
@@ -82,7 +82,7 @@ static void draw_in(search *s, point at[3], int end)
  * or one of a level. */
 static bool enclose(search *s, point at[3])
 {
-    for (double span = 1; span > NEAREST; span /= 2) {
+    for (double span = 1; span > s->nearest; span /= 2) {
         if (is_below(&at[0], &at[1]) && is_below(&at[2], &at[1]))
             return true;
         for (int end = 0; end <= 2; end += 2)
@@ -111,16 +111,17 @@ static void approach(search *s, const point at[3], double highest)
     for (int step = 0; step < MAX_STEPS && !is_given_up(s, step, first, highest); step++) {
         if (NEVER(status != GSL_SUCCESS)) /* enclosed, and the function is finite */
             return;
-        if (solver.x_upper - solver.x_lower < NEAREST + NEAREST_OF_T * solver.x_lower)
+        if (solver.x_upper - solver.x_lower < s->nearest + NEAREST_OF_T * solver.x_lower)
             return;
         status = gsl_min_fminimizer_iterate(&solver);
     }
 }
 
-rw_maximum rw_top(rw_function f, const void *context, const rw_maximum at[3], double highest)
+rw_maximum rw_top(rw_function f, const void *context, const rw_maximum at[3], double nearest,
+                  double highest)
 {
     const double length = at[2].x - at[0].x;
-    search s = {f, context, at[0].x, length, at[1]};
+    search s = {f, context, at[0].x, length, nearest, at[1]};
     if (length == 0)
         return at[1];
     point around[3];
@@ -152,7 +153,7 @@ static rw_maximum top_around(rw_function f, const void *context, size_t n, const
     const size_t before = i > 0 ? i - 1 : i, after = i + 1 < n ? i + 1 : i;
     const rw_maximum at[3] = {
         {place[before], value[before]}, {place[i], value[i]}, {place[after], value[after]}};
-    return rw_top(f, context, at, highest);
+    return rw_top(f, context, at, RW_NEAREST_TOP, highest);
 }
 
 rw_maximum rw_largest_around(rw_function f, const void *context, size_t n, const double place[],

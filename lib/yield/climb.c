@@ -2,6 +2,7 @@
 #include "yield/climb.h"
 
 #include "base/domain.h"
+#include "base/maximum.h"
 #include "base/select.h"
 #include "stress/stress.h"
 
@@ -9,10 +10,13 @@
 
 enum { LINE = 7, CLIMB_MAX = 60 };
 
-/* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r. It
- * starts with FIRST, and with LATER where it goes on from a top. It ends at ROUGH when only the top
- * must be told from others, and at LAST. */
-static const double FIRST_SPAN = 0.4, LATER_SPAN = 1e-4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-7;
+/* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r: FIRST,
+ * and LATER where it goes on from a top. A rough climb, which only tells a top from others, goes
+ * once from FIRST to ROUGH. */
+static const double FIRST_SPAN = 0.4, LATER_SPAN = 1e-4, ROUGH_SPAN = 1e-2;
+
+/* How near a search along a line comes to the top, in the same. The line after it comes nearer. */
+static const double NEAREST = 1e-6;
 
 /* The relative rise of J2 that counts as none. */
 static const double NO_GAIN = 4 * DBL_EPSILON;
@@ -54,10 +58,10 @@ static void evaluate(rw_highest *s, int n, const double x[], const double y[], d
 /* ---- Climbing ---- */
 
 /* Looks at n <= LINE places, and moves to the highest if it is higher than the top. An angle beyond
- * the surface counts as the surface. Returns which is the highest; n where none is higher. */
-static int look_at(rw_highest *s, rw_climb *c, int n, const rw_polar at[])
+ * the surface counts as the surface. */
+static void look_at(rw_highest *s, rw_climb *c, int n, const rw_polar at[], double J2[])
 {
-    double x[LINE], y[LINE], J2[LINE];
+    double x[LINE], y[LINE];
     for (int i = 0; i < n; i++) {
         const double r = fmax(c->innermost, fmin(c->outermost, exp(at[i].log_radius))),
                      angle = at[i].angle, cosine = cos(angle), sine = sin(angle);
@@ -67,51 +71,94 @@ static int look_at(rw_highest *s, rw_climb *c, int n, const rw_polar at[])
         y[i] = rw_off_apex(s->contact, x[i], y[i], r);
     }
     evaluate(s, n, x, y, J2);
-    int highest = n;
     for (int i = 0; i < n; i++)
         if (J2[i] > c->J2) {
-            highest = i;
             c->top = at[i];
             c->J2 = J2[i];
         }
+}
+
+/* A line of unit direction through a place. */
+typedef struct {
+    rw_highest *highest;
+    rw_climb *climb;
+    rw_polar through, direction;
+} line;
+
+static rw_polar place_on(const line *l, double t)
+{
+    return (rw_polar){l->through.angle + t * l->direction.angle,
+                      l->through.log_radius + t * l->direction.log_radius};
+}
+
+static double J2_on(double t, const void *of_line)
+{
+    const line *l = of_line;
+    const rw_polar at = place_on(l, t);
+    double J2;
+    look_at(l->highest, l->climb, 1, &at, &J2);
+    return J2;
+}
+
+/* Looks at places around the middle of a line. Returns which is the highest; the middle if none is
+ * higher. */
+static int look_around(const line *l, double span, rw_maximum at[LINE])
+{
+    rw_polar place[LINE];
+    double J2[LINE];
+    int highest = LINE / 2;
+    for (int i = 0; i < LINE; i++) {
+        at[i].x = span * (2.0 * (i + 1) / (LINE + 1) - 1);
+        place[i] = place_on(l, at[i].x);
+    }
+    look_at(l->highest, l->climb, LINE, place, J2);
+    for (int i = 0; i < LINE; i++) {
+        at[i].value = J2[i];
+        highest = J2[i] > J2[highest] ? i : highest;
+    }
     return highest;
 }
 
 /* Moves to the highest place along a line, both ways. While the highest of its points is at an end,
- * the span is doubled. Then it is narrowed to the points beside the highest. Nothing is higher
- * beyond the limits of angle and radius. */
+ * the line goes on from there, twice as long. Nothing is higher beyond the limits of angle and
+ * radius. */
 static void climb_along(rw_highest *s, rw_climb *c, double to_angle, double to_log_radius,
-                        double span, double last_span)
+                        double span, bool is_rough)
 {
     const double length = hypot(to_angle, to_log_radius);
-    bool is_found = false; /* between two points of the line */
-    while (length > 0 && span > last_span) {
-        rw_polar at[LINE];
-        for (int i = 0; i < LINE; i++) {
-            const double t = span * (2.0 * (i + 1) / (LINE + 1) - 1) / length;
-            at[i] = (rw_polar){c->top.angle + t * to_angle, c->top.log_radius + t * to_log_radius};
-        }
-        const int highest = look_at(s, c, LINE, at);
-        is_found = is_found || (highest != 0 && highest != LINE - 1);
-        span *= is_found ? 2.0 / (LINE + 1) : 2;
+    if (length == 0)
+        return;
+    line l = {s, c, c->top, {to_angle / length, to_log_radius / length}};
+    rw_maximum at[LINE];
+    int highest = look_around(&l, span, at);
+    while (highest == 0 || highest == LINE - 1) {
+        l.through = c->top;
+        span *= 2;
+        highest = look_around(&l, span, at);
     }
+    for (; is_rough && span > ROUGH_SPAN; span *= 2.0 / (LINE + 1)) {
+        l.through = c->top;
+        highest = look_around(&l, span, at);
+    }
+    if (!is_rough)
+        rw_top(J2_on, &l, at + highest - 1, NEAREST / span, 0);
 }
 
 /* Two places that are each highest for their radius make a line, and the next climb goes along it
  * (Powell's conjugate direction). It is exact where J2 is quadratic. It follows the ridges of
  * narrow roundings, where J2 is flat to 1e-9. */
-static void climb_to(rw_highest *s, rw_climb *c, double last_span)
+static void climb_to(rw_highest *s, rw_climb *c, bool is_rough)
 {
     double span = FIRST_SPAN;
     for (int i = 0; i < CLIMB_MAX; i++) { /* a few are enough, but on a plateau */
         const double before = c->J2;
-        climb_along(s, c, 1, 0, span, last_span);
+        climb_along(s, c, 1, 0, span, is_rough);
         const rw_polar start = c->top;
-        climb_along(s, c, 0, 1, span, last_span);
-        climb_along(s, c, 1, 0, span, last_span);
+        climb_along(s, c, 0, 1, span, is_rough);
+        climb_along(s, c, 1, 0, span, is_rough);
         climb_along(s, c, c->top.angle - start.angle, c->top.log_radius - start.log_radius, span,
-                    last_span);
-        if (c->J2 - before <= NO_GAIN * before || last_span >= ROUGH_SPAN)
+                    is_rough);
+        if (is_rough || c->J2 - before <= NO_GAIN * before)
             return;
         span = LATER_SPAN;
     }
@@ -125,9 +172,10 @@ static void climb_ridge(rw_highest *s, rw_climb *c)
     double log_radius = log(c->innermost);
     while (log_radius < log(c->outermost)) {
         rw_polar at[LINE];
+        double J2[LINE];
         for (int i = 0; i < LINE; i++, log_radius += step)
             at[i] = (rw_polar){angle, log_radius};
-        look_at(s, c, LINE, at);
+        look_at(s, c, LINE, at, J2);
     }
 }
 
@@ -138,21 +186,21 @@ static void climb_around_centre(rw_highest *s, double from_mark)
     if (!(r > 0 && r < from_mark / 5))
         return;
     rw_climb c = {0, 1e-3 * r, 1e3 * r, {atan2(s->y, s->x), log(r)}, s->J2, 0};
-    climb_to(s, &c, LAST_SPAN);
+    climb_to(s, &c, false);
 }
 
 /* Climbs roughly first. That is enough for a top that is lower than the highest, and for one that
  * was climbed already, from a mark about as near: a mark much farther away sees less detail. */
 static void climb_to_top(rw_highest *s, rw_climb *c)
 {
-    climb_to(s, c, ROUGH_SPAN);
+    climb_to(s, c, true);
     const double r = exp(c->top.log_radius);
     const double to_known =
         hypot(c->centre + r * cos(c->top.angle) - s->top_x, r * sin(c->top.angle) - s->top_y);
     if (c->J2 < (1 - ROUGHLY) * s->J2 || (to_known < ROUGHLY * r && s->top_radius < 2 * r))
         return;
     climb_ridge(s, c);
-    climb_to(s, c, LAST_SPAN);
+    climb_to(s, c, false);
     if (c->J2 >= s->J2) {
         climb_around_centre(s, exp(c->top.log_radius));
         s->top_x = s->x;
@@ -169,6 +217,6 @@ void rw_climb_from(rw_highest *s, rw_climb from)
     if (!rw_is_kink(&s->contact->geometry, from.centre)) /* J2 is finite there */
         evaluate(s, 1, &from.centre, &surface, &at_mark);
     from.J2 = 0; /* known from a grid, whose fields have an error */
-    look_at(s, &from, 1, &start);
+    look_at(s, &from, 1, &start, &at_mark);
     climb_to_top(s, &from);
 }

@@ -44,7 +44,7 @@ static void describe_columns(bool are_always, FILE *stream)
         const measure_kind *kind = measure_kind_of(i);
         const bool is_always = kind->condition == COLUMN_ALWAYS;
         if (is_always == are_always &&
-            (is_always || kind->part == PART_VALUE || kind->part == PART_WEAR))
+            (is_always || kind->part == PART_VALUE || kind->part == PART_MULTIPLE))
             fprintf(stream, "  %-15s %s\n", kind->column, kind->meaning);
     }
 }

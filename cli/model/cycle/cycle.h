@@ -22,14 +22,14 @@ bool criterion_is_damage(int criterion);
 const char *criterion_name(int criterion);
 
 /* The columns of a criterion: its value, the angles of its plane in degrees, and of damage the
- * number of cycles. What is no criterion is a value. Wear is another part of the energy. */
+ * number of cycles. What is no criterion is a value; so many times a value is a multiple. */
 typedef enum {
     PART_VALUE,
     PART_ANGLE,
     PART_OUT_OF_PLANE,
     PART_CYCLES,
     CRITERION_PARTS,
-    PART_WEAR = CRITERION_PARTS
+    PART_MULTIPLE = CRITERION_PARTS
 } measure_part;
 
 /* When a column is there. */
@@ -38,6 +38,7 @@ typedef enum { COLUMN_ALWAYS, COLUMN_OF_CRITERION, COLUMN_OF_ARCHARD } column_co
 /* Room for the columns, also of criteria that the library gets. */
 enum { COLUMN_MAX = 48 };
 
+struct criteria;
 enum { MEASURE_NAME_SIZE = 48, MEASURE_TITLE_SIZE = 80 };
 typedef struct {
     char column[MEASURE_NAME_SIZE];
@@ -49,6 +50,7 @@ typedef struct {
     bool is_of_friction; /* of the surface in contact, no criterion of fatigue */
     int criterion;
     char title[MEASURE_TITLE_SIZE]; /* of a value, as a picture has it */
+    double (*times)(const struct criteria *asked); /* of a multiple */
 } measure_kind;
 
 /* The columns, in their order; there are measure_count(). */
@@ -58,7 +60,7 @@ const measure_kind *measure_kind_of(int column);
 /* The column of a name; -1 where there is none. */
 int measure_column_named(const char *name);
 
-/* The column of a library's measure; -1 where there is none. */
+/* The column of a part of a library's measure, which is no multiple; -1 where there is none. */
 int measure_column_of(int32_t number, bool is_damage, measure_part part);
 
 /* A part of a criterion; -1 where it has none. */
@@ -122,7 +124,7 @@ double material_allowable(const material *constants, int criterion);
 
 enum { CONSTANTS_MAX = 16 }; /* of a criterion and its curve of life */
 
-typedef struct {
+typedef struct criteria {
     bool is_listed;                  /* by --criteria; otherwise what has its constants is wanted */
     bool is_wanted[CRITERION_COUNT]; /* with columns of its own */
     bool is_computed[CRITERION_COUNT];

@@ -76,6 +76,17 @@ static void store(int32_t number, bool is_damage, measure_part part, size_t n,
         at[j].value[column] = is_angle ? degrees(number_of[j]) : number_of[j];
 }
 
+/* The multiples of measures that are known. */
+static void store_multiples(const criteria *asked, size_t n, measured_place at[])
+{
+    for (int i = 0; i < measure_count(); i++) {
+        const measure_kind *kind = measure_kind_of(i);
+        const int of = measure_column_of(kind->number, false, PART_VALUE);
+        for (size_t j = 0; j < n && kind->part == PART_MULTIPLE; j++)
+            at[j].value[i] = kind->times(asked) * at[j].value[of];
+    }
+}
+
 /* The value, both angles and the cycles of damage: four lists of n numbers each, as the parts of a
  * measure. */
 static int32_t criterion_at(const last_cycle *cycle, int i, size_t n, const double *stress,
@@ -169,10 +180,6 @@ static int32_t friction_of(const last_cycle *cycle, size_t n, const double x[], 
         rwedge_cycle_friction(cycle->cycle, n, x, work, work + n, work + 2 * n, work + 3 * n);
     for (size_t i = 0; i < 4 && status == RWEDGE_OK; i++)
         store(measures[i], false, PART_VALUE, n, work + i * n, at);
-    for (size_t k = 0; k < n && status == RWEDGE_OK; k++)
-        work[k] = cycle->asked.archard * work[3 * n + k];
-    if (status == RWEDGE_OK)
-        store(RWEDGE_MEASURE_ENERGY_PER_AREA, false, PART_WEAR, n, work, at);
     return status;
 }
 
@@ -212,6 +219,8 @@ int32_t last_cycle_measure(const last_cycle *cycle, size_t n, measured_place at[
     int32_t status = fatigue(cycle, n, x, depth, at);
     if (status == RWEDGE_OK)
         status = friction(cycle, n, x, depth, at);
+    if (status == RWEDGE_OK)
+        store_multiples(&cycle->asked, n, at);
     for (size_t i = 0; i < n; i++)
         if (depth[i] != at[i].y)
             forget(&at[i]);

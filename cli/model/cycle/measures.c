@@ -44,9 +44,47 @@ static const place first_columns[] = {
     {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_ANGLE, COLUMN_OF_CRITERION},
     {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_OUT_OF_PLANE, COLUMN_OF_CRITERION},
     {RWEDGE_MEASURE_FATEMI_SOCIE, true, PART_CYCLES, COLUMN_OF_CRITERION},
-    {RWEDGE_MEASURE_ENERGY_PER_AREA, false, PART_WEAR, COLUMN_OF_ARCHARD},
 };
 enum { FIRST_COLUMNS = sizeof first_columns / sizeof first_columns[0] };
+
+/* ---- Multiples ---- */
+
+static bool is_of_friction(int32_t number)
+{
+    return number >= RWEDGE_MEASURE_SLIP_RANGE && number <= RWEDGE_MEASURE_ENERGY_PER_AREA;
+}
+
+static double archard(const criteria *asked)
+{
+    return asked->archard;
+}
+
+/* So many times a measure, in its own words; each is a column after those above. */
+static const struct {
+    int32_t number;
+    column_condition condition;
+    const char *column, *meaning, *unit, *title;
+    double (*times)(const criteria *asked);
+} multiples[] = {
+    {RWEDGE_MEASURE_ENERGY_PER_AREA, COLUMN_OF_ARCHARD, "wear_depth",
+     "worn in the cycle, --archard times energy_per_area", "length", "Depth of wear", archard},
+};
+enum { MULTIPLES = sizeof multiples / sizeof multiples[0] };
+
+static measure_kind multiple_kind(int i)
+{
+    measure_kind kind = {.number = multiples[i].number,
+                         .part = PART_MULTIPLE,
+                         .condition = multiples[i].condition,
+                         .criterion = NO_CRITERION,
+                         .meaning = multiples[i].meaning,
+                         .unit = multiples[i].unit,
+                         .is_of_friction = is_of_friction(multiples[i].number),
+                         .times = multiples[i].times};
+    snprintf(kind.column, sizeof kind.column, "%s", multiples[i].column);
+    snprintf(kind.title, sizeof kind.title, "%s", multiples[i].title);
+    return kind;
+}
 
 /* ---- What a column is called ---- */
 
@@ -82,28 +120,16 @@ static const char *unit_of(place of)
     return of.part == PART_VALUE && !of.is_damage ? rwedge_criterion_unit(of.number) : "none";
 }
 
-static bool is_of_friction(int32_t number)
-{
-    return number >= RWEDGE_MEASURE_SLIP_RANGE && number <= RWEDGE_MEASURE_ENERGY_PER_AREA;
-}
-
 static measure_kind kind_of(place of)
 {
     const int criterion = of.number + (of.is_damage ? DAMAGE : 0);
-    const bool is_criterion = of.part < CRITERION_PARTS && criterion_exists(criterion);
+    const bool is_criterion = criterion_exists(criterion);
     measure_kind kind = {.number = of.number,
                          .is_damage = of.is_damage,
                          .part = of.part,
                          .condition = of.condition,
                          .is_of_friction = is_of_friction(of.number),
                          .criterion = is_criterion ? criterion : NO_CRITERION};
-    if (of.part == PART_WEAR) {
-        kind.meaning = "worn in the cycle, --archard times energy_per_area";
-        kind.unit = "length";
-        snprintf(kind.column, sizeof kind.column, "wear_depth");
-        snprintf(kind.title, sizeof kind.title, "Depth of wear");
-        return kind;
-    }
     kind.meaning = meaning_of(of);
     kind.unit = unit_of(of);
     snprintf(kind.title, sizeof kind.title, "%s%s", of.is_damage ? "Damage by the " : "",
@@ -146,7 +172,9 @@ static const all_columns *columns_known(void)
         return &all;
     for (int i = 0; i < FIRST_COLUMNS; i++)
         all.list[i] = kind_of(first_columns[i]);
-    all.count = FIRST_COLUMNS;
+    for (int i = 0; i < MULTIPLES; i++)
+        all.list[FIRST_COLUMNS + i] = multiple_kind(i);
+    all.count = FIRST_COLUMNS + MULTIPLES;
     add_others(&all);
     return &all;
 }

@@ -33,12 +33,12 @@ int32_t worst_places(const last_cycle *cycle, const measured *result, worst_row 
     int32_t status = RWEDGE_OK;
     for (int i = 0; i < measure_count() && status == RWEDGE_OK; i++) {
         const measure_kind *kind = measure_kind_of(i);
-        if (kind->part != PART_WEAR) {
+        if (kind->part != PART_MULTIPLE) {
             status = find(cycle, result, i, &row[i]);
             continue;
         }
-        row[i] = row[measure_column_of(kind->number, false, PART_VALUE)]; /* a share of that */
-        row[i].value *= cycle->asked.archard;
+        row[i] = row[measure_column_of(kind->number, false, PART_VALUE)];
+        row[i].value *= kind->times(&cycle->asked);
     }
     return status;
 }

@@ -9,7 +9,7 @@ git -C "$top" rev-parse HEAD >/dev/null 2>&1 || leave_out "these files are no cl
 [ "$(uname -sm)" = "Linux x86_64" ] || leave_out "they need Linux on x86-64"
 need dpkg-source python3 cmake gcc
 mkdir -p "$work" "$packages/python"
-sh "$top/packages/sources.sh" "$sources" gsl lapack musl >"$work/log" 2>&1 || leave_out "sources cannot be fetched: $(tail -n 1 "$work/log")"
+sh "$top/packages/sources.sh" "$sources" gsl lapack musl popt jansson libcsv >"$work/log" 2>&1 || leave_out "sources cannot be fetched: $(tail -n 1 "$work/log")"
 . "$top/tests/support/venv.sh"
 reason=$(venv "$here/requirements.txt" "$work/venv") || leave_out "their tools cannot be fetched: ${reason#SKIPPED: }"
 export SOURCE_DATE_EPOCH="$epoch"
@@ -39,7 +39,8 @@ CMAKE_ARGS="-DCMAKE_OBJCOPY=$work/objcopy -DCMAKE_MODULE_LINKER_FLAGS=-s" quietl
 (cd "$work/base" && python3 -m zipfile -e ./*.whl .)
 
 # wheel PLATFORM LIBRARY NAME... - the base with another library and another tag, and what is linked in: NAMEs are Debian's packages,
-# also of compilers whose run-time libraries are
+# also of compilers whose run-time libraries are. With the tool of $tool, which reads files for read_case(), where there is one
+tool=
 wheel()
 {
     platform=$1 library=$2 parts=$work/parts/rwedge-$version
@@ -48,7 +49,7 @@ wheel()
     rm -rf "$work/parts"
     quietly "$work/venv/bin/wheel" unpack --dest "$work/parts" "$work"/base/*.whl
     rm "$parts"/rwedge/_rwedge.*
-    cp "$library" "$parts/rwedge"
+    cp "$library" $tool "$parts/rwedge"
     sed -i '/^Tag: /d; /^$/d' "$about/WHEEL"
     # shellcheck disable=SC2046
     printf 'Tag: py3-none-%s\n' $(echo "$platform" | tr . ' ') >>"$about/WHEEL"
@@ -90,15 +91,27 @@ lacks()
     return 1
 }
 
-wheel manylinux_2_17_x86_64.manylinux2014_x86_64 "$work/base/rwedge/_rwedge.so" gsl lapack
+# GSL's headers without those of glibc, and the archives of this machine: they call nothing but C99
+mkdir -p "$work/musl-include"
+ln -sfn "$(pkg-config --variable=includedir gsl)/gsl" "$work/musl-include/gsl"
+inside='gsl lapack'
+if ! command -v musl-gcc >/dev/null; then
+    echo "not made: the tool in the wheels for Linux, for lack of musl-gcc" | tee -a "$tested"
+else
+    quietly sh "$here/tool.sh" "$sources" "$work/source" "$work/tool" musl-gcc -DRWEDGE_GSL_INCLUDE="$work/musl-include" \
+        -DCMAKE_LIBRARY_ARCHITECTURE="$(gcc -print-multiarch)"
+    tool=$work/tool/rwedge
+    inside="$inside musl popt jansson libcsv"
+fi
+# shellcheck disable=SC2086
+wheel manylinux_2_17_x86_64.manylinux2014_x86_64 "$work/base/rwedge/_rwedge.so" $inside
 if ! lacks musl musl-gcc; then
-    # GSL's headers without those of glibc, and the archives of this machine: they call nothing but C99
-    mkdir -p "$work/musl-include"
-    ln -sfn "$(pkg-config --variable=includedir gsl)/gsl" "$work/musl-include/gsl"
     library musl -DCMAKE_C_COMPILER=musl-gcc -DRWEDGE_HARDENING=OFF -DRWEDGE_GSL_INCLUDE="$work/musl-include" \
         -DCMAKE_LIBRARY_ARCHITECTURE="$(gcc -print-multiarch)"
-    wheel musllinux_1_2_x86_64 "$work/musl/_rwedge.so" gsl lapack
+    # shellcheck disable=SC2086
+    wheel musllinux_1_2_x86_64 "$work/musl/_rwedge.so" $inside
 fi
+tool=
 machine=aarch64-linux-gnu
 if ! lacks "Linux on ARM" $machine-gcc $machine-gfortran; then
     old_glibc $machine- 2.17
@@ -123,7 +136,11 @@ if ! lacks Windows $machine-gcc $machine-gfortran; then
     # shellcheck disable=SC2086
     library windows -DCMAKE_TOOLCHAIN_FILE="$top/packages/windows/mingw.cmake" -DRWEDGE_LIBM_FOLDER="$build/excel/dependencies" $with \
         -DCMAKE_MODULE_LINKER_FLAGS="-static-libgcc -s -Wl,--no-insert-timestamp -L$build/excel/dependencies"
-    wheel win_amd64 "$work/windows/_rwedge.dll" gsl lapack musl mingw-w64-x86-64-dev gcc-mingw-w64-x86-64
+    quietly sh "$top/packages/windows/build.sh" --tool "$build/excel" # as that of the zip for Windows
+    tool=$build/excel/windows/bin/rwedge.exe
+    wheel win_amd64 "$work/windows/_rwedge.dll" gsl lapack musl popt jansson libcsv libxlsxwriter zlib mingw-w64-x86-64-dev \
+        gcc-mingw-w64-x86-64
+    tool=
 fi
 if ! lacks macOS clang "$(clang -print-prog-name=ld64.lld 2>/dev/null)"; then
     for system in 11.0-arm64 10.13-x86_64; do

@@ -49,6 +49,11 @@ suite()
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/pip install --quiet --no-index "$linux"
     env -i HOME="$work" PATH="$work/environment/bin" environment/bin/python -c \
         'import rwedge; assert abs(rwedge.elastic_limit(0.25, 0.1, 0.3) / 3.4068757722085774 - 1) < 1e-13'
+    # files are read by the tool inside, with no tool on the path
+    printf 'P [kN],Q [N]\n1.2,100\n' >rig.csv
+    env -i HOME="$work" PATH="$work/environment/bin" environment/bin/python -c \
+        'import rwedge; case = rwedge.read_case("rig.csv", units="mm,N,MPa", width=8); assert case.loads["P"] == 150, case' ||
+        fail "read_case() of $linux"
     # shellcheck disable=SC2086
     PATH="$work/environment/bin:$PATH" RWEDGE_ANSWERS="$build/private/answers" environment/bin/python -m pytest \
         -c "$source/pyproject.toml" --rootdir "$source" -p no:cacheprovider --quiet --no-header -m 'not long' $tests >log 2>&1 ||

@@ -57,11 +57,24 @@ def test_a_pad_that_is_held_has_the_moments_of_its_tilts(tmp_path):
     contact = case.contact()
     for P, Q, tilt in zip(*(case.loads[name] for name in ("P", "Q", "tilt"))):
         contact.guide(P, tilt, Q, 0.0)
-        assert contact.loads().M == pytest.approx(P * 100 * tilt, rel=1e-12)  # a cylinder that turns is one beside, by R times the tilt
+        assert contact.loads.M == pytest.approx(P * 100 * tilt, rel=1e-12)  # a cylinder that turns is one beside, by R times the tilt
     held = rwedge.read_case(E1=210000, nu1=0.3, radius=100, f=0.5, P=200, tilt=0.02)
     contact = held.contact()
     contact.load(held.loads["P"])
-    assert contact.loads().M == pytest.approx(400, rel=1e-12)
+    assert contact.loads.M == pytest.approx(400, rel=1e-12)
+
+
+def test_what_a_fit_leaves_is_told_of_its_contact(tmp_path):
+    x = np.linspace(-1.5, 1.5, 300)
+    noise = np.random.default_rng(1).normal(0, 5e-4, x.size)  # 0.5 um, on lobes that rise by less than ten times that
+    path = file(tmp_path, "scan.csv", "x,height\n" + "".join(f"{at:.17g},{height:.17g}\n" for at, height in
+                zip(x, np.maximum(0, np.abs(x) - 1)**2 / 10 + noise)))
+    with pytest.warns(UserWarning, match="arcs"):
+        case = rwedge.read_case(profile=path, fit=True, E1=210000, nu1=0.3, P=300)
+    said = " ".join(case.remarks())
+    residue = float(said.split("residue within the contact is ")[1].split(",")[0])
+    assert 5e-4 < residue < 4 * 5e-4  # the largest of some 200 normal numbers
+    assert "does not resolve" in said, said
 
 
 def test_bodies_pads_and_materials(tmp_path):

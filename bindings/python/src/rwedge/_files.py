@@ -12,7 +12,7 @@ import sys
 import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Mapping
+from typing import Any, Iterable, Mapping
 
 import numpy as np
 
@@ -52,19 +52,13 @@ def _words(name: str, value: Any) -> list[str]:
     return [option, _text(value)]
 
 
-def _ask(file: str | os.PathLike[str] | None, words: Mapping[str, Any]) -> dict[str, Any]:
-    """What the tool has read; its remarks are warnings, what is wrong an error."""
-    line = [_tool(), "read", *([os.fspath(file)] if file is not None else [])]
-    for name, value in words.items():
-        line += _words(name, value)
-    done = subprocess.run(line, capture_output=True, text=True, encoding="utf-8")
-    said = [text.removeprefix("rwedge read: ") for text in done.stderr.splitlines()]
+def _run(command: str, line: Iterable[str]) -> tuple[str, list[str]]:
+    """What a command of the tool writes, and its remarks; what is wrong is an error."""
+    done = subprocess.run([_tool(), command, *line], capture_output=True, text=True, encoding="utf-8")
+    said = [text.removeprefix(f"rwedge {command}: ") for text in done.stderr.splitlines()]
     if done.returncode != 0:
-        raise Error("; ".join(said) or f"rwedge read ended with {done.returncode}")
-    for remark in said:
-        warnings.warn(remark, stacklevel=4)
-    read: dict[str, Any] = json.loads(done.stdout)
-    return read
+        raise Error("; ".join(said) or f"rwedge {command} ended with {done.returncode}")
+    return done.stdout, said
 
 
 @dataclass(frozen=True)
@@ -97,6 +91,7 @@ class Case:
     loads: dict[str, Any] = field(default_factory=dict)
     material: dict[str, float] = field(default_factory=dict)
     asked: dict[str, Any] = field(default_factory=dict)
+    _options: tuple[str, ...] = field(default=(), repr=False)
 
     @property
     def A(self) -> float:
@@ -139,6 +134,12 @@ class Case:
             contact.guide(0.0, float(tilt[0]), 0.0, 0.0)
         return contact
 
+    def remarks(self) -> list[str]:
+        """What the tool remarks on the contact under the loads of the case, as ``rwedge solve`` says it: of a fit the largest residue
+        within the contact, how the largest pressure changes with one arc fewer and one more, and edges that the noise does not
+        resolve; of a hull how much it changes; a pad whose x = 0 is not its lowest place; what makes results doubtful."""
+        return _run("solve", self._options)[1]
+
 
 def _arrays(group: Mapping[str, Any]) -> dict[str, Any]:
     return {name: np.array(value) if isinstance(value, list) else math.inf if value == "inf" else value for name, value in group.items()}
@@ -147,8 +148,8 @@ def _arrays(group: Mapping[str, Any]) -> dict[str, Any]:
 def read_case(file: str | os.PathLike[str] | None = None, **words: Any) -> Case:
     """A case from its file, from files of a rig, or from words: the options of the tool with ``_`` for ``-``.
 
-    The tool reads: ``rwedge`` of the same version must be on PATH, or be named by the environment variable RWEDGE_TOOL. Its remarks
-    are warnings; what is wrong is an ``Error`` with its message, which names file, line and column.
+    The tool reads: ``rwedge``, which the wheels for Linux (x86-64) and Windows have inside; else that of the same version on PATH, or
+    named by the environment variable RWEDGE_TOOL. Its remarks are warnings; what is wrong is an ``Error`` with its message, which names file, line and column.
 
     Parameters
     ----------
@@ -170,7 +171,13 @@ def read_case(file: str | os.PathLike[str] | None = None, **words: Any) -> Case:
     >>> contact = case.contact()                                                           # doctest: +SKIP
     """
     is_case = file is not None and os.fspath(file).lower().endswith(".json")
-    read = _ask(None if is_case else file, {"case": os.fspath(file), **words} if is_case and file is not None else words)
+    options = [word for name, value in words.items() for word in _words(name, value)]
+    if file is not None:
+        options = ["--case" if is_case else "--history", os.fspath(file), *options]
+    written, said = _run("read", options)
+    for remark in said:
+        warnings.warn(remark, stacklevel=2)
+    read: dict[str, Any] = json.loads(written)
     asked = json.loads(Path(file).read_text("utf-8-sig")).get("asked", {}) if is_case and file is not None else {}
     groups = {name: _arrays(read.get(name, {})) for name in ("bodies", "pad", "loads", "material")}
-    return Case(units=read.get("units", ""), asked=asked, **groups)
+    return Case(units=read.get("units", ""), asked=asked, _options=tuple(options), **groups)

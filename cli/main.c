@@ -8,10 +8,10 @@
 #include <string.h>
 
 static const command help_command;
-static const command *const commands[] = {&solve_command,     &table_command,   &profile_command,
-                                          &field_command,     &history_command, &fretting_command,
-                                          &crack_command,     &figure_command,  &workbook_command,
-                                          &materials_command, &read_command,    &help_command};
+static const command *const commands[] = {
+    &solve_command,    &table_command,  &profile_command, &field_command,    &history_command,
+    &fretting_command, &crack_command,  &figure_command,  &workbook_command, &materials_command,
+    &read_command,     &report_command, &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };
@@ -68,7 +68,7 @@ static int run_command(const command *chosen, int count, const char **words)
     arguments line;
     if (!arguments_read(&line, &chosen->grammar, count, words))
         return STATUS_DONE;
-    case_file_take(chosen->name, &line);
+    case_file_take(chosen->is_of_any_case ? NULL : chosen->name, &line);
     case_file_check(&line);
     const int status = chosen->run(&line);
     if (status == STATUS_DONE)

@@ -7,11 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-enum { FIGURE_COUNT = 15 };
+enum { FIGURE_COUNT = 18 };
 static const figure *const figures[FIGURE_COUNT] = {
-    &figure_pressure, &figure_normal,  &figure_sliding, &figure_yield_point, &figure_tension,
-    &figure_shear,    &figure_field,   &figure_loop,    &figure_eccentric,   &figure_history,
-    &figure_fretting, &figure_measure, &figure_crack,   &figure_wear,        &figure_shakedown};
+    &figure_pressure, &figure_normal,    &figure_sliding, &figure_yield_point, &figure_tension,
+    &figure_shear,    &figure_field,     &figure_loop,    &figure_eccentric,   &figure_history,
+    &figure_fretting, &figure_measure,   &figure_crack,   &figure_wear,        &figure_shakedown,
+    &figure_contact,  &figure_tractions, &figure_stress};
 
 enum {
     OPTION_FIGURE_VARIABLE = OPTION_AFTER_CRACK,
@@ -53,7 +54,7 @@ static const struct poptOption options[] = {
     {VALUE("sigma-over-max", OPTION_FIGURE_VARIABLE + SIGMA_OVER_MAX),
      "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
     {INCLUDED(history_figure_option_table),
-     "A contact and its loads, for history, fretting, measure, crack, wear, and loop:", NULL},
+     "A contact and its loads, for loop and the figures below without variables:", NULL},
     {VALUE("measure", OPTION_MEASURE),
      "Of figure measure: a column of \"rwedge fretting\" (default swt)", "COLUMN"},
     {VALUE("over", OPTION_OVER),
@@ -101,7 +102,7 @@ static void describe_figures(FILE *stream)
 
 static const figure *choose_figure(const arguments *line)
 {
-    char allowed[120] = "";
+    char allowed[200] = "";
     for (int i = 0; i < FIGURE_COUNT; i++)
         list_add(allowed, sizeof allowed, ", ", "%s", figures[i]->name);
     if (line->operand == NULL || line->operand[0] == NULL)
@@ -162,9 +163,10 @@ static void refuse_others(const arguments *line, const figure *chosen)
 {
     for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES && !chosen->has_history; i++)
         if (line->value[i] != NULL)
-            usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
-                        "crack, wear, and loop with --history or --load",
-                        chosen->name);
+            usage_error(
+                "figure %s: a contact and its loads are for history, fretting, measure, "
+                "crack, wear, contact, tractions, stress, and loop with --history or --load",
+                chosen->name);
     const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
     const bool has_crack = chosen == &figure_crack;
     for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA && chosen != &figure_measure; i++)

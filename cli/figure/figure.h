@@ -70,6 +70,10 @@ typedef struct {
     criteria asked;    /* of figure measure, which also has a column of "rwedge fretting" */
     material constants;
     int measure, over;
+    /* of the figures of a state: the case under its loads; NULL is after the history */
+    const contact_case *state;
+    const char *length_unit, *stress_unit; /* NULL where not known */
+    bool is_part;    /* of a page: SVG without what stands before it in a file */
     last_cycle last; /* of figure crack */
     crack_plan crack;
 } figure_case;
@@ -104,7 +108,8 @@ struct figure {
 /* Those of the paper, 2 to 7, and more. Each is defined in a file of its subject. */
 extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point,
     figure_tension, figure_shear, figure_field, figure_loop, figure_eccentric, figure_history,
-    figure_any_loop, figure_fretting, figure_measure, figure_crack, figure_wear, figure_shakedown;
+    figure_any_loop, figure_fretting, figure_measure, figure_crack, figure_wear, figure_shakedown,
+    figure_contact, figure_tractions, figure_stress;
 
 /* The lines of the files in scripts/, which the build makes of them; NULL after the last: what
  * every script begins with, what stands for its line "frame", and the figures' own. */
@@ -112,7 +117,8 @@ typedef const char *const script_line;
 extern script_line head_lines[], frame_lines[], pressure_lines[], normal_lines[], sliding_lines[],
     yield_point_lines[], tension_lines[], shear_lines[], field_lines[], loop_lines[],
     eccentric_lines[], history_lines[], any_loop_lines[], fretting_lines[], measure_lines[],
-    crack_lines[], wear_lines[], shakedown_lines[];
+    crack_lines[], wear_lines[], shakedown_lines[], contact_lines[], tractions_lines[],
+    stress_lines[];
 
 /* A round step that gives 8 to 20 levels up to the top. */
 double step_of_levels(double top);

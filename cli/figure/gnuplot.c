@@ -153,7 +153,8 @@ static void remove_date(char *picture, size_t length)
 }
 
 /* In an SVG, viewers drop a space where the font changes, unless told to keep it. */
-static void take_picture(FILE *const stream[], const picture_format *format, output *out)
+static void take_picture(FILE *const stream[], const picture_format *format, bool is_part,
+                         output *out)
 {
     static const char start[] = "<svg";
     size_t length;
@@ -163,7 +164,8 @@ static void take_picture(FILE *const stream[], const picture_format *format, out
     remove_date(picture, length);
     const char *root = strcmp(format->name, "svg") == 0 ? strstr(picture, start) : NULL;
     const size_t before = root != NULL ? (size_t)(root - picture) + strlen(start) : 0;
-    output_write(out, picture, before);
+    const size_t skipped = is_part ? before - strlen(start) : 0;
+    output_write(out, picture + skipped, before - skipped);
     if (root != NULL)
         output_text(out, " xml:space=\"preserve\"");
     output_write(out, picture + before, length - before);
@@ -171,7 +173,7 @@ static void take_picture(FILE *const stream[], const picture_format *format, out
 
 /* ---- gnuplot ---- */
 
-static void run(FILE *const stream[])
+static void run(FILE *const stream[], bool is_part)
 {
     /* without the user's own start file; from standard input itself gnuplot reads byte by byte */
     const char *const words[] = {"gnuplot", "--default-settings", program_input_name, NULL};
@@ -179,7 +181,8 @@ static void run(FILE *const stream[])
     const int error = program_run(words, settings, stream, &end);
     if (error == ENOENT)
         failure("gnuplot: not found on PATH; it draws the figures: install it (on Debian and "
-                "Ubuntu the package gnuplot-nox), or use --data");
+                "Ubuntu the package gnuplot-nox), or use %s",
+                is_part ? "--no-pictures" : "--data");
     if (error != 0)
         failure("gnuplot: %s", strerror(error));
     if (end.by_signal || end.number != 0)
@@ -206,8 +209,8 @@ void gnuplot_draw(const figure_case *inputs, const dataset *rows, output *out)
     if (fflush(stream[SCRIPT]) != 0 || ferror(stream[SCRIPT]))
         failure("gnuplot: its script cannot be written: %s", strerror(errno));
     rewind(stream[SCRIPT]);
-    run(stream);
-    take_picture(stream, format, out);
+    run(stream, inputs->is_part);
+    take_picture(stream, format, inputs->is_part, out);
     for (int i = 0; i < STREAMS; i++)
         fclose(stream[i]);
 }

@@ -85,12 +85,13 @@ typedef struct {
     /* the words that may follow, NULL after the last; NULL where none may */
     const char *(*operand)(int i);
     int (*run)(const arguments *line); /* returns the exit status */
+    bool is_of_any_case;               /* as case_file_take() has it */
 } command;
 
 /* Each is defined in the file of its name. */
 extern const command solve_command, table_command, profile_command, field_command, history_command,
     fretting_command, crack_command, figure_command, workbook_command, materials_command,
-    read_command;
+    read_command, report_command;
 
 /* ---- completion ---- Completion for bash, zsh and fish, written from the tables of options that
  * drive the parsing. */

@@ -53,6 +53,17 @@ double pad_half_width(const pad *shape, double A, double P)
     return b;
 }
 
+double pad_height(const pad *shape, double x)
+{
+    const double reach = fabs(x);
+    if (shape->kind == PAD_PROFILE)
+        return pad_profile_height(shape->places, x);
+    if (shape->kind == PAD_WEDGE && reach >= shape->a)
+        return shape->theta * (reach - shape->a / 2);
+    const double rounded = shape->kind == PAD_FLAT ? fmax(reach - shape->flat, 0) : reach;
+    return rounded * rounded / (2 * shape->radius);
+}
+
 bool pad_is_kink(const pad *shape, double x)
 {
     const pad_profile *places = shape->places;

@@ -117,6 +117,9 @@ int32_t pad_contact(const pad *shape, double A, double f, rwedge_contact **conta
 /* The half-width of its contact under P alone; NAN where the pad cannot bear P. */
 double pad_half_width(const pad *shape, double A, double P);
 
+/* Its height over its lowest place, as it is before it touches. */
+double pad_height(const pad *shape, double x);
+
 /* Whether the pressure is infinite at x, where x is in contact. */
 bool pad_is_kink(const pad *shape, double x);
 

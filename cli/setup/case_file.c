@@ -161,10 +161,14 @@ static void take_asked(const char *path, const node *asked, const char *command_
                     asked->part[i].name);
     if (its == NULL || its->kind != NODE_TEXT || options == NULL || options->kind != NODE_OBJECT)
         failure("%s: asked: must have command, a text, and options, an object", path);
-    for (size_t i = 0; i < options->count && strcmp(its->text, command_name) == 0; i++) {
+    const bool is_of_any = command_name == NULL;
+    for (size_t i = 0; i < options->count && (is_of_any || strcmp(its->text, command_name) == 0);
+         i++) {
         const node *value = &options->part[i];
         const int number = case_option_asked(line, value->name);
         const char *nearest = arguments_nearest(line->grammar, value->name);
+        if (number == 0 && is_of_any)
+            continue;
         if (number == 0)
             failure("%s: asked: %.60s: no option of %s that a case may have%s%s", path, value->name,
                     command_name, nearest != NULL ? "; the nearest is " : "",
@@ -229,11 +233,27 @@ static void take_part(const char *path, const node *part, const char *command_na
     }
 }
 
+/* The word of a command of any case is its file. */
+static void take_operand(arguments *line, int option)
+{
+    if (line->operand == NULL || line->operand[0] == NULL)
+        return;
+    if (line->value[option] != NULL)
+        usage_error("%s: given together with --case; allowed: one of the two", line->operand[0]);
+    if (line->operand[1] != NULL)
+        usage_error("%s: unexpected; allowed: one case file", line->operand[1]);
+    line->value[option] = memory_zeroed(strlen(line->operand[0]) + 1, 1);
+    strcpy(line->value[option], line->operand[0]);
+    line->operand = NULL;
+}
+
 void case_file_take(const char *command_name, arguments *line)
 {
     const int option = arguments_number(line, "case");
-    const char *path = option != 0 ? line->value[option] : NULL;
     complaint why;
+    if (command_name == NULL)
+        take_operand(line, option);
+    const char *path = option != 0 ? line->value[option] : NULL;
     if (path == NULL)
         return;
     const node *top = document_read(path), *version = node_part(top, case_version_name);

@@ -173,7 +173,9 @@ const char *load_history_place(const load_history *loads, size_t row, char place
 /* ---- case_file ---- A case in a file: bodies, pad, loads, what is asked. Names that are none end
  * the command. */
 
-/* Gives the values of --case to options that are not given, before anything else is read. */
+/* Gives the values of --case to options that are not given, before anything else is read. A command
+ * name of NULL is of any case: the file may be its word, and of what another command was asked it
+ * takes the options that it has. */
 void case_file_take(const char *command_name, arguments *line);
 
 /* ---- case_writing ---- The same file written. */

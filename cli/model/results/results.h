@@ -103,6 +103,22 @@ extern const char inverse_names[];
 bool inverse_find(const input_texts *texts, int input, double safety, contact_case *setup,
                   double *value, complaint *why);
 
+/* ---- equations ---- The formulas of results, with their symbols and with the numbers put in. */
+
+enum { EQUATIONS_MAX = 16 };
+
+/* name = symbols = numbers = value; the numbers have six digits. */
+typedef struct {
+    const char *name;
+    char symbols[160], numbers[240];
+    double value;
+    const char *unit; /* the dimension, as that of a column */
+} equation;
+
+/* Those whose right side is a formula of the pad and its loads: how many. What is searched for, as
+ * the load at first yield, has none. */
+int equations_of(const contact_case *setup, const results *answer, equation to[EQUATIONS_MAX]);
+
 /* ---- verdict ---- The verdict: a summary of all results of a contact. */
 
 typedef struct {

@@ -115,7 +115,7 @@ same "JSON" '{"a_over_b": 0, "b_sigma_over_fP": 1},' "$(sed -n 2p out)"
 run figure 6 --data --decimal-comma --digits 3
 same "decimal comma" "0,005;1" "$(sed -n 3p out)"
 # Mistakes.
-all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack, wear, shakedown"
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack, wear, shakedown, contact, tractions, stress"
 refuses "which figure must follow; allowed: $all" figure
 refuses "1: unknown figure; allowed: $all" figure 1
 refuses "log.csv: unexpected; allowed: one figure, and options; --history gives a file of loads" figure fretting log.csv
@@ -221,7 +221,7 @@ close_to "the loop closes" "$(by_name '$load == 2 { print $displacement }' out)"
 run figure history --at -0.2,0.01 --history two.csv $specimen --data
 same "the whole cycle" "2 4" "$(column load out | sed -n '1p;$p' | paste -s -d ' ' -)"
 refuses "--at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
-refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, wear, and loop with --history or --load" figure 4 --E1 3
+refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, wear, contact, tractions, stress, and loop with --history or --load" figure 4 --E1 3
 cannot "loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
     figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 

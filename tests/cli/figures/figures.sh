@@ -140,6 +140,11 @@ awk 'BEGIN { print "P,Q,sigma"; for (k = 1; k <= 24; k++) { c = cos(k * 3.141592
 draws svg crack --history cycle.csv --E1 133333.33333333333 --nu1 0 --radius 60 --f 0.6 --load 120,0 --load 120,0,50,60 --edge left \
     --from 0.01 --to 3 --dK-th 66.4 --ds0 248 --K-in mm
 same "where it stops" 1 "$(grep -c 'where it stops, 0.1485' drawn.svg)"
+for name in contact tractions stress; do
+    draws svg $name --history loads.csv $specimen
+done
+draws svg contact --flat 0.5 --radius 10 --E1 210000 --nu1 0.3 --f 0.2 --load 300,0,0,0 --load 300,-20,0,0
+draws svg stress --theta 0.02 --a 0 --E1 210000 --nu1 0.3 --f 0 --load 300,0
 draws svg 4 --no-title
 same "title" 0 "$(grep -c 'Elastic limit' drawn.svg)"
 

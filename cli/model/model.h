@@ -49,6 +49,10 @@ typedef enum { SHARE_NONE, SHARE_OF_WIDTH, SHARE_OF_SECTION } unit_share;
 bool units_factor(const unit_system *units, const char *own, const char *dimension, unit_share of,
                   double *factor, complaint *why);
 
+/* What a number of a dimension in one system is multiplied by to be in another; 1 where one of the
+ * two is not known. */
+double units_conversion(const unit_system *from, const unit_system *to, const char *dimension);
+
 /* Reads a number that a unit may follow; *own is that part of the text, NULL for none. */
 bool quantity_read(const char *text, char decimal_sign, double *value, const char **own);
 

@@ -293,6 +293,12 @@ static double working_size(const unit_system *units, const measuring_unit *u)
            (pow(units->force, u->half_force / 2.0) * pow(units->length, u->half_length / 2.0));
 }
 
+double units_conversion(const unit_system *from, const unit_system *to, const char *dimension)
+{
+    const measuring_unit unit = dimension_of(dimension);
+    return from->is_known && to->is_known ? working_size(to, &unit) / working_size(from, &unit) : 1;
+}
+
 /* What is divided where a quantity is given for the whole contact: its width, or the section. */
 typedef struct {
     double size;     /* NAN where not given */

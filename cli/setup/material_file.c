@@ -10,11 +10,6 @@
 #include <string.h>
 #include <strings.h>
 
-/* A name and its words, as they were read. */
-typedef struct {
-    char *name, *text;
-} constant_words;
-
 typedef struct {
     const char *source; /* as messages call it */
     constant_words *list;
@@ -106,47 +101,21 @@ static void find_units(const arguments *line, material_words *words)
            words->units_text);
 }
 
-/* A bare stress of a material that says its units gets them. */
-static const char *with_unit(const material_words *words, int constant, const char *text,
-                             char room[200])
+static void take_all(const material_words *words, material *constants)
 {
-    double number;
-    const char *stress = words->units_text != NULL ? strrchr(words->units_text, ',') : NULL;
-    if (stress == NULL || strcmp(material_unit(constant), "stress") != 0 ||
-        !number_read_cell(text, '.', &number))
-        return text;
-    snprintf(room, 200, "%.60s %.60s", text, stress + 1);
-    return room;
-}
-
-static void take(const material_words *words, const constant_words *one, material *constants)
-{
-    const int i = material_constant(one->name);
-    char room[200];
+    const constant_words *one;
     complaint why;
-    if (i < 0)
-        failure("%s: %.60s: no constant that is known here; see rwedge fretting in its manual",
-                words->source, one->name);
-    if (material_take(i, with_unit(words, i, one->text, room), '.', &words->units, constants, &why))
+    if (material_take_all(words->count, words->list, &words->units, constants, &one, &why))
         return;
+    if (material_constant(one->name) < 0)
+        failure("%s: %.60s: %s; see rwedge fretting in its manual", words->source, one->name,
+                why.text);
     const bool has_unit = strstr(why.text, "no working units") != NULL,
                lacks_unit = strncmp(why.text, "needs its unit", 14) == 0;
     failure("%s: %s %.60s: %s%s", words->source, one->name, one->text, why.text,
             has_unit     ? ": --units, such as --units mm,N,MPa, converts it"
             : lacks_unit ? ", beside --units; or --K-in m or mm"
                          : "");
-}
-
-static void take_all(const material_words *words, material *constants)
-{
-    for (int last = 0; last < 2; last++)
-        for (size_t i = 0; i < words->count; i++) {
-            const char *name = words->list[i].name;
-            const int constant = material_constant(name);
-            const bool is_last = constant >= 0 && material_is_last(constant);
-            if (!material_is_remark(name) && is_last == (last == 1))
-                take(words, &words->list[i], constants);
-        }
 }
 
 /* ---- What it must have ---- */

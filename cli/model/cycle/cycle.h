@@ -99,10 +99,23 @@ const char *material_unit(int constant);
 bool material_is_option(int constant);
 
 /* Takes the text of a constant, which may have its unit; one of a K must have. False, with the rest
- * of a sentence about it. One that is last depends on others. */
+ * of a sentence about it. */
 bool material_take(int constant, const char *text, char decimal_sign, const unit_system *units,
                    material *constants, complaint *why);
-bool material_is_last(int constant);
+
+/* A name and its text, as they were read. */
+typedef struct {
+    char *name, *text;
+} constant_words;
+
+/* Takes all constants of a material but remarks; with "units" it says those of its bare stresses.
+ * False, with the words that are wrong, and the rest of a sentence about them. */
+bool material_take_all(size_t count, const constant_words words[], const unit_system *units,
+                       material *constants, const constant_words **fault, complaint *why);
+
+/* What the number of a constant is multiplied by to be in other units; m is the exponent of the
+ * growth of a crack, on which the unit of its factor depends. */
+double material_conversion(int constant, double m, const unit_system *from, const unit_system *to);
 
 /* Without any constant. */
 material material_unknown(void);

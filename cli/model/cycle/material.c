@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+static const char of_K[] = "stress*sqrt(length)"; /* the dimension of a K */
+
 /* A constant that a criterion has is told by the library; a limit, and what a contact or a critical
  * distance has, is not: number is -1. */
 typedef struct {
@@ -56,15 +58,13 @@ static const catalogue *constants_known(void)
         return &known;
     add_those_of_criteria(&known);
     add(&known, (constant){"nu", "Poisson's ratio", -1, 0, -1, 0.5, "none"});
-    add(&known, (constant){"dK_th", "range of the threshold of long cracks", -1, 0, 0, 1e60,
-                           "stress*sqrt(length)"});
+    add(&known, (constant){"dK_th", "range of the threshold of long cracks", -1, 0, 0, 1e60, of_K});
     add(&known,
         (constant){"ds0", "range of the plain fatigue limit", -1, 0, 1e-60, 1e60, "stress"});
     add(&known, (constant){"paris_C", "factor of the growth of a crack", -1, 0, 1e-60, 1e60, ""});
     add(&known,
         (constant){"paris_m", "exponent of the growth of a crack", -1, 0, 1e-60, 1e60, "none"});
-    add(&known,
-        (constant){"K_c", "K at which it breaks", -1, 0, 1e-60, 1e60, "stress*sqrt(length)"});
+    add(&known, (constant){"K_c", "K at which it breaks", -1, 0, 1e-60, 1e60, of_K});
     return &known;
 }
 
@@ -124,7 +124,7 @@ bool material_take(int i, const char *text, char decimal_sign, const unit_system
         strcmp(one->name, "paris_C") == 0
             ? growth_read(text, decimal_sign, material_value(constants, "paris_m"), units, &value,
                           why)
-        : strcmp(one->unit, "stress*sqrt(length)") == 0
+        : strcmp(one->unit, of_K) == 0
             ? intensity_read(text, decimal_sign, units, &value, why)
             : quantity_read(text, decimal_sign, &value, &own) || complain(why, "must be a number");
     if (!is_read || (own != NULL && !units_factor(units, own, one->unit, SHARE_NONE, &factor, why)))
@@ -136,9 +136,11 @@ bool material_take(int i, const char *text, char decimal_sign, const unit_system
     return true;
 }
 
-bool material_is_last(int i)
+double material_conversion(int i, double m, const unit_system *from, const unit_system *to)
 {
-    return strcmp(constants_known()->list[i].name, "paris_C") == 0;
+    if (strcmp(material_name(i), "paris_C") != 0)
+        return units_conversion(from, to, material_unit(i));
+    return units_conversion(from, to, "length") * pow(units_conversion(from, to, of_K), -m);
 }
 
 material material_unknown(void)
@@ -165,6 +167,57 @@ double material_value(const material *constants, const char *name)
 bool material_is_remark(const char *name)
 {
     return strcmp(name, "name") == 0 || strcmp(name, "source") == 0 || strcmp(name, "units") == 0;
+}
+
+/* A bare stress of a material that says the units of its numbers gets its own. */
+static const char *with_unit(int i, const char *text, const char *units, char room[200])
+{
+    double number;
+    const char *stress = units != NULL ? strrchr(units, ',') : NULL;
+    if (stress == NULL || strcmp(material_unit(i), "stress") != 0 ||
+        !number_read_cell(text, '.', &number))
+        return text;
+    snprintf(room, 200, "%.60s %.60s", text, stress + 1);
+    return room;
+}
+
+/* That of the numbers; NULL where none is said. */
+static const char *units_of_words(size_t count, const constant_words words[])
+{
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(words[i].name, "units") == 0)
+            return words[i].text;
+    return NULL;
+}
+
+static bool take_words(const constant_words *words, const char *said, const unit_system *units,
+                       material *constants, complaint *why)
+{
+    char room[200];
+    const int i = material_constant(words->name);
+    return i < 0 ? complain(why, "no constant that is known here")
+                 : material_take(i, with_unit(i, words->text, said, room), '.', units, constants,
+                                 why);
+}
+
+/* It depends on its exponent. */
+static bool is_last(const constant_words *words)
+{
+    return strcmp(words->name, "paris_C") == 0;
+}
+
+bool material_take_all(size_t count, const constant_words words[], const unit_system *units,
+                       material *constants, const constant_words **fault, complaint *why)
+{
+    const char *said = units_of_words(count, words);
+    for (int last = 0; last < 2; last++)
+        for (size_t i = 0; i < count; i++) {
+            *fault = &words[i];
+            if (!material_is_remark(words[i].name) && is_last(&words[i]) == (last == 1) &&
+                !take_words(&words[i], said, units, constants, why))
+                return false;
+        }
+    return true;
 }
 
 double material_allowable(const material *constants, int criterion)

@@ -31,8 +31,6 @@ EXPORTED const char *page_words(void)
     for (int i = 0; i < measure_count(); i++)
         json_add("{'measures':{%t:{'unit':%t,'meaning':%t}}}", measure_kind_of(i)->column,
                  measure_kind_of(i)->unit, measure_kind_of(i)->meaning);
-    for (int i = 0; i < material_count(); i++)
-        json_add("{'constants':{%t:%t}}", material_name(i), material_unit(i));
     return json_end();
 }
 

@@ -9,6 +9,7 @@
 
 typedef struct {
     contact_case setup;
+    unit_system units;
     material constants;
     int criterion, column; /* that is chosen, and its column */
     criteria wanted;
@@ -31,26 +32,39 @@ static void forget(void)
 
 /* ---- What is asked ---- */
 
-/* From "name=text" of each constant, a line each; it takes the lines apart in place. */
+/* Those of one line, "name=text", which it takes apart in place. */
+static constant_words words_of(char *line)
+{
+    char *text = strchr(line, '=');
+    if (text != NULL)
+        *text++ = '\0';
+    return (constant_words){line, text != NULL ? text : line + strlen(line)};
+}
+
+static bool take_constants(size_t count, const constant_words words[])
+{
+    const constant_words *fault;
+    complaint why;
+    if (material_take_all(count, words, &asked.units, &asked.constants, &fault, &why))
+        return true;
+    return material_constant(fault->name) < 0
+               ? json_refuse("", "%.60s: %s", fault->name, why.text)
+               : json_refuse("", "%.60s %.60s: %s", fault->name, fault->text, why.text);
+}
+
+/* From a line of each constant. */
 static bool read_constants(char *lines)
 {
+    constant_words *words = NULL;
+    size_t count = 0;
     asked.constants = material_unknown();
-    for (char *name = strtok(lines, "\n"); name != NULL; name = strtok(NULL, "\n")) {
-        char *text = strchr(name, '=');
-        if (text != NULL)
-            *text++ = '\0';
-        const int constant = text != NULL ? material_constant(name) : -1;
-        if (material_is_remark(name))
-            continue;
-        if (constant < 0)
-            return json_refuse("", "%.60s: no constant that is known here", name);
-        if (!number_read_cell(text, '.', &asked.constants.value[constant]))
-            return json_refuse("", "%.60s: must be a number", name);
-        if (!material_is_in_range(constant, asked.constants.value[constant]))
-            return json_refuse("", "%.60s %s: must be a number, %s", name, text,
-                               material_allowed(constant));
+    for (char *line = strtok(lines, "\n"); line != NULL; line = strtok(NULL, "\n")) {
+        words = memory_for_one_more(words, count, sizeof *words);
+        words[count++] = words_of(line);
     }
-    return true;
+    const bool is_read = take_constants(count, words);
+    free(words);
+    return is_read;
 }
 
 /* By its column. */
@@ -264,14 +278,16 @@ static void write_answer(void)
 
 /* Of the case of the form, and pasted loads, which are gone through so many times: the loads of the
  * last cycle, columns that are not used, the measures along the surface, the worst places, the
- * verdict of a criterion by the constants of a material; or what is wrong. The contact before the
- * cycle is handed over. */
+ * verdict of a criterion by the constants of a material; or what is wrong. Constants may have their
+ * units; `units` are those of all else. The contact before the cycle is handed over. */
 EXPORTED const char *page_cycle(char *fields, const char *text, int decimal_sign, const char *times,
-                                const char *criterion, int is_plane_stress, char *constants)
+                                const char *criterion, int is_plane_stress, char *constants,
+                                const char *units)
 {
     load form;
     double nu;
     forget();
+    asked.units = units_named(units);
     choose(criterion);
     json_begin();
     if (read_constants(constants) &&

@@ -43,6 +43,11 @@ input_texts field_texts(char *fields);
 /* What is to be known of the profile of the last texts; or "". */
 const char *field_remark(void);
 
+/* ---- conversions ---- Sets of units. */
+
+/* Those of a text such as "mm,N,MPa"; of another text unknown ones. */
+unit_system units_named(const char *words);
+
 /* ---- answers ---- About the case of the form. */
 
 /* The contact of an answer, for JavaScript, which takes it or not. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers of pasted tables go from one set of units to another: of a profile, of loads, of rows, of a material's constants.
-import { readNumber, writeNumber } from "./number.js";
+import { readNumber, withPoint, writeNumber } from "./number.js";
 
 const between = /([\t;]+|,(?!\d)|(?<!\d),)/; // what separates cells, where a comma between digits may be a decimal sign
 
@@ -40,15 +40,24 @@ export function convertedTable(text, usual, factorOf, sign) {
     return lines.join("\n");
 }
 
-/** A material's constants in other units: JSON, or a name and a number a line. */
+const exponent = /^\W*paris_m\W+?([-+]?[\d.,]+)/m;
+
+/**
+ * A material's constants in other units: JSON, or a name and a number a line. A constant with its own unit stays, and so do all where
+ * the material says the units of its numbers. factorOf(name, exponent of the growth of a crack)
+ */
 export function convertedMaterial(text, factorOf, sign) {
+    const [, m = ""] = text.match(exponent) ?? [],
+        factor = (name) => factorOf(name, withPoint(m, sign));
     if (text.trim().startsWith("{")) {
-        const converted = (name, value) =>
-            typeof value === "number" ? Number((value * (factorOf(name) ?? 1)).toPrecision(12)) : value;
-        return JSON.stringify(JSON.parse(text), converted, 1);
+        const constants = JSON.parse(text),
+            converted = (name, value) =>
+                typeof value === "number" ? Number((value * factor(name)).toPrecision(12)) : value;
+        return "units" in constants ? text : JSON.stringify(constants, converted, 1);
     }
-    const line = /^([^\S\n]*)([^\s,;=:]+)([^\S\n]*[,;=:\t ][^\S\n]*)(\S+)/gm;
+    if (/^[^\S\n]*units[^\S\n]*[,;=:\t ]/m.test(text)) return text;
+    const line = /^([^\S\n]*)([^\s,;=:]+)([^\S\n]*[,;=:\t ][^\S\n]*)(.*)$/gm;
     return text.replace(line, (_, before, name, gap, value) =>
-        [before, name, gap, convertedCell(value, factorOf(name) ?? 1, sign)].join(""),
+        [before, name, gap, convertedCell(value, factor(name), sign)].join(""),
     );
 }

@@ -3,8 +3,9 @@
 import { readNumber, writeNumber } from "./number.js";
 import { padOf, pads } from "./pads.js";
 import { measures } from "./answers/stresses.js";
-import { conversion, unitSystems } from "./units.js";
-import { constants, criteria, inputNames, inputs } from "./answers/words.js";
+import { unitSystems, wordsOf } from "./units.js";
+import { constantFactorOf, factorOf } from "./answers/library.js";
+import { criteria, inputNames, inputs } from "./answers/words.js";
 import { convertedMaterial, convertedTable } from "./convert.js";
 
 /** Two steel bodies, as in the workbook. */
@@ -115,25 +116,27 @@ export function setSign(sign) {
 
 const ofProfile = { x: "length", height: "length" };
 
-/** The pasted tables in other units. factor(dimension) */
-function convertTables(factor) {
+/** The pasted tables in other units. factor(dimension), ofConstant(name, exponent) */
+function convertTables(factor, ofConstant) {
     const { sign, texts } = state,
         ofInputs = (name) => factor(inputs[name]?.unit);
     if (texts.profile) texts.profile = convertedTable(texts.profile, ["x", "height"], (name) => factor(ofProfile[name]), sign);
     state.loads = convertedTable(state.loads, [], ofInputs, sign);
     state.batch = convertedTable(state.batch, [], ofInputs, sign);
-    state.material = convertedMaterial(state.material, (name) => factor(constants[name]), sign);
+    state.material = convertedMaterial(state.material, ofConstant, sign);
 }
 
 /** Other units: all numbers go with them, or the labels alone change. */
 export function setUnits(units, converts) {
-    const factor = (dimension) => (converts ? conversion(state.units, units, dimension) : 1);
+    const [from, to] = [state.units, converts ? units : state.units].map(wordsOf),
+        factor = (dimension) => factorOf(from, to, dimension),
+        ofConstant = (name, exponent) => constantFactorOf(from, to, name, exponent);
     changeNumbers((text, dimension) => {
         const value = typed(text);
         return factor(dimension) === 1 || Number.isNaN(value) ? text : written(value * factor(dimension), 12);
     });
     try {
-        convertTables(factor);
+        convertTables(factor, ofConstant);
     } catch {
         // constants that are no JSON yet stay as they are; the tab says what is wrong with them
     }

@@ -15,28 +15,15 @@ const made = (length, force, stress) => ({
     "force*stress/length": `${force}/${length}\u00b7${stress}`,
 });
 
-/** With the sizes of a length and a force in metres and newtons, where they have any. */
 export const unitSystems = {
-    mm: { name: "mm, N, MPa", unit: made("mm", "N", "MPa"), length: 1e-3, force: 1 },
-    m: { name: "m, N, Pa", unit: made("m", "N", "Pa"), length: 1, force: 1 },
-    in: { name: "in, lbf, psi", unit: made("in", "lbf", "psi"), length: 0.0254, force: 4.4482216152605 },
+    mm: { name: "mm, N, MPa", unit: made("mm", "N", "MPa") },
+    m: { name: "m, N, Pa", unit: made("m", "N", "Pa") },
+    in: { name: "in, lbf, psi", unit: made("in", "lbf", "psi") },
     any: { name: "any consistent units", unit: made("length", "force", "stress") },
 };
 
-/** What a number of a dimension is multiplied by; 1 where a set has no sizes. */
-export function conversion(from, to, dimension) {
-    const [length, force] = ["length", "force"].map((size) => unitSystems[from][size] / unitSystems[to][size]);
-    const stress = force / length ** 2;
-    const factors = {
-        length,
-        force,
-        stress,
-        "force/length": force / length,
-        "1/stress": 1 / stress,
-        "stress*sqrt(length)": stress * Math.sqrt(length),
-    };
-    return Number.isFinite(length) ? (factors[dimension] ?? 1) : 1;
-}
+/** A set as the model knows it, which has the sizes; it knows no "length,force,stress". */
+export const wordsOf = (units) => ["length", "force", "stress"].map((name) => unitSystems[units].unit[name]).join(",");
 
 export const unitsRemark =
     "Any consistent units do. Another choice converts all numbers, pasted ones too, unless \u201cconvert\u201d is off. Forces are per unit length.";

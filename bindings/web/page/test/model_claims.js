@@ -6,18 +6,19 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { test } from "node:test";
 import { cycleOf } from "../src/answers/cycle.js";
-import { rwedge } from "../src/answers/library.js";
+import { constantFactorOf, factorOf, rwedge } from "../src/answers/library.js";
 import { asCommand, asFretting, asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";
 import { findInput, solveHolding } from "../src/answers/solution.js";
 import { fieldOf, gridOf, measures, valuesAt } from "../src/answers/stresses.js";
 import { solveRows } from "../src/answers/tables.js";
 import { convertedMaterial, convertedTable } from "../src/convert.js";
-import { conversion } from "../src/units.js";
-import { constants, inputs } from "../src/answers/words.js";
+import { wordsOf } from "../src/units.js";
+import { inputs } from "../src/answers/words.js";
 import { assertNear, ofPads, optionsOf, parabola, rowsOf, usual } from "./shared.mjs";
 
 const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3" };
+const inchesOfMm = ["mm", "in"].map(wordsOf);
 const swt = { name: "swt", isPlaneStress: false, material: "" };
 
 const run = (args, input) => spawnSync(process.env.TOOL, args, { encoding: "utf8", input });
@@ -258,14 +259,14 @@ test("constants of a material are read as lines or JSON; what is unknown is name
     assert.deepEqual(read("su;500\nt_A = 150,5", ",").criterion.constants, { t_A: 150.5, su: 500 });
     assert.equal(read("limit 1", ".").complaint, "limit: no constant that is known here");
     assert.equal(read('{"kap\\npa": 1}', ".").complaint, "kap: no constant that is known here");
-    assert.equal(read("kappa x", ".").complaint, "kappa: must be a number");
+    assert.equal(read("kappa x", ".").complaint, "kappa x: must be a number");
     assert.equal(read("su 500", ".").complaint, "McDiarmid needs t_A of the material");
     assert.match(read("{", ".").complaint, /^the material: /);
     assert.match(read("dang_van_alpha -1", ".", "dang_van").complaint, /must be a number, 0, or 1e-60 to 1e60/);
 });
 
 test("pasted tables go from one set of units to another, each column by its own dimension", () => {
-    const inInches = (name) => conversion("mm", "in", inputs[name]?.unit);
+    const inInches = (name) => factorOf(...inchesOfMm, inputs[name]?.unit);
     const [P, M, sigma] = ["P", "M", "sigma"].map(inInches);
     assertNear(P, 25.4 / 4.4482216152605, 1e-14, "N/mm in lbf/in");
     assertNear(M, 1 / 4.4482216152605, 1e-14, "N in lbf");
@@ -277,11 +278,34 @@ test("pasted tables go from one set of units to another, each column by its own 
     }
     assert.equal(convertedTable("# by hand\nP [kN/mm],Q\n3,x\n", [], inInches, "."), "# by hand\nP [kN/mm],Q\n3,x\n");
     assert.equal(convertedTable("1 2\n3 4", ["x", "height"], () => 10, "."), "10 20\n30 40");
-    assert.equal(constants.sf, "stress");
-    assert.equal(constants.dK_th, "stress*sqrt(length)");
-    const ofMaterial = (name) => ({ sf: 145, k: 1 })[name];
-    assert.equal(convertedMaterial("sf\t2\nk = 0.3\nsource\ta paper 5", ofMaterial, "."), "sf\t290\nk = 0.3\nsource\ta paper 5");
-    assert.deepEqual(JSON.parse(convertedMaterial('{"sf": 2, "k": 0.3}', ofMaterial, ".")), { sf: 290, k: 0.3 });
+});
+
+test("constants go from one set of units to another, but for those that have their own", () => {
+    const psi = 25.4 ** 2 / 4.4482216152605, // of an MPa
+        K = psi / Math.sqrt(25.4), // psi sqrt(in), of an MPa sqrt(mm)
+        inInches = (...of) => constantFactorOf(...inchesOfMm, ...of);
+    assertNear(inInches("sf", ""), psi, 1e-14, "MPa in psi");
+    assertNear(inInches("dK_th", ""), K, 1e-14, "a stress intensity");
+    assertNear(inInches("paris_C", "3"), 1 / 25.4 / K ** 3, 1e-13, "the growth of a crack");
+    for (const [name, exponent] of [["findley_k", ""], ["paris_C", "x"], ["unknown", ""]])
+        assert.equal(inInches(name, exponent), 1, name);
+    const ofMaterial = (name, m) => ({ sf: 145, paris_C: 10 ** -m })[name] ?? 1,
+        converted = (text, sign = ".") => convertedMaterial(text, ofMaterial, sign);
+    assert.equal(converted("sf\t2\nk = 0.3\nsource\ta paper 5"), "sf\t290\nk = 0.3\nsource\ta paper 5");
+    assert.equal(converted("sf,2 MPa\nsf;2"), "sf,2 MPa\nsf;290");
+    assert.equal(converted("paris_C;500\nparis_m;2,5", ","), `paris_C;${String(500 * 10 ** -2.5).slice(0, 13).replace(".", ",")}\nparis_m;2,5`);
+    assert.deepEqual(JSON.parse(converted('{"sf": 2, "k": 0.3, "su": "2 MPa"}')), { sf: 290, k: 0.3, su: "2 MPa" });
+    for (const text of ['{"units": "m,N,Pa", "sf": 2}', "units;m,N,Pa\nsf;2"]) assert.equal(converted(text), text);
+});
+
+test("constants have their units, as in the tool", () => {
+    const valueOf = (material, units = "mm,N,MPa") =>
+        cycleOf(usual, "", ".", "3", { ...swt, name: "mcdiarmid", material, units });
+    for (const text of ["su 0.5 GPa\nt_A 150500000 Pa", '{"su": "500 MPa", "t_A": 150.5}', "units,m,N,Pa\nsu,5e8\nt_A,1.505e8"])
+        assert.deepEqual(valueOf(text).criterion?.constants, { t_A: 150.5, su: 500 }, `${text}: ${valueOf(text).complaint}`);
+    assert.match(valueOf("su 5 GPa", "length,force,stress").complaint, /^su 5 GPa: has the unit 'GPa', and no working units/);
+    assert.match(valueOf("su 5 mm").complaint, /^su 5 mm: the unit 'mm' has the wrong dimension/);
+    assert.match(valueOf("dK_th 4.2").complaint, /^dK_th 4.2: needs its unit, such as "4.2 MPa sqrt\(m\)"/);
 });
 
 test("a field and the hardest place have the stresses of their places", () => {
@@ -306,14 +330,14 @@ test("what gives a safety is what the tool finds", () => {
 });
 
 test("converted to other units a case is the same", () => {
-    const inInches = ([name, text]) => [name, String(text * conversion("mm", "in", inputs[name].unit))],
+    const inInches = ([name, text]) => [name, String(text * factorOf(...inchesOfMm, inputs[name].unit))],
         inches = Object.fromEntries(Object.entries(usual).map(inInches));
     const [here, there] = [usual, inches].map((texts) => solveHolding(texts, ".").results);
     for (const name of ["safety", "yield_factor", "a_over_b", "c_over_b"])
         assertNear(there[name], here[name], 1e-12, name);
     assertNear(there.b * 25.4, here.b, 1e-12, "b");
     assertNear(there.p0 * 0.006894757293168361, here.p0, 1e-12, "p0");
-    assert.equal(conversion("mm", "any", "length"), 1);
+    assert.equal(factorOf(wordsOf("mm"), wordsOf("any"), "length"), 1);
 });
 
 test("bodies of two materials under tension: body 1 is stretched by its own compliance", () => {

@@ -24,7 +24,7 @@ function linesOfMaterial(text, sign) {
 /**
  * { loads, unused, slipKnown, computed: a remark, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
  * criterion with the constants it needs } or { complaint }. text: pasted loads, which are gone through so many times; without any the
- * case's own Q and sigma go to and fro. chosen: { name of the criterion, isPlaneStress, material: its text }.
+ * case's own Q and sigma go to and fro. chosen: { name of the criterion, isPlaneStress, material: its text, units: "mm,N,MPa", "" for any }.
  */
 export function cycleOf(texts, text, sign, times, chosen) {
     let material;
@@ -42,6 +42,7 @@ export function cycleOf(texts, text, sign, times, chosen) {
         chosen.name,
         Number(chosen.isPlaneStress),
         material,
+        chosen.units ?? "",
     );
     const ofCriterion = ({ input, text }) => (input === "criterion" ? `${criteria[chosen.name]} ${text}` : text);
     if (faults) return { complaint: faults.map(ofCriterion).join("; ") };

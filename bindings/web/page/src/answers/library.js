@@ -58,5 +58,11 @@ export function ask(name, ...values) {
 /** NaN where the text is no number with a decimal point. */
 export const numberOf = (text) => call("page_number", [text]);
 
+/** What a number of a dimension in the units "mm,N,MPa" is multiplied by to be in others; 1 where the model does not know one of them. */
+export const factorOf = (from, to, dimension = "") => call("page_factor", [from, to, dimension]);
+
+/** The same of a material's constant; that of paris_C depends on the text of its exponent. */
+export const constantFactorOf = (from, to, name, exponent) => call("page_constant_factor", [from, to, name, exponent]);
+
 /** The contact of the last answer, once. */
 export const answeredContact = () => adopt(Object.create(rwedge.Contact.prototype), "contact", library.page_contact());

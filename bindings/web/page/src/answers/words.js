@@ -2,9 +2,9 @@
 // The words of the model: inputs, results of "rwedge solve", measures of "rwedge fretting".
 import { ask } from "./library.js";
 
-const { inputs, alternatives, results, measures, constants = {} } = ask("words");
-/** By name, in the tool's order; of the constants of a material their units. */
-export { inputs, measures, constants };
+const { inputs, alternatives, results, measures } = ask("words");
+/** By name, in the tool's order. */
+export { inputs, measures };
 export const inputNames = Object.keys(inputs);
 
 /** The names by which an input can be given: of two ways to give the same, both. */

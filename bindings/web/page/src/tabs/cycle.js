@@ -9,6 +9,7 @@ import { roomy } from "../plot/axes.js";
 import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { redraw, set, setter, state, written } from "../state.js";
+import { wordsOf } from "../units.js";
 import { bar } from "../verdict.js";
 import { criteria, measures } from "../answers/words.js";
 import { table } from "./table.js";
@@ -147,13 +148,13 @@ export const worstPlace = () =>
     state.tab === "cycle" ? aside.answer?.worst?.[aside.answer.criterion.name]?.x : undefined;
 
 export function cycle(model) {
-    const { loads, sign, cycles, criterion: name, plane, material } = state;
+    const { loads, sign, cycles, criterion: name, plane, material, units } = state;
     const answer = aside.ask([
         model.texts,
         loads,
         sign,
         cycles,
-        { name, isPlaneStress: plane === "stress", material },
+        { name, isPlaneStress: plane === "stress", material, units: wordsOf(units) },
     ]);
     const shown = answer ?? aside.before ?? { complaint: "" };
     const command = answer && answer.complaint === undefined ? asFretting(model, answer, cycles.trim(), loads.trim() !== "") : "";

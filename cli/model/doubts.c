@@ -52,8 +52,8 @@ static const char *text_of(int32_t bit)
         const char *text;
     } texts[] = {
         {DOUBT_STATE, "a load yields the body: its stresses exceed the yield stress"},
-        {DOUBT_ZONES, "several zones stick and it slips between them: stick_left and stick_right, "
-                      "where told, are the outermost edges"},
+        {DOUBT_ZONES, "several zones stick and it slips between them: stick_left and stick_right "
+                      "mean the outermost edges"},
         {DOUBT_SLIDES, "it slides fully: the loads do not tell how far nor what that dissipates"},
         {DOUBT_SLOPE,
          "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"},

@@ -49,7 +49,7 @@ typedef struct {
     column_condition condition;
     bool is_of_friction; /* of the surface in contact, no criterion of fatigue */
     int criterion;
-    char title[MEASURE_TITLE_SIZE]; /* of a value, as a picture has it */
+    char title[MEASURE_TITLE_SIZE];                /* of a value, as a picture has it */
     double (*times)(const struct criteria *asked); /* of a multiple */
 } measure_kind;
 

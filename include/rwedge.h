@@ -96,6 +96,14 @@ RWEDGE_API double rwedge_compliance(double E1, double nu1, double E2, double nu2
  * NaN where rwedge_compliance() is. Error below 4 epsilon, absolutely. */
 RWEDGE_API double rwedge_dundurs_beta(double E1, double nu1, double E2, double nu2);
 
+/* The same constant for plane stress. The compliance of plane stress is that of nu = 0. The strain
+ * per tension is 1/E1: rwedge_contact_set_strain(); rwedge_contact_set_bodies() is for plane
+ * strain.                                                          Dundurs (1969), see lib/README.md
+ *   others  as in rwedge_compliance()
+ * NaN where the compliance for nu = 0 is. |beta| < 1; |beta| <= 1/2 for nu >= 0. Error below 4
+ * epsilon, absolutely. */
+RWEDGE_API double rwedge_dundurs_beta_plane_stress(double E1, double nu1, double E2, double nu2);
+
 /* ---- Contact law ----------------------------------------------------------------------------- */
 
 /* Load of a contact of half-width b, as A P/(theta b): 2 for the sharp wedge, (pi/2)/alpha for

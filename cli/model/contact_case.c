@@ -137,17 +137,6 @@ double case_radius(double radius1, double radius2)
     return 1 / (1 / radius1 + 1 / radius2);
 }
 
-/* Dundurs' second constant; plane stress is plane strain with other constants. */
-static double beta_of(const input_texts *texts, const contact_case *setup)
-{
-    const double nu1 = setup->nu1, nu2 = setup->nu2;
-    if (!texts->is_plane_stress)
-        return rwedge_dundurs_beta(setup->E1, nu1, setup->E2, nu2);
-    return rwedge_dundurs_beta(setup->E1 * (1 + 2 * nu1) / ((1 + nu1) * (1 + nu1)), nu1 / (1 + nu1),
-                               setup->E2 * (1 + 2 * nu2) / ((1 + nu2) * (1 + nu2)),
-                               nu2 / (1 + nu2));
-}
-
 /* But for the shape of a profile. In plane stress nothing else depends on Poisson's ratio. */
 static void fill(const input_texts *texts, const double value[INPUT_COUNT], contact_case *setup)
 {
@@ -170,7 +159,10 @@ static void fill(const input_texts *texts, const double value[INPUT_COUNT], cont
     setup->is_held = !isnan(value[INPUT_TILT]);
     setup->tilt = value[INPUT_TILT];
     setup->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
-    setup->beta = beta_of(texts, setup);
+    setup->beta =
+        texts->is_plane_stress
+            ? rwedge_dundurs_beta_plane_stress(setup->E1, setup->nu1, setup->E2, setup->nu2)
+            : rwedge_dundurs_beta(setup->E1, setup->nu1, setup->E2, setup->nu2);
     if (texts->is_plane_stress)
         setup->nu1 = setup->nu2 = 0;
     setup->A = rwedge_compliance(setup->E1, setup->nu1, setup->E2, setup->nu2);

@@ -29,10 +29,21 @@ double rwedge_compliance(double E1, double nu1, double E2, double nu2)
  * Each body's own ratio l is weighted with its compliance s. A rigid body has s = 0. */
 double rwedge_dundurs_beta(double E1, double nu1, double E2, double nu2)
 {
-    double A = rwedge_compliance(E1, nu1, E2, nu2);
+    const double A = rwedge_compliance(E1, nu1, E2, nu2);
     if (isnan(A))
         return NAN;
     double l1 = (1 - 2 * nu1) / (2 * (1 - nu1));
     double l2 = (1 - 2 * nu2) / (2 * (1 - nu2));
     return l2 * (2 * half_share(E2, nu2) / A) - l1 * (2 * half_share(E1, nu1) / A);
+}
+
+/* With kappa = (3 - nu)/(1 + nu): s = 2/E, l = (1-nu)/2. */
+double rwedge_dundurs_beta_plane_stress(double E1, double nu1, double E2, double nu2)
+{
+    if (!is_body(E1, nu1) || !is_body(E2, nu2))
+        return NAN;
+    const double A = rwedge_compliance(E1, 0, E2, 0);
+    if (isnan(A))
+        return NAN;
+    return (1 - nu2) * (1 / E2 / A) - (1 - nu1) * (1 / E1 / A);
 }

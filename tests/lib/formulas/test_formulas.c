@@ -25,6 +25,23 @@ CLAIM(the_shear_of_a_sharp_wedge_that_slides_is_its_pressure)
     assert_close(rwedge_shear(0, 0, 0.5), -2 / PI * acosh(2), 1e-15);
 }
 
+/* Of one modulus it is (nu1 - nu2)/4; a rigid half-plane leaves (1 - nu2)/2; and plane stress is
+ * plane strain with E (1 + 2 nu)/(1 + nu)^2 and nu/(1 + nu). */
+CLAIM(plane_stress_has_its_own_coupling)
+{
+    assert_close(rwedge_dundurs_beta_plane_stress(70e3, 0.4, 70e3, 0.2), 0.05, 1e-14);
+    assert_close(rwedge_dundurs_beta_plane_stress(HUGE_VAL, 0, 70e3, 0.2), 0.4, 1e-15);
+    for (double nu = -0.4; nu < 0.5; nu += 0.1) {
+        const double E1 = 72e3, E2 = 210e3, strain = 1 + nu, other = 1.3;
+        assert_close(rwedge_dundurs_beta_plane_stress(E1, nu, E2, 0.3),
+                     rwedge_dundurs_beta(E1 * (1 + 2 * nu) / (strain * strain), nu / strain,
+                                         E2 * 1.6 / (other * other), 0.3 / other),
+                     1e-13);
+    }
+    assert_nan(rwedge_dundurs_beta_plane_stress(70e3, 0.6, 70e3, 0.2));
+    assert_nan(rwedge_dundurs_beta_plane_stress(HUGE_VAL, 0.3, HUGE_VAL, 0.3));
+}
+
 /* No half-width of which a/b is outside. */
 CLAIM(a_load_has_its_contact_in_the_domain)
 {

@@ -51,20 +51,30 @@ ball share(double E, double nu)
     return isinf(E) ? 0 : 2 * (1 - sqr(ball(nu))) / E;
 }
 
-/* (l2 s2 - l1 s1)/(s1 + s2), l = (1-2nu)/(2(1-nu)), as Dundurs' own form with the moduli mu =
- * E/(2(1+nu)) and kappa = 3 - 4 nu: mu (kappa -+ 1) of the other body, times 1/(mu1 mu2). */
-ball beta(const double *v)
+/* Dundurs' own form with the moduli mu = E/(2(1+nu)) and kappa: mu (kappa -+ 1) of the other body,
+ * times 1/(mu1 mu2). */
+ball beta_with(ball (*kappa_of)(const ball &nu), const double *v)
 {
     ball above, below;
     for (int body = 0; body < 2; body++) {
         const double E = v[2 * body], nu = v[2 * body + 1];
         if (isinf(E))
             continue;
-        const ball per_mu = 2 * (1 + ball(nu)) / E, kappa = 3 - 4 * ball(nu);
+        const ball per_mu = 2 * (1 + ball(nu)) / E, kappa = kappa_of(nu);
         above += (body == 0 ? -1 : 1) * per_mu * (kappa - 1);
         below += per_mu * (kappa + 1);
     }
     return above / below;
+}
+
+ball beta(const double *v)
+{
+    return beta_with([](const ball &nu) { return 3 - 4 * nu; }, v);
+}
+
+ball beta_of_plane_stress(const double *v)
+{
+    return beta_with([](const ball &nu) { return (3 - nu) / (1 + nu); }, v);
 }
 
 /* ---- Contact law ---- */
@@ -202,6 +212,9 @@ const row LAW_ROWS[] = {
     {"dundurs_beta", "the same", "absolute", 4 * EPSILON, "4 eps", 1,
      calling(rwedge_dundurs_beta, {some_bodies}, has_compliance),
      over([](const double *) { return ball(1); }, beta)},
+    {"dundurs_beta_plane_stress", "the same", "absolute", 4 * EPSILON, "4 eps", 1,
+     calling(rwedge_dundurs_beta_plane_stress, {some_bodies}, has_compliance),
+     over([](const double *) { return ball(1); }, beta_of_plane_stress)},
     {"load", ALPHA, "relative", 4 * EPSILON, "4 eps", 1, calling(rwedge_load, {alpha}),
      relative_to([](const double *v) { return patch(*v, 1).load(); })},
     {"load_derivative", ALPHA, "relative", 1e-14, "1e-14", 1,

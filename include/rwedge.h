@@ -946,6 +946,19 @@ RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact
 RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, double k,
                                                double *factor, double *x, double *y);
 
+/* The load P at which a pad of any kind first yields in full sliding, without moment and tension; a
+ * pad that is held keeps its tilt. It slides to the side of the contact's present Q, and the
+ * contact stays as it is. rwedge_yield_load() is the same for wedges, in less time.           new
+ *   nu    Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+ *   P     receives the load, force/length: 0 where it yields under any load, as at a kink
+ *   x, y  where it yields, length; each may be NULL
+ * RWEDGE_EABSENT where no load that can be applied yields: a cylinder or flat pad is known as far
+ * as its radius, and a profile with a slope of 0 at one end takes no load. RWEDGE_EDOMAIN;
+ * RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ERANGE. In the tests P was right to 1e-11. It takes the time
+ * of rwedge_contact_yield_factor() about ten times. */
+RWEDGE_API int32_t rwedge_contact_yield_load(const rwedge_contact *contact, double nu, double k,
+                                             double *P, double *x, double *y);
+
 /* How far the present state, in full sliding, is from the shakedown limit of repeated passes: k
  * over the smallest peak of sqrt(J2) that residual stresses can leave. A bulk tension changes
  * nothing.
@@ -958,6 +971,16 @@ RWEDGE_API int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, do
  * and to 1e-10 for cylinders. */
 RWEDGE_API int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact, double nu,
                                                    double k, double *factor, double *y);
+
+/* The load P up to which a pad of any kind in full sliding shakes down, as
+ * rwedge_contact_yield_load() has first yield. rwedge_shakedown_load() is the same for wedges.  new
+ *   nu  Poisson's ratio of the half-plane, 0 <= nu <= 0.5
+ *   P   receives the load, force/length: 0 where a kink of the profile is in every contact
+ *   y   the depth that governs, length; may be NULL
+ * RWEDGE_EABSENT as there; RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ENOMEM; RWEDGE_ERANGE. In the tests
+ * P was right to 1e-8 for wedges and to 1e-9 for cylinders. */
+RWEDGE_API int32_t rwedge_contact_shakedown_load(const rwedge_contact *contact, double nu, double k,
+                                                 double *P, double *y);
 
 /* The end of wear in partial slip: Q goes to and fro by Q_a about any mean, under the present P and
  * tilt, which stay. The zone that sticks in every cycle keeps its profile and in the end carries

@@ -20,6 +20,29 @@ int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact 
     return RWEDGE_OK;
 }
 
+int32_t rw_contact_unloaded(const rwedge_contact *contact, rwedge_contact **unloaded)
+{
+    bool is_whole = true;
+    rw_geometry geometry = contact->geometry;
+    geometry.pad = rw_pad_copy(geometry.pad, &is_whole);
+    rwedge_contact *created = NULL;
+    int32_t status = is_whole ? rw_contact_create(&geometry, contact->f, &created) : RWEDGE_ENOMEM;
+    if (status != RWEDGE_OK) {
+        rw_pad_destroy(geometry.pad);
+        return status;
+    }
+    created->strain = contact->strain;
+    created->beta = contact->beta;
+    created->is_held = contact->is_held;
+    created->held_tilt = contact->held_tilt;
+    if (!rw_contact_make_unlike(created)) {
+        rwedge_contact_destroy(created);
+        return RWEDGE_ENOMEM;
+    }
+    *unloaded = created;
+    return RWEDGE_OK;
+}
+
 int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge_contact **contact)
 {
     const rw_geometry geometry = {.theta = theta, .a = a, .A = A};

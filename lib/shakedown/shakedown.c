@@ -8,6 +8,7 @@
 #include "shakedown/deepest.h"
 #include "strength/limit_load.h"
 #include "stress/von_mises.h"
+#include "yield/yield_load.h"
 
 /* The smallest tip, besides the sharp wedge. */
 static const double SMALLEST_TIP = 1e-3;
@@ -159,5 +160,29 @@ int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact, double nu
     *factor = most;
     if (y)
         *y = depth.y;
+    return RWEDGE_OK;
+}
+
+static int32_t factor(const rwedge_contact *contact, double nu, double k, double *factor, double *x,
+                      double *y)
+{
+    *x = 0;
+    return rwedge_contact_shakedown_factor(contact, nu, k, factor, y);
+}
+
+int32_t rwedge_contact_shakedown_load(const rwedge_contact *contact, double nu, double k, double *P,
+                                      double *y)
+{
+    double load, at_x, at_y;
+    if (!contact || !P)
+        return RWEDGE_ENULL;
+    if (!rw_is_poisson(nu) || !rw_is_positive(k))
+        return RWEDGE_EDOMAIN;
+    const int32_t status = rw_limit_of_pad(contact, factor, nu, k, &load, &at_x, &at_y);
+    if (status != RWEDGE_OK)
+        return status;
+    *P = load;
+    if (y)
+        *y = at_y;
     return RWEDGE_OK;
 }

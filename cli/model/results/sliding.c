@@ -3,23 +3,18 @@
 
 #include <math.h>
 
-/* Whether it is asked for first yield, or for shakedown. */
-typedef enum { LIMIT_OF_YIELD, LIMIT_OF_SHAKEDOWN } limit_kind;
-
 /* The case with another value of an input, P, f or the radius, that slides to the side of Q under
  * so many times P. */
 typedef struct {
     const contact_case *setup;
     int input;
     double k, times;
-    limit_kind of;
 } search;
 
 /* The state of a sliding contact. */
 typedef struct {
     double value, b, tension;
-    double excess; /* logarithm of the factor: 0 at the limit; -inf at a kink */
-    double x, y;   /* where it yields first; shakedown has the depth alone */
+    double excess; /* logarithm of the factor: 0 at first yield; -inf at a kink */
 } sliding;
 
 static int32_t look(const contact_case *setup, const search *s, const rwedge_contact *contact,
@@ -27,17 +22,13 @@ static int32_t look(const contact_case *setup, const search *s, const rwedge_con
 {
     double edge[2], sxx[2], factor = 0;
     int32_t status = edge_tensions(contact, edge, sxx);
-    if (status == RWEDGE_OK && s->of == LIMIT_OF_YIELD)
-        status = rwedge_contact_yield_factor(contact, setup->nu1, s->k, &factor, &at->x, &at->y);
-    else if (status == RWEDGE_OK)
-        status = rwedge_contact_shakedown_factor(contact, setup->nu1, s->k, &factor, &at->y);
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_yield_factor(contact, setup->nu1, s->k, &factor, NULL, NULL);
     if (status != RWEDGE_OK)
         return status;
     at->b = rwedge_contact_half_width(contact);
     at->tension = fmax(sxx[0], sxx[1]);
     at->excess = log(factor);
-    if (s->of == LIMIT_OF_YIELD)
-        yield_place_settle(&at->x, &at->y);
     return RWEDGE_OK;
 }
 
@@ -104,10 +95,11 @@ static sliding find_limit(const search *s, const sliding *present)
 int32_t results_of_sliding(const contact_case *setup, cell row[])
 {
     sliding now;
+    double P, x, y;
     const bool strong = !isnan(setup->k);
     const double k = strong ? setup->k : 1 / setup->A;
-    const search loads = {setup, INPUT_P, k, 1, LIMIT_OF_YIELD};
-    const int32_t status = slide(&loads, setup->P, &now);
+    const search present = {setup, INPUT_P, k, 1};
+    int32_t status = slide(&present, setup->P, &now);
     if (status != RWEDGE_OK)
         return status;
     row[RESULT_TENSION_SLIDING] = cell_number(now.tension);
@@ -115,27 +107,29 @@ int32_t results_of_sliding(const contact_case *setup, cell row[])
     row[RESULT_P_OVER_BK] = cell_number(setup->P / now.b / k * exp(now.excess));
     if (!strong)
         return RWEDGE_OK;
-    const sliding yield = find_limit(&loads, &now);
-    row[RESULT_P_YIELD] = cell_number(yield.value);
-    row[RESULT_SAFETY] = cell_number(yield.value / setup->P);
-    if (isnan(yield.value))
-        return RWEDGE_OK;
-    row[RESULT_YIELD_X] = cell_number(yield.x);
-    row[RESULT_YIELD_Y] = cell_number(yield.y);
-    row[RESULT_YIELD_BRANCH] = cell_text(yield.y > 0 ? "subsurface" : "surface");
+    status = rwedge_contact_yield_load(setup->contact, setup->nu1, k, &P, &x, &y);
+    if (status != RWEDGE_OK)
+        return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
+    yield_place_settle(&x, &y);
+    row[RESULT_P_YIELD] = cell_number(P);
+    row[RESULT_SAFETY] = cell_number(P / setup->P);
+    row[RESULT_YIELD_X] = cell_number(x);
+    row[RESULT_YIELD_Y] = cell_number(y);
+    row[RESULT_YIELD_BRANCH] = cell_text(y > 0 ? "subsurface" : "surface");
     return RWEDGE_OK;
 }
 
 double sliding_shakedown(const contact_case *setup)
 {
-    const search loads = {setup, INPUT_P, setup->k, 1, LIMIT_OF_SHAKEDOWN};
-    sliding now = {.x = 0};
-    return slide(&loads, setup->P, &now) == RWEDGE_OK ? find_limit(&loads, &now).value : NAN;
+    double P, y;
+    const int32_t status =
+        rwedge_contact_shakedown_load(setup->contact, setup->nu1, setup->k, &P, &y);
+    return status == RWEDGE_OK ? P : NAN;
 }
 
 double sliding_find(const contact_case *setup, int input, double safety)
 {
-    const search values = {setup, input, setup->k, safety, LIMIT_OF_YIELD};
+    const search values = {setup, input, setup->k, safety};
     sliding now;
     return slide(&values, 1, &now) == RWEDGE_OK ? find_limit(&values, &now).value : NAN;
 }

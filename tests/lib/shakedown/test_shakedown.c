@@ -271,6 +271,31 @@ CLAIM(a_cylinder_has_the_limit_of_hertz)
     }
 }
 
+/* Of wedges the load is that of the formula; of a flat pad the factor there is one. */
+CLAIM(any_pad_has_a_shakedown_load)
+{
+    const double k = 0.1, f = 0.3;
+    double P, y, factor, depth;
+    assert_ok(rwedge_contact_shakedown_load(create(1, f), 0.3, k, &P, NULL));
+    assert_close(P, rwedge_shakedown_load(THETA, 1, A, f, 0.3, k), 1e-8);
+    rwedge_contact *contact = create_flat(0.5, 20, A, f);
+    assert_ok(rwedge_contact_shakedown_load(contact, 0.3, k, &P, &y));
+    load(contact, P, f * P);
+    assert_ok(rwedge_contact_shakedown_factor(contact, 0.3, k, &factor, &depth));
+    assert_close(factor, 1, 1e-9);
+    assert_close(y, depth, 1e-6);
+    assert_ok(rwedge_contact_yield_load(contact, 0.3, k, &factor, NULL, NULL));
+    assert_true(P > factor);
+    assert_ok(rwedge_contact_shakedown_load(create(0, f), 0.3, k, &P, &y));
+    assert_true(P == 0 && y == 0);
+    P = 7;
+    assert_int_equal(rwedge_contact_shakedown_load(contact, 0.3, 1e3, &P, &y), RWEDGE_EABSENT);
+    assert_int_equal(rwedge_contact_shakedown_load(contact, 0.6, k, &P, &y), RWEDGE_EDOMAIN);
+    assert_int_equal(rwedge_contact_shakedown_load(contact, 0.3, k, NULL, &y), RWEDGE_ENULL);
+    assert_int_equal(rwedge_contact_shakedown_load(NULL, 0.3, k, &P, &y), RWEDGE_ENULL);
+    assert_true(P == 7);
+}
+
 CLAIM(without_friction_every_contact_slides)
 {
     rwedge_contact *contact = create(1, 0);

@@ -67,8 +67,10 @@ const double usual_tolerance = 1e-4;
 
 int input_alternative(int input)
 {
-    static const int pairs[][2] = {
-        {INPUT_THETA, INPUT_THETA_DEG}, {INPUT_A, INPUT_RADIUS}, {INPUT_K, INPUT_YIELD_STRESS}};
+    static const int pairs[][2] = {{INPUT_THETA, INPUT_THETA_DEG},
+                                   {INPUT_A, INPUT_RADIUS},
+                                   {INPUT_K, INPUT_YIELD_STRESS},
+                                   {INPUT_M, INPUT_TILT}};
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
         for (int j = 0; j < 2; j++)
             if (pairs[i][j] == input)
@@ -143,7 +145,7 @@ static bool find_factor(const input_texts *texts, int input, const char *own, do
     return units_factor(units, own, kind->unit, kind->of, factor, &reason) ||
            complain(why, "%s %.60s: %s%s", input_name(texts, input), texts->text[input],
                     reason.text,
-                    !units->is_known ? ": --units, such as --units mm,N,MPa, converts it" : "");
+                    units->is_known || texts->how_units == NULL ? "" : texts->how_units);
 }
 
 /* Reads a number in the working units; *is_number says whether it is one. */

@@ -118,6 +118,8 @@ typedef struct {
     /* what a number of a cell is multiplied by, as its column has it; 0 where nothing is known */
     double cell_factor[INPUT_COUNT];
     const unit_system *units; /* NULL where no unit is known */
+    /* what messages advise where a unit is given and none is known, ": --units converts it" */
+    const char *how_units;
     /* what messages about cells advise: how they may have a decimal comma, "with --decimal-comma";
      * where else inputs are given, "columns or options", or NULL */
     const char *how_comma, *where_else;

@@ -123,7 +123,7 @@ static bool take_list(const char *path, const node *loads, const arguments *line
     free(sigma);
     free(tilt);
     if (!history_is_given(line))
-        load_history_offer(path, to, count);
+        load_history_offer(path, units_of(line), to, count);
     free(to);
     return true;
 }
@@ -260,6 +260,8 @@ void case_file_take(const char *command_name, arguments *line)
     const bool has_version = version != NULL && version->kind == NODE_NUMBER;
     if (!case_version_check(has_version ? version->number : NAN, &why))
         failure("%s: %s", path, why.text);
-    for (size_t i = 0; i < top->count; i++)
-        take_part(path, &top->part[i], command_name, line);
+    for (int loads = 0; loads < 2; loads++) /* these come last: a width divides them */
+        for (size_t i = 0; i < top->count; i++)
+            if ((strcmp(top->part[i].name, "loads") == 0) == (loads == 1))
+                take_part(path, &top->part[i], command_name, line);
 }

@@ -197,6 +197,7 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
     complaint why;
     *texts = (input_texts){.cell_decimal_sign = '.',
                            .units = units_of(line),
+                           .how_units = ": --units, such as --units mm,N,MPa, converts it",
                            .how_comma = "with --decimal-comma",
                            .where_else = "columns or options",
                            .profile_named = profiles_named,

@@ -27,7 +27,19 @@ const char *history_file(const arguments *line)
 static load_history kept;
 static bool is_kept;
 
-void load_history_offer(const char *name, const load *to, size_t count)
+/* A load as it was typed: forces of the whole contact, and a tension that may be a force. Of two
+ * numbers, moment and tension are those of the load before, which were shared out then. */
+static void share_out(const unit_system *units, bool is_whole, load *to)
+{
+    const double width = isnan(units->width) ? 1 : units->width,
+                 section = isnan(units->section) ? 1 : units->section;
+    to->P /= width;
+    to->Q /= width;
+    to->M /= is_whole ? width : 1;
+    to->sigma /= is_whole ? section : 1;
+}
+
+void load_history_offer(const char *name, const unit_system *units, const load *to, size_t count)
 {
     kept = (load_history){.name = name,
                           .is_of_case = true,
@@ -35,6 +47,8 @@ void load_history_offer(const char *name, const load *to, size_t count)
                           .row = memory_zeroed(count, sizeof *kept.row),
                           .count = count};
     memcpy(kept.load, to, count * sizeof *to);
+    for (size_t i = 0; i < count; i++)
+        share_out(units, true, &kept.load[i]);
     is_kept = true;
 }
 
@@ -81,18 +95,6 @@ static void say_four_values(const char *line, int length)
     if (M > 1 && strncmp(moment + M, ",0,", 3) == 0)
         notice("--load %.*s: P %.*s and M %.*s; a decimal is written %.*s.%.*s", length, line, P,
                line, M, moment, P, line, M, moment);
-}
-
-/* A load as it was typed: forces of the whole contact, and a tension that may be a force. Of two
- * numbers, moment and tension are those of the load before, which were shared out then. */
-static void share_out(const unit_system *units, bool is_whole, load *to)
-{
-    const double width = isnan(units->width) ? 1 : units->width,
-                 section = isnan(units->section) ? 1 : units->section;
-    to->P /= width;
-    to->Q /= width;
-    to->M /= is_whole ? width : 1;
-    to->sigma /= is_whole ? section : 1;
 }
 
 /* Of two numbers, moment and tension stay as they are; without P there is no moment. */

@@ -142,8 +142,9 @@ bool history_is_given(const arguments *line);
  * history. */
 void history_check(const arguments *line);
 
-/* Loads of a case, which stand for a file of that name. They must stay. */
-void load_history_offer(const char *name, const load *to, size_t count);
+/* Loads of a case, which stand for a file of that name; of the whole contact where the units have
+ * its width. */
+void load_history_offer(const char *name, const unit_system *units, const load *to, size_t count);
 
 /* Reads the file where there is one, else the list; or the list of --load. What has been read once
  * is given again. */

@@ -28,34 +28,54 @@ static void add_place(const writer *w, double x, double y)
              w->length_unit, y > 0 ? "below" : "at");
 }
 
+/* In full sliding under this P: as the yield factor, of the stress. NAN where it is not known. */
+static double sliding_factor(const results *answer)
+{
+    const cell limit = answer->value[RESULT_P_OVER_BK], now = answer->value[RESULT_LOAD_OVER_BK];
+    return limit.text == NULL && now.text == NULL ? limit.number / now.number : NAN;
+}
+
 static void add_present(const writer *w, const results *answer, double factor)
 {
-    char text[NUMBER_SIZE];
+    char text[NUMBER_SIZE], other[NUMBER_SIZE];
+    const double sliding = sliding_factor(answer);
     if (!(factor > 0)) {
         list_add(w->to->strength, sizeof w->to->strength, "",
                  "It yields: the stress at a sharp apex has no bound.");
         return;
     }
     list_add(w->to->strength, sizeof w->to->strength, "",
-             factor < 1 ? "It yields: the stress is %s times what body 1 bears,"
-                        : "Elastic with a factor of %s on the stress; it yields first",
+             factor < 1 ? "It yields: the stress is %s times what body 1 bears"
+                        : "Elastic with a factor of %s on the stress",
              write(w, factor < 1 ? 1 / factor : factor, text));
+    if (factor >= 1 && sliding >= 1)
+        list_add(w->to->strength, sizeof w->to->strength, "", ", of %s if it slid",
+                 write(w, sliding, other));
+    list_add(w->to->strength, sizeof w->to->strength, "", factor < 1 ? "," : "; it yields first");
     add_place(w, answer->hardest_x, answer->hardest_y);
+    if (sliding < 1)
+        list_add(w->to->strength, sizeof w->to->strength, " ",
+                 "If it slid, %s: the stress would be %s times what body 1 bears.",
+                 factor < 1 ? "more so" : "it would yield", write(w, 1 / sliding, other));
 }
 
+/* Of the stress, where the present one is not known, and of P: the contact grows with that. */
 static void add_sliding(const writer *w, const results *answer, bool alone)
 {
     char text[NUMBER_SIZE];
     const cell safety = answer->value[RESULT_SAFETY];
-    const bool is_bound = safety.text != NULL;
-    if (is_bound ? safety.text[0] == '\0' : isnan(safety.number))
-        return;
-    list_add(w->to->strength, sizeof w->to->strength, " ",
-             safety.number < 1 ? "If it slid, it would yield: the factor on P is %s"
-                               : "If it slid, it would be elastic with a factor of %s on P",
-             is_bound ? safety.text : write(w, safety.number, text));
+    const double sliding = sliding_factor(answer);
     const bool has_place = answer->value[RESULT_YIELD_X].text == NULL;
-    list_add(w->to->strength, sizeof w->to->strength, "",
+    if (safety.text != NULL || isnan(safety.number)) /* none, or a bound that nothing reaches */
+        return;
+    if (alone && !isnan(sliding))
+        list_add(w->to->strength, sizeof w->to->strength, " ",
+                 sliding < 1 ? "If it slid, it would yield: the stress would be %s times what body "
+                               "1 bears."
+                             : "If it slid, it would be elastic with a factor of %s on the stress.",
+                 write(w, sliding < 1 ? 1 / sliding : sliding, text));
+    list_add(w->to->strength, sizeof w->to->strength, " ",
+             "The factor on P, in full sliding, is %s%s", write(w, safety.number, text),
              alone && has_place ? "; it yields first" : ".");
     if (alone && has_place)
         add_place(w, answer->value[RESULT_YIELD_X].number, answer->value[RESULT_YIELD_Y].number);

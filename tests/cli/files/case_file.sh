@@ -58,6 +58,9 @@ kept first solve --case wedge.json
 prints_kept "units and the whole width" first solve --case case.json
 kept first profile --case wedge.json --x -0.1,0,0.1
 prints_kept "a list that is asked for" first profile --case case.json
+case_of '"loads": {"P": 1900, "Q": [200, -200]}, "width": 10, "bodies": {"E1": 210000, "nu1": 0.3, "f": 0.2}, "pad": {"theta": 0.01, "a": 0.05}'
+kept first history $steel --theta 0.01 --a 0.05 --f 0.2 --load 190,20 --load 190,-20
+prints_kept "loads of the whole width, one after the other" first history --case case.json
 case_of '"bodies": {"E1": 210000, "nu1": 0.3, "f": 0.2}, "pad": {"theta": 0.01, "a": 0.05}, "loads": {"P": 190, "Q": [20, -20]}'
 kept first history $steel --theta 0.01 --a 0.05 --f 0.2 --load 190,20 --load 190,-20
 prints_kept "a number beside a list" first history --case case.json

@@ -57,8 +57,8 @@ refused 2 "is of one contact" $steel --for f --safety 2 --load 190,0
 # The verdict. Hertz without friction: 4.880036 b k/P on the stress, at 0.7043 b.
 run solve --E1 210000 --nu1 0.3 --theta 0.02 --radius 100 --P 100 --f 0 --k 100 --verdict
 b=$(value b)
-message_has "Elastic with a factor of $(awk -v b="$b" 'BEGIN { printf "%.4g", 4.880036 * b }') on the stress; it yields first at x = 0, y = 0."
-message_has "If it slid, it would be elastic with a factor of $(awk -v s="$(value safety)" 'BEGIN { printf "%.4g", s }') on P."
+message_has "Elastic with a factor of $(awk -v b="$b" 'BEGIN { printf "%.4g", 4.880036 * b }') on the stress, of $(awk -v n="$(value load_over_bk)" -v l="$(value P_over_bk)" 'BEGIN { printf "%.4g", l / n }') if it slid; it yields first at x = 0, y = 0."
+message_has "The factor on P, in full sliding, is $(awk -v s="$(value safety)" 'BEGIN { printf "%.4g", s }')."
 run solve --E1 210000 --nu1 0.3 --theta 0.02 --radius 100 --P 100 --f 0 --k 10 --verdict
 message_has "It yields: the stress is $(awk -v b="$b" 'BEGIN { printf "%.4g", 1 / (0.4880036 * b) }') times what body 1 bears, at x = 0,"
 run solve --E1 210000 --nu1 0.3 --theta 0.02 --a 0 --P 100 --f 0.2 --k 100 --verdict

@@ -101,10 +101,10 @@ EXPORTED const char *page_rows(const char *text, char *fields, int decimal_sign)
 {
     static table_input rows;
     static pasted_cases cases;
-    const reading how = {.decimal_sign = (char)decimal_sign};
     const table_wanted wanted = {.find = find_columns, .context = &cases, .takes_malformed = true};
     json_begin();
     cases = (pasted_cases){.form = field_texts(fields), .decimal_sign = (char)decimal_sign};
+    const reading how = {.decimal_sign = (char)decimal_sign, .units = field_units()};
     pasted_offer(text);
     if (table_open("", &how, &wanted, &rows)) {
         write_head(&cases.table);

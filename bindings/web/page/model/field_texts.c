@@ -7,19 +7,84 @@ static const char *remark = ""; /* on the profile */
 
 static const char PROFILE_NAME[] = "pasted", BETWEEN[] = "\x1e";
 
+/* What the fields say of all of them. */
+static struct {
+    unit_system units;
+    const char *width, *rows; /* of a profile */
+    char rows_sign;           /* their decimal sign; NUL where it is that of the others */
+    profile_making making;
+} said;
+
 /* The rows of a profile become one that is read, by a name. */
-static void take_profile(const char *rows, bool takes_hull, input_texts *texts)
+static void take_profile(input_texts *texts)
 {
-    pasted_offer(rows);
-    const reading how = {.decimal_sign = '.'};
-    const profile_making making = {.takes_hull = takes_hull, .takes_unnamed = true};
-    remark = profiles_read(PROFILE_NAME, &how, &making);
+    pasted_offer(said.rows);
+    const reading how = {.decimal_sign =
+                             said.rows_sign != '\0' ? said.rows_sign : texts->cell_decimal_sign,
+                         .units = &said.units};
+    remark = profiles_read(PROFILE_NAME, &how, &said.making);
     texts->text[INPUT_PROFILE] = PROFILE_NAME;
+}
+
+/* A total width that is none divides by nothing: its field says so. */
+static void take_width(char decimal_sign)
+{
+    const char *own;
+    double factor, width;
+    complaint why;
+    if (said.width != NULL && quantity_read(said.width, decimal_sign, &width, &own) &&
+        units_factor(&said.units, own, "length", SHARE_NONE, &factor, &why) && width * factor > 0)
+        said.units.width = width * factor;
 }
 
 const char *field_remark(void)
 {
     return remark;
+}
+
+const unit_system *field_units(void)
+{
+    return &said.units;
+}
+
+const char *field_profile(void)
+{
+    return said.rows != NULL ? PROFILE_NAME : NULL;
+}
+
+const profile_making *field_making(void)
+{
+    return &said.making;
+}
+
+/* Fields that are no inputs. */
+static bool take_other(const char *name, const char *text, input_texts *texts)
+{
+    complaint why;
+    if (strcmp(name, "decimal_sign") == 0)
+        texts->cell_decimal_sign = text[0];
+    else if (strcmp(name, "units") == 0) {
+        if (!units_read(text, &said.units, &why))
+            said.units = units_unknown;
+    } else if (strcmp(name, "width") == 0)
+        said.width = text;
+    else if (strcmp(name, "profile") == 0)
+        said.rows = text;
+    else if (strcmp(name, "profile_sign") == 0)
+        said.rows_sign = text[0];
+    else if (strcmp(name, "plane_stress") == 0)
+        texts->is_plane_stress = true;
+    else if (strcmp(name, "hull") == 0)
+        said.making.takes_hull = true;
+    else if (strcmp(name, "fit") == 0)
+        said.making.fits = true;
+    else if (strcmp(name, "heights") == 0)
+        said.making.is_down = strcmp(text, "down") == 0;
+    else if (strcmp(name, "origin") == 0)
+        said.making.is_from_lowest = strcmp(text, "lowest") == 0;
+    else
+        return false;
+    return true;
 }
 
 static void take(char *field, input_texts *texts)
@@ -28,14 +93,8 @@ static void take(char *field, input_texts *texts)
     if (sign == NULL)
         return;
     *sign = '\0';
-    if (strcmp(field, "decimal_sign") == 0) {
-        texts->cell_decimal_sign = sign[1];
+    if (take_other(field, sign + 1, texts))
         return;
-    }
-    if (strcmp(field, "profile") == 0 || strcmp(field, "hull") == 0) {
-        take_profile(sign + 1, field[0] == 'h', texts);
-        return;
-    }
     for (int i = 0; i < INPUT_COUNT; i++)
         if (strcmp(field, input_kinds[i].column) == 0)
             texts->text[i] = sign + 1;
@@ -45,14 +104,22 @@ static void take(char *field, input_texts *texts)
 input_texts field_texts(char *fields)
 {
     input_texts texts = {.cell_decimal_sign = '.',
+                         .units = &said.units,
+                         .how_units = ": Units above must name those of the numbers",
                          .how_comma = "that separates no thousands",
                          .profile_named = profiles_named,
                          .tolerance = usual_tolerance};
     profiles_forget(0);
     remark = "";
+    memset(&said, 0, sizeof said);
+    said.units = units_unknown;
+    said.making = (profile_making){.keeps_places = true, .takes_unnamed = true};
     for (int i = 0; i < INPUT_COUNT; i++)
         texts.is_cell[i] = true;
     for (char *field = strtok(fields, BETWEEN); field != NULL; field = strtok(NULL, BETWEEN))
         take(field, &texts);
+    take_width(texts.cell_decimal_sign);
+    if (said.rows != NULL)
+        take_profile(&texts);
     return texts;
 }

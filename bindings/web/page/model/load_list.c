@@ -20,6 +20,8 @@ void load_list_write(const load_list *loads)
     for (size_t i = 0; i < loads->count; i++) {
         const load to = loads->load[i].to;
         json_add("{'loads':[{'P':%n,'M':%n,'Q':%n,'sigma':%n}]}", to.P, to.M, to.Q, to.sigma);
+        if (to.is_guided)
+            json_add("{'tilts':[%n]}", to.tilt);
     }
     json_add("{'unused':%t}", loads->unused.text);
 }
@@ -65,7 +67,7 @@ static bool take_rows(table_input *rows, load_list *loads)
 bool load_list_read(const char *text, char decimal_sign, load_list *loads)
 {
     static table_input rows;
-    const reading how = {.decimal_sign = decimal_sign};
+    const reading how = {.decimal_sign = decimal_sign, .units = field_units()};
     const table_wanted wanted = {
         .find = find_columns, .usual = usual_names, .takes_malformed = true};
     pasted_offer(text);

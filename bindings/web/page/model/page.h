@@ -37,8 +37,15 @@ const char *json_end(void);
 
 /* From "name=text" of each input, with U+001E between them; it takes them apart in place. The text
  * of "decimal_sign" is that of the others, a point where it is missing; that of "profile" has its
- * rows, that of "hull" the same for their convex hull. */
+ * rows, whose decimal sign may be that of "profile_sign". "plane_stress" is in place of plane
+ * strain. "hull", "fit", "heights" and "origin" say how the profile is made of them, "units" the
+ * working units, and "width" what forces of the whole contact are divided by. */
 input_texts field_texts(char *fields);
+
+/* Of the last texts: the units; the name of the profile, NULL for none, and how it was made. */
+const unit_system *field_units(void);
+const char *field_profile(void);
+const profile_making *field_making(void);
 
 /* What is to be known of the profile of the last texts; or "". */
 const char *field_remark(void);

@@ -12,9 +12,19 @@ const numbersOf = (model) =>
 
 const asOption = ([name, value]) => `--${inputs[name].option} ${value}`;
 
+/** How the profile is made, and plane stress: of the texts that the model was told. */
+const makingOptions = ({ texts = {} }) =>
+    [
+        texts.hull && "--hull",
+        texts.fit && "--fit",
+        texts.heights && `--heights ${texts.heights}`,
+        texts.origin && `--origin ${texts.origin}`,
+    ].filter(Boolean);
+const planeOption = ({ texts = {} }) => (texts.plane_stress ? ["--plane-stress"] : []);
+
 /** The command for the case: rwedge solve --E1 210000 ... */
 export function asCommand(model) {
-    const options = numbersOf(model).map(asOption);
+    const options = [...numbersOf(model).map(asOption), ...makingOptions(model), ...planeOption(model)];
     const factor = "k" in model.inputs || "yield_stress" in model.inputs ? " --yield-factor" : "";
     return `rwedge solve ${options.join(" ")}${factor}`;
 }
@@ -35,13 +45,16 @@ function criterionOptions({ name, isPlaneStress, constants }) {
 }
 
 /** The command for a cycle of loads of the case, from { loads, criterion }: printf ... | rwedge fretting ... P and M come first where no table was given. */
-export function asFretting(model, { loads, criterion }, cycles, hasTable) {
+export function asFretting(model, { loads, tilts, criterion }, cycles, hasTable) {
     if (loads.length > SHOWN)
         return `More than ${SHOWN} loads: save them as a file and give it to \u201crwedge fretting\u201d.`;
-    const rows = [ofLoad.join(), ...loads.map((load) => ofLoad.map((name) => wholeNumber(load[name])).join())];
+    const isHeld = "tilt" in model.inputs || tilts, // the moment is a result
+        ofRow = tilts ? ["P", "tilt", "Q", "sigma"] : isHeld ? ["P", "Q", "sigma"] : ofLoad,
+        valueAt = (i, name) => wholeNumber(name === "tilt" ? tilts[i] : loads[i][name]);
+    const rows = [ofRow.join(), ...loads.map((_, i) => ofRow.map((name) => valueAt(i, name)).join())];
     const options = numbersOf(model).filter(([name]) => !ofLoad.includes(name));
-    const before = hasTable ? "" : ` --load ${loads[0].P},${loads[0].M},0,0`;
-    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${[...options.map(asOption), ...criterionOptions(criterion)].join(" ")}`;
+    const before = hasTable ? "" : ` --load ${loads[0].P},${isHeld ? 0 : loads[0].M},0,0`;
+    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${[...options.map(asOption), ...makingOptions(model), ...criterionOptions(criterion)].join(" ")}`;
 }
 
 const inPython = (value) => (value === "inf" ? "math.inf" : value);
@@ -51,12 +64,14 @@ const sizesInPython = {
     wedge: ({ theta, theta_deg, a, radius }) =>
         `theta = ${theta ?? `math.radians(${theta_deg})`}\na = ${a ?? `rwedge.rounding(theta, ${radius})`}`,
     cylinder: ({ radius }) => `R = ${radius}`,
+    cylinders: ({ radius1, radius2 }) => `R = 1 / (1 / ${radius1} + 1 / ${radius2})`,
     flat: ({ flat, radius }) => `a, R = ${flat}, ${radius}  # half-width of the flat, radius of its edges`,
     profile: (_, { places }) => `x = ${listOf(places, "x")}\nslope = ${listOf(places, "slope")}`,
 };
 const makersInPython = {
     wedge: "(theta=theta, a=a, A=A, f=f)",
     cylinder: ".cylinder(R, A, f)",
+    cylinders: ".cylinder(R, A, f)",
     flat: ".flat(a, R, A, f)",
     profile: ".profile(x, slope, A, f)",
 };
@@ -65,18 +80,18 @@ const makersInPython = {
 export function asPython(model) {
     const value = Object.fromEntries(numbersOf(model).map(([name, number]) => [name, inPython(number)]));
     const k = value.k ?? (value.yield_stress && `${value.yield_stress} / math.sqrt(3)`);
-    const { E1, nu1, P, M = "0", Q = "0", sigma = "0", f = "0" } = value;
+    const { E1, nu1, tilt, P, M = "0", Q = "0", sigma = "0", f = "0" } = value;
     const centred = model.pad === "wedge" && Number(M) === 0 && Number(sigma) === 0;
     return `import math
 import rwedge
 
 E1, nu1, E2, nu2 = ${E1}, ${nu1}, ${value.E2 ?? E1}, ${value.nu2 ?? nu1}
-${sizesInPython[model.pad](value, model.setup)}
+${model.texts?.plane_stress ? "nu1 = nu2 = 0  # plane stress\n" : ""}${sizesInPython[model.pad](value, model.setup)}
 P, M, Q, sigma, f = ${P}, ${M}, ${Q}, ${sigma}, ${f}
 A = float(rwedge.compliance(E1, nu1, E2, nu2))
 
 contact = rwedge.Contact${makersInPython[model.pad]}
-${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
+${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}${tilt === undefined ? "" : `contact.set_rotation(1)  # held at a tilt: M is a result\ncontact.guide(0, ${tilt}, 0, 0)\n`}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
 contact.apply(P, M, Q, sigma)
 print("b", contact.half_width)
 print("c", contact.stick_half_width)

@@ -1,34 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: its parts, and when they are drawn.
-import { html, render } from "lit-html";
+import { html, nothing, render } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { rwedge } from "./answers/library.js";
 import { asCommand, asPython } from "./export.js";
-import { copyButton, download, options, remembered } from "./parts.js";
+import { copyButton, download, fileName, options, remembered } from "./parts.js";
 import { form } from "./left/form.js";
 import { finder } from "./left/find.js";
 import { drawingOf } from "./left/drawing.js";
-import { makeModel } from "./model.js";
+import { readCase, writtenCase } from "./answers/case_file.js";
+import { inputTexts, makeModel } from "./model.js";
 import { narrow } from "./plot/axes.js";
-import { worstPlace } from "./tabs/cycle.js";
+import { carry } from "./plot/save.js";
+import { aside as history, worstPlace } from "./tabs/cycle.js";
 import { tabList, tabPanels } from "./tabs/tabs.js";
 import { isSilent, verdict } from "./verdict.js";
-import { unitsRemark, unitSystems } from "./units.js";
+import { unitsNamed, unitsRemark, unitSystems } from "./units.js";
 import * as states from "./state.js";
 
 const { state, setter } = states;
 
-const saveCase = () => download("rounded-wedge-case.txt", states.wholeAddress(), "text/plain");
+/** The loads of the Cycle tab are the case's, where it is seen and has some. */
+function loadsOfCycle() {
+    const { loads, tilts } = (state.tab === "cycle" && state.loads.trim() !== "" && history.answer) || {};
+    return tilts ? loads.map((load, i) => ({ ...load, tilt: tilts[i] })) : loads;
+}
 
-/** A file that was saved here. */
+function saveCase() {
+    const { name, sign, material } = state;
+    const told = { name, texts: present.value.texts, sign, material, loads: loadsOfCycle(), settings: states.shownSettings() };
+    download(`${fileName("") || "case"}.json`, writtenCase(told), "application/json");
+}
+
+/** A file that was saved here, or by the tool; of older pages an address. */
 async function openCase({ target }) {
     const [file] = target.files;
     if (!file) return;
-    states.take(states.readAddress((await file.text()).trim()));
+    const text = (await file.text()).trim();
     target.value = "";
+    try {
+        const texts = text.startsWith("#") ? states.readAddress(text) : readCase(text, states.shortNumber);
+        states.take({ ...texts, ...(!text.startsWith("#") && { units: unitsNamed(texts.units) }) });
+        fault = "";
+    } catch (error) {
+        fault = `${file.name}: ${error.message}`;
+    }
+    states.redraw();
 }
+let fault = ""; // of a file that was opened last
 
 const converts = () => document.getElementById("convert").checked;
+/** Of a page that is a file on this machine, no one else has the link. */
+const canLink = location.protocol.startsWith("http");
 const link = () => location.href.replace(/#.*/, "") + states.address();
 
 function choice(name, label, titles, change) {
@@ -43,9 +66,13 @@ const settings = () => html`
     ${choice("digits", "Digits", states.digits, setter("digits"))}
     ${choice("sign", "Decimal sign", states.signs, ({ target }) => states.setSign(target.value))}
     <span><input type="checkbox" id="convert" checked><label for="convert">convert numbers with the units</label></span>
-    ${copyButton("Copy a link to this case", link, () => (states.isTooLong() ? "Copied without the pasted rows" : "Copied"))}
-    <span><input type="file" id="open-case" class="hidden" accept=".txt,text/plain" @change=${openCase}><label
-        for="open-case" class="button">Open a saved case</label></span>`;
+    <span><button type="button" id="save-case" @click=${saveCase}>Save the case</button>
+        <input type="file" id="open-case" class="hidden" accept=".json,.txt,application/json,text/plain" @change=${openCase}><label
+        for="open-case" class="button">Open a case</label>
+        <button type="button" id="undo" ?disabled=${!states.canUndo()} @click=${states.undo}>Undo</button>
+        <button type="button" id="redo" ?disabled=${!states.canRedo()} @click=${states.redo}>Redo</button></span>
+    ${canLink ? copyButton("Copy a link to this case", link, () => (states.isTooLong() ? "Copied without the pasted rows" : "Copied")) : nothing}
+    <p class="note bad" id="open-fault" role="alert" ?hidden=${fault === ""}>${fault}</p>`;
 
 /** The case as a text for elsewhere. */
 function exported(name, model, write) {
@@ -74,7 +101,7 @@ const above = (model) => html`<p class="printed">${onPaper()}</p>
 
 const answers = (model) => html`
     <p class="note bad" id="too-long" role="status" ?hidden=${!states.isTooLong()}>
-        The pasted rows are too long for a link: it leaves them out, and they are gone when the page is loaded again.
+        The pasted rows are too long for the address: they are gone when the page is loaded again.
         <button type="button" @click=${saveCase}>Save all of it as a file</button>
     </p>
     ${tabList()} ${tabPanels(model)}
@@ -85,21 +112,28 @@ let waiting = 0;
 function remember() {
     clearTimeout(waiting);
     waiting = setTimeout(() => {
-        if (location.hash !== states.address()) history.replaceState(null, "", states.address());
+        if (location.hash !== states.address()) window.history.replaceState(null, "", states.address());
     }, 250);
 }
 
-const present = remembered(() => makeModel(state));
+const model = remembered(() => makeModel(state)),
+    present = { value: null };
+const TITLE = document.title;
 const put = (part, id) => render(part, document.getElementById(id));
 
 /** The answers come first: the drawing shows what of them is worst. */
 function draw() {
     const began = performance.now();
-    const model = present(JSON.stringify([state.texts, state.pad, state.units, state.digits, state.sign, state.name]));
-    put(answers(model), "answers");
-    put(theCase(model), "case");
-    put(above(model), "verdict");
-    document.getElementById("verdict").classList.toggle("silent", isSilent(model, state.tab));
+    const { texts, pad, units, width, plane, digits, sign, name } = state,
+        drawn = model(JSON.stringify([texts, pad, units, width, plane, digits, sign, name]));
+    present.value = drawn;
+    states.keep();
+    carry([...(name ? [name] : []), ...inputTexts(drawn)]);
+    document.title = name ? `${name} \u2013 ${TITLE}` : TITLE;
+    put(answers(drawn), "answers");
+    put(theCase(drawn), "case");
+    put(above(drawn), "verdict");
+    document.getElementById("verdict").classList.toggle("silent", isSilent(drawn, state.tab));
     put(settings(), "settings");
     document.body.dataset.milliseconds = (performance.now() - began).toFixed(1);
     remember();

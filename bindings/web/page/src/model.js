@@ -2,15 +2,23 @@
 // What is drawn: the solved case, how it is written, and in which units.
 import { textsOfPad } from "./pads.js";
 import { solveHolding } from "./answers/solution.js";
+import { inputs } from "./answers/words.js";
+import { wholeNumber } from "./number.js";
 import { written } from "./state.js";
-import { unitSystems } from "./units.js";
+import { unitSystems, wordsOf } from "./units.js";
 
 let solved; // the last model with results
+
+/** What the model is told beside the inputs. */
+function otherTexts({ units, width, plane }) {
+    const all = { units: wordsOf(units), width: width.trim(), plane_stress: plane };
+    return Object.fromEntries(Object.entries(all).filter(([, text]) => text !== ""));
+}
 
 /** pictured: the model itself, or where it has no results the last one that had: its pictures stay, greyed. */
 export function makeModel(state) {
     const { unit } = unitSystems[state.units],
-        texts = textsOfPad(state.texts, state.pad);
+        texts = { ...textsOfPad(state.texts, state.pad), ...otherTexts(state) };
     const model = {
         ...solveHolding(texts, state.sign, unit.length),
         texts,
@@ -21,6 +29,14 @@ export function makeModel(state) {
     if (model.results) solved = model;
     return Object.assign(model, { pictured: solved ?? model });
 }
+
+/** The inputs of a case as texts, with their units. */
+export const inputTexts = ({ inputs: numbers, texts, unit }) => [
+    ...Object.entries(numbers).map(([name, value]) =>
+        name === "profile" ? `profile of ${value} places` : `${name} = ${wholeNumber(value)} ${unit[inputs[name].unit]}`.trim(),
+    ),
+    ...(texts.plane_stress ? ["plane stress"] : []),
+];
 
 /** "x / mm"; the name alone where the unit is nothing. */
 export const withUnit = (name, unit) => (unit ? `${name} / ${unit}` : name);

@@ -4,9 +4,12 @@
 export const pads = {
     wedge: { name: "wedge", names: ["theta", "theta_deg", "a", "radius"] },
     cylinder: { name: "cylinder", names: ["radius"] },
+    cylinders: { name: "two cylinders", names: ["radius1", "radius2"] },
     flat: { name: "flat and rounded", names: ["flat", "radius"] },
-    profile: { name: "profile, pasted", names: ["profile", "hull"] },
+    profile: { name: "profile, pasted", names: ["profile", "hull", "fit", "heights", "origin"] },
 };
+/** How a profile is made of its rows: no inputs of the model. */
+export const makingNames = ["hull", "fit", "heights", "origin"];
 /** The inputs that give a shape. */
 export const ofShapes = new Set(Object.values(pads).flatMap(({ names }) => names));
 
@@ -14,6 +17,7 @@ export const ofShapes = new Set(Object.values(pads).flatMap(({ names }) => names
 export function padOf(texts) {
     if ("profile" in texts) return "profile";
     if ("flat" in texts) return "flat";
+    if ("radius1" in texts) return "cylinders";
     return "radius" in texts && !("theta" in texts || "theta_deg" in texts) ? "cylinder" : "wedge";
 }
 
@@ -29,18 +33,12 @@ export function beginning(pad, radius, b, write) {
     return {
         wedge: { theta: write(half / R), radius: write(R) },
         cylinder: { radius: write(R) },
+        cylinders: { radius1: write(2 * R), radius2: write(2 * R) },
         flat: { flat: write(half), radius: write(R) },
         profile: {
             profile: ["x\theight", ...heights.map((x) => `${write(x)}\t${write((x * x) / (2 * R))}`)].join("\n"),
         },
     }[pad];
-}
-
-/** Pasted rows with a decimal point, and commas between cells; lines stay where they are. */
-export function rowsOfProfile(text, sign) {
-    const plain = text.replaceAll("\u2212", "-"),
-        lines = (sign === "," ? plain.replaceAll(",", ".") : plain).split("\n");
-    return lines.map((line) => line.trim().replace(/[\t;, ]+/g, ",")).join("\n");
 }
 
 /** The heights of a profile: its slopes are linear between places and constant beyond. */

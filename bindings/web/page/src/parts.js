@@ -27,6 +27,10 @@ export function remembered(f) {
 /** Lines of cells, with ; between these where the decimal sign is a comma. */
 export const csvText = (lines) => lines.map((line) => line.join(state.sign === "," ? ";" : ",")).join("\n") + "\n";
 
+/** The name of a file of the case: its own first. */
+export const fileName = (...words) =>
+    [state.name, ...words].map((word) => word.replace(/[^\p{L}\p{N}.-]+/gu, "-")).filter(Boolean).join("-");
+
 /** Hands a file to the browser's downloads. */
 export function download(name, content, type) {
     const href = URL.createObjectURL(new Blob([content], { type }));

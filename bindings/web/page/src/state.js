@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The state of the page: texts, as they are typed, and choices. It is the part of the address behind #: a case can be sent as a link.
 import { readNumber, writeNumber } from "./number.js";
-import { padOf, pads } from "./pads.js";
+import { makingNames, padOf, pads } from "./pads.js";
 import { measures } from "./answers/stresses.js";
 import { unitSystems, wordsOf } from "./units.js";
 import { constantFactorOf, factorOf } from "./answers/library.js";
@@ -14,6 +14,7 @@ const settings = {
     name: "",
     pad: "",
     units: "mm",
+    width: "",
     digits: "4",
     sign: ".",
     tab: "contact",
@@ -51,6 +52,8 @@ const allowed = {
     criterion: criteria,
     find: findable,
 };
+/** Those that a case file has in words of its own. */
+const ofFile = ["name", "units", "width", "plane", "material"];
 const LONGEST = 20000; // characters of an address that every browser takes
 
 /** texts: of the inputs, by name; way: which of the ways to give an input is chosen. */
@@ -60,6 +63,45 @@ let draw;
 /** What is done after each change. */
 export const drawWith = (f) => (draw = f);
 export const redraw = () => draw();
+
+// ---- Undo and redo: states as they were, the present one last; those that were undone ----
+
+const done = [],
+    undone = [];
+const PAUSE = 700, // milliseconds: keys that are typed faster are one change
+    KEPT = 200;
+let lastChange = -Infinity;
+
+/** The state as an address; whatever was typed first, the same state has the same. */
+function ordered() {
+    const all = new URLSearchParams(wholeAddress().slice(1));
+    all.sort();
+    return `#${all}`;
+}
+
+/** To be called when it is drawn: the present state is kept. */
+export function keep() {
+    const present = ordered(),
+        now = performance.now();
+    if (present === done.at(-1)) return;
+    if (now - lastChange < PAUSE && done.length > 1) done.pop();
+    else if (done.length >= KEPT) done.shift();
+    lastChange = now;
+    done.push(present);
+    undone.length = 0;
+}
+
+const go = (from, to) => () => {
+    to.push(from.pop());
+    const texts = readAddress(done.at(-1));
+    lastChange = -Infinity;
+    take({ ...noInputs, ...texts });
+};
+/** Their functions, and whether there is something to undo or redo. */
+export const undo = go(done, undone),
+    redo = go(undone, done);
+export const canUndo = () => done.length > 1;
+export const canRedo = () => undone.length > 0;
 
 export function set(changes) {
     Object.assign(state, changes);
@@ -72,9 +114,12 @@ export const setter =
     ({ target }) =>
         set({ [name]: target.value });
 
+/** An address without inputs begins with the example; a state without any stays so. */
+const noInputs = { E1: "" };
+
 /** All of it anew. */
 export function take(texts) {
-    const filled = [...inputNames, "hull"].filter((name) => (texts[name] ?? "") !== "");
+    const filled = [...inputNames, ...makingNames].filter((name) => (texts[name] ?? "") !== "");
     state.texts = inputNames.some((name) => name in texts)
         ? Object.fromEntries(filled.map((name) => [name, texts[name]]))
         : { ...example };
@@ -149,10 +194,12 @@ const asAddress = (texts) =>
 
 export const readAddress = (text) => Object.fromEntries(new URLSearchParams(text.replace(/^#/, "")));
 
-export function wholeAddress() {
-    const changed = Object.keys(settings).filter((name) => state[name] !== settings[name]);
-    return asAddress({ ...state.texts, ...Object.fromEntries(changed.map((name) => [name, state[name]])) });
-}
+const changedSettings = () => Object.fromEntries(Object.entries(settings).filter(([name, usual]) => state[name] !== usual).map(([name]) => [name, state[name]]));
+
+/** What the page shows, beside the case itself. */
+export const shownSettings = () => Object.fromEntries(Object.entries(changedSettings()).filter(([name]) => !ofFile.includes(name)));
+
+export const wholeAddress = () => asAddress({ ...state.texts, ...changedSettings() });
 
 /** What is pasted may be too long for a link. */
 export const isTooLong = () => wholeAddress().length > LONGEST;

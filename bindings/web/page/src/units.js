@@ -22,8 +22,12 @@ export const unitSystems = {
     any: { name: "any consistent units", unit: made("length", "force", "stress") },
 };
 
-/** A set as the model knows it, which has the sizes; it knows no "length,force,stress". */
-export const wordsOf = (units) => ["length", "force", "stress"].map((name) => unitSystems[units].unit[name]).join(",");
+/** A set as the model, case files and the tool have it, "mm,N,MPa"; "" where it has no names. */
+export const wordsOf = (units) =>
+    units === "any" ? "" : ["length", "force", "stress"].map((name) => unitSystems[units].unit[name]).join(",");
+
+/** The set of these words; any consistent one where it is none of the page's. */
+export const unitsNamed = (words) => Object.keys(unitSystems).find((units) => wordsOf(units) === words.replace(/\s/g, "")) ?? "any";
 
 export const unitsRemark =
     "Any consistent units do. Another choice converts all numbers, pasted ones too, unless \u201cconvert\u201d is off. Forces are per unit length.";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict, above all tabs: strength in a sentence, a bar for its factor, the figures that are asked for first, what is doubtful.
 import { html, nothing } from "lit-html";
+import { isOffCentre } from "./answers/solution.js";
 import { symbols } from "./tabs/symbols.js";
 
 const MOST = 3; // where the bar ends
@@ -8,7 +9,6 @@ const MOST = 3; // where the bar ends
 const figures = [
     ["b", "half-width of the contact", "length"],
     ["p0", "peak pressure", "stress"],
-    ["c_over_b", "of the contact sticks", "none"],
 ];
 
 function figure(model, [name, meaning, unit]) {
@@ -28,14 +28,27 @@ export function bar(factor, colour, limit = "yields") {
         <p class="scale"><span>0</span><span>1: ${limit}</span><span>2</span><span>${MOST} and more</span></p>`;
 }
 
-const advice = html`<p class="note">The factor on the stress is for the loads as they are. Where Q may grow, take that of
-    the sliding contact, a factor on P.</p>`;
+const advice = html`<p class="note">Factors on the stress are for P as it is. With the factor on P the contact grows too. Where Q may grow,
+    take those of the sliding contact.</p>`;
+
+/** Where the contact is off the centre its stick zone is told by its edges. */
+function stickText(model) {
+    const { results, setup, zones, unit, write } = model,
+        sticks = zones.filter(({ slip }) => slip === 0);
+    if (setup.f === 0) return nothing;
+    const isCentred = results.c_over_b !== null && !isOffCentre(setup);
+    if (isCentred) return figure(model, ["c_over_b", "of the contact sticks", "none"]);
+    return sticks.length === 0
+        ? html`<span><small>no part of the contact sticks</small></span>`
+        : html`<span><b>${sticks.map(({ from, to }) => `${write(from)} \u2026 ${write(to)}`).join(", ")}</b> ${unit.length}
+              <small>sticks, of ${write(results.left)} \u2026 ${write(results.right)}</small></span>`;
+}
 
 function whole(model) {
     const { strength, factor, colour } = model.verdict;
     return html`<p class="sentence">${strength}</p>
         ${Number.isFinite(factor) ? bar(factor, colour) : nothing}
-        <p class="figures">${figures.map((each) => figure(model, each))}</p>
+        <p class="figures">${figures.map((each) => figure(model, each))} ${stickText(model)}</p>
         ${Number.isFinite(model.results.safety) ? advice : nothing}`;
 }
 

@@ -4,7 +4,7 @@ import { answeredContact, ask } from "./library.js";
 import { withPoint } from "../number.js";
 import { loopOf } from "./loop.js";
 import { textsFor } from "./solution.js";
-import { separated } from "./tables.js";
+import { plainRows } from "./tables.js";
 import { criteria } from "./words.js";
 
 /** A name and the rest of its line. */
@@ -14,12 +14,15 @@ const namesAndRests = (text) =>
         rest,
     ]);
 
-/** The text is a material file, JSON or a name and a number a line: as lines for the model. */
-function linesOfMaterial(text, sign) {
+/** A material file, JSON or a name and a number a line: [[name, text with a decimal point]]. */
+export function constantsOf(text, sign) {
     const isJson = text.trim().startsWith("{"); // whose numbers have a point
     const entries = isJson ? Object.entries(JSON.parse(text)) : namesAndRests(text);
-    return entries.map(([name, value]) => `${name}=${withPoint(String(value), isJson ? "." : sign)}`).join("\n");
+    return entries.map(([name, value]) => [name, withPoint(String(value), isJson ? "." : sign)]);
 }
+
+/** As lines for the model. */
+const linesOfMaterial = (text, sign) => constantsOf(text, sign).map((entry) => entry.join("=")).join("\n");
 
 /**
  * { loads, unused, slipKnown, computed: a remark, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
@@ -36,7 +39,7 @@ export function cycleOf(texts, text, sign, times, chosen) {
     const { faults, constants = {}, ...answer } = ask(
         "cycle",
         textsFor(texts, sign),
-        separated(text),
+        text.trim() === "" ? "" : plainRows(text),
         sign.charCodeAt(0),
         times.trim(),
         chosen.name,

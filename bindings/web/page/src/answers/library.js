@@ -55,6 +55,9 @@ export function ask(name, ...values) {
     return JSON.parse(text).reduce(join, {});
 }
 
+/** What the model says of texts, yes or no. */
+export const knows = (name, ...values) => call(`page_${name}`, values) !== 0;
+
 /** NaN where the text is no number with a decimal point. */
 export const numberOf = (text) => call("page_number", [text]);
 

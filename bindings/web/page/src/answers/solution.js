@@ -1,26 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case as the model answers it: from texts to numbers, results and verdict, or what is wrong.
 import { answeredContact, ask } from "./library.js";
+import { resultKinds } from "./words.js";
 import { withPoint, withSign } from "../number.js";
-import { rowsOfProfile } from "../pads.js";
+import { plainRows } from "./tables.js";
 
-const profileLine = (name, text, hull, sign) => `${hull ? "hull" : name}=${rowsOfProfile(text, sign)}`;
-const linesFor = ({ hull, ...texts }, sign, write) =>
-    Object.entries(texts).map(([name, text]) =>
-        name === "profile" ? profileLine(name, text, hull, sign) : `${name}=${write(text, sign)}`,
-    );
+const linesFor = (texts, sign, write) =>
+    Object.entries(texts).map(([name, text]) => `${name}=${name === "profile" ? plainRows(text) : write(text, sign)}`);
 
-/** The texts for the model, one after the other, with their decimal sign. The profile is "hull" where its convex hull is taken. */
+/**
+ * The texts for the model, one after the other, with their decimal sign: of inputs; "hull", "fit", "heights", "origin" of the profile;
+ * "units", "width" and "plane_stress".
+ */
 export const textsFor = (texts, sign) => [`decimal_sign=${sign}`, ...linesFor(texts, sign, withSign)].join("\x1e");
 
 /** The same with a decimal point, as constants of rows that have a sign of their own. */
-export const constantsFor = (texts, sign) => linesFor(texts, sign, withPoint).join("\x1e");
+export const constantsFor = (texts, sign) => [`profile_sign=${sign}`, ...linesFor(texts, sign, withPoint)].join("\x1e");
 
 /** What an answer of the model has where nothing is said of it. */
 const none = { inputs: {}, faults: [], setup: null, hardest: null, results: null, verdict: null, remark: "" };
 
 /** The factor by which the yield stress may fall, as in the workbook. */
 const safetyOnStrength = (r) => (r.load_over_bk && r.P_over_bk !== null ? r.P_over_bk / r.load_over_bk : null);
+
+const ROUNDING = 1e-12; // of the contact's width
+
+/** Lengths that are rounding beside the contact are 0. */
+function withoutRounding(all, { left, right }) {
+    const least = ROUNDING * (right - left),
+        isLength = (name) => resultKinds[name]?.unit === "length" || name === "x" || name === "y";
+    return Object.fromEntries(Object.entries(all).map(([name, value]) =>
+        [name, typeof value === "number" && isLength(name) && Math.abs(value) < least ? 0 : value]));
+}
 
 let held = null;
 
@@ -34,9 +45,10 @@ export function solveHolding(texts, sign, length = "") {
     if (!answer.results) return { ...answer, contact: null };
     held?.free();
     held = answeredContact();
+    const results = withoutRounding(answer.results, answer.results);
     return {
         ...answer,
-        results: { ...answer.results, safety_strength: safetyOnStrength(answer.results) },
+        results: { ...results, safety_strength: safetyOnStrength(results) },
         contact: held,
     };
 }

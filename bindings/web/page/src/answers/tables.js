@@ -3,11 +3,8 @@
 import { ask } from "./library.js";
 import { constantsFor } from "./solution.js";
 
-/** The model knows tabs, ; and , between cells. Without any in the first line that is not blank, spaces do. */
-export function separated(text) {
-    const trimmed = text.replace(/^\s+/, (blank) => blank.replace(/[^\r\n]/g, "")).replaceAll("\u2212", "-");
-    return /^[\r\n]*[^\r\n]*[\t;,]/.test(trimmed) ? trimmed : trimmed.replace(/ +/g, "\t");
-}
+/** Pasted rows, with a minus that the model knows. */
+export const plainRows = (text) => text.replaceAll("\u2212", "-");
 
 /**
  * { columns, results: names; constants: texts by name; rows: [{ colour, error, cells, values }]; unused } or { complaint }. The texts of
@@ -15,7 +12,7 @@ export function separated(text) {
  */
 export function solveRows(text, texts, sign) {
     if (text.trim() === "") return { complaint: "" };
-    const { faults, ...answer } = ask("rows", separated(text), constantsFor(texts, sign), sign.charCodeAt(0));
+    const { faults, ...answer } = ask("rows", plainRows(text), constantsFor(texts, sign), sign.charCodeAt(0));
     if (faults) return { complaint: faults[0].text };
     return answer.rows ? { constants: {}, ...answer } : { complaint: "no rows below the names" };
 }

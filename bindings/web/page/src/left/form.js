@@ -5,14 +5,14 @@ import { live } from "lit-html/directives/live.js";
 import { rwedge } from "../answers/library.js";
 import { ofShapes, pads } from "../pads.js";
 import { options } from "../parts.js";
-import { set, state, written } from "../state.js";
+import { set, setter, state, typed, written } from "../state.js";
 import { inputs, waysOf } from "../answers/words.js";
 import { padChoice } from "./pad_choice.js";
 import { slider } from "./slider.js";
 
 const groups = [
     { title: "Loads", names: ["P", "Q", "M"] },
-    { title: "Pad", names: ["theta", "flat", "a", "profile", "E2", "nu2"] },
+    { title: "Pad", names: ["theta", "flat", "a", "radius1", "radius2", "profile", "E2", "nu2"] },
     { title: "Between the bodies", names: ["f"] },
     { title: "Half-plane", names: ["E1", "nu1", "k", "sigma"] },
 ];
@@ -26,6 +26,9 @@ const labels = {
     theta_deg: "Angle of the flank \u03b8",
     a: "Half-width of rounding a",
     radius: "Radius R",
+    radius1: "Radius of the half-plane\u2019s body R\u2081",
+    radius2: "Radius of the pad R\u2082",
+    tilt: "Tilt of a pad that is held",
     flat: "Half-width of the flat a",
     profile: "Profile: x and height, or x and slope",
     E1: "Young\u2019s modulus E\u2081",
@@ -39,11 +42,12 @@ const choices = {
     theta: { theta: "rad", theta_deg: "deg" },
     a: { a: "a", radius: "R" },
     k: { k: "k", yield_stress: "Y" },
+    M: { M: "M", tilt: "tilt" },
 };
 const hints = { E2: "as body 1", nu2: "as body 1", Q: "0", M: "0", sigma: "0", k: "none", yield_stress: "none" };
 
-/** The same input the other way: radians or degrees, a or radius, k or Y. */
-function converted(from, numbers) {
+/** The same input the other way: radians or degrees, a or radius, k or Y, the moment or the tilt that it leads to. */
+function converted(from, numbers, results) {
     const value = numbers[from],
         angle = numbers.theta ?? (numbers.theta_deg * Math.PI) / 180;
     return {
@@ -53,6 +57,8 @@ function converted(from, numbers) {
         radius: rwedge.rounding(angle, value),
         k: value * Math.sqrt(3),
         yield_stress: value / Math.sqrt(3),
+        M: results?.tilt ?? NaN,
+        tilt: (results?.moment ?? NaN) * (state.width === "" ? 1 : typed(state.width)),
     }[from];
 }
 
@@ -62,7 +68,7 @@ const openWays = (field) => waysOf(field).filter((way) => !ofShapes.has(way) || 
 /** Of the way that is chosen. */
 function nameOf(field) {
     const open = openWays(field);
-    return open.find((way) => state.way[way]) ?? open[0] ?? field;
+    return open.find((way) => state.way[way]) ?? (open.includes(field) ? field : (open[0] ?? field));
 }
 
 function type(field, text) {
@@ -79,8 +85,8 @@ export function put(way, text) {
 }
 
 /** To 15 digits; what is no number stays as it is. */
-function choose(way, from, { inputs: numbers }) {
-    const other = from in numbers ? converted(from, numbers) : NaN;
+function choose(way, from, { inputs: numbers, results }) {
+    const other = from in numbers ? converted(from, numbers, results) : NaN;
     put(way, Number.isFinite(other) ? written(other, 15) : (state.texts[from] ?? ""));
 }
 
@@ -100,12 +106,16 @@ function entry(field, text, isWrong, hint) {
               aria-invalid=${isWrong} placeholder=${hint} .value=${live(text)} @input=${input}>`;
 }
 
+/** With a total width a force per length is one of the whole contact. */
+const unitOf = (dimension, unit) =>
+    state.width === "" ? unit[dimension] : (unit[{ "force/length": "force", force: "force*length" }[dimension]] ?? unit[dimension]);
+
 /** E2 and nu2 are given both or not at all. */
 const isHalf = (name, { E2, nu2 }) => (name === "nu2" ? Number.isFinite(E2) : name === "E2" && nu2 !== undefined);
 
 function fieldPart(field, model) {
     const name = nameOf(field),
-        unit = field === "theta" ? "" : model.unit[inputs[name].unit];
+        unit = field === "theta" || name === "tilt" ? (name === "tilt" ? "rad" : "") : unitOf(inputs[name].unit, model.unit);
     const wrong = model.faults.filter((fault) => waysOf(field).includes(fault.input)).map((fault) => fault.text);
     const hint = isHalf(name, model.inputs) ? "needed too" : (hints[name] ?? "");
     return html`<div class="field" ?hidden=${openWays(field).length === 0}>
@@ -117,7 +127,21 @@ function fieldPart(field, model) {
             >${wrong.join("; ") || (name === "profile" ? model.remark : "")}</p></div>`;
 }
 
+/** Of a total force; empty where forces are per unit length. */
+const width = (model) => html`<div class="field"><label for="in-width">Width of the contact</label>
+    <div class="row"><input id="in-width" type="text" autocomplete="off" spellcheck="false" size="10" placeholder="forces per length"
+        .value=${live(state.width)} @input=${setter("width")}><span class="unit">${model.unit.length}</span></div></div>`;
+
+const plane = () => html`<p class="tools"><input id="plane" type="checkbox" .checked=${live(state.plane === "stress")}
+    @input=${({ target }) => set({ plane: target.checked ? "stress" : "" })}><label for="plane">plane stress</label></p>`;
+
+const more = {
+    Loads: { below: width },
+    Pad: { above: padChoice },
+    "Half-plane": { below: plane },
+};
+
 const group = ({ title, names }, model) => html`<fieldset><legend>${title}</legend>
-    ${title === "Pad" ? padChoice(model) : nothing} ${names.map((name) => fieldPart(name, model))}</fieldset>`;
+    ${more[title]?.above?.(model)} ${names.map((name) => fieldPart(name, model))} ${more[title]?.below?.(model)}</fieldset>`;
 
 export const form = (model) => html`<div class="groups">${groups.map((each) => group(each, model))}</div>`;

@@ -19,13 +19,30 @@ function choose(pad, { setup, results }) {
     set({ pad });
 }
 
-function takeHull({ target }) {
-    const { hull, ...texts } = state.texts;
-    set({ texts: target.checked ? { ...texts, hull: "yes" } : texts });
+/** How a profile is made of its rows. */
+const makings = {
+    "": { name: "as it is: it must be convex" },
+    fit: { name: "fitted: a few arcs through the noise" },
+    hull: { name: "its convex hull" },
+};
+const makingOf = () => Object.keys(makings).find((name) => name in state.texts) ?? "";
+
+function make({ target }) {
+    const { hull, fit, ...texts } = state.texts;
+    set({ texts: target.value === "" ? texts : { ...texts, [target.value]: "yes" } });
 }
+
+/** For a word that is there or not. */
+const toggle = (name, word) => ({ target }) => {
+    const { [name]: _, ...texts } = state.texts;
+    set({ texts: target.checked ? { ...texts, [name]: word } : texts });
+};
+const check = (name, word, label) => html`<span><input id=${name} type="checkbox" .checked=${live(name in state.texts)}
+    @change=${toggle(name, word)}><label for=${name}>${label}</label></span>`;
 
 export const padChoice = (model) => html`<div class="field"><label for="pad">Shape</label>
     <select id="pad" @change=${({ target }) => choose(target.value, model)}>${options(pads, state.pad)}</select>
-    <p class="tools" ?hidden=${state.pad !== "profile"}>
-        <input id="hull" type="checkbox" .checked=${live("hull" in state.texts)} @change=${takeHull}>
-        <label for="hull">take the convex hull</label></p></div>`;
+    <div ?hidden=${state.pad !== "profile"}><label for="making">The profile is taken</label>
+        <select id="making" @change=${make}>${options(makings, makingOf())}</select>
+        <p class="tools">${check("origin", "lowest", "x = 0 at its lowest place")}
+            ${check("heights", "down", "heights point down")}</p></div></div>`;

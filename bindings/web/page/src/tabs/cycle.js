@@ -119,10 +119,7 @@ const entries = () => html`
         <input id="cycles" type="text" size="4" inputmode="numeric" spellcheck="false" .value=${live(state.cycles)}
             @input=${setter("cycles")}>times; the last time counts</p>
     <p class="tools"><label for="criterion">Criterion</label>
-        <select id="criterion" @change=${setter("criterion")}>${options(criteria, state.criterion)}</select>
-        <input id="plane" type="checkbox" .checked=${live(state.plane === "stress")}
-            @input=${({ target }) => set({ plane: target.checked ? "stress" : "" })}>
-        <label for="plane">plane stress</label></p>
+        <select id="criterion" @change=${setter("criterion")}>${options(criteria, state.criterion)}</select></p>
     <details ?open=${(isGiven ||= state.material !== "")}><summary>Constants of the material: limit and life</summary>
         <label for="material">Constants of the material, a name and a number a line, or JSON:
             as \u201crwedge fretting --material\u201d</label>

@@ -387,10 +387,66 @@ export async function a_plot_is_read_pinned_and_saved_by_name({ page, tool }) {
     const [{ name }] = await savedBy(page, '#panel-contact .save button[aria-label$="CSV"]');
     assert.equal(name, "pad-7-tractions.csv");
     const safety = (await shownNumbers(page)).safety;
-    await page.evaluate(() => document.getElementById("convert").click());
     await enter(page, { "set-units": "in" });
     assert.equal((await shownNumbers(page)).safety, safety);
     assertNear(await page.$eval("#in-a", (input) => input.value), 0.05 / 25.4, 1e-6, "a in inches");
+}
+
+/** A case is saved as the tool's case file, by its name, and opened again; a file that is none is refused with its reason. */
+export async function a_case_is_saved_and_opened({ page, show, tool }) {
+    const texts = { E1: "210 GPa", nu1: "0.3", radius1: "10", radius2: "40", P: "1.9 kN", Q: "200", M: "", f: "0.3", yield_stress: "700" };
+    const shownNow = () =>
+        page.evaluate(() => [document.querySelector("#verdict").innerText, document.title, document.querySelector("#in-width").value]);
+    await show(texts, { name: "pad 7", width: "8", digits: "10", tab: "stress", measure: "s1" });
+    const before = await shownNow();
+    assert.match(before[1], /^pad 7 /);
+    const [saved] = await savedBy(page, "#save-case");
+    assert.equal(saved.name, "pad-7.json");
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        open = async (name, text) => {
+            writeFileSync(`${folder}/${name}`, text);
+            await (await page.$("#open-case")).uploadFile(`${folder}/${name}`);
+            await pause(400);
+        };
+    await show();
+    await open(saved.name, saved.text);
+    assert.deepEqual(await shownNow(), before);
+    const [quantity] = JSON.parse(run(tool, ["solve", "--case", `${folder}/${saved.name}`, "--format", "json", "--digits", "10"]).stdout)
+        .filter((row) => row.quantity === "b");
+    await openTab(page, "contact");
+    assert.equal(Number((await shownNumbers(page)).b), quantity.value);
+    for (const [text, words] of [
+        ['{"E1": 1}', /no "rwedge_case": 1, so it is no case file/],
+        ['{"rwedge_case": 1, "bodies": {"E3": 1}}', /bodies: E3: unknown; allowed: E1, /],
+        ['{"rwedge_case": 1, "units": "mm,N,MPa", "loads": {"P": "3 kg"}}', /P 3 kg: /],
+        ["{", /JSON/],
+    ]) {
+        await open("wrong.json", text);
+        assert.match(await textOf(page, "#open-fault"), words);
+    }
+    rmSync(folder, { recursive: true });
+}
+
+/** Changes go back and forth; one that follows an undone one ends what could be redone. */
+export async function changes_are_undone_and_redone({ page }) {
+    const P = () => page.$eval("#in-P", (input) => input.value),
+        isOff = (id) => page.$eval(id, (button) => button.disabled);
+    assert.deepEqual([await isOff("#undo"), await isOff("#redo")], [true, true]);
+    for (const text of ["200", "210"]) {
+        await pause(800); // what is typed faster is one change
+        await enter(page, { "in-P": text });
+    }
+    await page.click("#undo");
+    assert.equal(await P(), "200");
+    await page.click("#undo");
+    assert.deepEqual([await P(), await isOff("#undo")], ["190", true]);
+    await page.click("#redo");
+    assert.equal(await P(), "200");
+    await pause(800);
+    await enter(page, { "in-Q": "5" });
+    assert.ok(await isOff("#redo"));
+    await page.click("#undo");
+    assert.deepEqual([await P(), await page.$eval("#in-Q", (input) => input.value)], ["200", "20"]);
 }
 
 /** What gives a safety is taken into the form. */

@@ -15,7 +15,8 @@ import { solveRows } from "../src/answers/tables.js";
 import { convertedMaterial, convertedTable } from "../src/convert.js";
 import { wordsOf } from "../src/units.js";
 import { inputs } from "../src/answers/words.js";
-import { assertNear, ofPads, optionsOf, parabola, rowsOf, usual } from "./shared.mjs";
+import { readCase, writtenCase } from "../src/answers/case_file.js";
+import { assertNear, chance, ofPads, optionsOf, parabola, rowsOf, usual } from "./shared.mjs";
 
 const bodies = { E1: "210000", nu1: "0.3", theta_deg: "2", radius: "10", f: "0.3" };
 const inchesOfMm = ["mm", "in"].map(wordsOf);
@@ -144,6 +145,106 @@ test("cases of each pad and each input have the tool's results; so have their co
     rmSync(folder, { recursive: true });
 });
 
+/** Texts by chance: of each pad, with the ways to give an input, units, a width, plane stress, a tilt. */
+function caseByChance(next, i) {
+    const size = (least, most) => (least * (most / least) ** next()).toPrecision(4),
+        one = (...ways) => ways[Math.floor(next() * ways.length)],
+        radius = size(5, 50);
+    const pad = [
+        { theta: size(0.005, 0.05), a: size(0.01, 0.5) },
+        { theta_deg: size(0.3, 3), radius },
+        { radius },
+        { radius1: radius, radius2: size(60, 90) },
+        { flat: size(0.1, 1), radius },
+        { profile: rowsOf(parabola), ...one({}, { hull: "yes" }, { origin: "lowest" }) },
+    ][i % 6];
+    const f = size(0.1, 0.6),
+        P = size(50, 400),
+        width = one("", "", "8"),
+        ofWidth = (load) => String(width ? load * Number(width) : load);
+    return {
+        ...pad,
+        ...one({ E1: "210000" }, { E1: "210 GPa" }),
+        nu1: "0.3",
+        ...one({}, { E2: "70000", nu2: "0.33" }, { E2: "inf" }),
+        f,
+        P: ofWidth(Number(P)),
+        Q: ofWidth(0.7 * Number(f) * Number(P) * (2 * next() - 1)),
+        ...one({}, { M: ofWidth(Number(P) * 0.01) }, { tilt: "1e-4" }, { sigma: size(1, 20) }),
+        ...one({ k: "400" }, { yield_stress: "0.7 GPa" }, {}),
+        units: "mm,N,MPa",
+        ...(width && { width }),
+        ...one({}, {}, { plane_stress: "stress" }),
+    };
+}
+
+const inPython = `import sys, rwedge
+for name in sys.argv[1:]:
+    case = rwedge.read_case(name)
+    contact, loads = case.contact(), case.loads
+    contact.apply(loads["P"], loads.get("M", 0), 0, 0)
+    contact.apply(loads["P"], loads.get("M", 0), loads.get("Q", 0), loads.get("sigma", 0))
+    print(*contact.edges, contact.stick_half_width)
+`;
+
+test("forty cases by chance go from the page to a file, to the tool, to Python, and back, with the same numbers", () => {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        next = chance(17),
+        answers = [];
+    for (let i = 0; i < 40; i++) {
+        const texts = caseByChance(next, i),
+            { results, verdict } = solveHolding(texts, "."),
+            about = `${JSON.stringify(texts)}: ${verdict?.text}`;
+        assert.ok(results, about);
+        const file = writtenCase({ name: `case ${i}`, texts, sign: ".", material: "su\t900", settings: { digits: "6" } });
+        writeFileSync(`${folder}/${i}.json`, file);
+        const told = run(["solve", "--case", `${folder}/${i}.json`, "--format", "json", "--digits", "17"]);
+        assert.equal(told.status, 0, `${about}: ${told.stderr}`);
+        const numbers = JSON.parse(told.stdout).filter(({ value }) => typeof value === "number");
+        const width = results.right - results.left;
+        for (const { quantity, value } of numbers) {
+            const least = /^(left|right|stick_left|stick_right|p0_x|yield_x|yield_y)$/.test(quantity) ? 1e-9 * width : 0;
+            assert.ok(Math.abs(results[quantity] - value) <= 2e-11 * Math.abs(value) + least, `${about}: ${quantity}: ${results[quantity]}, not ${value}`);
+        }
+        const { units, width: total, plane, name, digits, material, ...read } = readCase(file, String),
+            again = solveHolding({ ...read, units, ...(total && { width: total }), ...(plane && { plane_stress: plane }) }, ".");
+        for (const quantity of ["b", "p0", "left", "right", "c", "tilt", "max_tension"])
+            if (results[quantity] !== null)
+                assert.ok(Math.abs(again.results[quantity] - results[quantity]) <= 1e-12 * Math.max(Math.abs(results[quantity]), width), `${about}: again: ${quantity}`);
+        assert.deepEqual([name, digits, JSON.parse(material)], [`case ${i}`, "6", { su: 900 }]);
+        answers.push(results);
+    }
+    if (process.env.PYTHON) {
+        const { stdout, stderr } = spawnSync(process.env.PYTHON, ["-c", inPython, ...answers.map((_, i) => `${folder}/${i}.json`)],
+            { encoding: "utf8", env: { ...process.env, RWEDGE_TOOL: process.env.TOOL } });
+        const lines = stdout.trim().split("\n").map((line) => line.split(" ").map(Number));
+        assert.equal(lines.length, 40, stderr);
+        lines.forEach(([left, right, c], i) => {
+            const { left: l, right: r, c: zone } = answers[i];
+            assert.ok(Math.abs(left - l) + Math.abs(right - r) <= 1e-9 * (r - l), `edges of case ${i}`);
+            if (zone !== null) assert.ok(Math.abs(c - zone) <= 1e-6 * (r - l), `stick zone of case ${i}: ${c}, not ${zone}`);
+        });
+    }
+    rmSync(folder, { recursive: true });
+});
+
+test("a log of a case goes to a file and back; the tool has its cycle", () => {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        pasted = "Rig 7\nlogged by hand\n\nTime;P;Q\ns;kN;N\n0;1,6;160\n1;1,6;-160\n2;1,28;80\n",
+        texts = { ...usual, P: "1600", Q: "0", units: "mm,N,MPa", width: "8" },
+        cycle = cycleOf(texts, pasted, ",", "3", swt);
+    assert.equal(cycle.complaint, undefined);
+    assert.deepEqual(cycle.loads.map(({ P, Q }) => [P, Q]), [[200, 20], [200, -20], [160, 10]]);
+    const file = writtenCase({ name: "", texts, sign: ".", material: "", loads: cycle.loads, settings: {} });
+    writeFileSync(`${folder}/log.json`, file);
+    const told = run(["fretting", "--case", `${folder}/log.json`, "--at-worst", "--format", "json"]);
+    assertNear(JSON.parse(told.stdout).find(({ measure }) => measure === "swt").value, cycle.worst.swt.value, 1e-11, told.stderr);
+    const { loads, tab } = readCase(file, String);
+    assert.deepEqual([tab, loads.split("\n").length], ["cycle", 4]);
+    assert.equal(cycleOf(texts, loads, ".", "3", swt).worst.swt.value, cycle.worst.swt.value);
+    rmSync(folder, { recursive: true });
+});
+
 test("twenty thousand digits are refused at once", () => {
     const began = Date.now();
     assert.ok(Number.isNaN(readNumber("1".repeat(20000) + "x", ".")));
@@ -208,7 +309,7 @@ test("what is doubtful, missing or too much is the verdict", () => {
 
 test("the sentence on strength has the unit and the decimal sign", () => {
     const { strength, factor } = solveHolding(usual, ",", "mm").verdict;
-    assert.match(strength, /factor of \d,\d+ on the stress; .*, y = \d,\d+ mm, below/);
+    assert.match(strength, /factor of \d,\d+ on the stress, of \d,\d+ if it slid; .*, y = \d,\d+ mm, below/);
     assert.equal(factor, solveHolding(usual, ".").results.yield_factor);
     assert.equal(solveHolding({ ...usual, k: "" }, ".").verdict.factor, null);
 });

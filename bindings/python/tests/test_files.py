@@ -128,3 +128,18 @@ def test_what_is_wrong_is_an_error(tmp_path):
         rwedge.read_case(E1=1, nu1=0.3).contact()
     with pytest.raises(rwedge.Error, match="--radus: unknown option; the nearest is --radius"):
         rwedge.read_case(radus=1)
+
+
+def test_a_report_is_that_of_the_tool(tmp_path):
+    path = file(tmp_path, "case.json", json.dumps({
+        "rwedge_case": 1, "name": "Pad <7>", "units": "mm,N,MPa", "bodies": {"E1": 210000, "nu1": 0.3, "f": 0.3},
+        "pad": {"radius": 50}, "loads": {"P": 300, "Q": 40}}))
+    case = rwedge.read_case(path)
+    page = case.report(tmp_path / "page.html", pictures=False, equations=True)
+    assert (tmp_path / "page.html").read_text("utf-8") == page
+    assert sorted(os.listdir(tmp_path)) == ["case.json", "page.html"]
+    b = np.sqrt(2 * 300 * 50 * case.A / np.pi)  # Hertz
+    assert "<h1>Pad &lt;7></h1>" in page and f"<b>{b:.4g}</b><i>mm</i>" in page and f"= <b>{b:.6g}</b> mm" in page
+    assert "the last of 5 passes" in rwedge.read_case(path, load=[(300, 0), (300, 40)], P=None, Q=None).report(pictures=False, cycles=5)
+    with pytest.raises(rwedge.Error, match="missing: --P"):
+        rwedge.read_case(E1=1, nu1=0.3, radius=1).report(pictures=False)

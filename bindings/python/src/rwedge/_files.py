@@ -140,6 +140,33 @@ class Case:
         resolve; of a hull how much it changes; a pad whose x = 0 is not its lowest place; what makes results doubtful."""
         return _run("solve", self._options)[1]
 
+    def report(self, file: str | os.PathLike[str] | None = None, *, pictures: bool = True, equations: bool = False, **words: Any) -> str:
+        """The case on one page of HTML, as ``rwedge report`` writes it: pad, loads, verdict, results, three pictures, what was assumed and
+        which errors are told.
+
+        Parameters
+        ----------
+        file : path, optional
+            The page is written there, whole or not at all.
+        pictures : bool
+            With the pictures, which gnuplot draws; it must be on PATH.
+        equations : bool
+            With the formulas of the results, and the numbers put in.
+        **words
+            What a cycle of loads is asked beside: cycles=6, criteria="swt,findley", findley_k=0.3.
+
+        Returns
+        -------
+        str
+            The page.
+        """
+        line = [*self._options, *(word for name, value in words.items() for word in _words(name, value))]
+        line += [*(["--equations"] if equations else []), *([] if pictures else ["--no-pictures"])]
+        if file is None:
+            return _run("report", line)[0]
+        _run("report", [*line, "--output", os.fspath(file)])
+        return Path(file).read_text("utf-8")
+
 
 def _arrays(group: Mapping[str, Any]) -> dict[str, Any]:
     return {name: np.array(value) if isinstance(value, list) else math.inf if value == "inf" else value for name, value in group.items()}

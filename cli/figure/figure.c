@@ -188,7 +188,8 @@ static int read_measure(const char *text, const criteria *asked)
     int column = text == NULL ? measure_column(RWEDGE_MEASURE_SWT, PART_VALUE) : -1;
     for (int i = 0; i < measure_count(); i++) {
         const measure_kind *kind = measure_kind_of(i);
-        if (!column_is_wanted(asked, i) || (kind->part != PART_VALUE && kind->part != PART_MULTIPLE))
+        if (!column_is_wanted(asked, i) ||
+            (kind->part != PART_VALUE && kind->part != PART_MULTIPLE))
             continue;
         list_add(allowed, sizeof allowed, ", ", "%s", kind->column);
         if (text != NULL && strcmp(text, kind->column) == 0)

@@ -26,8 +26,13 @@ SECTIONS = [
         "rw_P_over_bk/rw_load_over_bk, the factor by which the yield stress may fall. A small change of strength is a "
         'large one of load. "> 26" says that the table ends, at a/b = 0.003, before it yields: the safety is at least '
         "that.",
-        "Moment M, bulk tension sigma and other pads (cylinder, flat and rounded, any convex profile) are not here: no "
-        'plain formula holds them. The commands "solve", "profile" and "field" have them, and so has the page.',
+        "The sheet Pads has a cylinder and a flat pad with rounded edges, the cylinder also with a moment M and a bulk tension sigma. "
+        "Of a wedge and a flat pad no plain formula holds M and sigma, nor is there one for any other profile, or for the factor on "
+        'the stress in partial slip. The commands "solve", "profile" and "field" have them, and so has the page.',
+        "rw_material: a name of the sheet Materials in place of E1, nu1 and the yield stress, where the material has them.",
+        "Shakedown: the limit P/(bk) of repeated sliding passes. Up to it the half-plane may yield at first and is elastic afterwards, as "
+        "residual stresses stay. Perfect plasticity, small strains, passes from far to far under the same P and f. rw_safety_shakedown "
+        "is the factor on the stress.",
     ]),
     ("Batch", [
         'A case a row. The first row names the inputs as "rwedge solve --input" does, and the results as it does. Paste '
@@ -44,6 +49,8 @@ SECTIONS = [
         "Yield load: the tip at which each branch has J2 = k^2, from the same parabolas, and the load that makes it. "
         "Critical friction: where the two branches cross. Place of first yield: a table of x/(a f) and y/a for 26 tips, "
         "interpolated as J2 is.",
+        "Shakedown, and the limits of a flat pad: the shipped tables of P/(bk), by parabolas in (1-2 nu)^2/3, in f^2, and in ln(a/b), of a "
+        "flat pad in acos(a/b). The pressure of a flat pad is that of a cylinder less that of a wedge of the angle a/R.",
     ]),
     ("Accuracy", [
         "Against the library, for a/b from 0.003 (all above 1 is Hertz), f from 0 to 0.8, nu1 from 0 to 0.5.",
@@ -52,6 +59,8 @@ SECTIONS = [
         "the stress hardly depends on the load. Critical friction: 0.001. Place of first yield: 0.02 a (b, where that is "
         "smaller); 0.35 a at the surface with nu1 above 0.4, where J2 is nearly flat; 0.003 b where a/b at yield is below"
         " 0.02.",
+        "Shakedown limit: 1 %, for a/b from 0.1 and nu1 from 0.25 to 0.35. Sheet Pads: 1e-9; largest pressure of a flat pad 0.1 %, elastic "
+        "limit of a cylinder 0.05 %, of a flat pad 2 %, shakedown 1 %; a/b up to 0.99, nu1 from 0.25 to 0.35.",
         "Measured at the centres of all cells of the table and at 10000 random points: 0.047 %, 0.11 %, 0.41 %, 1.7 %, "
         "0.0008; 0.017 a, 0.33 a, 0.0023 b. The tests compare the cells with the library.",
     ]),

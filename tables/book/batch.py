@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sheet Batch: a case a row. Inputs are left, results right, named as "solve --input" names its columns; then the working cells,
 which are hidden. A row refers to itself and to the tables alone: it may be copied."""
-from book import letters, place
+from book import LINE_HEIGHT, letters, place
 from cells import BATCH_EXAMPLES, CASE, GROUPS, INPUTS, RESULTS, SHOWN, in_row
 
 ROWS = 200
 COLUMN = {cell.name: column for column, cell in enumerate(CASE, 1)}
+# the first column of results, that of the texts at their end, and its last one
+RESULT, TEXTS, LAST = len(INPUTS) + 1, len(SHOWN) - 1, letters(len(SHOWN))
 
 
 def places(row):
     """Of the cells of a row, in place of the names that the calculator has."""
     here = {name: place(row, column) for name, column in COLUMN.items()}
+    here["rw_material"] = '""'  # of the calculator alone
     here.update({group: f"{place(row, COLUMN[group + '1'])}:{place(row, COLUMN[group + '3'])}" for group in GROUPS})
     return here
 
@@ -29,10 +32,12 @@ def write(sheet, shown):
     hide_working(sheet)
     check_typing(sheet)
     colour(sheet)
-    # narrow: all of it is printed on one page; unused rows further down are printed without
-    sheet.widths(A=20, B_AK=9, AL_AM=30)
+    sheet.widths(**{"A": 20, f"B_{letters(TEXTS - 1)}": 9, f"{letters(TEXTS)}_{LAST}": 45})
+    sheet.sheet.set_row(0, 10 * LINE_HEIGHT)
     sheet.sheet.freeze_panes(1, 1)
-    sheet.print("=Batch!$A$1:INDEX(Batch!$AM$1:$AM$10000,rwt_used)", 1, landscape=True)
+    # inputs, results on two pages, texts; unused rows further down are printed without
+    sheet.print(f"=Batch!$A$1:INDEX(Batch!${LAST}$1:${LAST}$10000,rwt_used)", 1, landscape=True,
+                breaks=(RESULT, (RESULT + TEXTS) // 2, TEXTS))
     sheet.protect()
 
 
@@ -70,5 +75,5 @@ def colour(sheet):
     for cells, style, condition in [
             (f"A2:A{last}", "red", 'OR(rw_error<>"",AND(ISNUMBER(rw_safety),rw_safety<1))'), (f"A2:A{last}", "amber", 'rw_remarks<>""'),
             (f"A2:A{last}", "yellow", "ROW()<=rwt_used+20"), (f"B2:N{last}", "yellow", "ROW()<=rwt_used+20"),
-            (f"O2:AM{last}", "blue", "ROW()<=rwt_used")]:
+            (f"O2:{LAST}{last}", "blue", "ROW()<=rwt_used")]:
         sheet.colour(cells, style, in_row(condition, places(1)))

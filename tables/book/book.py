@@ -19,7 +19,8 @@ STYLES = {
     # of a table's column; upright is read from below: the column may be narrow
     "header": dict(bold=True, bottom=1, text_wrap=True, align="right", valign="bottom"),
     "upright": dict(bold=True, bottom=1, rotation=90, align="center"),
-    "note": dict(font_size=9, font_color="#505050"),
+    "note": dict(font_size=11, font_color="#505050"),
+    "wrapped_note": dict(font_size=11, font_color="#505050", text_wrap=True, valign="top"),
     "wrapped": dict(text_wrap=True, valign="top"),  # a paragraph
     # a cell to type into; bare without a frame: a colour shows where it is
     "input": dict(GREY_FRAME, bg_color="#FFF8D0", locked=False, align="right"),
@@ -40,7 +41,7 @@ STYLES = {
     "blue": dict(GREY_FRAME, bg_color="#E8F0F8", font_color="#000000"),
 }
 LINE_HEIGHT = 15
-SHEETS = ["Calculator", "Batch", "Look up", "Elastic limit", "Maximum tension", "Contact law", "Critical friction", "About", "Working"]
+SHEETS = ["Calculator", "Batch", "Pads", "Materials", "Look up", "Elastic limit", "Maximum tension", "Contact law", "Critical friction", "About", "Working"]
 
 
 def date():
@@ -121,20 +122,26 @@ class Sheet:
     def colour(self, cells, style, condition):
         self.sheet.conditional_format(cells, dict(type="formula", criteria="=" + condition, format=self.book.styles[style]))
 
-    def print(self, cells, headers=0, landscape=False):
-        """One page wide; one page high, or, with so many rows as headers on each, as many pages as it takes. The cells may be a
-        formula."""
+    def print(self, cells, headers=0, landscape=False, breaks=()):
+        """One page wide; one page high, or, with so many rows as headers on each, as many pages as it takes. With breaks before these
+        columns at letters of 8 points, the first column on each page. The cells may be a formula."""
         sheet = self.sheet
         if cells.startswith("="):
             self.book.file.define_name(f"{sheet.name}!_xlnm.Print_Area", cells)
         else:
             sheet.print_area(cells)
-        sheet.fit_to_pages(1, 0 if headers else 1)
+        if breaks:
+            sheet.set_print_scale(73)
+            sheet.set_v_pagebreaks(list(breaks))
+            sheet.repeat_columns(0, 0)
+            sheet.print_across()
+        else:
+            sheet.fit_to_pages(1, 0 if headers else 1)
         if headers:
             sheet.repeat_rows(0, headers - 1)
         if landscape:
             sheet.set_landscape()
-        sheet.set_margins(0.4, 0.4, 0.6, 0.6)
+        sheet.set_margins(0.3, 0.3, 0.5, 0.6)
         sheet.set_footer(f"&L&8rwedge {self.book.version}&C&8&A&R&8&P/&N")
 
     def protect(self):

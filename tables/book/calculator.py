@@ -1,26 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sheet Calculator: inputs, results, the verdict, and the figures of the paper with the case marked."""
 from book import LINE_HEIGHT, Chart, axis
-from cells import INPUTS, cell_of
+from cells import INPUTS, MATERIAL, cell_of
 from formulas import short
 
 LABEL, CELL, VALUE, UNIT, HINT = range(5)
-INPUT_GROUPS = [("Shape", "theta theta_deg a radius"), ("Materials", "E1 nu1 E2 nu2 k yield_stress"), ("Loads", "P Q f")]
+INPUT_GROUPS = [("Shape", "theta theta_deg a radius"), ("Materials", "material E1 nu1 E2 nu2 k yield_stress"), ("Loads", "P Q f")]
 RESULT_GROUPS = [
     ("Safety", "safety safety_strength"), ("Geometry", "b a_over_b AP_over_theta_b A dundurs_beta"),
     ("Pressure", "p0 p_transition p_mean"), ("Partial slip", "Q_over_fP c c_over_b"),
     ("Tension at the trailing edge x = -b", "max_tension max_tension_sliding"),
-    ("First yield, in full sliding", "P_over_bk load_over_bk P_yield yield_branch yield_x yield_y f_critical von_mises_sliding")]
-INPUT_ROW, RESULT_ROW, CHART_ROW = 7, 24, 59
-OTHER_STYLES = dict(safety="strong", safety_strength="strong", dundurs_beta="signed", Q_over_fP="signed", yield_x="signed")
+    ("First yield, in full sliding", "P_over_bk load_over_bk P_yield yield_branch yield_x yield_y f_critical von_mises_sliding"),
+    ("Shakedown: sliding pass after pass, in full sliding", "P_over_bk_shakedown safety_strength_shakedown")]
+INPUT_ROW, RESULT_ROW = 7, 25
+OTHER_STYLES = dict(safety="strong", safety_strength="strong", safety_strength_shakedown="strong", dundurs_beta="signed", Q_over_fP="signed", yield_x="signed")
 NOTES = [
     "Accuracy: geometry, pressure, slip and tension as exact as the spreadsheet computes; elastic limit within 0.05 %; load at yield "
-    "and safety on load within",
-    "0.15 % (0.5 % where a/b at yield is 0.01 to 0.02, 2 % down to 0.003); critical friction within 0.001;",
+    "and safety on load within 0.15 % (0.5 % where a/b at yield is 0.01 to 0.02, 2 % down to 0.003); critical friction within 0.001; "
     "place of yield within 0.02 a or b (0.35 a at the surface with nu1 above 0.4; 0.003 b where a/b at yield is below 0.02). For a/b "
-    "from 0.003, f up to 0.8, nu1 from 0 to 0.5.",
-    'Moment M and bulk tension sigma: not here, as no plain formula holds them; the command "rwedge solve" has them. Plane strain; see '
-    '"About".']
+    "from 0.003, f up to 0.8, nu1 from 0 to 0.5. Shakedown within 1 %, for a/b from 0.1, nu1 from 0.25 to 0.35: perfect plasticity, "
+    "small strains, passes from far to far under the same P and f.",
+    'Cylinder and flat pad: the sheet Pads. A moment M and a bulk tension sigma on a wedge are not here, as no plain formula holds '
+    'them; the command "rwedge solve" has them. Plane strain; see "About".']
 
 # ---- The verdict: the sentence of "rwedge solve --verdict" of full sliding, the figures, and what is doubtful ----
 
@@ -63,14 +64,15 @@ class Calculator:
         self.write_verdict()
         sheet.text(6, 0, "Type into the yellow cells. Any consistent units do; those shown are mm, N, MPa.", "note")
         self.write_groups(INPUT_ROW, INPUT_GROUPS)
-        sheet.texts(self.write_groups(RESULT_ROW, RESULT_GROUPS), 0, *NOTES, style="note")
-        sheet.widths(A=34, B=16, C=15, D=7, E=40)
+        end = self.write_notes(self.write_groups(RESULT_ROW, RESULT_GROUPS))
+        self.below = f"A{end + 2}"
+        sheet.widths(A=34, B=20, C=13, D=7, E=40)
         self.draw_bar()
         self.draw_sketch()
         self.draw_figures()
         sheet.sheet.freeze_panes(4, 0)
         sheet.protect()
-        sheet.print("A1:L81")
+        sheet.print(f"A1:E{end}")
 
     # ---- Cells ----
 
@@ -94,7 +96,16 @@ class Calculator:
         for heading, columns in groups:
             self.sheet.text(row, 0, heading, "heading")
             for row, column in enumerate(columns.split(), row + 1):
-                self.write_cell(row, cell_of(column))
+                self.write_cell(row, MATERIAL if column == "material" else cell_of(column))
+            row += 1
+        return row
+
+    def write_notes(self, row):
+        """Returns the row below."""
+        for note in NOTES:
+            self.sheet.sheet.set_row(row, LINE_HEIGHT * (1 + len(note) // 120))
+            self.sheet.sheet.merge_range(row, 0, row, 4, "", self.sheet.book.styles["wrapped_note"])
+            self.sheet.text(row, 0, note, "wrapped_note")
             row += 1
         return row
 
@@ -108,6 +119,11 @@ class Calculator:
         if cell.hint:
             sheet.text(row, HINT, cell.hint, "note")
         sheet.name(cell.name, row, VALUE)
+        if cell is MATERIAL:
+            sheet.number(row, VALUE, None, "input")
+            sheet.sheet.data_validation(f"C{row + 1}", dict(validate="list", source="=rw_material_names", input_title="Material",
+                                                            input_message=cell.hint, error_message=f"This must be {cell.must}."))
+            return
         if cell not in INPUTS:
             sheet.formula(row, VALUE, cell.formula, value, OTHER_STYLES.get(cell.column, "result"))
             return
@@ -132,7 +148,7 @@ class Calculator:
 
     def draw_figures(self):
         points, names = self.working.points, self.working.names
-        below, size = f"A{CHART_ROW}", (400, 440)
+        below, size = self.below, (400, 440)
         # Figs. 3 and 4 take their curves from the sheet Elastic limit: f = 0 against a/b, and a/b = 1 to 0.1 against f
         law = Chart(self.sheet, below, size, (0, 0), axis(0, 1, 0.2, "a/b"), axis(0, 7, title="P/(bk); y/b"),
                     "Fig. 3: elastic limit against a/b")

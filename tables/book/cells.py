@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 from formulas import (
     at_every_f, at_row, at_rows, cosine, every_f, every_row, every_there, f2_at, first_guess, gap, give_one, if_row, if_rows,
-    is_there, lagrange, listed, m_at, newton, not_above_0, not_poisson, ok, one_missing, product, weigh, when, wrong_input)
+    is_there, lagrange, limit_at, listed, m_at, newton, not_above_0, not_poisson, of_material, ok, one_missing, product, weigh, when,
+    wrong_input)
 
 
 @dataclass
@@ -21,18 +22,18 @@ class Cell:
     hint: str = ""
     wrong: str = ""  # of an input: the condition that it is not what it must be
     must: str = ""
-    needed: bool = False
+    needed: str = ""  # of an input that must be given: the cell that has it, or what stands for it
 
 
-def typed(column, label, unit, hint, wrong, must, needed=False):
+def typed(column, label, unit, hint, wrong, must, needed=""):
     return Cell("rw_" + column, label, "", column, unit, hint, wrong, must, needed)
 
 
 ABOVE_0, POISSON, NOT_BELOW_0 = "a number above 0", "a number from 0 to 0.5", "a number, 0 or above"
 # A text is above every number, and so is wrong.
 INPUTS = [
-    typed("E1", "Young's modulus, half-plane", "MPa", "half-plane: the body that may yield", not_above_0("rw_E1"), ABOVE_0, True),
-    typed("nu1", "Poisson's ratio, half-plane", "-", "tables: 0 to 0.5", not_poisson("rw_nu1"), POISSON, True),
+    typed("E1", "Young's modulus, half-plane", "MPa", "half-plane: the body that may yield", not_above_0("rw_E1"), ABOVE_0, "rwt_E1"),
+    typed("nu1", "Poisson's ratio, half-plane", "-", "tables: 0 to 0.5", not_poisson("rw_nu1"), POISSON, "rwt_nu1"),
     typed("E2", "Young's modulus, wedge", "MPa", "wedge; leave both empty for one material",
           f'AND(rw_E2<>"inf",{not_above_0("rw_E2")})', "a number above 0, or inf for a rigid wedge"),
     typed("nu2", "Poisson's ratio, wedge", "-", "a rigid wedge: inf for E2", not_poisson("rw_nu2"), POISSON),
@@ -42,12 +43,16 @@ INPUTS = [
           "a number above 0, below 90"),
     typed("a", "Half-width of the rounding, a", "mm", "0: sharp; this, or the radius", "OR(rw_a<0,rw_a>1E+60)", NOT_BELOW_0),
     typed("radius", "or its radius, R", "mm", "R = a/theta", "OR(rw_radius<0,rw_radius>1E+60)", NOT_BELOW_0),
-    typed("P", "Normal load P", "N/mm", "per unit length", not_above_0("rw_P"), ABOVE_0, True),
+    typed("P", "Normal load P", "N/mm", "per unit length", not_above_0("rw_P"), ABOVE_0, "rw_P"),
     typed("Q", "Tangential load Q", "N/mm", "empty: 0; |Q| up to f P", "OR(rw_Q<-1E+60,rw_Q>1E+60)", "a number"),
-    typed("f", "Coefficient of friction f", "-", "tables: up to 0.8", "OR(rw_f<0,rw_f>1E+6)", NOT_BELOW_0, True),
+    typed("f", "Coefficient of friction f", "-", "tables: up to 0.8", "OR(rw_f<0,rw_f>1E+6)", NOT_BELOW_0, "rw_f"),
     typed("k", "Yield stress in shear, half-plane, k", "MPa", "shear; this, or the tensile one", not_above_0("rw_k"), ABOVE_0),
     typed("yield_stress", "or in tension, Y", "MPa", "Y = k sqrt(3), von Mises", not_above_0("rw_yield_stress"), ABOVE_0),
 ]
+
+# In place of constants of the half-plane; of the calculator alone.
+MATERIAL = typed("material", "Material of the half-plane, by name", "", "of the sheet Materials; or type below", "",
+                 "a name of the sheet Materials")
 
 # What the calculator shows first: two steel bodies, a/b = 0.29, and yield at half as much load again.
 EXAMPLE = dict(E1=210000, nu1=0.3, E2=210000, nu2=0.3, theta=0.01, a=0.05, P=190, Q=20, f=0.2, k=400)
@@ -67,7 +72,7 @@ REMARKS = [
     ("AND(ABS(rw_beta)>1E-12,rwt_fr>0)", "Dundurs' beta is not 0: with friction its coupling is neglected"),
     ("AND(ISNUMBER(rw_safety),N(rw_safety)<1)", "P is above P_yield: the contact yields in full sliding"),
     ("AND(rwt_a>0,OR(rwt_ratio<0.01,rwt_ratio>10000))", "a/b is below 0.01 or above 10000: are the units consistent?"),
-    ("IF(rwt_has_k=1,OR(rwt_k/rw_E1<0.00001,rwt_k/rw_E1>0.1))",
+    ("IF(rwt_has_k=1,OR(rwt_k/rwt_E1<0.00001,rwt_k/rwt_E1>0.1))",
      "k/E is below 0.00001 or above 0.1: are the stresses in one unit?"),
     ("rw_f>0.8", "f is above 0.8, outside the tables: no yield"),
     ("rwt_ok_tip=0", "a/b is below 0.003, outside the tables: no elastic limit"),
@@ -78,8 +83,8 @@ REMARKS = [
 RESULTS = [
     Cell("rw_compliance", "Composite compliance A", ok("rwt_comp"), "A", "1/MPa", "2(1-nu1^2)/E1 + 2(1-nu2^2)/E2"),
     Cell("rw_beta", "Dundurs' beta",
-         ok("0.5*(rw_E1/(1+rw_nu1)*(1-2*rwt_nu2)-rwt_em2/(1+rwt_nu2)*(1-2*rw_nu1))"
-            "/(rw_E1/(1+rw_nu1)*(1-rwt_nu2)+rwt_em2/(1+rwt_nu2)*(1-rw_nu1))"),
+         ok("0.5*(rwt_E1/(1+rwt_nu1)*(1-2*rwt_nu2)-rwt_em2/(1+rwt_nu2)*(1-2*rwt_nu1))"
+            "/(rwt_E1/(1+rwt_nu1)*(1-rwt_nu2)+rwt_em2/(1+rwt_nu2)*(1-rwt_nu1))"),
          "dundurs_beta", "-", "0 for elastically similar bodies"),
     Cell("rw_b", "Half-width of the contact b", ok("rwt_b"), "b", "mm", "the contact is |x| < b"),
     Cell("rw_a_over_b", "Rounding over contact a/b", ok("rwt_ratio"), "a_over_b", "-", "1 and more: Hertz' contact; 0: sharp"),
@@ -117,16 +122,22 @@ RESULTS = [
     Cell("rw_safety", "Safety on load P_yield/P",
          "IF(AND(rwt_ok_f=1,rwt_has_k=1,rwt_slides=0),IF(ISNUMBER(rw_P_yield),rw_P_yield/rwt_load,"
          'IF(rwt_bound<1,"","> "&rwt_bound)),"")',
-         "safety", "-", "P may grow by this factor: the contact grows with it"),
+         "safety", "-", "P may grow so far, the contact with it"),
     Cell("rw_safety_strength", "Safety on strength, of k or Y",
          'IF(AND(rwt_has_k=1,rwt_slides=0,ISNUMBER(rw_P_over_bk)),rw_P_over_bk*rwt_b*rwt_k/rwt_load,"")', "safety_strength", "-",
          "k or Y may fall by this factor under this P"),
     Cell("rw_yield_x", "Place of first yield, x", f'IF(ISNUMBER(rw_P_yield),IF(N(rw_Q)<0,-1,1)*rwt_unit*rwt_ft*({PLACE_X}),"")',
-         "yield_x", "mm", "from the middle, towards the leading edge for Q > 0"),
+         "yield_x", "mm", "from the middle; Q > 0: to the leading edge"),
     Cell("rw_yield_y", "its depth y", f'IF(ISNUMBER(rw_P_yield),IF(rw_branch="surface",0,rwt_unit*({PLACE_Y})),"")', "yield_y", "mm",
          "0: at the surface"),
     Cell("rw_branch", "Yields first", 'IF(ISNUMBER(rw_P_yield),IF(OR(rwt_a=0,rwt_s_y<=rwt_b_y),"surface","subsurface"),"")',
          "yield_branch", "", "where, at that load"),
+    Cell("rw_P_over_bk_shakedown", "Shakedown limit P/(bk)",
+         f'IF(AND(rwt_ok_f=1,rwt_ok_nu=1,rwt_ratio>=0.1*(1-1E-9)),{limit_at("rwt_shakedown", "rwt_lwa", "rwt_ln")},"")',
+         "P_over_bk_shakedown", "-", "carried in sliding, pass after pass"),
+    Cell("rw_safety_shakedown", "Safety on strength, pass after pass",
+         'IF(AND(rwt_has_k=1,rwt_slides=0,ISNUMBER(rw_P_over_bk_shakedown)),rw_P_over_bk_shakedown*rwt_b*rwt_k/rwt_load,"")',
+         "safety_strength_shakedown", "-", "perfect plasticity; below 1 it goes on yielding"),
     Cell("rw_remarks", "Remarks", f'IF(rwt_ok=0,"",{listed(*(when(*remark) for remark in REMARKS))})', "warnings"),
     Cell("rw_error", "What is wrong",
          'IF(rwt_bad<>"",rwt_bad,IF(rwt_slides=1,"Q is above f P: it slides, there is no equilibrium",""))', "error"),
@@ -183,25 +194,40 @@ def rows_of(table, node):
     return [at_row(table, node + step) for step in ("", "+1", "+2")]
 
 
+def unknown_material():
+    return when('AND(rw_material<>"",NOT(ISNUMBER(MATCH(rw_material,rw_material_names,0))))', "material: none of that name on the sheet Materials")
+
+
+def of_both(constant, column):
+    """What the material has must not be typed."""
+    return when(f'AND(rwt_m{constant}<>"",rw_{column}<>"")', f"material and {column}: give one of the two")
+
+
 ALL_BELOW = f"({product(lambda nu: every_there('rwt_below', nu))}>0)"
 WORKING = [
+    Cell("rwt_mE", "E of the material", of_material("rw_material_E")),
+    Cell("rwt_mnu", "its nu", of_material("rw_material_nu")),
+    Cell("rwt_mY", "its yield stress", of_material("rw_material_yield_stress")),
+    Cell("rwt_E1", "E1", 'IF(rw_E1="",rwt_mE,rw_E1)'),
+    Cell("rwt_nu1", "nu1", 'IF(rw_nu1="",rwt_mnu,rw_nu1)'),
     Cell("rwt_any", "cells that are typed into", f"COUNTA({','.join(cell.name for cell in INPUTS)})"),
     Cell("rwt_bad", "what is wrong with the inputs", 'IF(rwt_any=0,"",' + listed(
         *map(wrong_input, INPUTS), 'IF(OR((rw_E2="")=(rw_nu2=""),rw_E2="inf"),"","; E2 and nu2: give both, or neither")',
         one_missing("theta", "theta_deg"), give_one("theta", "theta_deg"), one_missing("a", "radius"), give_one("a", "radius"),
-        give_one("k", "yield_stress")) + ")"),
+        give_one("k", "yield_stress"), unknown_material(), of_both("E", "E1"), of_both("nu", "nu1"), of_both("Y", "k"),
+        of_both("Y", "yield_stress")) + ")"),
     Cell("rwt_ok", "1: the inputs are sound", 'IF(AND(rwt_any>0,rwt_bad=""),1,0)'),
     Cell("rwt_theta", "theta", 'IF(rwt_ok=1,IF(rw_theta="",N(rw_theta_deg)*PI()/180,rw_theta),0.1)'),
     Cell("rwt_a", "a", 'IF(rwt_ok=1,IF(rw_a="",N(rw_radius)*rwt_theta,rw_a),1)'),
-    Cell("rwt_em2", "E2", 'IF(rwt_ok=1,IF(rw_E2="",rw_E1,IF(ISNUMBER(rw_E2),rw_E2,1E+99)),1)'),
-    Cell("rwt_nu2", "nu2", 'IF(rwt_ok=1,IF(rw_E2="",rw_nu1,N(rw_nu2)),0)'),
-    Cell("rwt_comp", "A", "IF(rwt_ok=1,2*(1-rw_nu1^2)/rw_E1+2*(1-rwt_nu2^2)/rwt_em2,1)"),
+    Cell("rwt_em2", "E2", 'IF(rwt_ok=1,IF(rw_E2="",rwt_E1,IF(ISNUMBER(rw_E2),rw_E2,1E+99)),1)'),
+    Cell("rwt_nu2", "nu2", 'IF(rwt_ok=1,IF(rw_E2="",rwt_nu1,N(rw_nu2)),0)'),
+    Cell("rwt_comp", "A", "IF(rwt_ok=1,2*(1-rwt_nu1^2)/rwt_E1+2*(1-rwt_nu2^2)/rwt_em2,1)"),
     Cell("rwt_load", "P", "IF(rwt_ok=1,rw_P,1)"),
     Cell("rwt_fr", "f", "IF(rwt_ok=1,rw_f,0)"),
     Cell("rwt_q", "|Q|", "IF(rwt_ok=1,ABS(N(rw_Q)),0)"),
     Cell("rwt_slides", "1: no equilibrium", "IF(rwt_q>rwt_fr*rwt_load*(1+1E-12),1,0)"),
-    Cell("rwt_has_k", "1: a strength is given", "IF(rwt_ok=1,COUNT(rw_k,rw_yield_stress),0)"),
-    Cell("rwt_k", "k", 'IF(rwt_has_k=1,IF(rw_k="",N(rw_yield_stress)/SQRT(3),rw_k),1)'),
+    Cell("rwt_has_k", "1: a strength is given", "IF(rwt_ok=1,COUNT(rw_k,rw_yield_stress,rwt_mY),0)"),
+    Cell("rwt_k", "k", 'IF(rwt_has_k=1,IF(rw_k="",IF(rw_yield_stress="",N(rwt_mY),rw_yield_stress)/SQRT(3),rw_k),1)'),
 
     Cell("rwt_x", "theta a/(A P)", "MAX(1E-60,rwt_theta*rwt_a/(rwt_comp*rwt_load))"),
     Cell("rwt_x1", "not beyond Hertz", "MIN(rwt_x,2/PI())"),
@@ -223,7 +249,7 @@ WORKING = [
          "+rwt_b/rwt_cc/rwt_c5*ATAN(rwt_c5/rwt_cosc*rwt_root*rwt_cc/rwt_b)-ASIN(rwt_c5)*rwt_root/rwt_c5)))"),
 
     # the patch of the table
-    Cell("rwt_nut", "nu1 in the table", "IF(rwt_ok=1,rw_nu1,0.3)"),
+    Cell("rwt_nut", "nu1 in the table", "IF(rwt_ok=1,rwt_nu1,0.3)"),
     Cell("rwt_ft", "f in the table", "MIN(rwt_fr,0.8)"),
     Cell("rwt_kn", "first node of nu", "MIN(MATCH(rwt_nut,rwt_nu,1),14)"),
     Cell("rwt_fn", "first node of f", "MIN(MAX(MATCH(rwt_ft,rwt_f,1)-1,1),19)"),
@@ -263,6 +289,18 @@ WORKING = [
     Cell("rwt_pr", "first row of the place", "rwt_pn+1+IF(rwt_s_y<=rwt_b_y,0,26)"),
     Cell("rwt_unit", "a, or b for Hertz, at yield", "rwt_a*SQRT(MIN(1,2/PI()*rwt_y))"),
 
+    # a table of limits, and that of shakedown
+    Cell("rwt_ok_nu", "1: nu1 is 0.25 to 0.35", "IF(AND(rwt_nut>0.25-1E-9,rwt_nut<0.35+1E-9),1,0)"),
+    Cell("rwt_lf", "first node of f", "MIN(ROUNDDOWN(rwt_ft*80+1E-9,0)+1,63)"),
+    *three("rwt_lwf", "weights of f", *(lagrange("rwt_ft^2", *(f"((rwt_lf-1+{(i + step) % 3})/80)^2" for step in range(3)))
+                                       for i in range(3))),
+    *three("rwt_lwm", "weights of nu", *(lagrange("rwt_m", *(f"(1-2*{(0.25, 0.3, 0.35)[(i + step) % 3]})^2/3" for step in range(3)))
+                                        for i in range(3))),
+    Cell("rwt_la", "a/b in the table", "MIN(1,MAX(0.1,rwt_ratio))"),
+    Cell("rwt_ln", "first node of a/b", "MIN(MATCH(rwt_la+1E-9,rwt_shakedown_tips,1),8)"),
+    *three("rwt_lwa", "weights of a/b", *(lagrange("LN(rwt_la)", *(f"LN(INDEX(rwt_shakedown_tips,rwt_ln+{(i + step) % 3}))"
+                                                                   for step in range(3))) for i in range(3))),
+
     # critical friction
     Cell("rwt_gaps", "f that yield below",
          f"SUMPRODUCT(({at_every_f('rwt_surface')}<{at_every_f('rwt_below')})"
@@ -273,7 +311,7 @@ WORKING = [
     Cell("rwt_g2", "and at the next", gap("rwt_gn+1")),
 ]
 # Three cells side by side that formulas take together.
-GROUPS = ("rwt_wn", "rwt_wf", "rwt_wt", "rwt_s_k", "rwt_b_k", "rwt_wp")
+GROUPS = ("rwt_wn", "rwt_wf", "rwt_wt", "rwt_s_k", "rwt_b_k", "rwt_wp", "rwt_lwf", "rwt_lwa")
 CASE = SHOWN + WORKING
 
 

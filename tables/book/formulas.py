@@ -39,8 +39,8 @@ def one_missing(one, other):
 
 def wrong_input(cell):
     """The text about what is typed into an input."""
-    missing = f"; {cell.column} is missing" if cell.needed else ""
-    return f'IF({cell.name}="","{missing}",IF({cell.wrong},"; {cell.column} must be {cell.must}",""))'
+    missing = f'IF({cell.needed}="","; {cell.column} is missing","")' if cell.needed else '""'
+    return f'IF({cell.name}="",{missing},IF({cell.wrong},"; {cell.column} must be {cell.must}",""))'
 
 
 def short(cell, digits):
@@ -153,3 +153,21 @@ def gap(node):
 
 def is_there(node):
     return f"SUMPRODUCT({product(lambda nu: f'''({column('rwt_below', node, nu)}>0)''')})"
+
+
+# ---- A table of limits: 10 rows of a/b, three blocks of nu with 65 columns of f, 1/80 apart ----
+
+LIMIT_NU = ("", "+65", "+130")
+
+
+def limit_at(table, weights, node):
+    """P/(bk) at the f and nu of the case, by parabolas through three rows, three f and three nu."""
+    return "+".join(
+        f"rwt_lwm{i}*SUMPRODUCT(MMULT({weights},INDEX({table},{node},rwt_lf{nu}):INDEX({table},{node}+2,rwt_lf+2{nu}))*rwt_lwf)"
+        for i, nu in enumerate(LIMIT_NU, 1))
+
+
+def of_material(constant):
+    """A constant of the material that is chosen; empty where it has none."""
+    value = f"INDEX({constant},MATCH(rw_material,rw_material_names,0))"
+    return f'IF(rw_material="","",IFERROR(IF({value}="","",{value}),""))'

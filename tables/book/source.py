@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where the workbook's numbers come from: the tool and its library. Nothing of the contact is computed in Python."""
+import csv
 import ctypes
 import json
 import math
+import os
 import subprocess
 from ctypes import byref, c_char_p, c_double, c_int32
 from itertools import product
 
 OK, ABSENT = 0, 8  # statuses of rwedge.h
+TABLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 
 
 def rounded(value, digits=10):
@@ -51,6 +54,32 @@ class Source:
 
     def solve(self, case):
         return self.rows("solve", "--layout=row", *options_of(case))[0]
+
+
+# ---- What the tool wrote beside the workbook ----
+
+LIMIT_NUS = ("0.25", "0.30", "0.35")
+
+
+def limits(table):
+    """The a/b of a shipped table of P/(bk), and a row for each: the f of the first nu, then those of the next."""
+    blocks = []
+    for nu in LIMIT_NUS:
+        with open(os.path.join(TABLES, f"{table}-nu-{nu}.csv"), encoding="ascii") as file:
+            blocks.append(list(csv.DictReader(file)))
+    tips = list(dict.fromkeys(row["a_over_b"] for row in blocks[0]))
+    rows = [[rounded(float(row["P_over_bk"]), 7) for block in blocks for row in block if row["a_over_b"] == tip] for tip in tips]
+    return list(map(float, tips)), rows
+
+
+def materials():
+    """The shipped materials by name, in the order of their names."""
+    folder = os.path.join(TABLES, "materials")
+    found = {}
+    for name in sorted(os.listdir(folder)):
+        with open(os.path.join(folder, name), encoding="utf-8") as file:
+            found[name.removesuffix(".json")] = json.load(file)
+    return found
 
 
 # ---- The table of yield ----

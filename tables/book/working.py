@@ -4,7 +4,7 @@ from xlsxwriter.utility import xl_range_abs
 
 from cells import CASE, GROUPS, SHOWN, cell_of
 from formulas import at_f, at_row, cosine, if_row, is_there, weigh
-from source import FRICTIONS, NUS, TIPS, rounded
+from source import FRICTIONS, NUS, TIPS, limits, rounded
 
 NOTES, FIRST = 9, 10  # the rows of the columns of numbers: what they are, and the first number
 TABLE_ROW = 64
@@ -56,6 +56,7 @@ class Working:
         self.write_bar()
         self.names = self.write_names()
         self.write_table()
+        self.write_limits()
         sheet.sheet.hide()
 
     def range(self, column, rows, first=FIRST):
@@ -132,6 +133,17 @@ class Working:
     def write_names(self):
         self.sheet.texts(FIRST, 52, *CURVES, style="note")
         return {name: f"='{self.sheet.sheet.name}'!$BA${FIRST + 1 + i}" for i, name in enumerate(CURVES)}
+
+    def write_limits(self):
+        """Tables that are shipped as files too, and the a/b of their rows, in the column of each."""
+        row = TABLE_ROW + 240
+        for name, table in (("rwt_shakedown", "shakedown-limit"), ("rwt_flat_limit", "flat-elastic-limit"),
+                            ("rwt_flat_shakedown", "flat-shakedown-limit")):
+            tips, values = limits(table)
+            self.sheet.text(row, 0, f"P/(bk) of {table}: a row for each a/b, three blocks of nu, f across", "note")
+            self.sheet.down(row + 1, 0, tips, name=name + "_tips")
+            self.sheet.block(row + 1, 1, values, name=name)
+            row += len(tips) + 2
 
     def write_table(self):
         notes = [("rwt_surface", "(A sqrt(J2)/theta)^2 on the surface: a row for each t, 16 blocks of nu, f across", self.table.surface),

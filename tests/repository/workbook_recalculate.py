@@ -137,8 +137,8 @@ def check_file(path):
     same("names that are no cells", not [name for name in lower if re.fullmatch(r"[a-z]{1,3}[0-9]+", name)], lower)
     same("working names are hidden", all((name.get("hidden") == "1") == name.get("name").startswith("rwt_") for name in names),
          [name.get("name") for name in names])
-    known = {"ABS", "AND", "ASIN", "ATAN", "ATAN2", "COSH", "COUNT", "COUNTA", "FORECAST", "IF", "IFERROR", "INDEX", "INT", "ISNUMBER", "ISTEXT", "LN", "LOG10",
-             "MATCH", "MAX", "MID", "MIN", "MMULT", "N", "NA", "NOT", "OR", "PI", "ROUND", "ROUNDDOWN", "ROW", "SQRT", "SUMPRODUCT", "TANH"}
+    known = {"ABS", "ACOS", "AND", "ASIN", "ATAN", "ATAN2", "COS", "COSH", "COUNT", "COUNTA", "FORECAST", "IF", "IFERROR", "INDEX", "INT", "ISNUMBER", "ISTEXT", "LN", "LOG10",
+             "MATCH", "MAX", "MID", "MIN", "MMULT", "N", "NA", "NOT", "OR", "PI", "ROUND", "ROUNDDOWN", "ROW", "SEARCH", "SIN", "SQRT", "SUMPRODUCT", "TANH"}
     sheets = [(sheet.get("name"), sheet.get("state")) for sheet in book.iter(MAIN + "sheet")]
     longest = 0
     for number in range(1, len(sheets) + 1):
@@ -198,11 +198,18 @@ def late_case(draw, i):
     return dict(E1=E1, nu1=nu, theta=theta, a=a, P=P, f=draw.uniform(0.27, 0.38), k=theta / A * draw.uniform(1.3, 1.9))
 
 
-def solve(case):
-    """The results of "rwedge solve", as texts."""
-    inputs = ["--%s=%r" % (name.replace("_", "-"), value) for name, value in case.items()]
+def solve(case, *options):
+    """The results of "rwedge solve", as texts; None where it refuses."""
+    inputs = ["--%s=%r" % (name.replace("_", "-"), value) for name, value in case.items()] + list(options)
     done = subprocess.run([RWEDGE, "solve", "--layout", "row"] + inputs, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                           universal_newlines=True)
+    return next(csv.DictReader(done.stdout.splitlines()), None)
+
+
+def table(name, **values):
+    """The first row of a table of the tool."""
+    inputs = ["--%s=%s" % (option.replace("_", "-"), value) for option, value in values.items()]
+    done = subprocess.run([RWEDGE, "table", name] + inputs, stdout=subprocess.PIPE, universal_newlines=True)
     return next(csv.DictReader(done.stdout.splitlines()))
 
 
@@ -319,6 +326,20 @@ def check_strength(case, row, got):
         same("safety on strength", not isinstance(got, str) and abs(got / want - 1) <= 5e-4, (want, got, case))
 
 
+def check_shakedown(case, row, limit, strength):
+    """The limit is the library's within 1 %, where the shipped tables have it; the safety on strength is that of the limit."""
+    tip = float(row["a_over_b"])
+    if not (0.25 <= case["nu1"] <= 0.35 and case["f"] <= 0.8 and tip >= 0.1):
+        same("no shakedown outside the tables", limit == "" == strength, (limit, case))
+        return 0
+    want = float(table("shakedown-limit", a_over_b=min(1, tip), friction=case["f"], nu=case["nu1"])["P_over_bk"])
+    same("the shakedown limit", not isinstance(limit, str) and abs(limit / want - 1) <= 1e-2, (want, limit, case))
+    if row["load_over_bk"]:
+        factor = limit / float(row["load_over_bk"])
+        same("safety on strength, pass after pass", abs(strength / factor - 1) <= 1e-10, (factor, strength, case))
+    return abs(limit / want - 1)
+
+
 def check_warnings(case, row, got):
     """The library's words; those of the tables' ends are the workbook's own."""
     ours = [text for text in got.split("; ") if text and "outside the tables" not in text]
@@ -354,6 +375,8 @@ def check_cases(calculator, batch, new_case, count, beside):
         for column, name, relative, absolute in RESULTS:
             check_result(case, row, at_yield, column, relative, absolute, batch.result(i, column), batch.result(i, "yield_branch"), worst)
         check_strength(case, row, batch.result(i, "safety_strength"))
+        worst["shakedown"] = max(worst.get("shakedown", 0), check_shakedown(
+            case, row, batch.result(i, "P_over_bk_shakedown"), batch.result(i, "safety_strength_shakedown")))
         check_warnings(case, row, batch.result(i, "warnings"))
         if i < beside:
             calculator.enter(case)
@@ -446,6 +469,104 @@ def check_fill_down(batch):
     same("a row filled down", abs(batch.result(ROWS, "b") / float(good["b"]) - 1) < 1e-12, batch.result(ROWS, "b"))
 
 
+# ---- Materials, and the sheet Pads ----
+
+
+def check_materials(calculator):
+    """A name stands for what the material has; both are refused."""
+    material = calculator.cell("rw_material")
+    case = dict(theta=0.01, a=0.05, P=190.0, Q=20.0, f=0.2, yield_stress=600.0)
+    calculator.enter(case)
+    same("without a material", "E1 is missing" in calculator.result("rw_status"), calculator.result("rw_status"))
+    material.String = "sae-1015-normalized"
+    want = solve(dict(case, E1=206800.0, nu1=0.3))
+    for column, name in EXACT:
+        got = calculator.result(name)
+        same("of a material, " + column, got == "" if want[column] == "" else abs(got - float(want[column])) <= 1e-11 * abs(got), got)
+    calculator.enter(dict(case, E1=2.1e5))
+    same("both", "material and E1: give one of the two" in calculator.result("rw_status"), calculator.result("rw_status"))
+    material.String = "rqc-100"  # has a yield stress, and no E
+    calculator.enter(dict(case, E1=2.1e5, nu1=0.3, yield_stress=None))
+    want = solve(dict(case, E1=2.1e5, nu1=0.3, yield_stress=683.0))
+    same("its yield stress", abs(calculator.result("rw_load_over_bk") / float(want["load_over_bk"]) - 1) < 1e-11,
+         (calculator.result("rw_status"), calculator.result("rw_load_over_bk"), want["load_over_bk"]))
+    material.String = "cheese"
+    same("no material", "none of that name" in calculator.result("rw_status"), calculator.result("rw_status"))
+    material.String = ""
+
+
+PAD_COLUMNS = ["b", "left", "right", "tilt", "p0", "c", "stick_left", "stick_right", "max_tension", "load_over_bk"]
+PAD_NAMES = dict(max_tension="tension")
+
+
+def check_pad(calculator, case, pad, names, tolerances):
+    """The results of "rwedge solve" for a pad; what has no closed form is empty, and the status says so."""
+    inputs = dict(case, **pad)
+    row = solve(dict(inputs, M=pad.get("M", 0.0)), "--exact")
+    if row is None:
+        same("no closed form, " + names, "no closed form" in calculator.result("rw_%s_status" % names), inputs)
+        same("no stick zone, " + names, calculator.result("rw_%s_c" % names) == "", inputs)
+        return
+    for column in PAD_COLUMNS:
+        got, want = calculator.result("rw_%s_%s" % (names, PAD_NAMES.get(column, column))), row.get(column, "")
+        if (names == "flat" and column == "tilt") or (column.startswith("stick") and want == ""):
+            continue  # where it slides there is no zone
+        scale = float(row["b"]) if column in ("left", "right", "stick_left", "stick_right") else abs(float(want or 1))
+        scale = max(scale, float(row["p0"]) * case["f"]) if column == "max_tension" else scale
+        good = got in ("", 0) if want == "" else not isinstance(got, str) and abs(got - float(want)) <= tolerances.get(
+            column, 1e-9) * scale + 1e-300
+        same("Pads, %s, %s" % (names, column), good, (want, got, inputs))
+
+
+def check_limits(calculator, case, names, tip, worst):
+    for name, kind in (("P_over_bk", "elastic-limit"), ("P_over_bk_shakedown", "shakedown-limit")):
+        got = calculator.result("rw_%s_%s" % (names, name))
+        is_exact = names == "cylinder" and kind == "elastic-limit"
+        if not (is_exact or 0.25 <= case["nu1"] <= 0.35) or not (case["f"] <= 0.8 and tip <= 0.99):
+            same("no limit outside the tables", got == "", (got, case))
+            continue
+        want = float(table(kind, pad="flat", a_over_b=tip, friction=case["f"], nu=case["nu1"])["P_over_bk"])
+        worst[names, kind] = max(worst.get((names, kind), 0), abs(got / want - 1))
+        within = 5e-4 if is_exact else 2e-2 if kind == "elastic-limit" else 1e-2
+        same("Pads, %s" % kind, abs(got / want - 1) <= within, (want, got, case, tip))
+
+
+def check_pads(document, calculator):
+    document.Sheets.getByName("Pads").unprotect("")
+    draw, worst = random.Random(7), {}
+    for i in range(14):
+        E2 = {} if i % 2 else dict(E2=10**draw.uniform(4, 5.5), nu2=draw.uniform(0.1, 0.4))
+        f = [0.0, draw.uniform(0.05, 0.8)][i % 7 != 3]
+        case = dict(E1=10**draw.uniform(4, 5.5), nu1=draw.uniform(0.25, 0.35) if i % 5 else 0.2, P=10**draw.uniform(0, 3), f=f, k=400.0, **E2)
+        case["Q"] = draw.choice([0, -0.999, 0.5, draw.uniform(-1, 1)]) * f * case["P"]
+        R, b = 10**draw.uniform(0, 2), None
+        calculator.enter(dict(case, theta=0.01, a=0.05))
+        calculator.cell("rw_radius_of_pad").Value = R
+        hertz = float(solve(dict(case, radius=R))["b"])
+        a = hertz * [draw.uniform(0.05, 1), draw.uniform(1, 8)][i % 3 == 0]
+        calculator.cell("rw_flat_of_pad").Value = a
+        M = [0.0, draw.uniform(-0.2, 0.2) * case["P"] * hertz][i % 3 == 1]
+        sigma = [0.0, draw.uniform(-1, 1) * 4 * case["Q"] / (math.pi * hertz) * draw.choice([0.3, 0.9, 1.5])][i % 4 == 2]
+        for name, value in (("rw_M", M), ("rw_sigma", sigma)):
+            calculator.cell(name).Value = value
+        check_pad(calculator, case, dict(radius=R, M=M, sigma=sigma), "cylinder", {})
+        same("M and sigma on a flat pad", ("not here" in calculator.result("rw_flat_status")) == (M != 0 or sigma != 0),
+             calculator.result("rw_flat_status"))
+        for name in ("rw_M", "rw_sigma"):
+            calculator.cell(name).String = ""
+        check_pad(calculator, case, dict(radius=R, flat=a), "flat", dict(p0=1e-3) if a / calculator.result("rw_flat_b") <= 0.99 else dict(p0=9))
+        check_limits(calculator, case, "cylinder", 0, worst)
+        check_limits(calculator, case, "flat", a / calculator.result("rw_flat_b"), worst)
+        check_no_errors(document.Sheets.getByName("Pads"))
+    for name, text, said in (("rw_radius_of_pad", "", "radius must be"), ("rw_flat_of_pad", "wide", "a must be")):
+        cell = calculator.cell(name)
+        value, cell.String = cell.Value, text
+        same("a mistake", said in calculator.result("rw_cylinder_status"), calculator.result("rw_cylinder_status"))
+        check_no_errors(document.Sheets.getByName("Pads"))
+        cell.Value = value
+    print("14 pads; largest errors of limits: %s" % worst)
+
+
 # ---- The sheet Look up ----
 
 
@@ -529,6 +650,8 @@ def check_book(office):
         check_cases(calculator, batch, random_case, count, beside)
     check_cases(calculator, batch, late_case, ROWS - 1, 1)
     check_messages(document, calculator, batch)
+    check_materials(calculator)
+    check_pads(document, calculator)
     check_fill_down(batch)
     check_look_up(document)
     check_legends(document)

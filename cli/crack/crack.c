@@ -51,15 +51,15 @@ static void read_plan(const arguments *line, plan *job, output_options *how)
     job->crack.threads = threads_read(line);
     input_texts_from_options(line, &texts);
     job->constants = *material_of(line);
-    crack_law_read(line, &job->constants, &job->crack.law);
+    crack_law_read(line, &job->constants, &job->crack.crack.law);
     contact_history_read(line, &texts, how->decimal_sign, 3, 3, &job->history);
     const criteria asked = criteria_usual(&job->history.setup);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
     crack_read(line, &job->last, &job->crack);
-    if (line->value[OPTION_VERDICT] != NULL && !crack_has_threshold(&job->crack) &&
-        !crack_has_rate(&job->crack))
+    if (line->value[OPTION_VERDICT] != NULL && !crack_has_threshold(&job->crack.crack.law) &&
+        !crack_has_rate(&job->crack.crack.law))
         usage_error("--verdict: needs --dK-th, or --C and --m");
-    if (line->value[OPTION_VERDICT] != NULL && job->crack.lengths < 2)
+    if (line->value[OPTION_VERDICT] != NULL && job->crack.crack.lengths < 2)
         usage_error("--verdict: needs two lengths at least, --from and --to");
 }
 

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-const char *const shear_names[SHEARS] = {"none", "locked", "free"};
-
 struct poptOption crack_option_table[] = {
     {VALUE("edge", OPTION_EDGE), "The mouth: an edge of the largest contact of the cycle",
      "left|right"},
@@ -40,6 +38,14 @@ static const struct {
                         {OPTION_PARIS_C, "--C", "paris_C"}};
 enum { LAW_COUNT = sizeof constants_of_law / sizeof constants_of_law[0] };
 
+static const char *flag_of(const char *name)
+{
+    int i = 0;
+    while (strcmp(constants_of_law[i].name, name) != 0)
+        i++;
+    return constants_of_law[i].flag;
+}
+
 /* An option stands for what the material has; the exponent comes before what needs it. */
 static void take_option(const arguments *line, int i, material *all)
 {
@@ -64,34 +70,15 @@ void crack_law_read(const arguments *line, const material *constants, crack_law 
         usage_error("--m: missing; needed beside --C");
     for (int i = 0; i < LAW_COUNT; i++)
         take_option(line, i, &all);
-    *law = (crack_law){material_value(&all, "dK_th"), material_value(&all, "ds0"),
-                       material_value(&all, "paris_C"), material_value(&all, "paris_m"),
-                       material_value(&all, "K_c")};
-    if (law->m < 0.1 || law->m > 100)
-        usage_error("--m %s: must be a number from 0.1 to 100", exponent != NULL ? exponent : "");
-    if (isnan(law->C) != isnan(law->m))
-        usage_error("--%s: missing; needed beside --%s", isnan(law->C) ? "C" : "m",
-                    isnan(law->C) ? "m" : "C");
-    if (!isnan(law->ds0) && isnan(law->dK_th))
-        usage_error("--dK-th: missing; needed beside --ds0");
+    *law = crack_law_of(&all);
+    if (law->m < crack_least_m || law->m > crack_most_m)
+        usage_error("--m %s: must be a number from %g to %g", exponent != NULL ? exponent : "",
+                    crack_least_m, crack_most_m);
+    const char *beside, *lacks = crack_law_lacks(law, &beside);
+    if (lacks != NULL)
+        usage_error("%s: missing; needed beside %s", flag_of(lacks), flag_of(beside));
     if (isnan(law->dK_th) && isnan(law->C) && isnan(law->K_c) && line->value[OPTION_K_IN] != NULL)
         usage_error("--K-in %s: needs --dK-th, --C or --K-c", line->value[OPTION_K_IN]);
-}
-
-bool crack_has_threshold(const crack_plan *plan)
-{
-    return !isnan(plan->law.dK_th);
-}
-
-double crack_threshold(const crack_plan *plan, double length)
-{
-    return rwedge_short_crack_threshold(length, plan->law.dK_th,
-                                        isnan(plan->law.ds0) ? HUGE_VAL : plan->law.ds0);
-}
-
-bool crack_has_rate(const crack_plan *plan)
-{
-    return !isnan(plan->law.C);
 }
 
 /* ---- The crack ---- */
@@ -155,11 +142,9 @@ static void read_from_to(const arguments *line, crack_plan *plan)
     if (from >= to)
         usage_error("--from %s: must be below --to %s", line->value[OPTION_FROM],
                     line->value[OPTION_TO]);
-    plan->lengths = LENGTHS_USUAL;
-    plan->length = memory_zeroed(plan->lengths, sizeof *plan->length);
-    for (size_t i = 0; i < plan->lengths; i++)
-        plan->length[i] = from * pow(to / from, (double)i / (LENGTHS_USUAL - 1));
-    plan->length[plan->lengths - 1] = to;
+    plan->crack.lengths = LENGTHS_USUAL;
+    plan->crack.length = memory_zeroed(plan->crack.lengths, sizeof *plan->crack.length);
+    crack_lengths(from, to, plan->crack.lengths, plan->crack.length);
 }
 
 static void read_lengths(const arguments *line, crack_plan *plan)
@@ -176,12 +161,12 @@ static void read_lengths(const arguments *line, crack_plan *plan)
     range_option("lengths", text, &values);
     if (values.count > LENGTHS_MAX)
         usage_error("--lengths %s: must not have more than %d values", text, LENGTHS_MAX);
-    plan->lengths = (size_t)values.count;
-    plan->length = memory_zeroed(plan->lengths, sizeof *plan->length);
-    for (size_t i = 0; i < plan->lengths; i++) {
-        plan->length[i] = range_value(&values, (int64_t)i);
-        if (!(plan->length[i] >= 1e-60 && plan->length[i] <= 1e60) ||
-            (i > 0 && plan->length[i] <= plan->length[i - 1]))
+    plan->crack.lengths = (size_t)values.count;
+    plan->crack.length = memory_zeroed(plan->crack.lengths, sizeof *plan->crack.length);
+    for (size_t i = 0; i < plan->crack.lengths; i++) {
+        plan->crack.length[i] = range_value(&values, (int64_t)i);
+        if (!(plan->crack.length[i] >= 1e-60 && plan->crack.length[i] <= 1e60) ||
+            (i > 0 && plan->crack.length[i] <= plan->crack.length[i - 1]))
             usage_error("--lengths %s: must ascend, and be 1e-60 to 1e60", text);
     }
 }
@@ -190,8 +175,8 @@ static void read_shear(const char *text, crack_plan *plan)
 {
     bool is_known = text == NULL;
     for (int i = 0; i < SHEARS; i++) {
-        plan->is_wanted[i] = text == NULL || strcmp(text, shear_names[i]) == 0;
-        is_known = is_known || plan->is_wanted[i];
+        plan->crack.is_wanted[i] = text == NULL || strcmp(text, shear_names[i]) == 0;
+        is_known = is_known || plan->crack.is_wanted[i];
     }
     if (!is_known)
         usage_error("--shear %s: must be none, locked or free", text);
@@ -213,9 +198,9 @@ static const char *unit_of_length(const arguments *line)
 
 void crack_read(const arguments *line, const last_cycle *last, crack_plan *plan)
 {
-    plan->last = last;
-    plan->unit = unit_of_length(line);
-    plan->x = read_mouth(line, last);
+    plan->crack.last = last;
+    plan->crack.unit = unit_of_length(line);
+    plan->crack.x = read_mouth(line, last);
     read_angles(line, plan);
     read_lengths(line, plan);
     read_shear(line->value[OPTION_SHEAR], plan);

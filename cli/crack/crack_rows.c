@@ -75,62 +75,14 @@ static const enum {
     [CLOSING_CYCLES] = NEEDS_RATE,
 };
 
-static double radians(double angle)
+static crack_K K_of(const crack_plan *plan, double angle, bool presses)
 {
-    return angle * PI / 180;
-}
-
-/* ---- K ---- */
-
-crack_K crack_K_of(const crack_plan *plan, double degrees, bool presses)
-{
-    const size_t all = plan->last->loads * plan->lengths;
-    crack_K K = {.I = memory_zeroed(3 * all, sizeof *K.I)};
-    K.II = K.I + all;
-    K.share = K.II + all;
-    status_check((presses ? rwedge_cycle_closing_crack : rwedge_cycle_crack)(
-                     plan->last->cycle, plan->x, radians(degrees), plan->last->loads, plan->lengths,
-                     plan->length, K.I, K.II, K.share),
-                 "the crack");
+    const crack_K K = crack_K_of(&plan->crack, angle, presses);
+    status_check(K.status, "the crack");
     return K;
 }
 
-crack_ranges crack_ranges_of(const crack_plan *plan, double degrees, const crack_K *K)
-{
-    const size_t n = plan->lengths, all = SHEARS * n;
-    crack_ranges r = {.I = memory_zeroed(4 * all, sizeof *r.I)};
-    r.II = r.I + all;
-    r.K_max = r.II + all;
-    r.R = r.K_max + all;
-    for (int shear = 0; shear < SHEARS; shear++) {
-        const size_t at = (size_t)shear * n;
-        if (!plan->is_wanted[shear])
-            continue;
-        status_check(K == NULL ? rwedge_cycle_closing_ranges(
-                                     plan->last->cycle, plan->x, radians(degrees), shear, n,
-                                     plan->length, r.I + at, r.II + at, r.K_max + at, r.R + at)
-                               : rwedge_crack_ranges(plan->last->loads, n, K->I, K->II, shear,
-                                                     r.I + at, r.II + at, r.K_max + at, r.R + at),
-                     "the ranges of K");
-    }
-    return r;
-}
-
 /* ---- Cycles ---- */
-
-crack_growth crack_growth_of(const crack_plan *plan, double angle, bool presses, int shear,
-                             double from, double to)
-{
-    const crack_law *law = &plan->law;
-    const double constants[] = {isnan(law->dK_th) ? 0 : law->dK_th,
-                                isnan(law->ds0) ? HUGE_VAL : law->ds0, isnan(law->C) ? 1 : law->C,
-                                isnan(law->m) ? 1 : law->m, isnan(law->K_c) ? HUGE_VAL : law->K_c};
-    crack_growth g = {0};
-    g.status = (presses ? rwedge_cycle_closing_growth : rwedge_cycle_growth)(
-        plan->last->cycle, plan->x, radians(angle), shear, 5, constants, from, to, &g.end,
-        &g.cycles, &g.least, &g.least_at);
-    return g;
-}
 
 /* The growth from each length to the next, of each way in which K_II counts. */
 typedef struct {
@@ -145,15 +97,16 @@ static void grow(void *of_steps, int64_t i)
     steps *all = of_steps;
     const size_t from = (size_t)i / SHEARS;
     const int shear = (int)(i % SHEARS);
-    if (all->plan->is_wanted[shear])
-        all->step[i] = crack_growth_of(all->plan, all->angle, all->presses, shear,
-                                       all->plan->length[from], all->plan->length[from + 1]);
+    if (all->plan->crack.is_wanted[shear])
+        all->step[i] =
+            crack_growth_of(&all->plan->crack, all->angle, all->presses, shear,
+                            all->plan->crack.length[from], all->plan->crack.length[from + 1]);
 }
 
 /* Summed up from the last length backwards: NAN where it stops on the way. */
 static double *cycles_of(const crack_plan *plan, double angle, bool presses)
 {
-    const size_t n = plan->lengths;
+    const size_t n = plan->crack.lengths;
     double *cycles = memory_zeroed(SHEARS * n, sizeof *cycles);
     steps all = {plan, angle, presses, memory_zeroed(SHEARS * n, sizeof *all.step)};
     threads_run(plan->threads, (int64_t)(SHEARS * (n - 1)), grow, &all);
@@ -172,8 +125,8 @@ static double *cycles_of(const crack_plan *plan, double angle, bool presses)
 static bool is_written(const crack_plan *plan, int column)
 {
     return needs[column] == NEEDS_ANGLES      ? plan->has_angles
-           : needs[column] == NEEDS_THRESHOLD ? crack_has_threshold(plan)
-           : needs[column] == NEEDS_RATE      ? crack_has_rate(plan)
+           : needs[column] == NEEDS_THRESHOLD ? crack_has_threshold(&plan->crack.law)
+           : needs[column] == NEEDS_RATE      ? crack_has_rate(&plan->crack.law)
                                               : true;
 }
 
@@ -183,8 +136,8 @@ static void find_extremes(const crack_plan *plan, const double K[], size_t j, do
 {
     *of_most = 0;
     *most = *least = K[j];
-    for (size_t i = 1; i < plan->last->loads; i++) {
-        const double here = K[i * plan->lengths + j];
+    for (size_t i = 1; i < plan->crack.last->loads; i++) {
+        const double here = K[i * plan->crack.lengths + j];
         *of_most = here > *most ? i : *of_most;
         *most = fmax(*most, here);
         *least = fmin(*least, here);
@@ -203,9 +156,10 @@ static crack_results results_of(const crack_plan *plan, double angle)
 {
     crack_results all = {.cycles = {NULL}};
     for (int way = 0; way < WAYS; way++) {
-        all.K[way] = crack_K_of(plan, angle, way == 1);
-        all.ranges[way] = crack_ranges_of(plan, angle, way == 1 ? NULL : &all.K[way]);
-        if (crack_has_rate(plan))
+        all.K[way] = K_of(plan, angle, way == 1);
+        all.ranges[way] = crack_ranges_of(&plan->crack, angle, way == 1 ? NULL : &all.K[way]);
+        status_check(all.ranges[way].status, "the ranges of K");
+        if (crack_has_rate(&plan->crack.law))
             all.cycles[way] = cycles_of(plan, angle, way == 1);
     }
     return all;
@@ -225,7 +179,7 @@ static void fill(const crack_plan *plan, const crack_K *K, const crack_ranges *r
                  int shear, double from_K_I_max[], double *share)
 {
     size_t largest, other;
-    const size_t at = (size_t)shear * plan->lengths + j;
+    const size_t at = (size_t)shear * plan->crack.lengths + j;
     double value[COLUMNS];
     find_extremes(plan, K->II, j, &value[K_II_MAX], &value[K_II_MIN], &other);
     find_extremes(plan, K->I, j, &value[K_I_MAX], &value[K_I_MIN], &largest);
@@ -236,21 +190,21 @@ static void fill(const crack_plan *plan, const crack_K *K, const crack_ranges *r
     value[RATIO] = ranges->R[at];
     for (int k = K_I_MAX; k <= RATIO; k++)
         from_K_I_max[k - K_I_MAX] = value[k];
-    *share = K->share[largest * plan->lengths + j];
+    *share = K->share[largest * plan->crack.lengths + j];
 }
 
 static void fill_row(const crack_plan *plan, const crack_results *all, size_t j, int shear,
                      double value[COLUMNS])
 {
     const size_t at = SHEARS * j + (size_t)shear;
-    value[LENGTH] = plan->length[j];
-    value[THRESHOLD] = crack_threshold(plan, plan->length[j]);
+    value[LENGTH] = plan->crack.length[j];
+    value[THRESHOLD] = crack_threshold(&plan->crack.law, plan->crack.length[j]);
     fill(plan, &all->K[0], &all->ranges[0], j, shear, &value[K_I_MAX], &value[OVERLAP]);
     fill(plan, &all->K[1], &all->ranges[1], j, shear, &value[CLOSING], &value[CLOSED]);
     value[DK_OVER_THRESHOLD] = value[DK] / value[THRESHOLD];
     value[CLOSING_OVER_THRESHOLD] = value[CLOSING + DK - K_I_MAX] / value[THRESHOLD];
-    value[CYCLES] = crack_has_rate(plan) ? all->cycles[0][at] : NAN;
-    value[CLOSING_CYCLES] = crack_has_rate(plan) ? all->cycles[1][at] : NAN;
+    value[CYCLES] = crack_has_rate(&plan->crack.law) ? all->cycles[0][at] : NAN;
+    value[CLOSING_CYCLES] = crack_has_rate(&plan->crack.law) ? all->cycles[1][at] : NAN;
 }
 
 static void write_row(const crack_plan *plan, int shear, const double value[COLUMNS], records *rows)
@@ -264,10 +218,10 @@ static void write_row(const crack_plan *plan, int shear, const double value[COLU
 static void write_angle(const crack_plan *plan, double angle, records *rows)
 {
     crack_results all = results_of(plan, angle);
-    for (size_t j = 0; j < plan->lengths && records_go_on(rows); j++)
+    for (size_t j = 0; j < plan->crack.lengths && records_go_on(rows); j++)
         for (int shear = 0; shear < SHEARS; shear++) {
             double value[COLUMNS] = {angle};
-            if (!plan->is_wanted[shear])
+            if (!plan->crack.is_wanted[shear])
                 continue;
             fill_row(plan, &all, j, shear, value);
             write_row(plan, shear, value, rows);
@@ -293,15 +247,21 @@ void crack_loads_write(void *of_plan, records *rows)
                                         "closing_K_I", "closing_K_II", "overlap", "closed"};
     enum { CELLS = sizeof names / sizeof names[0] };
     const crack_plan *plan = of_plan;
-    const size_t first = plan->has_angles ? 0 : 1, n = plan->lengths;
+    const size_t first = plan->has_angles ? 0 : 1, n = plan->crack.lengths;
     records_header(rows, CELLS - first, names + first);
     for (int64_t k = 0; k < plan->angles.count; k++) {
         const double angle = range_value(&plan->angles, k);
-        const crack_K K = crack_K_of(plan, angle, false), closing = crack_K_of(plan, angle, true);
-        for (size_t i = 0; i < plan->last->loads * n && records_go_on(rows); i++) {
-            const double value[CELLS] = {
-                angle,        (double)(i / n + 1), plan->length[i % n], K.I[i],          K.II[i],
-                closing.I[i], closing.II[i],       K.share[i],          closing.share[i]};
+        const crack_K K = K_of(plan, angle, false), closing = K_of(plan, angle, true);
+        for (size_t i = 0; i < plan->crack.last->loads * n && records_go_on(rows); i++) {
+            const double value[CELLS] = {angle,
+                                         (double)(i / n + 1),
+                                         plan->crack.length[i % n],
+                                         K.I[i],
+                                         K.II[i],
+                                         closing.I[i],
+                                         closing.II[i],
+                                         K.share[i],
+                                         closing.share[i]};
             cell row[CELLS];
             for (int c = 0; c < CELLS; c++)
                 row[c] = cell_number(value[c]);

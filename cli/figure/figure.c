@@ -223,10 +223,10 @@ static void read_crack(const arguments *line, figure_case *inputs)
     if (line->value[OPTION_ANGLE_RANGE] != NULL)
         usage_error("--angle-range %s: figure crack has one angle; allowed: --angle",
                     line->value[OPTION_ANGLE_RANGE]);
-    crack_law_read(line, &inputs->constants, &inputs->crack.law);
+    crack_law_read(line, &inputs->constants, &inputs->crack.crack.law);
     history_cycle(&inputs->history, &usual, &inputs->last, NULL);
     crack_read(line, &inputs->last, &inputs->crack);
-    if (inputs->crack.lengths < 2)
+    if (inputs->crack.crack.lengths < 2)
         usage_error("--lengths %s: must have two values at least", line->value[OPTION_LENGTHS]);
 }
 

@@ -7,45 +7,36 @@
 
 enum { LENGTHS = 81 };
 
-/* From the first length to the last, each longer by the same factor. */
-static void take_lengths(const crack_plan *plan, double length[LENGTHS])
-{
-    const double first = plan->length[0], last = plan->length[plan->lengths - 1];
-    for (int i = 0; i < LENGTHS; i++)
-        length[i] = first * pow(last / first, (double)i / (LENGTHS - 1));
-    length[LENGTHS - 1] = last;
-}
-
 /* As the verdict has it: faces press. */
 static void compute_crack(const figure_case *inputs, dataset *rows)
 {
-    crack_plan plan = inputs->crack;
+    crack_case crack = inputs->crack.crack;
     double length[LENGTHS], dK[SHEARS];
-    take_lengths(&inputs->crack, length);
-    plan.length = length;
-    plan.lengths = LENGTHS;
-    const crack_ranges r = crack_ranges_of(&plan, range_value(&plan.angles, 0), NULL);
+    crack_lengths(crack.length[0], crack.length[crack.lengths - 1], LENGTHS, length);
+    crack.length = length;
+    crack.lengths = LENGTHS;
+    const crack_ranges r = crack_ranges_of(&crack, range_value(&inputs->crack.angles, 0), NULL);
+    status_check(r.status, "the ranges of K");
     for (int i = 0; i < LENGTHS; i++) {
         for (int shear = 0; shear < SHEARS; shear++) {
             const int at = shear * LENGTHS + i;
-            dK[shear] = plan.is_wanted[shear] ? hypot(r.I[at], r.II[at]) : NAN;
+            dK[shear] = crack.is_wanted[shear] ? hypot(r.I[at], r.II[at]) : NAN;
         }
         dataset_add(rows, (data_row){.number = {length[i], dK[0], dK[1], dK[2],
-                                                crack_threshold(&plan, length[i])}});
+                                                crack_threshold(&crack.law, length[i])}});
     }
     free(r.I);
 }
 
 /* Where the crack stops by the first way that lets it start; 0 where none does. */
-static double arrest_of(const crack_plan *plan)
+static double arrest_of(const crack_case *crack, double angle)
 {
-    const double first = plan->length[0], last = plan->length[plan->lengths - 1];
-    for (int shear = 0; shear < SHEARS && crack_has_threshold(plan); shear++) {
-        const crack_growth g =
-            plan->is_wanted[shear]
-                ? crack_growth_of(plan, range_value(&plan->angles, 0), true, shear, first, last)
-                : (crack_growth){.end = first};
-        if (g.status == RWEDGE_OK && g.end > first && isfinite(g.end) && isinf(g.cycles))
+    const double first = crack->length[0], last = crack->length[crack->lengths - 1];
+    for (int shear = 0; shear < SHEARS && crack_has_threshold(&crack->law); shear++) {
+        const crack_growth g = crack->is_wanted[shear]
+                                   ? crack_growth_of(crack, angle, true, shear, first, last)
+                                   : (crack_growth){.end = first};
+        if (g.status == RWEDGE_OK && g.end > first && !crack_grows(&g))
             return g.end;
     }
     return 0;
@@ -54,8 +45,9 @@ static double arrest_of(const crack_plan *plan)
 static void prepare_crack(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     (void)rows;
-    script_number(script, "arrest", arrest_of(&inputs->crack));
-    script_number(script, "has_threshold", crack_has_threshold(&inputs->crack));
+    script_number(script, "arrest",
+                  arrest_of(&inputs->crack.crack, range_value(&inputs->crack.angles, 0)));
+    script_number(script, "has_threshold", crack_has_threshold(&inputs->crack.crack.law));
 }
 
 const figure figure_crack = {

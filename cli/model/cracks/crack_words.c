@@ -2,7 +2,6 @@
 #include "cracks.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static const char *const assumption[SHEARS] = {"mode I", "K_II while it is open",
                                                "K_II of free faces"};
@@ -58,36 +57,6 @@ int crack_sentence_of_all(const crack_case *crack, const crack_growth growth[SHE
 }
 
 /* ---- What the model leaves out ---- */
-
-/* Under the largest K_I of a length faces overlap. */
-static bool is_shared(const crack_case *crack, const crack_K *K, size_t j)
-{
-    size_t largest = 0;
-    for (size_t i = 1; i < crack->last->loads; i++)
-        if (K->I[i * crack->lengths + j] > K->I[largest * crack->lengths + j])
-            largest = i;
-    return K->share[largest * crack->lengths + j] > 0;
-}
-
-int32_t crack_overlap_said(const crack_case *crack, double angle, char text[CRACK_SENTENCE])
-{
-    const crack_K K = crack_K_of(crack, angle, false);
-    double first = NAN, last = NAN;
-    text[0] = '\0';
-    for (size_t j = 0; j < crack->lengths && K.status == RWEDGE_OK; j++)
-        if (is_shared(crack, &K, j)) {
-            first = fmin(first, crack->length[j]);
-            last = crack->length[j];
-        }
-    if (!isnan(first))
-        list_add(text, CRACK_SENTENCE, "",
-                 "at %.6g deg faces overlap under the largest K_I, lengths %.4g to %.4g: that K_I "
-                 "is too small; the verdict and the columns closing_... let them press, without "
-                 "friction",
-                 angle, first, last);
-    free(K.I);
-    return K.status;
-}
 
 void crack_length_said(const crack_case *crack, char text[CRACK_SENTENCE])
 {

@@ -90,10 +90,7 @@ void crack_sentence(const crack_case *crack, int shear, const crack_growth *g,
 int crack_sentence_of_all(const crack_case *crack, const crack_growth growth[SHEARS],
                           char text[CRACK_SENTENCE]);
 
-/* What of the model is doubtful: where faces overlap under the largest K_I of an angle, and whether
- * the crack is too long for a contact as if there were none. Empty where nothing is. The status of
- * the library. */
-int32_t crack_overlap_said(const crack_case *crack, double angle, char text[CRACK_SENTENCE]);
+/* That the contact is as if there were no crack, where the crack is too long for it; else empty. */
 void crack_length_said(const crack_case *crack, char text[CRACK_SENTENCE]);
 
 #endif

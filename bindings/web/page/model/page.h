@@ -66,6 +66,11 @@ void answers_hand_over(rwedge_contact *contact);
 bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, load *form,
                      double *nu);
 
+/* ---- cycle ---- About a history of loads. */
+
+/* The last cycle of the last answer, and the constants of its material; NULL where it has none. */
+const last_cycle *cycle_answered(const material **constants);
+
 /* ---- pasted ---- Rows that were pasted, read as the tool reads a file. */
 
 /* What a file that is opened next has in it, whatever its name. The text must outlive the input. */

@@ -26,6 +26,10 @@ const settings = {
     criterion: "swt",
     plane: "",
     material: "",
+    crack_edge: "left",
+    crack_angle: "0",
+    crack_from: "",
+    crack_to: "",
     batch: "",
     find: "radius",
     safety: "2",
@@ -39,6 +43,7 @@ export const tabs = {
     about: "About",
 };
 export const signs = { ".": "point", ",": "comma" };
+export const edges = { left: "left", right: "right" };
 /** What can be found for a safety. */
 export const findable = { radius: "Radius R", a: "Half-width of rounding a", P: "Load P", f: "Friction f" };
 export const digits = { 4: "4", 6: "6", 10: "10", 14: "14" };
@@ -50,6 +55,7 @@ const allowed = {
     tab: tabs,
     measure: measures,
     criterion: criteria,
+    crack_edge: edges,
     find: findable,
 };
 /** Those that a case file has in words of its own. */
@@ -140,11 +146,13 @@ export const written = (value, digits) => writeNumber(value, digits, state.sign)
 /** As short as it is, for ticks and files. */
 export const shortNumber = (value) => String(value).replace(".", state.sign);
 
-/** Changes the numbers of the form and the place that is looked at, by their dimensions. */
+const lengths = ["probe_x", "probe_y", "crack_from", "crack_to"];
+
+/** Changes the numbers of the form, the place that is looked at and the lengths of a crack, by their dimensions. */
 function changeNumbers(changed) {
     for (const [name, text] of Object.entries(state.texts))
         if (name !== "profile") state.texts[name] = changed(text, inputs[name]?.unit);
-    for (const name of ["probe_x", "probe_y"]) state[name] = changed(state[name], "length");
+    for (const name of lengths) state[name] = changed(state[name], "length");
 }
 
 function rewriteNumbers() {

@@ -195,6 +195,24 @@ export async function a_cycle_shows_its_worst_places({ page, show }) {
     assert.match(await textOf(page, "#as-fretting"), /^printf .* \| rwedge fretting /);
 }
 
+/** Its sentence and picture are there once both lengths are; a new length makes them anew. test/model_claims.js has the numbers. */
+export async function a_crack_shows_whether_it_stops({ page, show }) {
+    const texts = { E1: "72100", nu1: "0.33", radius: "60", P: "120", Q: "65", sigma: "20", f: "0.6" };
+    await show(texts, { tab: "cycle", material: "dK_th 45 MPa sqrt(mm)\nds0 150", crack_from: "0.02" });
+    await settled(page);
+    assert.match(await textOf(page, "#crack-note"), /both lengths are given/);
+    await enter(page, { crack_to: "1" });
+    await settled(page);
+    assert.match(await textOf(page, "#crack-sentence"), /^By mode I the crack arrests at 0\.2474 mm; .*; with K_II of free faces it grows through/);
+    const drawn = await textOf(page, "#plot-crack");
+    assert.match(drawn, /mode I.*locked faces.*free faces.*threshold.*stops: 0\.\d/s);
+    const files = await savedBy(page, '.save button[aria-label*="crack"]');
+    assert.deepEqual(files.length, 3);
+    await enter(page, { material: "dK_th 45" });
+    await settled(page);
+    assert.match(await textOf(page, "#loads-note"), /^dK_th 45: needs its unit/);
+}
+
 /** The drawing and all tabs; test/model_claims.js has the numbers, the command and the program. */
 export async function each_pad_is_drawn({ page, show }) {
     for (const [pad, texts] of Object.entries(ofPads)) {

@@ -451,6 +451,52 @@ test("bodies of two materials under tension: body 1 is stretched by its own comp
     assertNear((results.stick_left + results.stick_right) / 2, 0.6, 1e-6, "R strain sigma/f");
 });
 
+test("a crack has the tool's ranges, threshold, verdict and sentence", () => {
+    const texts = { E1: "72100", nu1: "0.33", radius: "60", f: "0.6", P: "120" },
+        loads = "P,Q,sigma\n120,65,50\n120,0,0\n120,-65,-50\n120,0,0\n",
+        material = "dK_th 2.1 MPa sqrt(m)\nds0 248\nparis_C 1e-7 mm/(MPa sqrt(m))^3\nparis_m 3",
+        crack = { edge: "left", angle: "0", from: "0.02", to: "3", unit: "mm" };
+    const { crack: found, complaint } = cycleOf(texts, loads, ".", "3", { ...swt, material, units: "mm,N,MPa" }, crack);
+    assert.equal(complaint ?? found.complaint, undefined);
+    const law = "--dK-th 2.1 --ds0 248 --C 1e-7 --m 3 --K-in m".split(" "),
+        how = ["--edge", "left", "--format", "json", "--digits", "17"],
+        lengths = ["--lengths", found.length.join()];
+    const tool = (...more) => run(["crack", "-", ...optionsOf({ E1: "72100", nu1: "0.33", radius: "60", f: "0.6" }), ...law, ...how, ...more], loads);
+    for (const row of JSON.parse(tool(...lengths).stdout)) {
+        const j = found.length.findIndex((length) => Math.abs(length / row.length - 1) < 1e-12);
+        assertNear(found.threshold[j], row.threshold, 1e-12, `threshold at ${row.length}`);
+        assertNear(found.dK[row.shear][j], row.closing_dK, 1e-10, `${row.shear} at ${row.length}`);
+    }
+    const told = tool("--from", "0.02", "--to", "3", "--verdict");
+    for (const { shear, arrest_length, cycles, least_ratio } of JSON.parse(told.stdout)) {
+        const { arrest, cycles: life, least } = found.verdict[shear];
+        for (const [name, value, expected] of [["arrest", arrest, arrest_length], ["cycles", life, cycles], ["least", least, least_ratio]])
+            if (typeof expected === "number") assertNear(value, expected, 1e-8, `${shear}: ${name}`);
+    }
+    assert.equal(told.stderr.split("\n")[0], `rwedge crack: ${found.sentence}.`);
+    assert.match(found.doubt, /^the contact is taken as if there were no crack/);
+});
+
+test("a crack is refused with what is wrong: a K without its unit, lengths, lonely constants", () => {
+    const crack = { edge: "left", angle: "0", from: "0.02", to: "3", unit: "mm" };
+    const told = (material, more = {}, units = "mm,N,MPa") => {
+        const answer = cycleOf(usual, "", ".", "3", { ...swt, material, units }, { ...crack, ...more });
+        return answer.complaint ?? answer.crack.complaint;
+    };
+    for (const [material, more, words] of [
+        ["dK_th 66", {}, /^dK_th 66: needs its unit, such as "4.2 MPa sqrt\(m\)"/],
+        ["paris_m 3", {}, /^paris_C: missing; needed beside paris_m/],
+        ["ds0 248", {}, /^dK_th: missing; needed beside ds0/],
+        ["", { to: "0.01" }, /^the last length must be above the first/],
+        ["", { from: "x" }, /^the first length x: must be a number/],
+        ["", { angle: "80" }, /^the angle 80: must be a number from -75 to 75/],
+    ])
+        assert.match(told(material, more), words);
+    assert.match(told("dK_th 2.1 MPa sqrt(m)", {}, ""), /no working units are known/);
+    assert.equal(told(""), undefined);
+    assert.equal(cycleOf(usual, "", ".", "3", swt).crack, null);
+});
+
 test("a cycle, with a table or without, has the tool's worst places; so has its command", () => {
     for (const [more, loads] of [
         [{}, "P\tQ\n190\t20\n190\t-20"],

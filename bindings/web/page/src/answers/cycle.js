@@ -2,6 +2,7 @@
 // What the last cycle of a history of loads does, as the model answers it; a material's constants as text.
 import { answeredContact, ask } from "./library.js";
 import { withPoint } from "../number.js";
+import { crackOf } from "./crack.js";
 import { loopOf } from "./loop.js";
 import { textsFor } from "./solution.js";
 import { plainRows } from "./tables.js";
@@ -27,9 +28,10 @@ const linesOfMaterial = (text, sign) => constantsOf(text, sign).map((entry) => e
 /**
  * { loads, unused, slipKnown, computed: a remark, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
  * criterion with the constants it needs } or { complaint }. text: pasted loads, which are gone through so many times; without any the
- * case's own Q and sigma go to and fro. chosen: { name of the criterion, isPlaneStress, material: its text, units: "mm,N,MPa", "" for any }.
+ * case's own Q and sigma go to and fro. chosen: { name of the criterion, isPlaneStress, material: its text, units: "mm,N,MPa", "" for any }. crack: what
+ * crackOf() takes where one is asked; its answer is `crack`.
  */
-export function cycleOf(texts, text, sign, times, chosen) {
+export function cycleOf(texts, text, sign, times, chosen, crack = null) {
     let material;
     try {
         material = linesOfMaterial(chosen.material, sign);
@@ -53,5 +55,5 @@ export function cycleOf(texts, text, sign, times, chosen) {
         before = answeredContact(),
         loop = loopOf(before, found);
     before.free();
-    return { ...found, loop };
+    return { ...found, loop, crack: crack && crackOf(crack, sign) };
 }

@@ -12,6 +12,7 @@ import { redraw, set, setter, state, written } from "../state.js";
 import { wordsOf } from "../units.js";
 import { bar } from "../verdict.js";
 import { criteria, measures } from "../answers/words.js";
+import { askedCrack, crackPart } from "./crack.js";
 import { table } from "./table.js";
 import { waiting } from "./waiting.js";
 
@@ -152,6 +153,7 @@ export function cycle(model) {
         sign,
         cycles,
         { name, isPlaneStress: plane === "stress", material, units: wordsOf(units) },
+        askedCrack(model),
     ]);
     const shown = answer ?? aside.before ?? { complaint: "" };
     const command = answer && answer.complaint === undefined ? asFretting(model, answer, cycles.trim(), loads.trim() !== "") : "";
@@ -160,6 +162,7 @@ export function cycle(model) {
         <p id="loads-note" class="note ${answer?.complaint ? "bad" : ""}" aria-live="polite">${answer ? remarkOf(answer) : ""}</p>
         <h2>Worst places</h2>
         ${answers(shown, model, answer === undefined)}
+        ${crackPart(shown.crack ?? null, model, answer === undefined)}
         <details><summary>This cycle as a command</summary>${copyButton("Copy the command", () => command)}
             <pre id="as-fretting" tabindex="0">${command}</pre></details>`;
 }

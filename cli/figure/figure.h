@@ -30,6 +30,8 @@ typedef struct {
     double error; /* the largest rwedge_contact_error() of the contacts that it is of */
     double
         worst[3]; /* of figure measure: x, y, and the largest value, which may lie between rows */
+    double touched[2],
+        stuck[2]; /* and where the cycle touches, and always sticks; both 0: nowhere */
 } dataset;
 
 void dataset_add(dataset *to, data_row row);

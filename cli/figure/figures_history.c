@@ -202,22 +202,110 @@ static void measure_depth(const figure_case *inputs, const last_cycle *last, dat
     note_worst(inputs, last, &below, rows);
 }
 
-/* The peaks of the surface are too narrow for its grid. */
-static void measure_field(const figure_case *inputs, const last_cycle *last, dataset *rows)
+/* ---- As contours ---- */
+
+/* What falls by decades has lines at powers of ten, or at 1, 2 and 5 times these: so many decades of
+ * damage, and of Smith, Watson and Topper's parameter, an energy. Others have equal steps. */
+typedef struct {
+    int decades, lines_a_decade; /* 0 for equal steps */
+} scale;
+
+static scale scale_of(const figure_case *inputs)
 {
-    const double middle = (last->left + last->right) / 2, half = (last->right - last->left) / 2;
-    const measured along = measure_usual(inputs, last);
+    const measure_kind *kind = measure_kind_of(inputs->measure);
+    const bool is_energy =
+        kind->number == RWEDGE_MEASURE_SWT || kind->number == RWEDGE_MEASURE_SWT_IN_PLANE;
+    if (inputs->over != OVER_FIELD || !(kind->is_damage || is_energy))
+        return (scale){0, 0};
+    return kind->is_damage ? (scale){5, 1} : (scale){2, 3};
+}
+
+/* The power of ten below the lowest line. */
+static double decade_below(const figure_case *inputs, double worst)
+{
+    return floor(log10(worst)) - scale_of(inputs).decades;
+}
+
+static double lowest_line(const figure_case *inputs, double worst)
+{
+    const int lines = scale_of(inputs).lines_a_decade;
+    return lines == 0 ? step_of_levels(worst)
+                      : pow(10, decade_below(inputs, worst)) * (lines == 1 ? 10 : 2);
+}
+
+typedef struct {
+    double left, right, depth;
+} frame;
+
+/* Row by row, closer near the surface. To be freed. */
+static measured measure_grid(const figure_case *inputs, const last_cycle *last, frame in)
+{
     const measured grid = {memory_zeroed(ROWS * COLUMNS, sizeof *grid.place), ROWS * COLUMNS,
                            COLUMNS};
-    rows->across = COLUMNS;
     for (int j = 0; j < ROWS; j++)
         for (int i = 0; i < COLUMNS; i++)
             grid.place[j * COLUMNS + i] =
-                (measured_place){.x = middle + 1.5 * half * (2.0 * i / (COLUMNS - 1) - 1),
-                                 .y = half * pow((double)j / (ROWS - 1), 1.5)};
+                (measured_place){.x = in.left + (in.right - in.left) * i / (COLUMNS - 1),
+                                 .y = in.depth * pow((double)j / (ROWS - 1), 1.5)};
     case_check(inputs, last_cycle_measure(last, grid.count, grid.place));
+    return grid;
+}
+
+/* Adds what is above the lowest line. */
+static void frame_add(const measured *around, int column, double lowest, frame *box)
+{
+    for (size_t i = 0; i < around->count; i++) {
+        const measured_place *place = &around->place[i];
+        if (!(place->value[column] >= lowest))
+            continue;
+        box->left = fmin(box->left, place->x);
+        box->right = fmax(box->right, place->x);
+        box->depth = fmax(box->depth, place->y);
+    }
+}
+
+/* What a bulk tension alone does: the largest value at the sides and the bottom. */
+static double background(const measured *grid, int column)
+{
+    double most = 0;
+    for (int j = 0; j < ROWS; j++)
+        for (int i = 0; i < COLUMNS; i += j < ROWS - 1 ? COLUMNS - 1 : 1) {
+            const double value = grid->place[j * COLUMNS + i].value[column];
+            most = fmax(most, isnan(value) ? 0 : value);
+        }
+    return most;
+}
+
+/* Around what its lines enclose, with a margin; neither flat nor narrow. */
+static frame frame_of(const figure_case *inputs, const last_cycle *last, const measured *along,
+                      dataset *rows)
+{
+    const double FLATTEST = 0.25, DEEPEST = 0.8, MARGIN = 0.12;
+    const double middle = (last->left + last->right) / 2, half = (last->right - last->left) / 2;
+    const measured wide =
+        measure_grid(inputs, last, (frame){middle - 2.5 * half, middle + 2.5 * half, 2.5 * half});
+    note_worst(inputs, last, along, rows);
+    note_worst(inputs, last, &wide, rows);
+    const double worst = rows->worst[2],
+                 lowest = fmin(worst / 2, fmax(lowest_line(inputs, worst),
+                                               1.05 * background(&wide, inputs->measure)));
+    frame box = {rows->worst[0], rows->worst[0], rows->worst[1]};
+    frame_add(along, inputs->measure, lowest, &box);
+    frame_add(&wide, inputs->measure, lowest, &box);
+    free(wide.place);
+    const double width = fmax(fmax((box.right - box.left) * (1 + 2 * MARGIN), 0.05 * half),
+                              box.depth * (1 + MARGIN) / DEEPEST),
+                 x = (box.left + box.right) / 2;
+    return (frame){x - width / 2, x + width / 2, fmax(box.depth * (1 + MARGIN), FLATTEST * width)};
+}
+
+/* The peaks of the surface are too narrow for its grid. */
+static void measure_field(const figure_case *inputs, const last_cycle *last, dataset *rows)
+{
+    const measured along = measure_usual(inputs, last);
+    const measured grid = measure_grid(inputs, last, frame_of(inputs, last, &along, rows));
+    rows->across = COLUMNS;
     add_places(inputs, &grid, rows);
-    note_worst(inputs, last, &along, rows);
     note_worst(inputs, last, &grid, rows);
     free(grid.place);
 }
@@ -231,6 +319,9 @@ static void compute_measure(const figure_case *inputs, dataset *rows)
     rows->error = last.error;
     case_check(inputs, isnan(last.left) ? RWEDGE_EABSENT : RWEDGE_OK);
     ways[inputs->over](inputs, &last, rows);
+    rows->touched[0] = last.left;
+    rows->touched[1] = last.right;
+    rwedge_cycle_permanent_stick(last.cycle, &rows->stuck[0], &rows->stuck[1]);
 }
 
 static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE *script)
@@ -251,7 +342,14 @@ static void prepare_measure(const figure_case *inputs, const dataset *rows, FILE
     script_number(script, "worst_x", rows->worst[0]);
     script_number(script, "worst_y", rows->worst[1]);
     script_number(script, "worst", worst);
-    script_number(script, "step", step_of_levels(worst));
+    const int lines = scale_of(inputs).lines_a_decade;
+    script_number(script, "lines_a_decade", lines);
+    script_number(script, "base", decade_below(inputs, worst));
+    script_number(script, "step", lines > 0 ? 1 : step_of_levels(worst));
+    script_number(script, "touched_left", rows->touched[0]);
+    script_number(script, "touched_right", rows->touched[1]);
+    script_number(script, "stuck_left", rows->stuck[0]);
+    script_number(script, "stuck_right", rows->stuck[1]);
     fprintf(script, "along = %d\n",
             inputs->over == OVER_FIELD   ? 0
             : inputs->over == OVER_DEPTH ? 2

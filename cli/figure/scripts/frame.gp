@@ -19,7 +19,7 @@ if (exists("height")) {
     unset surface
     set cntrparam levels incremental step,step,top
     set table $lines
-    splot $rows using 1:2:(column(height) == column(height) ? column(height) : 2*top) with lines
+    splot $rows using 1:2:(column(height) == column(height) ? level_of(column(height)) : 2*top) with lines
     unset table
     set palette defined (0 '#9ecae1', 0.5 '#2171b5', 1 '#08306b')
     unset colorbox

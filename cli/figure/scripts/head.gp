@@ -21,6 +21,7 @@ title = caption = names = ""
 letters = 0
 
 it(text) = "{/:Italic ".text."}"
+level_of(height) = height # of what lines of equal height are drawn
 max(a, b) = a > b ? a : b
 min(a, b) = a < b ? a : b
 

@@ -135,6 +135,26 @@ for over in surface field; do
     named=$(sed -n 's/.*worst: \([0-9.]*\) at.*/\1/p' drawn.svg)
     close_to "the worst, over $over" "$largest" "$named" 1e-3
 done
+# The frame is around what its lines enclose: beyond it is less than half of the worst, or what a tension does alone. Damage has lines
+# at powers of ten; contact and stick zone are marked.
+enclosed() { # WHAT SHARE OPTIONS...
+    what=$1 share=$2
+    shift 2
+    does figure measure --over field --data "$@"
+    same "$what" "inside" "$(awk -F, -v share="$share" 'NR > 1 { x[NR] = $1; y[NR] = $2; v[NR] = $3; if ($3 > top) top = $3
+            if (NR == 2 || $1 < left) left = $1; if (NR == 2 || $1 > right) right = $1; if ($2 > depth) depth = $2 }
+        END { for (i in x) if ((x[i] == left || x[i] == right || y[i] == depth) && v[i] > beyond) beyond = v[i]
+            print (beyond <= share * top ? "inside" : beyond / top) }' out)"
+}
+printf 'P,Q,sigma\n135.75,0,0\n135.75,38.75,100\n135.75,-38.75,-100\n' >tension.csv
+enclosed "SWT" 0.5 --history loads.csv $specimen
+enclosed "SWT beside a bulk tension" 0.5 --history tension.csv $specimen
+echo '{"E": 206800, "nu": 0.3, "sf": 2275, "b": -0.08, "ef": 0.25, "c": -0.68}' >steel.json
+steel="--material steel.json --theta 0.05 --radius 10 --f 0.3"
+enclosed "damage" 1e-3 --history tension.csv $steel --criteria swt-damage --measure swt_damage
+draws svg measure --history tension.csv $steel --criteria swt-damage --measure swt_damage --over field
+same "its lines" 1 "$(grep -c 'lines: powers of ten from 1e.*13 on' drawn.svg)"
+same "what is marked" 1 "$(grep -c 'bar: contact, black: always sticks' drawn.svg)"
 # The place where a crack stops is drawn and named.
 awk 'BEGIN { print "P,Q,sigma"; for (k = 1; k <= 24; k++) { c = cos(k * 3.141592653589793 / 12); printf "120,%.17g,%.17g\n", 50 * c, 60 * c } }' >cycle.csv
 draws svg crack --history cycle.csv --E1 133333.33333333333 --nu1 0 --radius 60 --f 0.6 --load 120,0 --load 120,0,50,60 --edge left \

@@ -72,6 +72,7 @@ picture()
 }
 picture elastic-limit 4
 picture von-mises field --a-over-b 0.25 --friction 0.6 --c-over-b 0.4
+picture contact contact --no-title --E1 210000 --nu1 0.3 --theta 0.02 --radius 20 --f 0.3 --load 1200,0 --load 1200,200
 picture shakedown shakedown
 picture worn-pad wear --E1 1000 --nu1 0.3 --radius 30 --f 0.5 --load 1.2,0.36 --load 1.2,-0.36
 

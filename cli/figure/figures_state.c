@@ -112,6 +112,8 @@ static void prepare_contact(const figure_case *inputs, const dataset *rows, FILE
     script_number(script, "reach", reach_of(&state));
     script_number(script, "rise", fmax(dataset_largest(rows, 1), -2 * lowest));
     script_number(script, "marked", marked(&state.setup->shape));
+    script_number(script, "theta",
+                  state.setup->shape.kind == PAD_WEDGE ? state.setup->shape.theta : NAN);
     script_number(script, "P", now.P);
     script_number(script, "M", now.M);
     script_number(script, "Q", now.Q);

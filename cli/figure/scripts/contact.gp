@@ -42,6 +42,7 @@ if (marked > 0 && marked < reach) {
     set arrow 5 from first 0, first -0.12*rise to first marked, first -0.12*rise front heads filled size graph 0.012,20 linecolor rgb soft
     set label 7 it("a") at first 0.5*marked, first -0.24*rise center front
 }
+if (theta == theta) { set label 9 "θ" at first 0.9*reach, first 0.18*rise center front }
 set arrow 6 from first 0.5*(left + right), first -0.36*rise to first right, first -0.36*rise front heads filled size graph 0.012,20 \
     linecolor rgb soft
 set label 8 it("b") at first 0.25*left + 0.75*right, first -0.48*rise center front

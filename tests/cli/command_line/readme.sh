@@ -35,6 +35,11 @@ done
     cp README.md "$readme"
     exit 0
 }
+# The first result of the README at the top.
+top=$here/../../../README.md
+called=$(sed -n 's/^`\(rwedge solve .* --verdict\)` says:$/\1/p' "$top")
+"$rwedge" ${called#rwedge } -o first.csv 2>err
+same "the first result" "$(sed -n 's/^> //p' "$top")" "$(sed 's/^rwedge solve: //; s/surface\. .*/surface./' err)"
 same "there are examples" yes "$([ "$checks" -ge 10 ] && echo yes)"
 
 finish

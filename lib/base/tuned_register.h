@@ -127,11 +127,17 @@ RW_COUNT(RW_ONSET_HALVINGS, 6)
 /* ---- Energy (energy.c) ---- */
 
 /* What the energy by slip errs by, over its doubt, of a step as a whole and of halves; the relative
- * error beyond which the power is looked at, and how often a part of the way is halved for it. */
+ * error beyond which the power is looked at, that of its rules with which it ends, and how often a
+ * part of the way is halved for it: the power jumps where slip passes marks of earlier loads. */
 RW_NUMBER(RW_ENERGY_OF_WHOLE, 0.2)
 RW_NUMBER(RW_ENERGY_OF_HALVES, 0.04)
 RW_NUMBER(RW_ENERGY_ENOUGH, 0.03)
-RW_COUNT(RW_ENERGY_HALVINGS, 3)
+RW_NUMBER(RW_ENERGY_EXACT, 0.01)
+RW_COUNT(RW_ENERGY_HALVINGS, 8)
+
+/* Of RW_ALLOWED: the violation up to which zones at a moment may be like those of the next moment
+ * that is known. With more the power would jump too early. */
+RW_NUMBER(RW_LIKE_GUESS, 0.1)
 
 /* ---- Steps of a load (lib/numerical, lib/computed) ---- */
 

@@ -62,7 +62,7 @@ static double by_three(double length, const double power[])
 
 /* Over a part of the way with this power at its ends and in the middle. Where slip passes the marks
  * of earlier loads the power jumps: there the parts become shorter, as long as two rules differ by
- * more than is allowed. */
+ * more than is allowed. A jump is in one part of its length: what is allowed is for each part. */
 static estimate integral(const way *l, double from, double to, const double power[], double allowed,
                          int halvings)
 {
@@ -75,8 +75,8 @@ static estimate integral(const way *l, double from, double to, const double powe
         return (estimate){three, three};
     if (halvings == 0 || fabs(five - three) <= allowed)
         return (estimate){five, fabs(five - three)};
-    const estimate a = integral(l, from, middle, first, allowed / 2, halvings - 1),
-                   b = integral(l, middle, to, last, allowed / 2, halvings - 1);
+    const estimate a = integral(l, from, middle, first, allowed, halvings - 1),
+                   b = integral(l, middle, to, last, allowed, halvings - 1);
     return (estimate){a.energy + b.energy, a.doubt + b.doubt};
 }
 
@@ -87,7 +87,7 @@ static estimate by_power(const way *l)
                             half == there ? power_at(l, 0.5)
                                           : power_of(l, half->contact, &half->shear.zones),
                             power_of(l, there->contact, &there->shear.zones)};
-    return integral(l, 0, 1, power, RW_ENERGY_ENOUGH * by_three(1, power), RW_ENERGY_HALVINGS);
+    return integral(l, 0, 1, power, RW_ENERGY_EXACT * by_three(1, power), RW_ENERGY_HALVINGS);
 }
 
 void rw_settle_energy(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *half,

@@ -322,7 +322,11 @@ bool rw_search_zones(rw_work *w, const rw_problem *p, const rw_zones *guess, boo
     w->search = RW_SEARCH_BUDGET;
     if (find_fronts(w, p, &start, 0)) {
         rw_fronts_zones(&w->fronts, zones);
-        return true;
+        if (!by_grid)
+            return true;
+        rw_outcome_of_slip(&w->fronts, &outcome);
+        if (outcome.violation <= RW_LIKE_GUESS * p->allowed)
+            return true;
     }
     if (!by_grid || !rw_search(w, p, NULL, false, &outcome))
         return false;

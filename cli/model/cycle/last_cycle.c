@@ -20,6 +20,7 @@ static void note(const rwedge_contact *contact, last_cycle *cycle)
 void last_cycle_begin(const contact_case *setup, const criteria *asked,
                       const rwedge_contact *before, size_t most, last_cycle *cycle)
 {
+    measure_count(); /* the table of columns is made here, before any thread asks for it */
     *cycle = (last_cycle){.setup = setup,
                           .asked = *asked,
                           .P = memory_zeroed(4 * most, sizeof(double)),

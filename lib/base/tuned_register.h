@@ -13,6 +13,10 @@
 /* Of the tolerance: coefficients at the end of a series that are none. Shorter series. */
 RW_NUMBER(RW_LOST, 1e-4)
 
+/* Of the tolerance of a sum: the fit of what a shear adds to a pressure (bounded_inverse.c). Fewer
+ * places where that is computed. */
+RW_NUMBER(RW_FIT_OF_INVERSE, 3)
+
 /* ---- One step (lib/fronts) ---- */
 
 /* Of the tolerance: the fit of friction, a tenth of that of a traction, whose elements have other
@@ -59,6 +63,19 @@ RW_NUMBER(RW_BESIDE_OLD_FRONT, 0.05)
 
 /* Over the tolerance to the power 2/3: the angle of a zone that is too narrow to be determined. */
 RW_NUMBER(RW_SLIVER, 0.1)
+
+/* ---- Passes of unlike bodies (coupled.c) ---- */
+
+/* At most so many, until the shear changes by less than this part of the tolerance. A pass divides
+ * the change by 6 to 100. */
+RW_COUNT(RW_MOST_PASSES, 20)
+RW_NUMBER(RW_SAME_SHEAR, 0.1)
+
+/* As measured: a pass over a value at a point of a quadrature. */
+RW_COUNT(RW_EFFORT_OF_PASS, 200000)
+
+/* Over the scale: traction beyond friction at new places in contact that slip in passing. */
+RW_NUMBER(RW_RIM, 5e-3)
 
 /* ---- The state after a step (outcome.c, rates.c) ---- */
 

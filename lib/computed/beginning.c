@@ -5,6 +5,7 @@
 #include "base/domain.h"
 #include "base/sort.h"
 #include "base/tuned.h"
+#include "computed/bonded.h"
 
 /* When the bodies touch, the first step is to this part of the load, and each step grows fourfold.
  * Below it a contact that grows sticks or slides as a whole; that of a flat does not grow. */
@@ -14,6 +15,7 @@ rw_frame rw_contact_frame(const rwedge_contact *c)
 {
     rw_frame frame = rw_frame_of(rw_arcs_of(&c->geometry), c->f, c->tolerance);
     frame.is_held = c->is_held;
+    frame.B = c->unlike ? -c->beta : 0;
     return frame;
 }
 
@@ -70,6 +72,30 @@ static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_nume
     return rw_traction_fit(&now->shear.traction, traction_at, c, n, at, tolerance, 0);
 }
 
+/* That of unlike bodies, which slide. */
+static void pressure_at(const double x[], const void *context, double value[])
+{
+    static const double surface[RW_TERMS] = {0};
+    const rwedge_contact *c = context;
+    rw_contact_fields fields;
+    rw_contact_fields_at(c, 1, c->memory.count, RW_TERMS, x, surface, &fields);
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = -c->f * fields.normal.G_im[i];
+}
+
+static bool fit_pressure(const rwedge_contact *c, const rw_frame *frame, rw_numerical_state *now)
+{
+    double at[RW_MOST_BENDS + 2];
+    if (!c->unlike)
+        return true;
+    const size_t n = rw_breaks_of(frame, now->contact, 0, NULL, at);
+    const double tolerance =
+        RW_FIT_OF_FRICTION * frame->tolerance * rw_peak_friction(frame, now->contact);
+    now->coupling = frame->B / frame->f;
+    now->tilt = rw_memory_end(&c->memory)->tilt;
+    return rw_traction_fit(&now->pressed, pressure_at, c, n, at, tolerance, 0);
+}
+
 rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *c)
 {
     const rw_corner *end = rw_memory_end(&c->memory);
@@ -79,9 +105,10 @@ rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *c)
                                                             c->is_held ? c->held_tilt : c->loads.M,
                                                             end->shear, end->stretch)};
     now.shear.zones = rw_contact_zones(c);
-    if (fit_traction(c, &frame, &now))
+    if (fit_traction(c, &frame, &now) && fit_pressure(c, &frame, &now))
         return rw_numerical_begin(&frame, &now, rw_contact_knows_slip(c), slip_at, c);
     rw_traction_destroy(&now.shear.traction);
+    rw_traction_destroy(&now.pressed);
     return NULL;
 }
 
@@ -155,9 +182,36 @@ static rw_numerical *begin_flat(const rw_frame *frame, double stretch, rw_numeri
     return NULL;
 }
 
+/* Unlike bodies: pressed alone, all at once; else from a small load on. A pad that is not symmetric
+ * begins without shear, which is forgotten as the load grows. */
+static rw_numerical *begin_unlike(const rwedge_contact *c, const rw_frame *frame,
+                                  rw_scaled_loads from, rw_scaled_loads to)
+{
+    const bool is_symmetric = rw_is_symmetric(&c->geometry) && to.turn == 0;
+    const bool is_alone = is_symmetric && to.shear == 0 && to.stretch == from.stretch;
+    rw_numerical_state now = {.at = is_alone ? to : rw_part_of_line(from, to, FIRST_TOUCH)};
+    bool is_done = is_symmetric && rw_press_bonded(frame, &now);
+    if (!is_symmetric) {
+        now.contact = rw_patch_of_loads(frame, now.at);
+        now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
+        is_done = rw_frame_fit(frame, now.contact, 0, 0, 1, &now.shear.traction) &&
+                  rw_coupled_press(frame, &now);
+    }
+    rw_numerical *n = is_done ? rw_numerical_begin(frame, &now, true, NULL, NULL) : NULL;
+    if (n)
+        rw_numerical_add_error(n, rw_bonded_error(frame));
+    if (!is_done) {
+        rw_traction_destroy(&now.shear.traction);
+        rw_traction_destroy(&now.pressed);
+    }
+    return n;
+}
+
 rw_numerical *rw_numerical_of_touching(const rwedge_contact *c, rw_scaled_loads to)
 {
     const rw_frame frame = rw_contact_frame(c);
+    if (frame.B != 0)
+        return begin_unlike(c, &frame, rw_loads_before_touching(c, to), to);
     const rw_scaled_loads from = rw_loads_before_touching(c, to);
     const rw_scaled_loads change = {to.P, to.turn - from.turn, to.shear, to.stretch - from.stretch};
     rw_numerical_state now = {.contact = rw_patch_of_loads(&frame, to), .at = to};

@@ -20,6 +20,14 @@ static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_lo
     return rw_numerical_step(n, &loose, at, effort);
 }
 
+/* The edges of unlike bodies turn where their shear does. */
+static rw_turns turns_of(const rw_frame *frame, rw_patch from, rw_patch to)
+{
+    return frame->B != 0    ? (rw_turns){{1, 1}}
+           : frame->is_held ? rw_arcs_turns_of_tilt(&frame->arcs, from, to)
+                            : rw_arcs_turns(&frame->arcs, from, to);
+}
+
 /* To loads under which this is the contact, in parts where P grows or falls much: a contact that
  * becomes much larger or smaller errs in parts of each peak pressure that it has on the way. A
  * step ends where an edge turns, because slip counts from when a place comes into contact. */
@@ -29,8 +37,7 @@ static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads t
     const double last_peak = rw_peak_friction(frame, contact);
     const double folds = fabs(log(to.P / from.P)) / log(RW_FOLD);
     const int parts = (int)fmax(1, ceil(folds - 1e-9));
-    const rw_turns turns = (frame->is_held ? rw_arcs_turns_of_tilt
-                                           : rw_arcs_turns)(&frame->arcs, n->now.contact, contact);
+    const rw_turns turns = turns_of(frame, n->now.contact, contact);
     int32_t status = RWEDGE_OK;
     int effort = RW_MOST_EFFORT;
     double done = 0;
@@ -175,7 +182,7 @@ static double work_of(const rwedge_contact *c, double energy)
 /* Keeps a copy of the contact in its last closed form. */
 static bool keep_exact(rwedge_contact *c)
 {
-    return c->computed.now || c->memory.count == 1 ||
+    return c->computed.now || c->memory.count == 1 || c->unlike ||
            rwedge_contact_copy(c, &c->computed.exact) == RWEDGE_OK;
 }
 
@@ -200,7 +207,23 @@ static void take(rwedge_contact *c, rw_numerical *start, rw_numerical *next, dou
     rw_numerical_add_error(next, strayed);
 }
 
-int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
+/* Where a step of unlike bodies has led: the contact, the tilt or the moment. */
+static void note_end(const rw_numerical_state *now, rw_step *step)
+{
+    double load = 0, moment = 0;
+    for (size_t i = 0; i < now->pressed.count; i++)
+        for (int k = 0; k < RW_TERMS; k++) {
+            load += now->pressed.elements[i].load[k];
+            moment += now->pressed.elements[i].load[k] * now->pressed.elements[i].x[k];
+        }
+    step->patch = now->contact;
+    if (step->is_held)
+        step->to_M = moment / load * step->to_P;
+    else
+        step->to.tilt = now->tilt;
+}
+
+int32_t rw_numerical_go(rwedge_contact *c, rw_step *step, double *energy)
 {
     rw_numerical *start = c->computed.start, *next = NULL;
     double strayed = stray(c, step);
@@ -210,6 +233,12 @@ int32_t rw_numerical_go(rwedge_contact *c, const rw_step *step, double *energy)
         strayed = 0;
         start = new_start(c, step);
         status = start ? reach(c, step, start, &next) : RWEDGE_ENOMEM;
+    }
+    if (status == RWEDGE_OK && c->unlike) {
+        note_end(&next->now, step);
+        const double reach = c->geometry.reach;
+        if (reach > 0 && !(fmax(-step->patch.left, step->patch.right) <= reach))
+            status = RWEDGE_ERANGE;
     }
     if (status == RWEDGE_OK && !(rw_memory_reserve(&c->memory, 2) && keep_exact(c)))
         status = RWEDGE_ENOMEM;

@@ -7,8 +7,9 @@
 #include "contact/contact.h"
 
 /* Goes on to a load under which the contact neither separates nor slides. Unless RWEDGE_OK, the
- * contact is as before. energy receives what the load dissipates. */
-int32_t rw_numerical_go(rwedge_contact *contact, const rw_step *step, double *energy);
+ * contact is as before. energy receives what the load dissipates. Of unlike bodies the step learns
+ * where it leads. */
+int32_t rw_numerical_go(rwedge_contact *contact, rw_step *step, double *energy);
 
 /* The energy that the way to separation dissipates; NaN where that is not known. RWEDGE_ENOMEM. */
 int32_t rw_numerical_energy_to_separation(const rwedge_contact *contact, double *energy);

@@ -25,6 +25,13 @@ static const rw_traction *shear_of(const rwedge_contact *contact)
     return &contact->computed.now->now.shear.traction;
 }
 
+/* f times the pressure where it is no patch's; else NULL. */
+static const rw_traction *pressed_of(const rwedge_contact *contact)
+{
+    return contact->unlike && contact->phase == RW_COMPUTED ? &contact->computed.now->now.pressed
+                                                            : NULL;
+}
+
 /* ---- Tractions ---- */
 
 double rw_pressure_of(const rw_geometry *g, rw_patch patch, double x)
@@ -40,6 +47,9 @@ double rw_pressure_of(const rw_geometry *g, rw_patch patch, double x)
 double rw_contact_pressure(const rwedge_contact *c, double x)
 {
     const rw_patch patch = rw_memory_end(&c->memory)->patch;
+    const rw_traction *pressed = pressed_of(c);
+    if (pressed)
+        return 0 - fmax(0, rw_traction_at(pressed, x)) / c->f;
     if (!c->unlike)
         return rw_pressure_of(&c->geometry, patch, x);
     const rw_arcs arcs = rw_arcs_of(&c->geometry);
@@ -92,6 +102,8 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
             pressure = rw_unit_stress(g) * rw_pressure_of(g, memory->corners[j].patch, at);
             shear += rw_patch_weight(memory, j) * pressure;
         }
+        if (contact->unlike)
+            pressure = rw_unit_stress(g) * rw_contact_pressure(contact, at);
         p[i] = pressure; /* the last patch is the contact */
         q[i] = contact->phase == RW_COMPUTED
                    ? -rw_unit_stress(g) * rw_traction_at(shear_of(contact), at)
@@ -139,6 +151,10 @@ void rw_contact_fields_at(const rwedge_contact *contact, size_t first, size_t la
         add_corner(contact, end, n, x, y, &fields->normal, &fields->tangential);
     if (contact->phase == RW_COMPUTED)
         rw_add_traction(shear_of(contact), contact->f, n, x, y, &fields->tangential);
+    if (pressed_of(contact)) {
+        rw_clear_fields(n, &fields->normal);
+        rw_add_traction(pressed_of(contact), contact->f, n, x, y, &fields->normal);
+    }
 }
 
 void rw_contact_stresses_from(const rwedge_contact *contact, double sigma, const rw_fields *normal,

@@ -116,7 +116,8 @@ static inline rw_goal rw_goal_of(const rwedge_contact *c, rw_loads to)
 /* How the contact slides: both bodies count as similar where it does not. */
 static inline rw_sliding_way rw_contact_way(const rwedge_contact *c)
 {
-    return (rw_sliding_way){c->unlike, rw_memory_end(&c->memory)->ratio < 0 ? -1 : 1};
+    return (rw_sliding_way){c->phase == RW_COMPUTED ? NULL : c->unlike,
+                            rw_memory_end(&c->memory)->ratio < 0 ? -1 : 1};
 }
 
 /* Whether it has had a moment, or another tension than at first, since the bodies touched. */

@@ -12,8 +12,10 @@
 void rw_record_destroy(rw_record *r)
 {
     for (size_t i = 0; i < r->count; i++)
-        if (!r->entries[i].is_lent)
+        if (!r->entries[i].is_lent) {
             rw_traction_destroy(&r->entries[i].shear);
+            rw_traction_destroy(&r->entries[i].pressed);
+        }
     free(r->own.all);
     free(r->now.all);
     free(r->entries);
@@ -44,10 +46,13 @@ bool rw_record_add(rw_record *r, const rwedge_contact *contact, const rw_entry *
     rw_entry *e = &r->entries[r->count++];
     *e = (rw_entry){.sigma = contact->loads.sigma, .is_lent = lender != NULL};
     r->now.count = 0;
-    if (lender)
+    if (lender) {
         e->shear = lender->shear;
-    else if (contact->phase == RW_COMPUTED)
+        e->pressed = lender->pressed;
+    } else if (contact->phase == RW_COMPUTED) {
         e->shear = rw_traction_copy(&contact->computed.now->now.shear.traction, &is_whole);
+        e->pressed = rw_traction_copy(&contact->computed.now->now.pressed, &is_whole);
+    }
     if (!is_whole || !reserve(&r->own, memory->count) || !reserve(&r->now, memory->count))
         return false;
     for (size_t j = 1; j < memory->count; j++) {
@@ -130,11 +135,15 @@ static void compute_blocks(const rwedge_contact *contact, const rw_record *r, le
             const size_t to = load * p->n + start;
             follow_load(&b, e, own);
             own += e->own;
-            rw_fields shear = levels[b.top].sum;
+            rw_fields shear = levels[b.top].sum, pressure = levels[b.top].field;
             if (e->shear.count > 0)
                 rw_add_traction(&e->shear, contact->f, size, b.x, b.y, &shear);
-            rw_contact_stresses_from(contact, e->sigma, &levels[b.top].field, &shear, size,
-                                     p->sxx + to, p->syy + to, p->txy + to);
+            if (e->pressed.count > 0) {
+                rw_clear_fields(size, &pressure);
+                rw_add_traction(&e->pressed, contact->f, size, b.x, b.y, &pressure);
+            }
+            rw_contact_stresses_from(contact, e->sigma, &pressure, &shear, size, p->sxx + to,
+                                     p->syy + to, p->txy + to);
         }
     }
 }

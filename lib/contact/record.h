@@ -23,8 +23,9 @@ typedef struct {
 typedef struct {
     size_t kept, own;
     double sigma;
-    rw_traction shear; /* where it is no sum of pieces */
-    bool is_lent;      /* the shear is that of another record */
+    rw_traction shear;   /* where it is no sum of pieces */
+    rw_traction pressed; /* f times the pressure where it is no patch's */
+    bool is_lent;        /* both are those of another record */
 } rw_entry;
 
 typedef struct {

@@ -78,6 +78,7 @@ rw_frame rw_frame_like(const rw_frame *frame, double tolerance)
 {
     rw_frame like = rw_frame_of(frame->arcs, frame->f, tolerance);
     like.is_held = frame->is_held;
+    like.B = frame->B;
     return like;
 }
 
@@ -160,6 +161,22 @@ bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch c
                               .tolerance = frame->tolerance,
                               .peak = rw_peak_friction(frame, contact)};
     return rw_frame_fit(frame, contact, frame->f, 0, friction->peak, &friction->traction);
+}
+
+bool rw_friction_couple(rw_friction *friction, const rw_frame *frame, const rw_friction *alone,
+                        const rw_bounded_inverse *inverse, int kinks, const double kink[])
+{
+    double at[RW_MOST_KINKS + RW_MOST_BENDS + 2];
+    const size_t breaks = rw_breaks_of(frame, alone->contact, kinks, kink, at);
+    *friction = *alone;
+    friction->traction = (rw_traction){0};
+    friction->own = &alone->traction;
+    const bool is_done = rw_bounded_inverse_add(
+        &friction->traction, &alone->traction, inverse, alone->contact, frame->f * frame->B, breaks,
+        at, RW_FIT_OF_FRICTION * frame->tolerance * alone->peak);
+    if (!is_done)
+        rw_friction_destroy(friction);
+    return is_done;
 }
 
 void rw_friction_destroy(rw_friction *friction)

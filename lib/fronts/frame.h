@@ -5,18 +5,20 @@
 #define RW_FRAME_H
 
 #include "formulas/arcs.h"
-#include "traction/traction.h"
+#include "traction/bounded_inverse.h"
 
-enum { RW_MOST_BENDS = 24 };
+enum { RW_MOST_BENDS = 24, RW_MOST_KINKS = 128 };
 
 /* What all steps of a contact share: the profile, friction, and the tolerance of q over f times the
  * peak pressure. Bends are places where the curvature of the profile jumps so much that a pressure
  * is not smooth there. A load after which the error is twice what it was, and `far_off` more, has
- * not converged. Whether the pad is held says what of its loads goes straight (step.h). */
+ * not converged. Whether the pad is held says what of its loads goes straight (step.h). B is minus
+ * Dundurs' beta of the half-plane and the pad, 0 for similar bodies. */
 typedef struct {
     rw_arcs arcs;
     double f, tolerance, far_off;
     bool is_held;
+    double B;
     int bends;
     double bend[RW_MOST_BENDS];
 } rw_frame;
@@ -44,14 +46,27 @@ double rw_peak_friction(const rw_frame *frame, rw_patch contact);
 bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double slope, double peak,
                   rw_traction *traction);
 
+/* Of unlike bodies `own` is what the pad alone makes, which is that of another friction; of similar
+ * bodies it is NULL: that is all. */
 typedef struct {
     rw_patch contact;
     double tolerance, peak;
     rw_traction traction;
+    const rw_traction *own;
 } rw_friction;
 
-/* false where memory is short; then there is nothing to destroy. */
+static inline const rw_traction *rw_own_friction(const rw_friction *friction)
+{
+    return friction->own ? friction->own : &friction->traction;
+}
+
+/* Of similar bodies. false where memory is short; then there is nothing to destroy. */
 bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch contact);
+
+/* Of unlike bodies: that of the pad alone, which is to live as long, and f B L[t]. Kinks are those
+ * of t on the contact. */
+bool rw_friction_couple(rw_friction *friction, const rw_frame *frame, const rw_friction *alone,
+                        const rw_bounded_inverse *inverse, int kinks, const double kink[]);
 void rw_friction_destroy(rw_friction *friction);
 
 #endif

@@ -78,13 +78,29 @@ static rw_power_scale scale_of(const rw_problem *p)
     return (rw_power_scale){p->middle, p->half};
 }
 
+/* The change of friction by the pad alone; F is friction after the step. */
+static void own_change(const rw_problem *p, size_t n, const double x[], const double F[],
+                       double change[])
+{
+    double after[RW_TERMS];
+    const bool is_coupled = !p->is_rate && p->after->own;
+    for (size_t i = 0; i < n; i += RW_TERMS) {
+        const size_t block = n - i < RW_TERMS ? n - i : RW_TERMS;
+        if (is_coupled) {
+            rw_traction_values(p->before->own, block, x + i, change + i);
+            rw_traction_values(p->after->own, block, x + i, after);
+        } else
+            rw_friction_before(p, block, x + i, change + i);
+        for (size_t k = 0; k < block; k++)
+            change[i + k] = (is_coupled ? after[k] : F[i + k]) - change[i + k];
+    }
+}
+
 void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[], const double F[],
                      size_t stride, double change[])
 {
     if (count > 0)
-        rw_friction_before(p, n, x, change);
-    for (size_t i = 0; i < n && count > 0; i++)
-        change[i] = F[i] - change[i];
+        own_change(p, n, x, F, change);
     for (int k = 1; k < count; k++)
         for (size_t i = 0; i < n; i++)
             change[(size_t)k * stride + i] = rw_power(scale_of(p), k, x[i]) * change[i] +
@@ -166,7 +182,7 @@ static const double AT_EDGE = 1e-6;
 /* The integral of u^k p. */
 static double moment_of(double f, rw_power_scale scale, const rw_friction *friction, int k)
 {
-    const rw_traction *t = &friction->traction;
+    const rw_traction *t = rw_own_friction(friction);
     double sum = 0;
     for (size_t i = 0; i < t->count; i++)
         for (int j = 0; j < RW_TERMS; j++)

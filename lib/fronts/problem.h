@@ -19,7 +19,7 @@
 #include "traction/layers.h"
 #include "traction/traction.h"
 
-enum { RW_MOST_ZONES = 24, RW_MOST_KINKS = 128 };
+enum { RW_MOST_ZONES = 24 };
 
 /* A zone that sticks, label 0, or slips, label S = +-1, the sign of t. Neighbours share their
  * ends. */

@@ -191,12 +191,12 @@ static int32_t go_on(rwedge_contact *contact, rw_goal to, const rw_step *step,
 
 /* ---- Without a closed form ---- */
 
-static int32_t go_numerically(rwedge_contact *contact, rw_goal to, const rw_step *step)
+static int32_t go_numerically(rwedge_contact *contact, rw_goal to, rw_step *step)
 {
     share energy = {.is_known = true};
     const bool touches = contact->phase == RW_APART;
     const double before = contact->loads.sigma;
-    const rw_patch settled = touches ? step->patch : settled_part(contact);
+    const rw_patch settled = touches ? (rw_patch){-HUGE_VAL, HUGE_VAL} : settled_part(contact);
     const int32_t status = rw_numerical_go(contact, step, &energy.value);
     if (status != RWEDGE_OK)
         return status;
@@ -240,7 +240,7 @@ static int32_t apply_numerically(rwedge_contact *contact, rw_goal to)
     const int32_t status = rw_step_to(contact, to, &step);
     if (status != RWEDGE_OK)
         return status;
-    if (contact->phase == RW_COMPUTED && (to.P == 0 || fabs(step.to.shear) >= step.to.load))
+    if (contact->phase == RW_COMPUTED && (to.P == 0 || rw_slides_at_end(&step)))
         return leave_shear(contact, to, &step);
     return contact->tolerance > 0 ? go_numerically(contact, to, &step) : RWEDGE_EPATH;
 }
@@ -265,6 +265,8 @@ static int32_t apply_whole(rwedge_contact *contact, rw_goal to)
     if (status != RWEDGE_OK)
         return status;
     rw_departure departure = {.corner = {0}};
+    if (contact->unlike && !rw_slides_at_end(&step)) /* full sliding alone has a closed form */
+        return RWEDGE_EPATH;
     if (contact->unlike)
         departure = departure_from_all(contact, &step);
     else if (contact->f > 0 && rw_path_departure(&step, &departure) != RW_NO_OBSTACLE)
@@ -342,7 +344,7 @@ int32_t rw_contact_apply_alone(rwedge_contact *contact, rw_goal to)
     const int32_t status = apply_whole(contact, to);
     if (status != RWEDGE_EPATH)
         return status;
-    if (contact->phase == RW_APART)
+    if (contact->phase == RW_APART || contact->unlike)
         return apply_numerically(contact, to);
     rwedge_contact *trial;
     if (rwedge_contact_copy(contact, &trial) != RWEDGE_OK)

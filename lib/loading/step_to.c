@@ -107,6 +107,11 @@ static void press_similar(const rwedge_contact *contact, rw_goal to, rw_step *st
         step->to_M = moment_of(g, to.P, step->patch, to.turn);
 }
 
+bool rw_slides_at_end(const rw_step *step)
+{
+    return fabs(step->to.shear) >= step->to.load;
+}
+
 /* The step to the loads in the units of the memory, and the patch that it leads to. */
 static int32_t make_step(const rwedge_contact *contact, rw_goal to, rw_step *step)
 {
@@ -123,10 +128,10 @@ static int32_t make_step(const rwedge_contact *contact, rw_goal to, rw_step *ste
     const int32_t status = shear_of(contact, to.P, to.Q, &step->to.shear);
     if (status != RWEDGE_OK)
         return status;
-    if (contact->unlike && fabs(step->to.shear) < to.P) /* full sliding alone has a closed form */
-        return RWEDGE_EPATH;
     step->to.stretch = rw_contact_stretch(contact, to.sigma);
-    const bool turns = contact->unlike && way_to(contact, step).way != rw_contact_way(contact).way;
+    const bool slides = contact->unlike && rw_slides_at_end(step);
+    const bool turns = slides && (contact->phase != RW_SLIDING ||
+                                  way_to(contact, step).way != rw_contact_way(contact).way);
     if (!turns && is_same_pressing(contact, to) &&
         (to.turn != 0 || !rw_memory_is_plain(&contact->memory, step->to))) {
         step->to_P = step->from_P;
@@ -136,7 +141,7 @@ static int32_t make_step(const rwedge_contact *contact, rw_goal to, rw_step *ste
         step->patch = end->patch;
         return RWEDGE_OK;
     }
-    if (contact->unlike && to.P > 0)
+    if (slides && to.P > 0)
         press_unlike(contact, to, step);
     else
         press_similar(contact, to, step);

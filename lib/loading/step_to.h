@@ -12,6 +12,9 @@
  * allowed. */
 int32_t rw_step_to(const rwedge_contact *contact, rw_goal to, rw_step *step);
 
+/* Whether friction is exhausted after a step. */
+bool rw_slides_at_end(const rw_step *step);
+
 /* The patch under the next loads; NaN where they are refused or separate the bodies. */
 rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to);
 

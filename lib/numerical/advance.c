@@ -33,13 +33,14 @@ static bool is_known(const rw_numerical_state *s)
 static void drop(rw_numerical_state *s)
 {
     rw_traction_destroy(&s->shear.traction);
+    rw_traction_destroy(&s->pressed);
 }
 
 /* Takes the place of another state, which is not known. */
 static void move(rw_numerical_state *to, rw_numerical_state *from)
 {
     *to = *from;
-    from->shear.traction = (rw_traction){0};
+    from->shear.traction = from->pressed = (rw_traction){0};
 }
 
 /* Makes the end of a step the present state. */
@@ -51,7 +52,8 @@ static bool accept(load_work *j, const rw_numerical_state *half, rw_numerical_st
         j->work.is_short = true;
         return false;
     }
-    rw_settle_energy(&j->work, &n->now, half, now);
+    if (frame->B == 0)
+        rw_settle_energy(&j->work, &n->now, half, now);
     rw_shear_state_smooth(&now->shear, now->contact,
                           frame->tolerance * rw_peak_friction(frame, now->contact));
     rw_numerical_note_error(n, half, now, frame->tolerance);
@@ -116,7 +118,9 @@ static bool advance_over_onset(load_work *j, int division, rw_scaled_loads to, d
 /* The part of a step, known as a whole or not, after which slip begins at an edge that grows. */
 static double onset_in(load_work *j, const rw_numerical_state *whole)
 {
-    return is_known(whole) ? rw_onset_of_slip(&j->work, &j->next->now, whole) : 1;
+    return is_known(whole) && j->work.frame->B == 0
+               ? rw_onset_of_slip(&j->work, &j->next->now, whole)
+               : 1;
 }
 
 /* Goes on to a load. It is divided until the error of each part is small, or the effort is spent.

@@ -17,6 +17,7 @@ rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state
     rw_numerical *n = malloc(sizeof *n);
     if (!n) {
         rw_traction_destroy(&begun.shear.traction);
+        rw_traction_destroy(&begun.pressed);
         return NULL;
     }
     *n = (rw_numerical){.now = begun};
@@ -32,6 +33,7 @@ rw_numerical *rw_numerical_copy(const rw_numerical *n, bool *is_whole)
     if (!copy)
         return NULL;
     copy->now.shear.traction = rw_traction_copy(&n->now.shear.traction, is_whole);
+    copy->now.pressed = rw_traction_copy(&n->now.pressed, is_whole);
     copy->origin = rw_traction_copy(&n->origin, is_whole);
     copy->friction.traction = rw_traction_copy(&n->friction.traction, is_whole);
     return copy;
@@ -42,6 +44,7 @@ void rw_numerical_destroy(rw_numerical *n)
     if (!n)
         return;
     rw_traction_destroy(&n->now.shear.traction);
+    rw_traction_destroy(&n->now.pressed);
     rw_traction_destroy(&n->origin);
     rw_friction_destroy(&n->friction);
     free(n);

@@ -2,7 +2,6 @@
 #include "numerical/origin.h"
 
 #include "base/tuned.h"
-#include "traction/transform.h"
 
 /* ---- The beginning ---- */
 
@@ -12,12 +11,6 @@ typedef struct {
     const void *context;
 } beginning;
 
-/* The displacement by the traction and the stretch, less the rigid move of the zones that stick. */
-static double displacement(const rw_numerical_state *s, double x)
-{
-    return rw_traction_displacement(&s->shear.traction, x) + s->at.stretch * x - s->move;
-}
-
 static void origin_at_first(const double x[], const void *context, double origin[])
 {
     const beginning *b = context;
@@ -25,7 +18,7 @@ static void origin_at_first(const double x[], const void *context, double origin
     if (b->slip)
         b->slip(x, b->context, slip);
     for (int i = 0; i < RW_TERMS; i++)
-        origin[i] = slip[i] - displacement(b->now, x[i]);
+        origin[i] = slip[i] - rw_displacement_of(b->now, x[i]);
 }
 
 /* Over what friction and what the stretch moves. */
@@ -49,7 +42,7 @@ bool rw_numerical_count_slip(rw_numerical *n, const rw_frame *frame, rw_values s
 
 double rw_numerical_slip(const rw_numerical *n, double x)
 {
-    return rw_traction_at(&n->origin, x) + displacement(&n->now, x);
+    return rw_traction_at(&n->origin, x) + rw_displacement_of(&n->now, x);
 }
 
 /* ---- New places in contact ---- */
@@ -67,7 +60,7 @@ static double origin_between(const rw_numerical_state *from, const rw_numerical_
     const double part = x > from->contact.right
                             ? (x - from->contact.right) / (to->contact.right - from->contact.right)
                             : (x - from->contact.left) / (to->contact.left - from->contact.left);
-    return -(1 - part) * displacement(from, x) - part * displacement(to, x);
+    return -(1 - part) * rw_displacement_of(from, x) - part * rw_displacement_of(to, x);
 }
 
 /* Of a place that comes into contact in the step. It has slip 0 then, and keeps it where it
@@ -78,7 +71,7 @@ static void new_origin(const double x[], const void *context, double origin[])
     for (int i = 0; i < RW_TERMS; i++) {
         const bool sticks = rw_zones_label(&g->half->shear.zones, x[i]) == 0 &&
                             rw_zones_label(&g->now->shear.zones, x[i]) == 0;
-        origin[i] = sticks ? -displacement(g->now, x[i])
+        origin[i] = sticks ? -rw_displacement_of(g->now, x[i])
                     : rw_patch_has(g->half->contact, x[i])
                         ? origin_between(&g->numerical->now, g->half, x[i])
                         : origin_between(g->half, g->now, x[i]);

@@ -29,6 +29,15 @@ typedef struct {
     const rw_layers *layers; /* of the grid */
 } after;
 
+/* Unlike bodies slip in a rim that runs with an edge that grows: what sticks there goes beyond
+ * friction by little, and is cut off. */
+static void cut_rim(const rw_problem *p, const double x[], const double F[], double t[])
+{
+    for (int i = 0; i < RW_TERMS && p->after->own; i++)
+        if (!rw_patch_has(p->from, x[i]) && fabs(t[i]) - F[i] < RW_RIM * p->scale)
+            t[i] = fmax(-F[i], fmin(F[i], t[i]));
+}
+
 /* The places are of one zone, but where the ends of a narrow one are one break. */
 static void traction_after(const double x[], const void *context, double t[])
 {
@@ -45,6 +54,7 @@ static void traction_after(const double x[], const void *context, double t[])
     else if (sticks)
         rw_fronts_stick_traction(n->fronts, &n->stuck, RW_TERMS, x, t);
     rw_friction_after(n->problem, RW_TERMS, x, F);
+    cut_rim(n->problem, x, F, t);
     for (int i = 0; i < RW_TERMS; i++)
         if (label[i] != 0)
             t[i] = label[i] * F[i];

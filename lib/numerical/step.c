@@ -4,7 +4,9 @@
 #include "base/always.h"
 #include "base/domain.h"
 #include "base/tuned.h"
+#include "numerical/coupled.h"
 #include "numerical/rates.h"
+#include "traction/transform.h"
 
 double rw_place(rw_patch contact, int i)
 {
@@ -104,6 +106,30 @@ static bool is_exact(rw_work *w, const rw_problem *p, const rw_numerical_state *
                RW_LITTLE_EXCESS * p->allowed * p->scale;
 }
 
+void rw_note_outcome(const rw_problem *p, const rw_numerical_state *from, rw_scaled_loads to,
+                     const rw_outcome *outcome, rw_numerical_state *there)
+{
+    *there = (rw_numerical_state){
+        .shear = outcome->state,
+        .contact = p->to,
+        .at = to,
+        .is_still = from->is_still && p->is_still,
+        .unslipped = rw_zones_widest_stick(&outcome->state.zones, never_slipped(from, p)),
+        .move = from->move + outcome->move,
+        .energy = from->energy + outcome->energy,
+        .doubt = outcome->doubt,
+        .layers = outcome->layers,
+        .D = {outcome->D[0], outcome->D[1]},
+        .error = outcome->violation};
+}
+
+double rw_displacement_of(const rw_numerical_state *s, double x)
+{
+    const double shear = rw_traction_displacement(&s->shear.traction, x) + s->at.stretch * x;
+    return s->coupling == 0 ? shear - s->move
+                            : shear - s->coupling * rw_traction_load_to(&s->pressed, x) - s->move;
+}
+
 static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
                     rw_scaled_loads to, const rw_zones *guess, bool coarse,
                     rw_numerical_state *there)
@@ -111,18 +137,7 @@ static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *f
     rw_outcome outcome;
     if (!rw_search(w, p, guess, coarse || w->effort > w->most_effort, &outcome))
         return false;
-    *there = (rw_numerical_state){
-        .shear = outcome.state,
-        .contact = p->to,
-        .at = to,
-        .is_still = from->is_still && p->is_still,
-        .unslipped = rw_zones_widest_stick(&outcome.state.zones, never_slipped(from, p)),
-        .move = from->move + outcome.move,
-        .energy = from->energy + outcome.energy,
-        .doubt = outcome.doubt,
-        .layers = outcome.layers,
-        .D = {outcome.D[0], outcome.D[1]},
-        .error = outcome.violation};
+    rw_note_outcome(p, from, to, &outcome, there);
     note_rate_errors(w, p, from, there);
     there->is_exact = is_exact(w, p, from, there);
     return true;
@@ -132,6 +147,8 @@ bool rw_implicit_step(rw_work *w, const rw_numerical_state *from, rw_scaled_load
                       const rw_zones *guess, bool coarse, rw_numerical_state *there)
 {
     rw_problem p;
+    if (w->frame->B != 0)
+        return rw_coupled_step(w, from, to, guess, coarse || w->effort > w->most_effort, there);
     if (!set_step(w, from, to, &p))
         return false;
     return step_to(w, &p, from, to, guess, coarse, there);
@@ -165,6 +182,8 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_st
 {
     rw_problem p;
     rw_outcome outcome;
+    if (w->frame->B != 0) /* the pressure changes */
+        return false;
     const bool is_set = set_problem(w, from, there->at, there->contact, &p);
     if (NEVER(!is_set)) /* the step to `there` has read and kept both frictions */
         return false;
@@ -286,7 +305,7 @@ static double edge_error(rw_work *w, const rw_numerical_state *from,
 {
     rw_problem rates;
     double D[2], most = 0;
-    if (isnan(there->D[0]) && isnan(there->D[1]))
+    if ((isnan(there->D[0]) && isnan(there->D[1])) || w->frame->B != 0)
         return 0;
     rw_step_rates(w, from->at, there->at, there->contact, &rates);
     rw_rates_ratio(&w->fronts, &rates, &there->shear.zones, D);

@@ -42,6 +42,9 @@ typedef struct {
     double start_error, end_error, rate_error; /* its errors by the rates at its ends (rates.h),
                                 and the larger one, over the scale */
     bool is_exact;                             /* what sticks after that step stuck all the time */
+    /* of unlike bodies: f times the pressure, B/f, and the tilt (coupled.h); else none */
+    rw_traction pressed;
+    double coupling, tilt;
     rw_layers layers; /* of the step that led here, and D at its end (outcome.h) */
     double D[2];
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
@@ -52,6 +55,14 @@ typedef struct {
  * zones of a similar step, which are tried first. */
 bool rw_implicit_step(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
                       const rw_zones *guess, bool coarse, rw_numerical_state *there);
+
+/* The end of a step with its outcome, whose traction it takes over. */
+void rw_note_outcome(const rw_problem *problem, const rw_numerical_state *from, rw_scaled_loads to,
+                     const rw_outcome *outcome, rw_numerical_state *there);
+
+/* The displacement of the surface by both tractions and the stretch, less the rigid move of the
+ * zones that stick. */
+double rw_displacement_of(const rw_numerical_state *state, double x);
 
 /* The rates of a step on a contact that it passes. */
 void rw_step_rates(const rw_work *work, rw_scaled_loads from, rw_scaled_loads to, rw_patch contact,

@@ -72,3 +72,46 @@ double rw_bounded_inverse_at(const rw_bounded_inverse *inverse, rw_patch patch, 
                                                  : own.right - (patch.right - x) * stretch;
     return root_at(own, at) * rw_traction_slope(&inverse->density, at);
 }
+
+/* ---- As a traction ---- */
+
+typedef struct {
+    const rw_bounded_inverse *inverse;
+    rw_patch patch;
+    double factor;
+} multiple;
+
+static void multiple_at(const double x[], const void *context, double value[])
+{
+    const multiple *m = context;
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] = m->factor * rw_bounded_inverse_at(m->inverse, m->patch, x[i]);
+}
+
+typedef struct {
+    const rw_traction *a, *b;
+} pair;
+
+static void sum_at(const double x[], const void *context, double value[])
+{
+    const pair *p = context;
+    double other[RW_TERMS];
+    rw_traction_values(p->a, RW_TERMS, x, value);
+    rw_traction_values(p->b, RW_TERMS, x, other);
+    for (int i = 0; i < RW_TERMS; i++)
+        value[i] += other[i];
+}
+
+/* L[t] is slow to compute, and smoother than the other one: it is fitted first. */
+bool rw_bounded_inverse_add(rw_traction *sum, const rw_traction *other,
+                            const rw_bounded_inverse *inverse, rw_patch patch, double factor,
+                            size_t breaks, const double at[], double tolerance)
+{
+    rw_traction alone = {0};
+    const bool is_done =
+        rw_traction_fit(&alone, multiple_at, &(multiple){inverse, patch, factor}, breaks, at,
+                        RW_FIT_OF_INVERSE * tolerance, RW_FIT_NOISE) &&
+        rw_traction_fit(sum, sum_at, &(pair){other, &alone}, breaks, at, tolerance, RW_FIT_NOISE);
+    rw_traction_destroy(&alone);
+    return is_done;
+}

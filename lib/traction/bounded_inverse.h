@@ -22,6 +22,12 @@ bool rw_bounded_inverse_create(rw_bounded_inverse *inverse, rw_patch patch, rw_v
                                double tolerance);
 void rw_bounded_inverse_destroy(rw_bounded_inverse *inverse);
 
+/* Appends to `sum` another traction and `factor` L[t], on a patch; breaks are those of both. false
+ * where memory is short. */
+bool rw_bounded_inverse_add(rw_traction *sum, const rw_traction *other,
+                            const rw_bounded_inverse *inverse, rw_patch patch, double factor,
+                            size_t breaks, const double at[], double tolerance);
+
 /* L[t] at a place; of a function that is scaled, with its patch, to another patch. 0 outside. */
 double rw_bounded_inverse_at(const rw_bounded_inverse *inverse, rw_patch patch, double x);
 

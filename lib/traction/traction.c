@@ -322,14 +322,40 @@ double rw_traction_total(const rw_traction *t)
     return sum;
 }
 
-static void values_of(const double x[], const void *context, double value[])
-{
-    rw_traction_values(context, RW_TERMS, x, value);
-}
-
 static double u_at(const rw_element *e, double x)
 {
     return fmax(e->first, fmin(e->last, sqrt(fmax(0, (x - e->end) / e->scale))));
+}
+
+/* The primitive of an element, from `first` on, by Clenshaw's recurrence. */
+static double primitive_at(const rw_element *e, double u)
+{
+    const double v = (2 * u - e->first - e->last) / (e->last - e->first);
+    double b1 = 0, b2 = 0;
+    for (int k = RW_TERMS + 1; k >= 0; k--) {
+        const double b =
+            e->primitive[k] + (2.0 * k + 1) / (k + 1) * v * b1 - (k + 1.0) / (k + 2) * b2;
+        b2 = b1;
+        b1 = b;
+    }
+    return b1;
+}
+
+double rw_traction_load_to(const rw_traction *t, double x)
+{
+    double sum = 0;
+    for (size_t i = 0; i < t->count && t->elements[i].low < x; i++) {
+        const rw_element *e = &t->elements[i];
+        const double whole = primitive_at(e, e->last);
+        const double part = x >= e->high ? whole : primitive_at(e, u_at(e, x));
+        sum += e->scale > 0 || x >= e->high ? part : whole - part;
+    }
+    return sum;
+}
+
+static void values_of(const double x[], const void *context, double value[])
+{
+    rw_traction_values(context, RW_TERMS, x, value);
 }
 
 /* The part of an element between two places. */

@@ -67,7 +67,8 @@ double rw_traction_at(const rw_traction *traction, double x);
 /* Whether one element from each of two places fits all between them to the tolerance. */
 bool rw_traction_is_smooth(const rw_traction *traction, double from, double to, double tolerance);
 
-/* Its integral. */
+/* Its integral; that from its left end to a place. */
 double rw_traction_total(const rw_traction *traction);
+double rw_traction_load_to(const rw_traction *traction, double x);
 
 #endif

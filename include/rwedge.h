@@ -579,21 +579,30 @@ RWEDGE_API int32_t rwedge_contact_set_strain(rwedge_contact *contact, double str
 RWEDGE_API double rwedge_contact_strain(const rwedge_contact *contact);
 
 /* From now on the contact has unlike bodies, whose shear acts on the pressure. A new contact
- * neglects that: beta is 0. With friction it serves full sliding alone, exactly: loads with |Q| =
- * f P, in any order, and P = 0. Without friction beta changes nothing.                          new
+ * neglects that: beta is 0. Without friction beta changes nothing. Full sliding, |Q| = f P, is
+ * exact. Other loads are computed where rwedge_contact_allow_error() allows it, and are refused
+ * with RWEDGE_EPATH where it does not.                                                          new
  *   beta  |beta| <= 1/2: rwedge_dundurs_beta() of the half-plane and the pad, in this order
  * With mu = -beta f, or beta f where Q < 0, and N = -p, the contact solves
  *     (1/pi) PV int N/(x-s) ds - mu N = (A/theta) (slope of the pad less the tilt).
  * N falls to the left edge like the distance to the power 1/2 - atan(mu)/pi, to the right one like
  * 1/2 + atan(mu)/pi. The tension beside the trailing edge is 2 f (slope of the pad less the
  * tilt)/A, as for similar bodies.
- * Other loads are refused with RWEDGE_EPATH, whatever rwedge_contact_allow_error() allows. Slip,
- * energy and displacement are not known, RWEDGE_EPATH or NaN, as of any contact off the centre in
- * full sliding. rwedge_contact_edge_asymptotes() gives RWEDGE_EABSENT and
- * rwedge_contact_permanent_stick() RWEDGE_EPATH. All other functions serve such a contact. Edges,
- * tilt, pressure and stresses err by less than 1e-12 of the values for |mu| <= 1 and arcs longer
- * than 1/100 of the half-width; a shorter arc that ends nearer to an edge of the contact than 16
- * times its length multiplies the error by the half-width over its length.
+ * In full sliding slip, energy and displacement are not known, RWEDGE_EPATH or NaN, as of any
+ * contact off the centre. Edges, tilt, pressure and stresses then err by less than 1e-12 of the
+ * values for |mu| <= 1 and arcs longer than 1/100 of the half-width; a shorter arc that ends nearer
+ * to an edge of the contact than 16 times its length multiplies the error by the half-width over
+ * its length.
+ * In partial slip, with a tolerance of 1e-3 and |beta| <= 0.2, edges err by less than 1e-3 of the
+ * half-width, q by 5e-4 of f times the peak pressure in the mean, the stress beside the contact by
+ * 0.5 % of its largest value, the energy of a cycle by 1 %; rwedge_contact_error() estimates that
+ * of q. A load takes a tenth of a second to one, some seconds where P rises as Q turns round.
+ * Pressing a symmetric pad that is not tilted along P alone, as the first load, is known at once.
+ * Another first load is computed from a small part of it on; one with Q may not converge,
+ * RWEDGE_ENOCONV: press it first.
+ * rwedge_contact_edge_asymptotes() gives RWEDGE_EABSENT; rwedge_contact_permanent_stick(),
+ * rwedge_contact_worn_zone() and rwedge_contact_full_wear() give RWEDGE_EPATH. All other functions
+ * serve such a contact.
  * RWEDGE_EDOMAIN for another beta, and where the bodies touch; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_set_beta(rwedge_contact *contact, double beta);
 
@@ -995,8 +1004,8 @@ RWEDGE_API int32_t rwedge_contact_shakedown_load(const rwedge_contact *contact, 
  *   worn_left, worn_right  as far as it wears, length
  *   area                   worn off on both sides, length^2
  * RWEDGE_ESLIDING where Q_a is f P or more: nothing sticks. RWEDGE_EABSENT where the bodies are
- * apart; RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where it would wear beyond the known profile.
- * In the tests edges and area were right to 1e-10. */
+ * apart; RWEDGE_EPATH where they are unlike; RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE where it
+ * would wear beyond the known profile. In the tests edges and area were right to 1e-10. */
 RWEDGE_API int32_t rwedge_contact_worn_zone(const rwedge_contact *contact, double Q_a, double *left,
                                             double *right, double *worn_left, double *worn_right,
                                             double *area);

@@ -71,8 +71,8 @@ RW_NUMBER(RW_SLIVER, 0.1)
 RW_COUNT(RW_MOST_PASSES, 20)
 RW_NUMBER(RW_SAME_SHEAR, 0.1)
 
-/* As measured: a pass over a value at a point of a quadrature. */
-RW_COUNT(RW_EFFORT_OF_PASS, 200000)
+/* As measured: a pass, for an element of both tractions each. */
+RW_COUNT(RW_EFFORT_OF_PASS, 60)
 
 /* Over the scale: traction beyond friction at new places in contact that slip in passing. */
 RW_NUMBER(RW_RIM, 5e-3)

@@ -65,6 +65,16 @@ static double numerical_sum(const rwedge_contact *contact, double b, double x)
            (RW_PI * rw_traction_displacement(t, x) + log(b / 2) * rw_traction_total(t));
 }
 
+/* The same of the pressure of unlike bodies, which moves both sides of a place apart. */
+static double pressed_sum(const rwedge_contact *contact, double x)
+{
+    const rw_numerical_state *now = &contact->computed.now->now;
+    const double left =
+        rw_traction_load_to(&now->pressed, x) - rw_traction_total(&now->pressed) / 2;
+    return now->coupling == 0 ? 0
+                              : rw_unit_stress(&contact->geometry) * RW_PI * now->coupling * left;
+}
+
 /* A place in contact since before the first slip, as the innermost patch of the memory is: one that
  * came later was not where it would have been without shear. NaN where all such places have left
  * the contact. */
@@ -90,7 +100,7 @@ static double off_centre(const rwedge_contact *contact, double b)
     if (rwedge_contact_slip(contact, 1, &x, &slip) != RWEDGE_OK)
         return NAN;
     if (contact->computed.now)
-        sum = numerical_sum(contact, b, x);
+        sum = numerical_sum(contact, b, x) - pressed_sum(contact, x);
     for (size_t i = 1; i < path->count && !contact->computed.now; i++) {
         const rw_patch patch = path->corners[i].patch;
         if (patch.left < left) /* nested patches may share an edge */

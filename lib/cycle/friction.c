@@ -82,14 +82,20 @@ static void follow(place *at, size_t state)
     at->top = entry->kept + entry->own;
 }
 
+/* What the pressure of unlike bodies moves. */
+static double pressed_by(const rwedge_contact *c, const rw_entry *entry, double x)
+{
+    return entry->pressed.count > 0 ? -c->beta / c->f * rw_traction_load_to(&entry->pressed, x) : 0;
+}
+
 static double displacement_at(const place *at, size_t state)
 {
     const rwedge_contact *c = at->cycle->before;
     const rw_state *now = &at->cycle->states[state];
-    const double sum =
-        now->is_computed
-            ? rw_traction_displacement(&at->cycle->on_the_way.entries[state].shear, at->inside)
-            : c->f * at->sums[at->top].displacement;
+    const rw_entry *entry = &at->cycle->on_the_way.entries[state];
+    const double sum = now->is_computed ? rw_traction_displacement(&entry->shear, at->inside) -
+                                              pressed_by(c, entry, at->inside)
+                                        : c->f * at->sums[at->top].displacement;
     return c->geometry.theta * sum + now->displacement.slope * at->inside + now->displacement.shift;
 }
 
@@ -98,6 +104,10 @@ static double limit_at(const place *at, size_t state)
 {
     const rwedge_contact *c = at->cycle->before;
     const rw_patch patch = at->cycle->states[state].patch;
+    const rw_traction *pressed = &at->cycle->on_the_way.entries[state].pressed;
+    if (pressed->count > 0)
+        return rw_unit_stress(&c->geometry) *
+               fmax(0, rw_traction_at(pressed, clamped(at->x, patch)));
     return c->f * rw_unit_stress(&c->geometry) *
            fabs(rw_pressure_of(&c->geometry, patch, clamped(at->x, patch)));
 }

@@ -9,7 +9,6 @@
 #include "history/gap.h"
 #include "loading/beside.h"
 #include "loading/step_to.h"
-#include "traction/transform.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,9 +18,7 @@
 /* Of a computed state; without its shift. */
 static double computed_displacement(const rwedge_contact *c, double x)
 {
-    const rw_numerical_state *now = &c->computed.now->now;
-    return c->geometry.theta *
-           (rw_traction_displacement(&now->shear.traction, x) + now->at.stretch * x - now->move);
+    return c->geometry.theta * rw_displacement_of(&c->computed.now->now, x);
 }
 
 /* What the zones of a computed state that stick have moved. */

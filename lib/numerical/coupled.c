@@ -239,6 +239,7 @@ static bool pass(coupled_step *s, const rw_friction *after, const rw_zones *gues
         w->is_short = true;
         return false;
     }
+    w->effort += RW_EFFORT_OF_PASS * (int)(after->traction.count * b.old.traction.count);
     set_rates(w, s->from, s->to, after->contact);
     rw_problem_init(&p, w->frame, &s->before, after, &b.old,
                     s->to.shear - rw_traction_total(&b.old.traction),
@@ -305,7 +306,6 @@ static bool go(coupled_step *s, const rw_zones *guess, bool coarse, rw_numerical
         pressed p;
         if (!press(frame, known->contact, &known->shear, s->to, &p))
             break;
-        s->work->effort += RW_EFFORT_OF_PASS;
         const bool is_found = pass(s, &p.all, i == 0 ? guess : &last.shear.zones, coarse, there);
         if (is_found)
             keep_pressure(frame, &p, there);

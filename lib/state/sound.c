@@ -29,6 +29,8 @@ static bool is_patch_sound(const rwedge_contact *contact, const rw_corner *c)
     if (!(rw_patch_half_width(p) > LEAST && fmax(-p.left, p.right) < 2 * RW_LARGEST) ||
         !(g->pad || fmax(p.left, -p.right) < g->a) || !(fabs(c->tilt) < 1))
         return false;
+    if (contact->unlike && c->ratio == 0) /* the shear has its part: is_pressure_sound() */
+        return true;
     const rw_pressing carried = carried_by(contact, c);
     return is_near(carried.load, load, load) && is_near(carried.tilt, c->tilt, 1);
 }
@@ -63,6 +65,16 @@ bool rw_is_origin_sound(const rw_slip_origins *origins, size_t i)
            fabs(o->to_shear) <= (1 + LOOSE) * o->to_load;
 }
 
+/* Whether the computed pressure of unlike bodies carries the loads. */
+static bool is_pressure_sound(const rwedge_contact *c)
+{
+    const rw_traction *pressed = &c->computed.now->now.pressed;
+    const double P = c->f * rw_as_length(&c->geometry, c->loads.P);
+    return pressed->count > 0 && c->computed.start->now.pressed.count > 0 &&
+           is_near(c->loads.P, rw_memory_end(&c->memory)->load, c->loads.P) &&
+           fabs(rw_traction_total(pressed) - P) <= 0.01 * P;
+}
+
 /* Whether the loads are those at the end of the path. */
 static bool are_loads_sound(const rwedge_contact *c)
 {
@@ -70,6 +82,8 @@ static bool are_loads_sound(const rwedge_contact *c)
     const rw_corner *end = rw_memory_end(&c->memory);
     if (end->load == 0)
         return c->loads.P == 0 && c->loads.M == 0 && c->loads.Q == 0;
+    if (c->unlike && c->phase == RW_COMPUTED)
+        return is_pressure_sound(c);
     const rw_pressing carried = carried_by(c, end);
     const double arm = fmax(-end->patch.left, end->patch.right);
     return is_near(c->loads.P, end->load, end->load) &&
@@ -121,10 +135,12 @@ static bool is_shear_sound(const rwedge_contact *c)
            is_numerical_sound(c->computed.start);
 }
 
-/* Unlike bodies are apart, or slide. */
+/* Unlike bodies are apart, or slide, or their shear is computed. */
 static bool is_unlike_sound(const rwedge_contact *c)
 {
-    return !c->unlike || ((c->phase == RW_APART || c->phase == RW_SLIDING) && !c->beside);
+    const bool has_phase =
+        c->phase == RW_APART || c->phase == RW_SLIDING || c->phase == RW_COMPUTED;
+    return !c->unlike || (has_phase && !c->beside && !c->computed.exact);
 }
 
 /* Whether the contact beside this one has the same edges. */

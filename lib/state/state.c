@@ -224,6 +224,17 @@ static void pass_zones(stream *t, rw_zones *z)
     require(t, z->count > 0);
 }
 
+/* That of unlike bodies. */
+static void pass_pressure(stream *t, rw_numerical_state *s)
+{
+    if (!t->contact->unlike)
+        return;
+    pass_elements(t, &s->pressed);
+    pass_finite(t, &s->tilt);
+    if (t->in)
+        s->coupling = -t->contact->beta / t->contact->f;
+}
+
 static void pass_shear(stream *t, rw_numerical **shear)
 {
     if (t->in)
@@ -244,6 +255,7 @@ static void pass_shear(stream *t, rw_numerical **shear)
     pass_flag(t, &n->has_origin);
     pass_flag(t, &s->is_still);
     pass_elements(t, &n->origin);
+    pass_pressure(t, s);
     for (int i = 0; i < RW_PLACES; i++) {
         pass_finite(t, &n->error[i]);
         require(t, n->error[i] >= 0);

@@ -51,6 +51,8 @@ static int32_t find_end(const rwedge_contact *contact, double Q_a, end_of_wear *
         return RWEDGE_EDOMAIN;
     if (contact->phase == RW_APART)
         return RWEDGE_EABSENT;
+    if (contact->unlike)
+        return RWEDGE_EPATH;
     const rw_corner *present = rw_memory_end(&contact->memory);
     const double left_over = present->load - Q_a / contact->f; /* f = 0: NaN or -inf */
     if (!(left_over > rw_memory_tolerance(present->load)))

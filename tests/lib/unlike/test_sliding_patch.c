@@ -276,7 +276,6 @@ CLAIM(without_coupling_all_is_as_before)
 CLAIM(loads_that_do_not_slide_are_refused)
 {
     rwedge_contact *contact = unlike(wedge(0.3, F), 0.2);
-    assert_ok(rwedge_contact_allow_error(contact, 1e-3));
     refuse(contact, 1, 0, 0.2, 0, RWEDGE_EPATH);
     apply(contact, 1, 0, F, 0);
     refuse(contact, 1, 0, 0.2, 0, RWEDGE_EPATH);

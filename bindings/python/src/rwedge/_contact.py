@@ -131,8 +131,8 @@ class Contact(ContactMethods):
     the calls that other threads are in.
 
     Bodies of two materials under a bulk tension: before the first load ``set_strain((1 - nu1**2) / E1)``, E1 and nu1 of the
-    half-plane. Where they slide fully under friction, ``set_bodies(E1, nu1, E2, nu2)`` sets that and their coupling, which is
-    then exact; other loads with friction are refused.
+    half-plane. ``set_bodies(E1, nu1, E2, nu2)`` sets that and their coupling: exact in full sliding, else computed to the
+    tolerance. Press such a contact along P first.
 
     Source: Sec. 3.2 for Q growing under constant P; all other histories are new, lib/README.md "Load histories".
 

@@ -24,7 +24,7 @@ from working import Working  # noqa: E402
 def shown(source, case):
     """The inputs of an example and its results, until a spreadsheet computes: those of "rwedge solve", of its table of shakedown, and
     quotients of them."""
-    columns = [cell.column for cell in RESULTS[:-2]]
+    columns = [cell.column for cell in RESULTS[:-2]] + ["yield_factor"]
     results = {name: value for name, value in source.solve(case).items() if name in columns}
     results["p_mean"] = case["P"] / (2 * results["b"])
     results["safety_strength"] = results["P_over_bk"] / results["load_over_bk"]

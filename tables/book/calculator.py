@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sheet Calculator: inputs, results, the verdict, and the figures of the paper with the case marked."""
 from book import LINE_HEIGHT, Chart, axis
-from cells import INPUTS, MATERIAL, cell_of
+from cells import INPUTS, MATERIAL, YIELD_FACTOR, cell_of
 from formulas import short
 
 LABEL, CELL, VALUE, UNIT, HINT = range(5)
 INPUT_GROUPS = [("Shape", "theta theta_deg a radius"), ("Materials", "material E1 nu1 E2 nu2 k yield_stress"), ("Loads", "P Q f")]
 RESULT_GROUPS = [
-    ("Safety", "safety safety_strength"), ("Geometry", "b a_over_b AP_over_theta_b A dundurs_beta"),
+    ("Safety", "yield_factor safety_strength safety"), ("Geometry", "b a_over_b AP_over_theta_b A dundurs_beta"),
     ("Pressure", "p0 p_transition p_mean"), ("Partial slip", "Q_over_fP c c_over_b"),
     ("Tension at the trailing edge x = -b", "max_tension max_tension_sliding"),
     ("First yield, in full sliding", "P_over_bk load_over_bk P_yield yield_branch yield_x yield_y f_critical von_mises_sliding"),
     ("Shakedown: sliding pass after pass, in full sliding", "P_over_bk_shakedown safety_strength_shakedown")]
 INPUT_ROW, RESULT_ROW = 7, 25
-OTHER_STYLES = dict(safety="strong", safety_strength="strong", safety_strength_shakedown="strong", dundurs_beta="signed", Q_over_fP="signed", yield_x="signed")
+OF_CALCULATOR = dict(material=MATERIAL, yield_factor=YIELD_FACTOR)
+OTHER_STYLES = dict(yield_factor="strong", safety="strong", safety_strength="strong", safety_strength_shakedown="strong", dundurs_beta="signed", Q_over_fP="signed", yield_x="signed")
 NOTES = [
     "Accuracy: geometry, pressure, slip and tension as exact as the spreadsheet computes; elastic limit within 0.05 %; load at yield "
     "and safety on load within 0.15 % (0.5 % where a/b at yield is 0.01 to 0.02, 2 % down to 0.003); critical friction within 0.001; "
@@ -23,17 +24,22 @@ NOTES = [
     'Cylinder and flat pad: the sheet Pads. A moment M and a bulk tension sigma on a wedge are not here, as no plain formula holds '
     'them; the command "rwedge solve" has them. Plane strain; see "About".']
 
-# ---- The verdict: the sentence of "rwedge solve --verdict" of full sliding, the figures, and what is doubtful ----
+# ---- The verdict: the sentence of "rwedge solve --verdict", the figures, and what is doubtful ----
 
-ELASTIC, YIELDS = "If it slid, it would be elastic with a factor of ", "If it slid, it would yield: the factor on P is "
+ELASTIC, YIELDS, IN_SLIDING = ("Elastic with a factor of ", "It yields: the stress is ", "the factor on P, in full sliding, is ")
+ON_STRESS = (
+    f'IF(rw_yield_factor<1,"{YIELDS}"&{short("(1/rw_yield_factor)", 3)}&" times what body 1 bears",'
+    f'"{ELASTIC}"&{short("rw_yield_factor", 3)}&" on the stress")'
+    f'&IF(ISNUMBER(rw_safety_strength),", a factor of "&{short("rw_safety_strength", 4)}&" if it slid","")')
+ON_LOAD = (
+    f'"{IN_SLIDING}"&IF(ISNUMBER(rw_safety),{short("rw_safety", 4)}&"; there it yields first at x = "&{short("rw_yield_x", 2)}'
+    f'&", y = "&{short("rw_yield_y", 2)}&" mm, "&IF(rw_yield_y>0,"below","at")&" the surface",rw_safety)&"."')
 STRENGTH = (
     'IF(OR(rwt_ok=0,rwt_slides=1),"No results: the status says why.",'
     'IF(rwt_has_k=0,"No yield stress is given, so nothing is known of its strength.",'
     'IF(rwt_a=0,"It yields: the stress at a sharp apex has no bound.",'
-    'IF(rw_safety="","Its strength is outside the tables of this workbook.",'
-    f'IF(ISNUMBER(rw_safety),IF(rw_safety<1,"{YIELDS}"&{short("rw_safety", 4)},"{ELASTIC}"&{short("rw_safety", 4)}&" on P")'
-    f'&"; it yields first at x = "&{short("rw_yield_x", 2)}&", y = "&{short("rw_yield_y", 2)}&" mm, "'
-    f'&IF(rw_yield_y>0,"below","at")&" the surface.","{ELASTIC}"&rw_safety&" on P.")))))')
+    f'IF(rw_yield_factor="","",{ON_STRESS}&"; ")&IF(rw_safety="","beyond that its strength is outside the tables of this workbook.",'
+    f'{ON_LOAD}))))')
 FIGURES = (
     f'IF(rwt_ok=0,"","b = "&{short("rw_b", 4)}&" mm, half-width of the contact"'
     f'&IF(rwt_a>0,";  p0 = "&{short("rw_p0", 4)}&" MPa, peak pressure","")'
@@ -48,7 +54,8 @@ COLOURS = [("OK", "green"), ("CAUTION", "amber"), ("CHECK", "red"), ("YIELDS", "
 
 
 def strength_shown(shown):
-    return (f"{ELASTIC}{shown['safety']:.4g} on P; it yields first at x = {shown['yield_x']:.2g}, y = {shown['yield_y']:.2g} mm, "
+    return (f"{ELASTIC}{shown['yield_factor']:.3g} on the stress, a factor of {shown['safety_strength']:.4g} if it slid; "
+            f"{IN_SLIDING}{shown['safety']:.4g}; there it yields first at x = {shown['yield_x']:.2g}, y = {shown['yield_y']:.2g} mm, "
             f"{'below' if shown['yield_y'] > 0 else 'at'} the surface.")
 
 
@@ -88,15 +95,14 @@ class Calculator:
                 self.sheet.name(name, row, 0)
             for begins, colour in COLOURS:
                 self.sheet.colour(f"A{row + 1}:E{row + 1}", colour, f'LEFT($A$5,{len(begins)})="{begins}"')
-        self.sheet.text(5, 0, "rw_verdict, rw_status. The factor is of full sliding, Q = f P; for this Q itself "
-                              '"rwedge solve --yield-factor" has one on the stress.', "note")
+        self.sheet.text(5, 0, "rw_verdict, rw_status. The first factor is of the loads as they are, the second of full sliding, Q = f P.", "note")
 
     def write_groups(self, row, groups):
         """Returns the row below."""
         for heading, columns in groups:
             self.sheet.text(row, 0, heading, "heading")
             for row, column in enumerate(columns.split(), row + 1):
-                self.write_cell(row, MATERIAL if column == "material" else cell_of(column))
+                self.write_cell(row, OF_CALCULATOR.get(column) or cell_of(column))
             row += 1
         return row
 

@@ -54,6 +54,12 @@ INPUTS = [
 MATERIAL = typed("material", "Material of the half-plane, by name", "", "of the sheet Materials; or type below", "",
                  "a name of the sheet Materials")
 
+# Of the calculator alone: of the stress at many places.
+YIELD_FACTOR = Cell(
+    "rw_yield_factor", "Safety on strength under this Q",
+    'IF(AND(rwt_has_k=1,rwt_slides=0,rwt_a>0,rwt_ok_tip=1),rwt_k*rwt_comp/rwt_theta/SQRT(rwt_fl_J2),"")', "yield_factor", "-",
+    "the factor on the stress; within 2 %")
+
 # What the calculator shows first: two steel bodies, a/b = 0.29, and yield at half as much load again.
 EXAMPLE = dict(E1=210000, nu1=0.3, E2=210000, nu2=0.3, theta=0.01, a=0.05, P=190, Q=20, f=0.2, k=400)
 BATCH_EXAMPLES = [

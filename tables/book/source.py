@@ -53,7 +53,8 @@ class Source:
         return self.rows("table", name, *options_of(ranges))
 
     def solve(self, case):
-        return self.rows("solve", "--layout=row", *options_of(case))[0]
+        strength = ["--yield-factor"] if {"k", "yield_stress"} & set(case) else []
+        return self.rows("solve", "--layout=row", *strength, *options_of(case))[0]
 
 
 # ---- What the tool wrote beside the workbook ----

@@ -2,6 +2,7 @@
 """The hidden sheet Working: the working cells of the calculator, the table of yield, and the points of the charts."""
 from xlsxwriter.utility import xl_range_abs
 
+import field
 from cells import CASE, GROUPS, SHOWN, cell_of
 from formulas import at_f, at_row, cosine, if_row, is_there, weigh
 from source import FRICTIONS, NUS, TIPS, limits, rounded
@@ -57,6 +58,7 @@ class Working:
         self.names = self.write_names()
         self.write_table()
         self.write_limits()
+        field.write(sheet)
         sheet.sheet.hide()
 
     def range(self, column, rows, first=FIRST):
@@ -119,7 +121,8 @@ class Working:
         one for a bad one: what is not to be seen is above the picture."""
         sheet = self.sheet
         sheet.down(FIRST, 53, [0])
-        sheet.formula(FIRST + 1, 53, 'IF(rw_safety="",0,IF(ISNUMBER(rw_safety),MIN(3,rw_safety),3))', self.shown["safety"])
+        sheet.formula(FIRST + 1, 53, 'IF(ISNUMBER(rw_yield_factor),MIN(3,rw_yield_factor),'
+                      'IF(rw_safety="",0,IF(ISNUMBER(rw_safety),MIN(3,rw_safety),3)))', self.shown["yield_factor"])
         sheet.name("rwt_factor", FIRST + 1, 53)
         sheet.down(FIRST + 2, 53, [3, 1, 1])
         for row in (FIRST, FIRST + 1):

@@ -347,8 +347,18 @@ def check_warnings(case, row, got):
     same("warnings", ours == theirs, (theirs, ours, case))
 
 
-def check_sentence(case, row, got):
-    """The calculator begins with the factor of full sliding, and says whether it yields."""
+def check_factor(case, row, got):
+    """Under the given Q: the largest stress at many places, so never below the library's, and within 2 %."""
+    if not row["load_over_bk"] or not float(row["a_over_b"]) >= TIP_MIN * (1 + 1e-9):
+        same("no factor", got == "" or row["load_over_bk"] and float(row["a_over_b"]) > 0.99 * TIP_MIN, (got, case))
+        return 0
+    want = float(solve(case, "--yield-factor")["yield_factor"])
+    same("the factor under this Q", not isinstance(got, str) and -1e-9 <= got / want - 1 <= 2e-2, (want, got, case))
+    return got / want - 1
+
+
+def check_sentence(case, row, got, factor):
+    """It begins with the factor under this Q, and tells that on P."""
     if "k" not in case and "yield_stress" not in case:
         good = got.startswith("No yield stress is given")
     elif float(row["a_over_b"]) == 0:
@@ -356,10 +366,13 @@ def check_sentence(case, row, got):
     elif "outside the tables" in got:
         good = min(float(row["a_over_b"]), yield_tip(case, row)) < 1.03 * TIP_MIN
     else:
-        safety, said = float(row["safety"].lstrip("> ")), numbers_in(got)[0]
-        good = ("it would yield" in got) == (said < 1) and (
-            said <= safety if "factor of > " in got else abs(said / safety - 1) <= 2e-3)
-    same("the sentence", good, (got, row["safety"], case))
+        safety, said = float(row["safety"].lstrip("> ")), numbers_in(got.split("in full sliding, is ")[1])[0]
+        good = said <= safety if "is > " in got else abs(said / safety - 1) <= 2e-3
+    if factor != "":
+        first = numbers_in(got)[0]
+        good = good and got.startswith("It yields: the stress is" if factor < 1 else "Elastic with a factor of") and abs(
+            (1 / first if factor < 1 else first) / factor - 1) <= 6e-3
+    same("the sentence", good, (got, row["safety"], factor, case))
 
 
 def check_cases(calculator, batch, new_case, count, beside):
@@ -384,7 +397,9 @@ def check_cases(calculator, batch, new_case, count, beside):
                                                  ("warnings", "rw_remarks", 0, 0), ("yield_branch", "rw_branch", 0, 0)]:
                 here, there = calculator.result(name), batch.result(i, column)
                 same("Calculator and Batch, " + column, here == there, (here, there, case))
-            check_sentence(case, row, calculator.result("rw_verdict"))
+            factor = calculator.result("rw_yield_factor")
+            worst["yield_factor"] = max(worst.get("yield_factor", 0), check_factor(case, row, factor))
+            check_sentence(case, row, calculator.result("rw_verdict"), factor)
     same("rows that are printed", batch.last_printed() == count + FIRST_ROW, (batch.last_printed(), count))
     same("rows without a case", batch.result(ROWS - 1, "error") == "" == batch.result(ROWS - 1, "b"), batch.result(ROWS - 1, "b"))
     print("%d cases; largest errors: %s" % (count, ", ".join("%s %.1e" % item for item in sorted(worst.items()))))

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Names the functions of the header whose promised error is not measured, and those that no test claims something of. There a
-function stands as `rwedge_NAME`, or as `{"NAME"`, which begins a row of accuracy."""
+function stands as `rwedge_NAME`, or as `{"NAME"`, which begins a row of accuracy. Names also the functions of 1.2.0 that are
+gone or have other arguments, where bindings/README.md or Python's AttributeError does not say what serves now."""
 import re
+import runpy
 import sys
 from pathlib import Path
 
@@ -29,8 +31,28 @@ def not_in_the_table():
     return [f"the table of accuracy in lib/README.md lacks `{name}`" for name in rows if f"\n| `{name}` |" not in table]
 
 
+def interface(file):
+    """The functions of a stored binary interface, each with its types."""
+    lines = [line.split(" ", 2) for line in texts(f"tests/package/{file}").splitlines() if "(" in line]
+    return {name: types for name, _, types in lines}
+
+
+def not_renamed():
+    """Functions of 1.2.0 that are gone, or have other arguments, of which nothing says what serves now."""
+    now, page = interface("interface.txt"), texts("bindings/README.md").partition("## Old names")[2]
+    python = runpy.run_path(str(TOP / "bindings/python/src/rwedge/_renamed.py"))["now_called"]
+    kept, lacking = texts("bindings/python/src/rwedge/_named.py"), []
+    for name, types in interface("interface-1.2.0.txt").items():
+        if now.get(name) != types and not re.search(rf"\brwedge_{name}\b", page):
+            lacking.append(f"bindings/README.md does not say what serves in place of rwedge_{name}() of 1.2.0")
+        in_python = re.sub("^contact_", "Contact.", name)
+        if name not in now and not python(in_python) and f'"{name}"' not in kept:
+            lacking.append(f"bindings/python/src/rwedge/_renamed.py lacks {in_python} of 1.2.0")
+    return lacking
+
+
 def main():
-    lacking, rows = not_in_the_table(), texts(ROWS)
+    lacking, rows = not_in_the_table() + not_renamed(), texts(ROWS)
     written = rows + texts(CLAIMS)
     for f in read(TOP / "include/rwedge.h").functions:
         if f.array_of or f.name.endswith("_field"):

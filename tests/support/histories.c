@@ -125,6 +125,27 @@ rwedge_contact *apply_all(rwedge_contact *contact, size_t count, const rw_loads 
     return contact;
 }
 
+static void destroy_cycle(void *cycle)
+{
+    rwedge_cycle_destroy(cycle);
+}
+
+rwedge_cycle *cycle_of(const rwedge_contact *contact, size_t loads, const rw_loads load[])
+{
+    double P[CYCLE_LOADS], M[CYCLE_LOADS], Q[CYCLE_LOADS], sigma[CYCLE_LOADS];
+    rwedge_cycle *cycle;
+    assert_true(loads <= CYCLE_LOADS);
+    for (size_t i = 0; i < loads; i++) {
+        P[i] = load[i].P;
+        M[i] = load[i].M;
+        Q[i] = load[i].Q;
+        sigma[i] = load[i].sigma;
+    }
+    assert_ok(rwedge_cycle_create(contact, loads, P, M, Q, sigma, &cycle));
+    free_after_claim(cycle, destroy_cycle);
+    return cycle;
+}
+
 rw_patch edges_of(const rwedge_contact *contact)
 {
     rw_patch patch;

@@ -43,6 +43,10 @@ void refuse(rwedge_contact *contact, double P, double M, double Q, double sigma,
               (const rw_loads[]){__VA_ARGS__})
 rwedge_contact *apply_all(rwedge_contact *contact, size_t count, const rw_loads loads[]);
 
+/* A cycle of at most CYCLE_LOADS loads, to the end of the claim. */
+enum { CYCLE_LOADS = 120 };
+rwedge_cycle *cycle_of(const rwedge_contact *contact, size_t loads, const rw_loads load[]);
+
 rw_patch edges_of(const rwedge_contact *contact);
 rw_patch stick_zone_of(const rwedge_contact *contact);
 

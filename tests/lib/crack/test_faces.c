@@ -7,27 +7,6 @@
 
 enum { MOST = 120 };
 
-static void destroy(void *cycle)
-{
-    rwedge_cycle_destroy(cycle);
-}
-
-/* A cycle, to the end of the claim. */
-static rwedge_cycle *cycle_of(const rwedge_contact *contact, size_t loads, const rw_loads load[])
-{
-    double P[MOST], M[MOST], Q[MOST], sigma[MOST];
-    for (size_t i = 0; i < loads; i++) {
-        P[i] = load[i].P;
-        M[i] = load[i].M;
-        Q[i] = load[i].Q;
-        sigma[i] = load[i].sigma;
-    }
-    rwedge_cycle *cycle;
-    assert_ok(rwedge_cycle_create(contact, loads, P, M, Q, sigma, &cycle));
-    free_after_claim(cycle, destroy);
-    return cycle;
-}
-
 /* ---- Pressures and openings ---- */
 
 static void destroy_faces(void *faces)

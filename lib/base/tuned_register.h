@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The register of the tuned constants of computed loads: lib/traction, fronts, numerical, computed
- * and lib/cycle/states.c. Each has what it buys. A constant is here if its value was found by
- * trying, on random loads of tests/random; sizes of arrays, and distances at which rounding counts,
- * stand where they are used. "Of the tolerance" means times the tolerance of a load. Whoever
+/* The register of the tuned constants of computed loads and of cracks: lib/traction, fronts,
+ * numerical, computed, crack, and lib/cycle/states.c. Each has what it buys. A constant is here if
+ * its value was found by trying, on random loads of tests/random. Sizes of arrays, distances at
+ * which rounding counts, and limits of which half and twice as much moves nothing there, stand where
+ * they are used. "Of the tolerance" means times the tolerance of a load. Whoever
  * changes one runs `ctest -C Long -R long_tuned`, which halves and doubles each and prints what
  * moves.
  *
@@ -94,9 +95,6 @@ RW_NUMBER(RW_BEST_FIT, 0.1)
  * elements. */
 RW_NUMBER(RW_FIT_NOISE, 30)
 
-/* The error of a grid of n places, times n, over friction. */
-RW_NUMBER(RW_GRID_ERROR, 0.3)
-
 /* ---- One step, and its error (step.c) ---- */
 
 /* A step with a larger change of its loads, over friction, is looked at half-way too. */
@@ -169,12 +167,8 @@ RW_NUMBER(RW_LONGER, 2)
 RW_NUMBER(RW_IF_UNKNOWN, 0.5)
 RW_NUMBER(RW_CAREFUL, 0.8)
 
-/* Over the tolerance: a load that adds more to the error is tried once more, with so much more
- * tolerance, up to RW_LOOSEST; one that adds more than RW_MOST_ADDED has not converged. */
-RW_NUMBER(RW_TRY_AGAIN, 2)
-RW_NUMBER(RW_LOOSER, 10)
+/* The largest tolerance to which a part of a load, or a load that is tried once more, is computed. */
 RW_NUMBER(RW_LOOSEST, 1e-2)
-RW_NUMBER(RW_MOST_ADDED, 10)
 
 /* P grows or falls so many times at most in one step. */
 RW_NUMBER(RW_FOLD, 4)
@@ -184,10 +178,8 @@ RW_NUMBER(RW_FOLD, 4)
 RW_NUMBER(RW_STRAY, 0.1)
 RW_NUMBER(RW_TOUCH_ERROR, 0.01)
 
-/* On the way to separation, of the load: what is left at the end, and must be left where nothing
- * sticks any more. */
+/* On the way to separation, of the load: what is left at the end. */
 RW_NUMBER(RW_LAST_TOUCH, 0.01)
-RW_NUMBER(RW_LAST_STICK, 1.0 / 32)
 
 /* ---- Cycles (lib/cycle/states.c) ---- */
 
@@ -196,5 +188,19 @@ RW_NUMBER(RW_LAST_STICK, 1.0 / 32)
 RW_NUMBER(RW_EDGE_MOVE, 0.003)
 RW_NUMBER(RW_COMPUTED_EDGE_MOVE, 0.005)
 
-/* Of the tolerance, the mean pressure and the compliance: the error of a computed slip. */
-RW_NUMBER(RW_SLIP_NOISE, 0.5)
+/* ---- Cracks (lib/crack) ---- */
+
+/* Lengths an octave at which the range of K is looked at, so that no dip is missed. */
+RW_COUNT(RW_CRACK_STEPS, 16)
+
+/* The relative error of a life, and where faces press on each other: K has a kink wherever a place
+ * closes. */
+RW_NUMBER(RW_LIFE_ERROR, 1e-8)
+RW_NUMBER(RW_CLOSING_LIFE_ERROR, 1e-6)
+
+/* Parts of a crack's line for its overlap. */
+RW_COUNT(RW_OVERLAP_PARTS, 16)
+
+/* Over the length: places nearer to the mouth than this do not press on each other. Fewer
+ * openings. */
+RW_NUMBER(RW_NEXT_TO_MOUTH, 1e-3)

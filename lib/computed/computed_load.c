@@ -128,6 +128,9 @@ static double added(const rw_frame *frame, const rw_numerical *from, const rw_nu
     return rw_numerical_error(next) - rw_numerical_error(from) * before / after;
 }
 
+/* Over the tolerance: a load that adds more to the error has not converged, as the header says. */
+static const double MOST_ADDED = 10;
+
 /* A step from the state `from`. Unless RWEDGE_OK, there is no next state. */
 static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_numerical *from,
                      rw_numerical **next)
@@ -140,7 +143,7 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
     int32_t status = !*next || !is_whole ? RWEDGE_ENOMEM
                      : is_at(*next, to)  ? RWEDGE_OK
                                          : advance(*next, &frame, to, step->patch);
-    if (status == RWEDGE_OK && added(&frame, from, *next) > RW_MOST_ADDED * c->tolerance)
+    if (status == RWEDGE_OK && added(&frame, from, *next) > MOST_ADDED * c->tolerance)
         status = RWEDGE_ENOCONV;
     if (status != RWEDGE_OK) {
         rw_numerical_destroy(*next);
@@ -267,8 +270,10 @@ static rw_numerical *start_of(const rwedge_contact *c)
     return NULL;
 }
 
-/* The work of the last part of the load is negligible. It is small, too, where nothing sticks any
- * more under a tension. */
+/* Of the load: what may be left where nothing sticks any more under a tension. */
+static const double LAST_STICK = 1.0 / 32;
+
+/* The work of the last part of the load is negligible. */
 int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energy)
 {
     const rw_frame frame = rw_contact_frame(c);
@@ -285,7 +290,7 @@ int32_t rw_numerical_energy_to_separation(const rwedge_contact *c, double *energ
         status = rw_numerical_step(n, &frame, rw_part_of_line(away, from, left / 2), &effort);
         left = status == RWEDGE_OK ? left / 2 : left;
     }
-    *energy = left <= RW_LAST_STICK ? work_of(c, n->now.energy - before) : NAN;
+    *energy = left <= LAST_STICK ? work_of(c, n->now.energy - before) : NAN;
     rw_numerical_destroy(n);
     return status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : RWEDGE_OK;
 }

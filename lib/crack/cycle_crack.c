@@ -4,6 +4,7 @@
 #include "crack/cycle_crack.h"
 
 #include "base/linear.h"
+#include "base/tuned.h"
 #include "crack/weights.h"
 
 #include <stdlib.h>
@@ -15,19 +16,18 @@ size_t rw_crack_loads(const rw_crack *crack)
 
 /* ---- The places whose opening is asked ---- */
 
-/* For an overlap the line has parts from (i/16)^2 to ((i + 1)/16)^2; the place next to the middle
+/* For an overlap the line has n parts from (i/n)^2 to ((i + 1)/n)^2; the place next to the middle
  * of each. */
-enum { PARTS = 16 };
-
 static void choose_parts(const rw_crack *crack, size_t at[])
 {
+    const size_t n = RW_OVERLAP_PARTS;
     size_t k = crack->m - 1;
-    for (size_t i = 0; i < PARTS; i++) {
-        const double root = ((double)i + 0.5) / PARTS;
+    for (size_t i = 0; i < n; i++) {
+        const double root = ((double)i + 0.5) / (double)n;
         while (k > 1 && crack->place[k] < root * root)
             k--;
         at[i] = k;
-        crack->share[i] = (double)(2 * i + 1) / (PARTS * PARTS);
+        crack->share[i] = (double)(2 * i + 1) / (double)(n * n);
     }
 }
 
@@ -35,8 +35,7 @@ static void choose_parts(const rw_crack *crack, size_t at[])
  * so near adds less to K than the rule errs by. */
 static bool can_press(const rw_crack *crack, size_t k)
 {
-    static const double NEXT_TO_MOUTH = 1e-3;
-    return k < crack->m && crack->place[k] > NEXT_TO_MOUTH;
+    return k < crack->m && crack->place[k] > RW_NEXT_TO_MOUTH;
 }
 
 /* Each has the line to the middle between it and the next, the outer ones to the tip and mouth. */
@@ -91,7 +90,7 @@ int32_t rw_crack_create(const rwedge_cycle *cycle, double x, double angle, bool 
     if (!crack->place)
         return RWEDGE_ENOMEM;
     rw_crack_places(m, crack->place);
-    crack->openings = PARTS;
+    crack->openings = RW_OVERLAP_PARTS;
     if (presses)
         for (crack->openings = 0; can_press(crack, crack->openings + 1);)
             crack->openings++;

@@ -6,6 +6,7 @@
 #include "crack/weights.h"
 
 #include "base/root.h"
+#include "base/tuned.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -63,7 +64,7 @@ static double ratio_of(const driving_force *force)
 
 /* ---- The way in steps ---- */
 
-enum { STEPS_AN_OCTAVE = 16, MOST_STEPS = 4096 };
+enum { MOST_STEPS = 4096 };
 
 typedef struct {
     double length;
@@ -79,7 +80,7 @@ typedef struct {
 static int32_t walk(question *q, double initial, double final, way *all)
 {
     const double octaves = log(final / initial) / log(2);
-    const size_t steps = (size_t)fmin(ceil(octaves * STEPS_AN_OCTAVE), MOST_STEPS);
+    const size_t steps = (size_t)fmin(ceil(octaves * RW_CRACK_STEPS), MOST_STEPS);
     all->count = steps + 1;
     all->stations = calloc(2 * all->count, sizeof *all->stations);
     if (!all->stations)
@@ -225,7 +226,7 @@ static double settled(question *q, double low, double high, double whole, double
 
 static double life(question *q, double initial, double final)
 {
-    const double within = q->crack->presses ? 1e-6 : 1e-8; /* kinks where a place closes */
+    const double within = q->crack->presses ? RW_CLOSING_LIFE_ERROR : RW_LIFE_ERROR;
     enum { MOST_PANELS = 64 }; /* to begin with: two an octave, as far as that goes */
     const double octaves = log(final / initial) / log(2);
     const int panels = (int)fmin(fmax(ceil(2 * octaves), 1), MOST_PANELS);

@@ -187,11 +187,14 @@ static void note_edges(rw_state *next, const rwedge_contact *before, const rwedg
     }
 }
 
+/* Of the tolerance, the mean pressure and the compliance: the error of a computed slip. */
+static const double SLIP_NOISE = 0.5;
+
 /* Where a computed state sticks. */
 static bool note_sticks(rw_state *next, const rwedge_contact *after)
 {
     const rw_zones zones = rw_contact_zones(after);
-    next->noise = RW_SLIP_NOISE * after->tolerance * after->f * after->geometry.A * after->loads.P;
+    next->noise = SLIP_NOISE * after->tolerance * after->f * after->geometry.A * after->loads.P;
     next->sticks = malloc(RW_MOST_ZONES * sizeof *next->sticks);
     for (int i = 0; next->sticks && i < zones.count; i++)
         if (zones.zone[i].label == 0)

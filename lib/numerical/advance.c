@@ -250,15 +250,19 @@ static double added(const rw_numerical *n, const rw_numerical *next)
     return next ? rw_numerical_error(next) - rw_numerical_error(n) : HUGE_VAL;
 }
 
+/* Over the tolerance: what a load adds to the error before it is tried once more; the tolerance
+ * then. */
+static const double TRY_AGAIN = 2, LOOSER = 10;
+
 /* A load that adds much to the error is tried once more, with more tolerance and a quarter of the
  * effort: larger steps may err less where the effort did not suffice for small ones. */
 int32_t rw_numerical_step(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, int *effort)
 {
-    const rw_frame looser = rw_frame_like(frame, fmin(RW_LOOSER * frame->tolerance, RW_LOOSEST));
+    const rw_frame looser = rw_frame_like(frame, fmin(LOOSER * frame->tolerance, RW_LOOSEST));
     int rest = *effort / 4;
     rw_numerical *next, *other;
     int32_t status = try_load(n, frame, to, effort, &next);
-    if (status != RWEDGE_ENOMEM && added(n, next) > RW_TRY_AGAIN * frame->tolerance &&
+    if (status != RWEDGE_ENOMEM && added(n, next) > TRY_AGAIN * frame->tolerance &&
         looser.tolerance > frame->tolerance) {
         *effort -= rest;
         status = try_load(n, &looser, to, &rest, &other);

@@ -389,10 +389,13 @@ void rw_outcome_of_slip(rw_fronts *f, rw_outcome *o)
     check_slips(&n, o);
 }
 
+/* The error of a grid of n places, times n, over friction. */
+static const double GRID_ERROR = 0.3;
+
 bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *p,
                         const rw_layers *layers, rw_outcome *o)
 {
-    const double error = RW_GRID_ERROR / g->n;
+    const double error = GRID_ERROR / g->n;
     *o = (rw_outcome){.violation = error, .layers = *layers, .D = {NAN, NAN}};
     rw_grid_zones_met(g, p, &o->state.zones);
     const after n = {p, &o->state.zones, {.count = 0}, f, g, layers};

@@ -17,11 +17,8 @@ enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK };
 /* Slip zones and places that the contact has left, cut at kinks, bends and the edges before. */
 enum { RW_MOST_SEGMENTS = RW_MOST_STICK + 1 + 2 + RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 
-/* Panels of half a segment, and points of all, of which most loads use a twentieth. */
-enum {
-    RW_MOST_PANELS = 12,
-    RW_MOST_POINTS = RW_MOST_SEGMENTS * 2 * (RW_MOST_PANELS + 1) * RW_TERMS
-};
+/* Panels of half a segment. */
+enum { RW_MOST_PANELS = 12 };
 
 /* A part of a slip zone, and where its points begin in the row of all. */
 typedef struct {
@@ -46,11 +43,12 @@ typedef struct {
     double integral[RW_TERMS + 1][RW_TERMS]; /* weights from 0 to each node, and to 1 */
     rw_segment segment[RW_MOST_SEGMENTS];
     int segments;
-    rw_layers layers; /* for which the changes hold */
-    size_t count;
-    double x[RW_MOST_POINTS], step[RW_MOST_POINTS], X[RW_MOST_POINTS], change[RW_MOST_POINTS];
-    double known[RW_MOST_POINTS], layer[RW_LAYERS][RW_MOST_POINTS];
-    int budget; /* residuals that may still be computed */
+    rw_layers layers;       /* for which the changes hold */
+    size_t count, capacity; /* of the points; there is room for as many as were needed so far */
+    double *x, *step, *X, *change, *known,
+        *layer[RW_LAYERS]; /* in one block, which begins with x */
+    bool is_short;         /* memory was short: points are missing */
+    int budget;            /* residuals that may still be computed */
 } rw_fronts;
 
 /* The zones that stick, by their ends, and the polynomial p by its coefficients. */
@@ -92,6 +90,7 @@ bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
 
 /* For zones that alternate between stick and slip, of any problems of this tolerance. */
 void rw_fronts_init(rw_fronts *fronts, double tolerance);
+void rw_fronts_destroy(rw_fronts *fronts);
 
 /* Starts from these zones, with D at the edges that stick at the beginning of the step, NaN where
  * it is not known. false where such zones are not possible in this problem. */

@@ -24,9 +24,15 @@ enum { TURNS = 100 };
 static const double NOTHING = 1e-12;
 
 /* The matrix K, from sums of cos(pi k d/N)/k. */
-void rw_grid_init(rw_grid *g, int n)
+bool rw_grid_init(rw_grid *g, int n)
 {
     double wave[2 * RW_MOST_ANGLES], cosine[2 * RW_MOST_ANGLES]; /* for i - j and i + j + 1 */
+    const size_t places = (size_t)n * (size_t)n;
+    g->n = 0;
+    g->matrix = malloc(2 * places * sizeof *g->matrix);
+    if (!g->matrix)
+        return false;
+    g->factor = g->matrix + places;
     g->n = n;
     for (int i = 0; i < 2 * n; i++)
         cosine[i] = cos(RW_PI * i / n);
@@ -39,6 +45,13 @@ void rw_grid_init(rw_grid *g, int n)
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
             g->matrix[i * n + j] = (1 + wave[i > j ? i - j : j - i] + wave[i + j + 1]) / n;
+    return true;
+}
+
+void rw_grid_destroy(rw_grid *g)
+{
+    if (g->n > 0)
+        free(g->matrix);
 }
 
 static double angle_of(const rw_grid *g, int i)

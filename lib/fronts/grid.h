@@ -10,22 +10,24 @@
 enum { RW_MOST_ANGLES = 192 };
 
 typedef struct {
-    int n;
+    int n;                         /* 0: there is none yet */
     double middle, half;           /* of the places in contact before or after the step */
     double x[RW_MOST_ANGLES];      /* n places in the order of x */
     int label[RW_MOST_ANGLES];     /* RW_GONE: no longer in contact */
     double change[RW_MOST_ANGLES]; /* tau = dt half sin(angle), dt being the change of traction */
     double upper[RW_MOST_ANGLES], lower[RW_MOST_ANGLES]; /* its bounds */
     double strain[RW_MOST_ANGLES], move[RW_MOST_ANGLES];
-    double matrix[RW_MOST_ANGLES * RW_MOST_ANGLES], factor[RW_MOST_ANGLES * RW_MOST_ANGLES];
-    int turns;         /* that the last problem took */
-    double multiplier; /* lambda, the rigid move of the places that stick */
+    double *matrix, *factor; /* n^2 numbers each, in one block */
+    int turns;               /* that the last problem took */
+    double multiplier;       /* lambda, the rigid move of the places that stick */
 } rw_grid;
 
 enum { RW_GONE = 9 };
 
-/* For n <= RW_MOST_ANGLES angles, a multiple of RW_TERMS. */
-void rw_grid_init(rw_grid *grid, int n);
+/* For n <= RW_MOST_ANGLES angles, a multiple of RW_TERMS. false where memory is short; then there is
+ * nothing to destroy. */
+bool rw_grid_init(rw_grid *grid, int n);
+void rw_grid_destroy(rw_grid *grid);
 
 /* Solves the step for the change of traction besides the layers. false where nothing sticks. */
 bool rw_grid_solve(rw_grid *grid, const rw_problem *problem, const rw_layers *layers);

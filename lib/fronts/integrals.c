@@ -7,6 +7,7 @@
 #include "base/tuned.h"
 #include "fronts/fronts.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* The order of a panel is RW_TERMS, or less where few digits are asked for. */
@@ -51,6 +52,28 @@ static void set_rule(rw_fronts *f)
     set_integrals(f, u);
 }
 
+/* Most loads need a thousand points. */
+enum { FIRST_POINTS = 1024 };
+
+/* A larger block; all points are kept, those of segments that may be the same next time too. */
+static bool grow(rw_fronts *f, size_t capacity)
+{
+    double **row[] = {&f->x,        &f->step,     &f->X,        &f->change,  &f->known,
+                      &f->layer[0], &f->layer[1], &f->layer[2], &f->layer[3]};
+    enum { ROWS = sizeof row / sizeof *row };
+    double *block = malloc(ROWS * capacity * sizeof *block), *before = f->x;
+    if (!block)
+        return false;
+    for (size_t i = 0; i < ROWS; i++) {
+        if (before)
+            memcpy(block + i * capacity, *row[i], f->capacity * sizeof *block);
+        *row[i] = block + i * capacity;
+    }
+    f->capacity = capacity;
+    free(before);
+    return true;
+}
+
 void rw_fronts_init(rw_fronts *f, double tolerance)
 {
     const double digits = -log10(tolerance);
@@ -61,7 +84,15 @@ void rw_fronts_init(rw_fronts *f, double tolerance)
     f->finest = (int)(digits + 2.5);
     f->layers = (rw_layers){.count = 0};
     memset(f->segment, 0, sizeof f->segment);
+    f->count = f->capacity = 0;
+    f->x = NULL;
+    f->is_short = !grow(f, FIRST_POINTS);
     set_rule(f);
+}
+
+void rw_fronts_destroy(rw_fronts *f)
+{
+    free(f->x);
 }
 
 rw_stuck rw_stuck_of(const rw_fronts *f, const rw_zones *zones)
@@ -136,7 +167,7 @@ static void put_panel(rw_fronts *f, const rw_segment *s, int side, double near, 
     }
     if (s->label != 0 || f->layers.count > 0)
         rw_friction_after(p, n, x, known);
-    rw_layer_values(p, f->layers.count, n, x, known, RW_MOST_POINTS, f->layer[0] + f->count);
+    rw_layer_values(p, f->layers.count, n, x, known, f->capacity, f->layer[0] + f->count);
     rw_traction_values(&p->old->traction, n, x, old);
     for (size_t i = 0; i < n; i++)
         known[i] = s->label * known[i] - old[i];
@@ -162,7 +193,12 @@ static void put_half(rw_fronts *f, const rw_segment *s, int side)
 
 static void put_segment(rw_fronts *f, rw_segment *s)
 {
+    const size_t all = f->count + (size_t)((s->panels[0] + s->panels[1] + 2) * f->order);
     s->first = f->count;
+    if (all > f->capacity && !grow(f, all > 2 * f->capacity ? all : 2 * f->capacity)) {
+        f->is_short = true;
+        return;
+    }
     put_half(f, s, 0);
     put_half(f, s, 1);
     s->count = f->count - s->first;

@@ -221,7 +221,9 @@ static int32_t try_load(const rw_numerical *n, const rw_frame *frame, rw_scaled_
         const bool is_done = advance(j, 0, to, 1, *effort / 2, &error);
         *effort -= j->work.effort;
         keep_friction(&j->work, j->next);
-        status = j->work.is_short ? RWEDGE_ENOMEM : is_done ? RWEDGE_OK : RWEDGE_ENOCONV;
+        status = j->work.is_short || j->work.fronts.is_short ? RWEDGE_ENOMEM
+                 : is_done                                   ? RWEDGE_OK
+                                                             : RWEDGE_ENOCONV;
     }
     if (status == RWEDGE_OK)
         *next = j->next;

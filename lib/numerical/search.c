@@ -54,6 +54,7 @@ static bool has_sliver(const rw_work *w, const rw_fronts *f)
 /* A residual takes values at all points, for each zone that sticks. */
 static void add_effort(rw_work *w, int residuals)
 {
+    w->is_short = w->is_short || w->fronts.is_short;
     w->search -= residuals;
     w->effort += residuals * w->fronts.sticks * (int)w->fronts.count;
 }
@@ -291,8 +292,10 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
     for (int trial = 0; trial < RW_TRIALS; trial++) {
         rw_grid *grid = &w->grid[trial];
         const int n = ANGLES << trial;
-        if (grid->n == 0)
-            rw_grid_init(grid, n);
+        if (grid->n == 0 && !rw_grid_init(grid, n)) {
+            w->is_short = true;
+            break;
+        }
         rw_zones zones;
         rw_outcome outcome;
         const bool is_solved = rw_grid_solve(grid, p, &layers);
@@ -353,4 +356,7 @@ void rw_work_destroy(rw_work *w)
 {
     for (int i = 0; i < RW_FRICTIONS; i++)
         rw_friction_destroy(&w->friction[i]);
+    for (int i = 0; i < RW_TRIALS; i++)
+        rw_grid_destroy(&w->grid[i]);
+    rw_fronts_destroy(&w->fronts);
 }

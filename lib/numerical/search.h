@@ -8,7 +8,7 @@
 
 enum { RW_TRIALS = 2, RW_FRICTIONS = 8 };
 
-/* Working memory of steps, kept from one to the next. */
+/* Working memory of steps, kept from one to the next: as much as these steps need. */
 typedef struct {
     const rw_frame *frame;
     rw_fronts fronts;

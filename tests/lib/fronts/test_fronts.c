@@ -26,6 +26,7 @@ static void destroy(void *of_step)
 {
     step *s = of_step;
     rw_friction_destroy(&s->friction);
+    rw_fronts_destroy(&s->fronts);
     rwedge_contact_destroy(s->wedge);
 }
 
@@ -111,13 +112,14 @@ CLAIM(a_contact_between_two_places_of_the_grid_has_no_answer)
     static rw_grid grid;
     step *s = begin();
     rw_friction narrow;
-    rw_grid_init(&grid, RW_MOST_ANGLES);
+    assert_true(rw_grid_init(&grid, RW_MOST_ANGLES));
     assert_true(rw_grid_solve(&grid, &s->problem, &NO_LAYERS));
     assert_true(rw_friction_create(&narrow, &s->frame,
                                    rw_arcs_patch_of_moment(&s->frame.arcs, 1e-9 * P, 0)));
     rw_problem_init(&s->problem, &s->frame, &s->friction, &narrow, &s->none, 0, 0);
     assert_false(rw_grid_solve(&grid, &s->problem, &NO_LAYERS));
     rw_friction_destroy(&narrow);
+    rw_grid_destroy(&grid);
 }
 
 /* Its places are at one x, or two: the labels never settle. */
@@ -127,7 +129,7 @@ CLAIM(a_contact_as_narrow_as_rounding_has_an_answer_of_the_grid)
     const double load = 3e-33;
     step *s = begin();
     rw_friction narrow;
-    rw_grid_init(&grid, RW_MOST_ANGLES);
+    assert_true(rw_grid_init(&grid, RW_MOST_ANGLES));
     assert_true(rw_friction_create(&narrow, &s->frame,
                                    rw_arcs_patch_of_moment(&s->frame.arcs, load, 0.1 * load)));
     s->none.zones.zone[0] = (rw_zone){0, narrow.contact.left, narrow.contact.right};
@@ -135,6 +137,7 @@ CLAIM(a_contact_as_narrow_as_rounding_has_an_answer_of_the_grid)
     assert_true(rw_grid_solve(&grid, &s->problem, &NO_LAYERS));
     assert_in_range(grid.turns, 50, 200);
     rw_friction_destroy(&narrow);
+    rw_grid_destroy(&grid);
 }
 
 /* By the pressure of a flat punch. */

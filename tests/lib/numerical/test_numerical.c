@@ -95,6 +95,29 @@ static void go(pair *c, double P, double M, double Q, double sigma)
 
 static const double TOLERANCES[] = {1e-3, 1e-4, 1e-6};
 
+/* What the steps so far have allocated beside tractions, in bytes. */
+static double working_memory(const rw_work *w)
+{
+    double numbers = (5.0 + RW_LAYERS) * (double)w->fronts.capacity;
+    for (int i = 0; i < RW_TRIALS; i++)
+        numbers += 2.0 * w->grid[i].n * w->grid[i].n;
+    return sizeof *w + numbers * sizeof(double);
+}
+
+/* Always 6.1 MB before, most of which is for loads on pads of many arcs. */
+CLAIM(a_step_takes_the_memory_that_it_needs)
+{
+    for (int i = 0; i < 3; i++) {
+        pair *c = begin(1.3, 0.1, TOLERANCES[i]);
+        rw_numerical_state there = {.error = 0};
+        const rw_scaled_loads to = {1.3, 0.1, 0.3, 0.05};
+        assert_true(rw_implicit_step(&c->work, &c->numerical->now, to, NULL, false, &there));
+        rw_traction_destroy(&there.shear.traction);
+        print_message("    tolerance %g: %.2f MB\n", TOLERANCES[i], working_memory(&c->work) / 1e6);
+        assert_true(working_memory(&c->work) < 0.5e6);
+    }
+}
+
 static void slip_is_that_of_the_closed_form(const pair *c)
 {
     double left, right;

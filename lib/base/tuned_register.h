@@ -193,9 +193,8 @@ RW_NUMBER(RW_COMPUTED_EDGE_MOVE, 0.005)
 /* Lengths an octave at which the range of K is looked at, so that no dip is missed. */
 RW_COUNT(RW_CRACK_STEPS, 16)
 
-/* The relative error of a life, and where faces press on each other: K has a kink wherever a place
+/* The relative error of a life where faces press on each other: K has a kink wherever a place
  * closes. */
-RW_NUMBER(RW_LIFE_ERROR, 1e-8)
 RW_NUMBER(RW_CLOSING_LIFE_ERROR, 1e-6)
 
 /* Parts of a crack's line for its overlap. */

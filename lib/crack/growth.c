@@ -226,7 +226,8 @@ static double settled(question *q, double low, double high, double whole, double
 
 static double life(question *q, double initial, double final)
 {
-    const double within = q->crack->presses ? RW_CLOSING_LIFE_ERROR : RW_LIFE_ERROR;
+    static const double SETTLED = 1e-8;
+    const double within = q->crack->presses ? RW_CLOSING_LIFE_ERROR : SETTLED;
     enum { MOST_PANELS = 64 }; /* to begin with: two an octave, as far as that goes */
     const double octaves = log(final / initial) / log(2);
     const int panels = (int)fmin(fmax(ceil(2 * octaves), 1), MOST_PANELS);

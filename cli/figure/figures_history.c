@@ -204,8 +204,8 @@ static void measure_depth(const figure_case *inputs, const last_cycle *last, dat
 
 /* ---- As contours ---- */
 
-/* What falls by decades has lines at powers of ten, or at 1, 2 and 5 times these: so many decades of
- * damage, and of Smith, Watson and Topper's parameter, an energy. Others have equal steps. */
+/* Damage, and Smith, Watson and Topper's parameter, an energy, fall by decades: they have lines at
+ * powers of ten, or at 1, 2 and 5 times these, over so many decades. Others have equal steps. */
 typedef struct {
     int decades, lines_a_decade; /* 0 for equal steps */
 } scale;

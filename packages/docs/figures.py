@@ -30,6 +30,10 @@ FIGURES = {
     "history": ("Stresses at the trailing edge in the last cycle", f"history {CYCLE} --cycles 2 --at -0.2067,0", "contact_stress_history"),
     "fretting": ("Smith, Watson and Topper's parameter along the surface", f"fretting {CYCLE}",
                  "criterion criterion_field"),
+    "measure": ("Its contours around the edge: at 1, 2 and 5 times powers of ten", f"measure {CYCLE} --over field", ""),
+    "contact": ("A pad as it touches, its loads, and what sticks", f"contact {PAD} --load 135.75,0 --load 135.75,25", "contact_edges"),
+    "tractions": ("Pressure and shear under these loads", f"tractions {PAD} --load 135.75,0 --load 135.75,25", ""),
+    "stress": ("Von Mises' stress under these loads", f"stress {PAD} --load 135.75,0 --load 135.75,25", "contact_yield_factor"),
 }
 WORKED = "bindings/python/examples"
 CASES = {"calculix": "", "crack_elements": "", "design": "--rows 60 --columns 41 --workers 0 --check 1", "dovetail": "", "fretting": "", "pads": "", "phase": "", "spectrum": "", "total_life": ""}

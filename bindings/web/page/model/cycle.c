@@ -14,6 +14,8 @@ typedef struct {
     int criterion, column; /* that is chosen, and its column */
     criteria wanted;
     load_list loads;
+    size_t done, all; /* loads of all cycles */
+    bool is_refused;  /* the answer says why */
     last_cycle last;
     measured along;
     worst_row worst[COLUMN_MAX];
@@ -127,18 +129,17 @@ static bool to_and_fro(load form)
     return true;
 }
 
-static bool go_through(int64_t cycles)
+/* The next load of all cycles; false where it is refused. */
+static bool go_on(void)
 {
     const rwedge_contact *contact = asked.setup.contact;
-    const size_t n = asked.loads.count, last = (size_t)(cycles - 1) * n;
-    for (size_t i = 0; i < last + n; i++) {
-        if (i == last)
-            last_cycle_begin(&asked.setup, &asked.wanted, contact, n, &asked.last);
-        if (!apply_next(asked.loads.load[i % n], i / n + 1))
-            return false;
-        if (i >= last)
-            last_cycle_add(contact, &asked.last);
-    }
+    const size_t i = asked.done++, n = asked.loads.count, last = asked.all - n;
+    if (i == last)
+        last_cycle_begin(&asked.setup, &asked.wanted, contact, n, &asked.last);
+    if (!apply_next(asked.loads.load[i % n], i / n + 1))
+        return false;
+    if (i >= last)
+        last_cycle_add(contact, &asked.last);
     return true;
 }
 
@@ -161,16 +162,18 @@ static bool hold(void)
 }
 
 /* Without a text the loads of the form go to and fro. */
-static bool apply(load form, const char *text, char decimal_sign, const char *times)
+static bool collect_loads(load form, const char *text, char decimal_sign, const char *times)
 {
     int64_t cycles;
     if (!number_read_whole(times, 1, 1000000, &cycles))
         return json_refuse("", "cycles must be a whole number from 1 to 1000000");
     if (asked.setup.status != RWEDGE_OK)
         return json_refuse("", "the contact cannot be made");
-    return (text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads) && hold()
-                            : to_and_fro(form)) &&
-           go_through(cycles);
+    if (!(text[0] != '\0' ? load_list_read(text, decimal_sign, &asked.loads) && hold()
+                          : to_and_fro(form)))
+        return false;
+    asked.all = (size_t)cycles * asked.loads.count;
+    return true;
 }
 
 /* ---- The measures ---- */
@@ -284,13 +287,12 @@ const last_cycle *cycle_answered(const material **constants)
     return asked.is_answered ? &asked.last : NULL;
 }
 
-/* Of the case of the form, and pasted loads, which are gone through so many times: the loads of the
- * last cycle, columns that are not used, the measures along the surface, the worst places, the
- * verdict of a criterion by the constants of a material; or what is wrong. Constants may have their
- * units; `units` are those of all else. The contact before the cycle is handed over. */
-EXPORTED const char *page_cycle(char *fields, const char *text, int decimal_sign, const char *times,
-                                const char *criterion, int is_plane_stress, char *constants,
-                                const char *units)
+/* Asks about the case of the form, and pasted loads, which are gone through so many times. The
+ * constants of the material may have their units; `units` are those of all else. page_cycle_go()
+ * and page_cycle_answer() follow. */
+EXPORTED void page_cycle_begin(char *fields, const char *text, int decimal_sign, const char *times,
+                               const char *criterion, int is_plane_stress, char *constants,
+                               const char *units)
 {
     load form;
     double nu;
@@ -298,9 +300,25 @@ EXPORTED const char *page_cycle(char *fields, const char *text, int decimal_sign
     asked.units = units_named(units);
     choose(criterion);
     json_begin();
-    if (read_constants(constants) &&
-        answers_history(fields, is_plane_stress, &asked.setup, &form, &nu) &&
-        collect_criteria(nu, is_plane_stress) && apply(form, text, (char)decimal_sign, times))
+    asked.is_refused = !(read_constants(constants) &&
+                         answers_history(fields, is_plane_stress, &asked.setup, &form, &nu) &&
+                         collect_criteria(nu, is_plane_stress) &&
+                         collect_loads(form, text, (char)decimal_sign, times));
+}
+
+/* Goes to the next load. The part of them that is done: 1 where none is left, or one is refused. */
+EXPORTED double page_cycle_go(void)
+{
+    asked.is_refused = asked.is_refused || !go_on();
+    return asked.is_refused ? 1 : (double)asked.done / (double)asked.all;
+}
+
+/* The loads of the last cycle, columns that are not used, the measures along the surface, the worst
+ * places, the verdict of a criterion by the constants of a material; or what is wrong. The contact
+ * before the cycle is handed over. */
+EXPORTED const char *page_cycle_answer(void)
+{
+    if (!asked.is_refused)
         write_answer();
     return json_end();
 }

@@ -525,6 +525,17 @@ test("a cycle, with a table or without, has the tool's worst places; so has its 
     assert.match(cycleOf({ ...usual, Q: "0" }, "", ".", "3", swt).complaint, /both are 0$/);
 });
 
+test("a cycle tells the share of the loads that is done, up to 1", () => {
+    const shares = [],
+        hear = (share) => shares.push(share);
+    cycleOf(usual, "P,Q\n190,20\n190,-20", ".", "4", swt, null, hear);
+    assert.deepEqual(shares, [1, 2, 3, 4, 5, 6, 7, 8].map((done) => done / 8));
+    shares.length = 0;
+    const refused = cycleOf(usual, "P,Q\n190,20\n190,-2000", ".", "4", swt, null, hear);
+    assert.match(refused.complaint, /^line 3: /);
+    assert.deepEqual(shares, [1 / 8, 1]);
+});
+
 test("the loop of the whole contact encloses the energy of its cycle", () => {
     const { x, y } = cycleOf(usual, "", ".", "3", swt).loop,
         parts = Array.from(x, (_, i) => (i === 0 ? 0 : ((y[i] + y[i - 1]) / 2) * (x[i] - x[i - 1])));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the last cycle of a history of loads does, as the model answers it; a material's constants as text.
-import { answeredContact, ask } from "./library.js";
+import { answeredContact, ask, goThrough } from "./library.js";
 import { withPoint } from "../number.js";
 import { crackOf } from "./crack.js";
 import { loopOf } from "./loop.js";
@@ -29,17 +29,16 @@ const linesOfMaterial = (text, sign) => constantsOf(text, sign).map((entry) => e
  * { loads, unused, slipKnown, computed: a remark, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
  * criterion with the constants it needs } or { complaint }. text: pasted loads, which are gone through so many times; without any the
  * case's own Q and sigma go to and fro. chosen: { name of the criterion, isPlaneStress, material: its text, units: "mm,N,MPa", "" for any }. crack: what
- * crackOf() takes where one is asked; its answer is `crack`.
+ * crackOf() takes where one is asked; its answer is `crack`. told() hears the share of the loads that is done.
  */
-export function cycleOf(texts, text, sign, times, chosen, crack = null) {
+export function cycleOf(texts, text, sign, times, chosen, crack = null, told = () => {}) {
     let material;
     try {
         material = linesOfMaterial(chosen.material, sign);
     } catch (error) {
         return { complaint: `the material: ${error.message}` };
     }
-    const { faults, constants = {}, ...answer } = ask(
-        "cycle",
+    const asked = [
         textsFor(texts, sign),
         text.trim() === "" ? "" : plainRows(text),
         sign.charCodeAt(0),
@@ -48,7 +47,9 @@ export function cycleOf(texts, text, sign, times, chosen, crack = null) {
         Number(chosen.isPlaneStress),
         material,
         chosen.units ?? "",
-    );
+    ];
+    goThrough("cycle", asked, told);
+    const { faults, constants = {}, ...answer } = ask("cycle_answer");
     const ofCriterion = ({ input, text }) => (input === "criterion" ? `${criteria[chosen.name]} ${text}` : text);
     if (faults) return { complaint: faults.map(ofCriterion).join("; ") };
     const found = { measured: {}, worst: {}, ...answer, criterion: { ...chosen, constants } },

@@ -48,6 +48,12 @@ function join(all, part) {
     return all;
 }
 
+/** What is long goes on in parts; told() is called after each with the share that is done. */
+export function goThrough(name, values, told) {
+    call(`page_${name}_begin`, values);
+    for (let share = 0; share < 1; told(share)) share = call(`page_${name}_go`, []);
+}
+
 /** What the model answers: an object, of which the model gives the parts in JSON. It has no text where memory ran out. */
 export function ask(name, ...values) {
     const text = textAt(call(`page_${name}`, values));

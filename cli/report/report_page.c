@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "report.h"
 
+#include "document/document.h"
 #include "figure/figure.h"
 
 #include <math.h>
@@ -30,9 +31,9 @@ static void put(output *out, const char *text)
 /* Without remarks, and what is of the command line. */
 static void put_meaning(output *out, const char *meaning)
 {
-    static const char *const ends[] = {";", ", or --", " (default"};
+    static const char *const ends[] = {";", ", or --", ", in place of --", " (default"};
     size_t length = strlen(meaning);
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         const char *end = strstr(meaning, ends[i]);
         if (end != NULL && (size_t)(end - meaning) < length)
             length = (size_t)(end - meaning);
@@ -165,6 +166,19 @@ static void put_input(const report *from, output *out, int i)
     end_line(from, out, kind->unit);
 }
 
+/* Where the constants of a shipped material are from; nothing of others. */
+static void put_source(const shipped_material *shipped, output *out)
+{
+    if (shipped == NULL)
+        return;
+    const node *top = document_read_text(shipped->text, shipped->name);
+    output_text(out, "<p class=\"meaning\">");
+    put(out, node_part(top, "name")->text);
+    output_text(out, ": ");
+    put(out, node_part(top, "source")->text);
+    output_text(out, "</p>\n");
+}
+
 static void put_inputs(const report *from, output *out)
 {
     const char *body1 = from->line->value[OPTION_MATERIAL];
@@ -172,6 +186,7 @@ static void put_inputs(const report *from, output *out)
         begin_line(out, "Material of body 1", "");
         put(out, body1[0] == '{' ? "constants of the case" : body1);
         end_line(from, out, "none");
+        put_source(shipped_material_named(body1), out);
     }
     for (int i = 0; i < INPUT_COUNT; i++)
         if (input_is_given(&from->texts, i))
@@ -351,8 +366,10 @@ static void assume_bodies(const report *from, output *out)
         item(out, "Of unlike bodies, friction does not change the pressure (Dundurs' beta is "
                   "neglected).");
     if (setup->shape.places != NULL)
-        item(out, setup->shape.places->arcs > 0
+        item(out, from->line->value[OPTION_FIT] != NULL
                       ? "The pad is the convex profile that fits its heights."
+                  : from->line->value[OPTION_HULL] != NULL
+                      ? "The pad is the convex hull of its heights."
                       : "The pad is its profile, linear in the slopes.");
 }
 

@@ -46,6 +46,7 @@ for name in swt swt_damage; do
 done
 has "the name of the case" "<h1>Rig &amp; &lt;7></h1>"
 has "units of the case" "MPa"
+has "the source of its material" "Fundamentals of Metal Fatigue Analysis"
 has "a cycle" "in the last of 4 passes of the loads"
 has "the hardest of the loads" "load 3 is the hardest: a factor of 0.989 on the stress"
 has "what yields is red" 'class="verdict red"'
@@ -69,6 +70,10 @@ has "rigid" "Body 2 is rigid."
 has "plane stress" "Plane stress: a thin plate."
 has "a doubt" "theta is above 0.1 rad"
 has "a width" "given for the whole width, and divided by it"
+printf 'x,height\n-1,0.1\n0,0\n0.3,0.01\n0.4,0.012\n1,0.1\n' >worn.csv
+does report $steel --profile worn.csv --hull --P 300 --tilt 0 --no-pictures
+has "a hull" "The pad is the convex hull of its heights."
+hasnt "a word of the command line" "in place of --"
 does report --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --P 135.75 --Q 38.75 --f 0.3 --sigma 300 --no-pictures
 has "an error that is told" "computed numerically: tractions to about"
 hasnt "and is no closed form" "All is in closed form"

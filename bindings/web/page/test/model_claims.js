@@ -5,7 +5,7 @@ import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { test } from "node:test";
-import { cycleOf } from "../src/answers/cycle.js";
+import { cycleOf } from "../src/answers/last_cycle.js";
 import { constantFactorOf, factorOf, rwedge } from "../src/answers/library.js";
 import { asCommand, asFretting, asPython } from "../src/export.js";
 import { readNumber } from "../src/number.js";

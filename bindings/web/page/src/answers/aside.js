@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long work is done aside, in a worker: typing goes on, and the next question ends the one before. The worker runs this page's script.
-import { cycleOf } from "./cycle.js";
+import { cycleOf } from "./last_cycle.js";
 import { solveRows } from "./tables.js";
 
 /** told() hears the share that is done, where that is known. */

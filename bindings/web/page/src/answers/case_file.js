@@ -3,7 +3,7 @@
 import { ask, knows } from "./library.js";
 import { readNumber } from "../number.js";
 import { textsFor } from "./solution.js";
-import { constantsOf } from "./cycle.js";
+import { constantsOf } from "./last_cycle.js";
 
 const LOADS = ["P", "M", "Q", "sigma", "tilt"];
 

@@ -1250,7 +1250,7 @@ RWEDGE_API int32_t rwedge_contact_drive(rwedge_contact *contact, double P, doubl
 
 /* ---- Measures of a stress -------------------------------------------------------------------- */
 
-/* For any stresses, of a contact or not, in any unit; tension positive, y into the half-plane.
+/* The stresses may be any, of a contact or not, in any unit; tension positive, y into the half-plane.
  *   sxx, syy, txy  stresses, of at most 1e60 in magnitude
  *   nu             Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane
  *                  stress, szz = 0, give nu = 0

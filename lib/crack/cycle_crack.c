@@ -111,8 +111,8 @@ void rw_crack_destroy(rw_crack *crack)
 
 /* ---- Stresses on the line ---- */
 
-/* Of n lengths, one after the other: x and y of m places each, and the stresses that follow,
- * sxx of all loads first, then syy and txy. */
+/* The lines of n lengths, one after the other: x and y of m places each, and the stresses that
+ * follow, sxx of all loads first, then syy and txy. */
 typedef struct {
     size_t n;
     double *x, *y, *stress;
@@ -136,7 +136,7 @@ static int32_t take_stresses(const rw_crack *crack, size_t n, const double lengt
     return rw_cycle_stresses(crack->cycle, points, line->x, line->y, line->stress);
 }
 
-/* Of the length j, at m places: those across the line first, then those along it. */
+/* The stresses at m places of the length j: those across the line first, then those along it. */
 static void resolve(const rw_crack *crack, const line_stresses *line, size_t load, size_t j,
                     double resolved[])
 {

@@ -23,7 +23,7 @@ typedef struct {
     double shear, energy;
 } place;
 
-/* In roundings of an edge. */
+/* How near to an edge a place counts as the edge, in roundings of one. */
 static const double MARGIN = 4;
 
 /* The place itself or, within rounding of an edge, a place inside that edge: slip may jump at an

@@ -15,7 +15,7 @@
 
 /* ---- The displacement of a state ---- */
 
-/* Of a computed state; without its shift. */
+/* That of a computed state, without its shift. */
 static double computed_displacement(const rwedge_contact *c, double x)
 {
     return c->geometry.theta * rw_displacement_of(&c->computed.now->now, x);

@@ -88,7 +88,8 @@ void rw_fronts_singular(const rw_stuck *stuck, double K[]);
 /* The residual: K over sqrt(half), at the fronts and then at edges of the contact that stick. */
 bool rw_fronts_residual(rw_fronts *fronts, double residual[]);
 
-/* For zones that alternate between stick and slip, of any problems of this tolerance. */
+/* The zones may be any that alternate between stick and slip, the problems any of this
+ * tolerance. */
 void rw_fronts_init(rw_fronts *fronts, double tolerance);
 void rw_fronts_destroy(rw_fronts *fronts);
 

@@ -16,7 +16,7 @@ typedef struct {
     rw_friction friction;    /* of the contact now, for the next load; none at first */
 } rw_numerical;
 
-/* For a load: within a second. */
+/* The effort of a load: within a second. */
 enum { RW_MOST_EFFORT = 20000000 };
 
 /* Begins from `now`, whose traction it takes over. `slip` gives the slip so far of places, over

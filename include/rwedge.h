@@ -98,7 +98,7 @@ RWEDGE_API double rwedge_dundurs_beta(double E1, double nu1, double E2, double n
 
 /* The same constant for plane stress. The compliance of plane stress is that of nu = 0. The strain
  * per tension is 1/E1: rwedge_contact_set_strain(); rwedge_contact_set_bodies() is for plane
- * strain.                                                          Dundurs (1969), see lib/README.md
+ * strain.                                                         Dundurs (1969), see lib/README.md
  *   others  as in rwedge_compliance()
  * NaN where the compliance for nu = 0 is. |beta| < 1; |beta| <= 1/2 for nu >= 0. Error below 4
  * epsilon, absolutely. */
@@ -1250,7 +1250,7 @@ RWEDGE_API int32_t rwedge_contact_drive(rwedge_contact *contact, double P, doubl
 
 /* ---- Measures of a stress -------------------------------------------------------------------- */
 
-/* The stresses may be any, of a contact or not, in any unit; tension positive, y into the half-plane.
+/* Stresses may be any, of a contact or not, in any unit; tension positive, y into the half-plane.
  *   sxx, syy, txy  stresses, of at most 1e60 in magnitude
  *   nu             Poisson's ratio, 0 <= nu <= 0.5: plane strain, szz = nu (sxx+syy); for plane
  *                  stress, szz = 0, give nu = 0

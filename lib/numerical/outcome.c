@@ -54,7 +54,8 @@ static void traction_after(const double x[], const void *context, double t[])
     else if (sticks)
         rw_fronts_stick_traction(n->fronts, &n->stuck, RW_TERMS, x, t);
     rw_friction_after(n->problem, RW_TERMS, x, F);
-    cut_rim(n->problem, x, F, t);
+    if (sticks)
+        cut_rim(n->problem, x, F, t);
     for (int i = 0; i < RW_TERMS; i++)
         if (label[i] != 0)
             t[i] = label[i] * F[i];

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files at random for "rwedge solve --input". What another program has written as CSV comes through as it was; whatever bytes a
+"""Files at random for "rwedge solve --input", and logs for "rwedge history". What another program has written as CSV comes through as it was; whatever bytes a
 file has, the command ends with a status of its own, and what it has written can be read.
     random_files.py PROGRAM FILES [SEED]"""
 import csv
@@ -19,8 +19,17 @@ FILES = [text.encode(*encoding) for text, *encoding in [
 OPTIONS = [CONTACT, ["--format", "json"] + CONTACT, ["--decimal-comma"] + CONTACT, ["--format", "json", "--k", "300", "--yield-factor"] + CONTACT, []]
 
 
-def solve(program, data, options):
-    done = subprocess.run([program, "solve", "--input", "-", "--threads", "1"] + options, input=data, capture_output=True, timeout=60)
+# logs of instruments, right and wrong
+LOGS = [text.encode(*encoding) for text, *encoding in [
+    ("P,Q\n1000,100\n1000,-100\n900,50\n",), ("Rig 7\n# by hand\n\nTime;P;Q;sigma\ns;kN;kN;MPa\n0;1,2;0,1;5\n1;1,2;-0,1;-5\n",),
+    ("t\tLoad(8801:Load) (kN)\tQ [N]\n0\t1.2\t100\n1\t1.1\t-100\n",), ("time  P  Q  tilt\n0 100 10 0.001\n1 120 -10 0.002\n", "utf-16"),
+    ("P,M,Q,sigma\n1000,0,100,0\nNaN,1,2,3\n-9999,,0,0\n",), ("P [kN/mm],Q [lbf/in],x\n0.1,100,1\n0.1,-100,2\n", "cp1252")]]
+LOG_OPTIONS = [[], ["--units", "mm,N,MPa"], ["--units", "mm,N,MPa", "--width", "8", "--drop"], ["--decimal-comma", "--units", "m,N,Pa", "--width", "1"],
+               ["--units", "in,lbf,psi", "--column", "P=Load(8801:Load)", "--encoding", "cp1252"], ["--format", "json", "--until", "--drop"]]
+
+
+def solve(program, data, options, command=("solve", "--input", "-", "--threads", "1")):
+    done = subprocess.run([program, *command] + options, input=data, capture_output=True, timeout=60)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -55,10 +64,10 @@ def changed(draw, data):
     return bytes(data[:draw.randint(1, len(data))] if draw.random() < 0.25 else data)
 
 
-def check_any(program, draw):
-    data, options = changed(draw, draw.choice(FILES)), draw.choice(OPTIONS)
-    status, out, err = solve(program, data, options)
-    good = status in (0, 1, 2) and (status == 0 or err.startswith(b"rwedge solve: "))
+def check_any(program, draw, files, ways, *command):
+    data, options = changed(draw, draw.choice(files)), draw.choice(ways)
+    status, out, err = solve(program, data, options, command)
+    good = status in (0, 1, 2) and (status == 0 or err.startswith(b"rwedge %s: " % command[0].encode()))
     if good and out:
         json.loads(out.decode()) if "json" in options else list(csv.reader(io.StringIO(out.decode(), newline="")))
     if not good:
@@ -70,7 +79,8 @@ def main(program, files, seed="2026"):
     for _ in range(int(files) // 4):
         check_round_trip(program, draw)
     for _ in range(int(files)):
-        check_any(program, draw)
+        check_any(program, draw, FILES, OPTIONS, "solve", "--input", "-", "--threads", "1")
+        check_any(program, draw, LOGS, LOG_OPTIONS, "history", "-", *CONTACT, "--a", "2")
     print("%s files" % files)
 
 

@@ -103,3 +103,72 @@ bool inverse_find(const input_texts *texts, int input, double safety, contact_ca
     rwedge_contact_destroy(setup->contact);
     return case_read(&all, CASE_OF_SOLVE, setup, why);
 }
+
+/* ---- A factor on the stress ---- */
+
+typedef struct {
+    const input_texts *texts;
+    int input;
+    bool slides;
+} stress_question;
+
+/* The factor with that value of the input; NAN where the case has none. */
+static double stress_factor(const stress_question *asked, double value)
+{
+    input_texts all = *asked->texts;
+    contact_case setup;
+    results answer;
+    complaint why;
+    double factor = NAN;
+    input_set(&all, asked->input, value);
+    const results_wanted wanted = {.yield_factor = !asked->slides, .edges = true};
+    if (case_read(&all, CASE_OF_SOLVE, &setup, &why) && setup.status == RWEDGE_OK &&
+        results_compute(&setup, wanted, &answer, &why))
+        factor = asked->slides ? results_sliding_factor(&answer)
+                               : answer.value[RESULT_YIELD_FACTOR].number;
+    rwedge_contact_destroy(setup.contact);
+    return factor;
+}
+
+/* The value, on a scale of logarithms, where the factor passes what is asked, between two that it
+ * lies between. Halving ends at rounding. */
+static double halve(const stress_question *asked, double factor, double from, double to)
+{
+    const bool rises = stress_factor(asked, to) >= factor;
+    for (int i = 0; i < 60 && fabs(log(to / from)) > 1e-13; i++) {
+        const double middle = sqrt(from) * sqrt(to);
+        *((stress_factor(asked, middle) >= factor) == rises ? &to : &from) = middle;
+    }
+    return to;
+}
+
+bool inverse_find_stress(const input_texts *texts, int input, double factor, bool slides,
+                         double *value, complaint *why)
+{
+    enum { DOUBLINGS = 30 };
+    const stress_question asked = {texts, input, slides};
+    double start = 1;
+    if (input_is_given(texts, input) && !input_read(texts, input, &start, why))
+        return false;
+    if (!(start > 0))
+        start = 1;
+    const double here = stress_factor(&asked, start);
+    double below = start, above = start, at_below = here, at_above = here;
+    for (int i = 0; i < DOUBLINGS; i++) {
+        const double down = stress_factor(&asked, below / 2), up = stress_factor(&asked, above * 2);
+        if ((at_below - factor) * (down - factor) <= 0) {
+            *value = halve(&asked, factor, below, below / 2);
+            return true;
+        }
+        if ((at_above - factor) * (up - factor) <= 0) {
+            *value = halve(&asked, factor, above, above * 2);
+            return true;
+        }
+        below /= 2;
+        above *= 2;
+        at_below = down;
+        at_above = up;
+    }
+    return isnan(here) ? refuse("the case as it stands has no such factor", why)
+                       : refuse("no value is found that has this factor", why);
+}

@@ -262,6 +262,12 @@ int32_t results_find_hardest(const contact_case *setup, results *answer)
     return RWEDGE_OK;
 }
 
+double results_sliding_factor(const results *answer)
+{
+    const cell limit = answer->value[RESULT_P_OVER_BK], now = answer->value[RESULT_LOAD_OVER_BK];
+    return limit.text == NULL && now.text == NULL ? limit.number / now.number : NAN;
+}
+
 static const char beyond_pad[] = "the contact would reach farther than the radius, or results "
                                  "leave 1e-60 to 1e60";
 

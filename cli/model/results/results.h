@@ -70,6 +70,9 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
  * the library's status. */
 int32_t results_find_hardest(const contact_case *setup, results *answer);
 
+/* In full sliding under this P: as the yield factor, of the stress. NAN where it is not known. */
+double results_sliding_factor(const results *answer);
+
 /* Adds to the warnings. */
 void results_warn(results *answer, const char *warning);
 
@@ -118,6 +121,12 @@ typedef struct {
 /* Those whose right side is a formula of the pad and its loads: how many. What is searched for, as
  * the load at first yield, has none. */
 int equations_of(const contact_case *setup, const results *answer, equation to[EQUATIONS_MAX]);
+
+/* Finds the value of the input with which the factor on the stress is that: under the loads as they
+ * are, or in full sliding. The nearest one to the present value is taken. False, with the
+ * complaint, where there is none. */
+bool inverse_find_stress(const input_texts *texts, int input, double factor, bool slides,
+                         double *value, complaint *why);
 
 /* ---- verdict ---- The verdict: a summary of all results of a contact. */
 

@@ -28,17 +28,10 @@ static void add_place(const writer *w, double x, double y)
              w->length_unit, y > 0 ? "below" : "at");
 }
 
-/* In full sliding under this P: as the yield factor, of the stress. NAN where it is not known. */
-static double sliding_factor(const results *answer)
-{
-    const cell limit = answer->value[RESULT_P_OVER_BK], now = answer->value[RESULT_LOAD_OVER_BK];
-    return limit.text == NULL && now.text == NULL ? limit.number / now.number : NAN;
-}
-
 static void add_present(const writer *w, const results *answer, double factor)
 {
     char text[NUMBER_SIZE], other[NUMBER_SIZE];
-    const double sliding = sliding_factor(answer);
+    const double sliding = results_sliding_factor(answer);
     if (!(factor > 0)) {
         list_add(w->to->strength, sizeof w->to->strength, "",
                  "It yields: the stress at a sharp apex has no bound.");
@@ -64,7 +57,7 @@ static void add_sliding(const writer *w, const results *answer, bool alone)
 {
     char text[NUMBER_SIZE];
     const cell safety = answer->value[RESULT_SAFETY];
-    const double sliding = sliding_factor(answer);
+    const double sliding = results_sliding_factor(answer);
     const bool has_place = answer->value[RESULT_YIELD_X].text == NULL;
     if (safety.text != NULL || isnan(safety.number)) /* none, or a bound that nothing reaches */
         return;

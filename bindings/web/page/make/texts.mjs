@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the texts of the tab About as a module, from the READMEs and licences of the project and of what is in the page:
 // node texts.mjs TOP FOLDER. FOLDER has what build.sh fetched.
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { resolve } from "node:path";
 
@@ -53,6 +53,13 @@ function licences() {
     ];
 }
 
+/** Those that the tool has by name. */
+function materials() {
+    const folder = `${top}/tables/materials`,
+        files = readdirSync(folder).filter((file) => file.endsWith(".json")).sort();
+    return Object.fromEntries(files.map((file) => [file.replace(".json", ""), JSON.parse(readFileSync(`${folder}/${file}`, "utf8"))]));
+}
+
 const read = (name) => readFileSync(`${top}/${name}`, "utf8");
 const html = (text) => marked.parse(withoutLinks(withFormulas(text)), { async: false });
 const library = read("lib/README.md"),
@@ -65,5 +72,6 @@ const texts = {
     citation: read("CITATION.cff"),
     licence: read("LICENSE"),
     licences: licences(),
+    materials: materials(),
 };
 console.log(`export const texts = ${JSON.stringify(texts)};`);

@@ -7,6 +7,7 @@
 #include "text/text.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- Words ---- */
 
@@ -21,6 +22,30 @@ static void write_input_words(void)
     }
 }
 
+static void write_need(const char *criterion, const char *name)
+{
+    const int constant = material_constant(name);
+    const bool is_of_case = strcmp(name, "E") == 0 || strcmp(name, "yield_stress") == 0;
+    if (constant >= 0 && !is_of_case)
+        json_add("{'needs':{%t:[{'name':%t,'meaning':%t,'unit':%t}]}}", criterion, name,
+                 material_meaning(constant), material_unit(constant));
+}
+
+/* What of a material each criterion asks for: its constants, its limit, its curve of life. */
+static void write_needs(void)
+{
+    for (int i = 0; i < measure_count(); i++) {
+        const char *column = measure_kind_of(i)->column;
+        const int criterion = measure_criterion(i);
+        if (criterion == NO_CRITERION || measure_kind_of(i)->part != PART_VALUE ||
+            criterion_is_damage(criterion))
+            continue;
+        for (int32_t j = 0; rwedge_constant_name(criterion, j)[0] != '\0'; j++)
+            write_need(column, rwedge_constant_name(criterion, j));
+        write_need(column, rwedge_criterion_limit(criterion));
+    }
+}
+
 EXPORTED const char *page_words(void)
 {
     json_begin();
@@ -31,6 +56,7 @@ EXPORTED const char *page_words(void)
     for (int i = 0; i < measure_count(); i++)
         json_add("{'measures':{%t:{'unit':%t,'meaning':%t}}}", measure_kind_of(i)->column,
                  measure_kind_of(i)->unit, measure_kind_of(i)->meaning);
+    write_needs();
     return json_end();
 }
 
@@ -197,16 +223,20 @@ bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, lo
 }
 
 /* Of the case of the form, whose own text of that input does not count: the number that gives the
- * safety, or why there is none. */
-EXPORTED const char *page_find(char *fields, const char *name, double safety)
+ * safety, or why there is none. `on` is "P", of full sliding; "stress", under the loads; or
+ * "sliding", the stress in full sliding. */
+EXPORTED const char *page_find(char *fields, const char *name, const char *on, double safety)
 {
     const input_texts texts = field_texts(fields);
     const int input = inverse_input(name);
     contact_case setup = {.contact = NULL};
     double value;
     complaint why;
+    const bool is_of_load = strcmp(on, "P") == 0;
     json_begin();
-    if (inverse_find(&texts, input, safety, &setup, &value, &why))
+    if (is_of_load
+            ? inverse_find(&texts, input, safety, &setup, &value, &why)
+            : inverse_find_stress(&texts, input, safety, strcmp(on, "sliding") == 0, &value, &why))
         json_add("{'value':%n}", value);
     else
         json_fault("", why.text);

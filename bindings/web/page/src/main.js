@@ -13,6 +13,7 @@ import { inputTexts, makeModel } from "./model.js";
 import { narrow } from "./plot/axes.js";
 import { carry } from "./plot/save.js";
 import { aside as history, worstPlace } from "./tabs/cycle.js";
+import { linesOf as shippedLines } from "./tabs/material.js";
 import { tabList, tabPanels } from "./tabs/tabs.js";
 import { isSilent, verdict } from "./verdict.js";
 import { unitsNamed, unitsRemark, unitSystems } from "./units.js";
@@ -27,8 +28,8 @@ function loadsOfCycle() {
 }
 
 function saveCase() {
-    const { name, sign, material } = state;
-    const told = { name, texts: present.value.texts, sign, material, loads: loadsOfCycle(), settings: states.shownSettings() };
+    const { name, sign, material, shipped } = state;
+    const told = { name, texts: present.value.texts, sign, material, shipped, loads: loadsOfCycle(), settings: states.shownSettings() };
     download(`${fileName("") || "case"}.json`, writtenCase(told), "application/json");
 }
 
@@ -40,6 +41,7 @@ async function openCase({ target }) {
     target.value = "";
     try {
         const texts = text.startsWith("#") ? states.readAddress(text) : readCase(text, states.shortNumber);
+        if (texts.shipped) texts.material = shippedLines(texts.shipped);
         states.take({ ...texts, ...(!text.startsWith("#") && { units: unitsNamed(texts.units) }) });
         fault = "";
     } catch (error) {

@@ -30,8 +30,11 @@ const settings = {
     crack_angle: "0",
     crack_from: "",
     crack_to: "",
+    shipped: "",
+    wanted: "",
     batch: "",
     find: "radius",
+    factor: "P",
     safety: "2",
 };
 export const tabs = {
@@ -46,6 +49,8 @@ export const signs = { ".": "point", ",": "comma" };
 export const edges = { left: "left", right: "right" };
 /** What can be found for a safety. */
 export const findable = { radius: "Radius R", a: "Half-width of rounding a", P: "Load P", f: "Friction f" };
+/** On which factor that is. */
+export const factors = { stress: "on the stress, under these loads", sliding: "on the stress, if it slid", P: "on P, in full sliding" };
 export const digits = { 4: "4", 6: "6", 10: "10", 14: "14" };
 /** What a setting may be; another word is the usual one. */
 const allowed = {
@@ -57,9 +62,10 @@ const allowed = {
     criterion: criteria,
     crack_edge: edges,
     find: findable,
+    factor: factors,
 };
 /** Those that a case file has in words of its own. */
-const ofFile = ["name", "units", "width", "plane", "material"];
+const ofFile = ["name", "units", "width", "plane", "material", "shipped"];
 const LONGEST = 20000; // characters of an address that every browser takes
 
 /** texts: of the inputs, by name; way: which of the ways to give an input is chosen. */

@@ -446,6 +446,36 @@ export async function a_case_is_saved_and_opened({ page, show, tool }) {
     rmSync(folder, { recursive: true });
 }
 
+/** A material by its name: its source, its constants as fields, its life beside the cycles that are wanted, a modulus that differs. */
+export async function a_million_cycles_are_judged_by_a_named_material({ page, show, tool }) {
+    await show({ ...usual, E1: "206800" }, { tab: "cycle", digits: "6" });
+    await enter(page, { "material-name": "sae-1015-normalized", wanted: "1e7" });
+    await settled(page);
+    assert.match(await textOf(page, "#panel-cycle"), /Source: J\. A\. Bannantine/);
+    assert.equal(await page.$eval("#constant-sf", (input) => input.value), "827");
+    assert.match(await textOf(page, ".sentence"), /passes of the loads to failure; fewer than the 1e7 wanted/);
+    const { cycle_life: life } = await shownNumbers(page);
+    const [saved] = await savedBy(page, "#save-case"),
+        folder = mkdtempSync(`${tmpdir()}/rwedge-page-`);
+    assert.equal(JSON.parse(saved.text).material, "sae-1015-normalized");
+    writeFileSync(`${folder}/case.json`, saved.text);
+    writeFileSync(`${folder}/log.csv`, "P,Q\n190,20\n190,-20\n");
+    const told = run(tool, ["fretting", `${folder}/log.csv`, "--case", `${folder}/case.json`, "--at-worst", "--format", "json"]).stdout;
+    assertNear(life, JSON.parse(told).find(({ measure }) => measure === "swt").life, 1e-5, "life");
+    rmSync(folder, { recursive: true });
+    assert.equal(await page.$("#modulus"), null);
+    await enter(page, { "in-E1": "70000" });
+    await page.click("#modulus button");
+    assert.equal(await page.$eval("#in-E1", (input) => input.value), "206800");
+    await page.evaluate(() => {
+        const field = document.getElementById("constant-sf");
+        field.value = "900";
+        field.dispatchEvent(new Event("change", { bubbles: true }));
+    });
+    await settled(page);
+    assert.ok(Number((await shownNumbers(page)).cycle_life) > Number(life));
+}
+
 /** Changes go back and forth; one that follows an undone one ends what could be redone. */
 export async function changes_are_undone_and_redone({ page }) {
     const P = () => page.$eval("#in-P", (input) => input.value),
@@ -475,5 +505,11 @@ export async function a_safety_is_asked_for({ page, show }) {
         await enter(page, { "find-input": name, "find-safety": "1.5" });
         await page.click(".find button");
         assertNear((await shownNumbers(page)).safety, 1.5, 1e-8, name);
+    }
+    for (const [factor, shown] of [["stress", "yield_factor"], ["sliding", "safety_strength"]]) {
+        await show(usual, { digits: "10" });
+        await enter(page, { "find-input": "radius", "find-factor": factor, "find-safety": "1.5" });
+        await page.click(".find button");
+        assertNear((await shownNumbers(page))[shown], 1.5, 1e-8, shown);
     }
 }

@@ -25,9 +25,9 @@ function columnsOf(loads, width) {
 
 /**
  * The text of a case file. texts: those that the model is told; loads: of a cycle, [{ P, M, Q, sigma }], perhaps with tilt, or undefined:
- * then those of the form are the case's; settings: what the page alone has.
+ * then those of the form are the case's; shipped: the name of a material that the tool has; settings: what the page alone has.
  */
-export function writtenCase({ name, texts, sign, material, loads, settings }) {
+export function writtenCase({ name, texts, sign, material, shipped, loads, settings }) {
     const { case: made, width } = ask("case", textsFor(texts, sign)),
         { rwedge_case, bodies, pad, loads: ofForm } = made,
         isList = loads?.length > 0,
@@ -40,7 +40,7 @@ export function writtenCase({ name, texts, sign, material, loads, settings }) {
         bodies: { ...bodies, ...(texts.plane_stress && { plane_stress: true }) },
         pad,
         loads: isList ? columnsOf(loads, width ?? 1) : ofForm,
-        ...(material.trim() && { material: materialOf(material, sign) }),
+        ...(material.trim() && { material: shipped || materialOf(material, sign) }),
         asked: { command: "page", options },
     };
     return `${JSON.stringify(file, null, 1).replace(/\n +(-?[\d.e+-]+,?)(?=\n)/g, " $1").replace(/(\d)\n +\]/g, "$1]")}\n`;
@@ -100,7 +100,8 @@ export function readCase(text, write) {
     const { x, ...column } = taken.lists;
     if (x) taken.texts.profile = tableOf({ x, ...column }, write);
     const { units, plane_stress = "", width, section, K_in, ...making } = taken.words;
-    const ofMaterial = typeof material === "string" ? material : (material && JSON.stringify(material, null, 1)) ?? "";
+    const isNamed = typeof material === "string",
+        ofMaterial = isNamed ? "" : ((material && JSON.stringify(material, null, 1)) ?? "");
     return {
         ...taken.texts,
         ...making,
@@ -111,5 +112,6 @@ export function readCase(text, write) {
         width: width ?? "",
         plane: plane_stress && "stress",
         material: ofMaterial,
+        shipped: isNamed ? material : "",
     };
 }

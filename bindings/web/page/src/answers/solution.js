@@ -53,9 +53,9 @@ export function solveHolding(texts, sign, length = "") {
     };
 }
 
-/** The radius, a, P or f with which the case has a safety in full sliding: { value } or { complaint }. */
-export function findInput(texts, sign, name, safety) {
-    const { faults, value } = ask("find", textsFor(texts, sign), name, safety);
+/** The radius, a, P or f with which the case has a factor: { value } or { complaint }. on: "P", of full sliding; "stress", under the loads; "sliding", the stress in full sliding. */
+export function findInput(texts, sign, name, safety, on = "P") {
+    const { faults, value } = ask("find", textsFor(texts, sign), name, on, safety);
     return faults ? { complaint: faults[0].text } : { value };
 }
 

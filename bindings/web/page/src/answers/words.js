@@ -2,9 +2,10 @@
 // The words of the model: inputs, results of "rwedge solve", measures of "rwedge fretting".
 import { ask } from "./library.js";
 
-const { inputs, alternatives, results, measures } = ask("words");
-/** By name, in the tool's order. */
-export { inputs, measures };
+const { inputs, alternatives, results, measures, needs } = ask("words");
+for (const [name, all] of Object.entries(needs)) needs[name] = [...new Map(all.map((need) => [need.name, need])).values()]; // a limit is told twice
+/** By name, in the tool's order; needs: of each criterion the constants of a material, [{ name, meaning, unit }]. */
+export { inputs, measures, needs };
 export const inputNames = Object.keys(inputs);
 
 /** The names by which an input can be given: of two ways to give the same, both. */

@@ -13,6 +13,7 @@ import { wordsOf } from "../units.js";
 import { bar } from "../verdict.js";
 import { criteria, measures } from "../answers/words.js";
 import { askedCrack, crackPart } from "./crack.js";
+import { lifeBeside, materialPart } from "./material.js";
 import { table } from "./table.js";
 import { waiting } from "./waiting.js";
 
@@ -60,16 +61,19 @@ function loopOf({ loop }, { unit, write }) {
 function sentence({ worst, criterion: { name }, limit, safety, life }, { unit, write }) {
     const { value, x } = worst[name] ?? { value: 0 };
     const place = x === undefined ? "" : ` at x = ${write(x)} ${unit.length}`,
-        beside = safety < 1 ? "above" : "below";
+        beside = safety < 1 ? "above" : "below",
+        lasts = lifeBeside(life);
     const parts = [
         `${criteria[name]}: ${write(value)} ${unitOf(name, unit)}${place}`,
         safety === null
-            ? "no limit of the material is given"
+            ? life === null && "no limit of the material is given"
             : `${beside} its limit ${write(limit)}, a factor of ${write(safety)}`,
         life !== null && (life === Infinity ? "no failure" : `${write(life)} passes of the loads to failure`),
+        lasts?.text,
     ];
     return html`<p class="sentence">${parts.filter(Boolean).join("; ")}.</p>
-        ${safety === null ? nothing : bar(safety, safety < 1 ? "red" : "green", "the limit")}`;
+        ${safety === null ? nothing : bar(safety, safety < 1 ? "red" : "green", "the limit")}
+        ${lasts && safety === null ? bar(Math.min(lasts.factor, 1e9), lasts.factor < 1 ? "red" : "green", "the cycles wanted") : nothing}`;
 }
 
 function verdictRows({ limit, safety, life }, { write }) {
@@ -109,8 +113,6 @@ function remarkOf(answer) {
         .join(". ");
 }
 
-let isGiven = false; // constants have been: their part is open from then on
-
 /** What is typed and chosen. */
 const entries = () => html`
     <label for="loads">Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M or tilt, and sigma</label>
@@ -120,12 +122,7 @@ const entries = () => html`
         <input id="cycles" type="text" size="4" inputmode="numeric" spellcheck="false" .value=${live(state.cycles)}
             @input=${setter("cycles")}>times; the last time counts</p>
     <p class="tools"><label for="criterion">Criterion</label>
-        <select id="criterion" @change=${setter("criterion")}>${options(criteria, state.criterion)}</select></p>
-    <details ?open=${(isGiven ||= state.material !== "")}><summary>Constants of the material: limit and life</summary>
-        <label for="material">Constants of the material, a name and a number a line, or JSON:
-            as \u201crwedge fretting --material\u201d</label>
-        <textarea id="material" rows="5" placeholder="swt_limit\t0.5" spellcheck="false" .value=${live(state.material)}
-            @input=${setter("material")}></textarea></details>`;
+        <select id="criterion" @change=${setter("criterion")}>${options(criteria, state.criterion)}</select></p>`;
 
 /** The worst places and the plots; nothing where there is a complaint. Of an answer to other inputs only the plots stay, greyed. */
 function answers(answer, model, isOld) {
@@ -158,6 +155,7 @@ export function cycle(model) {
     const shown = answer ?? aside.before ?? { complaint: "" };
     const command = answer && answer.complaint === undefined ? asFretting(model, answer, cycles.trim(), loads.trim() !== "") : "";
     return html`${entries()}
+        ${materialPart(model)}
         ${waiting(aside)}
         <p id="loads-note" class="note ${answer?.complaint ? "bad" : ""}" aria-live="polite">${answer ? remarkOf(answer) : ""}</p>
         <h2>Worst places</h2>

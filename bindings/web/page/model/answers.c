@@ -178,6 +178,7 @@ static void write_results(const contact_case *setup, char decimal_sign, const ch
     }
     write_hardest(setup, &answer);
     write_zones(setup->contact);
+    resolution_write(setup);
     for (int i = 0; i < RESULT_COUNT; i++) {
         const cell *value = &answer.value[i];
         if (value->text != NULL && value->text[0] != '\0')

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "page.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -20,6 +21,13 @@ static void append(const char *text, size_t length)
     whole[used] = '\0';
 }
 
+/* Whether an option of the tool begins there: the page has none, and calls its fields by the same
+ * names without dashes. */
+static bool is_option(const char *text, bool begins_word)
+{
+    return begins_word && text[0] == '-' && text[1] == '-' && isalpha((unsigned char)text[2]);
+}
+
 /* Between quotes; a text that is not there is null. */
 static void append_text(const char *text)
 {
@@ -27,10 +35,13 @@ static void append_text(const char *text)
         append("null", 4);
         return;
     }
+    const char *whole_text = text;
     append("\"", 1);
     for (; *text != '\0'; text++) {
         char code[8];
-        if (*text == '"' || *text == '\\' || (unsigned char)*text < ' ')
+        if (is_option(text, text == whole_text || text[-1] == ' '))
+            text++;
+        else if (*text == '"' || *text == '\\' || (unsigned char)*text < ' ')
             append(code, (size_t)snprintf(code, sizeof code, "\\u%04x", (unsigned)*text));
         else
             append(text, 1);

@@ -55,6 +55,11 @@ const char *field_remark(void);
 /* Those of a text such as "mm,N,MPa"; of another text unknown ones. */
 unit_system units_named(const char *words);
 
+/* ---- resolution ---- How well a measured profile is resolved. */
+
+/* Of the profile of the form, for a case whose contact is under its loads. */
+void resolution_write(const contact_case *setup);
+
 /* ---- answers ---- About the case of the form. */
 
 /* The contact of an answer, for JavaScript, which takes it or not. */

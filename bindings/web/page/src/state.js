@@ -43,6 +43,7 @@ export const tabs = {
     strength: "Strength",
     cycle: "Cycle",
     batch: "Batch",
+    compare: "Compare",
     about: "About",
 };
 export const signs = { ".": "point", ",": "comma" };

@@ -8,7 +8,7 @@ import { dirname } from "node:path";
 import { assertNear, chance, ofPads, optionsOf, parabola, rowsOf, usual } from "./shared.mjs";
 import { enter, openTab, pause, savedBy, seen, settled, shownNumbers, statusOf } from "./drive.mjs";
 
-const tabs = ["contact", "stress", "strength", "cycle", "batch", "about"];
+const tabs = ["contact", "stress", "strength", "cycle", "batch", "compare", "about"];
 const idOf = (name) => `in-${{ theta_deg: "theta", radius: "a" }[name] ?? name}`;
 const textOf = (page, selector) => page.$eval(selector, (part) => part.textContent);
 const inTable = (rows, between = "\t") => rows.map((row) => row.join(between)).join("\n");
@@ -460,7 +460,7 @@ export async function a_million_cycles_are_judged_by_a_named_material({ page, sh
     assert.equal(JSON.parse(saved.text).material, "sae-1015-normalized");
     writeFileSync(`${folder}/case.json`, saved.text);
     writeFileSync(`${folder}/log.csv`, "P,Q\n190,20\n190,-20\n");
-    const told = run(tool, ["fretting", `${folder}/log.csv`, "--case", `${folder}/case.json`, "--at-worst", "--format", "json"]).stdout;
+    const told = run(tool, ["fretting", `${folder}/log.csv`, "--load", "190,0", "--case", `${folder}/case.json`, "--at-worst", "--format", "json"]).stdout;
     assertNear(life, JSON.parse(told).find(({ measure }) => measure === "swt").life, 1e-5, "life");
     rmSync(folder, { recursive: true });
     assert.equal(await page.$("#modulus"), null);
@@ -474,6 +474,46 @@ export async function a_million_cycles_are_judged_by_a_named_material({ page, sh
     });
     await settled(page);
     assert.ok(Number((await shownNumbers(page)).cycle_life) > Number(life));
+}
+
+/** Cases that are pinned stand beside the present one, with names and differences in percent, in the units of the page. */
+export async function pinned_cases_are_compared({ page, show }) {
+    await show(usual, { tab: "compare", name: "first", digits: "6" });
+    await page.click("#pin-case");
+    await enter(page, { "in-P": "380", "pin-0": "pad A" });
+    const row = (name) =>
+        page.$$eval("#side-by-side tr", (rows, name) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)).find(([first]) => first === name), name);
+    const [, unit, present, pinned, percent] = await row("b");
+    assert.equal(unit, "mm");
+    assertNear(percent.replace(" %", ""), 100 * (present / pinned - 1), 5e-3, "percent");
+    assert.equal((await row(""))[3], "pad A");
+    await enter(page, { "set-units": "in" });
+    const [, , , inInches, same] = await row("b");
+    assertNear(inInches, pinned / 25.4, 1e-5, "b in inches");
+    assert.equal(same, percent);
+    await page.click(".pins button");
+    assert.equal((await row("")).length, 3);
+}
+
+/** A profile with noise: the page says how well it is resolved, is green for none that is not, and names no option of the tool. */
+export async function a_noisy_profile_is_not_green({ page, show }) {
+    const next = chance(5),
+        normal = () => Math.sqrt(-2 * Math.log(next())) * Math.cos(2 * Math.PI * next());
+    const rows = Array.from({ length: 300 }, (_, i) => {
+        const x = -1.8 + (3.6 * i) / 299;
+        return [x.toFixed(5), (100 * Math.max(0, Math.abs(x) - 1.5) ** 2 + 0.05 * normal()).toFixed(4)];
+    });
+    const pasted = ["Stylus 2 um, by hand", "", "x [mm]\theight [um]", ...rows.map((row) => row.join("\t"))].join("\n"),
+        { theta, a, ...body } = { ...usual, k: "4000" };
+    for (const making of ["hull", "fit"]) {
+        await show({ ...body, profile: pasted, [making]: "yes" });
+        const [colour, status] = await statusOf(page),
+            note = await textOf(page, "#in-profile-note");
+        assert.match(colour, /amber/, `${making}: ${status}`);
+        assert.match(note, /places lie between the highest pressure and the edges; the noise is \S+ mm by a fit of \d arcs; without every second place p0 changes by/);
+        assertNear(note.match(/the noise is (\S+) mm/)[1], 5e-5, 0.15, "noise");
+        assert.ok(!/--[a-z]/.test(status + note), status + note);
+    }
 }
 
 /** Changes go back and forth; one that follows an undone one ends what could be redone. */

@@ -25,6 +25,30 @@ const safetyOnStrength = (r) => (r.load_over_bk && r.P_over_bk !== null ? r.P_ov
 
 const ROUNDING = 1e-12; // of the contact's width
 
+const FEW = 5, // places between the highest pressure and an edge
+    MUCH = 0.05; // change of p0 without every second place
+
+/** What is doubtful of a measured profile, in words; "" for nothing. */
+export function doubtOfProfile({ left, right, change }, percent) {
+    const isFew = Math.min(left ?? FEW, right ?? FEW) < FEW;
+    return [
+        isFew && `only ${Math.min(left, right)} measured places lie between the highest pressure and an edge`,
+        Math.abs(change) > MUCH && `without every second place p0 changes by ${percent(change)}`,
+        change === null && "without every second place there is no such contact",
+    ]
+        .filter(Boolean)
+        .join("; ");
+}
+
+export const percentOf = (share) => `${share < 0 ? "\u2212" : "+"}${Math.abs(100 * share).toPrecision(2)} %`;
+
+/** A verdict that is green beside a doubt is not. */
+function judged(verdict, resolution) {
+    const doubt = resolution ? doubtOfProfile(resolution, percentOf) : "";
+    if (doubt === "" || verdict.colour !== "green") return verdict;
+    return { ...verdict, colour: "amber", text: `CAUTION: the profile may not be resolved: ${doubt}` };
+}
+
 /** Lengths that are rounding beside the contact are 0. */
 function withoutRounding(all, { left, right }) {
     const least = ROUNDING * (right - left),
@@ -49,6 +73,7 @@ export function solveHolding(texts, sign, length = "") {
     return {
         ...answer,
         results: { ...results, safety_strength: safetyOnStrength(results) },
+        verdict: judged(answer.verdict, answer.resolution),
         contact: held,
     };
 }

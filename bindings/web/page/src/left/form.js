@@ -6,6 +6,7 @@ import { rwedge } from "../answers/library.js";
 import { ofShapes, pads } from "../pads.js";
 import { options } from "../parts.js";
 import { set, setter, state, typed, written } from "../state.js";
+import { percentOf } from "../answers/solution.js";
 import { inputs, waysOf } from "../answers/words.js";
 import { padChoice } from "./pad_choice.js";
 import { slider } from "./slider.js";
@@ -113,6 +114,20 @@ const unitOf = (dimension, unit) =>
 /** E2 and nu2 are given both or not at all. */
 const isHalf = (name, { E2, nu2 }) => (name === "nu2" ? Number.isFinite(E2) : name === "E2" && nu2 !== undefined);
 
+/** What is to be known of a profile, and how well it is resolved. */
+function remarkOf({ remark, resolution, write, unit }) {
+    if (!resolution) return remark;
+    const { left, right, arcs, noise, change } = resolution;
+    return [
+        remark,
+        left !== undefined && `${left} and ${right} measured places lie between the highest pressure and the edges`,
+        arcs > 0 && `the noise is ${write(noise)} ${unit.length} by a fit of ${arcs} arc${arcs > 1 ? "s" : ""}`,
+        change !== null && `without every second place p0 changes by ${percentOf(change)}`,
+    ]
+        .filter(Boolean)
+        .join("; ");
+}
+
 function fieldPart(field, model) {
     const name = nameOf(field),
         unit = field === "theta" || name === "tilt" ? (name === "tilt" ? "rad" : "") : unitOf(inputs[name].unit, model.unit);
@@ -124,7 +139,7 @@ function fieldPart(field, model) {
             <span class="unit">${unit}</span></div>
         ${slider(field, name, model, (text) => type(field, text))}
         <p id="in-${field}-note" class="note ${wrong.length > 0 ? "bad" : ""}" aria-live="polite"
-            >${wrong.join("; ") || (name === "profile" ? model.remark : "")}</p></div>`;
+            >${wrong.join("; ") || (name === "profile" ? remarkOf(model) : "")}</p></div>`;
 }
 
 /** Of a total force; empty where forces are per unit length. */

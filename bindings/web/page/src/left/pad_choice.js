@@ -21,9 +21,9 @@ function choose(pad, { setup, results }) {
 
 /** How a profile is made of its rows. */
 const makings = {
-    "": { name: "as it is: it must be convex" },
-    fit: { name: "fitted: a few arcs through the noise" },
-    hull: { name: "its convex hull" },
+    "": { name: "as it is" },
+    fit: { name: "fitted by arcs" },
+    hull: { name: "as its hull" },
 };
 const makingOf = () => Object.keys(makings).find((name) => name in state.texts) ?? "";
 

@@ -4,12 +4,13 @@ import { html, nothing } from "lit-html";
 import { set, state, tabs } from "../state.js";
 import { about } from "./about.js";
 import { batch, aside as rows } from "./batch.js";
+import { compare } from "./compare.js";
 import { contact } from "./contact.js";
 import { cycle, aside as history } from "./cycle.js";
 import { strength } from "./strength.js";
 import { stress } from "./stress.js";
 
-const views = { contact, stress, strength, cycle, batch, about };
+const views = { contact, stress, strength, cycle, batch, compare, about };
 /** What computes for a tab in the background, also while another is seen. */
 const asides = { cycle: history, batch: rows };
 const names = Object.keys(tabs);

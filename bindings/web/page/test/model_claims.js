@@ -270,7 +270,7 @@ test("refusals are the tool's", () => {
         for (const text of texts) {
             const all = { ...usual, [name]: text },
                 faults = solveHolding(all, ".").faults.map((fault) => fault.text);
-            const told = toolError(all).replace("--units, such as --units mm,N,MPa, converts it", "Units above must name those of the numbers");
+            const told = toolError(all).replace("--units, such as --units mm,N,MPa, converts it", "Units above must name those of the numbers").replace(/ --(?=[A-Z])/g, " ");
             assert.deepEqual(faults, [told], `${name} = ${text}`);
         }
     const tiny = { ...bodies, P: "1e-58", M: "1e-59" }; // refused by the library, with no input at fault

@@ -65,6 +65,7 @@ void crack_length_said(const crack_case *crack, char text[CRACK_SENTENCE])
     if (crack->length[crack->lengths - 1] > tenth)
         list_add(text, CRACK_SENTENCE, "",
                  "the contact is taken as if there were no crack: beyond a length of %.4g, a tenth "
-                 "of its half-width, K is some per cent off",
+                 "of its half-width, it changes the tractions, and what that does to K is not "
+                 "measured",
                  tenth);
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/linear.h"
 
+#include "base/processor.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -30,10 +32,18 @@ static bool pivot(size_t n, size_t sides, double A[], double b[], size_t k)
     return true;
 }
 
-static void subtract(size_t n, double factor, const double row[], double from[])
+RW_INLINE void subtract(size_t n, double factor, const double *restrict row, double *restrict from)
 {
     for (size_t j = 0; j < n; j++)
         from[j] -= factor * row[j];
+}
+
+/* How many numbers of a row are not 0 behind them: of two systems in one, half of a row. */
+RW_INLINE size_t width_of(size_t n, const double row[])
+{
+    while (n > 0 && row[n - 1] == 0)
+        n--;
+    return n;
 }
 
 /* From the last row upwards. */
@@ -51,18 +61,28 @@ static bool substitute(size_t n, size_t sides, const double A[], double b[])
     return true;
 }
 
+/* The unknown k out of the rows below its own. */
+RW_INLINE void eliminate_below(size_t n, size_t sides, double A[], double b[], size_t k)
+{
+    const size_t width = width_of(n - k, A + k * n + k);
+    for (size_t i = k + 1; i < n; i++) {
+        const double factor = A[i * n + k] / A[k * n + k];
+        if (factor == 0)
+            continue; /* of two systems in one, as of a normal crack: half of all rows */
+        subtract(width, factor, A + k * n + k, A + i * n + k);
+        subtract(sides, factor, b + k * sides, b + i * sides);
+    }
+}
+
+RW_DISPATCH(eliminate, eliminate_below, (size_t n, size_t sides, double A[], double b[], size_t k),
+            (n, sides, A, b, k))
+
 bool rw_solve(size_t n, size_t sides, double A[], double b[])
 {
     for (size_t k = 0; k < n; k++) {
         if (!pivot(n, sides, A, b, k))
             return false;
-        for (size_t i = k + 1; i < n; i++) {
-            const double factor = A[i * n + k] / A[k * n + k];
-            if (factor == 0)
-                continue; /* of two systems in one, as of a normal crack: half of all rows */
-            subtract(n - k, factor, A + k * n + k, A + i * n + k);
-            subtract(sides, factor, b + k * sides, b + i * sides);
-        }
+        eliminate(n, sides, A, b, k);
     }
     return substitute(n, sides, A, b);
 }

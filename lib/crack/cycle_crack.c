@@ -3,7 +3,7 @@
  * faces would overlap, these tell how much; where they press, how hard. */
 #include "crack/cycle_crack.h"
 
-#include "base/linear.h"
+#include "base/processor.h"
 #include "base/tuned.h"
 #include "crack/weights.h"
 
@@ -64,6 +64,33 @@ static int32_t copy_influence(rw_crack *crack, const size_t at[])
 
 /* ---- A crack ---- */
 
+/* The rows again, as columns, of which GROUP are added at once: that of the term k at [k rows].
+ * Behind `used[k / GROUP]` of its rows the weights of a group are 0: a normal crack has half of
+ * them. */
+enum { GROUP = 4 };
+
+RW_INLINE size_t groups_of(const rw_crack *crack)
+{
+    return (2 * crack->m + GROUP - 1) / GROUP;
+}
+
+static int32_t write_columns(rw_crack *crack)
+{
+    const size_t terms = 2 * crack->m, rows = 2 + crack->openings, groups = groups_of(crack);
+    crack->column = calloc(groups * GROUP * rows, sizeof *crack->column);
+    crack->used = calloc(groups, sizeof *crack->used);
+    if (!crack->column || !crack->used)
+        return RWEDGE_ENOMEM;
+    for (size_t i = 0; i < rows; i++)
+        for (size_t k = 0; k < terms; k++) {
+            const double weight = crack->row[i * terms + k];
+            crack->column[k * rows + i] = weight;
+            if (weight != 0)
+                crack->used[k / GROUP] = i + 1;
+        }
+    return RWEDGE_OK;
+}
+
 static int32_t write_rows(rw_crack *crack)
 {
     const size_t n = crack->openings;
@@ -75,6 +102,8 @@ static int32_t write_rows(rw_crack *crack)
         (crack->presses ? choose_all : choose_parts)(crack, at);
         status = rw_crack_rows(crack->angle, crack->m, n, at, crack->row);
     }
+    if (status == RWEDGE_OK)
+        status = write_columns(crack);
     if (status == RWEDGE_OK && crack->presses)
         status = copy_influence(crack, at);
     free(at);
@@ -105,6 +134,8 @@ void rw_crack_destroy(rw_crack *crack)
 {
     free(crack->place);
     free(crack->row);
+    free(crack->column);
+    free(crack->used);
     rw_faces_destroy(&crack->faces);
     *crack = (rw_crack){0};
 }
@@ -150,18 +181,36 @@ static void resolve(const rw_crack *crack, const line_stresses *line, size_t loa
     }
 }
 
-static double weighted(const rw_crack *crack, size_t row, const double resolved[])
+/* Adds GROUP columns, each times its stress, to the sums of so many rows. */
+RW_INLINE void add_group(size_t n, size_t rows, const double *restrict column,
+                         const double resolved[], double *restrict sum)
 {
-    return rw_dot(2 * crack->m, crack->row + 2 * row * crack->m, resolved);
+    const double x0 = resolved[0], x1 = resolved[1], x2 = resolved[2], x3 = resolved[3];
+    for (size_t i = 0; i < n; i++) {
+        double so_far = sum[i];
+        so_far += column[i] * x0;
+        so_far += column[rows + i] * x1;
+        so_far += column[2 * rows + i] * x2;
+        so_far += column[3 * rows + i] * x3;
+        sum[i] = so_far;
+    }
 }
 
-/* The first `numbers` of a free state. */
-static void write_state(const rw_crack *crack, size_t numbers, const double resolved[],
-                        double state[])
+RW_INLINE void add_all(const rw_crack *crack, size_t numbers, const double resolved[],
+                       double state[])
 {
+    const size_t rows = 2 + crack->openings, groups = groups_of(crack);
     for (size_t i = 0; i < numbers; i++)
-        state[i] = weighted(crack, i, resolved);
+        state[i] = 0;
+    for (size_t k = 0; k < groups; k++)
+        add_group(numbers < crack->used[k] ? numbers : crack->used[k], rows,
+                  crack->column + k * GROUP * rows, resolved + k * GROUP, state);
 }
+
+/* The first `numbers` of a free state. Behind the stresses there are GROUP zeros. */
+RW_DISPATCH(write_state, add_all,
+            (const rw_crack *crack, size_t numbers, const double resolved[], double state[]),
+            (crack, numbers, resolved, state))
 
 /* ---- K where faces pass through each other ---- */
 
@@ -241,7 +290,7 @@ static int32_t write_K(rw_crack *crack, const line_stresses *line, size_t n, con
 {
     const size_t loads = rw_crack_loads(crack), numbers = 2 + crack->openings;
     const size_t asked = crack->presses || K->share ? numbers : 2;
-    double *states = malloc((loads * numbers + 2 * crack->m) * sizeof *states);
+    double *states = calloc(loads * numbers + 2 * crack->m + GROUP, sizeof *states);
     if (!states)
         return RWEDGE_ENOMEM;
     double *resolved = states + loads * numbers;

@@ -16,6 +16,8 @@ typedef struct {
     size_t m;      /* places */
     double *place; /* m of them, then the rows of weights: K_I, K_II, openings */
     double *row;
+    double *column; /* the rows again, as sums are made of them (cycle_crack.c) */
+    size_t *used;
     size_t openings; /* their number; each stands for a share of the line */
     double *share;
     bool presses; /* its faces press on each other; else they pass through each other */

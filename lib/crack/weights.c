@@ -24,18 +24,28 @@ bool rw_is_crack_angle(double angle)
     return islessequal(fabs(angle), STEEPEST);
 }
 
-/* The rule of m places on the line of a crack of the length 1. */
+/* The rule of m places on the line of a crack of the length 1. Half steps of u/2: the place k is at
+ * 2 k of them, the dislocation before the place j at 2 j - 1. */
 typedef struct {
     rw_complex direction;
     size_t m;
-    double half_step; /* of u/2 */
-    double tip;       /* weight of the stress at the tip */
+    double tip;                      /* weight of the stress at the tip */
+    double squared_cosine[2 * MOST]; /* of a number of half steps */
+    double sine[4 * MOST];
 } rule;
 
-static rule rule_of(double angle, size_t m)
+static void set_rule(double angle, size_t m, rule *line)
 {
     const double step = RW_HALF_PI / ((double)m - 0.5);
-    return (rule){{sin(angle), cos(angle)}, m, step / 2, sqrt(2 * GRADE / RW_PI) * step};
+    line->direction = (rw_complex){sin(angle), cos(angle)};
+    line->m = m;
+    line->tip = sqrt(2 * GRADE / RW_PI) * step;
+    for (size_t i = 0; i < 4 * m; i++)
+        line->sine[i] = sin((double)i * (step / 2));
+    for (size_t i = 0; i < 2 * m; i++) {
+        const double cosine = cos((double)i * (step / 2));
+        line->squared_cosine[i] = cosine * cosine;
+    }
 }
 
 static double seventh_power(double x)
@@ -44,15 +54,9 @@ static double seventh_power(double x)
     return cube * cube * x;
 }
 
-static double cosine_squared(const rule *line, size_t half_steps)
-{
-    const double cosine = cos((double)half_steps * line->half_step);
-    return cosine * cosine;
-}
-
 static double place_of(const rule *line, size_t k)
 {
-    return seventh_power(cosine_squared(line, 2 * k));
+    return seventh_power(line->squared_cosine[2 * k]);
 }
 
 /* The distances from the mouth of the place k, r, and of the dislocation just before the place j,
@@ -65,11 +69,12 @@ typedef struct {
  * of two sines. */
 static distances between(const rule *line, size_t k, size_t j)
 {
-    const double to_place = (double)(2 * k), to_dislocation = (double)(2 * j - 1);
-    const double w = cosine_squared(line, 2 * j - 1), r = place_of(line, k), t = seventh_power(w);
-    const double y = cosine_squared(line, 2 * k) / w;
-    const double apart = sin((to_dislocation + to_place) * line->half_step) *
-                         sin((to_dislocation - to_place) * line->half_step) / w;
+    const size_t place = 2 * k, dislocation = 2 * j - 1;
+    const double w = line->squared_cosine[dislocation], r = place_of(line, k), t = seventh_power(w);
+    const double y = line->squared_cosine[place] / w;
+    const double difference =
+        dislocation > place ? line->sine[dislocation - place] : -line->sine[place - dislocation];
+    const double apart = line->sine[dislocation + place] * difference / w;
     double powers = 1;
     for (int i = 1; i < GRADE; i++)
         powers = 1 + y * powers;
@@ -136,14 +141,16 @@ static void copy_rows(const rule *line, const equations *solved, double row[])
 
 void rw_crack_places(size_t m, double place[])
 {
-    const rule line = rule_of(0, m);
+    rule line;
+    set_rule(0, m, &line);
     for (size_t k = 0; k < m; k++)
         place[k] = place_of(&line, k);
 }
 
 int32_t rw_crack_rows(double angle, size_t m, size_t openings, const size_t at[], double row[])
 {
-    const rule line = rule_of(angle, m);
+    rule line;
+    set_rule(angle, m, &line);
     equations all = {.unknowns = 2 * (m - 1), .sides = 2 + openings};
     all.A = malloc((all.unknowns + all.sides) * all.unknowns * sizeof *all.A);
     if (!all.A)

@@ -79,7 +79,7 @@ export const aside = new Aside("rows", redraw);
 export function batch({ texts, write }) {
     const solved = aside.ask([state.batch, texts, state.sign]) ?? { complaint: "" }, // while it computes
         isBad = solved.complaint !== undefined;
-    return html`<label for="batch">Rows pasted from a spreadsheet: the first names the columns as \u201crwedge solve --input\u201d does</label>
+    return html`<label for="batch">Rows pasted from a spreadsheet: one of the first lines names the columns, such as E1, nu1, theta_deg, radius, P, Q, f, yield_stress</label>
         <textarea id="batch" rows="8" wrap="off" spellcheck="false" aria-describedby="batch-note" placeholder=${example}
             .value=${live(state.batch)} @input=${setter("batch")}></textarea>
         <p class="tools"><button type="button" @click=${() => set({ batch: example })}>Try an example</button>

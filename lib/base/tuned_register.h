@@ -2,9 +2,9 @@
 /* The register of the tuned constants of computed loads and of cracks: lib/traction, fronts,
  * numerical, computed, crack, and lib/cycle/states.c. Each has what it buys. A constant is here if
  * its value was found by trying, on random loads of tests/random. Sizes of arrays, distances at
- * which rounding counts, and limits of which half and twice as much moves nothing there, stand where
- * they are used. "Of the tolerance" means times the tolerance of a load. Whoever
- * changes one runs `ctest -C Long -R long_tuned`, which halves and doubles each and prints what
+ * which rounding counts, and limits of which half and twice as much moves nothing there, stand
+ * where they are used. "Of the tolerance" means times the tolerance of a load. Whoever changes one
+ * runs `ctest -C Long -R long_tuned`, which halves and doubles each and prints what
  * moves.
  *
  * No guard: tuned.h includes it, and the test does so once more. */
@@ -167,7 +167,7 @@ RW_NUMBER(RW_LONGER, 2)
 RW_NUMBER(RW_IF_UNKNOWN, 0.5)
 RW_NUMBER(RW_CAREFUL, 0.8)
 
-/* The largest tolerance to which a part of a load, or a load that is tried once more, is computed. */
+/* The largest tolerance to which a part of a load, or a load that is tried again, is computed. */
 RW_NUMBER(RW_LOOSEST, 1e-2)
 
 /* P grows or falls so many times at most in one step. */

@@ -91,8 +91,8 @@ struct rwedge_contact {
 /* A contact without load, which owns the geometry's pad from then on. RWEDGE_ENOMEM. */
 int32_t rw_contact_create(const rw_geometry *geometry, double f, rwedge_contact **contact);
 
-/* A contact of the same bodies without load and history: not held, or held at the same tilt; without
- * tolerance. RWEDGE_ENOMEM. */
+/* A contact of the same bodies without load and history: not held, or held at the same tilt;
+ * without tolerance. RWEDGE_ENOMEM. */
 int32_t rw_contact_unloaded(const rwedge_contact *contact, rwedge_contact **unloaded);
 
 /* Sets what follows from beta and friction. false where memory is short. */

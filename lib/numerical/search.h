@@ -33,8 +33,8 @@ bool rw_search(rw_work *work, const rw_problem *problem, const rw_zones *guess, 
                rw_outcome *best);
 
 /* The zones alone, without their traction: where it can be, by exact fronts of zones like those of
- * `guess`, else, with `by_grid`, of any, also where those of `guess` slip the wrong way. false where
- * they are not found. */
+ * `guess`, else, with `by_grid`, of any, also where those of `guess` slip the wrong way. false
+ * where they are not found. */
 bool rw_search_zones(rw_work *work, const rw_problem *problem, const rw_zones *guess, bool by_grid,
                      rw_zones *zones);
 

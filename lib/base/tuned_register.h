@@ -67,9 +67,7 @@ RW_NUMBER(RW_SLIVER, 0.1)
 
 /* ---- Passes of unlike bodies (coupled.c) ---- */
 
-/* At most so many, until the shear changes by less than this part of the tolerance. A pass divides
- * the change by 6 to 100. */
-RW_COUNT(RW_MOST_PASSES, 20)
+/* Passes go on until the shear changes by less than this part of the tolerance. */
 RW_NUMBER(RW_SAME_SHEAR, 0.1)
 
 /* As measured: a pass, for an element of both tractions each. */

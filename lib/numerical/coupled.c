@@ -295,6 +295,9 @@ static void drop(rw_numerical_state *s)
     rw_traction_destroy(&s->pressed);
 }
 
+/* A pass divides the change of the shear by 6 to 100. */
+enum { MOST_PASSES = 20 };
+
 /* Passes until the shear stays. */
 static bool go(coupled_step *s, const rw_zones *guess, bool coarse, rw_numerical_state *there)
 {
@@ -302,7 +305,7 @@ static bool go(coupled_step *s, const rw_zones *guess, bool coarse, rw_numerical
     rw_numerical_state last = {.contact = s->from->contact};
     const rw_numerical_state *known = s->from;
     bool is_done = false;
-    for (int i = 0; i < RW_MOST_PASSES && !is_done; i++) {
+    for (int i = 0; i < MOST_PASSES && !is_done; i++) {
         pressed p;
         if (!press(frame, known->contact, &known->shear, s->to, &p))
             break;

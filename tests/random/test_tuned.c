@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tuned constants of computed loads and cracks (lib/base/tuned_register.h): each is halved and doubled,
- * and the loads of random histories are computed with it.
+/* The tuned constants of computed loads and cracks (lib/base/tuned_register.h): each is halved
+ * and doubled, and the loads of random histories are computed with it.
  *
  *     test_tuned HISTORIES [SEED]
  *
@@ -139,7 +139,8 @@ static bool end_line(int history, rwedge_contact *contact, rw_loads from, rw_loa
     return is_solved && (kind != 1 || try_load(contact, to) == RWEDGE_OK);
 }
 
-/* P grows, M swings, or both stay; Q and tension at random. */
+/* P grows, M swings, or both stay; Q and tension at random. In every sixth history the bodies are
+ * unlike. */
 static void go(int history, answer *a)
 {
     seed = (uint64_t)(history + 1) * UINT64_C(0x9e3779b97f4a7c15) + seed_or(1);
@@ -147,6 +148,8 @@ static void go(int history, answer *a)
     rwedge_contact *contact = history % 2 ? create_wedge(1, 1, 1, f) : create_flat(1, 10, 1, f);
     rw_loads loads[LOADS], to = {.P = 0.2 + 0.9 * (1 + sign_and_size())};
     allowing(contact, tolerance_of(history));
+    if (history % 6 == 5)
+        assert_ok(rwedge_contact_set_beta(contact, 0.25 * sign_and_size()));
     apply(contact, to.P, 0, 0, 0);
     const rwedge_contact *pressed = copy_of(contact);
     for (int i = 0; i < LOADS - 1; i++) {

@@ -329,7 +329,7 @@ export async function no_result_is_of_other_inputs({ page, show }) {
     await enter(page, { loads: inTable([["P", "Q", "sigma"], ...log]) });
     assert.ok(await visible("progress"), "it says that it computes");
     assert.deepEqual([await visible(".sentence"), await visible(".save button")], [false, false]);
-    await page.waitForSelector(`${seen} progress[aria-label="Loads done"]`); // and how much is done
+    await page.waitForSelector(`${seen} progress[value]`); // and how much is done
     await page.$eval(`${seen} progress + button`, (button) => button.click());
     assert.match(await textOf(page, "#loads-note"), /^Stopped\./);
     assert.deepEqual([await visible("progress"), await visible(".sentence")], [false, false]);

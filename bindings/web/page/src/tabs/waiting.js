@@ -2,10 +2,9 @@
 // What is said while something is computed aside: that it computes, for how long, how far it is, and how it is stopped.
 import { html, nothing } from "lit-html";
 
+/** One element, which gets its value when that is known: what is swapped is read anew to who cannot see it. */
 const barOf = ({ share }) =>
-    share === undefined
-        ? html`<progress aria-label="Computing"></progress>`
-        : html`<progress aria-label="Loads done" max="1" .value=${share}></progress> ${Math.floor(100 * share)} % of the loads`;
+    html`<progress aria-label="Computing" max="1" value=${share ?? nothing}></progress>${share === undefined ? "" : ` ${Math.floor(100 * share)} % of the loads`}`;
 
 export const waiting = (aside) =>
     aside.busy

@@ -1500,8 +1500,8 @@ RWEDGE_API int32_t rwedge_damage_field(int32_t criterion, const double constants
 /* ---- Cracks ---------------------------------------------------------------------------------- */
 
 /* A straight crack of the half-plane from a place of its surface. Its faces are free; K_I < 0 would
- * need faces that overlap, and is formal. The contact is taken as if there were no crack. One longer
- * than a tenth of the contact's half-width changes the tractions; what that does to K is not
+ * need faces that overlap, and is formal. The contact is taken as if there were no crack. A crack
+ * longer than a tenth of the contact's half-width changes the tractions; what that does to K is not
  * measured.
  *   angle   rad, from the normal of the surface towards +x, -1.31 <= angle <= 1.31: 75 degrees
  *   length  of the crack, 1e-60 to 1e60 */

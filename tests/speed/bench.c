@@ -56,7 +56,7 @@ static const struct {
     {"stresses through a cycle of Q", "stresses through a cycle, by calls", 1 / 1.2, 0},
     /* 15; 0.04 where each notes all of the memory */
     {"2 points, 2000 corners, in one call", "2 points, 2000 corners, by calls", 1 / 1.2, 0},
-    /* 0.8, 0.7 before sums were vector instructions: what is over are weights, and sums of them */
+    /* 0.75; 0.67 before sums were vector instructions. The rest: weights, and sums of them */
     {"K of those cracks", "stresses on the lines of cracks", 0.6, 0},
     /* 0.5; 0.1 without the inverse of the openings */
     {"K of those cracks, faces press", "K of those cracks", 0.15, 0},

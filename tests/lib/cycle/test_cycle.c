@@ -17,7 +17,7 @@ typedef struct {
     double P[MOST], M[MOST], Q[MOST], sigma[MOST];
 } loads;
 
-static loads cycle_of(size_t count, const rw_loads rows[])
+static loads columns_of(size_t count, const rw_loads rows[])
 {
     loads c = {.count = count};
     for (size_t i = 0; i < count; i++) {
@@ -31,7 +31,8 @@ static loads cycle_of(size_t count, const rw_loads rows[])
 
 /* Of loads {P, M, Q, sigma}. */
 #define CYCLE(...)                                                                                 \
-    cycle_of(sizeof((rw_loads[]){__VA_ARGS__}) / sizeof(rw_loads), (const rw_loads[]){__VA_ARGS__})
+    columns_of(sizeof((rw_loads[]){__VA_ARGS__}) / sizeof(rw_loads),                               \
+               (const rw_loads[]){__VA_ARGS__})
 /* As arguments. */
 #define LOADS(c) (c)->count, (c)->P, (c)->M, (c)->Q, (c)->sigma
 

@@ -2,7 +2,7 @@
 // The material of a cycle: one that is shipped, with its source, or constants by name; how many cycles are wanted.
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { constantsOf } from "../answers/cycle.js";
+import { constantsOf } from "../answers/last_cycle.js";
 import { factorOf } from "../answers/library.js";
 import { criteria, needs } from "../answers/words.js";
 import { options } from "../parts.js";

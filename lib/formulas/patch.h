@@ -33,9 +33,10 @@ static inline bool rw_patch_is_same(rw_patch a, rw_patch b)
     return fabs(a.left - b.left) + fabs(a.right - b.right) == 0;
 }
 
+/* The patch of separated bodies is NaN and has no place. These comparisons raise no exception. */
 static inline bool rw_patch_has(rw_patch patch, double x)
 {
-    return x >= patch.left && x <= patch.right;
+    return isgreaterequal(x, patch.left) && islessequal(x, patch.right);
 }
 
 /* The height of the profile above its middle at x >= 0, over theta. */

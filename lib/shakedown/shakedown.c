@@ -153,7 +153,7 @@ int32_t rwedge_contact_shakedown_factor(const rwedge_contact *contact, double nu
     double most = 0;
     if (!has_kink_inside(&pass)) {
         depth = rw_deepest(&pass);
-        most = k / (unit * depth.peak);
+        most = depth.peak > 0 ? k / (unit * depth.peak) : HUGE_VAL; /* 0: next to no width */
     }
     if (!rw_is_magnitude(most))
         return RWEDGE_ERANGE;

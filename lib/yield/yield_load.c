@@ -65,6 +65,13 @@ static double extent(const rw_geometry *g)
     return most > 0 ? most : 1;
 }
 
+/* The logarithm of a load so small that f P is just in the domain. */
+static double log_of_smallest(double f)
+{
+    static const double ABOVE = 2; /* its exponential is rounded */
+    return log(ABOVE * RW_SMALLEST) - (f > 0 ? fmin(log(f), 0) : 0);
+}
+
 /* A load that can be applied: where the roundest part would yield as a cylinder, or of a profile
  * with a kink one of its size; or a smaller one. */
 static point start(search *s)
@@ -72,7 +79,7 @@ static point start(search *s)
     const rw_geometry *g = &s->contact->geometry;
     const double log_P = g->a > 0 ? log(g->a / g->theta) + log(g->A * s->k) + log(s->k)
                                   : log(rw_unit_stress(g) * extent(g));
-    point p = point_at(s, fmin(fmax(log_P, log(RW_SMALLEST)), log(RW_LARGEST)));
+    point p = point_at(s, fmin(fmax(log_P, log_of_smallest(s->contact->f)), log(RW_LARGEST)));
     for (int i = 0; i < STEPS && isnan(p.excess) && s->status != RWEDGE_ENOMEM; i++)
         p = point_at(s, p.log_P - STEP_MOST);
     return p;
@@ -106,7 +113,7 @@ int32_t rw_limit_of_pad(const rwedge_contact *contact, rw_factor *factor, double
     const bool is_bracket = !isnan(from.excess) && cross(&s, &from, &to);
     if (s.status == RWEDGE_ENOMEM)
         return RWEDGE_ENOMEM;
-    if (!is_bracket && !(from.excess < 0))
+    if (!is_bracket && !isless(from.excess, 0))
         return RWEDGE_EABSENT;
     *P = *x = *y = 0; /* it yields under any load, unless there is a bracket */
     if (!is_bracket)

@@ -5,6 +5,8 @@
 #include "shakedown/deepest.h"
 #include "stress/von_mises.h"
 
+#include <fenv.h>
+
 static double limit_at(double alpha, double f, double nu, double *y)
 {
     double limit = -1, depth = -1;
@@ -294,6 +296,26 @@ CLAIM(any_pad_has_a_shakedown_load)
     assert_int_equal(rwedge_contact_shakedown_load(contact, 0.3, k, NULL, &y), RWEDGE_ENULL);
     assert_int_equal(rwedge_contact_shakedown_load(NULL, 0.3, k, &P, &y), RWEDGE_ENULL);
     assert_true(P == 7);
+}
+
+/* The search began at a load whose f P is below the domain, and found none. */
+CLAIM(the_smallest_loads_have_a_shakedown_load)
+{
+    rwedge_contact *contact = NULL;
+    double P, y, least;
+    assert_ok(rwedge_contact_create(0.5, 3e-60, 1.5, 0.5, &contact));
+    feclearexcept(FE_ALL_EXCEPT);
+    assert_ok(rwedge_contact_shakedown_load(contact, 0.47, 0.25, &P, &y));
+    assert_close(P, rwedge_shakedown_load(0.5, 3e-60, 1.5, 0.5, 0.47, 0.25), 1e-8);
+    assert_ok(rwedge_contact_yield_load(contact, 0.47, 0.25, &least, NULL, NULL));
+    assert_true(least < P);
+    assert_int_equal(fetestexcept(FE_INVALID | FE_DIVBYZERO), 0);
+    rwedge_contact_destroy(contact);
+    /* the edges of a flat pad are narrower than a digit of its flat part */
+    contact = create_flat(0.4, 10, 0.5, 0.5);
+    load(contact, 1e-58, 5e-59);
+    assert_int_equal(rwedge_contact_shakedown_factor(contact, 0, 1e-14, &P, &y), RWEDGE_ERANGE);
+    assert_int_equal(fetestexcept(FE_DIVBYZERO), 0);
 }
 
 CLAIM(without_friction_every_contact_slides)

@@ -12,7 +12,6 @@
 
 #include "base/domain.h"
 #include "base/linear.h"
-#include "shakedown/tops.h"
 
 enum { ACTIVE = 3, UNKNOWN = 2 + ACTIVE + 1 };
 
@@ -357,6 +356,18 @@ double rw_least_peak_coarse(const rw_pass *pass, double y)
     return rw_smallest_mirrored_ball(path.n, path.path).radius;
 }
 
+static rw_least_peak result(const touches *s, double square)
+{
+    rw_least_peak peak = {.peak = sqrt(square), .centre = {s->centre[0], s->centre[1]}, .n = s->n};
+    for (int i = 0; i < s->n; i++) {
+        peak.t[i] = s->all[i].t;
+        peak.weight[i] = s->all[i].weight;
+    }
+    if (s->path->y > 0)
+        peak.slope = slope_of(s, square);
+    return peak;
+}
+
 rw_least_peak rw_least_peak_at(const rw_pass *pass, double y, double step)
 {
     rw_pass_path path;
@@ -368,5 +379,33 @@ rw_least_peak rw_least_peak_at(const rw_pass *pass, double y, double step)
     for (int i = 0; i < ball.count; i++)
         see(&s, path.t[ball.support[i]], &path.path[ball.support[i]]);
     const double square = settle(&s);
-    return (rw_least_peak){sqrt(square), y > 0 ? slope_of(&s.last, square) : 0};
+    return result(&s.last, square);
+}
+
+bool rw_least_peak_follows(const rw_least_peak *from, const rw_pass *pass, double y,
+                           rw_least_peak *peak)
+{
+    rw_pass_path path;
+    double square;
+    rw_pass_path_at(&path, pass, y);
+    touches s = {.path = &path, .centre = {from->centre[0], from->centre[1]}, .n = from->n};
+    for (int i = 0; i < s.n; i++)
+        s.all[i] = (touch){.t = from->t[i], .weight = from->weight[i]};
+    if (!converge(&s, &square))
+        return false;
+    *peak = result(&s, square);
+    return true;
+}
+
+double rw_least_peak_checked(const rw_least_peak *known, const rw_pass *pass, double y, double step)
+{
+    rw_pass_path path;
+    rw_top tops[RW_TOPS];
+    const double square = known->peak * known->peak;
+    rw_pass_sample(&path, pass, y, step);
+    const int n = rw_tops(&path, known->centre, square, tops);
+    double highest = square;
+    for (int i = 0; i < n; i++)
+        highest = fmax(highest, tops[i].square);
+    return sqrt(highest);
 }

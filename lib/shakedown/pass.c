@@ -56,10 +56,13 @@ double rw_pass_length(const rw_pass_path *path, double t)
 
 /* ---- The grid ---- */
 
-/* How far the next place is from a mark. On the surface places come close to it. */
+/* How far the next place is from a mark. On the surface places come close to it; the closest, where
+ * the path hardly varies any more, are farther apart. */
 static double next_offset(const rw_pass_path *path, double offset)
 {
-    return offset + path->step * fmax(length_at(path, offset), path->closest * path->turn);
+    static const double NEAR = 1e-3, FARTHER = 3;
+    const double step = path->y == 0 && offset < NEAR * path->turn ? FARTHER : 1;
+    return offset + step * path->step * fmax(length_at(path, offset), path->closest * path->turn);
 }
 
 static void put(rw_pass_path *path, double t)
@@ -123,16 +126,21 @@ static double closest_for(const rw_pass *pass, double step)
     return fmax(CLOSEST, exp(-log1p(step) * room) / (double)marks);
 }
 
+void rw_pass_path_at(rw_pass_path *path, const rw_pass *pass, double y)
+{
+    path->pass = pass;
+    path->y = y;
+    path->middle = rw_patch_middle(pass->patch);
+    path->turn = 2 * (rw_patch_half_width(pass->patch) + y);
+    path->n = 0;
+}
+
 void rw_pass_sample(rw_pass_path *path, const rw_pass *pass, double y, double step)
 {
     const double s = rw_patch_half_width(pass->patch);
-    path->pass = pass;
-    path->y = y;
+    rw_pass_path_at(path, pass, y);
     path->step = step;
     path->closest = closest_for(pass, step);
-    path->middle = rw_patch_middle(pass->patch);
-    path->turn = 2 * (s + y);
-    path->n = 0;
     if (y > 0) { /* on the surface the path outside is a straight line between the edges */
         put(path, -2 * path->turn);
         put_beside(path, -s, 2 * path->turn - s, -1);

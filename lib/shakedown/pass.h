@@ -31,6 +31,9 @@ typedef struct {
     rw_point path[RW_PASS_GRID];
 } rw_pass_path;
 
+/* The path without a sample. */
+void rw_pass_path_at(rw_pass_path *path, const rw_pass *pass, double y);
+
 /* Samples the path. The places are apart by `step` of the length over which the path varies, 0.05
  * to 0.5. */
 void rw_pass_sample(rw_pass_path *path, const rw_pass *pass, double y, double step);

@@ -220,20 +220,35 @@ CLAIM(no_dense_scan_of_the_surface_exceeds_its_peak)
     }
 }
 
-/* No depth of a dense scan has a higher peak than the limit, nor a higher ball around the dense
- * path. */
+/* No depth of a dense scan has a higher peak than the limit. */
+static void check_depths(double alpha, double f, double nu)
+{
+    const rw_pass pass = {
+        {1, rw_rounding(alpha), NULL}, {-1, 1}, f, sqrt(rw_plane_strain_weight(nu)), {NULL, 1}};
+    const double most = rwedge_load(alpha) / limit_at(alpha, f, nu, NULL);
+    for (double y = 1e-3 * alpha; y < 3; y *= 1.1)
+        assert_true(rw_least_peak_at(&pass, y, 0.1).peak <= most * (1 + 1e-9));
+}
+
 CLAIM(no_depth_needs_more_strength)
 {
     uint64_t seed = 5;
     for (int i = 0; i < 12; i++) {
         const double alpha = pow(10, -3 * random_fraction(&seed)), f = random_fraction(&seed),
                      nu = 0.49 * random_fraction(&seed);
-        const rw_pass pass = {
-            {1, rw_rounding(alpha), NULL}, {-1, 1}, f, sqrt(rw_plane_strain_weight(nu)), {NULL, 1}};
-        const double most = rwedge_load(alpha) / limit_at(alpha, f, nu, NULL);
-        for (double y = 1e-3 * alpha; y < 3; y *= 1.1)
-            assert_true(rw_least_peak_at(&pass, y, 0.1).peak <= most * (1 + 1e-9));
+        check_depths(alpha, f, nu);
     }
+}
+
+/* Here two depths have nearly the same peak, and the slope has one sign on both sides of the higher
+ * depth of a coarse scan. */
+CLAIM(the_deeper_of_two_nearly_equal_peaks_is_found)
+{
+    static const double CASES[][3] = {{0.1094435003720472, 0.10972995771185678, 0.5},
+                                      {0.08408194051285986, 0.09774632106912484, 0.49547050125784},
+                                      {0.0654155819684892, 0.2040674275295502, 0.253281045138918}};
+    for (int i = 0; i < 3; i++)
+        check_depths(CASES[i][0], CASES[i][1], CASES[i][2]);
 }
 
 /* ---- Contacts with units ---- */

@@ -17,6 +17,19 @@ static bool is_typed(const arguments *line, const case_word *word, int number)
     return line->value[number] != NULL || (other >= 0 && line->value[OPTION_INPUT + other] != NULL);
 }
 
+/* A command that answers for body 1 alone would take the k of body 2 for its own. */
+static void check_body(const char *path, const case_word *word, const node *value, int number)
+{
+    if (number != 0 || word->option == NULL || strcmp(word->option, "strength-of") != 0)
+        return;
+    char *body = node_words(value);
+    if (strcmp(body, "1") != 0)
+        failure("%s: strength_of %s: k is of that body; allowed: 'rwedge solve' and the page, "
+                "which answer for it",
+                path, body);
+    free(body);
+}
+
 /* One value that replaces those of the case: the file has not both ways to give it. */
 static void set_option(const char *path, arguments *line, const case_word *word, const node *value)
 {
@@ -27,6 +40,7 @@ static void set_option(const char *path, arguments *line, const case_word *word,
                 word->kind == WORD_FLAG   ? "true or false"
                 : word->kind == WORD_TEXT ? "a text"
                                           : "a number, or a text with its unit");
+    check_body(path, word, value, number);
     if (number == 0 || is_typed(line, word, number) || (needed == NODE_FLAG && value->number == 0))
         return;
     line->value[number] = needed == NODE_FLAG ? memory_zeroed(1, 1) : node_words(value);

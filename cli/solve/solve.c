@@ -108,40 +108,15 @@ static void write_rows(void *of_job, records *rows)
 
 /* ---- The strength of body 2 ---- */
 
-static void swap(input_texts *texts, int one, int other)
-{
-    const char *text = texts->text[one];
-    texts->text[one] = texts->text[other];
-    texts->text[other] = text;
-}
-
-/* What is wrong with a modulus is said by its own name. */
-static void check_bodies(const input_texts *texts)
-{
-    complaint why;
-    double value;
-    for (int i = INPUT_E1; i <= INPUT_NU2; i++)
-        if (input_is_given(texts, i) && !input_read(texts, i, &value, &why))
-            usage_error("%s", why.text);
-        else if (input_is_given(texts, i) && isinf(value))
-            usage_error("--strength-of 2: body 2 is rigid, so it has no stresses");
-}
-
-/* Body 2 becomes body 1, seen from its own side: the result at (x, y) belongs to (-x, -y). What is
- * of body 1 or has a side is refused. */
+/* Whether it is asked; body 2 is body 1 of the texts then. */
 static bool take_strength(const arguments *line, input_texts *texts)
 {
-    static const int one_sided[] = {INPUT_M, INPUT_TILT, INPUT_SIGMA, INPUT_PROFILE};
     const char *body = line->value[OPTION_STRENGTH_OF];
+    complaint why;
     if (body == NULL || strcmp(body, "1") == 0)
         return false;
     if (strcmp(body, "2") != 0)
         usage_error("--strength-of %s: must be 1 or 2", body);
-    for (size_t i = 0; i < sizeof one_sided / sizeof one_sided[0]; i++)
-        if (input_is_given(texts, one_sided[i]))
-            usage_error("--strength-of 2: not with %s; allowed: P and Q on a pad with two equal "
-                        "sides",
-                        input_kinds[one_sided[i]].flag);
     if (line->value[OPTION_MATERIAL] != NULL)
         usage_error("--strength-of 2: not with --material, which is of body 1; allowed: the "
                     "constants of both bodies");
@@ -149,22 +124,9 @@ static bool take_strength(const arguments *line, input_texts *texts)
         line->value[OPTION_FOR] != NULL)
         usage_error("--strength-of 2: is of one contact and its load, not with --input, --load, "
                     "--history and --for");
-    check_bodies(texts);
-    if (input_is_given(texts, INPUT_E2)) {
-        swap(texts, INPUT_E1, INPUT_E2);
-        swap(texts, INPUT_NU1, INPUT_NU2);
-    }
+    if (!other_body_take(texts, &why))
+        usage_error("--strength-of 2: %s", why.text);
     return true;
-}
-
-/* Back to the axes and the order of the bodies: places have the other sign, stresses their own. */
-static void mirror(results *answer)
-{
-    static const int turned[] = {RESULT_BETA, RESULT_YIELD_X, RESULT_YIELD_Y};
-    for (size_t i = 0; i < sizeof turned / sizeof turned[0]; i++)
-        answer->value[turned[i]].number = 0 - answer->value[turned[i]].number;
-    answer->hardest_x = 0 - answer->hardest_x;
-    answer->hardest_y = 0 - answer->hardest_y;
 }
 
 /* ---- The case ---- */
@@ -203,7 +165,7 @@ static void solve_one(const arguments *line, const input_texts *texts, job *task
     if (!results_compute(&setup, wanted, &task->answer, &why))
         failure("%s", why.text);
     if (task->is_mirrored)
-        mirror(&task->answer);
+        other_body_mirror(&task->answer);
     output_options_write(how, write_rows, task);
     doubts_say(task->answer.doubts, "");
     fit_say(&setup);

@@ -326,6 +326,7 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
     if (!isnormal(b) || isinf(shape->a / b))
         return complain(why, "b: %s", "so large or small that results leave 1e-60 to 1e60");
     answer->doubts = (doubts){0};
+    answer->is_of_body2 = false;
     if (!compute(setup, b, answer, why) ||
         (wanted.yield_factor && !isnan(setup->k) && !yield_factor(setup, answer, why)))
         return false;

@@ -60,6 +60,7 @@ typedef struct {
     char warnings[512], bound[32];
     doubts doubts;
     bool is_doubtful; /* the warnings are more than an error up to the tolerance */
+    bool is_of_body2; /* its strength, and its places */
 } results;
 
 /* False, with the complaint, where one cannot be computed. */
@@ -75,6 +76,16 @@ double results_sliding_factor(const results *answer);
 
 /* Adds to the warnings. */
 void results_warn(results *answer, const char *warning);
+
+/* ---- other_body ---- The strength of body 2, the pad, whose own k is given. */
+
+/* Body 2 becomes body 1. False, with the complaint, where it has no strength, or what is given has
+ * a side or is of body 1. */
+bool other_body_take(input_texts *texts, complaint *why);
+
+/* The results of such texts in the axes and the order of the bodies as they were given: places have
+ * the other sign, stresses their own. */
+void other_body_mirror(results *answer);
 
 /* ---- sliding ---- The strength of a pad in full sliding where it has no formulas: from its
  * contact. */

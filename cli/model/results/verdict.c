@@ -25,7 +25,15 @@ static void add_place(const writer *w, double x, double y)
     char x_text[NUMBER_SIZE], y_text[NUMBER_SIZE];
     list_add(w->to->strength, sizeof w->to->strength, "", " at x = %s, y = %s%s%s, %s the surface.",
              write(w, x, x_text), write(w, y, y_text), w->length_unit[0] != '\0' ? " " : "",
-             w->length_unit, y > 0 ? "below" : "at");
+             w->length_unit,
+             y > 0   ? "below"
+             : y < 0 ? "in the pad, above"
+                     : "at");
+}
+
+static int body_of(const results *answer)
+{
+    return answer->is_of_body2 ? 2 : 1;
 }
 
 static void add_present(const writer *w, const results *answer, double factor)
@@ -38,9 +46,9 @@ static void add_present(const writer *w, const results *answer, double factor)
         return;
     }
     list_add(w->to->strength, sizeof w->to->strength, "",
-             factor < 1 ? "It yields: the stress is %s times what body 1 bears"
+             factor < 1 ? "It yields: the stress is %s times what body %d bears"
                         : "Elastic with a factor of %s on the stress",
-             write(w, factor < 1 ? 1 / factor : factor, text));
+             write(w, factor < 1 ? 1 / factor : factor, text), body_of(answer));
     if (factor >= 1 && sliding >= 1)
         list_add(w->to->strength, sizeof w->to->strength, "", ", of %s if it slid",
                  write(w, sliding, other));
@@ -48,8 +56,9 @@ static void add_present(const writer *w, const results *answer, double factor)
     add_place(w, answer->hardest_x, answer->hardest_y);
     if (sliding < 1)
         list_add(w->to->strength, sizeof w->to->strength, " ",
-                 "If it slid, %s: the stress would be %s times what body 1 bears.",
-                 factor < 1 ? "more so" : "it would yield", write(w, 1 / sliding, other));
+                 "If it slid, %s: the stress would be %s times what body %d bears.",
+                 factor < 1 ? "more so" : "it would yield", write(w, 1 / sliding, other),
+                 body_of(answer));
 }
 
 /* Of the stress, where the present one is not known, and of P: the contact grows with that. */
@@ -64,9 +73,9 @@ static void add_sliding(const writer *w, const results *answer, bool alone)
     if (alone && !isnan(sliding))
         list_add(w->to->strength, sizeof w->to->strength, " ",
                  sliding < 1 ? "If it slid, it would yield: the stress would be %s times what body "
-                               "1 bears."
+                               "%d bears."
                              : "If it slid, it would be elastic with a factor of %s on the stress.",
-                 write(w, sliding < 1 ? 1 / sliding : sliding, text));
+                 write(w, sliding < 1 ? 1 / sliding : sliding, text), body_of(answer));
     list_add(w->to->strength, sizeof w->to->strength, " ",
              "The factor on P, in full sliding, is %s%s", write(w, safety.number, text),
              alone && has_place ? "; it yields first" : ".");
@@ -123,6 +132,8 @@ verdict verdict_of(const results *answer, char decimal_sign, const char *length_
     const bool strong = answer->value[RESULT_LOAD_OVER_BK].text == NULL; /* k is given */
     const writer w = {&result, decimal_sign, length_unit};
     result.factor = isnan(factor) ? safety : factor;
+    if (strong && answer->is_of_body2)
+        list_add(result.strength, sizeof result.strength, "", "The strength of body 2, the pad. ");
     if (!isnan(factor))
         add_present(&w, answer, factor);
     if (strong) {

@@ -92,6 +92,10 @@ case_of '"asked": {"command": "profile", "options": {"verdcit": true}}, "bodies"
 cannot "case.json: E1: must be a number, or a text with its unit" solve --case case.json
 case_of '"bodies": {"E1": -1, "nu1": 0.3}, "pad": {"radius": 1}, "loads": {"P": 1}'
 refuses "--E1 -1: Young's modulus of body 1 must be a number above 0" solve --case case.json
+case_of '"bodies": {"E1": 210000, "nu1": 0.3, "f": 0.2, "k": 100, "strength_of": 2}, "pad": {"theta": 0.01, "a": 0.05}, "loads": {"P": 190, "Q": 20}'
+kept first solve $steel --theta 0.01 --a 0.05 --f 0.2 --P 190 --Q 20 --k 100 --strength-of 2
+prints_kept "the strength of the pad" first solve --case case.json
+cannot "case.json: strength_of 2: k is of that body; allowed: 'rwedge solve' and the page, which answer for it" profile --case case.json
 printf 'P\n1\n' >rows.csv
 refuses "--save-case new.json: is of one contact, not with --input" solve -i rows.csv --save-case new.json
 refuses "--save-case new.json: a case has one list of loads; not with --load beside a file" fretting log.csv --load 1,0 \

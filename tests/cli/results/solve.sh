@@ -136,7 +136,11 @@ sed '/^yield_x/d' expected >expected_rest
 kept pad solve --E1 72000 --nu1 0.33 --E2 210000 --nu2 0.3 $other --strength-of 2
 same "the strength of body 2" "" "$(awk -F, -v OFS=, '{ print $1, $2 }' pad | sed '/^yield_x/d' | diff - expected_rest 2>&1)"
 close_to "its place" "$(awk -F, '$1 == "yield_x" { print $2 }' expected)" "$(awk -F, '$1 == "yield_x" { print $2 }' pad)" 1e-5
+does solve --E1 72000 --nu1 0.33 --E2 210000 --nu2 0.3 --theta 0.01 --radius 10 --P 300 --Q 60 --f 0.3 --k 20 --strength-of 2 --verdict
+message_has "The strength of body 2, the pad. It yields: the stress is "
+message_has " times what body 2 bears, at x = "
+message_has ", in the pad, above the surface. If it slid, more so: "
 refuses "--strength-of 2: body 2 is rigid, so it has no stresses" solve --E1 1 --nu1 0.3 --E2 inf --radius 1 --P 1 --strength-of 2
-refuses "--strength-of 2: not with --sigma; allowed: P and Q on a pad with two equal sides" solve --E1 1 --nu1 0.3 --radius 1 --P 1 --sigma 1 --f 1 --strength-of 2
+refuses "--strength-of 2: not with sigma; allowed: P and Q on a pad with two equal sides" solve --E1 1 --nu1 0.3 --radius 1 --P 1 --sigma 1 --f 1 --strength-of 2
 refuses "--strength-of 3: must be 1 or 2" solve --E1 1 --nu1 0.3 --radius 1 --P 1 --strength-of 3
 finish

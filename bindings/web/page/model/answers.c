@@ -6,6 +6,7 @@
 #include "model/results/results.h"
 #include "text/text.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,13 +123,26 @@ static void write_setup(const contact_case *setup)
 {
     const pad *shape = &setup->shape;
     json_add("{'setup':{'nu1':%n,'theta':%n,'a':%n,'radius':%n,'flat':%n,'M':%n,'Q':%n,'sigma':%n,"
-             "'f':%n,'k':%n,'places':[]}}",
+             "'f':%n,'k':%n,'body':%n,'places':[]}}",
              setup->nu1, shape->theta, shape->a, shape->radius, shape->flat, setup->M, setup->Q,
-             setup->sigma, setup->f, setup->k);
+             setup->sigma, setup->f, setup->k, field_is_of_pad() ? 2.0 : 1.0);
     for (size_t i = 0; shape->places != NULL && i < shape->places->count; i++)
         json_add("{'setup':{'places':[{'x':%n,'slope':%n}]}}", shape->places->x[i],
                  shape->places->slope[i]);
     json_add("{'remark':%t}", field_remark());
+}
+
+/* The pad becomes body 1 of the texts where k is its own. */
+static bool take_body(input_texts *texts)
+{
+    complaint why;
+    char all[300];
+    if (!field_is_of_pad() || other_body_take(texts, &why))
+        return true;
+    snprintf(all, sizeof all, "the strength of the pad: %s", why.text);
+    refuse(INPUT_COUNT, all);
+    write_verdict(verdict_of_fault(RWEDGE_OK, all));
+    return false;
 }
 
 static bool write_case(const input_texts *texts, case_needs needs, contact_case *setup)
@@ -143,10 +157,9 @@ static bool write_case(const input_texts *texts, case_needs needs, contact_case 
     return true;
 }
 
-static void write_hardest(const contact_case *setup, results *answer)
+static void write_hardest(const results *answer)
 {
-    const bool there = results_find_hardest(setup, answer) == RWEDGE_OK;
-    if (there && isfinite(answer->hardest_von_mises)) /* not at a sharp apex */
+    if (isfinite(answer->hardest_von_mises)) /* not at a sharp apex */
         json_add("{'hardest':{'factor':%n,'x':%n,'y':%n,'von_mises':%n}}",
                  answer->value[RESULT_YIELD_FACTOR].number, answer->hardest_x, answer->hardest_y,
                  answer->hardest_von_mises);
@@ -176,7 +189,11 @@ static void write_results(const contact_case *setup, char decimal_sign, const ch
         write_verdict(verdict_of_fault(RWEDGE_OK, why.text));
         return;
     }
-    write_hardest(setup, &answer);
+    there = results_find_hardest(setup, &answer) == RWEDGE_OK;
+    if (field_is_of_pad())
+        other_body_mirror(&answer);
+    if (there)
+        write_hardest(&answer);
     write_zones(setup->contact);
     resolution_write(setup);
     for (int i = 0; i < RESULT_COUNT; i++) {
@@ -195,10 +212,11 @@ static void write_results(const contact_case *setup, char decimal_sign, const ch
 EXPORTED const char *page_answer(char *fields, const char *length, int decimal_sign)
 {
     contact_case setup = {.contact = NULL};
-    const input_texts texts = field_texts(fields);
+    input_texts texts = field_texts(fields);
     double value[INPUT_COUNT];
     json_begin();
-    if (write_inputs(&texts, value) && write_case(&texts, CASE_OF_SOLVE, &setup))
+    if (write_inputs(&texts, value) && take_body(&texts) &&
+        write_case(&texts, CASE_OF_SOLVE, &setup))
         write_results(&setup, (char)decimal_sign, length);
     answers_hand_over(setup.contact);
     return json_end();
@@ -211,6 +229,8 @@ bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, lo
     double value[INPUT_COUNT];
     if (!write_inputs(&texts, value))
         return false;
+    if (field_is_of_pad()) /* a history is of the half-plane */
+        texts.text[INPUT_K] = texts.text[INPUT_YIELD_STRESS] = NULL;
     *nu = value[INPUT_NU1];
     if (is_plane_stress)
         input_set(&texts, INPUT_NU1, 0);
@@ -228,13 +248,15 @@ bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, lo
  * "sliding", the stress in full sliding. */
 EXPORTED const char *page_find(char *fields, const char *name, const char *on, double safety)
 {
-    const input_texts texts = field_texts(fields);
+    input_texts texts = field_texts(fields);
     const int input = inverse_input(name);
     contact_case setup = {.contact = NULL};
     double value;
     complaint why;
     const bool is_of_load = strcmp(on, "P") == 0;
     json_begin();
+    if (!take_body(&texts))
+        return json_end();
     if (is_of_load
             ? inverse_find(&texts, input, safety, &setup, &value, &why)
             : inverse_find_stress(&texts, input, safety, strcmp(on, "sliding") == 0, &value, &why))

@@ -104,6 +104,8 @@ EXPORTED const char *page_rows(const char *text, char *fields, int decimal_sign)
     const table_wanted wanted = {.find = find_columns, .context = &cases, .takes_malformed = true};
     json_begin();
     cases = (pasted_cases){.form = field_texts(fields), .decimal_sign = (char)decimal_sign};
+    if (field_is_of_pad()) /* rows are of the half-plane */
+        cases.form.text[INPUT_K] = cases.form.text[INPUT_YIELD_STRESS] = NULL;
     const reading how = {.decimal_sign = (char)decimal_sign, .units = field_units()};
     pasted_offer(text);
     if (table_open("", &how, &wanted, &rows)) {

@@ -13,6 +13,7 @@ static struct {
     const char *width, *rows; /* of a profile */
     char rows_sign;           /* their decimal sign; NUL where it is that of the others */
     profile_making making;
+    bool is_of_pad; /* what k and the strength are of */
 } said;
 
 /* The rows of a profile become one that is read, by a name. */
@@ -57,6 +58,11 @@ const profile_making *field_making(void)
     return &said.making;
 }
 
+bool field_is_of_pad(void)
+{
+    return said.is_of_pad;
+}
+
 /* Fields that are no inputs. */
 static bool take_other(const char *name, const char *text, input_texts *texts)
 {
@@ -74,6 +80,8 @@ static bool take_other(const char *name, const char *text, input_texts *texts)
         said.rows_sign = text[0];
     else if (strcmp(name, "plane_stress") == 0)
         texts->is_plane_stress = true;
+    else if (strcmp(name, "strength_of") == 0)
+        said.is_of_pad = strcmp(text, "2") == 0;
     else if (strcmp(name, "hull") == 0)
         said.making.takes_hull = true;
     else if (strcmp(name, "fit") == 0)

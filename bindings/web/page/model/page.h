@@ -38,14 +38,18 @@ const char *json_end(void);
 /* From "name=text" of each input, with U+001E between them; it takes them apart in place. The text
  * of "decimal_sign" is that of the others, a point where it is missing; that of "profile" has its
  * rows, whose decimal sign may be that of "profile_sign". "plane_stress" is in place of plane
- * strain. "hull", "fit", "heights" and "origin" say how the profile is made of them, "units" the
- * working units, and "width" what forces of the whole contact are divided by. */
+ * strain, "strength_of" the body that k is of. "hull", "fit", "heights" and "origin" say how the
+ * profile is made of them, "units" the working units, and "width" what forces of the whole contact
+ * are divided by. */
 input_texts field_texts(char *fields);
 
 /* Of the last texts: the units; the name of the profile, NULL for none, and how it was made. */
 const unit_system *field_units(void);
 const char *field_profile(void);
 const profile_making *field_making(void);
+
+/* Whether k, of the last texts, is of body 2. */
+bool field_is_of_pad(void);
 
 /* What is to be known of the profile of the last texts; or "". */
 const char *field_remark(void);

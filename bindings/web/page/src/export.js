@@ -21,10 +21,11 @@ const makingOptions = ({ texts = {} }) =>
         texts.origin && `--origin ${texts.origin}`,
     ].filter(Boolean);
 const planeOption = ({ texts = {} }) => (texts.plane_stress ? ["--plane-stress"] : []);
+const bodyOption = ({ texts = {} }) => (texts.strength_of ? ["--strength-of 2"] : []);
 
 /** The command for the case: rwedge solve --E1 210000 ... */
 export function asCommand(model) {
-    const options = [...numbersOf(model).map(asOption), ...makingOptions(model), ...planeOption(model)];
+    const options = [...numbersOf(model).map(asOption), ...makingOptions(model), ...planeOption(model), ...bodyOption(model)];
     const factor = "k" in model.inputs || "yield_stress" in model.inputs ? " --yield-factor" : "";
     return `rwedge solve ${options.join(" ")}${factor}`;
 }
@@ -52,7 +53,8 @@ export function asFretting(model, { loads, tilts, criterion }, cycles, hasTable)
         ofRow = tilts ? ["P", "tilt", "Q", "sigma"] : isHeld ? ["P", "Q", "sigma"] : ofLoad,
         valueAt = (i, name) => wholeNumber(name === "tilt" ? tilts[i] : loads[i][name]);
     const rows = [ofRow.join(), ...loads.map((_, i) => ofRow.map((name) => valueAt(i, name)).join())];
-    const options = numbersOf(model).filter(([name]) => !ofLoad.includes(name));
+    const ofPad = model.texts?.strength_of ? ["k", "yield_stress"] : []; // a cycle is of the half-plane
+    const options = numbersOf(model).filter(([name]) => !ofLoad.includes(name) && !ofPad.includes(name));
     const before = hasTable ? "" : ` --load ${loads[0].P},${isHeld ? 0 : loads[0].M},0,0`;
     return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${[...options.map(asOption), ...makingOptions(model), ...criterionOptions(criterion)].join(" ")}`;
 }
@@ -86,7 +88,7 @@ export function asPython(model) {
 import rwedge
 
 E1, nu1, E2, nu2 = ${E1}, ${nu1}, ${value.E2 ?? E1}, ${value.nu2 ?? nu1}
-${model.texts?.plane_stress ? "nu1 = nu2 = 0  # plane stress\n" : ""}${sizesInPython[model.pad](value, model.setup)}
+${model.texts?.strength_of ? "E1, nu1, E2, nu2 = E2, nu2, E1, nu1  # stresses of the pad, seen from its own side\n" : ""}${model.texts?.plane_stress ? "nu1 = nu2 = 0  # plane stress\n" : ""}${sizesInPython[model.pad](value, model.setup)}
 P, M, Q, sigma, f = ${P}, ${M}, ${Q}, ${sigma}, ${f}
 A = float(rwedge.compliance(E1, nu1, E2, nu2))
 

@@ -10,8 +10,8 @@ import { unitSystems, wordsOf } from "./units.js";
 let solved; // the last model with results
 
 /** What the model is told beside the inputs. */
-function otherTexts({ units, width, plane }) {
-    const all = { units: wordsOf(units), width: width.trim(), plane_stress: plane };
+function otherTexts({ units, width, plane, body }) {
+    const all = { units: wordsOf(units), width: width.trim(), plane_stress: plane, strength_of: body };
     return Object.fromEntries(Object.entries(all).filter(([, text]) => text !== ""));
 }
 
@@ -36,6 +36,7 @@ export const inputTexts = ({ inputs: numbers, texts, unit }) => [
         name === "profile" ? `profile of ${value} places` : `${name} = ${wholeNumber(value)} ${unit[inputs[name].unit]}`.trim(),
     ),
     ...(texts.plane_stress ? ["plane stress"] : []),
+    ...(texts.strength_of ? ["strength and stresses of the pad, body 2"] : []),
 ];
 
 /** "x / mm"; the name alone where the unit is nothing. */

@@ -25,6 +25,7 @@ const settings = {
     cycles: "3",
     criterion: "swt",
     plane: "",
+    body: "",
     material: "",
     crack_edge: "left",
     crack_angle: "0",
@@ -53,11 +54,14 @@ export const findable = { radius: "Radius R", a: "Half-width of rounding a", P: 
 /** On which factor that is. */
 export const factors = { stress: "on the stress, under these loads", sliding: "on the stress, if it slid", P: "on P, in full sliding" };
 export const digits = { 4: "4", 6: "6", 10: "10", 14: "14" };
+/** Whose strength is asked, and whose k is given. */
+export const strengths = { "": "of the half-plane, body 1", 2: "of the pad, body 2" };
 /** What a setting may be; another word is the usual one. */
 const allowed = {
     units: unitSystems,
     digits,
     sign: signs,
+    body: strengths,
     tab: tabs,
     measure: measures,
     criterion: criteria,
@@ -66,7 +70,7 @@ const allowed = {
     factor: factors,
 };
 /** Those that a case file has in words of its own. */
-const ofFile = ["name", "units", "width", "plane", "material", "shipped"];
+const ofFile = ["name", "units", "width", "plane", "body", "material", "shipped"];
 const LONGEST = 20000; // characters of an address that every browser takes
 
 /** texts: of the inputs, by name; way: which of the ways to give an input is chosen. */

@@ -228,6 +228,46 @@ test("forty cases by chance go from the page to a file, to the tool, to Python, 
     rmSync(folder, { recursive: true });
 });
 
+test("the strength of the pad is the tool's; what has a side is refused; cycles and rows are of the half-plane", () => {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        bodies2 = { E2: "70000", nu2: "0.33", strength_of: "2" };
+    for (const [pad, k] of [["wedge", "100"], ["cylinder", "900"], ["flat", "30"]]) {
+        const texts = { ...ofPads[pad], ...bodies2, k },
+            { strength_of, ...ofTool } = texts,
+            { results, hardest, verdict, ...model } = solveHolding(texts, "."),
+            how = ["--verdict", "--format", "json", "--digits", "17"];
+        const told = run(["solve", ...optionsOf(ofTool), "--strength-of", "2", "--yield-factor", ...how]);
+        for (const { quantity, value } of JSON.parse(told.stdout))
+            if (typeof value === "number") assertNear(results[quantity], value, 2e-13, `${pad}: ${quantity}`);
+        assert.ok(told.stderr.endsWith(`${verdict.strength}\n`) && /^The strength of body 2/.test(verdict.strength), told.stderr);
+        assert.equal(runCommand(`${asCommand({ ...model, texts })} ${how.join(" ")}`, folder).stdout, told.stdout);
+        assert.ok(hardest.y < 0 || Math.abs(hardest.y) < 1e-9, `${pad}: yields at ${hardest.y}`);
+        const there = valuesAt({ ...model, contact: model.contact }, { x: hardest.x, y: -hardest.y });
+        assertNear(there.von_mises, hardest.von_mises, 1e-9, `${pad}: the stress where it yields`);
+        if (process.env.PYTHON) assertPrinted({ ...model, texts, pad, results });
+        const file = writtenCase({ name: "", texts, sign: ".", material: "", settings: {} });
+        writeFileSync(`${folder}/pad.json`, file);
+        const again = JSON.parse(run(["solve", "--case", `${folder}/pad.json`, "--yield-factor", "--format", "json", "--digits", "17"]).stdout);
+        assertNear(again.find(({ quantity }) => quantity === "yield_factor").value, results.yield_factor, 2e-13, `${pad}: by its file`);
+        assert.equal(readCase(file, String).body, "2");
+    }
+    for (const [more, words] of [[{ sigma: "5" }, /^the strength of the pad: not with sigma; allowed/], [{ E2: "inf" }, /^the strength of the pad: body 2 is rigid/]]) {
+        const { faults, verdict } = solveHolding({ ...usual, ...bodies2, ...more }, ".");
+        assert.match(faults[0].text, words);
+        assert.equal(verdict.colour, "red");
+    }
+    const { strength_of, ...ofHalfPlane } = bodies2,
+        { k, ...others } = usual,
+        loads = "P,Q\n190,20\n190,-20";
+    assert.deepEqual(cycleOf({ ...usual, ...bodies2 }, loads, ".", "3", swt).worst, cycleOf({ ...others, ...ofHalfPlane }, loads, ".", "3", swt).worst);
+    assert.deepEqual(solveRows("P\n190\n", { ...usual, ...bodies2 }, ".").rows, solveRows("P\n190\n", { ...others, ...ofHalfPlane }, ".").rows);
+    for (const name of ["radius", "P", "f"]) {
+        const swapped = { ...usual, E1: bodies2.E2, nu1: bodies2.nu2, E2: usual.E1, nu2: usual.nu1 };
+        assertNear(findInput({ ...usual, ...bodies2 }, ".", name, 1.5).value, findInput(swapped, ".", name, 1.5).value, 1e-12, name);
+    }
+    rmSync(folder, { recursive: true });
+});
+
 test("a log of a case goes to a file and back; the tool has its cycle", () => {
     const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
         pasted = "Rig 7\nlogged by hand\n\nTime;P;Q\ns;kN;N\n0;1,6;160\n1;1,6;-160\n2;1,28;80\n",

@@ -51,15 +51,19 @@ export function gridOf({ left, right }, isMoving) {
     return { x, y, nx, ny, x0, x1, depth };
 }
 
-/** The stresses on the grid, and one measure of them. */
+/** The pad, body 2, is seen from its own side: its stresses at (x, -y) are those of body 1, in its place, at (-x, y). */
+const stressesAt = ({ contact, setup }, x, y) =>
+    contact.stresses(setup.body === 2 ? (typeof x === "number" ? -x : x.map((v) => -v)) : x, y);
+
+/** The stresses on the grid, and one measure of them. In the pad y is the height. */
 export function fieldOf({ contact, setup }, grid, measure) {
-    const stresses = contact.stresses(grid.x, grid.y);
+    const stresses = stressesAt({ contact, setup }, grid.x, grid.y);
     return { ...stresses, values: measures[measure].along(stresses, setup.nu1) };
 }
 
 /** All numbers of one place; null where there are none. */
 export function valuesAt({ contact, setup }, place) {
-    const s = orNull(() => contact.stresses(place.x, place.y));
+    const s = orNull(() => stressesAt({ contact, setup }, place.x, place.y));
     if (!s) return null;
     const { s2, angle } = rwedge.principal_stresses(s.sxx, s.syy, s.txy);
     return {

@@ -5,7 +5,7 @@ import { live } from "lit-html/directives/live.js";
 import { rwedge } from "../answers/library.js";
 import { ofShapes, pads } from "../pads.js";
 import { options } from "../parts.js";
-import { set, setter, state, typed, written } from "../state.js";
+import { set, setter, state, strengths, typed, written } from "../state.js";
 import { percentOf } from "../answers/solution.js";
 import { inputs, waysOf } from "../answers/words.js";
 import { padChoice } from "./pad_choice.js";
@@ -147,13 +147,16 @@ const width = (model) => html`<div class="field"><label for="in-width">Width of 
     <div class="row"><input id="in-width" type="text" autocomplete="off" spellcheck="false" size="10" placeholder="forces per length"
         .value=${live(state.width)} @input=${setter("width")}><span class="unit">${model.unit.length}</span></div></div>`;
 
+const body = () => html`<div class="field"><label for="strength-of">k, stresses and yield are</label>
+    <div class="row"><select id="strength-of" @change=${setter("body")}>${options(strengths, state.body)}</select></div></div>`;
+
 const plane = () => html`<p class="tools"><input id="plane" type="checkbox" .checked=${live(state.plane === "stress")}
     @input=${({ target }) => set({ plane: target.checked ? "stress" : "" })}><label for="plane">plane stress</label></p>`;
 
 const more = {
     Loads: { below: width },
     Pad: { above: padChoice },
-    "Half-plane": { below: plane },
+    "Half-plane": { below: () => [body(), plane()] },
 };
 
 const group = ({ title, names }, model) => html`<fieldset><legend>${title}</legend>

@@ -64,6 +64,7 @@ function remarkOf(solved) {
         .join(", ");
     return [
         `${rows.length} rows, ${errors} could not be solved. ${faultsOf(solved)}`,
+        state.body && "Rows are of the half-plane: k of the form, which is the pad\u2019s, does not count here.",
         unused && `${unused[0].toUpperCase()}${unused.slice(1)}.`,
         from && `From the case of the form: ${from}.`,
         rows.length > SHOWN && `The first ${SHOWN} are drawn; all are copied.`,

@@ -107,8 +107,9 @@ const loopColumns = ({ loop }) =>
 function remarkOf(answer) {
     if (answer.complaint !== undefined) return answer.complaint;
     const usual = "No table is given: P and M of the case come first, then its Q and \u03c3 go to and fro";
-    const slip = "No slip is known after these loads";
-    return [!state.loads.trim() && usual, answer.unused, !answer.slipKnown && slip, answer.computed]
+    const slip = "No slip is known after these loads",
+        ofPad = "Cycles are of the half-plane: k of the form, which is the pad\u2019s, does not count here";
+    return [state.body && ofPad, !state.loads.trim() && usual, answer.unused, !answer.slipKnown && slip, answer.computed]
         .filter(Boolean)
         .join(". ");
 }

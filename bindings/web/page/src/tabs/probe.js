@@ -55,5 +55,5 @@ const entry = (axis, name) => html`<label for="probe-${axis}">${axis}</label>
     <input type="text" id="probe-${axis}" size="9" autocomplete="off" .value=${live(state[name])} @input=${setter(name)}>`;
 
 export const probe = (model) => html`<h2>At a place</h2>
-    <p class="tools">${entry("x", "probe_x")} ${entry("y", "probe_y")} or point into the drawing</p>
+    <p class="tools">${entry("x", "probe_x")} ${entry("y", "probe_y")} or point into the drawing${model.setup?.body === 2 ? "; y is the height in the pad" : ""}</p>
     <div>${model.results ? values(model) : ""}</div>`;

@@ -22,6 +22,8 @@ function hardestText({ hardest, setup, unit, write }) {
         : `${text}; it yields there first, at ${write(hardest.factor)} times these stresses.`;
 }
 
+const isOfPad = ({ setup }) => setup?.body === 2;
+
 /** Above the frame: the contact, and the zones that stick. */
 function surfaceOf({ results: { left, right }, setup, zones }) {
     const sticks = setup.f === 0 ? [] : zones.filter(({ slip }) => slip === 0);
@@ -37,9 +39,9 @@ function plotOf(model, { grid, field }) {
         { ...grid, values: field.values },
         {
             xLabel: withUnit("x", unit.length),
-            yLabel: withUnit("depth y", unit.length),
+            yLabel: withUnit(isOfPad(model) ? "height y in the pad, body 2" : "depth y", unit.length),
             unit: unit.stress,
-            points: hardest ? [{ x: hardest.x, y: hardest.y, name: hardestText(model) }] : [],
+            points: hardest ? [{ x: hardest.x, y: Math.abs(hardest.y), name: hardestText(model) }] : [],
             surface: surfaceOf(model),
         },
     );
@@ -61,7 +63,7 @@ const textOf = remembered(plotOf);
 export function stress(model) {
     const { measure } = state,
         seen = model.results && seenOf(model, measure, !isMoving()),
-        title = `${measures[measure].name} below the surface`;
+        title = `${measures[measure].name} ${isOfPad(model) ? "in the pad, body 2" : "below the surface"}`;
     const point = (event) => follow(event, seen.grid);
     const plot =
         seen &&

@@ -1364,6 +1364,12 @@ RWEDGE_API const char *rwedge_criterion_unit(int32_t criterion);
  *   criterion  any integer */
 RWEDGE_API const char *rwedge_criterion_limit(int32_t criterion);
 
+/* The power of the stresses with which a criterion grows: 2 for SWT, a product of two stresses; 1
+ * for the range and for those that are sums of stresses. 0 where there is no single one, as of
+ * FATEMI_SOCIE and MODIFIED_WOHLER, for measures of friction, and for any other number.         new
+ *   criterion  any integer */
+RWEDGE_API int32_t rwedge_criterion_degree(int32_t criterion);
+
 /* How many constants a criterion has; 0 for measures without one, and for any other number.     new
  *   criterion  any integer */
 RWEDGE_API int32_t rwedge_criterion_constants(int32_t criterion);
@@ -1423,6 +1429,22 @@ RWEDGE_API int32_t rwedge_criterion_field(int32_t criterion, const double consta
                                           size_t n, const double sxx[], const double syy[],
                                           const double txy[], double nu, int32_t plane_stress,
                                           double value[], double angle[], double out_of_plane[]);
+
+/* The factor on the stresses of all loads at a point with which a criterion has a given value, such
+ * as the one that it must not exceed. Of a criterion with a rwedge_criterion_degree() it is the
+ * root of that degree of limit over value. Of others it is found by doubling or halving, from 1 on.
+ *                                                                                               new
+ *   constants      rwedge_criterion_constants(criterion) numbers, of at most 1e60 in magnitude
+ *   limit          the value, > 0
+ *   n              number of loads of the cycle, >= 1
+ *   factor         receives one number
+ * RWEDGE_EABSENT where no factor from 1e-30 to 1e30 has it, as where the value is 0; RWEDGE_EDOMAIN
+ * where a constant is outside its range, and for measures of friction; RWEDGE_ERANGE for n = 0;
+ * RWEDGE_ENULL; RWEDGE_ENOMEM. As exact as the criterion. */
+RWEDGE_API int32_t rwedge_criterion_factor(int32_t criterion, const double constants[],
+                                           double limit, size_t n, const double sxx[],
+                                           const double syy[], const double txy[], double nu,
+                                           int32_t plane_stress, double *factor);
 
 /* ---- Lives ----------------------------------------------------------------------------------- */
 

@@ -50,12 +50,14 @@ static const rw_measure measures[] = {
                                      .text = "largest less smallest sxx",
                                      .unit = "stress",
                                      .limit = "",
+                                     .degree = 1,
                                      .of_field = rw_stress_range},
     [RWEDGE_MEASURE_SWT] = {.name = "swt",
                             .title = "Smith-Watson-Topper parameter",
                             .text = "Smith, Watson and Topper's parameter, strain amplitude",
                             .unit = "stress",
                             .limit = "swt_limit",
+                            .degree = 2,
                             .of_planes = rw_smith_watson_topper,
                             .own = 1,
                             .constants = {&E, &sf, &b, &ef, &c, &swt_limit}},
@@ -95,6 +97,7 @@ static const rw_measure measures[] = {
                                     "Findley's largest shear amplitude + k largest normal stress",
                                 .unit = "stress",
                                 .limit = "findley_limit",
+                                .degree = 1,
                                 .of_planes = rw_findley,
                                 .counts_mean = true,
                                 .own = 1,
@@ -114,6 +117,7 @@ static const rw_measure measures[] = {
                                   .text = "shear amplitude/t-a + largest normal stress/(2 su)",
                                   .unit = "none",
                                   .limit = "1",
+                                  .degree = 1,
                                   .of_planes = rw_mcdiarmid,
                                   .counts_mean = true,
                                   .own = 2,
@@ -124,6 +128,7 @@ static const rw_measure measures[] = {
                                       "amplitude of sqrt(J2) + alpha largest hydrostatic stress",
                                   .unit = "stress",
                                   .limit = "crossland_limit",
+                                  .degree = 1,
                                   .of_field = rw_crossland,
                                   .counts_mean = true,
                                   .own = 1,
@@ -133,6 +138,7 @@ static const rw_measure measures[] = {
                                  .text = "largest shear amplitude + alpha hydrostatic stress",
                                  .unit = "stress",
                                  .limit = "dang_van_limit",
+                                 .degree = 1,
                                  .of_field = rw_dang_van,
                                  .counts_mean = true,
                                  .own = 1,
@@ -142,6 +148,7 @@ static const rw_measure measures[] = {
                                      .text = "swt of the planes that contain z",
                                      .unit = "stress",
                                      .limit = "",
+                                     .degree = 2,
                                      .of_field = rw_smith_watson_topper_in_plane,
                                      .own = 1,
                                      .constants = {&E}},
@@ -218,6 +225,12 @@ const char *rwedge_criterion_limit(int32_t criterion)
 {
     const rw_measure *measure = rw_measure_of(criterion);
     return measure ? measure->limit : "";
+}
+
+int32_t rwedge_criterion_degree(int32_t criterion)
+{
+    const rw_measure *measure = rw_measure_of(criterion);
+    return measure ? measure->degree : 0;
 }
 
 int32_t rwedge_criterion_constants(int32_t criterion)

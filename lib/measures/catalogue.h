@@ -20,6 +20,7 @@ typedef struct {
     rw_plane_criterion *of_planes;
     rw_criterion_of_field *of_field;
     bool counts_mean;                           /* also where nothing cycles */
+    int degree;                                 /* its power in the stresses; 0 for no single one */
     int own;                                    /* how many of the constants are the criterion's */
     const rw_constant *constants[RW_CONSTANTS]; /* behind them those of the curve of life */
 } rw_measure;

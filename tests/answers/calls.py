@@ -65,6 +65,7 @@ QUANTITIES = {
 # Where a function needs others.
 OWN = {
     ("series_coefficient", "k"): [2, 0, 3, 1, 50],
+    ("criterion_factor", "limit"): [45, 90, 210],  # above what the mean stress alone has
     ("contact_tractions", "x"): [-0.8, 0.31, 2, -0.5, 4.2, 0, 0.07],
     ("contact_stresses", "x"): [-0.8, 0.31, 2, -0.5, 4.2, 0, 0.07],
     ("subsurface_yield", "alpha"): [0.25, 0.37, 0.81, 1.7],  # and little friction: the branch must exist

@@ -35,6 +35,7 @@ static const struct {
     {"constant_usual", {RWEDGE_MEASURE_MODIFIED_WOHLER, 2}},
     {"criterion", {RWEDGE_MEASURE_MODIFIED_WOHLER, ANY, ANY, ANY, ANY, ANY, ANY}},
     {"criterion_field", {RWEDGE_MEASURE_MODIFIED_WOHLER, ANY, ANY, ANY, ANY, ANY, ANY}},
+    {"criterion_factor", {RWEDGE_MEASURE_MODIFIED_WOHLER, ANY, 3, ANY, ANY, ANY, ANY, ANY}},
     {"life", {RWEDGE_MEASURE_FATEMI_SOCIE, ANY, ANY}},
     {"damage", {RWEDGE_MEASURE_FATEMI_SOCIE, ANY, ANY, ANY, ANY, ANY, ANY}},
     {"damage_field", {RWEDGE_MEASURE_FATEMI_SOCIE, ANY, ANY, ANY, ANY, ANY, ANY}},

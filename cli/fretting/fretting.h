@@ -60,13 +60,6 @@ void full_wear_write(const full_wear *wear, double x, double y, records *rows);
 /* ---- worst ---- Where each column of "rwedge fretting" is worst, also between the places: a line,
  * or a table. */
 
-/* The theory of critical distances: the stresses below a place of the surface, at half of a length,
- * or their means over twice the length. */
-typedef struct {
-    double length, angle; /* NAN for none; from the surface's normal towards +x, deg */
-    bool is_line;         /* mean over twice the length; else the point at half of it */
-} distance;
-
 typedef struct {
     const last_cycle *last;
     distance below;  /* where criteria count, beside the surface */

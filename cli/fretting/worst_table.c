@@ -62,44 +62,35 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
 /* ---- As rows ---- */
 
 static const char *const columns[] = {
-    "measure",      "value",     "x",      "y",    "length", "at_length",       "angle",
-    "out_of_plane", "allowable", "safety", "life", "cycles", "shakedown_lower", "shakedown_upper"};
-/* The last two, of verdicts alone, are of the cycle. */
-enum { VERDICT_COLUMNS = sizeof columns / sizeof columns[0], COLUMNS = VERDICT_COLUMNS - 2 };
+    "measure",         "value",           "x",          "y",      "length", "at_length",
+    "angle",           "out_of_plane",    "allowable",  "safety", "life",   "cycles",
+    "shakedown_lower", "shakedown_upper", "load_factor"};
+/* The two of shakedown, of verdicts alone, are of the cycle. */
+enum { COLUMNS = sizeof columns / sizeof columns[0], SHAKEDOWN = 12, LOAD_FACTOR = 14 };
 
-/* The criteria below the worst place of the surface, of the stresses of each load there; the means
- * may not settle to 1e-10 of the stresses. */
-static measured_place measures_below(const last_cycle *cycle, const distance *below, double x)
+static bool is_written(const worst_table *worst, size_t column)
 {
-    const size_t n = cycle->loads;
-    measured_place at;
-    double *stress = memory_zeroed(3 * n, sizeof *stress);
-    status_check(rwedge_cycle_below(cycle->cycle, n, x, below->angle * PI / 180, below->length,
-                                    below->is_line, stress, stress + n, stress + 2 * n),
-                 "--length");
-    status_check(last_cycle_criteria(cycle, 1, stress, &at), "--length");
-    return at;
+    return worst->is_verdict || column < SHAKEDOWN || column >= LOAD_FACTOR;
 }
 
 /* The verdict of a criterion: its plane, the allowable value, the life in passes of the loads. */
 static void add_verdict(const worst_table *worst, int criterion, const worst_row *row,
                         cell cells[COLUMNS])
 {
-    const bool is_below = !isnan(worst->below.length) && row->y == 0;
-    measured_place at = {.x = row->x, .y = row->y};
-    if (is_below)
-        at = measures_below(worst->last, &worst->below, row->x);
-    else
-        status_check(last_cycle_measure(worst->last, 1, &at), "the worst place");
-    const criterion_verdict judged = criterion_verdict_at(&worst->last->asked, &at, criterion);
-    cells[4] = cell_number(is_below ? worst->below.length : NAN);
-    cells[5] = cell_number(is_below ? judged.value : NAN);
-    cells[6] = cell_number(measured_part(&at, criterion, PART_ANGLE));
-    cells[7] = cell_number(measured_part(&at, criterion, PART_OUT_OF_PLANE));
-    cells[8] = cell_number(judged.allowable);
-    cells[9] = cell_number(judged.safety);
-    cells[10] = isinf(judged.life) ? cell_text("inf") : cell_number(judged.life);
-    cells[11] = cell_number(measured_part(&at, measure_damage(criterion), PART_CYCLES));
+    worst_verdict its;
+    status_check(worst_verdict_of(worst->last, &worst->below, row, criterion, &its),
+                 isnan(worst->below.length) ? "the worst place" : "--length");
+    const measured_place *at = &its.at;
+    const criterion_verdict *judged = &its.judged;
+    cells[4] = cell_number(its.is_below ? worst->below.length : NAN);
+    cells[5] = cell_number(its.is_below ? judged->value : NAN);
+    cells[6] = cell_number(measured_part(at, criterion, PART_ANGLE));
+    cells[7] = cell_number(measured_part(at, criterion, PART_OUT_OF_PLANE));
+    cells[8] = cell_number(judged->allowable);
+    cells[9] = cell_number(judged->safety);
+    cells[10] = isinf(judged->life) ? cell_text("inf") : cell_number(judged->life);
+    cells[11] = cell_number(measured_part(at, measure_damage(criterion), PART_CYCLES));
+    cells[LOAD_FACTOR] = cell_number(its.load_factor);
 }
 
 /* The factors on the stresses between which the shakedown of the cycle is; empty without a yield
@@ -120,27 +111,31 @@ void worst_write_rows(void *of_worst, records *rows)
 {
     const worst_table *worst = of_worst;
     const criteria *asked = &worst->last->asked;
-    const size_t count = worst->is_verdict ? VERDICT_COLUMNS : COLUMNS;
-    cell of_cycle[2];
+    cell of_cycle[2] = {cell_number(NAN), cell_number(NAN)};
     if (worst->is_verdict)
         add_shakedown(worst->last, of_cycle);
-    records_header(rows, count, columns);
+    for (size_t k = 0; k < COLUMNS; k++)
+        if (is_written(worst, k))
+            records_name(rows, columns[k]);
+    records_end_header(rows);
     for (int i = 0; i < measure_count() && records_go_on(rows); i++) {
         const worst_row *row = &worst->row[i];
         const int criterion = measure_criterion(i);
         const bool has_verdict =
             criterion >= 0 && (!asked->is_listed || asked->is_wanted[criterion]);
-        cell cells[VERDICT_COLUMNS] = {cell_text(measure_kind_of(i)->column),
-                                       cell_number(row->value), cell_number(row->x),
-                                       cell_number(row->y)};
+        cell cells[COLUMNS] = {cell_text(measure_kind_of(i)->column), cell_number(row->value),
+                               cell_number(row->x), cell_number(row->y)};
         if (isnan(row->value) || (worst->is_verdict && !has_verdict))
             continue;
-        for (int k = 4; k < COLUMNS; k++)
+        for (size_t k = 4; k < COLUMNS; k++)
             cells[k] = cell_number(NAN);
         if (criterion >= 0)
             add_verdict(worst, criterion, row, cells);
-        for (size_t k = COLUMNS; k < count; k++)
-            cells[k] = of_cycle[k - COLUMNS];
-        records_row(rows, count, cells);
+        cells[SHAKEDOWN] = of_cycle[0];
+        cells[SHAKEDOWN + 1] = of_cycle[1];
+        for (size_t k = 0; k < COLUMNS; k++)
+            if (is_written(worst, k))
+                records_value(rows, cells[k]);
+        records_end_row(rows);
     }
 }

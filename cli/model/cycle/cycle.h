@@ -247,4 +247,26 @@ criterion_verdict criterion_verdict_at(const criteria *asked, const measured_pla
 /* A part of a criterion at a place; NAN where it has no such part. */
 double measured_part(const measured_place *at, int criterion, measure_part part);
 
+/* ---- worst_verdict ---- What a criterion comes to at its worst place, or below it. */
+
+/* The theory of critical distances: the stresses below a place of the surface, at half of a length,
+ * or their means over twice the length. */
+typedef struct {
+    double length, angle; /* NAN for none; from the surface's normal towards +x, deg */
+    bool is_line;         /* mean over twice the length; else the point at half of it */
+} distance;
+
+typedef struct {
+    bool is_below;     /* the place; the rest is of the stresses there */
+    measured_place at; /* at the place, or those of the stresses below it */
+    criterion_verdict judged;
+    /* on the stresses of all loads, with which a criterion has its allowable value; NAN of damage,
+     * and where none is known */
+    double load_factor;
+} worst_verdict;
+
+/* Returns the library's status. */
+int32_t worst_verdict_of(const last_cycle *cycle, const distance *below, const worst_row *row,
+                         int criterion, worst_verdict *verdict);
+
 #endif

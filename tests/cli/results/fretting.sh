@@ -209,9 +209,12 @@ printf '{"source": "none", "E": 72100, "nu": 0.33, "crossland_alpha": 0.3, "cros
 shape="--theta 0.05 --radius 10 --f 0.3 --load 135.75,0 --K-in mm"
 verdict() { awk -F, -v name="$2" -v row="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } $1 == row { print $c }' out; }
 does fretting cycle.csv $shape --material metal.csv --at-worst
-same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life,cycles,shakedown_lower,shakedown_upper" "$(head -n 1 out)"
+same "the columns of a verdict" "measure,value,x,y,length,at_length,angle,out_of_plane,allowable,safety,life,cycles,shakedown_lower,shakedown_upper,load_factor" "$(head -n 1 out)"
 same "criteria alone" "swt crossland swt_damage" "$(column measure out | paste -s -d ' ' -)"
 close_to "safety" "$(awk -v v="$(verdict crossland value)" 'BEGIN { printf "%.17g", 100 / v }')" "$(verdict crossland safety)" 1e-14
+close_to "its factor on the loads" "$(verdict crossland safety)" "$(verdict crossland load_factor)" 0
+close_to "SWT goes with the square of the stresses" "$(awk -v s="$(verdict swt safety)" 'BEGIN { printf "%.17g", sqrt(s) }')" "$(verdict swt load_factor)" 1e-15
+same "damage has no factor" "" "$(verdict swt_damage load_factor)"
 close_to "the life has the parameter" "$(verdict swt value)" "$(awk -v N="$(verdict swt life)" 'BEGIN {
     printf "%.17g", 475.4 ^ 2 / 72100 * (2 * N) ^ -0.156 + 475.4 * 0.612 * (2 * N) ^ -0.698 }')" 1e-12
 # The modified Woehler curve at the edge of contact; nothing cycles far from it under a mean tension, where it was worst.
@@ -221,6 +224,8 @@ does fretting rig.csv --radius 50 --f 0.75 --units mm,N,MPa --material al4cu.csv
 close_to "the worst place" -0.378 "$(verdict modified_wohler x)" 1e-3
 close_to "the modified Woehler curve below it" 125.06 "$(verdict modified_wohler at_length)" 1e-4
 close_to "its safety" 0.568 "$(verdict modified_wohler safety)" 1e-3
+# Its ratio of stresses is at rho_lim = lambda/(2 kappa) there: tau_a = 125.06 - 71/2, of which (71 - 71/2) is allowed.
+close_to "its factor on the loads" 0.3964 "$(verdict modified_wohler load_factor)" 2e-4
 printf 'P,Q,sigma\n93.2489395167137,41.96202278252117,100\n93.2489395167137,0,10\n' >rig.csv
 does fretting rig.csv --radius 50 --f 0.75 --units mm,N,MPa --material al4cu.csv --at-worst --method point --criteria modified-wohler
 close_to "the worst place at another ratio" -0.378 "$(verdict modified_wohler x)" 1e-3

@@ -32,6 +32,8 @@ static struct poptOption history_figure_option_table[] = {
     {INCLUDED(history_option_table), NULL, NULL},
     {VALUE("at", OPTION_AT), "The point of figure history", "x,y"},
     {PLANE_STRESS_OPTION},
+    {ROTATION_OPTION},
+    {SIMILAR_OPTION},
     {MATERIAL_OPTION},
     {K_IN_OPTION},
     POPT_TABLEEND,

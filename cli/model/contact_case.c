@@ -87,6 +87,20 @@ static bool second_body_is_whole(const input_texts *texts, complaint *why)
         input_name(texts, there), input_text(texts, there, number), input_name(texts, absent));
 }
 
+/* A pad that is held by a rig has no moment of its own, and its tilt is not free. */
+static bool rotation_fits(const input_texts *texts, complaint *why)
+{
+    const int input = texts->rotation == ROTATION_HELD   ? INPUT_M
+                      : texts->rotation == ROTATION_FREE ? INPUT_TILT
+                                                         : INPUT_COUNT;
+    char number[NUMBER_SIZE];
+    return input == INPUT_COUNT || !input_is_given(texts, input) ||
+           complain(why,
+                    "%s %.60s: given together with a rotation that is %s; allowed: one of the two",
+                    input_name(texts, input), input_text(texts, input, number),
+                    input == INPUT_M ? "held" : "free");
+}
+
 /* Neither is a guess: a plane has no radius. */
 static bool radii_are_two(const input_texts *texts, complaint *why)
 {
@@ -124,7 +138,8 @@ bool case_is_complete(const input_texts *texts, case_needs needs, complaint *why
                  needs == CASE_OF_HISTORY ? "here" : "where Q, sigma or a yield stress is given");
     if (cells && texts->where_else != NULL)
         list_add(why->text, sizeof why->text, "; ", "allowed: %s", texts->where_else);
-    return why->text[0] == '\0' && radii_are_two(texts, why) && second_body_is_whole(texts, why);
+    return why->text[0] == '\0' && radii_are_two(texts, why) && second_body_is_whole(texts, why) &&
+           rotation_fits(texts, why);
 }
 
 static double either(double value, double otherwise)
@@ -135,6 +150,20 @@ static double either(double value, double otherwise)
 double case_radius(double radius1, double radius2)
 {
     return 1 / (1 / radius1 + 1 / radius2);
+}
+
+static const double usual_tolerance_of_unlike = 1e-3;
+
+double case_tolerance(const input_texts *texts, bool is_coupled)
+{
+    return either(texts->tolerance, is_coupled ? usual_tolerance_of_unlike : usual_tolerance);
+}
+
+/* Whether there is anything to neglect. */
+static bool is_coupled(const contact_case *setup)
+{
+    return (rwedge_validity(NAN, NAN, setup->beta, setup->f, NAN, NAN) & RWEDGE_DOUBT_COUPLING) !=
+           0;
 }
 
 /* But for the shape of a profile. In plane stress nothing else depends on Poisson's ratio. */
@@ -156,8 +185,9 @@ static void fill(const input_texts *texts, const double value[INPUT_COUNT], cont
     setup->Q = either(value[INPUT_Q], 0);
     setup->sigma = either(value[INPUT_SIGMA], 0);
     setup->f = either(value[INPUT_F], 0);
-    setup->is_held = !isnan(value[INPUT_TILT]);
-    setup->tilt = value[INPUT_TILT];
+    setup->rotation = texts->rotation;
+    setup->is_held = !isnan(value[INPUT_TILT]) || setup->rotation == ROTATION_HELD;
+    setup->tilt = either(value[INPUT_TILT], 0);
     setup->k = either(value[INPUT_K], value[INPUT_YIELD_STRESS] / SQRT_3);
     setup->beta =
         texts->is_plane_stress
@@ -166,7 +196,8 @@ static void fill(const input_texts *texts, const double value[INPUT_COUNT], cont
     if (texts->is_plane_stress)
         setup->nu1 = setup->nu2 = 0;
     setup->A = rwedge_compliance(setup->E1, setup->nu1, setup->E2, setup->nu2);
-    setup->tolerance = texts->tolerance;
+    setup->is_coupled = is_coupled(setup) && !texts->takes_as_similar;
+    setup->tolerance = case_tolerance(texts, setup->is_coupled);
     setup->is_plane_stress = texts->is_plane_stress;
 }
 
@@ -177,11 +208,23 @@ int32_t case_contact(const contact_case *setup, rwedge_contact **contact)
     int32_t status = pad_contact(&setup->shape, setup->A, setup->f, contact);
     if (status == RWEDGE_OK && (setup->E2 != setup->E1 || setup->nu2 != setup->nu1))
         status = rwedge_contact_set_strain(*contact, own_strain);
+    if (status == RWEDGE_OK && setup->is_coupled)
+        status = rwedge_contact_set_beta(*contact, setup->beta);
     if (status == RWEDGE_OK)
         status = rwedge_contact_allow_error(*contact, setup->tolerance);
     if (status == RWEDGE_OK && setup->is_held)
         status = loads_hold(setup->tilt, *contact);
     return status;
+}
+
+/* A pad that is held and one that is free swing to opposite sides: a default would be a guess. */
+static bool rotation_is_known(const input_texts *texts, const contact_case *setup, complaint *why)
+{
+    return !setup->is_coupled || setup->is_held || setup->rotation != ROTATION_UNSAID ||
+           complain(why,
+                    "unlike bodies, Dundurs' beta %.3g, with friction: whether the pad may turn "
+                    "must be said; %s",
+                    setup->beta, texts->how_rotation);
 }
 
 /* Results beyond the range of numbers are refused later. */
@@ -198,6 +241,8 @@ static bool apply_loads(const input_texts *texts, contact_case *setup, complaint
     setup->at_fault = fault.input;
     if (fault.input == INPUT_COUNT)
         return true;
+    if (!input_is_given(texts, fault.input)) /* the path has no one to blame */
+        return complain(why, "the loads: %s", fault.why.text);
     const bool lacks_friction = fault.input == INPUT_Q && !input_is_given(texts, INPUT_F);
     return complain(why, "%s %.60s: %s%s", input_name(texts, fault.input),
                     input_text(texts, fault.input, number), fault.why.text,
@@ -223,6 +268,8 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, 
                         "the larger radius, and neither is 0",
                         input_name(texts, INPUT_RADIUS1), R1, input_name(texts, INPUT_RADIUS2), R2);
     fill(texts, value, setup);
+    if (!rotation_is_known(texts, setup, why))
+        return false;
     if (input_is_given(texts, INPUT_PROFILE))
         setup->shape = pad_of_profile(texts->profile_named(texts->text[INPUT_PROFILE], why));
     if (setup->shape.kind != PAD_WEDGE && setup->shape.radius == 0) /* only its tip may be sharp */

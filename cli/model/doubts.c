@@ -18,6 +18,8 @@ enum {
 static const double STEEP = 0.1;
 /* By less of the pad's rise a hull has raised p0 of scans with noise by less than 2 %. */
 static const double HULL_LEAST = 1e-3;
+/* What friction of unlike bodies changes by less than this is not told: edges are that exact. */
+static const double COUPLING_LEAST = 1e-4;
 
 /* P acts at x = 0, wherever a profile has it: at one end of a scan, say. A moment may be meant to
  * move the contact. */
@@ -74,10 +76,10 @@ doubts doubts_of(const contact_case *setup, double left, double right, double sa
 {
     const pad *shape = &setup->shape;
     const bool is_wedge = shape->kind == PAD_WEDGE, touches = right > left;
-    const int32_t bits =
-        rwedge_validity(is_wedge ? shape->theta : NAN,
-                        is_wedge && touches ? shape->a / (right / 2 - left / 2) : NAN, setup->beta,
-                        setup->f, setup->k / setup->E1, safety);
+    const int32_t bits = rwedge_validity(
+        is_wedge ? shape->theta : NAN,
+        is_wedge && touches ? shape->a / (right / 2 - left / 2) : NAN,
+        setup->is_coupled ? 0 : setup->beta, setup->f, setup->k / setup->E1, safety);
     const bool is_steep = !is_wedge && touches && pad_steepest(shape, left, right) > STEEP;
     const double hull =
         touches && shape->places != NULL ? pad_profile_hull_share(shape->places, left, right) : 0;
@@ -119,6 +121,8 @@ void doubts_add(doubts *all, doubts more)
     all->error = fmax(all->error, more.error);
     all->tolerance = fmax(all->tolerance, more.tolerance);
     all->hull = fmax(all->hull, more.hull);
+    if (fabs(more.coupled.swing) > fabs(all->coupled.swing))
+        all->coupled = more.coupled;
 }
 
 doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact, double factor)
@@ -128,6 +132,7 @@ doubts doubts_of_factor(const contact_case *setup, const rwedge_contact *contact
     rwedge_contact_edges(contact, &left, &right);
     doubts all = doubts_of_error(contact);
     all.bits = doubt_of_zones(contact);
+    all.coupled = coupling_of(setup, contact, true);
     if (!(factor < 1)) {
         doubts_add(&all, doubts_of(setup, left, right, NAN));
         return all;
@@ -146,6 +151,23 @@ doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact)
     if (!isnan(setup->k))
         rwedge_contact_yield_factor(contact, setup->nu1, setup->k, &factor, NULL, NULL);
     return doubts_of_factor(setup, contact, factor);
+}
+
+/* "unlike bodies: the contact swings by 3.1 % of b to the trailing edge, and ..." */
+static bool write_coupling(coupling of, char text[DOUBT_SIZE])
+{
+    const bool swings = fabs(of.swing) >= COUPLING_LEAST,
+               has_tension = fabs(of.tension) >= COUPLING_LEAST;
+    snprintf(text, DOUBT_SIZE, "unlike bodies: ");
+    if (swings)
+        list_add(text, DOUBT_SIZE, "", "the contact swings by %.2g %% of b to the %s edge",
+                 100 * fabs(of.swing), of.swing < 0 ? "trailing" : "leading");
+    if (has_tension)
+        list_add(text, DOUBT_SIZE, swings ? ", and " : "",
+                 "the tension beside the trailing %s is %.2g %% %s that of similar bodies",
+                 swings ? "one" : "edge", 100 * fabs(of.tension),
+                 of.tension < 0 ? "below" : "above");
+    return swings || has_tension;
 }
 
 bool doubts_next(doubts *left, char text[DOUBT_SIZE])
@@ -170,6 +192,10 @@ bool doubts_next(doubts *left, char text[DOUBT_SIZE])
         left->hull = 0;
         return true;
     }
+    const coupling coupled = left->coupled;
+    left->coupled = (coupling){0};
+    if (write_coupling(coupled, text))
+        return true;
     snprintf(text, DOUBT_SIZE, "computed numerically: tractions to about %.1g of f p0",
              left->error);
     left->error = 0;

@@ -130,7 +130,7 @@ static load_fault path_fault(load to, const rwedge_contact *contact)
     if (to.P == last.P && to.M == last.M && fabs(to.sigma - last.sigma) > most)
         list_add(fault.why.text, sizeof fault.why.text, "; ",
                  "sigma may change by %.6g with this Q", most);
-    if (try_load(to, contact, usual_tolerance) == RWEDGE_OK)
+    if (rwedge_contact_beta(contact) != 0 || try_load(to, contact, usual_tolerance) == RWEDGE_OK)
         list_add(fault.why.text, sizeof fault.why.text, "; ", "without --exact it is computed");
     return fault;
 }
@@ -144,7 +144,10 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
     if (status == RWEDGE_ESLIDING)
         return fault_at(INPUT_Q, "must not exceed f P = %.6g: there is no equilibrium", f * to.P);
     return fault_at(INPUT_COUNT, "%s%s", rwedge_strerror(status),
-                    status == RWEDGE_ENOCONV ? ": smaller loads may go" : "");
+                    status != RWEDGE_ENOCONV ? ""
+                    : rwedge_contact_beta(contact) != 0 && loads_of(contact).P == 0
+                        ? ": unlike bodies are to be pressed along P first, then sheared"
+                        : ": smaller loads may go");
 }
 
 bool loads_spare_flanks(const pad *shape, const rwedge_contact *contact, complaint *why)

@@ -107,6 +107,9 @@ typedef struct {
 } input_kind;
 extern const input_kind input_kinds[INPUT_COUNT];
 
+/* Whether the pad may turn; its own choice where no text says it. */
+typedef enum { ROTATION_UNSAID, ROTATION_FREE, ROTATION_HELD } rotation;
+
 /* Texts from options, or from the cells of a row, whose decimal sign may be a comma. */
 typedef struct {
     const char *text[INPUT_COUNT]; /* NULL where not given; an empty cell is as good as none */
@@ -126,9 +129,13 @@ typedef struct {
     /* the profile of a name; NULL with the complaint where there is none. NULL itself where no text
      * is that of a profile. */
     const pad_profile *(*profile_named)(const char *name, complaint *why);
-    /* of q over f p0, to which loads without a closed form are computed; 0 refuses them */
+    /* of q over f p0, to which loads without a closed form are computed; 0 refuses them, and NAN
+     * is what is usual */
     double tolerance;
     bool is_plane_stress; /* in place of plane strain */
+    rotation rotation;
+    bool takes_as_similar;    /* neglects what friction of unlike bodies does to the pressure */
+    const char *how_rotation; /* what messages advise where the rotation is not said */
 } input_texts;
 
 /* The tolerance where none is given. */
@@ -210,6 +217,8 @@ typedef struct {
     double k;             /* NAN where not given */
     double A;             /* composite compliance */
     double beta;          /* Dundurs' second constant */
+    bool is_coupled;      /* friction changes the pressure: beta is not 0, and not neglected */
+    rotation rotation;    /* as it is said */
     double tolerance;     /* as the texts have it */
     bool is_plane_stress; /* nu1 and nu2 are 0 then */
     /* under these loads, which come as loads_apply_monotonic() has them, or by a history */
@@ -241,12 +250,28 @@ bool case_is_complete(const input_texts *texts, case_needs needs, complaint *why
  * value: the status tells them. Destroy the contact also after an error. */
 bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, complaint *why);
 
+/* The tolerance that the texts give, or the usual one, which is larger where bodies are coupled:
+ * they take longer. */
+double case_tolerance(const input_texts *texts, bool is_coupled);
+
 /* Makes the contact of a case, without loads; returns the library's status. Destroy the contact
  * also after an error. */
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact);
 
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
 double case_shear_ratio(const contact_case *setup);
+
+/* ---- coupling ---- What friction of unlike bodies does to a contact. */
+
+/* Against similar bodies under the same loads, which were pressed first: how far the contact
+ * moves, over its half-width, below 0 towards the trailing edge; and by which part the tension
+ * beside that edge is higher. NAN where it is not known; 0 where bodies are not coupled. */
+typedef struct {
+    double swing, tension;
+} coupling;
+
+/* After a history the tension is not known. */
+coupling coupling_of(const contact_case *setup, const rwedge_contact *contact, bool has_history);
 
 /* ---- doubts ---- What makes results doubtful: the bits of rwedge_validity(), the error of a
  * computed contact, and their texts. */
@@ -256,6 +281,7 @@ typedef struct {
     double error;     /* rwedge_contact_error(), 0 where there is a closed form */
     double tolerance; /* that was asked for; an error up to it is told, but is no doubt */
     double hull;      /* what the hull of a profile changes in the contact, over the pad's rise */
+    coupling coupled; /* what friction of unlike bodies does, told as the error is */
 } doubts;
 
 /* The error of a contact. */

@@ -362,7 +362,9 @@ static void assume_bodies(const report *from, output *out)
         item(out, "Body 2 is rigid.");
     else if (!input_is_given(&from->texts, INPUT_E2))
         item(out, "Body 2 is of the material of body 1.");
-    if (setup->beta != 0 && setup->f > 0)
+    if (setup->is_coupled)
+        item(out, "Of unlike bodies, friction changes the pressure: that is computed.");
+    else if (setup->beta != 0 && setup->f > 0)
         item(out, "Of unlike bodies, friction does not change the pressure (Dundurs' beta is "
                   "neglected).");
     if (setup->shape.places != NULL)
@@ -388,6 +390,8 @@ static void assume_loads(const report *from, output *out)
         item(out, "P and M come first, then Q and sigma grow together.");
     if (setup->is_held)
         item(out, "The pad is held at its tilt; M is a result.");
+    else if (setup->is_coupled)
+        item(out, "The pad is free to tilt.");
 }
 
 static void assume_strength(const report *from, output *out)

@@ -43,13 +43,14 @@ static void compute_state(report *to)
     complaint why;
     char length[UNIT_SIZE];
     const input_texts *texts = &to->texts;
-    const bool is_held = input_is_given(texts, INPUT_TILT);
+    const bool is_held = to->setup.is_held, is_coupled = to->setup.is_coupled;
     to->wanted = (results_wanted){
         .yield_factor = !isnan(to->setup.k),
         .shakedown = !isnan(to->setup.k),
-        .edges = to->has_history || is_held || input_is_given(texts, INPUT_M) ||
+        .edges = to->has_history || is_held || is_coupled || input_is_given(texts, INPUT_M) ||
                  input_is_given(texts, INPUT_SIGMA) || input_is_given(texts, INPUT_PROFILE),
-        .moment = is_held};
+        .moment = is_held,
+        .coupling = is_coupled};
     if (!results_compute(&to->setup, to->wanted, &to->answer, &why))
         failure("%s", why.text);
     to->doubts = to->answer.doubts;

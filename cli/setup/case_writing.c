@@ -108,7 +108,8 @@ static void put_two_radii(writing *to, const input_texts *texts)
 static bool is_settled(const writing *to, const case_word *word)
 {
     const bool is_of_two = word->input == INPUT_RADIUS1 || word->input == INPUT_RADIUS2,
-               is_making = word->input == INPUT_COUNT && strcmp(word->group, "pad") == 0;
+               is_making = word->input == INPUT_COUNT && strcmp(word->group, "pad") == 0 &&
+                           strcmp(word->name, "rotation") != 0;
     if (word->group[0] == '\0')
         return word->kind == WORD_QUANTITY;
     return !to->is_of_command && (is_of_two || is_making);

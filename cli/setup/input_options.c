@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { OTHER_OPTIONS = 11, CONTACT_INPUTS = INPUT_K };
+enum { OTHER_OPTIONS = 13, CONTACT_INPUTS = INPUT_K };
 
 struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
     [CONTACT_INPUTS] = {HULL_OPTION},
@@ -15,6 +15,8 @@ struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
     {VALUE("origin", OPTION_ORIGIN),
      "Where x is 0, which P passes through: as in the profile, or at its lowest place", "lowest"},
     {PLANE_STRESS_OPTION},
+    {ROTATION_OPTION},
+    {SIMILAR_OPTION},
     {MATERIAL_OPTION},
     {VALUE("case", OPTION_CASE), "A case from a JSON file; options replace what it has", "FILE"},
     {VALUE("save-case", OPTION_SAVE_CASE), "Write the case to FILE, for --case", "FILE"},
@@ -164,7 +166,7 @@ void input_options_prepare(void)
 static double read_tolerance(const arguments *line)
 {
     const char *text = line->value[OPTION_TOLERANCE];
-    double tolerance = line->value[OPTION_EXACT] != NULL ? 0 : usual_tolerance;
+    double tolerance = line->value[OPTION_EXACT] != NULL ? 0 : NAN;
     if (text == NULL)
         return tolerance;
     if (line->value[OPTION_EXACT] != NULL)
@@ -172,6 +174,16 @@ static double read_tolerance(const arguments *line)
     if (!(number_read(text, &tolerance) && tolerance >= 1e-6 && tolerance <= 1e-2))
         usage_error("--tolerance %s: must be a number from 1e-6 to 1e-2", text);
     return tolerance;
+}
+
+static rotation read_rotation(const arguments *line)
+{
+    const char *text = line->value[OPTION_ROTATION];
+    if (text != NULL && strcmp(text, "held") != 0 && strcmp(text, "free") != 0)
+        usage_error("--rotation %s: must be held or free", text);
+    return text == NULL                ? ROTATION_UNSAID
+           : strcmp(text, "held") == 0 ? ROTATION_HELD
+                                       : ROTATION_FREE;
 }
 
 /* How the profile of an option is made of its file. */
@@ -202,7 +214,11 @@ void input_texts_from_options(const arguments *line, input_texts *texts)
                            .where_else = "columns or options",
                            .profile_named = profiles_named,
                            .tolerance = read_tolerance(line),
-                           .is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL};
+                           .is_plane_stress = line->value[OPTION_PLANE_STRESS] != NULL,
+                           .rotation = read_rotation(line),
+                           .takes_as_similar = line->value[OPTION_SIMILAR] != NULL,
+                           .how_rotation = "--rotation held or free says it, --similar neglects "
+                                           "that friction then moves the contact"};
     for (int i = 0; i < INPUT_COUNT; i++)
         texts->text[i] = line->value[OPTION_INPUT + i];
     material_hand_over(line, texts);

@@ -229,8 +229,9 @@ static void hold(const load_history *loads, contact_case *setup)
 {
     complaint why;
     const double tilt = loads->load[0].tilt;
-    if (setup->is_held) {
-        complain(&why, "tilt %.6g: given together with --tilt; allowed: one of the two", tilt);
+    if (setup->rotation == ROTATION_FREE || (setup->is_held && setup->rotation != ROTATION_HELD)) {
+        complain(&why, "tilt %.6g: given together with %s; allowed: one of the two", tilt,
+                 setup->rotation == ROTATION_FREE ? "--rotation free" : "--tilt");
         load_history_fail(loads, 0, "", &why);
     }
     const int32_t status = loads_hold(tilt, setup->contact);
@@ -252,8 +253,9 @@ void load_history_check(const load_history *loads, contact_case *setup)
     }
     for (size_t i = 0; setup->is_held && i < loads->count; i++)
         if (loads->load[i].M != 0) {
-            complain(&why, "M %.6g: given together with --tilt; allowed: one of the two",
-                     loads->load[i].M);
+            complain(&why, "M %.6g: given together with %s; allowed: one of the two",
+                     loads->load[i].M,
+                     setup->rotation == ROTATION_HELD ? "--rotation held" : "--tilt");
             load_history_fail(loads, i, "", &why);
         }
 }

@@ -85,6 +85,9 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
     contact_case *setup = &loaded->setup;
     refuse_dimensional(line, texts);
     history_check(line);
+    if (line->value[OPTION_ROTATION] != NULL || line->value[OPTION_SIMILAR] != NULL)
+        usage_error("--%s: is of two bodies, not with --a-over-b",
+                    line->value[OPTION_ROTATION] != NULL ? "rotation" : "similar");
     const double alpha = variable_read_one(&variables[A_OVER_B], line->value[OPTION_A_OVER_B]);
     const double f = read_input(texts, INPUT_F, 0), nu = read_input(texts, INPUT_NU1, NATURAL_NU);
     *setup = (contact_case){.shape = pad_wedge(NATURAL_THETA, alpha),
@@ -92,7 +95,7 @@ static void read_natural(const arguments *line, const input_texts *texts, loaded
                             .f = f,
                             .nu1 = nu,
                             .nu2 = nu,
-                            .tolerance = texts->tolerance};
+                            .tolerance = case_tolerance(texts, false)};
     const load to = read_natural_load(line, texts, alpha, f);
     status_check(case_contact(setup, &setup->contact), "the contact");
     const int32_t status = loads_apply_monotonic(to, setup->contact);

@@ -34,6 +34,8 @@ enum {
     OPTION_HEIGHTS,
     OPTION_ORIGIN,
     OPTION_PLANE_STRESS,
+    OPTION_ROTATION,
+    OPTION_SIMILAR,
     OPTION_MATERIAL,
     OPTION_K_IN,
     OPTION_CASE,
@@ -51,6 +53,12 @@ enum {
 #define PLANE_STRESS_OPTION                                                                        \
     "plane-stress", '\0', POPT_ARG_NONE, NULL, OPTION_PLANE_STRESS,                                \
         "Plane stress, of contact and criteria (default: plane strain)", NULL
+#define ROTATION_OPTION                                                                            \
+    "rotation", '\0', POPT_ARG_STRING, NULL, OPTION_ROTATION,                                      \
+        "Of unlike bodies with friction: whether a rig holds the rotation of the pad", "held|free"
+#define SIMILAR_OPTION                                                                             \
+    "similar", '\0', POPT_ARG_NONE, NULL, OPTION_SIMILAR,                                          \
+        "Neglect what friction of unlike bodies does to the pressure", NULL
 #define K_IN_OPTION                                                                                \
     "K-in", '\0', POPT_ARG_STRING, NULL, OPTION_K_IN,                                              \
         "Unit of length of constants in K without a unit: m for MPa sqrt(m)", "m|mm"

@@ -160,6 +160,8 @@ static void solve_one(const arguments *line, const input_texts *texts, job *task
     complaint why;
     read_case(line, texts, task, how->decimal_sign, &setup);
     task->wanted.moment = setup.is_held;
+    task->wanted.coupling = setup.is_coupled;
+    task->wanted.edges = task->wanted.edges || setup.is_held || setup.is_coupled;
     results_wanted wanted = task->wanted;
     wanted.yield_factor = wanted.yield_factor || task->says_verdict;
     if (!results_compute(&setup, wanted, &task->answer, &why))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files as the tool reads them: the numbers of a clean file, and the tool's own words where there is something to say."""
 import json
+import math
 import os
 import shutil
 
@@ -75,6 +76,31 @@ def test_what_a_fit_leaves_is_told_of_its_contact(tmp_path):
     residue = float(said.split("residue within the contact is ")[1].split(",")[0])
     assert 5e-4 < residue < 4 * 5e-4  # the largest of some 200 normal numbers
     assert "does not resolve" in said, said
+
+
+def test_unlike_bodies_with_friction_have_a_rotation():
+    words = {"E1": 72000, "nu1": 0.33, "E2": 210000, "nu2": 0.3, "radius": 10, "P": 300, "Q": 150, "f": 0.5}
+    P, Q = words["P"], words["Q"]
+    beta = rwedge.dundurs_beta(72000, 0.33, 210000, 0.3)
+    lam = math.atan(-beta * 0.5) / math.pi
+    middles = {}
+    for rotation in "held", "free":
+        case = rwedge.read_case(**words, rotation=rotation)
+        assert case.pad["rotation"] == rotation and case.beta == beta
+        contact = case.contact()
+        assert contact.beta == beta and contact.tolerance == 1e-3
+        contact.load(P, Q)
+        middles[rotation] = sum(contact.edges) / 2 / contact.half_width
+    assert middles["held"] == pytest.approx(-2 * lam, rel=1e-10)  # Hertz' contact that slides
+    assert middles["free"] == pytest.approx(2 * lam / 3, rel=1e-10)
+    assert rwedge.read_case(**words, rotation="free").contact(1e-4).tolerance == 1e-4
+    alike = rwedge.read_case(**words, similar=True).contact()
+    assert alike.beta == 0 and alike.tolerance == 1e-4
+    with pytest.raises(rwedge.Error, match="rotation='held' or 'free' must be said"):
+        rwedge.read_case(**words).contact()
+    assert rwedge.read_case(**{**words, "f": 0}).contact().beta == 0
+    plate = rwedge.read_case(**words, rotation="free", plane_stress=True)
+    assert plate.beta == rwedge.dundurs_beta_plane_stress(72000, 0.33, 210000, 0.3)
 
 
 def test_bodies_pads_and_materials(tmp_path):

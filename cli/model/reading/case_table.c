@@ -37,6 +37,11 @@ static bool is_complete(const case_table *table, complaint *why)
     return false;
 }
 
+static bool has_input(const case_table *table, int input)
+{
+    return input_is_given(&table->constants, input) || header_has_input(&table->names, input);
+}
+
 static bool is_free(const case_table *table, const char *name, complaint *why)
 {
     if (!header_has(&table->names, name))
@@ -55,6 +60,11 @@ bool case_table_begin(case_table *table, complaint *why)
     wanted.moment = wanted.moment || header_has_input(names, INPUT_TILT);
     wanted.edges = wanted.edges || wanted.moment || header_has_input(names, INPUT_M) ||
                    header_has_input(names, INPUT_SIGMA) || header_has_input(names, INPUT_PROFILE);
+    wanted.coupling = has_input(table, INPUT_E2) && has_input(table, INPUT_F) &&
+                      !table->constants.takes_as_similar;
+    wanted.moment =
+        wanted.moment || (wanted.coupling && table->constants.rotation == ROTATION_HELD);
+    wanted.edges = wanted.edges || wanted.coupling;
     for (int i = 0; i < RESULT_COUNT; i++) {
         const bool is_input = (i == RESULT_ROUNDING && header_has_input(names, INPUT_A)) ||
                               (i == RESULT_RADIUS && header_has_input(names, INPUT_RADIUS)) ||

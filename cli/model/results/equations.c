@@ -237,7 +237,7 @@ int equations_of(const contact_case *setup, const results *answer, equation to[E
     know(&into, "P", "P", setup->P);
     know(&into, "Q", "Q", setup->Q);
     know(&into, "f", "f", setup->f);
-    if (setup->shape.kind != PAD_PROFILE && setup->M == 0 && !setup->is_held)
+    if (setup->shape.kind != PAD_PROFILE && setup->M == 0 && !setup->is_held && !setup->is_coupled)
         add_contact(setup, answer, &into);
     else
         know(&into, "b", "b", result_number(answer, RESULT_B));

@@ -92,7 +92,7 @@ bool inverse_find(const input_texts *texts, int input, double safety, contact_ca
     input_texts all = *texts;
     if (!read_rest(texts, input, setup, why))
         return false;
-    const bool has_formulas = pad_has_formulas(&setup->shape);
+    const bool has_formulas = pad_has_formulas(&setup->shape) && !setup->is_coupled;
     *value = has_formulas ? NAN : sliding_find(setup, input, safety);
     if (!has_formulas && !(*value > 0))
         return refuse("none is found, as far as the pad is known", why);

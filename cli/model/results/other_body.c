@@ -40,11 +40,22 @@ bool other_body_take(input_texts *texts, complaint *why)
     return true;
 }
 
+static void exchange(cell *one, cell *other)
+{
+    const cell kept = *one;
+    *one = *other;
+    *other = kept;
+}
+
 void other_body_mirror(results *answer)
 {
-    static const int turned[] = {RESULT_BETA, RESULT_YIELD_X, RESULT_YIELD_Y};
+    static const int turned[] = {RESULT_BETA,       RESULT_MU,    RESULT_YIELD_X,    RESULT_YIELD_Y,
+                                 RESULT_P0_X,       RESULT_TILT,  RESULT_MOMENT,     RESULT_LEFT,
+                                 RESULT_STICK_LEFT, RESULT_RIGHT, RESULT_STICK_RIGHT};
     for (size_t i = 0; i < sizeof turned / sizeof turned[0]; i++)
         answer->value[turned[i]].number = 0 - answer->value[turned[i]].number;
+    exchange(&answer->value[RESULT_LEFT], &answer->value[RESULT_RIGHT]);
+    exchange(&answer->value[RESULT_STICK_LEFT], &answer->value[RESULT_STICK_RIGHT]);
     answer->hardest_x = 0 - answer->hardest_x;
     answer->hardest_y = 0 - answer->hardest_y;
     answer->is_of_body2 = true;

@@ -46,6 +46,8 @@ const column_kind result_kinds[RESULT_COUNT] = {
                             "force/length"},
     [RESULT_SAFETY_SHAKEDOWN] = {"safety_shakedown",
                                  "P_shakedown/P: below 1 it goes on yielding in each pass", "none"},
+    [RESULT_MU] = {"mu", "-dundurs_beta f, or dundurs_beta f where Q < 0", "none"},
+    [RESULT_SWING] = {"swing", "how far friction moves the contact, in b; < 0: trailing", "none"},
 };
 
 /* Edges need moment or tension; the yield factor and shakedown take longest. The others are for
@@ -55,7 +57,8 @@ static const enum {
     NEEDS_EDGES,
     NEEDS_YIELD_FACTOR,
     NEEDS_SHAKEDOWN,
-    NEEDS_TILT
+    NEEDS_TILT,
+    NEEDS_COUPLING
 } needs[RESULT_COUNT] = {
     [RESULT_LEFT] = NEEDS_EDGES,
     [RESULT_RIGHT] = NEEDS_EDGES,
@@ -66,6 +69,8 @@ static const enum {
     [RESULT_YIELD_FACTOR] = NEEDS_YIELD_FACTOR,
     [RESULT_P_SHAKEDOWN] = NEEDS_SHAKEDOWN,
     [RESULT_SAFETY_SHAKEDOWN] = NEEDS_SHAKEDOWN,
+    [RESULT_MU] = NEEDS_COUPLING,
+    [RESULT_SWING] = NEEDS_COUPLING,
 };
 
 bool results_include(results_wanted wanted, int result)
@@ -74,6 +79,7 @@ bool results_include(results_wanted wanted, int result)
            : needs[result] == NEEDS_YIELD_FACTOR ? wanted.yield_factor
            : needs[result] == NEEDS_SHAKEDOWN    ? wanted.shakedown
            : needs[result] == NEEDS_TILT         ? wanted.moment
+           : needs[result] == NEEDS_COUPLING     ? wanted.coupling
                                                  : true;
 }
 
@@ -135,26 +141,32 @@ static int32_t put_peak_of(const rwedge_contact *contact, cell row[])
     return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
 }
 
+/* Those of the wedge hold for similar bodies. */
+static bool has_formulas(const contact_case *setup)
+{
+    return pad_has_formulas(&setup->shape) && !setup->is_coupled;
+}
+
 /* Corrects the results of geometry(): the pressures at x = -a and a differ under a moment. Returns
  * the library's status. */
 static int32_t results_of_state(const contact_case *setup, cell row[])
 {
     const rwedge_contact *contact = setup->contact;
-    const bool has_formulas = pad_has_formulas(&setup->shape);
+    const bool is_other = setup->M != 0 || !has_formulas(setup);
     double edge[2], sxx[2], left = 0, right = 0;
     int32_t status = setup->status == RWEDGE_OK ? edge_tensions(contact, edge, sxx) : setup->status;
     if (status != RWEDGE_OK)
         return status;
     const double b = rwedge_contact_half_width(contact),
                  c = rwedge_contact_stick_half_width(contact);
-    if (setup->M != 0 || !has_formulas) {
+    if (is_other) {
         row[RESULT_B] = cell_number(b);
         row[RESULT_P_TRANSITION] = cell_text("");
         status = put_peak_of(contact, row);
     }
     if (status != RWEDGE_OK)
         return status;
-    if (setup->M != 0 && setup->shape.kind == PAD_WEDGE) {
+    if (is_other && setup->shape.kind == PAD_WEDGE) {
         row[RESULT_A_OVER_B] = cell_number(setup->shape.a / b);
         row[RESULT_AP_OVER_THETA_B] = cell_number(setup->A * setup->P / (setup->shape.theta * b));
     }
@@ -268,26 +280,44 @@ double results_sliding_factor(const results *answer)
     return limit.text == NULL && now.text == NULL ? limit.number / now.number : NAN;
 }
 
+/* Whether what is of full sliding belongs to this contact: without moment and tension. The moment
+ * of a pad that is held level is a result. */
+static bool has_sliding(const contact_case *setup)
+{
+    const bool is_level = setup->is_coupled && setup->is_held && setup->tilt == 0;
+    return setup->sigma == 0 && (setup->M == 0 || is_level);
+}
+
+static void add_coupling(const contact_case *setup, results *answer)
+{
+    const coupling of = coupling_of(setup, setup->contact, setup->has_history);
+    answer->value[RESULT_MU] = cell_number((setup->Q < 0 ? 1 : -1) * setup->beta * setup->f);
+    answer->value[RESULT_SWING] = isnan(of.swing) ? cell_text("") : cell_number(of.swing);
+    answer->doubts.coupled = of;
+}
+
 static const char beyond_pad[] = "the contact would reach farther than the radius, or results "
                                  "leave 1e-60 to 1e60";
 
 static bool compute(const contact_case *setup, double b, results *answer, complaint *why)
 {
     cell *row = answer->value;
-    const bool centred = setup->M == 0 && setup->sigma == 0;
-    const bool has_formulas = pad_has_formulas(&setup->shape);
+    const bool is_formula = has_formulas(setup), slides_centred = has_sliding(setup);
     geometry(setup, b, row);
-    if (has_formulas && centred && !setup->has_history && !setup->is_held)
+    if (is_formula && slides_centred && !setup->has_history && !setup->is_held)
         return state_by_formulas(setup, b, row, why) && strength(setup, b, row, why);
     int32_t status = results_of_state(setup, row);
-    if (status == RWEDGE_OK && centred && !has_formulas)
+    if (status == RWEDGE_OK && slides_centred && !is_formula)
         status = results_of_sliding(setup, row);
     if (status != RWEDGE_OK)
         return complain(why, "left: %s",
-                        status == RWEDGE_ERANGE && !has_formulas ? beyond_pad
-                                                                 : rwedge_strerror(status));
+                        status == RWEDGE_ERANGE && setup->shape.kind != PAD_WEDGE
+                            ? beyond_pad
+                            : rwedge_strerror(status));
     answer->doubts = doubts_of_error(setup->contact);
-    return !centred || !has_formulas || strength(setup, b, row, why);
+    if (setup->is_coupled)
+        add_coupling(setup, answer);
+    return !slides_centred || !is_formula || strength(setup, b, row, why);
 }
 
 /* Where P_yield is: in full sliding, without moment and tension; in plane strain. Empty where the
@@ -295,12 +325,11 @@ static bool compute(const contact_case *setup, double b, results *answer, compla
 static void add_shakedown(const contact_case *setup, results *answer)
 {
     const pad *shape = &setup->shape;
-    if (isnan(setup->k) || setup->M != 0 || setup->sigma != 0 || setup->is_plane_stress)
+    if (isnan(setup->k) || !has_sliding(setup) || setup->is_plane_stress)
         return;
-    const double P = pad_has_formulas(shape)
-                         ? rwedge_shakedown_load(shape->theta, shape->a, setup->A, setup->f,
-                                                 setup->nu1, setup->k)
-                         : sliding_shakedown(setup);
+    const double P = has_formulas(setup) ? rwedge_shakedown_load(shape->theta, shape->a, setup->A,
+                                                                 setup->f, setup->nu1, setup->k)
+                                         : sliding_shakedown(setup);
     if (!isfinite(P) ||
         (shape->kind == PAD_CYLINDER && !(pad_half_width(shape, setup->A, P) <= shape->radius)))
         return;

@@ -41,6 +41,8 @@ enum {
     RESULT_P0_X,
     RESULT_P_SHAKEDOWN,
     RESULT_SAFETY_SHAKEDOWN,
+    RESULT_MU, /* of unlike bodies with friction, as the next */
+    RESULT_SWING,
     RESULT_COUNT
 };
 
@@ -48,7 +50,7 @@ extern const column_kind result_kinds[RESULT_COUNT];
 
 /* Which results that not everybody asks for are wanted. */
 typedef struct {
-    bool yield_factor, edges, shakedown, moment;
+    bool yield_factor, edges, shakedown, moment, coupling;
 } results_wanted;
 bool results_include(results_wanted wanted, int result);
 

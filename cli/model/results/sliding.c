@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* The case with another value of an input, P, f or the radius, that slides to the side of Q under
+/* The case with another value of an input, P, f or a size, that slides to the side of Q under
  * so many times P. */
 typedef struct {
     const contact_case *setup;
@@ -32,12 +32,26 @@ static int32_t look(const contact_case *setup, const search *s, const rwedge_con
     return RWEDGE_OK;
 }
 
+static pad with_size(pad shape, int input, double value)
+{
+    if (shape.kind == PAD_WEDGE)
+        return pad_wedge(shape.theta,
+                         input == INPUT_A ? value : rwedge_rounding(shape.theta, value));
+    if (shape.kind == PAD_CYLINDER)
+        return pad_cylinder(value);
+    shape.radius = value;
+    return shape;
+}
+
 static int32_t slide(const search *s, double value, sliding *at)
 {
     contact_case changed = *s->setup;
-    *(s->input == INPUT_P   ? &changed.P
-      : s->input == INPUT_F ? &changed.f
-                            : &changed.shape.radius) = value;
+    if (s->input == INPUT_P)
+        changed.P = value;
+    else if (s->input == INPUT_F)
+        changed.f = value;
+    else
+        changed.shape = with_size(changed.shape, s->input, value);
     const double P = s->times * changed.P;
     rwedge_contact *contact = NULL;
     int32_t status = case_contact(&changed, &contact);
@@ -56,7 +70,8 @@ static bool bracket(const search *s, sliding *from, sliding *to)
     enum { STEPS_MOST = 60 };
     const double STEP_LEAST = 0.2, STEP_MOST = 6;
     for (int i = 0; i < STEPS_MOST; i++) {
-        const double way = s->input == INPUT_RADIUS ? -from->excess : from->excess;
+        const double way =
+            s->input == INPUT_RADIUS || s->input == INPUT_A ? -from->excess : from->excess;
         const double step = fmin(STEP_MOST, fmax(STEP_LEAST, 2.2 * fabs(from->excess)));
         if (slide(s, from->value * exp(copysign(step, way)), to) != RWEDGE_OK)
             return false;

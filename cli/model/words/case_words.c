@@ -14,6 +14,8 @@ static const case_word others[] = {
     {"", "K_in", "K-in", WORD_TEXT, INPUT_COUNT},
     {"bodies", "plane_stress", "plane-stress", WORD_FLAG, INPUT_COUNT},
     {"bodies", "strength_of", "strength-of", WORD_QUANTITY, INPUT_COUNT},
+    {"bodies", "similar", "similar", WORD_FLAG, INPUT_COUNT},
+    {"pad", "rotation", "rotation", WORD_TEXT, INPUT_COUNT},
     {"loads", "tilt", NULL, WORD_NUMBERS, INPUT_COUNT}, /* of one load it is the pad's */
     {"pad", "x", NULL, WORD_NUMBERS, INPUT_COUNT},
     {"pad", "slope", NULL, WORD_NUMBERS, INPUT_COUNT},

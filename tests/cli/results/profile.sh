@@ -86,7 +86,7 @@ history_fails "no loads; needed: rows of P and Q" 'P,Q\n'
 
 # Doubts are said once, on stderr, as "solve" says them; the rows are as ever.
 for command in profile field; do
-    does $command --E1 200000 --nu1 0.3 --E2 70000 --nu2 0.33 --theta 1.15 --a 1 --P 500 --f 0.6 --k 100 --x 0.5 \
+    does $command --E1 200000 --nu1 0.3 --E2 70000 --nu2 0.33 --theta 1.15 --a 1 --P 500 --f 0.6 --k 100 --x 0.5 --similar \
         $([ $command = field ] && echo --y 0.5)
     same "what $command doubts" "rwedge $command: theta is above 0.1 rad: the wedge is hardly a half-plane
 rwedge $command: Dundurs' beta is not 0: with friction its coupling is neglected

@@ -65,7 +65,7 @@ has "no friction" "No friction is given: it is taken for 0."
 has "one material" "Body 2 is of the material of body 1."
 has "no units" "The numbers are in consistent units"
 has "closed form" "All is in closed form"
-does report $steel --E2 inf --theta 0.2 --radius 50 --P 300 --f 0.1 --plane-stress $units --width 10 --no-pictures
+does report $steel --E2 inf --theta 0.2 --radius 50 --P 300 --f 0.1 --plane-stress --similar $units --width 10 --no-pictures
 has "rigid" "Body 2 is rigid."
 has "plane stress" "Plane stress: a thin plate."
 has "a doubt" "theta is above 0.1 rad"
@@ -107,7 +107,7 @@ if command -v python3 >/dev/null 2>&1; then
         $steel --theta 0.02 --a 0.2 --P 1200 --Q 40 --f 0.3 --yield-stress 900
     equations "A, R, N, b, p₀, p(a), Q/(fP), 1 − Q/(fP), σ of full sliding" $steel --theta 0.02 --a 0.8 --P 3000 --Q 850 --f 0.3
     equations "A, N, b, Q/(fP), c, σ of full sliding" $steel --theta 0.02 --a 0 --P 1200 --Q 40 --f 0.3
-    equations "A, b, p₀, Q/(fP), c, σ of full sliding, $strong" $steel --E2 inf --radius 50 --P 300 --Q 40 --f 0.3 --k 400
+    equations "A, b, p₀, Q/(fP), c, σ of full sliding, $strong" $steel --E2 inf --radius 50 --P 300 --Q 40 --f 0.3 --k 400 --similar
     equations "A, b, p₀" $steel --E2 70000 --nu2 0.33 --radius 50 --P 300 --plane-stress
     equations "A, P, Q/(fP), 1 − Q/(fP), σ of full sliding" $steel --flat 0.5 --radius 10 --P 300 --Q 40 --f 0.3
     equations "A" $steel --flat 0.5 --radius 10 --P 300 --M 1

@@ -63,7 +63,7 @@ same "what changes with the sign of Q" "Q_over_fP yield_x" \
 same "its sign" - "$(value yield_x | cut -c 1)"
 
 # A rigid second body halves the compliance, and beta = (1 - 2 nu)/(2 (1 - nu)).
-run solve $steel --E2 inf --theta 0.02 --a 1 --P 100 --f 0.1
+run solve $steel --E2 inf --theta 0.02 --a 1 --P 100 --f 0.1 --similar
 is A "A / 2" 1e-15
 close_to "|beta|" "$(formula "0.4 / 1.4")" "$(value dundurs_beta | tr -d -)" 1e-14
 same "warning of coupling" "Dundurs' beta is not 0: with friction its coupling is neglected" "$(value warnings)"
@@ -128,7 +128,7 @@ close_to "yield in plane stress has no szz" "$(awk 'BEGIN { print 1 }')" \
     "$("$rwedge" solve --E1 210000 --nu1 0 --theta 0.01 --radius 10 --P 300 --f 0.3 --k 400 | awk -F, -v P="$(value P_yield)" '$1 == "P_yield" { printf "%.17g", P / $2 }')" 1e-14
 same "no shakedown of plane strain" "" "$(value P_shakedown)"
 # The pad's own strength is that of the bodies the other way round, its places mirrored.
-other="--theta 0.01 --radius 10 --P 300 --Q 60 --f 0.3 --k 200 --yield-factor"
+other="--theta 0.01 --radius 10 --P 300 --Q 60 --f 0.3 --k 200 --yield-factor --similar"
 does solve --E1 210000 --nu1 0.3 --E2 72000 --nu2 0.33 $other
 kept turned solve --E1 210000 --nu1 0.3 --E2 72000 --nu2 0.33 $other
 awk -F, -v OFS=, '$1 == "dundurs_beta" || $1 == "yield_x" || $1 == "yield_y" { if ($2 != 0 && !sub(/^-/, "", $2)) $2 = "-" $2 } { print $1, $2 }' turned >expected
@@ -136,7 +136,7 @@ sed '/^yield_x/d' expected >expected_rest
 kept pad solve --E1 72000 --nu1 0.33 --E2 210000 --nu2 0.3 $other --strength-of 2
 same "the strength of body 2" "" "$(awk -F, -v OFS=, '{ print $1, $2 }' pad | sed '/^yield_x/d' | diff - expected_rest 2>&1)"
 close_to "its place" "$(awk -F, '$1 == "yield_x" { print $2 }' expected)" "$(awk -F, '$1 == "yield_x" { print $2 }' pad)" 1e-5
-does solve --E1 72000 --nu1 0.33 --E2 210000 --nu2 0.3 --theta 0.01 --radius 10 --P 300 --Q 60 --f 0.3 --k 20 --strength-of 2 --verdict
+does solve --E1 72000 --nu1 0.33 --E2 210000 --nu2 0.3 --theta 0.01 --radius 10 --P 300 --Q 60 --f 0.3 --k 20 --similar --strength-of 2 --verdict
 message_has "The strength of body 2, the pad. It yields: the stress is "
 message_has " times what body 2 bears, at x = "
 message_has ", in the pad, above the surface. If it slid, more so: "

@@ -17,7 +17,7 @@ from typing import Any, Iterable, Mapping
 import numpy as np
 
 from ._contact import Contact
-from ._library import Error
+from ._library import Error, function
 from ._ufuncs import UFUNCS
 
 
@@ -70,9 +70,10 @@ class Case:
     units : str
         The working units, as "mm,N,MPa"; "" where none are said.
     bodies : dict
-        E1, nu1, E2, nu2, f, k or yield_stress, plane_stress: those that are given. E2 is infinite where body 2 is rigid.
+        E1, nu1, E2, nu2, f, k or yield_stress, plane_stress, similar: those that are given. E2 is infinite where body 2 is rigid.
     pad : dict
-        theta or theta_deg, a, radius, flat; of a profile x and slope, as arrays; tilt, in radians, where it is held.
+        theta or theta_deg, a, radius, flat; of a profile x and slope, as arrays; tilt, in radians, where it is held; rotation,
+        "held" or "free".
     loads : dict
         P, M, Q, sigma: numbers, or arrays of the same size, one load after the other; tilt in place of M for ``Contact.guide()``.
     material : dict
@@ -108,10 +109,29 @@ class Case:
             raise Error(f"the case has no {name}")
         return float(value)
 
-    def contact(self, tolerance: float = 1e-4) -> Contact:
-        """The contact of the bodies and the pad, without loads. Friction that is not given is 0. It is held where a tilt is given: at
-        the first one of a list."""
-        pad, A, f = self.pad, self.A, self.bodies.get("f", 0.0)
+    @property
+    def beta(self) -> float:
+        """Dundurs' beta of half-plane and pad."""
+        E1, nu1 = self._of_body("E1", "E"), self._of_body("nu1", "nu")
+        name = "dundurs_beta_plane_stress" if self.bodies.get("plane_stress") else "dundurs_beta"
+        return float(UFUNCS[name](E1, nu1, self.bodies.get("E2", E1), self.bodies.get("nu2", nu1)))
+
+    def _is_coupled(self) -> bool:
+        """Whether friction changes the pressure; then the rotation of the pad must be said."""
+        doubts = function("validity")(math.nan, math.nan, self.beta, self.bodies.get("f", 0.0), math.nan, math.nan)
+        if doubts == 0 or self.bodies.get("similar"):
+            return False
+        if not {"rotation", "tilt"} & (self.pad.keys() | self.loads.keys()):
+            raise Error(f"unlike bodies with friction, Dundurs' beta {self.beta:.3g}: rotation='held' or 'free' must be said; "
+                        "similar=True neglects their coupling")
+        return True
+
+    def contact(self, tolerance: float | None = None) -> Contact:
+        """The contact of the bodies and the pad, without loads. Friction that is not given is 0. It is held where a tilt is given, at
+        the first one of a list, and where the rotation is held. The tolerance is 1e-4 unless it is given, and 1e-3 for unlike bodies with
+        friction, which are coupled."""
+        pad, A, f, is_coupled = self.pad, self.A, self.bodies.get("f", 0.0), self._is_coupled()
+        tolerance = (1e-3 if is_coupled else 1e-4) if tolerance is None else tolerance
         radius = pad.get("radius")
         theta = pad.get("theta", math.radians(pad["theta_deg"]) if "theta_deg" in pad else None)
         if "x" in pad:
@@ -128,7 +148,9 @@ class Case:
         if E2 is not None and (E2, nu2) != (self.bodies.get("E1"), self.bodies.get("nu1")):
             nu1 = 0.0 if self.bodies.get("plane_stress") else self._of_body("nu1", "nu")
             contact.set_strain((1 - nu1**2) / self._of_body("E1", "E"))
-        tilt = np.ravel(self.loads.get("tilt", pad.get("tilt", [])))
+        if is_coupled:
+            contact.set_beta(self.beta)
+        tilt = np.ravel(self.loads.get("tilt", pad.get("tilt", [0.0] if pad.get("rotation") == "held" else [])))
         if tilt.size > 0:
             contact.set_rotation(1)
             contact.guide(0.0, float(tilt[0]), 0.0, 0.0)
@@ -184,7 +206,7 @@ def read_case(file: str | os.PathLike[str] | None = None, **words: Any) -> Case:
         A case file (JSON), or a log of loads (any other ending).
     **words
         Inputs, E1="210 GPa" or a number, or a quantity of pint, beside units="mm,N,MPa"; width, section; profile="scan.csv" with fit,
-        hull, heights="down", origin="lowest"; column={"P": "Normal Force"}; drop=True; encoding; decimal_comma=True;
+        hull, heights="down", origin="lowest"; rotation="held" or "free" of unlike bodies with friction, or similar=True; column={"P": "Normal Force"}; drop=True; encoding; decimal_comma=True;
         material="sae-1015-normalized"; load=[(P, Q), ...]. A word replaces what the file has.
 
     Returns

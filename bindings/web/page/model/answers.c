@@ -180,7 +180,8 @@ static void write_results(const contact_case *setup, char decimal_sign, const ch
 {
     results answer;
     complaint why;
-    const results_wanted wanted = {.edges = true, .shakedown = true, .moment = setup->is_held};
+    const results_wanted wanted = {
+        .edges = true, .shakedown = true, .moment = setup->is_held, .coupling = setup->is_coupled};
     bool there = results_compute(setup, wanted, &answer, &why);
     if (there && setup->status != RWEDGE_OK)
         there = complain(&why, "%s", rwedge_strerror(setup->status));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "page.h"
 
+#include <math.h>
 #include <string.h>
 
 static const char *remark = ""; /* on the profile */
@@ -116,7 +117,8 @@ input_texts field_texts(char *fields)
                          .how_units = ": Units above must name those of the numbers",
                          .how_comma = "that separates no thousands",
                          .profile_named = profiles_named,
-                         .tolerance = usual_tolerance};
+                         .tolerance = NAN,
+                         .takes_as_similar = true};
     profiles_forget(0);
     remark = "";
     memset(&said, 0, sizeof said);

@@ -1076,11 +1076,32 @@ RWEDGE_API int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loa
                                        const double P[], const double M[], const double Q[],
                                        const double sigma[], rwedge_cycle **cycle);
 
+/* A cycle of a contact that a rig drives, as rwedge_contact_drive() does it load by load. What the
+ * bodies slide in it is slip of every place, and dissipates. rwedge_cycle_forces() tells Q.     new
+ *   loads         number of loads, >= 1
+ *   P             0, or at least 1e-8 of the last P
+ *   M, sigma      finite: loads numbers each, as P
+ *   displacement  length, finite: loads numbers
+ *   compliance    length over a force per unit length, 0, or 1e-60 to 1e60
+ *   cycle         receives the handle
+ * Errors as those of rwedge_contact_drive() and rwedge_cycle_create(): RWEDGE_EDOMAIN;
+ * RWEDGE_EPATH; RWEDGE_ESLIDING; RWEDGE_ENOCONV; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_cycle_create_driven(const rwedge_contact *contact, size_t loads,
+                                              const double P[], const double M[],
+                                              const double sigma[], const double displacement[],
+                                              double compliance, rwedge_cycle **cycle);
+
 /* Frees a cycle; NULL is allowed. */
 RWEDGE_API void rwedge_cycle_destroy(rwedge_cycle *cycle);
 
 /* How many loads the cycle has; 0 for NULL. */
 RWEDGE_API size_t rwedge_cycle_loads(const rwedge_cycle *cycle);
+
+/* The force Q of each load of the cycle.                                                        new
+ *   loads  rwedge_cycle_loads()
+ *   Q      receives loads numbers, force/length
+ * RWEDGE_ERANGE; RWEDGE_ENULL. */
+RWEDGE_API int32_t rwedge_cycle_forces(const rwedge_cycle *cycle, size_t loads, double Q[]);
 
 /* How many edges rwedge_cycle_edges() tells; 0 for NULL.                                     new */
 RWEDGE_API size_t rwedge_cycle_edge_count(const rwedge_cycle *cycle);
@@ -1223,7 +1244,8 @@ RWEDGE_API int32_t rwedge_cycle_shakedown(const rwedge_cycle *cycle, double nu, 
 
 /* The displacement that slip adds: how much further remote points of the half-plane have moved
  * tangentially, relative to the wedge's, than if the contact were bonded over |x| < b. Its loop
- * over Q encloses the energy of a cycle under constant P.                                       new
+ * over Q encloses the energy of a cycle under constant P. What rwedge_contact_drive() has slid the
+ * bodies is in it.                                                                              new
  *   b  length, > 0, finite
  * NaN when separated; NaN for NULL; NaN off the centre where the slip has no closed form, as in
  * rwedge_contact_slip(). Error below 1e-14 of f theta times the half-width for every remembered

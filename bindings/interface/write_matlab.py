@@ -116,13 +116,15 @@ def method_text(f: Function) -> str:
 
 def maker_text(f: Function) -> str:
     """A function that makes an object other than by the class's own name: a static method."""
-    body = [f"{f.family} = rwedge_{f.family}();", call([f"{f.family}.number"], "rwedge_mex", [repr(f.name), *inputs(f)]) + ";"]
-    return routine(call([f.family], f.method, inputs(f)), f.method, called(f, inputs(f)), help_lines(f), len(inputs(f)), body, "    ")
+    made_of = [f.object] * bool(f.of("handle"))
+    numbers = [repr(f.name), *(f"{name}.number" for name in made_of), *inputs(f)]
+    body = [f"{f.family} = rwedge_{f.family}();", call([f"{f.family}.number"], "rwedge_mex", numbers) + ";"]
+    return routine(call([f.family], f.method, made_of + inputs(f)), f.method, called(f, inputs(f)), help_lines(f), len(made_of + inputs(f)), body, "    ")
 
 
 def class_text(interface: Interface, family: str) -> str:
     own = interface.of(family)
-    makers = [f for f in own if f.of("created") and not f.of("handle") and f.method != "create"]
+    makers = [f for f in own if f.of("created") and not f.is_copy and f.method != "create"]
     text = filled(f"matlab/rwedge_{family}.m.in", {
         "forms": [f"%   {call(f.results, family[0] + '.' + f.method, inputs(f))}" for f in own if is_method(f)],
         "methods": ["".join(method_text(f) for f in own if is_method(f)).removesuffix("\n")],

@@ -95,6 +95,7 @@ def definition(f: Function) -> str:
         return "    free() {\n        free(this);\n    }\n"
     if f.of("created"):
         head, prototype = (f.method, "Object.getPrototypeOf(this)") if f.is_copy else (f"static {f.method}", "this.prototype")
+        names = ", ".join([*made_of(f), *(p.name for p in arguments(f))])
         return f'    {head}({names}) {{\n        return adopt(Object.create({prototype}), "{f.family}", {call(f)});\n    }}\n'
     return f"    {f.method}({names}) {{\n        return {call(f)};\n    }}\n"
 

@@ -117,8 +117,8 @@ double rwedge_contact_displacement(const rwedge_contact *contact, double b)
 {
     if (!contact || !rw_is_positive(b) || contact->memory.count < 2)
         return NAN;
-    return rw_contact_is_off_centre(contact) || contact->geometry.pad ? off_centre(contact, b)
-                                                                      : centred(contact, b);
+    const bool has_no_sum = rw_contact_is_off_centre(contact) || contact->geometry.pad;
+    return (has_no_sum ? off_centre(contact, b) : centred(contact, b)) + contact->drive.slid;
 }
 
 /* Goes through the loads once more. */
@@ -129,6 +129,7 @@ static int32_t displacements(const rwedge_cycle *cycle, rwedge_contact *going, d
     for (size_t i = 0; i < cycle->loads.count && status == RWEDGE_OK; i++) {
         const rw_loads to = rw_loads_at(&cycle->loads, i);
         status = rwedge_contact_apply(going, to.P, to.M, to.Q, to.sigma);
+        going->drive.slid += rw_cycle_slid(cycle, i);
         if (status == RWEDGE_OK && going->phase == RW_APART)
             status = RWEDGE_EABSENT;
         displacement[i] = rwedge_contact_displacement(going, b);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The next load where a rig prescribes a displacement. Q rises with the displacement, so that there
  * is one; where even f P does not reach what is prescribed, the bodies slide on by the rest. */
-#include "contact/handle.h"
+#include "cycle/states.h"
 
 #include "base/domain.h"
 #include "base/root.h"
@@ -23,8 +23,7 @@ static int32_t contact_under(const rig *r, double Q, rwedge_contact **contact)
 /* How far the rig is beyond what is prescribed. NaN where that is not known. */
 static double beyond(const rig *r, const rwedge_contact *contact, double Q)
 {
-    return rwedge_contact_displacement(contact, r->b) + r->compliance * Q + contact->drive.slid -
-           r->displacement;
+    return rwedge_contact_displacement(contact, r->b) + r->compliance * Q - r->displacement;
 }
 
 static double beyond_with(double Q, const void *context)
@@ -149,5 +148,29 @@ int32_t rwedge_contact_drive(rwedge_contact *contact, double P, double M, double
         *Q = found;
     }
     rwedge_contact_destroy(next);
+    return status;
+}
+
+/* ---- A cycle ---- */
+
+/* Q, and how far the bodies slide beside the load. */
+static int32_t drive_to(rwedge_contact *going, const rw_rig_history *loads, size_t i, double *Q,
+                        double *slid)
+{
+    const double before = going->drive.slid;
+    const int32_t status = rwedge_contact_drive(going, loads->P[i], loads->M[i], loads->sigma[i],
+                                                loads->displacement[i], loads->compliance, Q);
+    *slid = status == RWEDGE_OK && going->phase != RW_APART ? going->drive.slid - before : 0;
+    return status;
+}
+
+int32_t rw_drive_through(const rwedge_contact *contact, const rw_rig_history *loads, double Q[],
+                         double slid[])
+{
+    rwedge_contact *going = NULL;
+    int32_t status = rwedge_contact_copy(contact, &going);
+    for (size_t i = 0; i < loads->count && status == RWEDGE_OK; i++)
+        status = drive_to(going, loads, i, &Q[i], &slid[i]);
+    rwedge_contact_destroy(going);
     return status;
 }

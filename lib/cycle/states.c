@@ -135,13 +135,15 @@ static int parts_of(const rwedge_contact *from, rw_patch old, rw_patch now)
     return (int)fmax(1, fmin(parts, is_computed ? MOST_COMPUTED : MOST_PARTS));
 }
 
+static const rw_patch NOWHERE = {HUGE_VAL, -HUGE_VAL};
+
 /* The patch in which a straight step slips nowhere: where the paths before and after it part. That
  * is the last corner that both have in common, or a corner beyond at which one of them leaves the
  * segment that both begin with. Not known of a computed step. */
 static rw_patch stuck_between(const rwedge_contact *before, const rwedge_contact *after)
 {
     if (before->phase == RW_COMPUTED || after->phase == RW_COMPUTED)
-        return (rw_patch){HUGE_VAL, -HUGE_VAL};
+        return NOWHERE;
     const rw_memory *path = &after->memory, *old = &before->memory;
     const rw_path old_path = rw_memory_path(old);
     const size_t common = rw_memory_common(path, &old_path);
@@ -315,6 +317,27 @@ static int32_t follow_slip(rwedge_cycle *cycle, walk *w, rw_loads to)
     return status == RWEDGE_OK ? go_part(cycle, w->follower, to) : status;
 }
 
+/* All places slip alike, under the loads that the contact has. */
+static int32_t slide_on(rwedge_cycle *cycle, const walk *w, double slid)
+{
+    const rwedge_contact *contact = w->follower ? w->follower : w->contact;
+    if (slid == 0 || cycle->slip_status != RWEDGE_OK)
+        return RWEDGE_OK;
+    const int32_t status = note(cycle, contact, contact, NULL);
+    if (status == RWEDGE_OK) {
+        rw_state *last = &cycle->states[cycle->count - 1];
+        last->displacement.shift -= slid;
+        last->stuck = NOWHERE;
+    }
+    return status;
+}
+
+/* The part of the way that it slides before P changes: half of it where it slides already. */
+static double slid_before(const rwedge_contact *contact, double slid)
+{
+    return contact->phase == RW_SLIDING && contact->loads.Q * slid > 0 ? slid / 2 : 0;
+}
+
 static void note_half_width(rwedge_cycle *cycle, double b)
 {
     if (b > 0)
@@ -322,14 +345,17 @@ static void note_half_width(rwedge_cycle *cycle, double b)
     cycle->most = fmax(cycle->most, b);
 }
 
-/* RWEDGE_EPATH, or another reason, of the slip is not one of the load. */
-static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_loads to)
+/* RWEDGE_EPATH, or another reason, of the slip is not one of the load. `slid`: by a rig besides. */
+static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_loads to, double slid)
 {
-    const size_t first = cycle->count;
+    const double slid_first = slid_before(w->contact, slid);
     rwedge_contact *before = NULL;
     rwedge_contact_destroy(w->ahead);
     w->ahead = NULL;
-    int32_t status = rwedge_contact_copy(w->contact, &w->ahead);
+    int32_t status = slide_on(cycle, w, slid_first);
+    const size_t first = cycle->count;
+    if (status == RWEDGE_OK)
+        status = rwedge_contact_copy(w->contact, &w->ahead);
     if (status == RWEDGE_OK && rw_contact_knows_slip(w->ahead))
         status = rw_contact_follow_slip(w->ahead);
     if (status == RWEDGE_OK && cycle->slip_status == RWEDGE_OK)
@@ -349,9 +375,11 @@ static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_loads to)
         stick_in_parts(cycle, first, w->follower ? (rw_patch){0, 0} : stuck);
         if (cycle->count > first)
             cycle->states[cycle->count - 1].is_load = true;
-        if (!rw_stuck_go_on(&w->stuck, w->contact, stuck, cycle->rounding))
+        if (!rw_stuck_go_on(&w->stuck, w->contact, slid != 0 ? NOWHERE : stuck, cycle->rounding))
             status = RWEDGE_ENOMEM;
     }
+    if (status == RWEDGE_OK)
+        status = slide_on(cycle, w, slid - slid_first);
     rwedge_contact_destroy(before);
     return cycle->slip_status == RWEDGE_ENOMEM ? RWEDGE_ENOMEM : status;
 }
@@ -380,7 +408,7 @@ static int32_t go_through(rwedge_cycle *cycle)
     walk w = {NULL, NULL, NULL, {NULL, 0}};
     int32_t status = begin(cycle, &w);
     for (size_t i = 0; i < cycle->loads.count && status == RWEDGE_OK; i++)
-        status = go_to(cycle, &w, rw_loads_at(&cycle->loads, i));
+        status = go_to(cycle, &w, rw_loads_at(&cycle->loads, i), rw_cycle_slid(cycle, i));
     if (status == RWEDGE_OK)
         cycle->never_slips = rw_stuck_widest(&w.stuck);
     if (status == RWEDGE_OK)
@@ -408,20 +436,18 @@ static bool keep_loads(rwedge_cycle *cycle, const rw_load_history *loads)
     return true;
 }
 
-int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loads, const double P[],
-                            const double M[], const double Q[], const double sigma[],
-                            rwedge_cycle **cycle)
+/* The cycle takes the distances. */
+static int32_t create(const rwedge_contact *contact, const rw_load_history *loads, double *slid,
+                      rwedge_cycle **cycle)
 {
-    const rw_load_history history = {loads, P, M, Q, sigma};
-    if (!contact || !rw_is_load_history(&history) || !cycle)
-        return RWEDGE_ENULL;
-    if (loads == 0 || loads > SIZE_MAX / 4 / sizeof *P)
-        return RWEDGE_ERANGE;
     rwedge_cycle *created = calloc(1, sizeof *created);
-    if (!created)
+    if (!created) {
+        free(slid);
         return RWEDGE_ENOMEM;
-    int32_t status = keep_loads(created, &history) ? rwedge_contact_copy(contact, &created->before)
-                                                   : RWEDGE_ENOMEM;
+    }
+    created->slid = slid;
+    int32_t status =
+        keep_loads(created, loads) ? rwedge_contact_copy(contact, &created->before) : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK)
         status = go_through(created);
     if (status == RWEDGE_OK)
@@ -431,12 +457,46 @@ int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loads, const d
     return status;
 }
 
+int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loads, const double P[],
+                            const double M[], const double Q[], const double sigma[],
+                            rwedge_cycle **cycle)
+{
+    const rw_load_history history = {loads, P, M, Q, sigma};
+    if (!contact || !rw_is_load_history(&history) || !cycle)
+        return RWEDGE_ENULL;
+    if (loads == 0 || loads > SIZE_MAX / 4 / sizeof *P)
+        return RWEDGE_ERANGE;
+    return create(contact, &history, NULL, cycle);
+}
+
+int32_t rwedge_cycle_create_driven(const rwedge_contact *contact, size_t loads, const double P[],
+                                   const double M[], const double sigma[],
+                                   const double displacement[], double compliance,
+                                   rwedge_cycle **cycle)
+{
+    if (!contact || (loads > 0 && (!P || !M || !sigma || !displacement)) || !cycle)
+        return RWEDGE_ENULL;
+    if (loads == 0 || loads > SIZE_MAX / 4 / sizeof *P)
+        return RWEDGE_ERANGE;
+    const rw_rig_history rig = {loads, P, M, sigma, displacement, compliance};
+    double *Q = malloc(loads * sizeof *Q), *slid = malloc(loads * sizeof *slid);
+    int32_t status = Q && slid ? rw_drive_through(contact, &rig, Q, slid) : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK) {
+        const rw_load_history history = {loads, P, M, Q, sigma};
+        status = create(contact, &history, slid, cycle);
+    } else
+        free(slid);
+    free(Q);
+    return status;
+}
+
 void rwedge_cycle_destroy(rwedge_cycle *cycle)
 {
     if (!cycle)
         return;
     rwedge_contact_destroy(cycle->before);
     free((double *)cycle->loads.P);
+    free(cycle->slid);
     rw_record_destroy(&cycle->on_the_way);
     rw_record_destroy(&cycle->at_loads);
     for (size_t i = 0; i < cycle->count; i++)
@@ -449,4 +509,14 @@ void rwedge_cycle_destroy(rwedge_cycle *cycle)
 size_t rwedge_cycle_loads(const rwedge_cycle *cycle)
 {
     return cycle ? cycle->loads.count : 0;
+}
+
+int32_t rwedge_cycle_forces(const rwedge_cycle *cycle, size_t loads, double Q[])
+{
+    if (!cycle || (loads > 0 && !Q))
+        return RWEDGE_ENULL;
+    if (loads != cycle->loads.count)
+        return RWEDGE_ERANGE;
+    memcpy(Q, cycle->loads.Q, loads * sizeof *Q);
+    return RWEDGE_OK;
 }

@@ -53,6 +53,7 @@ void rw_edges_settle(rw_edges *edges);
 struct rwedge_cycle {
     rwedge_contact *before;
     rw_load_history loads; /* its arrays are the cycle's own, in one block */
+    double *slid;          /* with each load, beyond what it tells; NULL: no rig prescribes it */
     rw_record at_loads;    /* what the loads leave */
     rw_record on_the_way;  /* all states, for slip */
     rw_state *states;
@@ -63,6 +64,23 @@ struct rwedge_cycle {
     rw_patch never_slips; /* the widest such zone; without width where there is none */
     int32_t slip_status;  /* RWEDGE_EPATH where the slip of a state has no closed form */
 };
+
+/* What a rig prescribes: displacements in place of Q. */
+typedef struct {
+    size_t count;
+    const double *P, *M, *sigma, *displacement;
+    double compliance;
+} rw_rig_history;
+
+/* Drives a copy of the contact: Q of each load, and how far the bodies slide besides. */
+int32_t rw_drive_through(const rwedge_contact *contact, const rw_rig_history *loads, double Q[],
+                         double slid[]);
+
+/* How far they slide beside the load i. */
+static inline double rw_cycle_slid(const rwedge_cycle *cycle, size_t i)
+{
+    return cycle->slid ? cycle->slid[i] : 0;
+}
 
 /* The height of a profile, over theta, up to a constant. */
 double rw_profile_height(const rw_geometry *geometry, double x);

@@ -62,6 +62,19 @@ def test_the_displacement_is_that_of_the_contact_after_each_load(pad):
         assert pad.displacement(10) == pytest.approx(expected, rel=1e-13)
 
 
+def test_a_driven_cycle_has_the_forces_of_its_contact_and_slides(pad):
+    way, compliance = np.array([0.05, -0.05, 0.05]), 1e-6
+    cycle, driven = rwedge.Cycle.driven(pad, {"P": 2000, "displacement": way}, compliance), pad.copy()
+    assert (cycle.loads.Q == [driven.drive(2000, 0, 0, to, compliance) for to in way]).all() and (cycle.loads.P == 2000).all()
+    assert (np.abs(cycle.loads.Q) == 0.3 * 2000).all()
+    assert 0.09 < cycle.friction(0.0).slip_range < 0.1  # of 0.1, what rig and bodies give back is no slip
+    for loads in ({"P": 2000}, {"P": 2000, "Q": 1, "displacement": way}):
+        with pytest.raises(rwedge.Error, match="displacement in place of Q"):
+            rwedge.Cycle.driven(pad, loads, compliance)
+    with pytest.raises(rwedge.Error, match="compliance"):
+        rwedge.Cycle.driven(pad, {"displacement": way}, -1)
+
+
 def test_a_load_that_is_refused_is_named(pad):
     with pytest.raises(rwedge.SlidingError, match=r"Q\[1\] = 900"):
         pad.cycle({"P": 2000, "Q": [300, 900]})

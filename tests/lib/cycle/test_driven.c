@@ -108,6 +108,138 @@ CLAIM(what_is_prescribed_is_reached_off_the_centre)
     assert_int_equal(rwedge_contact_drive(contact, P, 0.05, 0, 1, COMPLIANCE, &Q), RWEDGE_EPATH);
 }
 
+/* ---- A cycle ---- */
+
+enum { LOADS = 40 };
+
+typedef struct {
+    double P[LOADS], M[LOADS], sigma[LOADS], displacement[LOADS];
+    double Q[LOADS];
+} rig_loads;
+
+/* To and fro about the displacement of the contact, P as well where it varies. */
+static rig_loads rig_cycle(double amplitude, double variation)
+{
+    rig_loads to = {.P = {0}};
+    for (int i = 0; i < LOADS; i++) {
+        const double phase = 2 * PI * (i + 1) / LOADS;
+        to.P[i] = P * (1 + variation * sin(phase));
+        to.displacement[i] = amplitude * cos(phase);
+    }
+    return to;
+}
+
+static void destroy_cycle(void *cycle)
+{
+    rwedge_cycle_destroy(cycle);
+}
+
+static rwedge_cycle *driven_cycle(const rwedge_contact *contact, rig_loads *to, double compliance)
+{
+    rwedge_cycle *cycle = NULL;
+    assert_ok(rwedge_cycle_create_driven(contact, LOADS, to->P, to->M, to->sigma, to->displacement,
+                                         compliance, &cycle));
+    free_after_claim(cycle, destroy_cycle);
+    assert_ok(rwedge_cycle_forces(cycle, LOADS, to->Q));
+    return cycle;
+}
+
+/* The same loads on the contact itself. */
+static void drive_all(rwedge_contact *contact, const rig_loads *to, double compliance)
+{
+    for (int i = 0; i < LOADS; i++)
+        assert_true(drive(contact, to->P[i], to->displacement[i], compliance) == to->Q[i]);
+}
+
+/* In gross slip the middle of a cylinder slips what is left of the way, twice in a cycle, under f
+ * times the largest pressure. */
+CLAIM(in_gross_slip_all_places_slip_what_is_left_of_the_way)
+{
+    const double amplitude = 2, at_reversal = mindlin(F * P) + COMPLIANCE * F * P;
+    rig_loads to = rig_cycle(amplitude, 0);
+    rwedge_contact *contact = cylinder();
+    drive(contact, P, amplitude, COMPLIANCE);
+    rwedge_cycle *cycle = driven_cycle(contact, &to, COMPLIANCE);
+    const double slid = 2 * amplitude - 2 * at_reversal, x = 0,
+                 p0 = 2 * P / (PI * rwedge_contact_half_width(contact));
+    double slip, f1, f2, energy, left, right;
+    assert_ok(rwedge_cycle_friction(cycle, 1, &x, &slip, &f1, &f2, &energy));
+    assert_close(slip, slid, 1e-9);
+    assert_close(energy, 2 * F * p0 * slid, 1e-9);
+    assert_int_equal(rwedge_cycle_permanent_stick(cycle, &left, &right), RWEDGE_EABSENT);
+    assert_close(to.Q[LOADS - 1], F * P, 1e-12);
+}
+
+/* The integral over the contact; of 4000 places it errs by 2e-6. */
+static double energy_of_places(const rwedge_contact *contact, const rwedge_cycle *cycle)
+{
+    enum { PLACES = 4000 };
+    const double b = 1.2 * rwedge_contact_half_width(contact);
+    double sum = 0;
+    for (int i = 0; i < PLACES; i++) {
+        const double x = b * sin(PI * ((i + 0.5) / PLACES - 0.5));
+        double slip, f1, f2, energy;
+        assert_ok(rwedge_cycle_friction(cycle, 1, &x, &slip, &f1, &f2, &energy));
+        sum += energy * b * cos(PI * ((i + 0.5) / PLACES - 0.5)) * PI / PLACES;
+    }
+    return sum;
+}
+
+/* Under constant P, and under a P that changes while it slides, whose steps are cut into parts. */
+CLAIM(a_driven_cycle_has_the_forces_and_the_energy_of_its_contact)
+{
+    static const double variation[] = {0, 0.1}, tolerance[] = {1e-5, 2e-3};
+    for (int i = 0; i < 2; i++) {
+        rig_loads to = rig_cycle(0.5, variation[i]);
+        rwedge_contact *contact = cylinder();
+        drive(contact, P, 0.5, COMPLIANCE);
+        rwedge_cycle *cycle = driven_cycle(contact, &to, COMPLIANCE);
+        const double sum = energy_of_places(contact, cycle);
+        const double before = rwedge_contact_dissipated_energy(contact);
+        drive_all(contact, &to, COMPLIANCE);
+        assert_close(sum, rwedge_contact_dissipated_energy(contact) - before, tolerance[i]);
+    }
+}
+
+CLAIM(a_driven_cycle_tells_the_displacement_less_what_the_rig_gives)
+{
+    double displacement[LOADS];
+    rig_loads to = rig_cycle(0.5, 0);
+    rwedge_contact *contact = cylinder();
+    drive(contact, P, 0.5, COMPLIANCE);
+    const double b = rwedge_contact_half_width(contact);
+    rwedge_cycle *cycle = driven_cycle(contact, &to, COMPLIANCE);
+    assert_ok(rwedge_cycle_displacement(cycle, LOADS, b, displacement));
+    for (int i = 0; i < LOADS; i++)
+        assert_within(displacement[i] + COMPLIANCE * to.Q[i] - to.displacement[i], 0, 1e-12);
+}
+
+CLAIM(a_driven_cycle_that_is_refused_leaves_all_as_it_was)
+{
+    rig_loads to = rig_cycle(0.5, 0);
+    rwedge_contact *contact = cylinder();
+    rwedge_cycle *cycle = NULL;
+    load(contact, P, 0.1);
+    to.P[LOADS - 1] = -1;
+    assert_int_equal(rwedge_cycle_create_driven(contact, LOADS, to.P, to.M, to.sigma,
+                                                to.displacement, 0, &cycle),
+                     RWEDGE_EDOMAIN);
+    to.P[LOADS - 1] = P;
+    assert_int_equal(rwedge_cycle_create_driven(contact, LOADS, to.P, to.M, to.sigma,
+                                                to.displacement, -1, &cycle),
+                     RWEDGE_EDOMAIN);
+    assert_int_equal(
+        rwedge_cycle_create_driven(contact, 0, to.P, to.M, to.sigma, to.displacement, 0, &cycle),
+        RWEDGE_ERANGE);
+    assert_int_equal(
+        rwedge_cycle_create_driven(contact, LOADS, to.P, to.M, to.sigma, NULL, 0, &cycle),
+        RWEDGE_ENULL);
+    assert_true(cycle == NULL);
+    rwedge_cycle *good = driven_cycle(contact, &to, 0);
+    assert_int_equal(rwedge_cycle_forces(good, LOADS - 1, to.Q), RWEDGE_ERANGE);
+    assert_int_equal(rwedge_cycle_forces(NULL, LOADS, to.Q), RWEDGE_ENULL);
+}
+
 CLAIM(what_is_refused_leaves_the_contact)
 {
     rwedge_contact *contact = cylinder();

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from ._labels import Numbers, aligned, plain
 from ._library import OK, check, function
-from ._loads import History, Loads, columns, given_columns
+from ._loads import History, Loads, columns, driven_columns, given_columns
 from ._made import CycleMethods
 from ._stress_history import StressHistory
 
 if TYPE_CHECKING:
     from ._contact import Contact
 
-_create, _destroy = function("cycle_create"), function("cycle_destroy")
+_create, _create_driven, _destroy = function("cycle_create"), function("cycle_create_driven"), function("cycle_destroy")
 
 
 class Friction(NamedTuple):
@@ -115,6 +115,19 @@ class Cycle(CycleMethods):
             check("cycle_create", status, {"loads": len(history[0])})
         self._adopt(handle, _destroy)
         self._loads = Loads(*history)  # type: ignore[arg-type]
+
+    @classmethod
+    def driven(cls, contact: Contact, loads: Mapping[str, Any], compliance: float) -> Cycle:
+        arrays, handle, cycle = driven_columns(loads), ctypes.c_void_p(), cls.__new__(cls)
+        with contact._lock:
+            P, M, displacement, sigma = columns(arrays, contact.loads)
+            status = _create_driven(contact._address, len(P), *(column.ctypes.data for column in (P, M, sigma, displacement)),
+                                    ctypes.c_double(compliance), ctypes.byref(handle))
+            check("cycle_create_driven", status, {"loads": len(P), "compliance": compliance})
+        cycle._adopt(handle, _destroy)
+        cycle._loads = Loads(P, M, displacement, sigma)  # type: ignore[arg-type]
+        cycle._loads = Loads(P, M, cycle.forces, sigma)  # type: ignore[arg-type]
+        return cycle
 
     def __len__(self) -> int:
         return len(self._loads.P)  # type: ignore[arg-type]

@@ -104,6 +104,18 @@ def given_columns(loads: History) -> dict[str, NDArray[np.float64]]:
     return {name: _numbers(name, values) for name, values in by_name.items()}
 
 
+def driven_columns(loads: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
+    """The given ones of P, M, sigma, and in the place of Q the displacement, from a mapping or frame with these names."""
+    names = list(loads.keys()) if hasattr(loads, "keys") else []
+    if "displacement" not in names or "Q" in names:
+        raise Error("loads of a rig have displacement in place of Q, by name", EDOMAIN)
+    others = {name: loads[name] for name in names if name != "displacement"}
+    by_name = {**(_named(others) if others else {}), "displacement": loads["displacement"]}
+    _refuse_other_labels(by_name)
+    arrays = {name: _numbers(name, values) for name, values in by_name.items()}
+    return {**arrays, "Q": arrays.pop("displacement")}
+
+
 def columns(arrays: dict[str, NDArray[np.float64]], present: Loads) -> Columns:
     """P, M, Q, sigma of all loads. A load that is not given keeps its value, but where P is 0 the moment becomes and stays 0."""
     try:

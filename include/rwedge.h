@@ -856,6 +856,17 @@ RWEDGE_API int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_
 RWEDGE_API int32_t rwedge_contact_peak_pressure(const rwedge_contact *contact, double *pressure,
                                                 double *x);
 
+/* The normal load under which the largest pressure of that pad is a given one: the inverse of
+ * rwedge_contact_peak_pressure(), of a pad that is pressed alone, without a moment; or, where it is
+ * held, at its present tilt. The present loads do not matter.                                   new
+ *   pressure  stress, > 0, a magnitude
+ *   P         receives one number
+ * RWEDGE_EABSENT where no load has it, as with a sharp tip; RWEDGE_EDOMAIN; RWEDGE_ENULL;
+ * RWEDGE_ENOMEM; of unlike bodies also what rwedge_contact_apply() says. As exact as that function:
+ * in closed form to some 1e-14. */
+RWEDGE_API int32_t rwedge_contact_peak_load(const rwedge_contact *contact, double pressure,
+                                            double *P);
+
 /* Stresses at n points (x, y) of the half-plane, tension positive.        Eq. (28), (32), (33); new
  *   x, y           length, finite, y >= 0; not the apex (0, 0) of a loaded sharp wedge
  *   sxx, syy, txy  each receives n numbers

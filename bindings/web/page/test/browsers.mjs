@@ -3,15 +3,18 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import * as claims from "./claims.mjs";
+import * as jobs from "./jobs.mjs";
 import { browsers, openBrowser, openPage, programOf, reopen } from "./drive.mjs";
 
 const [file, tool, axe] = process.argv.slice(2);
+
+const all = { ...claims, ...jobs };
 
 async function tryClaim(name, session, browser) {
     const page = await openPage(session),
         show = (...state) => reopen(page, file, ...state);
     await show();
-    const said = await claims[name]({ page, show, tool, axe, dark: browser === "chromium" });
+    const said = await all[name]({ page, show, tool, axe, schemes: browsers[browser].schemes, isDark: browsers[browser].isDark });
     if (said) console.log(`${browser}: ${name}: ${said}`);
     await page.close();
 }
@@ -20,11 +23,11 @@ for (const [browser, about] of Object.entries(browsers))
     describe(browser, { skip: !programOf(about) && `SKIPPED: ${browser} is not here` }, () => {
         let session;
         before(async () => (session = await openBrowser(about)));
-        for (const name of Object.keys(claims)) test(name, () => tryClaim(name, session, browser));
+        for (const name of about.only ?? Object.keys(all)) test(name, () => tryClaim(name, session, browser));
 
         /** In all the others: axe-core's own letters are data, and ask no one. */
         test("nothing_is_said_and_nothing_asked_for", () => {
-            const allowed = /^(file:\/\/[^#]*rounded-wedge\.html|about:|data:|blob:)/;
+            const allowed = /^(file:\/\/[^#]*(rounded-wedge|report)\.html|about:|data:|blob:)/;
             assert.deepEqual([session.said, session.asked.filter((url) => !allowed.test(url))], [[], []]);
         });
         after(() => session.browser.close());

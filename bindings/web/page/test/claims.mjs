@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { dirname } from "node:path";
 import { assertNear, chance, ofPads, optionsOf, parabola, rowsOf, usual } from "./shared.mjs";
-import { enter, openTab, pause, savedBy, seen, settled, shownNumbers, statusOf } from "./drive.mjs";
+import { enter, inEachScheme, openTab, pause, savedBy, seen, settled, shownNumbers, statusOf } from "./drive.mjs";
 
 const tabs = ["contact", "stress", "strength", "cycle", "batch", "compare", "about"];
 const idOf = (name) => `in-${{ theta_deg: "theta", radius: "a" }[name] ?? name}`;
@@ -356,33 +356,74 @@ export async function one_decimal_sign_is_everywhere({ page }) {
     assert.match(text.split("\n").filter((line) => !line.startsWith("#"))[5], /^-\d,\d+;\d+,\d+;/);
 }
 
-export async function a_telephone_shows_all_in_its_width({ page, show }) {
-    await page.setViewport({ width: 360, height: 900 });
-    for (const tab of tabs) {
-        await show(usual, { tab, batch: "case\tP\none\t190" });
-        await settled(page);
-        assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 360, tab);
-        if (tab !== "cycle") continue;
-        const heights = await page.$$eval("#panel-cycle .meaning", (cells) => cells.map((cell) => cell.offsetHeight));
-        assert.ok(heights.length >= 5 && heights.every((height) => height > 5), heights.join());
+const widths = [360, 1366, 1920]; // a telephone, a small and a large screen
+
+/** Nothing is wider than the page, and no text that matters is lost. */
+export async function each_width_shows_all({ page, show, schemes, isDark }) {
+    for (const width of widths) {
+        await page.setViewport({ width, height: 900 });
+        for (const tab of tabs)
+            await inEachScheme(page, schemes, async (scheme) => {
+                await show(usual, { tab, batch: "case\tP\none\t190" });
+                await settled(page);
+                const scrolled = await page.evaluate(() => document.documentElement.scrollWidth);
+                assert.ok(scrolled <= width, `${tab}, ${width}, ${scheme}: ${scrolled}`);
+                const dark = await page.evaluate(() => matchMedia("(prefers-color-scheme: dark)").matches),
+                    ground = await page.$eval("body", (body) => getComputedStyle(body).backgroundColor.match(/\d+/g).map(Number));
+                assert.equal(dark, scheme === "dark" || isDark === true);
+                assert.equal(ground[0] < 128, dark, `${tab}, ${width}, ${scheme}: ground ${ground}`);
+                if (tab !== "cycle") return;
+                const heights = await page.$$eval("#panel-cycle .meaning", (cells) => cells.map((cell) => cell.offsetHeight));
+                assert.ok(heights.length >= 5 && heights.every((height) => height > 5), heights.join());
+            });
     }
 }
 
-/** Nothing serious by axe-core, in light and in dark. */
-export async function nothing_serious_stands_in_the_way({ page, show, axe, dark }) {
+/** What axe-core finds serious on the page. */
+const seriousOf = (page) =>
+    page.evaluate(async () =>
+        (await window.axe.run()).violations
+            .filter((v) => ["serious", "critical"].includes(v.impact))
+            .map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => n.html.slice(0, 120))}`),
+    );
+
+/** Nothing serious by axe-core, at each width, in light and in dark. */
+export async function nothing_serious_stands_in_the_way({ page, show, axe, schemes }) {
     const source = readFileSync(axe, "utf8");
-    for (const tab of tabs)
-        for (const scheme of dark ? ["light", "dark"] : ["light"]) {
-            await show(usual, { tab, batch: "case\tP\none\t190\ntwo\t50\nthree\t900" });
-            if (dark) await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
-            await page.evaluate(source);
-            const violations = await page.evaluate(async () =>
-                (await window.axe.run()).violations
-                    .filter((v) => ["serious", "critical"].includes(v.impact))
-                    .map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => n.html.slice(0, 120))}`),
-            );
-            assert.deepEqual(violations, [], `${tab}, ${scheme}`);
+    for (const width of widths) {
+        await page.setViewport({ width, height: 900 });
+        for (const tab of tabs)
+            await inEachScheme(page, schemes, async (scheme) => {
+                await show(usual, { tab, batch: "case\tP\none\t190\ntwo\t50\nthree\t900" });
+                await settled(page);
+                await page.evaluate(source);
+                assert.deepEqual(await seriousOf(page), [], `${tab}, ${width}, ${scheme}`);
+            });
+    }
+}
+
+/** The page of "rwedge report" too: of a load, and of a cycle with a material. */
+export async function a_report_has_nothing_serious({ page, axe, tool, schemes }) {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        source = readFileSync(axe, "utf8"),
+        { E1, nu1, f, k, theta, a, P, Q } = Object.fromEntries(Object.entries(usual).map(([name, text]) => [name, Number(text)]));
+    for (const [loads, ...more] of [[{ P, Q }, "--equations"], [{ P, Q: [Q, -Q] }]]) {
+        const file = { rwedge_case: 1, name: "pad 7", units: "mm,N,MPa", bodies: { E1, nu1, f, k }, pad: { theta, a }, loads };
+        writeFileSync(`${folder}/case.json`, JSON.stringify(file));
+        const told = run(tool, ["report", `${folder}/case.json`, ...more, "-o", `${folder}/report.html`]);
+        assert.equal(told.status, 0, told.stderr);
+        for (const width of widths) {
+            await page.setViewport({ width, height: 900 });
+            await inEachScheme(page, schemes, async (scheme) => {
+                await page.goto(`file://${folder}/report.html`);
+                await page.evaluate(source);
+                assert.deepEqual(await seriousOf(page), [], `${JSON.stringify(loads)}, ${width}, ${scheme}`);
+                const scrolled = await page.evaluate(() => document.documentElement.scrollWidth);
+                assert.ok(scrolled <= width, `${width}: ${scrolled}`);
+            });
         }
+    }
+    rmSync(folder, { recursive: true });
 }
 
 /** Values under the pointer, curves that stay beside the next case, units that convert, the name in files, one sheet of paper. */

@@ -8,8 +8,18 @@ export const browsers = {
         names: ["chromium", "chromium-browser", "google-chrome"],
         browser: "chrome",
         args: ["--no-sandbox", "--disable-background-networking"],
+        schemes: ["light", "dark"], // which a page of it can be asked for
     },
-    firefox: { names: ["firefox-esr", "firefox"], browser: "firefox", args: [] },
+    firefox: { names: ["firefox-esr", "firefox"], browser: "firefox", args: [], schemes: [] },
+    "firefox in the dark": {
+        names: ["firefox-esr", "firefox"],
+        browser: "firefox",
+        args: [],
+        prefs: { "layout.css.prefers-color-scheme.content-override": 0 },
+        schemes: [],
+        isDark: true,
+        only: ["nothing_serious_stands_in_the_way", "each_width_shows_all"],
+    },
 };
 
 /** Its program; nothing where this machine does not have it. */
@@ -22,6 +32,7 @@ export async function openBrowser(about) {
         browser: about.browser,
         executablePath: programOf(about),
         args: about.args,
+        extraPrefsFirefox: about.prefs,
         headless: true,
         protocolTimeout: 300000,
     });
@@ -43,6 +54,14 @@ export async function reopen(page, file, texts = {}, more = {}) {
     await page.goto("about:blank");
     await page.goto(`file://${file}#${new URLSearchParams({ ...texts, ...more })}`);
     await page.waitForSelector("#status");
+}
+
+/** What is shown in light or in dark, where the browser can be asked; else as it is. */
+export async function inEachScheme(page, schemes, action) {
+    for (const scheme of schemes.length > 0 ? schemes : [null]) {
+        if (scheme) await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
+        await action(scheme ?? "its own");
+    }
 }
 
 /** Types into a field as a whole: the field hears of it as of a paste. */

@@ -618,6 +618,19 @@ RWEDGE_API double rwedge_contact_beta(const rwedge_contact *contact);
 RWEDGE_API int32_t rwedge_contact_set_bodies(rwedge_contact *contact, double E1, double nu1,
                                              double E2, double nu2);
 
+/* Takes a layer on a rigid base without friction for the half-plane: of the thickness t, or of 2 t
+ * between two opposite pads under equal loads. Under a constant P it is as if the pad had the slope
+ * 0.3317 A1 P x/t^2 besides, A1 being twice the strain of rwedge_contact_set_strain(), which is set
+ * before. The pad is of the kind RWEDGE_PAD_PROFILE from then on.                               new
+ *   t  length, > 0: at least twice the half-width under P
+ *   P  > 0: the load, which is not to change
+ * The half-width errs by 0.2 to 0.3 (b/t)^4 A1/A. Left out: P stretches the surface as a bulk
+ * tension of 0.4893 P/t does; Q tilts the surface by 0.2446 A1 Q/t, and changes its strain by
+ * 0.0871 A1 Q x/t^2 beside what it does to a half-plane.
+ * RWEDGE_EDOMAIN where the bodies touch, where the pad is held, and where a slope becomes pi/2;
+ * RWEDGE_ERANGE where t is less than twice the half-width; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_contact_set_thickness(rwedge_contact *contact, double t, double P);
+
 /* An independent copy, history and all: to try a load and go back.
  * RWEDGE_ENULL, RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_copy(const rwedge_contact *contact, rwedge_contact **copy);

@@ -9,6 +9,9 @@ struct poptOption history_option_table[] = {
      "Go through the loads N times, one after the other (default: see below)", "N"},
     {FLAG("until", OPTION_UNTIL),
      "Where a load cannot be applied, go as far as the loads before it", NULL},
+    {VALUE("specimen-thickness", OPTION_SPECIMEN_THICKNESS),
+     "Body 1 is so thick, on a base without friction; P is constant", "LENGTH"},
+    {FLAG("opposite", OPTION_OPPOSITE), "and lies between two opposite pads", NULL},
     POPT_TABLEEND,
 };
 
@@ -102,9 +105,12 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
     load_history_check(&history->loads, &history->setup);
     if (cycles_of_two > 1)
         refuse_turning(&history->loads);
-    if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL) {
-        load_history before;
+    load_history before;
+    const bool has_before = history_file(line) != NULL && line->value[OPTION_LOAD] != NULL;
+    if (has_before)
         load_history_read_list(line, &before);
+    specimen_take(line, &history->loads, has_before ? &before : NULL, &history->setup);
+    if (has_before) {
         load_history_check(&before, &history->setup);
         load_history_apply_all(&before, &history->setup, &history->doubts_before);
     }

@@ -7,7 +7,13 @@
 
 /* ---- contact_history ---- A contact and the loads it goes through, once or again and again. */
 
-enum { OPTION_CYCLES = OPTION_AFTER_LOADS, OPTION_UNTIL, OPTION_AFTER_HISTORY };
+enum {
+    OPTION_CYCLES = OPTION_AFTER_LOADS,
+    OPTION_UNTIL,
+    OPTION_SPECIMEN_THICKNESS,
+    OPTION_OPPOSITE,
+    OPTION_AFTER_HISTORY
+};
 
 /* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
 extern struct poptOption history_option_table[];
@@ -37,6 +43,13 @@ typedef void load_visitor(void *context, size_t loads, const rwedge_contact *con
 /* Applies each load once, and shows the contact before the first and after each. A load that cannot
  * be applied ends the command, or with --until the history. Returns how many were applied. */
 size_t contact_history_go(const contact_history *history, load_visitor *visit, void *context);
+
+/* ---- specimen ---- A specimen of finite thickness in place of the half-plane. */
+
+/* Gives it to the contact of a case, which has no loads yet, and says how well that holds. Two
+ * lists of loads, the second may be NULL: all have one P. */
+void specimen_take(const arguments *line, const load_history *loads, const load_history *before,
+                   contact_case *setup);
 
 /* ---- places ---- The points of body 1 that are looked at: a list, a file of them, or a grid. */
 

@@ -73,8 +73,8 @@ static double read_K_length(const arguments *line)
     return text == NULL ? NAN : strcmp(text, "m") == 0 ? 1 : 1e-3;
 }
 
-static double read_size(const arguments *line, int number, const char *name, const char *dimension,
-                        const unit_system *units)
+double option_size(const arguments *line, int number, const char *name, const char *dimension,
+                   const unit_system *units)
 {
     const char *text = line->value[number], *own;
     double size = NAN, factor = 1;
@@ -103,8 +103,8 @@ const unit_system *units_of(const arguments *line)
         units.force = assumed.force;
     }
     units.K_length = read_K_length(line);
-    units.width = read_size(line, OPTION_WIDTH, "width", "length", &units);
-    units.section = read_size(line, OPTION_SECTION, "section", "area", &units);
+    units.width = option_size(line, OPTION_WIDTH, "width", "length", &units);
+    units.section = option_size(line, OPTION_SECTION, "section", "area", &units);
     return &units;
 }
 

@@ -85,6 +85,10 @@ extern struct poptOption reading_option_table[];
 const unit_system *units_of(const arguments *line);
 void units_assume(const unit_system *units);
 
+/* A size of a dimension that an option gives, above 0; NAN where it does not. */
+double option_size(const arguments *line, int number, const char *name, const char *dimension,
+                   const unit_system *units);
+
 /* How the files of a command line are to be read. */
 reading reading_of(const arguments *line, char decimal_sign);
 

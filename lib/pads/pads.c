@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts of other pads than the wedge. A cylinder is a wedge of which only the rounding touches;
  * any other pad is a list of arcs. */
-#include "contact/handle.h"
+#include "pads/pads.h"
 
 #include "base/domain.h"
 
@@ -66,19 +66,27 @@ static rw_pad *pad_of(size_t n, const double x[], const double slope[], rw_geome
     return pad;
 }
 
+int32_t rw_profile_geometry(size_t n, const double x[], const double slope[], double A,
+                            rw_geometry *geometry)
+{
+    if (!is_profile(n, x, slope) || !rw_is_positive(A))
+        return RWEDGE_EDOMAIN;
+    *geometry = (rw_geometry){.theta = (slope[n - 1] - slope[0]) / 2, .A = A};
+    if (!rw_is_positive(geometry->theta) || !rw_is_positive(rw_unit_stress(geometry)))
+        return RWEDGE_EDOMAIN;
+    geometry->middle_slope = slope[0] / 2 + slope[n - 1] / 2;
+    geometry->pad = pad_of(n, x, slope, geometry);
+    return geometry->pad ? RWEDGE_OK : RWEDGE_ENOMEM;
+}
+
 int32_t rwedge_contact_create_profile(size_t n, const double x[], const double slope[], double A,
                                       double f, rwedge_contact **contact)
 {
-    if (!x || !slope)
+    rw_geometry geometry;
+    if (!x || !slope || !contact)
         return RWEDGE_ENULL;
-    if (!is_profile(n, x, slope) || !rw_is_positive(A) || !rw_is_friction(f))
+    if (!rw_is_friction(f))
         return RWEDGE_EDOMAIN;
-    rw_geometry geometry = {.theta = (slope[n - 1] - slope[0]) / 2, .A = A};
-    if (!rw_is_positive(geometry.theta) || !rw_is_positive(rw_unit_stress(&geometry)))
-        return RWEDGE_EDOMAIN;
-    if (!contact)
-        return RWEDGE_ENULL;
-    geometry.middle_slope = slope[0] / 2 + slope[n - 1] / 2;
-    geometry.pad = pad_of(n, x, slope, &geometry);
-    return create(geometry, f, contact);
+    const int32_t status = rw_profile_geometry(n, x, slope, A, &geometry);
+    return status == RWEDGE_OK ? create(geometry, f, contact) : status;
 }

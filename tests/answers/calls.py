@@ -100,7 +100,8 @@ OF_LIFE = {1: [475, -0.078, 0.6, -0.62, 0], 2: [62e3, 450, -0.08, 0.7, -0.6, 0]}
 NOT_EVERYWHERE = {"version", "strerror"}  # of another name, or none, in some languages
 SAMPLES = {"series_fit": 9, "cycle_growth": 5, "cycle_closing_growth": 5, "profile_fit": 12}
 # The objects, each with the calls that change it: bodies, strain by tension, normal load, both loads together, Q reversed, P and Q to and fro;
-# held at a tilt; with moment and tension.
+# held at a tilt; with moment and tension;
+# on a specimen of finite thickness.
 OBJECTS = {
     "contact": [("contact_set_beta", (0.3,)), ("contact_set_bodies", (4 / 1.8e-5, 0, 4 / 1.8e-5, 0)),
                 ("contact_set_strain", (0,)), ("contact_set_strain", (3.1e-6,))] +
@@ -109,7 +110,9 @@ OBJECTS = {
                [("contact_drive", (2000, 0, 0, 1e-3, 1e-6)), ("contact_load", (0, 0))] +
                [("contact_set_rotation", (1,)), ("contact_guide", (2000, 0.001, 400, 0)), ("contact_set_rotation", (0,))] +
                [("contact_apply", four) for four in
-                ((0, 0, 0, 1), (2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))],
+                ((0, 0, 0, 1), (2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))] +
+               [("contact_apply", (0, 0, 0, 1)), ("contact_set_thickness", (20, 2000))] +
+               [("contact_apply", four) for four in ((2000, 60, 0, 1), (2000, 60, 400, 3), (2000, 60, -300, -2))],
     "cycle": [],  # of the last contact
     "series": [],
 }

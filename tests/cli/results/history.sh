@@ -167,4 +167,29 @@ same "rows that slide say so" "1 1 0" \
     "$(column warnings out | awk '{ print /it slides fully: the loads do not tell how far/ + 0 }' | paste -s -d ' ' -)"
 same "and standard error" 1 "$(grep -c "it slides fully" err)"
 
+# A specimen of finite thickness: under a constant P as if the cylinder had a parabola more, 1/R larger by
+# 1.0420749/pi A1 P/t^2. The curvature of two opposite pads is that of half the thickness.
+steel="--E1 72000 --nu1 0.33 --f 0.6"
+run history $steel --radius 60 --load 120,0 --load 120,30 --specimen-thickness 5 --opposite
+cp out opposite
+message_has "a layer of 5.273 half-widths"
+message_has "P stretches body 1 as a sigma of 23.49 does"
+run history $steel --radius 60 --load 120,0 --load 120,30 --specimen-thickness 2.5
+same "half of it on a base" "$(cat opposite)" "$(cat out)"
+R=$(awk 'BEGIN { A1 = 2 * (1 - 0.33 * 0.33) / 72000; printf "%.17g", 1 / (1 / 60 + 1.0420749174684513 / 3.14159265358979324 * A1 * 120 / 2.5 ^ 2) }')
+width=$(cells right)
+run history $steel --radius "$R" --load 120,0 --load 120,30
+close_to "half-width" "$(cells right | cut -d ' ' -f 2)" "$(echo "$width" | cut -d ' ' -f 2)" 1e-12
+refuses "--specimen-thickness 1: must be at least 1.90543, twice the width of the contact" \
+    history $steel --radius 60 --load 120,0 --specimen-thickness 1 --opposite
+refuses "--load 100,30: P 100: must stay that of the first load, 120, with --specimen-thickness" \
+    history $steel --radius 60 --load 120,0 --load 100,30 --specimen-thickness 5
+refuses "--opposite: needs --specimen-thickness" history $steel --radius 60 --load 120,0 --opposite
+refuses "--specimen-thickness 5: not of a pad that is held at a tilt" \
+    history $steel --radius 60 --load 120,0 --tilt 0.001 --specimen-thickness 5
+refuses "--specimen-thickness thin: must be a number above 0, in the working units" \
+    history $steel --radius 60 --load 120,0 --specimen-thickness thin
+run history $steel --radius 60 --load 120,0 --load 120,30 --specimen-thickness '5000 um' --opposite --units mm,N,MPa
+same "with its unit" "$(cat opposite)" "$(cat out)"
+
 finish

@@ -24,6 +24,7 @@ static const struct {
     {"contact_deepest_wear", {0.01}},
     {"contact_full_wear", {0.01, NAN}},
     {"contact_set_bodies", {4, 0, 4, 0}},
+    {"contact_set_thickness", {100, 1}},
     {"contact_guide", {4.2, 0, 0, 0}},
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
     {"cycle_create", {4, 0.05, 0, 0}},

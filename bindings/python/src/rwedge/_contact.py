@@ -132,7 +132,7 @@ class Contact(ContactMethods):
 
     Bodies of two materials under a bulk tension: before the first load ``set_strain((1 - nu1**2) / E1)``, E1 and nu1 of the
     half-plane. ``set_bodies(E1, nu1, E2, nu2)`` sets that and their coupling: exact in full sliding, else computed to the
-    tolerance. Press such a contact along P first.
+    tolerance. Press such a contact along P first. ``set_thickness(t, P)`` takes a layer for the half-plane, under a constant P.
 
     Source: Sec. 3.2 for Q growing under constant P; all other histories are new, lib/README.md "Load histories".
 

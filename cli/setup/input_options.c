@@ -111,7 +111,7 @@ const unit_system *units_of(const arguments *line)
 /* A name that no table has would be passed over. */
 static void check_columns(const char *columns)
 {
-    static const char *const others[] = {"x", "y", "slope", "height"};
+    static const char *const others[] = {"x", "y", "slope", "height", displacement_column};
     for (const char *text = columns; text != NULL && *text != '\0';) {
         const size_t length = strcspn(text, "\n"), own = strcspn(text, "=");
         bool known = false;
@@ -121,9 +121,10 @@ static void check_columns(const char *columns)
             known = known || (strlen(input_kinds[i].column) == own &&
                               strncmp(input_kinds[i].column, text, own) == 0);
         if (own >= length || !known)
-            usage_error("--column %.*s: must be NAME=THEIRS, such as P='Normal Force', with a name "
-                        "that is read here: P, M, Q, sigma, x, y, slope, height, or an input",
-                        (int)length, text);
+            usage_error(
+                "--column %.*s: must be NAME=THEIRS, such as P='Normal Force', with a name "
+                "that is read here: P, M, Q, sigma, displacement, x, y, slope, height, or an input",
+                (int)length, text);
         text += length + (text[length] == '\n');
     }
 }
@@ -136,6 +137,7 @@ reading reading_of(const arguments *line, char decimal_sign)
                      .columns = line->value[OPTION_COLUMN],
                      .units = units_of(line),
                      .drops = line->value[OPTION_DROP] != NULL,
+                     .is_driven = line->value[OPTION_COMPLIANCE] != NULL,
                      .is_command = true};
 }
 

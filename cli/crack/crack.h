@@ -8,8 +8,7 @@
 /* ---- crack_options ---- The crack, its lengths, and the constants of its growth. */
 
 enum {
-    OPTION_EDGE = OPTION_AFTER_CRITERIA,
-    OPTION_ANGLE,
+    OPTION_EDGE = OPTION_AFTER_SERIES, /* the angle is that of the critical distances */
     OPTION_ANGLE_RANGE,
     OPTION_LENGTHS,
     OPTION_FROM,

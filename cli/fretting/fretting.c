@@ -5,14 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    OPTION_WORST = OPTION_AFTER_CRITERIA,
-    OPTION_AT_WORST,
-    OPTION_LENGTH,
-    OPTION_METHOD,
-    OPTION_ANGLE,
-    OPTION_FULL_WEAR
-};
+enum { OPTION_WORST = OPTION_AFTER_SERIES, OPTION_AT_WORST, OPTION_FULL_WEAR };
 
 static const struct poptOption options[] = {
     CONTACT_OPTIONS,
@@ -22,12 +15,7 @@ static const struct poptOption options[] = {
     {VALUE("worst", OPTION_WORST), "Write the worst place of each measure to FILE too", "FILE"},
     {FLAG("at-worst", OPTION_AT_WORST),
      "Write a verdict for each criterion at its worst place, in place of the rows", NULL},
-    {VALUE("length", OPTION_LENGTH),
-     "Verdicts by the theory of critical distances (default: that of the material, with --method)",
-     "NUMBER"},
-    {VALUE("method", OPTION_METHOD),
-     "At half the length below the surface, or the mean over twice of it (default point)",
-     "point|line"},
+    {INCLUDED(series_option_table), NULL, NULL},
     {VALUE("angle", OPTION_ANGLE),
      "Of that way, from the surface's normal towards +x, -85 to 85 deg (default 0)", "NUMBER"},
     {FLAG("full-wear", OPTION_FULL_WEAR),
@@ -82,6 +70,15 @@ static void describe(FILE *stream)
           "\nWith the constants of a curve of life, damage is that of a pass of the loads,\n"
           "which repeats. Its cycles are counted by rainflow (ASTM E1049). A life is a\n"
           "number of passes.\n",
+          stream);
+    fputs("\nTESTS.csv has a test in each row: the inputs of its contact by their names, if\n"
+          "options do not give them, constants of the material where they differ, and\n",
+          stream);
+    for (int i = 0; i < TEST_COLUMNS; i++)
+        fprintf(stream, "  %-15s %s\n", test_columns[i].name, test_columns[i].meaning);
+    fputs("P comes first, then Q and sigma go together, between the largest and the\n"
+          "smallest. Each row gets the contact, each criterion at its worst place and at the\n"
+          "length, damage and life by the first that has a curve, tested over predicted.\n",
           stream);
 }
 
@@ -163,30 +160,15 @@ static void write_rows(void *of_plan, records *rows)
 
 /* ---- The command ---- */
 
-static distance read_distance(const arguments *line, const material *constants)
+/* A length is of verdicts. */
+static void check_distance(const arguments *line)
 {
-    const char *text = line->value[OPTION_LENGTH], *method = line->value[OPTION_METHOD];
-    const char *angle = line->value[OPTION_ANGLE];
-    distance below = {NAN, 0, method != NULL && strcmp(method, "line") == 0};
-    if (method != NULL && !below.is_line && strcmp(method, "point") != 0)
-        usage_error("--method %s: must be point or line", method);
-    if (text != NULL &&
-        !(number_read(text, &below.length) && below.length >= 1e-60 && below.length <= 1e60))
-        usage_error("--length %s: must be a number from 1e-60 to 1e60", text);
-    if (angle != NULL && !(number_read(angle, &below.angle) && fabs(below.angle) <= 85))
-        usage_error("--angle %s: must be a number from -85 to 85", angle);
-    if (text == NULL && (method != NULL || angle != NULL))
-        below.length = rwedge_critical_distance(material_value(constants, "dK_th"),
-                                                material_value(constants, "ds0"));
-    if (angle != NULL && isnan(below.length))
-        usage_error("--angle %s: needs --length, or dK_th and ds0 of --material", angle);
-    if (method != NULL && isnan(below.length))
-        usage_error("--method %s: needs --length, or dK_th and ds0 of --material", method);
-    if (!isnan(below.length) && line->value[OPTION_AT_WORST] == NULL &&
-        line->value[OPTION_WORST] == NULL)
-        usage_error("--%s %s: needs --at-worst or --worst", text != NULL ? "length" : "method",
-                    text != NULL ? text : method);
-    return below;
+    static const int of_length[] = {OPTION_LENGTH, OPTION_METHOD, OPTION_ANGLE};
+    for (int i = 0; i < 3; i++)
+        if (line->value[of_length[i]] != NULL && line->value[OPTION_AT_WORST] == NULL &&
+            line->value[OPTION_WORST] == NULL)
+            usage_error("--%s %s: needs --at-worst or --worst", arguments_name(line, of_length[i]),
+                        line->value[of_length[i]]);
 }
 
 /* The output options of --worst: those of the rows, with its own file and the format of its
@@ -219,7 +201,8 @@ static void read_plan(const arguments *line, plan *job, output_options *how, out
     input_texts_from_options(line, &texts);
     job->constants = *material_of(line);
     criteria_read(line, &job->constants, &texts, &asked);
-    job->worst = (worst_table){.last = &job->last, .below = read_distance(line, &job->constants)};
+    job->worst = (worst_table){.last = &job->last, .below = distance_read(line, &job->constants)};
+    check_distance(line);
     contact_history_read(line, &texts, how->decimal_sign, 3, 3, &job->history);
     criteria_read_strength(line, &job->history.setup, &asked);
     history_cycle(&job->history, &asked, &job->last, &job->doubts);
@@ -238,8 +221,51 @@ static void write_output(const arguments *line, const output_options *how, plan 
         output_options_write(how, write_rows, job);
 }
 
+/* A series has its loads and places in its table. */
+static void refuse_beside_tests(const arguments *line)
+{
+    static const int others[] = {OPTION_HISTORY,
+                                 OPTION_LOAD,
+                                 OPTION_UNTIL,
+                                 OPTION_AT,
+                                 OPTION_POINTS,
+                                 OPTION_X,
+                                 OPTION_DEPTH,
+                                 OPTION_WORST,
+                                 OPTION_AT_WORST,
+                                 OPTION_FULL_WEAR,
+                                 OPTION_SPECIMEN_THICKNESS,
+                                 OPTION_OPPOSITE,
+                                 OPTION_ARCHARD,
+                                 OPTION_INPUT + INPUT_Q,
+                                 OPTION_INPUT + INPUT_SIGMA};
+    if (line->operand != NULL && line->operand[0] != NULL)
+        usage_error("%s: given together with --input; a row names its file of loads in the column "
+                    "loads",
+                    line->operand[0]);
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
+        if (line->value[others[i]] != NULL)
+            usage_error("--%s: not with --input, whose rows have their own loads, and verdicts at "
+                        "their worst places",
+                        arguments_name(line, others[i]));
+}
+
+static int series_of_tests(const arguments *line)
+{
+    static series_table table; /* it must not move */
+    output_options how;
+    refuse_beside_tests(line);
+    output_options_read(line, &how);
+    series_table_read(line, &how, how.decimal_sign, &table);
+    return series_table_write(&table, &how);
+}
+
 static int fretting(const arguments *line)
 {
+    if (line->value[OPTION_TESTS] != NULL)
+        return series_of_tests(line);
+    if (line->value[OPTION_FIT_LENGTH] != NULL)
+        usage_error("--fit-length: needs --input, a series of tests");
     plan job = {.threads = 1};
     output_options how, how_worst = {.path = NULL};
     char worst[2400];
@@ -268,5 +294,5 @@ static int fretting(const arguments *line)
 const command fretting_command = {
     .name = "fretting",
     .summary = "a cycle of loads: stress range, SWT, slip, energy, the worst place",
-    .grammar = {options, "LOADS.csv [OPTION...]", describe, OPTION_LOAD},
+    .grammar = {options, "LOADS.csv | --input TESTS.csv [OPTION...]", describe, OPTION_LOAD},
     .run = fretting};

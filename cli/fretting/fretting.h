@@ -4,6 +4,7 @@
 
 #include "history/history.h"
 #include "model/cycle/cycle.h"
+#include "model/series/series.h"
 
 /* ---- surface ---- The last cycle of a history of loads that a command was given, and the places
  * at which it is measured. */
@@ -78,5 +79,43 @@ void worst_write(const worst_table *worst, bool is_deep, char *text, size_t size
 
 /* A row for each: a rows_writer of a worst_table. The life is "inf" for a run-out. */
 void worst_write_rows(void *of_worst, records *rows);
+
+/* ---- series_table ---- A table of tests, each gone through. */
+
+/* For the tables of commands, after the criteria; the angle is a command's own entry. */
+enum {
+    OPTION_TESTS = OPTION_AFTER_CRITERIA,
+    OPTION_FIT_LENGTH,
+    OPTION_LENGTH,
+    OPTION_METHOD,
+    OPTION_ANGLE,
+    OPTION_AFTER_SERIES
+};
+extern struct poptOption series_option_table[];
+
+/* The critical distance that --length, --method and --angle give. */
+distance distance_read(const arguments *line, const material *constants);
+
+typedef struct {
+    csv_row row;
+    complaint why; /* why it has no results; "" */
+} test_row;
+
+typedef struct {
+    series all;
+    table_input file;
+    test_row *row; /* as many as tests */
+    test_run *run;
+    size_t count, failed;
+} series_table;
+
+/* Reads the table of --input, goes through its tests, and fits a length where that is asked for.
+ * Files of loads are none that is written; `out` may be NULL. It must not move. */
+void series_table_read(const arguments *line, const output_options *out, char decimal_sign,
+                       series_table *table);
+
+/* ---- series_rows ---- The tests as rows, their cells in front. Returns the exit status: that of a
+ * failure where there are tests and every one has an error. */
+int series_table_write(series_table *table, const output_options *how);
 
 #endif

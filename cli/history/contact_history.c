@@ -17,7 +17,7 @@ struct poptOption history_option_table[] = {
 
 enum { CYCLES_MAX = 1000000 };
 
-static int64_t read_cycles(const arguments *line, int64_t usual)
+int64_t contact_history_cycles(const arguments *line, int64_t usual)
 {
     const char *text = line->value[OPTION_CYCLES];
     int64_t cycles = usual;
@@ -97,7 +97,7 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
         usage_error("a file of loads must follow, with the columns P and Q, perhaps M "
                     "or tilt, sigma; or --load P,Q for each");
     history_check(line);
-    read_cycles(line, cycles);
+    contact_history_cycles(line, cycles);
     if (!case_read(texts, CASE_OF_HISTORY, &history->setup, &why))
         usage_error("%s", why.text);
     status_check(history->setup.status, "the contact");
@@ -114,7 +114,8 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
         load_history_check(&before, &history->setup);
         load_history_apply_all(&before, &history->setup, &history->doubts_before);
     }
-    history->cycles = read_cycles(line, history->loads.count == 2 ? cycles_of_two : cycles);
+    history->cycles =
+        contact_history_cycles(line, history->loads.count == 2 ? cycles_of_two : cycles);
     history->steps = history->loads.count * (size_t)history->cycles;
     history->is_until = line->value[OPTION_UNTIL] != NULL;
     history->shows_progress = line->value[OPTION_QUIET] == NULL && stream_is_terminal(stderr);

@@ -28,6 +28,9 @@ typedef struct {
     bool shows_progress;
 } contact_history;
 
+/* Reads --cycles. */
+int64_t contact_history_cycles(const arguments *line, int64_t usual);
+
 /* Reads the options, and a file that stands in place of --history. Beside a file, --load gives
  * loads before the first cycle, which are applied. The cycles are those where --cycles is not
  * given, and where there are two loads, to and fro. */

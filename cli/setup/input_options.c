@@ -108,23 +108,33 @@ const unit_system *units_of(const arguments *line)
     return &units;
 }
 
+/* The names that tables have, beside the inputs and the constants of a material. */
+static const char *const column_names[] = {
+    "x",     "y",         "slope",     "height",       "p0",    "Q_max",
+    "Q_min", "sigma_max", "sigma_min", "sigma_before", "loads", "life_tested"};
+
+static bool is_column_name(const char *name)
+{
+    for (size_t i = 0; i < sizeof column_names / sizeof column_names[0]; i++)
+        if (strcmp(column_names[i], name) == 0)
+            return true;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (strcmp(input_kinds[i].column, name) == 0)
+            return true;
+    return material_constant(name) >= 0;
+}
+
 /* A name that no table has would be passed over. */
 static void check_columns(const char *columns)
 {
-    static const char *const others[] = {"x", "y", "slope", "height", displacement_column};
     for (const char *text = columns; text != NULL && *text != '\0';) {
         const size_t length = strcspn(text, "\n"), own = strcspn(text, "=");
-        bool known = false;
-        for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
-            known = known || (strlen(others[i]) == own && strncmp(others[i], text, own) == 0);
-        for (int i = 0; i < INPUT_COUNT; i++)
-            known = known || (strlen(input_kinds[i].column) == own &&
-                              strncmp(input_kinds[i].column, text, own) == 0);
-        if (own >= length || !known)
-            usage_error(
-                "--column %.*s: must be NAME=THEIRS, such as P='Normal Force', with a name "
-                "that is read here: P, M, Q, sigma, displacement, x, y, slope, height, or an input",
-                (int)length, text);
+        char name[COLUMN_NAME_SIZE];
+        snprintf(name, sizeof name, "%.*s", (int)own, text);
+        if (own >= length || !is_column_name(name))
+            usage_error("--column %.*s: must be NAME=THEIRS, such as P='Normal Force', with a name "
+                        "that is read here: P, M, Q, sigma, x, y, slope, height, or an input",
+                        (int)length, text);
         text += length + (text[length] == '\n');
     }
 }
@@ -137,7 +147,6 @@ reading reading_of(const arguments *line, char decimal_sign)
                      .columns = line->value[OPTION_COLUMN],
                      .units = units_of(line),
                      .drops = line->value[OPTION_DROP] != NULL,
-                     .is_driven = line->value[OPTION_COMPLIANCE] != NULL,
                      .is_command = true};
 }
 

@@ -38,7 +38,6 @@ enum {
     OPTION_SIMILAR,
     OPTION_MATERIAL,
     OPTION_K_IN,
-    OPTION_COMPLIANCE,
     OPTION_CASE,
     OPTION_SAVE_CASE,
     OPTION_AFTER_INPUTS
@@ -163,6 +162,10 @@ void load_history_offer(const char *name, const unit_system *units, const load *
  * is given again. */
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads);
 void load_history_read_list(const arguments *line, load_history *loads);
+
+/* Reads a file of loads, and says what was passed over. False, with the complaint. */
+bool load_history_read_file(const char *file, const reading *how, load_history *loads,
+                            complaint *why);
 
 /* Refuses a moment where the pad is held. Holds the pad of loads that have tilts, at the first. */
 void load_history_check(const load_history *loads, contact_case *setup);

@@ -7,20 +7,6 @@ const char case_table_error[] = "error";
 
 /* ---- Columns ---- */
 
-/* The inputs of a row: constants, and its cells. */
-static input_texts texts_of(const case_table *table, const char *const text[INPUT_COUNT])
-{
-    input_texts texts = table->constants;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (table->constants.text[i] == NULL) {
-            texts.text[i] = text[i];
-            texts.is_cell[i] = true;
-            if (header_has_input(&table->names, i))
-                texts.cell_factor[i] = table->names.factor[table->names.column[i]];
-        }
-    return texts;
-}
-
 /* A second body may be rigid in every row. */
 static bool is_complete(const case_table *table, complaint *why)
 {
@@ -29,7 +15,7 @@ static bool is_complete(const case_table *table, complaint *why)
         present[i] = header_has_input(&table->names, i) ? "(a column)" : NULL;
     if (header_has_input(&table->names, INPUT_E2))
         present[INPUT_E2] = "inf";
-    const input_texts texts = texts_of(table, present);
+    const input_texts texts = header_texts(&table->names, &table->constants, present);
     if (case_is_complete(&texts, CASE_OF_SOLVE, why))
         return true;
     list_add(why->text, sizeof why->text, "", "%s",
@@ -95,7 +81,7 @@ bool case_table_solve(const case_table *table, const char *const row[], size_t c
     const char *text[INPUT_COUNT];
     for (int i = 0; i < INPUT_COUNT; i++)
         text[i] = header_has_input(&table->names, i) ? row[table->names.column[i]] : NULL;
-    const input_texts texts = texts_of(table, text);
+    const input_texts texts = header_texts(&table->names, &table->constants, text);
     contact_case setup;
     for (int i = 0; i < INPUT_COUNT; i++)
         if (header_has_input(&table->names, i) && !input_is_given(&texts, i) &&

@@ -151,3 +151,17 @@ bool header_find(int first, int end, const input_texts *options, header *names, 
     header_note_labels(names);
     return true;
 }
+
+input_texts header_texts(const header *names, const input_texts *constants,
+                         const char *const text[INPUT_COUNT])
+{
+    input_texts texts = *constants;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (constants->text[i] == NULL) {
+            texts.text[i] = text[i];
+            texts.is_cell[i] = true;
+            if (header_has_input(names, i))
+                texts.cell_factor[i] = names->factor[names->column[i]];
+        }
+    return texts;
+}

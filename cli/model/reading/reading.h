@@ -42,7 +42,6 @@ typedef struct {
     const char *const *unit_row; /* the units below the names; NULL */
     bool is_command;             /* messages may name options */
     bool takes_any_unit;         /* units are not looked at yet */
-    bool is_driven;              /* loads have a displacement in place of Q */
 } naming;
 
 typedef struct {
@@ -50,7 +49,6 @@ typedef struct {
     size_t count;
     const naming *how;
     size_t column[INPUT_COUNT];           /* where each input is; count where it is not there */
-    size_t displacement;                  /* where that of driven loads is, likewise */
     double factor[HEADER_COLUMNS];        /* of what is needed: to the working units */
     unsigned char needed[HEADER_COLUMNS]; /* whether numbers must stand there: a column_need */
     bool is_used[HEADER_COLUMNS];         /* inputs, and labels of the rows */
@@ -98,6 +96,11 @@ const char *header_hint(const char *const name[], size_t count);
  *   - where a name usually means an input that nothing gives. */
 bool header_find(int first, int end, const input_texts *options, header *names, complaint *why);
 
+/* The inputs of a row: constants, and else the texts of its cells, NULL where an input has no
+ * column. */
+input_texts header_texts(const header *names, const input_texts *constants,
+                         const char *const text[INPUT_COUNT]);
+
 /* What columns are called that say which row it is. bindings/interface/write_python.py reads this
  * line: Python's package warns by the same list. */
 #define LABEL_NAMES                                                                                \
@@ -131,11 +134,8 @@ void header_note_unused(header *names, const char *const cells[]);
  * any. */
 void header_write_unused(const header *names, char *text, size_t size);
 
-/* What the column of driven loads is called. */
-extern const char displacement_column[];
-
-/* Finds the columns of a load: P and Q, or the displacement of one that is driven; sigma, and M or
- * tilt, which may lack. False, with the complaint. */
+/* Finds the columns of a load: P and Q; sigma, and M or tilt, which may lack. False, with the
+ * complaint. */
 bool load_header_find(header *names, complaint *why);
 
 /* Reads a row of so many cells between separators. False, with the complaint, where it is no

@@ -22,12 +22,13 @@ typedef struct {
     visitor *visit;
     dataset *rows;
     rwedge_contact *before; /* the contact before the present load */
+    load last;              /* that load, as the rig had it where it is driven */
 } way;
 
 /* Where a state on the way to a load has no closed form, the curve is straight from there. */
 static void visit_between(const way *w, size_t loads, load to)
 {
-    const load from = loads_of(w->before);
+    const load from = to.is_driven ? w->last : loads_of(w->before);
     for (int i = 1; i < STEPS && from.P > 0; i++) {
         if (loads_apply(loads_between(from, to, i, STEPS), w->before) != RWEDGE_OK)
             break;
@@ -39,11 +40,15 @@ static void visit_load(void *of_way, size_t loads, const rwedge_contact *contact
 {
     way *w = of_way;
     w->rows->error = fmax(w->rows->error, rwedge_contact_error(contact));
+    const contact_history *history = &w->inputs->history;
+    const load at =
+        loads > 0 ? history->loads.load[contact_history_row(history, loads - 1)] : (load){.P = 0};
     if (loads > w->first + 1)
-        visit_between(w, loads, loads_of(contact));
+        visit_between(w, loads, at.is_driven ? at : loads_of(contact));
     if (loads > w->first)
         w->visit(w->inputs, (double)loads, contact, w->rows);
     rwedge_contact_destroy(w->before);
+    w->last = at;
     case_check(w->inputs, rwedge_contact_copy(contact, &w->before));
 }
 
@@ -51,7 +56,7 @@ static void visit_load(void *of_way, size_t loads, const rwedge_contact *contact
  * cycle have no number and no place. */
 static void visit_all(const figure_case *inputs, size_t first, visitor *visit, dataset *rows)
 {
-    way w = {inputs, first, visit, rows, NULL};
+    way w = {inputs, first, visit, rows, NULL, {.P = 0}};
     contact_history_go(&inputs->history, visit_load, &w);
     rwedge_contact_destroy(w.before);
 }

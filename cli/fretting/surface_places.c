@@ -20,11 +20,12 @@ static void note_load(void *of_course, size_t loads, const rwedge_contact *conta
         last_cycle_begin(&to->history->setup, to->asked, contact, rows, to->cycle);
     if (loads <= before)
         return;
-    last_cycle_add(contact, to->cycle);
+    const load at = to->history->loads.load[contact_history_row(to->history, loads - 1)];
+    last_cycle_add(at, contact, to->cycle);
     if (to->all == NULL)
         return;
     doubts_add(to->all, doubts_of_state(&to->history->setup, contact));
-    to->all->bits |= doubt_of_sliding(contact);
+    to->all->bits |= at.is_driven ? 0 : doubt_of_sliding(contact);
 }
 
 void history_cycle(const contact_history *history, const criteria *asked, last_cycle *cycle,

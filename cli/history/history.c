@@ -63,8 +63,9 @@ static int32_t touch(const contact_case *setup, const rwedge_contact *contact, d
     return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
 }
 
+/* How far a rig that drives the contact slides it is known. */
 static void compute(const contact_case *setup, const rwedge_contact *contact, size_t number,
-                    after_load *row)
+                    bool is_driven, after_load *row)
 {
     double *value = row->value;
     for (int i = 0; i < AFTER_COUNT; i++)
@@ -76,7 +77,7 @@ static void compute(const contact_case *setup, const rwedge_contact *contact, si
         failure("load %zu: %s", number, rwedge_strerror(status));
     value[ENERGY] = rwedge_contact_dissipated_energy(contact);
     row->doubts = doubts_of_factor(setup, contact, value[YIELD_FACTOR]);
-    row->doubts.bits |= doubt_of_sliding(contact);
+    row->doubts.bits |= is_driven ? 0 : doubt_of_sliding(contact);
     value[ESTIMATE] = row->doubts.error;
 }
 
@@ -105,8 +106,11 @@ static const struct poptOption options[] = {
 static void describe(FILE *stream)
 {
     fputs("\nLOADS.csv has the columns P and Q, and M and sigma if there are any; or tilt in\n"
-          "place of M, the angles at which a rig holds the pad: M is then a result. Others\n"
-          "pass through. Loads run in straight steps from row to row; --cycles goes\n"
+          "place of M, the angles at which a rig holds the pad: M is then a result. With\n"
+          "--compliance the column displacement, which a rig prescribes, stands in place of\n"
+          "Q, a result: that of remote points beyond a contact that is bonded over its\n"
+          "half-width under the first load, plus the compliance times Q. Others pass\n"
+          "through. Loads run in straight steps from row to row; --cycles goes\n"
           "through the rows again and again (default once). Beside a file, --load gives\n"
           "loads that are applied once, before it. Any consistent units.\n"
           "\nResults, a row for each load:\n",
@@ -139,7 +143,8 @@ static void keep_row(void *of_plan, size_t loads, const rwedge_contact *contact)
     if (loads == 0)
         return;
     after_load *row = &job->row[loads - 1];
-    compute(&job->history.setup, contact, loads, row);
+    const load_history *all = &job->history.loads;
+    compute(&job->history.setup, contact, loads, loads_are_driven(all->load, all->count), row);
     doubts_add(&job->doubts, row->doubts);
 }
 

@@ -114,6 +114,7 @@ typedef struct {
     const char *columns;      /* as in naming */
     const unit_system *units; /* NULL */
     bool drops;               /* rows that lack a number, in place of refusing them */
+    bool is_driven;           /* as in naming */
     bool is_command;
 } reading;
 

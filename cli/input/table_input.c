@@ -336,7 +336,10 @@ static bool take_header(table_input *t, const finding *found)
 bool table_open(const char *path, const reading *how, const table_wanted *wanted, table_input *t)
 {
     *t = (table_input){.wanted = *wanted, .decimal_sign = how->decimal_sign, .drops = how->drops};
-    t->how = (naming){.columns = how->columns, .units = how->units, .is_command = how->is_command};
+    t->how = (naming){.columns = how->columns,
+                      .units = how->units,
+                      .is_command = how->is_command,
+                      .is_driven = how->is_driven};
     t->in = csv_input_open(path, how->decimal_sign == ',' ? ';' : ',', how->encoding);
     const finding found = find_header(t);
     csv_input_begin(t->in, found.separator);

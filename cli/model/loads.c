@@ -7,7 +7,7 @@
 
 load loads_of(const rwedge_contact *contact)
 {
-    load now;
+    load now = {.P = 0};
     rwedge_contact_loads(contact, &now.P, &now.M, &now.Q, &now.sigma);
     return now;
 }
@@ -15,6 +15,11 @@ load loads_of(const rwedge_contact *contact)
 bool loads_are_guided(const load to[], size_t count)
 {
     return count > 0 && to[0].is_guided;
+}
+
+bool loads_are_driven(const load to[], size_t count)
+{
+    return count > 0 && to[0].is_driven;
 }
 
 bool loads_turn(const load to[], size_t count)
@@ -35,11 +40,18 @@ load loads_between(load from, load to, int i, int n)
     return (load){.P = between(from.P, to.P, i, n),
                   .M = between(from.M, to.M, i, n),
                   .Q = between(from.Q, to.Q, i, n),
-                  .sigma = between(from.sigma, to.sigma, i, n)};
+                  .sigma = between(from.sigma, to.sigma, i, n),
+                  .is_driven = to.is_driven,
+                  .displacement = between(from.displacement, to.displacement, i, n),
+                  .compliance = to.compliance};
 }
 
 int32_t loads_apply(load to, rwedge_contact *contact)
 {
+    double Q;
+    if (to.is_driven) /* a pad that is held keeps its tilt */
+        return rwedge_contact_drive(contact, to.P, to.is_guided ? 0 : to.M, to.sigma,
+                                    to.displacement, to.compliance, &Q);
     return to.is_guided ? rwedge_contact_guide(contact, to.P, to.tilt, to.Q, to.sigma)
                         : rwedge_contact_apply(contact, to.P, to.M, to.Q, to.sigma);
 }
@@ -121,6 +133,9 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
 
 static load_fault path_fault(load to, const rwedge_contact *contact)
 {
+    if (to.is_driven)
+        return fault_at(INPUT_COUNT, "the displacement is not known: under a moment or a tension "
+                                     "the bodies slide fully, or the load has no closed form");
     const load last = loads_of(contact);
     load_fault fault = to.is_guided
                            ? fault_at(INPUT_SIGMA, "no closed form")

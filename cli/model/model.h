@@ -167,10 +167,13 @@ typedef struct {
     double P, M, Q, sigma;
     bool is_guided; /* at the tilt, of a contact that is held; M is then a result */
     double tilt;
+    bool is_driven; /* by a rig that gives way, to the displacement; Q is then a result */
+    double displacement, compliance;
 } load;
 
-/* Whether a list has guided loads; and at more than one tilt. */
+/* Whether a list has guided loads; and at more than one tilt; whether it has driven loads. */
 bool loads_are_guided(const load to[], size_t count);
+bool loads_are_driven(const load to[], size_t count);
 bool loads_turn(const load to[], size_t count);
 
 /* Those of a contact. */

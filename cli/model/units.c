@@ -270,10 +270,16 @@ static measuring_unit dimension_of(const char *words)
     static const struct {
         const char *words;
         measuring_unit dimension;
-    } dimensions[] = {{"length", {1, 0, 2, false}},  {"area", {1, 0, 4, false}},
-                      {"force", {1, 2, 0, false}},   {"force/length", {1, 2, -2, false}},
-                      {"stress", {1, 2, -4, false}}, {"stress*sqrt(length)", {1, 2, -3, false}},
-                      {"rad", {1, 0, 0, true}},      {"deg", {0.017453292519943295, 0, 0, true}}};
+    } dimensions[] = {{"length", {1, 0, 2, false}},
+                      {"area", {1, 0, 4, false}},
+                      {"force", {1, 2, 0, false}},
+                      {"force/length", {1, 2, -2, false}},
+                      {"length/force", {1, -2, 2, false}},
+                      {"area/force", {1, -2, 4, false}},
+                      {"stress", {1, 2, -4, false}},
+                      {"stress*sqrt(length)", {1, 2, -3, false}},
+                      {"rad", {1, 0, 0, true}},
+                      {"deg", {0.017453292519943295, 0, 0, true}}};
     for (size_t i = 0; i < sizeof dimensions / sizeof dimensions[0]; i++)
         if (strcmp(dimensions[i].words, words) == 0)
             return dimensions[i].dimension;

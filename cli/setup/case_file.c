@@ -113,13 +113,24 @@ static double *load_numbers(const char *path, const node *loads, const char *nam
     return number;
 }
 
+static const case_word *compliance_word(void)
+{
+    complaint why;
+    return case_word_find("loads", "compliance", &why);
+}
+
 /* Where one of them is a list, all of them are one load after the other. */
-static bool take_list(const char *path, const node *loads, const arguments *line)
+static bool take_list(const char *path, const node *loads, arguments *line)
 {
     const size_t count = count_loads(path, loads);
     if (count == 0)
         return false;
-    if (node_part(loads, "P") == NULL || node_part(loads, "Q") == NULL)
+    const bool is_driven = node_part(loads, displacement_column) != NULL;
+    if (is_driven && node_part(loads, "Q") != NULL)
+        failure("%s: loads: Q and displacement: allowed: one of the two", path);
+    if (is_driven != (node_part(loads, "compliance") != NULL))
+        failure("%s: loads: needs displacement and compliance, or neither", path);
+    if (node_part(loads, "P") == NULL || (!is_driven && node_part(loads, "Q") == NULL))
         failure("%s: loads: needs P and Q", path);
     const bool is_guided = node_part(loads, "tilt") != NULL;
     if (is_guided && node_part(loads, "M") != NULL)
@@ -127,15 +138,26 @@ static bool take_list(const char *path, const node *loads, const arguments *line
     double *P = load_numbers(path, loads, "P", count), *M = load_numbers(path, loads, "M", count),
            *Q = load_numbers(path, loads, "Q", count),
            *sigma = load_numbers(path, loads, "sigma", count),
-           *tilt = load_numbers(path, loads, "tilt", count);
+           *tilt = load_numbers(path, loads, "tilt", count),
+           *displacement = load_numbers(path, loads, displacement_column, count);
     load *to = memory_zeroed(count, sizeof *to);
     for (size_t i = 0; i < count; i++)
-        to[i] = (load){P[i], M[i], Q[i], sigma[i], is_guided, tilt[i]};
+        to[i] = (load){.P = P[i],
+                       .M = M[i],
+                       .Q = Q[i],
+                       .sigma = sigma[i],
+                       .is_guided = is_guided,
+                       .tilt = tilt[i],
+                       .is_driven = is_driven,
+                       .displacement = displacement[i]};
     free(P);
     free(M);
     free(Q);
     free(sigma);
     free(tilt);
+    free(displacement);
+    if (is_driven && !history_is_given(line))
+        set_option(path, line, compliance_word(), node_part(loads, "compliance"));
     if (!history_is_given(line))
         load_history_offer(path, units_of(line), to, count);
     free(to);
@@ -207,6 +229,8 @@ static void take_group(const char *path, const char *group, const node *all, arg
         return;
     if (strcmp(group, "loads") == 0 && node_part(all, "tilt") != NULL)
         failure("%s: loads: tilt: is of lists; of one load it stands in the pad", path);
+    if (strcmp(group, "loads") == 0 && node_part(all, displacement_column) != NULL)
+        failure("%s: loads: displacement: is of lists", path);
     for (size_t i = 0; i < all->count; i++) {
         const case_word *word = case_word_find(group, all->part[i].name, &why);
         const bool is_replaced = strcmp(group, "loads") == 0 && history_is_given(line);

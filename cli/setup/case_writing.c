@@ -110,7 +110,7 @@ static bool is_settled(const writing *to, const case_word *word)
     const bool is_of_two = word->input == INPUT_RADIUS1 || word->input == INPUT_RADIUS2,
                is_making = word->input == INPUT_COUNT && strcmp(word->group, "pad") == 0 &&
                            strcmp(word->name, "rotation") != 0;
-    if (word->group[0] == '\0')
+    if (word->group[0] == '\0' || strcmp(word->name, "compliance") == 0) /* beside the loads */
         return word->kind == WORD_QUANTITY;
     return !to->is_of_command && (is_of_two || is_making);
 }
@@ -148,20 +148,26 @@ static void put_places(writing *to, const char *profile)
 
 static void put_loads(writing *to, const arguments *line)
 {
-    static const char *const names[] = {"P", "M", "Q", "sigma", "tilt"};
+    static const char *const names[] = {"P", "M", "Q", "sigma", "tilt", "displacement"};
     const bool comma = line->value[OPTION_DECIMAL_COMMA] != NULL;
     load_history loads;
     load_history_read(line, comma ? ',' : '.', &loads);
     double *number = memory_zeroed(loads.count, sizeof *number);
-    const bool is_guided = loads_are_guided(loads.load, loads.count);
-    for (int j = 0; j < 5; j++) {
+    const bool is_guided = loads_are_guided(loads.load, loads.count),
+               is_driven = loads_are_driven(loads.load, loads.count);
+    for (int j = 0; j < 6; j++) {
         for (size_t i = 0; i < loads.count; i++) {
             const load *one = &loads.load[i];
-            const double part[] = {one->P, one->M, one->Q, one->sigma, one->tilt};
+            const double part[] = {one->P,     one->M,    one->Q,
+                                   one->sigma, one->tilt, one->displacement};
             number[i] = part[j];
         }
-        if (j != (is_guided ? 1 : 4)) /* a tilt or a moment */
+        if (j != (is_guided ? 1 : 4) && j != (is_driven ? 2 : 5)) /* one of two each */
             put_list(to, names[j], loads.count, number);
+    }
+    if (is_driven) {
+        begin_name(to, "    ", "compliance");
+        put_number(to, loads.load[0].compliance);
     }
     free(number);
 }

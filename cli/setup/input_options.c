@@ -109,9 +109,19 @@ const unit_system *units_of(const arguments *line)
 }
 
 /* The names that tables have, beside the inputs and the constants of a material. */
-static const char *const column_names[] = {
-    "x",     "y",         "slope",     "height",       "p0",    "Q_max",
-    "Q_min", "sigma_max", "sigma_min", "sigma_before", "loads", "life_tested"};
+static const char *const column_names[] = {"x",
+                                           "y",
+                                           "slope",
+                                           "height",
+                                           "p0",
+                                           "Q_max",
+                                           "Q_min",
+                                           "sigma_max",
+                                           "sigma_min",
+                                           "sigma_before",
+                                           "loads",
+                                           "life_tested",
+                                           displacement_column};
 
 static bool is_column_name(const char *name)
 {
@@ -132,9 +142,10 @@ static void check_columns(const char *columns)
         char name[COLUMN_NAME_SIZE];
         snprintf(name, sizeof name, "%.*s", (int)own, text);
         if (own >= length || !is_column_name(name))
-            usage_error("--column %.*s: must be NAME=THEIRS, such as P='Normal Force', with a name "
-                        "that is read here: P, M, Q, sigma, x, y, slope, height, or an input",
-                        (int)length, text);
+            usage_error(
+                "--column %.*s: must be NAME=THEIRS, such as P='Normal Force', with a name "
+                "that is read here: P, M, Q, sigma, displacement, x, y, slope, height, or an input",
+                (int)length, text);
         text += length + (text[length] == '\n');
     }
 }
@@ -147,6 +158,7 @@ reading reading_of(const arguments *line, char decimal_sign)
                      .columns = line->value[OPTION_COLUMN],
                      .units = units_of(line),
                      .drops = line->value[OPTION_DROP] != NULL,
+                     .is_driven = line->value[OPTION_COMPLIANCE] != NULL,
                      .is_command = true};
 }
 

@@ -12,6 +12,9 @@ struct poptOption load_option_table[] = {
      "A history from a CSV file with the columns P, Q, perhaps M or tilt, sigma; - is standard "
      "input",
      "FILE"},
+    {VALUE("compliance", OPTION_COMPLIANCE),
+     "The rig prescribes the column displacement in place of Q; how far it gives way under Q = 1",
+     "NUMBER"},
     {ENCODING_OPTION},
     {INCLUDED(exactness_option_table), NULL, NULL},
     POPT_TABLEEND,
@@ -25,7 +28,7 @@ const char *history_file(const arguments *line)
 
 /* What has been read, or offered. */
 static load_history kept;
-static bool is_kept;
+static bool is_kept, has_compliance;
 
 /* A load as it was typed: forces of the whole contact, and a tension that may be a force. Of two
  * numbers, moment and tension are those of the load before, which were shared out then. */
@@ -71,6 +74,47 @@ void history_check(const arguments *line)
                         "two",
                         input_kinds[i].flag, line->value[OPTION_INPUT + i],
                         history_file(line) == NULL ? "load" : "history");
+}
+
+/* ---- The rig ---- */
+
+/* In the working units, per unit length. That of the whole contact is a length over a force. */
+static double read_compliance(const arguments *line)
+{
+    const unit_system *units = units_of(line);
+    const char *text = line->value[OPTION_COMPLIANCE], *own = NULL;
+    const double width = isnan(units->width) ? 1 : units->width;
+    double value, factor = width;
+    complaint why;
+    if (text == NULL || !quantity_read(text, '.', &value, &own))
+        usage_error("--compliance %s: must be a number", text != NULL ? text : "");
+    if (own != NULL && units_factor(units, own, "length/force", SHARE_NONE, &factor, &why)) {
+        if (isnan(units->width))
+            usage_error("--compliance %s: is of the whole contact; needed: --width too", text);
+        factor *= width;
+    } else if (own != NULL && !units_factor(units, own, "area/force", SHARE_NONE, &factor, &why))
+        usage_error("--compliance %s: %s%s", text, why.text,
+                    units->is_known ? "" : ": --units, such as --units mm,N,MPa, converts it");
+    value *= factor;
+    if (!(value >= 0 && number_is_size(value)))
+        usage_error("--compliance %s: must be a number not below 0", text);
+    return value;
+}
+
+/* Gives it to loads that are driven; refuses it where none is. */
+static void give_compliance(const arguments *line, load_history *loads)
+{
+    const char *text = line->value[OPTION_COMPLIANCE];
+    const bool is_driven = loads_are_driven(loads->load, loads->count);
+    if (text == NULL && !is_driven)
+        return;
+    if (!is_driven)
+        usage_error("--compliance %s: needs loads from a file with the column displacement", text);
+    const double compliance = read_compliance(line);
+    for (size_t i = 0; i < loads->count; i++)
+        loads->load[i].compliance = compliance;
+    if (!loads->is_of_case && header_has_input(&loads->names, INPUT_Q))
+        notice("%s: column Q is not used: the displacement stands in its place", loads->name);
 }
 
 /* ---- Rows in memory ---- */
@@ -186,7 +230,9 @@ void load_history_read(const arguments *line, char decimal_sign, load_history *l
         read_file(line, file, decimal_sign, &kept);
     else if (!is_kept)
         load_history_read_list(line, &kept);
-    is_kept = true;
+    if (!has_compliance)
+        give_compliance(line, &kept);
+    is_kept = has_compliance = true;
     *loads = kept;
 }
 
@@ -254,9 +300,24 @@ static void hold(const load_history *loads, contact_case *setup)
     setup->tilt = tilt;
 }
 
+/* A rig that prescribes displacements keeps the tilt. */
+static void refuse_turning(const load_history *loads)
+{
+    complaint why;
+    size_t i = 1;
+    if (!loads_are_driven(loads->load, loads->count) || !loads_turn(loads->load, loads->count))
+        return;
+    while (loads->load[i].tilt == loads->load[0].tilt)
+        i++;
+    complain(&why, "tilt %.6g: must be that of the first load, %.6g, beside a displacement",
+             loads->load[i].tilt, loads->load[0].tilt);
+    load_history_fail(loads, i, "", &why);
+}
+
 void load_history_check(const load_history *loads, contact_case *setup)
 {
     complaint why;
+    refuse_turning(loads);
     if (loads_are_guided(loads->load, loads->count)) {
         hold(loads, setup);
         return;

@@ -175,9 +175,12 @@ typedef struct {
     rwedge_cycle *cycle;       /* what the contact goes through */
     size_t loads;              /* of the cycle */
     double *P, *M, *Q, *sigma; /* `loads` numbers each */
-    double left, right;        /* the outermost edges; NAN where there is no contact */
-    double error;              /* the largest rwedge_contact_error() of its states */
-    bool slip_known;           /* it has a closed form after every load */
+    double *displacement;      /* likewise, of a cycle that is driven */
+    bool is_driven;
+    double compliance;
+    double left, right; /* the outermost edges; NAN where there is no contact */
+    double error;       /* the largest rwedge_contact_error() of its states */
+    bool slip_known;    /* it has a closed form after every load */
 } last_cycle;
 
 /* Begins a cycle of at most so many loads: copies the contact before it. */
@@ -185,7 +188,7 @@ void last_cycle_begin(const contact_case *setup, const criteria *asked,
                       const rwedge_contact *before, size_t most, last_cycle *cycle);
 
 /* Adds a load, which the contact is under. */
-void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle);
+void last_cycle_add(load to, const rwedge_contact *contact, last_cycle *cycle);
 
 /* To be called after the last load, before the measures. Returns the library's status. */
 int32_t last_cycle_end(last_cycle *cycle);

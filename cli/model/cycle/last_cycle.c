@@ -23,28 +23,36 @@ void last_cycle_begin(const contact_case *setup, const criteria *asked,
     measure_count(); /* the table of columns is made here, before any thread asks for it */
     *cycle = (last_cycle){.setup = setup,
                           .asked = *asked,
-                          .P = memory_zeroed(4 * most, sizeof(double)),
+                          .P = memory_zeroed(5 * most, sizeof(double)),
                           .left = NAN,
                           .right = NAN};
     cycle->M = cycle->P + most;
     cycle->Q = cycle->M + most;
     cycle->sigma = cycle->Q + most;
+    cycle->displacement = cycle->sigma + most;
     rwedge_contact_copy(before, &cycle->before);
     memory_checked(cycle->before);
     note(before, cycle);
 }
 
-void last_cycle_add(const rwedge_contact *contact, last_cycle *cycle)
+void last_cycle_add(load to, const rwedge_contact *contact, last_cycle *cycle)
 {
     const size_t i = cycle->loads++;
+    cycle->is_driven = to.is_driven;
+    cycle->displacement[i] = to.displacement;
+    cycle->compliance = to.compliance;
     rwedge_contact_loads(contact, &cycle->P[i], &cycle->M[i], &cycle->Q[i], &cycle->sigma[i]);
     note(contact, cycle);
 }
 
 int32_t last_cycle_end(last_cycle *last)
 {
-    int32_t status = rwedge_cycle_create(last->before, last->loads, last->P, last->M, last->Q,
-                                         last->sigma, &last->cycle);
+    int32_t status =
+        last->is_driven
+            ? rwedge_cycle_create_driven(last->before, last->loads, last->P, last->M, last->sigma,
+                                         last->displacement, last->compliance, &last->cycle)
+            : rwedge_cycle_create(last->before, last->loads, last->P, last->M, last->Q, last->sigma,
+                                  &last->cycle);
     if (status == RWEDGE_OK)
         status = rwedge_cycle_friction(last->cycle, 0, NULL, NULL, NULL, NULL, NULL);
     last->slip_known = status == RWEDGE_OK;

@@ -29,7 +29,8 @@ bool header_has(const header *names, const char *name)
 void header_begin(const char *const name[], size_t count, const naming *how, header *names)
 {
     static const naming plain = {.columns = NULL};
-    *names = (header){.name = name, .count = count, .how = how != NULL ? how : &plain};
+    *names = (header){
+        .name = name, .count = count, .how = how != NULL ? how : &plain, .displacement = count};
     for (int i = 0; i < INPUT_COUNT; i++)
         names->column[i] = count;
     for (size_t i = 0; i < count && i < HEADER_COLUMNS; i++)
@@ -204,17 +205,21 @@ void header_write_names(const header *names, complaint *why)
              names->how->is_command ? "; --column NAME='THEIR NAME' takes one" : "");
 }
 
+static bool is_given_for(const header *names, const char *wanted, const char *name)
+{
+    size_t length;
+    const char *given = name_for(names->how, wanted, &length);
+    const size_t minus = given != NULL && given[0] == '-' ? 1 : 0;
+    return given != NULL && (is_exactly(name, strlen(name), given, length) ||
+                             is_exactly(name, strlen(name), given + minus, length - minus));
+}
+
 bool header_is_given_name(const header *names, const char *name)
 {
-    for (int i = 0; i < INPUT_COUNT; i++) {
-        size_t length;
-        const char *given = name_for(names->how, input_kinds[i].column, &length);
-        const size_t minus = given != NULL && given[0] == '-' ? 1 : 0;
-        if (given != NULL && (is_exactly(name, strlen(name), given, length) ||
-                              is_exactly(name, strlen(name), given + minus, length - minus)))
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (is_given_for(names, input_kinds[i].column, name))
             return true;
-    }
-    return false;
+    return is_given_for(names, displacement_column, name);
 }
 
 const char *header_hint(const char *const name[], size_t count)

@@ -108,14 +108,40 @@ void header_write_unused(const header *names, char *text, size_t size)
 
 /* ---- A row that is a load ---- */
 
+const char displacement_column[] = "displacement";
+
+/* Of loads that are driven. What a file has for Q besides was measured. */
+static bool find_displacement(header *names, complaint *why)
+{
+    if (!header_column(names, displacement_column, &names->displacement, why))
+        return false;
+    const bool is_there = names->displacement < names->count;
+    if (is_there && names->how->is_driven)
+        return header_need(names, names->displacement, displacement_column, "length", SHARE_NONE,
+                           NEED_NUMBER, why);
+    names->displacement = names->count;
+    if (!names->how->is_driven && (!is_there || header_has_input(names, INPUT_Q)))
+        return true;
+    if (is_there)
+        return complain(why,
+                        "column Q: missing; a displacement in its place needs the compliance "
+                        "of the rig%s",
+                        names->how->is_command ? ", --compliance, 0 where it is stiff" : "");
+    complain(why, "column displacement: missing; with a compliance loads have it in place of Q");
+    header_write_names(names, why);
+    return false;
+}
+
 bool load_header_find(header *names, complaint *why)
 {
-    if (!header_find(INPUT_TILT, INPUT_SIGMA + 1, NULL, names, why))
+    if (!header_find(INPUT_TILT, INPUT_SIGMA + 1, NULL, names, why) ||
+        !find_displacement(names, why))
         return false;
     if (header_has_input(names, INPUT_TILT) && header_has_input(names, INPUT_M))
         return complain(why, "column tilt: given together with column M; allowed: one of the two, "
                              "or another name");
-    if (header_has_input(names, INPUT_P) && header_has_input(names, INPUT_Q))
+    if (header_has_input(names, INPUT_P) &&
+        (header_has_input(names, INPUT_Q) || names->displacement < names->count))
         return true;
     complain(why, "column %s: missing; a history needs P and Q%s",
              header_has_input(names, INPUT_P) ? "Q" : "P", header_hint(names->name, names->count));
@@ -136,11 +162,18 @@ bool load_row_read(const header *names, const char *const cells[], size_t count,
             !header_cell(names, cells, names->column[i], input_kinds[i].column, decimal_sign,
                          &value[i], why))
             return false;
+    double displacement = 0;
+    const bool is_driven = names->displacement < names->count;
+    if (is_driven && !header_cell(names, cells, names->displacement, displacement_column,
+                                  decimal_sign, &displacement, why))
+        return false;
     *to = (load){.P = value[INPUT_P],
                  .M = value[INPUT_M],
                  .Q = value[INPUT_Q],
                  .sigma = value[INPUT_SIGMA],
                  .is_guided = header_has_input(names, INPUT_TILT),
-                 .tilt = value[INPUT_TILT]};
+                 .tilt = value[INPUT_TILT],
+                 .is_driven = is_driven,
+                 .displacement = displacement};
     return true;
 }

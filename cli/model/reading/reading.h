@@ -42,6 +42,7 @@ typedef struct {
     const char *const *unit_row; /* the units below the names; NULL */
     bool is_command;             /* messages may name options */
     bool takes_any_unit;         /* units are not looked at yet */
+    bool is_driven;              /* loads have a displacement in place of Q */
 } naming;
 
 typedef struct {
@@ -49,6 +50,7 @@ typedef struct {
     size_t count;
     const naming *how;
     size_t column[INPUT_COUNT];           /* where each input is; count where it is not there */
+    size_t displacement;                  /* where that of driven loads is, likewise */
     double factor[HEADER_COLUMNS];        /* of what is needed: to the working units */
     unsigned char needed[HEADER_COLUMNS]; /* whether numbers must stand there: a column_need */
     bool is_used[HEADER_COLUMNS];         /* inputs, and labels of the rows */
@@ -134,8 +136,11 @@ void header_note_unused(header *names, const char *const cells[]);
  * any. */
 void header_write_unused(const header *names, char *text, size_t size);
 
-/* Finds the columns of a load: P and Q; sigma, and M or tilt, which may lack. False, with the
- * complaint. */
+/* What the column of driven loads is called. */
+extern const char displacement_column[];
+
+/* Finds the columns of a load: P and Q, or the displacement of one that is driven; sigma, and M or
+ * tilt, which may lack. False, with the complaint. */
 bool load_header_find(header *names, complaint *why);
 
 /* Reads a row of so many cells between separators. False, with the complaint, where it is no

@@ -186,6 +186,8 @@ static bool take_log(const reader *r, const test_log *log, double M, double befo
         return complain(why, "%s", log->why.text);
     if (loads_are_guided(log->to, log->count))
         return complain(why, "loads: tilts are not taken here; allowed: a column tilt beside");
+    if (loads_are_driven(log->to, log->count))
+        return complain(why, "loads: a displacement is not taken here; allowed: P and Q");
     if (before != 0)
         add_before(to, (load){.sigma = before});
     if (to->P > 0)

@@ -56,7 +56,7 @@ static bool go_through(const series *all, test_run *run, rwedge_contact *contact
                 return false;
             if (cycle < all->cycles)
                 continue;
-            last_cycle_add(contact, &run->last);
+            last_cycle_add(test->cycle[i], contact, &run->last);
             note(test, contact, &run->results.doubts);
         }
     }

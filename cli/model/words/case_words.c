@@ -17,6 +17,8 @@ static const case_word others[] = {
     {"bodies", "similar", "similar", WORD_FLAG, INPUT_COUNT},
     {"pad", "rotation", "rotation", WORD_TEXT, INPUT_COUNT},
     {"loads", "tilt", NULL, WORD_NUMBERS, INPUT_COUNT}, /* of one load it is the pad's */
+    {"loads", "displacement", NULL, WORD_NUMBERS, INPUT_COUNT},
+    {"loads", "compliance", "compliance", WORD_QUANTITY, INPUT_COUNT},
     {"pad", "x", NULL, WORD_NUMBERS, INPUT_COUNT},
     {"pad", "slope", NULL, WORD_NUMBERS, INPUT_COUNT},
     {"pad", "height", NULL, WORD_NUMBERS, INPUT_COUNT},

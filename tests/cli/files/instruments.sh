@@ -205,7 +205,7 @@ fi
 # ---- Options ----
 refuses "--units mm,N,GPa: N per mm^2 is no GPa; needed: consistent units, such as mm,N,MPa or m,N,Pa or in,lbf,psi or um,mN,GPa" \
     solve $steel --radius 50 --units mm,N,GPa
-refuses "--column P: must be NAME=THEIRS, such as P='Normal Force', with a name that is read here: P, M, Q, sigma, x, y, slope, \
+refuses "--column P: must be NAME=THEIRS, such as P='Normal Force', with a name that is read here: P, M, Q, sigma, displacement, x, y, slope, \
 height, or an input" history clean.csv $pad --column P
 refuses "--E1 210 GPa: has the unit 'GPa', and no working units are known: --units, such as --units mm,N,MPa, converts it" \
     solve --E1 '210 GPa' --nu1 0.3 --P 500 --radius 50

@@ -139,7 +139,7 @@ static bool go_on(void)
     if (!apply_next(asked.loads.load[i % n], i / n + 1))
         return false;
     if (i >= last)
-        last_cycle_add(contact, &asked.last);
+        last_cycle_add(asked.loads.load[i % n].to, contact, &asked.last);
     return true;
 }
 

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A rig: loads by the displacement that it prescribes, in partial and in gross slip.
+. "$(dirname "$0")/../claims.sh"
+
+cylinder="--radius 50 --E1 115000 --nu1 0.32 --f 0.6"
+compliance="--compliance 1.5e-5"
+
+# ---- Partial slip in closed form ----
+# Mindlin and Cattaneo: remote points move by A/(2 pi) ((f P - Q) ln(1 - Q/(f P)) + Q) further than bonded ones, the rig by C Q.
+awk 'BEGIN { A = 4 * (1 - 0.32 * 0.32) / 115000; limit = 0.6 * 400; pi = 3.14159265358979324
+    print "P,displacement\n400,0" >"partial.csv"
+    for (Q = 24; Q < limit; Q += 24) {
+        printf "%.17g\n", Q >"expected"
+        printf "400,%.17g\n", A / (2 * pi) * ((limit - Q) * log(1 - Q / limit) + Q) + 1.5e-5 * Q >"partial.csv"
+    }
+    printf "0,0\n" >"partial.csv" }'
+does_quietly history partial.csv $cylinder $compliance
+column Q out | sed '1d;$d' | paste -d ' ' expected - >both
+close_rows "Q in partial slip" 1e-10 0
+same "apart" 0 "$(column Q out | tail -n 1)"
+
+# ---- Gross slip ----
+# Five cycles of a rig with 0.5 % of noise in P and Q: the energy is force times displacement, as the rig's Q has it too.
+gross=$data/instruments/gross.csv
+area='NR > 401 { area += ($Q + q) / 2 * ($displacement - d) } NR > 400 { q = $Q; d = $displacement } END { printf "%.17g", area }'
+does history "$gross" $cylinder $compliance
+message_is "rwedge history: $gross: column Q is not used: the displacement stands in its place"
+energy=$(by_name 'NR == 401 { before = $energy } NR == 501 { printf "%.17g", $energy - before }' out)
+close_to "energy of the last cycle" "$(by_name "$area" out)" "$energy" 2e-3
+close_to "that of the measured loop" "$(by_name "$area" "$gross")" "$energy" 5e-3
+same "largest Q over f P" 1 "$(by_name 'NR > 1 && $Q / (0.6 * $P) > m { m = $Q / (0.6 * $P) } END { printf "%.6g", m }' out)"
+same "the displacement passes through, what was measured of Q does not" time,displacement,load,P,M,Q "$(head -n 1 out | cut -d , -f 1-6)"
+does history "$gross" $cylinder $compliance --cycles 2
+message_has "dissipated in the last cycle"
+
+# By place: the integral of energy_per_area over the surface is the energy; each place slips what the rig leaves.
+sed '1p;402,$!d' "$gross" >cycle.csv
+head -n 401 "$gross" >before.csv
+does fretting cycle.csv $cylinder $compliance --cycles 2
+by_place=$(by_name 'NR > 2 { sum += ($energy_per_area + last) / 2 * ($x - at) } NR > 1 { at = $x; last = $energy_per_area }
+    END { printf "%.17g", sum }' out)
+does history cycle.csv $cylinder $compliance --cycles 2
+said=$(sed -n 's/.*last cycle: //p' err)
+close_to "energy by place" "$said" "$by_place" 5e-3
+
+# ---- Columns and words ----
+printf 'P [kN],displacement [um],Q\n4,10,1\n4,-10,1\n' >units.csv
+printf 'P,displacement\n400,0.01\n400,-0.01\n' >plain.csv
+kept first history plain.csv $cylinder $compliance --no-formulas
+does history units.csv $cylinder --units mm,N,MPa --width 10 --compliance '1.5e-3 um/N'
+same "units, and the rig's compliance under the whole force" "$(column Q first)" "$(column Q out)"
+does history units.csv $cylinder --units mm,N,MPa --width 10 --compliance '1.5e-2 um^2/mN'
+same "or per unit length" "$(column Q first)" "$(column Q out)"
+printf 'P,LVDT 1\n400,-0.01\n400,0.01\n' >named.csv
+does_quietly history named.csv $cylinder $compliance --column 'displacement=-LVDT 1'
+same "a name of its own, and a sign" "$(column Q first)" "$(column Q out)"
+does_quietly history plain.csv $cylinder $compliance --save-case rig.json
+does history --case rig.json
+same "a case" "$(column Q first) $(column energy first)" "$(column Q out) $(column energy out)"
+does history --case rig.json --save-case again.json
+same "a case, saved again" "" "$(cmp rig.json again.json 2>&1)"
+does_quietly figure loop --history plain.csv $cylinder $compliance --data
+close_to "the loop of the figure" "$(column Q first | tail -n 1)" "$(column Q out | tail -n 1)" 1e-12
+refuses "--compliance 1: needs loads from a file with the column displacement" history $cylinder --load 1,0 --compliance 1
+refuses "--compliance -1: must be a number not below 0" history plain.csv $cylinder --compliance=-1
+fails_with_status 1 "plain.csv: column Q: missing; a displacement in its place needs the compliance of the rig, --compliance, 0 where it is stiff" \
+    history plain.csv $cylinder
+printf 'P,Q\n400,1\n' >forces.csv
+fails_with_status 1 "forces.csv: column displacement: missing; with a compliance loads have it in place of Q; the names there: 'P', 'Q'; --column NAME='THEIR NAME' takes one" \
+    history forces.csv $cylinder $compliance
+printf 'P,displacement,sigma\n400,0,0\n400,1,50\n' >tension.csv
+fails_with_status 1 "tension.csv: line 3: the displacement is not known: under a moment or a tension the bodies slide fully, or the load has no closed form" \
+    history tension.csv $cylinder $compliance
+
+finish

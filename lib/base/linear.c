@@ -51,7 +51,8 @@ static bool substitute(size_t n, size_t sides, const double A[], double b[])
 {
     for (size_t k = n; k-- > 0;) {
         for (size_t j = k + 1; j < n; j++)
-            subtract(sides, A[k * n + j], b + j * sides, b + k * sides);
+            if (A[k * n + j] != 0) /* as above */
+                subtract(sides, A[k * n + j], b + j * sides, b + k * sides);
         for (size_t side = 0; side < sides; side++) {
             b[k * sides + side] /= A[k * n + k];
             if (!isfinite(b[k * sides + side]))

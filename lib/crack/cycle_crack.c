@@ -64,10 +64,20 @@ static int32_t copy_influence(rw_crack *crack, const size_t at[])
 
 /* ---- A crack ---- */
 
-/* The rows again, as columns, of which GROUP are added at once: that of the term k at [k rows].
+/* The rows again, as columns, of which GROUP are added at once: that of the term k at [k stride].
  * Behind `used[k / GROUP]` of its rows the weights of a group are 0: a normal crack has half of
- * them. */
-enum { GROUP = 4 };
+ * them. Columns and states have zeros at their end, to whole vectors. */
+enum { GROUP = 8, VECTOR = 4 };
+
+RW_INLINE size_t whole_vectors(size_t numbers)
+{
+    return (numbers + VECTOR - 1) / VECTOR * VECTOR;
+}
+
+RW_INLINE size_t stride_of(const rw_crack *crack)
+{
+    return whole_vectors(2 + crack->openings);
+}
 
 RW_INLINE size_t groups_of(const rw_crack *crack)
 {
@@ -77,16 +87,17 @@ RW_INLINE size_t groups_of(const rw_crack *crack)
 static int32_t write_columns(rw_crack *crack)
 {
     const size_t terms = 2 * crack->m, rows = 2 + crack->openings, groups = groups_of(crack);
-    crack->column = calloc(groups * GROUP * rows, sizeof *crack->column);
+    const size_t stride = stride_of(crack);
+    crack->column = calloc(groups * GROUP * stride, sizeof *crack->column);
     crack->used = calloc(groups, sizeof *crack->used);
     if (!crack->column || !crack->used)
         return RWEDGE_ENOMEM;
     for (size_t i = 0; i < rows; i++)
         for (size_t k = 0; k < terms; k++) {
             const double weight = crack->row[i * terms + k];
-            crack->column[k * rows + i] = weight;
+            crack->column[k * stride + i] = weight;
             if (weight != 0)
-                crack->used[k / GROUP] = i + 1;
+                crack->used[k / GROUP] = whole_vectors(i + 1);
         }
     return RWEDGE_OK;
 }
@@ -159,55 +170,56 @@ static int32_t take_stresses(const rw_crack *crack, size_t n, const double lengt
         return RWEDGE_ENOMEM;
     line->y = line->x + points;
     line->stress = line->y + points;
+    const double along_x = sin(crack->angle), along_y = cos(crack->angle);
     for (size_t i = 0; i < points; i++) {
         const double r = length[i / m] * crack->place[i % m];
-        line->x[i] = crack->x + r * sin(crack->angle);
-        line->y[i] = fmax(r * cos(crack->angle), RW_SMALLEST); /* a depth has that size */
+        line->x[i] = crack->x + r * along_x;
+        line->y[i] = fmax(r * along_y, RW_SMALLEST); /* a depth has that size */
     }
     return rw_cycle_stresses(crack->cycle, points, line->x, line->y, line->stress);
 }
 
-/* The stresses at m places of the length j: those across the line first, then those along it. */
-static void resolve(const rw_crack *crack, const line_stresses *line, size_t load, size_t j,
-                    double resolved[])
+/* The stresses at m places: those across the line first, then those along it. */
+RW_INLINE void resolve_all(size_t m, double c, double s, const double *restrict sxx,
+                           const double *restrict syy, const double *restrict txy,
+                           double *restrict resolved)
 {
-    const size_t points = line->n * crack->m, all = rw_crack_loads(crack) * points;
-    const double *sxx = line->stress + load * points + j * crack->m, *syy = sxx + all,
-                 *txy = syy + all;
-    const double c = cos(crack->angle), s = sin(crack->angle);
-    for (size_t k = 0; k < crack->m; k++) {
+    for (size_t k = 0; k < m; k++) {
         resolved[k] = c * c * sxx[k] - 2 * c * s * txy[k] + s * s * syy[k];
-        resolved[crack->m + k] = c * s * (sxx[k] - syy[k]) + (c * c - s * s) * txy[k];
+        resolved[m + k] = c * s * (sxx[k] - syy[k]) + (c * c - s * s) * txy[k];
     }
 }
 
-/* Adds GROUP columns, each times its stress, to the sums of so many rows. */
-RW_INLINE void add_group(size_t n, size_t rows, const double *restrict column,
-                         const double resolved[], double *restrict sum)
+RW_DISPATCH(resolve, resolve_all,
+            (size_t m, double c, double s, const double sxx[], const double syy[],
+             const double txy[], double resolved[]),
+            (m, c, s, sxx, syy, txy, resolved))
+
+/* Adds GROUP columns, each times its stress, to n sums, whole vectors. */
+RW_INLINE void add_group(size_t n, size_t stride, const double *restrict column,
+                         const double *restrict x, double *restrict sum)
 {
-    const double x0 = resolved[0], x1 = resolved[1], x2 = resolved[2], x3 = resolved[3];
-    for (size_t i = 0; i < n; i++) {
-        double so_far = sum[i];
-        so_far += column[i] * x0;
-        so_far += column[rows + i] * x1;
-        so_far += column[2 * rows + i] * x2;
-        so_far += column[3 * rows + i] * x3;
-        sum[i] = so_far;
-    }
+    for (size_t i = 0; i < n; i += VECTOR)
+        for (size_t l = i; l < i + VECTOR; l++) {
+            double so_far = sum[l];
+            for (size_t k = 0; k < GROUP; k++)
+                so_far += column[k * stride + l] * x[k];
+            sum[l] = so_far;
+        }
 }
 
 RW_INLINE void add_all(const rw_crack *crack, size_t numbers, const double resolved[],
                        double state[])
 {
-    const size_t rows = 2 + crack->openings, groups = groups_of(crack);
+    const size_t stride = stride_of(crack), groups = groups_of(crack);
     for (size_t i = 0; i < numbers; i++)
         state[i] = 0;
     for (size_t k = 0; k < groups; k++)
-        add_group(numbers < crack->used[k] ? numbers : crack->used[k], rows,
-                  crack->column + k * GROUP * rows, resolved + k * GROUP, state);
+        add_group(numbers < crack->used[k] ? numbers : crack->used[k], stride,
+                  crack->column + k * GROUP * stride, resolved + k * GROUP, state);
 }
 
-/* The first `numbers` of a free state. Behind the stresses there are GROUP zeros. */
+/* The first `numbers` of a free state, whole vectors. Behind the stresses there are GROUP zeros. */
 RW_DISPATCH(write_state, add_all,
             (const rw_crack *crack, size_t numbers, const double resolved[], double state[]),
             (crack, numbers, resolved, state))
@@ -227,7 +239,7 @@ static void pass_through(const rw_crack *crack, double root, const double states
                          const rw_crack_K *K)
 {
     for (size_t i = 0; i < rw_crack_loads(crack); i++) {
-        const double *state = states + i * (2 + crack->openings);
+        const double *state = states + i * stride_of(crack);
         K->I[i * K->stride + j] = root * state[0];
         K->II[i * K->stride + j] = root * state[1];
         if (K->share)
@@ -249,15 +261,15 @@ static double closed_share(const rw_crack *crack)
 static int32_t write_passings(rw_crack *crack, double root, const double states[], size_t j,
                               const rw_crack_K *K)
 {
-    const size_t loads = rw_crack_loads(crack), numbers = 2 + crack->openings;
+    const size_t loads = rw_crack_loads(crack), stride = stride_of(crack);
     for (size_t i = 0; i < loads; i++) {
         const size_t next = (i + 1) % loads;
         const bool is_open = K->I[i * K->stride + j] > 0, will_be = K->I[next * K->stride + j] > 0;
         double K_II = NAN;
         if (is_open != will_be) {
             const int32_t status =
-                rw_faces_pass(&crack->faces, states + (is_open ? i : next) * numbers,
-                              states + (is_open ? next : i) * numbers, &K_II);
+                rw_faces_pass(&crack->faces, states + (is_open ? i : next) * stride,
+                              states + (is_open ? next : i) * stride, &K_II);
             if (status != RWEDGE_OK)
                 return status;
         }
@@ -272,7 +284,7 @@ static int32_t press(rw_crack *crack, double root, const double states[], size_t
     for (size_t i = 0; i < rw_crack_loads(crack); i++) {
         double of_state[2];
         const int32_t status =
-            rw_faces_press(&crack->faces, states + i * (2 + crack->openings), of_state);
+            rw_faces_press(&crack->faces, states + i * stride_of(crack), of_state);
         if (status != RWEDGE_OK)
             return status;
         K->I[i * K->stride + j] = root * fmax(of_state[0], 0);
@@ -288,17 +300,20 @@ static int32_t press(rw_crack *crack, double root, const double states[], size_t
 static int32_t write_K(rw_crack *crack, const line_stresses *line, size_t n, const double length[],
                        const rw_crack_K *K)
 {
-    const size_t loads = rw_crack_loads(crack), numbers = 2 + crack->openings;
-    const size_t asked = crack->presses || K->share ? numbers : 2;
-    double *states = calloc(loads * numbers + 2 * crack->m + GROUP, sizeof *states);
+    const size_t loads = rw_crack_loads(crack), stride = stride_of(crack), m = crack->m;
+    const size_t asked = crack->presses || K->share ? stride : whole_vectors(2);
+    const size_t all = loads * line->n * m;
+    const double along_x = sin(crack->angle), along_y = cos(crack->angle);
+    double *states = calloc(loads * stride + 2 * m + GROUP, sizeof *states);
     if (!states)
         return RWEDGE_ENOMEM;
-    double *resolved = states + loads * numbers;
+    double *resolved = states + loads * stride;
     int32_t status = RWEDGE_OK;
     for (size_t j = 0; j < n && status == RWEDGE_OK; j++) {
         for (size_t i = 0; i < loads; i++) {
-            resolve(crack, line, i, j, resolved);
-            write_state(crack, asked, resolved, states + i * numbers);
+            const double *sxx = line->stress + (i * line->n + j) * m;
+            resolve(m, along_y, along_x, sxx, sxx + all, sxx + 2 * all, resolved);
+            write_state(crack, asked, resolved, states + i * stride);
         }
         if (crack->presses)
             status = press(crack, sqrt(length[j]), states, j, K);

@@ -12,9 +12,9 @@ typedef struct {
 } rw_line_stress;
 
 /* The stress at the distance r from the mouth of a dislocation at the distance t, both along the
- * unit vector `direction` into the half-plane. The real part of its density opens the line, the
- * imaginary part slides along it. r_less_t is given, because r - t would lose digits. */
-rw_line_stress rw_dislocation_stress(rw_complex direction, double r, double t, double r_less_t,
-                                     rw_complex density);
+ * unit vector `direction` into the half-plane. The density 1 of the first opens the line, that of
+ * the second slides along it. r_less_t is given, because r - t would lose digits. */
+void rw_dislocation_stresses(rw_complex direction, double r, double t, double r_less_t,
+                             rw_line_stress stress[2]);
 
 #endif

@@ -93,20 +93,19 @@ typedef struct {
  * is known. */
 static void write_work(const rule *line, size_t k, size_t j, const equations *all)
 {
-    static const rw_complex DENSITY[] = {{1, 0}, {0, 1}};
     const size_t n = line->m - 1;
     const distances d = between(line, k, j);
+    rw_line_stress stress[2];
+    rw_dislocation_stresses(line->direction, d.r, d.t, d.r_less_t, stress);
     for (size_t i = 0; i < 2; i++) {
         const size_t row = i * n + j - 1;
-        const rw_line_stress stress =
-            rw_dislocation_stress(line->direction, d.r, d.t, d.r_less_t, DENSITY[i]);
         double *A = all->A + row * all->unknowns, *b = all->b + row * all->sides;
         if (k == 0) {
-            b[0] = -line->tip * stress.normal;
-            b[1] = -line->tip * stress.shear;
+            b[0] = -line->tip * stress[i].normal;
+            b[1] = -line->tip * stress[i].shear;
         } else {
-            A[k - 1] = d.r * stress.normal;
-            A[n + k - 1] = d.r * stress.shear;
+            A[k - 1] = d.r * stress[i].normal;
+            A[n + k - 1] = d.r * stress[i].shear;
         }
     }
 }

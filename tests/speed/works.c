@@ -334,6 +334,34 @@ static double closing_cracks(const work *w)
     return out[0][0];
 }
 
+/* ---- A cycle that stays in place: its bounds of shakedown, and where its wear ends ---- */
+
+static double bounds_of_cycles(const work *w)
+{
+    double edge, length[LENGTHS], lower, upper, x, y, sum = 0;
+    rwedge_cycle *steady = cycle_of_cracks(&edge, length);
+    for (long i = 0; i < w->n; i++) {
+        must(rwedge_cycle_shakedown(steady, 0.3, 300, &lower, &upper, &x, &y));
+        sum += lower + upper;
+    }
+    rwedge_cycle_destroy(steady);
+    return sum;
+}
+
+static double ends_of_wear(const work *w)
+{
+    double left, right, worn_left, worn_right, area, sum = 0;
+    rwedge_contact *contact = new_contact();
+    must(rwedge_contact_load(contact, P, 0));
+    for (long i = 0; i < w->n; i++) {
+        const double Q_a = 0.6 * P * (0.1 + 0.8 * (double)i / (double)w->n);
+        must(rwedge_contact_worn_zone(contact, Q_a, &left, &right, &worn_left, &worn_right, &area));
+        sum += area;
+    }
+    rwedge_contact_destroy(contact);
+    return sum;
+}
+
 /* ---- Criteria of that cycle ---- */
 
 static double value[PLACES], angle[PLACES], azimuth[PLACES];
@@ -384,6 +412,8 @@ const work works[] = {
     {"stresses on the lines of cracks", stresses_on_cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
     {"K of those cracks", cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
     {"K of those cracks, faces press", closing_cracks, 0, 0, CRACK_LOADS *ON_CRACKS},
+    {"bounds of a cycle's shakedown", bounds_of_cycles, 0, 0, 1},
+    {"end of wear", ends_of_wear, 0, 0, 100},
     {"Smith-Watson-Topper of 40 loads", criterion, RWEDGE_MEASURE_SWT_IN_PLANE, 0, PLACES},
     {"Smith-Watson-Topper, all planes", criterion, RWEDGE_MEASURE_SWT, 0, PLACES},
     {"Findley of 40 loads", criterion, RWEDGE_MEASURE_FINDLEY, 0, PLACES},

@@ -7,12 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-enum { FIGURE_COUNT = 18 };
+enum { FIGURE_COUNT = 19 };
 static const figure *const figures[FIGURE_COUNT] = {
     &figure_pressure, &figure_normal,    &figure_sliding, &figure_yield_point, &figure_tension,
     &figure_shear,    &figure_field,     &figure_loop,    &figure_eccentric,   &figure_history,
     &figure_fretting, &figure_measure,   &figure_crack,   &figure_wear,        &figure_shakedown,
-    &figure_contact,  &figure_tractions, &figure_stress};
+    &figure_contact,  &figure_tractions, &figure_stress,  &figure_tests};
 
 enum {
     OPTION_FIGURE_VARIABLE = OPTION_AFTER_CRACK,
@@ -35,7 +35,7 @@ static struct poptOption history_figure_option_table[] = {
     {ROTATION_OPTION},
     {SIMILAR_OPTION},
     {MATERIAL_OPTION},
-    {K_IN_OPTION},
+    {INCLUDED(reading_option_table), NULL, NULL},
     POPT_TABLEEND,
 };
 
@@ -62,8 +62,9 @@ static const struct poptOption options[] = {
     {VALUE("over", OPTION_OVER),
      "Along the surface, below its worst place, or as contours (default surface)",
      "surface|depth|field"},
-    {INCLUDED(criteria_option_table), "Criteria, of figure measure:", NULL},
+    {INCLUDED(criteria_option_table), "Criteria, of figures measure and tests:", NULL},
     {INCLUDED(crack_option_table), "The crack, of figure crack:", NULL},
+    {INCLUDED(series_option_table), "A series, of figure tests:", NULL},
     {FLAG("data", OPTION_DATA), "Write the numbers behind the figure instead of a picture", NULL},
     {FLAG("no-title", OPTION_NO_TITLE), "Leave the title out of the picture", NULL},
     {VALUE("format", OPTION_FORMAT),
@@ -160,24 +161,34 @@ static void read_case(const arguments *line, figure_case *inputs)
 
 /* ---- A contact and its loads ---- */
 
+static bool any_is_given(const arguments *line, int first, int end)
+{
+    for (int i = first; i < end; i++)
+        if (line->value[i] != NULL)
+            return true;
+    return false;
+}
+
 /* Without a table of loads there is nothing for its options to say. */
 static void refuse_others(const arguments *line, const figure *chosen)
 {
-    for (int i = OPTION_INPUT; i < OPTION_AFTER_PLACES && !chosen->has_history; i++)
-        if (line->value[i] != NULL)
-            usage_error(
-                "figure %s: a contact and its loads are for history, fretting, measure, "
-                "crack, wear, contact, tractions, stress, and loop with --history or --load",
-                chosen->name);
-    const bool is_given = line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL;
-    const bool has_crack = chosen == &figure_crack;
-    for (int i = OPTION_AFTER_PLACES; i < OPTION_AFTER_CRITERIA && chosen != &figure_measure; i++)
-        if (line->value[i] != NULL || is_given)
-            usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
-    bool crack_is_given = line->value[OPTION_X] != NULL;
-    for (int i = OPTION_AFTER_CRITERIA; i < OPTION_AFTER_CRACK; i++)
-        crack_is_given = crack_is_given || line->value[i] != NULL;
-    if (crack_is_given && !has_crack)
+    const bool has_tests = chosen == &figure_tests, has_crack = chosen == &figure_crack;
+    const bool has_measure = chosen == &figure_measure;
+    if (!chosen->has_history && !has_tests && any_is_given(line, OPTION_INPUT, OPTION_AFTER_PLACES))
+        usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
+                    "crack, wear, contact, tractions, stress, tests, and loop with --history or "
+                    "--load",
+                    chosen->name);
+    if (!has_measure && !has_tests &&
+        any_is_given(line, OPTION_AFTER_PLACES, OPTION_AFTER_CRITERIA))
+        usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
+    if (!has_measure && (line->value[OPTION_MEASURE] != NULL || line->value[OPTION_OVER] != NULL))
+        usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
+    if (!has_tests && any_is_given(line, OPTION_TESTS, OPTION_ANGLE))
+        usage_error("figure %s: a series is for figure tests", chosen->name);
+    if (!has_crack &&
+        (any_is_given(line, OPTION_EDGE, OPTION_AFTER_CRACK) || line->value[OPTION_X] != NULL ||
+         (line->value[OPTION_ANGLE] != NULL && !has_tests)))
         usage_error("figure %s: a crack is for figure crack", chosen->name);
 }
 
@@ -265,6 +276,20 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
         read_crack(&bodies, inputs);
 }
 
+static void read_tests(const arguments *line, const output_options *how, figure_case *inputs)
+{
+    static series_table table; /* it must not move */
+    arguments bodies = *line;
+    bodies.value[OPTION_INPUT + INPUT_F] = line->value[OPTION_FIGURE_VARIABLE + FRICTION];
+    bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
+    bodies.operand = NULL;
+    if (line->value[OPTION_TESTS] == NULL)
+        usage_error("--input: missing; figure tests needs a series of tests");
+    series_table_read(&bodies, how, how->decimal_sign, &table);
+    series_table_say(&table);
+    inputs->tests = &table;
+}
+
 static const char *read_picture_format(const arguments *line, output_options *how)
 {
     static const char *const formats[] = {"svg", "png", "pdf", NULL};
@@ -331,6 +356,8 @@ static int write_command(const arguments *line)
     refuse_others(line, inputs.kind);
     if (inputs.kind->has_history)
         read_history(line, how.decimal_sign, &inputs);
+    else if (inputs.kind->has_tests)
+        read_tests(line, &how, &inputs);
     else
         read_case(line, &inputs);
     output_options_spare_files(line, &how);

@@ -221,32 +221,13 @@ static void write_output(const arguments *line, const output_options *how, plan 
         output_options_write(how, write_rows, job);
 }
 
-/* A series has its loads and places in its table. */
+/* A series has rows of its own. */
 static void refuse_beside_tests(const arguments *line)
 {
-    static const int others[] = {OPTION_HISTORY,
-                                 OPTION_LOAD,
-                                 OPTION_UNTIL,
-                                 OPTION_AT,
-                                 OPTION_POINTS,
-                                 OPTION_X,
-                                 OPTION_DEPTH,
-                                 OPTION_WORST,
-                                 OPTION_AT_WORST,
-                                 OPTION_FULL_WEAR,
-                                 OPTION_SPECIMEN_THICKNESS,
-                                 OPTION_OPPOSITE,
-                                 OPTION_ARCHARD,
-                                 OPTION_INPUT + INPUT_Q,
-                                 OPTION_INPUT + INPUT_SIGMA};
-    if (line->operand != NULL && line->operand[0] != NULL)
-        usage_error("%s: given together with --input; a row names its file of loads in the column "
-                    "loads",
-                    line->operand[0]);
+    static const int others[] = {OPTION_WORST, OPTION_AT_WORST, OPTION_FULL_WEAR};
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
         if (line->value[others[i]] != NULL)
-            usage_error("--%s: not with --input, whose rows have their own loads, and verdicts at "
-                        "their worst places",
+            usage_error("--%s: not with --input, whose rows are verdicts at their worst places",
                         arguments_name(line, others[i]));
 }
 

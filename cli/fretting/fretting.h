@@ -114,8 +114,13 @@ typedef struct {
 void series_table_read(const arguments *line, const output_options *out, char decimal_sign,
                        series_table *table);
 
-/* ---- series_rows ---- The tests as rows, their cells in front. Returns the exit status: that of a
- * failure where there are tests and every one has an error. */
+/* ---- series_rows ---- */
+
+/* What is to be known of a table: errors, doubts, what was passed over. */
+void series_table_say(series_table *table);
+
+/* The tests as rows, their cells in front. Returns the exit status: that of a failure where there
+ * are tests and every one has an error. */
 int series_table_write(series_table *table, const output_options *how);
 
 #endif

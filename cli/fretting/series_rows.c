@@ -177,7 +177,7 @@ static void write_rows(void *of_job, records *rows)
 
 /* ---- All ---- */
 
-static void say(series_table *table)
+void series_table_say(series_table *table)
 {
     const char *file = table->file.in->name;
     doubts all = {0};
@@ -203,6 +203,6 @@ int series_table_write(series_table *table, const output_options *how)
 {
     job of_table = {table, how};
     output_options_write(how, write_rows, &of_table);
-    say(table);
+    series_table_say(table);
     return table->failed > 0 && table->failed == table->count ? STATUS_FAILED : STATUS_DONE;
 }

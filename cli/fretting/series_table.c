@@ -236,10 +236,37 @@ static void find_length(const arguments *line, series_table *table)
         say_length(table);
 }
 
+/* The table has the loads and places. */
+static void refuse_others(const arguments *line)
+{
+    static const int others[] = {OPTION_HISTORY,
+                                 OPTION_LOAD,
+                                 OPTION_UNTIL,
+                                 OPTION_SPECIMEN_THICKNESS,
+                                 OPTION_OPPOSITE,
+                                 OPTION_COMPLIANCE,
+                                 OPTION_AT,
+                                 OPTION_POINTS,
+                                 OPTION_X,
+                                 OPTION_DEPTH,
+                                 OPTION_ARCHARD,
+                                 OPTION_INPUT + INPUT_Q,
+                                 OPTION_INPUT + INPUT_SIGMA};
+    if (line->operand != NULL && line->operand[0] != NULL)
+        usage_error("%s: given together with --input; a row names its file of loads in the column "
+                    "loads",
+                    line->operand[0]);
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
+        if (line->value[others[i]] != NULL)
+            usage_error("--%s: not with --input, whose rows have their own loads",
+                        arguments_name(line, others[i]));
+}
+
 void series_table_read(const arguments *line, const output_options *out, char decimal_sign,
                        series_table *table)
 {
     const char *path = line->value[OPTION_TESTS];
+    refuse_others(line);
     *table = (series_table){.all = {.below = distance_read(line, material_of(line)),
 
                                     .cycles = contact_history_cycles(line, 3)}};

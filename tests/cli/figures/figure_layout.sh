@@ -126,4 +126,10 @@ draws eccentric --a-over-b 0 --q-over-fp 0.9 --sigma-over-max=-1:1:0.5
 draws eccentric --sigma-over-max=-1:1:0.4
 same "six names" 6 "$(number_of 'πbσ/(4Q) = [-0-9.]*')"
 
+# Lives of tests, with bands around them.
+printf 'test,radius,P,Q_max,sigma_max,life_tested\n1,50,300,100,100,12000\n2,50,300,140,110,>1e6\n' >tests.csv
+printf '{"E": 206800, "nu": 0.3, "sf": 827, "b": -0.11, "ef": 0.95, "c": -0.64}' >steel.json
+draws tests --input tests.csv --f 0.6 --material steel.json
+has "Lives of tests" "dashed: a factor of 2; dotted: of 3" broken run-out "measured life"
+nothing "no test has a life that was measured, and one that is predicted" tests --input tests.csv --f 0.6 --E1 206800 --nu1 0.3
 finish

@@ -127,11 +127,21 @@ static bool solve(const boundary_element *s, unknowns *u)
 
 /* ---- The contact ---- */
 
+/* What the tractions up to the middle of element i carry: the other displacement of unlike bodies
+ * is that times A B. */
+static double carried(const boundary_element *s, const unknowns *u, size_t i)
+{
+    double sum = u->value[i] / 2;
+    for (size_t j = 0; j < i; j++)
+        sum += u->value[j];
+    return sum * s->width;
+}
+
 /* Under P and M: no element is pulled, and none outside overlaps. */
 static bool press(boundary_element *s, rw_loads to)
 {
     for (size_t i = 0; i < s->n; i++)
-        s->p.wanted[i] = -profile(s, s->x[i]);
+        s->p.wanted[i] = -profile(s, s->x[i]) + s->A * s->B * carried(s, &s->q, i);
     s->p.wanted[s->n] = -to.P / s->width;
     s->p.wanted[s->n + 1] = -to.M / s->width;
     return solve(s, &s->p);
@@ -141,19 +151,40 @@ static bool press(boundary_element *s, rw_loads to)
 static bool drag(boundary_element *s, rw_loads to)
 {
     for (size_t i = 0; i < s->n; i++) {
-        s->q_before[i] = s->q.value[i];
         s->q.highest[i] = -s->f * s->p.value[i];
         s->q.lowest[i] = -s->q.highest[i];
-        s->q.wanted[i] = s->displacement[i] - s->A * to.sigma / 4 * s->x[i];
+        s->q.wanted[i] =
+            s->displacement[i] - s->A * to.sigma / 4 * s->x[i] - s->A * s->B * carried(s, &s->p, i);
         s->q.at[i] = s->p.value[i] < 0 ? FREE : HIGHEST;
     }
     s->q.wanted[s->n] = -to.Q / s->width;
     return solve(s, &s->q);
 }
 
+/* In turn, until the shear stays: the mean change is a share of friction. */
+static bool press_and_drag(boundary_element *s, rw_loads to)
+{
+    enum { PASSES_MAX = 60 };
+    const double CLOSE = 1e-7;
+    double changed = HUGE_VAL;
+    for (int pass = 0; pass < PASSES_MAX && changed > CLOSE * s->f * to.P; pass++) {
+        double before[BOUNDARY_ELEMENTS_MAX];
+        for (size_t i = 0; i < s->n; i++)
+            before[i] = s->q.value[i];
+        if (!press(s, to) || !drag(s, to))
+            return false;
+        changed = 0;
+        for (size_t i = 0; i < s->n && s->B != 0; i++)
+            changed += s->width * fabs(s->q.value[i] - before[i]);
+    }
+    return changed <= CLOSE * s->f * to.P;
+}
+
 static bool take_step(boundary_element *s, rw_loads to)
 {
-    if (!press(s, to) || !drag(s, to))
+    for (size_t i = 0; i < s->n; i++)
+        s->q_before[i] = s->q.value[i];
+    if (!press_and_drag(s, to))
         return false;
     for (size_t i = 0; i < s->n; i++) {
         const double moved = excess(s, &s->q, i);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A small incremental boundary-element solver of the same contact, to check the library's closed
- * forms with: it knows Eq. (1) and (17), Coulomb's law and nothing else. The pressure and the
+ * forms with: it knows Eq. (1) and (17), Coulomb's law and nothing else, and of unlike bodies what a
+ * pressure does along the surface and a shear across it. The pressure and the
  * shear traction are constant over each of n equal elements. Everything is first order in the
  * elements' width and in the step. */
 #ifndef BOUNDARY_ELEMENT_H
@@ -26,6 +27,7 @@ typedef struct {
 
 typedef struct {
     double theta, a, A, f;
+    double B; /* -Dundurs' beta: what each traction does to the displacement of the other */
     double (*height)(double x); /* of another profile than the wedge's; NULL: the wedge's */
     size_t n;
     double width;

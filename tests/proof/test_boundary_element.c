@@ -221,6 +221,59 @@ CLAIM(flat_and_worn_pads_are_the_limit_of_boundary_elements)
     }
 }
 
+/* ---- Unlike bodies ---- */
+
+enum { UNLIKE_LEGS = 6, PRESSING = 20 };
+
+/* Pressed along P step by step; then P, Q, M, sigma change at once, or Q alone. */
+static difference along_unlike_loads(uint64_t number, double B, bool is_alone, int level)
+{
+    static boundary_element solver;
+    difference sum = {0};
+    uint64_t seed = number;
+    const double a = 0.3, f = 0.5, P = 3 * a * THETA / A;
+    rw_loads now = {.P = P};
+    rwedge_contact *contact = allowing(create(a, f), 1e-3);
+    assert_ok(rwedge_contact_set_beta(contact, -B));
+    apply(contact, P, 0, 0, 0);
+    const double half = rwedge_contact_half_width(contact);
+    boundary_element_start(&solver, THETA, a, A, f, (size_t)COARSEST << level, 1.25 * half);
+    solver.B = B;
+    assert_int_equal(boundary_element_go(&solver, PRESSING << level, now), 0);
+    add_difference(contact, &solver, f, &sum);
+    for (int leg = 1; leg < UNLIKE_LEGS; leg++) {
+        rw_loads to = draw_all(now, f, half, &seed);
+        if (is_alone)
+            to = (rw_loads){.P = P, .Q = to.Q};
+        to.M *= 0.3;
+        to.sigma *= 0.5;
+        apply(contact, to.P, to.M, to.Q, to.sigma);
+        assert_int_equal(boundary_element_go(&solver, 5 << level, to), 0);
+        add_difference(contact, &solver, f, &sum);
+        now = to;
+    }
+    return sum;
+}
+
+CLAIM(unlike_bodies_are_the_limit_of_coupled_boundary_elements)
+{
+    for (int i = 1; i < 3; i++) { /* Q alone, and all of them; of either sign */
+        difference sum[LEVELS];
+        for (int level = 0; level < LEVELS; level++) {
+            sum[level] = along_unlike_loads(31 + (uint64_t)i, i < 2 ? 0.1 : -0.2, i % 2, level);
+            printf("unlike %d, %3d elements: pressure %.2e shear %.2e slip %.2e energy %.2e\n", i,
+                   COARSEST << level, sum[level].pressure / UNLIKE_LEGS,
+                   sum[level].shear / UNLIKE_LEGS, sum[level].slip / UNLIKE_LEGS,
+                   sum[level].energy);
+        }
+        const difference coarse = sum[0], fine = sum[LEVELS - 1];
+        assert_true(fine.pressure < 0.45 * coarse.pressure && fine.pressure < UNLIKE_LEGS * 1e-3);
+        assert_true(fine.shear < 0.65 * coarse.shear && fine.shear < UNLIKE_LEGS * 1e-2);
+        assert_true(fine.slip < 0.45 * coarse.slip && fine.slip < UNLIKE_LEGS * 1.5e-3);
+        assert_true(fine.energy < 5e-3);
+    }
+}
+
 /* ---- Mixed loads ---- */
 
 /* Of P, M, Q and sigma none goes in step with another: no load after the first has a closed form.

@@ -12,6 +12,7 @@ static double peak_pressure(const contact_case *setup, const pad_profile *places
     double pressure = NAN, x;
     other.shape = pad_of_profile(places);
     other.contact = NULL;
+    other.is_coupled = false;
     if (case_contact(&other, &other.contact) == RWEDGE_OK &&
         loads_apply((load){.P = setup->P, .M = setup->M}, other.contact) == RWEDGE_OK)
         rwedge_contact_peak_pressure(other.contact, &pressure, &x);

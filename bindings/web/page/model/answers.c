@@ -123,9 +123,10 @@ static void write_setup(const contact_case *setup)
 {
     const pad *shape = &setup->shape;
     json_add("{'setup':{'nu1':%n,'theta':%n,'a':%n,'radius':%n,'flat':%n,'M':%n,'Q':%n,'sigma':%n,"
-             "'f':%n,'k':%n,'body':%n,'places':[]}}",
+             "'f':%n,'k':%n,'body':%n,'coupled':%n,'places':[]}}",
              setup->nu1, shape->theta, shape->a, shape->radius, shape->flat, setup->M, setup->Q,
-             setup->sigma, setup->f, setup->k, field_is_of_pad() ? 2.0 : 1.0);
+             setup->sigma, setup->f, setup->k, field_is_of_pad() ? 2.0 : 1.0,
+             (double)setup->is_coupled);
     for (size_t i = 0; shape->places != NULL && i < shape->places->count; i++)
         json_add("{'setup':{'places':[{'x':%n,'slope':%n}]}}", shape->places->x[i],
                  shape->places->slope[i]);
@@ -233,10 +234,7 @@ bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, lo
     if (field_is_of_pad()) /* a history is of the half-plane */
         texts.text[INPUT_K] = texts.text[INPUT_YIELD_STRESS] = NULL;
     *nu = value[INPUT_NU1];
-    if (is_plane_stress)
-        input_set(&texts, INPUT_NU1, 0);
-    if (is_plane_stress && input_is_given(&texts, INPUT_NU2))
-        input_set(&texts, INPUT_NU2, 0);
+    texts.is_plane_stress = texts.is_plane_stress || is_plane_stress;
     *form = (load){
         .P = value[INPUT_P], .M = value[INPUT_M], .Q = value[INPUT_Q], .sigma = value[INPUT_SIGMA]};
     for (int i = INPUT_P; i <= INPUT_SIGMA; i++)

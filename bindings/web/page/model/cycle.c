@@ -143,14 +143,26 @@ static bool go_on(void)
     return true;
 }
 
+/* The moment of a pad that is held is a result. */
+static bool has_no_moments(const load_list *loads)
+{
+    for (size_t i = 0; asked.setup.is_held && i < loads->count; i++)
+        if (loads->load[i].to.M != 0)
+            return json_refuse("", "line %d: M %.6g: of a pad that is held M is a result",
+                               loads->load[i].line, loads->load[i].to.M);
+    return true;
+}
+
 /* A pad whose loads have tilts comes down at the first, and keeps it: between loads of a cycle. */
 static bool hold(void)
 {
     const load_list *loads = &asked.loads;
     const double tilt = loads->count > 0 ? loads->load[0].to.tilt : 0;
     if (loads->count == 0 || !loads->load[0].to.is_guided)
-        return true;
-    if (asked.setup.is_held)
+        return has_no_moments(loads);
+    if (asked.setup.rotation == ROTATION_FREE)
+        return json_refuse("", "column tilt: given together with a rotation that is free");
+    if (asked.setup.is_held && asked.setup.rotation != ROTATION_HELD)
         return json_refuse("", "column tilt: given together with the tilt of the form; allowed: "
                                "one of the two");
     for (size_t i = 1; i < loads->count; i++)

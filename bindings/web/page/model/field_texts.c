@@ -81,6 +81,10 @@ static bool take_other(const char *name, const char *text, input_texts *texts)
         said.rows_sign = text[0];
     else if (strcmp(name, "plane_stress") == 0)
         texts->is_plane_stress = true;
+    else if (strcmp(name, "rotation") == 0)
+        texts->rotation = strcmp(text, "held") == 0 ? ROTATION_HELD : ROTATION_FREE;
+    else if (strcmp(name, "similar") == 0)
+        texts->takes_as_similar = true;
     else if (strcmp(name, "strength_of") == 0)
         said.is_of_pad = strcmp(text, "2") == 0;
     else if (strcmp(name, "hull") == 0)
@@ -118,7 +122,7 @@ input_texts field_texts(char *fields)
                          .how_comma = "that separates no thousands",
                          .profile_named = profiles_named,
                          .tolerance = NAN,
-                         .takes_as_similar = true};
+                         .how_rotation = "choose it below the friction"};
     profiles_forget(0);
     remark = "";
     memset(&said, 0, sizeof said);

@@ -38,7 +38,8 @@ const char *json_end(void);
 /* From "name=text" of each input, with U+001E between them; it takes them apart in place. The text
  * of "decimal_sign" is that of the others, a point where it is missing; that of "profile" has its
  * rows, whose decimal sign may be that of "profile_sign". "plane_stress" is in place of plane
- * strain, "strength_of" the body that k is of. "hull", "fit", "heights" and "origin" say how the
+ * strain, "strength_of" the body that k is of. "rotation" is "held" or "free", and "similar"
+ * neglects what friction of unlike bodies does to the pressure. "hull", "fit", "heights" and "origin" say how the
  * profile is made of them, "units" the working units, and "width" what forces of the whole contact
  * are divided by. */
 input_texts field_texts(char *fields);
@@ -69,9 +70,8 @@ void resolution_write(const contact_case *setup);
 /* The contact of an answer, for JavaScript, which takes it or not. */
 void answers_hand_over(rwedge_contact *contact);
 
-/* Reads the case without its loads, which are given apart, and Poisson's ratio of body 1. In plane
- * stress the contact is one of Poisson's ratio 0. False where it is refused: the answer says
- * why. */
+/* Reads the case without its loads, which are given apart, and Poisson's ratio of body 1. False
+ * where it is refused: the answer says why. */
 bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, load *form,
                      double *nu);
 

@@ -21,11 +21,19 @@ const makingOptions = ({ texts = {} }) =>
         texts.origin && `--origin ${texts.origin}`,
     ].filter(Boolean);
 const planeOption = ({ texts = {} }) => (texts.plane_stress ? ["--plane-stress"] : []);
+const rotationOption = ({ texts = {} }) =>
+    [texts.rotation && `--rotation ${texts.rotation}`, texts.similar && "--similar"].filter(Boolean);
 const bodyOption = ({ texts = {} }) => (texts.strength_of ? ["--strength-of 2"] : []);
 
 /** The command for the case: rwedge solve --E1 210000 ... */
 export function asCommand(model) {
-    const options = [...numbersOf(model).map(asOption), ...makingOptions(model), ...planeOption(model), ...bodyOption(model)];
+    const options = [
+        ...numbersOf(model).map(asOption),
+        ...makingOptions(model),
+        ...planeOption(model),
+        ...rotationOption(model),
+        ...bodyOption(model),
+    ];
     const factor = "k" in model.inputs || "yield_stress" in model.inputs ? " --yield-factor" : "";
     return `rwedge solve ${options.join(" ")}${factor}`;
 }
@@ -49,14 +57,14 @@ function criterionOptions({ name, isPlaneStress, constants }) {
 export function asFretting(model, { loads, tilts, criterion }, cycles, hasTable) {
     if (loads.length > SHOWN)
         return `More than ${SHOWN} loads: save them as a file and give it to \u201crwedge fretting\u201d.`;
-    const isHeld = "tilt" in model.inputs || tilts, // the moment is a result
+    const isHeld = "tilt" in model.inputs || tilts || model.texts?.rotation === "held", // the moment is a result
         ofRow = tilts ? ["P", "tilt", "Q", "sigma"] : isHeld ? ["P", "Q", "sigma"] : ofLoad,
         valueAt = (i, name) => wholeNumber(name === "tilt" ? tilts[i] : loads[i][name]);
     const rows = [ofRow.join(), ...loads.map((_, i) => ofRow.map((name) => valueAt(i, name)).join())];
     const ofPad = model.texts?.strength_of ? ["k", "yield_stress"] : []; // a cycle is of the half-plane
     const options = numbersOf(model).filter(([name]) => !ofLoad.includes(name) && !ofPad.includes(name));
     const before = hasTable ? "" : ` --load ${loads[0].P},${isHeld ? 0 : loads[0].M},0,0`;
-    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${[...options.map(asOption), ...makingOptions(model), ...criterionOptions(criterion)].join(" ")}`;
+    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${[...options.map(asOption), ...makingOptions(model), ...rotationOption(model), ...criterionOptions(criterion)].join(" ")}`;
 }
 
 const inPython = (value) => (value === "inf" ? "math.inf" : value);
@@ -82,18 +90,23 @@ const makersInPython = {
 export function asPython(model) {
     const value = Object.fromEntries(numbersOf(model).map(([name, number]) => [name, inPython(number)]));
     const k = value.k ?? (value.yield_stress && `${value.yield_stress} / math.sqrt(3)`);
-    const { E1, nu1, tilt, P, M = "0", Q = "0", sigma = "0", f = "0" } = value;
-    const centred = model.pad === "wedge" && Number(M) === 0 && Number(sigma) === 0;
+    const { texts = {}, setup } = model,
+        isStress = Boolean(texts.plane_stress),
+        isCoupled = Boolean(setup?.coupled);
+    const { E1, nu1, tilt = texts.rotation === "held" ? "0" : undefined, P, M = "0", Q = "0", sigma = "0", f = "0" } = value;
+    const beta = `beta = rwedge.dundurs_beta${isStress ? "_plane_stress" : ""}(E1, nu1, E2, nu2)\n`;
+    const coupling = "contact.set_beta(beta)  # friction changes the pressure of unlike bodies\ncontact.allow_error(1e-3)\n";
+    const centred = !isCoupled && model.pad === "wedge" && Number(M) === 0 && Number(sigma) === 0;
     return `import math
 import rwedge
 
 E1, nu1, E2, nu2 = ${E1}, ${nu1}, ${value.E2 ?? E1}, ${value.nu2 ?? nu1}
-${model.texts?.strength_of ? "E1, nu1, E2, nu2 = E2, nu2, E1, nu1  # stresses of the pad, seen from its own side\n" : ""}${model.texts?.plane_stress ? "nu1 = nu2 = 0  # plane stress\n" : ""}${sizesInPython[model.pad](value, model.setup)}
+${texts.strength_of ? "E1, nu1, E2, nu2 = E2, nu2, E1, nu1  # stresses of the pad, seen from its own side\n" : ""}${isCoupled ? beta : ""}${isStress ? "nu1 = nu2 = 0  # plane stress\n" : ""}${sizesInPython[model.pad](value, model.setup)}
 P, M, Q, sigma, f = ${P}, ${M}, ${Q}, ${sigma}, ${f}
 A = float(rwedge.compliance(E1, nu1, E2, nu2))
 
 contact = rwedge.Contact${makersInPython[model.pad]}
-${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}${tilt === undefined ? "" : `contact.set_rotation(1)  # held at a tilt: M is a result\ncontact.guide(0, ${tilt}, 0, 0)\n`}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
+${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}${isCoupled ? coupling : ""}${tilt === undefined ? "" : `contact.set_rotation(1)  # held at a tilt: M is a result\ncontact.guide(0, ${tilt}, 0, 0)\n`}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
 contact.apply(P, M, Q, sigma)
 print("b", contact.half_width)
 print("c", contact.stick_half_width)

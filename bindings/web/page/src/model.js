@@ -10,8 +10,16 @@ import { unitSystems, wordsOf } from "./units.js";
 let solved; // the last model with results
 
 /** What the model is told beside the inputs. */
-function otherTexts({ units, width, plane, body }) {
-    const all = { units: wordsOf(units), width: width.trim(), plane_stress: plane, strength_of: body };
+function otherTexts({ texts, units, width, plane, body, rotation: chosen }) {
+    const rotation = texts.E2 ? chosen : ""; // of two materials alone
+    const all = {
+        units: wordsOf(units),
+        width: width.trim(),
+        plane_stress: plane,
+        strength_of: body,
+        rotation: rotation === "similar" ? "" : rotation,
+        similar: rotation === "similar" ? "yes" : "",
+    };
     return Object.fromEntries(Object.entries(all).filter(([, text]) => text !== ""));
 }
 
@@ -36,6 +44,8 @@ export const inputTexts = ({ inputs: numbers, texts, unit }) => [
         name === "profile" ? `profile of ${value} places` : `${name} = ${wholeNumber(value)} ${unit[inputs[name].unit]}`.trim(),
     ),
     ...(texts.plane_stress ? ["plane stress"] : []),
+    ...(texts.rotation ? [`the pad is ${texts.rotation}`] : []),
+    ...(texts.similar ? ["friction leaves the pressure of unlike bodies"] : []),
     ...(texts.strength_of ? ["strength and stresses of the pad, body 2"] : []),
 ];
 

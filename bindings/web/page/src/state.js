@@ -26,6 +26,7 @@ const settings = {
     criterion: "swt",
     plane: "",
     body: "",
+    rotation: "",
     material: "",
     crack_edge: "left",
     crack_angle: "0",
@@ -56,12 +57,15 @@ export const factors = { stress: "on the stress, under these loads", sliding: "o
 export const digits = { 4: "4", 6: "6", 10: "10", 14: "14" };
 /** Whose strength is asked, and whose k is given. */
 export const strengths = { "": "of the half-plane, body 1", 2: "of the pad, body 2" };
+/** Of unlike bodies with friction: whether the pad may turn. The last one neglects what friction then does. */
+export const rotations = { "": "not said", held: "held by the rig", free: "free to tilt", similar: "as of similar bodies" };
 /** What a setting may be; another word is the usual one. */
 const allowed = {
     units: unitSystems,
     digits,
     sign: signs,
     body: strengths,
+    rotation: rotations,
     tab: tabs,
     measure: measures,
     criterion: criteria,
@@ -70,7 +74,7 @@ const allowed = {
     factor: factors,
 };
 /** Those that a case file has in words of its own. */
-const ofFile = ["name", "units", "width", "plane", "body", "material", "shipped"];
+const ofFile = ["name", "units", "width", "plane", "body", "rotation", "material", "shipped"];
 const LONGEST = 20000; // characters of an address that every browser takes
 
 /** texts: of the inputs, by name; way: which of the ways to give an input is chosen. */

@@ -76,7 +76,7 @@ const bad = { E1: "-1", nu2: "-0.1", theta_deg: "90", radius: "x", Q: "20 N" };
 
 export async function each_bad_input_is_named({ page, show }) {
     for (const [name, text] of Object.entries(bad)) {
-        const texts = { ...usual, E2: "70000", nu2: "0.3", [name]: "5" };
+        const texts = { ...usual, E2: "70000", nu2: "0.3", rotation: "similar", [name]: "5" };
         delete texts[{ theta_deg: "theta", radius: "a" }[name]];
         await show(texts);
         await enter(page, { [idOf(name)]: text });

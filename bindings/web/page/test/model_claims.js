@@ -110,7 +110,8 @@ function assertTold(pad, texts, folder) {
     for (const { quantity, value } of numbers) assertNear(results[quantity], value, 2e-13, `${options}: ${quantity}`);
     assert.ok(numbers.length > 12 && told.stderr.endsWith(`${verdict.strength}\n`), told.stderr);
     assert.equal(results.warnings ?? "", all.find(({ quantity }) => quantity === "warnings").value ?? "");
-    assert.equal(runCommand(`${asCommand(model)} ${how.join(" ")}`, folder).stdout, told.stdout, asCommand(model));
+    const command = asCommand({ ...model, texts });
+    assert.equal(runCommand(`${command} ${how.join(" ")}`, folder).stdout, told.stdout, command);
     return { ...model, pad, results };
 }
 
@@ -128,8 +129,8 @@ const ofWedge = [
     { a: undefined, radius: "4", M: "3" },
     { theta: undefined, theta_deg: "0.3", a: undefined, radius: "40", k: undefined, yield_stress: "700" },
     { a: "0", Q: "-30", M: "0.5" },
-    { E2: "70000", nu2: "0.33", P: "1300", Q: "200" },
-    { E2: "inf", nu2: "0.3", M: "2", sigma: "5", k: "150" },
+    { E2: "70000", nu2: "0.33", P: "1300", Q: "200", similar: "yes" },
+    { E2: "inf", nu2: "0.3", M: "2", sigma: "5", k: "150", similar: "yes" },
     { f: "0", Q: "0", nu1: "0.45" },
     { f: "0.75", Q: "-200", sigma: "-9" },
 ].map((more) => JSON.parse(JSON.stringify({ ...ofPads.wedge, ...more })));
@@ -166,7 +167,7 @@ function caseByChance(next, i) {
         ...pad,
         ...one({ E1: "210000" }, { E1: "210 GPa" }),
         nu1: "0.3",
-        ...one({}, { E2: "70000", nu2: "0.33" }, { E2: "inf" }),
+        ...one({}, { E2: "70000", nu2: "0.33", similar: "yes" }, { E2: "inf", similar: "yes" }),
         f,
         P: ofWidth(Number(P)),
         Q: ofWidth(0.7 * Number(f) * Number(P) * (2 * next() - 1)),
@@ -206,8 +207,9 @@ test("forty cases by chance go from the page to a file, to the tool, to Python, 
             const least = /^(left|right|stick_left|stick_right|p0_x|yield_x|yield_y)$/.test(quantity) ? 1e-9 * width : 0;
             assert.ok(Math.abs(results[quantity] - value) <= 2e-11 * Math.abs(value) + least, `${about}: ${quantity}: ${results[quantity]}, not ${value}`);
         }
-        const { units, width: total, plane, name, digits, material, ...read } = readCase(file, String),
-            again = solveHolding({ ...read, units, ...(total && { width: total }), ...(plane && { plane_stress: plane }) }, ".");
+        const { units, width: total, plane, rotation, name, digits, material, ...read } = readCase(file, String),
+            others = { ...(total && { width: total }), ...(plane && { plane_stress: plane }), ...(rotation === "similar" && { similar: "yes" }) },
+            again = solveHolding({ ...read, units, ...others }, ".");
         for (const quantity of ["b", "p0", "left", "right", "c", "tilt", "max_tension"])
             if (results[quantity] !== null)
                 assert.ok(Math.abs(again.results[quantity] - results[quantity]) <= 1e-12 * Math.max(Math.abs(results[quantity]), width), `${about}: again: ${quantity}`);
@@ -230,7 +232,7 @@ test("forty cases by chance go from the page to a file, to the tool, to Python, 
 
 test("the strength of the pad is the tool's; what has a side is refused; cycles and rows are of the half-plane", () => {
     const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
-        bodies2 = { E2: "70000", nu2: "0.33", strength_of: "2" };
+        bodies2 = { E2: "70000", nu2: "0.33", similar: "yes", strength_of: "2" };
     for (const [pad, k] of [["wedge", "100"], ["cylinder", "900"], ["flat", "30"]]) {
         const texts = { ...ofPads[pad], ...bodies2, k },
             { strength_of, ...ofTool } = texts,
@@ -262,7 +264,7 @@ test("the strength of the pad is the tool's; what has a side is refused; cycles 
     assert.deepEqual(cycleOf({ ...usual, ...bodies2 }, loads, ".", "3", swt).worst, cycleOf({ ...others, ...ofHalfPlane }, loads, ".", "3", swt).worst);
     assert.deepEqual(solveRows("P\n190\n", { ...usual, ...bodies2 }, ".").rows, solveRows("P\n190\n", { ...others, ...ofHalfPlane }, ".").rows);
     for (const name of ["radius", "P", "f"]) {
-        const swapped = { ...usual, E1: bodies2.E2, nu1: bodies2.nu2, E2: usual.E1, nu2: usual.nu1 };
+        const swapped = { ...usual, E1: bodies2.E2, nu1: bodies2.nu2, E2: usual.E1, nu2: usual.nu1, similar: "yes" };
         assertNear(findInput({ ...usual, ...bodies2 }, ".", name, 1.5).value, findInput(swapped, ".", name, 1.5).value, 1e-12, name);
     }
     rmSync(folder, { recursive: true });
@@ -331,7 +333,8 @@ test("what is doubtful, missing or too much is the verdict", () => {
         [{ k: "900" }, "green", /^OK$/],
         [{ k: "330" }, "amber", /^CAUTION: .*full sliding; under these loads it does not yield$/],
         [{ k: "" }, "amber", /^CAUTION: no yield stress is given, so there is no safety/],
-        [{ E2: "70000", nu2: "0.3" }, "amber", /CAUTION: Dundurs' beta is not 0/],
+        [{ E2: "70000", nu2: "0.3", similar: "yes" }, "amber", /CAUTION: Dundurs' beta is not 0/],
+        [{ E2: "70000", nu2: "0.3" }, "red", /^CHECK THE INPUTS: unlike bodies, .* must be said; choose it below the friction$/],
         [{ k: "250" }, "red", /^YIELDS: the stress under these loads/],
         [{ k: "250", theta: "0.5" }, "red", /^YIELDS: .* CAUTION: theta is above 0.1 rad/],
         [{ P: "" }, "red", /^CHECK THE INPUTS: missing: P/],
@@ -489,6 +492,35 @@ test("bodies of two materials under tension: body 1 is stretched by its own comp
         { results } = answer;
     assert.match(asPython({ ...answer, pad: "wedge" }), /^contact\.set_strain\(\(1 - nu1\*\*2\) \/ E1\)/m);
     assertNear((results.stick_left + results.stick_right) / 2, 0.6, 1e-6, "R strain sigma/f");
+});
+
+test("unlike bodies with friction: partial slip is the tool's; a case, a command and a program keep the rotation", () => {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        texts = { ...ofPads.cylinder, E2: "70000", nu2: "0.33", P: "300", Q: "40", f: "0.3", rotation: "held" },
+        { results, verdict, ...model } = solveHolding(texts, "."),
+        told = run(["solve", ...optionsOf(texts), "--format", "json", "--digits", "17"]);
+    assert.match(verdict.text, /unlike bodies: the contact swings by/);
+    for (const { quantity, value } of JSON.parse(told.stdout))
+        if (["b", "left", "right", "moment", "mu", "swing", "stick_left", "stick_right", "P_yield"].includes(quantity) && typeof value === "number")
+            assert.ok(Math.abs(results[quantity] - value) <= 1e-3 * Math.max(Math.abs(value), results.b), `${quantity}: ${results[quantity]}, not ${value}`);
+    const file = writtenCase({ name: "", texts, sign: ".", material: "", settings: {} });
+    assert.equal(readCase(file, String).rotation, "held");
+    writeFileSync(`${folder}/case.json`, file);
+    const again = JSON.parse(run(["solve", "--case", `${folder}/case.json`, "--format", "json", "--digits", "17"]).stdout);
+    assert.deepEqual(again, JSON.parse(told.stdout));
+    assert.match(asCommand({ ...model, texts }), / --rotation held( |$)/);
+    assert.match(asPython({ ...model, texts, pad: "cylinder" }), /^contact\.set_beta\(beta\).*\ncontact\.allow_error\(1e-3\)\ncontact\.set_rotation\(1\)/m);
+    const slides = { ...texts, Q: "90" },
+        sliding = solveHolding(slides, "."),
+        ofSliding = JSON.parse(run(["solve", ...optionsOf(slides), "--format", "json", "--digits", "17"]).stdout);
+    for (const { quantity, value } of ofSliding)
+        if (["b", "left", "right", "moment", "swing", "max_tension", "P_yield", "P_shakedown"].includes(quantity) && typeof value === "number")
+            assertNear(sliding.results[quantity], value, 1e-10, quantity);
+    if (process.env.PYTHON) assertPrinted({ ...sliding, texts: slides, pad: "cylinder" });
+    const loads = "P,Q\n300,0\n300,40\n300,-40\n";
+    assert.equal(cycleOf(texts, loads, ".", "1", swt).complaint, undefined);
+    assert.equal(cycleOf(texts, "P,M,Q\n300,1,0\n300,1,40\n", ".", "1", swt).complaint, "line 2: M 1: of a pad that is held M is a result");
+    rmSync(folder, { recursive: true });
 });
 
 test("a crack has the tool's ranges, threshold, verdict and sentence", () => {

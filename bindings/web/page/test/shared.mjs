@@ -17,7 +17,10 @@ export const ofPads = {
 };
 
 /** Of the tool, for texts of inputs by name. */
-export const optionsOf = (texts) => Object.entries(texts).flatMap(([name, text]) => [`--${name.replaceAll("_", "-")}`, text]);
+export const optionsOf = ({ similar, ...texts }) => [
+    ...Object.entries(texts).flatMap(([name, text]) => [`--${name.replaceAll("_", "-")}`, text]),
+    ...(similar ? ["--similar"] : []),
+];
 
 export function assertNear(value, expected, tolerance, about) {
     const difference = Math.abs(Number(value) - expected);

@@ -37,8 +37,13 @@ export function writtenCase({ name, texts, sign, material, shipped, loads, setti
         ...(name && { name }),
         ...(texts.units && { units: texts.units }),
         ...(width && { width }),
-        bodies: { ...bodies, ...(texts.plane_stress && { plane_stress: true }), ...(texts.strength_of && { strength_of: 2 }) },
-        pad,
+        bodies: {
+            ...bodies,
+            ...(texts.plane_stress && { plane_stress: true }),
+            ...(texts.strength_of && { strength_of: 2 }),
+            ...(texts.similar && { similar: true }),
+        },
+        pad: { ...pad, ...(texts.rotation && { rotation: texts.rotation }) },
         loads: isList ? columnsOf(loads, width ?? 1) : ofForm,
         ...(material.trim() && { material: shipped || materialOf(material, sign) }),
         asked: { command: "page", options },
@@ -99,7 +104,7 @@ export function readCase(text, write) {
     for (const [group, values] of Object.entries(groups)) if (!(group === "loads" && list)) takeGroup(group, values, told, taken);
     const { x, ...column } = taken.lists;
     if (x) taken.texts.profile = tableOf({ x, ...column }, write);
-    const { units, plane_stress = "", strength_of, width, section, K_in, ...making } = taken.words;
+    const { units, plane_stress = "", strength_of, rotation = "", similar, width, section, K_in, ...making } = taken.words;
     const isNamed = typeof material === "string",
         ofMaterial = isNamed ? "" : ((material && JSON.stringify(material, null, 1)) ?? "");
     return {
@@ -112,6 +117,7 @@ export function readCase(text, write) {
         width: width ?? "",
         plane: plane_stress && "stress",
         body: strength_of === "2" ? "2" : "",
+        rotation: similar ? "similar" : rotation,
         material: ofMaterial,
         shipped: isNamed ? material : "",
     };

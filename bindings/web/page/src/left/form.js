@@ -5,7 +5,7 @@ import { live } from "lit-html/directives/live.js";
 import { rwedge } from "../answers/library.js";
 import { ofShapes, pads } from "../pads.js";
 import { options } from "../parts.js";
-import { set, setter, state, strengths, typed, written } from "../state.js";
+import { rotations, set, setter, state, strengths, typed, written } from "../state.js";
 import { percentOf } from "../answers/solution.js";
 import { inputs, waysOf } from "../answers/words.js";
 import { padChoice } from "./pad_choice.js";
@@ -150,12 +150,18 @@ const width = (model) => html`<div class="field"><label for="in-width">Width of 
 const body = () => html`<div class="field"><label for="strength-of">k, stresses and yield are</label>
     <div class="row"><select id="strength-of" @change=${setter("body")}>${options(strengths, state.body)}</select></div></div>`;
 
+const rotation = () => html`<div class="field" ?hidden=${!state.texts.E2}>
+    <label for="rotation" title="Friction of unlike bodies changes the pressure: a pad that is held and one that is free swing to opposite sides"
+        >Rotation of the pad</label>
+    <div class="row"><select id="rotation" @change=${setter("rotation")}>${options(rotations, state.rotation)}</select></div></div>`;
+
 const plane = () => html`<p class="tools"><input id="plane" type="checkbox" .checked=${live(state.plane === "stress")}
     @input=${({ target }) => set({ plane: target.checked ? "stress" : "" })}><label for="plane">plane stress</label></p>`;
 
 const more = {
     Loads: { below: width },
     Pad: { above: padChoice },
+    "Between the bodies": { below: rotation },
     "Half-plane": { below: () => [body(), plane()] },
 };
 

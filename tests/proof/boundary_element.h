@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A small incremental boundary-element solver of the same contact, to check the library's closed
- * forms with: it knows Eq. (1) and (17), Coulomb's law and nothing else, and of unlike bodies what a
- * pressure does along the surface and a shear across it. The pressure and the
- * shear traction are constant over each of n equal elements. Everything is first order in the
- * elements' width and in the step. */
+ * forms with: it knows Eq. (1) and (17), of unlike bodies what a pressure does along the surface
+ * and a shear across it, Coulomb's law and nothing else. The pressure and the shear traction are
+ * constant over each of n equal elements. Everything is first order in the elements' width and in
+ * the step. */
 #ifndef BOUNDARY_ELEMENT_H
 #define BOUNDARY_ELEMENT_H
 

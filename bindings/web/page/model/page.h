@@ -39,9 +39,9 @@ const char *json_end(void);
  * of "decimal_sign" is that of the others, a point where it is missing; that of "profile" has its
  * rows, whose decimal sign may be that of "profile_sign". "plane_stress" is in place of plane
  * strain, "strength_of" the body that k is of. "rotation" is "held" or "free", and "similar"
- * neglects what friction of unlike bodies does to the pressure. "hull", "fit", "heights" and "origin" say how the
- * profile is made of them, "units" the working units, and "width" what forces of the whole contact
- * are divided by. */
+ * neglects what friction of unlike bodies does to the pressure. "hull", "fit", "heights" and
+ * "origin" say how the profile is made of them, "units" the working units, and "width" what forces
+ * of the whole contact are divided by. */
 input_texts field_texts(char *fields);
 
 /* Of the last texts: the units; the name of the profile, NULL for none, and how it was made. */

@@ -20,7 +20,6 @@
 #include "yield/marks.h"
 #include "yield/neighbourhood.h"
 
-#include "base/always.h"
 #include "stress/von_mises.h"
 
 /* BAND radii of a grid are evaluated at once. */
@@ -290,7 +289,7 @@ int32_t rwedge_contact_yield_factor(const rwedge_contact *contact, double nu, do
     const rw_highest *highest = &s.highest;
     if (!is_infinite(contact, highest->kappa)) {
         search_all(&s);
-        if (NEVER(!(highest->J2 > 0))) /* the grid has points with stress */
+        if (!(highest->J2 > 0)) /* the stresses of the smallest contacts round to 0 */
             return RWEDGE_ERANGE;
         most = k / (unit * sqrt(highest->J2));
     }

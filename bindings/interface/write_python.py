@@ -288,7 +288,7 @@ def made_py(interface: Interface) -> str:
 
 # The classes that are written by hand, by their modules.
 NAMED = re.findall(r'^    "(\w+)": \("', (Path(__file__).resolve().parents[1] / "python/src/rwedge/_named.py").read_text(encoding="utf-8"), re.M)
-CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction Growth", "_files": "Case read_case", "_loads": "Loads", "_series": "Series", "_stress_history": "StressHistory",
+CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction Growth", "_files": "Case read_case", "_loads": "Loads", "_series": "Series", "_stress_history": "StressHistory", "_tests": "Tests series",
            "_library": "AbsentError Error PathError SlidingError", "_validity": "ValidityWarning"}
 PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
 from typing import Any, Protocol, overload, type_check_only

@@ -53,6 +53,8 @@ static void write_names(const series_table *table, records *rows)
         add_name(table, "P", rows);
     for (int i = 0; i < CONTACT_COLUMNS; i++)
         add_name(table, contact_columns[i].name, rows);
+    if (!isnan(all->below.length))
+        add_name(table, "length", rows);
     for (int i = 0; i < DAMAGE; i++)
         for (int end = 0; end < ENDS && criterion_exists(i) && series_shows(all, i); end++) {
             snprintf(names[i][end], sizeof names[i][end], "%s%s",
@@ -118,6 +120,8 @@ static void write_results(const job *j, const test_run *run, records *rows)
         records_value(rows, cell_number(run->test.P));
     for (int i = 0; i < CONTACT_COLUMNS; i++)
         records_value(rows, cell_number(contact[i]));
+    if (!isnan(all->below.length))
+        records_value(rows, cell_number(all->below.length));
     for (int i = 0; i < DAMAGE; i++)
         if (criterion_exists(i) && series_shows(all, i))
             write_criterion(all, r, i, rows);
@@ -135,7 +139,7 @@ static void write_results(const job *j, const test_run *run, records *rows)
 static void write_none(const job *j, records *rows)
 {
     const series *all = &j->table->all;
-    int count = CONTACT_COLUMNS + 1;
+    int count = CONTACT_COLUMNS + (isnan(all->below.length) ? 1 : 2);
     count += series_has(all, TEST_P0) && !header_has_input(&all->names, INPUT_P) ? 1 : 0;
     for (int i = 0; i < DAMAGE; i++)
         for (int end = 0; end < ENDS && criterion_exists(i) && series_shows(all, i); end++)

@@ -22,7 +22,7 @@ printf 'name,value\ncrossland_alpha,0.28186\ncrossland_limit,386\n' >steel.csv
 cp "$data/icf13.csv" .
 does fretting --input icf13.csv $bodies --f 0.8 --material steel.csv --criteria crossland --length 0.08
 message_has "length 0.08: crossland scatters by 6.31 %, at the surface by 15.6 %"
-same "its columns" "left,right,stick_left,stick_right,peak_pressure,crossland,crossland_x,crossland_at_length,crossland_load_factor,warnings,error" "$(head -n 1 out | cut -d , -f 11-)"
+same "its columns" "left,right,stick_left,stick_right,peak_pressure,length,crossland,crossland_x,crossland_at_length,crossland_load_factor,warnings,error" "$(head -n 1 out | cut -d , -f 11-)"
 same "printed contacts" "16 rows" "$(by_name 'NR > 1 { n++; a = $right; c = ($stick_right - $stick_left) / 2; e = ($stick_right + $stick_left) / 2
     if ((a - $a_printed) ^ 2 > 0.005 ^ 2 || (c / a - $c_over_a_printed) ^ 2 > 0.0101 ^ 2 || (e - $offset_printed) ^ 2 > 0.005 ^ 2) print $case, a, c / a, e }
     END { print n, "rows" }' out)"

@@ -33,13 +33,14 @@ from ._named import Named as _Named
 from ._renamed import now_called as _now_called
 from ._series import Series
 from ._stress_history import StressHistory
+from ._tests import Tests, series
 from ._ufuncs import UFUNCS as _UFUNCS
 from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
 _CLASSES = (AbsentError, Case, Contact, Cycle, Damage, Error, Friction, Growth, Loads, PathError, Plane, Series, SlidingError, StressHistory,
-            ValidityWarning, YieldFactor)
+            Tests, ValidityWarning, YieldFactor)
 for _class in _CLASSES:
     _class.__module__ = __name__
 __version__ = _function("version")().decode()
@@ -47,7 +48,7 @@ __version__ = _function("version")().decode()
 # All functions of the header that take and give nothing but numbers.
 globals().update({name: _Formula(ufunc) for name, ufunc in _UFUNCS.items()})
 globals().update({name: _Named(name) for name in _NAMED})
-__all__ = [*(_class.__name__ for _class in _CLASSES), "read_case", "stresses", *_UFUNCS, *_NAMED, *_made.__all__]
+__all__ = [*(_class.__name__ for _class in _CLASSES), "read_case", "series", "stresses", *_UFUNCS, *_NAMED, *_made.__all__]
 
 _stresses = _Points("stress")
 

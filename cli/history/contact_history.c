@@ -9,6 +9,10 @@ struct poptOption history_option_table[] = {
      "Go through the loads N times, one after the other (default: see below)", "N"},
     {FLAG("until", OPTION_UNTIL),
      "Where a load cannot be applied, go as far as the loads before it", NULL},
+    {FLAG("clip", OPTION_CLIP), "Let |Q| above f P slide, and P below 0 separate the bodies", NULL},
+    {VALUE("turning-points", OPTION_TURNING_POINTS),
+     "Keep loads at which Q, M, sigma turn by more than TOL of their range, P of the largest",
+     "TOL"},
     {VALUE("specimen-thickness", OPTION_SPECIMEN_THICKNESS),
      "Body 1 is so thick, on a base without friction; P is constant", "LENGTH"},
     {FLAG("opposite", OPTION_OPPOSITE), "and lies between two opposite pads", NULL},
@@ -102,6 +106,7 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
         usage_error("%s", why.text);
     status_check(history->setup.status, "the contact");
     load_history_read(line, decimal_sign, &history->loads);
+    loads_filter(line, history->setup.f, &history->loads);
     load_history_check(&history->loads, &history->setup);
     if (cycles_of_two > 1)
         refuse_turning(&history->loads);

@@ -10,6 +10,8 @@
 enum {
     OPTION_CYCLES = OPTION_AFTER_LOADS,
     OPTION_UNTIL,
+    OPTION_CLIP,
+    OPTION_TURNING_POINTS,
     OPTION_SPECIMEN_THICKNESS,
     OPTION_OPPOSITE,
     OPTION_AFTER_HISTORY
@@ -53,6 +55,12 @@ size_t contact_history_go(const contact_history *history, load_visitor *visit, v
  * lists of loads, the second may be NULL: all have one P. */
 void specimen_take(const arguments *line, const load_history *loads, const load_history *before,
                    contact_case *setup);
+
+/* ---- load_filters ---- A log as it was measured, made fit. */
+
+/* By --clip, under this friction, and by --turning-points: the loads that are left. What was done
+ * is said. */
+void loads_filter(const arguments *line, double f, load_history *loads);
 
 /* ---- places ---- The points of body 1 that are looked at: a list, a file of them, or a grid. */
 

@@ -43,6 +43,42 @@ does history cycle.csv $cylinder $compliance --cycles 2
 said=$(sed -n 's/.*last cycle: //p' err)
 close_to "energy by place" "$said" "$by_place" 5e-3
 
+# ---- Noise ----
+# Clipped, the loads are carried; what was done is counted here once more.
+said=$(by_name 'NR > 1 { e = ($Q < 0 ? -$Q : $Q) - 0.6 * $P; if (e > 0) { n++; if (e > m) m = e } }
+    END { printf "|Q| above f P, by %.4g at most, slides: %d of %d rows", m, n, NR - 1 }' "$gross")
+does history "$gross" $cylinder --clip
+message_has "--clip: $said"
+message_has "the loads do not tell how far nor what that dissipates"
+by_name 'NR > 1 && $Q * $Q <= 0.36 * $P * $P * (1 + 1e-12) { n++ } END { print n }' out >carried
+same "every load is carried" 500 "$(cat carried)"
+printf 'P,Q\n400,100\n-2,3\n400,-300\n' >touch.csv
+does history touch.csv $cylinder --clip
+same "separated, and slid" "100 0 -240" "$(column Q out | paste -s -d ' ' -)"
+same "what was done" "rwedge history: --clip: P below 0, by 2 at most, is separated: 1 of 3 rows
+rwedge history: --clip: |Q| above f P, by 60 at most, slides: 1 of 3 rows" "$(head -n 2 err)"
+fails_with_status 1 "touch.csv: line 3: P -2: must not be below 0, and Q must be 0 where P is" history touch.csv $cylinder
+does history touch.csv $cylinder --clip --save-case clipped.json
+kept first history touch.csv $cylinder --clip
+does history --case clipped.json
+same "a case clips too" "$(column energy first)" "$(column energy out)"
+
+# Turning points: of a ramp to and fro from -100 to 100 with ripples of 8, those of the ramp alone; with a finer threshold those of
+# the ripples too.
+awk 'BEGIN { print "P,Q"; for (i = 0; i <= 80; i++) { t = i % 40; print 400 "," (t < 20 ? t : 40 - t) * 10 - 100 + (i % 2 ? 8 : -8) } }' >ripple.csv
+does history ripple.csv $cylinder --turning-points 0.1
+message_is "rwedge history: --turning-points: 5 of 81 rows are left; what is left out turns by 0.0291 of the range of Q at most"
+same "the turns" "-108 98 -108 98 -108" "$(column Q out | paste -s -d ' ' -)"
+does history ripple.csv $cylinder --turning-points 0.02
+same "each ripple" 81 "$(column Q out | wc -l)"
+refuses "--turning-points 1: must be a number between 0 and 1, of the range" history ripple.csv $cylinder --turning-points 1
+# Energy of partial slip is that of the turns: with ripples it is more, by what is told to be left out.
+awk 'BEGIN { print "P,Q"; for (i = 0; i <= 400; i++) print 400 "," 150 * sin(i * 0.0628318530717959) }' >smooth.csv
+kept first history smooth.csv $cylinder
+does history smooth.csv $cylinder --turning-points 0.01
+message_has "10 of 401 rows are left; nothing turns in between"
+close_to "the energy" "$(column energy first | tail -n 1)" "$(column energy out | tail -n 1)" 1e-9
+
 # ---- Columns and words ----
 printf 'P [kN],displacement [um],Q\n4,10,1\n4,-10,1\n' >units.csv
 printf 'P,displacement\n400,0.01\n400,-0.01\n' >plain.csv

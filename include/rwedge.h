@@ -1100,6 +1100,21 @@ RWEDGE_API int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loa
                                        const double P[], const double M[], const double Q[],
                                        const double sigma[], rwedge_cycle **cycle);
 
+/* A cycle of a contact that is held, guided through tilts as rwedge_contact_guide() does it load by
+ * load; rwedge_cycle_create() keeps the tilt. The moments are results.                         new
+ *   loads     number of loads, >= 1
+ *   P         0, or at least 1e-8 of the last P
+ *   tilt      rad, |tilt| < pi/2; as for rwedge_contact_guide(): loads numbers
+ *   Q, sigma  finite: loads numbers each, as P
+ *   cycle     receives the handle
+ * RWEDGE_EDOMAIN where the contact is not held by rwedge_contact_set_rotation(), or where a tilt is
+ * too large. Other errors as those of rwedge_contact_guide() and rwedge_cycle_create():
+ * RWEDGE_EPATH; RWEDGE_ESLIDING; RWEDGE_ENOCONV; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+RWEDGE_API int32_t rwedge_cycle_create_guided(const rwedge_contact *contact, size_t loads,
+                                              const double P[], const double tilt[],
+                                              const double Q[], const double sigma[],
+                                              rwedge_cycle **cycle);
+
 /* A cycle of a contact that a rig drives, as rwedge_contact_drive() does it load by load. What the
  * bodies slide in it is slip of every place, and dissipates. rwedge_cycle_forces() tells Q.     new
  *   loads         number of loads, >= 1

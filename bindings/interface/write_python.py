@@ -37,6 +37,8 @@ LAW_AND_VERDICT = "law may be a mapping too, without ds0 and K_c where they are 
 ADDED = {"contact_load": ALL_OR_NONE, "contact_apply": ALL_OR_NONE + " What has no closed form is computed, and ``error`` tells how exactly, "
          "unless the contact's ``tolerance`` is 0.", "contact_create_flat": TOLERANCE, "contact_create_profile": TOLERANCE,
          "contact_yield_factor": "", "contact_state": "``Contact.restore(state)`` goes on to the same bits.", "contact_restore": "",
+         "cycle_create_guided": "The loads have P, tilt, Q and sigma by name, in a dict or a frame; what has no name keeps its value. "
+         "``loads.M`` has the moments.",
          "cycle_create_driven": "The loads have P, M, sigma and displacement by name, in a dict or a frame; what has no name keeps its "
          "value. ``loads.Q`` has the forces.",
          "cycle_stresses": "The result unpacks into sxx, syy, txy, each an array of (load, point).", "cycle_friction": "",

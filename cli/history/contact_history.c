@@ -70,22 +70,6 @@ size_t contact_history_go(const contact_history *history, load_visitor *visit, v
     return step;
 }
 
-/* The states of a cycle are known between its loads too: at one tilt, or under moments. */
-static void refuse_turning(const load_history *loads)
-{
-    complaint why;
-    size_t i = 0;
-    if (!loads_turn(loads->load, loads->count))
-        return;
-    while (loads->load[i].tilt == loads->load[0].tilt)
-        i++;
-    complain(&why,
-             "tilt %.6g: must be that of the first load, %.6g, in a cycle; \"rwedge history\" "
-             "takes others",
-             loads->load[i].tilt, loads->load[0].tilt);
-    load_history_fail(loads, i, "", &why);
-}
-
 void contact_history_read(const arguments *line, const input_texts *texts, char decimal_sign,
                           int64_t cycles, int64_t cycles_of_two, contact_history *history)
 {
@@ -108,8 +92,6 @@ void contact_history_read(const arguments *line, const input_texts *texts, char 
     load_history_read(line, decimal_sign, &history->loads);
     loads_filter(line, history->setup.f, &history->loads);
     load_history_check(&history->loads, &history->setup);
-    if (cycles_of_two > 1)
-        refuse_turning(&history->loads);
     load_history before;
     const bool has_before = history_file(line) != NULL && line->value[OPTION_LOAD] != NULL;
     if (has_before)

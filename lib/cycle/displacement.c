@@ -127,8 +127,7 @@ static int32_t displacements(const rwedge_cycle *cycle, rwedge_contact *going, d
 {
     int32_t status = rw_contact_follow_slip(going);
     for (size_t i = 0; i < cycle->loads.count && status == RWEDGE_OK; i++) {
-        const rw_loads to = rw_loads_at(&cycle->loads, i);
-        status = rwedge_contact_apply(going, to.P, to.M, to.Q, to.sigma);
+        status = rw_contact_apply(going, rw_cycle_goal(cycle, going, i));
         going->drive.slid += rw_cycle_slid(cycle, i);
         if (status == RWEDGE_OK && going->phase == RW_APART)
             status = RWEDGE_EABSENT;

@@ -235,21 +235,30 @@ static int32_t note(rwedge_cycle *cycle, const rwedge_contact *from, const rwedg
 
 /* ---- The way ---- */
 
-static rw_turns turns_of(const rwedge_contact *from, rw_patch old, rw_patch now)
+/* A pad that is held turns where it is guided. */
+static rw_turns turns_of(const rwedge_contact *from, bool is_turned, rw_patch old, rw_patch now)
 {
     const rw_arcs arcs = rw_arcs_of(&from->geometry);
-    const bool is_straight = from->is_held || isnan(old.left) || isnan(now.left);
-    return is_straight ? (rw_turns){{1, 1}} : rw_arcs_turns(&arcs, old, now);
+    const bool is_straight = (from->is_held && !is_turned) || isnan(old.left) || isnan(now.left);
+    return is_straight     ? (rw_turns){{1, 1}}
+           : from->is_held ? rw_arcs_turns_of_tilt(&arcs, old, now)
+                           : rw_arcs_turns(&arcs, old, now);
+}
+
+static rw_goal goal_between(rw_goal from, rw_goal to, double part)
+{
+    return (rw_goal){from.P + (to.P - from.P) * part, from.turn + (to.turn - from.turn) * part,
+                     from.Q + (to.Q - from.Q) * part, from.sigma + (to.sigma - from.sigma) * part};
 }
 
 /* Goes on, and notes the state. */
-static int32_t go_part(rwedge_cycle *cycle, rwedge_contact *going, rw_loads to)
+static int32_t go_part(rwedge_cycle *cycle, rwedge_contact *going, rw_goal to)
 {
     rwedge_contact *before;
     int32_t status = rwedge_contact_copy(going, &before);
     if (status != RWEDGE_OK)
         return status;
-    status = rwedge_contact_apply(going, to.P, to.M, to.Q, to.sigma);
+    status = rw_contact_apply(going, to);
     if (status == RWEDGE_OK && !rw_contact_knows_slip(going))
         status = RWEDGE_EPATH;
     if (status == RWEDGE_OK)
@@ -261,22 +270,22 @@ static int32_t go_part(rwedge_cycle *cycle, rwedge_contact *going, rw_loads to)
 /* Goes along the way to a load, but not to the load itself, and notes the states. It ends where one
  * of them has no closed form: the step as a whole has one. On the way to separation the slip is
  * then not known, RWEDGE_EPATH. */
-static int32_t go_parts(rwedge_cycle *cycle, rwedge_contact *going, rw_loads to)
+static int32_t go_parts(rwedge_cycle *cycle, rwedge_contact *going, rw_goal to)
 {
-    const rw_loads from = going->loads;
+    const rw_goal from = rw_goal_of(going, going->loads);
     const rw_patch old = patch_of(going), now = rw_contact_patch_under(going, to);
     int32_t status = RWEDGE_OK;
-    if (from.P == to.P && (going->is_held || from.M == to.M))
+    if (from.P == to.P && from.turn == to.turn)
         return status;
     const int parts = parts_of(going, old, now), end = to.P == 0 ? parts + HALVINGS : parts;
-    const rw_turns turns = turns_of(going, old, now);
+    const rw_turns turns = turns_of(going, from.turn != to.turn, old, now);
     double done = 0;
     for (int i = 1; done < 1 && status == RWEDGE_OK;) {
         const double share = i < end ? share_of(i, parts) : 1;
         done = rw_stop_before(&turns, done, share);
         i += done == share;
         if (done < 1)
-            status = go_part(cycle, going, rw_loads_between(from, to, done));
+            status = go_part(cycle, going, goal_between(from, to, done));
     }
     return status == RWEDGE_OK || status == RWEDGE_ENOMEM ? status
            : to.P == 0                                    ? RWEDGE_EPATH
@@ -303,7 +312,7 @@ static void stick_in_parts(rwedge_cycle *cycle, size_t from, rw_patch stuck)
 }
 
 /* The slip of a load that the contact has gone to, or which the follower computes. */
-static int32_t follow_slip(rwedge_cycle *cycle, walk *w, rw_loads to)
+static int32_t follow_slip(rwedge_cycle *cycle, walk *w, rw_goal to)
 {
     if (!w->follower && rw_contact_knows_slip(w->contact)) {
         const rw_entry *lender = &cycle->at_loads.entries[cycle->at_loads.count - 1];
@@ -346,7 +355,7 @@ static void note_half_width(rwedge_cycle *cycle, double b)
 }
 
 /* RWEDGE_EPATH, or another reason, of the slip is not one of the load. `slid`: by a rig besides. */
-static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_loads to, double slid)
+static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_goal to, double slid)
 {
     const double slid_first = slid_before(w->contact, slid);
     rwedge_contact *before = NULL;
@@ -363,7 +372,7 @@ static int32_t go_to(rwedge_cycle *cycle, walk *w, rw_loads to, double slid)
     if (status == RWEDGE_OK)
         status = rwedge_contact_copy(w->contact, &before);
     if (status == RWEDGE_OK)
-        status = rwedge_contact_apply(w->contact, to.P, to.M, to.Q, to.sigma);
+        status = rw_contact_apply(w->contact, to);
     if (status == RWEDGE_OK && !(rw_record_add(&cycle->at_loads, w->contact, NULL) &&
                                  rw_edges_add(&cycle->edges, w->contact)))
         status = RWEDGE_ENOMEM;
@@ -408,7 +417,7 @@ static int32_t go_through(rwedge_cycle *cycle)
     walk w = {NULL, NULL, NULL, {NULL, 0}};
     int32_t status = begin(cycle, &w);
     for (size_t i = 0; i < cycle->loads.count && status == RWEDGE_OK; i++)
-        status = go_to(cycle, &w, rw_loads_at(&cycle->loads, i), rw_cycle_slid(cycle, i));
+        status = go_to(cycle, &w, rw_cycle_goal(cycle, w.contact, i), rw_cycle_slid(cycle, i));
     if (status == RWEDGE_OK)
         cycle->never_slips = rw_stuck_widest(&w.stuck);
     if (status == RWEDGE_OK)
@@ -437,14 +446,15 @@ static bool keep_loads(rwedge_cycle *cycle, const rw_load_history *loads)
 }
 
 /* The cycle takes the distances. */
-static int32_t create(const rwedge_contact *contact, const rw_load_history *loads, double *slid,
-                      rwedge_cycle **cycle)
+static int32_t create(const rwedge_contact *contact, const rw_load_history *loads, bool is_guided,
+                      double *slid, rwedge_cycle **cycle)
 {
     rwedge_cycle *created = calloc(1, sizeof *created);
     if (!created) {
         free(slid);
         return RWEDGE_ENOMEM;
     }
+    created->is_guided = is_guided;
     created->slid = slid;
     int32_t status =
         keep_loads(created, loads) ? rwedge_contact_copy(contact, &created->before) : RWEDGE_ENOMEM;
@@ -466,7 +476,7 @@ int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loads, const d
         return RWEDGE_ENULL;
     if (loads == 0 || loads > SIZE_MAX / 4 / sizeof *P)
         return RWEDGE_ERANGE;
-    return create(contact, &history, NULL, cycle);
+    return create(contact, &history, false, NULL, cycle);
 }
 
 int32_t rwedge_cycle_create_driven(const rwedge_contact *contact, size_t loads, const double P[],
@@ -483,10 +493,32 @@ int32_t rwedge_cycle_create_driven(const rwedge_contact *contact, size_t loads, 
     int32_t status = Q && slid ? rw_drive_through(contact, &rig, Q, slid) : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
         const rw_load_history history = {loads, P, M, Q, sigma};
-        status = create(contact, &history, slid, cycle);
+        status = create(contact, &history, false, slid, cycle);
     } else
         free(slid);
     free(Q);
+    return status;
+}
+
+int32_t rwedge_cycle_create_guided(const rwedge_contact *contact, size_t loads, const double P[],
+                                   const double tilt[], const double Q[], const double sigma[],
+                                   rwedge_cycle **cycle)
+{
+    if (!contact || (loads > 0 && (!P || !tilt || !Q || !sigma)) || !cycle)
+        return RWEDGE_ENULL;
+    if (loads == 0 || loads > SIZE_MAX / 4 / sizeof *P)
+        return RWEDGE_ERANGE;
+    for (size_t i = 0; i < loads; i++)
+        if (!rw_can_be_guided(contact, tilt[i]))
+            return RWEDGE_EDOMAIN;
+    double *turn = malloc(loads * sizeof *turn);
+    if (!turn)
+        return RWEDGE_ENOMEM;
+    for (size_t i = 0; i < loads; i++)
+        turn[i] = rw_as_held(&contact->geometry, tilt[i]);
+    const rw_load_history history = {loads, P, turn, Q, sigma};
+    const int32_t status = create(contact, &history, true, NULL, cycle);
+    free(turn);
     return status;
 }
 

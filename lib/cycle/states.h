@@ -53,6 +53,7 @@ void rw_edges_settle(rw_edges *edges);
 struct rwedge_cycle {
     rwedge_contact *before;
     rw_load_history loads; /* its arrays are the cycle's own, in one block */
+    bool is_guided;        /* M of the loads is the tilt at which the pad is held, as in rw_goal */
     double *slid;          /* with each load, beyond what it tells; NULL: no rig prescribes it */
     rw_record at_loads;    /* what the loads leave */
     rw_record on_the_way;  /* all states, for slip */
@@ -80,6 +81,14 @@ int32_t rw_drive_through(const rwedge_contact *contact, const rw_rig_history *lo
 static inline double rw_cycle_slid(const rwedge_cycle *cycle, size_t i)
 {
     return cycle->slid ? cycle->slid[i] : 0;
+}
+
+/* Where the load i leads a contact of the cycle. */
+static inline rw_goal rw_cycle_goal(const rwedge_cycle *cycle, const rwedge_contact *contact,
+                                    size_t i)
+{
+    const rw_loads to = rw_loads_at(&cycle->loads, i);
+    return cycle->is_guided ? (rw_goal){to.P, to.M, to.Q, to.sigma} : rw_goal_of(contact, to);
 }
 
 /* The height of a profile, over theta, up to a constant. */

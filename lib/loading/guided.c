@@ -3,18 +3,12 @@
 #include "loading/beside.h"
 #include "loading/step_to.h"
 
-/* A tilt as the loads have it: of a profile, less the slope between its outermost ones. */
-static double as_held(const rw_geometry *g, double tilt)
-{
-    return (tilt - g->middle_slope) / g->theta;
-}
-
 /* The present tilt. Apart, a pad that is not held is as its profile was given. */
 static double present_tilt(const rwedge_contact *c)
 {
     return c->phase != RW_APART ? rw_memory_end(&c->memory)->tilt
            : c->is_held         ? c->held_tilt
-                                : as_held(&c->geometry, 0);
+                                : rw_as_held(&c->geometry, 0);
 }
 
 /* A computed shear begins a new line, on which something else goes straight. The line from touching
@@ -70,12 +64,18 @@ int32_t rwedge_contact_set_rotation(rwedge_contact *contact, int32_t held)
     return status;
 }
 
+bool rw_can_be_guided(const rwedge_contact *c, double tilt)
+{
+    return c->is_held && rw_is_signed(tilt) && isless(fabs(tilt), RW_HALF_PI) &&
+           isless(fabs(rw_as_held(&c->geometry, tilt)), RW_LARGEST_TILT);
+}
+
 int32_t rwedge_contact_guide(rwedge_contact *contact, double P, double tilt, double Q, double sigma)
 {
     if (!contact)
         return RWEDGE_ENULL;
-    if (!contact->is_held || !rw_is_signed(tilt) || !isless(fabs(tilt), RW_HALF_PI))
+    if (!rw_can_be_guided(contact, tilt))
         return RWEDGE_EDOMAIN;
-    const rw_goal to = {P, as_held(&contact->geometry, tilt), Q, sigma};
-    return isless(fabs(to.turn), RW_LARGEST_TILT) ? rw_contact_apply(contact, to) : RWEDGE_EDOMAIN;
+    const rw_goal to = {P, rw_as_held(&contact->geometry, tilt), Q, sigma};
+    return rw_contact_apply(contact, to);
 }

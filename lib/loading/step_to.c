@@ -184,12 +184,11 @@ int32_t rw_step_to(const rwedge_contact *contact, rw_goal to, rw_step *step)
                                         : RWEDGE_OK;
 }
 
-rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_loads to)
+rw_patch rw_contact_patch_under(const rwedge_contact *contact, rw_goal to)
 {
     rw_step step;
-    return rw_step_to(contact, rw_goal_of(contact, to), &step) == RWEDGE_OK && to.P > 0
-               ? step.patch
-               : (rw_patch){NAN, NAN};
+    return rw_step_to(contact, to, &step) == RWEDGE_OK && to.P > 0 ? step.patch
+                                                                   : (rw_patch){NAN, NAN};
 }
 
 rw_obstacle rw_contact_obstacle(const rwedge_contact *contact, rw_loads to)

@@ -80,6 +80,8 @@ OWN = {
     ("contact_stress_history", "Q"): [100, -500, 700, -900],
     ("cycle_create_driven", "P"): [2000], ("cycle_create_driven", "M"): [60], ("cycle_create_driven", "sigma"): [-2],
     ("cycle_create_driven", "displacement"): [1e-4, -1e-4, 5e-5], ("cycle_create_driven", "compliance"): [1e-6],
+    ("cycle_create_guided", "P"): [2000], ("cycle_create_guided", "tilt"): [1e-3, -2e-3, 0], ("cycle_create_guided", "Q"): [100, -300, 200],
+    ("cycle_create_guided", "sigma"): [0],
     ("cycle_create", "P"): [2000], ("cycle_create", "M"): [60], ("cycle_create", "Q"): [100, -300, 200], ("cycle_create", "sigma"): [-2],
     ("cycle_friction", "x"): [1.75, -1.9, 2.2, 1.82, -1.72, 1.95, -2.25],  # at the edges, where it slips
     ("contact_create_profile", "slope"): [-0.01, 0, 0.01], ("contact_create_profile", "f"): [0.6], ("contact_create_flat", "f"): [0.6],
@@ -118,8 +120,9 @@ OBJECTS = {
 }
 # What only a contact that slides can tell.
 OF_SLIDING = {"contact_shakedown_factor"}
-# Its forces are found: another math library ends at other last digits, and what the cycle tells follows.
-FOUND = {"cycle_create_driven"}
+# Made, and asked nothing: its forces are found, and another math library ends at other last digits, which what the cycle tells
+# follows; or the contact is not held.
+ALONE = {"cycle_create_driven", "cycle_create_guided"}
 interface = read(TOP / "include" / "rwedge.h")
 LANGUAGE = "".join(sys.argv[1:])
 calls = []  # the lines of each
@@ -219,7 +222,7 @@ def objects():
             if "@" in inputs:
                 call(interface["contact_state"], [])
             call(maker, inputs)
-            if maker.name in FOUND:
+            if maker.name in ALONE:
                 continue
             steps = history if maker.method == "create" else ANOTHER_PAD if maker.method.startswith("create_") else history[-1:]
             for name, arguments in steps:

@@ -75,6 +75,24 @@ def test_a_driven_cycle_has_the_forces_of_its_contact_and_slides(pad):
         rwedge.Cycle.driven(pad, {"displacement": way}, -1)
 
 
+def test_a_guided_cycle_has_the_moments_of_its_contact_and_slips(pad):
+    pad.set_rotation(1)
+    loads = {"P": 2000, "tilt": np.array([1e-3, -1e-3, 1e-3]), "Q": [300, -300, 300]}
+    for _ in range(3):
+        for tilt, Q in zip(loads["tilt"], loads["Q"]):
+            pad.guide(2000, float(tilt), Q, 0)
+    cycle, guided = rwedge.Cycle.guided(pad, loads), pad.copy()
+    for i, (tilt, Q) in enumerate(zip(loads["tilt"], loads["Q"])):
+        guided.guide(2000, float(tilt), Q, 0)
+        assert cycle.loads.M[i] == guided.loads.M != 0
+    assert len(cycle) == 3 and cycle.friction(0.95 * guided.edges[1]).slip_range > 0
+    for wrong in ({"P": 2000}, {"P": 2000, "M": 1, "tilt": [0.0]}):
+        with pytest.raises(rwedge.Error, match="tilt in place of M"):
+            rwedge.Cycle.guided(pad, wrong)
+    with pytest.raises(rwedge.Error):
+        rwedge.Cycle.guided(pad, {"tilt": [0.5]})
+
+
 def test_a_load_that_is_refused_is_named(pad):
     with pytest.raises(rwedge.SlidingError, match=r"Q\[1\] = 900"):
         pad.cycle({"P": 2000, "Q": [300, 900]})

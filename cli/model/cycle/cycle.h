@@ -176,7 +176,8 @@ typedef struct {
     size_t loads;              /* of the cycle */
     double *P, *M, *Q, *sigma; /* `loads` numbers each */
     double *displacement;      /* likewise, of a cycle that is driven */
-    bool is_driven;
+    double *tilt;              /* likewise, of one that is guided */
+    bool is_driven, is_guided;
     double compliance;
     double left, right; /* the outermost edges; NAN where there is no contact */
     double error;       /* the largest rwedge_contact_error() of its states */

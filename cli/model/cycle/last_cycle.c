@@ -23,13 +23,14 @@ void last_cycle_begin(const contact_case *setup, const criteria *asked,
     measure_count(); /* the table of columns is made here, before any thread asks for it */
     *cycle = (last_cycle){.setup = setup,
                           .asked = *asked,
-                          .P = memory_zeroed(5 * most, sizeof(double)),
+                          .P = memory_zeroed(6 * most, sizeof(double)),
                           .left = NAN,
                           .right = NAN};
     cycle->M = cycle->P + most;
     cycle->Q = cycle->M + most;
     cycle->sigma = cycle->Q + most;
     cycle->displacement = cycle->sigma + most;
+    cycle->tilt = cycle->displacement + most;
     rwedge_contact_copy(before, &cycle->before);
     memory_checked(cycle->before);
     note(before, cycle);
@@ -41,6 +42,8 @@ void last_cycle_add(load to, const rwedge_contact *contact, last_cycle *cycle)
     cycle->is_driven = to.is_driven;
     cycle->displacement[i] = to.displacement;
     cycle->compliance = to.compliance;
+    cycle->is_guided = to.is_guided;
+    cycle->tilt[i] = to.tilt;
     rwedge_contact_loads(contact, &cycle->P[i], &cycle->M[i], &cycle->Q[i], &cycle->sigma[i]);
     note(contact, cycle);
 }
@@ -51,6 +54,9 @@ int32_t last_cycle_end(last_cycle *last)
         last->is_driven
             ? rwedge_cycle_create_driven(last->before, last->loads, last->P, last->M, last->sigma,
                                          last->displacement, last->compliance, &last->cycle)
+        : last->is_guided
+            ? rwedge_cycle_create_guided(last->before, last->loads, last->P, last->tilt, last->Q,
+                                         last->sigma, &last->cycle)
             : rwedge_cycle_create(last->before, last->loads, last->P, last->M, last->Q, last->sigma,
                                   &last->cycle);
     if (status == RWEDGE_OK)

@@ -138,8 +138,24 @@ refuses_rows() { # MESSAGE ROWS OPTION...: of a history
 refuses_rows "column tilt: given together with column M; allowed: one of the two, or another name" 'P,Q,M,tilt\n1,0,0,0\n'
 refuses_rows "line 2: tilt 0.01: given together with --tilt; allowed: one of the two" 'P,Q,tilt\n1,0,0.01\n' --tilt 0.01
 refuses_rows "line 3: tilt 1.4: so large a tilt lays a flank on the surface" 'P,Q,tilt\n1,0,0\n1,0,1.4\n'
-cannot "turns.csv: line 3: tilt 0.01: must be that of the first load, 0.02, in a cycle; \"rwedge history\" takes others" \
-    fretting turns.csv $guided --units mm,N,MPa --column 'tilt=Pad tilt'
+# A cycle of tilts is, in small steps, one of the moments that hold the pad: of a flat one that rocks while Q goes to and fro.
+rocking="--E1 210000 --nu1 0.3 --flat 1 --radius 20 --f 0.3"
+awk 'BEGIN { print "P,tilt,Q"; n = 60; split("0.001 0.0003 -0.001 -0.0002", t, " "); split("40 -100 -20 100", q, " ")
+    for (i = 1; i <= 4; i++) print 400 + 20 * (i % 2) "," t[i] "," q[i] >"rocks.csv"
+    for (i = 1; i <= 4; i++) { j = i > 1 ? i - 1 : 4
+        for (k = 1; k <= n; k++) { s = k / n
+            printf "%.17g,%.17g,%.17g\n", (1 - s) * (400 + 20 * (j % 2)) + s * (400 + 20 * (i % 2)), (1 - s) * t[j] + s * t[i], (1 - s) * q[j] + s * q[i] } } }' >fine.csv
+sed -i '1i P,tilt,Q' rocks.csv
+run history fine.csv $rocking --cycles 3
+by_name 'NR == 1 { print "P,M,Q" } NR > 481 { print $P "," $M "," $Q }' out >moments.csv
+same "the last cycle of moments" 241 "$(wc -l <moments.csv | tr -d ' ')"
+run fretting rocks.csv $rocking --cycles 4 --x=-1.13
+of_tilts=$(by_name 'NR == 2 { printf "%.4g %.4g %.4g", $slip_range, $stress_range, $energy_per_area }' out)
+slip=$(by_name 'NR == 2 { print $slip_range }' out) energy=$(by_name 'NR == 2 { print $energy_per_area }' out)
+run fretting moments.csv $rocking --cycles 4 --x=-1.13
+close_to "slip of a pad that rocks: $of_tilts" "$(by_name 'NR == 2 { print $slip_range }' out)" "$slip" 2e-3
+close_to "energy of a pad that rocks" "$(by_name 'NR == 2 { print $energy_per_area }' out)" "$energy" 2e-3
+same "it slips" 1 "$(awk -v s="$slip" 'BEGIN { print (s > 1e-6) }')"
 
 refuses "--tilt 0.1: given together with --M; allowed: one of the two" solve $guided --P 200 --M 1 --tilt 0.1
 refuses "--tilt 1.2: so large a tilt lays a flank on the surface" solve $guided --P 200 --tilt 1.2

@@ -28,6 +28,7 @@ static const struct {
     {"contact_guide", {4.2, 0, 0, 0}},
     {"contact_stress_history", {4, 0.05, 0, 0, 0.5, NAN}},
     {"cycle_create", {4, 0.05, 0, 0}},
+    {"cycle_create_guided", {4, 0.05, 0, 0}},
     {"cycle_create_driven", {4, 0.05, 0, 0.01, 0.01}},
     {"cycle_shakedown", {0.3, 1}},
     {"cycle_below", {0.3, 0.2, 0.1, 1}},

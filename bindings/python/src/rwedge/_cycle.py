@@ -12,14 +12,15 @@ from numpy.typing import NDArray
 
 from ._labels import Numbers, aligned, plain
 from ._library import OK, check, function
-from ._loads import History, Loads, columns, driven_columns, given_columns
+from ._loads import History, Loads, columns, given_columns, rig_columns
 from ._made import CycleMethods
 from ._stress_history import StressHistory
 
 if TYPE_CHECKING:
     from ._contact import Contact
 
-_create, _create_driven, _destroy = function("cycle_create"), function("cycle_create_driven"), function("cycle_destroy")
+_create, _create_driven, _create_guided = function("cycle_create"), function("cycle_create_driven"), function("cycle_create_guided")
+_destroy = function("cycle_destroy")
 
 
 class Friction(NamedTuple):
@@ -117,8 +118,24 @@ class Cycle(CycleMethods):
         self._loads = Loads(*history)  # type: ignore[arg-type]
 
     @classmethod
+    def guided(cls, contact: Contact, loads: Mapping[str, Any]) -> Cycle:
+        arrays, handle, cycle = rig_columns(loads, "tilt", "M"), ctypes.c_void_p(), cls.__new__(cls)
+        with contact._lock:
+            P, tilt, Q, sigma = columns(arrays, contact.loads)
+            status = _create_guided(contact._address, len(P), *(column.ctypes.data for column in (P, tilt, Q, sigma)), ctypes.byref(handle))
+            check("cycle_create_guided", status, {"loads": len(P)})
+            going = contact.copy()
+        cycle._adopt(handle, _destroy)
+        M = np.empty_like(P)
+        for i, load in enumerate(zip(P, tilt, Q, sigma)):
+            going.guide(*map(float, load))
+            M[i] = going.loads.M
+        cycle._loads = Loads(P, M, Q, sigma)  # type: ignore[arg-type]
+        return cycle
+
+    @classmethod
     def driven(cls, contact: Contact, loads: Mapping[str, Any], compliance: float) -> Cycle:
-        arrays, handle, cycle = driven_columns(loads), ctypes.c_void_p(), cls.__new__(cls)
+        arrays, handle, cycle = rig_columns(loads, "displacement", "Q"), ctypes.c_void_p(), cls.__new__(cls)
         with contact._lock:
             P, M, displacement, sigma = columns(arrays, contact.loads)
             status = _create_driven(contact._address, len(P), *(column.ctypes.data for column in (P, M, sigma, displacement)),

@@ -104,16 +104,16 @@ def given_columns(loads: History) -> dict[str, NDArray[np.float64]]:
     return {name: _numbers(name, values) for name, values in by_name.items()}
 
 
-def driven_columns(loads: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
-    """The given ones of P, M, sigma, and in the place of Q the displacement, from a mapping or frame with these names."""
+def rig_columns(loads: Mapping[str, Any], prescribed: str, load: str) -> dict[str, NDArray[np.float64]]:
+    """The given ones of the other loads, and what a rig prescribes in the place of one, from a mapping or frame with these names."""
     names = list(loads.keys()) if hasattr(loads, "keys") else []
-    if "displacement" not in names or "Q" in names:
-        raise Error("loads of a rig have displacement in place of Q, by name", EDOMAIN)
-    others = {name: loads[name] for name in names if name != "displacement"}
-    by_name = {**(_named(others) if others else {}), "displacement": loads["displacement"]}
+    if prescribed not in names or load in names:
+        raise Error(f"loads of a rig have {prescribed} in place of {load}, by name", EDOMAIN)
+    others = {name: loads[name] for name in names if name != prescribed}
+    by_name = {**(_named(others) if others else {}), prescribed: loads[prescribed]}
     _refuse_other_labels(by_name)
     arrays = {name: _numbers(name, values) for name, values in by_name.items()}
-    return {**arrays, "Q": arrays.pop("displacement")}
+    return {**arrays, load: arrays.pop(prescribed)}
 
 
 def columns(arrays: dict[str, NDArray[np.float64]], present: Loads) -> Columns:

@@ -153,7 +153,7 @@ static bool has_no_moments(const load_list *loads)
     return true;
 }
 
-/* A pad whose loads have tilts comes down at the first, and keeps it: between loads of a cycle. */
+/* A pad whose loads have tilts comes down at the first. */
 static bool hold(void)
 {
     const load_list *loads = &asked.loads;
@@ -165,10 +165,6 @@ static bool hold(void)
     if (asked.setup.is_held && asked.setup.rotation != ROTATION_HELD)
         return json_refuse("", "column tilt: given together with the tilt of the form; allowed: "
                                "one of the two");
-    for (size_t i = 1; i < loads->count; i++)
-        if (loads->load[i].to.tilt != tilt)
-            return json_refuse("", "line %d: tilt %.6g: must be that of the first load, %.6g",
-                               loads->load[i].line, loads->load[i].to.tilt, tilt);
     return loads_hold(tilt, asked.setup.contact) == RWEDGE_OK ||
            json_refuse("", "tilt %.6g: so large a tilt lays a flank on the surface", tilt);
 }

@@ -112,8 +112,8 @@ static double part_of(double left, double part)
 
 static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
                              int effort, double *error);
-static bool advance_over_onset(load_work *j, int division, rw_scaled_loads to, double length,
-                               int effort, double onset, double *error);
+static bool advance_to_onset(load_work *j, int division, rw_scaled_loads to, double length,
+                             int effort, double onset);
 
 /* The part of a step, known as a whole or not, after which slip begins at an edge that grows. */
 static double onset_in(load_work *j, const rw_numerical_state *whole)
@@ -123,21 +123,40 @@ static double onset_in(load_work *j, const rw_numerical_state *whole)
                : 1;
 }
 
-/* Goes on to a load. It is divided until the error of each part is small, or the effort is spent.
- * `length` is that of the load as a part of all. `error` on return: of the step, if it was one. */
+/* Goes on over each moment at which slip begins at an edge. `length` becomes that of what is left,
+ * which is tried as a whole; it may be the last attempt. False where there is no answer. */
+static bool pass_onsets(load_work *j, int division, rw_scaled_loads to, int effort, double *length,
+                        bool *is_last)
+{
+    trial *t = &j->at[division];
+    for (;;) {
+        *is_last = division == DIVISIONS || *length <= SHORTEST || j->work.effort > effort;
+        if (*is_last && !is_known(&t->whole))
+            rw_implicit_step(&j->work, &j->next->now, to, NULL, true, &t->whole);
+        const double onset = *is_last ? 1 : onset_in(j, &t->whole);
+        if (onset == 1)
+            return true;
+        if (!advance_to_onset(j, division, to, *length, effort, onset))
+            return false;
+        *length *= 1 - onset;
+    }
+}
+
+/* Goes on to a load. It is cut where slip begins at an edge, and divided until the error of each
+ * part is small, or the effort is spent. `length` is that of the load as a part of all. `error` on
+ * return: of the step, if it was one. */
 static bool advance(load_work *j, int division, rw_scaled_loads to, double length, int effort,
                     double *error)
 {
-    trial *t = &j->at[division];
-    const bool is_last = division == DIVISIONS || length <= SHORTEST || j->work.effort > effort;
-    if (is_last && !is_known(&t->whole))
-        rw_implicit_step(&j->work, &j->next->now, to, NULL, true, &t->whole);
-    const double onset = is_last ? 1 : onset_in(j, &t->whole);
-    if (onset < 1)
-        return advance_over_onset(j, division, to, length, effort, onset, error);
-    return end_step(j, t, to, is_last, error) ||
-           (!is_last && !j->work.is_short &&
-            advance_in_parts(j, division, to, length, effort, error));
+    double left = length;
+    bool is_last;
+    if (!pass_onsets(j, division, to, effort, &left, &is_last))
+        return false;
+    const bool is_done =
+        end_step(j, &j->at[division], to, is_last, error) ||
+        (!is_last && !j->work.is_short && advance_in_parts(j, division, to, left, effort, error));
+    *error = left < length ? HUGE_VAL : *error;
+    return is_done;
 }
 
 /* `error` is that of the load at once, whose first half stands ready, if it is known. A part may
@@ -167,21 +186,19 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
     return is_done;
 }
 
-/* To the moment at which slip begins at an edge, and from there on. */
-static bool advance_over_onset(load_work *j, int division, rw_scaled_loads to, double length,
-                               int effort, double onset, double *error)
+/* To the moment at which slip begins at an edge. Tries what is left as a whole. */
+static bool advance_to_onset(load_work *j, int division, rw_scaled_loads to, double length,
+                             int effort, double onset)
 {
     const rw_scaled_loads at = rw_part_of_line(j->next->now.at, to, onset);
-    rw_numerical_state *whole = &j->at[division + 1].whole;
     const int half = j->work.effort + (effort - j->work.effort) / 2;
+    double error;
     drop(&j->at[division].whole);
-    rw_implicit_step(&j->work, &j->next->now, at, NULL, false, whole);
-    if (!advance(j, division + 1, at, length * onset, half, error))
+    rw_implicit_step(&j->work, &j->next->now, at, NULL, false, &j->at[division + 1].whole);
+    if (!advance(j, division + 1, at, length * onset, half, &error))
         return false;
-    rw_implicit_step(&j->work, &j->next->now, to, NULL, false, whole);
-    const bool is_done = advance(j, division + 1, to, length * (1 - onset), effort, error);
-    *error = HUGE_VAL;
-    return is_done;
+    rw_implicit_step(&j->work, &j->next->now, to, NULL, false, &j->at[division].whole);
+    return true;
 }
 
 /* The friction of a contact goes from load to load. The last place is the last to be given to

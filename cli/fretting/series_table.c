@@ -56,10 +56,12 @@ distance distance_read(const arguments *line, const material *constants)
 
 typedef struct {
     const char *name;
+    double f; /* with which it is clipped */
     test_log log;
 } named_log;
 
 typedef struct {
+    const arguments *line;
     reading how;
     const output_options *out; /* which none of them may be */
     named_log *list;
@@ -78,21 +80,24 @@ static void read_log(const logs *all, named_log *to)
     }
     if (!load_history_read_file(to->name, &all->how, &loads, &to->log.why))
         return;
+    if (loads_are_driven(loads.load, loads.count))
+        load_history_give_compliance(all->line, &loads);
+    loads_filter(all->line, to->f, &loads);
     to->log.to = loads.load;
     to->log.count = loads.count;
 }
 
-/* NULL for the name "". Each file is read once. */
-static const test_log *log_named(logs *all, const char *name)
+/* NULL for the name "". Each file is read once for a friction. */
+static const test_log *log_named(logs *all, const char *name, double f)
 {
     size_t i = 0;
     if (name[0] == '\0')
         return NULL;
-    while (i < all->count && strcmp(all->list[i].name, name) != 0)
+    while (i < all->count && (strcmp(all->list[i].name, name) != 0 || all->list[i].f != f))
         i++;
     if (i == all->count) {
         all->list = memory_for_one_more(all->list, all->count, sizeof *all->list);
-        all->list[all->count++] = (named_log){.name = name};
+        all->list[all->count++] = (named_log){.name = name, .f = f};
         read_log(all, &all->list[i]);
     }
     return &all->list[i].log;
@@ -169,7 +174,8 @@ static void run_row(const series *all, logs *files, test_row *row, test_run *run
         complain(&row->why, "misplaced quotes in the row of line %" PRId64, cells->line);
         return;
     }
-    const test_log *log = log_named(files, test_log_name(all, cells->cell, cells->count));
+    const test_log *log = log_named(files, test_log_name(all, cells->cell, cells->count),
+                                    test_friction(all, cells->cell, cells->count));
     if (test_read(all, cells->cell, cells->count, log, &run->test, &row->why))
         test_go(all, run, &row->why);
 }
@@ -190,7 +196,7 @@ static void read_profile(const series_table *table, const arguments *line, const
 static void run_rows(const arguments *line, const output_options *out, char decimal_sign,
                      series_table *table)
 {
-    logs files = {.how = reading_of(line, decimal_sign), .out = out};
+    logs files = {.line = line, .how = reading_of(line, decimal_sign), .out = out};
     const bool shows = line->value[OPTION_QUIET] == NULL && stream_is_terminal(stderr);
     table->run = memory_zeroed(table->count, sizeof *table->run);
     progress_start(shows, (int64_t)table->count, "tests");
@@ -239,19 +245,10 @@ static void find_length(const arguments *line, series_table *table)
 /* The table has the loads and places. */
 static void refuse_others(const arguments *line)
 {
-    static const int others[] = {OPTION_HISTORY,
-                                 OPTION_LOAD,
-                                 OPTION_UNTIL,
-                                 OPTION_SPECIMEN_THICKNESS,
-                                 OPTION_OPPOSITE,
-                                 OPTION_COMPLIANCE,
-                                 OPTION_AT,
-                                 OPTION_POINTS,
-                                 OPTION_X,
-                                 OPTION_DEPTH,
-                                 OPTION_ARCHARD,
-                                 OPTION_INPUT + INPUT_Q,
-                                 OPTION_INPUT + INPUT_SIGMA};
+    static const int others[] = {
+        OPTION_HISTORY,  OPTION_LOAD,    OPTION_UNTIL,           OPTION_SPECIMEN_THICKNESS,
+        OPTION_OPPOSITE, OPTION_AT,      OPTION_POINTS,          OPTION_X,
+        OPTION_DEPTH,    OPTION_ARCHARD, OPTION_INPUT + INPUT_Q, OPTION_INPUT + INPUT_SIGMA};
     if (line->operand != NULL && line->operand[0] != NULL)
         usage_error("%s: given together with --input; a row names its file of loads in the column "
                     "loads",

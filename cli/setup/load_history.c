@@ -102,7 +102,7 @@ static double read_compliance(const arguments *line)
 }
 
 /* Gives it to loads that are driven; refuses it where none is. */
-static void give_compliance(const arguments *line, load_history *loads)
+void load_history_give_compliance(const arguments *line, load_history *loads)
 {
     const char *text = line->value[OPTION_COMPLIANCE];
     const bool is_driven = loads_are_driven(loads->load, loads->count);
@@ -231,7 +231,7 @@ void load_history_read(const arguments *line, char decimal_sign, load_history *l
     else if (!is_kept)
         load_history_read_list(line, &kept);
     if (!has_compliance)
-        give_compliance(line, &kept);
+        load_history_give_compliance(line, &kept);
     is_kept = has_compliance = true;
     *loads = kept;
 }

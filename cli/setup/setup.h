@@ -168,6 +168,9 @@ void load_history_read_list(const arguments *line, load_history *loads);
 bool load_history_read_file(const char *file, const reading *how, load_history *loads,
                             complaint *why);
 
+/* Gives --compliance to loads that are driven; refuses it where none is. */
+void load_history_give_compliance(const arguments *line, load_history *loads);
+
 /* Refuses a moment where the pad is held. Holds the pad of loads that have tilts, at the first. */
 void load_history_check(const load_history *loads, contact_case *setup);
 

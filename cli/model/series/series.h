@@ -72,6 +72,9 @@ typedef struct {
 /* The name of its file of loads; "" for none. */
 const char *test_log_name(const series *all, const char *const row[], size_t count);
 
+/* Its friction; 0 where that cannot be read. */
+double test_friction(const series *all, const char *const row[], size_t count);
+
 /* Reads a row of so many cells; the log is that of its file, NULL for none. False, with the
  * complaint, where it is no test. Destroy the contact also after an error. */
 bool test_read(const series *all, const char *const row[], size_t count, const test_log *log,

@@ -186,8 +186,6 @@ static bool take_log(const reader *r, const test_log *log, double M, double befo
         return complain(why, "%s", log->why.text);
     if (loads_are_guided(log->to, log->count))
         return complain(why, "loads: tilts are not taken here; allowed: a column tilt beside");
-    if (loads_are_driven(log->to, log->count))
-        return complain(why, "loads: a displacement is not taken here; allowed: P and Q");
     if (before != 0)
         add_before(to, (load){.sigma = before});
     if (to->P > 0)
@@ -216,16 +214,31 @@ static bool read_loads(const reader *r, const input_texts *texts, const test_log
 
 /* ---- All ---- */
 
+static input_texts texts_of(const series *all, const char *const row[])
+{
+    const char *text[INPUT_COUNT];
+    for (int i = 0; i < INPUT_COUNT; i++)
+        text[i] = header_has_input(&all->names, i) ? row[all->names.column[i]] : NULL;
+    return header_texts(&all->names, &all->constants, text);
+}
+
+double test_friction(const series *all, const char *const row[], size_t count)
+{
+    double f;
+    complaint why;
+    if (count != all->names.count)
+        return 0;
+    const input_texts texts = texts_of(all, row);
+    return read_input(&texts, INPUT_F, &f, &why) ? f : 0;
+}
+
 bool test_read(const series *all, const char *const row[], size_t count, const test_log *log,
                test_case *to, complaint *why)
 {
-    const char *text[INPUT_COUNT];
     *to = (test_case){.tested = NAN};
     if (!header_fits(all->names.count, count, all->separator, why))
         return false;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        text[i] = header_has_input(&all->names, i) ? row[all->names.column[i]] : NULL;
-    const input_texts texts = header_texts(&all->names, &all->constants, text);
+    const input_texts texts = texts_of(all, row);
     reader r = {all, row, texts, to};
     r.texts.text[INPUT_P] = r.texts.text[INPUT_M] = NULL;
     if (!refuse_gaps(&r, &texts, why) || !read_life(&r, why) || !read_constants(&r, why) ||

@@ -66,6 +66,19 @@ does fretting --input tilted.csv $bodies --f 0.8 --material steel.csv --criteria
 cp out rows
 single tilt '300,0,100,0\n300,0,-20,0\n' --radius 50 --flat 1 --tilt 0.0001 --load 300,0,0,0 --length 0.05
 
+# Logs with noise beyond f P, and of displacements: as a single call takes them.
+printf 'P,Q\n300,241\n300,-241\n' >noisy.csv
+printf 'P,displacement\n300,0.002\n300,-0.002\n' >driven.csv
+for log in noisy driven; do
+    option=--clip
+    [ $log = noisy ] || option='--compliance 1e-5'
+    printf 'test,radius,P,loads\n%s,50,300,%s.csv\n' $log $log >logs.csv
+    does fretting --input logs.csv $bodies --f 0.8 --criteria crossland --crossland-alpha 0.3 $option
+    cp out rows
+    does fretting $log.csv $bodies --f 0.8 --criteria crossland --crossland-alpha 0.3 --at-worst --radius 50 --load 300,0 $option
+    same "$log alone" "$(of_row crossland value)" "$(of_row $log crossland rows)"
+done
+
 # Lives: damage, and what was tested over it; a run-out is a bound.
 printf 'test,radius,P,Q_max,sigma_max,life_tested\n1,50,300,100,100,88216\n2,50,300,140,110,>1e7\n3,50,300,140,110,> 10^7\n4,50,300,140,110,\n5,50,300,60,60,2e5\n' >lives.csv
 does fretting --input lives.csv --f 0.6 --material sae-1015-normalized

@@ -62,6 +62,7 @@ static void scale_kinks(const rw_shear_state *s, rw_patch from, rw_patch to, dou
 typedef struct {
     rw_friction alone, all; /* f times that of the pad; of both */
     double tilt;
+    bool is_short;
 } pressed;
 
 static void release(pressed *p)
@@ -70,16 +71,18 @@ static void release(pressed *p)
     rw_traction_destroy(&p->all.traction);
 }
 
+/* Where it is not done, there is no contact, or memory is short. */
 static bool press(const rw_frame *frame, rw_patch known, const rw_shear_state *shear,
                   rw_scaled_loads at, pressed *p)
 {
     rw_bounded_inverse inverse;
     double kink[RW_MOST_KINKS];
-    *p = (pressed){.tilt = NAN};
+    *p = (pressed){.tilt = NAN, .is_short = true};
     if (!invert(frame, known, shear, &inverse))
         return false;
     const rw_patch contact = contact_of(frame, &inverse, at);
-    bool is_done = !isnan(contact.left) && rw_friction_create(&p->alone, frame, contact);
+    p->is_short = !isnan(contact.left);
+    bool is_done = p->is_short && rw_friction_create(&p->alone, frame, contact);
     if (is_done) {
         scale_kinks(shear, known, contact, kink);
         p->tilt = carried(&(presser){frame, &inverse}, contact).tilt;
@@ -307,8 +310,10 @@ static bool go(coupled_step *s, const rw_zones *guess, bool coarse, rw_numerical
     bool is_done = false;
     for (int i = 0; i < MOST_PASSES && !is_done; i++) {
         pressed p;
-        if (!press(frame, known->contact, &known->shear, s->to, &p))
+        if (!press(frame, known->contact, &known->shear, s->to, &p)) {
+            s->work->is_short = s->work->is_short || p.is_short;
             break;
+        }
         const bool is_found = pass(s, &p.all, i == 0 ? guess : &last.shear.zones, coarse, there);
         if (is_found)
             keep_pressure(frame, &p, there);

@@ -221,12 +221,14 @@ CLAIM(every_failed_allocation_is_survived)
 
 /* The last load of each is computed, or comes after one that is: it touches, slides, separates or
  * returns to a closed form. */
-static const struct {
+typedef struct {
     bool is_flat; /* or else a wedge */
     bool returns; /* to a closed form, unless memory is short */
     int last;
     rw_loads load[4];
-} histories[] = {
+} history;
+
+static const history histories[] = {
     {false, false, 2, {{4, 0, 0, 0}, {4, 0, 0.5, 0.9}, {2, 1.2, -0.7, 3}}},
     {false, false, 2, {{4, 0, 0, 0}, {4, 0, 0.5, 0.9}, {0, 0, 0, 0}}},
     {false, false, 2, {{4, 0, 0, 0}, {4, 0, 0.5, 0.9}, {4, 0, 2, 0.9}}},
@@ -237,6 +239,14 @@ static const struct {
     {true, false, 2, {{0.2, 0, 0, 0}, {0.2, 0, 0.03, 0}, {0.2, 0, 0.02, 0.05}}},
     {true, false, 2, {{0.2, 0.03, 0, 0}, {0.2, 0.03, 0.06, 0.002}, {0.2, 0.01, 0.05, 0.02}}},
     {true, false, 0, {{0.14, 0.01, -0.036, 0.052}}},
+};
+
+/* Pressed; sheared; from full sliding back, and into it. */
+static const history unlike_histories[] = {
+    {false, false, 0, {{4, 0, 0, 0}}},
+    {false, false, 1, {{4, 0, 0, 0}, {4, 0, 1, 0}}},
+    {false, false, 1, {{4, 0, 2, 0}, {4, 0, 1.7, 0}}},
+    {false, false, 2, {{4, 0, 0, 0}, {4, 0, 1, 0}, {4, 0, 2, 0}}},
 };
 
 /* A contact, as numbers too, and a load that it may take. */
@@ -317,20 +327,31 @@ static void lack_memory(step *take, const beginning *from, bool returns)
             survive(take, from, returns, k, for_ever != 0);
 }
 
+static void lack_memory_along(const history *h, double beta)
+{
+    rwedge_contact *contact =
+        h->is_flat ? create_flat(0.4, 10, A, 0.5) : create_wedge(1, 1, 1, 0.5);
+    assert_ok(rwedge_contact_set_beta(contact, beta));
+    apply_all(allowing(contact, 1e-2), (size_t)h->last, h->load);
+    beginning from = {contact, state_of(contact), h->load[h->last]};
+    lack_memory(follow, &from, h->returns);
+    if (h->last > 0)
+        lack_memory(restore, &from, false);
+    from.state = state_of(apply_all(contact, 1, &from.to));
+    lack_memory(restore, &from, false);
+}
+
 /* From some allocations on a load was said not to converge, at the loosest tolerance. */
 CLAIM(a_load_or_a_state_that_lacks_memory_says_so)
 {
-    for (size_t i = 0; i < sizeof histories / sizeof histories[0]; i++) {
-        rwedge_contact *contact =
-            histories[i].is_flat ? create_flat(0.4, 10, A, 0.5) : create_wedge(1, 1, 1, 0.5);
-        apply_all(allowing(contact, 1e-2), (size_t)histories[i].last, histories[i].load);
-        beginning from = {contact, state_of(contact), histories[i].load[histories[i].last]};
-        lack_memory(follow, &from, histories[i].returns);
-        if (histories[i].last > 0)
-            lack_memory(restore, &from, false);
-        from.state = state_of(apply_all(contact, 1, &from.to));
-        lack_memory(restore, &from, false);
-    }
+    for (size_t i = 0; i < sizeof histories / sizeof histories[0]; i++)
+        lack_memory_along(&histories[i], 0);
+}
+
+CLAIM(a_load_of_unlike_bodies_that_lacks_memory_says_so)
+{
+    for (size_t i = 0; i < sizeof unlike_histories / sizeof unlike_histories[0]; i++)
+        lack_memory_along(&unlike_histories[i], -0.1);
 }
 
 /* The slip is not known: it was lost under the last load but one, in closed form, and then none was

@@ -376,6 +376,17 @@ static double criterion(const work *w)
     return value[0];
 }
 
+/* Of bodies with the Dundurs' beta `first`. */
+static double points_that_slide(const work *w)
+{
+    rwedge_contact *contact = new_contact();
+    must(rwedge_contact_set_beta(contact, w->first));
+    must(rwedge_contact_load(contact, P, 0.6 * P));
+    must(rwedge_contact_stresses(contact, (size_t)w->n, xs, ys, out[0], out[1], out[2]));
+    rwedge_contact_destroy(contact);
+    return out[0][0] + out[2][w->n - 1];
+}
+
 const work works[] = {
     {"stress by the series of 60 terms", points_by_the_series, 0, 0, POINTS},
     {"stress at a point, full sliding", points_one_by_one, 0, 0, POINTS},
@@ -383,6 +394,8 @@ const work works[] = {
     {"stress in an array, full sliding", array_of_points, 0, 0, POINTS},
     {"stress in an array, partial slip", array_of_points, 0.4, 0, POINTS},
     {"stress in an array of 10^6", array_of_points, 0, 0, MANY},
+    {"stress in an array, of a contact", points_that_slide, 0, 0, POINTS},
+    {"stress in an array, unlike bodies", points_that_slide, -0.11, 0, POINTS},
     {"stress in an array, of a flat pad", points_of_a_flat_pad, 2000, 0, POINTS},
     {"stress in an array, 99 arcs", points_of_a_profile, 20000, 0, POINTS / 4},
     {"elastic limit, cold", limits_one_by_one, 0, 0, PAPER_LIMITS / 5},

@@ -263,6 +263,34 @@ CLAIM(a_restored_contact_goes_on_to_the_same_bits)
     }
 }
 
+/* Under a constant P, at a constant tilt or moment, what is dissipated in a cycle is the area of
+ * its loop of Q over the displacement; with so many chords it is 0.7 % smaller. A free pad turns to
+ * and fro, on which a constant M spends nothing. */
+CLAIM(the_loop_of_the_displacement_is_the_energy)
+{
+    enum { STEPS = 32 };
+    for (int is_held = 0; is_held < 2; is_held++) {
+        rwedge_contact *contact = wedge(-0.1);
+        assert_ok(rwedge_contact_set_rotation(contact, is_held));
+        apply(contact, 7.7, 0, 0, 0);
+        const double b = rwedge_contact_half_width(contact);
+        apply(contact, 7.7, 0, 2.7, 0);
+        apply(contact, 7.7, 0, -2.7, 0);
+        apply(contact, 7.7, 0, 2.7, 0);
+        const double energy = rwedge_contact_dissipated_energy(contact);
+        double area = 0, Q = 2.7, u = rwedge_contact_displacement(contact, b);
+        for (int i = 1; i <= STEPS; i++) {
+            const double next_Q = 2.7 * cos(2 * PI * i / STEPS);
+            apply(contact, 7.7, 0, next_Q, 0);
+            const double next = rwedge_contact_displacement(contact, b);
+            area += (Q + next_Q) / 2 * (next - u);
+            Q = next_Q;
+            u = next;
+        }
+        assert_close(area, rwedge_contact_dissipated_energy(contact) - energy, 0.012);
+    }
+}
+
 /* In a cycle a place slips to and fro by its range, under no more than the largest friction. */
 CLAIM(slip_and_energy_of_a_cycle_agree)
 {

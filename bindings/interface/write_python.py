@@ -288,8 +288,11 @@ def made_py(interface: Interface) -> str:
     return text
 
 
+HERE = Path(__file__).resolve()
+# In a source distribution the library is a folder of the package.
+PACKAGE = next(folder / "src/rwedge" for folder in (HERE.parents[1] / "python", HERE.parents[3]) if (folder / "src/rwedge").exists())
+NAMED = re.findall(r'^    "(\w+)": \("', (PACKAGE / "_named.py").read_text(encoding="utf-8"), re.M)
 # The classes that are written by hand, by their modules.
-NAMED = re.findall(r'^    "(\w+)": \("', (Path(__file__).resolve().parents[1] / "python/src/rwedge/_named.py").read_text(encoding="utf-8"), re.M)
 CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction Growth", "_files": "Case read_case", "_loads": "Loads", "_series": "Series", "_stress_history": "StressHistory", "_tests": "Tests series",
            "_library": "AbsentError Error PathError SlidingError", "_validity": "ValidityWarning"}
 PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
@@ -371,7 +374,7 @@ def init_pyi(interface: Interface) -> str:
 
 def labels_py() -> str:
     """What columns of loads are called that say which row it is: the tool's list."""
-    source = Path(__file__).resolve().parents[2] / "cli/model/reading/reading.h"
+    source = HERE.parents[2] / "cli/model/reading/reading.h"
     names = re.search(r'#define LABEL_NAMES\s+\\\s+"(.*)"', source.read_text(encoding="utf-8"))
     return f"\nLABEL_NAMES = {tuple(names[1].split())!r}\n"  # type: ignore[index]
 

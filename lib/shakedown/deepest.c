@@ -11,12 +11,15 @@ static const double STEP = 0.3, CLOSE_STEP = 0.1; /* of a path */
 
 /* ---- The scan ---- */
 
-enum { DEPTHS = 64 };
+enum { DEPTHS = 128 };
 
-static const double RATIO = 1.6; /* of a depth to the one above */
+/* The ratio of a depth to the one above. A branch below the surface that is about to vanish is flat
+ * beside a rise: a close scan finds it. */
+static const double COARSE = 1.6, CLOSE = 1.2;
 
 typedef struct {
     int n;
+    double ratio;
     double y[DEPTHS], peak[DEPTHS];
 } depth_scan;
 
@@ -31,13 +34,14 @@ static double shallowest(const rw_pass *pass)
     return RW_SHALLOWEST * length;
 }
 
-static depth_scan coarse_scan(const rw_pass *pass)
+static depth_scan scan_depths(const rw_pass *pass, double ratio)
 {
     static const double DEEPEST = 1.5;
     const double last = DEEPEST * rw_patch_half_width(pass->patch);
     depth_scan s;
     s.n = 0;
-    for (double y = shallowest(pass); s.n < DEPTHS && y < last; y *= RATIO) {
+    s.ratio = ratio;
+    for (double y = shallowest(pass); s.n < DEPTHS && y < last; y *= ratio) {
         s.y[s.n] = y;
         s.peak[s.n++] = rw_least_peak_coarse(pass, y);
     }
@@ -49,7 +53,7 @@ static double parabola_top(const depth_scan *s, int i)
 {
     const double rise = (s->peak[i + 1] - s->peak[i - 1]) / 2,
                  bend = s->peak[i - 1] - 2 * s->peak[i] + s->peak[i + 1];
-    return log(s->y[i]) - log(RATIO) * rise / bend;
+    return log(s->y[i]) - log(s->ratio) * rise / bend;
 }
 
 /* ---- The climb ---- */
@@ -66,10 +70,8 @@ static double slope_at(double log_y, const void *context)
 {
     const climb *c = context;
     rw_least_peak next;
-    if (c->is_whole)
+    if (c->is_whole || !rw_least_peak_follows(c->last, c->pass, exp(log_y), &next))
         next = rw_least_peak_at(c->pass, exp(log_y), CLOSE_STEP);
-    else if (!rw_least_peak_follows(c->last, c->pass, exp(log_y), &next))
-        next = rw_least_peak_at(c->pass, exp(log_y), STEP);
     *c->last = next;
     return next.slope;
 }
@@ -90,22 +92,47 @@ static double top_from(const climb *c, double guess)
     return NAN;
 }
 
-/* A depth beside a maximum whose peak is higher; NaN where none of a few is. */
-static double higher_beside(const climb *c, double log_y)
+/* A maximum: the logarithm of its depth, and its peak. */
+typedef struct {
+    double log_y;
+    rw_least_peak peak;
+} top;
+
+/* From a depth upwards; false where there is no maximum. */
+static bool climb_from(const climb *c, double log_y, const rw_least_peak *start, top *to)
 {
-    static const double BESIDE[] = {-0.25, -0.1, 0.1, 0.25};
-    const rw_least_peak maximum = *c->last;
-    for (int i = 0; i < 4; i++) {
-        const double other = log_y + BESIDE[i];
-        rw_least_peak peak;
-        if (other > c->first && other < c->final &&
-            rw_least_peak_follows(&maximum, c->pass, exp(other), &peak) &&
-            peak.peak > maximum.peak) {
-            *c->last = peak;
-            return other;
-        }
+    *c->last = *start;
+    to->log_y = top_from(c, log_y);
+    if (isnan(to->log_y))
+        return false;
+    slope_at(to->log_y, c);
+    to->peak = *c->last;
+    return true;
+}
+
+/* Whether the peak a step beside a maximum rises away from it, or is higher: there is another. */
+static bool leads_away(const climb *c, const top *from, double step, rw_least_peak *beside)
+{
+    const double log_y = from->log_y + step;
+    return log_y > c->first && log_y < c->final &&
+           rw_least_peak_follows(&from->peak, c->pass, exp(log_y), beside) &&
+           (beside->peak > from->peak.peak || step * beside->slope > 0);
+}
+
+/* Two tops may be nearly equal, and so close that the scan shows one: the other is climbed from
+ * beside it. */
+static void climb_beside(const climb *c, top *highest)
+{
+    static const double STEPS[] = {-0.5, -0.25, -0.1, 0.1, 0.25, 0.5};
+    const top first = *highest;
+    for (size_t i = 0; i < sizeof STEPS / sizeof STEPS[0]; i++) {
+        rw_least_peak beside;
+        top other;
+        if (leads_away(c, &first, STEPS[i], &beside) &&
+            climb_from(c, first.log_y + STEPS[i], &beside, &other) &&
+            other.peak.peak > highest->peak.peak)
+            *highest = other;
     }
-    return NAN;
 }
 
 /* The maximum above a guess. At the end the path is sampled closely: false where the climb has
@@ -113,17 +140,15 @@ static double higher_beside(const climb *c, double log_y)
 static bool maximum_from(const climb *c, double guess, rw_depth *depth)
 {
     static const double HIDDEN = 1e-11;
-    double log_y = guess;
-    *c->last = rw_least_peak_at(c->pass, exp(guess), c->is_whole ? CLOSE_STEP : STEP);
-    for (double start = guess; !isnan(start); start = higher_beside(c, log_y)) {
-        log_y = top_from(c, start);
-        if (isnan(log_y))
-            return false;
-        slope_at(log_y, c);
-    }
-    const double y = exp(log_y);
-    *depth = (rw_depth){rw_least_peak_checked(c->last, c->pass, y, CLOSE_STEP), y};
-    return c->is_whole || depth->peak <= c->last->peak * (1 + HIDDEN);
+    const rw_least_peak start =
+        rw_least_peak_at(c->pass, exp(guess), c->is_whole ? CLOSE_STEP : STEP);
+    top found;
+    if (!climb_from(c, guess, &start, &found))
+        return false;
+    climb_beside(c, &found);
+    const double y = exp(found.log_y);
+    *depth = (rw_depth){rw_least_peak_checked(&found.peak, c->pass, y, CLOSE_STEP), y};
+    return c->is_whole || depth->peak <= found.peak.peak * (1 + HIDDEN);
 }
 
 /* Near the i-th peak of the scan. */
@@ -154,7 +179,7 @@ static bool highest_maximum(const rw_pass *pass, const depth_scan *s, rw_depth *
 
 bool rw_subsurface_depth(const rw_pass *pass, rw_depth *depth)
 {
-    const depth_scan s = coarse_scan(pass);
+    const depth_scan s = scan_depths(pass, CLOSE);
     return highest_maximum(pass, &s, depth);
 }
 
@@ -183,7 +208,7 @@ static double highest(int n, const double peak[])
 rw_depth rw_deepest(const rw_pass *pass)
 {
     static const double DEFICIT = 1.1; /* how much higher an exact peak may be than a coarse one */
-    const depth_scan scan = coarse_scan(pass);
+    const depth_scan scan = scan_depths(pass, COARSE);
     const double coarse_surface = rw_least_peak_coarse(pass, 0);
     rw_depth below;
     const bool has_one = highest(scan.n, scan.peak) * DEFICIT > coarse_surface &&

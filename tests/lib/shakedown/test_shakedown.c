@@ -240,14 +240,17 @@ CLAIM(no_depth_needs_more_strength)
     }
 }
 
-/* Here two depths have nearly the same peak, and the slope has one sign on both sides of the higher
- * depth of a coarse scan. */
-CLAIM(the_deeper_of_two_nearly_equal_peaks_is_found)
+/* Here two depths have nearly the same peak; the slope has one sign on both sides of the higher one
+ * of a coarse scan, or the scan shows the other alone. In the last case two places of the path that
+ * touch are close together. */
+CLAIM(the_higher_of_two_nearly_equal_peaks_is_found)
 {
     static const double CASES[][3] = {{0.1094435003720472, 0.10972995771185678, 0.5},
                                       {0.08408194051285986, 0.09774632106912484, 0.49547050125784},
-                                      {0.0654155819684892, 0.2040674275295502, 0.253281045138918}};
-    for (int i = 0; i < 3; i++)
+                                      {0.0654155819684892, 0.2040674275295502, 0.253281045138918},
+                                      {0.1976066722579131, 0.1585315294175671, 0.5},
+                                      {0.3682546733165185, 0.0063722553207928, 0.277883992190141}};
+    for (int i = 0; i < 5; i++)
         check_depths(CASES[i][0], CASES[i][1], CASES[i][2]);
 }
 

@@ -31,6 +31,20 @@ static const char *unit_of(int constant, const char *units, const char *own)
     return strcmp(material_unit(constant), "stress") == 0 && stress != NULL ? stress + 1 : "";
 }
 
+/* A number and its own unit, NULL for none. That of a growth is no unit of a quantity: it stands
+ * behind the number as it is written. */
+static bool read_constant(char *text, double *value, const char **own)
+{
+    char *blank = strchr(text, ' ');
+    if (quantity_read(text, '.', value, own))
+        return true;
+    if (blank == NULL)
+        return false;
+    *blank = '\0';
+    *own = blank + 1;
+    return number_read(text, value);
+}
+
 static void write_constant(const shipped_material *shipped, const node *top, const node *constant,
                            records *rows)
 {
@@ -38,7 +52,7 @@ static void write_constant(const shipped_material *shipped, const node *top, con
     char *text = node_words(constant);
     const char *own;
     double value;
-    if (quantity_read(text, '.', &value, &own))
+    if (read_constant(text, &value, &own))
         records_row(
             rows, COLUMNS,
             (cell[]){cell_text(shipped->name), cell_text(constant->name), cell_number(value),

@@ -120,4 +120,12 @@ refuses "--angle 80: must not have 80; allowed: -75 to 75" crack cycle.csv $hert
 refuses "--shear all: must be none, locked or free" crack cycle.csv $hertz --lengths 1 --shear all
 refuses "--verdict: needs --dK-th, or --C and --m" crack cycle.csv $hertz --from 1 --to 2 --verdict
 
+
+# The law of growth that is shipped: C dK^3 of BS 7910, by its constants in mm and MPa.
+does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --material bs-7910-ferritic-steel
+cp out shipped
+does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --C 5.21e-13 --m 3 --K-in mm
+same "its constants" "$(cat out)" "$(cat shipped)"
+run materials
+same "as they are listed" "paris_C,5.21e-13,mm/(MPa sqrt(mm))^3 paris_m,3," "$(grep '^bs-7910' out | cut -d , -f 2-4 | paste -s -d ' ' -)"
 finish
